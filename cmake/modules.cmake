@@ -1,0 +1,42 @@
+# One CMake target per module. A module sees its own headers as "module/file.h" and those of the modules that it names,
+# through a folder of links made for it: an include that the layer table (docs/architecture.md) forbids does not compile.
+
+# The same bits everywhere: no fused multiply-add, nothing that trades exactness for speed.
+add_library(brickfall_options INTERFACE)
+target_compile_options(brickfall_options INTERFACE
+  -ffp-contract=off -fno-math-errno -Wall -Wextra -Wshadow -Wno-missing-field-initializers)
+target_include_directories(brickfall_options INTERFACE
+  $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+if(BRICKFALL_ASSERTS)
+  target_compile_definitions(brickfall_options INTERFACE $<BUILD_INTERFACE:BRICKFALL_ASSERTS=1>)
+endif()
+if(BRICKFALL_SANITIZE)
+  target_compile_options(brickfall_options INTERFACE -fsanitize=${BRICKFALL_SANITIZE} -fno-omit-frame-pointer
+    -fno-sanitize-recover=all)
+  target_link_options(brickfall_options INTERFACE -fsanitize=${BRICKFALL_SANITIZE})
+endif()
+
+# brickfall_module(NAME [ENGINE] SOURCES ... USES module ... LINK library ...)
+# ENGINE: neither throws nor needs exceptions.
+function(brickfall_module name)
+  cmake_parse_arguments(ARG "ENGINE" "" "SOURCES;USES;LINK" ${ARGN})
+  set(links ${CMAKE_BINARY_DIR}/modules/${name})
+  file(MAKE_DIRECTORY ${links})
+  file(CREATE_LINK ${CMAKE_CURRENT_SOURCE_DIR} ${links}/${name} SYMBOLIC)
+  if(ARG_SOURCES)
+    add_library(bf_${name} OBJECT ${ARG_SOURCES})
+    set(scope PUBLIC)
+  else()
+    add_library(bf_${name} INTERFACE)
+    set(scope INTERFACE)
+  endif()
+  target_link_libraries(bf_${name} ${scope} brickfall_options ${ARG_LINK})
+  target_include_directories(bf_${name} ${scope} $<BUILD_INTERFACE:${links}>)
+  if(ARG_ENGINE AND ARG_SOURCES)
+    target_compile_options(bf_${name} PRIVATE -fno-exceptions -fno-rtti)
+  endif()
+  foreach(used IN LISTS ARG_USES)
+    # Headers only, and not passed on: each module names all that it includes.
+    target_include_directories(bf_${name} ${scope} $<BUILD_INTERFACE:${CMAKE_BINARY_DIR}/modules/${used}>)
+  endforeach()
+endfunction()

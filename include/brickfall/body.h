@@ -1,0 +1,51 @@
+// What a body is made from, and what can be read from it.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "brickfall/ids.h"
+#include "brickfall/math.h"
+#include "brickfall/shapes.h"
+
+namespace brickfall {
+
+// static: never moves. kinematic: moves with the velocity it is given, whatever it hits. dynamic: moves by forces.
+enum class BodyType : std::uint8_t { fixed, kinematic, dynamic };
+
+struct BodyDef {
+  BodyType type = BodyType::dynamic;
+  std::vector<ShapeDef> shapes;  // at least one; mass, centre of mass and inertia come from shapes and densities
+  Vec3 position;                 // m, origin of the body frame (not the centre of mass); |coordinate| <= 1e6
+  Quat rotation;                 // any non-zero length; normalised
+  Vec3 linearVelocity;           // m/s, of the centre of mass
+  Vec3 angularVelocity;          // rad/s, world axes
+  double gravityScale = 1;       // share of the world's gravity, -1e3 .. 1e3
+  double linearDamping = 0;      // 1/s, >= 0: v decays as exp(-damping t)
+  double angularDamping = 0;     // 1/s, >= 0
+  double dragArea = 0;           // m2, >= 0: Cd A of quadratic air drag, F = -rho/2 CdA |v| v; 0 = no drag
+  bool allowSleep = true;        // false keeps the body's island awake
+  std::uint64_t userData = 0;    // yours; never read
+};
+
+struct MassProperties {
+  double mass = 0;       // kg
+  Vec3 centre;           // m, centre of mass in the frame the shape was given in
+  Mat3 inertia{{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}};  // kg m2, about the centre, axes of that frame
+};
+
+struct BodyState {
+  BodyType type = BodyType::dynamic;
+  Vec3 position;             // m, origin of the body frame
+  Quat rotation;             // unit
+  Vec3 centreOfMass;         // m, world
+  Vec3 linearVelocity;       // m/s, of the centre of mass
+  Vec3 angularVelocity;      // rad/s, world axes
+  Vec3 linearAcceleration;   // m/s2, mean over the last step
+  Vec3 angularAcceleration;  // rad/s2, mean over the last step
+  double mass = 0;           // kg; 0 for fixed and kinematic bodies
+  bool awake = true;
+  bool quarantined = false;  // became non-finite; held still and out of all contacts since then
+  std::uint64_t userData = 0;
+};
+
+}  // namespace brickfall

@@ -1,0 +1,33 @@
+// What happened in the last step. Valid until the next step or restore.
+#pragma once
+#include <vector>
+
+#include "brickfall/ids.h"
+#include "brickfall/math.h"
+
+namespace brickfall {
+
+// Two bodies began to press on each other, or ceased to. bodyA < bodyB by creation.
+struct ContactEvent {
+  BodyId bodyA, bodyB;
+};
+
+// An impact: two bodies met faster than WorldDef::hitEventSpeed.
+struct HitEvent {
+  BodyId bodyA, bodyB;
+  Vec3 pointWorld;           // m, mean of the contact points
+  Vec3 normalWorld;          // unit, from A to B
+  double approachSpeed = 0;  // m/s along the normal, before the step
+  double impulse = 0;        // N s along the normal during the step
+};
+
+struct Events {
+  std::vector<ContactEvent> begin;
+  std::vector<ContactEvent> end;
+  std::vector<HitEvent> hits;
+  std::vector<BodyId> moved;       // bodies whose pose changed in the step
+  std::vector<BodyId> fellAsleep;
+  std::vector<BodyId> woke;
+};
+
+}  // namespace brickfall

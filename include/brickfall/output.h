@@ -1,0 +1,20 @@
+// A take to what people open: one HTML file, one glTF binary. Files appear whole or not at all.
+#pragma once
+#include <functional>
+#include <string>
+
+#include "brickfall/result.h"
+#include "brickfall/take.h"
+
+namespace brickfall {
+
+// Called with 0..1 now and then; return false to cancel (nothing is then left behind).
+using Progress = std::function<bool(double share)>;
+
+// ONE self-contained page that plays the take in any browser, without network.
+Status writeReplayHtml(const TakeReader& take, const std::string& path, const Progress& progress = {});
+
+// glTF 2.0 binary: one node per body, meshes shared by equal shapes, keyframes thinned where nothing moves.
+Status writeGlb(const TakeReader& take, const std::string& path, const Progress& progress = {});
+
+}  // namespace brickfall

@@ -1,0 +1,112 @@
+// Scene files: TOML in, a World out. docs/scene-file.md documents every key.
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "brickfall/masonry.h"
+#include "brickfall/world.h"
+
+namespace brickfall {
+
+enum class Severity : std::uint8_t { error, warning };
+
+// One mistake of a scene file. Formats as "file:line:column: error: key: found ..., expected ... (did you mean ...?)".
+struct Diagnostic {
+  Severity severity = Severity::error;
+  std::string file;
+  int line = 0, column = 0;   // from 1; 0 = the file as a whole, or a --set
+  std::string key;            // dotted path, "walls[0].courses"
+  std::string message;        // found, expected, nearest key
+};
+std::string format(const Diagnostic& diagnostic);
+
+struct MaterialDef {
+  std::string name;
+  Material material;
+  std::uint32_t colour = 0xB5543A;  // 0xRRGGBB
+};
+
+struct SceneWall {
+  WallDef wall;
+  std::string material = "brick";
+};
+
+enum class BodyRole : std::uint8_t { ground, brick, ball, body };
+
+// A body placed by itself.
+struct SceneBody {
+  std::string name;
+  BodyRole role = BodyRole::body;
+  std::string material;
+  BodyDef def;               // shapes get the material's values when the scene is built
+  double launchTime = 0;     // s: until then the body is held where it is, then it is let go with its velocity
+};
+
+struct SceneCamera {
+  std::string name = "main";
+  Vec3 position{3, 2, 5}, target{0, 0.5, 0};
+  double fieldOfViewDegrees = 45;
+};
+
+struct SceneDescription {
+  std::string name;          // of the file, without folder and ending
+  std::string title, description;
+  WorldDef world;
+  double seconds = 10;       // simulated time of a run
+  double timeStep = 1.0 / 60;
+  int substeps = 1;
+  double framesPerSecond = 60;  // of the recorded take
+  std::uint64_t seed = 1;
+  std::vector<MaterialDef> materials;
+  std::vector<SceneWall> walls;
+  std::vector<SceneBody> bodies;   // the ground, balls and free bodies
+  std::vector<SceneCamera> cameras;
+};
+
+struct SceneLoad {
+  std::optional<SceneDescription> scene;  // absent if there is an error
+  std::vector<Diagnostic> diagnostics;    // all mistakes of the file, in its order
+};
+// Overrides are "key.path=value" pairs as of --set, applied before anything is checked.
+using Overrides = std::vector<std::pair<std::string, std::string>>;
+SceneLoad loadSceneFile(const std::string& path, const Overrides& overrides = {});
+SceneLoad parseScene(std::string_view text, const std::string& fileName, const Overrides& overrides = {});
+// Overlapping bodies at the start and the like, as warnings.
+std::vector<Diagnostic> checkScene(const SceneDescription& scene);
+
+// A body of a scene, placed in a world.
+struct PlacedBody {
+  BodyId id;
+  std::string name;
+  BodyRole role = BodyRole::body;
+  std::uint32_t colour = 0;
+  BodyDef def;               // as created, with shapes and materials
+  double launchTime = 0;
+  int course = -1;           // of a brick
+};
+
+// A scene being simulated: the world, what is in it, and what is still to be launched.
+class SceneRun {
+ public:
+  static Result<SceneRun> create(const SceneDescription& scene);
+  // One time step of the scene; launches what is due first.
+  Result<StepReport> step();
+  World& world() { return world_; }
+  const World& world() const { return world_; }
+  const SceneDescription& scene() const { return scene_; }
+  const std::vector<PlacedBody>& bodies() const { return bodies_; }
+
+ private:
+  SceneRun(SceneDescription scene, World world);
+  SceneDescription scene_;
+  World world_;
+  std::vector<PlacedBody> bodies_;
+  std::size_t stepsDone_ = 0;
+};
+
+}  // namespace brickfall

@@ -1,0 +1,48 @@
+// Collision shapes and materials.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "brickfall/math.h"
+
+namespace brickfall {
+
+enum class ShapeType : std::uint8_t { box, sphere, capsule, hull, plane };
+
+// How the values of two touching materials become one. If the two shapes ask for different rules, the later in this list
+// wins.
+enum class CombineRule : std::uint8_t { geometricMean, average, minimum, multiply, maximum };
+
+struct Material {
+  double density = 1900;           // kg/m3, > 0; sets mass and inertia of dynamic bodies
+  double friction = 0.6;           // Coulomb coefficient, 0 .. 100
+  double restitution = 0;          // rebound speed / impact speed, 0 .. 1; impacts slower than 1 m/s do not rebound
+  CombineRule frictionRule = CombineRule::geometricMean;
+  CombineRule restitutionRule = CombineRule::maximum;
+};
+
+// Two shapes collide if each one's category is in the other's mask, unless both have the same group: a negative group
+// never collides with itself, a positive one always does. 0 = no group.
+struct CollisionFilter {
+  std::uint32_t category = 1;
+  std::uint32_t mask = 0xffffffffu;
+  std::int32_t group = 0;
+};
+
+constexpr int kMaxHullVertices = 64;
+
+// One convex piece of a body. Only the fields of its type are read.
+struct ShapeDef {
+  ShapeType type = ShapeType::box;
+  Vec3 halfExtents{0.5, 0.5, 0.5};  // box: m, each > 0
+  double radius = 0.5;              // sphere, capsule: m, > 0
+  double halfHeight = 0.5;          // capsule: half the distance of the two cap centres along local y, m, > 0
+  std::vector<Vec3> vertices;       // hull: 4 .. 64 points that span a volume; inner points are dropped
+  // plane: the half space y <= 0 of the shape's frame is solid; static bodies only
+  Transform local;                  // the shape's frame in the body's frame
+  Material material;
+  CollisionFilter filter;
+  std::uint64_t userData = 0;       // yours; never read
+};
+
+}  // namespace brickfall

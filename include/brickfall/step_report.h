@@ -1,0 +1,53 @@
+// What a step did and what it cost.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "brickfall/ids.h"
+
+namespace brickfall {
+
+// The stages of World::step in their order; docs/step.md describes each.
+enum class Stage : std::uint8_t {
+  pairs,        // broad phase: candidate pairs
+  contacts,     // narrow phase: manifolds, matching
+  islands,      // islands, cluster hierarchies
+  prepare,      // contact records, free motion
+  rest,         // kinetic damping, rest check
+  solve,        // multilevel cycles
+  store,        // forces kept, velocities, free flight
+  restitution,  // rebound
+  integrate,    // new poses, quarantine
+  sleep,        // sleeping and waking
+  events,
+  count
+};
+constexpr int kStageCount = int(Stage::count);
+constexpr std::array<std::string_view, kStageCount> kStageNames = {"pairs", "contacts",    "islands",   "prepare",
+                                                                   "rest",  "solve",       "store",     "restitution",
+                                                                   "integrate", "sleep",   "events"};
+
+struct StepReport {
+  std::uint64_t stepIndex = 0;              // of the step just made, from 1
+  double time = 0;                          // s, simulated time after the step
+  std::array<double, kStageCount> stageMilliseconds{};
+  double milliseconds = 0;                  // whole step, wall clock
+  int bodies = 0;                           // dynamic bodies, asleep ones included
+  int awakeBodies = 0;
+  int manifolds = 0;                        // of awake bodies
+  int contactPoints = 0;                    // of awake bodies
+  int touchingPoints = 0;                   // points that carry force
+  int islands = 0;                          // awake
+  int restingIslands = 0;                   // accepted by the rest check: they cost one light pass
+  int cycles = 0;                           // multilevel cycles, summed over islands
+  double solveVisits = 0;                   // two-sided visits of a point in the solve, line search included
+  double lightVisits = 0;                   // visits that only read forces
+  double residualRms = 0;                   // worst island: rms of |force residual| / weight when the solve stopped
+  int manifoldsReused = 0;
+  int manifoldsComputed = 0;
+  std::vector<BodyId> quarantined;          // bodies that became non-finite in this step
+};
+
+}  // namespace brickfall

@@ -1,0 +1,97 @@
+// A take: what happened in a run, frame by frame, on disk. Written as the run goes, so that a run killed at any moment
+// leaves a take that opens up to its last whole frame. docs/take-format.md documents the bytes.
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "brickfall/math.h"
+#include "brickfall/result.h"
+#include "brickfall/shapes.h"
+
+namespace brickfall {
+
+enum class TakeRole : std::uint8_t { ground, brick, ball, body };
+
+struct TakeBody {
+  std::string name;
+  TakeRole role = TakeRole::body;
+  std::uint32_t colour = 0xB5543A;  // 0xRRGGBB
+  double mass = 0;                  // kg, 0 = fixed
+  std::vector<ShapeDef> shapes;     // geometry and local pose; materials are not kept
+};
+
+struct TakeCamera {
+  std::string name;
+  Vec3 position, target;
+  double fieldOfViewDegrees = 45;
+};
+
+struct TakeHeader {
+  std::string scene, title, engineVersion;
+  std::uint64_t seed = 0;
+  double framesPerSecond = 60;
+  std::vector<TakeBody> bodies;
+  std::vector<TakeCamera> cameras;
+};
+
+struct TakePose {
+  Vec3 position;         // m, body origin; kept to 0.01 mm or better
+  Quat rotation;         // kept to 1e-4 rad or better
+  float speed = 0;       // m/s
+  float contactForce = 0;  // N, sum of normal forces on the body
+};
+
+enum class TakeEventType : std::uint8_t { hit, launch, fellAsleep, quarantined };
+struct TakeEvent {
+  TakeEventType type = TakeEventType::hit;
+  std::uint32_t bodyA = 0, bodyB = 0;  // positions in TakeHeader::bodies; bodyB only for hits
+  Vec3 pointWorld;
+  float impulse = 0;     // N s
+};
+
+struct TakeFrame {
+  double time = 0;                 // s
+  std::vector<TakePose> poses;     // one per body of the header
+  std::vector<TakeEvent> events;   // since the last frame
+};
+
+class TakeWriter {
+ public:
+  // Creates (replaces) the file at once; frames are flushed one by one.
+  static Result<TakeWriter> create(const std::string& path, const TakeHeader& header);
+  TakeWriter(TakeWriter&&) noexcept;
+  TakeWriter& operator=(TakeWriter&&) noexcept;
+  ~TakeWriter();
+  Status write(const TakeFrame& frame);
+  // Writes the index and `summaryJson` (any text, may be empty); without it the take still opens.
+  Status finish(const std::string& summaryJson);
+
+ private:
+  struct Impl;
+  explicit TakeWriter(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+class TakeReader {
+ public:
+  // Opens a take; a cut-off one up to its last whole frame (complete() is then false).
+  static Result<TakeReader> open(const std::string& path);
+  static Result<TakeReader> openBytes(std::vector<std::uint8_t> bytes);
+  TakeReader(TakeReader&&) noexcept;
+  TakeReader& operator=(TakeReader&&) noexcept;
+  ~TakeReader();
+  const TakeHeader& header() const;
+  std::size_t frameCount() const;
+  bool complete() const;
+  const std::string& summaryJson() const;
+  Result<TakeFrame> frame(std::size_t index) const;  // any order
+
+ private:
+  struct Impl;
+  explicit TakeReader(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace brickfall

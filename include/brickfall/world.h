@@ -1,0 +1,156 @@
+// A world of rigid bodies and its step.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "brickfall/body.h"
+#include "brickfall/debug_draw.h"
+#include "brickfall/events.h"
+#include "brickfall/ids.h"
+#include "brickfall/math.h"
+#include "brickfall/result.h"
+#include "brickfall/shapes.h"
+#include "brickfall/step_report.h"
+
+namespace brickfall {
+
+// Everything that tunes the contact solver. The defaults are those under which all figures in docs were measured; each
+// trades honesty, stiffness and cost (docs/step.md). Stiffness unit u = mEff / dt^2, mEff = 1 / (1/mA + 1/mB).
+struct SolverSettings {
+  double restingStiffness = 1000;     // u, 10 .. 1e5: elastic sag ~ 1/this; stiffer converges later when disturbed
+  double impactStiffness = 30;        // u, 1 .. restingStiffness: of a point born in an impact
+  double restingApproachSpeed = 0.3;  // m/s: contacts born slower are resting, not impacts
+  double contactMargin = 0.010;       // m: contacts are made this early (plus approach x dt), at most a sixth of the smaller
+                                      // body's smallest half extent
+  double restSpeed = 2e-3;            // m/s: only slower bodies are put to rest by the rest check
+  double restTolerance = 1e-3;        // residual / weight accepted as "nothing moves"
+  double cycleTolerance = 1e-2;       // rms residual / weight at which a moving island is done
+  int minCycles = 4;                  // 1 .. 64: fewer glue bodies in place (they hang in the air)
+  int maxCycles = 8;                  // minCycles .. 256, islands of 80 bodies and more
+  int maxCyclesSmall = 64;            // the same for the smallest islands (640 / bodies, clamped)
+};
+
+struct WorldDef {
+  Vec3 gravity{0, -9.81, 0};       // m/s2
+  double airDensity = 1.204;       // kg/m3, for bodies with a drag area
+  bool enableSleep = true;         // islands at rest for sleepDelay seconds cost nothing until something touches them
+  double sleepDelay = 0.5;         // s, > 0
+  double hitEventSpeed = 1.0;      // m/s: slower impacts make no hit event
+  double hitEventImpulse = 0.01;   // N s: weaker impacts make no hit event
+  int threads = 1;                 // 1 .. 64 worker threads; results do not depend on it
+  int maxBodies = 1'000'000;       // createBody fails beyond
+  SolverSettings solver;
+};
+
+// One touching pair of bodies as the solver left it.
+struct ContactPointView {
+  Vec3 pointWorld;           // m
+  double separation = 0;     // m, negative = overlap
+  double normalForce = 0;    // N, on B along the normal
+  Vec3 frictionForce;        // N, on B
+};
+struct ContactView {
+  BodyId bodyA, bodyB;
+  ShapeId shapeA, shapeB;
+  Vec3 normalWorld;          // unit, from A to B
+  int pointCount = 0;
+  ContactPointView points[4];
+};
+
+struct RayHit {
+  BodyId body;
+  ShapeId shape;
+  Vec3 pointWorld;
+  Vec3 normalWorld;      // unit, out of the shape
+  double distance = 0;   // m along the ray
+};
+struct ClosestResult {
+  BodyId body;
+  ShapeId shape;
+  Vec3 pointWorld;       // nearest point of the shape
+  double distance = 0;   // m, 0 inside
+};
+
+struct Energy {
+  double kinetic = 0;    // J
+  double potential = 0;  // J, of gravity: -sum m gravityScale g . x
+};
+
+class World {
+ public:
+  static Result<World> create(const WorldDef& def);
+  World(World&&) noexcept;
+  World& operator=(World&&) noexcept;
+  ~World();
+
+  // --- Bodies. Every setter refuses non-finite values and stale ids and then changes nothing.
+  Result<BodyId> createBody(const BodyDef& def);
+  Status destroyBody(BodyId body);
+  bool isValid(BodyId body) const;
+  Result<BodyState> state(BodyId body) const;
+  Result<MassProperties> massProperties(BodyId body) const;  // in the body frame
+  std::vector<BodyId> bodies() const;                        // in order of creation
+  std::vector<ShapeId> shapes(BodyId body) const;            // empty for a stale id
+  Result<ShapeDef> shape(ShapeId shape) const;
+  Status setType(BodyId body, BodyType type);                // velocities are kept; a fixed body loses them
+  Status setTransform(BodyId body, Vec3 position, Quat rotation);  // teleports; contacts of the body are made anew
+  Status setLinearVelocity(BodyId body, Vec3 velocity);
+  Status setAngularVelocity(BodyId body, Vec3 velocity);
+  Status setGravityScale(BodyId body, double scale);
+  Status setDamping(BodyId body, double linear, double angular);
+  Status setDragArea(BodyId body, double dragArea);
+  Status setGravity(Vec3 gravity);
+  Vec3 gravity() const;
+  Status wake(BodyId body);
+
+  // --- Forces act during the next step and are then forgotten; impulses act at once. Both wake the body.
+  Status applyForce(BodyId body, Vec3 force);                              // N, at the centre of mass
+  Status applyForceAtPoint(BodyId body, Vec3 force, Vec3 pointWorld);      // N
+  Status applyTorque(BodyId body, Vec3 torque);                            // N m
+  Status applyImpulse(BodyId body, Vec3 impulse);                          // N s, at the centre of mass
+  Status applyImpulseAtPoint(BodyId body, Vec3 impulse, Vec3 pointWorld);  // N s
+  Status applyAngularImpulse(BodyId body, Vec3 impulse);                   // N m s
+
+  // --- Time. Advances by dt seconds (1e-5 .. 0.1), in `substeps` equal parts (1 .. 64).
+  Result<StepReport> step(double dt, int substeps = 1);
+  double time() const;               // s
+  std::uint64_t stepCount() const;
+  const Events& events() const;      // of the last step
+
+  // --- Queries, at the poses after the last step. Filter: shapes whose category is in the mask.
+  Result<std::optional<RayHit>> castRay(Vec3 origin, Vec3 direction, double maxDistance,
+                                        std::uint32_t mask = 0xffffffffu) const;
+  Result<std::vector<BodyId>> overlapBox(const Aabb& box, std::uint32_t mask = 0xffffffffu) const;   // bounds, exact shape
+  Result<std::vector<BodyId>> overlapSphere(Vec3 centre, double radius, std::uint32_t mask = 0xffffffffu) const;
+  Result<std::optional<ClosestResult>> closest(Vec3 point, double maxDistance, std::uint32_t mask = 0xffffffffu) const;
+  void forEachContact(const std::function<void(const ContactView&)>& visit) const;
+  // Exact overlap depth of two shapes, m: 0 when apart. What is really there, not what the solver believes.
+  Result<double> penetration(ShapeId a, ShapeId b) const;
+  Energy energy() const;             // of dynamic bodies
+  Vec3 linearMomentum() const;       // kg m/s, of dynamic bodies
+  Vec3 angularMomentum() const;      // kg m2/s, about the world's origin
+
+  // --- State as a whole
+  std::uint64_t stateHash() const;   // over the bits of all poses and velocities, in order of creation
+  std::vector<std::byte> snapshot() const;
+  Status restore(std::span<const std::byte> snapshot);  // on any error the world stays as it was
+  // Every invariant of every part; empty = all hold. For tests and for finding our bugs.
+  std::vector<std::string> validate() const;
+  void draw(const DebugDraw& draw) const;
+
+ private:
+  struct Impl;
+  explicit World(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+// "0.1.0"
+const char* versionString();
+
+}  // namespace brickfall

@@ -1,0 +1,20 @@
+// BRICKFALL_ASSERT(condition, text): a bug of ours. On when the build sets BRICKFALL_ASSERTS (the default; off for benches).
+// Never for bad input, which gets an error value in every build.
+#pragma once
+
+#if BRICKFALL_ASSERTS
+#include <cstdio>
+#include <cstdlib>
+#define BRICKFALL_ASSERT(condition, text)                                                             \
+  do {                                                                                                \
+    if (!(condition)) {                                                                               \
+      std::fprintf(stderr, "%s:%d: assertion failed: %s (%s)\n", __FILE__, __LINE__, text, #condition); \
+      std::abort();                                                                                   \
+    }                                                                                                 \
+  } while (false)
+#else
+#define BRICKFALL_ASSERT(condition, text) \
+  do {                                    \
+    (void)sizeof(condition);              \
+  } while (false)
+#endif

@@ -1,0 +1,25 @@
+// A pool of workers for loops over independent pieces. What a loop computes must not depend on how it is cut up.
+#pragma once
+#include <functional>
+#include <memory>
+
+namespace brickfall {
+
+class WorkerPool {
+ public:
+  // threads: 1 .. 64, this thread included; 1 starts none.
+  explicit WorkerPool(int threads);
+  ~WorkerPool();
+  WorkerPool(const WorkerPool&) = delete;
+  WorkerPool& operator=(const WorkerPool&) = delete;
+  int threads() const;
+  // Calls body(begin, end) for pieces of [0, count) of at most `grain`, on all workers; returns when all are done.
+  // Not reentrant.
+  void forRange(int count, int grain, const std::function<void(int begin, int end)>& body);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace brickfall

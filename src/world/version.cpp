@@ -1,0 +1,7 @@
+#include "brickfall/world.h"
+
+namespace brickfall {
+
+const char* versionString() { return BRICKFALL_VERSION; }
+
+}  // namespace brickfall
