@@ -54,6 +54,19 @@ struct BrickPlacement {
   bool lintel = false;
 };
 
+// What is wrong with a wall: the field ("courses", "openings[1].from"), what was found and what was expected.
+struct WallProblem {
+  std::string field;
+  std::string message;
+};
+// All of it; empty = layBricks will succeed.
+std::vector<WallProblem> checkWall(const WallDef& wall);
+// m: of a full course, and through the wall (one brick length for header, English and Flemish bond).
+double wallLength(const WallDef& wall);
+double wallThickness(const WallDef& wall);
+// Bricks of the wall if it had no openings.
+std::int64_t brickCount(const WallDef& wall);
+
 // The bricks of a wall, lowest course first. Errors name the field of the wall.
 Result<std::vector<BrickPlacement>> layBricks(const WallDef& wall, std::uint64_t seed);
 

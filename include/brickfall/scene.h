@@ -34,6 +34,8 @@ struct MaterialDef {
 struct SceneWall {
   WallDef wall;
   std::string material = "brick";
+  std::string lintelMaterial = "concrete";
+  double densityScatter = 0;  // 0 .. 0.5: each brick's density is the material's times 1 +- up to this
 };
 
 enum class BodyRole : std::uint8_t { ground, brick, ball, body };
@@ -43,6 +45,7 @@ struct SceneBody {
   std::string name;
   BodyRole role = BodyRole::body;
   std::string material;
+  std::vector<std::string> shapeMaterials;  // one per shape; empty: `material` for all
   BodyDef def;               // shapes get the material's values when the scene is built
   double launchTime = 0;     // s: until then the body is held where it is, then it is let go with its velocity
 };
@@ -76,6 +79,19 @@ struct SceneLoad {
 using Overrides = std::vector<std::pair<std::string, std::string>>;
 SceneLoad loadSceneFile(const std::string& path, const Overrides& overrides = {});
 SceneLoad parseScene(std::string_view text, const std::string& fileName, const Overrides& overrides = {});
+// brick, steel, concrete, wood, rubber: what a scene file may name without defining it.
+const std::vector<MaterialDef>& predefinedMaterials();
+
+// A scene that comes with Brickfall.
+struct ShippedScene {
+  std::string name, title, path;
+};
+// By name. Looked for in $BRICKFALL_SCENES, beside the executable (../../scenes, ../share/brickfall/scenes) and in the
+// source tree it was built from; the first folder that holds scenes counts.
+std::vector<ShippedScene> shippedScenes();
+// The path of a scene file, given a path or a shipped scene's name; empty if there is no such file.
+std::string findScene(const std::string& nameOrPath);
+
 // Overlapping bodies at the start and the like, as warnings.
 std::vector<Diagnostic> checkScene(const SceneDescription& scene);
 
