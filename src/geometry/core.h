@@ -1,0 +1,45 @@
+// Every convex shape is a core (point, segment or polytope) plus a ball of some radius. Distance and depth are found
+// between cores, where all is straight, and the radii are put on at the end.
+#pragma once
+#include "geometry/hull.h"
+#include "geometry/shape.h"
+
+namespace brickfall {
+
+inline double coreRadius(const Shape& shape) {
+  return shape.type == ShapeType::sphere || shape.type == ShapeType::capsule ? shape.radius : 0;
+}
+
+// The corner of the core furthest along `direction`; of equals the first. Not for planes.
+inline Vec3 coreSupport(const Shape& shape, Vec3 direction) {
+  switch (shape.type) {
+    case ShapeType::box: {
+      Vec3 h = shape.halfExtents;
+      return {direction.x < 0 ? -h.x : h.x, direction.y < 0 ? -h.y : h.y, direction.z < 0 ? -h.z : h.z};
+    }
+    case ShapeType::capsule: return {0, direction.y < 0 ? -shape.halfHeight : shape.halfHeight, 0};
+    case ShapeType::hull: {
+      const Hull& hull = *shape.hull;
+      Vec3 best = hull.vertices[0];
+      double furthest = dot(best, direction);
+      for (Vec3 v : hull.vertices) {
+        double along = dot(v, direction);
+        if (along > furthest) furthest = along, best = v;
+      }
+      return best;
+    }
+    default: return {};
+  }
+}
+
+// Half the extent of the shape, m, to scale tolerances. 0 for planes.
+inline double coreSize(const Shape& shape) {
+  switch (shape.type) {
+    case ShapeType::box: return length(shape.halfExtents);
+    case ShapeType::capsule: return shape.halfHeight;
+    case ShapeType::hull: return outerRadius(shape, shape.hull->centroid);
+    default: return 0;
+  }
+}
+
+}  // namespace brickfall

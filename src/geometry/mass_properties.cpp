@@ -1,0 +1,96 @@
+// Closed forms for the round and square shapes; hulls as a sum of tetrahedra (divergence theorem).
+#include "geometry/mass_properties.h"
+
+#include "geometry/hull.h"
+
+namespace brickfall {
+
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+Mat3 outer(Vec3 a, Vec3 b) { return {{b * a.x, b * a.y, b * a.z}}; }
+double trace(const Mat3& m) { return m.row[0].x + m.row[1].y + m.row[2].z; }
+// Inertia from the second moments of mass, int p p^T dm: I = trace(C) 1 - C.
+Mat3 inertiaFromMoments(const Mat3& c) {
+  double t = trace(c);
+  return diagonal(Vec3{t, t, t}) + c * -1.0;
+}
+
+MassProperties sphereMass(double r, double density) {
+  double mass = density * (4.0 / 3.0) * kPi * r * r * r, i = 0.4 * mass * r * r;
+  return {mass, {}, diagonal(Vec3{i, i, i})};
+}
+
+MassProperties boxMass(Vec3 h, double density) {
+  double mass = density * 8 * h.x * h.y * h.z;
+  Vec3 s = scaled(h, h);
+  return {mass, {}, diagonal(Vec3{s.y + s.z, s.z + s.x, s.x + s.y} * (mass / 3))};
+}
+
+// A cylinder and two half balls; a half ball's centre of mass is 3/8 r from its flat side.
+MassProperties capsuleMass(double r, double h, double density) {
+  double cylinder = density * kPi * r * r * 2 * h, ball = density * (4.0 / 3.0) * kPi * r * r * r;
+  double along = 0.5 * cylinder * r * r + 0.4 * ball * r * r;
+  double across = cylinder * (0.25 * r * r + h * h / 3) + ball * (0.4 * r * r + h * h + 0.75 * h * r);
+  return {cylinder + ball, {}, diagonal(Vec3{across, along, across})};
+}
+
+// Tetrahedra from the centroid to a fan of triangles on each face. Over a tetrahedron (0, a, b, c) of volume V, with
+// s = a + b + c:  int p p^T = V/20 (a a^T + b b^T + c c^T + s s^T).
+MassProperties hullMass(const Hull& hull, double density) {
+  double volume = 0;
+  Vec3 first;
+  Mat3 second = diagonal(Vec3{});
+  for (std::uint16_t start : hull.firstEdge) {
+    Vec3 a = hull.vertices[hull.edges[start].origin] - hull.centroid;
+    for (std::uint16_t e = hull.edges[start].next; hull.edges[e].next != start; e = hull.edges[e].next) {
+      Vec3 b = hull.vertices[hull.edges[e].origin] - hull.centroid;
+      Vec3 c = hull.vertices[hull.edges[hull.edges[e].next].origin] - hull.centroid;
+      double v = dot(a, cross(b, c)) / 6;
+      Vec3 sum = a + b + c;
+      volume += v;
+      first += sum * (v / 4);
+      second = second + (outer(a, a) + outer(b, b) + outer(c, c) + outer(sum, sum)) * (v / 20);
+    }
+  }
+  Vec3 shift = first * (1 / volume);
+  Mat3 central = second + outer(shift, shift) * -volume;
+  return {density * volume, hull.centroid + shift, inertiaFromMoments(central * density)};
+}
+
+}  // namespace
+
+MassProperties shapeMass(const Shape& shape, double density) {
+  switch (shape.type) {
+    case ShapeType::box: return boxMass(shape.halfExtents, density);
+    case ShapeType::sphere: return sphereMass(shape.radius, density);
+    case ShapeType::capsule: return capsuleMass(shape.radius, shape.halfHeight, density);
+    case ShapeType::hull: return hullMass(*shape.hull, density);
+    case ShapeType::plane: break;
+  }
+  return {};
+}
+
+MassProperties transformed(const MassProperties& properties, const Transform& pose) {
+  Mat3 turn = toMatrix(pose.rotation);
+  return {properties.mass, transformPoint(pose, properties.centre), turn * properties.inertia * transpose(turn)};
+}
+
+MassProperties combined(std::span<const MassProperties> parts) {
+  MassProperties whole;
+  Vec3 moment;
+  for (const MassProperties& part : parts) {
+    whole.mass += part.mass;
+    moment += part.centre * part.mass;
+  }
+  if (!(whole.mass > 0)) return {};
+  whole.centre = moment * (1 / whole.mass);
+  for (const MassProperties& part : parts) {  // parallel axes (Steiner)
+    Vec3 d = part.centre - whole.centre;
+    whole.inertia = whole.inertia + part.inertia + inertiaFromMoments(outer(d, d) * part.mass);
+  }
+  return whole;
+}
+
+}  // namespace brickfall

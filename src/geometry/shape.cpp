@@ -1,0 +1,93 @@
+// Extents of shapes.
+#include "geometry/shape.h"
+
+#include "geometry/hull.h"
+
+namespace brickfall {
+
+namespace {
+
+constexpr double kInfinite = 1e30;
+constexpr double kAxisTolerance = 4e-16;  // sine of the angle up to which a plane's normal counts as a world axis
+
+Aabb planeBounds(const Transform& pose) {
+  Aabb box{{-kInfinite, -kInfinite, -kInfinite}, {kInfinite, kInfinite, kInfinite}};
+  Vec3 up = rotate(pose.rotation, Vec3{0, 1, 0});
+  for (int k = 0; k < 3; k++) {
+    if (std::fabs(up[(k + 1) % 3]) > kAxisTolerance || std::fabs(up[(k + 2) % 3]) > kAxisTolerance) continue;
+    (up[k] > 0 ? box.upper : box.lower)[k] = pose.position[k];
+  }
+  return box;
+}
+
+Aabb hullBounds(const Hull& hull, const Transform& pose) {
+  Mat3 turn = toMatrix(pose.rotation);
+  Vec3 lower = turn * hull.vertices[0], upper = lower;
+  for (Vec3 v : hull.vertices) {
+    Vec3 p = turn * v;
+    lower = min(lower, p), upper = max(upper, p);
+  }
+  return {lower + pose.position, upper + pose.position};
+}
+
+}  // namespace
+
+Aabb bounds(const Shape& shape, const Transform& pose) {
+  Vec3 half;
+  switch (shape.type) {
+    case ShapeType::box: {
+      Mat3 turn = toMatrix(pose.rotation);
+      for (int k = 0; k < 3; k++) half[k] = dot(abs(turn.row[k]), shape.halfExtents);
+      break;
+    }
+    case ShapeType::sphere: half = {shape.radius, shape.radius, shape.radius}; break;
+    case ShapeType::capsule:
+      half = abs(rotate(pose.rotation, Vec3{0, shape.halfHeight, 0})) + Vec3{shape.radius, shape.radius, shape.radius};
+      break;
+    case ShapeType::hull: return hullBounds(*shape.hull, pose);
+    case ShapeType::plane: return planeBounds(pose);
+  }
+  return {pose.position - half, pose.position + half};
+}
+
+double innerRadius(const Shape& shape) {
+  switch (shape.type) {
+    case ShapeType::box: {
+      Vec3 h = shape.halfExtents;
+      double smaller = h.x < h.y ? h.x : h.y;
+      return smaller < h.z ? smaller : h.z;
+    }
+    case ShapeType::sphere:
+    case ShapeType::capsule: return shape.radius;
+    case ShapeType::hull: {
+      double nearest = kInfinite;
+      for (const HullPlane& plane : shape.hull->planes) {
+        double distance = plane.offset - dot(plane.normal, shape.hull->centroid);
+        if (distance < nearest) nearest = distance;
+      }
+      return nearest;
+    }
+    case ShapeType::plane: break;
+  }
+  return kInfinite;
+}
+
+double outerRadius(const Shape& shape, Vec3 point) {
+  switch (shape.type) {
+    case ShapeType::box: return length(abs(point) + shape.halfExtents);
+    case ShapeType::sphere: return length(point) + shape.radius;
+    case ShapeType::capsule: return length(Vec3{point.x, std::fabs(point.y) + shape.halfHeight, point.z}) + shape.radius;
+    case ShapeType::hull: {
+      double furthest = 0;
+      for (Vec3 v : shape.hull->vertices) {
+        double distance = lengthSquared(v - point);
+        if (distance > furthest) furthest = distance;
+      }
+      return std::sqrt(furthest);
+    }
+    case ShapeType::plane: break;
+  }
+  return kInfinite;
+}
+
+}  // namespace brickfall
