@@ -1,0 +1,47 @@
+# The short way in: `make demo` and `make test` install what is missing, build and go. CMake does the work (see
+# CMakePresets.json for debug and sanitizer builds).
+BUILD ?= build
+BUILD_TYPE ?= Release
+PREFIX ?= /usr/local
+JOBS ?= $(shell nproc 2>/dev/null || echo 2)
+SCENE ?= wall
+
+CONFIGURE = cmake -S . -B $(BUILD) $$(test -f $(BUILD)/CMakeCache.txt || echo -G Ninja -DCMAKE_BUILD_TYPE=$(BUILD_TYPE))
+
+.PHONY: help demo build test check install clean
+.DEFAULT_GOAL := help
+
+help:
+	@echo "make demo               build, knock the wall down, leave out/wall/replay.html to watch (SCENE=hole for another)"
+	@echo "make test               build everything and run every test"
+	@echo "make build              build only: the command is then $(BUILD)/bin/brickfall"
+	@echo "make check              the tests and the rules of the source (tools/check)"
+	@echo "make install PREFIX=... install command, library, scenes and CMake package (default /usr/local)"
+	@echo "make clean              remove $(BUILD)/ and out/"
+	@echo "demo, test and build first install what is missing (Debian packages: apt-get, as root or with sudo)."
+
+# The configuring step is quiet unless it fails; the tests need more packages than the demo, so they are left out of a
+# fresh tree until `make test` turns them on.
+build:
+	@tools/install-dependencies build
+	@test -f $(BUILD)/build.ninja || { $(CONFIGURE) -DBRICKFALL_TESTS=OFF; }
+	@cmake --build $(BUILD) -j $(JOBS) --target brickfall_cli
+
+demo: build
+	@$(BUILD)/bin/brickfall run $(SCENE) -o out/$(SCENE)
+
+test:
+	@tools/install-dependencies build test
+	@$(CONFIGURE) -DBRICKFALL_TESTS=ON
+	@cmake --build $(BUILD) -j $(JOBS)
+	@ctest --test-dir $(BUILD) --output-on-failure -j $(JOBS)
+
+check:
+	@tools/check
+
+install: build
+	@cmake --build $(BUILD) -j $(JOBS) --target brickfall brickfall_scene brickfall_cli
+	@cmake --install $(BUILD) --prefix $(PREFIX)
+
+clean:
+	@rm -rf $(BUILD) out

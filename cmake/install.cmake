@@ -1,0 +1,27 @@
+# What `cmake --install` puts in place: the command with its scenes, and the CMake package that find_package(brickfall)
+# finds: brickfall::brickfall (the engine) and, where it was built, brickfall::scene (scene files, takes, outputs).
+include(CMakePackageConfigHelpers)
+set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/brickfall)
+
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/brickfall DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+set(libraries brickfall)
+if(BRICKFALL_APPS)
+  list(APPEND libraries brickfall_scene)
+  install(TARGETS brickfall_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/brickfall
+    FILES_MATCHING PATTERN "*.toml")
+endif()
+install(TARGETS ${libraries} EXPORT brickfallTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(EXPORT brickfallTargets NAMESPACE brickfall:: DESTINATION ${package_dir})
+
+configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/brickfallConfig.cmake.in
+  ${CMAKE_BINARY_DIR}/package/brickfallConfig.cmake INSTALL_DESTINATION ${package_dir})
+write_basic_package_version_file(${CMAKE_BINARY_DIR}/package/brickfallConfigVersion.cmake
+  COMPATIBILITY SameMinorVersion)
+install(FILES ${CMAKE_BINARY_DIR}/package/brickfallConfig.cmake ${CMAKE_BINARY_DIR}/package/brickfallConfigVersion.cmake
+  DESTINATION ${package_dir})
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+# The build tree looks like an installed one, so that the command finds its scenes the same way in both.
+file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/share/brickfall)
+file(CREATE_LINK ${PROJECT_SOURCE_DIR}/scenes ${CMAKE_BINARY_DIR}/share/brickfall/scenes SYMBOLIC)
