@@ -1,0 +1,138 @@
+// The bonds, course by course.
+#include "masonry/layout.h"
+
+#include <cmath>
+
+namespace brickfall::masonry {
+
+namespace {
+
+
+// Stretchers shifted by a share of the pitch; cut bricks close the ends, or they are left toothed.
+std::vector<Cell> runningCourse(const WallDef& wall, const Layout& at, bool shifted) {
+  std::vector<Cell> cells;
+  double shift = shifted ? wall.bondShift * at.pitch : 0;
+  bool closed = shifted && wall.halfBats && shift > 0;
+  int whole = closed ? wall.bricksPerCourse - 1 : wall.bricksPerCourse;
+  if (closed) cells.push_back({0, shift - at.joint, Laying::single, true});
+  for (int i = 0; i < whole; i++) cells.push_back({i * at.pitch + shift, at.length, Laying::single, false});
+  if (closed) {
+    double from = whole * at.pitch + shift;
+    cells.push_back({from, at.wallLength - from, Laying::single, true});
+  }
+  return cells;
+}
+
+// Headers only, every second course shifted by half a header.
+std::vector<Cell> headerCourse(const WallDef& wall, const Layout& at, bool shifted) {
+  std::vector<Cell> cells;
+  double shift = shifted ? 0.5 * at.headerPitch : 0;
+  bool closed = shifted && wall.halfBats;
+  int whole = closed ? wall.bricksPerCourse - 1 : wall.bricksPerCourse;
+  double closer = 0.5 * at.headerPitch - at.headerJoint;
+  if (closed) cells.push_back({0, closer, Laying::header, true});
+  for (int i = 0; i < whole; i++) cells.push_back({i * at.headerPitch + shift, at.width, Laying::header, false});
+  if (closed) cells.push_back({whole * at.headerPitch + shift, closer, Laying::header, true});
+  return cells;
+}
+
+// Where header position k (in half header pitches) lies, centred so that both ends of the wall are alike.
+double halfPitchPlace(const Layout& at, int k) {
+  return 0.5 * k * at.headerPitch + 0.5 * (at.headerJoint - at.joint);
+}
+
+std::vector<Cell> englishCourse(const WallDef& wall, const Layout& at, bool headers) {
+  std::vector<Cell> cells;
+  int n = wall.bricksPerCourse;
+  if (!headers) {
+    for (int i = 0; i < n; i++) cells.push_back({i * at.pitch, at.length, Laying::leaves, false});
+    return cells;
+  }
+  if (!wall.halfBats) {
+    for (int i = 0; i < 2 * n - 1; i++) cells.push_back({halfPitchPlace(at, 2 * i + 1), at.width, Laying::header, false});
+    return cells;
+  }
+  // header, queen closer, headers off the joints below by a quarter brick, queen closer, header
+  double closer = 0.5 * at.headerPitch - at.headerJoint;
+  cells.push_back({halfPitchPlace(at, 0), at.width, Laying::header, false});
+  cells.push_back({halfPitchPlace(at, 2), closer, Laying::header, true});
+  for (int i = 0; i < 2 * n - 3; i++) cells.push_back({halfPitchPlace(at, 3 + 2 * i), at.width, Laying::header, false});
+  cells.push_back({halfPitchPlace(at, 4 * n - 3), closer, Laying::header, true});
+  cells.push_back({halfPitchPlace(at, 4 * n - 2), at.width, Laying::header, false});
+  return cells;
+}
+
+// Stretchers and headers in turn from half pitch k to half pitch `end`; what is left over is filled with headers.
+void flemishRun(std::vector<Cell>& cells, const Layout& at, int k, int end, bool stretcherFirst) {
+  for (bool stretcher = stretcherFirst; k + 2 <= end; stretcher = !stretcher) {
+    bool fits = stretcher && k + 4 <= end;
+    if (fits) {
+      double from = 0.5 * k * at.headerPitch;
+      cells.push_back({from, at.length, Laying::leaves, false});
+      k += 4;
+    } else {
+      cells.push_back({halfPitchPlace(at, k), at.width, Laying::header, false});
+      k += 2;
+    }
+  }
+}
+
+std::vector<Cell> flemishCourse(const WallDef& wall, const Layout& at, bool shifted) {
+  std::vector<Cell> cells;
+  int end = 4 * wall.bricksPerCourse;
+  if (!shifted) {
+    flemishRun(cells, at, 0, end, true);
+  } else if (!wall.halfBats) {
+    flemishRun(cells, at, 1, end, false);  // toothed: the first header is centred on the stretcher below
+  } else {
+    double closer = 0.5 * at.headerPitch - at.headerJoint;
+    cells.push_back({halfPitchPlace(at, 0), at.width, Laying::header, false});
+    cells.push_back({halfPitchPlace(at, 2), closer, Laying::header, true});
+    flemishRun(cells, at, 3, end - 3, true);
+    cells.push_back({halfPitchPlace(at, end - 3), closer, Laying::header, true});
+    cells.push_back({halfPitchPlace(at, end - 2), at.width, Laying::header, false});
+  }
+  return cells;
+}
+
+}  // namespace
+
+bool isThick(Bond bond) { return bond == Bond::header || bond == Bond::english || bond == Bond::flemish; }
+
+Layout layoutOf(const WallDef& wall) {
+  Layout at;
+  at.length = wall.brick.size.x;
+  at.width = wall.brick.size.z;
+  at.joint = wall.headJoint;
+  at.pitch = at.length + at.joint;
+  // In header bond nothing has to agree with stretchers.
+  at.headerPitch = wall.bond == Bond::header ? at.width + at.joint : 0.5 * at.pitch;
+  at.headerJoint = wall.bond == Bond::header ? at.joint : at.headerPitch - at.width;
+  at.coursePitch = wall.brick.size.y + wall.bedJoint;
+  at.thickness = isThick(wall.bond) ? at.length : at.width;
+  double unit = wall.bond == Bond::header ? at.headerPitch : at.pitch;
+  at.wallLength = wall.bricksPerCourse * unit - at.joint;
+  return at;
+}
+
+std::vector<Cell> courseCells(const WallDef& wall, int course) {
+  Layout at = layoutOf(wall);
+  bool second = course % 2 == 1;
+  switch (wall.bond) {
+    case Bond::running: return runningCourse(wall, at, second);
+    case Bond::header: return headerCourse(wall, at, second);
+    case Bond::english: return englishCourse(wall, at, second);
+    case Bond::flemish: return flemishCourse(wall, at, second);
+    case Bond::stack: break;
+  }
+  return runningCourse(wall, at, false);
+}
+
+}  // namespace brickfall::masonry
+
+namespace brickfall {
+
+double wallLength(const WallDef& wall) { return masonry::layoutOf(wall).wallLength; }
+double wallThickness(const WallDef& wall) { return masonry::layoutOf(wall).thickness; }
+
+}  // namespace brickfall
