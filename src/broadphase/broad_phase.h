@@ -43,14 +43,28 @@ class BroadPhase {
  private:
   struct Node {
     Aabb box;
-    ProxyIndex parent = kNoProxy;
+    ProxyIndex parent = kNoProxy;                // free nodes: the next free one
     ProxyIndex child[2] = {kNoProxy, kNoProxy};  // leaf: kNoProxy
     std::int32_t height = 0;                     // leaf 0, free -1
     std::uint32_t user = 0;
     bool moved = false;
   };
+
+  ProxyIndex allocateNode();
+  void freeNode(ProxyIndex index);
+  void insertLeaf(ProxyIndex leaf);
+  void removeLeaf(ProxyIndex leaf);
+  ProxyIndex findSibling(const Aabb& box) const;
+  void refitUpwards(ProxyIndex index);
+  void refit(ProxyIndex index);
+  void restoreBalance(ProxyIndex index);
+  void improve(ProxyIndex index);
+  void swapWithNephew(ProxyIndex index, int side, int nephew);
+  void markMoved(ProxyIndex leaf);
+  void validateNode(ProxyIndex index, std::vector<std::string>& faults, int& leaves, int& inner) const;
+
   std::vector<Node> nodes_;
-  std::vector<ProxyIndex> moved_;
+  std::vector<ProxyIndex> moved_;  // may hold removed or repeated entries; newPairs sorts that out
   ProxyIndex root_ = kNoProxy;
   ProxyIndex free_ = kNoProxy;
   int count_ = 0;

@@ -1,0 +1,35 @@
+// What all face contacts share: from a polygon of candidate points to at most four.
+#pragma once
+#include <cstdint>
+
+#include "brickfall/math.h"
+#include "narrowphase/manifold.h"
+
+namespace brickfall {
+
+// A corner of the contact polygon: u, v in the plane of the reference face, separation above it.
+struct PatchPoint {
+  double u = 0, v = 0;
+  double separation = 0;
+  std::uint32_t feature = 0;
+};
+
+// Lengths below which geometry counts as equal, m. Written for bricks, scaled down for smaller things.
+struct ContactTolerances {
+  double face;       // a later face axis must be better by this
+  double otherFace;  // ... and by this if the two are nearly parallel: then either is right, and one should stay
+  double edge;       // an edge axis must beat the faces by this: it gives only one point
+  double slack;      // aligned bricks: a corner outside by this much is not cut off
+  double same;       // polygon corners closer than this are one
+};
+inline ContactTolerances contactTolerances(double smallestHalfExtent) {
+  double h = smallestHalfExtent < 1.0 / 30 ? smallestHalfExtent * 30 : 1;
+  return {1e-5 * h, 5e-4 * h, 1e-3 * h, 2e-5 * h, 1e-4 * h};
+}
+
+// Merges equal corners (the deeper stays), then drops corners until four are left: always the one that costs the least area,
+// never the deepest (of points as deep within the slack, the first). Keeps the order around the polygon. Returns the new
+// count.
+int reducePatch(PatchPoint* points, int count, const ContactTolerances& tolerances);
+
+}  // namespace brickfall

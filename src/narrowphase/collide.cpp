@@ -1,0 +1,61 @@
+// Picks the function of the pair and brings the arguments into its order.
+#include "narrowphase/collide.h"
+
+#include "narrowphase/pairs.h"
+
+namespace brickfall {
+namespace {
+
+using PairFunction = void (*)(const Shape&, const Shape&, const Transform&, double, Manifold&);
+
+// The order in which a pair's function takes its arguments.
+constexpr int kRanks = 5;
+int rank(ShapeType type) {
+  switch (type) {
+    case ShapeType::plane: return 0;
+    case ShapeType::sphere: return 1;
+    case ShapeType::capsule: return 2;
+    case ShapeType::box: return 3;
+    case ShapeType::hull: return 4;
+  }
+  return 0;
+}
+
+// clang-format off
+constexpr PairFunction kPairs[kRanks][kRanks] = {
+    // plane    sphere               capsule  box               hull
+    {nullptr, collidePlaneSphere,  nullptr, collidePlaneBox,  nullptr},  // plane
+    {nullptr, collideSphereSphere, nullptr, collideSphereBox, nullptr},  // sphere
+    {nullptr, nullptr,             nullptr, nullptr,          nullptr},  // capsule
+    {nullptr, nullptr,             nullptr, collideBoxBox,    nullptr},  // box
+    {nullptr, nullptr,             nullptr, nullptr,          nullptr},  // hull
+};
+// clang-format on
+
+// A manifold found in the frame of b, with b in the first place, as seen from a.
+void mirror(const Transform& bInA, Manifold& m) {
+  Mat3 r = toMatrix(bInA.rotation);
+  m.normal = -(r * m.normal);
+  for (int i = 0; i < m.count; i++) {
+    ManifoldPoint& p = m.points[i];
+    p.onA = r * p.onB + bInA.position;
+    p.onB = p.onA + m.normal * p.separation;
+  }
+}
+
+}  // namespace
+
+void collide(const Shape& a, const Shape& b, const Transform& bInA, double margin, Manifold& out) {
+  out.count = 0;
+  int ra = rank(a.type), rb = rank(b.type);
+  PairFunction function = ra <= rb ? kPairs[ra][rb] : kPairs[rb][ra];
+  if (!function) return;
+  if (ra <= rb) {
+    function(a, b, bInA, margin, out);
+  } else {
+    function(b, a, inverse(bInA), margin, out);
+    mirror(bInA, out);
+  }
+}
+
+}  // namespace brickfall

@@ -1,0 +1,15 @@
+// One function per pair of types, each in its own file. `a` is the type named first; everything is in the frame of a.
+// They fill `out` (count 0 on entry) or leave it. collide() orders the arguments.
+#pragma once
+#include "geometry/shape.h"
+#include "narrowphase/manifold.h"
+
+namespace brickfall {
+
+void collidePlaneSphere(const Shape& plane, const Shape& sphere, const Transform& bInA, double margin, Manifold& out);
+void collidePlaneBox(const Shape& plane, const Shape& box, const Transform& bInA, double margin, Manifold& out);
+void collideSphereSphere(const Shape& a, const Shape& b, const Transform& bInA, double margin, Manifold& out);
+void collideSphereBox(const Shape& sphere, const Shape& box, const Transform& bInA, double margin, Manifold& out);
+void collideBoxBox(const Shape& a, const Shape& b, const Transform& bInA, double margin, Manifold& out);
+
+}  // namespace brickfall

@@ -1,0 +1,185 @@
+// The broad phase against brute force: random adds, moves and removals, walls in sorted order, infinite bounds.
+#include "broadphase/broad_phase.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "math/random.h"
+
+namespace brickfall {
+namespace {
+
+using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+const auto kAll = [](std::uint32_t, std::uint32_t) { return true; };
+
+Aabb randomBox(Random& random, double world, double size) {
+  Vec3 c{random.between(-world, world), random.between(-world, world), random.between(-world, world)};
+  Vec3 h{random.between(0.1, 1) * size, random.between(0.1, 1) * size, random.between(0.1, 1) * size};
+  return {c - h, c + h};
+}
+
+// What a broad phase should know, kept without a tree.
+struct Model {
+  BroadPhase tree;
+  std::map<std::uint32_t, ProxyIndex> proxies;
+  std::set<std::uint32_t> moved;
+
+  Pairs expectedPairs() const {
+    Pairs out;
+    for (auto a = proxies.begin(); a != proxies.end(); ++a)
+      for (auto b = std::next(a); b != proxies.end(); ++b)
+        if ((moved.count(a->first) || moved.count(b->first)) && overlaps(tree.kept(a->second), tree.kept(b->second)))
+          out.emplace_back(a->first, b->first);
+    return out;
+  }
+};
+
+int allowedHeight(int count) { return int(1.45 * std::log2(count + 2.0)) + 1; }
+
+TEST(BroadPhase, RandomLifeAgreesWithBruteForce) {
+  Random random(7);
+  Model model;
+  std::uint32_t next = 0;
+  size_t pairsSeen = 0;
+  for (int round = 0; round < 300; round++) {
+    for (int action = 0; action < 12; action++) {
+      double dice = random.unit();
+      if (model.proxies.empty() || dice < 0.4) {
+        // Names grow while slots are reused, so the two differ.
+        model.proxies[next] = model.tree.add(randomBox(random, 6, 0.8), 0.05, next);
+        model.moved.insert(next++);
+        continue;
+      }
+      auto it = std::next(model.proxies.begin(), random.below(std::uint32_t(model.proxies.size())));
+      if (dice < 0.7) {
+        Vec3 by{random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)};
+        by *= random.unit() < 0.5 ? 0.04 : 2.0;
+        Aabb kept = model.tree.kept(it->second);
+        Aabb tight = grown({kept.lower + by, kept.upper + by}, -0.05);
+        bool inside = contains(kept, tight);
+        bool reinserted = model.tree.update(it->second, tight, 0.05);
+        EXPECT_EQ(reinserted, !inside);
+        if (reinserted) model.moved.insert(it->first);
+      } else {
+        model.tree.remove(it->second);
+        model.moved.erase(it->first);
+        model.proxies.erase(it);
+      }
+    }
+    ASSERT_EQ(model.tree.validate(), std::vector<std::string>{});
+    ASSERT_EQ(model.tree.count(), int(model.proxies.size()));
+    EXPECT_LE(model.tree.height(), allowedHeight(model.tree.count()));
+    Pairs found;
+    model.tree.newPairs(kAll, found);
+    ASSERT_EQ(found, model.expectedPairs());
+    pairsSeen += found.size();
+    model.moved.clear();
+    model.tree.newPairs(kAll, found);
+    EXPECT_TRUE(found.empty());
+
+    Aabb where = randomBox(random, 6, 2);
+    std::set<std::uint32_t> visited, expected;
+    model.tree.query(where, [&](std::uint32_t user) { return visited.insert(user).second; });
+    for (auto [user, proxy] : model.proxies)
+      if (overlaps(model.tree.kept(proxy), where)) expected.insert(user);
+    EXPECT_EQ(visited, expected);
+  }
+  EXPECT_GT(pairsSeen, 300u);
+}
+
+TEST(BroadPhase, StopsAQueryWhenAsked) {
+  BroadPhase tree;
+  for (std::uint32_t i = 0; i < 20; i++) tree.add({{0, 0, 0}, {1, 1, 1}}, 0, i);
+  int calls = 0;
+  tree.query({{0, 0, 0}, {1, 1, 1}}, [&](std::uint32_t) { return ++calls < 3; });
+  EXPECT_EQ(calls, 3);
+}
+
+TEST(BroadPhase, WallInSortedOrderStaysBalancedAndTight) {
+  BroadPhase tree;
+  tree.add({{-1e30, -1e30, -1e30}, {1e30, 0, 1e30}}, 0.01, 0);  // the ground
+  std::uint32_t user = 1;
+  for (int course = 0; course < 40; course++)
+    for (int i = 0; i < 25; i++, user++) {
+      double x = 0.215 * i + (course % 2 ? 0.1075 : 0);
+      tree.add({{x, 0.065 * course, 0}, {x + 0.215, 0.065 * (course + 1), 0.1}}, 0.002, user);
+    }
+  EXPECT_EQ(tree.validate(), std::vector<std::string>{});
+  EXPECT_LE(tree.height(), allowedHeight(tree.count()));
+  Pairs found;
+  tree.newPairs(kAll, found);
+  // Per brick: head joint, two or three bricks above (fewer at the ends), and the bottom course on the ground.
+  EXPECT_GT(found.size(), 2800u);
+  EXPECT_LT(found.size(), 4200u);
+  EXPECT_TRUE(std::is_sorted(found.begin(), found.end()));
+  EXPECT_EQ(std::adjacent_find(found.begin(), found.end()), found.end());
+}
+
+TEST(BroadPhase, FilterIsAsked) {
+  BroadPhase tree;
+  for (std::uint32_t i = 0; i < 4; i++) tree.add({{0, 0, 0}, {1, 1, 1}}, 0, i);
+  Pairs found;
+  tree.newPairs([](std::uint32_t a, std::uint32_t b) { return a == 0 && b == 3; }, found);
+  EXPECT_EQ(found, (Pairs{{0, 3}}));
+}
+
+TEST(BroadPhase, ReinsertsWhatShrankAlot) {
+  BroadPhase tree;
+  ProxyIndex p = tree.add({{-5, -5, -5}, {5, 5, 5}}, 0.1, 0);
+  EXPECT_FALSE(tree.update(p, {{-2, -2, -2}, {2, 2, 2}}, 0.1));
+  EXPECT_TRUE(tree.update(p, {{-1, -1, -1}, {1, 1, 1}}, 0.1));
+  EXPECT_EQ(tree.kept(p).upper.x, 1.1);
+}
+
+TEST(BroadPhase, RayMeetsTheNearestFirstAndStops) {
+  Random random(3);
+  BroadPhase tree;
+  std::vector<Aabb> boxes;
+  for (std::uint32_t i = 0; i < 400; i++) {
+    boxes.push_back(randomBox(random, 10, 1));
+    tree.add(boxes.back(), 0, i);
+  }
+  auto entry = [&](const Aabb& box, Vec3 o, Vec3 d, double limit) {
+    double enter = 0, leave = limit;
+    for (int k = 0; k < 3; k++) {
+      double lo = (box.lower[k] - o[k]) / d[k], hi = (box.upper[k] - o[k]) / d[k];
+      enter = std::max(enter, std::min(lo, hi));
+      leave = std::min(leave, std::max(lo, hi));
+    }
+    return enter <= leave ? enter : 1e300;
+  };
+  int hits = 0;
+  long visits = 0;
+  for (int i = 0; i < 500; i++) {
+    Vec3 o{random.between(-12, 12), random.between(-12, 12), random.between(-12, 12)};
+    Vec3 d = normalized(Vec3{random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)});
+    double expected = 30, found = 30;
+    for (const Aabb& box : boxes) expected = std::min(expected, entry(box, o, d, 30));
+    tree.queryRay(o, d, 30, [&](std::uint32_t user, double limit) {
+      visits++;
+      found = std::min(limit, entry(boxes[user], o, d, limit));
+      return found;
+    });
+    EXPECT_DOUBLE_EQ(found, expected);
+    hits += expected < 30;
+  }
+  EXPECT_GT(hits, 100);
+  EXPECT_LT(visits, 500 * 12);  // of 400 boxes each
+  // Along an axis the other two directions are zero.
+  BroadPhase one;
+  one.add({{1, -1, -1}, {2, 1, 1}}, 0, 5);
+  int met = 0;
+  auto count = [&](std::uint32_t, double limit) { return met++, limit; };
+  one.queryRay({0, 0.5, 0}, {1, 0, 0}, 10, count);
+  EXPECT_EQ(met, 1);
+  one.queryRay({0, 1.5, 0}, {1, 0, 0}, 10, count);
+  EXPECT_EQ(met, 1);
+  one.queryRay({0, 0.5, 0}, {1, 0, 0}, 0.5, count);
+  EXPECT_EQ(met, 1);
+}
+
+}  // namespace
+}  // namespace brickfall
