@@ -1,0 +1,16 @@
+// The convex hull by Qhull, an independent implementation.
+#pragma once
+#include <cstddef>
+#include <vector>
+
+#include "brickfall/math.h"
+
+namespace brickfall::test {
+
+struct QhullAnswer {
+  double volume = 0;  // 0: no hull (flat input)
+  std::size_t vertices = 0, facets = 0;
+};
+QhullAnswer qhull(const std::vector<Vec3>& points);
+
+}  // namespace brickfall::test
