@@ -86,11 +86,13 @@ class TakeReader {
   std::size_t frameCount() const;
   bool complete() const;
   const std::string& summaryJson() const;
-  Result<TakeFrame> frame(std::size_t index) const;  // any order
+  // Any order; frames in order are the fastest. Keeps its place between calls, so not from two threads at once.
+  Result<TakeFrame> frame(std::size_t index) const;
 
  private:
   struct Impl;
   explicit TakeReader(std::unique_ptr<Impl> impl);
+  static Result<TakeReader> openImpl(std::unique_ptr<Impl> impl);
   std::unique_ptr<Impl> impl_;
 };
 

@@ -1,0 +1,193 @@
+#include "support/synthetic_take.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace brickfall::test {
+namespace {
+
+constexpr Vec3 kHalf{0.12, 0.0355, 0.0575};  // a standard brick, m
+constexpr double kDt = 1.0 / 60;
+
+struct Mover {
+  Vec3 position, velocity, spin;
+  Quat rotation;
+  Vec3 half = kHalf;
+  double startTime = 0;  // s; it does not move before
+  bool resting = true;
+  int bounces = 0;
+};
+
+// Random numbers of the same bits everywhere (the standard's distributions are not).
+class Dice {
+ public:
+  explicit Dice(std::uint64_t seed) : engine_(seed) {}
+  double in(double low, double high) { return low + (high - low) * double(engine_() >> 11) * 0x1p-53; }
+  Vec3 cube(double size) {
+    double x = in(-size, size), y = in(-size, size), z = in(-size, size);
+    return {x, y, z};
+  }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+double lowest(const Mover& m) {
+  Mat3 r = toMatrix(m.rotation);
+  return m.position.y - std::fabs(r.row[1].x) * m.half.x - std::fabs(r.row[1].y) * m.half.y -
+         std::fabs(r.row[1].z) * m.half.z;
+}
+
+// Turns the body flat: its axis that is most upright becomes exactly upright.
+void layDown(Mover& m) {
+  Mat3 r = toMatrix(m.rotation);
+  int axis = 0;
+  for (int k = 1; k < 3; k++) axis = std::fabs(r.row[1][k]) > std::fabs(r.row[1][axis]) ? k : axis;
+  Vec3 now = r.column(axis) * (r.row[1][axis] < 0 ? -1.0 : 1.0);
+  Vec3 turn = cross(now, Vec3{0, 1, 0});
+  double sine = length(turn);
+  if (sine > 1e-9) m.rotation = normalized(quatFromAxisAngle(turn * (1 / sine), std::asin(std::min(1.0, sine))) * m.rotation);
+  m.position.y -= lowest(m);
+  m.velocity = m.spin = {};
+  m.resting = true;
+}
+
+// Returns the impulse of a bounce, 0 = none.
+double move(Mover& m, bool everResting, Dice& dice) {
+  m.velocity += Vec3{0, -9.81, 0} * kDt;
+  m.position += m.velocity * kDt;
+  m.rotation = normalized(quatFromRotationVector(m.spin * kDt) * m.rotation);
+  double depth = -lowest(m);
+  if (!(depth > 0)) return 0;
+  m.position.y += depth;
+  if (m.velocity.y >= 0) return 0;
+  double impulse = 3.4 * 1.4 * -m.velocity.y;
+  m.bounces++;
+  double keep = everResting ? 0.35 : 0.8;
+  m.velocity = {m.velocity.x * 0.6, -m.velocity.y * keep, m.velocity.z * 0.6};
+  m.spin = m.spin * 0.5 + dice.cube(everResting ? 3.0 / m.bounces : 6.0);
+  if (!everResting) m.velocity += Vec3{dice.in(-1, 1), dice.in(1, 3), dice.in(-1, 1)};
+  if (everResting && (m.bounces > 7 || length(m.velocity) < 0.35)) layDown(m);
+  return impulse;
+}
+
+TakeBody brickBody(const std::string& name, std::uint32_t colour) {
+  TakeBody body;
+  body.name = name;
+  body.role = TakeRole::brick;
+  body.colour = colour;
+  body.mass = 3.4;
+  ShapeDef box;
+  box.halfExtents = kHalf;
+  body.shapes = {box};
+  return body;
+}
+
+void addOtherShapes(TakeHeader& header, std::vector<Mover>& movers) {
+  TakeBody capsule = brickBody("capsule", 0x4F7F8F), hull = brickBody("hull", 0x8F7F4F), pair = brickBody("pair", 0x6F8F4F);
+  capsule.role = hull.role = pair.role = TakeRole::body;
+  capsule.shapes[0].type = ShapeType::capsule;
+  capsule.shapes[0].radius = 0.05;
+  capsule.shapes[0].halfHeight = 0.1;
+  hull.shapes[0].type = ShapeType::hull;
+  hull.shapes[0].vertices = {{-0.1, -0.1, -0.1}, {0.1, -0.1, -0.1}, {0.1, -0.1, 0.1}, {-0.1, -0.1, 0.1}, {0, 0.1, 0}};
+  pair.shapes.push_back(pair.shapes[0]);
+  pair.shapes[0].local.position = {0, 0, -0.06};
+  pair.shapes[1].type = ShapeType::sphere;
+  pair.shapes[1].radius = 0.06;
+  pair.shapes[1].local.position = {0, 0.02, 0.08};
+  double x = -0.4;
+  for (TakeBody* body : {&capsule, &hull, &pair}) {
+    header.bodies.push_back(*body);
+    Mover m;
+    m.half = {0.1, body == &capsule ? 0.15 : 0.1, 0.1};
+    m.position = {x, m.half.y, 0.6};
+    movers.push_back(m);
+    x += 0.4;
+  }
+}
+
+}  // namespace
+
+SyntheticTake makeSyntheticTake(const SyntheticOptions& options) {
+  SyntheticTake out;
+  Dice dice(options.seed);
+  out.header.scene = "synthetic";
+  out.header.title = "A wall that only pretends <to fall> & \"lie\"";
+  out.header.engineVersion = "test";
+  out.header.seed = options.seed;
+  TakeBody ground;
+  ground.name = "ground";
+  ground.role = TakeRole::ground;
+  ground.colour = 0x8A8A80;
+  ground.shapes.resize(1);
+  ground.shapes[0].type = ShapeType::plane;
+  TakeBody ball = brickBody("ball", 0x30343A);
+  ball.role = TakeRole::ball;
+  ball.mass = 16.8;
+  ball.shapes[0].type = ShapeType::sphere;
+  ball.shapes[0].radius = 0.08;
+  out.header.bodies = {ground, ball};
+  double width = options.bricksPerCourse * 2 * kHalf.x, height = options.courses * 2 * kHalf.y;
+  double speed = 12, hitTime = options.hitFrame * kDt;
+  std::vector<Mover> movers(2);
+  movers[1].half = {0.08, 0.08, 0.08};
+  movers[1].position = {0, height * 0.5, speed * hitTime + kHalf.z + 0.08};
+  movers[1].velocity = {0, 0, -speed};
+  movers[1].resting = false;
+  for (int row = 0; row < options.courses; row++) {
+    for (int k = 0; k < options.bricksPerCourse; k++) {
+      Mover m;
+      m.position = {(k + (row % 2 ? 0.5 : 0.0)) * 2 * kHalf.x - width / 2, (2 * row + 1) * kHalf.y, 0};
+      double far = std::hypot(m.position.x, m.position.y - height / 2);
+      m.startTime = hitTime + far * 0.25;
+      double push = 6 / (1 + 2 * far);
+      m.velocity = Vec3{m.position.x, 0.4, -1.2} * push + dice.cube(push * 0.3);
+      m.spin = dice.cube(3 * push);
+      movers.push_back(m);
+      out.header.bodies.push_back(brickBody("brick " + std::to_string(movers.size() - 3), 0xB5543A));
+    }
+  }
+  if (options.otherShapes) addOtherShapes(out.header, movers);
+  out.header.cameras = {{"front", {1.2, height * 0.9 + 0.5, 3.2}, {0, height * 0.4, 0}, 45},
+                        {"side", {-3.5, 1.0, 0.8}, {0, height * 0.3, 0}, 40}};
+
+  for (int f = 0; f < options.frames; f++) {
+    TakeFrame frame;
+    frame.time = f * kDt;
+    for (std::size_t k = 0; k < movers.size(); k++) {
+      Mover& m = movers[k];
+      double impulse = 0;
+      bool brick = k >= 2 && out.header.bodies[k].role == TakeRole::brick;
+      if (k == 1 && f > 0 && f < options.hitFrame) m.position += m.velocity * kDt;  // straight, to meet the wall
+      if (k == 1 && f == options.hitFrame) {
+        m.velocity = m.velocity * 0.4;
+        frame.events.push_back({TakeEventType::hit, 1, 2, m.position, 80});
+      }
+      if (brick && m.resting && m.bounces == 0 && frame.time >= m.startTime) m.resting = false;
+      if (!m.resting && f > 0 && (brick || f >= options.hitFrame)) impulse = move(m, options.everResting, dice);
+      if (impulse > 2) frame.events.push_back({TakeEventType::hit, std::uint32_t(k), 0, m.position, float(impulse)});
+      TakePose pose;
+      pose.position = m.position;
+      pose.rotation = m.rotation;
+      pose.speed = m.resting ? 0.0f : float(length(m.velocity));
+      pose.contactForce = m.resting ? (k == 0 ? 0.0f : 33.0f) : float(impulse / kDt);
+      frame.poses.push_back(pose);
+    }
+    out.frames.push_back(std::move(frame));
+  }
+  return out;
+}
+
+std::string writeTake(const SyntheticTake& take, const std::string& path) {
+  Result<TakeWriter> writer = TakeWriter::create(path, take.header);
+  if (!writer) return writer.error().message;
+  for (const TakeFrame& frame : take.frames) {
+    if (Status written = writer->write(frame); !written) return written.error().message;
+  }
+  Status finished = writer->finish("{\"scene\": \"synthetic\"}");
+  return finished ? std::string() : finished.error().message;
+}
+
+}  // namespace brickfall::test

@@ -1,0 +1,28 @@
+// Takes made without the engine: a wall whose bricks are thrown about by a simple fake (flight, bounces, tumbling, rest).
+// Their motion only has to look and compress like a real one.
+#pragma once
+#include "brickfall/take.h"
+
+namespace brickfall::test {
+
+struct SyntheticTake {
+  TakeHeader header;
+  std::vector<TakeFrame> frames;
+};
+
+struct SyntheticOptions {
+  int courses = 10, bricksPerCourse = 10;
+  int frames = 240;
+  int hitFrame = 60;         // when the ball reaches the wall
+  bool everResting = true;   // false: bricks bounce and tumble to the end, the worst case for compression
+  bool otherShapes = true;   // also a capsule, a hull and a body of two shapes beside the wall
+  std::uint64_t seed = 1;
+};
+
+// Bodies: "ground", "ball", "brick 0" ..., with the wall along x at z = 0 and the ball coming along -z.
+SyntheticTake makeSyntheticTake(const SyntheticOptions& options);
+
+// Written to `path` with finish(); the text of an error, or empty.
+std::string writeTake(const SyntheticTake& take, const std::string& path);
+
+}  // namespace brickfall::test

@@ -1,0 +1,291 @@
+// Takes that were written whole: what comes back, how exactly, and at what size.
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+
+#include "record/crc32.h"
+#include "record/frame_codec.h"
+#include "support/synthetic_take.h"
+
+namespace brickfall {
+namespace {
+
+using test::makeSyntheticTake;
+using test::SyntheticOptions;
+using test::SyntheticTake;
+
+std::string temporaryFile(const std::string& name) {
+  return (std::filesystem::temp_directory_path() / (std::to_string(::getpid()) + "_" + name)).string();
+}
+
+struct RemovedAtEnd {
+  std::string path;
+  ~RemovedAtEnd() { std::filesystem::remove(path); }
+};
+
+double angleBetween(Quat a, Quat b) {
+  Quat d = conjugate(a) * b;
+  return 2 * std::atan2(std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z), std::fabs(d.w));
+}
+
+void expectSame(const TakeFrame& want, const TakeFrame& got, const std::string& where) {
+  ASSERT_EQ(want.poses.size(), got.poses.size()) << where;
+  EXPECT_EQ(want.time, got.time) << where;
+  for (std::size_t k = 0; k < want.poses.size(); k++) {
+    const TakePose &a = want.poses[k], &b = got.poses[k];
+    EXPECT_LE(length(a.position - b.position), 1e-5) << where << " body " << k;
+    EXPECT_LE(angleBetween(a.rotation, b.rotation), 1e-4) << where << " body " << k;
+    EXPECT_NEAR(a.speed, b.speed, 5.1e-4 + 1e-6 * a.speed) << where << " body " << k;
+    EXPECT_NEAR(a.contactForce, b.contactForce, 0.004 * a.contactForce) << where << " body " << k;
+  }
+  ASSERT_EQ(want.events.size(), got.events.size()) << where;
+  for (std::size_t k = 0; k < want.events.size(); k++) {
+    EXPECT_EQ(want.events[k].type, got.events[k].type);
+    EXPECT_EQ(want.events[k].bodyA, got.events[k].bodyA);
+    EXPECT_EQ(want.events[k].bodyB, got.events[k].bodyB);
+    EXPECT_EQ(want.events[k].impulse, got.events[k].impulse);
+    EXPECT_LE(length(want.events[k].pointWorld - got.events[k].pointWorld), 1e-4);
+  }
+}
+
+TEST(Take, FramesComeBackAsWritten) {
+  RemovedAtEnd file{temporaryFile("roundtrip.take")};
+  SyntheticTake take = makeSyntheticTake({});
+  ASSERT_EQ(test::writeTake(take, file.path), "");
+  Result<TakeReader> reader = TakeReader::open(file.path);
+  ASSERT_TRUE(reader) << reader.error().message;
+  EXPECT_TRUE(reader->complete());
+  EXPECT_EQ(reader->summaryJson(), "{\"scene\": \"synthetic\"}");
+  ASSERT_EQ(reader->frameCount(), take.frames.size());
+  for (std::size_t f = 0; f < take.frames.size(); f++) {
+    Result<TakeFrame> frame = reader->frame(f);
+    ASSERT_TRUE(frame) << frame.error().message;
+    expectSame(take.frames[f], *frame, "frame " + std::to_string(f));
+  }
+}
+
+TEST(Take, HeaderComesBackAsWritten) {
+  RemovedAtEnd file{temporaryFile("header.take")};
+  SyntheticTake take = makeSyntheticTake({.frames = 1});
+  ASSERT_EQ(test::writeTake(take, file.path), "");
+  Result<TakeReader> reader = TakeReader::open(file.path);
+  ASSERT_TRUE(reader) << reader.error().message;
+  const TakeHeader &want = take.header, &got = reader->header();
+  EXPECT_EQ(want.scene, got.scene);
+  EXPECT_EQ(want.title, got.title);
+  EXPECT_EQ(want.engineVersion, got.engineVersion);
+  EXPECT_EQ(want.seed, got.seed);
+  EXPECT_EQ(want.framesPerSecond, got.framesPerSecond);
+  ASSERT_EQ(want.bodies.size(), got.bodies.size());
+  for (std::size_t k = 0; k < want.bodies.size(); k++) {
+    const TakeBody &a = want.bodies[k], &b = got.bodies[k];
+    EXPECT_EQ(a.name, b.name);
+    EXPECT_EQ(a.role, b.role);
+    EXPECT_EQ(a.colour, b.colour);
+    EXPECT_EQ(a.mass, b.mass);
+    ASSERT_EQ(a.shapes.size(), b.shapes.size());
+    for (std::size_t s = 0; s < a.shapes.size(); s++) {
+      EXPECT_EQ(a.shapes[s].type, b.shapes[s].type);
+      EXPECT_EQ(a.shapes[s].local.position, b.shapes[s].local.position);
+      EXPECT_EQ(a.shapes[s].local.rotation, b.shapes[s].local.rotation);
+      EXPECT_EQ(a.shapes[s].vertices, b.shapes[s].vertices);
+      if (a.shapes[s].type == ShapeType::box) {
+        EXPECT_EQ(a.shapes[s].halfExtents, b.shapes[s].halfExtents);
+      }
+      if (a.shapes[s].type == ShapeType::capsule) {
+        EXPECT_EQ(a.shapes[s].halfHeight, b.shapes[s].halfHeight);
+      }
+    }
+  }
+  ASSERT_EQ(got.cameras.size(), 2u);
+  EXPECT_EQ(got.cameras[1].name, "side");
+  EXPECT_EQ(got.cameras[1].position, want.cameras[1].position);
+  EXPECT_EQ(got.cameras[1].fieldOfViewDegrees, 40);
+}
+
+TEST(Take, AnyOrderGivesTheSameFrames) {
+  RemovedAtEnd file{temporaryFile("seek.take")};
+  SyntheticTake take = makeSyntheticTake({.frames = 200});
+  ASSERT_EQ(test::writeTake(take, file.path), "");
+  Result<TakeReader> reader = TakeReader::open(file.path);
+  ASSERT_TRUE(reader);
+  for (std::size_t f : {199, 0, 64, 63, 65, 130, 128, 127, 199, 198, 10, 10, 11}) {
+    Result<TakeFrame> frame = reader->frame(f);
+    ASSERT_TRUE(frame) << frame.error().message;
+    expectSame(take.frames[f], *frame, "frame " + std::to_string(f));
+  }
+  Result<TakeFrame> beyond = reader->frame(200);
+  ASSERT_FALSE(beyond);
+  EXPECT_EQ(beyond.error().code, ErrorCode::invalidArgument);
+}
+
+TEST(Take, FarAndFastBodiesKeepTheirPlace) {
+  RemovedAtEnd file{temporaryFile("far.take")};
+  SyntheticTake take = makeSyntheticTake({.courses = 1, .bricksPerCourse = 1, .frames = 3, .otherShapes = false});
+  take.frames[0].poses[1].position = {5000.0000149, -3000.5, 1e-6};
+  take.frames[1].poses[1].position = {-7999.99999, 123456.789, 0.5};
+  take.frames[1].poses[1].rotation = normalized(Quat{-0.5, 0.1, 0.2, -0.7});
+  take.frames[2].poses[1].position = {1e8, -1e8, 1e8};
+  take.frames[2].poses[1].speed = 80000;
+  ASSERT_EQ(test::writeTake(take, file.path), "");
+  Result<TakeReader> reader = TakeReader::open(file.path);
+  ASSERT_TRUE(reader);
+  for (std::size_t f = 0; f < 3; f++) expectSame(take.frames[f], *reader->frame(f), "frame " + std::to_string(f));
+}
+
+TEST(Take, RestingBodiesCostNextToNothing) {
+  RemovedAtEnd still{temporaryFile("still.take")}, one{temporaryFile("one.take")};
+  SyntheticTake take = makeSyntheticTake({.courses = 40, .bricksPerCourse = 25, .frames = 1, .otherShapes = false});
+  ASSERT_EQ(test::writeTake(take, one.path), "");
+  for (int f = 1; f < 64; f++) {
+    take.frames.push_back(take.frames[0]);
+    take.frames.back().time = f / 60.0;
+  }
+  ASSERT_EQ(test::writeTake(take, still.path), "");
+  auto more = std::filesystem::file_size(still.path) - std::filesystem::file_size(one.path);
+  EXPECT_LE(more, 63u * 64u);  // a thousand resting bricks: at most 64 bytes a frame
+}
+
+TEST(Take, WrongFramesAreRefusedByName) {
+  RemovedAtEnd file{temporaryFile("refused.take")};
+  SyntheticTake take = makeSyntheticTake({.courses = 1, .bricksPerCourse = 2, .frames = 1, .otherShapes = false});
+  Result<TakeWriter> writer = TakeWriter::create(file.path, take.header);
+  ASSERT_TRUE(writer);
+  auto refused = [&](auto change, const std::string& named) {
+    TakeFrame frame = take.frames[0];
+    change(frame);
+    Status written = writer->write(frame);
+    EXPECT_FALSE(written) << named;
+    EXPECT_EQ(written.error().code, ErrorCode::invalidArgument);
+    EXPECT_NE(written.error().message.find(named), std::string::npos) << written.error().message;
+  };
+  const double nan = std::numeric_limits<double>::quiet_NaN(), infinite = std::numeric_limits<double>::infinity();
+  refused([&](TakeFrame& f) { f.poses[2].position.y = nan; }, "body 2 \"brick 0\": position");
+  refused([&](TakeFrame& f) { f.poses[2].position.y = infinite; }, "position");
+  refused([&](TakeFrame& f) { f.poses[2].rotation.w = nan; }, "rotation");
+  refused([&](TakeFrame& f) { f.poses[2].rotation = {0, 0, 0, 0}; }, "rotation");
+  refused([&](TakeFrame& f) { f.poses[1].speed = float(nan); }, "speed");
+  refused([&](TakeFrame& f) { f.poses[1].contactForce = -1; }, "contactForce");
+  refused([&](TakeFrame& f) { f.time = nan; }, "time");
+  refused([&](TakeFrame& f) { f.poses.pop_back(); }, "3 poses");
+  refused([&](TakeFrame& f) { f.events.push_back({TakeEventType::hit, 9, 0, {}, 1}); }, "body 9");
+  // None of these spoilt what follows.
+  EXPECT_TRUE(writer->write(take.frames[0]));
+  EXPECT_TRUE(writer->finish(""));
+  EXPECT_EQ(writer->write(take.frames[0]).error().code, ErrorCode::wrongState);
+  Result<TakeReader> reader = TakeReader::open(file.path);
+  ASSERT_TRUE(reader);
+  ASSERT_EQ(reader->frameCount(), 1u);
+  expectSame(take.frames[0], *reader->frame(0), "frame 0");
+}
+
+TEST(Take, WrongHeadersAreRefusedByName) {
+  RemovedAtEnd file{temporaryFile("badheader.take")};
+  auto refused = [&](auto change, const std::string& named) {
+    TakeHeader header = makeSyntheticTake({.frames = 1}).header;
+    change(header);
+    Result<TakeWriter> writer = TakeWriter::create(file.path, header);
+    ASSERT_FALSE(writer) << named;
+    EXPECT_NE(writer.error().message.find(named), std::string::npos) << writer.error().message;
+  };
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  refused([&](TakeHeader& h) { h.framesPerSecond = 0; }, "framesPerSecond");
+  refused([&](TakeHeader& h) { h.framesPerSecond = nan; }, "framesPerSecond");
+  refused([&](TakeHeader& h) { h.bodies[2].mass = nan; }, "brick 0\": mass");
+  refused([&](TakeHeader& h) { h.bodies[2].shapes[0].halfExtents.x = 0; }, "halfExtents");
+  refused([&](TakeHeader& h) { h.bodies[1].shapes[0].radius = -1; }, "radius");
+  refused([&](TakeHeader& h) { h.cameras[0].target.x = nan; }, "camera \"front\"");
+  EXPECT_FALSE(std::filesystem::exists(file.path));
+}
+
+TEST(Take, FullDiskIsAnInputOutputError) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "this system has no /dev/full";
+  Result<TakeWriter> writer = TakeWriter::create("/dev/full", makeSyntheticTake({.frames = 1}).header);
+  ASSERT_FALSE(writer);
+  EXPECT_EQ(writer.error().code, ErrorCode::inputOutput);
+  EXPECT_NE(writer.error().message.find("/dev/full: cannot write"), std::string::npos) << writer.error().message;
+}
+
+TEST(Take, MissingFilesAndFoldersAreInputOutputErrors) {
+  Result<TakeReader> missing = TakeReader::open("/nowhere/at/all.take");
+  ASSERT_FALSE(missing);
+  EXPECT_EQ(missing.error().code, ErrorCode::inputOutput);
+  EXPECT_NE(missing.error().message.find("/nowhere/at/all.take"), std::string::npos);
+  Result<TakeReader> folder = TakeReader::open("/tmp");
+  ASSERT_FALSE(folder);
+  EXPECT_EQ(folder.error().code, ErrorCode::inputOutput);
+  Result<TakeWriter> nowhere = TakeWriter::create("/nowhere/at/all.take", {});
+  ASSERT_FALSE(nowhere);
+  EXPECT_EQ(nowhere.error().code, ErrorCode::inputOutput);
+}
+
+// The disk fills up in the middle of a frame: the frames before it stay readable, and the writer says so from then on.
+TEST(Take, DiskThatFillsUpKeepsWholeFrames) {
+  RemovedAtEnd file{temporaryFile("filling.take")};
+  SyntheticTake take = makeSyntheticTake({});
+  pid_t child = ::fork();
+  ASSERT_GE(child, 0);
+  if (child == 0) {
+    std::signal(SIGXFSZ, SIG_IGN);
+    rlimit limit{40000, 40000};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+    Result<TakeWriter> writer = TakeWriter::create(file.path, take.header);
+    int written = 0;
+    Status last;
+    for (const TakeFrame& frame : take.frames) {
+      last = writer->write(frame);
+      if (!last) break;
+      written++;
+    }
+    bool stays = !writer->write(take.frames[0]) && !writer->finish("");
+    ::_exit(last.error().code == ErrorCode::inputOutput && stays ? written : 0);
+  }
+  int status = 0;
+  ASSERT_EQ(::waitpid(child, &status, 0), child);
+  ASSERT_TRUE(WIFEXITED(status));
+  int written = WEXITSTATUS(status);
+  ASSERT_GT(written, 60);
+  Result<TakeReader> reader = TakeReader::open(file.path);
+  ASSERT_TRUE(reader) << reader.error().message;
+  EXPECT_FALSE(reader->complete());
+  ASSERT_EQ(reader->frameCount(), std::size_t(written));
+  expectSame(take.frames[written - 1], *reader->frame(written - 1), "last frame");
+}
+
+// Killed without warning: every frame that write() returned from is in the file.
+TEST(Take, KilledWriterLeavesItsFrames) {
+  RemovedAtEnd file{temporaryFile("killed.take")};
+  SyntheticTake take = makeSyntheticTake({});
+  pid_t child = ::fork();
+  ASSERT_GE(child, 0);
+  if (child == 0) {
+    Result<TakeWriter> writer = TakeWriter::create(file.path, take.header);
+    for (int f = 0; f < 100; f++) (void)writer->write(take.frames[f]).ok();
+    ::kill(::getpid(), SIGKILL);
+  }
+  int status = 0;
+  ASSERT_EQ(::waitpid(child, &status, 0), child);
+  ASSERT_TRUE(WIFSIGNALED(status));
+  Result<TakeReader> reader = TakeReader::open(file.path);
+  ASSERT_TRUE(reader) << reader.error().message;
+  EXPECT_FALSE(reader->complete());
+  ASSERT_EQ(reader->frameCount(), 100u);
+  expectSame(take.frames[99], *reader->frame(99), "frame 99");
+}
+
+TEST(Take, ChecksumIsTheStandardOne) {
+  const char* digits = "123456789";
+  std::span<const std::uint8_t> bytes(reinterpret_cast<const std::uint8_t*>(digits), 9);
+  EXPECT_EQ(crc32(bytes), 0xCBF43926u);
+  EXPECT_EQ(crc32(bytes.subspan(4), crc32(bytes.first(4))), 0xCBF43926u);
+}
+
+}  // namespace
+}  // namespace brickfall
