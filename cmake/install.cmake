@@ -21,7 +21,3 @@ write_basic_package_version_file(${CMAKE_BINARY_DIR}/package/brickfallConfigVers
 install(FILES ${CMAKE_BINARY_DIR}/package/brickfallConfig.cmake ${CMAKE_BINARY_DIR}/package/brickfallConfigVersion.cmake
   DESTINATION ${package_dir})
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
-
-# The build tree looks like an installed one, so that the command finds its scenes the same way in both.
-file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/share/brickfall)
-file(CREATE_LINK ${PROJECT_SOURCE_DIR}/scenes ${CMAKE_BINARY_DIR}/share/brickfall/scenes SYMBOLIC)

@@ -1,0 +1,39 @@
+// The commands and what they can be told. Each returns the exit code of the process; main.cpp only reads the arguments.
+#pragma once
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace brickfall::cli {
+
+enum ExitCode {
+  kOk = 0,
+  kInternalError = 1,
+  kBadInput = 2,      // arguments or a scene file
+  kFileError = 3,     // something could not be read or written
+  kQuarantined = 4,   // the run ended, but bodies became non-finite on the way
+  kInterrupted = 130  // by Ctrl-C; what was simulated is kept
+};
+
+struct OutputOptions {
+  std::string folder;  // empty: the command's own default
+  bool html = true;
+  bool glb = true;
+  bool quiet = false;
+};
+
+struct RunOptions {
+  std::string scene;  // a file or the name of a shipped scene
+  OutputOptions output;
+  std::optional<double> seconds;
+  std::optional<int> threads;
+  std::vector<std::pair<std::string, std::string>> overrides;
+};
+
+int run(const RunOptions& options);
+int check(const std::vector<std::string>& scenes);
+int listScenes();
+int replay(const std::string& take, const OutputOptions& options);
+
+}  // namespace brickfall::cli

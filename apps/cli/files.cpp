@@ -1,0 +1,74 @@
+#include "cli/files.h"
+
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <cctype>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <system_error>
+
+namespace brickfall::cli {
+namespace fs = std::filesystem;
+namespace {
+
+Error fileError(std::string_view what, const std::string& path, std::string_view why) {
+  return {ErrorCode::inputOutput, fmt::format("cannot {} '{}': {}", what, path, why)};
+}
+
+}  // namespace
+
+Status makeFolder(const std::string& folder) {
+  std::error_code error;
+  const fs::path path(folder);
+  fs::create_directories(path, error);
+  for (fs::path part = path; !part.empty(); part = part.parent_path()) {
+    std::error_code ignored;
+    if (fs::exists(part, ignored) && !fs::is_directory(part, ignored))
+      return fileError("make folder", folder, fmt::format("'{}' is a file", part.string()));
+    if (part == part.parent_path()) break;
+  }
+  if (error) return fileError("make folder", folder, error.message());
+  if (access(folder.c_str(), W_OK | X_OK) != 0) return fileError("write into", folder, std::strerror(errno));
+  return {};
+}
+
+Status writeWhole(const std::string& path, std::string_view text) {
+  const std::string aside = path + ".part";
+  std::FILE* file = std::fopen(aside.c_str(), "wb");
+  if (file == nullptr) return fileError("write", path, std::strerror(errno));
+  bool fine = std::fwrite(text.data(), 1, text.size(), file) == text.size();
+  fine = std::fflush(file) == 0 && fine;
+  int why = errno;
+  if (std::fclose(file) != 0 && fine) {
+    fine = false;
+    why = errno;
+  }
+  if (fine && std::rename(aside.c_str(), path.c_str()) == 0) return {};
+  if (fine) why = errno;
+  std::remove(aside.c_str());
+  return fileError("write", path, std::strerror(why));
+}
+
+std::string joinPath(const std::string& folder, const std::string& name) {
+  return folder.empty() ? name : (fs::path(folder) / name).string();
+}
+
+std::string safeFileName(const std::string& name) {
+  if (name.empty() || name[0] == '.' || name.size() > 100) return "scene";
+  for (unsigned char c : name)
+    if (c >= 0x80 || (!std::isalnum(c) && c != '-' && c != '_' && c != '.')) return "scene";
+  return name;
+}
+
+std::string sizeText(const std::string& path) {
+  std::error_code error;
+  const auto bytes = fs::file_size(path, error);
+  if (error) return "";
+  if (bytes < 1'000'000) return fmt::format("{:.0f} kB", double(bytes) / 1e3);
+  return fmt::format("{:.1f} MB", double(bytes) / 1e6);
+}
+
+}  // namespace brickfall::cli

@@ -1,0 +1,32 @@
+#include "cli/interrupt.h"
+
+#include <csignal>
+
+namespace brickfall::cli {
+namespace {
+
+volatile std::sig_atomic_t count = 0;
+volatile std::sig_atomic_t firstSignal = SIGINT;
+
+extern "C" void onSignal(int signal) {
+  if (count == 0) firstSignal = signal;
+  count = count + 1;
+  if (count >= 2) std::signal(signal, SIG_DFL);
+}
+
+}  // namespace
+
+void watchInterrupts() {
+  struct sigaction action {};
+  action.sa_handler = onSignal;
+  action.sa_flags = SA_RESTART;
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+}
+
+void ignoreClosedPipes() { std::signal(SIGPIPE, SIG_IGN); }
+
+int interruptCount() { return count; }
+int interruptExitCode() { return 128 + firstSignal; }
+
+}  // namespace brickfall::cli

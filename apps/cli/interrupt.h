@@ -1,0 +1,14 @@
+// Ctrl-C ends a run in good order: it is only counted here, and asked for between steps.
+#pragma once
+
+namespace brickfall::cli {
+
+// From here on SIGINT and SIGTERM are counted instead of ending the process; the third one does end it.
+void watchInterrupts();
+// A reader of standard output that leaves makes a write fail, instead of ending the process in the middle of a run.
+void ignoreClosedPipes();
+int interruptCount();
+// What the process answers after being interrupted: 128 + the number of the first signal.
+int interruptExitCode();
+
+}  // namespace brickfall::cli

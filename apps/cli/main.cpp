@@ -1,0 +1,161 @@
+// The arguments of `brickfall`. The only file that sees CLI11; the commands are in files of their own.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <exception>
+#include <new>
+#include <stdexcept>
+
+#include "brickfall/world.h"
+#include "cli/arguments.h"
+#include "cli/commands.h"
+#include "cli/console.h"
+#include "cli/interrupt.h"
+
+namespace brickfall::cli {
+namespace {
+
+constexpr const char* kExitCodes =
+    "Exit codes: 0 done; 1 internal error; 2 bad arguments or scene; 3 a file cannot be read or written;\n"
+    "4 done, but bodies became non-finite; 130 interrupted, what was simulated is kept.";
+
+struct Arguments {
+  RunOptions run;
+  std::string seconds, threads;
+  std::vector<std::string> overrides;
+  std::vector<std::string> checked;
+  std::string take;
+  OutputOptions replay;
+};
+
+void addOutputOptions(CLI::App& command, OutputOptions& options, const std::string& defaultFolder) {
+  command.add_option("-o,--output", options.folder, "Folder for the results (default: " + defaultFolder + ")")
+      ->type_name("DIR");
+  command.add_flag_callback("--no-html", [&options] { options.html = false; }, "Leave out replay.html");
+  command.add_flag_callback("--no-glb", [&options] { options.glb = false; }, "Leave out <scene>.glb");
+  command.add_flag("--quiet", options.quiet, "Say nothing but errors");
+}
+
+void defineCommands(CLI::App& app, Arguments& arguments) {
+  app.name("brickfall");
+  app.set_version_flag("--version", std::string("brickfall ") + versionString());
+  app.footer(std::string("Examples:\n"
+                         "  brickfall run wall                 knock down the shipped wall, into out/wall/\n"
+                         "  brickfall check mine.toml          all mistakes of a scene file\n"
+                         "  brickfall run --help               more on a command\n\n") +
+             kExitCodes);
+
+  CLI::App& run = *app.add_subcommand("run", "Simulate a scene: replay.html, <scene>.glb, summary.json, <scene>.take");
+  run.add_option("scene", arguments.run.scene, "A scene file, or a shipped scene (brickfall scenes)")
+      ->required()
+      ->type_name("SCENE");
+  addOutputOptions(run, arguments.run.output, "out/<scene>");
+  run.add_option("--seconds", arguments.seconds, "Simulate so long instead of what the scene says")->type_name("S");
+  run.add_option("--set", arguments.overrides, "Change a value of the scene file; may be repeated")
+      ->type_name("KEY=VALUE")
+      ->take_all()
+      ->expected(1)
+      ->allow_extra_args(false);
+  run.add_option("--threads", arguments.threads, "Worker threads, 1 to 64; the result does not depend on it")
+      ->type_name("N");
+  run.footer(std::string("Examples:\n"
+                         "  brickfall run wall\n"
+                         "  brickfall run hole -o /tmp/hole --seconds 3\n"
+                         "  brickfall run wall --set world.seed=7 --no-glb\n\n"
+                         "Ctrl-C ends the simulation and still writes the results of what was simulated.\n") +
+             kExitCodes);
+
+  CLI::App& check = *app.add_subcommand("check", "Report all mistakes of scene files, with line and column");
+  check.add_option("file", arguments.checked, "Scene files, or shipped scenes by name")->required()->type_name("FILE...");
+  check.footer(std::string("Examples:\n  brickfall check mine.toml\n  brickfall check scenes/*.toml\n\n") + kExitCodes);
+
+  CLI::App& scenes = *app.add_subcommand("scenes", "List the shipped scenes");
+  scenes.footer(std::string("Examples:\n  brickfall scenes\n\n") + kExitCodes);
+
+  CLI::App& replay = *app.add_subcommand("replay", "Make the results again from a recorded take");
+  replay.add_option("take", arguments.take, "A recording made by brickfall run, also one that was cut off")
+      ->required()
+      ->type_name("TAKE");
+  addOutputOptions(replay, arguments.replay, "the folder of the take");
+  replay.footer(std::string("Examples:\n"
+                            "  brickfall replay out/wall/wall.take\n"
+                            "  brickfall replay wall.take -o /tmp/again --no-html\n\n") +
+                kExitCodes);
+}
+
+// False after a complaint: a value that cannot be used.
+bool readValues(Arguments& arguments, const CLI::App& run) {
+  if (run.count("--seconds") > 0) {
+    const Result<double> seconds = parseSeconds(arguments.seconds);
+    if (!seconds) return complain(seconds.error().message), false;
+    arguments.run.seconds = *seconds;
+  }
+  if (run.count("--threads") > 0) {
+    const Result<int> threads = parseThreads(arguments.threads);
+    if (!threads) return complain(threads.error().message), false;
+    arguments.run.threads = *threads;
+  }
+  for (const std::string& text : arguments.overrides) {
+    const auto pair = parseOverride(text);
+    if (!pair) return complain(pair.error().message), false;
+    arguments.run.overrides.push_back(*pair);
+  }
+  return true;
+}
+
+// What was typed where a command belongs is worth a better answer than the parser's.
+int refuse(const CLI::App& app, const CLI::ParseError& error, const std::vector<std::string>& words) {
+  std::vector<std::string> commands;
+  std::string list;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    commands.push_back(command->get_name());
+    list += (list.empty() ? "" : ", ") + command->get_name();
+  }
+  const bool known = !words.empty() && std::find(commands.begin(), commands.end(), words[0]) != commands.end();
+  if (known) {
+    complainf("{} (see brickfall {} --help)", error.what(), words[0]);
+  } else {
+    const std::string found = words.empty() ? "nothing" : "'" + words[0] + "'";
+    const std::string nearest = words.empty() ? "" : nearestName(words[0], commands);
+    complainf("command: found {}, expected one of: {}{} (see brickfall --help)", found, list,
+              nearest.empty() ? "" : "; did you mean '" + nearest + "'?");
+  }
+  return kBadInput;
+}
+
+int dispatch(int argc, char** argv) {
+  CLI::App app("Knocks down brick walls, for real.");
+  Arguments arguments;
+  defineCommands(app, arguments);
+  app.require_subcommand(1);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& help) {
+    app.exit(help);
+    return kOk;
+  } catch (const CLI::ParseError& error) {
+    return refuse(app, error, {argv + std::min(argc, 1), argv + argc});
+  }
+  if (app.got_subcommand("run"))
+    return readValues(arguments, *app.get_subcommand("run")) ? run(arguments.run) : kBadInput;
+  if (app.got_subcommand("check")) return check(arguments.checked);
+  if (app.got_subcommand("replay")) return replay(arguments.take, arguments.replay);
+  return listScenes();
+}
+
+}  // namespace
+}  // namespace brickfall::cli
+
+int main(int argc, char** argv) {
+  using namespace brickfall::cli;
+  int exitCode = kInternalError;
+  try {
+    ignoreClosedPipes();
+    exitCode = dispatch(argc, argv);
+  } catch (const std::bad_alloc&) {
+    complain("out of memory");
+  } catch (const std::exception& error) {
+    complainf("internal error: {}", error.what());
+  }
+  if (!flushOutput() && exitCode == kOk) exitCode = kFileError;
+  return exitCode;
+}

@@ -1,0 +1,28 @@
+// What people open, made from a take: replay.html and <scene>.glb.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "brickfall/take.h"
+#include "cli/commands.h"
+#include "cli/progress.h"
+
+namespace brickfall::cli {
+
+struct WrittenFile {
+  std::string path;
+  std::string purpose;  // a few words for the list at the end
+};
+
+struct OutputsResult {
+  int exitCode = kOk;  // complaints are already on standard error
+  std::vector<WrittenFile> files;
+};
+
+// An interrupt while writing ends it; nothing half written stays.
+OutputsResult writeOutputs(const TakeReader& take, const std::string& folder, const OutputOptions& options,
+                           ProgressDisplay& display);
+// "  out/wall/replay.html   2.1 MB  open it in any browser"
+void listFiles(const std::vector<WrittenFile>& files);
+
+}  // namespace brickfall::cli
