@@ -14,7 +14,7 @@ class WorkerPool {
   WorkerPool& operator=(const WorkerPool&) = delete;
   int threads() const;
   // Calls body(begin, end) for pieces of [0, count) of at most `grain`, on all workers; returns when all are done.
-  // Not reentrant.
+  // Called from within a piece, it runs on that thread alone. Not to be called by two threads at once.
   void forRange(int count, int grain, const std::function<void(int begin, int end)>& body);
 
  private:
