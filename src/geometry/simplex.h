@@ -1,0 +1,31 @@
+// The state of the GJK algorithm: up to four corners of the difference A - B, each with the points of A and B it is made
+// of.
+#pragma once
+#include "brickfall/math.h"
+
+namespace brickfall {
+
+struct SimplexCorner {
+  Vec3 onA, onB;
+  Vec3 point;          // onA - onB
+  double weight = 0;   // of the nearest point, which is the weighted sum of the corners
+};
+
+struct Simplex {
+  SimplexCorner corner[4];
+  int count = 0;
+  Vec3 nearest;        // point of the simplex nearest to the origin
+  bool hasOrigin = false;
+
+  bool has(Vec3 point) const {
+    for (int k = 0; k < count; k++) {
+      if (corner[k].point == point) return true;
+    }
+    return false;
+  }
+};
+
+// Finds the nearest point and drops the corners it does not need. Flat and doubled corners are fine.
+void reduce(Simplex& simplex);
+
+}  // namespace brickfall

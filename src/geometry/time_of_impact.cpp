@@ -1,0 +1,30 @@
+// Conservative advancement. Without rotation the distance of two convex shapes is a convex function of time, and a step
+// of distance / approach speed along the closest points' normal is a Newton step for it: it never passes the first
+// contact, converges fast where the shapes really meet, and by halves where they only graze.
+#include "geometry/core.h"
+#include "geometry/queries.h"
+
+namespace brickfall {
+
+namespace {
+
+constexpr double kTolerance = 1e-6;  // m
+constexpr int kMaxSteps = 200;
+
+}  // namespace
+
+std::optional<double> timeOfImpact(const Shape& a, const Shape& b, const Transform& bInA, Vec3 motion, double target) {
+  if (a.type == ShapeType::plane && b.type == ShapeType::plane) return {};
+  double wanted = target > 0 ? target : 0, time = 0;
+  for (int step = 0; step < kMaxSteps; step++) {
+    DistanceResult now = shapeDistance(a, b, {bInA.position + motion * time, bInA.rotation});
+    if (now.distance <= wanted + kTolerance) return time;
+    double approach = dot(motion, now.onA - now.onB) / now.distance;  // m per unit of time
+    if (!(approach > 0)) return {};
+    time += (now.distance - wanted) / approach;
+    if (!(time <= 1)) return {};
+  }
+  return time;
+}
+
+}  // namespace brickfall
