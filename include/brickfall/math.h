@@ -153,7 +153,7 @@ inline Aabb grown(const Aabb& a, double by) {
 
 // Sine and cosine of the same bits on every platform (no libm); |radians| <= 1e5, error under 2e-16.
 void sinCos(double radians, double& sine, double& cosine);
-// Quaternion of a rotation by |v| radians about v. Any finite v.
+// Quaternion of a rotation by |v| radians about v. Any finite v; lengths above 1e5 count as 1e5.
 Quat quatFromRotationVector(Vec3 v);
 // Rotation vector of a unit quaternion, length 0..pi.
 Vec3 rotationVector(Quat q);

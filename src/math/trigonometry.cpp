@@ -6,8 +6,11 @@ namespace brickfall {
 
 namespace {
 
-constexpr double kHalfPiHigh = 1.57079632679489655800e+00;  // pi/2 in two parts (Cody and Waite reduction)
-constexpr double kHalfPiLow = 6.12323399573676603587e-17;
+constexpr double kHalfPi = 1.57079632679489655800e+00;
+// pi/2 in two parts (Cody and Waite 1980): the first has 33 bits, so up to 2^20 times it is exact.
+constexpr double kHalfPiHigh = 0x1.921fb54400000p+0;
+constexpr double kHalfPiLow = 0x1.0b4611a626331p-34;
+constexpr double kLargestAngle = 1e5;
 
 double sineSmall(double x) {
   double z = x * x;
@@ -46,16 +49,22 @@ double arcTangentUnit(double x) {
 }  // namespace
 
 void sinCos(double radians, double& sine, double& cosine) {
-  double turns = std::floor(radians / kHalfPiHigh + 0.5);
+  double turns = std::floor(radians / kHalfPi + 0.5);
   double x = (radians - turns * kHalfPiHigh) - turns * kHalfPiLow;
   double s = sineSmall(x), c = cosineSmall(x);
-  int quarter = int(turns - 4 * std::floor(turns / 4));
+  double quarter = turns - 4 * std::floor(turns / 4);  // 0, 1, 2, 3, or NaN
   sine = quarter == 0 ? s : quarter == 1 ? c : quarter == 2 ? -s : -c;
   cosine = quarter == 0 ? c : quarter == 1 ? -s : quarter == 2 ? -c : s;
 }
 
 Quat quatFromRotationVector(Vec3 v) {
   double angle = length(v);
+  if (!(angle <= kLargestAngle)) {  // beyond, a double hardly knows the angle; its square may overflow
+    Vec3 size = abs(v);
+    double largest = size.x > size.y ? size.x : size.y;
+    v = normalized(v * (1 / (largest > size.z ? largest : size.z))) * kLargestAngle;
+    angle = kLargestAngle;
+  }
   double s = 0.5 - angle * angle / 48, c = 1 - angle * angle / 8;  // series, exact to rounding below 1e-4
   if (angle >= 1e-4) {
     sinCos(0.5 * angle, s, c);
@@ -69,7 +78,7 @@ Vec3 rotationVector(Quat q) {
   Vec3 v{q.x, q.y, q.z};
   double s = length(v);
   if (s < 1e-9) return v * 2.0;
-  double half = s <= q.w ? arcTangentUnit(s / q.w) : kHalfPiHigh - arcTangentUnit(q.w / s);
+  double half = s <= q.w ? arcTangentUnit(s / q.w) : kHalfPi - arcTangentUnit(q.w / s);
   return v * (2 * half / s);
 }
 
