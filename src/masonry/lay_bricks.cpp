@@ -1,11 +1,12 @@
 // From courses of cells to bricks in the world: leaves, lintels, disorder, order of creation, place and yaw of the wall.
 #include <numbers>
-#include <random>
 #include <utility>
 
 #include "brickfall/masonry.h"
 #include "masonry/layout.h"
+#include "masonry/named_seed.h"
 #include "masonry/openings.h"
+#include "math/random.h"
 
 namespace brickfall {
 
@@ -15,23 +16,6 @@ using masonry::Cell;
 using masonry::Layout;
 using masonry::Laying;
 using masonry::OpeningSpan;
-
-// The standard fixes the numbers of mt19937_64, but not those of its distributions: hence these two.
-class Scatter {
- public:
-  Scatter(std::uint64_t seed, const std::string& name) : engine_(mixed(seed, name)) {}
-  double unit() { return double(engine_() >> 11) * 0x1p-53; }  // 0 <= r < 1
-  std::size_t below(std::size_t count) { return std::size_t(unit() * double(count)); }
-
- private:
-  // Walls of one scene get different numbers (FNV-1a of the name).
-  static std::uint64_t mixed(std::uint64_t seed, const std::string& name) {
-    std::uint64_t hash = 1469598103934665603ull ^ seed;
-    for (char c : name) hash = (hash ^ std::uint8_t(c)) * 1099511628211ull;
-    return hash;
-  }
-  std::mt19937_64 engine_;
-};
 
 // Bricks in the wall's own frame: x along, y up from the foot, z through from the middle.
 class Bricklayer {
@@ -89,8 +73,8 @@ class Bricklayer {
 };
 
 // Out of true by gaps of 0 .. disorder below each brick, like shifts, and turns about the vertical to match.
-void disturb(BrickPlacement& brick, double disorder, Scatter& scatter) {
-  double down = scatter.unit(), along = scatter.unit(), through = scatter.unit(), turn = scatter.unit();
+void disturb(BrickPlacement& brick, double disorder, Random& random) {
+  double down = random.unit(), along = random.unit(), through = random.unit(), turn = random.unit();
   brick.centre += Vec3{disorder * (along - 0.5), (brick.course + 1) * disorder - disorder * down,
                        disorder * (through - 0.5)};
   brick.rotation = normalized(Quat{0, (turn - 0.5) * disorder * 5, 0, 1});
@@ -103,16 +87,16 @@ Result<std::vector<BrickPlacement>> layBricks(const WallDef& wall, std::uint64_t
   if (!problems.empty())
     return Error{ErrorCode::invalidArgument, "wall " + wall.name + ": " + problems[0].field + ": " + problems[0].message};
   std::vector<BrickPlacement> bricks = Bricklayer(wall).lay();
-  Scatter scatter(seed, wall.name);
+  Random random(masonry::namedSeed(seed, wall.name));
   if (wall.disorder > 0)
-    for (BrickPlacement& brick : bricks) disturb(brick, wall.disorder, scatter);
+    for (BrickPlacement& brick : bricks) disturb(brick, wall.disorder, random);
   Transform place{wall.position, quatFromAxisAngle({0, 1, 0}, wall.yawDegrees * (std::numbers::pi / 180))};
   for (BrickPlacement& brick : bricks) {
     brick.centre = transformPoint(place, brick.centre);
     brick.rotation = normalized(place.rotation * brick.rotation);
   }
   if (wall.shuffle)
-    for (std::size_t i = bricks.size(); i > 1; i--) std::swap(bricks[i - 1], bricks[scatter.below(i)]);
+    for (std::size_t i = bricks.size(); i > 1; i--) std::swap(bricks[i - 1], bricks[random.below(std::uint32_t(i))]);
   return bricks;
 }
 

@@ -1,0 +1,146 @@
+// Recursive descent:  sum = product {(+|-) product};  product = unary {(*|/) unary};  unary = [-] primary;
+// primary = number | $name | function ( sum [, sum] ) | ( sum ).
+#include "scene/expression.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace brickfall::scene {
+
+namespace {
+
+bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
+bool isDigit(char c) { return c >= '0' && c <= '9'; }
+
+class Parser {
+ public:
+  Parser(std::string_view text, const ParameterLookup& lookup) : text_(text), lookup_(lookup) {}
+
+  Evaluated run() {
+    Evaluated out;
+    out.value = sum(0);
+    skipSpace();
+    if (error_.empty() && at_ < text_.size()) fail("unexpected \"" + std::string(1, text_[at_]) + "\"");
+    if (error_.empty() && !std::isfinite(out.value)) {
+      at_ = 0;
+      fail("the result is not a finite number");
+    }
+    out.error = error_;
+    out.column = errorColumn_;
+    return out;
+  }
+
+ private:
+  static constexpr int kMaxDepth = 64;
+
+  double sum(int depth) {
+    double value = product(depth);
+    while (true) {
+      if (take('+')) value += product(depth);
+      else if (take('-')) value -= product(depth);
+      else return value;
+    }
+  }
+  double product(int depth) {
+    double value = unary(depth);
+    while (true) {
+      if (take('*')) value *= unary(depth);
+      else if (take('/')) value /= unary(depth);
+      else return value;
+    }
+  }
+  double unary(int depth) {
+    if (depth >= kMaxDepth) return fail("brackets nested too deeply");
+    if (take('-')) return -unary(depth + 1);
+    if (take('(')) return closed(sum(depth + 1));
+    skipSpace();
+    if (at_ >= text_.size()) return fail("a number is missing at the end");
+    char c = text_[at_];
+    if (c == '$') return parameter();
+    if (isDigit(c) || c == '.') return number();
+    if (isLetter(c)) return function(depth);
+    return fail("expected a number, found \"" + std::string(1, c) + "\"");
+  }
+  double number() {
+    double value = 0;
+    auto result = std::from_chars(text_.data() + at_, text_.data() + text_.size(), value);
+    if (result.ec != std::errc()) return fail("not a number");
+    at_ = std::size_t(result.ptr - text_.data());
+    return value;
+  }
+  std::string name() {
+    std::size_t from = at_;
+    while (at_ < text_.size() && (isLetter(text_[at_]) || isDigit(text_[at_]))) at_++;
+    return std::string(text_.substr(from, at_ - from));
+  }
+  double parameter() {
+    std::size_t from = at_++;
+    std::string key = name(), reason;
+    if (key.empty()) return fail("a name is missing after \"$\"");
+    std::optional<double> value = lookup_(key, reason);
+    if (value) return *value;
+    at_ = from;
+    return fail(reason);
+  }
+  double function(int depth) {
+    std::size_t from = at_;
+    std::string key = name();
+    bool two = key == "min" || key == "max";
+    bool known = two || key == "round" || key == "floor" || key == "ceil" || key == "sqrt" || key == "abs";
+    if (!known) {
+      at_ = from;
+      return fail("unknown name \"" + key + "\"; a parameter begins with $");
+    }
+    if (!take('(')) return fail("expected ( after \"" + key + "\"");
+    double a = sum(depth + 1), b = 0;
+    if (two && !take(',')) return fail("expected two arguments of \"" + key + "\"");
+    if (two) b = sum(depth + 1);
+    double value = key == "min"     ? std::min(a, b)
+                   : key == "max"   ? std::max(a, b)
+                   : key == "round" ? std::floor(a + 0.5)
+                   : key == "floor" ? std::floor(a)
+                   : key == "ceil"  ? std::ceil(a)
+                   : key == "sqrt"  ? std::sqrt(a)
+                                    : std::fabs(a);
+    return closed(value);
+  }
+  double closed(double value) {
+    if (take(')')) return value;
+    return fail("a closing bracket is missing");
+  }
+  void skipSpace() {
+    while (at_ < text_.size() && (text_[at_] == ' ' || text_[at_] == '\t')) at_++;
+  }
+  bool take(char c) {
+    skipSpace();
+    if (!error_.empty() || at_ >= text_.size() || text_[at_] != c) return false;
+    at_++;
+    return true;
+  }
+  // The first failure counts; everything after it is noise.
+  double fail(std::string why) {
+    if (error_.empty()) {
+      error_ = std::move(why);
+      errorColumn_ = int(at_) + 1;
+    }
+    return 0;
+  }
+
+  std::string_view text_;
+  const ParameterLookup& lookup_;
+  std::size_t at_ = 0;
+  std::string error_;
+  int errorColumn_ = 0;
+};
+
+}  // namespace
+
+Evaluated evaluate(std::string_view text, const ParameterLookup& lookup) { return Parser(text, lookup).run(); }
+
+bool looksLikeExpression(std::string_view text) {
+  if (text.find('$') != std::string_view::npos) return true;
+  return !text.empty() && (isDigit(text[0]) || text[0] == '(' || text[0] == '-' || text[0] == '.');
+}
+
+}  // namespace brickfall::scene

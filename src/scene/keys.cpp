@@ -1,0 +1,236 @@
+// The table of keys.
+#include "scene/keys.h"
+
+#include "scene/node.h"
+
+namespace brickfall::scene {
+
+namespace {
+
+using K = KeyKind;
+constexpr double kFar = 1e5;      // m: coordinates
+constexpr double kFast = 1e4;     // m/s
+constexpr double kSmall = 0.001;  // m: sizes
+constexpr double kLarge = 1000;   // m
+
+// What places a body and lets it move: the same for [[body]], [[ball]] and [[array]].
+void addMotion(std::vector<KeySpec>& keys, const char* table) {
+  keys.push_back({table, "velocity", K::vector, "m/s", -kFast, kFast, "[0, 0, 0]", "", "velocity of the centre of mass"});
+  keys.push_back({table, "angular_velocity", K::vector, "rad/s", -kFast, kFast, "[0, 0, 0]", "", "about the world's axes"});
+  keys.push_back({table, "gravity_scale", K::number, "", -1000, 1000, "1", "", "share of the world's gravity"});
+  keys.push_back({table, "linear_damping", K::number, "1/s", 0, 1000, "0", "", "velocity decays as exp(-damping t)"});
+  keys.push_back({table, "angular_damping", K::number, "1/s", 0, 1000, "0", "", "the same for the spin"});
+  keys.push_back({table, "drag_area", K::number, "m2", 0, 1000, "0", "", "Cd A of quadratic air drag; 0 = no drag"});
+  keys.push_back({table, "allow_sleep", K::boolean, "", 0, 0, "true", "", "false keeps it and what touches it awake"});
+}
+
+void addShape(std::vector<KeySpec>& keys, const char* table) {
+  keys.push_back({table, "shape", K::choice, "", 0, 0, "\"box\"", "box|sphere|capsule|hull", "form"});
+  keys.push_back({table, "size", K::positive, "m", kSmall, kLarge, "[1, 1, 1]", "", "box: whole lengths along x, y, z"});
+  keys.push_back({table, "radius", K::number, "m", kSmall, kLarge, "0.5", "", "sphere and capsule"});
+  keys.push_back({table, "height", K::number, "m", kSmall, kLarge, "1", "", "capsule: between the centres of its caps, along y"});
+  keys.push_back({table, "vertices", K::points, "m", -kLarge, kLarge, "-", "", "hull: 4 .. 64 points that span a volume"});
+}
+
+std::vector<KeySpec> makeKeys() {
+  std::vector<KeySpec> keys = {
+      {"", "title", K::text, "", 0, 200, "\"\"", "", "what the scene shows, in a line"},
+      {"", "description", K::text, "", 0, 10000, "\"\"", "", "more about it"},
+      {"", "parameters", K::parameters, "", 0, 0, "-", "", "named numbers for expressions"},
+      {"", "world", K::table, "", 0, 0, "-", "", "gravity, time and sleep"},
+      {"", "solver", K::table, "", 0, 0, "-", "", "advanced settings of the contact solver"},
+      {"", "ground", K::table, "", 0, 0, "-", "", "what everything stands on"},
+      {"", "material", K::tables, "", 0, 0, "-", "", "materials by name"},
+      {"", "wall", K::tables, "", 0, 0, "-", "", "walls of bricks"},
+      {"", "body", K::tables, "", 0, 0, "-", "", "bodies placed one by one"},
+      {"", "ball", K::tables, "", 0, 0, "-", "", "balls to throw"},
+      {"", "array", K::tables, "", 0, 0, "-", "", "many equal bodies: lattices, columns, pyramids, piles"},
+      {"", "camera", K::tables, "", 0, 0, "-", "", "views for the replay"},
+
+      {"world", "gravity", K::gravity, "m/s2", -1000, 1000, "9.81", "", "downwards, or a vector [x, y, z]"},
+      {"world", "seconds", K::number, "s", 0.001, 86400, "10", "", "simulated time of a run"},
+      {"world", "time_step", K::number, "s", 1e-5, 0.1, "0.016666666666666666", "", "dt of one step; smaller is truer and slower"},
+      {"world", "substeps", K::integer, "", 1, 64, "1", "", "equal parts that each step is solved in"},
+      {"world", "frames_per_second", K::number, "1/s", 0.1, 10000, "60", "", "frames recorded per simulated second"},
+      {"world", "seed", K::integer, "", 0, 9007199254740992.0, "1", "", "of every random number in the scene"},
+      {"world", "sleep", K::boolean, "", 0, 0, "true", "", "what rests costs nothing until something touches it"},
+      {"world", "sleep_delay", K::number, "s", 0.001, 1000, "0.5", "", "at rest for so long before it sleeps"},
+      {"world", "air_density", K::number, "kg/m3", 0, 2000, "1.204", "", "for bodies with a drag_area"},
+      {"world", "hit_event_speed", K::number, "m/s", 0, kFast, "1", "", "slower impacts make no hit event"},
+      {"world", "hit_event_impulse", K::number, "N s", 0, 1e9, "0.01", "", "weaker impacts make no hit event"},
+
+      {"solver", "resting_stiffness", K::number, "u", 10, 1e5, "1000", "", "of resting contacts; u = effective mass / time_step^2"},
+      {"solver", "impact_stiffness", K::number, "u", 1, 1e5, "30", "", "of a contact born in an impact; at most resting_stiffness"},
+      {"solver", "resting_approach_speed", K::number, "m/s", 0, 100, "0.3", "", "contacts born slower are resting, not impacts"},
+      {"solver", "contact_margin", K::number, "m", 0, 1, "0.01", "", "contacts are made this early"},
+      {"solver", "rest_speed", K::number, "m/s", 0, 10, "0.002", "", "only slower bodies are put to rest"},
+      {"solver", "rest_tolerance", K::number, "", 1e-9, 1, "0.001", "", "force residual / weight taken as: nothing moves"},
+      {"solver", "cycle_tolerance", K::number, "", 1e-9, 1, "0.01", "", "residual / weight at which a moving island is done"},
+      {"solver", "min_cycles", K::integer, "", 1, 64, "4", "", "cycles of every step; at most max_cycles"},
+      {"solver", "max_cycles", K::integer, "", 1, 256, "8", "", "cycles of large islands"},
+      {"solver", "max_cycles_small", K::integer, "", 1, 256, "64", "", "cycles of the smallest islands"},
+
+      {"ground", "enabled", K::boolean, "", 0, 0, "true", "", "false: nothing to fall on"},
+      {"ground", "type", K::choice, "", 0, 0, "\"plane\"", "plane|box", "an endless plane, or a box with its top at `height`"},
+      {"ground", "height", K::number, "m", -kFar, kFar, "0", "", "of its surface, at the origin"},
+      {"ground", "size", K::positive, "m", kSmall, 1e5, "[100, 1, 100]", "", "of a box"},
+      {"ground", "tilt_degrees", K::number, "degrees", -90, 90, "0", "", "turned about tilt_axis through the origin"},
+      {"ground", "tilt_axis", K::vector, "", -1e3, 1e3, "[0, 0, 1]", "", "direction of the axis of the tilt"},
+      {"ground", "material", K::material, "", 0, 0, "\"concrete\"", "", "its material"},
+
+      {"material", "name", K::name, "", 0, 0, "", "", "what other tables call it"},
+      {"material", "density", K::number, "kg/m3", 0.01, 1e6, "1900", "", "mass by volume"},
+      {"material", "friction", K::number, "", 0, 100, "0.6", "", "Coulomb coefficient"},
+      {"material", "restitution", K::number, "", 0, 1, "0", "", "rebound speed / impact speed; impacts under 1 m/s do not rebound"},
+      {"material", "friction_rule", K::choice, "", 0, 0, "\"geometric_mean\"", "geometric_mean|average|minimum|multiply|maximum", "how two materials' values become one"},
+      {"material", "restitution_rule", K::choice, "", 0, 0, "\"maximum\"", "geometric_mean|average|minimum|multiply|maximum", "the same for restitution"},
+      {"material", "colour", K::colour, "", 0, 0, "\"#B5543A\"", "", "of what is made from it"},
+
+      {"wall", "name", K::name, "", 0, 0, "-", "", "bricks are called name/course/position"},
+      {"wall", "bond", K::choice, "", 0, 0, "\"running\"", "running|header|english|flemish|stack", "how the bricks overlap"},
+      {"wall", "bond_shift", K::number, "brick lengths", 0, 0.999, "0.5", "", "running bond: shift of every second course"},
+      {"wall", "courses", K::integer, "", 1, 10000, "10", "", "layers of bricks"},
+      {"wall", "bricks", K::integer, "", 1, 10000, "10", "", "whole bricks in a full course; sets the length"},
+      {"wall", "brick", K::brick, "m", kSmall, 100, "\"uk\"", "uk|as3700", "format, or [length, height, width]"},
+      {"wall", "half_bats", K::boolean, "", 0, 0, "true", "", "ends closed by cut bricks; false: whole bricks, toothed ends"},
+      {"wall", "head_joint", K::number, "m", 0, 1, "0", "", "gap between neighbours in a course"},
+      {"wall", "bed_joint", K::number, "m", 0, 1, "0", "", "gap between courses"},
+      {"wall", "position", K::vector, "m", -kFar, kFar, "[0, 0, 0]", "", "left end of the foot, middle of the thickness"},
+      {"wall", "yaw_degrees", K::number, "degrees", -3600, 3600, "0", "", "about the vertical; 0: along +x, 90: along -z"},
+      {"wall", "material", K::material, "", 0, 0, "\"brick\"", "", "of the bricks"},
+      {"wall", "lintel_material", K::material, "", 0, 0, "\"concrete\"", "", "of the lintels"},
+      {"wall", "density_scatter", K::number, "", 0, 0.5, "0", "", "each brick's density times 1 +- up to this"},
+      {"wall", "disorder", K::number, "m", 0, 0.01, "0", "", "bricks out of true by gaps of up to this"},
+      {"wall", "shuffle", K::boolean, "", 0, 0, "false", "", "bricks are created in random order"},
+      {"wall", "opening", K::tables, "", 0, 0, "-", "", "doors and windows"},
+
+      {"wall.opening", "from", K::number, "m", 0, kFar, "", "", "left reveal, from the wall's left end"},
+      {"wall.opening", "sill", K::number, "m", 0, kFar, "0", "", "above the wall's foot; 0 = door"},
+      {"wall.opening", "width", K::number, "m", 0.01, kLarge, "", "", "clear width"},
+      {"wall.opening", "height", K::number, "m", 0.01, kLarge, "", "", "clear height"},
+      {"wall.opening", "lintel_bearing", K::number, "m", 0.01, 100, "0.15", "", "how far the lintel reaches into the wall"},
+      {"wall.opening", "lintel_height", K::number, "m", 0, 100, "0.065", "", "in whole courses, rounded; 0 = no lintel"},
+  };
+  keys.push_back({"body", "name", K::name, "", 0, 0, "-", "", "its name in reports and in the replay"});
+  keys.push_back({"body", "type", K::choice, "", 0, 0, "\"dynamic\"", "fixed|kinematic|dynamic", "never moves, moves as told, moves by forces"});
+  addShape(keys, "body");
+  keys.push_back({"body", "part", K::tables, "", 0, 0, "-", "", "several shapes in one body, instead of `shape`"});
+  keys.push_back({"body", "material", K::material, "", 0, 0, "\"brick\"", "", "of all shapes that name no other"});
+  keys.push_back({"body", "position", K::vector, "m", -kFar, kFar, "[0, 0, 0]", "", "origin of the body: the middle of a shape"});
+  keys.push_back({"body", "rotation_degrees", K::vector, "degrees", -3600, 3600, "[0, 0, 0]", "", "about the world's x, then y, then z axis"});
+  addMotion(keys, "body");
+  keys.push_back({"body", "launch_time", K::number, "s", 0, 86400, "0", "", "held in place until then"});
+
+  addShape(keys, "body.part");
+  keys.push_back({"body.part", "material", K::material, "", 0, 0, "-", "", "of this part; default: the body's"});
+  keys.push_back({"body.part", "position", K::vector, "m", -kLarge, kLarge, "[0, 0, 0]", "", "in the body's frame"});
+  keys.push_back({"body.part", "rotation_degrees", K::vector, "degrees", -3600, 3600, "[0, 0, 0]", "", "in the body's frame"});
+
+  keys.push_back({"ball", "name", K::name, "", 0, 0, "-", "", "its name in reports and in the replay"});
+  keys.push_back({"ball", "radius", K::number, "m", kSmall, kLarge, "0.1", "", "of the ball"});
+  keys.push_back({"ball", "material", K::material, "", 0, 0, "\"steel\"", "", "of the ball"});
+  keys.push_back({"ball", "density", K::number, "kg/m3", 0.01, 1e6, "-", "", "instead of the material's"});
+  keys.push_back({"ball", "friction", K::number, "", 0, 100, "-", "", "instead of the material's"});
+  keys.push_back({"ball", "restitution", K::number, "", 0, 1, "-", "", "instead of the material's"});
+  keys.push_back({"ball", "position", K::vector, "m", -kFar, kFar, "", "", "of its centre"});
+  addMotion(keys, "ball");
+  keys.push_back({"ball", "launch_time", K::number, "s", 0, 86400, "0", "", "held in place until then"});
+
+  keys.push_back({"array", "name", K::name, "", 0, 0, "-", "", "bodies are called name/0, name/1, ..."});
+  keys.push_back({"array", "arrangement", K::choice, "", 0, 0, "\"lattice\"", "lattice|pyramid", "rows, columns and layers, or rows that each have one less"});
+  keys.push_back({"array", "count", K::counts, "", 1, 10000, "[1, 1, 1]", "", "lattice: bodies along x, y, z"});
+  keys.push_back({"array", "base", K::integer, "", 1, 10000, "10", "", "pyramid: bodies in the lowest row, along x"});
+  keys.push_back({"array", "spacing", K::positive, "m", 0.0001, kLarge, "-", "", "between centres; default: they touch"});
+  keys.push_back({"array", "jitter", K::number, "m", 0, 100, "0", "", "random shift of each body, up to this on each axis"});
+  keys.push_back({"array", "shape", K::choice, "", 0, 0, "\"box\"", "box|sphere", "form"});
+  keys.push_back({"array", "size", K::positive, "m", kSmall, kLarge, "[1, 1, 1]", "", "box: whole lengths"});
+  keys.push_back({"array", "size_min", K::positive, "m", kSmall, kLarge, "-", "", "box: random lengths from this to `size`"});
+  keys.push_back({"array", "radius", K::number, "m", kSmall, kLarge, "0.5", "", "sphere"});
+  keys.push_back({"array", "material", K::material, "", 0, 0, "\"brick\"", "", "of all bodies"});
+  keys.push_back({"array", "position", K::vector, "m", -kFar, kFar, "[0, 0, 0]", "", "middle of the lowest layer's underside"});
+  addMotion(keys, "array");
+
+  keys.push_back({"camera", "name", K::name, "", 0, 0, "\"main\"", "", "its name in the replay"});
+  keys.push_back({"camera", "position", K::vector, "m", -kFar, kFar, "[3, 2, 5]", "", "where it stands"});
+  keys.push_back({"camera", "target", K::vector, "m", -kFar, kFar, "[0, 0.5, 0]", "", "what it looks at"});
+  keys.push_back({"camera", "field_of_view_degrees", K::number, "degrees", 1, 170, "45", "", "vertical"});
+  return keys;
+}
+
+}  // namespace
+
+const std::vector<KeySpec>& keySpecs() {
+  static const std::vector<KeySpec> keys = makeKeys();
+  return keys;
+}
+
+const KeySpec* findKey(std::string_view table, std::string_view key) {
+  for (const KeySpec& spec : keySpecs())
+    if (spec.table == table && spec.key == key) return &spec;
+  return nullptr;
+}
+
+std::vector<std::string> keysOf(std::string_view table) {
+  std::vector<std::string> out;
+  for (const KeySpec& spec : keySpecs())
+    if (spec.table == table) out.push_back(spec.key);
+  return out;
+}
+
+std::string tableTitle(std::string_view table) {
+  if (table.empty()) return "the top level";
+  for (const KeySpec& spec : keySpecs()) {
+    std::string full = *spec.table ? std::string(spec.table) + "." + spec.key : std::string(spec.key);
+    if (full == table) return spec.kind == K::tables ? "[[" + full + "]]" : "[" + full + "]";
+  }
+  return std::string(table);
+}
+
+std::string ownerOfKey(std::string_view key) {
+  for (const KeySpec& spec : keySpecs())
+    if (spec.key == key) return tableTitle(spec.table);
+  return {};
+}
+
+std::vector<std::string> choicesOf(const KeySpec& spec) {
+  std::vector<std::string> out;
+  std::string_view rest = spec.choices;
+  while (!rest.empty()) {
+    std::size_t bar = std::min(rest.find('|'), rest.size());
+    out.emplace_back(rest.substr(0, bar));
+    rest.remove_prefix(std::min(bar + 1, rest.size()));
+  }
+  return out;
+}
+
+std::string expectation(const KeySpec& spec) {
+  std::string range = numberText(spec.minimum) + " .. " + numberText(spec.maximum);
+  std::string unit = *spec.unit ? std::string(" ") + spec.unit : std::string();
+  std::string list;
+  std::vector<std::string> choices = choicesOf(spec);
+  for (std::size_t i = 0; i < choices.size(); i++)
+    list += (i == 0 ? "\"" : i + 1 == choices.size() ? " or \"" : ", \"") + choices[i] + "\"";
+  switch (spec.kind) {
+    case K::number: return "a number " + range + unit;
+    case K::integer: return "a whole number " + range;
+    case K::boolean: return "true or false";
+    case K::text: return "a text of at most " + numberText(spec.maximum) + " characters";
+    case K::name: return "a text of 1 .. 64 characters";
+    case K::choice: return list;
+    case K::material: return "the name of a material";
+    case K::colour: return "a colour as \"#RRGGBB\"";
+    case K::vector:
+    case K::positive: return "three numbers [x, y, z], each " + range + unit;
+    case K::counts: return "three whole numbers [x, y, z], each " + range;
+    case K::gravity: return "a number or three numbers [x, y, z], each " + range + unit;
+    case K::brick: return list + ", or [length, height, width], each " + range + unit;
+    case K::points: return "4 .. 64 points [[x, y, z], ...], each coordinate " + range + unit;
+    case K::parameters: return "a table of numbers";
+    case K::table: return std::string("a table: write [") + spec.key + "]";
+    case K::tables: break;
+  }
+  std::string full = *spec.table ? std::string(spec.table) + "." + spec.key : std::string(spec.key);
+  return "an array of tables: write [[" + full + "]]";
+}
+
+}  // namespace brickfall::scene

@@ -1,0 +1,173 @@
+// [[body]], [[body.part]] and [[ball]].
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "scene/scene_build.h"
+
+namespace brickfall::scene {
+
+namespace {
+
+constexpr ShapeType kShapes[] = {ShapeType::box, ShapeType::sphere, ShapeType::capsule, ShapeType::hull};
+constexpr const char* kShapeNames[] = {"box", "sphere", "capsule", "hull"};
+
+// True if some four of the points span a tetrahedron that is not flat.
+bool spansVolume(const std::vector<Vec3>& points) {
+  Vec3 lower = points[0], upper = points[0];
+  for (Vec3 p : points) lower = min(lower, p), upper = max(upper, p);
+  double scale = length(upper - lower);
+  if (!(scale > 0)) return false;
+  Vec3 farthest = points[0], normal;
+  for (Vec3 p : points)
+    if (lengthSquared(p - points[0]) > lengthSquared(farthest - points[0])) farthest = p;
+  for (Vec3 p : points) {
+    Vec3 candidate = cross(farthest - points[0], p - points[0]);
+    if (lengthSquared(candidate) > lengthSquared(normal)) normal = candidate;
+  }
+  double height = 0;
+  for (Vec3 p : points) height = std::max(height, std::fabs(dot(normalized(normal), p - points[0])));
+  return height > 1e-6 * scale && lengthSquared(normal) > 1e-12 * scale * scale * scale * scale;
+}
+
+// A key that belongs to another shape than the one chosen would silently do nothing.
+void refuseKeysOfOtherShapes(TableReader& reader, int shape) {
+  constexpr struct {
+    const char* key;
+    int shapes;  // bits, in the order of kShapeNames
+  } kOwners[] = {{"size", 1}, {"radius", 2 | 4}, {"height", 4}, {"vertices", 8}};
+  for (const auto& owner : kOwners)
+    if (reader.has(owner.key) && !(owner.shapes & 1 << shape))
+      reader.error(owner.key, std::string("found a key that a ") + kShapeNames[shape] +
+                                  " does not have, expected it only with another shape");
+}
+
+ShapeDef readShape(TableReader& reader) {
+  ShapeDef shape;
+  int index = 0;
+  bool known = !reader.has("shape") || reader.choice("shape", index);
+  shape.type = kShapes[index];
+  if (known) refuseKeysOfOtherShapes(reader, index);
+  Vec3 size{1, 1, 1};
+  double height = 1;
+  reader.vector("size", size);
+  reader.number("radius", shape.radius);
+  reader.number("height", height);
+  shape.halfExtents = size * 0.5;
+  shape.halfHeight = height * 0.5;
+  bool points = reader.points("vertices", shape.vertices);
+  if (shape.type != ShapeType::hull) return shape;
+  if (!reader.has("vertices")) reader.error("vertices", "not given, expected the points of the hull");
+  else if (points && !spansVolume(shape.vertices))
+    reader.error("vertices", "found points in one plane, expected points that span a volume");
+  return shape;
+}
+
+void readParts(TableReader& reader, SceneBody& body) {
+  std::vector<TableReader> parts = reader.tables("part");
+  if (parts.empty()) {
+    body.def.shapes.push_back(readShape(reader));
+    return;
+  }
+  for (const char* key : {"shape", "size", "radius", "height", "vertices"})
+    if (reader.has(key)) reader.error(key, "found beside [[body.part]], expected the shape in the parts only");
+  for (TableReader& part : parts) {
+    ShapeDef shape = readShape(part);
+    Vec3 degrees;
+    part.vector("position", shape.local.position);
+    part.vector("rotation_degrees", degrees);
+    shape.local.rotation = rotationFromDegrees(degrees);
+    std::string material = body.material;
+    part.material("material", material);
+    body.shapeMaterials.push_back(material);
+    body.def.shapes.push_back(std::move(shape));
+  }
+}
+
+void readLaunch(TableReader& reader, SceneBody& body) {
+  reader.number("launch_time", body.launchTime);
+  if (body.launchTime > 0 && body.def.type != BodyType::dynamic)
+    reader.error("launch_time", "found on a body that is not dynamic, expected type \"dynamic\"");
+}
+
+// A ball with values of its own gets a material of its own.
+void readBallMaterial(SceneBuild& build, TableReader& reader, SceneBody& ball) {
+  reader.material("material", ball.material);
+  MaterialDef own;
+  for (const MaterialDef& material : build.scene.materials)
+    if (material.name == ball.material) own = material;
+  bool density = reader.number("density", own.material.density);
+  bool friction = reader.number("friction", own.material.friction);
+  bool restitution = reader.number("restitution", own.material.restitution);
+  if (!density && !friction && !restitution) return;
+  own.name = ball.material + " of " + ball.name;
+  ball.material = own.name;
+  build.scene.materials.push_back(std::move(own));
+}
+
+}  // namespace
+
+Quat rotationFromDegrees(Vec3 degrees) {
+  constexpr double kRadians = std::numbers::pi / 180;
+  Quat x = quatFromAxisAngle({1, 0, 0}, degrees.x * kRadians);
+  Quat y = quatFromAxisAngle({0, 1, 0}, degrees.y * kRadians);
+  Quat z = quatFromAxisAngle({0, 0, 1}, degrees.z * kRadians);
+  return normalized(z * y * x);
+}
+
+void readMotion(TableReader& reader, BodyDef& def) {
+  reader.vector("velocity", def.linearVelocity);
+  reader.vector("angular_velocity", def.angularVelocity);
+  reader.number("gravity_scale", def.gravityScale);
+  reader.number("linear_damping", def.linearDamping);
+  reader.number("angular_damping", def.angularDamping);
+  reader.number("drag_area", def.dragArea);
+  reader.boolean("allow_sleep", def.allowSleep);
+}
+
+void readBodies(SceneBuild& build, TableReader& top) {
+  std::size_t index = 0;
+  for (TableReader& reader : top.tables("body")) {
+    SceneBody body;
+    body.name = build.nameOf(reader, "body", index++);
+    body.material = "brick";
+    reader.choice("type", body.def.type);
+    reader.material("material", body.material);
+    Vec3 degrees;
+    reader.vector("position", body.def.position);
+    reader.vector("rotation_degrees", degrees);
+    body.def.rotation = rotationFromDegrees(degrees);
+    readParts(reader, body);
+    readMotion(reader, body.def);
+    bool moves = lengthSquared(body.def.linearVelocity) + lengthSquared(body.def.angularVelocity) > 0;
+    if (body.def.type == BodyType::fixed && moves)
+      reader.error(reader.has("velocity") ? "velocity" : "angular_velocity",
+                   "found a velocity on a fixed body, expected type \"kinematic\" or \"dynamic\"");
+    readLaunch(reader, body);
+    build.roomFor(reader, "", 1);
+    build.scene.bodies.push_back(std::move(body));
+  }
+}
+
+void readBalls(SceneBuild& build, TableReader& top) {
+  std::size_t index = 0;
+  for (TableReader& reader : top.tables("ball")) {
+    SceneBody ball;
+    ball.name = build.nameOf(reader, "ball", index++);
+    ball.role = BodyRole::ball;
+    ball.material = "steel";
+    ShapeDef shape;
+    shape.type = ShapeType::sphere;
+    shape.radius = 0.1;
+    reader.number("radius", shape.radius);
+    readBallMaterial(build, reader, ball);
+    reader.vector("position", ball.def.position);
+    readMotion(reader, ball.def);
+    readLaunch(reader, ball);
+    ball.def.shapes.push_back(std::move(shape));
+    build.roomFor(reader, "", 1);
+    build.scene.bodies.push_back(std::move(ball));
+  }
+}
+
+}  // namespace brickfall::scene

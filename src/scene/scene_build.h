@@ -1,0 +1,39 @@
+// A scene while it is read: what is known so far, and the parts that read each kind of table.
+#pragma once
+#include <set>
+#include <string>
+
+#include "brickfall/scene.h"
+#include "scene/table_reader.h"
+
+namespace brickfall::scene {
+
+constexpr std::int64_t kMaxSceneBodies = 1'000'000;
+
+struct SceneBuild {
+  ReadContext context;
+  SceneDescription scene;
+  std::set<std::string> names;      // of walls, bodies, balls and arrays
+  std::int64_t bodyCount = 0;       // bricks included
+
+  // The name in the table, or kind + number ("wall2"); a name given twice is an error.
+  std::string nameOf(TableReader& reader, const char* kind, std::size_t index);
+  // false (and an error at the table) if the scene would have too many bodies with these.
+  bool roomFor(TableReader& reader, const std::string& key, std::int64_t bodies);
+};
+
+void readWorld(SceneBuild& build, TableReader& top);
+void readGround(SceneBuild& build, TableReader& top);
+void readMaterials(SceneBuild& build, TableReader& top);
+void readCameras(SceneBuild& build, TableReader& top);
+void readWalls(SceneBuild& build, TableReader& top);
+void readBodies(SceneBuild& build, TableReader& top);
+void readBalls(SceneBuild& build, TableReader& top);
+void readArrays(SceneBuild& build, TableReader& top);
+
+// The keys that bodies, balls and arrays share.
+void readMotion(TableReader& reader, BodyDef& def);
+// Turns about the world's x, then y, then z axis.
+Quat rotationFromDegrees(Vec3 degrees);
+
+}  // namespace brickfall::scene

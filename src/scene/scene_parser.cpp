@@ -1,0 +1,120 @@
+// A scene file from its text to a SceneDescription, with all of its mistakes.
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "brickfall/scene.h"
+#include "scene/overrides.h"
+#include "scene/scene_build.h"
+#include "scene/toml_document.h"
+
+namespace brickfall {
+
+namespace {
+
+constexpr std::size_t kMaxFileBytes = 16u << 20;
+
+SceneLoad failed(const std::string& file, std::string message) {
+  SceneLoad load;
+  load.diagnostics.push_back({Severity::error, file, 0, 0, "", std::move(message)});
+  return load;
+}
+
+bool isBlank(std::string_view text) { return text.find_first_not_of(" \t\r\n") == std::string_view::npos; }
+
+void readAll(scene::SceneBuild& build, const scene::Node& root) {
+  scene::TableReader top(build.context, root, "", "");
+  top.text("title", build.scene.title);
+  top.text("description", build.scene.description);
+  scene::readParameters(build.context, root);
+  scene::readMaterials(build, top);  // first: the others name them
+  scene::readWorld(build, top);
+  scene::readGround(build, top);
+  scene::readWalls(build, top);
+  scene::readArrays(build, top);
+  scene::readBodies(build, top);
+  scene::readBalls(build, top);
+  scene::readCameras(build, top);
+  bool anything = top.has("wall") || top.has("body") || top.has("ball") || top.has("array");
+  if (!anything && !build.context.syntaxErrors) {
+    scene::Node file;
+    build.context.error(file, "", "found nothing to simulate, expected at least one [[wall]], [[body]], [[ball]] or [[array]]");
+  }
+}
+
+// In the order of the file; what comes from --set first.
+void sortByPlace(std::vector<Diagnostic>& diagnostics) {
+  std::stable_sort(diagnostics.begin(), diagnostics.end(), [](const Diagnostic& a, const Diagnostic& b) {
+    return a.line != b.line ? a.line < b.line : a.column < b.column;
+  });
+}
+
+}  // namespace
+
+SceneLoad parseScene(std::string_view text, const std::string& fileName, const Overrides& overrides) {
+  if (!(text.size() <= kMaxFileBytes)) return failed(fileName, "found a file of over 16 MiB, expected a scene file");
+  if (isBlank(text)) return failed(fileName, "found an empty file, expected a scene (docs/scene-file.md)");
+  scene::TomlDocument document = scene::readToml(text, fileName);
+  SceneLoad load;
+  if (!document.usable) {
+    load.diagnostics = std::move(document.errors);
+    return load;
+  }
+  scene::SceneBuild build;
+  build.context.file = fileName;
+  build.context.syntaxErrors = !document.errors.empty();
+  build.context.diagnostics = std::move(document.errors);
+  build.scene.name = std::filesystem::path(fileName).stem().string();
+  for (const auto& [key, value] : overrides) scene::applyOverride(build.context, document.root, key, value);
+  readAll(build, document.root);
+  load.diagnostics = std::move(build.context.diagnostics);
+  sortByPlace(load.diagnostics);
+  bool sound = std::none_of(load.diagnostics.begin(), load.diagnostics.end(),
+                            [](const Diagnostic& d) { return d.severity == Severity::error; });
+  if (sound) load.scene = std::move(build.scene);
+  return load;
+}
+
+SceneLoad loadSceneFile(const std::string& path, const Overrides& overrides) {
+  std::error_code ignored;
+  std::filesystem::file_status status = std::filesystem::status(path, ignored);
+  if (!std::filesystem::exists(status)) return failed(path, "there is no such file, expected a scene file");
+  if (std::filesystem::is_directory(status)) return failed(path, "found a folder, expected a scene file");
+  if (std::filesystem::is_regular_file(status) && !(std::filesystem::file_size(path, ignored) <= kMaxFileBytes))
+    return failed(path, "found a file of over 16 MiB, expected a scene file");
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  if (file && file.peek() != std::ifstream::traits_type::eof()) text << file.rdbuf();
+  if (!file.is_open() || file.bad() || text.bad()) return failed(path, "the file can't be read, expected a scene file");
+  return parseScene(text.str(), path, overrides);
+}
+
+namespace scene {
+
+std::string SceneBuild::nameOf(TableReader& reader, const char* kind, std::size_t index) {
+  std::string name;
+  if (reader.text("name", name)) {
+    if (!names.insert(name).second)
+      reader.error("name", "found the name \"" + name + "\" a second time, expected different names");
+    return name;
+  }
+  for (std::size_t number = index + 1;; number++) {
+    name = kind + std::to_string(number);
+    if (names.insert(name).second) return name;
+  }
+}
+
+bool SceneBuild::roomFor(TableReader& reader, const std::string& key, std::int64_t bodies) {
+  bodyCount += bodies;
+  if (bodyCount <= kMaxSceneBodies) return true;
+  bool before = bodyCount - bodies > kMaxSceneBodies;  // said once
+  if (!before)
+    reader.error(key, "the scene has " + std::to_string(bodyCount) + " bodies with these, expected at most " +
+                          std::to_string(kMaxSceneBodies));
+  return false;
+}
+
+}  // namespace scene
+
+}  // namespace brickfall

@@ -1,0 +1,378 @@
+// "found ..., expected ... (did you mean ...?)" for every value of a table.
+#include "scene/table_reader.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene/nearest.h"
+
+namespace brickfall::scene {
+
+namespace {
+
+const Node kEmptyTable;
+
+bool isNumber(const Node& node) { return node.kind == NodeKind::integer || node.kind == NodeKind::number; }
+
+bool isParameterName(const std::string& name) {
+  if (name.empty() || name.size() > 64 || (name[0] >= '0' && name[0] <= '9')) return false;
+  return std::all_of(name.begin(), name.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+  });
+}
+
+// Evaluates parameters as they are needed by each other.
+class ParameterReader {
+ public:
+  ParameterReader(ReadContext& context, const Node& table) : context_(context), table_(table) {}
+
+  void run() {
+    for (const Member& member : table_.members) {
+      if (!isParameterName(member.key)) {
+        context_.error(member.value, "parameters." + member.key,
+                       "found an unusable name, expected letters, digits and _, beginning with a letter");
+        continue;
+      }
+      std::string ignored;
+      valueOf(member.key, ignored);
+    }
+  }
+
+ private:
+  std::optional<double> valueOf(const std::string& name, std::string& error) {
+    if (auto known = context_.parameters.find(name); known != context_.parameters.end()) return known->second;
+    const Member* member = table_.find(name);
+    if (!member) {
+      std::vector<std::string> names;
+      for (const Member& other : table_.members) names.push_back(other.key);
+      error = "unknown parameter \"$" + name + "\"" + didYouMean(name, names);
+      return std::nullopt;
+    }
+    if (std::count(active_.begin(), active_.end(), name) > 0) {
+      error = "parameter \"$" + name + "\" depends on itself";
+      return std::nullopt;
+    }
+    if (std::count(failed_.begin(), failed_.end(), name) > 0) {
+      error = "parameter \"$" + name + "\" has no value";
+      return std::nullopt;
+    }
+    active_.push_back(name);
+    std::optional<double> value = compute(*member);
+    active_.pop_back();
+    if (value) {
+      context_.parameters[name] = *value;
+    } else {
+      failed_.push_back(name);
+      error = "parameter \"$" + name + "\" has no value";
+    }
+    return value;
+  }
+
+  std::optional<double> compute(const Member& member) {
+    const Node& node = member.value;
+    std::string path = "parameters." + member.key;
+    if (isNumber(node) && std::isfinite(node.number)) return node.number;
+    if (node.kind != NodeKind::text) {
+      context_.error(node, path, "found " + describe(node) + ", expected a finite number or an expression");
+      return std::nullopt;
+    }
+    auto lookup = [this](const std::string& name, std::string& error) { return valueOf(name, error); };
+    Evaluated result = evaluate(node.text, lookup);
+    if (result.error.empty()) return result.value;
+    context_.error(node, path, "found " + describe(node) + ": " + result.error + ", expected a number or an expression");
+    return std::nullopt;
+  }
+
+  ReadContext& context_;
+  const Node& table_;
+  std::vector<std::string> active_, failed_;
+};
+
+}  // namespace
+
+void ReadContext::add(Severity severity, const Node& at, std::string path, std::string message) {
+  Diagnostic diagnostic;
+  diagnostic.severity = severity;
+  diagnostic.file = at.fromOverride ? "--set" : file;
+  diagnostic.line = at.fromOverride ? 0 : at.line;
+  diagnostic.column = at.fromOverride ? 0 : at.column;
+  diagnostic.key = std::move(path);
+  diagnostic.message = std::move(message);
+  diagnostics.push_back(std::move(diagnostic));
+}
+
+ParameterLookup ReadContext::lookup() const {
+  return [this](const std::string& name, std::string& error) -> std::optional<double> {
+    if (auto found = parameters.find(name); found != parameters.end()) return found->second;
+    std::vector<std::string> names;
+    for (const auto& [known, value] : parameters) names.push_back(known);
+    error = "unknown parameter \"$" + name + "\"" + didYouMean(name, names);
+    return std::nullopt;
+  };
+}
+
+void readParameters(ReadContext& context, const Node& root) {
+  const Member* member = root.find("parameters");
+  if (!member) return;
+  if (member->value.kind != NodeKind::table) {
+    context.error(member->value, "parameters", "found " + describe(member->value) + ", expected a table of numbers");
+    return;
+  }
+  ParameterReader(context, member->value).run();
+}
+
+TableReader::TableReader(ReadContext& context, const Node& node, std::string table, std::string path)
+    : context_(&context), node_(node), table_(std::move(table)), path_(std::move(path)) {
+  reportUnknownKeys();
+}
+
+void TableReader::reportUnknownKeys() {
+  for (const Member& member : node_.members) {
+    if (findKey(table_, member.key)) continue;
+    std::string hint = didYouMean(member.key, keysOf(table_));
+    std::string owner = hint.empty() ? ownerOfKey(member.key) : std::string();
+    if (!owner.empty()) hint = " (\"" + member.key + "\" is a key of " + owner + ")";
+    Node at;
+    at.line = member.line;
+    at.column = member.column;
+    at.fromOverride = member.value.fromOverride && member.line == 0;
+    context_->error(at, pathOf(member.key), "found an unknown key, expected a key of " + tableTitle(table_) + hint);
+  }
+}
+
+const KeySpec& TableReader::spec(const char* key) const { return *findKey(table_, key); }
+
+const Node* TableReader::value(const char* key) const {
+  const Member* member = node_.find(key);
+  return member ? &member->value : nullptr;
+}
+
+const Node* TableReader::sought(const char* key) {
+  const Node* found = value(key);
+  if (!found && !*spec(key).fallback && !context_->syntaxErrors)
+    context_->error(node_, pathOf(key), "not given, expected " + expectation(spec(key)));
+  return found;
+}
+
+void TableReader::error(const std::string& key, std::string message) {
+  const Node* at = value(key.c_str());
+  context_->error(at ? *at : node_, key.empty() ? path_ : pathOf(key), std::move(message));
+}
+
+void TableReader::warning(const std::string& key, std::string message) {
+  const Node* at = value(key.c_str());
+  context_->add(Severity::warning, at ? *at : node_, key.empty() ? path_ : pathOf(key), std::move(message));
+}
+
+void TableReader::wrong(const Node& node, const std::string& path, const KeySpec& spec, const std::string& hint) {
+  context_->error(node, path, "found " + describe(node) + ", expected " + expectation(spec) + hint);
+}
+
+bool TableReader::numberOf(const Node& node, const std::string& path, const KeySpec& spec, bool whole, double& out) {
+  double value = node.number;
+  std::string found = describe(node);
+  if (node.kind == NodeKind::text && looksLikeExpression(node.text)) {
+    Evaluated result = evaluate(node.text, context_->lookup());
+    if (!result.error.empty()) {
+      context_->error(node, path, "found " + found + ": " + result.error + ", expected " + expectation(spec));
+      return false;
+    }
+    value = result.value;
+    found += " = " + numberText(value);
+    if (whole && std::fabs(value - std::floor(value + 0.5)) <= 1e-9) value = std::floor(value + 0.5);
+  } else if (!isNumber(node)) {
+    wrong(node, path, spec);
+    return false;
+  }
+  bool fits = value >= spec.minimum && value <= spec.maximum && (!whole || value == std::floor(value));
+  if (!fits) {
+    context_->error(node, path, "found " + found + ", expected " + expectation(spec));
+    return false;
+  }
+  out = value;
+  return true;
+}
+
+bool TableReader::vectorOf(const Node& node, const std::string& path, const KeySpec& spec, bool whole, Vec3& out) {
+  if (node.kind != NodeKind::array || node.items.size() != 3) {
+    wrong(node, path, spec);
+    return false;
+  }
+  Vec3 value;
+  bool sound = true;
+  KeySpec element = spec;
+  element.kind = whole ? KeyKind::integer : KeyKind::number;
+  for (int i = 0; i < 3; i++)
+    if (!numberOf(node.items[std::size_t(i)], path + "[" + std::to_string(i) + "]", element, whole, value[i]))
+      sound = false;
+  if (sound) out = value;
+  return sound;
+}
+
+bool TableReader::number(const char* key, double& out) {
+  const Node* node = sought(key);
+  return node && numberOf(*node, pathOf(key), spec(key), false, out);
+}
+
+bool TableReader::integer(const char* key, int& out) {
+  double value = 0;
+  const Node* node = sought(key);
+  if (!node || !numberOf(*node, pathOf(key), spec(key), true, value)) return false;
+  out = int(value);
+  return true;
+}
+
+bool TableReader::integer(const char* key, std::uint64_t& out) {
+  double value = 0;
+  const Node* node = sought(key);
+  if (!node || !numberOf(*node, pathOf(key), spec(key), true, value)) return false;
+  out = std::uint64_t(value);
+  return true;
+}
+
+bool TableReader::boolean(const char* key, bool& out) {
+  const Node* node = sought(key);
+  if (!node) return false;
+  if (node->kind != NodeKind::boolean) {
+    wrong(*node, pathOf(key), spec(key));
+    return false;
+  }
+  out = node->boolean;
+  return true;
+}
+
+bool TableReader::text(const char* key, std::string& out) {
+  const Node* node = sought(key);
+  if (!node) return false;
+  bool name = spec(key).kind == KeyKind::name;
+  bool sound = node->kind == NodeKind::text && (name ? !node->text.empty() && node->text.size() <= 64
+                                                     : double(node->text.size()) <= spec(key).maximum);
+  if (!sound) {
+    wrong(*node, pathOf(key), spec(key));
+    return false;
+  }
+  out = node->text;
+  return true;
+}
+
+bool TableReader::material(const char* key, std::string& out) {
+  const Node* node = sought(key);
+  if (!node) return false;
+  if (node->kind != NodeKind::text) {
+    wrong(*node, pathOf(key), spec(key));
+    return false;
+  }
+  const std::vector<std::string>& names = context_->materialNames;
+  if (std::find(names.begin(), names.end(), node->text) == names.end()) {
+    wrong(*node, pathOf(key), spec(key), didYouMean(node->text, names));
+    return false;
+  }
+  out = node->text;
+  return true;
+}
+
+bool TableReader::colour(const char* key, std::uint32_t& out) {
+  const Node* node = sought(key);
+  if (!node) return false;
+  const std::string& text = node->text;
+  std::uint32_t value = 0;
+  bool sound = node->kind == NodeKind::text && text.size() == 7 && text[0] == '#';
+  for (std::size_t i = 1; sound && i < 7; i++) {
+    char c = text[i];
+    int digit = c >= '0' && c <= '9' ? c - '0' : c >= 'a' && c <= 'f' ? c - 'a' + 10 : c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
+    sound = digit >= 0;
+    value = value * 16 + std::uint32_t(digit);
+  }
+  if (!sound) {
+    wrong(*node, pathOf(key), spec(key));
+    return false;
+  }
+  out = value;
+  return true;
+}
+
+bool TableReader::vector(const char* key, Vec3& out) {
+  const Node* node = sought(key);
+  return node && vectorOf(*node, pathOf(key), spec(key), spec(key).kind == KeyKind::counts, out);
+}
+
+bool TableReader::gravity(const char* key, Vec3& out) {
+  const Node* node = sought(key);
+  if (!node) return false;
+  if (node->kind == NodeKind::array) return vectorOf(*node, pathOf(key), spec(key), false, out);
+  double down = 0;
+  if (!numberOf(*node, pathOf(key), spec(key), false, down)) return false;
+  out = {0, down == 0 ? 0 : -down, 0};
+  return true;
+}
+
+bool TableReader::brick(const char* key, BrickFormat& out) {
+  const Node* node = sought(key);
+  if (!node) return false;
+  if (node->kind == NodeKind::array) return vectorOf(*node, pathOf(key), spec(key), false, out.size);
+  if (node->kind == NodeKind::text && node->text == "uk") {
+    out.size = {0.215, 0.065, 0.1025};
+  } else if (node->kind == NodeKind::text && node->text == "as3700") {
+    out.size = {0.230, 0.076, 0.110};
+  } else {
+    wrong(*node, pathOf(key), spec(key), didYouMean(node->text, choicesOf(spec(key))));
+    return false;
+  }
+  return true;
+}
+
+bool TableReader::points(const char* key, std::vector<Vec3>& out) {
+  const Node* node = sought(key);
+  if (!node) return false;
+  if (node->kind != NodeKind::array || node->items.size() < 4 || node->items.size() > 64) {
+    wrong(*node, pathOf(key), spec(key));
+    return false;
+  }
+  std::vector<Vec3> points(node->items.size());
+  bool sound = true;
+  for (std::size_t i = 0; i < points.size(); i++)
+    if (!vectorOf(node->items[i], pathOf(key) + "[" + std::to_string(i) + "]", spec(key), false, points[i])) sound = false;
+  if (sound) out = points;
+  return sound;
+}
+
+bool TableReader::choiceIndex(const char* key, int& out) {
+  const Node* node = sought(key);
+  if (!node) return false;
+  std::vector<std::string> choices = choicesOf(spec(key));
+  auto found = std::find(choices.begin(), choices.end(), node->text);
+  if (node->kind != NodeKind::text || found == choices.end()) {
+    wrong(*node, pathOf(key), spec(key), node->kind == NodeKind::text ? didYouMean(node->text, choices) : "");
+    return false;
+  }
+  out = int(found - choices.begin());
+  return true;
+}
+
+std::vector<TableReader> TableReader::tables(const char* key) {
+  std::vector<TableReader> readers;
+  const Node* node = value(key);
+  if (!node) return readers;
+  std::string full = table_.empty() ? key : table_ + "." + key;
+  if (node->kind != NodeKind::array) {
+    wrong(*node, pathOf(key), spec(key));
+    return readers;
+  }
+  for (std::size_t i = 0; i < node->items.size(); i++) {
+    std::string path = pathOf(key) + "[" + std::to_string(i) + "]";
+    if (node->items[i].kind == NodeKind::table) readers.emplace_back(*context_, node->items[i], full, path);
+    else wrong(node->items[i], path, spec(key));
+  }
+  return readers;
+}
+
+TableReader TableReader::table(const char* key) {
+  const Node* node = value(key);
+  if (node && node->kind != NodeKind::table) {
+    wrong(*node, pathOf(key), spec(key));
+    node = nullptr;
+  }
+  return TableReader(*context_, node ? *node : kEmptyTable, key, pathOf(key));
+}
+
+}  // namespace brickfall::scene
