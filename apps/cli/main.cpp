@@ -10,6 +10,7 @@
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/interrupt.h"
+#include "scene/nearest.h"
 
 namespace brickfall::cli {
 namespace {
@@ -50,7 +51,7 @@ void defineCommands(CLI::App& app, Arguments& arguments) {
       ->type_name("SCENE");
   addOutputOptions(run, arguments.run.output, "out/<scene>");
   run.add_option("--seconds", arguments.seconds, "Simulate so long instead of what the scene says")->type_name("S");
-  run.add_option("--set", arguments.overrides, "Change a value of the scene file; may be repeated")
+  run.add_option("--set", arguments.overrides, "Change a parameter or value of the scene file; may be repeated")
       ->type_name("KEY=VALUE")
       ->take_all()
       ->expected(1)
@@ -112,12 +113,11 @@ int refuse(const CLI::App& app, const CLI::ParseError& error, const std::vector<
   }
   const bool known = !words.empty() && std::find(commands.begin(), commands.end(), words[0]) != commands.end();
   if (known) {
-    complainf("{} (see brickfall {} --help)", error.what(), words[0]);
+    complainf("{}; see brickfall {} --help", error.what(), words[0]);
   } else {
-    const std::string found = words.empty() ? "nothing" : "'" + words[0] + "'";
-    const std::string nearest = words.empty() ? "" : nearestName(words[0], commands);
-    complainf("command: found {}, expected one of: {}{} (see brickfall --help)", found, list,
-              nearest.empty() ? "" : "; did you mean '" + nearest + "'?");
+    const std::string found = words.empty() ? "nothing" : '"' + words[0] + '"';
+    complainf("command: found {}, expected one of: {}{}; see brickfall --help", found, list,
+              words.empty() ? "" : scene::didYouMean(words[0], commands));
   }
   return kBadInput;
 }

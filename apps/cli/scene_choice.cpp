@@ -9,9 +9,9 @@
 #include <filesystem>
 #include <system_error>
 
-#include "cli/arguments.h"
 #include "cli/commands.h"
 #include "cli/console.h"
+#include "scene/nearest.h"
 
 namespace brickfall::cli {
 namespace {
@@ -27,9 +27,8 @@ std::string unknownScene(const std::string& name) {
     names.push_back(scene.name);
     list += (list.empty() ? "" : ", ") + scene.name;
   }
-  const std::string nearest = nearestName(name, names);
-  return fmt::format("scene: found '{}', expected a scene file or one of: {}{}", name, list.empty() ? "(none)" : list,
-                     nearest.empty() ? "" : fmt::format(" (did you mean '{}'?)", nearest));
+  return fmt::format("scene: found \"{}\", expected a scene file or one of: {}{}", name, list.empty() ? "(none)" : list,
+                     scene::didYouMean(name, names));
 }
 
 }  // namespace
