@@ -21,6 +21,13 @@ QhullAnswer qhull(const std::vector<Vec3>& points) {
     answer.volume = state.totvol;
     answer.vertices = std::size_t(state.num_vertices);
     answer.facets = std::size_t(state.num_facets);
+    bool first = true;
+    for (facetT* facet = state.facet_list; facet && facet->next; facet = facet->next) {
+      if (!first && -facet->offset >= answer.leastDepth) continue;
+      first = false;
+      answer.leastDepth = -facet->offset;
+      answer.leastNormal = {facet->normal[0], facet->normal[1], facet->normal[2]};
+    }
   }
   qh_freeqhull(&state, qh_ALL);
   std::fclose(nowhere);
