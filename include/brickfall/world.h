@@ -16,25 +16,10 @@
 #include "brickfall/math.h"
 #include "brickfall/result.h"
 #include "brickfall/shapes.h"
+#include "brickfall/solver_settings.h"
 #include "brickfall/step_report.h"
 
 namespace brickfall {
-
-// Everything that tunes the contact solver. The defaults are those under which all figures in docs were measured; each
-// trades honesty, stiffness and cost (docs/step.md). Stiffness unit u = mEff / dt^2, mEff = 1 / (1/mA + 1/mB).
-struct SolverSettings {
-  double restingStiffness = 1000;     // u, 10 .. 1e5: elastic sag ~ 1/this; stiffer converges later when disturbed
-  double impactStiffness = 30;        // u, 1 .. restingStiffness: of a point born in an impact
-  double restingApproachSpeed = 0.3;  // m/s: contacts born slower are resting, not impacts
-  double contactMargin = 0.010;       // m: contacts are made this early (plus approach x dt), at most a sixth of the smaller
-                                      // body's smallest half extent
-  double restSpeed = 2e-3;            // m/s: only slower bodies are put to rest by the rest check
-  double restTolerance = 1e-3;        // residual / weight accepted as "nothing moves"
-  double cycleTolerance = 1e-2;       // rms residual / weight at which a moving island is done
-  int minCycles = 4;                  // 1 .. 64: fewer glue bodies in place (they hang in the air)
-  int maxCycles = 8;                  // minCycles .. 256, islands of 80 bodies and more
-  int maxCyclesSmall = 64;            // the same for the smallest islands (640 / bodies, clamped)
-};
 
 struct WorldDef {
   Vec3 gravity{0, -9.81, 0};       // m/s2

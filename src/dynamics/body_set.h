@@ -1,0 +1,104 @@
+// All bodies of a world, split by temperature:
+//   motion  pose and velocity, read and written in every step by everything;
+//   mass    constants of a body that the step reads;
+//   data    what links a body to its shapes and what only setters and bookkeeping touch.
+// A body keeps its slot for life (slot = id.index - 1); a destroyed slot is used again with the next generation. Keeping
+// slots in place, rather than swapping the last one in, makes the order of bodies the order of creation, on which results
+// may then depend.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "brickfall/body.h"
+#include "brickfall/ids.h"
+
+namespace brickfall {
+
+using BodyIndex = std::uint32_t;   // slot of a body
+using ShapeIndex = std::uint32_t;  // slot of a shape
+constexpr std::uint32_t kNoIndex = 0xffffffffu;
+
+struct BodyMotion {
+  Vec3 position;         // m, centre of mass
+  Quat rotation;
+  Mat3 orientation;      // matrix of rotation, kept in step with it
+  Vec3 linearVelocity;   // m/s, of the centre of mass
+  Vec3 angularVelocity;  // rad/s, world axes
+};
+
+struct BodyMass {
+  double mass = 0, invMass = 0;  // kg; 0 unless dynamic
+  Mat3 inertia{{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}};     // kg m2, body axes, about the centre of mass; 0 unless dynamic
+  Mat3 invInertia{{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}};
+  double innerRadius = 0;        // m: smallest distance from the centre to the surface, scale of torques and margins
+  double outerRadius = 0;        // m: largest, how far a turn can carry a point
+  bool isotropic = false;        // inertia is a multiple of the unit matrix: no gyroscopic torque
+};
+
+enum class BodyActivity : std::uint8_t { awake, asleep, fixed };  // fixed: static bodies, and kinematic ones at rest
+
+struct BodyData {
+  bool alive = false;
+  BodyType type = BodyType::dynamic;
+  BodyActivity activity = BodyActivity::fixed;
+  bool quarantined = false;
+  bool allowSleep = true;
+  std::uint16_t generation = 0;
+  Vec3 localCentre;                // m, centre of mass in the body frame
+  double gravityScale = 1, linearDamping = 0, angularDamping = 0, dragArea = 0;
+  Vec3 force, torque;              // N, N m: for the next step
+  Vec3 lastLinearVelocity, lastAngularVelocity;  // at the start of the last step, for accelerations
+  Vec3 linearAcceleration, angularAcceleration;
+  double lastKineticEnergy = 0;    // J, at the start of the last step (kinetic damping)
+  bool flying = false;             // no chain of forces led to anything held, in the last step
+  std::uint64_t userData = 0;
+  std::uint64_t order = 0;         // grows with creation
+  MassProperties bodyFrameMass;    // as asked for, whatever the type
+};
+
+class BodySet {
+ public:
+  BodyIndex create();                       // fresh slot, all fields default, alive
+  void destroy(BodyIndex body);
+  std::size_t slots() const { return data.size(); }
+  bool alive(BodyIndex body) const { return body < data.size() && data[body].alive; }
+  int count() const { return count_; }
+  // Slots in order of creation.
+  std::vector<BodyIndex> inOrder() const;
+
+  Transform pose(BodyIndex body) const { return {motion[body].position, motion[body].rotation}; }  // of the centre of mass
+  Vec3 origin(BodyIndex body) const {
+    return motion[body].position - motion[body].orientation * data[body].localCentre;
+  }
+  void setRotation(BodyIndex body, Quat unit) {
+    motion[body].rotation = unit;
+    motion[body].orientation = toMatrix(unit);
+  }
+  Mat3 worldInertia(BodyIndex body) const {
+    const Mat3& R = motion[body].orientation;
+    return R * mass[body].inertia * transpose(R);
+  }
+  Mat3 worldInvInertia(BodyIndex body) const {
+    const Mat3& R = motion[body].orientation;
+    return R * mass[body].invInertia * transpose(R);
+  }
+  double kineticEnergy(BodyIndex body) const {
+    const BodyMotion& m = motion[body];
+    Vec3 w = transposeTimes(m.orientation, m.angularVelocity);
+    return 0.5 * mass[body].mass * lengthSquared(m.linearVelocity) + 0.5 * dot(w, mass[body].inertia * w);
+  }
+
+  std::vector<BodyMotion> motion;
+  std::vector<BodyMass> mass;
+  std::vector<BodyData> data;
+  std::vector<std::vector<ShapeIndex>> shapes;
+  std::vector<std::uint8_t> still;  // 1: did not move at all in the last step
+
+ private:
+  friend class SnapshotArchive;
+  std::vector<BodyIndex> free_;
+  int count_ = 0;
+  std::uint64_t nextOrder_ = 1;
+};
+
+}  // namespace brickfall

@@ -1,0 +1,58 @@
+#include "dynamics/shape_set.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace brickfall {
+
+ShapeIndex ShapeSet::create() {
+  ShapeIndex shape;
+  if (free_.empty()) {
+    shape = ShapeIndex(data.size());
+    data.emplace_back();
+  } else {
+    shape = free_.back();
+    free_.pop_back();
+    std::uint16_t generation = data[shape].generation;
+    data[shape] = {};
+    data[shape].generation = generation;
+  }
+  data[shape].alive = true;
+  data[shape].generation++;
+  if (data[shape].generation == 0) data[shape].generation = 1;
+  return shape;
+}
+
+void ShapeSet::destroy(ShapeIndex shape) {
+  data[shape].alive = false;
+  data[shape].hull.reset();
+  free_.push_back(shape);
+}
+
+namespace {
+
+double mix(double a, double b, CombineRule ruleA, CombineRule ruleB) {
+  switch (std::max(ruleA, ruleB)) {
+    case CombineRule::geometricMean: return std::sqrt(a * b);
+    case CombineRule::average: return 0.5 * (a + b);
+    case CombineRule::minimum: return std::min(a, b);
+    case CombineRule::multiply: return a * b;
+    case CombineRule::maximum: return std::max(a, b);
+  }
+  return a;
+}
+
+}  // namespace
+
+double mixFriction(const Material& a, const Material& b) {
+  return mix(a.friction, b.friction, a.frictionRule, b.frictionRule);
+}
+double mixRestitution(const Material& a, const Material& b) {
+  return mix(a.restitution, b.restitution, a.restitutionRule, b.restitutionRule);
+}
+bool filtersAllow(const CollisionFilter& a, const CollisionFilter& b) {
+  if (a.group == b.group && a.group != 0) return a.group > 0;
+  return (a.category & b.mask) != 0 && (b.category & a.mask) != 0;
+}
+
+}  // namespace brickfall

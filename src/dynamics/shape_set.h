@@ -1,0 +1,51 @@
+// All shapes of a world. A shape keeps its slot for life, as a body does.
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "brickfall/shapes.h"
+#include "broadphase/broad_phase.h"
+#include "dynamics/body_set.h"
+#include "geometry/hull.h"
+#include "geometry/shape.h"
+
+namespace brickfall {
+
+struct ShapeData {
+  bool alive = false;
+  std::uint16_t generation = 0;
+  BodyIndex body = kNoIndex;
+  ShapeDef def;                      // as given
+  Shape geometry;
+  Transform inCentreFrame;           // pose in the frame of the body's centre of mass
+  std::unique_ptr<Hull> hull;        // of hulls
+  ProxyIndex proxy = kNoProxy;
+  double innerRadius = 0;            // m
+  Aabb swept;                        // m: bounds over the coming step at the present velocity, grown by the contact margin
+};
+
+class ShapeSet {
+ public:
+  ShapeIndex create();
+  void destroy(ShapeIndex shape);
+  bool alive(ShapeIndex shape) const { return shape < data.size() && data[shape].alive; }
+  std::size_t slots() const { return data.size(); }
+
+  Transform worldPose(ShapeIndex shape, const BodySet& bodies) const {
+    const ShapeData& s = data[shape];
+    return bodies.pose(s.body) * s.inCentreFrame;
+  }
+
+  std::vector<ShapeData> data;
+
+ private:
+  friend class SnapshotArchive;
+  std::vector<ShapeIndex> free_;
+};
+
+// Combined values of two touching materials.
+double mixFriction(const Material& a, const Material& b);
+double mixRestitution(const Material& a, const Material& b);
+bool filtersAllow(const CollisionFilter& a, const CollisionFilter& b);
+
+}  // namespace brickfall

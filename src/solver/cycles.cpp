@@ -1,0 +1,84 @@
+#include "solver/cycles.h"
+
+#include <algorithm>
+
+namespace brickfall {
+
+namespace {
+
+// Small islands are cheap and, when they collapse, need more cycles than a wall to move at their true speed.
+int cycleBudget(const Island& island, const SolverSettings& settings) {
+  int bySize = int(640 / island.bodies.size());
+  int budget = std::clamp(bySize, settings.maxCycles, std::max(settings.maxCycles, settings.maxCyclesSmall));
+  return island.slow ? std::max(budget, kMaxCyclesSlow) : budget;
+}
+
+bool balanced(const Island& island, const StepContext& context) {
+  if (island.slow) return worstResidual(island, *context.bodies) < kSlowTolerance;
+  return rmsResidual(island, *context.bodies) < context.settings.cycleTolerance;
+}
+
+void startFromFreeMotion(Island& island) {
+  for (std::size_t i = 0; i < island.bodies.size(); i++) {
+    island.motion[i].d = island.masses[i].dFree;
+    island.motion[i].th = island.masses[i].thFree;
+  }
+}
+
+}  // namespace
+
+void runCycles(Island& island, StepContext& context) {
+  SolveStatistics& statistics = context.statistics;
+  island.byStrength.refresh(island.masses);
+  island.byMechanism.refresh(island.masses);
+  // Any other start cheats: "nothing moves" would glue falling and sliding bodies in place.
+  startFromFreeMotion(island);
+  int budget = cycleBudget(island, context.settings);
+  for (int cycle = 0; cycle < budget; cycle++) {
+    const Hierarchy& h = cycle % 2 == 0 ? island.byStrength : island.byMechanism;
+    for (std::size_t l = h.levels.size(); l-- > 0;)
+      for (const Cluster& cluster : h.levels[l].clusters)
+        if (cluster.sideBegin != cluster.sideEnd) clusterStep(island, h.levels[l], cluster, statistics.solveSides);
+    statistics.cycles++;
+    lightPass(island, *context.contacts, true, context.dt, statistics.lightVisits);
+    if (cycle + 1 >= context.settings.minCycles && balanced(island, context)) break;
+  }
+  statistics.residualRms = std::max(statistics.residualRms, rmsResidual(island, *context.bodies));
+}
+
+void correctMomentum(Island& island, const StepContext& context) {
+  if (island.grounded) return;
+  const BodySet& bodies = *context.bodies;
+  double mass = 0;
+  Vec3 moment;
+  for (BodyIndex body : island.bodies) {
+    mass += bodies.mass[body].mass;
+    moment += bodies.motion[body].position * bodies.mass[body].mass;
+  }
+  Vec3 centre = moment * (1 / mass), linear, angular;
+  Mat3 inertia{{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}};
+  for (std::size_t i = 0; i < island.bodies.size(); i++) {
+    BodyIndex body = island.bodies[i];
+    const FreeMotion& free = context.free[body];
+    double m = bodies.mass[body].mass;
+    Vec3 r = bodies.motion[body].position - centre;
+    Vec3 missing = (free.d - island.drift - toDouble(island.motion[i].d)) * m;
+    Mat3 own = bodies.worldInertia(body);
+    linear += missing;
+    // thFree as the solve read it, so that what is missing is what the solve left
+    angular += cross(r, missing) + own * (toDouble(island.masses[i].thFree) - toDouble(island.motion[i].th));
+    double rr = dot(r, r);
+    Mat3 parallel{{{m * (rr - r.x * r.x), -m * r.x * r.y, -m * r.x * r.z},
+                   {-m * r.x * r.y, m * (rr - r.y * r.y), -m * r.y * r.z},
+                   {-m * r.x * r.z, -m * r.y * r.z, m * (rr - r.z * r.z)}}};
+    inertia = inertia + own + parallel;
+  }
+  Vec3 move = linear * (1 / mass), turn = inverse(inertia) * angular;
+  for (std::size_t i = 0; i < island.bodies.size(); i++) {
+    Vec3 r = bodies.motion[island.bodies[i]].position - centre;
+    island.motion[i].d += toFloat(move + cross(turn, r));
+    island.motion[i].th += toFloat(turn);
+  }
+}
+
+}  // namespace brickfall

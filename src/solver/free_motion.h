@@ -1,0 +1,15 @@
+// Where a body goes in a step if nothing touches it: forces, damping, drag, and the exact torque-free turn.
+#pragma once
+#include "solver/step_context.h"
+
+namespace brickfall {
+
+// Applies the step's forces, damping and drag to the body's velocities and predicts its free motion. A body with contacts
+// turns by at most kLargestTurn (its spin is cut beyond: arms are frozen during a step); a free one turns exactly.
+void predictFreeMotion(StepContext& context, BodyIndex body, double airDensity, bool hasContacts);
+
+// Turns a rigid body freely for dt: angular momentum is kept to rounding, energy to second order in the turn per step.
+// Symmetric splitting into turns about the body's axes (McLachlan 1993; Dullweber, Leimkuhler and McLachlan 1997).
+Quat turnFreely(Quat rotation, Vec3 angularMomentum, const Mat3& invInertia, double dt);
+
+}  // namespace brickfall

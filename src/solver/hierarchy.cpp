@@ -1,0 +1,198 @@
+#include "solver/hierarchy.h"
+
+namespace brickfall {
+
+namespace {
+
+constexpr std::uint32_t kClusterSize = 4;
+constexpr std::uint32_t kNone = 0xffffffffu;
+constexpr int kMaxLevels = 13;
+
+struct Tie {
+  std::uint32_t other;
+  float strength;
+};
+
+// Neighbours of every cluster, rows in one array; both directions of every link.
+struct Neighbours {
+  std::vector<std::uint32_t> begin;
+  std::vector<Tie> ties;
+};
+
+// Sums links between the same two clusters. Order: by first appearance in `links`.
+Neighbours neighboursOf(const std::vector<ClusterLink>& links, const std::vector<std::uint32_t>& clusterOf,
+                        std::uint32_t clusters, bool withWeak) {
+  Neighbours out;
+  std::vector<std::uint32_t> room(clusters + 1, 0);
+  auto ends = [&](const ClusterLink& link, std::uint32_t& a, std::uint32_t& b) {
+    if (link.bodyA == ClusterLink::kNoBody || link.bodyB == ClusterLink::kNoBody || (link.weak && !withWeak)) return false;
+    a = clusterOf[link.bodyA];
+    b = clusterOf[link.bodyB];
+    return a != b;
+  };
+  std::uint32_t a, b;
+  for (const ClusterLink& link : links)
+    if (ends(link, a, b)) {
+      room[a + 1]++;
+      room[b + 1]++;
+    }
+  for (std::uint32_t c = 0; c < clusters; c++) room[c + 1] += room[c];
+  std::vector<Tie> rows(room[clusters]);
+  std::vector<std::uint32_t> count(clusters, 0);
+  auto add = [&](std::uint32_t from, std::uint32_t to, float strength) {
+    Tie* row = rows.data() + room[from];
+    for (std::uint32_t i = 0; i < count[from]; i++)
+      if (row[i].other == to) {
+        row[i].strength += strength;
+        return;
+      }
+    row[count[from]++] = {to, strength};
+  };
+  for (const ClusterLink& link : links)
+    if (ends(link, a, b)) {
+      add(a, b, link.strength);
+      add(b, a, link.strength);
+    }
+  out.begin.resize(clusters + 1);
+  for (std::uint32_t c = 0; c < clusters; c++) {
+    out.begin[c] = std::uint32_t(out.ties.size());
+    out.ties.insert(out.ties.end(), rows.begin() + room[c], rows.begin() + room[c] + count[c]);
+  }
+  out.begin[clusters] = std::uint32_t(out.ties.size());
+  return out;
+}
+
+// Greedy aggregation: each aggregate grows by the free neighbour most strongly tied to it. A cluster left alone joins its
+// strongest neighbour's aggregate unless that is too large already. Returns the number of aggregates.
+std::uint32_t aggregate(const Neighbours& graph, std::uint32_t clusters, std::vector<std::uint32_t>& aggregateOf) {
+  aggregateOf.assign(clusters, kNone);
+  std::vector<std::uint32_t> size;
+  for (std::uint32_t i = 0; i < clusters; i++) {
+    if (aggregateOf[i] != kNone) continue;
+    std::uint32_t id = std::uint32_t(size.size());
+    std::uint32_t members[kClusterSize] = {i}, count = 1;
+    aggregateOf[i] = id;
+    while (count < kClusterSize) {
+      std::uint32_t best = kNone;
+      float bestTie = 0;
+      for (std::uint32_t m = 0; m < count; m++)
+        for (std::uint32_t e = graph.begin[members[m]]; e < graph.begin[members[m] + 1]; e++) {
+          std::uint32_t candidate = graph.ties[e].other;
+          if (aggregateOf[candidate] != kNone) continue;
+          float tie = 0;
+          for (std::uint32_t l = graph.begin[candidate]; l < graph.begin[candidate + 1]; l++)
+            if (aggregateOf[graph.ties[l].other] == id) tie += graph.ties[l].strength;
+          if (tie > bestTie) {
+            bestTie = tie;
+            best = candidate;
+          }
+        }
+      if (best == kNone) break;
+      aggregateOf[best] = id;
+      members[count++] = best;
+    }
+    if (count == 1) {
+      std::uint32_t host = kNone;
+      float bestTie = 0;
+      for (std::uint32_t e = graph.begin[i]; e < graph.begin[i + 1]; e++) {
+        std::uint32_t other = aggregateOf[graph.ties[e].other];
+        if (other != kNone && other != id && graph.ties[e].strength > bestTie && size[other] <= kClusterSize) {
+          bestTie = graph.ties[e].strength;
+          host = other;
+        }
+      }
+      if (host != kNone) {
+        aggregateOf[i] = host;
+        size[host]++;
+        continue;
+      }
+    }
+    size.push_back(count);
+  }
+  return std::uint32_t(size.size());
+}
+
+// Bodies and boundary contacts by cluster, by counting.
+Level makeLevel(const std::vector<ClusterLink>& links, const std::vector<std::uint32_t>& clusterOf,
+                std::uint32_t clusters) {
+  Level level;
+  level.clusterOf = clusterOf;
+  level.clusters.resize(clusters);
+  auto clusterAt = [&](std::uint32_t body) { return body == ClusterLink::kNoBody ? kNone : clusterOf[body]; };
+  for (std::uint32_t c : clusterOf) level.clusters[c].bodyEnd++;
+  for (const ClusterLink& link : links) {
+    std::uint32_t a = clusterAt(link.bodyA), b = clusterAt(link.bodyB);
+    if (a == b) continue;  // inside a cluster: no relative motion, no net force
+    if (a != kNone) level.clusters[a].sideEnd++;
+    if (b != kNone) level.clusters[b].sideEnd++;
+  }
+  std::uint32_t bodies = 0, sides = 0;
+  for (Cluster& c : level.clusters) {
+    std::uint32_t bodyCount = c.bodyEnd, sideCount = c.sideEnd;
+    c.bodyBegin = c.bodyEnd = bodies;
+    c.sideBegin = c.sideEnd = sides;
+    bodies += bodyCount;
+    sides += sideCount;
+  }
+  level.bodies.resize(bodies);
+  level.sides.resize(sides);
+  for (std::uint32_t i = 0; i < clusterOf.size(); i++) level.bodies[level.clusters[clusterOf[i]].bodyEnd++] = i;
+  for (std::uint32_t k = 0; k < links.size(); k++) {
+    std::uint32_t a = clusterAt(links[k].bodyA), b = clusterAt(links[k].bodyB);
+    if (a == b) continue;
+    if (a != kNone) level.sides[level.clusters[a].sideEnd++] = 2 * k;
+    if (b != kNone) level.sides[level.clusters[b].sideEnd++] = 2 * k + 1;
+  }
+  return level;
+}
+
+}  // namespace
+
+void Hierarchy::build(std::uint32_t bodies, const std::vector<ClusterLink>& links, bool weakLast) {
+  levels.clear();
+  std::vector<std::uint32_t> clusterOf(bodies), aggregateOf;
+  for (std::uint32_t i = 0; i < bodies; i++) clusterOf[i] = i;
+  std::uint32_t clusters = bodies;
+  bool withWeak = !weakLast;
+  levels.push_back(makeLevel(links, clusterOf, clusters));
+  while (int(levels.size()) < kMaxLevels && clusters > 1) {
+    std::uint32_t merged = aggregate(neighboursOf(links, clusterOf, clusters, withWeak), clusters, aggregateOf);
+    if (merged == clusters) {  // nothing left to merge: now over the weak joints, or done
+      if (withWeak) break;
+      withWeak = true;
+      continue;
+    }
+    for (std::uint32_t& c : clusterOf) c = aggregateOf[c];
+    clusters = merged;
+    levels.push_back(makeLevel(links, clusterOf, clusters));
+  }
+}
+
+void Hierarchy::refresh(const std::vector<SolveMass>& masses) {
+  for (Level& level : levels)
+    for (Cluster& c : level.clusters) {
+      float mass = 0;
+      Vec3f moment;
+      for (std::uint32_t k = c.bodyBegin; k < c.bodyEnd; k++) {
+        const SolveMass& b = masses[level.bodies[k]];
+        mass += b.mass;
+        moment += b.position * b.mass;
+      }
+      c.mass = mass;
+      c.centre = c.bodyEnd - c.bodyBegin == 1 ? masses[level.bodies[c.bodyBegin]].position : moment * (1 / mass);
+      float sum[6] = {};
+      for (std::uint32_t k = c.bodyBegin; k < c.bodyEnd; k++) {
+        const SolveMass& b = masses[level.bodies[k]];
+        Vec3f r = b.position - c.centre;
+        sum[0] += b.inertia[0] + b.mass * (r.y * r.y + r.z * r.z);
+        sum[1] += b.inertia[1] - b.mass * r.x * r.y;
+        sum[2] += b.inertia[2] + b.mass * (r.x * r.x + r.z * r.z);
+        sum[3] += b.inertia[3] - b.mass * r.x * r.z;
+        sum[4] += b.inertia[4] - b.mass * r.y * r.z;
+        sum[5] += b.inertia[5] + b.mass * (r.x * r.x + r.y * r.y);
+      }
+      for (int i = 0; i < 6; i++) c.inertia[i] = sum[i];
+    }
+}
+
+}  // namespace brickfall

@@ -1,0 +1,68 @@
+// An island: dynamic bodies joined by contacts, not through anything fixed. Holds all that its solve needs, numbered from
+// 0 and kept from step to step as long as the same bodies and contacts make it up.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "dynamics/contact_set.h"
+#include "solver/contact_record.h"
+#include "solver/hierarchy.h"
+#include "solver/step_context.h"
+
+namespace brickfall {
+
+// Start-of-step facts of a contact that the records don't hold: for restitution and for the friction of new points.
+struct ContactStart {
+  float approach[4] = {};  // m/s, normal relative velocity; negative = closing
+  float gap[4] = {};       // m
+};
+
+struct Island {
+  std::vector<BodyIndex> bodies;        // dynamic, ascending
+  std::vector<ContactIndex> contacts;   // with points, in pair order
+  std::vector<BodyIndex> partners;      // fixed or kinematic bodies touched; motion[bodies.size() + i]
+
+  std::vector<ContactRecord> records;   // by contact
+  std::vector<ContactStart> starts;     // by contact
+  std::vector<SolveMotion> motion;      // bodies, then partners
+  std::vector<SolveMass> masses;        // bodies
+  std::vector<Wrench> residual;         // bodies
+  Hierarchy byStrength, byMechanism;
+  Vec3 origin;                          // m, of SolveMass::position and Cluster::centre
+  Vec3 drift;                           // m: rigid displacement of this step that d and dFree leave out
+
+  bool hierarchiesValid = false;        // of this set of contacts
+  bool mechanismValid = false;          // and of the weak flags
+  bool grounded = false;                // touches something fixed or kinematic
+  bool partnersMove = false;            // a kinematic partner moves
+  bool slow = false;                    // grounded, all bodies slower than SolverSettings::restSpeed
+  bool resting = false;                 // accepted by the rest check in this step
+  bool settled = false;                 // rested, and not one bit of its forces changed in the last step
+  bool allowSleep = true;
+  double restTime = 0;                  // s, rested without a break
+
+  BodyIndex key() const { return bodies.front(); }
+};
+
+// The contact as a link between bodies, for hierarchies.
+std::vector<ClusterLink> clusterLinks(const Island& island, const ContactSet& contacts);
+
+// Inertia's part of a body's residual: M (dFree - d) / dt^2, I (thFree - th) / dt^2.
+Wrench inertiaResidual(const SolveMass& mass, const SolveMotion& motion);
+
+// Forces at the present motion of one cluster's boundary and inertia of its bodies: residual about the cluster's centre.
+// With `matrix`, also its Newton matrix. Returns true if a boundary point slides or yields.
+struct Symmetric6;  // solver/symmetric6.h
+bool clusterResidual(const Island& island, const Level& level, const Cluster& cluster, Wrench& residual,
+                     Symmetric6* matrix, double& visits);
+// One Newton step of a cluster, moving it rigidly; with a line search where friction slides.
+void clusterStep(Island& island, const Level& level, const Cluster& cluster, double& visits);
+
+// Forces at the present motion into Island::residual. With `updateLimits`, points that carried nothing in the last step
+// get their friction limit from the present normal force.
+void lightPass(Island& island, const ContactSet& contacts, bool updateLimits, double dt, double& visits);
+// Largest residual of a body, in weights (torque: as a force at the body's inner radius).
+double worstResidual(const Island& island, const BodySet& bodies);
+double rmsResidual(const Island& island, const BodySet& bodies);
+
+}  // namespace brickfall

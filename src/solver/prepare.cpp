@@ -1,0 +1,174 @@
+// The start of a step for one island. Contacts remember forces, plastic offsets and friction anchors; here these become
+// the trial force of each point at zero motion.
+//
+// Normal return map: a point is born with all its overlap plastic (it causes no force). When an impact is over (a soft
+// point no longer closing) the point becomes stiff and its offset is chosen so that it goes on with the force it has;
+// else the soft overlap would come back as a rebound. Every step a tenth of the offset becomes real overlap again, which
+// parts the bodies slowly.
+//
+// Friction return map: a sticking point keeps its anchor; one that slid gets an anchor at which its spring carries just
+// the sliding force it had: no jump, no creep.
+#include "solver/prepare.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace brickfall {
+
+namespace {
+
+void writeInertia(SolveMass& out, const Mat3& world, double perDt2) {
+  out.inertia[0] = float(world.row[0].x * perDt2);
+  out.inertia[1] = float(world.row[1].x * perDt2);
+  out.inertia[2] = float(world.row[1].y * perDt2);
+  out.inertia[3] = float(world.row[2].x * perDt2);
+  out.inertia[4] = float(world.row[2].y * perDt2);
+  out.inertia[5] = float(world.row[2].z * perDt2);
+}
+
+// Where the island as a whole goes: left out of d, so that a fast island in flight is solved as finely as one at rest.
+Vec3 rigidDrift(const Island& island, const StepContext& context) {
+  if (island.grounded) return {};
+  Vec3 moment;
+  double mass = 0;
+  for (BodyIndex body : island.bodies) {
+    moment += context.free[body].d * context.bodies->mass[body].mass;
+    mass += context.bodies->mass[body].mass;
+  }
+  return moment * (1 / mass);
+}
+
+void updateFrame(ContactRecord& r, const Contact& c, const ContactGeometry& g, const BodySet& bodies) {
+  const BodyMotion &a = bodies.motion[c.bodyA], &b = bodies.motion[c.bodyB];
+  Vec3 armA = a.orientation * g.centre;
+  r.n = toFloat(a.orientation * g.normal);
+  r.t1 = toFloat(a.orientation * g.tangent1);
+  r.armA = toFloat(armA);
+  r.armB = toFloat(armA + (a.position - b.position));
+  for (int i = 0; i < 4; i++) {
+    r.s1[i] = c.s1[i];
+    r.s2[i] = c.s2[i];
+  }
+}
+
+void findApproach(const ContactRecord& r, const Contact& c, const BodySet& bodies, ContactStart& start) {
+  const BodyMotion &a = bodies.motion[c.bodyA], &b = bodies.motion[c.bodyB];
+  Vec3 n = toDouble(r.n), t1 = toDouble(r.t1), t2 = cross(n, t1);
+  Vec3 u = b.linearVelocity + cross(b.angularVelocity, toDouble(r.armB)) - a.linearVelocity -
+           cross(a.angularVelocity, toDouble(r.armA));
+  Vec3 w = b.angularVelocity - a.angularVelocity;
+  double un = dot(n, u), w1 = dot(t1, w), w2 = dot(t2, w);
+  for (int i = 0; i < 4; i++) {
+    start.approach[i] = float(un + w1 * double(c.s2[i]) - w2 * double(c.s1[i]));
+    start.gap[i] = c.gap[i];
+  }
+}
+
+struct StiffnessScale {
+  float full, soft, quietSpeed, cap;
+};
+
+// Returns the gap that causes force.
+float mapNormalOffset(Contact& c, int i, float approach, const StiffnessScale& scale) {
+  if (c.stiffness[i] == 0) c.offset[i] = std::min(0.0f, c.gap[i]);
+  bool soft = c.stiffness[i] > 0 && c.stiffness[i] < 0.99f * scale.full;
+  bool impactOver = soft && c.forceN[i] > 0 && approach > -scale.quietSpeed;
+  if (impactOver) {
+    if (c.forceN[i] > scale.cap) {
+      float s = scale.cap / c.forceN[i];
+      c.forceN[i] *= s;
+      c.force1[i] *= s;
+      c.force2[i] *= s;
+      c.heldN[i] = c.forceN[i];
+      c.held1[i] = c.force1[i];
+      c.held2[i] = c.force2[i];
+    }
+    c.stiffness[i] = scale.full;
+    c.offset[i] = std::min(0.0f, c.gap[i] + c.forceN[i] / scale.full);
+  }
+  float offset = kOffsetKept * std::min(0.0f, std::max(c.offset[i], c.gap[i]));
+  c.offset[i] = offset > -1e-12f ? 0 : offset;  // no denormals: they would never come to a fixed point
+  if (c.stiffness[i] == 0) c.stiffness[i] = approach > -scale.quietSpeed ? scale.full : scale.soft;
+  return c.gap[i] - c.offset[i];
+}
+
+void mapFrictionAnchor(Contact& c, int i, ContactGeometry& g, const ContactRecord& r, const BodySet& bodies) {
+  bool sticking = c.stickingMask >> i & 1;
+  bool tooFar = c.drift1[i] * c.drift1[i] + c.drift2[i] * c.drift2[i] > kLargestDrift * kLargestDrift;
+  if (sticking && !tooFar) return;
+  c.drift1[i] = sticking ? 0 : c.slip1[i];
+  c.drift2[i] = sticking ? 0 : c.slip2[i];
+  const BodyMotion &a = bodies.motion[c.bodyA], &b = bodies.motion[c.bodyB];
+  Vec3 n = toDouble(r.n), t1 = toDouble(r.t1), t2 = cross(n, t1);
+  Vec3 onB = b.position + b.orientation * g.anchorB[i];
+  Vec3 anchor = onB - n * double(c.gap[i]) - t1 * double(c.drift1[i]) - t2 * double(c.drift2[i]);
+  g.anchorA[i] = transposeTimes(a.orientation, anchor - a.position);
+}
+
+}  // namespace
+
+void prepareBodies(Island& island, const StepContext& context) {
+  const BodySet& bodies = *context.bodies;
+  std::size_t count = island.bodies.size();
+  island.motion.resize(count + island.partners.size());
+  island.masses.resize(count);
+  island.origin = bodies.motion[island.bodies.front()].position;
+  island.drift = rigidDrift(island, context);
+  double perDt2 = 1 / (context.dt * context.dt);
+  for (std::size_t i = 0; i < count; i++) {
+    BodyIndex body = island.bodies[i];
+    const FreeMotion& free = context.free[body];
+    SolveMass& m = island.masses[i];
+    m.mass = float(bodies.mass[body].mass * perDt2);
+    writeInertia(m, bodies.worldInertia(body), perDt2);
+    m.dFree = toFloat(free.d - island.drift);
+    m.thFree = toFloat(free.th);
+    m.position = toFloat(bodies.motion[body].position - island.origin);
+  }
+  island.partnersMove = false;
+  for (std::size_t i = 0; i < island.partners.size(); i++) {
+    const BodyMotion& m = bodies.motion[island.partners[i]];
+    SolveMotion& out = island.motion[count + i];
+    out.d = toFloat(m.linearVelocity * context.dt - island.drift);
+    out.th = toFloat(m.angularVelocity * context.dt);
+    island.partnersMove = island.partnersMove || lengthSquared(m.linearVelocity) > 0 || lengthSquared(m.angularVelocity) > 0;
+  }
+}
+
+void prepareContacts(Island& island, StepContext& context) {
+  const BodySet& bodies = *context.bodies;
+  ContactSet& set = *context.contacts;
+  double perDt2 = 1 / (context.dt * context.dt);
+  for (std::size_t k = 0; k < island.contacts.size(); k++) {
+    Contact& c = set.contacts[island.contacts[k]];
+    ContactRecord& r = island.records[k];
+    ContactStart& start = island.starts[k];
+    bool still = bodies.still[c.bodyA] && bodies.still[c.bodyB];
+    if (c.fresh || !still) updateFrame(r, c, set.geometry[island.contacts[k]], bodies);
+    c.fresh = false;
+    findApproach(r, c, bodies, start);
+    double unit = c.effectiveMass * perDt2;
+    StiffnessScale scale{float(context.settings.restingStiffness * unit), float(context.settings.impactStiffness * unit),
+                         float(context.settings.restingApproachSpeed),
+                         kHeldWeights * float(kReferenceGravity) * c.effectiveMass};
+    r.newPoints = 0;
+    for (int i = 0; i < 4; i++) {
+      if (i >= c.count) {
+        r.trialN[i] = r.trial1[i] = r.trial2[i] = r.k[i] = r.limit[i] = r.bond[i] = 0;
+        continue;
+      }
+      float gap = mapNormalOffset(c, i, start.approach[i], scale);
+      mapFrictionAnchor(c, i, set.geometry[island.contacts[k]], r, bodies);
+      float stiffness = c.stiffness[i];
+      r.k[i] = stiffness;
+      r.trialN[i] = kHeldShare * c.heldN[i] - stiffness * (gap > 0 ? gap : kCorrect * gap);
+      r.trial1[i] = kHeldShare * c.held1[i] - stiffness * kCorrect * c.drift1[i];
+      r.trial2[i] = kHeldShare * c.held2[i] - stiffness * kCorrect * c.drift2[i];
+      r.limit[i] = c.friction * std::max(0.0f, c.forceN[i]);
+      r.bond[i] = 0;
+      if (c.forceN[i] == 0) r.newPoints |= 1u << i;
+    }
+  }
+}
+
+}  // namespace brickfall

@@ -1,0 +1,36 @@
+#include "solver/rest.h"
+
+namespace brickfall {
+
+void dampSlowIsland(Island& island, StepContext& context) {
+  BodySet& bodies = *context.bodies;
+  double before = 0, now = 0;
+  island.slow = island.grounded && !island.partnersMove;
+  for (BodyIndex body : island.bodies) {
+    BodyData& data = bodies.data[body];
+    const BodyMotion& m = bodies.motion[body];
+    before += data.lastKineticEnergy;
+    data.lastKineticEnergy = bodies.kineticEnergy(body);
+    now += data.lastKineticEnergy;
+    double speed = length(m.linearVelocity) + length(m.angularVelocity) * bodies.mass[body].innerRadius;
+    if (!(speed <= context.settings.restSpeed)) island.slow = false;
+  }
+  if (!island.slow || now >= before) return;
+  for (BodyIndex body : island.bodies) {
+    bodies.motion[body].linearVelocity = {};
+    bodies.motion[body].angularVelocity = {};
+    bodies.data[body].lastKineticEnergy = 0;
+  }
+}
+
+void restCheck(Island& island, StepContext& context) {
+  island.resting = false;
+  for (std::size_t i = 0; i < island.bodies.size(); i++) island.motion[i] = {};
+  if (!island.slow) return;
+  lightPass(island, *context.contacts, false, context.dt, context.statistics.lightVisits);
+  if (!(worstResidual(island, *context.bodies) < context.settings.restTolerance)) return;
+  island.resting = true;
+  context.statistics.restingIslands++;
+}
+
+}  // namespace brickfall

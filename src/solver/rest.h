@@ -1,0 +1,17 @@
+// How islands come to rest.
+#pragma once
+#include "solver/island.h"
+
+namespace brickfall {
+
+// Decides whether the island is slow and, if its kinetic energy has just passed a maximum, stops it (kinetic damping, as
+// in dynamic relaxation): at that moment a vibration is at its balance, so one stop ends it; without it a tall wall on
+// elastic joints sways by tenths of a millimetre for seconds. What topples or collapses gains energy from step to step
+// and is never stopped. To be called before the bodies' free motion is predicted.
+void dampSlowIsland(Island& island, StepContext& context);
+
+// With no motion at all, do the forces of the last step still balance? Then a slow island stays where it is, for the
+// price of one light pass. Sets Island::resting; leaves all motion at zero.
+void restCheck(Island& island, StepContext& context);
+
+}  // namespace brickfall

@@ -1,0 +1,12 @@
+// Rebound of elastic impacts, after the primal solve has stopped them.
+#pragma once
+#include "solver/island.h"
+
+namespace brickfall {
+
+// Contacts with restitution e > 0 that met faster than kRestitutionSpeed and carried force get e x impact speed back, by
+// normal impulses (the friction of the impact is the primal solve's). Changes StepContext::solved of the island's bodies;
+// total energy never rises by it.
+void applyRestitution(Island& island, StepContext& context);
+
+}  // namespace brickfall

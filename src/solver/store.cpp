@@ -1,0 +1,211 @@
+#include "solver/store.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "solver/contact_kernel.h"
+
+namespace brickfall {
+
+namespace {
+
+struct StoredForces {
+  alignas(16) float n[4], t1[4], t2[4];
+  std::uint32_t sliding = 0;
+};
+
+StoredForces forcesAt(const ContactRecord& r, const Island& island) {
+  Vec3f t2 = cross(r.n, r.t1);
+  kernel::PointForces f =
+      kernel::pointForces(r, kernel::pointMotion(r, kernel::relativeMotion(r, island.motion.data(), t2)));
+  StoredForces out;
+  kernel::store(f.n, out.n);
+  kernel::store(f.t1, out.t1);
+  kernel::store(f.t2, out.t2);
+  out.sliding = wide::bits(f.slides);
+  return out;
+}
+
+// Multiplier for the next step: the force, but an impact's force must not act again, explicitly.
+void holdForce(Contact& c, int i, const StoredForces& f) {
+  float held = kHeldShare * c.heldN[i];
+  float cap = kHeldGrowth * held + kHeldWeights * float(kReferenceGravity) * c.effectiveMass;
+  float share = f.n[i] > cap ? cap / f.n[i] : 1;
+  c.forceN[i] = f.n[i];
+  c.force1[i] = f.t1[i];
+  c.force2[i] = f.t2[i];
+  c.heldN[i] = f.n[i] > cap ? cap : f.n[i];
+  c.held1[i] = f.t1[i] * share;
+  c.held2[i] = f.t2[i] * share;
+}
+
+// Where the anchor of a point that slides has to be for its spring to carry the sliding force.
+void placeSlip(Contact& c, int i, bool sliding) {
+  c.slip1[i] = c.slip2[i] = 0;
+  if (!sliding || !(c.forceN[i] > 0)) return;
+  float scale = -(1 - kHeldShare) / (c.stiffness[i] * kCorrect);
+  c.slip1[i] = c.force1[i] * scale;
+  c.slip2[i] = c.force2[i] * scale;
+  float drift = std::sqrt(c.slip1[i] * c.slip1[i] + c.slip2[i] * c.slip2[i]);
+  if (drift > kLargestDrift) {
+    c.slip1[i] *= kLargestDrift / drift;
+    c.slip2[i] *= kLargestDrift / drift;
+  }
+}
+
+// A joint that cannot carry a moment: few loaded points, or all of them sliding.
+bool updateWeak(Contact& c, int loaded, int slidingLoaded) {
+  bool was = c.weak;
+  if (loaded < 3 || slidingLoaded >= c.count) {
+    c.weak = true;
+    c.weakSteps = kWeakHold;
+  } else if (--c.weakSteps <= 0) {
+    c.weak = false;
+    c.weakSteps = 0;
+  }
+  return c.weak != was;
+}
+
+}  // namespace
+
+bool storeForces(Island& island, StepContext& context) {
+  bool changed = false;
+  for (std::size_t k = 0; k < island.contacts.size(); k++) {
+    Contact& c = context.contacts->contacts[island.contacts[k]];
+    Contact before = c;
+    StoredForces f = forcesAt(island.records[k], island);
+    int loaded = 0, slidingLoaded = 0;
+    c.stickingMask = 0;
+    for (int i = 0; i < c.count; i++) {
+      bool sliding = f.sliding >> i & 1;
+      loaded += f.n[i] > 0;
+      slidingLoaded += sliding && f.n[i] > 0;
+      holdForce(c, i, f);
+      if (f.n[i] > 0 && !sliding) c.stickingMask |= 1u << i;
+      placeSlip(c, i, sliding);
+    }
+    c.touching = loaded > 0;
+    if (updateWeak(c, loaded, slidingLoaded)) island.mechanismValid = false;
+    changed = changed || std::memcmp(&before, &c, sizeof c) != 0;
+  }
+  context.statistics.lightVisits += 4.0 * double(island.contacts.size());
+  return changed;
+}
+
+void storeMotion(const Island& island, StepContext& context) {
+  const BodySet& bodies = *context.bodies;
+  double perDt = 1 / context.dt;
+  for (std::size_t i = 0; i < island.bodies.size(); i++) {
+    BodyIndex body = island.bodies[i];
+    SolvedMotion& out = context.solved[body];
+    const FreeMotion& free = context.free[body];
+    const SolveMotion& m = island.motion[i];
+    if (island.resting) {
+      out = {};
+      out.rest = true;
+      out.freeTurn = false;
+      continue;
+    }
+    out.rest = false;
+    bool untouched = m.d == island.masses[i].dFree && m.th == island.masses[i].thFree;
+    out.freeTurn = m.th == island.masses[i].thFree;
+    out.d = untouched ? free.d : island.drift + toDouble(m.d);
+    out.th = out.freeTurn ? free.th : toDouble(m.th);
+    out.velocity = out.d * perDt;
+    // Torque impulses are added to the angular momentum, so that it is kept to rounding.
+    Vec3 turned = toDouble(m.th) - toDouble(island.masses[i].thFree);
+    out.angularMomentum = free.angularMomentum + bodies.worldInertia(body) * turned * perDt;
+  }
+}
+
+void advanceGaps(Island& island, StepContext& context) {
+  if (island.resting) return;
+  for (std::size_t i = 0; i < island.bodies.size(); i++) {
+    const SolvedMotion& s = context.solved[island.bodies[i]];
+    island.motion[i].d = toFloat(s.d - island.drift);
+    island.motion[i].th = toFloat(s.th);
+  }
+  for (std::size_t k = 0; k < island.contacts.size(); k++) {
+    Contact& c = context.contacts->contacts[island.contacts[k]];
+    const ContactRecord& r = island.records[k];
+    Vec3f t2 = cross(r.n, r.t1);
+    kernel::PointMotion m = kernel::pointMotion(r, kernel::relativeMotion(r, island.motion.data(), t2));
+    alignas(16) float n[4], t1[4], u2[4];
+    kernel::store(m.n, n);
+    kernel::store(m.t1, t1);
+    kernel::store(m.t2, u2);
+    for (int i = 0; i < c.count; i++) {
+      c.gap[i] += n[i];
+      c.drift1[i] += t1[i];
+      c.drift2[i] += u2[i];
+    }
+  }
+}
+
+void storeFreeBody(BodyIndex body, StepContext& context) {
+  const FreeMotion& free = context.free[body];
+  SolvedMotion& out = context.solved[body];
+  double scale = context.bodies->data[body].gravityScale;
+  out.velocity = free.d * (1 / context.dt);
+  out.d = free.d - context.gravity * (0.5 * context.dt * context.dt * scale);
+  out.th = free.th;
+  out.angularMomentum = free.angularMomentum;
+  out.freeTurn = true;
+  out.rest = false;
+  context.bodies->data[body].flying = true;
+}
+
+namespace {
+
+// Marks the bodies from which a chain of contacts leads to something fixed.
+void findHeld(const Island& island, const StepContext& context, float reach, std::vector<char>& held) {
+  std::size_t bodies = island.bodies.size();
+  held.assign(bodies + island.partners.size(), 0);
+  std::fill(held.begin() + std::ptrdiff_t(bodies), held.end(), 1);
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> links;
+  for (std::size_t k = 0; k < island.records.size(); k++) {
+    const ContactRecord& r = island.records[k];
+    const Contact& c = context.contacts->contacts[island.contacts[k]];
+    bool touches = c.touching;
+    if (!touches && reach > 0) {
+      Vec3f t2 = cross(r.n, r.t1);
+      alignas(16) float n[4];
+      kernel::store(kernel::pointMotion(r, kernel::relativeMotion(r, island.motion.data(), t2)).n, n);
+      for (int i = 0; i < c.count; i++) touches = touches || c.gap[i] + n[i] < reach;
+    }
+    if (touches) links.push_back({r.bodyA, r.bodyB});
+  }
+  for (bool grew = true, forwards = true; grew; forwards = !forwards) {
+    grew = false;
+    auto join = [&](std::pair<std::uint32_t, std::uint32_t> l) {
+      if (held[l.first] == held[l.second]) return;
+      held[l.first] = held[l.second] = 1;
+      grew = true;
+    };
+    if (forwards)
+      for (std::size_t i = 0; i < links.size(); i++) join(links[i]);
+    else
+      for (std::size_t i = links.size(); i-- > 0;) join(links[i]);
+  }
+}
+
+}  // namespace
+
+void correctFlight(Island& island, StepContext& context) {
+  if (island.resting) {
+    for (BodyIndex body : island.bodies) context.bodies->data[body].flying = false;
+    return;
+  }
+  Vec3 correction = context.gravity * (-0.5 * context.dt * context.dt);
+  std::vector<char> held, near;
+  findHeld(island, context, 0, held);
+  findHeld(island, context, float(length(correction)), near);
+  for (std::size_t i = 0; i < island.bodies.size(); i++) {
+    BodyData& data = context.bodies->data[island.bodies[i]];
+    data.flying = !held[i];
+    if (!near[i]) context.solved[island.bodies[i]].d += correction * data.gravityScale;
+  }
+}
+
+}  // namespace brickfall

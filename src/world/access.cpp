@@ -1,0 +1,253 @@
+// Reading and changing bodies. Every setter checks first and changes nothing on an error.
+#include <string>
+
+#include "world/checks.h"
+#include "world/world_impl.h"
+
+namespace brickfall {
+
+bool World::isValid(BodyId id) const { return impl_->find(id).ok(); }
+
+Result<BodyState> World::state(BodyId id) const {
+  const Impl& w = *impl_;
+  Result<BodyIndex> body = w.find(id);
+  if (!body) return body.error();
+  const BodyData& data = w.bodies.data[*body];
+  const BodyMotion& m = w.bodies.motion[*body];
+  BodyState s;
+  s.type = data.type;
+  s.position = w.bodies.origin(*body);
+  s.rotation = m.rotation;
+  s.centreOfMass = m.position;
+  s.linearVelocity = m.linearVelocity;
+  s.angularVelocity = m.angularVelocity;
+  s.linearAcceleration = data.linearAcceleration;
+  s.angularAcceleration = data.angularAcceleration;
+  s.mass = w.bodies.mass[*body].mass;
+  s.awake = data.activity == BodyActivity::awake;
+  s.quarantined = data.quarantined;
+  s.userData = data.userData;
+  return s;
+}
+
+Result<MassProperties> World::massProperties(BodyId id) const {
+  Result<BodyIndex> body = impl_->find(id);
+  if (!body) return body.error();
+  return impl_->bodies.data[*body].bodyFrameMass;
+}
+
+std::vector<BodyId> World::bodies() const {
+  std::vector<BodyId> out;
+  for (BodyIndex body : impl_->bodies.inOrder()) out.push_back(impl_->idOf(body));
+  return out;
+}
+
+std::vector<ShapeId> World::shapes(BodyId id) const {
+  std::vector<ShapeId> out;
+  Result<BodyIndex> body = impl_->find(id);
+  if (!body) return out;
+  for (ShapeIndex shape : impl_->bodies.shapes[*body]) out.push_back(impl_->idOfShape(shape));
+  return out;
+}
+
+Result<ShapeDef> World::shape(ShapeId id) const {
+  Result<ShapeIndex> shape = impl_->find(id);
+  if (!shape) return shape.error();
+  return impl_->shapes.data[*shape].def;
+}
+
+// What every setter does first: not while stepping, a live body, sound arguments.
+Result<BodyIndex> World::Impl::openForChange(BodyId id, const Error& bad) const {
+  if (stepping) return Error{ErrorCode::wrongState, "the world is stepping"};
+  Result<BodyIndex> body = find(id);
+  if (!body) return body;
+  if (bad.code != ErrorCode::none) return bad;
+  if (bodies.data[*body].quarantined) return Error{ErrorCode::wrongState, "body: it is quarantined; destroy it"};
+  return body;
+}
+
+Status World::setType(BodyId id, BodyType type) {
+  Impl& w = *impl_;
+  Checks check;
+  check.condition(type == BodyType::fixed || type == BodyType::kinematic || type == BodyType::dynamic, "type: not a BodyType");
+  Result<BodyIndex> body = w.openForChange(id, check.error());
+  if (!body) return body.error();
+  if (type != BodyType::fixed)
+    for (ShapeIndex shape : w.bodies.shapes[*body])
+      if (w.shapes.data[shape].geometry.type == ShapeType::plane)
+        return Error{ErrorCode::invalidArgument, "type: a body with a plane stays BodyType::fixed"};
+  if (w.bodies.data[*body].type == type) return {};
+  if (w.bodies.data[*body].activity == BodyActivity::asleep) w.wakeIslandOf(*body);
+  w.removeContactsOf(*body);
+  w.delist(*body);
+  Vec3 origin = w.bodies.origin(*body);
+  w.bodies.data[*body].type = type;
+  if (type == BodyType::fixed) w.bodies.motion[*body].linearVelocity = w.bodies.motion[*body].angularVelocity = {};
+  w.updateMass(*body, origin);
+  w.renewProxies(*body);
+  w.enlist(*body);
+  w.islands.awake.clear();
+  return {};
+}
+
+// Removes and adds the body's proxies: its pairs are found anew.
+void World::Impl::renewProxies(BodyIndex body) {
+  for (ShapeIndex shape : bodies.shapes[body]) {
+    if (shapes.data[shape].proxy != kNoProxy) broadPhase.remove(shapes.data[shape].proxy);
+    addProxy(shape);
+  }
+}
+
+Status World::setTransform(BodyId id, Vec3 position, Quat rotation) {
+  Impl& w = *impl_;
+  Checks check;
+  check.vector("position", position, 1e6);
+  check.rotation("rotation", rotation);
+  Result<BodyIndex> body = w.openForChange(id, check.error());
+  if (!body) return body.error();
+  w.disturb(*body);
+  w.removeContactsOf(*body);
+  w.bodies.setRotation(*body, normalized(rotation));
+  w.bodies.motion[*body].position = position + w.bodies.motion[*body].orientation * w.bodies.data[*body].localCentre;
+  w.renewProxies(*body);
+  return {};
+}
+
+Status World::setLinearVelocity(BodyId id, Vec3 velocity) {
+  Impl& w = *impl_;
+  Checks check;
+  check.vector("velocity", velocity, 1e5);
+  Result<BodyIndex> body = w.openForChange(id, check.error());
+  if (!body) return body.error();
+  if (w.bodies.data[*body].type == BodyType::fixed)
+    return Error{ErrorCode::wrongState, "velocity: the body is BodyType::fixed"};
+  w.disturb(*body);
+  w.bodies.motion[*body].linearVelocity = velocity;
+  w.relist(*body);
+  return {};
+}
+
+Status World::setAngularVelocity(BodyId id, Vec3 velocity) {
+  Impl& w = *impl_;
+  Checks check;
+  check.vector("velocity", velocity, 1e5);
+  Result<BodyIndex> body = w.openForChange(id, check.error());
+  if (!body) return body.error();
+  if (w.bodies.data[*body].type == BodyType::fixed)
+    return Error{ErrorCode::wrongState, "velocity: the body is BodyType::fixed"};
+  w.disturb(*body);
+  w.bodies.motion[*body].angularVelocity = velocity;
+  w.relist(*body);
+  return {};
+}
+
+// A kinematic body joins or leaves the moving ones with its velocity.
+void World::Impl::relist(BodyIndex body) {
+  if (bodies.data[body].type != BodyType::kinematic) return;
+  delist(body);
+  enlist(body);
+}
+
+Status World::setGravityScale(BodyId id, double scale) {
+  Checks check;
+  check.range("scale", scale, -1000, 1000);
+  Result<BodyIndex> body = impl_->openForChange(id, check.error());
+  if (!body) return body.error();
+  impl_->disturb(*body);
+  impl_->bodies.data[*body].gravityScale = scale;
+  return {};
+}
+
+Status World::setDamping(BodyId id, double linear, double angular) {
+  Checks check;
+  check.range("linear", linear, 0, 1e6);
+  check.range("angular", angular, 0, 1e6);
+  Result<BodyIndex> body = impl_->openForChange(id, check.error());
+  if (!body) return body.error();
+  impl_->disturb(*body);
+  impl_->bodies.data[*body].linearDamping = linear;
+  impl_->bodies.data[*body].angularDamping = angular;
+  return {};
+}
+
+Status World::setDragArea(BodyId id, double dragArea) {
+  Checks check;
+  check.range("dragArea", dragArea, 0, 1e6);
+  Result<BodyIndex> body = impl_->openForChange(id, check.error());
+  if (!body) return body.error();
+  impl_->disturb(*body);
+  impl_->bodies.data[*body].dragArea = dragArea;
+  return {};
+}
+
+Status World::setGravity(Vec3 gravity) {
+  Checks check;
+  check.vector("gravity", gravity, 1e4);
+  if (impl_->stepping) return Error{ErrorCode::wrongState, "the world is stepping"};
+  if (check.failed()) return check.error();
+  impl_->def.gravity = gravity;
+  impl_->wakeAll();
+  for (BodyIndex body : impl_->awake) impl_->bodies.still[body] = 0;
+  return {};
+}
+
+Vec3 World::gravity() const { return impl_->def.gravity; }
+
+Status World::wake(BodyId id) {
+  Result<BodyIndex> body = impl_->openForChange(id, {});
+  if (!body) return body.error();
+  impl_->disturb(*body);
+  return {};
+}
+
+namespace {
+
+constexpr double kLargestForce = 1e12;
+
+Checks forceCheck(Vec3 value, Vec3 point) {
+  Checks check;
+  check.vector("force", value, kLargestForce);
+  check.vector("pointWorld", point, 1e7);
+  return check;
+}
+
+}  // namespace
+
+// Force and torque about the centre of mass for the next step, or impulses at once.
+Status World::Impl::push(BodyId id, Vec3 linear, Vec3 angular, Vec3* pointWorld, bool impulse) {
+  Checks check = forceCheck(linear, pointWorld ? *pointWorld : Vec3{});
+  check.vector("torque", angular, kLargestForce);
+  Result<BodyIndex> found = openForChange(id, check.error());
+  if (!found) return found.error();
+  BodyIndex body = *found;
+  if (bodies.data[body].type != BodyType::dynamic)
+    return Error{ErrorCode::wrongState, "force: the body is not BodyType::dynamic"};
+  disturb(body);
+  BodyMotion& m = bodies.motion[body];
+  if (pointWorld) angular += cross(*pointWorld - m.position, linear);
+  if (impulse) {
+    m.linearVelocity += linear * bodies.mass[body].invMass;
+    m.angularVelocity += bodies.worldInvInertia(body) * angular;
+  } else {
+    bodies.data[body].force += linear;
+    bodies.data[body].torque += angular;
+  }
+  return {};
+}
+
+Status World::applyForce(BodyId body, Vec3 force) { return impl_->push(body, force, {}, nullptr, false); }
+Status World::applyForceAtPoint(BodyId body, Vec3 force, Vec3 pointWorld) {
+  return impl_->push(body, force, {}, &pointWorld, false);
+}
+Status World::applyTorque(BodyId body, Vec3 torque) { return impl_->push(body, {}, torque, nullptr, false); }
+Status World::applyImpulse(BodyId body, Vec3 impulse) { return impl_->push(body, impulse, {}, nullptr, true); }
+Status World::applyImpulseAtPoint(BodyId body, Vec3 impulse, Vec3 pointWorld) {
+  return impl_->push(body, impulse, {}, &pointWorld, true);
+}
+Status World::applyAngularImpulse(BodyId body, Vec3 impulse) { return impl_->push(body, {}, impulse, nullptr, true); }
+
+double World::time() const { return impl_->time; }
+std::uint64_t World::stepCount() const { return impl_->stepCount; }
+const Events& World::events() const { return impl_->events; }
+
+}  // namespace brickfall

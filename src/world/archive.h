@@ -1,0 +1,82 @@
+// Bytes in and out with one description of the layout: `archive(value)` writes or reads. Reading never trusts a count
+// before checking it against the bytes left.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <span>
+#include <type_traits>
+#include <vector>
+
+namespace brickfall {
+
+class WriteArchive {
+ public:
+  static constexpr bool kReading = false;
+  template <class T>
+  void value(const T& v) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    bytes(&v, sizeof v);
+  }
+  template <class T>
+  void list(const std::vector<T>& v) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    value(std::uint64_t(v.size()));
+    bytes(v.data(), v.size() * sizeof(T));
+  }
+  std::uint64_t count(std::uint64_t n, std::size_t) {
+    value(n);
+    return n;
+  }
+  bool failed() const { return false; }
+  std::vector<std::byte> take() { return std::move(out_); }
+
+ private:
+  void bytes(const void* data, std::size_t size) {
+    if (size == 0) return;
+    const std::byte* from = static_cast<const std::byte*>(data);
+    out_.insert(out_.end(), from, from + size);
+  }
+  std::vector<std::byte> out_;
+};
+
+class ReadArchive {
+ public:
+  static constexpr bool kReading = true;
+  explicit ReadArchive(std::span<const std::byte> in) : in_(in) {}
+  template <class T>
+  void value(T& v) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    if (!need(sizeof v)) return;
+    std::memcpy(static_cast<void*>(&v), in_.data() + at_, sizeof v);
+    at_ += sizeof v;
+  }
+  template <class T>
+  void list(std::vector<T>& v) {
+    std::uint64_t n = count(0, sizeof(T));
+    if (failed_) return;
+    v.resize(std::size_t(n));
+    if (n > 0) std::memcpy(static_cast<void*>(v.data()), in_.data() + at_, std::size_t(n) * sizeof(T));
+    at_ += std::size_t(n) * sizeof(T);
+  }
+  // A count of items of at least `itemSize` bytes each.
+  std::uint64_t count(std::uint64_t, std::size_t itemSize) {
+    std::uint64_t n = 0;
+    value(n);
+    if (!failed_ && n > (in_.size() - at_) / itemSize) failed_ = true;
+    return failed_ ? 0 : n;
+  }
+  bool failed() const { return failed_; }
+  bool atEnd() const { return at_ == in_.size(); }
+
+ private:
+  bool need(std::size_t size) {
+    if (failed_ || in_.size() - at_ < size) failed_ = true;
+    return !failed_;
+  }
+  std::span<const std::byte> in_;
+  std::size_t at_ = 0;
+  bool failed_ = false;
+};
+
+}  // namespace brickfall

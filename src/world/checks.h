@@ -1,0 +1,65 @@
+// Checks of what comes in through the public API. Written in the positive form, so that NaN fails them.
+#pragma once
+#include <cmath>
+#include <string>
+
+#include "brickfall/math.h"
+#include "brickfall/result.h"
+
+namespace brickfall {
+
+// "6.5", "nan", "1e+300"
+inline std::string numberText(double value) {
+  if (std::isnan(value)) return "nan";
+  if (std::isinf(value)) return value > 0 ? "infinity" : "-infinity";
+  std::string text = std::to_string(value);
+  if (std::fabs(value) >= 1e12 || (value != 0 && std::fabs(value) < 1e-4)) {
+    int exponent = 0;
+    double v = std::fabs(value);
+    while (v >= 10) v /= 10, exponent++;
+    while (v < 1) v *= 10, exponent--;
+    text = (value < 0 ? "-" : "") + std::to_string(v) + "e" + std::to_string(exponent);
+  }
+  return text;
+}
+
+inline Error outOfRange(const std::string& field, double found, const std::string& expected) {
+  return {ErrorCode::invalidArgument, field + ": found " + numberText(found) + ", expected " + expected};
+}
+
+// Collects the first failed check.
+class Checks {
+ public:
+  void range(const std::string& field, double value, double low, double high) {
+    if (!failed() && !(value >= low && value <= high))
+      error_ = outOfRange(field, value, numberText(low) + " .. " + numberText(high));
+  }
+  void above(const std::string& field, double value, double low, double high) {
+    if (!failed() && !(value > low && value <= high))
+      error_ = outOfRange(field, value, "more than " + numberText(low) + ", at most " + numberText(high));
+  }
+  void vector(const std::string& field, Vec3 value, double limit) {
+    range(field + ".x", value.x, -limit, limit);
+    range(field + ".y", value.y, -limit, limit);
+    range(field + ".z", value.z, -limit, limit);
+  }
+  void rotation(const std::string& field, Quat q) {
+    double square = q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
+    if (!failed() && !(square > 1e-12 && square < 1e12))
+      error_ = {ErrorCode::invalidArgument, field + ": found a quaternion of length squared " + numberText(square) +
+                                                ", expected a finite one that is not zero"};
+  }
+  void condition(bool holds, const std::string& message) {
+    if (!failed() && !holds) error_ = {ErrorCode::invalidArgument, message};
+  }
+  void take(const Error& error) {
+    if (!failed()) error_ = error;
+  }
+  bool failed() const { return error_.code != ErrorCode::none; }
+  const Error& error() const { return error_; }
+
+ private:
+  Error error_;
+};
+
+}  // namespace brickfall

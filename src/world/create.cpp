@@ -1,0 +1,277 @@
+// Worlds, bodies and shapes: making and removing them.
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <span>
+
+#include "geometry/mass_properties.h"
+#include "world/checks.h"
+#include "world/world_impl.h"
+
+namespace brickfall {
+
+namespace {
+
+constexpr double kLargestCoordinate = 1e6;  // m
+constexpr double kLargestSize = 1e4;        // m
+constexpr double kSmallestSize = 1e-4;      // m
+constexpr double kLargestSpeed = 1e5;       // m/s
+
+void checkMaterial(Checks& check, const std::string& at, const Material& m) {
+  check.above(at + ".density", m.density, 0, 1e7);
+  check.range(at + ".friction", m.friction, 0, 100);
+  check.range(at + ".restitution", m.restitution, 0, 1);
+}
+
+void checkShape(Checks& check, const std::string& at, const ShapeDef& s, BodyType type) {
+  checkMaterial(check, at + ".material", s.material);
+  check.vector(at + ".local.position", s.local.position, kLargestSize);
+  check.rotation(at + ".local.rotation", s.local.rotation);
+  switch (s.type) {
+    case ShapeType::box:
+      check.range(at + ".halfExtents.x", s.halfExtents.x, kSmallestSize, kLargestSize);
+      check.range(at + ".halfExtents.y", s.halfExtents.y, kSmallestSize, kLargestSize);
+      check.range(at + ".halfExtents.z", s.halfExtents.z, kSmallestSize, kLargestSize);
+      return;
+    case ShapeType::capsule:
+      check.range(at + ".halfHeight", s.halfHeight, kSmallestSize, kLargestSize);
+      [[fallthrough]];
+    case ShapeType::sphere: check.range(at + ".radius", s.radius, kSmallestSize, kLargestSize); return;
+    case ShapeType::hull:
+      for (std::size_t i = 0; i < s.vertices.size() && !check.failed(); i++)
+        check.vector(at + ".vertices[" + std::to_string(i) + "]", s.vertices[i], kLargestSize);
+      return;
+    case ShapeType::plane:
+      check.condition(type == BodyType::fixed, at + ".type: found a plane on a body that can move, expected BodyType::fixed");
+      return;
+  }
+  check.condition(false, at + ".type: not a ShapeType");
+}
+
+void checkBody(Checks& check, const BodyDef& def) {
+  check.condition(!def.shapes.empty(), "shapes: found none, expected at least one");
+  check.condition(def.shapes.size() <= 4096, "shapes: found " + std::to_string(def.shapes.size()) + ", expected at most 4096");
+  check.condition(def.type == BodyType::fixed || def.type == BodyType::kinematic || def.type == BodyType::dynamic,
+                  "type: not a BodyType");
+  check.vector("position", def.position, kLargestCoordinate);
+  check.rotation("rotation", def.rotation);
+  check.vector("linearVelocity", def.linearVelocity, kLargestSpeed);
+  check.vector("angularVelocity", def.angularVelocity, kLargestSpeed);
+  check.range("gravityScale", def.gravityScale, -1000, 1000);
+  check.range("linearDamping", def.linearDamping, 0, 1e6);
+  check.range("angularDamping", def.angularDamping, 0, 1e6);
+  check.range("dragArea", def.dragArea, 0, 1e6);
+  for (std::size_t i = 0; i < def.shapes.size() && !check.failed(); i++)
+    checkShape(check, "shapes[" + std::to_string(i) + "]", def.shapes[i], def.type);
+}
+
+void checkSolver(Checks& check, const SolverSettings& s) {
+  check.range("solver.restingStiffness", s.restingStiffness, 10, 1e5);
+  check.range("solver.impactStiffness", s.impactStiffness, 1, s.restingStiffness);
+  check.range("solver.restingApproachSpeed", s.restingApproachSpeed, 0, 100);
+  check.range("solver.contactMargin", s.contactMargin, 1e-5, 1);
+  check.range("solver.restSpeed", s.restSpeed, 0, 1);
+  check.range("solver.restTolerance", s.restTolerance, 0, 1);
+  check.range("solver.cycleTolerance", s.cycleTolerance, 1e-6, 10);
+  check.range("solver.minCycles", s.minCycles, 1, 64);
+  check.range("solver.maxCycles", s.maxCycles, s.minCycles, 256);
+  check.range("solver.maxCyclesSmall", s.maxCyclesSmall, s.minCycles, 256);
+}
+
+Shape geometryOf(const ShapeDef& def, const Hull* hull) {
+  Shape g;
+  g.type = def.type;
+  g.halfExtents = def.halfExtents;
+  g.radius = def.radius;
+  g.halfHeight = def.halfHeight;
+  g.hull = hull;
+  return g;
+}
+
+}  // namespace
+
+World::World(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+World::World(World&&) noexcept = default;
+World& World::operator=(World&&) noexcept = default;
+World::~World() = default;
+
+Result<World> World::create(const WorldDef& def) {
+  Checks check;
+  check.vector("gravity", def.gravity, 1e4);
+  check.range("airDensity", def.airDensity, 0, 1e4);
+  check.above("sleepDelay", def.sleepDelay, 0, 1e6);
+  check.range("hitEventSpeed", def.hitEventSpeed, 0, 1e6);
+  check.range("hitEventImpulse", def.hitEventImpulse, 0, 1e12);
+  check.range("threads", def.threads, 1, 64);
+  check.range("maxBodies", def.maxBodies, 1, 16'000'000);
+  checkSolver(check, def.solver);
+  if (check.failed()) return check.error();
+  static std::atomic<std::uint16_t> next{1};
+  auto impl = std::make_unique<Impl>();
+  impl->def = def;
+  impl->worldNumber = next++;
+  if (impl->worldNumber == 0) impl->worldNumber = next++;
+  impl->pool = std::make_unique<WorkerPool>(def.threads);
+  return World(std::move(impl));
+}
+
+Result<BodyIndex> World::Impl::find(BodyId id) const {
+  BodyIndex body = id.index - 1;
+  if (id.index == 0) return Error{ErrorCode::staleId, "body: the id is null"};
+  if (id.world != worldNumber) return Error{ErrorCode::staleId, "body: the id is of another world"};
+  if (!bodies.alive(body) || bodies.data[body].generation != id.generation)
+    return Error{ErrorCode::staleId, "body: id " + std::to_string(id.index) + " was destroyed"};
+  return body;
+}
+
+Result<ShapeIndex> World::Impl::find(ShapeId id) const {
+  ShapeIndex shape = id.index - 1;
+  if (id.index == 0) return Error{ErrorCode::staleId, "shape: the id is null"};
+  if (id.world != worldNumber) return Error{ErrorCode::staleId, "shape: the id is of another world"};
+  if (!shapes.alive(shape) || shapes.data[shape].generation != id.generation)
+    return Error{ErrorCode::staleId, "shape: id " + std::to_string(id.index) + " was destroyed"};
+  return shape;
+}
+
+BodyId World::Impl::idOf(BodyIndex body) const { return {body + 1, bodies.data[body].generation, worldNumber}; }
+ShapeId World::Impl::idOfShape(ShapeIndex shape) const { return {shape + 1, shapes.data[shape].generation, worldNumber}; }
+
+// Mass, centre and radii from the shapes; keeps the body's origin where it is.
+void World::Impl::updateMass(BodyIndex body, Vec3 origin) {
+  BodyData& data = bodies.data[body];
+  BodyMass& mass = bodies.mass[body];
+  BodyMotion& m = bodies.motion[body];
+  std::vector<MassProperties> parts;
+  for (ShapeIndex shape : bodies.shapes[body]) {
+    const ShapeData& s = shapes.data[shape];
+    parts.push_back(transformed(shapeMass(s.geometry, s.def.material.density), s.def.local));
+  }
+  data.bodyFrameMass = combined(parts);
+  data.localCentre = data.bodyFrameMass.mass > 0 ? data.bodyFrameMass.centre : Vec3{};
+  m.position = origin + m.orientation * data.localCentre;
+  mass = {};
+  mass.innerRadius = 1e30;
+  for (ShapeIndex shape : bodies.shapes[body]) {
+    ShapeData& s = shapes.data[shape];
+    s.inCentreFrame = {s.def.local.position - data.localCentre, s.def.local.rotation};
+    mass.innerRadius = std::min(mass.innerRadius, s.innerRadius);
+    Vec3 centreInShape = transformPoint(inverse(s.inCentreFrame), Vec3{});
+    mass.outerRadius = std::max(mass.outerRadius, outerRadius(s.geometry, centreInShape));
+  }
+  if (data.type != BodyType::dynamic) return;
+  mass.mass = data.bodyFrameMass.mass;
+  mass.invMass = 1 / mass.mass;
+  mass.inertia = data.bodyFrameMass.inertia;
+  mass.invInertia = inverse(mass.inertia);
+  const Mat3& I = mass.inertia;
+  double size = I.row[0].x, slack = 1e-9 * size;
+  mass.isotropic = std::fabs(I.row[1].y - size) < slack && std::fabs(I.row[2].z - size) < slack &&
+                   std::fabs(I.row[0].y) < slack && std::fabs(I.row[0].z) < slack && std::fabs(I.row[1].z) < slack;
+}
+
+void World::Impl::enlist(BodyIndex body) {
+  auto insert = [&](std::vector<BodyIndex>& list) { list.insert(std::lower_bound(list.begin(), list.end(), body), body); };
+  BodyData& data = bodies.data[body];
+  data.activity = data.type == BodyType::dynamic ? BodyActivity::awake : BodyActivity::fixed;
+  if (data.type == BodyType::dynamic) insert(awake);
+  const BodyMotion& m = bodies.motion[body];
+  bool moves = lengthSquared(m.linearVelocity) > 0 || lengthSquared(m.angularVelocity) > 0;
+  bodies.still[body] = data.type == BodyType::fixed || (data.type == BodyType::kinematic && !moves);
+  if (data.type == BodyType::kinematic && moves) insert(moving);
+  membershipChanged = true;
+}
+
+void World::Impl::delist(BodyIndex body) {
+  std::erase(awake, body);
+  std::erase(moving, body);
+  bodies.still[body] = 1;
+  bodies.data[body].activity = BodyActivity::fixed;
+  membershipChanged = true;
+}
+
+Result<BodyId> World::createBody(const BodyDef& def) {
+  Impl& w = *impl_;
+  if (w.stepping) return Error{ErrorCode::wrongState, "createBody: the world is stepping"};
+  if (w.bodies.count() >= w.def.maxBodies)
+    return Error{ErrorCode::limitExceeded, "createBody: the world has maxBodies = " + std::to_string(w.def.maxBodies) + " bodies"};
+  Checks check;
+  checkBody(check, def);
+  std::vector<std::unique_ptr<Hull>> hulls(def.shapes.size());
+  for (std::size_t i = 0; i < def.shapes.size() && !check.failed(); i++) {
+    if (def.shapes[i].type != ShapeType::hull) continue;
+    Result<Hull> hull = buildHull(std::span<const Vec3>(def.shapes[i].vertices));
+    if (hull)
+      hulls[i] = std::make_unique<Hull>(std::move(hull).value());
+    else
+      check.take({hull.error().code, "shapes[" + std::to_string(i) + "].vertices: " + hull.error().message});
+  }
+  if (check.failed()) return check.error();
+
+  BodyIndex body = w.bodies.create();
+  BodyData& data = w.bodies.data[body];
+  data.type = def.type;
+  data.gravityScale = def.gravityScale;
+  data.linearDamping = def.linearDamping;
+  data.angularDamping = def.angularDamping;
+  data.dragArea = def.dragArea;
+  data.allowSleep = def.allowSleep;
+  data.userData = def.userData;
+  w.bodies.setRotation(body, normalized(def.rotation));
+  if (def.type != BodyType::fixed) {
+    w.bodies.motion[body].linearVelocity = data.lastLinearVelocity = def.linearVelocity;
+    w.bodies.motion[body].angularVelocity = data.lastAngularVelocity = def.angularVelocity;
+  }
+  for (std::size_t i = 0; i < def.shapes.size(); i++) {
+    ShapeIndex shape = w.shapes.create();
+    ShapeData& s = w.shapes.data[shape];
+    s.def = def.shapes[i];
+    s.def.local.rotation = normalized(s.def.local.rotation);
+    s.body = body;
+    s.hull = std::move(hulls[i]);
+    s.geometry = geometryOf(s.def, s.hull.get());
+    s.innerRadius = innerRadius(s.geometry);
+    w.bodies.shapes[body].push_back(shape);
+  }
+  w.updateMass(body, def.position);
+  for (ShapeIndex shape : w.bodies.shapes[body]) w.addProxy(shape);
+  w.enlist(body);
+  return w.idOf(body);
+}
+
+void World::Impl::removeContactsOf(BodyIndex body) {
+  wakeTouching(body);
+  auto drop = [&](std::vector<CandidatePair>& list) {
+    std::erase_if(list, [&](const CandidatePair& pair) {
+      if (pair.bodyA != body && pair.bodyB != body) return false;
+      if (pair.contact != kNoIndex) contacts.destroy(pair.contact);
+      return true;
+    });
+  };
+  drop(contacts.pairs);
+  drop(contacts.asleep);
+  std::erase_if(touchingBefore, [&](const auto& pair) {
+    if (pair.first != body && pair.second != body) return false;
+    events.end.push_back({idOf(pair.first), idOf(pair.second)});
+    return true;
+  });
+  membershipChanged = true;
+}
+
+Status World::destroyBody(BodyId id) {
+  Impl& w = *impl_;
+  if (w.stepping) return Error{ErrorCode::wrongState, "destroyBody: the world is stepping"};
+  Result<BodyIndex> body = w.find(id);
+  if (!body) return body.error();
+  if (w.bodies.data[*body].activity == BodyActivity::asleep) w.wakeIslandOf(*body);
+  w.removeContactsOf(*body);
+  for (ShapeIndex shape : w.bodies.shapes[*body]) {
+    if (w.shapes.data[shape].proxy != kNoProxy) w.broadPhase.remove(w.shapes.data[shape].proxy);
+    w.shapes.destroy(shape);
+  }
+  w.delist(*body);
+  w.islands.awake.clear();  // islands name bodies by slot: built anew at the next step
+  w.bodies.destroy(*body);
+  return {};
+}
+
+}  // namespace brickfall

@@ -1,0 +1,201 @@
+// What can be asked of a world between steps.
+#include <algorithm>
+#include <cmath>
+
+#include "base/hash.h"
+#include "geometry/queries.h"
+#include "world/checks.h"
+#include "world/world_impl.h"
+
+namespace brickfall {
+
+Result<std::optional<RayHit>> World::castRay(Vec3 origin, Vec3 direction, double maxDistance, std::uint32_t mask) const {
+  const Impl& w = *impl_;
+  Checks check;
+  check.vector("origin", origin, 1e7);
+  check.condition(isFinite(direction) && lengthSquared(direction) > 1e-24, "direction: found zero or not finite, expected a direction");
+  check.range("maxDistance", maxDistance, 0, 1e7);
+  if (check.failed()) return check.error();
+  direction = normalized(direction);
+  std::optional<RayHit> best;
+  w.broadPhase.queryRay(origin, direction, maxDistance, [&](std::uint32_t shape, double limit) {
+    const ShapeData& s = w.shapes.data[shape];
+    if (!(s.def.filter.category & mask)) return limit;
+    Transform pose = w.shapes.worldPose(shape, w.bodies), back = inverse(pose);
+    auto hit = brickfall::castRay(s.geometry, transformPoint(back, origin), rotate(back.rotation, direction), limit);
+    if (!hit) return limit;
+    bool nearer = !best || hit->distance < best->distance || (hit->distance == best->distance && w.idOfShape(shape) < best->shape);
+    if (!nearer) return limit;
+    best = RayHit{w.idOf(s.body), w.idOfShape(shape), transformPoint(pose, hit->point), rotate(pose.rotation, hit->normal),
+                  hit->distance};
+    return hit->distance;
+  });
+  return best;
+}
+
+namespace {
+
+// Bodies of which a shape fulfils `touches`, in order of their slots, each once.
+template <class Touches>
+std::vector<BodyIndex> bodiesNear(const BroadPhase& broadPhase, const ShapeSet& shapes, const Aabb& box, std::uint32_t mask,
+                                  Touches touches) {
+  std::vector<BodyIndex> found;
+  broadPhase.query(box, [&](std::uint32_t shape) {
+    if ((shapes.data[shape].def.filter.category & mask) && touches(shape)) found.push_back(shapes.data[shape].body);
+    return true;
+  });
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
+}
+
+}  // namespace
+
+Result<std::vector<BodyId>> World::overlapBox(const Aabb& box, std::uint32_t mask) const {
+  const Impl& w = *impl_;
+  Checks check;
+  check.vector("box.lower", box.lower, 1e7);
+  check.vector("box.upper", box.upper, 1e7);
+  check.condition(box.lower.x <= box.upper.x && box.lower.y <= box.upper.y && box.lower.z <= box.upper.z,
+                  "box: lower is above upper");
+  if (check.failed()) return check.error();
+  Shape region;
+  region.halfExtents = max((box.upper - box.lower) * 0.5, Vec3{1e-9, 1e-9, 1e-9});
+  Transform pose{(box.lower + box.upper) * 0.5, {}};
+  std::vector<BodyId> out;
+  auto touches = [&](std::uint32_t shape) {
+    const ShapeData& s = w.shapes.data[shape];
+    return penetrationDepth(region, s.geometry, inverse(pose) * w.shapes.worldPose(shape, w.bodies)) > 0;
+  };
+  for (BodyIndex body : bodiesNear(w.broadPhase, w.shapes, box, mask, touches)) out.push_back(w.idOf(body));
+  return out;
+}
+
+Result<std::vector<BodyId>> World::overlapSphere(Vec3 centre, double radius, std::uint32_t mask) const {
+  const Impl& w = *impl_;
+  Checks check;
+  check.vector("centre", centre, 1e7);
+  check.range("radius", radius, 0, 1e7);
+  if (check.failed()) return check.error();
+  auto touches = [&](std::uint32_t shape) {
+    Vec3 local = transformPoint(inverse(w.shapes.worldPose(shape, w.bodies)), centre);
+    return lengthSquared(closestPoint(w.shapes.data[shape].geometry, local) - local) <= radius * radius;
+  };
+  std::vector<BodyId> out;
+  Aabb box = grown({centre, centre}, radius);
+  for (BodyIndex body : bodiesNear(w.broadPhase, w.shapes, box, mask, touches)) out.push_back(w.idOf(body));
+  return out;
+}
+
+Result<std::optional<ClosestResult>> World::closest(Vec3 point, double maxDistance, std::uint32_t mask) const {
+  const Impl& w = *impl_;
+  Checks check;
+  check.vector("point", point, 1e7);
+  check.range("maxDistance", maxDistance, 0, 1e7);
+  if (check.failed()) return check.error();
+  std::optional<ClosestResult> best;
+  w.broadPhase.query(grown({point, point}, maxDistance), [&](std::uint32_t shape) {
+    const ShapeData& s = w.shapes.data[shape];
+    if (!(s.def.filter.category & mask)) return true;
+    Transform pose = w.shapes.worldPose(shape, w.bodies);
+    Vec3 near = transformPoint(pose, closestPoint(s.geometry, transformPoint(inverse(pose), point)));
+    double distance = length(near - point);
+    if (!(distance <= maxDistance)) return true;
+    ShapeId id = w.idOfShape(shape);
+    if (!best || distance < best->distance || (distance == best->distance && id < best->shape))
+      best = ClosestResult{w.idOf(s.body), id, near, distance};
+    return true;
+  });
+  return best;
+}
+
+void World::forEachContact(const std::function<void(const ContactView&)>& visit) const {
+  const Impl& w = *impl_;
+  auto show = [&](const CandidatePair& pair) {
+    if (pair.contact == kNoIndex) return;
+    const Contact& c = w.contacts.contacts[pair.contact];
+    const ContactGeometry& g = w.contacts.geometry[pair.contact];
+    const BodyMotion& a = w.bodies.motion[c.bodyA];
+    ContactView view;
+    view.bodyA = w.idOf(c.bodyA);
+    view.bodyB = w.idOf(c.bodyB);
+    view.shapeA = w.idOfShape(c.shapeA);
+    view.shapeB = w.idOfShape(c.shapeB);
+    Vec3 n = a.orientation * g.normal, t1 = a.orientation * g.tangent1, t2 = cross(n, t1);
+    Vec3 centre = a.position + a.orientation * g.centre;
+    view.normalWorld = n;
+    view.pointCount = c.count;
+    for (int i = 0; i < c.count; i++) {
+      ContactPointView& p = view.points[i];
+      p.pointWorld = centre + t1 * double(c.s1[i]) + t2 * double(c.s2[i]);
+      p.separation = c.gap[i];
+      p.normalForce = c.forceN[i];
+      p.frictionForce = t1 * double(c.force1[i]) + t2 * double(c.force2[i]);
+    }
+    visit(view);
+  };
+  std::size_t i = 0, j = 0;
+  const auto &p = w.contacts.pairs, &q = w.contacts.asleep;
+  while (i < p.size() || j < q.size()) show(j == q.size() || (i < p.size() && p[i] < q[j]) ? p[i++] : q[j++]);
+}
+
+Result<double> World::penetration(ShapeId a, ShapeId b) const {
+  const Impl& w = *impl_;
+  Result<ShapeIndex> shapeA = w.find(a);
+  if (!shapeA) return shapeA.error();
+  Result<ShapeIndex> shapeB = w.find(b);
+  if (!shapeB) return shapeB.error();
+  Transform bInA = inverse(w.shapes.worldPose(*shapeA, w.bodies)) * w.shapes.worldPose(*shapeB, w.bodies);
+  return penetrationDepth(w.shapes.data[*shapeA].geometry, w.shapes.data[*shapeB].geometry, bInA);
+}
+
+Energy World::energy() const {
+  const Impl& w = *impl_;
+  Energy e;
+  for (BodyIndex i = 0; i < w.bodies.slots(); i++) {
+    if (!w.bodies.alive(i) || w.bodies.data[i].type != BodyType::dynamic) continue;
+    e.kinetic += w.bodies.kineticEnergy(i);
+    e.potential -= w.bodies.mass[i].mass * w.bodies.data[i].gravityScale * dot(w.def.gravity, w.bodies.motion[i].position);
+  }
+  return e;
+}
+
+Vec3 World::linearMomentum() const {
+  const Impl& w = *impl_;
+  Vec3 sum;
+  for (BodyIndex i = 0; i < w.bodies.slots(); i++)
+    if (w.bodies.alive(i)) sum += w.bodies.motion[i].linearVelocity * w.bodies.mass[i].mass;
+  return sum;
+}
+
+Vec3 World::angularMomentum() const {
+  const Impl& w = *impl_;
+  Vec3 sum;
+  for (BodyIndex i = 0; i < w.bodies.slots(); i++) {
+    if (!w.bodies.alive(i)) continue;
+    const BodyMotion& m = w.bodies.motion[i];
+    sum += cross(m.position, m.linearVelocity * w.bodies.mass[i].mass) + w.bodies.worldInertia(i) * m.angularVelocity;
+  }
+  return sum;
+}
+
+std::uint64_t World::stateHash() const {
+  const Impl& w = *impl_;
+  Hash hash;
+  auto add = [&](Vec3 v) {
+    hash.add(v.x);
+    hash.add(v.y);
+    hash.add(v.z);
+  };
+  for (BodyIndex body : w.bodies.inOrder()) {
+    const BodyMotion& m = w.bodies.motion[body];
+    add(m.position);
+    add({m.rotation.x, m.rotation.y, m.rotation.z});
+    hash.add(m.rotation.w);
+    add(m.linearVelocity);
+    add(m.angularVelocity);
+  }
+  return hash.value();
+}
+
+}  // namespace brickfall

@@ -1,0 +1,212 @@
+// A world as bytes, and back: all that a step reads, so that a restored world goes on bit for bit. The tree of the broad
+// phase is built anew: which contacts exist does not depend on its shape.
+//
+// Layout: magic, layout number, hash of the rest; the fields in the order below, as this machine has them in memory.
+#include <algorithm>
+#include <cmath>
+
+#include "base/hash.h"
+#include "world/archive.h"
+#include "world/world_impl.h"
+
+namespace brickfall {
+
+namespace {
+
+constexpr std::uint64_t kMagic = 0x30504e5346424b42ull;
+constexpr std::uint32_t kLayout = 1;
+
+struct Header {
+  std::uint64_t magic = kMagic;
+  std::uint32_t layout = kLayout;
+  std::uint32_t contactSize = sizeof(Contact);  // tells builds with another memory layout apart
+  std::uint64_t hash = 0;
+};
+
+std::uint64_t hashOf(std::span<const std::byte> bytes) {
+  Hash hash;
+  for (std::byte b : bytes) hash.addByte(std::uint8_t(b));
+  return hash.value();
+}
+
+template <class Archive, class Vector>
+void nested(Archive& archive, Vector& lists) {
+  std::uint64_t n = archive.count(lists.size(), sizeof(std::uint64_t));
+  if constexpr (Archive::kReading) lists.resize(std::size_t(n));
+  for (auto& list : lists) archive.list(list);
+}
+
+}  // namespace
+
+// Sees the private lists of the sets.
+class SnapshotArchive {
+ public:
+  template <class Archive, class Impl>
+  static void world(Archive& a, Impl& w) {
+    a.value(w.def);
+    bodies(a, w.bodies);
+    shapes(a, w.shapes);
+    contacts(a, w.contacts);
+    islandList(a, w.islands.awake);
+    islandList(a, w.islands.asleep);
+    a.list(w.islands.single);
+    a.list(w.awake);
+    a.list(w.moving);
+    a.list(w.islandOf);
+    a.value(w.membershipChanged);
+    a.value(w.time);
+    a.value(w.lastDt);
+    a.value(w.stepCount);
+    a.list(w.touchingBefore);
+  }
+
+ private:
+  template <class Archive, class Bodies>
+  static void bodies(Archive& a, Bodies& b) {
+    a.list(b.motion);
+    a.list(b.mass);
+    a.list(b.data);
+    nested(a, b.shapes);
+    a.list(b.still);
+    a.list(b.free_);
+    a.value(b.count_);
+    a.value(b.nextOrder_);
+  }
+
+  template <class Archive, class Shapes>
+  static void shapes(Archive& a, Shapes& s) {
+    std::uint64_t n = a.count(s.data.size(), sizeof(std::uint64_t));
+    if constexpr (Archive::kReading) s.data.resize(std::size_t(n));
+    for (auto& shape : s.data) {
+      a.value(shape.alive);
+      a.value(shape.generation);
+      a.value(shape.body);
+      a.value(shape.def.type);
+      a.value(shape.def.halfExtents);
+      a.value(shape.def.radius);
+      a.value(shape.def.halfHeight);
+      a.list(shape.def.vertices);
+      a.value(shape.def.local);
+      a.value(shape.def.material);
+      a.value(shape.def.filter);
+      a.value(shape.def.userData);
+      a.value(shape.inCentreFrame);
+      a.value(shape.innerRadius);
+      a.value(shape.swept);
+    }
+    a.list(s.free_);
+  }
+
+  template <class Archive, class Contacts>
+  static void contacts(Archive& a, Contacts& c) {
+    a.list(c.pairs);
+    a.list(c.asleep);
+    a.list(c.contacts);
+    a.list(c.geometry);
+    a.value(c.changed);
+    a.list(c.free_);
+  }
+
+  template <class Archive, class Hierarchies>
+  static void hierarchy(Archive& a, Hierarchies& h) {
+    std::uint64_t n = a.count(h.levels.size(), sizeof(std::uint64_t));
+    if constexpr (Archive::kReading) h.levels.resize(std::size_t(n));
+    for (auto& level : h.levels) {
+      a.list(level.clusters);
+      a.list(level.clusterOf);
+      a.list(level.bodies);
+      a.list(level.sides);
+    }
+  }
+
+  template <class Archive, class Islands>
+  static void islandList(Archive& a, Islands& list) {
+    std::uint64_t n = a.count(list.size(), sizeof(std::uint64_t));
+    if constexpr (Archive::kReading) {
+      list.clear();
+      for (std::uint64_t i = 0; i < n; i++) list.push_back(std::make_unique<Island>());
+    }
+    for (auto& pointer : list) {
+      auto& i = *pointer;
+      a.list(i.bodies);
+      a.list(i.contacts);
+      a.list(i.partners);
+      a.list(i.records);
+      a.list(i.starts);
+      hierarchy(a, i.byStrength);
+      hierarchy(a, i.byMechanism);
+      for (auto* flag : {&i.hierarchiesValid, &i.mechanismValid, &i.grounded, &i.partnersMove, &i.slow, &i.resting,
+                         &i.settled, &i.allowSleep})
+        a.value(*flag);
+      a.value(i.restTime);
+    }
+  }
+};
+
+std::vector<std::byte> World::snapshot() const {
+  WriteArchive body;
+  SnapshotArchive::world(body, *impl_);
+  std::vector<std::byte> bytes = body.take();
+  Header header;
+  header.hash = hashOf(bytes);
+  WriteArchive head;
+  head.value(header);
+  std::vector<std::byte> out = head.take();
+  out.insert(out.end(), bytes.begin(), bytes.end());
+  return out;
+}
+
+namespace {
+
+Error badSnapshot(const std::string& why) { return {ErrorCode::badFormat, "snapshot: " + why}; }
+
+}  // namespace
+
+Status World::restore(std::span<const std::byte> snapshot) {
+  if (impl_->stepping) return Error{ErrorCode::wrongState, "restore: the world is stepping"};
+  if (snapshot.size() < sizeof(Header))
+    return badSnapshot("found " + std::to_string(snapshot.size()) + " bytes, expected at least " + std::to_string(sizeof(Header)));
+  Header header;
+  std::memcpy(&header, snapshot.data(), sizeof header);
+  std::span<const std::byte> rest = snapshot.subspan(sizeof header);
+  if (header.magic != kMagic) return badSnapshot("these bytes are not a snapshot");
+  if (header.layout != kLayout || header.contactSize != sizeof(Contact))
+    return badSnapshot("made by another version (layout " + std::to_string(header.layout) + ", expected " +
+                       std::to_string(kLayout) + ")");
+  if (header.hash != hashOf(rest)) return badSnapshot("damaged or cut off (its checksum differs)");
+
+  auto next = std::make_unique<Impl>();
+  ReadArchive archive(rest);
+  SnapshotArchive::world(archive, *next);
+  if (archive.failed() || !archive.atEnd()) return badSnapshot("its lists do not fit its length");
+  next->worldNumber = impl_->worldNumber;
+  Status sound = next->rebuild();
+  if (!sound) return sound;
+  next->pool = std::make_unique<WorkerPool>(next->def.threads);
+  impl_ = std::move(next);
+  return {};
+}
+
+// After reading: hulls and the tree; then every invariant.
+Status World::Impl::rebuild() {
+  std::vector<std::string> wrong = validateStructure();
+  if (!wrong.empty()) return badSnapshot(wrong.front());
+  for (ShapeIndex i = 0; i < shapes.slots(); i++) {
+    ShapeData& s = shapes.data[i];
+    if (!s.alive) continue;
+    s.geometry.type = s.def.type;
+    s.geometry.halfExtents = s.def.halfExtents;
+    s.geometry.radius = s.def.radius;
+    s.geometry.halfHeight = s.def.halfHeight;
+    if (s.def.type == ShapeType::hull) {
+      Result<Hull> hull = buildHull(std::span<const Vec3>(s.def.vertices));
+      if (!hull) return badSnapshot("a hull can't be built: " + hull.error().message);
+      s.hull = std::make_unique<Hull>(std::move(hull).value());
+      s.geometry.hull = s.hull.get();
+    }
+    if (!bodies.data[s.body].quarantined) addProxy(i, s.swept);
+  }
+  return {};
+}
+
+}  // namespace brickfall

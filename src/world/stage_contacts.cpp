@@ -1,0 +1,244 @@
+// Narrow phase: manifolds of candidate pairs, and what their points remember.
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/queries.h"
+#include "narrowphase/collide.h"
+#include "world/world_impl.h"
+
+namespace brickfall {
+
+namespace {
+
+constexpr double kReusePosition = 1e-4;   // m: relative motion since the manifold was made under which it is kept,
+constexpr double kReuseTurn = 5e-4;       // rad,
+constexpr double kReuseStep = 1e-3;       // m, and relative motion expected in the coming step
+constexpr double kMatchDistance = 0.02;   // m: an old point this near may hand its memory to a new one
+
+struct PairView {
+  const ShapeData& a;
+  const ShapeData& b;
+  BodyIndex bodyA, bodyB;
+};
+
+bool canReuse(const Contact& c, const ContactGeometry& g, const Transform& relative, Vec3 relativeVelocity, double dt) {
+  if (c.rolls) return false;
+  Quat turned = conjugate(g.relativeRotation) * relative.rotation;
+  double turned2 = 4 * (turned.x * turned.x + turned.y * turned.y + turned.z * turned.z);
+  return lengthSquared(relative.position - g.relativePosition) < kReusePosition * kReusePosition &&
+         turned2 < kReuseTurn * kReuseTurn && lengthSquared(relativeVelocity) * dt * dt < kReuseStep * kReuseStep;
+}
+
+Vec3 anyPerpendicular(Vec3 n) {
+  return normalized(std::fabs(n.x) < 0.7 ? cross(n, Vec3{1, 0, 0}) : cross(n, Vec3{0, 1, 0}));
+}
+
+// What a point of the last manifold hands on.
+struct Memory {
+  float stiffness, offset, heldN, held1, held2, forceN, force1, force2, slip1, slip2;
+  bool sticking;
+  Vec3 anchorA, anchorB;
+};
+
+class PointMatcher {
+ public:
+  PointMatcher(const Contact& old, const ContactGeometry& geometry, const Contact& fresh, const ContactGeometry& now)
+      : old_(old), geometry_(geometry), normals_(dot(geometry.normal, now.normal)) {
+    Vec3 t2 = cross(geometry.normal, geometry.tangent1), u2 = cross(now.normal, now.tangent1);
+    turn_[0] = float(dot(geometry.tangent1, now.tangent1));
+    turn_[1] = float(dot(t2, now.tangent1));
+    turn_[2] = float(dot(geometry.tangent1, u2));
+    turn_[3] = float(dot(t2, u2));
+    rolls_ = fresh.rolls;
+  }
+
+  // The nearest unused old point; the same feature counts as twice as near. Another face: its forces say nothing.
+  bool match(Vec3 anchorB, std::uint32_t feature, Memory& out) {
+    if (normals_ < 0.9) return false;
+    int best = -1;
+    double bestDistance = rolls_ ? 1e30 : kMatchDistance * kMatchDistance;
+    for (int j = 0; j < old_.count; j++) {
+      if (used_ >> j & 1) continue;
+      double distance = lengthSquared(geometry_.anchorB[j] - anchorB) * (old_.feature[j] == feature ? 0.25 : 1);
+      if (distance < bestDistance) {
+        bestDistance = distance;
+        best = j;
+      }
+    }
+    if (best < 0) return false;
+    used_ |= 1u << best;
+    const Contact& c = old_;
+    auto along1 = [&](float a, float b) { return a * turn_[0] + b * turn_[1]; };
+    auto along2 = [&](float a, float b) { return a * turn_[2] + b * turn_[3]; };
+    out = {c.stiffness[best],
+           c.offset[best],
+           c.heldN[best],
+           along1(c.held1[best], c.held2[best]),
+           along2(c.held1[best], c.held2[best]),
+           c.forceN[best],
+           along1(c.force1[best], c.force2[best]),
+           along2(c.force1[best], c.force2[best]),
+           along1(c.slip1[best], c.slip2[best]),
+           along2(c.slip1[best], c.slip2[best]),
+           bool(c.stickingMask >> best & 1),
+           geometry_.anchorA[best],
+           geometry_.anchorB[best]};
+    return true;
+  }
+  bool keepsAnchors() const { return normals_ > 0.999 && !rolls_; }
+
+ private:
+  const Contact& old_;
+  const ContactGeometry& geometry_;
+  double normals_;
+  float turn_[4];
+  bool rolls_ = false;
+  std::uint32_t used_ = 0;
+};
+
+void writeMemory(Contact& c, int i, const Memory& m) {
+  c.stiffness[i] = m.stiffness;
+  c.offset[i] = m.offset;
+  c.heldN[i] = m.heldN;
+  c.held1[i] = m.held1;
+  c.held2[i] = m.held2;
+  c.forceN[i] = m.forceN;
+  c.force1[i] = m.force1;
+  c.force2[i] = m.force2;
+  c.slip1[i] = m.slip1;
+  c.slip2[i] = m.slip2;
+  if (m.sticking) c.stickingMask |= 1u << i;
+}
+
+// Gaps and drifts from the anchors, in double; the points' places about their middle.
+void measurePoints(Contact& c, ContactGeometry& g, const Transform& relative) {
+  Vec3 t2 = cross(g.normal, g.tangent1), middle[4], centre;
+  for (int i = 0; i < c.count; i++) {
+    Vec3 onB = transformPoint(relative, g.anchorB[i]), apart = onB - g.anchorA[i];
+    c.gap[i] = float(dot(g.normal, apart));
+    c.drift1[i] = float(dot(g.tangent1, apart));
+    c.drift2[i] = float(dot(t2, apart));
+    middle[i] = (g.anchorA[i] + onB) * 0.5;
+    centre += middle[i] * (1.0 / c.count);
+  }
+  g.centre = centre;
+  for (int i = 0; i < c.count; i++) {
+    c.s1[i] = float(dot(g.tangent1, middle[i] - centre));
+    c.s2[i] = float(dot(t2, middle[i] - centre));
+  }
+  for (int i = c.count; i < 4; i++) c.s1[i] = c.s2[i] = 0;
+}
+
+// Points further away than the margin and the approach of the coming step can't touch: left out.
+void dropFarPoints(Manifold& m, const PairView& pair, const BodySet& bodies, const Transform& poseA, double margin, double dt) {
+  const BodyMotion &a = bodies.motion[pair.bodyA], &b = bodies.motion[pair.bodyB];
+  Vec3 n = rotate(poseA.rotation, m.normal);
+  int kept = 0;
+  for (int i = 0; i < m.count; i++) {
+    Vec3 onA = transformPoint(poseA, m.points[i].onA), onB = transformPoint(poseA, m.points[i].onB);
+    Vec3 v = b.linearVelocity + cross(b.angularVelocity, onB - b.position) - a.linearVelocity -
+             cross(a.angularVelocity, onA - a.position);
+    if (m.points[i].separation <= margin + std::max(0.0, -dot(n, v)) * dt) m.points[kept++] = m.points[i];
+  }
+  m.count = kept;
+}
+
+}  // namespace
+
+void World::Impl::updateContacts() {
+  StageTimer timer(report, Stage::contacts);
+  double dt = context.dt;
+  std::size_t kept = 0;
+  for (std::size_t n = 0; n < contacts.pairs.size(); n++) {
+    CandidatePair pair = contacts.pairs[n];
+    if (bodies.still[pair.bodyA] && bodies.still[pair.bodyB]) {
+      contacts.pairs[kept++] = pair;
+      report.manifoldsReused += pair.contact != kNoIndex;
+      continue;
+    }
+    PairView view{shapes.data[pair.shapeA], shapes.data[pair.shapeB], pair.bodyA, pair.bodyB};
+    if (!overlaps(broadPhase.kept(view.a.proxy), broadPhase.kept(view.b.proxy))) {
+      if (pair.contact != kNoIndex) contacts.destroy(pair.contact);
+      continue;
+    }
+    const BodyMotion &ma = bodies.motion[pair.bodyA], &mb = bodies.motion[pair.bodyB];
+    Transform relative = inverse(bodies.pose(pair.bodyA)) * bodies.pose(pair.bodyB);
+    Vec3 relativeVelocity = mb.linearVelocity - ma.linearVelocity;
+    if (pair.contact != kNoIndex &&
+        canReuse(contacts.contacts[pair.contact], contacts.geometry[pair.contact], relative, relativeVelocity, dt)) {
+      contacts.pairs[kept++] = pair;
+      report.manifoldsReused++;
+      continue;
+    }
+    Manifold m;
+    double margin = std::min(marginOf(pair.shapeA), marginOf(pair.shapeB));
+    if (overlaps(view.a.swept, view.b.swept)) {
+      Transform bInA = inverse(view.a.inCentreFrame) * relative * view.b.inCentreFrame;
+      double spin = std::min(0.5, length(ma.angularVelocity) * dt) * bodies.mass[pair.bodyA].outerRadius +
+                    std::min(0.5, length(mb.angularVelocity) * dt) * bodies.mass[pair.bodyB].outerRadius;
+      double reach = margin + length(relativeVelocity) * dt + (std::isfinite(spin) ? spin : 0.0);
+      collide(view.a.geometry, view.b.geometry, bInA, reach, m);
+      report.manifoldsComputed++;
+      if (m.count > 0) dropFarPoints(m, view, bodies, bodies.pose(pair.bodyA) * view.a.inCentreFrame, margin, dt);
+    }
+    makeContact(pair, m, relative);
+    contacts.pairs[kept++] = pair;
+  }
+  contacts.pairs.resize(kept);
+  if (!contacts.asleep.empty() || !islands.asleep.empty()) wakeByNewContacts();
+}
+
+// The contact of a pair from a new manifold (shape frame of A), with the memory of the old points.
+void World::Impl::makeContact(CandidatePair& pair, const Manifold& m, const Transform& relative) {
+  if (m.count == 0) {
+    if (pair.contact != kNoIndex) contacts.destroy(pair.contact);
+    pair.contact = kNoIndex;
+    return;
+  }
+  const ShapeData &a = shapes.data[pair.shapeA], &b = shapes.data[pair.shapeB];
+  bool had = pair.contact != kNoIndex;
+  if (!had) pair.contact = contacts.create();
+  Contact old = contacts.contacts[pair.contact];
+  ContactGeometry oldGeometry = contacts.geometry[pair.contact];
+  Contact c;
+  ContactGeometry g;
+  c.shapeA = pair.shapeA;
+  c.shapeB = pair.shapeB;
+  c.bodyA = pair.bodyA;
+  c.bodyB = pair.bodyB;
+  c.count = m.count;
+  auto round = [](ShapeType t) { return t == ShapeType::sphere || t == ShapeType::capsule; };
+  c.rolls = round(a.geometry.type) || round(b.geometry.type);
+  c.friction = float(mixFriction(a.def.material, b.def.material));
+  c.restitution = float(mixRestitution(a.def.material, b.def.material));
+  c.effectiveMass = float(1 / (bodies.mass[pair.bodyA].invMass + bodies.mass[pair.bodyB].invMass));
+  c.born = old.born;
+  if (had) {
+    c.weak = old.weak;
+    c.weakSteps = old.weakSteps;
+    c.touching = old.touching;
+  }
+  g.relativePosition = relative.position;
+  g.relativeRotation = relative.rotation;
+  g.normal = rotate(a.inCentreFrame.rotation, m.normal);
+  g.tangent1 = anyPerpendicular(g.normal);
+  PointMatcher matcher(old, oldGeometry, c, g);
+  Transform centreOfAInB = inverse(relative);
+  for (int i = 0; i < m.count; i++) {
+    c.feature[i] = m.points[i].feature;
+    g.anchorA[i] = transformPoint(a.inCentreFrame, m.points[i].onA);
+    g.anchorB[i] = transformPoint(centreOfAInB, transformPoint(a.inCentreFrame, m.points[i].onB));
+    Memory memory;
+    if (!had || !matcher.match(g.anchorB[i], c.feature[i], memory)) continue;
+    writeMemory(c, i, memory);
+    if (memory.sticking && matcher.keepsAnchors()) {
+      g.anchorA[i] = memory.anchorA;
+      g.anchorB[i] = memory.anchorB;
+    }
+  }
+  measurePoints(c, g, relative);
+  contacts.contacts[pair.contact] = c;
+  contacts.geometry[pair.contact] = g;
+}
+
+}  // namespace brickfall

@@ -1,0 +1,83 @@
+// What listeners are told: contacts that began or ended to press, impacts, bodies that moved.
+#include <algorithm>
+#include <tuple>
+
+#include "world/world_impl.h"
+
+namespace brickfall {
+
+namespace {
+
+// The impact of a contact in the step just made: fastest approach and impulse over its points.
+struct ContactImpact {
+  double speed = 0, impulse = 0;
+};
+
+ContactImpact impactOf(const Contact& c, const ContactStart& start, double dt) {
+  ContactImpact out;
+  for (int i = 0; i < c.count; i++) {
+    if (!(c.forceN[i] > 0)) continue;
+    out.speed = std::max(out.speed, double(-start.approach[i]));
+    out.impulse += double(c.forceN[i]) * dt;
+  }
+  return out;
+}
+
+}  // namespace
+
+void World::Impl::collectEvents() {
+  StageTimer timer(report, Stage::events);
+  // Bodies touch if any of their contacts does; pairs of bodies, each once.
+  touchingNow.clear();
+  for (auto& island : islands.awake) {
+    for (std::size_t k = 0; k < island->contacts.size(); k++) {
+      const Contact& c = contacts.contacts[island->contacts[k]];
+      report.manifolds++;
+      report.contactPoints += c.count;
+      for (int i = 0; i < c.count; i++) report.touchingPoints += c.forceN[i] > 0;
+      if (!c.touching) continue;
+      touchingNow.push_back({std::min(c.bodyA, c.bodyB), std::max(c.bodyA, c.bodyB)});
+      if (island->settled || island->resting) continue;
+      ContactImpact impact = impactOf(c, island->starts[k], context.dt);
+      if (impact.speed >= def.hitEventSpeed && impact.impulse >= def.hitEventImpulse) addHit(*island, k, impact.speed, impact.impulse);
+    }
+  }
+  for (const auto& island : islands.asleep)
+    for (ContactIndex contact : island->contacts) {
+      const Contact& c = contacts.contacts[contact];
+      if (c.touching) touchingNow.push_back({std::min(c.bodyA, c.bodyB), std::max(c.bodyA, c.bodyB)});
+    }
+  std::sort(touchingNow.begin(), touchingNow.end());
+  touchingNow.erase(std::unique(touchingNow.begin(), touchingNow.end()), touchingNow.end());
+  auto tell = [&](const BodyPairs& in, const BodyPairs& notIn, std::vector<ContactEvent>& out) {
+    for (const auto& pair : in)
+      if (!std::binary_search(notIn.begin(), notIn.end(), pair) && bodies.alive(pair.first) && bodies.alive(pair.second))
+        out.push_back({idOf(pair.first), idOf(pair.second)});
+  };
+  tell(touchingNow, touchingBefore, events.begin);
+  tell(touchingBefore, touchingNow, events.end);
+  std::swap(touchingBefore, touchingNow);
+
+  for (BodyIndex body : awake)
+    if (!bodies.still[body]) events.moved.push_back(idOf(body));
+  for (BodyIndex body : moving) events.moved.push_back(idOf(body));
+}
+
+void World::Impl::addHit(const Island& island, std::size_t k, double speed, double impulse) {
+  const Contact& c = contacts.contacts[island.contacts[k]];
+  const ContactRecord& r = island.records[k];
+  HitEvent hit;
+  hit.bodyA = idOf(c.bodyA);
+  hit.bodyB = idOf(c.bodyB);
+  hit.normalWorld = toDouble(r.n);
+  hit.pointWorld = bodies.motion[c.bodyA].position + toDouble(r.armA);
+  if (c.bodyB < c.bodyA) {
+    std::swap(hit.bodyA, hit.bodyB);
+    hit.normalWorld = -hit.normalWorld;
+  }
+  hit.approachSpeed = speed;
+  hit.impulse = impulse;
+  events.hits.push_back(hit);
+}
+
+}  // namespace brickfall

@@ -1,0 +1,128 @@
+// Sleep: islands that rested for sleepDelay leave all lists that the step walks; what touches them wakes them.
+//
+// Everything of a sleeping island stays as it is (contacts, forces, hierarchies), so that it wakes as it fell asleep.
+#include <algorithm>
+
+#include "world/world_impl.h"
+
+namespace brickfall {
+
+namespace {
+
+// Moves the pairs that fulfil `leaves` from one sorted list to the other.
+template <class Condition>
+void movePairs(std::vector<CandidatePair>& from, std::vector<CandidatePair>& to, Condition leaves) {
+  std::size_t before = to.size(), kept = 0;
+  for (const CandidatePair& pair : from) {
+    if (leaves(pair))
+      to.push_back(pair);
+    else
+      from[kept++] = pair;
+  }
+  from.resize(kept);
+  std::inplace_merge(to.begin(), to.begin() + std::ptrdiff_t(before), to.end());
+}
+
+}  // namespace
+
+void World::Impl::updateSleep() {
+  StageTimer timer(report, Stage::sleep);
+  bool any = false;
+  for (auto& island : islands.awake) {
+    island->restTime = island->resting ? island->restTime + context.dt : 0;
+    bool sleeps = def.enableSleep && island->allowSleep && !island->partnersMove && island->restTime >= def.sleepDelay;
+    if (!sleeps) continue;
+    any = true;
+    for (BodyIndex body : island->bodies) {
+      bodies.data[body].activity = BodyActivity::asleep;
+      bodies.still[body] = 1;
+      events.fellAsleep.push_back(idOf(body));
+    }
+    islands.asleep.push_back(std::move(island));
+  }
+  if (!any) return;
+  std::erase(islands.awake, nullptr);
+  for (std::size_t i = 0; i < islands.awake.size(); i++)
+    for (BodyIndex body : islands.awake[i]->bodies) islandOf[body] = std::uint32_t(i);
+  auto isAwake = [&](BodyIndex body) { return bodies.data[body].activity == BodyActivity::awake; };
+  std::erase_if(awake, [&](BodyIndex body) { return !isAwake(body); });
+  movePairs(contacts.pairs, contacts.asleep,
+            [&](const CandidatePair& p) { return !isAwake(p.bodyA) && !isAwake(p.bodyB); });
+}
+
+// A sleeping body that something awake presses on, or is about to hit.
+void World::Impl::wakeByNewContacts() {
+  std::vector<BodyIndex> wake;
+  for (const CandidatePair& pair : contacts.pairs) {
+    bool a = bodies.data[pair.bodyA].activity == BodyActivity::asleep;
+    bool b = bodies.data[pair.bodyB].activity == BodyActivity::asleep;
+    if ((a || b) && pair.contact != kNoIndex) wake.push_back(a ? pair.bodyA : pair.bodyB);
+  }
+  for (BodyIndex body : wake) wakeIslandOf(body);
+}
+
+void World::Impl::wakeIslandOf(BodyIndex body) {
+  for (std::size_t i = 0; i < islands.asleep.size(); i++)
+    if (std::binary_search(islands.asleep[i]->bodies.begin(), islands.asleep[i]->bodies.end(), body)) {
+      wakeIsland(i);
+      return;
+    }
+}
+
+void World::Impl::wakeIsland(std::size_t asleepIndex) {
+  std::unique_ptr<Island> island = std::move(islands.asleep[asleepIndex]);
+  islands.asleep.erase(islands.asleep.begin() + std::ptrdiff_t(asleepIndex));
+  for (BodyIndex body : island->bodies) {
+    bodies.data[body].activity = BodyActivity::awake;
+    bodies.still[body] = 0;
+    awake.push_back(body);
+    events.woke.push_back(idOf(body));
+  }
+  std::sort(awake.begin(), awake.end());
+  auto isAwake = [&](BodyIndex body) { return bodies.data[body].activity == BodyActivity::awake; };
+  movePairs(contacts.asleep, contacts.pairs,
+            [&](const CandidatePair& p) { return isAwake(p.bodyA) || isAwake(p.bodyB); });
+  island->restTime = 0;
+  island->settled = island->resting = false;
+  auto place = std::lower_bound(islands.awake.begin(), islands.awake.end(), island,
+                                [](const auto& a, const auto& b) { return a->key() < b->key(); });
+  islands.awake.insert(place, std::move(island));
+  membershipChanged = true;
+}
+
+void World::Impl::wakeAll() {
+  while (!islands.asleep.empty()) wakeIsland(islands.asleep.size() - 1);
+  for (auto& island : islands.awake) {
+    island->settled = false;
+    island->restTime = 0;
+  }
+}
+
+// Sleeping islands whose candidate pairs name the body.
+void World::Impl::wakeTouching(BodyIndex body) {
+  std::vector<BodyIndex> wake;
+  for (const CandidatePair& pair : contacts.asleep)
+    if (pair.bodyA == body || pair.bodyB == body) wake.push_back(pair.bodyA == body ? pair.bodyB : pair.bodyA);
+  for (BodyIndex other : wake)
+    if (bodies.data[other].activity == BodyActivity::asleep) wakeIslandOf(other);
+}
+
+void World::Impl::disturb(BodyIndex body) {
+  bodies.still[body] = 0;
+  if (bodies.data[body].type != BodyType::dynamic) {
+    wakeTouching(body);
+    for (auto& island : islands.awake)
+      if (std::find(island->partners.begin(), island->partners.end(), body) != island->partners.end()) island->settled = false;
+    return;
+  }
+  if (bodies.data[body].activity == BodyActivity::asleep) wakeIslandOf(body);
+  if (body < islandOf.size() && islandOf[body] != kNoIndex && islandOf[body] < islands.awake.size() && !membershipChanged) {
+    islands.awake[islandOf[body]]->settled = false;
+    islands.awake[islandOf[body]]->restTime = 0;
+  } else {
+    for (auto& island : islands.awake)
+      if (std::binary_search(island->bodies.begin(), island->bodies.end(), body)) island->settled = false;
+  }
+}
+
+}  // namespace brickfall

@@ -1,0 +1,82 @@
+// The stages between contacts and new poses: islands, free motion, rest check, solve, forces, restitution. Each runs over
+// the awake islands; an island whose forces came to a fixed point is passed over (nothing about it can change).
+#include <algorithm>
+
+#include "solver/cycles.h"
+#include "solver/free_motion.h"
+#include "solver/prepare.h"
+#include "solver/rest.h"
+#include "solver/restitution.h"
+#include "solver/store.h"
+#include "world/world_impl.h"
+
+namespace brickfall {
+
+void World::Impl::buildIslands() {
+  StageTimer timer(report, Stage::islands);
+  if (contacts.changed || membershipChanged) {
+    brickfall::buildIslands(islands, context, awake);
+    islandOf.assign(bodies.slots(), kNoIndex);
+    for (std::size_t i = 0; i < islands.awake.size(); i++)
+      for (BodyIndex body : islands.awake[i]->bodies) islandOf[body] = std::uint32_t(i);
+    contacts.changed = membershipChanged = false;
+  }
+  for (auto& island : islands.awake)
+    for (BodyIndex partner : island->partners)
+      if (!bodies.still[partner]) island->settled = false;
+}
+
+void World::Impl::prepare() {
+  StageTimer timer(report, Stage::prepare);
+  context.free.resize(bodies.slots());
+  context.solved.resize(bodies.slots());
+  for (BodyIndex body : islands.single) predictFreeMotion(context, body, def.airDensity, false);
+  for (auto& island : islands.awake) {
+    if (island->settled) continue;
+    dampSlowIsland(*island, context);
+    for (BodyIndex body : island->bodies) predictFreeMotion(context, body, def.airDensity, true);
+    prepareBodies(*island, context);
+    prepareContacts(*island, context);
+  }
+}
+
+void World::Impl::checkRest() {
+  StageTimer timer(report, Stage::rest);
+  for (auto& island : islands.awake) {
+    context.statistics.islands++;
+    if (island->settled)
+      context.statistics.restingIslands++;
+    else
+      restCheck(*island, context);
+  }
+}
+
+void World::Impl::solve() {
+  StageTimer timer(report, Stage::solve);
+  for (auto& island : islands.awake) {
+    if (island->resting) continue;
+    updateHierarchies(*island, contacts);
+    runCycles(*island, context);
+    correctMomentum(*island, context);
+  }
+}
+
+void World::Impl::store() {
+  StageTimer timer(report, Stage::store);
+  for (BodyIndex body : islands.single) storeFreeBody(body, context);
+  for (auto& island : islands.awake) {
+    if (island->settled) continue;
+    bool changed = storeForces(*island, context);
+    storeMotion(*island, context);
+    correctFlight(*island, context);
+    island->settled = island->resting && !changed;
+  }
+}
+
+void World::Impl::restitute() {
+  StageTimer timer(report, Stage::restitution);
+  for (auto& island : islands.awake)
+    if (!island->settled) applyRestitution(*island, context);
+}
+
+}  // namespace brickfall

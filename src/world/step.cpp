@@ -1,0 +1,83 @@
+// The step: a list of stages, one file each, no logic between them. docs/step.md says what each reads and writes.
+#include <algorithm>
+#include <chrono>
+#include <string>
+
+#include "world/world_impl.h"
+
+namespace brickfall {
+
+std::int64_t nowNanoseconds() {
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+StageTimer::StageTimer(StepReport& report, Stage stage) : report_(report), stage_(stage), start_(nowNanoseconds()) {}
+StageTimer::~StageTimer() { report_.stageMilliseconds[std::size_t(stage_)] += double(nowNanoseconds() - start_) * 1e-6; }
+
+void World::Impl::step(double dt) {
+  beginStep(dt);
+  findPairs();
+  updateContacts();
+  buildIslands();
+  prepare();
+  checkRest();
+  solve();
+  store();
+  restitute();
+  integrate();
+  updateSleep();
+  collectEvents();
+  endStep();
+}
+
+void World::Impl::beginStep(double dt) {
+  context.dt = dt;
+  context.gravity = def.gravity;
+  context.settings = def.solver;
+  context.bodies = &bodies;
+  context.contacts = &contacts;
+  context.statistics = {};
+  if (dt != lastDt) {  // stiffnesses are in units of mass / dt^2: nothing is settled at another time step
+    for (auto& island : islands.awake) island->settled = false;
+    lastDt = dt;
+  }
+}
+
+void World::Impl::endStep() {
+  time += context.dt;
+  stepCount++;
+  const SolveStatistics& s = context.statistics;
+  report.islands = s.islands;
+  report.restingIslands = s.restingIslands;
+  report.cycles += s.cycles;
+  report.solveVisits += 0.5 * s.solveSides;
+  report.lightVisits += s.lightVisits;
+  report.residualRms = std::max(report.residualRms, s.residualRms);
+}
+
+Result<StepReport> World::step(double dt, int substeps) {
+  if (!(dt >= 1e-5 && dt <= 0.1))
+    return Error{ErrorCode::invalidArgument, "dt: found " + std::to_string(dt) + " s, expected 0.00001 .. 0.1 s"};
+  if (!(substeps >= 1 && substeps <= 64))
+    return Error{ErrorCode::invalidArgument, "substeps: found " + std::to_string(substeps) + ", expected 1 .. 64"};
+  Impl& w = *impl_;
+  if (w.stepping) return Error{ErrorCode::wrongState, "step: the world is already stepping"};
+  w.stepping = true;
+  std::int64_t start = nowNanoseconds();
+  w.report = {};
+  w.events = {};
+  for (int i = 0; i < substeps; i++) {
+    w.report.manifolds = w.report.contactPoints = w.report.touchingPoints = 0;
+    w.step(dt / substeps);
+  }
+  w.report.stepIndex = w.stepCount;
+  w.report.time = w.time;
+  for (BodyIndex i = 0; i < w.bodies.slots(); i++)
+    w.report.bodies += w.bodies.alive(i) && w.bodies.data[i].type == BodyType::dynamic;
+  w.report.awakeBodies = int(w.awake.size());
+  w.report.milliseconds = double(nowNanoseconds() - start) * 1e-6;
+  w.stepping = false;
+  return w.report;
+}
+
+}  // namespace brickfall

@@ -1,0 +1,109 @@
+// What a World consists of, and the stages of its step. One file per stage; data flows one way through them.
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "brickfall/world.h"
+#include "broadphase/broad_phase.h"
+#include "dynamics/body_set.h"
+#include "dynamics/contact_set.h"
+#include "dynamics/shape_set.h"
+#include "parallel/worker_pool.h"
+#include "solver/island_builder.h"
+#include "solver/step_context.h"
+
+namespace brickfall {
+
+struct World::Impl {
+  WorldDef def;
+  std::uint16_t worldNumber = 0;  // in ids
+  BodySet bodies;
+  ShapeSet shapes;
+  ContactSet contacts;
+  BroadPhase broadPhase;
+  IslandSet islands;
+  std::vector<BodyIndex> awake;          // dynamic bodies that are not asleep, ascending
+  std::vector<BodyIndex> moving;         // kinematic bodies with a velocity, ascending
+  std::vector<std::uint32_t> islandOf;   // by body: index in islands.awake, kNoIndex = none
+  bool membershipChanged = true;         // awake bodies or their contacts changed: islands must be built
+  double time = 0;   // s
+  double lastDt = 0;  // s
+  std::uint64_t stepCount = 0;
+  bool stepping = false;
+  std::vector<BodyIndex> pendingQuarantine;
+  struct BodyPair {
+    BodyIndex first, second;
+    auto operator<=>(const BodyPair&) const = default;
+  };
+  using BodyPairs = std::vector<BodyPair>;
+  BodyPairs touchingNow, touchingBefore;  // bodies that press on each other, sorted
+  StepContext context;
+  StepReport report;
+  Events events;
+  std::unique_ptr<WorkerPool> pool;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> foundPairs;  // scratch
+  std::vector<CandidatePair> newPairs;                              // scratch
+
+  // --- stages, in their order
+  void findPairs();
+  void updateContacts();
+  void buildIslands();
+  void prepare();
+  void checkRest();
+  void solve();
+  void store();
+  void restitute();
+  void integrate();
+  void updateSleep();
+  void collectEvents();
+
+  void makeContact(CandidatePair& pair, const Manifold& m, const Transform& relative);
+
+  // --- shared by stages and the API
+  Result<BodyIndex> find(BodyId id) const;
+  Result<ShapeIndex> find(ShapeId id) const;
+  Result<BodyIndex> openForChange(BodyId id, const Error& bad) const;
+  Status push(BodyId id, Vec3 linear, Vec3 angular, Vec3* pointWorld, bool impulse);
+  void renewProxies(BodyIndex body);
+  void relist(BodyIndex body);
+  BodyId idOf(BodyIndex body) const;
+  ShapeId idOfShape(ShapeIndex shape) const;
+  void addProxy(ShapeIndex shape);
+  void addProxy(ShapeIndex shape, const Aabb& swept);
+  Status rebuild();
+  std::vector<std::string> validateStructure() const;
+  void updateSwept(ShapeIndex shape, double dt);
+  double marginOf(ShapeIndex shape) const;
+  void removeContactsOf(BodyIndex body);
+  void updateMass(BodyIndex body, Vec3 origin);
+  void step(double dt);
+  void beginStep(double dt);
+  void endStep();
+  void disturb(BodyIndex body);          // its state was changed from outside: wake it, nothing about it is settled
+  void wakeIsland(std::size_t asleepIndex);
+  void wakeIslandOf(BodyIndex asleepBody);
+  void wakeByNewContacts();
+  void wakeTouching(BodyIndex body);     // sleeping islands in contact with the body
+  void wakeAll();
+  void quarantine(BodyIndex body);
+  void isolate(BodyIndex body);
+  void addHit(const Island& island, std::size_t contact, double speed, double impulse);
+  void enlist(BodyIndex body);           // into awake or moving, by type
+  void delist(BodyIndex body);
+};
+
+// Times a stage into the report.
+class StageTimer {
+ public:
+  StageTimer(StepReport& report, Stage stage);
+  ~StageTimer();
+
+ private:
+  StepReport& report_;
+  Stage stage_;
+  std::int64_t start_;
+};
+std::int64_t nowNanoseconds();
+
+}  // namespace brickfall
