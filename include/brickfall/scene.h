@@ -122,6 +122,7 @@ class SceneRun {
   SceneDescription scene_;
   World world_;
   std::vector<PlacedBody> bodies_;
+  std::vector<std::size_t> held_;  // positions in bodies_ of what is still to be launched
   std::size_t stepsDone_ = 0;
 };
 

@@ -27,6 +27,10 @@ void readSolver(TableReader& top, SolverSettings& solver) {
     reader.error(reader.has("min_cycles") ? "min_cycles" : "max_cycles",
                  "found min_cycles " + std::to_string(solver.minCycles) +
                      ", expected at most max_cycles = " + std::to_string(solver.maxCycles));
+  if (!(solver.minCycles <= solver.maxCyclesSmall))
+    reader.error(reader.has("max_cycles_small") ? "max_cycles_small" : "min_cycles",
+                 "found max_cycles_small " + std::to_string(solver.maxCyclesSmall) +
+                     ", expected at least min_cycles = " + std::to_string(solver.minCycles));
 }
 
 }  // namespace

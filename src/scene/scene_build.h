@@ -31,6 +31,9 @@ void readBodies(SceneBuild& build, TableReader& top);
 void readBalls(SceneBuild& build, TableReader& top);
 void readArrays(SceneBuild& build, TableReader& top);
 
+// A camera that sees the whole scene, for files that have none.
+void frameScene(SceneDescription& scene);
+
 // The keys that bodies, balls and arrays share.
 void readMotion(TableReader& reader, BodyDef& def);
 // Turns about the world's x, then y, then z axis.

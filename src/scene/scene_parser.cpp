@@ -72,7 +72,9 @@ SceneLoad parseScene(std::string_view text, const std::string& fileName, const O
   sortByPlace(load.diagnostics);
   bool sound = std::none_of(load.diagnostics.begin(), load.diagnostics.end(),
                             [](const Diagnostic& d) { return d.severity == Severity::error; });
-  if (sound) load.scene = std::move(build.scene);
+  if (!sound) return load;
+  if (build.scene.cameras.empty()) scene::frameScene(build.scene);
+  load.scene = std::move(build.scene);
   return load;
 }
 

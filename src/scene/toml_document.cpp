@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 
 #include "scene/toml_document.h"
 
@@ -121,7 +122,11 @@ TomlDocument readToml(std::string_view text, const std::string& fileName) {
 
 std::string numberText(double value) {
   char buffer[40];
-  return std::string(buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr);
+  double size = std::fabs(value);
+  bool plain = value == 0 || (size >= 1e-5 && size < 1e12);
+  auto end = plain ? std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::fixed)
+                   : std::to_chars(buffer, buffer + sizeof buffer, value);
+  return std::string(buffer, end.ptr);
 }
 
 std::string describe(const Node& node) {

@@ -1,0 +1,114 @@
+// What a sound file can still get wrong: bodies that overlap at the start, launches that never come.
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+
+#include "brickfall/scene.h"
+#include "scene/node.h"
+#include "scene/shape_bounds.h"
+
+namespace brickfall {
+
+namespace {
+
+constexpr double kDeepest = 1e-4;       // m: overlap up to this is no mistake
+constexpr std::size_t kMaxWarnings = 20;
+
+struct Overlap {
+  std::size_t a, b;  // positions in SceneRun::bodies, a < b
+  double depth;      // m
+};
+
+// Sweep along x over the bounds, then the exact depth of each pair of shapes.
+class OverlapFinder {
+ public:
+  explicit OverlapFinder(const SceneRun& run) : run_(run) {
+    for (const PlacedBody& body : run.bodies()) boxes_.push_back(scene::bodyBounds(body.def));
+  }
+
+  std::vector<Overlap> find() {
+    std::vector<std::size_t> order(boxes_.size()), active;
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return boxes_[a].lower.x < boxes_[b].lower.x; });
+    for (std::size_t next : order) {
+      std::erase_if(active, [&](std::size_t other) { return boxes_[other].upper.x < boxes_[next].lower.x; });
+      for (std::size_t other : active) test(std::min(next, other), std::max(next, other));
+      active.push_back(next);
+    }
+    std::sort(overlaps_.begin(), overlaps_.end(),
+              [](const Overlap& x, const Overlap& y) { return x.a != y.a ? x.a < y.a : x.b < y.b; });
+    return std::move(overlaps_);
+  }
+
+ private:
+  void test(std::size_t a, std::size_t b) {
+    const PlacedBody &bodyA = run_.bodies()[a], &bodyB = run_.bodies()[b];
+    bool moves = bodyA.def.type == BodyType::dynamic || bodyB.def.type == BodyType::dynamic;
+    if (!moves || !overlaps(boxes_[a], boxes_[b])) return;
+    double depth = 0;
+    for (ShapeId shapeA : run_.world().shapes(bodyA.id))
+      for (ShapeId shapeB : run_.world().shapes(bodyB.id)) {
+        Result<double> found = run_.world().penetration(shapeA, shapeB);
+        if (found) depth = std::max(depth, *found);
+      }
+    if (depth > kDeepest) overlaps_.push_back({a, b, depth});
+  }
+
+  const SceneRun& run_;
+  std::vector<Aabb> boxes_;
+  std::vector<Overlap> overlaps_;
+};
+
+Diagnostic warning(const SceneDescription& scene, std::string key, std::string message) {
+  return {Severity::warning, scene.name, 0, 0, std::move(key), std::move(message)};
+}
+
+void warnOfOverlaps(const SceneDescription& scene, const SceneRun& run, std::vector<Diagnostic>& out) {
+  std::vector<Overlap> overlaps = OverlapFinder(run).find();
+  for (std::size_t i = 0; i < std::min(overlaps.size(), kMaxWarnings); i++) {
+    const std::string& other = run.bodies()[overlaps[i].b].name;
+    double millimetres = std::floor(overlaps[i].depth * 1e4 + 0.5) / 10;
+    out.push_back(warning(scene, run.bodies()[overlaps[i].a].name,
+                          "found it " + scene::numberText(millimetres) + " mm inside \"" + other +
+                              "\" at the start, expected bodies that touch at most"));
+  }
+  if (overlaps.size() > kMaxWarnings)
+    out.push_back(warning(scene, "", "found " + std::to_string(overlaps.size() - kMaxWarnings) +
+                                         " more pairs of bodies that overlap at the start"));
+}
+
+void warnOfLaunches(const SceneDescription& scene, std::vector<Diagnostic>& out) {
+  for (const SceneBody& body : scene.bodies)
+    if (body.launchTime >= scene.seconds)
+      out.push_back(warning(scene, body.name, "found launch_time " + scene::numberText(body.launchTime) +
+                                                  ", expected it before the end of the run at " +
+                                                  scene::numberText(scene.seconds) + " s"));
+}
+
+void warnOfBareOpenings(const SceneDescription& scene, std::vector<Diagnostic>& out) {
+  for (const SceneWall& wall : scene.walls)
+    for (std::size_t i = 0; i < wall.wall.openings.size(); i++) {
+      const Opening& opening = wall.wall.openings[i];
+      double height = wall.wall.courses * (wall.wall.brick.size.y + wall.wall.bedJoint);
+      bool bricksAbove = opening.sill + opening.height < height - wall.wall.brick.size.y;
+      if (bricksAbove && opening.lintelHeight == 0)
+        out.push_back(warning(scene, wall.wall.name + ".opening[" + std::to_string(i) + "]",
+                              "found bricks above an opening without a lintel, expected lintel_height > 0: they will fall"));
+    }
+}
+
+}  // namespace
+
+std::vector<Diagnostic> checkScene(const SceneDescription& scene) {
+  std::vector<Diagnostic> out;
+  warnOfLaunches(scene, out);
+  warnOfBareOpenings(scene, out);
+  Result<SceneRun> run = SceneRun::create(scene);
+  if (run) warnOfOverlaps(scene, *run, out);
+  else out.push_back({Severity::error, scene.name, 0, 0, "", run.error().message});
+  return out;
+}
+
+}  // namespace brickfall

@@ -1,0 +1,37 @@
+// A camera for scenes without one: in front, a little to the right and from above, far enough to see all of it.
+#include <algorithm>
+
+#include "scene/scene_build.h"
+#include "scene/shape_bounds.h"
+
+namespace brickfall::scene {
+
+namespace {
+
+Aabb wallBounds(const WallDef& wall) {
+  ShapeDef shape;
+  double height = wall.courses * (wall.brick.size.y + wall.bedJoint);
+  shape.halfExtents = Vec3{wallLength(wall), height, wallThickness(wall)} * 0.5;
+  shape.local.position = {shape.halfExtents.x, shape.halfExtents.y, 0};
+  return shapeBounds(shape, {wall.position, rotationFromDegrees({0, wall.yawDegrees, 0})});
+}
+
+}  // namespace
+
+void frameScene(SceneDescription& scene) {
+  std::vector<Aabb> boxes;
+  for (const SceneWall& wall : scene.walls) boxes.push_back(wallBounds(wall.wall));
+  for (const SceneBody& body : scene.bodies)
+    if (body.role != BodyRole::ground) boxes.push_back(bodyBounds(body.def));
+  SceneCamera camera;
+  if (!boxes.empty()) {
+    Aabb all = boxes[0];
+    for (const Aabb& box : boxes) all = merged(all, box);
+    double reach = std::max(0.5 * length(all.upper - all.lower), 0.2);
+    camera.target = (all.lower + all.upper) * 0.5;
+    camera.position = camera.target + normalized(Vec3{0.45, 0.4, 0.8}) * (2.8 * reach);
+  }
+  scene.cameras.push_back(camera);
+}
+
+}  // namespace brickfall::scene

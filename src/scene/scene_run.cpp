@@ -1,0 +1,142 @@
+// A description becomes a World: the ground, then the bricks course by course, then everything else.
+#include <algorithm>
+
+#include "brickfall/scene.h"
+#include "masonry/named_seed.h"
+#include "math/random.h"
+
+namespace brickfall {
+
+namespace {
+
+Error inBody(const std::string& name, const Error& error) {
+  return {error.code, "body \"" + name + "\": " + error.message};
+}
+
+// Collects what will be placed; errors stop it.
+class Placer {
+ public:
+  explicit Placer(const SceneDescription& scene) : scene_(scene) {}
+
+  Status place() {
+    for (const SceneBody& body : scene_.bodies)
+      if (body.role == BodyRole::ground)
+        if (Status status = add(body); !status) return status;
+    for (const SceneWall& wall : scene_.walls)
+      if (Status status = add(wall); !status) return status;
+    for (const SceneBody& body : scene_.bodies)
+      if (body.role != BodyRole::ground)
+        if (Status status = add(body); !status) return status;
+    return {};
+  }
+  std::vector<PlacedBody> bodies;
+
+ private:
+  Result<MaterialDef> material(const std::string& name) const {
+    for (const MaterialDef& def : scene_.materials)
+      if (def.name == name) return def;
+    for (const MaterialDef& def : predefinedMaterials())
+      if (def.name == name) return def;
+    return Error{ErrorCode::invalidArgument, "material: found \"" + name + "\", expected the name of a material"};
+  }
+
+  Status add(const SceneBody& body) {
+    PlacedBody placed;
+    placed.name = body.name;
+    placed.role = body.role;
+    placed.def = body.def;
+    placed.launchTime = body.launchTime;
+    Result<MaterialDef> own = material(body.material);
+    if (!own) return inBody(body.name, own.error());
+    placed.colour = own->colour;
+    for (std::size_t i = 0; i < placed.def.shapes.size(); i++) {
+      Result<MaterialDef> other = i < body.shapeMaterials.size() ? material(body.shapeMaterials[i]) : own;
+      if (!other) return inBody(body.name, other.error());
+      placed.def.shapes[i].material = other->material;
+    }
+    bodies.push_back(std::move(placed));
+    return {};
+  }
+
+  Status add(const SceneWall& wall) {
+    Result<std::vector<BrickPlacement>> bricks = layBricks(wall.wall, scene_.seed);
+    Result<MaterialDef> brickMaterial = material(wall.material), lintelMaterial = material(wall.lintelMaterial);
+    if (!bricks) return bricks.error();
+    if (!brickMaterial) return inBody(wall.wall.name, brickMaterial.error());
+    if (!lintelMaterial) return inBody(wall.wall.name, lintelMaterial.error());
+    if (!(wall.densityScatter >= 0 && wall.densityScatter <= 0.5))
+      return inBody(wall.wall.name, {ErrorCode::invalidArgument, "densityScatter: expected 0 .. 0.5"});
+    for (const BrickPlacement& brick : *bricks) {
+      const MaterialDef& from = brick.lintel ? *lintelMaterial : *brickMaterial;
+      PlacedBody placed;
+      placed.name = brick.name;
+      placed.role = BodyRole::brick;
+      placed.colour = from.colour;
+      placed.course = brick.course;
+      placed.def.position = brick.centre;
+      placed.def.rotation = brick.rotation;
+      ShapeDef shape;
+      shape.halfExtents = brick.size * 0.5;
+      shape.material = from.material;
+      if (wall.densityScatter > 0) {  // by name, so that the order of creation does not matter
+        Random random(masonry::namedSeed(scene_.seed, brick.name));
+        shape.material.density *= 1 + wall.densityScatter * random.between(-1, 1);
+      }
+      placed.def.shapes.push_back(shape);
+      bodies.push_back(std::move(placed));
+    }
+    return {};
+  }
+
+  const SceneDescription& scene_;
+};
+
+}  // namespace
+
+SceneRun::SceneRun(SceneDescription scene, World world) : scene_(std::move(scene)), world_(std::move(world)) {}
+
+Result<SceneRun> SceneRun::create(const SceneDescription& scene) {
+  Placer placer(scene);
+  if (Status status = placer.place(); !status) return status.error();
+  WorldDef def = scene.world;
+  def.maxBodies = std::max(def.maxBodies, int(placer.bodies.size()));
+  Result<World> world = World::create(def);
+  if (!world) return world.error();
+  SceneRun run(scene, std::move(*world));
+  run.bodies_ = std::move(placer.bodies);
+  for (std::size_t i = 0; i < run.bodies_.size(); i++) {
+    PlacedBody& body = run.bodies_[i];
+    BodyDef made = body.def;
+    if (body.launchTime > 0) {  // held until then; everything else already feels it
+      made.type = BodyType::fixed;
+      made.linearVelocity = made.angularVelocity = {};
+      run.held_.push_back(i);
+    }
+    Result<BodyId> id = run.world_.createBody(made);
+    if (!id) return inBody(body.name, id.error());
+    body.id = *id;
+  }
+  return run;
+}
+
+Result<StepReport> SceneRun::step() {
+  double now = double(stepsDone_) * scene_.timeStep;
+  std::vector<std::size_t> stillHeld;
+  for (std::size_t i : held_) {
+    const PlacedBody& body = bodies_[i];
+    if (now < body.launchTime - 1e-9) {
+      stillHeld.push_back(i);
+      continue;
+    }
+    Status status = world_.setType(body.id, body.def.type);
+    if (status) status = world_.setLinearVelocity(body.id, body.def.linearVelocity);
+    if (status) status = world_.setAngularVelocity(body.id, body.def.angularVelocity);
+    if (!status) return inBody(body.name, status.error());
+  }
+  held_ = std::move(stillHeld);
+  Result<StepReport> report = world_.step(scene_.timeStep, scene_.substeps);
+  if (report) stepsDone_++;
+  return report;
+}
+
+}  // namespace brickfall
