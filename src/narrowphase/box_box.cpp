@@ -58,7 +58,8 @@ struct FaceAxis {
 // False if a face axis separates the two by more than the margin, or if they meet only along an edge: when two faces of one
 // box both just touch, the patch has no width (a brick and its diagonal neighbour). Such a line carries nothing, and which
 // of the two normals it would get is decided by rounding; sideways would be harmful.
-bool testFaces(const BoxPair& p, double margin, FaceAxis& best) {
+// `other`: the best of the other box.
+bool testFaces(const BoxPair& p, double margin, FaceAxis& best, FaceAxis& other) {
   double sa[3], sb[3];
   int touchingA = 0, touchingB = 0;
   for (int i = 0; i < 3; i++) {
@@ -69,13 +70,15 @@ bool testFaces(const BoxPair& p, double margin, FaceAxis& best) {
     touchingB += sb[i] > -p.tolerance.slack;
   }
   if (touchingA > 1 || touchingB > 1) return false;
-  for (int i = 0; i < 3; i++)
-    if (sa[i] > best.separation + p.tolerance.face) best = {sa[i], i};
-  const FaceAxis ofA = best;
-  for (int j = 0; j < 3; j++) {
-    bool sameContact = best.index < 3 && p.q[ofA.index][j] > kSameFace;
-    if (sb[j] > best.separation + (sameContact ? p.tolerance.otherFace : p.tolerance.face)) best = {sb[j], 3 + j};
+  FaceAxis ofA, ofB;
+  for (int i = 0; i < 3; i++) {
+    if (sa[i] > ofA.separation + p.tolerance.face) ofA = {sa[i], i};
+    if (sb[i] > ofB.separation + p.tolerance.face) ofB = {sb[i], 3 + i};
   }
+  bool sameContact = p.q[ofA.index][ofB.index - 3] > kSameFace;
+  bool takeB = ofB.separation > ofA.separation + (sameContact ? p.tolerance.otherFace : p.tolerance.face);
+  best = takeB ? ofB : ofA;
+  other = takeB ? ofA : ofB;
   return true;
 }
 
@@ -285,16 +288,44 @@ bool faceContact(const BoxPair& p, int axisIndex, double margin, const Transform
   return true;
 }
 
+// The deepest corner below a face alone, wherever that is: the last resort, so that no overlap goes unseen.
+void cornerContact(const BoxPair& p, const FaceAxis& face, const Transform& bInA, Manifold& out) {
+  bool refIsA = face.index < 3;
+  int axis = refIsA ? face.index : face.index - 3, name = 0;
+  double sign = (refIsA ? p.t[axis] : p.s[axis]) < 0 ? -1 : 1;  // the normal is sign times that axis, from a to b
+  Mat3 r = toMatrix(bInA.rotation);
+  Vec3 normal;
+  normal[axis] = sign;
+  if (!refIsA) normal = r * normal;
+  Vec3 towards = refIsA ? -transposeTimes(r, normal) : normal;  // in the frame of the box whose corner it is
+  const double* half = refIsA ? p.b : p.a;
+  Vec3 corner;
+  for (int k = 0; k < 3; k++) {
+    corner[k] = towards[k] > 0 ? half[k] : -half[k];
+    if (towards[k] > 0) name |= 1 << k;
+  }
+  Vec3 onA = refIsA ? r * corner + bInA.position - normal * face.separation : corner;
+  out.normal = normal;
+  out.count = 1;
+  out.points[0] = {onA, onA + normal * face.separation, face.separation, refIsA ? cornerOfB(name) : cornerOfA(name)};
+}
+
 }  // namespace
 
 void collideBoxBox(const Shape& a, const Shape& b, const Transform& bInA, double margin, Manifold& out) {
   BoxPair p = makePair(a, b, bInA);
-  FaceAxis face;
-  if (!testFaces(p, margin, face)) return;
+  FaceAxis face, otherFace;
+  if (!testFaces(p, margin, face, otherFace)) return;
   EdgeAxis edge;
   if (!testEdges(p, margin, face.separation + p.tolerance.edge, edge)) return;
   if (edge.edgeA >= 0 && edgeContact(p, edge, out)) return;
-  faceContact(p, face.index, margin, bInA, out);
+  if (faceContact(p, face.index, margin, bInA, out) || face.separation >= 0) return;
+  // Overlapping, yet nothing over the reference face: another axis was better, but not by its bias. Try the others.
+  bool nearlyAsGood = otherFace.separation > face.separation - p.tolerance.edge;
+  if (nearlyAsGood && faceContact(p, otherFace.index, margin, bInA, out)) return;
+  edge = {};
+  if (testEdges(p, margin, -1e30, edge) && edgeContact(p, edge, out)) return;
+  cornerContact(p, face, bInA, out);
 }
 
 }  // namespace brickfall

@@ -1,6 +1,4 @@
-// Reduction of a contact polygon. Dropping the corner that costs the least area, again and again (Visvalingam's line
-// simplification), leaves a rectangle of its four corners whatever is cut off from them, and depends on the order of the
-// corners only where areas tie.
+// Reduction of a contact polygon to the largest quadrilateral of its corners that has the deepest one.
 #include "narrowphase/clipping.h"
 
 namespace brickfall {
@@ -23,6 +21,34 @@ int mergeEqual(PatchPoint* points, int count, const ContactTolerances& tolerance
   return kept;
 }
 
+// Twice the area of three corners.
+double area(const PatchPoint& p, const PatchPoint& q, const PatchPoint& r) {
+  return std::fabs((q.u - p.u) * (r.v - p.v) - (q.v - p.v) * (r.u - p.u));
+}
+
+// Tries each corner as the one opposite to the deepest; the best on either side of that diagonal do not depend on each
+// other. Of equal choices the first around from the deepest.
+void keepLargest(PatchPoint* points, int count, int deepest) {
+  constexpr double kClearly = 1 + 1e-6;
+  auto at = [&](int k) -> const PatchPoint& { return points[deepest + k < count ? deepest + k : deepest + k - count]; };
+  double best = -1;
+  int chosen[3] = {1, 2, 3};  // steps from the deepest
+  for (int opposite = 2; opposite < count - 1; opposite++) {
+    double left = -1, right = -1;
+    int l = 1, r = opposite + 1;
+    for (int k = 1; k < opposite; k++)
+      if (double x = area(at(0), at(k), at(opposite)); x > left * kClearly) left = x, l = k;
+    for (int k = opposite + 1; k < count; k++)
+      if (double x = area(at(0), at(opposite), at(k)); x > right * kClearly) right = x, r = k;
+    if (left + right > best * kClearly) {
+      best = left + right;
+      chosen[0] = l, chosen[1] = opposite, chosen[2] = r;
+    }
+  }
+  PatchPoint kept[kMaxManifoldPoints] = {at(0), at(chosen[0]), at(chosen[1]), at(chosen[2])};
+  for (int i = 0; i < kMaxManifoldPoints; i++) points[i] = kept[i];
+}
+
 }  // namespace
 
 int reducePatch(PatchPoint* points, int count, const ContactTolerances& tolerances) {
@@ -32,25 +58,8 @@ int reducePatch(PatchPoint* points, int count, const ContactTolerances& toleranc
   double least = points[0].separation;
   for (int i = 1; i < count; i++) least = points[i].separation < least ? points[i].separation : least;
   while (points[deepest].separation > least + tolerances.slack) deepest++;
-  while (count > kMaxManifoldPoints) {
-    int drop = -1;
-    double leastArea = 0;
-    for (int i = 0; i < count; i++) {
-      if (i == deepest) continue;
-      const PatchPoint& p = points[i == 0 ? count - 1 : i - 1];
-      const PatchPoint& q = points[i];
-      const PatchPoint& r = points[i + 1 == count ? 0 : i + 1];
-      double area = std::fabs((q.u - p.u) * (r.v - p.v) - (q.v - p.v) * (r.u - p.u));
-      if (drop < 0 || area < leastArea * (1 - 1e-6)) {
-        drop = i;
-        leastArea = area;
-      }
-    }
-    for (int i = drop; i + 1 < count; i++) points[i] = points[i + 1];
-    if (drop < deepest) deepest--;
-    count--;
-  }
-  return count;
+  keepLargest(points, count, deepest);
+  return kMaxManifoldPoints;
 }
 
 }  // namespace brickfall

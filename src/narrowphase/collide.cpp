@@ -8,7 +8,7 @@ namespace {
 
 using PairFunction = void (*)(const Shape&, const Shape&, const Transform&, double, Manifold&);
 
-// The order in which a pair's function takes its arguments.
+// The order in which a pair's function takes its arguments. Two planes have none.
 constexpr int kRanks = 5;
 int rank(ShapeType type) {
   switch (type) {
@@ -23,12 +23,12 @@ int rank(ShapeType type) {
 
 // clang-format off
 constexpr PairFunction kPairs[kRanks][kRanks] = {
-    // plane    sphere               capsule  box               hull
-    {nullptr, collidePlaneSphere,  nullptr, collidePlaneBox,  nullptr},  // plane
-    {nullptr, collideSphereSphere, nullptr, collideSphereBox, nullptr},  // sphere
-    {nullptr, nullptr,             nullptr, nullptr,          nullptr},  // capsule
-    {nullptr, nullptr,             nullptr, collideBoxBox,    nullptr},  // box
-    {nullptr, nullptr,             nullptr, nullptr,          nullptr},  // hull
+    // plane    sphere               capsule                box                 hull
+    {nullptr, collidePlaneSphere,  collidePlaneCapsule,   collidePlaneBox,    collidePlaneHull},    // plane
+    {nullptr, collideSphereSphere, collideSphereCapsule,  collideSphereBox,   collideSphereHull},   // sphere
+    {nullptr, nullptr,             collideCapsuleCapsule, collideCapsuleHull, collideCapsuleHull},  // capsule
+    {nullptr, nullptr,             nullptr,               collideBoxBox,      collideHullHull},     // box
+    {nullptr, nullptr,             nullptr,               nullptr,            collideHullHull},     // hull
 };
 // clang-format on
 

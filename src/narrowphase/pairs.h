@@ -8,8 +8,17 @@ namespace brickfall {
 
 void collidePlaneSphere(const Shape& plane, const Shape& sphere, const Transform& bInA, double margin, Manifold& out);
 void collidePlaneBox(const Shape& plane, const Shape& box, const Transform& bInA, double margin, Manifold& out);
+void collidePlaneCapsule(const Shape& plane, const Shape& capsule, const Transform& bInA, double margin, Manifold& out);
+void collidePlaneHull(const Shape& plane, const Shape& hull, const Transform& bInA, double margin, Manifold& out);
 void collideSphereSphere(const Shape& a, const Shape& b, const Transform& bInA, double margin, Manifold& out);
 void collideSphereBox(const Shape& sphere, const Shape& box, const Transform& bInA, double margin, Manifold& out);
+void collideSphereCapsule(const Shape& sphere, const Shape& capsule, const Transform& bInA, double margin, Manifold& out);
+void collideSphereHull(const Shape& sphere, const Shape& hull, const Transform& bInA, double margin, Manifold& out);
+void collideCapsuleCapsule(const Shape& a, const Shape& b, const Transform& bInA, double margin, Manifold& out);
+// b: box or hull
+void collideCapsuleHull(const Shape& capsule, const Shape& b, const Transform& bInA, double margin, Manifold& out);
 void collideBoxBox(const Shape& a, const Shape& b, const Transform& bInA, double margin, Manifold& out);
+// Each a box or a hull
+void collideHullHull(const Shape& a, const Shape& b, const Transform& bInA, double margin, Manifold& out);
 
 }  // namespace brickfall

@@ -1,0 +1,56 @@
+// Capsules side by side touch along a line: two points, the ends of the stretch where they run beside each other. Otherwise
+// one. Side by side means that over this stretch the axes part sideways by so little of the radius that the round
+// surfaces still face each other along the one normal.
+#include <algorithm>
+
+#include "narrowphase/features.h"
+#include "narrowphase/pairs.h"
+#include "narrowphase/segment.h"
+
+namespace brickfall {
+namespace {
+
+constexpr double kBeside = 0.1;  // of the smaller radius
+
+}  // namespace
+
+void collideCapsuleCapsule(const Shape& a, const Shape& b, const Transform& bInA, double margin, Manifold& out) {
+  Vec3 axis = rotate(bInA.rotation, Vec3{0, 1, 0}), d{0, 2 * a.halfHeight, 0};
+  Vec3 p0{0, -a.halfHeight, 0}, q0 = bInA.position - axis * b.halfHeight;
+  SegmentPair nearest = nearestOfSegments(p0, d, q0, axis * (2 * b.halfHeight));
+  Vec3 between = nearest.q - nearest.p;
+  double distance = length(between), radii = a.radius + b.radius;
+  if (!(distance - radii <= margin)) return;
+
+  Vec3 n;
+  if (distance > 1e-9 * radii) {
+    n = between * (1 / distance);
+  } else {  // the axes cross: out across both
+    n = normalized(cross(Vec3{0, 1, 0}, axis));
+    if (lengthSquared(n) < 0.5) n = {1, 0, 0};
+  }
+  out.normal = n;
+
+  // The ends of b's axis seen along a's, cut to a's.
+  double low = q0.y, high = q0.y + 2 * b.halfHeight * axis.y;
+  double from = std::max(std::min(low, high), -a.halfHeight), to = std::min(std::max(low, high), a.halfHeight);
+  double sine = length(cross(Vec3{0, 1, 0}, axis)), smaller = std::min(a.radius, b.radius);
+  bool beside = std::fabs(n.y) < kBeside && to - from > kBeside * smaller && 0.5 * (to - from) * sine < kBeside * smaller;
+  if (beside) {
+    for (int end = 0; end < 2; end++) {
+      double y = end == 0 ? from : to;
+      Vec3 p{0, y, 0}, q = q0 + axis * ((y - q0.y) / axis.y);
+      double separation = dot(n, q - p) - radii;
+      if (separation > margin) continue;
+      Vec3 onA = p + n * a.radius;
+      out.points[out.count++] = {onA, onA + n * separation, separation, roundPoint(end)};
+    }
+    if (out.count > 0) return;
+  }
+  Vec3 onA = nearest.p + n * a.radius;
+  double separation = distance - radii;
+  out.count = 1;
+  out.points[0] = {onA, onA + n * separation, separation, roundPoint(2)};
+}
+
+}  // namespace brickfall
