@@ -11,6 +11,7 @@ namespace {
 
 constexpr int kMaxIterations = 128;
 constexpr double kGapTolerance = 1e-13;      // of the size: proven excess of the found distance
+constexpr double kProgress = 1 + 1e-15;      // a corner may bring less than rounding shows and yet lead on to the next
 constexpr double kTouchingTolerance = 1e-14;  // of the size: nearer cores count as overlapping
 
 // Shape b as seen from the frame of a.
@@ -42,18 +43,25 @@ DistanceResult coreDistance(const Shape& a, const Placed& b) {
   simplex.count = 1;
   reduce(simplex);
   Simplex best = simplex;
+  bool refined = true;  // search along best.direction, exact for near shapes; then along best.nearest, for slivers
   for (int iteration = 0; iteration < kMaxIterations; iteration++) {
     double distance = length(best.nearest);
     if (!(distance > kTouchingTolerance * size)) return {};
-    SimplexCorner next = supportPair(a, b, -best.nearest);
-    double gap = dot(best.nearest, best.nearest - next.point) / distance;
-    if (!(gap > kGapTolerance * size + 1e-15 * distance) || best.has(next.point)) break;
+    Vec3 direction = refined ? best.direction : best.nearest * (1 / distance);
+    SimplexCorner next = supportPair(a, b, -direction);
+    double gap = distance - dot(direction, next.point);  // no point of A - B is nearer than distance - gap
+    if (!(gap > kGapTolerance * size + 1e-15 * distance)) break;
     simplex = best;
-    simplex.corner[simplex.count++] = next;
-    reduce(simplex);
-    if (simplex.hasOrigin) return {};
-    if (!(lengthSquared(simplex.nearest) < lengthSquared(best.nearest))) break;
-    best = simplex;
+    bool nearer = false;
+    if (!best.has(next.point)) {
+      simplex.corner[simplex.count++] = next;
+      reduce(simplex);
+      if (simplex.hasOrigin) return {};
+      nearer = lengthSquared(simplex.nearest) <= lengthSquared(best.nearest) * kProgress;
+    }
+    if (!nearer && !refined) break;
+    refined = nearer;
+    if (nearer) best = simplex;
   }
   DistanceResult out;
   out.distance = length(best.nearest);

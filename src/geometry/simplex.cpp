@@ -1,4 +1,4 @@
-// All of the up to fifteen sub-simplices (corners, edges, triangles) are tried and the nearest point wins. That is slower
+// All sub-simplices (corners, edges, triangles) with the last corner are tried and the nearest point wins. That is slower
 // than walking Voronoi regions by signs, and is safe where those signs are lost in rounding: every candidate is a convex
 // sum of corners, so no candidate can be nearer than the truth, and a degenerate triangle is covered by its edges.
 #include "geometry/simplex.h"
@@ -11,7 +11,7 @@ struct Candidate {
   int corner[3];
   double weight[3];
   int count = 0;
-  Vec3 nearest;
+  Vec3 nearest, across;  // across: parallel to nearest in exact arithmetic
   double squared = -1;  // |nearest|^2; < 0: none yet
 };
 
@@ -21,7 +21,7 @@ void offer(Candidate& best, const Candidate& next) {
 
 void tryCorner(const Simplex& s, int i, Candidate& best) {
   Vec3 a = s.corner[i].point;
-  offer(best, {{i, 0, 0}, {1, 0, 0}, 1, a, lengthSquared(a)});
+  offer(best, {{i, 0, 0}, {1, 0, 0}, 1, a, a, lengthSquared(a)});
 }
 
 void tryEdge(const Simplex& s, int i, int j, Candidate& best) {
@@ -29,7 +29,8 @@ void tryEdge(const Simplex& s, int i, int j, Candidate& best) {
   double t = -dot(a, along) / lengthSquared(along);
   if (!(t > 0 && t < 1)) return;
   Vec3 nearest = a * (1 - t) + b * t;
-  offer(best, {{i, j, 0}, {1 - t, t, 0}, 2, nearest, lengthSquared(nearest)});
+  Vec3 across = nearest - along * (dot(nearest, along) / lengthSquared(along));
+  offer(best, {{i, j, 0}, {1 - t, t, 0}, 2, nearest, across, lengthSquared(nearest)});
 }
 
 void tryTriangle(const Simplex& s, int i, int j, int k, Candidate& best) {
@@ -40,7 +41,8 @@ void tryTriangle(const Simplex& s, int i, int j, int k, Candidate& best) {
   double scale = 1 / (u + v + w);
   u *= scale, v *= scale, w *= scale;
   Vec3 nearest = a * u + b * v + c * w;
-  offer(best, {{i, j, k}, {u, v, w}, 3, nearest, lengthSquared(nearest)});
+  Vec3 across = dot(normal, a) < 0 ? -normal : normal;
+  offer(best, {{i, j, k}, {u, v, w}, 3, nearest, across, lengthSquared(nearest)});
 }
 
 // The origin is on the same side of each face as the corner opposite to it.
@@ -63,12 +65,11 @@ void reduce(Simplex& simplex) {
     return;
   }
   Candidate best;
-  for (int i = 0; i < simplex.count; i++) {
-    tryCorner(simplex, i, best);
-    for (int j = i + 1; j < simplex.count; j++) {
-      tryEdge(simplex, i, j, best);
-      for (int k = j + 1; k < simplex.count; k++) tryTriangle(simplex, i, j, k, best);
-    }
+  int last = simplex.count - 1;
+  tryCorner(simplex, last, best);
+  for (int i = 0; i < last; i++) {
+    tryEdge(simplex, i, last, best);
+    for (int j = i + 1; j < last; j++) tryTriangle(simplex, i, j, last, best);
   }
   SimplexCorner kept[3];
   for (int k = 0; k < best.count; k++) {
@@ -78,6 +79,7 @@ void reduce(Simplex& simplex) {
   for (int k = 0; k < best.count; k++) simplex.corner[k] = kept[k];
   simplex.count = best.count;
   simplex.nearest = best.nearest;
+  simplex.direction = normalized(best.across);
 }
 
 }  // namespace brickfall

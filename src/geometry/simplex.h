@@ -14,7 +14,8 @@ struct SimplexCorner {
 struct Simplex {
   SimplexCorner corner[4];
   int count = 0;
-  Vec3 nearest;        // point of the simplex nearest to the origin
+  Vec3 nearest;        // point of the simplex nearest to the origin: its error is of the size of the corners, ...
+  Vec3 direction;      // ... so this is what points from the origin to it, for searching, also if it is very near; unit
   bool hasOrigin = false;
 
   bool has(Vec3 point) const {
@@ -25,7 +26,8 @@ struct Simplex {
   }
 };
 
-// Finds the nearest point and drops the corners it does not need. Flat and doubled corners are fine.
+// Finds the nearest point and drops the corners it does not need. The last corner lies beyond the plane through the
+// nearest point of the others, so the new one needs it. Flat and doubled corners are fine.
 void reduce(Simplex& simplex);
 
 }  // namespace brickfall

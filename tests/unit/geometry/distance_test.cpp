@@ -87,6 +87,32 @@ TEST(Distance, AgreesWithEveryCornerAndEdge) {
   for (const char* regime : {"far", "edges", "corner", "overlap"}) EXPECT_GT(seen[regime], 1000) << regime;
 }
 
+// Bricks as they lie in a wall: nearly parallel faces, small gaps, flat and long shapes, where simplices degenerate.
+TEST(Distance, NearlyParallelAndThinBoxes) {
+  test::ShapeSamples samples(7);
+  int apart = 0;
+  for (int round = 0; round < 20000; round++) {
+    auto power = [&](int most) {
+      double value = 1;
+      for (int k = int(samples.random().below(std::uint32_t(most))); k > 0; k--) value *= 0.1;
+      return value;
+    };
+    Shape a, b;
+    a.halfExtents = {power(4), power(4), power(4)};
+    b.halfExtents = {power(4), power(4), power(4)};
+    if (round % 2) b = samples.makeHull(outlineOf(b).corners);
+    Vec3 offset = scaled(test::randomVector(samples.random(), 2), a.halfExtents);
+    offset.y = a.halfExtents.y + (round % 2 ? outlineOf(b).corners[7].y : b.halfExtents.y) + 0.1 * power(10);
+    Transform pose{offset, quatFromRotationVector(test::randomDirection(samples.random()) * (0.1 * power(16)))};
+    DistanceResult found = shapeDistance(a, b, pose);
+    if (!(found.distance > 0)) continue;
+    apart++;
+    EXPECT_NEAR(found.distance, referenceDistance(a, b, pose).distance, 1e-12) << "round " << round;
+    expectWitness(a, b, pose, found);
+  }
+  EXPECT_GT(apart, 10000);
+}
+
 // Brought together along the closest points until a known gap or overlap is left, from 1e-12 m up.
 TEST(Distance, NearTouchingIsContinuous) {
   test::ShapeSamples samples(2);
