@@ -42,6 +42,7 @@ struct SolvedMotion {
   Vec3 angularMomentum;  // kg m2/s
   bool freeTurn = true;  // no torque acted: take FreeMotion::rotation
   bool rest = false;     // does not move
+  bool flying = false;   // no chain of forces leads to anything held
 };
 
 struct SolveStatistics {

@@ -153,7 +153,7 @@ void storeFreeBody(BodyIndex body, StepContext& context) {
   out.angularMomentum = free.angularMomentum;
   out.freeTurn = true;
   out.rest = false;
-  context.bodies->data[body].flying = true;
+  out.flying = true;
 }
 
 namespace {
@@ -194,7 +194,7 @@ void findHeld(const Island& island, const StepContext& context, float reach, std
 
 void correctFlight(Island& island, StepContext& context) {
   if (island.resting) {
-    for (BodyIndex body : island.bodies) context.bodies->data[body].flying = false;
+    for (BodyIndex body : island.bodies) context.solved[body].flying = false;
     return;
   }
   Vec3 correction = context.gravity * (-0.5 * context.dt * context.dt);
@@ -202,9 +202,9 @@ void correctFlight(Island& island, StepContext& context) {
   findHeld(island, context, 0, held);
   findHeld(island, context, float(length(correction)), near);
   for (std::size_t i = 0; i < island.bodies.size(); i++) {
-    BodyData& data = context.bodies->data[island.bodies[i]];
-    data.flying = !held[i];
-    if (!near[i]) context.solved[island.bodies[i]].d += correction * data.gravityScale;
+    SolvedMotion& s = context.solved[island.bodies[i]];
+    s.flying = !held[i];
+    if (!near[i]) s.d += correction * context.bodies->data[island.bodies[i]].gravityScale;
   }
 }
 

@@ -17,8 +17,8 @@ void storeFreeBody(BodyIndex body, StepContext& context);
 
 // Implicit Euler puts a flying body g dt^2 / 2 too low in every step. Groups that are held by nothing, and have nothing
 // held nearer than that, are moved back alike: their centre of mass flies the exact parabola. (Shifting bricks of a
-// settling heap, which part for a step or two, against each other would pump energy into it.) Also sets BodyData::flying:
-// no chain of forces leads to anything held.
+// settling heap, which part for a step or two, against each other would pump energy into it.) Also sets
+// SolvedMotion::flying.
 void correctFlight(Island& island, StepContext& context);
 
 }  // namespace brickfall

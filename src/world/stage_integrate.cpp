@@ -49,6 +49,7 @@ void World::Impl::integrate() {
       bodies.still[body] = 0;
       if (!move(body, bodies, context)) quarantine(body);
     }
+    data.flying = context.solved[body].flying;
     data.linearAcceleration = (m.linearVelocity - data.lastLinearVelocity) * perDt;
     data.angularAcceleration = (m.angularVelocity - data.lastAngularVelocity) * perDt;
     data.lastLinearVelocity = m.linearVelocity;
