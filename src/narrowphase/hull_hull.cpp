@@ -141,9 +141,9 @@ void collideHullHull(const Shape& shapeA, const Shape& shapeB, const Transform& 
 
   bool touchAlongLine = false;
   FaceQuery faceA = queryFaces(a, b, margin, tolerance, touchAlongLine);
-  if (faceA.separation > margin) return;
+  if (!(faceA.separation <= margin)) return;
   FaceQuery faceB = queryFaces(b, a, margin, tolerance, touchAlongLine);
-  if (faceB.separation > margin || touchAlongLine) return;
+  if (!(faceB.separation <= margin) || touchAlongLine) return;
   bool sameFace = dot(a.planes[faceA.face].normal, b.planes[faceB.face].normal) < -kSameFace;
   bool refIsA = faceB.separation <= faceA.separation + (sameFace ? tolerance.otherFace : tolerance.face);
   double face = refIsA ? faceA.separation : faceB.separation;

@@ -166,5 +166,30 @@ TEST(HullHull, SwappedArgumentsGiveTheSameContact) {
   EXPECT_EQ(same, contacts);  // box and hull are brought into one order
 }
 
+// A body whose state is not a number must not take the step with it: no contact, no crash, for any pair.
+TEST(Collide, PoseThatIsNotANumberTouchesNothing) {
+  Random random(1);
+  Hull hull = randomHull(random, 12);
+  const Shape shapes[] = {planeShape(), sphereShape(0.1), capsuleShape(0.1, 0.2), boxShape({0.1, 0.2, 0.3}), hullShape(hull)};
+  const double bad = std::nan("");
+  for (const Shape& a : shapes)
+    for (const Shape& b : shapes)
+      for (int which = 0; which < 7; which++) {
+        Transform pose;
+        double* number[7] = {&pose.position.x, &pose.position.y, &pose.position.z, &pose.rotation.x,
+                             &pose.rotation.y, &pose.rotation.z, &pose.rotation.w};
+        *number[which] = bad;
+        // Position across a plane and rotation of a sphere do not matter to their contact.
+        Manifold m;
+        collide(a, b, pose, 0.01, m);
+        EXPECT_GE(m.count, 0);
+        EXPECT_LE(m.count, kMaxManifoldPoints);
+        auto solid = [](const Shape& s) { return s.type != ShapeType::plane && s.type != ShapeType::sphere; };
+        if (solid(a) && solid(b)) {
+          EXPECT_EQ(m.count, 0) << int(a.type) << " " << int(b.type) << " " << which;
+        }
+      }
+}
+
 }  // namespace
 }  // namespace brickfall
