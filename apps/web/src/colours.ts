@@ -1,0 +1,43 @@
+// Colours of bodies: their material with a touch of difference from brick to brick, or a scale for speed and force.
+import { Color } from 'three';
+import type { Take } from './tracks';
+
+export type ColourMode = 'material' | 'speed' | 'force';
+export const kColourModes: ColourMode[] = ['material', 'speed', 'force'];
+
+// Dark blue to pale yellow, rising evenly in lightness, so that it also reads without colour vision.
+const kScale = ['#1b2350', '#3b3f8f', '#7b4397', '#b9497f', '#e0605b', '#f28f45', '#f7c35c', '#fdf3b5'].map((c) => new Color(c));
+
+export function scaleColour(share: number, out: Color): Color {
+  const x = Math.min(1, Math.max(0, share)) * (kScale.length - 1);
+  const k = Math.min(kScale.length - 2, Math.floor(x));
+  return out.copy(kScale[k]).lerp(kScale[k + 1], x - k);
+}
+
+export function scaleGradient(): string {
+  return `linear-gradient(90deg, ${kScale.map((c) => c.getStyle()).join(', ')})`;
+}
+
+// 0 .. 1, fixed for each body.
+export function chance(body: number, salt: number): number {
+  let h = (body * 374761393 + salt * 668265263) >>> 0;
+  h = Math.imul(h ^ (h >>> 13), 1274126177) >>> 0;
+  return ((h ^ (h >>> 16)) >>> 0) / 4294967296;
+}
+
+export function materialColour(take: Take, body: number, out: Color): Color {
+  const meta = take.meta.bodies[body];
+  out.setHex(meta.colour);
+  if (meta.role !== 'brick') return out;
+  // As fired clay differs: mostly in lightness, a little in hue; one in nine burnt darker.
+  const dark = chance(body, 3) < 0.11 ? -0.09 : 0;
+  return out.offsetHSL((chance(body, 1) - 0.5) * 0.025, (chance(body, 2) - 0.5) * 0.12, (chance(body, 4) - 0.5) * 0.085 + dark);
+}
+
+export function speedShare(take: Take, speed: number): number {
+  return Math.sqrt(speed / take.topSpeed);
+}
+
+export function forceShare(take: Take, force: number): number {
+  return Math.log2(1 + force) / Math.log2(1 + take.topForce);
+}

@@ -1,0 +1,157 @@
+// The bar below the picture, and the keys.
+import { kColourModes, type ColourMode } from './colours';
+import { icons } from './icons';
+import type { Player } from './player';
+import type { Take } from './tracks';
+
+const kSpeeds = [0.1, 0.25, 0.5, 1, 2, 4];
+const kKeys: [string, string][] = [
+  ['space', 'play or pause'], [', \u2190 and . \u2192', 'one frame back or on (with shift: ten)'], ['home, end', 'first or last frame'],
+  ['- and +', 'slower or faster'], ['c', 'colour: material, speed, contact force'], ['v', 'next camera'], ['l', 'loop'],
+  ['esc', 'let go of the selected brick'], ['h', 'this list'],
+];
+
+export function byId<T extends HTMLElement>(id: string): T {
+  return document.getElementById(id) as T;
+}
+
+function fill(select: HTMLSelectElement, names: string[], chosen: number): void {
+  select.replaceChildren(...names.map((name, k) => new Option(name, String(k), k === chosen, k === chosen)));
+}
+
+export interface Actions {
+  setColour(mode: ColourMode): void;
+  setView(index: number): void;
+  deselect(): void;
+}
+
+export class Controls {
+  private readonly scrub = byId<HTMLInputElement>('scrub');
+  private readonly playButton = byId<HTMLButtonElement>('play');
+  private readonly clock = byId<HTMLOutputElement>('clock');
+  private readonly speed = byId<HTMLSelectElement>('speed');
+  private readonly colour = byId<HTMLSelectElement>('colour');
+  private readonly camera = byId<HTMLSelectElement>('camera');
+  private readonly loop = byId<HTMLButtonElement>('loop');
+  private readonly keys = byId<HTMLDialogElement>('keys');
+  private shownPlaying: boolean | null = null;
+
+  constructor(private readonly take: Take, private readonly player: Player, private readonly actions: Actions, viewNames: string[]) {
+    this.scrub.max = String(player.frames - 1);
+    fill(this.speed, kSpeeds.map((s) => `${s}\u00d7`), kSpeeds.indexOf(1));
+    fill(this.colour, ['Material', 'Speed', 'Contact force'], 0);
+    fill(this.camera, viewNames, 0);
+    byId('back').innerHTML = icons.back;
+    byId('forward').innerHTML = icons.forward;
+    byId('help').innerHTML = icons.help;
+    this.loop.innerHTML = icons.loop;
+    const rows = kKeys.map(([key, what]) => `<tr><td><kbd>${key}</kbd></td><td>${what}</td></tr>`).join('');
+    this.keys.innerHTML = `<table>${rows}</table>`;
+    this.listen();
+    this.drawActivity();
+  }
+
+  private listen(): void {
+    const { player } = this;
+    this.scrub.oninput = () => {
+      player.pause();
+      player.seek(Number(this.scrub.value));
+    };
+    this.playButton.onclick = () => player.toggle();
+    byId('back').onclick = () => player.step(-1);
+    byId('forward').onclick = () => player.step(1);
+    this.speed.onchange = () => (player.speed = kSpeeds[Number(this.speed.value)]);
+    this.colour.onchange = () => this.actions.setColour(kColourModes[Number(this.colour.value)]);
+    this.camera.onchange = () => this.actions.setView(Number(this.camera.value));
+    this.loop.onclick = () => this.setLoop(!player.loop);
+    byId('help').onclick = () => this.keys.showModal();
+    this.keys.onclick = () => this.keys.close();
+    window.addEventListener('keydown', (event) => this.onKey(event));
+    window.addEventListener('resize', () => this.drawActivity());
+  }
+
+  private onKey(event: KeyboardEvent): void {
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    const { player } = this;
+    const step = event.shiftKey ? 10 : 1;
+    const doIt: Record<string, () => void> = {
+      ' ': () => player.toggle(),
+      ',': () => player.step(-step), '<': () => player.step(-step), ArrowLeft: () => player.step(-step),
+      '.': () => player.step(step), '>': () => player.step(step), ArrowRight: () => player.step(step),
+      Home: () => player.seek(0),
+      End: () => player.step(player.frames),
+      '-': () => this.changeSpeed(-1), '+': () => this.changeSpeed(1), '=': () => this.changeSpeed(1),
+      c: () => this.next(this.colour), v: () => this.next(this.camera),
+      l: () => this.setLoop(!player.loop),
+      h: () => (this.keys.open ? this.keys.close() : this.keys.showModal()),
+      Escape: () => this.actions.deselect(),
+    };
+    const action = doIt[event.key];
+    if (!action || (event.target instanceof HTMLSelectElement && event.key.startsWith('Arrow'))) return;
+    event.preventDefault();
+    action();
+  }
+
+  private next(select: HTMLSelectElement): void {
+    select.selectedIndex = (select.selectedIndex + 1) % select.length;
+    select.dispatchEvent(new Event('change'));
+  }
+  private changeSpeed(by: number): void {
+    this.speed.selectedIndex = Math.min(kSpeeds.length - 1, Math.max(0, this.speed.selectedIndex + by));
+    this.speed.dispatchEvent(new Event('change'));
+  }
+  setLoop(on: boolean): void {
+    this.player.loop = on;
+    this.loop.setAttribute('aria-pressed', String(on));
+  }
+  setColour(mode: ColourMode): void {
+    this.colour.selectedIndex = kColourModes.indexOf(mode);
+  }
+  setView(index: number): void {
+    this.camera.selectedIndex = index;
+  }
+  setSpeed(speed: number): void {
+    this.player.speed = speed;
+    if (kSpeeds.includes(speed)) this.speed.selectedIndex = kSpeeds.indexOf(speed);
+  }
+
+  // How much moves, over the time: where something happens is seen before scrubbing there.
+  private drawActivity(): void {
+    const canvas = byId<HTMLCanvasElement>('activity');
+    const ratio = window.devicePixelRatio || 1;
+    const width = (canvas.width = Math.max(1, Math.round(canvas.clientWidth * ratio)));
+    const height = (canvas.height = Math.max(1, Math.round(canvas.clientHeight * ratio)));
+    const context = canvas.getContext('2d');
+    if (!context) return;
+    const { activity, frames } = this.take;
+    let most = 1e-6;
+    for (const a of activity) most = Math.max(most, a);
+    context.beginPath();
+    context.moveTo(0, height);
+    for (let x = 0; x <= width; x++) {
+      const f = Math.min(frames - 1, Math.round((x / width) * (frames - 1)));
+      context.lineTo(x, height - Math.sqrt(activity[f] / most) * (height - 2));
+    }
+    context.lineTo(width, height);
+    const fill = context.createLinearGradient(0, 0, 0, height);
+    fill.addColorStop(0, 'rgba(232, 131, 95, 0.75)');
+    fill.addColorStop(1, 'rgba(232, 131, 95, 0.12)');
+    context.fillStyle = fill;
+    context.fill();
+  }
+
+  show(): void {
+    const { player, take } = this;
+    const frame = player.frame;
+    this.scrub.value = String(frame);
+    this.scrub.style.setProperty('--done', `${(100 * player.position) / Math.max(1, player.frames - 1)}%`);
+    const total = take.times[take.frames - 1];
+    const digits = String(take.frames - 1).length;
+    this.clock.innerHTML = `${take.times[frame].toFixed(2)} s <small>of ${total.toFixed(2)} s \u00b7 frame ${String(frame).padStart(digits, '\u2007')}</small>`;
+    if (this.shownPlaying !== player.playing) {
+      this.shownPlaying = player.playing;
+      this.playButton.innerHTML = player.playing ? icons.pause : icons.play;
+      this.playButton.setAttribute('aria-label', player.playing ? 'Pause' : 'Play');
+    }
+  }
+}

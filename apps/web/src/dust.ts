@@ -1,0 +1,88 @@
+// Puffs of dust where bodies hit. They depend on the time alone, not on what was shown before, so scrubbing shows them too.
+import { BufferAttribute, BufferGeometry, DynamicDrawUsage, NormalBlending, Points, Scene, ShaderMaterial } from 'three';
+import { chance } from './colours';
+import type { Hit, Take } from './tracks';
+
+const kSeconds = 1.3;
+const kMostPuffs = 160;
+const kParticles = 7; // per puff
+
+export class Dust {
+  private readonly points: Points<BufferGeometry, ShaderMaterial>;
+  private readonly places = new Float32Array(kMostPuffs * kParticles * 3);
+  private readonly looks = new Float32Array(kMostPuffs * kParticles * 2); // size in m, opacity
+  private readonly hits: Hit[];
+  private readonly strength: number; // N s: impulses below a share of it raise no dust
+
+  constructor(private readonly take: Take, scene: Scene) {
+    const impulses = take.hits.map((hit) => hit.impulse).sort((a, b) => b - a);
+    this.strength = impulses[Math.min(impulses.length - 1, 30)] ?? 1;
+    this.hits = take.hits.filter((hit) => hit.impulse > this.strength * 0.08);
+    const geometry = new BufferGeometry();
+    geometry.setAttribute('position', new BufferAttribute(this.places, 3).setUsage(DynamicDrawUsage));
+    geometry.setAttribute('look', new BufferAttribute(this.looks, 2).setUsage(DynamicDrawUsage));
+    const material = new ShaderMaterial({
+      transparent: true,
+      depthWrite: false,
+      blending: NormalBlending,
+      uniforms: { scale: { value: 500 } },
+      vertexShader: `attribute vec2 look; varying float vAlpha; uniform float scale;
+        void main() {
+          vec4 p = modelViewMatrix * vec4(position, 1.0);
+          gl_Position = projectionMatrix * p;
+          gl_PointSize = min(look.x * scale / -p.z, 400.0);
+          vAlpha = look.y;
+        }`,
+      fragmentShader: `varying float vAlpha;
+        void main() {
+          vec2 d = gl_PointCoord * 2.0 - 1.0;
+          float a = max(0.0, 1.0 - dot(d, d));
+          gl_FragColor = vec4(vec3(0.72, 0.64, 0.56), vAlpha * a * a);
+          #include <colorspace_fragment>
+        }`,
+    });
+    this.points = new Points(geometry, material);
+    this.points.frustumCulled = false;
+    this.points.renderOrder = 3;
+    scene.add(this.points);
+  }
+
+  // pixelsPerRadian: height of the picture over the tangent of its opening.
+  show(position: number, pixelsPerRadian: number): void {
+    const { take } = this;
+    this.points.material.uniforms.scale.value = pixelsPerRadian;
+    const f = Math.min(take.frames - 1, Math.floor(position));
+    const next = Math.min(take.frames - 1, f + 1);
+    const now = take.times[f] + (take.times[next] - take.times[f]) * (position - f);
+    // The latest hits first: they are the ones to show when there are more than fit.
+    let k = this.hits.length - 1;
+    while (k >= 0 && take.times[this.hits[k].frame] > now) k--;
+    let puffs = 0;
+    for (; k >= 0 && puffs < kMostPuffs; k--) {
+      const age = now - take.times[this.hits[k].frame];
+      if (age > kSeconds) break;
+      this.put(puffs++, k, age);
+    }
+    this.points.geometry.setDrawRange(0, puffs * kParticles);
+    this.points.geometry.attributes.position.needsUpdate = true;
+    this.points.geometry.attributes.look.needsUpdate = true;
+    this.points.visible = puffs > 0;
+  }
+
+  private put(puff: number, hitIndex: number, age: number): void {
+    const hit = this.hits[hitIndex];
+    const force = Math.min(1, Math.sqrt(hit.impulse / this.strength));
+    const share = age / kSeconds;
+    const spread = 1 - (1 - share) ** 3;
+    for (let n = 0; n < kParticles; n++) {
+      const at = puff * kParticles + n;
+      const angle = chance(hitIndex, n) * Math.PI * 2;
+      const reach = (0.05 + 0.26 * chance(hitIndex, n + 20)) * spread * force;
+      this.places[at * 3] = hit.point[0] + Math.cos(angle) * reach;
+      this.places[at * 3 + 1] = hit.point[1] + (0.03 + 0.2 * chance(hitIndex, n + 40)) * spread * force;
+      this.places[at * 3 + 2] = hit.point[2] + Math.sin(angle) * reach;
+      this.looks[at * 2] = (0.05 + 0.3 * spread) * (0.5 + 0.7 * chance(hitIndex, n + 60)) * (0.4 + 0.6 * force);
+      this.looks[at * 2 + 1] = 0.34 * (1 - share) ** 1.5 * Math.min(1, age * 30 + 0.25) * (0.35 + 0.65 * force);
+    }
+  }
+}

@@ -1,0 +1,151 @@
+// What is there besides the bodies: sky, sun and its shadows, ground, camera.
+import {
+  ACESFilmicToneMapping, BackSide, Box3, CircleGeometry, Color, DirectionalLight, Fog, HemisphereLight, Mesh,
+  MeshStandardMaterial, PCFShadowMap, PerspectiveCamera, PMREMGenerator, Scene, ShaderMaterial, SphereGeometry, Vector3,
+  WebGLRenderer,
+} from 'three';
+import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
+
+const kHorizon = new Color('#dbe3ea');
+const kZenith = new Color('#6f9bc9');
+const kSunDirection = new Vector3(0.52, 0.78, 0.46).normalize();
+
+function makeSky(): Mesh {
+  const material = new ShaderMaterial({
+    side: BackSide,
+    depthWrite: false,
+    fog: false,
+    toneMapped: false,
+    uniforms: { horizon: { value: kHorizon }, zenith: { value: kZenith }, sun: { value: kSunDirection } },
+    vertexShader: `varying vec3 vDirection;
+      void main() { vDirection = position; gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0); }`,
+    fragmentShader: `uniform vec3 horizon, zenith, sun; varying vec3 vDirection;
+      void main() {
+        vec3 d = normalize(vDirection);
+        vec3 c = mix(horizon, zenith, pow(clamp(d.y, 0.0, 1.0), 0.62));
+        float s = max(dot(d, sun), 0.0);
+        c += vec3(1.0, 0.86, 0.66) * (0.16 * pow(s, 6.0) + 0.35 * pow(s, 90.0));
+        gl_FragColor = vec4(c, 1.0);
+        #include <colorspace_fragment>
+      }`,
+  });
+  const sky = new Mesh(new SphereGeometry(1, 32, 20), material);
+  sky.frustumCulled = false;
+  sky.renderOrder = -1;
+  return sky;
+}
+
+// Screeded concrete: soft blotches, fine grain, and joints every metre that fade out before they could shimmer.
+export function groundMaterial(): MeshStandardMaterial {
+  const material = new MeshStandardMaterial({ color: '#aca79c', roughness: 0.96, metalness: 0 });
+  material.onBeforeCompile = (shader) => {
+    shader.vertexShader = shader.vertexShader
+      .replace('#include <common>', '#include <common>\nvarying vec3 vGround;')
+      .replace('#include <begin_vertex>', '#include <begin_vertex>\nvGround = (modelMatrix * vec4(position, 1.0)).xyz;');
+    shader.fragmentShader = shader.fragmentShader
+      .replace('#include <common>', `#include <common>
+        varying vec3 vGround;
+        float groundHash(vec2 p) { vec3 q = fract(vec3(p.xyx) * 0.1031); q += dot(q, q.yzx + 33.33); return fract((q.x + q.y) * q.z); }
+        float groundNoise(vec2 p) {
+          vec2 i = floor(p), f = fract(p); f = f * f * (3.0 - 2.0 * f);
+          return mix(mix(groundHash(i), groundHash(i + vec2(1, 0)), f.x), mix(groundHash(i + vec2(0, 1)), groundHash(i + vec2(1, 1)), f.x), f.y);
+        }
+        float groundLines(vec2 p, float width) {
+          vec2 w = fwidth(p), d = abs(fract(p - 0.5) - 0.5);
+          vec2 line = 1.0 - smoothstep(vec2(width) , vec2(width) + w * 1.5, d);
+          line *= clamp(1.0 - w * 3.0, 0.0, 1.0);
+          return max(line.x, line.y);
+        }`)
+      .replace('#include <color_fragment>', `#include <color_fragment>
+        vec2 g = vGround.xz;
+        float pixel = length(fwidth(g));
+        float blotch = groundNoise(g * 0.7) * 0.6 + groundNoise(g * 2.3 + 7.0) * 0.4;
+        float grain = mix(groundNoise(g * 90.0) * 0.5 + groundNoise(g * 310.0) * 0.5, 0.5, smoothstep(0.002, 0.02, pixel));
+        diffuseColor.rgb *= 0.86 + 0.16 * blotch + 0.14 * grain;
+        diffuseColor.rgb *= 1.0 - 0.24 * groundLines(g, 0.004);`);
+  };
+  return material;
+}
+
+export class Stage {
+  readonly scene = new Scene();
+  readonly camera = new PerspectiveCamera(42, 1, 0.02, 2000);
+  readonly renderer: WebGLRenderer;
+  readonly controls: OrbitControls;
+  private readonly sun = new DirectionalLight('#fff0da', 3.1);
+  private readonly sky = makeSky();
+
+  constructor(canvas: HTMLCanvasElement) {
+    this.renderer = new WebGLRenderer({ canvas, antialias: true, powerPreference: 'high-performance', preserveDrawingBuffer: true });
+    this.renderer.toneMapping = ACESFilmicToneMapping;
+    this.renderer.toneMappingExposure = 1.02;
+    this.renderer.shadowMap.enabled = true;
+    this.renderer.shadowMap.type = PCFShadowMap;
+    this.scene.fog = new Fog(kHorizon, 30, 160);
+
+    const small = new Scene();
+    small.add(makeSky());
+    const generator = new PMREMGenerator(this.renderer);
+    this.scene.environment = generator.fromScene(small, 0, 0.1, 10).texture;
+    this.scene.environmentIntensity = 0.42;
+    generator.dispose();
+
+    this.sun.castShadow = true;
+    const size = Math.min(this.renderer.capabilities.maxTextureSize, 2048);
+    this.sun.shadow.mapSize.set(size, size);
+    this.sun.shadow.bias = -0.0004;
+    this.sun.shadow.radius = 2.2;
+    this.scene.add(this.sky, this.sun, this.sun.target, new HemisphereLight('#cfe0f2', '#8d8378', 0.5));
+    this.controls = new OrbitControls(this.camera, canvas);
+    this.controls.enableDamping = true;
+    this.controls.dampingFactor = 0.12;
+    this.controls.maxPolarAngle = Math.PI * 0.495;
+    this.controls.minDistance = 0.15;
+  }
+
+  addGround(height: number): Mesh {
+    const ground = new Mesh(new CircleGeometry(400, 64).rotateX(-Math.PI / 2), groundMaterial());
+    ground.position.y = height;
+    ground.receiveShadow = true;
+    this.scene.add(ground);
+    return ground;
+  }
+
+  // Shadows are drawn for this box and what surrounds it.
+  fitShadows(bounds: Box3): void {
+    const centre = bounds.getCenter(new Vector3());
+    const radius = Math.max(0.5, bounds.getSize(new Vector3()).length() / 2);
+    this.sun.position.copy(centre).addScaledVector(kSunDirection, radius * 3);
+    this.sun.target.position.copy(centre);
+    const eye = this.sun.shadow.camera;
+    eye.left = eye.bottom = -radius;
+    eye.right = eye.top = radius;
+    eye.near = radius * 0.5;
+    eye.far = radius * 6;
+    eye.updateProjectionMatrix();
+    // Against shadow acne: about one texel of the map.
+    this.sun.shadow.normalBias = Math.max(0.002, (2 * radius / this.sun.shadow.mapSize.x) * 1.4);
+    this.scene.fog = new Fog(kHorizon, radius * 6 + 10, radius * 30 + 90);
+    this.controls.maxDistance = radius * 14 + 10;
+  }
+
+  // True if the size changed.
+  resize(): boolean {
+    const canvas = this.renderer.domElement;
+    const width = canvas.clientWidth;
+    const height = canvas.clientHeight;
+    const ratio = Math.min(window.devicePixelRatio || 1, 2);
+    if (canvas.width === Math.floor(width * ratio) && canvas.height === Math.floor(height * ratio)) return false;
+    this.renderer.setPixelRatio(ratio);
+    this.renderer.setSize(width, height, false);
+    this.camera.aspect = width / Math.max(1, height);
+    this.camera.updateProjectionMatrix();
+    return true;
+  }
+
+  render(): void {
+    this.sky.position.copy(this.camera.position);
+    this.sky.scale.setScalar(this.camera.far * 0.5);
+    this.renderer.render(this.scene, this.camera);
+  }
+}

@@ -1,0 +1,291 @@
+// The motion of a take: unpacks what src/output/replay_tracks.cpp packed (docs/decisions/0005-replay-data.md).
+import { decompress } from 'fzstd';
+
+export interface ShapeMeta {
+  type: 'box' | 'sphere' | 'capsule' | 'hull' | 'plane';
+  half?: [number, number, number];
+  radius?: number;
+  halfHeight?: number;
+  positions?: number[];
+  normals?: number[];
+  indices?: number[];
+}
+export interface PartMeta {
+  shape: number;
+  position?: [number, number, number];
+  rotation?: [number, number, number, number];
+}
+export interface BodyMeta {
+  name: string;
+  role: 'ground' | 'brick' | 'ball' | 'body';
+  colour: number;
+  mass: number;
+  parts: PartMeta[];
+}
+export interface CameraMeta {
+  name: string;
+  position: [number, number, number];
+  target: [number, number, number];
+  fieldOfView: number;
+}
+export interface TakeMeta {
+  format: number;
+  scene: string;
+  title: string;
+  engineVersion: string;
+  seed: string;
+  framesPerSecond: number;
+  frames: number;
+  positionStep: number;
+  turnStep: number;
+  forceSteps: number;
+  shapes: ShapeMeta[];
+  bodies: BodyMeta[];
+  cameras: CameraMeta[];
+}
+
+export interface Hit {
+  frame: number;
+  a: number;
+  b: number;
+  point: [number, number, number];
+  impulse: number;
+}
+
+const kEscape = 255;
+const kQuatScale = 32767;
+
+class ByteReader {
+  private at = 0;
+  private readonly view: DataView;
+  constructor(readonly bytes: Uint8Array) {
+    this.view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  }
+  u32(): number {
+    this.at += 4;
+    return this.view.getUint32(this.at - 4, true);
+  }
+  f32(): number {
+    this.at += 4;
+    return this.view.getFloat32(this.at - 4, true);
+  }
+  f64(): number {
+    this.at += 8;
+    return this.view.getFloat64(this.at - 8, true);
+  }
+  // Exact up to 2^53: products, because shifts would cut at 32 bits.
+  varint(): number {
+    let value = 0;
+    let scale = 1;
+    for (;;) {
+      const b = this.bytes[this.at++];
+      if (b === undefined) throw new Error('the motion data ends early');
+      value += (b & 0x7f) * scale;
+      if (b < 0x80) return value;
+      scale *= 128;
+    }
+  }
+  signedVarint(): number {
+    return unzigzag(this.varint());
+  }
+  section(): ByteReader {
+    const size = this.u32();
+    if (size > this.bytes.length - this.at) throw new Error('the motion data ends early');
+    this.at += size;
+    return new ByteReader(this.bytes.subarray(this.at - size, this.at));
+  }
+}
+
+function unzigzag(code: number): number {
+  return code % 2 === 0 ? code / 2 : -(code + 1) / 2;
+}
+
+function fromBase64(text: string): Uint8Array {
+  const binary = atob(text.trim());
+  const out = new Uint8Array(binary.length);
+  for (let k = 0; k < binary.length; k++) out[k] = binary.charCodeAt(k);
+  return out;
+}
+
+export class Take {
+  readonly bodies: number;
+  readonly frames: number;
+  readonly times: Float64Array; // s, per frame
+  readonly positions: Float32Array; // [(frame * bodies + body) * 3]
+  readonly rotations: Int16Array; // [(frame * bodies + body) * 4], 1 = 32767
+  readonly forces: Uint8Array; // [frame * bodies + body], code
+  readonly hits: Hit[] = []; // in the order of time
+  readonly activity: Float32Array; // per frame: root of the summed squares of all speeds
+  topSpeed = 1; // m/s: 95 % of the moving bodies' frames are below it
+  topForce = 1; // N
+
+  constructor(readonly meta: TakeMeta, base64: string) {
+    if (meta.format !== 1) throw new Error(`replay data of format ${meta.format}; this page reads 1`);
+    this.bodies = meta.bodies.length;
+    this.frames = meta.frames;
+    const count = this.bodies * this.frames;
+    this.times = new Float64Array(this.frames);
+    this.positions = new Float32Array(count * 3);
+    this.rotations = new Int16Array(count * 4);
+    this.forces = new Uint8Array(count);
+    this.activity = new Float32Array(this.frames);
+
+    const reader = new ByteReader(decompress(fromBase64(base64)));
+    for (let f = 0; f < this.frames; f++) this.times[f] = reader.f64();
+    const start = reader.section();
+    const planes = Array.from({ length: 7 }, () => reader.section().bytes);
+    const large = reader.section();
+    this.readBodies(start, planes, large);
+    this.readHits(reader.section());
+    this.measure();
+  }
+
+  // Body by body as it was written; the order of the planes within a body matters only for the list of large numbers.
+  private readBodies(start: ByteReader, planes: Uint8Array[], large: ByteReader): void {
+    const moves = Math.max(0, this.frames - 1);
+    for (let body = 0; body < this.bodies; body++) {
+      for (let axis = 0; axis < 3; axis++) {
+        this.readAxis(planes[axis], body * moves, large, body, axis, start.signedVarint());
+      }
+      this.readTurns(planes, body * moves, large, body, start);
+      let code = 0;
+      for (let f = 0; f < this.frames; f++) {
+        const b = planes[6][body * this.frames + f];
+        code += unzigzag(b < kEscape ? b : large.varint());
+        this.forces[f * this.bodies + body] = code;
+      }
+    }
+  }
+
+  private readAxis(plane: Uint8Array, at: number, large: ByteReader, body: number, axis: number, first: number): void {
+    const { positions, bodies, frames } = this;
+    const step = this.meta.positionStep;
+    let last = first;
+    let move = 0;
+    positions[body * 3 + axis] = first * step;
+    for (let f = 1; f < frames; f++) {
+      const b = plane[at++];
+      if (b !== 0) move += unzigzag(b < kEscape ? b : large.varint());
+      last += move;
+      positions[(f * bodies + body) * 3 + axis] = last * step;
+    }
+  }
+
+  // The same arithmetic as the writer's, so that both arrive at the same rotation: turned on by whole steps of
+  // tan(angle / 2), each frame.
+  private readTurns(planes: Uint8Array[], at: number, large: ByteReader, body: number, start: ByteReader): void {
+    const step = this.meta.turnStep;
+    let x = start.signedVarint();
+    let y = start.signedVarint();
+    let z = start.signedVarint();
+    let w = start.signedVarint();
+    let s = 1 / Math.sqrt(x * x + y * y + z * z + w * w);
+    x *= s; y *= s; z *= s; w *= s;
+    let tx = 0;
+    let ty = 0;
+    let tz = 0;
+    this.setRotation(0, body, x, y, z, w);
+    for (let f = 1; f < this.frames; f++, at++) {
+      const bx = planes[3][at];
+      const by = planes[4][at];
+      const bz = planes[5][at];
+      if (bx !== 0) tx += unzigzag(bx < kEscape ? bx : large.varint());
+      if (by !== 0) ty += unzigzag(by < kEscape ? by : large.varint());
+      if (bz !== 0) tz += unzigzag(bz < kEscape ? bz : large.varint());
+      if (tx !== 0 || ty !== 0 || tz !== 0) {
+        const a = tx * step;
+        const b = ty * step;
+        const c = tz * step;
+        const nx = x + a * w + b * z - c * y;
+        const ny = y - a * z + b * w + c * x;
+        const nz = z + a * y - b * x + c * w;
+        const nw = w - a * x - b * y - c * z;
+        s = 1 / Math.sqrt(nx * nx + ny * ny + nz * nz + nw * nw);
+        x = nx * s; y = ny * s; z = nz * s; w = nw * s;
+      }
+      this.setRotation(f, body, x, y, z, w);
+    }
+  }
+
+  private setRotation(frame: number, body: number, x: number, y: number, z: number, w: number): void {
+    const at = (frame * this.bodies + body) * 4;
+    this.rotations[at] = Math.round(x * kQuatScale);
+    this.rotations[at + 1] = Math.round(y * kQuatScale);
+    this.rotations[at + 2] = Math.round(z * kQuatScale);
+    this.rotations[at + 3] = Math.round(w * kQuatScale);
+  }
+
+  private readHits(reader: ByteReader): void {
+    const count = reader.varint();
+    const column = (read: () => number): number[] => Array.from({ length: count }, read);
+    const steps = column(() => reader.varint());
+    const a = column(() => reader.varint());
+    const b = column(() => reader.varint());
+    const x = column(() => reader.signedVarint());
+    const y = column(() => reader.signedVarint());
+    const z = column(() => reader.signedVarint());
+    const impulse = column(() => reader.f32());
+    let frame = 0;
+    for (let k = 0; k < count; k++) {
+      frame += steps[k];
+      const at = (frame * this.bodies + a[k]) * 3;
+      const p = this.positions;
+      this.hits.push({
+        frame, a: a[k], b: b[k], impulse: impulse[k],
+        point: [p[at] + x[k] * 1e-3, p[at + 1] + y[k] * 1e-3, p[at + 2] + z[k] * 1e-3],
+      });
+    }
+  }
+
+  // What the colour scales and the timeline need.
+  private measure(): void {
+    const speeds = new Uint32Array(512); // histogram, 0.1 m/s each
+    let moving = 0;
+    for (let f = 0; f < this.frames; f++) {
+      let sum = 0;
+      for (let body = 0; body < this.bodies; body++) {
+        const speed = this.speed(f, body);
+        if (speed > 0.05 && this.meta.bodies[body].role !== 'ball') {
+          speeds[Math.min(511, Math.floor(speed * 10))]++;
+          moving++;
+        }
+        sum += Math.min(speed, 100) ** 2;
+      }
+      this.activity[f] = Math.sqrt(sum);
+    }
+    let below = 0;
+    let bin = 0;
+    while (bin < 511 && (below += speeds[bin]) < 0.95 * moving) bin++;
+    this.topSpeed = Math.max(1, Math.ceil((bin + 1) / 5) / 2);
+    let code = 0;
+    for (let f = 0; f < this.forces.length; f++) {
+      if (this.forces[f] > code && this.meta.bodies[f % this.bodies].role !== 'ground') code = this.forces[f];
+    }
+    this.topForce = Math.max(10, this.forceOfCode(code));
+  }
+
+  forceOfCode(code: number): number {
+    return 2 ** (code / this.meta.forceSteps) - 1;
+  }
+  force(frame: number, body: number): number {
+    return this.forceOfCode(this.forces[frame * this.bodies + body]);
+  }
+  // m/s, from the frame before to this one.
+  speed(frame: number, body: number): number {
+    const f = frame > 0 ? frame : Math.min(1, this.frames - 1);
+    if (f === 0) return 0;
+    const p = this.positions;
+    const now = (f * this.bodies + body) * 3;
+    const last = now - this.bodies * 3;
+    return Math.hypot(p[now] - p[last], p[now + 1] - p[last + 1], p[now + 2] - p[last + 2]) / (this.times[f] - this.times[f - 1] || 1);
+  }
+  position(frame: number, body: number): [number, number, number] {
+    const at = (frame * this.bodies + body) * 3;
+    return [this.positions[at], this.positions[at + 1], this.positions[at + 2]];
+  }
+  rotation(frame: number, body: number): [number, number, number, number] {
+    const at = (frame * this.bodies + body) * 4;
+    const r = this.rotations;
+    return [r[at] / kQuatScale, r[at + 1] / kQuatScale, r[at + 2] / kQuatScale, r[at + 3] / kQuatScale];
+  }
+}

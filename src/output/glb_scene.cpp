@@ -1,0 +1,238 @@
+// A take as a glTF 2.0 binary: one node per body, named as the body, so that every brick can be picked and restyled where
+// the file goes. Equal shapes share their vertices, equal shapes of one colour their mesh.
+#include <cmath>
+#include <map>
+
+#include "output/glb_animation.h"
+#include "output/glb_builder.h"
+#include "output/mesh.h"
+#include "output/take_poses.h"
+
+namespace brickfall {
+namespace {
+
+using nlohmann::json;
+
+const char* roleName(TakeRole role) {
+  switch (role) {
+    case TakeRole::ground: return "ground";
+    case TakeRole::brick: return "brick";
+    case TakeRole::ball: return "ball";
+    case TakeRole::body: break;
+  }
+  return "body";
+}
+
+// Screens' sRGB to the linear light that glTF wants.
+double linear(std::uint32_t byte) {
+  double c = double(byte) / 255;
+  return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+}
+
+Mesh meshOf(const TakeBody& body) {
+  Mesh mesh;
+  for (const ShapeDef& shape : body.shapes) append(mesh, meshOf(shape), shape.local);
+  return mesh;
+}
+
+// The geometry as bytes, to find equal ones.
+std::string keyOf(const Mesh& mesh) {
+  std::string key;
+  auto add = [&](const auto& list) { key.append(reinterpret_cast<const char*>(list.data()), list.size() * sizeof(list[0])); };
+  add(mesh.positions);
+  add(mesh.uvs);
+  add(mesh.indices);
+  return key;
+}
+
+class SceneWriter {
+ public:
+  SceneWriter(const TakeHeader& header, const TakePoses& poses) : header_(header), poses_(poses) {
+    for (double time : poses.times) times_.push_back(time - poses.times[0]);
+  }
+
+  void addBodies();
+  void addCameras();
+  bool addAnimation(const Progress& progress);  // false: cancelled
+  void finish();
+  GlbBuilder& builder() { return glb_; }
+
+ private:
+  int material(const TakeBody& body);
+  int mesh(const TakeBody& body);  // -1 = nothing to draw
+  int timesOf(const std::vector<std::uint32_t>& keys);
+  void addChannel(json& animation, std::size_t node, const char* path, int input, int output);
+
+  const TakeHeader& header_;
+  const TakePoses& poses_;
+  std::vector<double> times_;  // from 0
+  GlbBuilder glb_;
+  json nodes_ = json::array(), scene_ = json::array();
+  std::map<std::pair<std::uint32_t, bool>, int> materials_;
+  std::map<std::string, json> geometries_;
+  std::map<std::string, int> meshes_;
+  std::map<std::vector<std::uint32_t>, int> inputs_;
+};
+
+int SceneWriter::material(const TakeBody& body) {
+  bool ball = body.role == TakeRole::ball;
+  auto [at, added] = materials_.try_emplace({body.colour, ball}, 0);
+  if (!added) return at->second;
+  json factor = {linear(body.colour >> 16 & 255), linear(body.colour >> 8 & 255), linear(body.colour & 255), 1.0};
+  json pbr = {{"baseColorFactor", factor}, {"metallicFactor", ball ? 0.8 : 0.0}, {"roughnessFactor", ball ? 0.35 : 0.9}};
+  char name[32];
+  std::snprintf(name, sizeof name, "%s #%06X", roleName(body.role), unsigned(body.colour & 0xFFFFFF));
+  return at->second = glb_.add("materials", {{"name", name}, {"pbrMetallicRoughness", pbr}});
+}
+
+int SceneWriter::mesh(const TakeBody& body) {
+  Mesh mesh = meshOf(body);
+  if (mesh.indices.empty()) return -1;
+  std::string key = keyOf(mesh);
+  int materialPlace = material(body);
+  auto [known, addedMesh] = meshes_.try_emplace(key + ":" + std::to_string(materialPlace), 0);
+  if (!addedMesh) return known->second;
+  auto [geometry, added] = geometries_.try_emplace(key);
+  if (added) {
+    auto flat = [](const auto& list) {
+      std::vector<float> out;
+      for (const auto& item : list) out.insert(out.end(), item.begin(), item.end());
+      return out;
+    };
+    geometry->second = {
+        {"attributes",
+         {{"POSITION", glb_.addFloats(flat(mesh.positions), 3, GlbBuilder::kVertices, true)},
+          {"NORMAL", glb_.addFloats(flat(mesh.normals), 3, GlbBuilder::kVertices, false)},
+          {"TEXCOORD_0", glb_.addFloats(flat(mesh.uvs), 2, GlbBuilder::kVertices, false)}}},
+        {"indices", glb_.addIndices(mesh.indices)}};
+  }
+  json primitive = geometry->second;
+  primitive["material"] = materialPlace;
+  std::string name = std::string(roleName(body.role)) + " mesh " + std::to_string(meshes_.size() - 1);
+  return known->second = glb_.add("meshes", {{"name", name}, {"primitives", json::array({primitive})}});
+}
+
+json toJson(Vec3 v) { return {float(v.x), float(v.y), float(v.z)}; }
+json toJson(Quat q) { return {float(q.x), float(q.y), float(q.z), float(q.w)}; }
+
+void SceneWriter::addBodies() {
+  for (std::size_t k = 0; k < header_.bodies.size(); k++) {
+    const TakeBody& body = header_.bodies[k];
+    const Transform& pose = poses_.pose(k, 0);
+    json node = {{"name", body.name},
+                 {"translation", toJson(pose.position)},
+                 {"rotation", toJson(pose.rotation)},
+                 {"extras", {{"mass", body.mass}, {"role", roleName(body.role)}}}};
+    if (int place = mesh(body); place >= 0) node["mesh"] = place;
+    scene_.push_back(nodes_.size());
+    nodes_.push_back(std::move(node));
+  }
+}
+
+void SceneWriter::addCameras() {
+  for (const TakeCamera& camera : header_.cameras) {
+    Vec3 back = normalized(camera.position - camera.target);  // a glTF camera looks along -z
+    if (lengthSquared(back) == 0) back = {0, 0, 1};
+    Vec3 right = cross(Vec3{0, 1, 0}, back);
+    right = lengthSquared(right) > 1e-12 ? normalized(right) : Vec3{1, 0, 0};
+    Vec3 up = cross(back, right);
+    // The rotation that takes the axes to these: trace form, its largest part first.
+    double m[4] = {1 + right.x - up.y - back.z, 1 - right.x + up.y - back.z, 1 - right.x - up.y + back.z,
+                   1 + right.x + up.y + back.z};
+    Quat candidates[4] = {{m[0], up.x + right.y, back.x + right.z, up.z - back.y},
+                          {up.x + right.y, m[1], back.y + up.z, back.x - right.z},
+                          {back.x + right.z, back.y + up.z, m[2], right.y - up.x},
+                          {up.z - back.y, back.x - right.z, right.y - up.x, m[3]}};
+    Quat rotation = normalized(candidates[std::max_element(m, m + 4) - m]);
+    json lens = {{"type", "perspective"}, {"name", camera.name},
+                 {"perspective", {{"yfov", camera.fieldOfViewDegrees * 3.14159265358979 / 180}, {"znear", 0.02}}}};
+    scene_.push_back(nodes_.size());
+    nodes_.push_back({{"name", "camera " + camera.name},
+                      {"camera", glb_.add("cameras", std::move(lens))},
+                      {"translation", toJson(camera.position)},
+                      {"rotation", toJson(rotation)}});
+  }
+}
+
+int SceneWriter::timesOf(const std::vector<std::uint32_t>& keys) {
+  auto [at, added] = inputs_.try_emplace(keys, 0);
+  if (added) {
+    std::vector<float> seconds;
+    for (std::uint32_t f : keys) seconds.push_back(float(times_[f]));
+    at->second = glb_.addFloats(seconds, 1, GlbBuilder::kOther, true);
+  }
+  return at->second;
+}
+
+void SceneWriter::addChannel(json& animation, std::size_t node, const char* path, int input, int output) {
+  animation["channels"].push_back({{"sampler", animation["samplers"].size()}, {"target", {{"node", node}, {"path", path}}}});
+  animation["samplers"].push_back({{"input", input}, {"output", output}, {"interpolation", "LINEAR"}});
+}
+
+bool SceneWriter::addAnimation(const Progress& progress) {
+  json animation = {{"name", header_.scene.empty() ? "take" : header_.scene}, {"channels", json::array()},
+                    {"samplers", json::array()}};
+  for (std::size_t k = 0; k < header_.bodies.size(); k++) {
+    if (progress && k % 64 == 0 && !progress(0.5 + 0.45 * double(k) / double(header_.bodies.size()))) return false;
+    std::span<const Transform> poses(poses_.poses.data() + k * poses_.frames, poses_.frames);
+    if (std::vector<std::uint32_t> keys = keysOfPositions(poses, times_); keys.size() > 1) {
+      std::vector<float> values;
+      for (std::uint32_t f : keys) {
+        for (int axis = 0; axis < 3; axis++) values.push_back(float(poses[f].position[axis]));
+      }
+      addChannel(animation, k, "translation", timesOf(keys), glb_.addFloats(values, 3, GlbBuilder::kOther, false));
+    }
+    if (std::vector<std::uint32_t> keys = keysOfRotations(poses, times_); keys.size() > 1) {
+      std::vector<float> values;
+      Quat last = poses[0].rotation;
+      for (std::uint32_t f : keys) {
+        Quat q = poses[f].rotation;
+        // Never to the far side of the sphere: players that blend component by component would swing round.
+        if (q.x * last.x + q.y * last.y + q.z * last.z + q.w * last.w < 0) q = {-q.x, -q.y, -q.z, -q.w};
+        values.insert(values.end(), {float(q.x), float(q.y), float(q.z), float(q.w)});
+        last = q;
+      }
+      addChannel(animation, k, "rotation", timesOf(keys), glb_.addFloats(values, 4, GlbBuilder::kOther, false));
+    }
+  }
+  if (!animation["channels"].empty()) glb_.add("animations", std::move(animation));
+  return true;
+}
+
+void SceneWriter::finish() {
+  json& root = glb_.root();
+  root["asset"]["extras"] = {{"title", header_.title}, {"scene", header_.scene}, {"engineVersion", header_.engineVersion},
+                             {"seed", std::to_string(header_.seed)}};
+  if (!nodes_.empty()) root["nodes"] = std::move(nodes_);
+  json scene = {{"name", header_.scene.empty() ? "take" : header_.scene}};
+  if (!scene_.empty()) scene["nodes"] = std::move(scene_);
+  root["scenes"] = json::array({std::move(scene)});
+  root["scene"] = 0;
+}
+
+}  // namespace
+
+Status writeGlb(const TakeReader& take, const std::string& path, const Progress& progress) {
+  if (take.frameCount() == 0 || take.header().bodies.empty()) {
+    return Error{ErrorCode::invalidArgument, path + ": the take has no frames or no bodies"};
+  }
+  Result<TakePoses> poses = readPoses(take, path, progress, 0.5);
+  if (!poses) return poses.error();
+  for (std::size_t f = 1; f < poses->frames; f++) {
+    if (!(float(poses->times[f] - poses->times[0]) > float(poses->times[f - 1] - poses->times[0]))) {
+      return Error{ErrorCode::badFormat, path + ": the time of frame " + std::to_string(f) + " is not after the one before"};
+    }
+  }
+  SceneWriter scene(take.header(), *poses);
+  scene.addBodies();
+  scene.addCameras();
+  if (!scene.addAnimation(progress)) return cancelled(path);
+  scene.finish();
+  AtomicFile file(path);
+  if (Status opened = file.open(); !opened) return opened;
+  if (!scene.builder().writeTo(file)) return Error{ErrorCode::limitExceeded, path + ": more than the 4 GiB of a GLB"};
+  if (progress && !progress(1)) return cancelled(path);
+  return file.commit();
+}
+
+}  // namespace brickfall

@@ -1,0 +1,60 @@
+// One page: the template with title, description and motion put in their places.
+#include "output/atomic_file.h"
+#include "output/base64.h"
+#include "output/replay_meta.h"
+#include "output/replay_template.h"
+#include "output/replay_tracks.h"
+
+namespace brickfall {
+namespace {
+
+std::string escaped(const std::string& text) {
+  std::string out;
+  for (char c : text) {
+    if (c == '&') {
+      out += "&amp;";
+    } else if (c == '<') {
+      out += "&lt;";
+    } else if (c == '>') {
+      out += "&gt;";
+    } else {
+      out += c;
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+Status writeReplayHtml(const TakeReader& take, const std::string& path, const Progress& progress) {
+  if (take.frameCount() == 0) return Error{ErrorCode::invalidArgument, path + ": the take has no frames to replay"};
+  Result<TakePoses> poses = readPoses(take, path, progress, 0.5);
+  if (!poses) return poses.error();
+  double step = replayPositionStep(*poses);
+  Bytes tracks = replayTracks(*poses, step);
+  if (tracks.empty()) return Error{ErrorCode::limitExceeded, path + ": the take is too large to pack into a page"};
+  if (progress && !progress(0.95)) return cancelled(path);
+
+  std::string page;
+  for (std::string_view piece : replayTemplate()) page += piece;
+  const TakeHeader& header = take.header();
+  const std::pair<std::string_view, std::string> places[] = {
+      {kTitlePlace, escaped(header.title.empty() ? header.scene : header.title)},
+      {kMetaPlace, replayMeta(header, take.frameCount(), step)},
+      {kDataPlace, base64(tracks)}};
+  AtomicFile file(path);
+  if (Status opened = file.open(); !opened) return opened;
+  std::size_t from = 0;
+  for (const auto& [place, text] : places) {
+    std::size_t at = page.find(place, from);
+    if (at == std::string::npos) return Error{ErrorCode::badFormat, "replay template lacks " + std::string(place)};
+    file.write(std::string_view(page).substr(from, at - from));
+    file.write(text);
+    from = at + place.size();
+  }
+  file.write(std::string_view(page).substr(from));
+  if (progress && !progress(1)) return cancelled(path);
+  return file.commit();
+}
+
+}  // namespace brickfall

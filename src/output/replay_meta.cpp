@@ -1,0 +1,78 @@
+#include "output/replay_meta.h"
+
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "output/mesh.h"
+#include "output/replay_tracks.h"
+
+namespace brickfall {
+namespace {
+
+using nlohmann::json;
+
+json toJson(Vec3 v) { return json::array({v.x, v.y, v.z}); }
+
+json shapeJson(const ShapeDef& shape) {
+  switch (shape.type) {
+    case ShapeType::box: return {{"type", "box"}, {"half", toJson(shape.halfExtents)}};
+    case ShapeType::sphere: return {{"type", "sphere"}, {"radius", shape.radius}};
+    case ShapeType::capsule:
+      return {{"type", "capsule"}, {"radius", shape.radius}, {"halfHeight", shape.halfHeight}};
+    case ShapeType::plane: return {{"type", "plane"}};
+    case ShapeType::hull: break;
+  }
+  Mesh mesh = hullMesh(shape.vertices);
+  json positions = json::array(), normals = json::array();
+  for (const auto& p : mesh.positions) positions.insert(positions.end(), {p[0], p[1], p[2]});
+  for (const auto& n : mesh.normals) normals.insert(normals.end(), {n[0], n[1], n[2]});
+  return {{"type", "hull"}, {"positions", positions}, {"normals", normals}, {"indices", mesh.indices}};
+}
+
+const char* roleName(TakeRole role) {
+  switch (role) {
+    case TakeRole::ground: return "ground";
+    case TakeRole::brick: return "brick";
+    case TakeRole::ball: return "ball";
+    case TakeRole::body: break;
+  }
+  return "body";
+}
+
+}  // namespace
+
+std::string replayMeta(const TakeHeader& header, std::size_t frames, double positionStep) {
+  std::map<std::string, std::size_t> known;  // shapes by their text
+  json shapes = json::array(), bodies = json::array(), cameras = json::array();
+  for (const TakeBody& body : header.bodies) {
+    json parts = json::array();
+    for (const ShapeDef& shape : body.shapes) {
+      json description = shapeJson(shape);
+      auto [at, added] = known.try_emplace(description.dump(), shapes.size());
+      if (added) shapes.push_back(std::move(description));
+      json part = {{"shape", at->second}};
+      const Transform& local = shape.local;
+      if (!(local.position == Vec3{} && local.rotation == Quat{})) {
+        part["position"] = toJson(local.position);
+        part["rotation"] = {local.rotation.x, local.rotation.y, local.rotation.z, local.rotation.w};
+      }
+      parts.push_back(std::move(part));
+    }
+    bodies.push_back({{"name", body.name}, {"role", roleName(body.role)}, {"colour", body.colour}, {"mass", body.mass},
+                      {"parts", std::move(parts)}});
+  }
+  for (const TakeCamera& camera : header.cameras) {
+    cameras.push_back({{"name", camera.name}, {"position", toJson(camera.position)}, {"target", toJson(camera.target)},
+                       {"fieldOfView", camera.fieldOfViewDegrees}});
+  }
+  json meta = {{"format", 1}, {"scene", header.scene}, {"title", header.title}, {"engineVersion", header.engineVersion},
+               {"seed", std::to_string(header.seed)}, {"framesPerSecond", header.framesPerSecond}, {"frames", frames},
+               {"positionStep", positionStep}, {"turnStep", kReplayTurnStep}, {"forceSteps", kReplayForceSteps},
+               {"shapes", std::move(shapes)}, {"bodies", std::move(bodies)}, {"cameras", std::move(cameras)}};
+  // Pure ASCII, bytes that are no UTF-8 replaced, and no "<": nothing a name holds can end the script element.
+  std::string text = meta.dump(-1, ' ', true, json::error_handler_t::replace), safe;
+  for (char c : text) safe += c == '<' ? std::string("\\u003c") : std::string(1, c);
+  return safe;
+}
+
+}  // namespace brickfall

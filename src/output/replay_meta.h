@@ -1,0 +1,11 @@
+// What the replay page must know beside the motion: bodies, shapes, cameras, as JSON that is safe inside a script element.
+#pragma once
+#include <string>
+
+#include "brickfall/take.h"
+
+namespace brickfall {
+
+std::string replayMeta(const TakeHeader& header, std::size_t frames, double positionStep);
+
+}  // namespace brickfall

@@ -1,0 +1,199 @@
+// The glTF binary read back: structure, shared meshes, and animations that stay within their tolerance of every frame. That
+// it keeps the standard's rules is for the Khronos validator to say (tests/web/glb_valid_test.mjs).
+#include <bit>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "output/glb_animation.h"
+#include "output_helpers.h"
+
+namespace brickfall {
+namespace {
+
+using nlohmann::json;
+using test::OutputFolder;
+
+struct Glb {
+  json root;
+  std::string buffer;
+
+  std::vector<float> floats(int accessor) const {
+    const json& a = root["accessors"][accessor];
+    const json& view = root["bufferViews"][a["bufferView"].get<int>()];
+    std::size_t width = a["type"] == "SCALAR" ? 1 : a["type"] == "VEC3" ? 3 : a["type"] == "VEC4" ? 4 : 2;
+    std::vector<float> out(a["count"].get<std::size_t>() * width);
+    std::memcpy(out.data(), buffer.data() + view["byteOffset"].get<std::size_t>(), out.size() * 4);
+    return out;
+  }
+};
+
+std::uint32_t word(const std::string& text, std::size_t at) {
+  std::uint32_t v = 0;
+  std::memcpy(&v, text.data() + at, 4);
+  return v;
+}
+
+Glb readGlb(const std::string& path) {
+  std::string all = test::contentOf(path);
+  EXPECT_EQ(all.substr(0, 4), "glTF");
+  EXPECT_EQ(word(all, 4), 2u);
+  EXPECT_EQ(word(all, 8), all.size());
+  std::uint32_t size = word(all, 12);
+  EXPECT_EQ(size % 4, 0u);
+  return {json::parse(all.substr(20, size)), all.substr(20 + size + 8)};
+}
+
+// As a player: the value at a time, between two keys; before the first and after the last they hold.
+struct Track {
+  std::vector<float> times, values;
+
+  std::pair<std::size_t, double> at(double time) const {
+    std::size_t k = 0;
+    while (k + 1 < times.size() && times[k + 1] <= time) k++;
+    if (k + 1 == times.size()) return {k - 1, 1.0};
+    return {k, std::clamp((time - times[k]) / (double(times[k + 1]) - times[k]), 0.0, 1.0)};
+  }
+  Vec3 position(double time) const {
+    auto [k, share] = at(time);
+    Vec3 a{values[3 * k], values[3 * k + 1], values[3 * k + 2]}, b{values[3 * k + 3], values[3 * k + 4], values[3 * k + 5]};
+    return a + (b - a) * share;
+  }
+  Quat rotation(double time) const {
+    auto [k, share] = at(time);
+    const float* v = values.data() + 4 * k;
+    return slerp({v[0], v[1], v[2], v[3]}, {v[4], v[5], v[6], v[7]}, share);
+  }
+};
+
+TEST(Glb, HasOneNodePerBodyAndSharesMeshes) {
+  OutputFolder folder;
+  test::SyntheticTake take = test::makeSyntheticTake({});
+  TakeReader reader = test::opened(take, folder.file("a.take"));
+  ASSERT_TRUE(writeGlb(reader, folder.file("a.glb")));
+  Glb glb = readGlb(folder.file("a.glb"));
+  ASSERT_EQ(glb.root["nodes"].size(), take.header.bodies.size() + take.header.cameras.size());
+  EXPECT_EQ(glb.root["scenes"][0]["nodes"].size(), glb.root["nodes"].size());
+  EXPECT_EQ(glb.root["meshes"].size(), 6u);  // ground, ball, brick, capsule, hull, pair
+  std::set<int> meshesOfBricks;
+  for (std::size_t k = 0; k < take.header.bodies.size(); k++) {
+    const json& node = glb.root["nodes"][k];
+    EXPECT_EQ(node["name"], take.header.bodies[k].name);
+    EXPECT_EQ(node["extras"]["mass"], take.header.bodies[k].mass);
+    if (take.header.bodies[k].role == TakeRole::brick) {
+      meshesOfBricks.insert(node["mesh"].get<int>());
+      EXPECT_EQ(node["extras"]["role"], "brick");
+    }
+  }
+  EXPECT_EQ(meshesOfBricks.size(), 1u);
+  EXPECT_EQ(glb.root["cameras"].size(), 2u);
+}
+
+TEST(Glb, ColoursTellMeshesApartButShareTheirVertices) {
+  OutputFolder folder;
+  test::SyntheticTake take = test::makeSyntheticTake({.courses = 1, .bricksPerCourse = 2, .frames = 2, .otherShapes = false});
+  take.header.bodies[3].colour = 0x112233;
+  TakeReader reader = test::opened(take, folder.file("a.take"));
+  ASSERT_TRUE(writeGlb(reader, folder.file("a.glb")));
+  Glb glb = readGlb(folder.file("a.glb"));
+  const json &nodes = glb.root["nodes"], &meshes = glb.root["meshes"];
+  const json &a = meshes[nodes[2]["mesh"].get<int>()]["primitives"][0], &b = meshes[nodes[3]["mesh"].get<int>()]["primitives"][0];
+  EXPECT_EQ(a["attributes"], b["attributes"]);
+  EXPECT_NE(a["material"], b["material"]);
+}
+
+TEST(Glb, AnimationStaysWithinToleranceOfEveryFrameAndIsThinned) {
+  OutputFolder folder;
+  test::SyntheticTake take = test::makeSyntheticTake({});
+  TakeReader reader = test::opened(take, folder.file("a.take"));
+  ASSERT_TRUE(writeGlb(reader, folder.file("a.glb")));
+  Glb glb = readGlb(folder.file("a.glb"));
+  const json& animation = glb.root["animations"][0];
+  std::set<int> moving;
+  std::size_t keys = 0;
+  for (const json& channel : animation["channels"]) {
+    const json& sampler = animation["samplers"][channel["sampler"].get<int>()];
+    Track track{glb.floats(sampler["input"]), glb.floats(sampler["output"])};
+    int body = channel["target"]["node"].get<int>();
+    moving.insert(body);
+    keys += track.times.size();
+    bool translation = channel["target"]["path"] == "translation";
+    for (std::size_t f = 0; f < take.frames.size(); f++) {
+      const TakePose& pose = take.frames[f].poses[body];
+      if (translation) {
+        EXPECT_LE(length(track.position(take.frames[f].time) - pose.position), 1.2e-4) << body << " frame " << f;
+      } else {
+        EXPECT_LE(angleBetween(track.rotation(take.frames[f].time), pose.rotation), kGlbAngleTolerance + 2e-4)
+            << body << " frame " << f;
+      }
+    }
+    if (!translation) {
+      for (std::size_t k = 4; k < track.values.size(); k += 4) {
+        float side = 0;
+        for (std::size_t c = 0; c < 4; c++) side += track.values[k + c] * track.values[k + c - 4];
+        EXPECT_GE(side, 0) << body << " key " << k / 4;
+      }
+    }
+  }
+  EXPECT_EQ(moving.size(), 101u);  // the bricks and the ball; ground, capsule, hull and pair rest all the time
+  EXPECT_LT(keys, moving.size() * 2 * take.frames.size() / 2);
+}
+
+TEST(Glb, CamerasLookAtTheirTarget) {
+  OutputFolder folder;
+  test::SyntheticTake take = test::makeSyntheticTake({.frames = 2});
+  take.header.cameras.push_back({"down", {0, 5, 0}, {0, 0, 0}, 50});
+  take.header.cameras.push_back({"back", {0, 1, -5}, {0, 1, 0}, 50});
+  TakeReader reader = test::opened(take, folder.file("a.take"));
+  ASSERT_TRUE(writeGlb(reader, folder.file("a.glb")));
+  Glb glb = readGlb(folder.file("a.glb"));
+  for (std::size_t k = 0; k < take.header.cameras.size(); k++) {
+    const TakeCamera& camera = take.header.cameras[k];
+    const json& node = glb.root["nodes"][take.header.bodies.size() + k];
+    const json& r = node["rotation"];
+    Quat q{r[0], r[1], r[2], r[3]};
+    Vec3 looks = rotate(q, Vec3{0, 0, -1}), up = rotate(q, Vec3{0, 1, 0});
+    EXPECT_LE(length(looks - normalized(camera.target - camera.position)), 1e-5) << camera.name;
+    EXPECT_GE(up.y, -1e-6) << camera.name;
+  }
+}
+
+TEST(Glb, WorksWithoutAnythingToDraw) {
+  OutputFolder folder;
+  test::SyntheticTake take;
+  take.header.bodies.resize(1);
+  take.frames.resize(1);
+  take.frames[0].poses.resize(1);
+  TakeReader reader = test::opened(take, folder.file("a.take"));
+  Status written = writeGlb(reader, folder.file("a.glb"));
+  ASSERT_TRUE(written) << written.error().message;
+  std::string all = test::contentOf(folder.file("a.glb"));
+  EXPECT_EQ(word(all, 8), all.size());
+  EXPECT_FALSE(json::parse(all.substr(20, word(all, 12))).contains("buffers"));
+}
+
+TEST(Glb, CancellingLeavesNothing) {
+  OutputFolder folder;
+  TakeReader reader = test::opened(test::makeSyntheticTake({.frames = 100}), folder.file("a.take"));
+  bool finished = false;
+  for (int calls = 0; !finished; calls++) {
+    test::Canceller canceller{calls};
+    Status status = writeGlb(reader, folder.file("a.glb"), [&](double share) { return canceller(share); });
+    finished = status.ok();
+    EXPECT_EQ(folder.files(), finished ? 2u : 1u);
+    ASSERT_LT(calls, 100);
+  }
+}
+
+TEST(Glb, FramesThatDoNotFollowInTimeAreRefused) {
+  OutputFolder folder;
+  test::SyntheticTake take = test::makeSyntheticTake({.frames = 5});
+  take.frames[3].time = take.frames[2].time;
+  TakeReader reader = test::opened(take, folder.file("a.take"));
+  Status status = writeGlb(reader, folder.file("a.glb"));
+  EXPECT_EQ(status.error().code, ErrorCode::badFormat);
+  EXPECT_NE(status.error().message.find("frame 3"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace brickfall

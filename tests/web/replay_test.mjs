@@ -1,0 +1,252 @@
+// replay_test.mjs WEB_FOLDER CHROMIUM PAGE OUT_FOLDER: the replay page as a visitor has it, from disk, without a network,
+// drawn in software. What the page says of itself is checked against what its picture shows.
+import assert from 'node:assert/strict';
+import { createRequire } from 'node:module';
+
+const [webFolder, executablePath, file, outFolder] = process.argv.slice(2);
+const { chromium } = createRequire(`${webFolder}/package.json`)('playwright-core');
+const patience = { timeout: 180_000 };
+const kHitFrame = 60; // of the synthetic take
+
+const browser = await chromium.launch({
+  executablePath,
+  headless: true,
+  timeout: 120_000,
+  args: ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader',
+    '--disable-background-networking', '--disable-quic', '--no-first-run', '--disable-component-update', '--disable-sync'],
+});
+const page = await browser.newPage({ viewport: { width: 640, height: 360 } });
+page.setDefaultTimeout(patience.timeout);
+const faults = [];
+const requests = [];
+page.on('console', (message) => ['error', 'warning'].includes(message.type()) && !/GPU stall|GL Driver/.test(message.text()) && faults.push(message.text()));
+page.on('pageerror', (error) => faults.push(error.message));
+page.on('request', (request) => /^(data|blob):/.test(request.url()) || requests.push(request.url()));
+
+async function check(name, body) {
+  const start = Date.now();
+  await body();
+  console.log(`ok ${name} (${Date.now() - start} ms)`);
+}
+// Does something to the page and waits until it has been drawn.
+async function drawn(action, argument) {
+  const before = await page.evaluate(() => window.brickfall.drawn);
+  await page.evaluate(action, argument);
+  await page.waitForFunction((n) => window.brickfall.drawn > n, before, patience);
+}
+const seek = (frame) => drawn((f) => window.brickfall.seek(f), frame);
+
+// What the canvas shows: mean and spread of its lightness, and how many points of each row are brick red.
+async function picture() {
+  return page.evaluate(() => {
+    const view = document.getElementById('view');
+    const copy = document.createElement('canvas');
+    copy.width = view.width;
+    copy.height = view.height;
+    const context = copy.getContext('2d');
+    context.drawImage(view, 0, 0);
+    const { data } = context.getImageData(0, 0, copy.width, copy.height);
+    let sum = 0;
+    let squares = 0;
+    const rows = [];
+    for (let y = 0; y < copy.height; y++) {
+      let red = 0;
+      for (let x = 0; x < copy.width; x++) {
+        const at = (y * copy.width + x) * 4;
+        const light = (data[at] + data[at + 1] + data[at + 2]) / 3;
+        sum += light;
+        squares += light * light;
+        if (data[at] > 1.5 * data[at + 2] && data[at] > 1.25 * data[at + 1] && data[at] > 50) red++;
+      }
+      rows.push(red);
+    }
+    const count = copy.width * copy.height;
+    const redRows = rows.map((n, y) => (n > 8 ? y : -1)).filter((y) => y >= 0);
+    return {
+      mean: sum / count, spread: Math.sqrt(squares / count - (sum / count) ** 2), width: copy.width, height: copy.height,
+      red: rows.reduce((a, b) => a + b, 0), top: redRows[0] ?? -1, bottom: redRows.at(-1) ?? -1,
+    };
+  });
+}
+const heights = () => page.evaluate(() => {
+  const { brickfall: b } = window;
+  return b.names.map((name, k) => (name.startsWith('brick ') ? b.position(k)[1] : -1)).filter((y) => y >= 0);
+});
+const mean = (list) => list.reduce((a, b) => a + b, 0) / list.length;
+const frame = () => page.evaluate(() => window.brickfall.frame);
+
+try {
+  await page.goto(`file://${file}#paused`, patience);
+  await page.waitForFunction(() => window.brickfall?.ready, null, patience);
+  let standing;
+
+  await check('opens from disk and asks for nothing else', async () => {
+    assert.deepEqual(requests.map((url) => url.split('#')[0]), [`file://${file}`]);
+    assert.equal(await page.evaluate(() => window.brickfall.frameCount), 240);
+    assert.equal(await page.evaluate(() => window.brickfall.bodyCount), 105);
+    assert.match(await page.textContent('#title'), /pretends <to fall> & "lie"/);
+    assert.ok(await page.evaluate(() => window.brickfall.decodeMilliseconds) < 10_000);
+  });
+
+  await check('the wall stands before the hit', async () => {
+    await seek(kHitFrame - 5);
+    standing = { heights: await heights(), picture: await picture() };
+    assert.equal(standing.heights.length, 100);
+    assert.ok(mean(standing.heights) > 0.3, `mean height ${mean(standing.heights)}`);
+    assert.ok(standing.picture.spread > 10, `picture of spread ${standing.picture.spread}`);
+    assert.ok(standing.picture.red > 2000, `${standing.picture.red} points of brick`);
+    await page.screenshot({ path: `${outFolder}/standing.png`, ...patience });
+  });
+
+  await check('and lies after it', async () => {
+    await seek(239);
+    const lying = { heights: await heights(), picture: await picture() };
+    assert.ok(mean(lying.heights) < 0.5 * mean(standing.heights), `mean height ${mean(lying.heights)}`);
+    assert.ok(lying.picture.red > 500, `${lying.picture.red} points of brick`);
+    assert.ok(lying.picture.spread > 10);
+    await page.screenshot({ path: `${outFolder}/lying.png`, ...patience });
+    // From the side: the highest brick in the picture sinks by more than a third of the wall's height in it.
+    const side = [[-4, 0.4, 0.01], [0, 0.35, 0]];
+    await drawn(([p, t]) => window.brickfall.lookFrom(p, t), side);
+    const low = await picture();
+    await seek(kHitFrame - 5);
+    const high = await picture();
+    assert.ok(low.top - high.top > (high.bottom - high.top) / 3, `top row ${high.top} before, ${low.top} after`);
+    await drawn(() => window.brickfall.setView(0));
+  });
+
+  await check('scrubbing shows the frame that was asked for', async () => {
+    await page.evaluate(() => {
+      const scrub = document.getElementById('scrub');
+      scrub.value = '100';
+      scrub.dispatchEvent(new Event('input'));
+    });
+    assert.equal(await frame(), 100);
+    await seek(1e9);
+    assert.equal(await frame(), 239);
+    await seek(-5);
+    assert.equal(await frame(), 0);
+  });
+
+  await check('the same frame gives the same picture, whatever came before', async () => {
+    await seek(90);
+    const first = await picture();
+    await seek(200);
+    await seek(90);
+    assert.deepEqual(await picture(), first);
+  });
+
+  await check('plays, pauses, changes speed, loops', async () => {
+    await seek(0);
+    await page.evaluate(() => window.brickfall.setSpeed(4));
+    await page.click('#play');
+    await page.waitForFunction(() => window.brickfall.frame > 20, null, patience);
+    await page.click('#play');
+    const here = await frame();
+    assert.equal(await page.evaluate(() => window.brickfall.playing), false);
+    await page.evaluate(() => new Promise((done) => setTimeout(done, 300)));
+    assert.equal(await frame(), here);
+    await page.evaluate(() => { window.brickfall.seek(230); window.brickfall.play(); });
+    await page.waitForFunction(() => !window.brickfall.playing && window.brickfall.frame === 239, null, patience);
+    await page.evaluate(() => { window.brickfall.setLoop(true); window.brickfall.seek(235); window.brickfall.play(); });
+    await page.waitForFunction(() => window.brickfall.frame < 200, null, patience);
+    await page.evaluate(() => { window.brickfall.pause(); window.brickfall.setLoop(false); window.brickfall.setSpeed(1); });
+  });
+
+  await check('keys step, jump, play and change the colours', async () => {
+    await seek(50);
+    await page.keyboard.press('.');
+    assert.equal(await frame(), 51);
+    await page.keyboard.press(',');
+    await page.keyboard.press('ArrowLeft');
+    assert.equal(await frame(), 49);
+    await page.keyboard.press('Shift+ArrowRight');
+    assert.equal(await frame(), 59);
+    await page.keyboard.press('Home');
+    assert.equal(await frame(), 0);
+    await page.keyboard.press('End');
+    assert.equal(await frame(), 239);
+    await page.keyboard.press('Home');
+    await page.keyboard.press(' ');
+    assert.equal(await page.evaluate(() => window.brickfall.playing), true);
+    await page.keyboard.press(' ');
+    assert.equal(await page.evaluate(() => window.brickfall.playing), false);
+    await page.keyboard.press('c');
+    assert.equal(await page.inputValue('#colour'), '1');
+    assert.equal(await page.isVisible('#legend'), true);
+    await page.keyboard.press('c');
+    await page.keyboard.press('c');
+    assert.equal(await page.isVisible('#legend'), false);
+  });
+
+  await check('colours by speed and by contact force change the picture', async () => {
+    await seek(80);
+    const clay = await picture();
+    await drawn(() => window.brickfall.setColour('speed'));
+    const speed = await picture();
+    await drawn(() => window.brickfall.setColour('force'));
+    const force = await picture();
+    assert.ok(speed.red !== clay.red && force.red !== clay.red && speed.mean !== force.mean);
+    await drawn(() => window.brickfall.setColour('material'));
+  });
+
+  await check('a click on a brick shows its figures', async () => {
+    await seek(40);
+    const at = await page.evaluate(() => {
+      const { brickfall: b } = window;
+      const bricks = b.names.map((_, k) => k).filter((k) => b.names[k].startsWith('brick '));
+      const body = bricks.find((k) => { const [x, y] = b.project(k); return y < 240 && b.pick(x, y) === k; });
+      return { body, point: b.project(body), name: b.names[body] };
+    });
+    assert.ok(at.body > 0, 'no brick could be picked');
+    await page.mouse.click(...at.point);
+    await page.waitForFunction(() => window.brickfall.selected >= 0, null, patience);
+    assert.equal(await page.evaluate(() => window.brickfall.selected), at.body);
+    const card = await page.textContent('#card');
+    assert.ok(card.includes(at.name) && card.includes('3.40 kg') && /Hits taken: \d+/.test(card), card);
+    await page.keyboard.press('Escape');
+    assert.equal(await page.evaluate(() => window.brickfall.selected), -1);
+    assert.equal(await page.isVisible('#card'), false);
+    // A drag turns the camera and picks nothing.
+    const before = await page.evaluate((k) => window.brickfall.project(k), at.body);
+    await page.mouse.move(...at.point);
+    await page.mouse.down();
+    await page.mouse.move(at.point[0] + 60, at.point[1] + 10, { steps: 4 });
+    await page.mouse.up();
+    await page.waitForFunction(([k, [x]]) => Math.abs(window.brickfall.project(k)[0] - x) > 3, [at.body, before], patience);
+    assert.equal(await page.evaluate(() => window.brickfall.selected), -1);
+  });
+
+  await check('every camera shows something', async () => {
+    const views = await page.evaluate(() => window.brickfall.views);
+    assert.deepEqual(views, ['Overview', 'front', 'side', 'Follow the ball']);
+    await seek(kHitFrame - 1);
+    for (let k = 0; k < views.length; k++) {
+      await drawn((index) => window.brickfall.setView(index), k);
+      assert.ok((await picture()).red > 500, views[k]);
+    }
+    await drawn(() => window.brickfall.setView(0));
+  });
+
+  await check('fits a phone', async () => {
+    await page.setViewportSize({ width: 390, height: 700 });
+    await seek(kHitFrame - 5);
+    await page.waitForFunction(() => document.getElementById('view').clientWidth === 390, null, patience);
+    const right = await page.evaluate(() => Math.max(...[...document.querySelectorAll('#bar button, #bar select')]
+      .filter((e) => e.offsetParent).map((e) => e.getBoundingClientRect().right)));
+    assert.ok(right <= 390, `a control ends at ${right}`);
+    assert.ok((await picture()).red > 500);
+    await page.screenshot({ path: `${outFolder}/phone.png`, ...patience });
+  });
+
+  await check('nothing went wrong on the way', async () => {
+    assert.deepEqual(faults, []);
+    assert.ok(requests.every((url) => url.startsWith('file://')), requests.join(' '));
+  });
+} catch (error) {
+  await page.screenshot({ path: `${outFolder}/failed.png`, ...patience }).catch(() => {});
+  console.error(error);
+  process.exitCode = 1;
+} finally {
+  await browser.close();
+}
