@@ -11,8 +11,7 @@ namespace {
 constexpr double kMaxSeconds = 100'000;
 constexpr int kMaxThreads = 64;
 
-template <class T>
-bool readWhole(std::string_view text, T& value) {
+template <class T> bool readWhole(std::string_view text, T& value) {
   const char* end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, value);
   return error == std::errc() && stop == end;
@@ -38,8 +37,7 @@ Result<int> parseThreads(std::string_view text) {
 
 Result<std::pair<std::string, std::string>> parseOverride(std::string_view text) {
   const std::size_t equals = text.find('=');
-  if (equals == std::string_view::npos || equals == 0)
-    return refused("--set", text, "KEY=VALUE, such as world.seed=7");
+  if (equals == std::string_view::npos || equals == 0) return refused("--set", text, "KEY=VALUE, such as world.seed=7");
   return std::pair<std::string, std::string>(text.substr(0, equals), text.substr(equals + 1));
 }
 

@@ -12,15 +12,13 @@ namespace brickfall::cli {
 // Output that nobody reads any more (a closed pipe) is no reason to end a run; a full disk is found out by
 // flushOutput at the end.
 void say(std::string_view line);
-template <class... Args>
-void sayf(fmt::format_string<Args...> text, Args&&... args) {
+template <class... Args> void sayf(fmt::format_string<Args...> text, Args&&... args) {
   say(fmt::format(text, std::forward<Args>(args)...));
 }
 
 // "brickfall: <message>" to standard error. Control characters of the message (file names may hold any) are shown as '?'.
 void complain(std::string_view message);
-template <class... Args>
-void complainf(fmt::format_string<Args...> text, Args&&... args) {
+template <class... Args> void complainf(fmt::format_string<Args...> text, Args&&... args) {
   complain(fmt::format(text, std::forward<Args>(args)...));
 }
 

@@ -31,8 +31,10 @@ struct Arguments {
 void addOutputOptions(CLI::App& command, OutputOptions& options, const std::string& defaultFolder) {
   command.add_option("-o,--output", options.folder, "Folder for the results (default: " + defaultFolder + ")")
       ->type_name("DIR");
-  command.add_flag_callback("--no-html", [&options] { options.html = false; }, "Leave out replay.html");
-  command.add_flag_callback("--no-glb", [&options] { options.glb = false; }, "Leave out <scene>.glb");
+  command.add_flag_callback(
+      "--no-html", [&options] { options.html = false; }, "Leave out replay.html");
+  command.add_flag_callback(
+      "--no-glb", [&options] { options.glb = false; }, "Leave out <scene>.glb");
   command.add_flag("--quiet", options.quiet, "Say nothing but errors");
 }
 
@@ -66,7 +68,9 @@ void defineCommands(CLI::App& app, Arguments& arguments) {
              kExitCodes);
 
   CLI::App& check = *app.add_subcommand("check", "Report all mistakes of scene files, with line and column");
-  check.add_option("file", arguments.checked, "Scene files, or shipped scenes by name")->required()->type_name("FILE...");
+  check.add_option("file", arguments.checked, "Scene files, or shipped scenes by name")
+      ->required()
+      ->type_name("FILE...");
   check.footer(std::string("Examples:\n  brickfall check mine.toml\n  brickfall check scenes/*.toml\n\n") + kExitCodes);
 
   CLI::App& scenes = *app.add_subcommand("scenes", "List the shipped scenes");

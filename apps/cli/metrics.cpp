@@ -17,10 +17,14 @@ double topOf(const ShapeDef& shape, const Transform& body, Vec3 up) {
   const double centre = dot(frame.position, up);
   const Vec3 upLocal = rotate(conjugate(frame.rotation), up);
   switch (shape.type) {
-    case ShapeType::plane: return centre;
-    case ShapeType::sphere: return centre + shape.radius;
-    case ShapeType::capsule: return centre + shape.radius + std::fabs(upLocal.y) * shape.halfHeight;
-    case ShapeType::box: return centre + dot(abs(upLocal), shape.halfExtents);
+    case ShapeType::plane:
+      return centre;
+    case ShapeType::sphere:
+      return centre + shape.radius;
+    case ShapeType::capsule:
+      return centre + shape.radius + std::fabs(upLocal.y) * shape.halfHeight;
+    case ShapeType::box:
+      return centre + dot(abs(upLocal), shape.halfExtents);
     case ShapeType::hull: {
       double top = -std::numeric_limits<double>::infinity();
       for (Vec3 vertex : shape.vertices) top = std::max(top, dot(vertex, upLocal));

@@ -22,12 +22,12 @@ struct RunFigures {
   std::array<double, kStageCount> stageMilliseconds{};  // mean of a step
   double displacementMax = 0;                           // m
   int bricksMoved50mm = 0;
-  double sagMax = 0;              // m
-  double creepMax = 0;            // m
-  double penetrationMax = 0;      // m
-  double penetrationMean = 0;     // m
-  double kineticEnergyMax = 0;    // J
-  double kineticEnergyEnd = 0;    // J
+  double sagMax = 0;            // m
+  double creepMax = 0;          // m
+  double penetrationMax = 0;    // m
+  double penetrationMean = 0;   // m
+  double kineticEnergyMax = 0;  // J
+  double kineticEnergyEnd = 0;  // J
   double energyRatioMax = 0;
   double contactsMean = 0;
   int asleepEnd = 0;
@@ -72,9 +72,9 @@ class RunMetrics {
   std::vector<Sample> samples_;
   std::uint64_t sampleEvery_ = 1;
   Vec3 up_{0, 1, 0};
-  double gravity_ = 0;         // m/s2
-  double lowestHeight_ = 0;    // m along up_
-  double weight_ = 0;          // N, of all bodies that move by forces
+  double gravity_ = 0;       // m/s2
+  double lowestHeight_ = 0;  // m along up_
+  double weight_ = 0;        // N, of all bodies that move by forces
   EnergyLedger ledger_;
   RunFigures figures_;
   std::vector<double> stepMilliseconds_;

@@ -50,7 +50,9 @@ std::string progressText(const ProgressState& s) {
   if (!(s.wallSeconds > 0) || s.steps == 0) return text;
   const double factor = s.simulatedSeconds / s.wallSeconds;
   text += fmt::format("  {:.0f} steps/s  {:.{}f} x real time", double(s.steps) / s.wallSeconds, factor,
-                      factor < 0.1 ? 3 : factor < 10 ? 1 : 0);
+                      factor < 0.1  ? 3
+                      : factor < 10 ? 1
+                                    : 0);
   const double share = shareDone(s);
   if (share > 0 && share < 1) text += "  about " + durationText(s.wallSeconds * (1 - share) / share) + " left";
   return text;

@@ -64,8 +64,7 @@ void applyOptions(const RunOptions& options, SceneDescription& scene) {
 
 Summary summaryOf(const SceneRun& run, const RunFigures& figures, double wallSeconds) {
   const SceneDescription& scene = run.scene();
-  return {scene.name,          scene.seed,  run.world().stateHash(), scene.timeStep,
-          scene.world.threads, wallSeconds, figures};
+  return {scene.name, scene.seed, run.world().stateHash(), scene.timeStep, scene.world.threads, wallSeconds, figures};
 }
 
 void sayResult(const Summary& summary) {
@@ -157,8 +156,8 @@ int run(const RunOptions& options) {
   const int delivered = deliver(takePath, folder, json, options.output, display);
   if (summary.figures.quarantined > 0)
     complainf("{} bodies became non-finite and were taken out of the simulation", summary.figures.quarantined);
-  return firstProblem({simulated.exitCode, interrupted, finished, delivered,
-                       summary.figures.quarantined > 0 ? kQuarantined : kOk});
+  return firstProblem(
+      {simulated.exitCode, interrupted, finished, delivered, summary.figures.quarantined > 0 ? kQuarantined : kOk});
 }
 
 }  // namespace brickfall::cli

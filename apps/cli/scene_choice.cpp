@@ -16,9 +16,7 @@
 namespace brickfall::cli {
 namespace {
 
-bool looksLikePath(const std::string& text) {
-  return text.find('/') != std::string::npos || text.ends_with(".toml");
-}
+bool looksLikePath(const std::string& text) { return text.find('/') != std::string::npos || text.ends_with(".toml"); }
 
 std::string unknownScene(const std::string& name) {
   std::vector<std::string> names;
@@ -46,7 +44,8 @@ SceneChoice chooseScene(const std::string& nameOrPath, const Overrides& override
   const bool folder = std::filesystem::is_directory(choice.path, ignored);
   if (folder || access(choice.path.c_str(), R_OK) != 0) {
     choice.exitCode = kFileError;
-    choice.problem = fmt::format("cannot read scene file '{}': {}", choice.path, std::strerror(folder ? EISDIR : errno));
+    choice.problem =
+        fmt::format("cannot read scene file '{}': {}", choice.path, std::strerror(folder ? EISDIR : errno));
     return choice;
   }
   SceneLoad load = loadSceneFile(choice.path, overrides);

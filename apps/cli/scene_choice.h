@@ -8,8 +8,8 @@
 namespace brickfall::cli {
 
 struct SceneChoice {
-  int exitCode = 0;               // of commands.h; not 0: why is in `problem` or was among the diagnostics
-  std::string problem;            // why no file was read
+  int exitCode = 0;     // of commands.h; not 0: why is in `problem` or was among the diagnostics
+  std::string problem;  // why no file was read
   std::string path;
   std::vector<Diagnostic> diagnostics;
   std::optional<SceneDescription> scene;

@@ -11,7 +11,7 @@ struct Summary {
   std::string scene;
   std::uint64_t seed = 0;
   std::uint64_t stateHash = 0;
-  double timeStep = 0;          // s
+  double timeStep = 0;  // s
   int threads = 1;
   double wallClockSeconds = 0;
   RunFigures figures;

@@ -9,10 +9,14 @@ namespace {
 
 TakeRole roleOf(BodyRole role) {
   switch (role) {
-    case BodyRole::ground: return TakeRole::ground;
-    case BodyRole::brick: return TakeRole::brick;
-    case BodyRole::ball: return TakeRole::ball;
-    case BodyRole::body: break;
+    case BodyRole::ground:
+      return TakeRole::ground;
+    case BodyRole::brick:
+      return TakeRole::brick;
+    case BodyRole::ball:
+      return TakeRole::ball;
+    case BodyRole::body:
+      break;
   }
   return TakeRole::body;
 }
@@ -29,7 +33,8 @@ TakeHeader headerOf(const SceneRun& run, double framesPerSecond) {
     // Of a body that is still held the world knows no mass: its own is that of its shapes.
     const Result<MassProperties> mass = run.world().massProperties(body.id);
     const bool moves = body.def.type == BodyType::dynamic;
-    header.bodies.push_back({body.name, roleOf(body.role), body.colour, moves && mass ? mass->mass : 0, body.def.shapes});
+    header.bodies.push_back(
+        {body.name, roleOf(body.role), body.colour, moves && mass ? mass->mass : 0, body.def.shapes});
   }
   for (const SceneCamera& camera : scene.cameras)
     header.cameras.push_back({camera.name, camera.position, camera.target, camera.fieldOfViewDegrees});

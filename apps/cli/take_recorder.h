@@ -25,10 +25,10 @@ class TakeRecorder {
 
   TakeWriter writer_;
   double framesPerSecond_;
-  double nextFrame_ = 1;             // number of the frame that is due next
-  std::vector<int> placeByIndex_;    // by BodyId::index
-  std::vector<std::size_t> held_;    // places of bodies not yet launched
-  std::vector<TakeEvent> events_;    // since the last frame
+  double nextFrame_ = 1;           // number of the frame that is due next
+  std::vector<int> placeByIndex_;  // by BodyId::index
+  std::vector<std::size_t> held_;  // places of bodies not yet launched
+  std::vector<TakeEvent> events_;  // since the last frame
 };
 
 }  // namespace brickfall::cli

@@ -40,7 +40,8 @@ int main() {
       return 1;
     }
     for (const HitEvent& hit : world.events().hits)
-      std::printf("%.2f s: hits the ground at %.2f m/s, impulse %.1f N s\n", report->time, hit.approachSpeed, hit.impulse);
+      std::printf("%.2f s: hits the ground at %.2f m/s, impulse %.1f N s\n", report->time, hit.approachSpeed,
+                  hit.impulse);
     if (i % 30 == 0) std::printf("%.2f s: height %.3f m\n", report->time, world.state(*cubeId)->position.y);
   }
   Result<BodyState> end = world.state(*cubeId);

@@ -1,0 +1,133 @@
+// Arguments and scene files that cannot be used: the exit code and one line that says what was found and expected.
+#include "bad_input/cli/command_fixture.h"
+
+namespace brickfall::test {
+namespace {
+
+class BadArguments : public Command {};
+
+TEST_F(BadArguments, helpAndVersionAreNoErrors) {
+  for (const std::vector<std::string>& arguments : {std::vector<std::string>{"--help"},
+                                                    {"run", "--help"},
+                                                    {"check", "--help"},
+                                                    {"scenes", "--help"},
+                                                    {"replay", "--help"}}) {
+    const Finished help = run(arguments);
+    EXPECT_EQ(help.exitCode, 0);
+    EXPECT_EQ(help.errors, "");
+    EXPECT_NE(help.output.find("Examples:"), std::string::npos) << help.output;
+    EXPECT_NE(help.output.find("Exit codes:"), std::string::npos) << help.output;
+  }
+  const Finished version = run({"--version"});
+  EXPECT_EQ(version.exitCode, 0);
+  EXPECT_EQ(version.output.rfind("brickfall ", 0), 0u) << version.output;
+}
+
+TEST_F(BadArguments, aCommandIsExpected) {
+  const Finished none = run({});
+  EXPECT_EQ(none.exitCode, 2);
+  EXPECT_TRUE(isOneComplaint(none.errors, {"command: found nothing, expected one of: run, check, scenes, replay"}));
+  const Finished typo = run({"rnu", "wall"});
+  EXPECT_EQ(typo.exitCode, 2);
+  EXPECT_TRUE(isOneComplaint(typo.errors, {"command: found \"rnu\"", "did you mean \"run\"?"}));
+  const Finished option = run({"--frobnicate"});
+  EXPECT_EQ(option.exitCode, 2);
+  EXPECT_TRUE(isOneComplaint(option.errors, {"--frobnicate"}));
+}
+
+TEST_F(BadArguments, optionsOfACommand) {
+  const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
+      {{"run"}, "scene is required"},
+      {{"run", "cube", "--frobnicate"}, "--frobnicate"},
+      {{"run", "cube", "--seconds"}, "--seconds"},
+      {{"run", "cube", "--seconds", "nan"}, "--seconds: found \"nan\", expected a number of seconds above 0"},
+      {{"run", "cube", "--seconds", "-1"}, "--seconds: found \"-1\", expected"},
+      {{"run", "cube", "--seconds", "0"}, "--seconds: found \"0\", expected"},
+      {{"run", "cube", "--seconds", "inf"}, "--seconds: found \"inf\", expected"},
+      {{"run", "cube", "--seconds", "1e300"}, "--seconds: found \"1e300\", expected"},
+      {{"run", "cube", "--seconds", "soon"}, "--seconds: found \"soon\", expected"},
+      {{"run", "cube", "--threads", "0"}, "--threads: found \"0\", expected a whole number from 1 to 64"},
+      {{"run", "cube", "--threads", "-3"}, "--threads: found \"-3\", expected"},
+      {{"run", "cube", "--threads", "1000"}, "--threads: found \"1000\", expected"},
+      {{"run", "cube", "--threads", "2.5"}, "--threads: found \"2.5\", expected"},
+      {{"run", "cube", "--set", "seconds"}, "--set: found \"seconds\", expected KEY=VALUE"},
+      {{"run", "cube", "--set", "=3"}, "--set: found \"=3\", expected KEY=VALUE"},
+      {{"check"}, "file is required"},
+      {{"replay"}, "take is required"},
+      {{"scenes", "cube"}, "cube"},
+  };
+  for (const auto& [arguments, expected] : cases) {
+    const Finished refused = run(arguments);
+    EXPECT_EQ(refused.exitCode, 2) << expected;
+    EXPECT_TRUE(isOneComplaint(refused.errors, {expected}));
+    EXPECT_EQ(refused.output, "");
+    EXPECT_FALSE(exists("out")) << "nothing may be made before the arguments are known to be good";
+  }
+}
+
+TEST_F(BadArguments, unknownSceneNamesTheNearest) {
+  for (const char* command : {"run", "check"}) {
+    const Finished refused = run({command, "cubee"});
+    EXPECT_EQ(refused.exitCode, 2);
+    EXPECT_TRUE(isOneComplaint(refused.errors, {"scene: found \"cubee\"", "one of: ", "did you mean \"cube\"?"}));
+  }
+  EXPECT_EQ(run({"run", ""}).exitCode, 2);
+}
+
+TEST_F(BadArguments, missingAndUnreadableFiles) {
+  std::filesystem::create_directory(folder_ / "folder.toml");
+  for (const char* command : {"run", "check"}) {
+    const Finished missing = run({command, "no/such.toml"});
+    EXPECT_EQ(missing.exitCode, 3);
+    EXPECT_TRUE(isOneComplaint(missing.errors, {"'no/such.toml'", "No such file"}));
+    const Finished folder = run({command, "folder.toml"});
+    EXPECT_EQ(folder.exitCode, 3);
+    EXPECT_TRUE(isOneComplaint(folder.errors, {"'folder.toml'", "Is a directory"}));
+  }
+  const Finished take = run({"replay", "no.take"});
+  EXPECT_EQ(take.exitCode, 3);
+  EXPECT_TRUE(isOneComplaint(take.errors, {"no.take"}));
+}
+
+TEST_F(BadArguments, controlCharactersOfNamesAreNotShown) {
+  const Finished refused = run({"run", "no\nsuch\x1b[31m/scene.toml"});
+  EXPECT_EQ(refused.exitCode, 3);
+  EXPECT_TRUE(isOneComplaint(refused.errors, {"no?such?[31m"}));
+}
+
+TEST_F(BadArguments, mistakesOfASceneFileEndARunBeforeItStarts) {
+  write("bad.toml", "this is = = not toml\n");
+  for (const char* command : {"run", "check"}) {
+    const Finished refused = run({command, "bad.toml"});
+    EXPECT_EQ(refused.exitCode, 2);
+    EXPECT_NE(refused.errors.find("bad.toml:1:"), std::string::npos) << refused.errors;
+    EXPECT_FALSE(exists("out"));
+  }
+  write("empty.toml", "");
+  write("noise.toml", std::string("\x00\xff\xfe\x80", 4));
+  EXPECT_EQ(run({"check", "noise.toml"}).exitCode, 2);
+  const Finished setting = run({"run", "cube", "--set", "no.such.key=1"});
+  EXPECT_EQ(setting.exitCode, 2);
+  EXPECT_NE(setting.errors.find("no"), std::string::npos);
+}
+
+TEST_F(BadArguments, checkLooksAtEveryFile) {
+  write("bad.toml", "= 1\n");
+  const Finished both = run({"check", "bad.toml", "cube", "missing.toml"});
+  EXPECT_EQ(both.exitCode, 3) << "the gravest counts";
+  EXPECT_NE(both.errors.find("bad.toml"), std::string::npos);
+  EXPECT_NE(both.errors.find("missing.toml"), std::string::npos);
+  EXPECT_NE(both.output.find("cube"), std::string::npos);
+}
+
+TEST_F(BadArguments, shippedScenesAreListedAndFine) {
+  const Finished list = run({"scenes"});
+  EXPECT_EQ(list.exitCode, 0);
+  for (const char* name : {"cube", "wall", "hole", "house"})
+    EXPECT_NE(list.output.find(std::string(name) + " "), std::string::npos) << list.output;
+  const Finished checked = run({"check", "cube", "wall", "hole", "house"});
+  EXPECT_EQ(checked.exitCode, 0) << checked.errors;
+}
+
+}  // namespace
+}  // namespace brickfall::test

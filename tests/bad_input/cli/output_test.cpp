@@ -1,0 +1,172 @@
+// Where results cannot go, or what a run leaves when all is well.
+#include <nlohmann/json.hpp>
+
+#include "bad_input/cli/command_fixture.h"
+
+namespace brickfall::test {
+namespace {
+
+using nlohmann::json;
+
+class Outputs : public Command {};
+
+TEST_F(Outputs, aRunLeavesAllItsFiles) {
+  const Finished done = run({"run", "cube", "--seconds", "0.5", "-o", "made/here"});
+  EXPECT_EQ(done.exitCode, 0) << done.errors;
+  EXPECT_EQ(done.errors, "");
+  for (const char* name : {"replay.html", "cube.glb", "summary.json", "cube.take"}) {
+    EXPECT_TRUE(exists(std::string("made/here/") + name)) << name;
+    EXPECT_NE(done.output.find(std::string("made/here/") + name), std::string::npos) << "not said: " << name;
+  }
+  EXPECT_EQ(done.output.find('\r'), std::string::npos) << "no moving line where there is no terminal";
+
+  const json summary = json::parse(read("made/here/summary.json"));
+  for (const char* key : {"scene",
+                          "version",
+                          "seed",
+                          "state_hash",
+                          "bodies",
+                          "bricks",
+                          "steps",
+                          "dt_s",
+                          "simulated_s",
+                          "wall_clock_s",
+                          "step_ms",
+                          "stage_ms",
+                          "realtime_factor",
+                          "threads",
+                          "displacement_max_m",
+                          "bricks_moved_50mm",
+                          "sag_max_m",
+                          "creep_max_m",
+                          "penetration_max_m",
+                          "penetration_mean_m",
+                          "kinetic_energy_max_j",
+                          "kinetic_energy_end_j",
+                          "energy_ratio_max",
+                          "contacts_mean",
+                          "asleep_end",
+                          "quarantined"})
+    EXPECT_TRUE(summary.contains(key)) << key;
+  EXPECT_EQ(summary.size(), 26u);
+  EXPECT_EQ(summary["scene"], "cube");
+  EXPECT_NEAR(summary["simulated_s"].get<double>(), 0.5, 1e-6);
+  EXPECT_NEAR(summary["steps"].get<double>() * summary["dt_s"].get<double>(), 0.5, 1e-6);
+  EXPECT_EQ(summary["state_hash"].get<std::string>().size(), 16u);
+  EXPECT_EQ(summary["quarantined"], 0);
+  EXPECT_GT(summary["displacement_max_m"].get<double>(), 0.1) << "the cube falls";
+}
+
+TEST_F(Outputs, sameSceneSameBits) {
+  ASSERT_EQ(run({"run", "cube", "--seconds", "1", "-o", "a", "--quiet", "--no-html", "--no-glb"}).exitCode, 0);
+  ASSERT_EQ(
+      run({"run", "cube", "--seconds", "1", "-o", "b", "--quiet", "--no-html", "--no-glb", "--threads", "2"}).exitCode,
+      0);
+  const json a = json::parse(read("a/summary.json")), b = json::parse(read("b/summary.json"));
+  EXPECT_EQ(a["state_hash"], b["state_hash"]);
+  EXPECT_EQ(b["threads"], 2);
+}
+
+TEST_F(Outputs, switchesLeaveOutputsOut) {
+  const Finished done = run({"run", "cube", "--seconds", "0.2", "--quiet", "--no-html", "--no-glb"});
+  EXPECT_EQ(done.exitCode, 0) << done.errors;
+  EXPECT_EQ(done.output, "");
+  EXPECT_TRUE(exists("out/cube/summary.json"));
+  EXPECT_TRUE(exists("out/cube/cube.take"));
+  EXPECT_FALSE(exists("out/cube/replay.html"));
+  EXPECT_FALSE(exists("out/cube/cube.glb"));
+}
+
+TEST_F(Outputs, aFileIsInTheWayOfTheFolder) {
+  write("taken", "precious");
+  for (const char* folder : {"taken", "taken/below"}) {
+    const Finished refused = run({"run", "cube", "-o", folder});
+    EXPECT_EQ(refused.exitCode, 3);
+    EXPECT_TRUE(isOneComplaint(refused.errors, {"'taken' is a file"}));
+  }
+  EXPECT_EQ(read("taken"), "precious");
+}
+
+// The kernel refuses even root in /proc.
+TEST_F(Outputs, folderThatCannotBeMade) {
+  const Finished refused = run({"run", "cube", "-o", "/proc/brickfall"});
+  EXPECT_EQ(refused.exitCode, 3);
+  EXPECT_TRUE(isOneComplaint(refused.errors, {"/proc/brickfall"}));
+}
+
+TEST_F(Outputs, folderThatCannotBeWrittenInto) {
+  using std::filesystem::perms;
+  std::filesystem::create_directory(folder_ / "locked");
+  std::filesystem::permissions(folder_ / "locked",
+                               perms::owner_read | perms::owner_exec | perms::others_read | perms::others_exec);
+  ProcessOptions options;
+  options.asNobody = true;
+  const Finished refused = run({"run", "cube", "-o", "locked"}, options);
+  if (refused.exitCode > 100) GTEST_SKIP() << "the build folder is closed to others than root";
+  EXPECT_EQ(refused.exitCode, 3);
+  EXPECT_TRUE(isOneComplaint(refused.errors, {"'locked'", "Permission denied"}));
+}
+
+TEST_F(Outputs, aFolderInTheWayOfAFile) {
+  for (const char* name : {"out/cube.take", "out/summary.json", "out/replay.html", "out/cube.glb"}) {
+    std::filesystem::remove_all(folder_ / "out");
+    std::filesystem::create_directories(folder_ / name / "inside");
+    const Finished refused = run({"run", "cube", "--seconds", "0.1", "-o", "out"});
+    EXPECT_EQ(refused.exitCode, 3) << name;
+    EXPECT_TRUE(isOneComplaint(refused.errors, {std::filesystem::path(name).filename().string()}));
+    EXPECT_TRUE(exists(std::string(name) + "/inside"));
+  }
+}
+
+TEST_F(Outputs, aReaderThatLeavesDoesNotEndTheRun) {
+  ProcessOptions options;
+  options.closedPipe = true;
+  const Finished done = run({"run", "cube", "--seconds", "0.2"}, options);
+  EXPECT_EQ(done.exitCode, 0) << done.signal << done.errors;
+  EXPECT_EQ(done.errors, "");
+  EXPECT_TRUE(exists("out/cube/summary.json"));
+  EXPECT_EQ(run({"scenes"}, options).exitCode, 0);
+}
+
+TEST_F(Outputs, aFullDiskUnderStandardOutputIsSaid) {
+  ProcessOptions options;
+  options.outputPath = "/dev/full";
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"scenes"}, {"--help"}, {"check", "cube"}}) {
+    const Finished refused = run(arguments, options);
+    EXPECT_EQ(refused.exitCode, 3) << arguments[0];
+    EXPECT_TRUE(isOneComplaint(refused.errors, {"standard output", "No space left"}));
+  }
+}
+
+TEST_F(Outputs, replayMakesTheSameAgain) {
+  ASSERT_EQ(run({"run", "cube", "--seconds", "0.5", "-o", "a", "--quiet"}).exitCode, 0);
+  const Finished again = run({"replay", "a/cube.take", "-o", "b"});
+  EXPECT_EQ(again.exitCode, 0) << again.errors;
+  for (const char* name : {"replay.html", "cube.glb", "summary.json"})
+    EXPECT_EQ(read(std::string("a/") + name), read(std::string("b/") + name)) << name;
+}
+
+TEST_F(Outputs, replayOfACutTakeSaysSo) {
+  ASSERT_EQ(run({"run", "cube", "--seconds", "1", "-o", "a", "--quiet", "--no-html", "--no-glb"}).exitCode, 0);
+  const std::string whole = read("a/cube.take");
+  write("cut.take", whole.substr(0, whole.size() * 3 / 5));
+  const Finished again = run({"replay", "cut.take", "-o", "b"});
+  EXPECT_EQ(again.exitCode, 0) << again.errors;
+  EXPECT_TRUE(isOneComplaint(again.errors, {"cut.take", "cut off"}));
+  EXPECT_TRUE(exists("b/replay.html"));
+  EXPECT_FALSE(exists("b/summary.json"));
+}
+
+TEST_F(Outputs, replayRefusesWhatIsNoTake) {
+  write("empty.take", "");
+  write("noise.take", std::string(1000, '\x5a'));
+  for (const char* name : {"empty.take", "noise.take", "."}) {
+    const Finished refused = run({"replay", name});
+    EXPECT_EQ(refused.exitCode, 3) << name;
+    EXPECT_TRUE(isOneComplaint(refused.errors, {name}));
+  }
+}
+
+}  // namespace
+}  // namespace brickfall::test

@@ -1,0 +1,89 @@
+#include "bad_input/cli/process.h"
+
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+
+namespace brickfall::test {
+namespace fs = std::filesystem;
+namespace {
+
+std::string contentOf(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+void redirect(int descriptor, const std::string& path) {
+  const int file = open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
+  if (file < 0 || dup2(file, descriptor) < 0) _exit(126);
+  close(file);
+}
+
+void redirectToClosedPipe() {
+  int ends[2];
+  if (pipe(ends) != 0) _exit(126);
+  close(ends[0]);
+  dup2(ends[1], STDOUT_FILENO);
+  close(ends[1]);
+}
+
+}  // namespace
+
+Process::Process(const fs::path& folder, const std::vector<std::string>& arguments, const ProcessOptions& options)
+    : folder_(folder) {
+  std::vector<std::string> words = {BRICKFALL_COMMAND};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<char*> pointers;
+  for (std::string& word : words) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+
+  child_ = fork();
+  if (child_ != 0) return;
+  if (chdir(folder_.c_str()) != 0) _exit(126);
+  if (options.closedPipe)
+    redirectToClosedPipe();
+  else
+    redirect(STDOUT_FILENO, options.outputPath.empty() ? (folder_ / "stdout.txt").string() : options.outputPath);
+  redirect(STDERR_FILENO, (folder_ / "stderr.txt").string());
+  std::signal(SIGPIPE, SIG_DFL);
+  constexpr uid_t kNobody = 65534;
+  if (options.asNobody && geteuid() == 0 && setuid(kNobody) != 0) _exit(126);
+  execv(pointers[0], pointers.data());
+  _exit(127);
+}
+
+Process::~Process() {
+  if (child_ <= 0 || ended_) return;
+  kill(child_, SIGKILL);
+  waitpid(child_, &status_, 0);
+}
+
+void Process::send(int signal) {
+  if (child_ > 0 && running()) kill(child_, signal);
+}
+
+bool Process::running() {
+  if (!ended_) ended_ = waitpid(child_, &status_, WNOHANG) == child_;
+  return !ended_;
+}
+
+Finished Process::finish() {
+  if (!ended_) ended_ = waitpid(child_, &status_, 0) == child_;
+  Finished result;
+  if (WIFEXITED(status_)) result.exitCode = WEXITSTATUS(status_);
+  if (WIFSIGNALED(status_)) result.signal = WTERMSIG(status_);
+  result.output = contentOf(folder_ / "stdout.txt");
+  result.errors = contentOf(folder_ / "stderr.txt");
+  return result;
+}
+
+Finished runCommand(const fs::path& folder, const std::vector<std::string>& arguments, const ProcessOptions& options) {
+  return Process(folder, arguments, options).finish();
+}
+
+}  // namespace brickfall::test

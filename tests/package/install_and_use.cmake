@@ -1,0 +1,24 @@
+# Installs into an empty folder, builds examples/falling_cube against it, runs that and the installed command.
+function(must)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  if(NOT result EQUAL 0)
+    message(FATAL_ERROR "failed (${result}): ${ARGN}\n${output}")
+  endif()
+  set(output "${output}" PARENT_SCOPE)
+endfunction()
+
+file(REMOVE_RECURSE ${WORK_DIR})
+must(${CMAKE_COMMAND} --install ${BUILD_DIR} --prefix ${WORK_DIR}/prefix)
+must(${CMAKE_COMMAND} -S ${SOURCE_DIR}/examples/falling_cube -B ${WORK_DIR}/example -G ${GENERATOR}
+  -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER=${CXX} -DCMAKE_PREFIX_PATH=${WORK_DIR}/prefix)
+must(${CMAKE_COMMAND} --build ${WORK_DIR}/example)
+must(${WORK_DIR}/example/falling_cube)
+if(NOT output MATCHES "at rest at height 0\\.[01]")
+  message(FATAL_ERROR "the example ran, but said: ${output}")
+endif()
+
+# The installed command finds the installed scenes, not those of the source tree.
+must(${CMAKE_COMMAND} -E env --unset=BRICKFALL_SCENES ${WORK_DIR}/prefix/bin/brickfall check wall)
+if(NOT output MATCHES "prefix/.*wall\\.toml")
+  message(FATAL_ERROR "checked another scene file than the installed one: ${output}")
+endif()
