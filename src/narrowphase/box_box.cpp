@@ -150,17 +150,24 @@ struct ClipCorner {
   int before, after;
 };
 
+double towards(int label, const ClipCorner& corner) {
+  double x = label < 6 ? corner.u : corner.v;
+  return label & 1 ? -x : x;
+}
+
+bool anyBeyond(const ClipCorner* corners, int count, int label, double limit) {
+  for (int i = 0; i < count; i++)
+    if (towards(label, corners[i]) > limit) return true;
+  return false;
+}
+
 // Cuts what is beyond `limit` on one side. `label` is the side's; in: <= 8 corners, out: one more at most.
 int cutSide(const ClipCorner* from, int count, ClipCorner* to, int label, double limit, double slack) {
-  auto beyond = [&](const ClipCorner& corner) {
-    double x = label < 6 ? corner.u : corner.v;
-    return (label & 1 ? -x : x) - limit;
-  };
   int kept = 0;
   for (int i = 0; i < count; i++) {
     const ClipCorner& c = from[i];
     const ClipCorner& next = from[i + 1 == count ? 0 : i + 1];
-    double dc = beyond(c), dn = beyond(next);
+    double dc = towards(label, c) - limit, dn = towards(label, next) - limit;
     bool inside = dc <= slack, nextInside = dn <= slack;
     if (inside) to[kept++] = c;
     if (inside == nextInside) continue;
@@ -250,7 +257,9 @@ void clipFace(const BoxPair& p, int axisIndex, double margin, FaceContact& face)
   }
   int count = 4, current = 0;
   for (int label = 4; label < 8 && count > 0; label++) {
-    count = cutSide(corners[current], count, corners[current ^ 1], label, label < 6 ? ref[u] : ref[v], p.tolerance.slack);
+    double limit = label < 6 ? ref[u] : ref[v];
+    if (!anyBeyond(corners[current], count, label, limit + p.tolerance.slack)) continue;
+    count = cutSide(corners[current], count, corners[current ^ 1], label, limit, p.tolerance.slack);
     current ^= 1;
   }
   for (int k = 0; k < count; k++) {

@@ -125,7 +125,7 @@ void collideCapsuleHull(const Shape& capsule, const Shape& b, const Transform& b
   Quat back = conjugate(bInA.rotation);
   Vec3 half = rotate(back, Vec3{0, capsule.halfHeight, 0});
   Segment segment{-rotate(back, bInA.position) - half, half * 2.0};
-  ContactTolerances tolerance = contactTolerances(std::min(capsule.radius, innerRadius(hull)));
+  ContactTolerances tolerance = contactTolerances(std::min(capsule.radius, hull.innerRadius));
 
   CapsuleAxis axis = bestFaceAxis(hull, segment, tolerance.face);
   if (!(axis.distance - capsule.radius <= margin)) return;

@@ -136,8 +136,7 @@ void cornerContact(const HullView& ref, const HullView& inc, bool refIsA, const 
 void collideHullHull(const Shape& shapeA, const Shape& shapeB, const Transform& bInA, double margin, Manifold& out) {
   HullStorage storageA, storageB;
   HullView a = viewOf(shapeA, storageA), b = viewOf(shapeB, bInA, storageB);
-  double radiusA = innerRadius(a), radiusB = innerRadius(b);
-  ContactTolerances tolerance = contactTolerances(radiusA < radiusB ? radiusA : radiusB);
+  ContactTolerances tolerance = contactTolerances(a.innerRadius < b.innerRadius ? a.innerRadius : b.innerRadius);
 
   bool touchAlongLine = false;
   FaceQuery faceA = queryFaces(a, b, margin, tolerance, touchAlongLine);

@@ -11,6 +11,27 @@ namespace {
 constexpr double kParallel2 = 1e-8;
 constexpr double kClearlyDifferent = 0.5;
 
+// Whether scaled / sqrt(length2) may be over `best`, without the root. Anything positive may: it could separate.
+bool mayBeat(double scaled, double length2, double best) {
+  return scaled > 0 || (best < 0 && scaled * scaled <= best * best * length2);
+}
+
+// Edges (their even half edge) that can carry an axis better than `toBeat`. Along an axis n of separation s the other
+// hull's centroid lies at least s + its inner radius above the edge, so if that is positive, it is above one of the edge's
+// two faces: any n between their normals is a sum of the two with positive weights. Leaves out the far side of both hulls,
+// three pairs of four or more.
+int facingEdges(const HullView& hull, const HullView& other, double toBeat, std::uint16_t* out) {
+  int count = 0;
+  bool all = toBeat + other.innerRadius < 0;
+  for (int e = 0; e < hull.edgeCount; e += 2) {
+    Vec3 towards = other.centroid - hull.vertices[hull.edges[e].origin];
+    if (all || dot(hull.planes[hull.edges[e].face].normal, towards) > 0 ||
+        dot(hull.planes[hull.edges[e + 1].face].normal, towards) > 0)
+      out[count++] = std::uint16_t(e);
+  }
+  return count;
+}
+
 }  // namespace
 
 FaceQuery queryFaces(const HullView& hull, const HullView& other, double margin, const ContactTolerances& tolerances,
@@ -36,28 +57,32 @@ FaceQuery queryFaces(const HullView& hull, const HullView& other, double margin,
 EdgeQuery queryEdges(const HullView& a, const HullView& b, double margin, double toBeat) {
   EdgeQuery best;
   best.separation = toBeat;
-  for (int ea = 0; ea < a.edgeCount; ea += 2) {
+  std::uint16_t facingB[kMaxHullEdges], facingA[kMaxHullEdges];
+  int countA = facingEdges(a, b, toBeat, facingB), countB = facingEdges(b, a, toBeat, facingA);
+  double side[kMaxHullFaces];  // of each face normal of b, seen along the edge of a
+  for (int i = 0; i < countA; i++) {
+    int ea = facingB[i];
     Vec3 pa = a.vertices[a.edges[ea].origin], da = a.vertices[a.edges[ea + 1].origin] - pa;
     Vec3 n1 = a.planes[a.edges[ea].face].normal, n2 = a.planes[a.edges[ea + 1].face].normal;
-    double da2 = lengthSquared(da);
-    for (int eb = 0; eb < b.edgeCount; eb += 2) {
-      // The arc of b, turned inside out, is m1 m2; da and db stand in for the cross products of the arcs' ends.
-      Vec3 m1 = -b.planes[b.edges[eb].face].normal, m2 = -b.planes[b.edges[eb + 1].face].normal;
-      double side1 = dot(m1, da), side2 = dot(m2, da);
-      if (side1 * side2 >= 0) continue;
+    for (int f = 0; f < b.faceCount; f++) side[f] = dot(b.planes[f].normal, da);
+    for (int k = 0; k < countB; k++) {
+      int eb = facingA[k];
+      // The arc of b, turned inside out, against the circle of a's arc, and the other way round. da and db stand in for the
+      // cross products of the arcs' ends.
+      int f1 = b.edges[eb].face, f2 = b.edges[eb + 1].face;
+      if (side[f1] * side[f2] >= 0) continue;
       Vec3 pb = b.vertices[b.edges[eb].origin], db = b.vertices[b.edges[eb + 1].origin] - pb;
-      double side3 = dot(n1, db), side4 = dot(n2, db);
-      if (side3 * side4 >= 0) continue;
+      if (dot(n1, db) * dot(n2, db) >= 0) continue;
       Vec3 axis = cross(da, db);
-      double length2 = lengthSquared(axis);
-      if (length2 < kParallel2 * da2 * lengthSquared(db)) continue;
-      axis *= 1 / std::sqrt(length2);
-      double outA = dot(axis, n1 + n2), outB = dot(axis, m1 + m2);
-      if (outA * outB <= 0) continue;  // the arcs' circles cross, the arcs do not
+      double outA = dot(axis, n1 + n2), outB = -dot(axis, b.planes[f1].normal + b.planes[f2].normal);
+      if (outA * outB <= 0) continue;  // the circles cross, the arcs do not
       if (outA < 0) axis = -axis;
-      double separation = dot(axis, pb - pa);
-      if (separation > margin) return {separation, ea, eb, axis};
-      if (separation > best.separation) best = {separation, ea, eb, axis};
+      double scaled = dot(axis, pb - pa), length2 = lengthSquared(axis);
+      if (!mayBeat(scaled, length2, best.separation)) continue;
+      if (length2 < kParallel2 * lengthSquared(da) * lengthSquared(db)) continue;
+      double inverseLength = 1 / std::sqrt(length2), separation = scaled * inverseLength;
+      if (separation > margin) return {separation, ea, eb, axis * inverseLength};
+      if (separation > best.separation) best = {separation, ea, eb, axis * inverseLength};
     }
   }
   return best;

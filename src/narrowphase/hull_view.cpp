@@ -48,6 +48,11 @@ HullView viewOf(const Shape& shape, HullStorage& storage) {
     view.faceCount = int(hull.planes.size());
     view.edgeCount = int(hull.edges.size());
     view.centroid = hull.centroid;
+    view.innerRadius = 1e30;
+    for (const HullPlane& plane : hull.planes) {
+      double depth = plane.offset - dot(plane.normal, hull.centroid);
+      if (depth < view.innerRadius) view.innerRadius = depth;
+    }
     return view;
   }
   Vec3 h = shape.halfExtents;
@@ -64,6 +69,7 @@ HullView viewOf(const Shape& shape, HullStorage& storage) {
   view.vertexCount = 8;
   view.faceCount = 6;
   view.edgeCount = 24;
+  view.innerRadius = h.x < h.y ? (h.x < h.z ? h.x : h.z) : (h.y < h.z ? h.y : h.z);
   return view;
 }
 
@@ -89,15 +95,6 @@ int supportVertex(const HullView& hull, Vec3 direction) {
     if (along > furthest) furthest = along, best = i;
   }
   return best;
-}
-
-double innerRadius(const HullView& hull) {
-  double radius = 1e30;
-  for (int f = 0; f < hull.faceCount; f++) {
-    double depth = hull.planes[f].offset - dot(hull.planes[f].normal, hull.centroid);
-    if (depth < radius) radius = depth;
-  }
-  return radius;
 }
 
 int faceAround(const HullView& hull, int vertex, Vec3 direction) {

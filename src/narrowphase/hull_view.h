@@ -8,6 +8,7 @@
 namespace brickfall {
 
 constexpr int kMaxHullFaces = 2 * kMaxHullVertices - 4;
+constexpr int kMaxHullEdges = 3 * kMaxHullVertices - 6;  // pairs of half edges
 
 struct HullView {
   const Vec3* vertices = nullptr;
@@ -16,6 +17,7 @@ struct HullView {
   const HullEdge* edges = nullptr;
   int vertexCount = 0, faceCount = 0, edgeCount = 0;
   Vec3 centroid;
+  double innerRadius = 0;  // distance of the centroid from the nearest face, m
 };
 
 // Room for the moved corners and planes.
@@ -31,8 +33,6 @@ HullView viewOf(const Shape& shape, const Transform& pose, HullStorage& storage)
 
 // Furthest corner along a direction; of equals the first.
 int supportVertex(const HullView& hull, Vec3 direction);
-// Distance of the centroid from the nearest face, m.
-double innerRadius(const HullView& hull);
 // Of the faces around a corner the one that looks along `direction` most.
 int faceAround(const HullView& hull, int vertex, Vec3 direction);
 

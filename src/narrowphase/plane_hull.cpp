@@ -25,7 +25,7 @@ void collidePlaneHull(const Shape&, const Shape& hullShape, const Transform& bIn
     if (p.y <= margin) patch[count++] = {p.x, p.z, p.y, cornerOfB(vertex)};
     e = hull.edges[e].next;
   } while (e != hull.firstEdge[face]);
-  count = reducePatch(patch, count, contactTolerances(innerRadius(hull)));
+  count = reducePatch(patch, count, contactTolerances(hull.innerRadius));
 
   out.normal = {0, 1, 0};
   out.count = count;
