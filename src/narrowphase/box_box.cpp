@@ -55,21 +55,25 @@ struct FaceAxis {
   int index = -1;  // 0..2 faces of a, 3..5 faces of b
 };
 
-// False if a face axis separates the two by more than the margin, or if they meet only along an edge: when two faces of one
-// box both just touch, the patch has no width (a brick and its diagonal neighbour). Such a line carries nothing, and which
-// of the two normals it would get is decided by rounding; sideways would be harmful.
+// False if a face axis separates the two by more than the margin, or if they meet only along an edge: when the other box
+// just touches the plane of one face and is beyond, or just touches, that of a second, the patch has no width (a brick and
+// its diagonal neighbour). Such a line carries nothing, and which of the two normals it would get is decided by rounding;
+// sideways would be harmful.
 // `other`: the best of the other box.
 bool testFaces(const BoxPair& p, double margin, FaceAxis& best, FaceAxis& other) {
   double sa[3], sb[3];
-  int touchingA = 0, touchingB = 0;
+  int outA = 0, outB = 0;         // faces that the other box does not reach over
+  bool justA = false, justB = false;  // ... and one of them by rounding only
   for (int i = 0; i < 3; i++) {
     sa[i] = std::fabs(p.t[i]) - p.a[i] - (p.b[0] * p.q[i][0] + p.b[1] * p.q[i][1] + p.b[2] * p.q[i][2]);
     sb[i] = std::fabs(p.s[i]) - p.b[i] - (p.a[0] * p.q[0][i] + p.a[1] * p.q[1][i] + p.a[2] * p.q[2][i]);
     if (!(sa[i] <= margin) || !(sb[i] <= margin)) return false;
-    touchingA += sa[i] > -p.tolerance.slack;
-    touchingB += sb[i] > -p.tolerance.slack;
+    outA += sa[i] > -p.tolerance.slack;
+    outB += sb[i] > -p.tolerance.slack;
+    justA = justA || std::fabs(sa[i]) <= p.tolerance.slack;
+    justB = justB || std::fabs(sb[i]) <= p.tolerance.slack;
   }
-  if (touchingA > 1 || touchingB > 1) return false;
+  if ((outA > 1 && justA) || (outB > 1 && justB)) return false;
   FaceAxis ofA, ofB;
   for (int i = 0; i < 3; i++) {
     if (sa[i] > ofA.separation + p.tolerance.face) ofA = {sa[i], i};

@@ -38,7 +38,8 @@ FaceQuery queryFaces(const HullView& hull, const HullView& other, double margin,
                      bool& touchAlongLine) {
   FaceQuery best;
   constexpr int kRemembered = 4;
-  int touching[kRemembered], touchingCount = 0;
+  FaceQuery out[kRemembered];  // faces that the other hull does not reach over
+  int outCount = 0;
   for (int f = 0; f < hull.faceCount; f++) {
     const HullPlane& plane = hull.planes[f];
     int vertex = supportVertex(other, -plane.normal);
@@ -46,9 +47,11 @@ FaceQuery queryFaces(const HullView& hull, const HullView& other, double margin,
     if (!(separation <= margin)) return {separation, f, vertex};
     if (separation > best.separation + tolerances.face) best = {separation, f, vertex};
     if (separation > -tolerances.slack) {
-      for (int k = 0; k < touchingCount; k++)
-        if (dot(hull.planes[touching[k]].normal, plane.normal) < kClearlyDifferent) touchAlongLine = true;
-      if (touchingCount < kRemembered) touching[touchingCount++] = f;
+      for (int k = 0; k < outCount; k++) {
+        bool just = separation <= tolerances.slack || out[k].separation <= tolerances.slack;
+        if (just && dot(hull.planes[out[k].face].normal, plane.normal) < kClearlyDifferent) touchAlongLine = true;
+      }
+      if (outCount < kRemembered) out[outCount++] = {separation, f, vertex};
     }
   }
   return best;

@@ -48,8 +48,9 @@ struct EdgeQuery {
   Vec3 normal;                 // unit, from a to b
 };
 
-// Best face of `hull` against `other` (the first of equals). Stops as soon as one separates by more than `margin`. `touchAlongLine`: two faces
-// that look in clearly different directions both only just touch (within slack), so the contact has no width.
+// Best face of `hull` against `other` (the first of equals). Stops as soon as one separates by more than `margin`.
+// `touchAlongLine`: the other just touches the plane of one face (within slack) and does not reach over that of another
+// that looks in a clearly different direction, so the contact has no width.
 FaceQuery queryFaces(const HullView& hull, const HullView& other, double margin, const ContactTolerances& tolerances,
                      bool& touchAlongLine);
 // Best axis across two edges that is better than `toBeat`; stops at one that separates by more than `margin`.

@@ -154,6 +154,20 @@ TEST(BoxBox, CornerOnFaceTouchesInOnePoint) {
   EXPECT_NEAR(length(m.points[0].onA - Vec3{0.3, 0.1, -0.2}), 0, 1e-12);
 }
 
+// Speculative contact: bricks that fly at each other corner first, still far apart against their size, are seen.
+TEST(BoxBox, CornerFirstApproachIsSeenFromAfar) {
+  Shape cube = boxShape({0.05, 0.05, 0.05});
+  Quat onEdge = quatFromAxisAngle({1, 0, 0}, 0.7853981633974483);
+  Transform lower{{}, onEdge}, upper{{0, 0.2 + 0.1 * std::sqrt(2.0), 0}, quatFromAxisAngle({0, 1, 0}, 1.5707963267948966) * onEdge};
+  Manifold m;
+  collide(cube, cube, inverse(lower) * upper, 0.3, m);
+  ASSERT_EQ(m.count, 1);
+  EXPECT_NEAR(m.points[0].separation, 0.2, 1e-12);
+  // With a head joint of 5 mm a diagonal neighbour is beyond one face and level with another: no contact either.
+  collide(kBrick, kBrick, {{2 * kHalf.x + 0.005, 2 * kHalf.y, 0}, {}}, 0.01, m);
+  EXPECT_EQ(m.count, 0);
+}
+
 // A resting brick that creeps: contact and names follow without a jump.
 TEST(BoxBox, SmallMotionChangesLittle) {
   Random random(31);

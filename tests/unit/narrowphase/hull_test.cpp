@@ -60,6 +60,23 @@ TEST(HullHull, BoxesAsHullsTouchLikeBoxes) {
   EXPECT_GT(agreed, contacts * 8 / 10);  // of more than four points another choice may be as good
 }
 
+TEST(HullHull, DiagonalNeighboursThatShareALineDoNotTouch) {
+  Vec3 h{0.1, 0.03, 0.05};
+  Hull hull = boxHull(h);
+  for (double dx : {-1e-9, 0.0, 1e-9, 0.004})
+    for (double dy : {-1e-9, 0.0, 1e-9}) {
+      Transform pose{{2 * h.x + dx, 2 * h.y + dy, 0}, {}};
+      Manifold m;
+      collide(hullShape(hull), hullShape(hull), pose, 0.01, m);
+      EXPECT_EQ(m.count, 0);
+      collide(boxShape(h), hullShape(hull), pose, 0.01, m);
+      EXPECT_EQ(m.count, 0);
+      pose.position.x -= 0.1;
+      collide(hullShape(hull), hullShape(hull), pose, 0.01, m);
+      EXPECT_EQ(m.count, 4);
+    }
+}
+
 TEST(HullHull, RandomPairsAgainstBruteForce) {
   Random random(11);
   constexpr double kMargin = 0.004;
