@@ -49,7 +49,8 @@ TEST_P(MalformedScene, IsRefusedWithItsReason) {
   EXPECT_GT(parts, 0) << "no expectation beside " << path;
 }
 
-INSTANTIATE_TEST_SUITE_P(Files, MalformedScene, testing::ValuesIn(names()), [](const auto& info) { return info.param; });
+INSTANTIATE_TEST_SUITE_P(Files, MalformedScene, testing::ValuesIn(names()),
+                         [](const auto& file) { return file.param; });
 
 TEST(MalformedScenes, AreManyAndEachExpectationHasItsScene) {
   EXPECT_GE(names().size(), 40u);
@@ -72,8 +73,8 @@ TEST(MalformedScenes, EveryPrefixIsAnswered) {
 
 // One byte changed at a time, to each of a few that matter in TOML.
 TEST(MalformedScenes, EveryChangedByteIsAnswered) {
-  for (const std::string& name : {"openings_meet", "bad_expression", "flat_hull"}) {
-    const std::string text = contentOf(kScenes / (std::string(name) + ".toml"));
+  for (const std::string name : {"openings_meet", "bad_expression", "flat_hull"}) {
+    const std::string text = contentOf(kScenes / (name + ".toml"));
     for (std::size_t at = 0; at < text.size(); at++)
       for (char c : {'[', ']', '"', '=', '\n', '\0', '\xff', '$', '.', '-'}) {
         std::string changed = text;
@@ -82,6 +83,26 @@ TEST(MalformedScenes, EveryChangedByteIsAnswered) {
         EXPECT_TRUE(load.scene.has_value() || !load.diagnostics.empty()) << name << " " << at;
       }
   }
+}
+
+// Nesting that would exhaust the stack of a recursive reader.
+TEST(MalformedScenes, DeepNestingIsAnswered) {
+  const int depth = 200000;
+  std::string dots = "a", quoted = "\"=\"", arrays(depth, '['), digits = "1", tables;
+  for (int i = 0; i < depth; i++) dots += ".a", quoted += ".\"=\"", digits += ".1", tables += "a={";
+  for (const std::string& text : {dots + " = 1\n", "[" + dots + "]\n", quoted + " = 1\n", digits + " = 1\n",
+                                  "a = " + arrays + "\n", tables + "\n"}) {
+    SceneLoad load = parseScene(text, "deep.toml");
+    EXPECT_FALSE(load.scene.has_value());
+    EXPECT_FALSE(load.diagnostics.empty());
+  }
+}
+
+TEST(MalformedScenes, DotsInTextsNumbersAndCommentsAreNoNesting) {
+  std::string text = "# " + std::string(1000, '.') + "\ndescription = \"" + std::string(1000, '.') + "\"\n[[body]]\nshape = \"hull\"\nvertices = [";
+  for (int i = 0; i < 60; i++) text += "[0." + std::to_string(i) + ", " + std::to_string(i % 7) + ".5, 1.5],";
+  SceneLoad load = parseScene(text + "[9.5, 9.5, -9.5]]\n", "dots.toml");
+  EXPECT_TRUE(load.scene.has_value()) << (load.diagnostics.empty() ? "" : format(load.diagnostics[0]));
 }
 
 }  // namespace
