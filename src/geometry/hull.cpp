@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
+#include <functional>
 #include <string>
 
 #include "brickfall/shapes.h"
@@ -18,8 +20,11 @@ namespace {
 constexpr std::size_t kMaxPoints = 4096;
 // Corners this near to a plane, as a share of the size, are on it: a little more than the rounding of 32-bit coordinates,
 // in which most meshes come. If no solid comes out, finer ones are tried.
-constexpr double kFlatness[] = {5e-7, 5e-8, 5e-9};
+constexpr double kFlatness[] = {5e-7, 5e-8, 5e-9, 0};
+constexpr double kOutside = 1e-6;   // how far a point may stick out of the hull that was made of it, as a share of the size
+constexpr double kGoodFit = 1e-12;  // how far corners may be below a face's plane without another look for it, the same
 constexpr double kThinnest = 2e-6;  // thickness, as a share of the size, below which points count as coplanar
+constexpr double kNearest = 1e-7;   // size over distance from the origin below which rounding would show
 
 struct Welded {
   std::vector<Vec3> points;     // as given, without doubles, sorted
@@ -51,6 +56,11 @@ Status checkInput(std::span<const Vec3> points) {
   return {};
 }
 
+GridPoint toGrid(Vec3 p, const Welded& welded) {
+  Vec3 q = (p - welded.middle) * (1 / welded.size) * kGridSteps;
+  return {std::int64_t(std::floor(q.x + 0.5)), std::int64_t(std::floor(q.y + 0.5)), std::int64_t(std::floor(q.z + 0.5))};
+}
+
 Result<Welded> weld(std::span<const Vec3> points) {
   Welded out;
   Vec3 lower = points[0], upper = lower;
@@ -62,14 +72,19 @@ Result<Welded> weld(std::span<const Vec3> points) {
     return Error{ErrorCode::badGeometry, "vertices: found a size of " + text(out.size) +
                                              " m, expected points that differ, between 1e-100 and 1e100 m apart"};
   }
+  Vec3 reach = max(abs(lower), abs(upper));
+  double furthest = std::max({reach.x, reach.y, reach.z});
+  if (!(out.size >= kNearest * furthest)) {
+    return Error{ErrorCode::badGeometry, "vertices: found a solid of " + text(out.size) + " m at " + text(furthest) +
+                                             " m from the origin, where coordinates are too coarse, expected it nearer " +
+                                             "than " + text(out.size / kNearest) + " m"};
+  }
   std::vector<Vec3> sorted(points.begin(), points.end());
   std::sort(sorted.begin(), sorted.end(), [](Vec3 a, Vec3 b) {
     return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z;
   });
   for (Vec3 p : sorted) {
-    Vec3 q = (p - out.middle) * (1 / out.size) * kGridSteps;
-    GridPoint g{std::int64_t(std::floor(q.x + 0.5)), std::int64_t(std::floor(q.y + 0.5)),
-                std::int64_t(std::floor(q.z + 0.5))};
+    GridPoint g = toGrid(p, out);
     bool known = false;
     for (std::size_t k = out.grid.size(); k-- > 0 && g.x - out.grid[k].x <= 1 && !known;) {
       known = std::abs(g.y - out.grid[k].y) <= 1 && std::abs(g.z - out.grid[k].z) <= 1;
@@ -123,30 +138,62 @@ Hull connect(const Welded& welded, const std::vector<std::vector<int>>& faces) {
   return hull;
 }
 
-// Planes through the faces by Newell's method, moved out to the furthest vertex; volume and centroid by the divergence
-// theorem. In units of the size, so that nothing over- or underflows.
-void measure(Hull& hull, Vec3 middle, double size) {
-  auto corner = [&](std::uint16_t e) { return (hull.vertices[hull.edges[e].origin] - middle) * (1 / size); };
-  double sixfold = 0;
+// The plane along a face, moved out to the furthest vertex. The normal is Newell's, from the corners as given or, where a
+// sliver leaves those to chance, from the grid, on which the hull is convex: whichever lies better.
+HullPlane fitPlane(const Hull& hull, const std::vector<Vec3>& onGrid, std::uint16_t start, double size) {
+  HullPlane best;
+  double bestSpread = -1;
+  for (const std::vector<Vec3>& points : {std::cref(hull.vertices), std::cref(onGrid)}) {
+    Vec3 area, origin = points[hull.edges[start].origin];
+    for (std::uint16_t e = hull.edges[start].next; hull.edges[e].next != start; e = hull.edges[e].next) {
+      Vec3 b = points[hull.edges[e].origin] - origin, c = points[hull.edges[hull.edges[e].next].origin] - origin;
+      area += cross(b * (1 / size), c * (1 / size));
+    }
+    HullPlane plane{normalized(area), -1e300};
+    for (Vec3 v : hull.vertices) plane.offset = std::max(plane.offset, dot(plane.normal, v));
+    double spread = 0;
+    std::uint16_t e = start;
+    do {
+      spread = std::max(spread, plane.offset - dot(plane.normal, hull.vertices[hull.edges[e].origin]));
+      e = hull.edges[e].next;
+    } while (e != start);
+    if (bestSpread < 0 || spread < bestSpread) best = plane, bestSpread = spread;
+    if (bestSpread <= kGoodFit * size) break;
+  }
+  return best;
+}
+
+// Planes, and volume and centroid by the divergence theorem; in units of the size, so that nothing over- or underflows.
+void measure(Hull& hull, const Welded& welded) {
+  double size = welded.size, sixfold = 0;
+  std::vector<Vec3> onGrid;
+  for (Vec3 v : hull.vertices) {
+    GridPoint g = toGrid(v, welded);
+    onGrid.push_back(Vec3{double(g.x), double(g.y), double(g.z)} * (size / kGridSteps));
+  }
+  auto corner = [&](std::uint16_t e) { return (hull.vertices[hull.edges[e].origin] - welded.middle) * (1 / size); };
   Vec3 moment;
   for (std::uint16_t start : hull.firstEdge) {
-    Vec3 a = corner(start), area;
+    Vec3 a = corner(start);
     for (std::uint16_t e = hull.edges[start].next; hull.edges[e].next != start; e = hull.edges[e].next) {
       Vec3 b = corner(e), c = corner(hull.edges[e].next);
-      Vec3 twice = cross(b - a, c - a);
-      double volume = dot(a, twice);
-      area += twice;
+      double volume = dot(a, cross(b - a, c - a));
       sixfold += volume;
       moment += (a + b + c) * volume;
     }
-    HullPlane plane;
-    plane.normal = normalized(area);
-    plane.offset = dot(plane.normal, hull.vertices[0]);
-    for (Vec3 v : hull.vertices) plane.offset = std::max(plane.offset, dot(plane.normal, v));
-    hull.planes.push_back(plane);
+    hull.planes.push_back(fitPlane(hull, onGrid, start, size));
   }
   hull.volume = sixfold / 6 * size * size * size;
-  hull.centroid = middle + moment * (size / (4 * sixfold));
+  hull.centroid = welded.middle + moment * (size / (4 * sixfold));
+}
+
+bool holdsAll(const Hull& hull, const Welded& welded) {
+  for (const HullPlane& plane : hull.planes) {
+    for (Vec3 p : welded.points) {
+      if (!(dot(plane.normal, p) <= plane.offset + kOutside * welded.size)) return false;
+    }
+  }
+  return true;
 }
 
 }  // namespace
@@ -162,9 +209,9 @@ Result<Hull> buildHull(std::span<const Vec3> points) {
                                              ", expected a thickness of at least " + text(kThinnest * welded->size) +
                                              " m"};
   }
-  std::vector<HullTriangle> triangles = hullTriangles(welded->grid, start);
   std::string fault;
   for (double flatness : kFlatness) {
+    std::vector<HullTriangle> triangles = hullTriangles(welded->grid, start, flatness * kGridSteps);
     std::vector<std::vector<int>> faces = mergedFaces(welded->grid, triangles, flatness * kGridSteps);
     if (faces.size() < 4) continue;
     Hull hull = connect(*welded, faces);
@@ -173,9 +220,9 @@ Result<Hull> buildHull(std::span<const Vec3> points) {
                                                  " corners, expected at most " + std::to_string(kMaxHullVertices)};
     }
     if (hull.edges.empty()) continue;
-    measure(hull, welded->middle, welded->size);
+    measure(hull, *welded);
     fault = validate(hull);
-    if (fault.empty()) return hull;
+    if (fault.empty() && holdsAll(hull, *welded)) return hull;
   }
   return Error{ErrorCode::badGeometry, "vertices: no clean solid comes out of these points (" + fault +
                                            "), expected points that are further apart"};

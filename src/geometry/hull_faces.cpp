@@ -31,7 +31,8 @@ class FaceMerger {
 
  private:
   const HullTriangle& triangle(int t) const { return triangles_[std::size_t(t)]; }
-  Vec3 corner(int t, int k) const { return toVec(points_[std::size_t(triangle(t).corner[k])]); }
+  GridPoint point(int p) const { return points_[std::size_t(p)]; }
+  Vec3 corner(int t, int k) const { return toVec(point(triangle(t).corner[k])); }
   int& region(int t) { return region_[std::size_t(t)]; }
   Vec3 areaVector(int t) const { return cross(corner(t, 1) - corner(t, 0), corner(t, 2) - corner(t, 0)); }
 
@@ -50,7 +51,7 @@ class FaceMerger {
 
   void grow(int seed) {
     int id = regionCount_++;
-    Vec3 normal = normalized(areaVector(seed)), start = corner(seed, 0);
+    Vec3 normal = normalized(areaVector(seed));
     std::vector<int> members{seed};
     take(seed, id);
     // Triangles refused because they would pinch the region may fit later, so the border is walked until nothing changes.
@@ -58,7 +59,7 @@ class FaceMerger {
       changed = false;
       for (std::size_t k = 0; k < members.size(); k++) {
         for (int t : triangle(members[k]).across) {
-          if (region(t) >= 0 || !isFlat(t, normal, start) || !staysDisc(t, id)) continue;
+          if (region(t) >= 0 || !isFlat(t, normal, seed) || !staysDisc(t, id)) continue;
           take(t, id);
           members.push_back(t);
           changed = true;
@@ -72,10 +73,13 @@ class FaceMerger {
     for (int p : triangle(t).corner) inRegion_[std::size_t(p)] = id;
   }
 
-  bool isFlat(int t, Vec3 normal, Vec3 start) const {
+  bool isFlat(int t, Vec3 normal, int seed) const {
     if (!(dot(areaVector(t), normal) >= 0)) return false;
-    for (int k = 0; k < 3; k++) {
-      if (!(std::fabs(dot(normal, corner(t, k) - start)) <= tolerance_)) return false;
+    const int* base = triangle(seed).corner;
+    for (int p : triangle(t).corner) {
+      bool flat = tolerance_ > 0 ? std::fabs(dot(normal, toVec(point(p)) - corner(seed, 0))) <= tolerance_
+                                 : coplanar(point(base[0]), point(base[1]), point(base[2]), point(p));
+      if (!flat) return false;
     }
     return true;
   }

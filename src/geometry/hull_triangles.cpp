@@ -23,6 +23,7 @@ GridPoint areaVector(GridPoint a, GridPoint b, GridPoint c) { return cross(diffe
 struct Face {
   HullTriangle triangle;
   GridPoint normal;           // not unit; its length is twice the area
+  double leastHeight = 0;     // scaled like heights: points that are not further above are dropped
   std::vector<int> outside;   // points above this face that no other face has taken
   int furthest = -1;          // of them
   Wide furthestHeight = 0;
@@ -37,7 +38,8 @@ struct HorizonEdge {
 
 class QuickHull {
  public:
-  QuickHull(std::span<const GridPoint> points, const GridSimplex& start) : points_(points), coneAt_(points.size(), -1) {
+  QuickHull(std::span<const GridPoint> points, const GridSimplex& start, double flatness)
+      : points_(points), flatness_(flatness), coneAt_(points.size(), -1) {
     int a = start.corner[0], b = start.corner[1], c = start.corner[2], d = start.corner[3];
     GridPoint base = areaVector(points_[std::size_t(a)], points_[std::size_t(b)], points_[std::size_t(c)]);
     if (dot(base, difference(points_[std::size_t(d)], points_[std::size_t(a)])) > 0) {
@@ -83,20 +85,23 @@ class QuickHull {
     Face f;
     f.triangle = triangle;
     f.normal = areaVector(point(triangle.corner[0]), point(triangle.corner[1]), point(triangle.corner[2]));
+    f.leastHeight = flatness_ * length(f.normal);
     faces_.push_back(std::move(f));
     return int(faces_.size()) - 1;
   }
 
   // Gives the point to the first face from `firstFace` on that it is above; one that is above none lies inside.
-  void assign(int p, std::size_t firstFace) {
+  bool assign(int p, std::size_t firstFace) {
     for (std::size_t k = firstFace; k < faces_.size(); k++) {
       Face& f = faces_[k];
+      if (!f.alive) continue;
       Wide height = heightAbove(f, p);
-      if (!(height > 0)) continue;
+      if (!(double(height) > f.leastHeight)) continue;
       f.outside.push_back(p);
       if (height > f.furthestHeight) f.furthestHeight = height, f.furthest = p;
-      return;
+      return true;
     }
+    return false;
   }
 
   // Replaces all that the face's furthest point sees by a cone from the point to the horizon.
@@ -121,7 +126,7 @@ class QuickHull {
       std::vector<int> orphans = std::move(face(old).outside);
       face(old).outside.clear();
       for (int p : orphans) {
-        if (p != eye) assign(p, firstNew);
+        if (p != eye && !assign(p, firstNew)) assign(p, 0);
       }
     }
   }
@@ -146,6 +151,7 @@ class QuickHull {
   }
 
   std::span<const GridPoint> points_;
+  double flatness_;
   std::vector<Face> faces_;
   std::vector<int> visible_;
   std::vector<HorizonEdge> horizon_;
@@ -153,6 +159,10 @@ class QuickHull {
 };
 
 }  // namespace
+
+bool coplanar(GridPoint a, GridPoint b, GridPoint c, GridPoint d) {
+  return dot(areaVector(a, b, c), difference(d, a)) == 0;
+}
 
 GridSimplex widestSimplex(std::span<const GridPoint> points) {
   GridSimplex s;
@@ -180,8 +190,8 @@ GridSimplex widestSimplex(std::span<const GridPoint> points) {
   return s;
 }
 
-std::vector<HullTriangle> hullTriangles(std::span<const GridPoint> points, const GridSimplex& start) {
-  QuickHull hull(points, start);
+std::vector<HullTriangle> hullTriangles(std::span<const GridPoint> points, const GridSimplex& start, double flatness) {
+  QuickHull hull(points, start, flatness);
   hull.run();
   return hull.triangles();
 }

@@ -15,6 +15,9 @@ struct GridPoint {
   std::int64_t x = 0, y = 0, z = 0;
 };
 
+// Exactly in one plane.
+bool coplanar(GridPoint a, GridPoint b, GridPoint c, GridPoint d);
+
 // Corners counter-clockwise seen from outside; across[k] is the triangle on the other side of corner[k] -> corner[k + 1].
 struct HullTriangle {
   int corner[3];
@@ -29,7 +32,9 @@ struct GridSimplex {
 };
 GridSimplex widestSimplex(std::span<const GridPoint> points);
 
-// The points differ from each other and the simplex has a volume. Quickhull (Barber, Dobkin, Huhdanpaa 1996).
-std::vector<HullTriangle> hullTriangles(std::span<const GridPoint> points, const GridSimplex& start);
+// The points differ from each other and the simplex has a volume. Quickhull (Barber, Dobkin, Huhdanpaa 1996): the points
+// that stick out most come first, and those that stick out by less than `flatness` (grid steps, >= 0) are left out.
+// Leaving points out is always safe; what decides which triangles a point replaces stays exact.
+std::vector<HullTriangle> hullTriangles(std::span<const GridPoint> points, const GridSimplex& start, double flatness);
 
 }  // namespace brickfall

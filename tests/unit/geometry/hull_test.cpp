@@ -240,6 +240,8 @@ TEST(Hull, BadInputIsNamed) {
   expectError({{0, 0, 0}, {1, 0, 1}, {0, 1, 1}, {1, 1, 2}, {0.5, 0.5, 1}}, ErrorCode::badGeometry, "in a plane");
   expectError({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0.5, 0.5, 1e-8}}, ErrorCode::badGeometry, "in a plane");
   expectError({{1e308, 0, 0}, {-1e308, 0, 0}, {0, 1e308, 0}, {0, 0, 1e308}}, ErrorCode::badGeometry, "size");
+  for (Vec3& p : box) p += Vec3{1e9, 0, 0};
+  expectError(box, ErrorCode::badGeometry, "from the origin");
   expectError(std::vector<Vec3>(5000, Vec3{1, 2, 3}), ErrorCode::limitExceeded, "found 5000 points");
 }
 

@@ -29,7 +29,9 @@ QhullAnswer qhull(const std::vector<Vec3>& points) {
       answer.leastNormal = {facet->normal[0], facet->normal[1], facet->normal[2]};
     }
   }
-  qh_freeqhull(&state, qh_ALL);
+  qh_freeqhull(&state, !qh_ALL);
+  int buffers = 0, bytes = 0;
+  qh_memfreeshort(&state, &buffers, &bytes);
   std::fclose(nowhere);
   return answer;
 }
