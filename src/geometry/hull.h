@@ -29,8 +29,11 @@ struct Hull {
   double volume = 0;                      // m3
 };
 
-// Convex hull of points (any finite, at most 4096). Points closer than 1e-9 of the size are one. Errors: fewer than four
-// points, not finite, all in a plane, more than 64 corners on the hull.
+// Convex hull of at most 4096 points. It does not depend on their order, and its vertices are among them. Points closer than
+// 1e-9 of the size (longest side of the bounds) are one; what sticks out by less than 5e-7 of it, about the rounding of
+// 32-bit coordinates, counts as flat, so no point is further outside than 1e-6 of the size. Errors: fewer than four points,
+// not finite, all in a plane (thinner than 2e-6 of the size), more than 64 corners on the hull, more than 1e7 sizes from the
+// origin.
 Result<Hull> buildHull(std::span<const Vec3> points);
 // Every invariant (Euler, twins, convexity, planes); empty text = all hold.
 std::string validate(const Hull& hull);

@@ -16,18 +16,20 @@ std::optional<ShapeRayHit> castRay(const Shape& shape, Vec3 origin, Vec3 directi
 // Nearest point of the solid shape to `point` (shape frame); the point itself if inside.
 Vec3 closestPoint(const Shape& shape, Vec3 point);
 
-// Overlap depth, m: the shortest translation that separates the two; 0 when apart. Exact by SAT or closed form.
+// Overlap depth, m: the shortest translation that separates the two; 0 when apart, and for two planes. Exact by SAT or
+// closed form.
 double penetrationDepth(const Shape& a, const Shape& b, const Transform& bInA);
 
 struct DistanceResult {
   double distance = 0;   // m, 0 when touching or overlapping
   Vec3 onA, onB;         // closest points, frame of a (meaningless when overlapping)
 };
-// Distance of two convex shapes (GJK). Error below 1e-9 of the larger shape's size.
+// Distance of two convex shapes (GJK). Error below 1e-9 of the larger shape's size. Two planes: 0.
 DistanceResult shapeDistance(const Shape& a, const Shape& b, const Transform& bInA);
 
 // First time in [0, 1] at which b, moving from bInA by `motion` (frame of a, no rotation), comes within `target` m of a;
 // nothing if it does not. 0 if it is that near already. Conservative advancement, tolerance 1e-6 m.
+// Never for two planes.
 std::optional<double> timeOfImpact(const Shape& a, const Shape& b, const Transform& bInA, Vec3 motion, double target);
 
 }  // namespace brickfall
