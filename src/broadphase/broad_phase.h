@@ -24,8 +24,9 @@ class BroadPhase {
   bool update(ProxyIndex proxy, const Aabb& tight, double grow);
   const Aabb& kept(ProxyIndex proxy) const;
 
-  // All pairs (user a < user b) whose kept bounds overlap and of which one was added or re-inserted since the last call;
-  // sorted, each once. May repeat a pair found earlier: the caller knows those. `wanted` filters (same body, filters).
+  // All pairs (user a < user b) whose kept bounds overlap and of which one was added or re-inserted since the last
+  // call; sorted, each once. May repeat a pair found earlier: the caller knows those. `wanted` filters (same body,
+  // filters).
   void newPairs(const std::function<bool(std::uint32_t, std::uint32_t)>& wanted,
                 std::vector<std::pair<std::uint32_t, std::uint32_t>>& out);
 

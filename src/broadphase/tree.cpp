@@ -1,10 +1,10 @@
 // The tree of the broad phase: where a leaf goes, and how the tree keeps its shape.
 //
-// A leaf is put where it adds least surface (the surface-area heuristic, as a descent to the cheaper child).
-// Two things then happen on the way back to the root. Balance is a promise: as in an AVL tree, the heights of two
-// siblings differ by one at most, so a query needs a stack of known size and no order of insertion (bricks come sorted)
-// can make it slow. Boxes have no order among themselves, so one kind of rotation is enough for everything: swap a child
-// with a nephew. Surface is a wish: a swap that shrinks a box is made if it leaves the height as it is.
+// A leaf is put where it adds least surface (the surface-area heuristic, as a descent to the cheaper child). Two
+// things then happen on the way back to the root. Balance is a promise: as in an AVL tree, the heights of two
+// siblings differ by one at most, so a query needs a stack of known size and no order of insertion (bricks come
+// sorted) can make it slow. Boxes have no order among themselves, so one kind of rotation is enough for everything:
+// swap a child with a nephew. Surface is a wish: a swap that shrinks a box is made if it leaves the height as it is.
 #include "base/assert.h"
 #include "broadphase/broad_phase.h"
 
@@ -37,9 +37,9 @@ void BroadPhase::freeNode(ProxyIndex index) {
   free_ = index;
 }
 
-// Descends to the cheaper child: the cost of a place is the surface of the new parent there plus what every ancestor grows by.
-// Goes down to a leaf or the parent of two (a leaf beside anything higher would break the balance), so a big box can end up
-// deep in the tree: that costs every query of its ancestors a look, some log n of them.
+// Descends to the cheaper child: the cost of a place is the surface of the new parent there plus what every ancestor
+// grows by. Goes down to a leaf or the parent of two (a leaf beside anything higher would break the balance), so a
+// big box can end up deep in the tree: that costs every query of its ancestors a look, some log n of them.
 ProxyIndex BroadPhase::findSibling(const Aabb& box) const {
   ProxyIndex index = root_;
   while (nodes_[index].height > 0) {

@@ -1,12 +1,12 @@
 // Box against box: fifteen separating axes (Gottschalk et al. 1996), then the contact points of the winner.
 //
 // Boxes are what walls are made of, so this is written for a resting wall first. There neighbours touch with gaps of
-// rounding size, faces are parallel to rounding, and several axes are equally good. Hence the order and the biases: face
-// axes before edge axes, faces of a before faces of b, the first of equals; a later one must be better by a clear amount
-// (ContactTolerances), or the normal would change from step to step with nothing moving.
+// rounding size, faces are parallel to rounding, and several axes are equally good. Hence the order and the biases:
+// face axes before edge axes, faces of a before faces of b, the first of equals; a later one must be better by a
+// clear amount (ContactTolerances), or the normal would change from step to step with nothing moving.
 //
-// Notation: boxes a and b with half extents a[i], b[j]; c[i][j] = A_i . B_j; q = |c|; t = centre of b in the frame of a, s = the
-// same vector along the axes of b. Separations are in metres along unit axes, negative = overlap.
+// Notation: boxes a and b with half extents a[i], b[j]; c[i][j] = A_i . B_j; q = |c|; t = centre of b in the frame of
+// a, s = the same vector along the axes of b. Separations are in metres along unit axes, negative = overlap.
 #include <utility>
 
 #include "narrowphase/clipping.h"
@@ -17,7 +17,8 @@ namespace brickfall {
 namespace {
 
 constexpr int kNext[3] = {1, 2, 0}, kLast[3] = {2, 0, 1};
-// Edges that turn against each other by less than this (rad, squared) have no useful cross product; the face axes then see all.
+// Edges that turn against each other by less than this (rad, squared) have no useful cross product; the face axes
+// then see all.
 constexpr double kParallel2 = 1e-8;
 // Face axes that are parallel to this cosine compete for the same contact.
 constexpr double kSameFace = 0.98;
@@ -55,14 +56,13 @@ struct FaceAxis {
   int index = -1;  // 0..2 faces of a, 3..5 faces of b
 };
 
-// False if a face axis separates the two by more than the margin, or if they meet only along an edge: when the other box
-// just touches the plane of one face and is beyond, or just touches, that of a second, the patch has no width (a brick and
-// its diagonal neighbour). Such a line carries nothing, and which of the two normals it would get is decided by rounding;
-// sideways would be harmful.
-// `other`: the best of the other box.
+// False if a face axis separates the two by more than the margin, or if they meet only along an edge: when the other
+// box just touches the plane of one face and is beyond, or just touches, that of a second, the patch has no width (a
+// brick and its diagonal neighbour). Such a line carries nothing, and which of the two normals it would get is
+// decided by rounding; sideways would be harmful. `other`: the best of the other box.
 bool testFaces(const BoxPair& p, double margin, FaceAxis& best, FaceAxis& other) {
   double sa[3], sb[3];
-  int outA = 0, outB = 0;         // faces that the other box does not reach over
+  int outA = 0, outB = 0;             // faces that the other box does not reach over
   bool justA = false, justB = false;  // ... and one of them by rounding only
   for (int i = 0; i < 3; i++) {
     sa[i] = std::fabs(p.t[i]) - p.a[i] - (p.b[0] * p.q[i][0] + p.b[1] * p.q[i][1] + p.b[2] * p.q[i][2]);
@@ -147,8 +147,8 @@ bool edgeContact(const BoxPair& p, const EdgeAxis& axis, Manifold& out) {
   return true;
 }
 
-// A corner of the polygon while it is cut. It is where two lines meet: edges of the incident face (0..3) or sides of the
-// reference face (4..7: u+, u-, v+, v-); `before` and `after` in the order around the polygon.
+// A corner of the polygon while it is cut. It is where two lines meet: edges of the incident face (0..3) or sides of
+// the reference face (4..7: u+, u-, v+, v-); `before` and `after` in the order around the polygon.
 struct ClipCorner {
   double u, v, d;
   int before, after;
@@ -227,8 +227,8 @@ std::uint32_t featureName(const FaceContact& face, bool refIsA, const ClipCorner
   return refIsA ? edgeCrossing(ref, inc) : edgeCrossing(inc, ref);
 }
 
-// Cuts the face of the other box that looks at the reference face most against the sides of the reference face, in the frame
-// of the reference box, where a side is a comparison.
+// Cuts the face of the other box that looks at the reference face most against the sides of the reference face, in
+// the frame of the reference box, where a side is a comparison.
 void clipFace(const BoxPair& p, int axisIndex, double margin, FaceContact& face) {
   bool refIsA = axisIndex < 3;
   int axis = refIsA ? axisIndex : axisIndex - 3;
@@ -252,7 +252,8 @@ void clipFace(const BoxPair& p, int axisIndex, double margin, FaceContact& face)
 
   ClipCorner corners[2][9];
   auto along = [&](int row, double su, double sv) {
-    return centre[row] + m[row][incAxis] * (incSign * inc[incAxis]) + m[row][iu] * (su * inc[iu]) + m[row][iv] * (sv * inc[iv]);
+    return centre[row] + m[row][incAxis] * (incSign * inc[incAxis]) + m[row][iu] * (su * inc[iu]) +
+           m[row][iv] * (sv * inc[iv]);
   };
   constexpr int kTurn[4][2] = {{1, 1}, {-1, 1}, {-1, -1}, {1, -1}};
   for (int k = 0; k < 4; k++) {
@@ -293,7 +294,8 @@ bool faceContact(const BoxPair& p, int axisIndex, double margin, const Transform
     x[f.v] = point.v;
     Vec3 onRef{x[0], x[1], x[2]};
     if (!refIsA) {
-      for (int i = 0; i < 3; i++) onRef[i] = bInA.position[i] + (p.c[i][0] * x[0] + p.c[i][1] * x[1] + p.c[i][2] * x[2]);
+      for (int i = 0; i < 3; i++)
+        onRef[i] = bInA.position[i] + (p.c[i][0] * x[0] + p.c[i][1] * x[1] + p.c[i][2] * x[2]);
     }
     Vec3 onInc = onRef + refNormal * point.separation;
     out.points[k] = {refIsA ? onRef : onInc, refIsA ? onInc : onRef, point.separation, point.feature};

@@ -1,6 +1,6 @@
-// Capsules side by side touch along a line: two points, the ends of the stretch where they run beside each other. Otherwise
-// one. Side by side means that over this stretch the axes part sideways by so little of the radius that the round
-// surfaces still face each other along the one normal.
+// Capsules side by side touch along a line: two points, the ends of the stretch where they run beside each other.
+// Otherwise one. Side by side means that over this stretch the axes part sideways by so little of the radius that the
+// round surfaces still face each other along the one normal.
 #include <algorithm>
 
 #include "narrowphase/features.h"
@@ -35,7 +35,8 @@ void collideCapsuleCapsule(const Shape& a, const Shape& b, const Transform& bInA
   double low = q0.y, high = q0.y + 2 * b.halfHeight * axis.y;
   double from = std::max(std::min(low, high), -a.halfHeight), to = std::min(std::max(low, high), a.halfHeight);
   double sine = length(cross(Vec3{0, 1, 0}, axis)), smaller = std::min(a.radius, b.radius);
-  bool beside = std::fabs(n.y) < kBeside && to - from > kBeside * smaller && 0.5 * (to - from) * sine < kBeside * smaller;
+  bool beside =
+      std::fabs(n.y) < kBeside && to - from > kBeside * smaller && 0.5 * (to - from) * sine < kBeside * smaller;
   if (beside) {
     for (int end = 0; end < 2; end++) {
       double y = end == 0 ? from : to;

@@ -1,8 +1,8 @@
 // Capsule against box or hull. The capsule's axis is a segment; what happens depends on where it runs:
 //   outside the hull   the nearest points decide, exactly: an end above a face, or a place beside an edge
 //   through the hull   the axis of least overlap decides: a face, or an edge crossed with the segment
-// If the normal is that of a face, or nearly, and the segment runs along it, the capsule lies on it: the segment is cut to the
-// face and both its ends touch.
+// If the normal is that of a face, or nearly, and the segment runs along it, the capsule lies on it: the segment is
+// cut to the face and both its ends touch.
 #include <algorithm>
 
 #include "narrowphase/features.h"
@@ -26,7 +26,7 @@ struct CapsuleAxis {
   double distance = 0;  // of the segment from the hull along it; negative = through it
   Vec3 onSegment;
   double t = 0;
-  int face = -1;        // lies on this face
+  int face = -1;  // lies on this face
 };
 
 double heightAbove(const HullPlane& plane, Vec3 p) { return dot(plane.normal, p) - plane.offset; }
@@ -144,8 +144,9 @@ void collideCapsuleHull(const Shape& capsule, const Shape& b, const Transform& b
   Vec3 normal = axis.normal;
   int count = 0, face = axis.face >= 0 ? axis.face : faceAlong(hull, normal);
   double from, to;
-  bool lies = dot(hull.planes[face].normal, normal) > kLiesOnFace &&
-              (axis.face >= 0 || std::fabs(dot(hull.planes[face].normal, segment.d)) < kRunsAlongFace * length(segment.d));
+  bool lies =
+      dot(hull.planes[face].normal, normal) > kLiesOnFace &&
+      (axis.face >= 0 || std::fabs(dot(hull.planes[face].normal, segment.d)) < kRunsAlongFace * length(segment.d));
   if (lies && cutToFace(hull, face, segment, from, to)) {
     normal = hull.planes[face].normal;
     for (int end = 0; end < 2; end++) {

@@ -10,7 +10,8 @@ int mergeEqual(PatchPoint* points, int count, const ContactTolerances& tolerance
   for (int i = 0; i < count; i++) {
     int twin = -1;
     for (int k = 0; k < kept && twin < 0; k++) {
-      double du = points[k].u - points[i].u, dv = points[k].v - points[i].v, ds = points[k].separation - points[i].separation;
+      double du = points[k].u - points[i].u, dv = points[k].v - points[i].v,
+             ds = points[k].separation - points[i].separation;
       if (du * du + dv * dv + ds * ds < same2) twin = k;
     }
     if (twin < 0)

@@ -27,8 +27,9 @@ inline ContactTolerances contactTolerances(double smallestHalfExtent) {
   return {1e-5 * h, 5e-4 * h, 1e-3 * h, 2e-5 * h, 1e-4 * h};
 }
 
-// Merges equal corners (the deeper stays). Of more than four it keeps those that span the largest area with the deepest (of
-// points as deep within the slack, the first). Keeps the order around the convex polygon. Returns the new count.
+// Merges equal corners (the deeper stays). Of more than four it keeps those that span the largest area with the
+// deepest (of points as deep within the slack, the first). Keeps the order around the convex polygon. Returns the new
+// count.
 int reducePatch(PatchPoint* points, int count, const ContactTolerances& tolerances);
 
 }  // namespace brickfall

@@ -12,11 +12,16 @@ using PairFunction = void (*)(const Shape&, const Shape&, const Transform&, doub
 constexpr int kRanks = 5;
 int rank(ShapeType type) {
   switch (type) {
-    case ShapeType::plane: return 0;
-    case ShapeType::sphere: return 1;
-    case ShapeType::capsule: return 2;
-    case ShapeType::box: return 3;
-    case ShapeType::hull: return 4;
+    case ShapeType::plane:
+      return 0;
+    case ShapeType::sphere:
+      return 1;
+    case ShapeType::capsule:
+      return 2;
+    case ShapeType::box:
+      return 3;
+    case ShapeType::hull:
+      return 4;
   }
   return 0;
 }

@@ -1,5 +1,5 @@
-// Hull against hull, and box against hull: separating axes, then the incident face cut against the sides of the reference
-// face, or the crossing of two edges. Orders and biases as in box_box.cpp.
+// Hull against hull, and box against hull: separating axes, then the incident face cut against the sides of the
+// reference face, or the crossing of two edges. Orders and biases as in box_box.cpp.
 #include "narrowphase/clipping.h"
 #include "narrowphase/features.h"
 #include "narrowphase/hull_view.h"
@@ -12,8 +12,8 @@ namespace {
 constexpr double kSameFace = 0.98;
 constexpr int kMaxPolygon = 2 * kMaxHullVertices;
 
-// A corner of the polygon being cut: where two lines meet. A line is a half edge of the incident face, or kSide + one of the
-// reference face.
+// A corner of the polygon being cut: where two lines meet. A line is a half edge of the incident face, or kSide + one
+// of the reference face.
 constexpr int kSide = 1 << 15;
 struct ClipCorner {
   Vec3 p;
@@ -152,7 +152,8 @@ void collideHullHull(const Shape& shapeA, const Shape& shapeB, const Transform& 
   if (edge.edgeA >= 0 && edgeContact(a, b, edge, out)) return;
   for (bool ofA : {refIsA, !refIsA}) {
     const FaceQuery& query = ofA ? faceA : faceB;
-    if (query.separation > face - tolerance.edge) faceContact(ofA ? a : b, ofA ? b : a, ofA, query, margin, tolerance, out);
+    if (query.separation > face - tolerance.edge)
+      faceContact(ofA ? a : b, ofA ? b : a, ofA, query, margin, tolerance, out);
     // Overlapping, yet nothing over the reference face: another axis was better, but not by its bias. Try the others.
     if (out.count > 0 || face >= 0) return;
   }

@@ -1,7 +1,7 @@
-// Separating axes of two hulls. Faces: each plane against the other hull's deepest corner. Edges: only pairs that make a
-// face of the Minkowski difference, which are those whose arcs on the Gauss sphere cross (D. Gregorius, "The Separating
-// Axis Test between Convex Polyhedra", GDC 2013). Such an axis supports both hulls at these edges, so its separation is the
-// distance of the edges along it, without a look at the other corners.
+// Separating axes of two hulls. Faces: each plane against the other hull's deepest corner. Edges: only pairs that
+// make a face of the Minkowski difference, which are those whose arcs on the Gauss sphere cross (D. Gregorius, "The
+// Separating Axis Test between Convex Polyhedra", GDC 2013). Such an axis supports both hulls at these edges, so its
+// separation is the distance of the edges along it, without a look at the other corners.
 #include "narrowphase/hull_view.h"
 
 namespace brickfall {
@@ -17,9 +17,9 @@ bool mayBeat(double scaled, double length2, double best) {
 }
 
 // Edges (their even half edge) that can carry an axis better than `toBeat`. Along an axis n of separation s the other
-// hull's centroid lies at least s + its inner radius above the edge, so if that is positive, it is above one of the edge's
-// two faces: any n between their normals is a sum of the two with positive weights. Leaves out the far side of both hulls,
-// three pairs of four or more.
+// hull's centroid lies at least s + its inner radius above the edge, so if that is positive, it is above one of the
+// edge's two faces: any n between their normals is a sum of the two with positive weights. Leaves out the far side of
+// both hulls, three pairs of four or more.
 int facingEdges(const HullView& hull, const HullView& other, double toBeat, std::uint16_t* out) {
   int count = 0;
   bool all = toBeat + other.innerRadius < 0;
@@ -70,8 +70,8 @@ EdgeQuery queryEdges(const HullView& a, const HullView& b, double margin, double
     for (int f = 0; f < b.faceCount; f++) side[f] = dot(b.planes[f].normal, da);
     for (int k = 0; k < countB; k++) {
       int eb = facingA[k];
-      // The arc of b, turned inside out, against the circle of a's arc, and the other way round. da and db stand in for the
-      // cross products of the arcs' ends.
+      // The arc of b, turned inside out, against the circle of a's arc, and the other way round. da and db stand in
+      // for the cross products of the arcs' ends.
       int f1 = b.edges[eb].face, f2 = b.edges[eb + 1].face;
       if (side[f1] * side[f2] >= 0) continue;
       Vec3 pb = b.vertices[b.edges[eb].origin], db = b.vertices[b.edges[eb + 1].origin] - pb;

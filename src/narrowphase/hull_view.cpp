@@ -3,8 +3,8 @@
 namespace brickfall {
 namespace {
 
-// The unit cube. Corner bits: 1 = x+, 2 = y+, 4 = z+. Faces: x-, x+, y-, y+, z-, z+. Each row is a face, counter-clockwise
-// seen from outside.
+// The unit cube. Corner bits: 1 = x+, 2 = y+, 4 = z+. Faces: x-, x+, y-, y+, z-, z+. Each row is a face,
+// counter-clockwise seen from outside.
 constexpr int kCubeFaces[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
 
 struct CubeTopology {

@@ -1,5 +1,5 @@
-// A convex polytope as the contact functions read it: hulls as they are, boxes dressed up as hulls, either moved into the
-// frame of the other shape. On the stack; nothing is allocated.
+// A convex polytope as the contact functions read it: hulls as they are, boxes dressed up as hulls, either moved into
+// the frame of the other shape. On the stack; nothing is allocated.
 #pragma once
 #include "geometry/hull.h"
 #include "geometry/shape.h"

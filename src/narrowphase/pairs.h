@@ -12,7 +12,8 @@ void collidePlaneCapsule(const Shape& plane, const Shape& capsule, const Transfo
 void collidePlaneHull(const Shape& plane, const Shape& hull, const Transform& bInA, double margin, Manifold& out);
 void collideSphereSphere(const Shape& a, const Shape& b, const Transform& bInA, double margin, Manifold& out);
 void collideSphereBox(const Shape& sphere, const Shape& box, const Transform& bInA, double margin, Manifold& out);
-void collideSphereCapsule(const Shape& sphere, const Shape& capsule, const Transform& bInA, double margin, Manifold& out);
+void collideSphereCapsule(const Shape& sphere, const Shape& capsule, const Transform& bInA, double margin,
+                          Manifold& out);
 void collideSphereHull(const Shape& sphere, const Shape& hull, const Transform& bInA, double margin, Manifold& out);
 void collideCapsuleCapsule(const Shape& a, const Shape& b, const Transform& bInA, double margin, Manifold& out);
 // b: box or hull

@@ -1,5 +1,5 @@
-// Plane against box: the corners of the face that looks at the plane most. It always holds the deepest corner, has never
-// more than four, and on a tie (box on an edge or corner) either face has the corners that touch.
+// Plane against box: the corners of the face that looks at the plane most. It always holds the deepest corner, has
+// never more than four, and on a tie (box on an edge or corner) either face has the corners that touch.
 #include "narrowphase/features.h"
 #include "narrowphase/pairs.h"
 

@@ -5,7 +5,8 @@
 
 namespace brickfall {
 
-void collideSphereCapsule(const Shape& sphere, const Shape& capsule, const Transform& bInA, double margin, Manifold& out) {
+void collideSphereCapsule(const Shape& sphere, const Shape& capsule, const Transform& bInA, double margin,
+                          Manifold& out) {
   Vec3 axis = rotate(bInA.rotation, Vec3{0, 1, 0});
   double along = std::clamp(-dot(axis, bInA.position), -capsule.halfHeight, capsule.halfHeight);
   Vec3 nearest = bInA.position + axis * along;

@@ -5,7 +5,8 @@
 
 namespace brickfall {
 
-void collideSphereHull(const Shape& sphere, const Shape& hullShape, const Transform& bInA, double margin, Manifold& out) {
+void collideSphereHull(const Shape& sphere, const Shape& hullShape, const Transform& bInA, double margin,
+                       Manifold& out) {
   HullStorage storage;
   HullView hull = viewOf(hullShape, storage);
   Vec3 centre = -rotate(conjugate(bInA.rotation), bInA.position);  // of the sphere, in the frame of the hull

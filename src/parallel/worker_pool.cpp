@@ -1,6 +1,6 @@
-// One job at a time: pieces are handed out by a counter, the calling thread takes part. A worker that wakes late must not
-// take a piece of the next job for one of its own, nor need the next job wait for it: the counter carries the number of the
-// job, and a claim with an old number fails.
+// One job at a time: pieces are handed out by a counter, the calling thread takes part. A worker that wakes late must
+// not take a piece of the next job for one of its own, nor need the next job wait for it: the counter carries the
+// number of the job, and a claim with an old number fails.
 #include "parallel/worker_pool.h"
 
 #include <algorithm>

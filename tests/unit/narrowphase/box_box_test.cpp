@@ -48,8 +48,9 @@ TEST(BoxBox, DiagonalNeighboursThatShareALineDoNotTouch) {
     }
 }
 
-// Walls of bricks without gaps, every second course shifted by `shift` of a length: each bed joint carries with four points and a
-// vertical normal, each head joint touches with a level one, and nobody else touches. With noise of rounding size and more.
+// Walls of bricks without gaps, every second course shifted by `shift` of a length: each bed joint carries with four
+// points and a vertical normal, each head joint touches with a level one, and nobody else touches. With noise of
+// rounding size and more.
 TEST(BoxBox, WallsHaveBedAndHeadJointsOnly) {
   Random random(9);
   int beds = 0, heads = 0, lines = 0;
@@ -62,7 +63,8 @@ TEST(BoxBox, WallsHaveBedAndHeadJointsOnly) {
           for (int i = 0; i < 4; i++) {
             Vec3 place{2 * kHalf.x * (i + shift * (course % 2)), 2 * kHalf.y * course, 0};
             place += randomVector(random, noise);
-            bricks.push_back({rotate(about, place) + Vec3{100, 0, -50}, about * quatFromRotationVector(randomVector(random, noise))});
+            bricks.push_back({rotate(about, place) + Vec3{100, 0, -50},
+                              about * quatFromRotationVector(randomVector(random, noise))});
           }
         for (size_t i = 0; i < bricks.size(); i++)
           for (size_t k = 0; k < bricks.size(); k++) {
@@ -158,7 +160,8 @@ TEST(BoxBox, CornerOnFaceTouchesInOnePoint) {
 TEST(BoxBox, CornerFirstApproachIsSeenFromAfar) {
   Shape cube = boxShape({0.05, 0.05, 0.05});
   Quat onEdge = quatFromAxisAngle({1, 0, 0}, 0.7853981633974483);
-  Transform lower{{}, onEdge}, upper{{0, 0.2 + 0.1 * std::sqrt(2.0), 0}, quatFromAxisAngle({0, 1, 0}, 1.5707963267948966) * onEdge};
+  Transform lower{{}, onEdge},
+      upper{{0, 0.2 + 0.1 * std::sqrt(2.0), 0}, quatFromAxisAngle({0, 1, 0}, 1.5707963267948966) * onEdge};
   Manifold m;
   collide(cube, cube, inverse(lower) * upper, 0.3, m);
   ASSERT_EQ(m.count, 1);
@@ -174,7 +177,8 @@ TEST(BoxBox, SmallMotionChangesLittle) {
   int steps = 0, renamed = 0, jumps = 0;
   for (int trial = 0; trial < 300; trial++) {
     Transform pose{{random.between(-0.15, 0.15), 2 * kHalf.y - 2e-4, random.between(-0.05, 0.05)},
-                   quatFromRotationVector({random.between(-1, 1) * 3e-3, random.between(-1, 1) * 0.1, random.between(-1, 1) * 3e-3})};
+                   quatFromRotationVector(
+                       {random.between(-1, 1) * 3e-3, random.between(-1, 1) * 0.1, random.between(-1, 1) * 3e-3})};
     Vec3 drift = randomVector(random, 1e-6), spin = randomVector(random, 1e-5);
     Manifold before;
     collide(kBrick, kBrick, pose, 0.01, before);

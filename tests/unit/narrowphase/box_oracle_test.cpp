@@ -55,8 +55,10 @@ Pair randomPair(Random& random, Regime regime) {
       setDepth(pair, up, random.between(-0.004, 0.004));
       break;
     case Regime::edgeOnEdge: {
-      // An edge of a along axis 0 and one of b, crossing at their middles at a large angle, shapes pointing at each other.
-      pair.pose.rotation = quatFromAxisAngle({0, 1, 0}, random.between(0.5, 2.6)) * quatFromAxisAngle({1, 0, 0}, 0.7853981634);
+      // An edge of a along axis 0 and one of b, crossing at their middles at a large angle, shapes pointing at each
+      // other.
+      pair.pose.rotation =
+          quatFromAxisAngle({0, 1, 0}, random.between(0.5, 2.6)) * quatFromAxisAngle({1, 0, 0}, 0.7853981634);
       Vec3 outA = normalized(Vec3{0, 1, 0});
       pair.pose.rotation = quatFromAxisAngle({1, 0, 0}, 0.7853981634) * pair.pose.rotation;
       outA = normalized(rotate(quatFromAxisAngle({1, 0, 0}, 0.7853981634), Vec3{0, 1, 0}));
@@ -90,7 +92,8 @@ Pair randomPair(Random& random, Regime regime) {
 TEST(BoxOracle, RandomPairsOfEveryRegime) {
   Random random(20);
   constexpr double kMargin = 0.005;
-  int contacts[kRegimes] = {}, apart[kRegimes] = {}, edges[kRegimes] = {}, full[kRegimes] = {}, fclAsked = 0, within = 0;
+  int contacts[kRegimes] = {}, apart[kRegimes] = {}, edges[kRegimes] = {}, full[kRegimes] = {}, fclAsked = 0,
+      within = 0;
   for (int i = 0; i < 42000; i++) {
     Regime regime = Regime(i % kRegimes);
     int r = int(regime);

@@ -80,8 +80,8 @@ std::vector<Vec3> edgeDirectionsOf(const Shape& shape, const Transform& pose) {
   if (shape.type == ShapeType::hull) {
     const Hull& hull = *shape.hull;
     for (size_t e = 0; e < hull.edges.size(); e += 2)
-      directions.push_back(
-          rotate(pose.rotation, normalized(hull.vertices[hull.edges[e + 1].origin] - hull.vertices[hull.edges[e].origin])));
+      directions.push_back(rotate(
+          pose.rotation, normalized(hull.vertices[hull.edges[e + 1].origin] - hull.vertices[hull.edges[e].origin])));
   } else {
     directions = {rotate(pose.rotation, {1, 0, 0}), rotate(pose.rotation, {0, 1, 0}), rotate(pose.rotation, {0, 0, 1})};
   }
@@ -145,11 +145,14 @@ namespace {
 // Distance of a point from the solid shape, frame of the shape.
 double outside(const Shape& shape, Vec3 p) {
   switch (shape.type) {
-    case ShapeType::box: return length(max(abs(p) - shape.halfExtents, Vec3{}));
-    case ShapeType::sphere: return std::max(0.0, length(p) - shape.radius);
+    case ShapeType::box:
+      return length(max(abs(p) - shape.halfExtents, Vec3{}));
+    case ShapeType::sphere:
+      return std::max(0.0, length(p) - shape.radius);
     case ShapeType::capsule:
       return std::max(0.0, length(p - Vec3{0, std::clamp(p.y, -shape.halfHeight, shape.halfHeight), 0}) - shape.radius);
-    case ShapeType::plane: return std::max(0.0, p.y);
+    case ShapeType::plane:
+      return std::max(0.0, p.y);
     case ShapeType::hull: {
       double most = 0;
       for (const HullPlane& plane : shape.hull->planes) most = std::max(most, dot(plane.normal, p) - plane.offset);
@@ -175,7 +178,8 @@ std::string faultOf(const Manifold& m, const Shape& a, const Shape& b, const Tra
     if (length(p.onB - p.onA - m.normal * p.separation) > 1e-12) return "points are not along the normal";
     if (p.separation > margin + 1e-12) return "separation over the margin";
     if (double d = outside(a, p.onA); d > tolerance) return "onA is outside a by " + std::to_string(d);
-    if (double d = outside(b, transformPoint(aInB, p.onB)); d > tolerance) return "onB is outside b by " + std::to_string(d);
+    if (double d = outside(b, transformPoint(aInB, p.onB)); d > tolerance)
+      return "onB is outside b by " + std::to_string(d);
     planarA = planarA && std::fabs(dot(m.normal, p.onA) - offsetA) < 1e-9;
     planarB = planarB && std::fabs(dot(m.normal, p.onB) - offsetB) < 1e-9;
     for (int k = 0; k < i; k++)

@@ -25,8 +25,8 @@ std::vector<Vec3> cornersOf(const Shape& shape, const Transform& pose);
 std::vector<Vec3> faceNormalsOf(const Shape& shape, const Transform& pose);
 std::vector<Vec3> edgeDirectionsOf(const Shape& shape, const Transform& pose);
 
-// Largest separation over all face normals and all cross products of edges, by projecting every corner: > 0 apart, < 0 the
-// depth. With the axis, from a to b.
+// Largest separation over all face normals and all cross products of edges, by projecting every corner: > 0 apart, <
+// 0 the depth. With the axis, from a to b.
 struct Separation {
   double value = -1e30;
   Vec3 axis;
@@ -37,8 +37,8 @@ Separation slowSeparation(const Shape& a, const Shape& b, const Transform& bInA)
 // Nearest point of a convex polytope to a point, by alternating projections (Dykstra) onto its half spaces.
 double slowDistance(const Shape& shape, Vec3 point);
 
-// Empty, or what is wrong: unit normal, points along it, separations up to the margin, each point within `tolerance` of the
-// shape that it is said to be on, all points coplanar on one of the two.
+// Empty, or what is wrong: unit normal, points along it, separations up to the margin, each point within `tolerance`
+// of the shape that it is said to be on, all points coplanar on one of the two.
 std::string faultOf(const Manifold& m, const Shape& a, const Shape& b, const Transform& bInA, double margin,
                     double tolerance);
 double deepest(const Manifold& m);

@@ -1,5 +1,5 @@
-// Hulls against hulls and boxes: the box's own function as reference for boxes built as hulls, a brute-force separating-axis
-// test for random ones.
+// Hulls against hulls and boxes: the box's own function as reference for boxes built as hulls, a brute-force
+// separating-axis test for random ones.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -32,10 +32,12 @@ TEST(HullHull, BoxesAsHullsTouchLikeBoxes) {
     Vec3 ha = randomHalfExtents(random), hb = randomHalfExtents(random);
     Shape boxA = boxShape(ha), boxB = boxShape(hb);
     Hull hullA = boxHull(ha), hullB = boxHull(hb);
-    Transform pose{randomDirection(random) * random.between(0.2, 1) * (length(ha) + length(hb)), randomRotation(random)};
+    Transform pose{randomDirection(random) * random.between(0.2, 1) * (length(ha) + length(hb)),
+                   randomRotation(random)};
     if (i % 2) {  // lying on a face of a
       pose.rotation = quatFromAxisAngle({0, 1, 0}, random.between(0, 3));
-      pose.position = {random.between(-ha.x, ha.x), ha.y + hb.y + random.between(-0.003, 0.003), random.between(-ha.z, ha.z)};
+      pose.position = {random.between(-ha.x, ha.x), ha.y + hb.y + random.between(-0.003, 0.003),
+                       random.between(-ha.z, ha.z)};
     }
     Manifold expected, asHulls, mixed;
     collide(boxA, boxB, pose, 0.005, expected);
@@ -51,7 +53,8 @@ TEST(HullHull, BoxesAsHullsTouchLikeBoxes) {
     bool same = true;
     for (int k = 0; k < expected.count; k++) {
       double nearest = 1;
-      for (int j = 0; j < asHulls.count; j++) nearest = std::min(nearest, length(asHulls.points[j].onA - expected.points[k].onA));
+      for (int j = 0; j < asHulls.count; j++)
+        nearest = std::min(nearest, length(asHulls.points[j].onA - expected.points[k].onA));
       same = same && nearest < 1e-6;
     }
     agreed += same;
@@ -187,7 +190,8 @@ TEST(HullHull, SwappedArgumentsGiveTheSameContact) {
 TEST(Collide, PoseThatIsNotANumberTouchesNothing) {
   Random random(1);
   Hull hull = randomHull(random, 12);
-  const Shape shapes[] = {planeShape(), sphereShape(0.1), capsuleShape(0.1, 0.2), boxShape({0.1, 0.2, 0.3}), hullShape(hull)};
+  const Shape shapes[] = {planeShape(), sphereShape(0.1), capsuleShape(0.1, 0.2), boxShape({0.1, 0.2, 0.3}),
+                          hullShape(hull)};
   const double bad = std::nan("");
   for (const Shape& a : shapes)
     for (const Shape& b : shapes)

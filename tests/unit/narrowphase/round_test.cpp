@@ -11,8 +11,7 @@ namespace {
 using namespace test;
 
 // Least value of a convex function on [0, 1], by golden section.
-template <class F>
-double leastOf(F f) {
+template <class F> double leastOf(F f) {
   double low = 0, high = 1;
   for (int i = 0; i < 60; i++) {
     double a = low + 0.381966 * (high - low), b = low + 0.618034 * (high - low);
@@ -33,8 +32,9 @@ TEST(Sphere, AgainstEverythingByDistance) {
     int kind = i % 4;
     Hull hull = randomHull(random, 9);
     double radius = random.between(0.03, 0.2);
-    Shape sphere = sphereShape(radius), other = kind == 0   ? sphereShape(random.between(0.03, 0.3))
-                                                : kind == 1 ? capsuleShape(random.between(0.03, 0.2), random.between(0.05, 0.3))
+    Shape sphere = sphereShape(radius), other = kind == 0 ? sphereShape(random.between(0.03, 0.3))
+                                                : kind == 1
+                                                    ? capsuleShape(random.between(0.03, 0.2), random.between(0.05, 0.3))
                                                 : kind == 2 ? boxShape(randomHalfExtents(random))
                                                             : hullShape(hull);
     Transform pose{randomDirection(random) * random.between(0.02, 0.6), randomRotation(random)};
