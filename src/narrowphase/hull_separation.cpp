@@ -25,9 +25,10 @@ int facingEdges(const HullView& hull, const HullView& other, double toBeat, std:
   bool all = toBeat + other.innerRadius < 0;
   for (int e = 0; e < hull.edgeCount; e += 2) {
     Vec3 towards = other.centroid - hull.vertices[hull.edges[e].origin];
-    if (all || dot(hull.planes[hull.edges[e].face].normal, towards) > 0 ||
-        dot(hull.planes[hull.edges[e + 1].face].normal, towards) > 0)
-      out[count++] = std::uint16_t(e);
+    bool faces = (dot(hull.planes[hull.edges[e].face].normal, towards) > 0) |
+                 (dot(hull.planes[hull.edges[e + 1].face].normal, towards) > 0);
+    out[count] = std::uint16_t(e);
+    count += all | faces;  // as likely as not: no branch
   }
   return count;
 }
@@ -60,7 +61,7 @@ FaceQuery queryFaces(const HullView& hull, const HullView& other, double margin,
 EdgeQuery queryEdges(const HullView& a, const HullView& b, double margin, double toBeat) {
   EdgeQuery best;
   best.separation = toBeat;
-  std::uint16_t facingB[kMaxHullEdges], facingA[kMaxHullEdges];
+  std::uint16_t facingB[kMaxHullEdges], facingA[kMaxHullEdges], crosses[kMaxHullEdges];
   int countA = facingEdges(a, b, toBeat, facingB), countB = facingEdges(b, a, toBeat, facingA);
   double side[kMaxHullFaces];  // of each face normal of b, seen along the edge of a
   for (int i = 0; i < countA; i++) {
@@ -68,12 +69,16 @@ EdgeQuery queryEdges(const HullView& a, const HullView& b, double margin, double
     Vec3 pa = a.vertices[a.edges[ea].origin], da = a.vertices[a.edges[ea + 1].origin] - pa;
     Vec3 n1 = a.planes[a.edges[ea].face].normal, n2 = a.planes[a.edges[ea + 1].face].normal;
     for (int f = 0; f < b.faceCount; f++) side[f] = dot(b.planes[f].normal, da);
+    // The arc of b, turned inside out, against the circle of a's arc, and the other way round. da and db stand in for the
+    // cross products of the arcs' ends.
+    int crossing = 0;
     for (int k = 0; k < countB; k++) {
       int eb = facingA[k];
-      // The arc of b, turned inside out, against the circle of a's arc, and the other way round. da and db stand in
-      // for the cross products of the arcs' ends.
-      int f1 = b.edges[eb].face, f2 = b.edges[eb + 1].face;
-      if (side[f1] * side[f2] >= 0) continue;
+      crosses[crossing] = std::uint16_t(eb);
+      crossing += side[b.edges[eb].face] * side[b.edges[eb + 1].face] < 0;
+    }
+    for (int k = 0; k < crossing; k++) {
+      int eb = crosses[k], f1 = b.edges[eb].face, f2 = b.edges[eb + 1].face;
       Vec3 pb = b.vertices[b.edges[eb].origin], db = b.vertices[b.edges[eb + 1].origin] - pb;
       if (dot(n1, db) * dot(n2, db) >= 0) continue;
       Vec3 axis = cross(da, db);
