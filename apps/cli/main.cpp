@@ -62,7 +62,7 @@ void defineCommands(CLI::App& app, Arguments& arguments) {
       ->type_name("N");
   run.footer(std::string("Examples:\n"
                          "  brickfall run wall\n"
-                         "  brickfall run hole -o /tmp/hole --seconds 3\n"
+                         "  brickfall run hole -o short --seconds 3\n"
                          "  brickfall run wall --set world.seed=7 --no-glb\n\n"
                          "Ctrl-C ends the simulation and still writes the results of what was simulated.\n") +
              kExitCodes);
@@ -83,7 +83,7 @@ void defineCommands(CLI::App& app, Arguments& arguments) {
   addOutputOptions(replay, arguments.replay, "the folder of the take");
   replay.footer(std::string("Examples:\n"
                             "  brickfall replay out/wall/wall.take\n"
-                            "  brickfall replay wall.take -o /tmp/again --no-html\n\n") +
+                            "  brickfall replay wall.take -o again --no-html\n\n") +
                 kExitCodes);
 }
 
@@ -133,8 +133,13 @@ int dispatch(int argc, char** argv) {
   app.require_subcommand(1);
   try {
     app.parse(argc, argv);
-  } catch (const CLI::Success& help) {
-    app.exit(help);
+  } catch (const CLI::CallForVersion& version) {
+    say(version.what());
+    return kOk;
+  } catch (const CLI::Success&) {  // help, of the command if there is one
+    std::string help = app.help();
+    while (help.ends_with('\n')) help.pop_back();
+    say(help);
     return kOk;
   } catch (const CLI::ParseError& error) {
     return refuse(app, error, {argv + std::min(argc, 1), argv + argc});

@@ -46,7 +46,7 @@ std::string durationText(double seconds) {
 }
 
 std::string progressText(const ProgressState& s) {
-  std::string text = fmt::format("{:6.2f} s of {:g} s", s.simulatedSeconds, s.totalSeconds);
+  std::string text = fmt::format("{:6.2f} of {:g} s", s.simulatedSeconds, s.totalSeconds);
   if (!(s.wallSeconds > 0) || s.steps == 0) return text;
   const double factor = s.simulatedSeconds / s.wallSeconds;
   text += fmt::format("  {:.0f} steps/s  {:.{}f} x real time", double(s.steps) / s.wallSeconds, factor,
@@ -54,15 +54,16 @@ std::string progressText(const ProgressState& s) {
                       : factor < 10 ? 1
                                     : 0);
   const double share = shareDone(s);
-  if (share > 0 && share < 1) text += "  about " + durationText(s.wallSeconds * (1 - share) / share) + " left";
+  if (share > 0 && share < 0.9999) text += "  " + durationText(s.wallSeconds * (1 - share) / share) + " left";
   return text;
 }
 
 std::string progressLine(const ProgressState& s, int columns) {
-  constexpr int kBarWidth = 24;
+  constexpr int kLongestBar = 30, kShortestBar = 8;
   const std::string text = progressText(s);
   std::string line = fmt::format("{:3.0f} % ", std::floor(shareDone(s) * 100));
-  if (int(line.size() + text.size()) + kBarWidth + 3 <= columns) line += bar(shareDone(s), kBarWidth) + ' ';
+  const int room = columns - int(line.size() + text.size()) - 3;
+  if (room >= kShortestBar) line += bar(shareDone(s), std::min(room, kLongestBar)) + ' ';
   line += text;
   if (int(line.size()) > columns) line.resize(std::size_t(std::max(columns, 0)));
   return line;

@@ -15,9 +15,9 @@ struct ProgressState {
 
 // "0.4 s", "12 s", "3 min 5 s", "2 h 10 min"
 std::string durationText(double seconds);
-// "  3.2 s of 10 s  412 steps/s  6.9 x real time  about 1 s left"
+// "  3.20 of 10 s  412 steps/s  6.9 x real time  1.0 s left"
 std::string progressText(const ProgressState& state);
-// The same with a bar, at most `columns` long.
+// The same with a bar where there is room for one, at most `columns` long.
 std::string progressLine(const ProgressState& state, int columns);
 
 class ProgressDisplay {

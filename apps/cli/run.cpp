@@ -69,8 +69,8 @@ Summary summaryOf(const SceneRun& run, const RunFigures& figures, double wallSec
 
 void sayResult(const Summary& summary) {
   const RunFigures& f = summary.figures;
-  sayf("{}: {} bodies, {} steps: {:g} s simulated in {}", summary.scene, f.bodies, f.steps, f.simulatedSeconds,
-       durationText(summary.wallClockSeconds));
+  sayf("{}: {} {}, {} steps: {:g} s simulated in {}", summary.scene, f.bodies, f.bodies == 1 ? "body" : "bodies",
+       f.steps, f.simulatedSeconds, durationText(summary.wallClockSeconds));
   if (f.bricks > 0) sayf("{} of {} bricks lie more than 50 mm from their place", f.bricksMoved50mm, f.bricks);
 }
 

@@ -16,6 +16,7 @@ TEST_F(BadArguments, helpAndVersionAreNoErrors) {
     EXPECT_EQ(help.exitCode, 0);
     EXPECT_EQ(help.errors, "");
     EXPECT_NE(help.output.find("Examples:"), std::string::npos) << help.output;
+    EXPECT_TRUE(help.output.ends_with("kept.\n")) << help.output;
     EXPECT_NE(help.output.find("Exit codes:"), std::string::npos) << help.output;
   }
   const Finished version = run({"--version"});
