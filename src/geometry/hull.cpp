@@ -167,11 +167,15 @@ HullPlane fitPlane(const Hull& hull, const std::vector<Vec3>& onGrid, std::uint1
 void measure(Hull& hull, const Welded& welded) {
   double size = welded.size, sixfold = 0;
   std::vector<Vec3> onGrid;
+  Vec3 inside;
   for (Vec3 v : hull.vertices) {
+    inside += (v - welded.middle) * (1 / size) * (1 / double(hull.vertices.size()));
     GridPoint g = toGrid(v, welded);
     onGrid.push_back(Vec3{double(g.x), double(g.y), double(g.z)} * (size / kGridSteps));
   }
-  auto corner = [&](std::uint16_t e) { return (hull.vertices[hull.edges[e].origin] - welded.middle) * (1 / size); };
+  auto corner = [&](std::uint16_t e) {
+    return (hull.vertices[hull.edges[e].origin] - welded.middle) * (1 / size) - inside;
+  };
   Vec3 moment;
   for (std::uint16_t start : hull.firstEdge) {
     Vec3 a = corner(start);
@@ -184,7 +188,7 @@ void measure(Hull& hull, const Welded& welded) {
     hull.planes.push_back(fitPlane(hull, onGrid, start, size));
   }
   hull.volume = sixfold / 6 * size * size * size;
-  hull.centroid = welded.middle + moment * (size / (4 * sixfold));
+  hull.centroid = welded.middle + (inside + moment * (1 / (4 * sixfold))) * size;
 }
 
 bool holdsAll(const Hull& hull, const Welded& welded) {

@@ -47,7 +47,7 @@ MassProperties hullMass(const Hull& hull, double density) {
     for (std::uint16_t e = hull.edges[start].next; hull.edges[e].next != start; e = hull.edges[e].next) {
       Vec3 b = hull.vertices[hull.edges[e].origin] - hull.centroid;
       Vec3 c = hull.vertices[hull.edges[hull.edges[e].next].origin] - hull.centroid;
-      double v = dot(a, cross(b, c)) / 6;
+      double v = dot(a, cross(b - a, c - a)) / 6;  // by differences: stays exact for needles and plates
       Vec3 sum = a + b + c;
       volume += v;
       first += sum * (v / 4);

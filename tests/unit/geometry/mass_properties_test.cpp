@@ -25,7 +25,6 @@ void expectSame(const MassProperties& a, const MassProperties& b, double relativ
 MassProperties sumOfCells(const Shape& shape, double density, int cells) {
   Aabb box = bounds(shape, {});
   Vec3 cell = (box.upper - box.lower) * (1.0 / cells);
-  MassProperties sum;
   std::vector<MassProperties> parts;
   Shape brick;
   brick.halfExtents = cell * 0.5;
