@@ -46,6 +46,11 @@ double angleBetween(Quat a, Quat b) {
   return 2 * std::atan2(std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z), std::fabs(d.w));
 }
 
+Quat blend(Quat a, Quat b, double share) {
+  double fa = 1 - share, fb = a.x * b.x + a.y * b.y + a.z * b.z + a.w * b.w < 0 ? -share : share;
+  return normalized(Quat{a.x * fa + b.x * fb, a.y * fa + b.y * fb, a.z * fa + b.z * fb, a.w * fa + b.w * fb});
+}
+
 Quat slerp(Quat a, Quat b, double share) {
   double cosine = a.x * b.x + a.y * b.y + a.z * b.z + a.w * b.w;
   double side = cosine < 0 ? -1 : 1, angle = std::acos(std::min(1.0, std::fabs(cosine)));
@@ -64,7 +69,9 @@ std::vector<std::uint32_t> keysOfPositions(std::span<const Transform> poses, std
 
 std::vector<std::uint32_t> keysOfRotations(std::span<const Transform> poses, std::span<const double> times) {
   return keys(poses.size(), kGlbAngleTolerance, [&](std::uint32_t f, std::uint32_t a, std::uint32_t b) {
-    return angleBetween(poses[f].rotation, slerp(poses[a].rotation, poses[b].rotation, shareOf(times, f, a, b)));
+    const Quat q = poses[f].rotation, from = poses[a].rotation, to = poses[b].rotation;
+    double share = shareOf(times, f, a, b);
+    return std::max(angleBetween(q, slerp(from, to, share)), angleBetween(q, blend(from, to, share)));
   });
 }
 

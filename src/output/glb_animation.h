@@ -15,8 +15,10 @@ constexpr double kGlbAngleTolerance = 0.05 * 3.14159265358979 / 180;  // rad
 std::vector<std::uint32_t> keysOfPositions(std::span<const Transform> poses, std::span<const double> times);
 std::vector<std::uint32_t> keysOfRotations(std::span<const Transform> poses, std::span<const double> times);
 
-// As a glTF player has it: along the shorter arc at even speed.
+// As the standard has it: along the shorter arc at even speed.
 Quat slerp(Quat a, Quat b, double share);
+// As Blender and some engines have it: component by component, made a unit again. The keys serve both.
+Quat blend(Quat a, Quat b, double share);
 double angleBetween(Quat a, Quat b);
 
 }  // namespace brickfall

@@ -56,6 +56,10 @@ void layDown(Mover& m) {
 // Returns the impulse of a bounce, 0 = none.
 double move(Mover& m, bool everResting, Dice& dice) {
   m.velocity += Vec3{0, -9.81, 0} * kDt;
+  if (!everResting && dice.in(0, 1) < 0.5) {  // pushed by neighbours all the time
+    m.velocity += dice.cube(0.4);
+    m.spin += dice.cube(1.5);
+  }
   m.position += m.velocity * kDt;
   m.rotation = normalized(quatFromRotationVector(m.spin * kDt) * m.rotation);
   double depth = -lowest(m);

@@ -41,9 +41,13 @@ function clayMaterial(half: [number, number, number] | undefined): MeshStandardM
           vec3 q = vLocal + vec3(13.7, 5.1, 9.3) * vSeed;
           float pixel = length(fwidth(vLocal));
           float fineShown = 1.0 - smoothstep(0.0015, 0.006, pixel);
-          float coarse = clayNoise(q * 26.0), fine = clayNoise(q * 240.0), pit = clayNoise(q * 95.0 + 3.0);
-          clayRelief = fineShown * (fine * 0.6 + smoothstep(0.7, 0.9, pit) * -1.1);
-          diffuseColor.rgb *= 0.89 + 0.2 * coarse + fineShown * 0.16 * (fine - 0.5) - fineShown * 0.28 * smoothstep(0.68, 0.86, pit);
+          float coarse = clayNoise(q * 26.0), fine = clayNoise(q * 240.0), pit = clayNoise(q * 170.0 + 3.0);
+          clayRelief = fineShown * (fine * 0.6 + smoothstep(0.66, 0.9, pit) * -0.9);
+          float bloom = smoothstep(0.35, 0.9, clayNoise(q * 9.0 + 11.0)); // salts and lime that came to the face
+          float bed = clayNoise(q * vec3(14.0, 60.0, 60.0));
+          diffuseColor.rgb *= 0.84 + 0.22 * coarse + 0.1 * bed + fineShown * 0.2 * (fine - 0.5) - fineShown * 0.26 * smoothstep(0.64, 0.86, pit);
+          float grey = dot(diffuseColor.rgb, vec3(0.3, 0.5, 0.2));
+          diffuseColor.rgb = mix(diffuseColor.rgb, vec3(grey) * vec3(1.12, 1.0, 0.9), 0.2 + 0.22 * bloom) * (1.0 + 0.12 * bloom);
           if (uHalf.x > 0.0) {
             vec3 d = uHalf - abs(vLocal);
             float edge = max(min(d.x, d.y), min(max(d.x, d.y), d.z)); // the middle one of the three
@@ -96,7 +100,7 @@ export class Bodies {
     if (!geometry) return;
     let material: MeshStandardMaterial;
     if (role === 'ground') material = groundMaterial();
-    else if (role === 'ball') material = new MeshStandardMaterial({ roughness: 0.3, metalness: 0.55 });
+    else if (role === 'ball') material = new MeshStandardMaterial({ roughness: 0.34, metalness: 0.35, envMapIntensity: 1.8 });
     else material = clayMaterial(shape.half);
     geometry.setAttribute('seed', new InstancedBufferAttribute(new Float32Array(list.map(({ body }) => chance(body, 9))), 1));
     const mesh = new InstancedMesh(geometry, material, list.length);

@@ -31,7 +31,7 @@ export function materialColour(take: Take, body: number, out: Color): Color {
   if (meta.role !== 'brick') return out;
   // As fired clay differs: mostly in lightness, a little in hue; one in nine burnt darker.
   const dark = chance(body, 3) < 0.11 ? -0.09 : 0;
-  return out.offsetHSL((chance(body, 1) - 0.5) * 0.025, (chance(body, 2) - 0.5) * 0.12, (chance(body, 4) - 0.5) * 0.085 + dark);
+  return out.offsetHSL((chance(body, 1) - 0.5) * 0.02, (chance(body, 2) - 0.5) * 0.1 - 0.06, (chance(body, 4) - 0.5) * 0.09 + dark);
 }
 
 export function speedShare(take: Take, speed: number): number {

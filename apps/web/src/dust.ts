@@ -37,7 +37,7 @@ export class Dust {
         void main() {
           vec2 d = gl_PointCoord * 2.0 - 1.0;
           float a = max(0.0, 1.0 - dot(d, d));
-          gl_FragColor = vec4(vec3(0.72, 0.64, 0.56), vAlpha * a * a);
+          gl_FragColor = vec4(vec3(0.5, 0.42, 0.34), vAlpha * a * a);
           #include <colorspace_fragment>
         }`,
     });
@@ -81,8 +81,8 @@ export class Dust {
       this.places[at * 3] = hit.point[0] + Math.cos(angle) * reach;
       this.places[at * 3 + 1] = hit.point[1] + (0.03 + 0.2 * chance(hitIndex, n + 40)) * spread * force;
       this.places[at * 3 + 2] = hit.point[2] + Math.sin(angle) * reach;
-      this.looks[at * 2] = (0.05 + 0.3 * spread) * (0.5 + 0.7 * chance(hitIndex, n + 60)) * (0.4 + 0.6 * force);
-      this.looks[at * 2 + 1] = 0.34 * (1 - share) ** 1.5 * Math.min(1, age * 30 + 0.25) * (0.35 + 0.65 * force);
+      this.looks[at * 2] = (0.12 + 0.34 * spread) * (0.5 + 0.7 * chance(hitIndex, n + 60)) * (0.4 + 0.6 * force);
+      this.looks[at * 2 + 1] = 0.3 * (1 - share) ** 1.5 * Math.min(1, age * 14 + 0.1) * (0.35 + 0.65 * force);
     }
   }
 }

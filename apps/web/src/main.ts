@@ -9,7 +9,7 @@ import { Dust } from './dust';
 import { Player } from './player';
 import { Stage } from './stage';
 import { Take, type TakeMeta } from './tracks';
-import { applyView, interestingBounds, viewsOf } from './views';
+import { applyView, interestingBounds, overviewSide, viewsOf } from './views';
 
 function fail(message: string): void {
   const box = byId('message');
@@ -24,9 +24,10 @@ function main(): void {
   byId('data').textContent = '';
   const decodeMilliseconds = performance.now() - started;
 
+  const bounds = interestingBounds(take);
   let stage: Stage;
   try {
-    stage = new Stage(byId<HTMLCanvasElement>('view'));
+    stage = new Stage(byId<HTMLCanvasElement>('view'), overviewSide(take, bounds));
   } catch {
     fail('This replay needs WebGL 2, which this browser does not offer (or has switched off).');
     return;
@@ -40,7 +41,6 @@ function main(): void {
   const bodies = new Bodies(take, stage.scene);
   const dust = new Dust(take, stage.scene);
   const card = new Card(byId('card'), take);
-  const bounds = interestingBounds(take);
   stage.resize();
   stage.fitShadows(bounds.all);
   const plane = meta.bodies.findIndex((body) => body.parts.some((part) => meta.shapes[part.shape].type === 'plane'));
@@ -69,7 +69,7 @@ function main(): void {
   const setColour = (mode: ColourMode): void => {
     bodies.setColourMode(mode);
     byId('legend').hidden = mode === 'material';
-    byId('legend-low').textContent = mode === 'speed' ? '0' : '0';
+    byId('legend-low').textContent = '0';
     byId('legend-high').textContent = mode === 'speed' ? amount(take.topSpeed, 'm/s') : amount(take.topForce, 'N');
     dirty = true;
   };

@@ -1,22 +1,23 @@
 // What is there besides the bodies: sky, sun and its shadows, ground, camera.
 import {
-  ACESFilmicToneMapping, BackSide, Box3, CircleGeometry, Color, DirectionalLight, Fog, HemisphereLight, Mesh,
-  MeshStandardMaterial, PCFShadowMap, PerspectiveCamera, PMREMGenerator, Scene, ShaderMaterial, SphereGeometry, Vector3,
+  BackSide, Box3, CircleGeometry, Color, DirectionalLight, Fog, HemisphereLight, Mesh,
+  MeshStandardMaterial, NeutralToneMapping, PCFShadowMap, PerspectiveCamera, PMREMGenerator, Scene, ShaderMaterial, SphereGeometry, Vector3,
   WebGLRenderer,
 } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 
 const kHorizon = new Color('#dbe3ea');
 const kZenith = new Color('#6f9bc9');
-const kSunDirection = new Vector3(0.52, 0.78, 0.46).normalize();
+const kSunElevation = 0.72; // rad
+const kSunAside = 1.05; // rad, to the left of where the overview looks from: light that grazes shows the relief
 
-function makeSky(): Mesh {
+function makeSky(sun: Vector3): Mesh {
   const material = new ShaderMaterial({
     side: BackSide,
     depthWrite: false,
     fog: false,
     toneMapped: false,
-    uniforms: { horizon: { value: kHorizon }, zenith: { value: kZenith }, sun: { value: kSunDirection } },
+    uniforms: { horizon: { value: kHorizon }, zenith: { value: kZenith }, sun: { value: sun } },
     vertexShader: `varying vec3 vDirection;
       void main() { vDirection = position; gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0); }`,
     fragmentShader: `uniform vec3 horizon, zenith, sun; varying vec3 vDirection;
@@ -37,7 +38,7 @@ function makeSky(): Mesh {
 
 // Screeded concrete: soft blotches, fine grain, and joints every metre that fade out before they could shimmer.
 export function groundMaterial(): MeshStandardMaterial {
-  const material = new MeshStandardMaterial({ color: '#aca79c', roughness: 0.96, metalness: 0 });
+  const material = new MeshStandardMaterial({ color: '#b9b4ab', roughness: 0.96, metalness: 0 });
   material.onBeforeCompile = (shader) => {
     shader.vertexShader = shader.vertexShader
       .replace('#include <common>', '#include <common>\nvarying vec3 vGround;')
@@ -62,7 +63,7 @@ export function groundMaterial(): MeshStandardMaterial {
         float blotch = groundNoise(g * 0.7) * 0.6 + groundNoise(g * 2.3 + 7.0) * 0.4;
         float grain = mix(groundNoise(g * 90.0) * 0.5 + groundNoise(g * 310.0) * 0.5, 0.5, smoothstep(0.002, 0.02, pixel));
         diffuseColor.rgb *= 0.86 + 0.16 * blotch + 0.14 * grain;
-        diffuseColor.rgb *= 1.0 - 0.24 * groundLines(g, 0.004);`);
+        diffuseColor.rgb *= 1.0 - 0.2 * groundLines(g, 0.0022);`);
   };
   return material;
 }
@@ -72,22 +73,26 @@ export class Stage {
   readonly camera = new PerspectiveCamera(42, 1, 0.02, 2000);
   readonly renderer: WebGLRenderer;
   readonly controls: OrbitControls;
-  private readonly sun = new DirectionalLight('#fff0da', 3.1);
-  private readonly sky = makeSky();
+  private readonly sun = new DirectionalLight('#fff3e2', 2.7);
+  private readonly sunDirection = new Vector3();
+  private readonly sky = makeSky(this.sunDirection);
 
-  constructor(canvas: HTMLCanvasElement) {
+  // lookFrom: the side from which the scene is seen first, horizontal.
+  constructor(canvas: HTMLCanvasElement, lookFrom: Vector3) {
+    this.sunDirection.copy(lookFrom).setY(0).normalize().applyAxisAngle(new Vector3(0, 1, 0), -kSunAside)
+      .multiplyScalar(Math.cos(kSunElevation)).setY(Math.sin(kSunElevation));
     this.renderer = new WebGLRenderer({ canvas, antialias: true, powerPreference: 'high-performance', preserveDrawingBuffer: true });
-    this.renderer.toneMapping = ACESFilmicToneMapping;
-    this.renderer.toneMappingExposure = 1.02;
+    this.renderer.toneMapping = NeutralToneMapping;
+    this.renderer.toneMappingExposure = 1.0;
     this.renderer.shadowMap.enabled = true;
     this.renderer.shadowMap.type = PCFShadowMap;
     this.scene.fog = new Fog(kHorizon, 30, 160);
 
     const small = new Scene();
-    small.add(makeSky());
+    small.add(makeSky(this.sunDirection));
     const generator = new PMREMGenerator(this.renderer);
     this.scene.environment = generator.fromScene(small, 0, 0.1, 10).texture;
-    this.scene.environmentIntensity = 0.42;
+    this.scene.environmentIntensity = 0.55;
     generator.dispose();
 
     this.sun.castShadow = true;
@@ -95,7 +100,7 @@ export class Stage {
     this.sun.shadow.mapSize.set(size, size);
     this.sun.shadow.bias = -0.0004;
     this.sun.shadow.radius = 2.2;
-    this.scene.add(this.sky, this.sun, this.sun.target, new HemisphereLight('#cfe0f2', '#8d8378', 0.5));
+    this.scene.add(this.sky, this.sun, this.sun.target, new HemisphereLight('#d5e3f2', '#a89a8a', 0.75));
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.enableDamping = true;
     this.controls.dampingFactor = 0.12;
@@ -115,7 +120,7 @@ export class Stage {
   fitShadows(bounds: Box3): void {
     const centre = bounds.getCenter(new Vector3());
     const radius = Math.max(0.5, bounds.getSize(new Vector3()).length() / 2);
-    this.sun.position.copy(centre).addScaledVector(kSunDirection, radius * 3);
+    this.sun.position.copy(centre).addScaledVector(this.sunDirection, radius * 3);
     this.sun.target.position.copy(centre);
     const eye = this.sun.shadow.camera;
     eye.left = eye.bottom = -radius;

@@ -115,7 +115,7 @@ export class Take {
   readonly rotations: Int16Array; // [(frame * bodies + body) * 4], 1 = 32767
   readonly forces: Uint8Array; // [frame * bodies + body], code
   readonly hits: Hit[] = []; // in the order of time
-  readonly activity: Float32Array; // per frame: root of the summed squares of all speeds
+  readonly activity: Float32Array; // per frame: root of the summed squares of all speeds but the balls'
   topSpeed = 1; // m/s: 95 % of the moving bodies' frames are below it
   topForce = 1; // N
 
@@ -241,11 +241,13 @@ export class Take {
   private measure(): void {
     const speeds = new Uint32Array(512); // histogram, 0.1 m/s each
     let moving = 0;
+    const counts = this.meta.bodies.map((body) => body.role !== 'ball' && body.role !== 'ground');
     for (let f = 0; f < this.frames; f++) {
       let sum = 0;
       for (let body = 0; body < this.bodies; body++) {
+        if (!counts[body]) continue;
         const speed = this.speed(f, body);
-        if (speed > 0.05 && this.meta.bodies[body].role !== 'ball') {
+        if (speed > 0.05) {
           speeds[Math.min(511, Math.floor(speed * 10))]++;
           moving++;
         }
@@ -259,7 +261,7 @@ export class Take {
     this.topSpeed = Math.max(1, Math.ceil((bin + 1) / 5) / 2);
     let code = 0;
     for (let f = 0; f < this.forces.length; f++) {
-      if (this.forces[f] > code && this.meta.bodies[f % this.bodies].role !== 'ground') code = this.forces[f];
+      if (this.forces[f] > code && counts[f % this.bodies]) code = this.forces[f];
     }
     this.topForce = Math.max(10, this.forceOfCode(code));
   }
@@ -277,7 +279,10 @@ export class Take {
     const p = this.positions;
     const now = (f * this.bodies + body) * 3;
     const last = now - this.bodies * 3;
-    return Math.hypot(p[now] - p[last], p[now + 1] - p[last + 1], p[now + 2] - p[last + 2]) / (this.times[f] - this.times[f - 1] || 1);
+    const x = p[now] - p[last];
+    const y = p[now + 1] - p[last + 1];
+    const z = p[now + 2] - p[last + 2];
+    return Math.sqrt(x * x + y * y + z * z) / (this.times[f] - this.times[f - 1] || 1); // Math.hypot is many times slower
   }
   position(frame: number, body: number): [number, number, number] {
     const at = (frame * this.bodies + body) * 3;

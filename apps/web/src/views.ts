@@ -47,19 +47,26 @@ export function interestingBounds(take: Take): { start: Box3; all: Box3 } {
   return { start, all };
 }
 
+// From the ball's side, a third of a right angle off its line, so that both the flight and the breach are seen.
+export function overviewSide(take: Take, bounds: { start: Box3 }): Vector3 {
+  const ball = take.meta.bodies.findIndex((body) => body.role === 'ball');
+  const towards = ball >= 0 ? new Vector3(...take.position(0, ball)).sub(bounds.start.getCenter(new Vector3())).setY(0) : new Vector3(0, 0, 1);
+  if (towards.length() < 0.2) towards.set(0, 0, 1);
+  return towards.normalize().applyAxisAngle(new Vector3(0, 1, 0), 0.56);
+}
+
 export function viewsOf(take: Take, bounds: { start: Box3; all: Box3 }, aspect: number): View[] {
   const ball = take.meta.bodies.findIndex((body) => body.role === 'ball');
   const centre = bounds.start.getCenter(new Vector3());
-  // From the ball's side, a third of a right angle off its line, so that both the flight and the breach are seen.
-  const towards = ball >= 0 ? new Vector3(...take.position(0, ball)).sub(centre).setY(0) : new Vector3(0, 0, 1);
-  if (towards.length() < 0.2) towards.set(0, 0, 1);
-  towards.normalize().applyAxisAngle(new Vector3(0, 1, 0), 0.62);
-  const radius = bounds.start.getSize(new Vector3()).length() / 2 + 0.35 * (bounds.all.getSize(new Vector3()).length() - bounds.start.getSize(new Vector3()).length()) / 2;
-  const fieldOfView = 38;
-  const opening = Math.atan(Math.tan(MathUtils.degToRad(fieldOfView / 2)) * Math.min(1, aspect));
-  const distance = (radius * 1.12) / Math.sin(opening);
-  const target = new Vector3(centre.x, bounds.start.min.y + (centre.y - bounds.start.min.y) * 0.85, centre.z);
-  const position = target.clone().addScaledVector(towards, distance * 0.955).add(new Vector3(0, distance * 0.3, 0));
+  const towards = overviewSide(take, bounds);
+  const size = bounds.start.getSize(new Vector3()).length() / 2;
+  const radius = size + 0.14 * (bounds.all.getSize(new Vector3()).length() / 2 - size);
+  const fieldOfView = 36;
+  const opening = Math.atan(Math.tan(MathUtils.degToRad(fieldOfView / 2)) * Math.min(1.45, aspect));
+  const distance = (radius * 1.15) / Math.sin(opening);
+  // A little below the middle of the picture, where the bar does not reach.
+  const target = new Vector3(centre.x, centre.y - 0.1 * size, centre.z);
+  const position = target.clone().addScaledVector(towards, distance * 0.97).add(new Vector3(0, distance * 0.235, 0));
   const views: View[] = [{ name: 'Overview', position, target, fieldOfView, follows: -1 }];
   for (const camera of take.meta.cameras) {
     views.push({ name: camera.name, position: new Vector3(...camera.position), target: new Vector3(...camera.target), fieldOfView: camera.fieldOfView, follows: -1 });
