@@ -66,8 +66,8 @@ void checkBond(const WallDef& wall, Problems& problems) {
                                    textOf(wall.brick.size.z) +
                                    " m wide; header, English and Flemish bond need length >= 2 widths");
   if (wall.bond != Bond::header && !(wall.bricksPerCourse >= 2))
-    problems.add("bricksPerCourse", "found " + std::to_string(wall.bricksPerCourse) +
-                                        ", expected at least 2 in English and Flemish bond");
+    problems.add("bricksPerCourse",
+                 "found " + std::to_string(wall.bricksPerCourse) + ", expected at least 2 in English and Flemish bond");
   double closer = 0.5 * at.headerPitch - at.headerJoint;
   if (wall.halfBats && !(closer >= masonry::kMinPiece))
     problems.add("headJoint", "found " + textOf(wall.headJoint) + " m, which leaves closers of " + textOf(closer) +
@@ -83,10 +83,10 @@ bool meet(double fromA, double toA, int firstA, int endA, double fromB, double t
 bool inTheWay(const OpeningSpan& a, const OpeningSpan& b) {
   bool lintel = b.hasLintel();
   return meet(a.from, a.to, a.firstCourse, a.endCourse, b.from, b.to, b.firstCourse, b.endCourse) ||
-         (lintel && meet(a.from, a.to, a.firstCourse, a.endCourse, b.lintelFrom, b.lintelTo, b.endCourse - 1,
-                         b.lintelEnd)) ||
-         (lintel && a.hasLintel() && meet(a.lintelFrom, a.lintelTo, a.endCourse, a.lintelEnd, b.lintelFrom,
-                                          b.lintelTo, b.endCourse, b.lintelEnd));
+         (lintel &&
+          meet(a.from, a.to, a.firstCourse, a.endCourse, b.lintelFrom, b.lintelTo, b.endCourse - 1, b.lintelEnd)) ||
+         (lintel && a.hasLintel() &&
+          meet(a.lintelFrom, a.lintelTo, a.endCourse, a.lintelEnd, b.lintelFrom, b.lintelTo, b.endCourse, b.lintelEnd));
 }
 
 bool checkOpening(const WallDef& wall, std::size_t index, Problems& problems) {
@@ -103,8 +103,8 @@ bool checkOpening(const WallDef& wall, std::size_t index, Problems& problems) {
   double length = wallLength(wall);
   OpeningSpan span = masonry::spanOf(wall, opening);
   if (!(span.to <= length + 1e-9)) {
-    problems.add(field + "width", "the opening ends at " + textOf(span.to) + " m, expected inside the wall's length of " +
-                                      textOf(length) + " m");
+    problems.add(field + "width", "the opening ends at " + textOf(span.to) +
+                                      " m, expected inside the wall's length of " + textOf(length) + " m");
   } else if (!(span.endCourse > span.firstCourse)) {
     bool above = span.firstCourse >= wall.courses;
     problems.add(field + (above ? "sill" : "height"),
@@ -154,8 +154,8 @@ std::vector<WallProblem> checkWall(const WallDef& wall) {
   checkBond(wall, problems);
   if (!problems.list.empty()) return problems.list;
   if (std::int64_t bricks = brickCount(wall); !(bricks <= kMaxBricks))
-    problems.add("courses", "the wall has " + std::to_string(bricks) + " bricks, expected at most " +
-                                std::to_string(kMaxBricks));
+    problems.add("courses",
+                 "the wall has " + std::to_string(bricks) + " bricks, expected at most " + std::to_string(kMaxBricks));
   else
     checkOpenings(wall, problems);
   return problems.list;

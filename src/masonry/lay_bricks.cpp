@@ -1,4 +1,4 @@
-// From courses of cells to bricks in the world: leaves, lintels, disorder, order of creation, place and yaw of the wall.
+// From courses of cells to bricks in the world: leaves, lintels, disorder, order of creation, place and yaw.
 #include <numbers>
 #include <utility>
 
@@ -13,8 +13,8 @@ namespace brickfall {
 namespace {
 
 using masonry::Cell;
-using masonry::Layout;
 using masonry::Laying;
+using masonry::Layout;
 using masonry::OpeningSpan;
 
 // Bricks in the wall's own frame: x along, y up from the foot, z through from the middle.
@@ -75,8 +75,8 @@ class Bricklayer {
 // Out of true by gaps of 0 .. disorder below each brick, like shifts, and turns about the vertical to match.
 void disturb(BrickPlacement& brick, double disorder, Random& random) {
   double down = random.unit(), along = random.unit(), through = random.unit(), turn = random.unit();
-  brick.centre += Vec3{disorder * (along - 0.5), (brick.course + 1) * disorder - disorder * down,
-                       disorder * (through - 0.5)};
+  brick.centre +=
+      Vec3{disorder * (along - 0.5), (brick.course + 1) * disorder - disorder * down, disorder * (through - 0.5)};
   brick.rotation = normalized(Quat{0, (turn - 0.5) * disorder * 5, 0, 1});
 }
 
@@ -85,7 +85,8 @@ void disturb(BrickPlacement& brick, double disorder, Random& random) {
 Result<std::vector<BrickPlacement>> layBricks(const WallDef& wall, std::uint64_t seed) {
   std::vector<WallProblem> problems = checkWall(wall);
   if (!problems.empty())
-    return Error{ErrorCode::invalidArgument, "wall " + wall.name + ": " + problems[0].field + ": " + problems[0].message};
+    return Error{ErrorCode::invalidArgument,
+                 "wall " + wall.name + ": " + problems[0].field + ": " + problems[0].message};
   std::vector<BrickPlacement> bricks = Bricklayer(wall).lay();
   Random random(masonry::namedSeed(seed, wall.name));
   if (wall.disorder > 0)

@@ -7,7 +7,6 @@ namespace brickfall::masonry {
 
 namespace {
 
-
 // Stretchers shifted by a share of the pitch; cut bricks close the ends, or they are left toothed.
 std::vector<Cell> runningCourse(const WallDef& wall, const Layout& at, bool shifted) {
   std::vector<Cell> cells;
@@ -37,9 +36,7 @@ std::vector<Cell> headerCourse(const WallDef& wall, const Layout& at, bool shift
 }
 
 // Where header position k (in half header pitches) lies, centred so that both ends of the wall are alike.
-double halfPitchPlace(const Layout& at, int k) {
-  return 0.5 * k * at.headerPitch + 0.5 * (at.headerJoint - at.joint);
-}
+double halfPitchPlace(const Layout& at, int k) { return 0.5 * k * at.headerPitch + 0.5 * (at.headerJoint - at.joint); }
 
 std::vector<Cell> englishCourse(const WallDef& wall, const Layout& at, bool headers) {
   std::vector<Cell> cells;
@@ -49,7 +46,8 @@ std::vector<Cell> englishCourse(const WallDef& wall, const Layout& at, bool head
     return cells;
   }
   if (!wall.halfBats) {
-    for (int i = 0; i < 2 * n - 1; i++) cells.push_back({halfPitchPlace(at, 2 * i + 1), at.width, Laying::header, false});
+    for (int i = 0; i < 2 * n - 1; i++)
+      cells.push_back({halfPitchPlace(at, 2 * i + 1), at.width, Laying::header, false});
     return cells;
   }
   // header, queen closer, headers off the joints below by a quarter brick, queen closer, header
@@ -119,11 +117,16 @@ std::vector<Cell> courseCells(const WallDef& wall, int course) {
   Layout at = layoutOf(wall);
   bool second = course % 2 == 1;
   switch (wall.bond) {
-    case Bond::running: return runningCourse(wall, at, second);
-    case Bond::header: return headerCourse(wall, at, second);
-    case Bond::english: return englishCourse(wall, at, second);
-    case Bond::flemish: return flemishCourse(wall, at, second);
-    case Bond::stack: break;
+    case Bond::running:
+      return runningCourse(wall, at, second);
+    case Bond::header:
+      return headerCourse(wall, at, second);
+    case Bond::english:
+      return englishCourse(wall, at, second);
+    case Bond::flemish:
+      return flemishCourse(wall, at, second);
+    case Bond::stack:
+      break;
   }
   return runningCourse(wall, at, false);
 }

@@ -25,10 +25,10 @@ struct Cell {
 };
 
 struct Layout {
-  double length = 0;      // m, of a brick
-  double width = 0;       // m, of a brick
-  double joint = 0;       // m, between stretchers
-  double pitch = 0;       // m, stretcher to stretcher
+  double length = 0;  // m, of a brick
+  double width = 0;   // m, of a brick
+  double joint = 0;   // m, between stretchers
+  double pitch = 0;   // m, stretcher to stretcher
   double headerPitch = 0;
   double headerJoint = 0;
   double coursePitch = 0;  // m, height of a course with its joint

@@ -1,5 +1,5 @@
-// Cutting at a reveal follows the bricklayer: no piece shorter than a quarter brick is left beside an opening; it is made
-// one piece with its neighbour, or the two are cut to equal halves.
+// Cutting at a reveal follows the bricklayer: no piece shorter than a quarter brick is left beside an opening; it is
+// made one piece with its neighbour, or the two are cut to equal halves.
 #include "masonry/openings.h"
 
 #include <algorithm>

@@ -8,10 +8,10 @@ namespace brickfall::masonry {
 
 // An opening in whole courses. Sill and head are moved to the nearest bed joint: bricks are not cut in height.
 struct OpeningSpan {
-  double from = 0, to = 0;          // m along the wall
+  double from = 0, to = 0;  // m along the wall
   int firstCourse = 0, endCourse = 0;
   double lintelFrom = 0, lintelTo = 0;
-  int lintelEnd = 0;                // the lintel takes courses endCourse .. lintelEnd; none if equal
+  int lintelEnd = 0;  // the lintel takes courses endCourse .. lintelEnd; none if equal
   bool hasLintel() const { return lintelEnd > endCourse; }
 };
 

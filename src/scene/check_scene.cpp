@@ -12,7 +12,7 @@ namespace brickfall {
 
 namespace {
 
-constexpr double kDeepest = 1e-4;       // m: overlap up to this is no mistake
+constexpr double kDeepest = 1e-4;  // m: overlap up to this is no mistake
 constexpr std::size_t kMaxWarnings = 20;
 
 struct Overlap {
@@ -75,16 +75,18 @@ void warnOfOverlaps(const SceneDescription& scene, const SceneRun& run, std::vec
                               "\" at the start, expected bodies that touch at most"));
   }
   if (overlaps.size() > kMaxWarnings)
-    out.push_back(warning(scene, "", "found " + std::to_string(overlaps.size() - kMaxWarnings) +
-                                         " more pairs of bodies that overlap at the start"));
+    out.push_back(warning(
+        scene, "",
+        "found " + std::to_string(overlaps.size() - kMaxWarnings) + " more pairs of bodies that overlap at the start"));
 }
 
 void warnOfLaunches(const SceneDescription& scene, std::vector<Diagnostic>& out) {
   for (const SceneBody& body : scene.bodies)
     if (body.launchTime >= scene.seconds)
-      out.push_back(warning(scene, body.name, "found launch_time " + scene::numberText(body.launchTime) +
-                                                  ", expected it before the end of the run at " +
-                                                  scene::numberText(scene.seconds) + " s"));
+      out.push_back(warning(scene, body.name,
+                            "found launch_time " + scene::numberText(body.launchTime) +
+                                ", expected it before the end of the run at " + scene::numberText(scene.seconds) +
+                                " s"));
 }
 
 void warnOfBareOpenings(const SceneDescription& scene, std::vector<Diagnostic>& out) {
@@ -94,8 +96,9 @@ void warnOfBareOpenings(const SceneDescription& scene, std::vector<Diagnostic>& 
       double height = wall.wall.courses * (wall.wall.brick.size.y + wall.wall.bedJoint);
       bool bricksAbove = opening.sill + opening.height < height - wall.wall.brick.size.y;
       if (bricksAbove && opening.lintelHeight == 0)
-        out.push_back(warning(scene, wall.wall.name + ".opening[" + std::to_string(i) + "]",
-                              "found bricks above an opening without a lintel, expected lintel_height > 0: they will fall"));
+        out.push_back(
+            warning(scene, wall.wall.name + ".opening[" + std::to_string(i) + "]",
+                    "found bricks above an opening without a lintel, expected lintel_height > 0: they will fall"));
     }
 }
 
@@ -106,8 +109,10 @@ std::vector<Diagnostic> checkScene(const SceneDescription& scene) {
   warnOfLaunches(scene, out);
   warnOfBareOpenings(scene, out);
   Result<SceneRun> run = SceneRun::create(scene);
-  if (run) warnOfOverlaps(scene, *run, out);
-  else out.push_back({Severity::error, scene.name, 0, 0, "", run.error().message});
+  if (run)
+    warnOfOverlaps(scene, *run, out);
+  else
+    out.push_back({Severity::error, scene.name, 0, 0, "", run.error().message});
   return out;
 }
 

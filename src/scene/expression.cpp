@@ -37,17 +37,23 @@ class Parser {
   double sum(int depth) {
     double value = product(depth);
     while (true) {
-      if (take('+')) value += product(depth);
-      else if (take('-')) value -= product(depth);
-      else return value;
+      if (take('+'))
+        value += product(depth);
+      else if (take('-'))
+        value -= product(depth);
+      else
+        return value;
     }
   }
   double product(int depth) {
     double value = unary(depth);
     while (true) {
-      if (take('*')) value *= unary(depth);
-      else if (take('/')) value /= unary(depth);
-      else return value;
+      if (take('*'))
+        value *= unary(depth);
+      else if (take('/'))
+        value /= unary(depth);
+      else
+        return value;
     }
   }
   double unary(int depth) {

@@ -13,6 +13,8 @@ constexpr double kFast = 1e4;     // m/s
 constexpr double kSmall = 0.001;  // m: sizes
 constexpr double kLarge = 1000;   // m
 
+// One row a key, wider than a page.
+// clang-format off
 // What places a body and lets it move: the same for [[body]], [[ball]] and [[array]].
 void addMotion(std::vector<KeySpec>& keys, const char* table) {
   keys.push_back({table, "velocity", K::vector, "m/s", -kFast, kFast, "[0, 0, 0]", "", "velocity of the centre of mass"});
@@ -156,6 +158,7 @@ std::vector<KeySpec> makeKeys() {
   keys.push_back({"camera", "field_of_view_degrees", K::number, "degrees", 1, 170, "45", "", "vertical"});
   return keys;
 }
+// clang-format on
 
 }  // namespace
 
@@ -211,23 +214,39 @@ std::string expectation(const KeySpec& spec) {
   for (std::size_t i = 0; i < choices.size(); i++)
     list += (i == 0 ? "\"" : i + 1 == choices.size() ? " or \"" : ", \"") + choices[i] + "\"";
   switch (spec.kind) {
-    case K::number: return "a number " + range + unit;
-    case K::integer: return "a whole number " + range;
-    case K::boolean: return "true or false";
-    case K::text: return "a text of at most " + numberText(spec.maximum) + " characters";
-    case K::name: return "a text of 1 .. 64 characters";
-    case K::choice: return list;
-    case K::material: return "the name of a material";
-    case K::colour: return "a colour as \"#RRGGBB\"";
+    case K::number:
+      return "a number " + range + unit;
+    case K::integer:
+      return "a whole number " + range;
+    case K::boolean:
+      return "true or false";
+    case K::text:
+      return "a text of at most " + numberText(spec.maximum) + " characters";
+    case K::name:
+      return "a text of 1 .. 64 characters";
+    case K::choice:
+      return list;
+    case K::material:
+      return "the name of a material";
+    case K::colour:
+      return "a colour as \"#RRGGBB\"";
     case K::vector:
-    case K::positive: return "three numbers [x, y, z], each " + range + unit;
-    case K::counts: return "three whole numbers [x, y, z], each " + range;
-    case K::gravity: return "a number or three numbers [x, y, z], each " + range + unit;
-    case K::brick: return list + ", or [length, height, width], each " + range + unit;
-    case K::points: return "4 .. 64 points [[x, y, z], ...], each coordinate " + range + unit;
-    case K::parameters: return "a table of numbers";
-    case K::table: return std::string("a table: write [") + spec.key + "]";
-    case K::tables: break;
+    case K::positive:
+      return "three numbers [x, y, z], each " + range + unit;
+    case K::counts:
+      return "three whole numbers [x, y, z], each " + range;
+    case K::gravity:
+      return "a number or three numbers [x, y, z], each " + range + unit;
+    case K::brick:
+      return list + ", or [length, height, width], each " + range + unit;
+    case K::points:
+      return "4 .. 64 points [[x, y, z], ...], each coordinate " + range + unit;
+    case K::parameters:
+      return "a table of numbers";
+    case K::table:
+      return std::string("a table: write [") + spec.key + "]";
+    case K::tables:
+      break;
   }
   std::string full = *spec.table ? std::string(spec.table) + "." + spec.key : std::string(spec.key);
   return "an array of tables: write [[" + full + "]]";

@@ -12,26 +12,26 @@ enum class KeyKind : std::uint8_t {
   integer,
   boolean,
   text,
-  name,          // text of 1 .. 64 characters
-  choice,        // one of KeySpec::choices
-  material,      // name of a material
-  colour,        // "#RRGGBB"
-  vector,        // [x, y, z]
-  positive,      // [x, y, z], each in the range, as sizes are
-  counts,        // [nx, ny, nz], whole numbers
-  gravity,       // a number (downwards) or [x, y, z]
-  brick,         // "uk", "as3700" or [length, height, width]
-  points,        // [[x, y, z], ...]
-  parameters,    // a table of numbers with names of the user's choice
-  table,         // [name]
-  tables,        // [[name]]
+  name,        // text of 1 .. 64 characters
+  choice,      // one of KeySpec::choices
+  material,    // name of a material
+  colour,      // "#RRGGBB"
+  vector,      // [x, y, z]
+  positive,    // [x, y, z], each in the range, as sizes are
+  counts,      // [nx, ny, nz], whole numbers
+  gravity,     // a number (downwards) or [x, y, z]
+  brick,       // "uk", "as3700" or [length, height, width]
+  points,      // [[x, y, z], ...]
+  parameters,  // a table of numbers with names of the user's choice
+  table,       // [name]
+  tables,      // [[name]]
 };
 
 struct KeySpec {
-  const char* table;     // "" = top level, "wall", "wall.opening"
+  const char* table;  // "" = top level, "wall", "wall.opening"
   const char* key;
   KeyKind kind;
-  const char* unit;      // "" = none
+  const char* unit;  // "" = none
   double minimum, maximum;
   const char* fallback;  // the default as it reads in a file; "" = must be given; "-" = none
   const char* choices;   // "a|b|c"

@@ -39,7 +39,8 @@ std::string nearest(std::string_view word, const std::vector<std::string>& known
     std::string other = plain(candidate);
     std::size_t d = distance(wanted, other);
     // "gravity_vec" for "gravity", "rot" for "rotation_degrees": one begins with the other
-    bool begins = std::min(wanted.size(), other.size()) >= 3 && (other.starts_with(wanted) || wanted.starts_with(other));
+    bool begins =
+        std::min(wanted.size(), other.size()) >= 3 && (other.starts_with(wanted) || wanted.starts_with(other));
     if (begins) d = std::min<std::size_t>(d, 1);
     if (d < bestDistance) {
       bestDistance = d;

@@ -1,4 +1,5 @@
-// A TOML document as a plain tree with the place of everything in the file. The TOML library stays behind toml_document.cpp.
+// A TOML document as a plain tree with the place of everything in the file. The TOML library stays behind
+// toml_document.cpp.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -14,12 +15,12 @@ struct Node {
   NodeKind kind = NodeKind::table;
   bool boolean = false;
   std::int64_t integer = 0;
-  double number = 0;               // of an integer too
+  double number = 0;  // of an integer too
   std::string text;
-  std::vector<Node> items;         // of an array
-  std::vector<Member> members;     // of a table, in the order of the file
-  int line = 0, column = 0;        // from 1; of a table: where it begins
-  bool fromOverride = false;       // given by --set, not by the file
+  std::vector<Node> items;      // of an array
+  std::vector<Member> members;  // of a table, in the order of the file
+  int line = 0, column = 0;     // from 1; of a table: where it begins
+  bool fromOverride = false;    // given by --set, not by the file
 
   const Member* find(const std::string& key) const;
   Member* find(const std::string& key);
@@ -27,7 +28,7 @@ struct Node {
 
 struct Member {
   std::string key;
-  int line = 0, column = 0;        // of the key
+  int line = 0, column = 0;  // of the key
   Node value;
 };
 

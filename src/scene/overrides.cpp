@@ -1,5 +1,5 @@
-// Paths are "world.time_step", "wall[0].courses", "ball[0].velocity[2]"; the index may be left out where an array has one
-// entry. A name alone is that of a parameter, if the file has it.
+// Paths are "world.time_step", "wall[0].courses", "ball[0].velocity[2]"; the index may be left out where an array has
+// one entry. A name alone is that of a parameter, if the file has it.
 #include "scene/overrides.h"
 
 #include <charconv>
@@ -131,8 +131,9 @@ class Override {
         return nullptr;
       }
       if (node->items.size() > 1) {
-        fail("the scene has " + std::to_string(node->items.size()) + " of \"" + segment.name + "\", expected an index: " +
-             segment.name + "[0] .. " + segment.name + "[" + std::to_string(node->items.size() - 1) + "]");
+        fail("the scene has " + std::to_string(node->items.size()) + " of \"" + segment.name +
+             "\", expected an index: " + segment.name + "[0] .. " + segment.name + "[" +
+             std::to_string(node->items.size() - 1) + "]");
         return nullptr;
       }
       indices.push_back(0);

@@ -49,8 +49,8 @@ void readNumbers(TableReader& reader, ArrayDef& def) {
 void checkTogether(TableReader& reader, const ArrayDef& def) {
   for (int i = 0; def.randomSize && i < 3; i++)
     if (!(def.sizeMin[i] <= def.size[i])) {
-      reader.error("size_min", "found " + numberText(def.sizeMin[i]) + ", expected at most size = " +
-                                   numberText(def.size[i]) + " m on each axis");
+      reader.error("size_min", "found " + numberText(def.sizeMin[i]) +
+                                   ", expected at most size = " + numberText(def.size[i]) + " m on each axis");
       break;
     }
   const char* other = def.arrangement == Arrangement::pyramid ? "count" : "base";

@@ -57,7 +57,8 @@ ShapeDef readShape(TableReader& reader) {
   shape.halfHeight = height * 0.5;
   bool points = reader.points("vertices", shape.vertices);
   if (shape.type != ShapeType::hull) return shape;
-  if (!reader.has("vertices")) reader.error("vertices", "not given, expected the points of the hull");
+  if (!reader.has("vertices"))
+    reader.error("vertices", "not given, expected the points of the hull");
   else if (points && !spansVolume(shape.vertices))
     reader.error("vertices", "found points in one plane, expected points that span a volume");
   return shape;

@@ -107,8 +107,10 @@ void readMaterials(SceneBuild& build, TableReader& top) {
     reader.choice("friction_rule", material.material.frictionRule);
     reader.choice("restitution_rule", material.material.restitutionRule);
     reader.colour("colour", material.colour);
-    if (target) *target = material;
-    else materials.push_back(material);
+    if (target)
+      *target = material;
+    else
+      materials.push_back(material);
   }
   for (const MaterialDef& material : materials) build.context.materialNames.push_back(material.name);
 }

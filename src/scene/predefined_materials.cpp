@@ -20,7 +20,7 @@ MaterialDef make(const char* name, double density, double friction, double resti
 
 const std::vector<MaterialDef>& predefinedMaterials() {
   static const std::vector<MaterialDef> materials = {
-      make("brick", 1900, 0.65, 0.1, 0xB5543A),   make("steel", 7800, 0.5, 0.3, 0x70757A),
+      make("brick", 1900, 0.65, 0.1, 0xB5543A),    make("steel", 7800, 0.5, 0.3, 0x70757A),
       make("concrete", 2400, 0.65, 0.1, 0xA9A69F), make("wood", 600, 0.45, 0.2, 0xB8864B),
       make("rubber", 1100, 0.9, 0.7, 0x2E2E2E),
   };

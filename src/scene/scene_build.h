@@ -13,8 +13,8 @@ constexpr std::int64_t kMaxSceneBodies = 1'000'000;
 struct SceneBuild {
   ReadContext context;
   SceneDescription scene;
-  std::set<std::string> names;      // of walls, bodies, balls and arrays
-  std::int64_t bodyCount = 0;       // bricks included
+  std::set<std::string> names;  // of walls, bodies, balls and arrays
+  std::int64_t bodyCount = 0;   // bricks included
 
   // The name in the table, or kind + number ("wall2"); a name given twice is an error.
   std::string nameOf(TableReader& reader, const char* kind, std::size_t index);

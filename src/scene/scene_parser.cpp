@@ -39,7 +39,8 @@ void readAll(scene::SceneBuild& build, const scene::Node& root) {
   bool anything = top.has("wall") || top.has("body") || top.has("ball") || top.has("array");
   if (!anything && !build.context.syntaxErrors) {
     scene::Node file;
-    build.context.error(file, "", "found nothing to simulate, expected at least one [[wall]], [[body]], [[ball]] or [[array]]");
+    build.context.error(file, "",
+                        "found nothing to simulate, expected at least one [[wall]], [[body]], [[ball]] or [[array]]");
   }
 }
 

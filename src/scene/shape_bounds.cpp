@@ -12,7 +12,9 @@ Aabb shapeBounds(const ShapeDef& shape, const Transform& body) {
     case ShapeType::box:
       for (int i = 0; i < 3; i++) half[i] = dot(abs(r.row[i]), shape.halfExtents);
       break;
-    case ShapeType::sphere: half = Vec3{1, 1, 1} * shape.radius; break;
+    case ShapeType::sphere:
+      half = Vec3{1, 1, 1} * shape.radius;
+      break;
     case ShapeType::capsule:
       half = abs(r.column(1)) * shape.halfHeight + Vec3{1, 1, 1} * shape.radius;
       break;
@@ -25,7 +27,9 @@ Aabb shapeBounds(const ShapeDef& shape, const Transform& body) {
       }
       return box;
     }
-    case ShapeType::plane: half = Vec3{1e7, 1e7, 1e7}; break;
+    case ShapeType::plane:
+      half = Vec3{1e7, 1e7, 1e7};
+      break;
   }
   return {c - half, c + half};
 }

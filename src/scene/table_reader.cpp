@@ -79,7 +79,8 @@ class ParameterReader {
     auto lookup = [this](const std::string& name, std::string& error) { return valueOf(name, error); };
     Evaluated result = evaluate(node.text, lookup);
     if (result.error.empty()) return result.value;
-    context_.error(node, path, "found " + describe(node) + ": " + result.error + ", expected a number or an expression");
+    context_.error(node, path,
+                   "found " + describe(node) + ": " + result.error + ", expected a number or an expression");
     return std::nullopt;
   }
 
@@ -245,8 +246,8 @@ bool TableReader::text(const char* key, std::string& out) {
   const Node* node = sought(key);
   if (!node) return false;
   bool name = spec(key).kind == KeyKind::name;
-  bool sound = node->kind == NodeKind::text && (name ? !node->text.empty() && node->text.size() <= 64
-                                                     : double(node->text.size()) <= spec(key).maximum);
+  bool sound = node->kind == NodeKind::text &&
+               (name ? !node->text.empty() && node->text.size() <= 64 : double(node->text.size()) <= spec(key).maximum);
   if (!sound) {
     wrong(*node, pathOf(key), spec(key));
     return false;
@@ -279,7 +280,10 @@ bool TableReader::colour(const char* key, std::uint32_t& out) {
   bool sound = node->kind == NodeKind::text && text.size() == 7 && text[0] == '#';
   for (std::size_t i = 1; sound && i < 7; i++) {
     char c = text[i];
-    int digit = c >= '0' && c <= '9' ? c - '0' : c >= 'a' && c <= 'f' ? c - 'a' + 10 : c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
+    int digit = c >= '0' && c <= '9'   ? c - '0'
+                : c >= 'a' && c <= 'f' ? c - 'a' + 10
+                : c >= 'A' && c <= 'F' ? c - 'A' + 10
+                                       : -1;
     sound = digit >= 0;
     value = value * 16 + std::uint32_t(digit);
   }
@@ -331,7 +335,8 @@ bool TableReader::points(const char* key, std::vector<Vec3>& out) {
   std::vector<Vec3> points(node->items.size());
   bool sound = true;
   for (std::size_t i = 0; i < points.size(); i++)
-    if (!vectorOf(node->items[i], pathOf(key) + "[" + std::to_string(i) + "]", spec(key), false, points[i])) sound = false;
+    if (!vectorOf(node->items[i], pathOf(key) + "[" + std::to_string(i) + "]", spec(key), false, points[i]))
+      sound = false;
   if (sound) out = points;
   return sound;
 }
@@ -360,8 +365,10 @@ std::vector<TableReader> TableReader::tables(const char* key) {
   }
   for (std::size_t i = 0; i < node->items.size(); i++) {
     std::string path = pathOf(key) + "[" + std::to_string(i) + "]";
-    if (node->items[i].kind == NodeKind::table) readers.emplace_back(*context_, node->items[i], full, path);
-    else wrong(node->items[i], path, spec(key));
+    if (node->items[i].kind == NodeKind::table)
+      readers.emplace_back(*context_, node->items[i], full, path);
+    else
+      wrong(node->items[i], path, spec(key));
   }
   return readers;
 }

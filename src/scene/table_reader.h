@@ -48,15 +48,14 @@ class TableReader {
   bool integer(const char* key, int& out);
   bool integer(const char* key, std::uint64_t& out);
   bool boolean(const char* key, bool& out);
-  bool text(const char* key, std::string& out);      // text, name
+  bool text(const char* key, std::string& out);  // text, name
   bool material(const char* key, std::string& out);
   bool colour(const char* key, std::uint32_t& out);
-  bool vector(const char* key, Vec3& out);           // vector, positive, counts
+  bool vector(const char* key, Vec3& out);  // vector, positive, counts
   bool gravity(const char* key, Vec3& out);
   bool brick(const char* key, BrickFormat& out);
   bool points(const char* key, std::vector<Vec3>& out);
-  template <class E>
-  bool choice(const char* key, E& out) {
+  template <class E> bool choice(const char* key, E& out) {
     int index = 0;
     if (!choiceIndex(key, index)) return false;
     out = E(index);

@@ -1,5 +1,5 @@
-// The one translation unit that sees toml++, without exceptions. Some faulty texts ("[$", for one) trip asserts of toml++
-// 3.3 that guard nothing: with them off, it reports those texts like others. NDEBUG would turn them into assumptions.
+// The one translation unit that sees toml++, without exceptions. Some faulty texts ("[$", for one) trip asserts of
+// toml++ 3.3 that guard nothing: with them off, it reports those texts like others. NDEBUG would turn them into assumptions.
 #undef NDEBUG
 #define TOML_ASSERT(expr) static_cast<void>(0)
 #define TOML_EXCEPTIONS 0
@@ -106,8 +106,8 @@ TomlDocument readToml(std::string_view text, const std::string& fileName) {
   std::string rest(text);
   if (int line = lineOfTooManyDots(text)) {
     std::string most = std::to_string(kMaxDottedKeys);
-    document.errors.push_back({Severity::error, fileName, line, 1, "", "found keys nested too deeply, expected at most " +
-                                                                          most + " dots in keys"});
+    document.errors.push_back({Severity::error, fileName, line, 1, "",
+                               "found keys nested too deeply, expected at most " + most + " dots in keys"});
     document.usable = false;
     return document;
   }
@@ -142,13 +142,20 @@ std::string numberText(double value) {
 
 std::string describe(const Node& node) {
   switch (node.kind) {
-    case NodeKind::boolean: return node.boolean ? "true" : "false";
-    case NodeKind::integer: return std::to_string(node.integer);
-    case NodeKind::number: return numberText(node.number);
-    case NodeKind::text: return "the text \"" + shortened(node.text) + "\"";
-    case NodeKind::date: return "a date or time";
-    case NodeKind::array: return "an array of " + std::to_string(node.items.size());
-    case NodeKind::table: break;
+    case NodeKind::boolean:
+      return node.boolean ? "true" : "false";
+    case NodeKind::integer:
+      return std::to_string(node.integer);
+    case NodeKind::number:
+      return numberText(node.number);
+    case NodeKind::text:
+      return "the text \"" + shortened(node.text) + "\"";
+    case NodeKind::date:
+      return "a date or time";
+    case NodeKind::array:
+      return "an array of " + std::to_string(node.items.size());
+    case NodeKind::table:
+      break;
   }
   return "a table";
 }

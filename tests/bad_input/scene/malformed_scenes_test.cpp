@@ -1,5 +1,5 @@
-// Malformed scene files, one mistake (or a few) each. Beside NAME.toml, NAME.expected holds what the diagnostics must say,
-// a part a line: place, key, what was found, what was expected.
+// Malformed scene files, one mistake (or a few) each. Beside NAME.toml, NAME.expected holds what the diagnostics must
+// say, a part a line: place, key, what was found, what was expected.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -99,7 +99,8 @@ TEST(MalformedScenes, DeepNestingIsAnswered) {
 }
 
 TEST(MalformedScenes, DotsInTextsNumbersAndCommentsAreNoNesting) {
-  std::string text = "# " + std::string(1000, '.') + "\ndescription = \"" + std::string(1000, '.') + "\"\n[[body]]\nshape = \"hull\"\nvertices = [";
+  std::string text = "# " + std::string(1000, '.') + "\ndescription = \"" + std::string(1000, '.') +
+                     "\"\n[[body]]\nshape = \"hull\"\nvertices = [";
   for (int i = 0; i < 60; i++) text += "[0." + std::to_string(i) + ", " + std::to_string(i % 7) + ".5, 1.5],";
   SceneLoad load = parseScene(text + "[9.5, 9.5, -9.5]]\n", "dots.toml");
   EXPECT_TRUE(load.scene.has_value()) << (load.diagnostics.empty() ? "" : format(load.diagnostics[0]));

@@ -120,11 +120,11 @@ TEST_P(ClosedBond, HasFlushEnds) {
   }
 }
 
-constexpr BondCase kClosed[] = {{Bond::running, true, 0},  {Bond::header, true, 0},     {Bond::header, true, 0.01},
-                               {Bond::english, true, 0},  {Bond::english, true, 0.01}, {Bond::flemish, true, 0},
-                               {Bond::flemish, true, 0.01}, {Bond::stack, true, 0}};
-constexpr BondCase kToothed[] = {{Bond::running, false, 0.01}, {Bond::header, false, 0}, {Bond::english, false, 0.01},
-                                {Bond::flemish, false, 0.01}};
+constexpr BondCase kClosed[] = {{Bond::running, true, 0},    {Bond::header, true, 0},     {Bond::header, true, 0.01},
+                                {Bond::english, true, 0},    {Bond::english, true, 0.01}, {Bond::flemish, true, 0},
+                                {Bond::flemish, true, 0.01}, {Bond::stack, true, 0}};
+constexpr BondCase kToothed[] = {
+    {Bond::running, false, 0.01}, {Bond::header, false, 0}, {Bond::english, false, 0.01}, {Bond::flemish, false, 0.01}};
 INSTANTIATE_TEST_SUITE_P(Closed, EveryBond, testing::ValuesIn(kClosed));
 INSTANTIATE_TEST_SUITE_P(Toothed, EveryBond, testing::ValuesIn(kToothed));
 INSTANTIATE_TEST_SUITE_P(Closed, ClosedBond, testing::ValuesIn(kClosed));
@@ -182,7 +182,8 @@ TEST(Shuffle, ChangesTheOrderAndNothingElse) {
   int moved = 0;
   for (std::size_t i = 0; i < plain.size(); i++) {
     moved += plain[i].name != shuffled[i].name;
-    auto found = std::find_if(shuffled.begin(), shuffled.end(), [&](auto& brick) { return brick.name == plain[i].name; });
+    auto found =
+        std::find_if(shuffled.begin(), shuffled.end(), [&](auto& brick) { return brick.name == plain[i].name; });
     ASSERT_NE(found, shuffled.end());
     EXPECT_EQ(found->centre, plain[i].centre);
   }

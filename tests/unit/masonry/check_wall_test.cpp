@@ -54,13 +54,18 @@ const BadWall kBadWalls[] = {
     {"openings[0].from", "found nan", [](WallDef& w) { w.openings = {opening(kNan, 0.5)}; }},
     {"openings[0].width", "ends at 2.5 m, expected inside the wall's length of 2.15 m",
      [](WallDef& w) { w.openings = {opening(1.5, 1)}; }},
-    {"openings[0].lintelBearing", "the lintel reaches from -0.05", [](WallDef& w) { w.openings = {opening(0.1, 0.5)}; }},
+    {"openings[0].lintelBearing", "the lintel reaches from -0.05",
+     [](WallDef& w) { w.openings = {opening(0.1, 0.5)}; }},
     {"openings[0].sill", "above the wall", [](WallDef& w) { w.openings = {opening(0.5, 0.5, 3)}; }},
     {"openings[0].height", "takes no whole course", [](WallDef& w) { w.openings = {opening(0.5, 0.5, 0.2, 0.02)}; }},
     {"openings[1].from", "meets opening 0",
-     [](WallDef& w) { w.openings = {opening(0.5, 0.5), opening(0.8, 0.5)}; }},
+     [](WallDef& w) {
+       w.openings = {opening(0.5, 0.5), opening(0.8, 0.5)};
+     }},
     {"openings[1].from", "meets opening 0",  // the lintels meet
-     [](WallDef& w) { w.openings = {opening(0.3, 0.4), opening(0.8, 0.4)}; }},
+     [](WallDef& w) {
+       w.openings = {opening(0.3, 0.4), opening(0.8, 0.4)};
+     }},
 };
 
 TEST(CheckWall, NamesTheFieldWhatWasFoundAndWhatWasExpected) {

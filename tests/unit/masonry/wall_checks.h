@@ -28,8 +28,8 @@ inline void expectNoOverlap(const std::vector<BrickPlacement>& bricks) {
   for (std::size_t a = 0; a < bricks.size(); a++)
     for (std::size_t b = a + 1; b < bricks.size(); b++) {
       Vec3 la = lowerOf(bricks[a]), ua = upperOf(bricks[a]), lb = lowerOf(bricks[b]), ub = upperOf(bricks[b]);
-      double depth = std::min({shared(la.x, ua.x, lb.x, ub.x), shared(la.y, ua.y, lb.y, ub.y),
-                               shared(la.z, ua.z, lb.z, ub.z)});
+      double depth =
+          std::min({shared(la.x, ua.x, lb.x, ub.x), shared(la.y, ua.y, lb.y, ub.y), shared(la.z, ua.z, lb.z, ub.z)});
       EXPECT_LT(depth, 1e-12) << bricks[a].name << " and " << bricks[b].name;
     }
 }

@@ -18,11 +18,30 @@ std::optional<double> lookup(const std::string& name, std::string& error) {
 
 TEST(Expression, Values) {
   const std::pair<const char*, double> cases[] = {
-      {"1", 1}, {" 2.5e-3 ", 2.5e-3}, {"1 + 2 * 3", 7}, {"(1 + 2) * 3", 9}, {"10 - 4 - 3", 3}, {"16 / 4 / 2", 2},
-      {"-3 + 1", -2}, {"--3", 3}, {"-(2 + 3) * 2", -10}, {"2 * -3", -6}, {".5 + .25", 0.75},
-      {"$n / 50", 20}, {"$courses * 0.065 / 2", 20 * 0.065 / 2}, {"$a_1*$a_1", 4}, {"-$n", -1000},
-      {"round(2.5)", 3}, {"round(-2.5)", -2}, {"floor(-0.5)", -1}, {"ceil(0.2)", 1}, {"sqrt(16)", 4}, {"abs($a_1)", 2},
-      {"min(3, 2)", 2}, {"max(3, 2 * 2)", 4}, {"max(min(1, 5), round($n / 300))", 3},
+      {"1", 1},
+      {" 2.5e-3 ", 2.5e-3},
+      {"1 + 2 * 3", 7},
+      {"(1 + 2) * 3", 9},
+      {"10 - 4 - 3", 3},
+      {"16 / 4 / 2", 2},
+      {"-3 + 1", -2},
+      {"--3", 3},
+      {"-(2 + 3) * 2", -10},
+      {"2 * -3", -6},
+      {".5 + .25", 0.75},
+      {"$n / 50", 20},
+      {"$courses * 0.065 / 2", 20 * 0.065 / 2},
+      {"$a_1*$a_1", 4},
+      {"-$n", -1000},
+      {"round(2.5)", 3},
+      {"round(-2.5)", -2},
+      {"floor(-0.5)", -1},
+      {"ceil(0.2)", 1},
+      {"sqrt(16)", 4},
+      {"abs($a_1)", 2},
+      {"min(3, 2)", 2},
+      {"max(3, 2 * 2)", 4},
+      {"max(min(1, 5), round($n / 300))", 3},
       {"round(20 + ($n - 1000) / 300)", 20},
   };
   for (auto [text, value] : cases) {
@@ -40,12 +59,14 @@ struct Mistake {
 
 TEST(Expression, MistakesNameTheReasonAndThePlace) {
   const Mistake mistakes[] = {
-      {"", "number is missing", 1},          {"1 +", "number is missing", 4},   {"1 2", "unexpected \"2\"", 3},
-      {"(1 + 2", "closing bracket", 7},      {"1 + 2)", "unexpected \")\"", 6}, {"$speed", "unknown parameter", 1},
-      {"2 * $", "name is missing after", 6}, {"courses * 2", "begins with $", 1}, {"round 2", "expected (", 7},
-      {"max(1)", "two arguments", 6},        {"sin(1)", "unknown name \"sin\"", 1}, {"1 / 0", "not a finite", 1},
-      {"sqrt(0 - 1)", "not a finite", 1},    {"3 ** 2", "expected a number, found \"*\"", 4}, {"1e999", "not a number", 1},
-      {"#", "expected a number, found \"#\"", 1},
+      {"", "number is missing", 1},          {"1 +", "number is missing", 4},
+      {"1 2", "unexpected \"2\"", 3},        {"(1 + 2", "closing bracket", 7},
+      {"1 + 2)", "unexpected \")\"", 6},     {"$speed", "unknown parameter", 1},
+      {"2 * $", "name is missing after", 6}, {"courses * 2", "begins with $", 1},
+      {"round 2", "expected (", 7},          {"max(1)", "two arguments", 6},
+      {"sin(1)", "unknown name \"sin\"", 1}, {"1 / 0", "not a finite", 1},
+      {"sqrt(0 - 1)", "not a finite", 1},    {"3 ** 2", "expected a number, found \"*\"", 4},
+      {"1e999", "not a number", 1},          {"#", "expected a number, found \"#\"", 1},
   };
   for (const Mistake& mistake : mistakes) {
     Evaluated result = evaluate(mistake.text, lookup);

@@ -20,23 +20,37 @@ std::string rangeOf(const KeySpec& spec) { return numberText(spec.minimum) + " .
 
 std::string typeWords(const KeySpec& spec) {
   switch (spec.kind) {
-    case K::number: return "number";
-    case K::integer: return "whole number";
-    case K::boolean: return "true or false";
+    case K::number:
+      return "number";
+    case K::integer:
+      return "whole number";
+    case K::boolean:
+      return "true or false";
     case K::text:
     case K::name:
-    case K::choice: return "text";
-    case K::material: return "name of a material";
-    case K::colour: return "colour";
+    case K::choice:
+      return "text";
+    case K::material:
+      return "name of a material";
+    case K::colour:
+      return "colour";
     case K::vector:
-    case K::positive: return "[x, y, z]";
-    case K::counts: return "[x, y, z], whole";
-    case K::gravity: return "number or [x, y, z]";
-    case K::brick: return "text or [l, h, w]";
-    case K::points: return "[[x, y, z], ...]";
-    case K::parameters: return "[parameters]";
-    case K::table: return "[" + fullName(spec) + "]";
-    case K::tables: break;
+    case K::positive:
+      return "[x, y, z]";
+    case K::counts:
+      return "[x, y, z], whole";
+    case K::gravity:
+      return "number or [x, y, z]";
+    case K::brick:
+      return "text or [l, h, w]";
+    case K::points:
+      return "[[x, y, z], ...]";
+    case K::parameters:
+      return "[parameters]";
+    case K::table:
+      return "[" + fullName(spec) + "]";
+    case K::tables:
+      break;
   }
   return "[[" + fullName(spec) + "]]";
 }
@@ -46,18 +60,26 @@ std::string rangeWords(const KeySpec& spec) {
   for (const std::string& choice : choicesOf(spec)) choices += (choices.empty() ? "`\"" : ", `\"") + choice + "\"`";
   switch (spec.kind) {
     case K::number:
-    case K::integer: return rangeOf(spec);
+    case K::integer:
+      return rangeOf(spec);
     case K::vector:
     case K::positive:
     case K::counts:
     case K::gravity:
-    case K::points: return "each " + rangeOf(spec);
-    case K::brick: return choices + ", or each " + rangeOf(spec);
-    case K::choice: return choices;
-    case K::text: return "up to " + numberText(spec.maximum) + " characters";
-    case K::name: return "1 .. 64 characters";
-    case K::colour: return "`\"#RRGGBB\"`";
-    default: return "";
+    case K::points:
+      return "each " + rangeOf(spec);
+    case K::brick:
+      return choices + ", or each " + rangeOf(spec);
+    case K::choice:
+      return choices;
+    case K::text:
+      return "up to " + numberText(spec.maximum) + " characters";
+    case K::name:
+      return "1 .. 64 characters";
+    case K::colour:
+      return "`\"#RRGGBB\"`";
+    default:
+      return "";
   }
 }
 
@@ -76,8 +98,8 @@ std::string quoted(const std::string& text) {
 }
 
 std::string numberSchema(const KeySpec& spec, bool whole) {
-  return std::string("{\"anyOf\": [{\"type\": \"") + (whole ? "integer" : "number") + "\", \"minimum\": " +
-         numberText(spec.minimum) + ", \"maximum\": " + numberText(spec.maximum) +
+  return std::string("{\"anyOf\": [{\"type\": \"") + (whole ? "integer" : "number") +
+         "\", \"minimum\": " + numberText(spec.minimum) + ", \"maximum\": " + numberText(spec.maximum) +
          "}, {\"$ref\": \"#/definitions/expression\"}]}";
 }
 
@@ -93,25 +115,40 @@ std::string valueSchema(const KeySpec& spec, const std::string& indent) {
   std::string choices;
   for (const std::string& choice : choicesOf(spec)) choices += (choices.empty() ? "" : ", ") + quoted(choice);
   switch (spec.kind) {
-    case K::number: return number;
-    case K::integer: return numberSchema(spec, true);
-    case K::boolean: return "{\"type\": \"boolean\"}";
-    case K::text: return "{\"type\": \"string\", \"maxLength\": " + numberText(spec.maximum) + "}";
-    case K::name: return "{\"type\": \"string\", \"minLength\": 1, \"maxLength\": 64}";
-    case K::material: return "{\"type\": \"string\"}";
-    case K::choice: return "{\"enum\": [" + choices + "]}";
-    case K::colour: return "{\"type\": \"string\", \"pattern\": \"^#[0-9A-Fa-f]{6}$\"}";
+    case K::number:
+      return number;
+    case K::integer:
+      return numberSchema(spec, true);
+    case K::boolean:
+      return "{\"type\": \"boolean\"}";
+    case K::text:
+      return "{\"type\": \"string\", \"maxLength\": " + numberText(spec.maximum) + "}";
+    case K::name:
+      return "{\"type\": \"string\", \"minLength\": 1, \"maxLength\": 64}";
+    case K::material:
+      return "{\"type\": \"string\"}";
+    case K::choice:
+      return "{\"enum\": [" + choices + "]}";
+    case K::colour:
+      return "{\"type\": \"string\", \"pattern\": \"^#[0-9A-Fa-f]{6}$\"}";
     case K::vector:
-    case K::positive: return arraySchema(number, 3, 3);
-    case K::counts: return arraySchema(numberSchema(spec, true), 3, 3);
-    case K::gravity: return "{\"anyOf\": [" + number + ", " + arraySchema(number, 3, 3) + "]}";
-    case K::brick: return "{\"anyOf\": [{\"enum\": [" + choices + "]}, " + arraySchema(number, 3, 3) + "]}";
-    case K::points: return arraySchema(arraySchema(number, 3, 3), 4, 64);
+    case K::positive:
+      return arraySchema(number, 3, 3);
+    case K::counts:
+      return arraySchema(numberSchema(spec, true), 3, 3);
+    case K::gravity:
+      return "{\"anyOf\": [" + number + ", " + arraySchema(number, 3, 3) + "]}";
+    case K::brick:
+      return "{\"anyOf\": [{\"enum\": [" + choices + "]}, " + arraySchema(number, 3, 3) + "]}";
+    case K::points:
+      return arraySchema(arraySchema(number, 3, 3), 4, 64);
     case K::parameters:
       return "{\"type\": \"object\", \"additionalProperties\": {\"anyOf\": [{\"type\": \"number\"}, "
              "{\"$ref\": \"#/definitions/expression\"}]}}";
-    case K::table: return tableSchema(fullName(spec), indent);
-    case K::tables: break;
+    case K::table:
+      return tableSchema(fullName(spec), indent);
+    case K::tables:
+      break;
   }
   return "{\"type\": \"array\", \"items\": " + tableSchema(fullName(spec), indent) + "}";
 }

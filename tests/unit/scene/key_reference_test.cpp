@@ -68,7 +68,8 @@ std::string allDefaults(const std::string& table) {
   std::string text;
   for (const scene::KeySpec& spec : scene::keySpecs()) {
     std::string fallback = spec.fallback;
-    if (spec.table == table && !fallback.empty() && fallback != "-") text += std::string(spec.key) + " = " + fallback + "\n";
+    if (spec.table == table && !fallback.empty() && fallback != "-")
+      text += std::string(spec.key) + " = " + fallback + "\n";
   }
   return text;
 }
@@ -118,8 +119,9 @@ void expectSameWorld(const SceneDescription& a, const SceneDescription& b) {
 
 // The documented defaults are the real ones: a scene that states them all is the scene that states none.
 TEST(KeyReference, DocumentedDefaultsAreTheRealOnes) {
-  std::string bare = "[[wall]]\n[[wall.opening]]\nfrom = 0.5\nwidth = 0.5\nheight = 0.3\n[[body]]\n[[ball]]\nposition = "
-                     "[0, 9, 0]\n[[array]]\n[[material]]\nname = \"own\"\n[[camera]]\n";
+  std::string bare =
+      "[[wall]]\n[[wall.opening]]\nfrom = 0.5\nwidth = 0.5\nheight = 0.3\n[[body]]\n[[ball]]\nposition = "
+      "[0, 9, 0]\n[[array]]\n[[material]]\nname = \"own\"\n[[camera]]\n";
   auto without = [](std::string text, const std::string& key) {
     std::size_t from = text.find("\n" + key + " = ");
     return from == std::string::npos ? text : text.erase(from, text.find('\n', from + 1) - from);
@@ -128,10 +130,11 @@ TEST(KeyReference, DocumentedDefaultsAreTheRealOnes) {
   std::string body = without(without(without("\n" + allDefaults("body"), "radius"), "height"), "size");
   std::string array = without(without("\n" + allDefaults("array"), "radius"), "base");
   std::string ground = without("\n" + allDefaults("ground"), "size");
-  std::string full = "[world]\n" + allDefaults("world") + "[solver]\n" + allDefaults("solver") + "[ground]" + ground + "[[wall]]\n" +
-         allDefaults("wall") + "[[wall.opening]]\nfrom = 0.5\nwidth = 0.5\nheight = 0.3\n" + allDefaults("wall.opening") +
-         "[[body]]\nsize = [1, 1, 1]" + body + "[[ball]]\nposition = [0, 9, 0]\n" + allDefaults("ball") + "[[array]]" +
-         array + "[[material]]\nname = \"own\"\n" + allDefaults("material") + "[[camera]]\n" + allDefaults("camera");
+  std::string full =
+      "[world]\n" + allDefaults("world") + "[solver]\n" + allDefaults("solver") + "[ground]" + ground + "[[wall]]\n" +
+      allDefaults("wall") + "[[wall.opening]]\nfrom = 0.5\nwidth = 0.5\nheight = 0.3\n" + allDefaults("wall.opening") +
+      "[[body]]\nsize = [1, 1, 1]" + body + "[[ball]]\nposition = [0, 9, 0]\n" + allDefaults("ball") + "[[array]]" +
+      array + "[[material]]\nname = \"own\"\n" + allDefaults("material") + "[[camera]]\n" + allDefaults("camera");
   SceneDescription a = sound(bare), b = sound(full);
   expectSameWorld(a, b);
   ASSERT_EQ(a.bodies.size(), 4u);

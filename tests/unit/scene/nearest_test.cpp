@@ -10,12 +10,24 @@ namespace {
 
 TEST(Nearest, FindsWhatWasMeant) {
   const char* cases[][3] = {
-      {"wall", "cours", "courses"},        {"wall", "coruses", "courses"},   {"wall", "half-bats", "half_bats"},
-      {"wall", "halfBats", "half_bats"},   {"wall", "Bond", "bond"},         {"wall", "yaw", "yaw_degrees"},
-      {"wall", "openings", "opening"},     {"world", "timestep", "time_step"}, {"world", "gravty", "gravity"},
-      {"world", "fps", ""},                {"ball", "velocty", "velocity"},  {"ball", "launchtime", "launch_time"},
-      {"material", "color", "colour"},     {"material", "freiction", "friction"}, {"", "walls", "wall"},
-      {"", "cameras", "camera"},           {"body", "zzz", ""},              {"ball", "x", ""},
+      {"wall", "cours", "courses"},
+      {"wall", "coruses", "courses"},
+      {"wall", "half-bats", "half_bats"},
+      {"wall", "halfBats", "half_bats"},
+      {"wall", "Bond", "bond"},
+      {"wall", "yaw", "yaw_degrees"},
+      {"wall", "openings", "opening"},
+      {"world", "timestep", "time_step"},
+      {"world", "gravty", "gravity"},
+      {"world", "fps", ""},
+      {"ball", "velocty", "velocity"},
+      {"ball", "launchtime", "launch_time"},
+      {"material", "color", "colour"},
+      {"material", "freiction", "friction"},
+      {"", "walls", "wall"},
+      {"", "cameras", "camera"},
+      {"body", "zzz", ""},
+      {"ball", "x", ""},
   };
   for (auto& [table, word, wanted] : cases) EXPECT_EQ(nearest(word, keysOf(table)), wanted) << table << " " << word;
 }

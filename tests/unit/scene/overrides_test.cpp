@@ -49,9 +49,7 @@ TEST(Overrides, TextsNeedNoQuotes) {
   EXPECT_EQ(scene.bodies[1].material, "rubber");
 }
 
-TEST(Overrides, LaterOnesWin) {
-  EXPECT_EQ(sound(kScene, {{"n", "5"}, {"n", "6"}}).walls[0].wall.courses, 6);
-}
+TEST(Overrides, LaterOnesWin) { EXPECT_EQ(sound(kScene, {{"n", "5"}, {"n", "6"}}).walls[0].wall.courses, 6); }
 
 TEST(Overrides, ReplaceWholeValues) {
   EXPECT_EQ(sound(kScene, {{"ball.velocity", "[1, 2, 3]"}}).bodies[1].def.linearVelocity, (Vec3{1, 2, 3}));
@@ -66,7 +64,9 @@ struct Refusal {
 
 TEST(Overrides, MistakesAreNamed) {
   const Refusal refusals[] = {
-      {"world.secnds", "3", "--set: error: world.secnds: found an unknown key \"secnds\", expected a key of [world] (did you mean \"seconds\"?)"},
+      {"world.secnds", "3",
+       "--set: error: world.secnds: found an unknown key \"secnds\", expected a key of [world] (did you mean "
+       "\"seconds\"?)"},
       {"wrld.seconds", "3", "(did you mean \"world\"?)"},
       {"wall.courses", "3", "the scene has 2 of \"wall\", expected an index: wall[0] .. wall[1]"},
       {"wall[2].courses", "3", "found index [2] of \"wall\", expected [0] .. [1]"},

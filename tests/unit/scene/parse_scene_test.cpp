@@ -281,7 +281,8 @@ position = ["-$length / 2", 0, "1 / 4"]
 
 TEST(ParseScene, AnExpressionForAWholeNumberMustBeWhole) {
   EXPECT_EQ(sound("[[wall]]\ncourses = \"3 * (1 / 3) * 7\"\n").walls[0].wall.courses, 7);
-  EXPECT_TRUE(has(faults("[[wall]]\ncourses = \"7 / 2\"\n"), "found the text \"7 / 2\" = 3.5, expected a whole number"));
+  EXPECT_TRUE(
+      has(faults("[[wall]]\ncourses = \"7 / 2\"\n"), "found the text \"7 / 2\" = 3.5, expected a whole number"));
 }
 
 TEST(ParseScene, AllMistakesAtOnceInTheOrderOfTheFile) {
@@ -294,18 +295,19 @@ material = "brik"
 [[ball]]
 velocity = [1, 2]
 )");
-  EXPECT_EQ(text,
-            "test.toml:2:1: error: world.secnds: found an unknown key, expected a key of [world] (did you mean "
-            "\"seconds\"?)\n"
-            "test.toml:3:11: error: world.gravity: found the text \"down\", expected a number or three numbers [x, "
-            "y, z], each -1000 .. 1000 m/s2\n"
-            "test.toml:5:11: error: wall[0].courses: found 0, expected a whole number 1 .. 10000\n"
-            "test.toml:6:12: error: wall[0].material: found the text \"brik\", expected the name of a material (did you "
-            "mean \"brick\"?)\n"
-            "test.toml:7:1: error: ball[0].position: not given, expected three numbers [x, y, z], each -100000 .. 100000 "
-            "m\n"
-            "test.toml:8:12: error: ball[0].velocity: found an array of 2, expected three numbers [x, y, z], each -10000 "
-            ".. 10000 m/s\n");
+  EXPECT_EQ(
+      text,
+      "test.toml:2:1: error: world.secnds: found an unknown key, expected a key of [world] (did you mean "
+      "\"seconds\"?)\n"
+      "test.toml:3:11: error: world.gravity: found the text \"down\", expected a number or three numbers [x, "
+      "y, z], each -1000 .. 1000 m/s2\n"
+      "test.toml:5:11: error: wall[0].courses: found 0, expected a whole number 1 .. 10000\n"
+      "test.toml:6:12: error: wall[0].material: found the text \"brik\", expected the name of a material (did you "
+      "mean \"brick\"?)\n"
+      "test.toml:7:1: error: ball[0].position: not given, expected three numbers [x, y, z], each -100000 .. 100000 "
+      "m\n"
+      "test.toml:8:12: error: ball[0].velocity: found an array of 2, expected three numbers [x, y, z], each -10000 "
+      ".. 10000 m/s\n");
 }
 
 TEST(ParseScene, SyntaxErrorsDoNotHideTheOthers) {

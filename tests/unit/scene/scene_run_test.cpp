@@ -103,8 +103,9 @@ TEST(SceneRun, DensityScatterDiffersBrickByBrickButNotWithTheOrder) {
 }
 
 TEST(SceneRun, TheSameSceneGivesTheSameBits) {
-  SceneDescription scene = sound("[[wall]]\ncourses = 4\nbricks = 4\ndisorder = 1e-4\n[[ball]]\nposition = [0.4, 0.15, "
-                                 "0.5]\nvelocity = [0, 0, -8]\n");
+  SceneDescription scene = sound(
+      "[[wall]]\ncourses = 4\nbricks = 4\ndisorder = 1e-4\n[[ball]]\nposition = [0.4, 0.15, "
+      "0.5]\nvelocity = [0, 0, -8]\n");
   SceneRun a = runOf(scene), b = runOf(scene);
   for (int i = 0; i < 30; i++) {
     ASSERT_TRUE(a.step().ok());
@@ -155,7 +156,8 @@ radius = 0.5
 position = [5, 0.3, 0]
 )");
   std::string text = allOf(checkScene(scene));
-  EXPECT_TRUE(has(text, "test: warning: a: found it 10 mm inside \"b\" at the start, expected bodies that touch at most"))
+  EXPECT_TRUE(
+      has(text, "test: warning: a: found it 10 mm inside \"b\" at the start, expected bodies that touch at most"))
       << text;
   EXPECT_TRUE(has(text, "ground: found it 200 mm inside \"sunk\"")) << text;
   EXPECT_FALSE(has(text, "far")) << text;
@@ -164,7 +166,8 @@ position = [5, 0.3, 0]
 }
 
 TEST(CheckScene, TouchingBodiesAreNoMistake) {
-  EXPECT_EQ(allOf(checkScene(sound("[[wall]]\n[[wall]]\nbond = \"flemish\"\nyaw_degrees = 37\nposition = [0, 0, 3]\n"))), "");
+  EXPECT_EQ(
+      allOf(checkScene(sound("[[wall]]\n[[wall]]\nbond = \"flemish\"\nyaw_degrees = 37\nposition = [0, 0, 3]\n"))), "");
 }
 
 TEST(CheckScene, ManyOverlapsAreSummedUp) {

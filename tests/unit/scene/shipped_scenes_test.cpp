@@ -25,8 +25,8 @@ std::vector<BrickPlacement> bricksOf(const SceneDescription& scene) {
 
 TEST(ShippedScenes, AreAllSoundTitledAndFoundByName) {
   std::vector<ShippedScene> scenes = shippedScenes();
-  std::vector<std::string> wanted = {"cube",      "hole", "house",           "mass_ratio", "pile",
-                                     "pyramid",   "wall", "wall_hit",        "wall_stand", "wall_stand_tall"};
+  std::vector<std::string> wanted = {"cube",    "hole", "house",    "mass_ratio", "pile",
+                                     "pyramid", "wall", "wall_hit", "wall_stand", "wall_stand_tall"};
   for (const std::string& name : wanted)
     EXPECT_TRUE(std::any_of(scenes.begin(), scenes.end(), [&](auto& scene) { return scene.name == name; })) << name;
   for (const ShippedScene& scene : scenes) {
@@ -75,7 +75,8 @@ TEST(ShippedScenes, BenchScenesAreAsTheirTableSays) {
     auto used = [&](const std::string& material) {
       for (const SceneWall& wall : scene.walls)
         if (wall.material == material) return true;
-      return std::any_of(scene.bodies.begin(), scene.bodies.end(), [&](auto& body) { return body.material == material; });
+      return std::any_of(scene.bodies.begin(), scene.bodies.end(),
+                         [&](auto& body) { return body.material == material; });
     };
     for (const MaterialDef& material : scene.materials) {
       if (!used(material.name)) continue;
