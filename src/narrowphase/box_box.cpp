@@ -335,11 +335,13 @@ void collideBoxBox(const Shape& a, const Shape& b, const Transform& bInA, double
   if (!testEdges(p, margin, face.separation + p.tolerance.edge, edge)) return;
   if (edge.edgeA >= 0 && edgeContact(p, edge, out)) return;
   if (faceContact(p, face.index, margin, bInA, out) || face.separation >= 0) return;
-  // Overlapping, yet nothing over the reference face: another axis was better, but not by its bias. Try the others.
+  // Nothing over the reference face, though the face axes overlap. Either the boxes are apart (corner beside corner, which
+  // only an edge axis sees), or another axis was better, but not by its bias: try the others.
+  edge = {};
+  if (!testEdges(p, margin, -1e30, edge) || edge.separation > 0) return;
   bool nearlyAsGood = otherFace.separation > face.separation - p.tolerance.edge;
   if (nearlyAsGood && faceContact(p, otherFace.index, margin, bInA, out)) return;
-  edge = {};
-  if (testEdges(p, margin, -1e30, edge) && edgeContact(p, edge, out)) return;
+  if (edge.edgeA >= 0 && edgeContact(p, edge, out)) return;
   cornerContact(p, face, bInA, out);
 }
 

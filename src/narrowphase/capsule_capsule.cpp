@@ -29,7 +29,6 @@ void collideCapsuleCapsule(const Shape& a, const Shape& b, const Transform& bInA
     n = normalized(cross(Vec3{0, 1, 0}, axis));
     if (lengthSquared(n) < 0.5) n = {1, 0, 0};
   }
-  out.normal = n;
 
   // The ends of b's axis seen along a's, cut to a's.
   double low = q0.y, high = q0.y + 2 * b.halfHeight * axis.y;
@@ -38,6 +37,7 @@ void collideCapsuleCapsule(const Shape& a, const Shape& b, const Transform& bInA
   bool beside =
       std::fabs(n.y) < kBeside && to - from > kBeside * smaller && 0.5 * (to - from) * sine < kBeside * smaller;
   if (beside) {
+    n = normalized(Vec3{n.x, 0, n.z});  // across a's axis, so that the points on a are on a plane
     for (int end = 0; end < 2; end++) {
       double y = end == 0 ? from : to;
       Vec3 p{0, y, 0}, q = q0 + axis * ((y - q0.y) / axis.y);
@@ -46,10 +46,12 @@ void collideCapsuleCapsule(const Shape& a, const Shape& b, const Transform& bInA
       Vec3 onA = p + n * a.radius;
       out.points[out.count++] = {onA, onA + n * separation, separation, roundPoint(end)};
     }
+    out.normal = n;
     if (out.count > 0) return;
   }
+  double separation = dot(n, between) - radii;
   Vec3 onA = nearest.p + n * a.radius;
-  double separation = distance - radii;
+  out.normal = n;
   out.count = 1;
   out.points[0] = {onA, onA + n * separation, separation, roundPoint(2)};
 }

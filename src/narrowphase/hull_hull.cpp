@@ -150,16 +150,19 @@ void collideHullHull(const Shape& shapeA, const Shape& shapeB, const Transform& 
   EdgeQuery edge = queryEdges(a, b, margin, face + tolerance.edge);
   if (edge.edgeA >= 0 && edge.separation > margin) return;
   if (edge.edgeA >= 0 && edgeContact(a, b, edge, out)) return;
-  for (bool ofA : {refIsA, !refIsA}) {
-    const FaceQuery& query = ofA ? faceA : faceB;
-    if (query.separation > face - tolerance.edge)
-      faceContact(ofA ? a : b, ofA ? b : a, ofA, query, margin, tolerance, out);
-    // Overlapping, yet nothing over the reference face: another axis was better, but not by its bias. Try the others.
-    if (out.count > 0 || face >= 0) return;
-  }
+  const FaceQuery& best = refIsA ? faceA : faceB;
+  const FaceQuery& other = refIsA ? faceB : faceA;
+  const HullView& ref = refIsA ? a : b;
+  const HullView& inc = refIsA ? b : a;
+  faceContact(ref, inc, refIsA, best, margin, tolerance, out);
+  if (out.count > 0 || face >= 0) return;
+  // Nothing over the reference face, though the face axes overlap. Either the hulls are apart (corner beside corner, which
+  // only an edge axis sees), or another axis was better, but not by its bias: try the others.
   edge = queryEdges(a, b, margin, -1e30);
-  if (edge.edgeA >= 0 && edgeContact(a, b, edge, out)) return;
-  cornerContact(refIsA ? a : b, refIsA ? b : a, refIsA, refIsA ? faceA : faceB, out);
+  if (edge.separation > 0) return;
+  if (other.separation > face - tolerance.edge) faceContact(inc, ref, !refIsA, other, margin, tolerance, out);
+  if (out.count > 0 || (edge.edgeA >= 0 && edgeContact(a, b, edge, out))) return;
+  cornerContact(ref, inc, refIsA, best, out);
 }
 
 }  // namespace brickfall
