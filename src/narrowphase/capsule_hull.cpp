@@ -14,6 +14,7 @@ namespace brickfall {
 namespace {
 
 constexpr double kLiesOnFace = 0.998, kRunsAlongFace = 0.0632;  // cosine and sine of 3.6 degrees
+constexpr double kLoss = 0.005;  // of the radius: depth that cutting to the face may hide
 constexpr double kParallel2 = 1e-8;
 
 struct Segment {
@@ -130,7 +131,8 @@ void collideCapsuleHull(const Shape& capsule, const Shape& b, const Transform& b
   CapsuleAxis axis = bestFaceAxis(hull, segment, tolerance.face);
   if (!(axis.distance - capsule.radius <= margin)) return;
   CapsuleAxis edge = bestEdgeAxis(hull, segment);
-  if (std::max(axis.distance, edge.distance) > 1e-9 * capsule.radius) {
+  bool outside = std::max(axis.distance, edge.distance) > 1e-9 * capsule.radius;
+  if (outside) {
     axis = nearestOutside(hull, segment);
     if (!(axis.distance - capsule.radius <= margin)) return;
   } else if (edge.distance > axis.distance + tolerance.edge) {
@@ -139,7 +141,7 @@ void collideCapsuleHull(const Shape& capsule, const Shape& b, const Transform& b
 
   // Points in the frame of the hull: on its surface, then out along the normal.
   Vec3 onHull[2];
-  double separation[2];
+  double separation[2] = {};
   std::uint32_t feature[2];
   Vec3 normal = axis.normal;
   int count = 0, face = axis.face >= 0 ? axis.face : faceAlong(hull, normal);
@@ -159,7 +161,9 @@ void collideCapsuleHull(const Shape& capsule, const Shape& b, const Transform& b
       feature[count++] = roundPoint(end);
     }
   }
-  if (count == 0) {
+  // A segment that leaves the face at a slight angle can be nearest just beside it: then that one point says more.
+  double nearer = count == 2 && separation[1] < separation[0] ? separation[1] : separation[0];
+  if (count == 0 || (outside && nearer > axis.distance - capsule.radius + kLoss * capsule.radius)) {
     normal = axis.normal;
     onHull[0] = axis.onSegment - normal * axis.distance;
     separation[0] = axis.distance - capsule.radius;

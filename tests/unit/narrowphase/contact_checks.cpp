@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "geometry/queries.h"
+
 namespace brickfall::test {
 
 Shape boxShape(Vec3 halfExtents) {
@@ -119,25 +121,8 @@ Separation slowSeparation(const Shape& a, const Shape& b, const Transform& bInA)
   return best;
 }
 
-double slowDistance(const Shape& shape, Vec3 point) {
-  std::vector<HullPlane> planes;
-  if (shape.type == ShapeType::hull)
-    planes = shape.hull->planes;
-  else
-    for (Vec3 n : faceNormalsOf(shape, {})) planes.push_back({n, dot(abs(n), shape.halfExtents)});
-  std::vector<Vec3> corrections(planes.size());
-  Vec3 x = point;
-  for (int sweep = 0; sweep < 4000; sweep++) {
-    Vec3 before = x;
-    for (size_t i = 0; i < planes.size(); i++) {
-      Vec3 y = x + corrections[i];
-      double height = dot(planes[i].normal, y) - planes[i].offset;
-      x = height > 0 ? y - planes[i].normal * height : y;
-      corrections[i] = y - x;
-    }
-    if (length(x - before) < 1e-13 && sweep > 50) break;
-  }
-  return length(x - point);
+double distanceByGjk(const Shape& shape, Vec3 point) {
+  return shapeDistance(shape, sphereShape(0), {point, {}}).distance;
 }
 
 namespace {

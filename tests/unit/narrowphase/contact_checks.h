@@ -34,8 +34,8 @@ struct Separation {
 };
 Separation slowSeparation(const Shape& a, const Shape& b, const Transform& bInA);
 
-// Nearest point of a convex polytope to a point, by alternating projections (Dykstra) onto its half spaces.
-double slowDistance(const Shape& shape, Vec3 point);
+// Distance of a point from a box or hull, by another way than the contact functions go.
+double distanceByGjk(const Shape& shape, Vec3 point);
 
 // Empty, or what is wrong: unit normal, points along it, separations up to the margin, each point within `tolerance`
 // of the shape that it is said to be on, all points coplanar on one of the two.

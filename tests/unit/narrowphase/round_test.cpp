@@ -42,13 +42,13 @@ TEST(Sphere, AgainstEverythingByDistance) {
     double distance = 0;
     if (kind == 0) distance = length(centre) - other.radius;
     if (kind == 1) distance = distanceFromSegment(centre, other.halfHeight) - other.radius;
-    if (kind >= 2) distance = i % 20 < 4 ? slowDistance(other, centre) : -1;  // slow
+    if (kind >= 2) distance = distanceByGjk(other, centre);
     Manifold m;
     collide(sphere, other, pose, kMargin, m);
     ASSERT_EQ(faultOf(m, sphere, other, pose, kMargin, 1e-9), "") << i;
     if (kind < 2 || distance > 1e-6) {
       ASSERT_EQ(m.count, distance - radius <= kMargin ? 1 : 0) << i;
-      ASSERT_TRUE(m.count == 0 || std::fabs(m.points[0].separation - (distance - radius)) < 1e-5) << i;
+      ASSERT_TRUE(m.count == 0 || std::fabs(m.points[0].separation - (distance - radius)) < 1e-8) << i;
     }
     if (kind >= 2 && distance == 0) {  // the centre is inside: out through the nearest face
       double nearest = 1e30;
@@ -94,7 +94,7 @@ double axisDistance(const Shape& capsule, const Shape& other, const Transform& p
     Vec3 p = transformPoint(inOther, Vec3{0, (2 * t - 1) * capsule.halfHeight, 0});
     if (other.type == ShapeType::capsule) return distanceFromSegment(p, other.halfHeight) - other.radius;
     if (other.type == ShapeType::box) return length(max(abs(p) - other.halfExtents, Vec3{}));
-    return slowDistance(other, p);
+    return distanceByGjk(other, p);
   });
 }
 
@@ -104,7 +104,6 @@ TEST(Capsule, AgainstEverythingByDistance) {
   int contacts[3] = {}, two[3] = {}, through = 0;
   for (int i = 0; i < 6000; i++) {
     int kind = i % 3;
-    if (kind == 2 && i % 30 != 2) continue;  // slow
     Hull hull = randomHull(random, 9);
     Shape capsule = capsuleShape(random.between(0.03, 0.1), random.between(0.05, 0.3));
     Shape other = kind == 0   ? capsuleShape(random.between(0.03, 0.1), random.between(0.05, 0.3))
@@ -130,15 +129,15 @@ TEST(Capsule, AgainstEverythingByDistance) {
     if (m.count == 0) continue;
     contacts[kind]++;
     two[kind] += m.count == 2;
-    ASSERT_NEAR(deepest(m), separation, 3e-4) << i;
+    ASSERT_NEAR(deepest(m), separation, 0.02 * capsule.radius) << i;
     Manifold back = swapped(capsule, other, pose, kMargin);
     ASSERT_EQ(back.count > 0, true);
-    ASSERT_NEAR(deepest(back), deepest(m), 3e-4);
+    ASSERT_NEAR(deepest(back), deepest(m), 0.02 * capsule.radius);
     ASSERT_GT(dot(back.normal, m.normal), 0.99);
   }
   EXPECT_GT(contacts[0], 400);
   EXPECT_GT(contacts[1], 400);
-  EXPECT_GT(contacts[2], 20);
+  EXPECT_GT(contacts[2], 400);
   EXPECT_GT(two[0], 50);
   EXPECT_GT(two[1], 50);
   EXPECT_GT(through, 100);
