@@ -56,10 +56,14 @@ Vec3 closestPoint(const Shape& shape, Vec3 point) {
       Vec3 h = shape.halfExtents;
       return {clamped(point.x, h.x), clamped(point.y, h.y), clamped(point.z, h.z)};
     }
-    case ShapeType::sphere: return ontoBall({}, shape.radius, point);
-    case ShapeType::capsule: return ontoBall({0, clamped(point.y, shape.halfHeight), 0}, shape.radius, point);
-    case ShapeType::hull: return ontoHull(*shape.hull, point);
-    case ShapeType::plane: return {point.x, point.y < 0 ? point.y : 0, point.z};
+    case ShapeType::sphere:
+      return ontoBall({}, shape.radius, point);
+    case ShapeType::capsule:
+      return ontoBall({0, clamped(point.y, shape.halfHeight), 0}, shape.radius, point);
+    case ShapeType::hull:
+      return ontoHull(*shape.hull, point);
+    case ShapeType::plane:
+      return {point.x, point.y < 0 ? point.y : 0, point.z};
   }
   return point;
 }

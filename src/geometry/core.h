@@ -17,7 +17,8 @@ inline Vec3 coreSupport(const Shape& shape, Vec3 direction) {
       Vec3 h = shape.halfExtents;
       return {direction.x < 0 ? -h.x : h.x, direction.y < 0 ? -h.y : h.y, direction.z < 0 ? -h.z : h.z};
     }
-    case ShapeType::capsule: return {0, direction.y < 0 ? -shape.halfHeight : shape.halfHeight, 0};
+    case ShapeType::capsule:
+      return {0, direction.y < 0 ? -shape.halfHeight : shape.halfHeight, 0};
     case ShapeType::hull: {
       const Hull& hull = *shape.hull;
       Vec3 best = hull.vertices[0];
@@ -28,17 +29,22 @@ inline Vec3 coreSupport(const Shape& shape, Vec3 direction) {
       }
       return best;
     }
-    default: return {};
+    default:
+      return {};
   }
 }
 
 // Half the extent of the shape, m, to scale tolerances. 0 for planes.
 inline double coreSize(const Shape& shape) {
   switch (shape.type) {
-    case ShapeType::box: return length(shape.halfExtents);
-    case ShapeType::capsule: return shape.halfHeight;
-    case ShapeType::hull: return outerRadius(shape, shape.hull->centroid);
-    default: return 0;
+    case ShapeType::box:
+      return length(shape.halfExtents);
+    case ShapeType::capsule:
+      return shape.halfHeight;
+    case ShapeType::hull:
+      return outerRadius(shape, shape.hull->centroid);
+    default:
+      return 0;
   }
 }
 

@@ -10,8 +10,8 @@ namespace brickfall {
 namespace {
 
 constexpr int kMaxIterations = 128;
-constexpr double kGapTolerance = 1e-13;      // of the size: proven excess of the found distance
-constexpr double kProgress = 1 + 1e-15;      // a corner may bring less than rounding shows and yet lead on to the next
+constexpr double kGapTolerance = 1e-13;       // of the size: proven excess of the found distance
+constexpr double kProgress = 1 + 1e-15;       // a corner may bring less than rounding shows and yet lead on to the next
 constexpr double kTouchingTolerance = 1e-14;  // of the size: nearer cores count as overlapping
 
 // Shape b as seen from the frame of a.
@@ -22,9 +22,7 @@ struct Placed {
 
   Placed(const Shape& placed, const Transform& pose)
       : shape(placed), turn(toMatrix(pose.rotation)), position(pose.position) {}
-  Vec3 support(Vec3 direction) const {
-    return turn * coreSupport(shape, transposeTimes(turn, direction)) + position;
-  }
+  Vec3 support(Vec3 direction) const { return turn * coreSupport(shape, transposeTimes(turn, direction)) + position; }
 };
 
 SimplexCorner supportPair(const Shape& a, const Placed& b, Vec3 direction) {

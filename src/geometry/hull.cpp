@@ -21,7 +21,8 @@ constexpr std::size_t kMaxPoints = 4096;
 // Corners this near to a plane, as a share of the size, are on it: a little more than the rounding of 32-bit coordinates,
 // in which most meshes come. If no solid comes out, finer ones are tried.
 constexpr double kFlatness[] = {5e-7, 5e-8, 5e-9, 0};
-constexpr double kOutside = 1e-6;   // how far a point may stick out of the hull that was made of it, as a share of the size
+constexpr double kOutside =
+    1e-6;  // how far a point may stick out of the hull that was made of it, as a share of the size
 constexpr double kGoodFit = 1e-12;  // how far corners may be below a face's plane without another look for it, the same
 constexpr double kThinnest = 2e-6;  // thickness, as a share of the size, below which points count as coplanar
 constexpr double kNearest = 1e-7;   // size over distance from the origin below which rounding would show
@@ -58,7 +59,8 @@ Status checkInput(std::span<const Vec3> points) {
 
 GridPoint toGrid(Vec3 p, const Welded& welded) {
   Vec3 q = (p - welded.middle) * (1 / welded.size) * kGridSteps;
-  return {std::int64_t(std::floor(q.x + 0.5)), std::int64_t(std::floor(q.y + 0.5)), std::int64_t(std::floor(q.z + 0.5))};
+  return {std::int64_t(std::floor(q.x + 0.5)), std::int64_t(std::floor(q.y + 0.5)),
+          std::int64_t(std::floor(q.z + 0.5))};
 }
 
 Result<Welded> weld(std::span<const Vec3> points) {
@@ -75,9 +77,10 @@ Result<Welded> weld(std::span<const Vec3> points) {
   Vec3 reach = max(abs(lower), abs(upper));
   double furthest = std::max({reach.x, reach.y, reach.z});
   if (!(out.size >= kNearest * furthest)) {
-    return Error{ErrorCode::badGeometry, "vertices: found a solid of " + text(out.size) + " m at " + text(furthest) +
-                                             " m from the origin, where coordinates are too coarse, expected it nearer " +
-                                             "than " + text(out.size / kNearest) + " m"};
+    return Error{ErrorCode::badGeometry,
+                 "vertices: found a solid of " + text(out.size) + " m at " + text(furthest) +
+                     " m from the origin, where coordinates are too coarse, expected it nearer " + "than " +
+                     text(out.size / kNearest) + " m"};
   }
   std::vector<Vec3> sorted(points.begin(), points.end());
   std::sort(sorted.begin(), sorted.end(), [](Vec3 a, Vec3 b) {

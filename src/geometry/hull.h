@@ -22,11 +22,11 @@ struct HullEdge {
 };
 struct Hull {
   std::vector<Vec3> vertices;
-  std::vector<HullPlane> planes;          // per face; coplanar triangles are merged
-  std::vector<std::uint16_t> firstEdge;   // per face
+  std::vector<HullPlane> planes;         // per face; coplanar triangles are merged
+  std::vector<std::uint16_t> firstEdge;  // per face
   std::vector<HullEdge> edges;
   Vec3 centroid;
-  double volume = 0;                      // m3
+  double volume = 0;  // m3
 };
 
 // Convex hull of at most 4096 points. It does not depend on their order, and its vertices are among them. Points closer than

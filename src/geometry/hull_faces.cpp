@@ -16,8 +16,12 @@ Vec3 toVec(GridPoint p) { return {double(p.x), double(p.y), double(p.z)}; }
 class FaceMerger {
  public:
   FaceMerger(std::span<const GridPoint> points, std::span<const HullTriangle> triangles, double tolerance)
-      : points_(points), triangles_(triangles), tolerance_(tolerance), region_(triangles.size(), -1),
-        inRegion_(points.size(), -1), degree_(points.size(), 0) {}
+      : points_(points),
+        triangles_(triangles),
+        tolerance_(tolerance),
+        region_(triangles.size(), -1),
+        inRegion_(points.size(), -1),
+        degree_(points.size(), 0) {}
 
   std::vector<std::vector<int>> run() {
     growRegions();

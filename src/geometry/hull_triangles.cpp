@@ -22,10 +22,10 @@ GridPoint areaVector(GridPoint a, GridPoint b, GridPoint c) { return cross(diffe
 
 struct Face {
   HullTriangle triangle;
-  GridPoint normal;           // not unit; its length is twice the area
-  double leastHeight = 0;     // scaled like heights: points that are not further above are dropped
-  std::vector<int> outside;   // points above this face that no other face has taken
-  int furthest = -1;          // of them
+  GridPoint normal;          // not unit; its length is twice the area
+  double leastHeight = 0;    // scaled like heights: points that are not further above are dropped
+  std::vector<int> outside;  // points above this face that no other face has taken
+  int furthest = -1;         // of them
   Wide furthestHeight = 0;
   bool alive = true;
   bool visible = false;
@@ -79,7 +79,9 @@ class QuickHull {
   GridPoint point(int index) const { return points_[std::size_t(index)]; }
   Face& face(int index) { return faces_[std::size_t(index)]; }
   // > 0: above the face. Scaled by twice the face's area.
-  Wide heightAbove(const Face& f, int p) const { return dot(f.normal, difference(point(p), point(f.triangle.corner[0]))); }
+  Wide heightAbove(const Face& f, int p) const {
+    return dot(f.normal, difference(point(p), point(f.triangle.corner[0])));
+  }
 
   int addFace(const HullTriangle& triangle) {
     Face f;

@@ -63,11 +63,16 @@ MassProperties hullMass(const Hull& hull, double density) {
 
 MassProperties shapeMass(const Shape& shape, double density) {
   switch (shape.type) {
-    case ShapeType::box: return boxMass(shape.halfExtents, density);
-    case ShapeType::sphere: return sphereMass(shape.radius, density);
-    case ShapeType::capsule: return capsuleMass(shape.radius, shape.halfHeight, density);
-    case ShapeType::hull: return hullMass(*shape.hull, density);
-    case ShapeType::plane: break;
+    case ShapeType::box:
+      return boxMass(shape.halfExtents, density);
+    case ShapeType::sphere:
+      return sphereMass(shape.radius, density);
+    case ShapeType::capsule:
+      return capsuleMass(shape.radius, shape.halfHeight, density);
+    case ShapeType::hull:
+      return hullMass(*shape.hull, density);
+    case ShapeType::plane:
+      break;
   }
   return {};
 }

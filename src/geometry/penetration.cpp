@@ -30,7 +30,8 @@ double boxBoxOverlap(Vec3 a, Vec3 b, const Transform& bInA) {
       int j1 = (j + 1) % 3, j2 = (j + 2) % 3;
       double squared = c.row[i1][j] * c.row[i1][j] + c.row[i2][j] * c.row[i2][j];  // of A_i x B_j
       if (!(squared > kParallelSquared)) continue;
-      double reach = a[i1] * size.row[i2][j] + a[i2] * size.row[i1][j] + b[j1] * size.row[i][j2] + b[j2] * size.row[i][j1];
+      double reach =
+          a[i1] * size.row[i2][j] + a[i2] * size.row[i1][j] + b[j1] * size.row[i][j2] + b[j2] * size.row[i][j1];
       double apart = std::fabs(c.row[i1][j] * d[i2] - c.row[i2][j] * d[i1]);
       overlap = least(overlap, (reach - apart) / std::sqrt(squared));
     }

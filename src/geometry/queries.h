@@ -21,8 +21,8 @@ Vec3 closestPoint(const Shape& shape, Vec3 point);
 double penetrationDepth(const Shape& a, const Shape& b, const Transform& bInA);
 
 struct DistanceResult {
-  double distance = 0;   // m, 0 when touching or overlapping
-  Vec3 onA, onB;         // closest points, frame of a (meaningless when overlapping)
+  double distance = 0;  // m, 0 when touching or overlapping
+  Vec3 onA, onB;        // closest points, frame of a (meaningless when overlapping)
 };
 // Distance of two convex shapes (GJK). Error below 1e-9 of the larger shape's size. Two planes: 0.
 DistanceResult shapeDistance(const Shape& a, const Shape& b, const Transform& bInA);

@@ -90,13 +90,17 @@ std::optional<ShapeRayHit> castRay(const Shape& shape, Vec3 origin, Vec3 directi
   if (!(maxDistance >= 0)) return {};
   ShapeRayHit inside{origin, -direction, 0};
   switch (shape.type) {
-    case ShapeType::box: return castBox(shape.halfExtents, origin, direction, maxDistance);
-    case ShapeType::hull: return castHull(*shape.hull, origin, direction, maxDistance);
+    case ShapeType::box:
+      return castBox(shape.halfExtents, origin, direction, maxDistance);
+    case ShapeType::hull:
+      return castHull(*shape.hull, origin, direction, maxDistance);
     case ShapeType::sphere:
       if (lengthSquared(origin) <= shape.radius * shape.radius) return inside;
       return castSphere({}, shape.radius, origin, direction, maxDistance);
     case ShapeType::capsule: {
-      double y = origin.y < -shape.halfHeight ? -shape.halfHeight : origin.y > shape.halfHeight ? shape.halfHeight : origin.y;
+      double y = origin.y < -shape.halfHeight  ? -shape.halfHeight
+                 : origin.y > shape.halfHeight ? shape.halfHeight
+                                               : origin.y;
       if (lengthSquared(origin - Vec3{0, y, 0}) <= shape.radius * shape.radius) return inside;
       return castCapsule(shape.radius, shape.halfHeight, origin, direction, maxDistance);
     }
@@ -104,7 +108,8 @@ std::optional<ShapeRayHit> castRay(const Shape& shape, Vec3 origin, Vec3 directi
       if (origin.y <= 0) return inside;
       double distance = origin.y / -direction.y;
       if (!(direction.y < 0 && distance <= maxDistance)) return {};
-      return ShapeRayHit{{origin.x + direction.x * distance, 0, origin.z + direction.z * distance}, {0, 1, 0}, distance};
+      return ShapeRayHit{
+          {origin.x + direction.x * distance, 0, origin.z + direction.z * distance}, {0, 1, 0}, distance};
     }
   }
   return {};

@@ -40,12 +40,16 @@ Aabb bounds(const Shape& shape, const Transform& pose) {
       for (int k = 0; k < 3; k++) half[k] = dot(abs(turn.row[k]), shape.halfExtents);
       break;
     }
-    case ShapeType::sphere: half = {shape.radius, shape.radius, shape.radius}; break;
+    case ShapeType::sphere:
+      half = {shape.radius, shape.radius, shape.radius};
+      break;
     case ShapeType::capsule:
       half = abs(rotate(pose.rotation, Vec3{0, shape.halfHeight, 0})) + Vec3{shape.radius, shape.radius, shape.radius};
       break;
-    case ShapeType::hull: return hullBounds(*shape.hull, pose);
-    case ShapeType::plane: return planeBounds(pose);
+    case ShapeType::hull:
+      return hullBounds(*shape.hull, pose);
+    case ShapeType::plane:
+      return planeBounds(pose);
   }
   return {pose.position - half, pose.position + half};
 }
@@ -58,7 +62,8 @@ double innerRadius(const Shape& shape) {
       return smaller < h.z ? smaller : h.z;
     }
     case ShapeType::sphere:
-    case ShapeType::capsule: return shape.radius;
+    case ShapeType::capsule:
+      return shape.radius;
     case ShapeType::hull: {
       double nearest = kInfinite;
       for (const HullPlane& plane : shape.hull->planes) {
@@ -67,16 +72,20 @@ double innerRadius(const Shape& shape) {
       }
       return nearest;
     }
-    case ShapeType::plane: break;
+    case ShapeType::plane:
+      break;
   }
   return kInfinite;
 }
 
 double outerRadius(const Shape& shape, Vec3 point) {
   switch (shape.type) {
-    case ShapeType::box: return length(abs(point) + shape.halfExtents);
-    case ShapeType::sphere: return length(point) + shape.radius;
-    case ShapeType::capsule: return length(Vec3{point.x, std::fabs(point.y) + shape.halfHeight, point.z}) + shape.radius;
+    case ShapeType::box:
+      return length(abs(point) + shape.halfExtents);
+    case ShapeType::sphere:
+      return length(point) + shape.radius;
+    case ShapeType::capsule:
+      return length(Vec3{point.x, std::fabs(point.y) + shape.halfHeight, point.z}) + shape.radius;
     case ShapeType::hull: {
       double furthest = 0;
       for (Vec3 v : shape.hull->vertices) {
@@ -85,7 +94,8 @@ double outerRadius(const Shape& shape, Vec3 point) {
       }
       return std::sqrt(furthest);
     }
-    case ShapeType::plane: break;
+    case ShapeType::plane:
+      break;
   }
   return kInfinite;
 }

@@ -12,7 +12,7 @@ struct Candidate {
   double weight[3];
   int count = 0;
   Vec3 nearest, across;  // across: parallel to nearest in exact arithmetic
-  double squared = -1;  // |nearest|^2; < 0: none yet
+  double squared = -1;   // |nearest|^2; < 0: none yet
 };
 
 void offer(Candidate& best, const Candidate& next) {

@@ -7,15 +7,15 @@ namespace brickfall {
 
 struct SimplexCorner {
   Vec3 onA, onB;
-  Vec3 point;          // onA - onB
-  double weight = 0;   // of the nearest point, which is the weighted sum of the corners
+  Vec3 point;         // onA - onB
+  double weight = 0;  // of the nearest point, which is the weighted sum of the corners
 };
 
 struct Simplex {
   SimplexCorner corner[4];
   int count = 0;
-  Vec3 nearest;        // point of the simplex nearest to the origin: its error is of the size of the corners, ...
-  Vec3 direction;      // ... so this is what points from the origin to it, for searching, also if it is very near; unit
+  Vec3 nearest;    // point of the simplex nearest to the origin: its error is of the size of the corners, ...
+  Vec3 direction;  // ... so this is what points from the origin to it, for searching, also if it is very near; unit
   bool hasOrigin = false;
 
   bool has(Vec3 point) const {

@@ -23,8 +23,7 @@ void require(bool condition, const char* what) {
   std::abort();
 }
 
-template <class T>
-bool take(const std::uint8_t*& data, std::size_t& size, T& value) {
+template <class T> bool take(const std::uint8_t*& data, std::size_t& size, T& value) {
   if (size < sizeof(T)) return false;
   std::memcpy(&value, data, sizeof(T));
   data += sizeof(T), size -= sizeof(T);

@@ -18,10 +18,17 @@ Quat rotationOf(Vec3 x, Vec3 y, Vec3 z) {
   double four[4] = {1 + x.x - y.y - z.z, 1 - x.x + y.y - z.z, 1 - x.x - y.y + z.z, 1 + x.x + y.y + z.z};
   Quat q;
   switch (std::max_element(four, four + 4) - four) {
-    case 0: q = {four[0], x.y + y.x, z.x + x.z, y.z - z.y}; break;
-    case 1: q = {x.y + y.x, four[1], y.z + z.y, z.x - x.z}; break;
-    case 2: q = {z.x + x.z, y.z + z.y, four[2], x.y - y.x}; break;
-    default: q = {y.z - z.y, z.x - x.z, x.y - y.x, four[3]};
+    case 0:
+      q = {four[0], x.y + y.x, z.x + x.z, y.z - z.y};
+      break;
+    case 1:
+      q = {x.y + y.x, four[1], y.z + z.y, z.x - x.z};
+      break;
+    case 2:
+      q = {z.x + x.z, y.z + z.y, four[2], x.y - y.x};
+      break;
+    default:
+      q = {y.z - z.y, z.x - x.z, x.y - y.x, four[3]};
   }
   return normalized(q);
 }

@@ -15,13 +15,13 @@ struct ObbVector {
   bool degenerate = false, borderline = false, float32Ok = false;
   Vec3 halfA, halfB;
   Transform poseA, poseB;
-  Vec3 relativeVelocity;                     // of B seen from A
+  Vec3 relativeVelocity;  // of B seen from A
   double maxTime = 0;
-  double size = 0;                           // |halfA| + |halfB|
-  double tolerance = 0;                      // m, of a double-precision answer
+  double size = 0;       // |halfA| + |halfB|
+  double tolerance = 0;  // m, of a double-precision answer
   bool overlap = false, touching = false;
   std::optional<double> distance, penetration, timeOfImpact;
-  std::optional<Vec3> penetrationNormal;     // from A to B
+  std::optional<Vec3> penetrationNormal;  // from A to B
 };
 std::vector<ObbVector> obbVectors();
 

@@ -10,8 +10,7 @@
 namespace brickfall {
 namespace {
 
-template <class... Values>
-std::uint64_t hashOf(Values... values) {
+template <class... Values> std::uint64_t hashOf(Values... values) {
   Hash hash;
   (hash.add(values), ...);
   return hash.value();

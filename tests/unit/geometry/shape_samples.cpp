@@ -26,7 +26,9 @@ Shape ShapeSamples::make(ShapeType type) {
       shape.halfExtents = {x, y, size()};
       break;
     }
-    case ShapeType::sphere: shape.radius = size(); break;
+    case ShapeType::sphere:
+      shape.radius = size();
+      break;
     case ShapeType::capsule:
       shape.radius = size();
       shape.halfHeight = size();
@@ -40,7 +42,8 @@ Shape ShapeSamples::make(ShapeType type) {
       for (Vec3& p : points) p += shift;
       return makeHull(points);
     }
-    case ShapeType::plane: break;
+    case ShapeType::plane:
+      break;
   }
   return shape;
 }
@@ -75,7 +78,8 @@ Outline outlineOf(const Shape& shape) {
         out.edges.push_back({hull.vertices[hull.edges[e].origin], hull.vertices[hull.edges[e + 1].origin]});
       }
       break;
-    case ShapeType::plane: break;
+    case ShapeType::plane:
+      break;
   }
   return out;
 }
@@ -85,8 +89,8 @@ double segmentDistance(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
     double t = std::clamp(dot(p - q, r - q) / lengthSquared(r - q), 0.0, 1.0);
     return length(p - (q + (r - q) * t));
   };
-  double best = std::min({pointToSegment(a, c, d), pointToSegment(b, c, d), pointToSegment(c, a, b),
-                          pointToSegment(d, a, b)});
+  double best =
+      std::min({pointToSegment(a, c, d), pointToSegment(b, c, d), pointToSegment(c, a, b), pointToSegment(d, a, b)});
   Vec3 u = b - a, v = d - c, n = cross(u, v);
   double squared = lengthSquared(n);
   if (squared > 1e-20 * lengthSquared(u) * lengthSquared(v)) {
