@@ -24,7 +24,10 @@ void watchInterrupts() {
   sigaction(SIGTERM, &action, nullptr);
 }
 
-void ignoreClosedPipes() { std::signal(SIGPIPE, SIG_IGN); }
+void makeFailedWritesErrors() {
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
+}
 
 int interruptCount() { return count; }
 int interruptExitCode() { return 128 + firstSignal; }

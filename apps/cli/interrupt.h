@@ -5,8 +5,9 @@ namespace brickfall::cli {
 
 // From here on SIGINT and SIGTERM are counted instead of ending the process; the third one does end it.
 void watchInterrupts();
-// A reader of standard output that leaves makes a write fail, instead of ending the process in the middle of a run.
-void ignoreClosedPipes();
+// A reader of standard output that leaves, or a file that may not grow, makes a write fail instead of ending the process
+// in the middle of a run.
+void makeFailedWritesErrors();
 int interruptCount();
 // What the process answers after being interrupted: 128 + the number of the first signal.
 int interruptExitCode();

@@ -158,7 +158,7 @@ int main(int argc, char** argv) {
   using namespace brickfall::cli;
   int exitCode = kInternalError;
   try {
-    ignoreClosedPipes();
+    makeFailedWritesErrors();
     exitCode = dispatch(argc, argv);
   } catch (const std::bad_alloc&) {
     complain("out of memory");

@@ -148,7 +148,7 @@ int run(const RunOptions& options) {
   const Summary summary = summaryOf(scene, metrics.finish(scene.world()), simulated.wallSeconds);
   const std::string json = toJson(summary);
   int finished = kOk;
-  if (const Status status = recorder->finish(json); !status) {
+  if (const Status status = recorder->finish(json); !status && simulated.exitCode != kFileError) {
     complain(status.error().message);
     finished = kFileError;
   }

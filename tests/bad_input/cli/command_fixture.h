@@ -1,6 +1,7 @@
 // A fresh folder for each test, with a small scene in it.
 #pragma once
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <fstream>
@@ -15,8 +16,8 @@ class Command : public testing::Test {
  protected:
   void SetUp() override {
     const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = std::filesystem::path(testing::TempDir()) /
-              (std::string("brickfall_") + info->test_suite_name() + "_" + info->name());
+    folder_ = std::filesystem::path(testing::TempDir()) / (std::string("brickfall_") + info->test_suite_name() + "_" +
+                                                           info->name() + "_" + std::to_string(getpid()));
     std::filesystem::remove_all(folder_);
     std::filesystem::create_directories(folder_);
   }

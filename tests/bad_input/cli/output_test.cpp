@@ -1,5 +1,6 @@
 // Where results cannot go, or what a run leaves when all is well.
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "bad_input/cli/command_fixture.h"
 
@@ -137,6 +138,22 @@ TEST_F(Outputs, aFullDiskUnderStandardOutputIsSaid) {
     EXPECT_EQ(refused.exitCode, 3) << arguments[0];
     EXPECT_TRUE(isOneComplaint(refused.errors, {"standard output", "No space left"}));
   }
+}
+
+TEST_F(Outputs, aFullDiskUnderTheResultsIsSaid) {
+  ProcessOptions options;
+  options.largestFile = 3000;
+  const Finished refused = run({"run", "cube", "-o", "full"}, options);
+  EXPECT_EQ(refused.exitCode, 3) << refused.signal;
+  EXPECT_NE(refused.errors.find("cube.take"), std::string::npos) << refused.errors;
+  std::istringstream lines(refused.errors);
+  for (std::string line; std::getline(lines, line);) EXPECT_TRUE(line.starts_with("brickfall: ")) << line;
+  // Whole or not at all; the recording opens as far as it came.
+  for (const auto& entry : std::filesystem::directory_iterator(folder_ / "full")) {
+    const std::string name = entry.path().filename().string();
+    EXPECT_TRUE(name == "cube.take" || name == "summary.json") << name << " is left behind";
+  }
+  EXPECT_EQ(run({"replay", "full/cube.take", "-o", "again", "--quiet"}).exitCode, 0);
 }
 
 TEST_F(Outputs, replayMakesTheSameAgain) {

@@ -1,6 +1,7 @@
 #include "bad_input/cli/process.h"
 
 #include <fcntl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -51,6 +52,8 @@ Process::Process(const fs::path& folder, const std::vector<std::string>& argumen
     redirect(STDOUT_FILENO, options.outputPath.empty() ? (folder_ / "stdout.txt").string() : options.outputPath);
   redirect(STDERR_FILENO, (folder_ / "stderr.txt").string());
   std::signal(SIGPIPE, SIG_DFL);
+  const rlimit limit{options.largestFile, options.largestFile};
+  if (options.largestFile > 0 && setrlimit(RLIMIT_FSIZE, &limit) != 0) _exit(126);
   constexpr uid_t kNobody = 65534;
   if (options.asNobody && geteuid() == 0 && setuid(kNobody) != 0) _exit(126);
   execv(pointers[0], pointers.data());

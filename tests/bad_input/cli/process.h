@@ -2,6 +2,7 @@
 #pragma once
 #include <sys/types.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -19,7 +20,8 @@ struct Finished {
 struct ProcessOptions {
   std::string outputPath;
   bool closedPipe = false;
-  bool asNobody = false;  // gives up root first; the exit code is 126 or 127 where the command cannot be run so
+  std::uint64_t largestFile = 0;  // bytes that a file may have, as if the disk were full then; 0: any
+  bool asNobody = false;          // gives up root first; the exit code is 126 or 127 where the command cannot be run so
 };
 
 class Process {

@@ -1,6 +1,7 @@
 #include "cli/take_recorder.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cstdio>
 
@@ -45,7 +46,8 @@ SceneDescription smallScene() {
 class TakeRecording : public testing::Test {
  protected:
   void SetUp() override {
-    path_ = testing::TempDir() + "brickfall_" + testing::UnitTest::GetInstance()->current_test_info()->name() + ".take";
+    path_ = testing::TempDir() + "brickfall_" + testing::UnitTest::GetInstance()->current_test_info()->name() + "_" +
+            std::to_string(getpid()) + ".take";
   }
   void TearDown() override { std::remove(path_.c_str()); }
   void record(const SceneDescription& scene, int steps) {
