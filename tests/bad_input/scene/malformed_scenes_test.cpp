@@ -85,6 +85,19 @@ TEST(MalformedScenes, EveryChangedByteIsAnswered) {
   }
 }
 
+// Texts on which toml++ 3.3 asserts, or runs into what it declares unreachable.
+TEST(MalformedScenes, WeakSpotsOfTheParserAreAnswered) {
+  for (const char* text :
+       {"[$", "[[[", "[=]", "a = [.]", "\xC2\xB7", "a\xC2\xB7 = 1", "[a\xC2\xB7]", "a = 1\xC3\xA9"}) {
+    SceneLoad load = parseScene(std::string(text) + "\n", "weak.toml");
+    EXPECT_FALSE(load.scene.has_value()) << text;
+    EXPECT_FALSE(load.diagnostics.empty()) << text;
+  }
+  SceneLoad load = parseScene("title = \"\"\"\\\n  \xC3\xA9lan\"\"\"\n[[wall]]\n", "sound.toml");
+  ASSERT_TRUE(load.scene.has_value());
+  EXPECT_EQ(load.scene->title, "\xC3\xA9lan");
+}
+
 // Nesting that would exhaust the stack of a recursive reader.
 TEST(MalformedScenes, DeepNestingIsAnswered) {
   const int depth = 200000;
