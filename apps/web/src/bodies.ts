@@ -42,10 +42,10 @@ function clayMaterial(half: [number, number, number] | undefined): MeshStandardM
           float pixel = length(fwidth(vLocal));
           float fineShown = 1.0 - smoothstep(0.0015, 0.006, pixel);
           float coarse = clayNoise(q * 26.0), fine = clayNoise(q * 240.0), pit = clayNoise(q * 170.0 + 3.0);
-          clayRelief = fineShown * (fine * 0.6 + smoothstep(0.66, 0.9, pit) * -0.9);
+          clayRelief = fineShown * (fine * 0.6 + smoothstep(0.6, 0.94, pit) * -0.9);
           float bloom = smoothstep(0.35, 0.9, clayNoise(q * 9.0 + 11.0)); // salts and lime that came to the face
           float bed = clayNoise(q * vec3(14.0, 60.0, 60.0));
-          diffuseColor.rgb *= 0.84 + 0.22 * coarse + 0.1 * bed + fineShown * 0.2 * (fine - 0.5) - fineShown * 0.26 * smoothstep(0.64, 0.86, pit);
+          diffuseColor.rgb *= 0.84 + 0.22 * coarse + 0.1 * bed + fineShown * 0.2 * (fine - 0.5) - fineShown * 0.26 * smoothstep(0.58, 0.92, pit);
           float grey = dot(diffuseColor.rgb, vec3(0.3, 0.5, 0.2));
           diffuseColor.rgb = mix(diffuseColor.rgb, vec3(grey) * vec3(1.12, 1.0, 0.9), 0.2 + 0.22 * bloom) * (1.0 + 0.12 * bloom);
           if (uHalf.x > 0.0) {
@@ -76,15 +76,20 @@ export class Bodies {
   private readonly outline: LineSegments<BufferGeometry, LineBasicMaterial>;
   private readonly raycaster = new Raycaster();
   private mode: ColourMode = 'material';
+  private coloursStale = true; // those of the materials do not change from frame to frame
+  private readonly materialColours: Color[];
   selected = -1;
 
   constructor(private readonly take: Take, private readonly scene: Scene) {
+    this.materialColours = take.meta.bodies.map((_, body) => materialColour(take, body, new Color()));
     const members = new Map<string, { body: number; part: PartMeta }[]>();
     take.meta.bodies.forEach((meta, body) => {
       for (const part of meta.parts) {
         if (take.meta.shapes[part.shape].type === 'plane') continue;
         const key = `${part.shape} ${meta.role}`;
-        members.set(key, [...(members.get(key) ?? []), { body, part }]);
+        const list = members.get(key) ?? [];
+        list.push({ body, part });
+        members.set(key, list);
       }
     });
     for (const [key, list] of members) this.addGroup(Number(key.split(' ')[0]), key.split(' ')[1], list);
@@ -135,16 +140,18 @@ export class Bodies {
 
   show(position: number): void {
     const frame = Math.round(position);
+    const recolour = this.coloursStale || this.mode !== 'material';
+    this.coloursStale = false;
     for (const { mesh, bodies, locals } of this.groups) {
       for (let k = 0; k < bodies.length; k++) {
         this.pose(bodies[k], position, scratch.matrix);
         const local = locals[k];
         if (local) scratch.matrix.multiply(local);
         scratch.matrix.toArray(mesh.instanceMatrix.array, k * 16);
-        mesh.setColorAt(k, this.colourOf(bodies[k], frame));
+        if (recolour) mesh.setColorAt(k, this.colourOf(bodies[k], frame));
       }
       mesh.instanceMatrix.needsUpdate = true;
-      if (mesh.instanceColor) mesh.instanceColor.needsUpdate = true;
+      if (recolour && mesh.instanceColor) mesh.instanceColor.needsUpdate = true;
       mesh.boundingSphere = null; // picking measures it anew
     }
     this.outline.visible = this.selected >= 0 && this.take.meta.bodies[this.selected].role !== 'ground';
@@ -156,13 +163,14 @@ export class Bodies {
 
   private colourOf(body: number, frame: number): Color {
     const { take } = this;
-    if (this.mode === 'material' || take.meta.bodies[body].role === 'ground') return materialColour(take, body, scratch.colour);
+    if (this.mode === 'material' || take.meta.bodies[body].role === 'ground') return this.materialColours[body];
     if (this.mode === 'speed') return scaleColour(speedShare(take, take.speed(frame, body)), scratch.colour);
     return scaleColour(forceShare(take, take.force(frame, body)), scratch.colour);
   }
 
   setColourMode(mode: ColourMode): void {
     this.mode = mode;
+    this.coloursStale = true;
   }
 
   select(body: number): void {

@@ -5,8 +5,8 @@ import type { Take } from './tracks';
 export type ColourMode = 'material' | 'speed' | 'force';
 export const kColourModes: ColourMode[] = ['material', 'speed', 'force'];
 
-// Dark blue to pale yellow, rising evenly in lightness, so that it also reads without colour vision.
-const kScale = ['#1b2350', '#3b3f8f', '#7b4397', '#b9497f', '#e0605b', '#f28f45', '#f7c35c', '#fdf3b5'].map((c) => new Color(c));
+// Blue to pale yellow, rising evenly in lightness, so that it also reads without colour vision.
+const kScale = ['#3c4f96', '#5d52ab', '#8f52a5', '#c0548a', '#e0655c', '#f29348', '#f8c862', '#fdf5c0'].map((c) => new Color(c));
 
 export function scaleColour(share: number, out: Color): Color {
   const x = Math.min(1, Math.max(0, share)) * (kScale.length - 1);

@@ -1,5 +1,6 @@
 // The replay page: reads the take that is in the page, shows it, and answers to window.brickfall (which the tests drive).
-// In the address, #frame=120 opens at a frame, #paused does not start playing; joined with &.
+// In the address, #frame=120 opens at a frame, #paused does not start playing, #view=1 takes another camera, #picture shows
+// the scene alone; joined with &.
 import { Vector2, Vector3 } from 'three';
 import { Bodies } from './bodies';
 import { Card, amount } from './card';
@@ -152,6 +153,8 @@ function main(): void {
   Object.assign(window, { brickfall: api });
 
   const wishes = new URLSearchParams(location.hash.slice(1));
+  if (wishes.has('picture')) document.body.classList.add('picture');
+  if (wishes.has('view')) api.setView(Number(wishes.get('view')));
   player.seek(Number(wishes.get('frame') ?? 0));
   draw();
   api.ready = true;

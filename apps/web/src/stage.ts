@@ -129,7 +129,7 @@ export class Stage {
     eye.far = radius * 6;
     eye.updateProjectionMatrix();
     // Against shadow acne: about one texel of the map.
-    this.sun.shadow.normalBias = Math.max(0.002, (2 * radius / this.sun.shadow.mapSize.x) * 1.4);
+    this.sun.shadow.normalBias = Math.max(0.001, (2 * radius / this.sun.shadow.mapSize.x) * 0.9);
     this.scene.fog = new Fog(kHorizon, radius * 6 + 10, radius * 30 + 90);
     this.controls.maxDistance = radius * 14 + 10;
   }
