@@ -8,7 +8,7 @@ SCENE ?= wall
 
 CONFIGURE = cmake -S . -B $(BUILD) $$(test -f $(BUILD)/CMakeCache.txt || echo -G Ninja -DCMAKE_BUILD_TYPE=$(BUILD_TYPE))
 
-.PHONY: help demo build test check install clean
+.PHONY: help demo build test check bench install clean
 .DEFAULT_GOAL := help
 
 help:
@@ -16,6 +16,7 @@ help:
 	@echo "make test               build everything and run every test"
 	@echo "make build              build only: the command is then $(BUILD)/bin/brickfall"
 	@echo "make check              the tests and the rules of the source (tools/check)"
+	@echo "make bench              figures of the shipped scenes, as a table (tools/bench)"
 	@echo "make install PREFIX=... install command, library, scenes and CMake package (default /usr/local)"
 	@echo "make clean              remove $(BUILD)/ and out/"
 	@echo "demo, test and build first install what is missing (Debian packages: apt-get, as root or with sudo)."
@@ -38,6 +39,11 @@ test:
 
 check:
 	@tools/check
+
+# Figures of the shipped scenes; SCENES="wall hole:speed=5" for others.
+bench: build
+	@command -v python3 >/dev/null || { echo "brickfall: make bench needs python3" >&2; exit 1; }
+	@tools/bench --command $(BUILD)/bin/brickfall $(SCENES)
 
 install: build
 	@cmake --build $(BUILD) -j $(JOBS) --target brickfall brickfall_scene brickfall_cli
