@@ -1,4 +1,5 @@
-// What happened in the last step. Valid until the next step or restore.
+// What happened in the last step, and between it and the one before (bodies destroyed, moved or woken by calls). Valid
+// until the next step or restore. A body destroyed since may still be named in `end`.
 #pragma once
 #include <vector>
 

@@ -33,6 +33,7 @@ struct BodyMass {
   double innerRadius = 0;        // m: smallest distance from the centre to the surface, scale of torques and margins
   double outerRadius = 0;        // m: largest, how far a turn can carry a point
   bool isotropic = false;        // inertia is a multiple of the unit matrix: no gyroscopic torque
+  bool round = false;            // one sphere: however it turns, it looks the same
 };
 
 enum class BodyActivity : std::uint8_t { awake, asleep, fixed };  // fixed: static bodies, and kinematic ones at rest

@@ -21,6 +21,7 @@ struct ShapeData {
   std::unique_ptr<Hull> hull;        // of hulls
   ProxyIndex proxy = kNoProxy;
   double innerRadius = 0;            // m
+  Vec3 middle;                       // m, centroid in the frame of the body's centre of mass
   Aabb swept;                        // m: bounds over the coming step at the present velocity, grown by the contact margin
 };
 

@@ -83,7 +83,7 @@ void predictFreeMotion(StepContext& context, BodyIndex body, double airDensity, 
     Vec3 v = m.linearVelocity + half;
     m.linearVelocity = v * (1 / (1 + c * length(v) * dt)) - half;
   }
-  if (hasContacts) {
+  if (hasContacts && !mass.round) {
     double turn = length(m.angularVelocity) * dt;
     if (turn > kLargestTurn) m.angularVelocity *= kLargestTurn / turn;
   }

@@ -65,8 +65,27 @@ void findApproach(const ContactRecord& r, const Contact& c, const BodySet& bodie
 }
 
 struct StiffnessScale {
-  float full, soft, quietSpeed, cap;
+  float unit;           // N/m
+  float full, soft;     // N/m
+  float quietSpeed;     // m/s
+  float cap;            // N
+  float deepest;        // m: overlap that an impact may reach
+  float dt;             // s
 };
+
+// Half of what separates the middles of the two bodies: past all of it the contact would turn round and let the bodies
+// through each other.
+double deepestOverlap(const BodyMass& a, const BodyMass& b) {
+  constexpr double kPlane = 1e29;
+  return 0.5 * ((a.innerRadius < kPlane ? a.innerRadius : 0) + (b.innerRadius < kPlane ? b.innerRadius : 0));
+}
+
+// An impact at k units of stiffness stops after approach dt / (1 + k): as soft as may be, but no softer than the bodies
+// are thick.
+float impactStiffness(float approach, const StiffnessScale& scale) {
+  float needed = scale.unit * -approach * scale.dt / scale.deepest;
+  return std::min(scale.full, std::max(scale.soft, needed));
+}
 
 // Returns the gap that causes force.
 float mapNormalOffset(Contact& c, int i, float approach, const StiffnessScale& scale) {
@@ -88,7 +107,7 @@ float mapNormalOffset(Contact& c, int i, float approach, const StiffnessScale& s
   }
   float offset = kOffsetKept * std::min(0.0f, std::max(c.offset[i], c.gap[i]));
   c.offset[i] = offset > -1e-12f ? 0 : offset;  // no denormals: they would never come to a fixed point
-  if (c.stiffness[i] == 0) c.stiffness[i] = approach > -scale.quietSpeed ? scale.full : scale.soft;
+  if (c.stiffness[i] == 0) c.stiffness[i] = approach > -scale.quietSpeed ? scale.full : impactStiffness(approach, scale);
   return c.gap[i] - c.offset[i];
 }
 
@@ -148,9 +167,13 @@ void prepareContacts(Island& island, StepContext& context) {
     c.fresh = false;
     findApproach(r, c, bodies, start);
     double unit = c.effectiveMass * perDt2;
-    StiffnessScale scale{float(context.settings.restingStiffness * unit), float(context.settings.impactStiffness * unit),
+    StiffnessScale scale{float(unit),
+                         float(context.settings.restingStiffness * unit),
+                         float(context.settings.impactStiffness * unit),
                          float(context.settings.restingApproachSpeed),
-                         kHeldWeights * float(kReferenceGravity) * c.effectiveMass};
+                         kHeldWeights * float(kReferenceGravity) * c.effectiveMass,
+                         float(deepestOverlap(bodies.mass[c.bodyA], bodies.mass[c.bodyB])),
+                         float(context.dt)};
     r.newPoints = 0;
     for (int i = 0; i < 4; i++) {
       if (i >= c.count) {

@@ -1,4 +1,5 @@
 // Reading and changing bodies. Every setter checks first and changes nothing on an error.
+#include <algorithm>
 #include <string>
 
 #include "world/checks.h"
@@ -77,16 +78,22 @@ Status World::setType(BodyId id, BodyType type) {
       if (w.shapes.data[shape].geometry.type == ShapeType::plane)
         return Error{ErrorCode::invalidArgument, "type: a body with a plane stays BodyType::fixed"};
   if (w.bodies.data[*body].type == type) return {};
+  if (type != BodyType::fixed) {
+    Checks mass;
+    checkMass(mass, w.bodies.data[*body].bodyFrameMass.mass);
+    if (mass.failed()) return mass.error();
+  }
   if (w.bodies.data[*body].activity == BodyActivity::asleep) w.wakeIslandOf(*body);
   w.removeContactsOf(*body);
   w.delist(*body);
   Vec3 origin = w.bodies.origin(*body);
+  w.dynamicBodies += (type == BodyType::dynamic) - (w.bodies.data[*body].type == BodyType::dynamic);
   w.bodies.data[*body].type = type;
   if (type == BodyType::fixed) w.bodies.motion[*body].linearVelocity = w.bodies.motion[*body].angularVelocity = {};
   w.updateMass(*body, origin);
   w.renewProxies(*body);
   w.enlist(*body);
-  w.islands.awake.clear();
+  w.forgetIslandsOf(*body);
   return {};
 }
 
@@ -122,7 +129,7 @@ Status World::setLinearVelocity(BodyId id, Vec3 velocity) {
   if (w.bodies.data[*body].type == BodyType::fixed)
     return Error{ErrorCode::wrongState, "velocity: the body is BodyType::fixed"};
   w.disturb(*body);
-  w.bodies.motion[*body].linearVelocity = velocity;
+  w.bodies.motion[*body].linearVelocity = w.bodies.data[*body].lastLinearVelocity = velocity;
   w.relist(*body);
   return {};
 }
@@ -136,7 +143,7 @@ Status World::setAngularVelocity(BodyId id, Vec3 velocity) {
   if (w.bodies.data[*body].type == BodyType::fixed)
     return Error{ErrorCode::wrongState, "velocity: the body is BodyType::fixed"};
   w.disturb(*body);
-  w.bodies.motion[*body].angularVelocity = velocity;
+  w.bodies.motion[*body].angularVelocity = w.bodies.data[*body].lastAngularVelocity = velocity;
   w.relist(*body);
   return {};
 }
@@ -226,9 +233,14 @@ Status World::Impl::push(BodyId id, Vec3 linear, Vec3 angular, Vec3* pointWorld,
   BodyMotion& m = bodies.motion[body];
   if (pointWorld) angular += cross(*pointWorld - m.position, linear);
   if (impulse) {
-    m.linearVelocity += linear * bodies.mass[body].invMass;
-    m.angularVelocity += bodies.worldInvInertia(body) * angular;
+    Vec3 kick = linear * bodies.mass[body].invMass, spin = bodies.worldInvInertia(body) * angular;
+    m.linearVelocity += kick;
+    m.angularVelocity += spin;
+    bodies.data[body].lastLinearVelocity += kick;
+    bodies.data[body].lastAngularVelocity += spin;
   } else {
+    auto place = std::lower_bound(pushed.begin(), pushed.end(), body);
+    if (place == pushed.end() || *place != body) pushed.insert(place, body);
     bodies.data[body].force += linear;
     bodies.data[body].torque += angular;
   }

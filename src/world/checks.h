@@ -62,4 +62,13 @@ class Checks {
   Error error_;
 };
 
+// Of a body that may move. Each field of its shapes may be legal and the body still lighter or heavier than sums in
+// float can hold.
+inline void checkMass(Checks& check, double mass) {
+  constexpr double kSmallest = 1e-15, kLargest = 1e15;  // kg
+  check.condition(mass >= kSmallest && mass <= kLargest,
+                  "shapes: found a mass of " + numberText(mass) + " kg (from sizes and density), expected " +
+                      numberText(kSmallest) + " .. " + numberText(kLargest) + " kg");
+}
+
 }  // namespace brickfall

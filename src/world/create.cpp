@@ -21,6 +21,8 @@ void checkMaterial(Checks& check, const std::string& at, const Material& m) {
   check.above(at + ".density", m.density, 0, 1e7);
   check.range(at + ".friction", m.friction, 0, 100);
   check.range(at + ".restitution", m.restitution, 0, 1);
+  check.condition(m.frictionRule <= CombineRule::maximum, at + ".frictionRule: not a CombineRule");
+  check.condition(m.restitutionRule <= CombineRule::maximum, at + ".restitutionRule: not a CombineRule");
 }
 
 void checkShape(Checks& check, const std::string& at, const ShapeDef& s, BodyType type) {
@@ -88,6 +90,13 @@ Shape geometryOf(const ShapeDef& def, const Hull* hull) {
   return g;
 }
 
+double massOf(const BodyDef& def, const std::vector<std::unique_ptr<Hull>>& hulls) {
+  double mass = 0;
+  for (std::size_t i = 0; i < def.shapes.size(); i++)
+    mass += shapeMass(geometryOf(def.shapes[i], hulls[i].get()), def.shapes[i].material.density).mass;
+  return mass;
+}
+
 }  // namespace
 
 World::World(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -151,13 +160,16 @@ void World::Impl::updateMass(BodyIndex body, Vec3 origin) {
   m.position = origin + m.orientation * data.localCentre;
   mass = {};
   mass.innerRadius = 1e30;
+  std::size_t part = 0;
   for (ShapeIndex shape : bodies.shapes[body]) {
     ShapeData& s = shapes.data[shape];
     s.inCentreFrame = {s.def.local.position - data.localCentre, s.def.local.rotation};
+    s.middle = parts[part++].centre - data.localCentre;
     mass.innerRadius = std::min(mass.innerRadius, s.innerRadius);
     Vec3 centreInShape = transformPoint(inverse(s.inCentreFrame), Vec3{});
     mass.outerRadius = std::max(mass.outerRadius, outerRadius(s.geometry, centreInShape));
   }
+  mass.round = bodies.shapes[body].size() == 1 && shapes.data[bodies.shapes[body][0]].geometry.type == ShapeType::sphere;
   if (data.type != BodyType::dynamic) return;
   mass.mass = data.bodyFrameMass.mass;
   mass.invMass = 1 / mass.mass;
@@ -176,14 +188,25 @@ void World::Impl::enlist(BodyIndex body) {
   if (data.type == BodyType::dynamic) insert(awake);
   const BodyMotion& m = bodies.motion[body];
   bool moves = lengthSquared(m.linearVelocity) > 0 || lengthSquared(m.angularVelocity) > 0;
-  bodies.still[body] = data.type == BodyType::fixed || (data.type == BodyType::kinematic && !moves);
+  bodies.still[body] = 0;
   if (data.type == BodyType::kinematic && moves) insert(moving);
+  if (data.type != BodyType::dynamic) countAsMoved(body);
   membershipChanged = true;
+}
+
+// Its pairs are looked at in the next step, though neither side may move.
+void World::Impl::countAsMoved(BodyIndex body) {
+  bodies.still[body] = 0;
+  auto place = std::lower_bound(unsettled.begin(), unsettled.end(), body);
+  if (place == unsettled.end() || *place != body) unsettled.insert(place, body);
 }
 
 void World::Impl::delist(BodyIndex body) {
   std::erase(awake, body);
   std::erase(moving, body);
+  std::erase(unsettled, body);
+  std::erase(pushed, body);
+  bodies.data[body].force = bodies.data[body].torque = {};
   bodies.still[body] = 1;
   bodies.data[body].activity = BodyActivity::fixed;
   membershipChanged = true;
@@ -205,6 +228,7 @@ Result<BodyId> World::createBody(const BodyDef& def) {
     else
       check.take({hull.error().code, "shapes[" + std::to_string(i) + "].vertices: " + hull.error().message});
   }
+  if (!check.failed() && def.type != BodyType::fixed) checkMass(check, massOf(def, hulls));
   if (check.failed()) return check.error();
 
   BodyIndex body = w.bodies.create();
@@ -235,6 +259,7 @@ Result<BodyId> World::createBody(const BodyDef& def) {
   w.updateMass(body, def.position);
   for (ShapeIndex shape : w.bodies.shapes[body]) w.addProxy(shape);
   w.enlist(body);
+  w.dynamicBodies += def.type == BodyType::dynamic;
   return w.idOf(body);
 }
 
@@ -251,7 +276,8 @@ void World::Impl::removeContactsOf(BodyIndex body) {
   drop(contacts.asleep);
   std::erase_if(touchingBefore, [&](const auto& pair) {
     if (pair.first != body && pair.second != body) return false;
-    events.end.push_back({idOf(pair.first), idOf(pair.second)});
+    BodyPair ordered = byCreation(pair);
+    heard().end.push_back({idOf(ordered.first), idOf(ordered.second)});
     return true;
   });
   membershipChanged = true;
@@ -269,9 +295,21 @@ Status World::destroyBody(BodyId id) {
     w.shapes.destroy(shape);
   }
   w.delist(*body);
-  w.islands.awake.clear();  // islands name bodies by slot: built anew at the next step
+  w.forgetIslandsOf(*body);
+  w.dynamicBodies -= w.bodies.data[*body].type == BodyType::dynamic;
   w.bodies.destroy(*body);
   return {};
+}
+
+// Islands name bodies by slot: those that name this one are built anew at the next step, the others are kept.
+void World::Impl::forgetIslandsOf(BodyIndex body) {
+  std::erase_if(islands.awake, [&](const std::unique_ptr<Island>& island) {
+    return std::binary_search(island->bodies.begin(), island->bodies.end(), body) ||
+           std::find(island->partners.begin(), island->partners.end(), body) != island->partners.end();
+  });
+  std::erase(islands.single, body);
+  islandOf.clear();
+  membershipChanged = true;
 }
 
 }  // namespace brickfall

@@ -13,10 +13,11 @@ Result<std::optional<RayHit>> World::castRay(Vec3 origin, Vec3 direction, double
   const Impl& w = *impl_;
   Checks check;
   check.vector("origin", origin, 1e7);
-  check.condition(isFinite(direction) && lengthSquared(direction) > 1e-24, "direction: found zero or not finite, expected a direction");
+  double largest = std::max({std::fabs(direction.x), std::fabs(direction.y), std::fabs(direction.z)});
+  check.condition(isFinite(direction) && largest > 1e-12, "direction: found zero or not finite, expected a direction");
   check.range("maxDistance", maxDistance, 0, 1e7);
   if (check.failed()) return check.error();
-  direction = normalized(direction);
+  direction = normalized(direction * (1 / largest));  // first to about one: its square must not overflow
   std::optional<RayHit> best;
   w.broadPhase.queryRay(origin, direction, maxDistance, [&](std::uint32_t shape, double limit) {
     const ShapeData& s = w.shapes.data[shape];

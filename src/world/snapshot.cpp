@@ -14,7 +14,7 @@ namespace brickfall {
 namespace {
 
 constexpr std::uint64_t kMagic = 0x30504e5346424b42ull;
-constexpr std::uint32_t kLayout = 1;
+constexpr std::uint32_t kLayout = 2;
 
 struct Header {
   std::uint64_t magic = kMagic;
@@ -58,6 +58,11 @@ class SnapshotArchive {
     a.value(w.lastDt);
     a.value(w.stepCount);
     a.list(w.touchingBefore);
+    a.list(w.pushed);
+    a.list(w.unsettled);
+    a.list(w.pending.end);
+    a.list(w.pending.woke);
+    a.value(w.dynamicBodies);
   }
 
  private:
@@ -92,6 +97,7 @@ class SnapshotArchive {
       a.value(shape.def.userData);
       a.value(shape.inCentreFrame);
       a.value(shape.innerRadius);
+      a.value(shape.middle);
       a.value(shape.swept);
     }
     a.list(s.free_);

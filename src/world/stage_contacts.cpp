@@ -161,10 +161,12 @@ void World::Impl::updateContacts() {
       if (pair.contact != kNoIndex) contacts.destroy(pair.contact);
       continue;
     }
+    // Kept bounds depend on the history of the tree; only the swept ones may decide about a contact.
+    bool near = overlaps(view.a.swept, view.b.swept);
     const BodyMotion &ma = bodies.motion[pair.bodyA], &mb = bodies.motion[pair.bodyB];
     Transform relative = inverse(bodies.pose(pair.bodyA)) * bodies.pose(pair.bodyB);
     Vec3 relativeVelocity = mb.linearVelocity - ma.linearVelocity;
-    if (pair.contact != kNoIndex &&
+    if (near && pair.contact != kNoIndex &&
         canReuse(contacts.contacts[pair.contact], contacts.geometry[pair.contact], relative, relativeVelocity, dt)) {
       contacts.pairs[kept++] = pair;
       report.manifoldsReused++;
@@ -172,7 +174,7 @@ void World::Impl::updateContacts() {
     }
     Manifold m;
     double margin = std::min(marginOf(pair.shapeA), marginOf(pair.shapeB));
-    if (overlaps(view.a.swept, view.b.swept)) {
+    if (near) {
       Transform bInA = inverse(view.a.inCentreFrame) * relative * view.b.inCentreFrame;
       double spin = std::min(0.5, length(ma.angularVelocity) * dt) * bodies.mass[pair.bodyA].outerRadius +
                     std::min(0.5, length(mb.angularVelocity) * dt) * bodies.mass[pair.bodyB].outerRadius;

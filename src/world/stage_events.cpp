@@ -1,6 +1,6 @@
 // What listeners are told: contacts that began or ended to press, impacts, bodies that moved.
 #include <algorithm>
-#include <tuple>
+#include <iterator>
 
 #include "world/world_impl.h"
 
@@ -23,7 +23,27 @@ ContactImpact impactOf(const Contact& c, const ContactStart& start, double dt) {
   return out;
 }
 
+template <class T>
+void makeSet(std::vector<T>& list) {
+  std::sort(list.begin(), list.end());
+  list.erase(std::unique(list.begin(), list.end()), list.end());
+}
+
 }  // namespace
+
+// Slots are used again, so their order is not that of creation.
+World::Impl::BodyPair World::Impl::byCreation(BodyPair pair) const {
+  if (bodies.data[pair.second].order < bodies.data[pair.first].order) std::swap(pair.first, pair.second);
+  return pair;
+}
+
+// Pairs of bodies that press on each other; a pair comes once for each of its contacts.
+void World::Impl::appendTouching(const Island& island, BodyPairs& out) const {
+  for (ContactIndex contact : island.contacts) {
+    const Contact& c = contacts.contacts[contact];
+    if (c.touching) out.push_back({std::min(c.bodyA, c.bodyB), std::max(c.bodyA, c.bodyB)});
+  }
+}
 
 void World::Impl::collectEvents() {
   StageTimer timer(report, Stage::events);
@@ -42,21 +62,23 @@ void World::Impl::collectEvents() {
       if (impact.speed >= def.hitEventSpeed && impact.impulse >= def.hitEventImpulse) addHit(*island, k, impact.speed, impact.impulse);
     }
   }
-  for (const auto& island : islands.asleep)
-    for (ContactIndex contact : island->contacts) {
-      const Contact& c = contacts.contacts[contact];
-      if (c.touching) touchingNow.push_back({std::min(c.bodyA, c.bodyB), std::max(c.bodyA, c.bodyB)});
-    }
-  std::sort(touchingNow.begin(), touchingNow.end());
-  touchingNow.erase(std::unique(touchingNow.begin(), touchingNow.end()), touchingNow.end());
+  // What fell asleep in this step still touches, but is not looked at again until it wakes.
+  BodyPairs slept;
+  for (std::size_t i = islands.asleep.size() - sleptNow; i < islands.asleep.size(); i++) appendTouching(*islands.asleep[i], slept);
+  touchingNow.insert(touchingNow.end(), slept.begin(), slept.end());
+  makeSet(touchingNow);
+  makeSet(slept);
   auto tell = [&](const BodyPairs& in, const BodyPairs& notIn, std::vector<ContactEvent>& out) {
-    for (const auto& pair : in)
-      if (!std::binary_search(notIn.begin(), notIn.end(), pair) && bodies.alive(pair.first) && bodies.alive(pair.second))
-        out.push_back({idOf(pair.first), idOf(pair.second)});
+    for (const BodyPair& pair : in) {
+      if (std::binary_search(notIn.begin(), notIn.end(), pair)) continue;
+      BodyPair ordered = byCreation(pair);
+      out.push_back({idOf(ordered.first), idOf(ordered.second)});
+    }
   };
   tell(touchingNow, touchingBefore, events.begin);
   tell(touchingBefore, touchingNow, events.end);
-  std::swap(touchingBefore, touchingNow);
+  touchingBefore.clear();
+  std::set_difference(touchingNow.begin(), touchingNow.end(), slept.begin(), slept.end(), std::back_inserter(touchingBefore));
 
   for (BodyIndex body : awake)
     if (!bodies.still[body]) events.moved.push_back(idOf(body));
@@ -71,7 +93,7 @@ void World::Impl::addHit(const Island& island, std::size_t k, double speed, doub
   hit.bodyB = idOf(c.bodyB);
   hit.normalWorld = toDouble(r.n);
   hit.pointWorld = bodies.motion[c.bodyA].position + toDouble(r.armA);
-  if (c.bodyB < c.bodyA) {
+  if (bodies.data[c.bodyB].order < bodies.data[c.bodyA].order) {
     std::swap(hit.bodyA, hit.bodyB);
     hit.normalWorld = -hit.normalWorld;
   }

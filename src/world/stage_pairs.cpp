@@ -16,6 +16,10 @@ double World::Impl::marginOf(ShapeIndex shape) const {
   return std::min(def.solver.contactMargin, 0.3 * shapes.data[shape].innerRadius);
 }
 
+double World::Impl::slackOf(ShapeIndex shape) const {
+  return std::min(kLargestSlack, kKeptSlack * shapes.data[shape].innerRadius);
+}
+
 // Bounds that anything must meet to be able to touch the shape in the coming step: its motion at the present velocity,
 // and the contact margin. Contacts are made only where these overlap, so that which exist does not depend on the
 // history of the tree.
@@ -39,7 +43,7 @@ void World::Impl::addProxy(ShapeIndex shape) {
 
 void World::Impl::addProxy(ShapeIndex shape, const Aabb& swept) {
   ShapeData& s = shapes.data[shape];
-  s.proxy = broadPhase.add(swept, std::min(kLargestSlack, kKeptSlack * s.innerRadius), shape);
+  s.proxy = broadPhase.add(swept, slackOf(shape), shape);
 }
 
 void World::Impl::findPairs() {
@@ -49,7 +53,7 @@ void World::Impl::findPairs() {
     for (ShapeIndex shape : bodies.shapes[body]) {
       updateSwept(shape, context.dt);
       const ShapeData& s = shapes.data[shape];
-      broadPhase.update(s.proxy, s.swept, std::min(kLargestSlack, kKeptSlack * s.innerRadius));
+      broadPhase.update(s.proxy, s.swept, slackOf(shape));
     }
   };
   for (BodyIndex body : awake) update(body);

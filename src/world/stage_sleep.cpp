@@ -28,14 +28,18 @@ void movePairs(std::vector<CandidatePair>& from, std::vector<CandidatePair>& to,
 void World::Impl::updateSleep() {
   StageTimer timer(report, Stage::sleep);
   bool any = false;
+  sleptNow = 0;
   for (auto& island : islands.awake) {
     island->restTime = island->resting ? island->restTime + context.dt : 0;
     bool sleeps = def.enableSleep && island->allowSleep && !island->partnersMove && island->restTime >= def.sleepDelay;
     if (!sleeps) continue;
     any = true;
+    sleptNow++;
     for (BodyIndex body : island->bodies) {
       bodies.data[body].activity = BodyActivity::asleep;
+      bodies.data[body].linearAcceleration = bodies.data[body].angularAcceleration = {};
       bodies.still[body] = 1;
+      islandOf[body] = kNoIndex;
       events.fellAsleep.push_back(idOf(body));
     }
     islands.asleep.push_back(std::move(island));
@@ -46,8 +50,21 @@ void World::Impl::updateSleep() {
     for (BodyIndex body : islands.awake[i]->bodies) islandOf[body] = std::uint32_t(i);
   auto isAwake = [&](BodyIndex body) { return bodies.data[body].activity == BodyActivity::awake; };
   std::erase_if(awake, [&](BodyIndex body) { return !isAwake(body); });
-  movePairs(contacts.pairs, contacts.asleep,
-            [&](const CandidatePair& p) { return !isAwake(p.bodyA) && !isAwake(p.bodyB); });
+  movePairs(contacts.pairs, contacts.asleep, [&](const CandidatePair& p) {
+    return !isAwake(p.bodyA) && !isAwake(p.bodyB) && !moves(p.bodyA) && !moves(p.bodyB);
+  });
+}
+
+// A kinematic body with a velocity: its pairs are looked at in every step, whoever sleeps.
+bool World::Impl::moves(BodyIndex body) const {
+  const BodyMotion& m = bodies.motion[body];
+  return bodies.data[body].type == BodyType::kinematic &&
+         (lengthSquared(m.linearVelocity) > 0 || lengthSquared(m.angularVelocity) > 0);
+}
+
+// Pairs of a body that begins to move though it is not dynamic.
+void World::Impl::activatePairsOf(BodyIndex body) {
+  movePairs(contacts.asleep, contacts.pairs, [&](const CandidatePair& p) { return p.bodyA == body || p.bodyB == body; });
 }
 
 // A sleeping body that something awake presses on, or is about to hit.
@@ -76,12 +93,15 @@ void World::Impl::wakeIsland(std::size_t asleepIndex) {
     bodies.data[body].activity = BodyActivity::awake;
     bodies.still[body] = 0;
     awake.push_back(body);
-    events.woke.push_back(idOf(body));
+    heard().woke.push_back(idOf(body));
   }
   std::sort(awake.begin(), awake.end());
   auto isAwake = [&](BodyIndex body) { return bodies.data[body].activity == BodyActivity::awake; };
   movePairs(contacts.asleep, contacts.pairs,
             [&](const CandidatePair& p) { return isAwake(p.bodyA) || isAwake(p.bodyB); });
+  appendTouching(*island, touchingBefore);
+  std::sort(touchingBefore.begin(), touchingBefore.end());
+  touchingBefore.erase(std::unique(touchingBefore.begin(), touchingBefore.end()), touchingBefore.end());
   island->restTime = 0;
   island->settled = island->resting = false;
   auto place = std::lower_bound(islands.awake.begin(), islands.awake.end(), island,
@@ -98,11 +118,12 @@ void World::Impl::wakeAll() {
   }
 }
 
-// Sleeping islands whose candidate pairs name the body.
+// Sleeping islands that have a contact with the body.
 void World::Impl::wakeTouching(BodyIndex body) {
   std::vector<BodyIndex> wake;
   for (const CandidatePair& pair : contacts.asleep)
-    if (pair.bodyA == body || pair.bodyB == body) wake.push_back(pair.bodyA == body ? pair.bodyB : pair.bodyA);
+    if ((pair.bodyA == body || pair.bodyB == body) && pair.contact != kNoIndex)
+      wake.push_back(pair.bodyA == body ? pair.bodyB : pair.bodyA);
   for (BodyIndex other : wake)
     if (bodies.data[other].activity == BodyActivity::asleep) wakeIslandOf(other);
 }
@@ -110,7 +131,9 @@ void World::Impl::wakeTouching(BodyIndex body) {
 void World::Impl::disturb(BodyIndex body) {
   bodies.still[body] = 0;
   if (bodies.data[body].type != BodyType::dynamic) {
+    countAsMoved(body);
     wakeTouching(body);
+    activatePairsOf(body);
     for (auto& island : islands.awake)
       if (std::find(island->partners.begin(), island->partners.end(), body) != island->partners.end()) island->settled = false;
     return;

@@ -16,6 +16,7 @@ StageTimer::~StageTimer() { report_.stageMilliseconds[std::size_t(stage_)] += do
 
 void World::Impl::step(double dt) {
   beginStep(dt);
+  quarantineAbsurd();
   findPairs();
   updateContacts();
   buildIslands();
@@ -65,15 +66,19 @@ Result<StepReport> World::step(double dt, int substeps) {
   w.stepping = true;
   std::int64_t start = nowNanoseconds();
   w.report = {};
-  w.events = {};
+  w.events = std::move(w.pending);
+  w.pending = {};
+  w.callDt = dt;
   for (int i = 0; i < substeps; i++) {
     w.report.manifolds = w.report.contactPoints = w.report.touchingPoints = 0;
+    w.lastSubstep = i == substeps - 1;
     w.step(dt / substeps);
   }
   w.report.stepIndex = w.stepCount;
   w.report.time = w.time;
-  for (BodyIndex i = 0; i < w.bodies.slots(); i++)
-    w.report.bodies += w.bodies.alive(i) && w.bodies.data[i].type == BodyType::dynamic;
+  for (BodyIndex body : w.pushed) w.bodies.data[body].force = w.bodies.data[body].torque = {};
+  w.pushed.clear();
+  w.report.bodies = w.dynamicBodies;
   w.report.awakeBodies = int(w.awake.size());
   w.report.milliseconds = double(nowNanoseconds() - start) * 1e-6;
   w.stepping = false;

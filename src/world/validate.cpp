@@ -64,6 +64,9 @@ std::vector<std::string> World::Impl::validateStructure() const {
       f.expect(s < m && shapes.data[s].alive && shapes.data[s].body == i, at("body", i) + ": a shape is not its own");
   }
   f.expect(alive == bodies.count(), "bodies: wrong count");
+  int dynamic = 0;
+  for (const BodyData& d : bodies.data) dynamic += d.alive && d.type == BodyType::dynamic;
+  f.expect(dynamic == dynamicBodies, "bodies: wrong count of dynamic ones");
   for (std::size_t i = 0; i < m; i++)
     if (shapes.data[i].alive)
       f.expect(shapes.data[i].body < n && bodies.data[shapes.data[i].body].alive && shapes.data[i].def.type <= ShapeType::plane,
@@ -103,6 +106,10 @@ std::vector<std::string> World::Impl::validateStructure() const {
     }
   for (BodyIndex b : islands.single) f.expect(bodyFine(b), "islands: a single body that is not there");
   for (std::uint32_t i : islandOf) f.expect(i == kNoIndex || i < islands.awake.size(), "islandOf: an island that is not there");
+  for (const auto* list : {&pushed, &unsettled}) {
+    f.expect(ascending(*list), "pushed or unsettled: not sorted");
+    for (BodyIndex b : *list) f.expect(bodyFine(b), "pushed or unsettled: a body that is not there");
+  }
   for (const auto& pair : touchingBefore) f.expect(pair.first < n && pair.second < n, "touching: a body that is not there");
   return f.take();
 }
@@ -128,7 +135,10 @@ std::vector<std::string> World::validate() const {
         f.expect(w.bodies.data[i].quarantined, at("shape", s) + ": not in the broad phase");
         continue;
       }
-      f.expect(contains(w.broadPhase.kept(w.shapes.data[s].proxy), w.shapes.data[s].swept), at("shape", s) + ": outside its kept bounds");
+      const Aabb& kept = w.broadPhase.kept(w.shapes.data[s].proxy);
+      f.expect(contains(kept, w.shapes.data[s].swept), at("shape", s) + ": its swept bounds are outside the kept ones");
+      f.expect(contains(kept, bounds(w.shapes.data[s].geometry, w.shapes.worldPose(s, w.bodies))),
+               at("shape", s) + ": outside its kept bounds");
     }
   }
   for (const auto* list : {&w.contacts.pairs, &w.contacts.asleep})

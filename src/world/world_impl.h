@@ -31,16 +31,23 @@ struct World::Impl {
   double lastDt = 0;  // s
   std::uint64_t stepCount = 0;
   bool stepping = false;
+  bool lastSubstep = true;  // of the call to step() under way
+  double callDt = 0;        // s, of the whole call
   std::vector<BodyIndex> pendingQuarantine;
+  std::vector<BodyIndex> pushed;     // bodies with a force or torque for the next step
+  std::size_t sleptNow = 0;          // islands that fell asleep in this step: the last ones in islands.asleep
+  int dynamicBodies = 0;
+  std::vector<BodyIndex> unsettled;  // fixed or kinematic bodies that count as moved until the next step is over
   struct BodyPair {
     BodyIndex first, second;
     auto operator<=>(const BodyPair&) const = default;
   };
   using BodyPairs = std::vector<BodyPair>;
-  BodyPairs touchingNow, touchingBefore;  // bodies that press on each other, sorted
+  BodyPairs touchingNow, touchingBefore;  // bodies of awake islands that press on each other, sorted
   StepContext context;
   StepReport report;
   Events events;
+  Events pending;  // what happened between steps: told by the next
   std::unique_ptr<WorkerPool> pool;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> foundPairs;  // scratch
   std::vector<CandidatePair> newPairs;                              // scratch
@@ -75,7 +82,22 @@ struct World::Impl {
   std::vector<std::string> validateStructure() const;
   void updateSwept(ShapeIndex shape, double dt);
   double marginOf(ShapeIndex shape) const;
+  double slackOf(ShapeIndex shape) const;
   void removeContactsOf(BodyIndex body);
+  void forgetIslandsOf(BodyIndex body);
+  Events& heard() { return stepping ? events : pending; }
+  BodyPair byCreation(BodyPair pair) const;
+  void appendTouching(const Island& island, BodyPairs& out) const;
+  void activatePairsOf(BodyIndex body);
+  void keepBounds(BodyIndex body);
+  bool moves(BodyIndex body) const;
+  void stopAtObstacles(BodyIndex body);
+  double freeWay(ShapeIndex shape, Vec3 d) const;
+  Vec3 wayOf(BodyIndex body) const;
+  void quarantineAbsurd();
+  bool solvedWell(const Island& island) const;
+  void salvage(Island& island);
+  void finishBody(BodyIndex body);
   void updateMass(BodyIndex body, Vec3 origin);
   void step(double dt);
   void beginStep(double dt);
@@ -89,6 +111,7 @@ struct World::Impl {
   void quarantine(BodyIndex body);
   void isolate(BodyIndex body);
   void addHit(const Island& island, std::size_t contact, double speed, double impulse);
+  void countAsMoved(BodyIndex body);     // a fixed or kinematic body that was made, moved or changed
   void enlist(BodyIndex body);           // into awake or moving, by type
   void delist(BodyIndex body);
 };
