@@ -11,7 +11,7 @@ struct SolverSettings {
   double restingApproachSpeed = 0.3;  // m/s: contacts born slower are resting, not impacts
   double contactMargin = 0.010;       // m: contacts are made this early (plus approach x dt); for small bodies 0.3 of the
                                       // smaller one's inner radius
-  double restSpeed = 2e-3;            // m/s: only slower bodies are put to rest by the rest check
+  double restSpeed = 1e-2;            // m/s: only islands slower than this may be stopped or put to rest
   double restTolerance = 1e-3;        // residual / weight accepted as "nothing moves"
   double cycleTolerance = 1e-2;       // rms residual / weight at which a moving island is done
   int minCycles = 4;                  // 1 .. 64: fewer glue bodies in place (they hang in the air)

@@ -9,6 +9,8 @@
 #include <emmintrin.h>
 #endif
 
+#include "math/float3.h"
+
 namespace brickfall::wide {
 
 typedef float V __attribute__((vector_size(16)));
@@ -44,9 +46,28 @@ inline V sqrt(V v) {
 
 // (sum a, sum b, sum c, sum d), each as (v0 + v2) + (v1 + v3).
 inline V sums(V a, V b, V c, V d) {
-  V x = V{a[0], b[0], a[1], b[1]} + V{a[2], b[2], a[3], b[3]};
-  V y = V{c[0], d[0], c[1], d[1]} + V{c[2], d[2], c[3], d[3]};
-  return V{x[0], x[1], y[0], y[1]} + V{x[2], x[3], y[2], y[3]};
+  V x = __builtin_shufflevector(a, b, 0, 4, 1, 5) + __builtin_shufflevector(a, b, 2, 6, 3, 7);
+  V y = __builtin_shufflevector(c, d, 0, 4, 1, 5) + __builtin_shufflevector(c, d, 2, 6, 3, 7);
+  return __builtin_shufflevector(x, y, 0, 1, 4, 5) + __builtin_shufflevector(x, y, 2, 3, 6, 7);
+}
+
+// --- three-vectors in four lanes, the last one zero
+
+inline V load3(const Vec3f& v) { return V{v.x, v.y, v.z, 0}; }
+// A three-vector that is followed by four readable bytes.
+inline V load3Padded(const Vec3f& v) {
+  V all;
+  std::memcpy(&all, &v, sizeof all);
+  return V(M(all) & M{-1, -1, -1, 0});
+}
+inline Vec3f store3(V v) { return {v[0], v[1], v[2]}; }
+inline V cross3(V a, V b) {
+  V c = a * __builtin_shufflevector(b, b, 1, 2, 0, 3) - __builtin_shufflevector(a, a, 1, 2, 0, 3) * b;
+  return __builtin_shufflevector(c, c, 1, 2, 0, 3);
+}
+template <int lane>
+inline V spread(V v) {
+  return __builtin_shufflevector(v, v, lane, lane, lane, lane);
 }
 
 }  // namespace brickfall::wide

@@ -13,25 +13,45 @@ namespace brickfall {
 
 namespace {
 
-// Adds a contact's stiffness, seen at arm r from the cluster's centre. With u = d - [r] th, w = th:
-//   dd: A,  th d: [r] A + B^T,  th th: [r] A [r]^T + [r] B + ([r] B)^T + C
-void addStiffness(Symmetric6& H, const kernel::Stiffness& k, Vec3f r) {
-  // [r] A: column j is r x (column j of A); A is symmetric, so its columns are its rows.
-  Mat3f rAt;  // transpose of [r] A, by rows
-  for (int j = 0; j < 3; j++) rAt.row[j] = cross(r, k.A.row[j]);
-  Mat3f rA = transpose(rAt);
-  Mat3f Bt = transpose(k.B);
-  Mat3f rBt;  // transpose of [r] B
-  for (int j = 0; j < 3; j++) rBt.row[j] = cross(r, Bt.row[j]);
-  for (int i = 0; i < 3; i++)
-    for (int j = 0; j <= i; j++) H.at(i, j) += k.A.row[i][j];
-  for (int i = 0; i < 3; i++)
-    for (int j = 0; j < 3; j++) H.at(3 + i, j) += rA.row[i][j] + Bt.row[i][j];
-  for (int i = 0; i < 3; i++) {
-    Vec3f rAr = cross(r, rA.row[i]);
-    for (int j = 0; j <= i; j++) H.at(3 + i, 3 + j) += rAr[j] + rBt.row[j][i] + rBt.row[i][j] + k.C.row[i][j];
+using wide::V;
+
+// The Newton matrix as sums over contacts, by rows of three in four lanes. With a contact's stiffness [A B; B^T C] seen at
+// arm r from the cluster's centre (u = d - [r] th, w = th):
+//   dd: A,   th d: [r] A + B^T,   th th: [r] A [r]^T + [r] B + ([r] B)^T + C.
+// The transposed parts are summed untransposed and turned over once at the end.
+struct MatrixSums {
+  V dd[3] = {}, thd[3] = {}, B[3] = {}, thth[3] = {}, rB[3] = {};
+
+  // [r] M by rows
+  static void crossRows(V r, const V* m, V* out) {
+    V x = wide::spread<0>(r), y = wide::spread<1>(r), z = wide::spread<2>(r);
+    out[0] = y * m[2] - z * m[1];
+    out[1] = z * m[0] - x * m[2];
+    out[2] = x * m[1] - y * m[0];
   }
-}
+
+  void add(const kernel::Stiffness& k, V r) {
+    V rA[3], rBk[3];
+    crossRows(r, k.A, rA);
+    crossRows(r, k.B, rBk);
+    for (int i = 0; i < 3; i++) {
+      dd[i] += k.A[i];
+      thd[i] += rA[i];
+      B[i] += k.B[i];
+      thth[i] += wide::cross3(r, rA[i]) + k.C[i];
+      rB[i] += rBk[i];
+    }
+  }
+
+  void write(Symmetric6& H) const {
+    for (int i = 0; i < 3; i++)
+      for (int j = 0; j <= i; j++) H.at(i, j) = dd[i][j];
+    for (int i = 0; i < 3; i++)
+      for (int j = 0; j < 3; j++) H.at(3 + i, j) = thd[i][j] + B[j][i];
+    for (int i = 0; i < 3; i++)
+      for (int j = 0; j <= i; j++) H.at(3 + i, 3 + j) = thth[i][j] + (rB[i][j] + rB[j][i]);
+  }
+};
 
 void addInertia(Symmetric6& H, const Cluster& c) {
   for (int i = 0; i < 3; i++) H.at(i, i) += c.mass;
@@ -59,6 +79,12 @@ void moveCluster(Island& island, const Level& level, const Cluster& cluster, con
   }
 }
 
+// Records lie in pair order, clusters jump about in it.
+void prefetch(const ContactRecord& r) {
+  const char* line = reinterpret_cast<const char*>(&r);
+  for (int i = 0; i < 3; i++) __builtin_prefetch(line + 64 * i);
+}
+
 float power(const Wrench& a, const Wrench& b) { return dot(a.force, b.force) + dot(a.torque, b.torque); }
 
 }  // namespace
@@ -71,42 +97,58 @@ Wrench inertiaResidual(const SolveMass& m, const SolveMotion& motion) {
            m.inertia[3] * t.x + m.inertia[4] * t.y + m.inertia[5] * t.z}};
 }
 
+namespace {
+
+template <bool withMatrix>
+bool sumBoundary(const Island& island, const Level& level, const Cluster& cluster, V& force, V& torque, MatrixSums& sums) {
+  bool single = cluster.bodyEnd - cluster.bodyBegin == 1;
+  const SolveMotion* motion = island.motion.data();
+  const ContactRecord* records = island.records.data();
+  const SolveMass* masses = island.masses.data();
+  V centre = wide::load3(cluster.centre);
+  wide::M nonlinear{};
+  for (std::uint32_t k = cluster.sideBegin; k < cluster.sideEnd; k++) {
+    std::uint32_t side = level.sides[k];
+    const ContactRecord& r = records[side / 2];
+    if (k + 2 < cluster.sideEnd) prefetch(records[level.sides[k + 2] / 2]);
+    wide::M weAreB = wide::M{} - std::int32_t(side & 1);
+    kernel::Frame frame = kernel::frame(r);
+    kernel::PointForces f = kernel::pointForces(r, kernel::pointMotion(r, frame, motion));
+    kernel::WideWrench w = kernel::wrench(r, frame, f);
+    V arm = wide::select(weAreB, frame.armB, frame.armA);
+    if (!single) arm += wide::load3(masses[(side & 1) ? r.bodyB : r.bodyA].position) - centre;
+    V sign = wide::select(weAreB, wide::set(1), wide::set(-1));
+    force += sign * w.force;
+    torque += sign * (wide::cross3(arm, w.force) + w.torque);
+    nonlinear |= kernel::needsLineSearch(r, f);
+    if constexpr (withMatrix) sums.add(kernel::stiffness(r, frame, f, kNearContact), arm);
+  }
+  return wide::any(nonlinear);
+}
+
+}  // namespace
+
 bool clusterResidual(const Island& island, const Level& level, const Cluster& cluster, Wrench& residual,
                      Symmetric6* matrix, double& visits) {
   bool single = cluster.bodyEnd - cluster.bodyBegin == 1;
-  Vec3f force, torque;
+  Vec3f inertiaForce, inertiaTorque;
   for (std::uint32_t k = cluster.bodyBegin; k < cluster.bodyEnd; k++) {
     std::uint32_t body = level.bodies[k];
     Wrench inertia = inertiaResidual(island.masses[body], island.motion[body]);
-    force += inertia.force;
-    torque += inertia.torque;
-    if (!single) torque += cross(island.masses[body].position - cluster.centre, inertia.force);
+    inertiaForce += inertia.force;
+    inertiaTorque += inertia.torque;
+    if (!single) inertiaTorque += cross(island.masses[body].position - cluster.centre, inertia.force);
   }
-  bool nonlinear = false;
-  const SolveMotion* motion = island.motion.data();
   visits += 4.0 * (cluster.sideEnd - cluster.sideBegin);
-  for (std::uint32_t k = cluster.sideBegin; k < cluster.sideEnd; k++) {
-    const ContactRecord& r = island.records[level.sides[k] / 2];
-    bool weAreB = level.sides[k] % 2 == 1;
-    Vec3f t2 = cross(r.n, r.t1);
-    kernel::PointForces f =
-        kernel::pointForces(r, kernel::pointMotion(r, kernel::relativeMotion(r, motion, t2)));
-    Wrench w = kernel::wrench(r, f, t2);
-    Vec3f arm = weAreB ? r.armB : r.armA;
-    if (!single) arm += island.masses[weAreB ? r.bodyB : r.bodyA].position - cluster.centre;
-    Vec3f moment = cross(arm, w.force) + w.torque;
-    if (weAreB) {
-      force += w.force;
-      torque += moment;
-    } else {
-      force -= w.force;
-      torque -= moment;
-    }
-    nonlinear = nonlinear || kernel::needsLineSearch(r, f);
-    if (matrix) addStiffness(*matrix, kernel::stiffness(r, f, t2, kNearContact), arm);
+  V force = wide::load3(inertiaForce), torque = wide::load3(inertiaTorque);
+  MatrixSums sums;
+  bool nonlinear = matrix ? sumBoundary<true>(island, level, cluster, force, torque, sums)
+                          : sumBoundary<false>(island, level, cluster, force, torque, sums);
+  residual = {wide::store3(force), wide::store3(torque)};
+  if (matrix) {
+    sums.write(*matrix);
+    addInertia(*matrix, cluster);
   }
-  residual = {force, torque};
-  if (matrix) addInertia(*matrix, cluster);
   return nonlinear;
 }
 

@@ -39,6 +39,7 @@ struct Island {
   bool resting = false;                 // accepted by the rest check in this step
   bool settled = false;                 // rested, and not one bit of its forces changed in the last step
   bool allowSleep = true;
+  int heldSteps = 0;                    // steps in a row in which the solve left every body in its place
   double restTime = 0;                  // s, rested without a break
 
   BodyIndex key() const { return bodies.front(); }

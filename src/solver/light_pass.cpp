@@ -30,17 +30,17 @@ void lightPass(Island& island, const ContactSet& contacts, bool updateLimits, do
   for (std::size_t i = 0; i < bodies; i++) island.residual[i] = inertiaResidual(island.masses[i], island.motion[i]);
   for (std::size_t k = 0; k < island.records.size(); k++) {
     ContactRecord& r = island.records[k];
-    Vec3f t2 = cross(r.n, r.t1);
-    kernel::PointForces f =
-        kernel::pointForces(r, kernel::pointMotion(r, kernel::relativeMotion(r, island.motion.data(), t2)));
-    Wrench w = kernel::wrench(r, f, t2);
+    kernel::Frame frame = kernel::frame(r);
+    kernel::PointForces f = kernel::pointForces(r, kernel::pointMotion(r, frame, island.motion.data()));
+    kernel::WideWrench w = kernel::wrench(r, frame, f);
+    Vec3f force = wide::store3(w.force);
     if (r.bodyA < bodies) {
-      island.residual[r.bodyA].force -= w.force;
-      island.residual[r.bodyA].torque -= cross(r.armA, w.force) + w.torque;
+      island.residual[r.bodyA].force -= force;
+      island.residual[r.bodyA].torque -= wide::store3(wide::cross3(frame.armA, w.force) + w.torque);
     }
     if (r.bodyB < bodies) {
-      island.residual[r.bodyB].force += w.force;
-      island.residual[r.bodyB].torque += cross(r.armB, w.force) + w.torque;
+      island.residual[r.bodyB].force += force;
+      island.residual[r.bodyB].torque += wide::store3(wide::cross3(frame.armB, w.force) + w.torque);
     }
     if (updateLimits && r.newPoints) updateNewLimits(r, contacts.contacts[r.contact], island.starts[k], f, dt);
   }

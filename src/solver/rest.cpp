@@ -33,4 +33,22 @@ void restCheck(Island& island, StepContext& context) {
   context.statistics.restingIslands++;
 }
 
+void restIfHeld(Island& island, StepContext& context) {
+  if (island.resting) return;
+  bool held = island.slow;
+  for (BodyIndex body : island.bodies) {
+    const SolvedMotion& s = context.solved[body];
+    held = held && length(s.d) + length(s.th) * context.bodies->mass[body].outerRadius < kHeldMove;
+  }
+  island.heldSteps = held ? island.heldSteps + 1 : 0;
+  if (island.heldSteps < kHeldSteps) return;
+  island.heldSteps = 0;
+  island.resting = island.settled = true;
+  for (BodyIndex body : island.bodies) {
+    context.solved[body] = {};
+    context.solved[body].freeTurn = false;
+    context.solved[body].rest = true;
+  }
+}
+
 }  // namespace brickfall

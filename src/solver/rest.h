@@ -14,4 +14,9 @@ void dampSlowIsland(Island& island, StepContext& context);
 // price of one light pass. Sets Island::resting; leaves all motion at zero.
 void restCheck(Island& island, StepContext& context);
 
+// The other way to rest: started from free motion, the solve itself leaves every body of a slow island in its place, many
+// steps in a row, though some residual does not come under the limit (points at the very edge of sliding or opening).
+// Solving on would only repeat that. Called after storeMotion; then stops the island and sets resting.
+void restIfHeld(Island& island, StepContext& context);
+
 }  // namespace brickfall

@@ -20,6 +20,9 @@ constexpr float kNearContact = 5e-3f;        // m: open points nearer than this 
 constexpr int kLineSearchSteps = 8;
 constexpr double kSlowTolerance = 5e-4;      // worst residual / weight at which a slow island's cycles stop
 constexpr int kMaxCyclesSlow = 16;
+constexpr double kHeldMove = 1e-6;           // m per step: a body that the solve moves less is left in its place;
+                                             // free of support it would fall 2700 times as far
+constexpr int kHeldSteps = 20;               // in a row, and the island counts as at rest
 constexpr int kWeakHold = 3;                 // steps a joint stays weak after it last looked weak
 constexpr double kLargestTurn = 0.5;         // rad per step of a body in contact: arms are frozen during a step
 constexpr double kRestitutionSpeed = 1;      // m/s: slower impacts do not rebound

@@ -16,9 +16,7 @@ struct StoredForces {
 };
 
 StoredForces forcesAt(const ContactRecord& r, const Island& island) {
-  Vec3f t2 = cross(r.n, r.t1);
-  kernel::PointForces f =
-      kernel::pointForces(r, kernel::pointMotion(r, kernel::relativeMotion(r, island.motion.data(), t2)));
+  kernel::PointForces f = kernel::pointForces(r, kernel::pointMotion(r, kernel::frame(r), island.motion.data()));
   StoredForces out;
   kernel::store(f.n, out.n);
   kernel::store(f.t1, out.t1);
@@ -129,8 +127,7 @@ void advanceGaps(Island& island, StepContext& context) {
   for (std::size_t k = 0; k < island.contacts.size(); k++) {
     Contact& c = context.contacts->contacts[island.contacts[k]];
     const ContactRecord& r = island.records[k];
-    Vec3f t2 = cross(r.n, r.t1);
-    kernel::PointMotion m = kernel::pointMotion(r, kernel::relativeMotion(r, island.motion.data(), t2));
+    kernel::PointMotion m = kernel::pointMotion(r, kernel::frame(r), island.motion.data());
     alignas(16) float n[4], t1[4], u2[4];
     kernel::store(m.n, n);
     kernel::store(m.t1, t1);
@@ -169,9 +166,8 @@ void findHeld(const Island& island, const StepContext& context, float reach, std
     const Contact& c = context.contacts->contacts[island.contacts[k]];
     bool touches = c.touching;
     if (!touches && reach > 0) {
-      Vec3f t2 = cross(r.n, r.t1);
       alignas(16) float n[4];
-      kernel::store(kernel::pointMotion(r, kernel::relativeMotion(r, island.motion.data(), t2)).n, n);
+      kernel::store(kernel::pointMotion(r, kernel::frame(r), island.motion.data()).n, n);
       for (int i = 0; i < c.count; i++) touches = touches || c.gap[i] + n[i] < reach;
     }
     if (touches) links.push_back({r.bodyA, r.bodyB});

@@ -70,6 +70,7 @@ void World::Impl::store() {
     storeMotion(*island, context);
     correctFlight(*island, context);
     island->settled = island->resting && !changed;
+    restIfHeld(*island, context);
   }
 }
 
