@@ -90,6 +90,12 @@ inline M needsLineSearch(const ContactRecord& r, const PointForces& f) {
   return (f.slides & (load(r.limit) > zero)) | ((bond > zero) & (f.trialN <= -bond));
 }
 
+// Open points that the Newton matrix counts all the same.
+inline M braced(const ContactRecord& r, const PointForces& f, float near) {
+  V bond = load(r.bond), reach = wide::max(bond, load(r.k) * set(near));
+  return (f.trialN <= -bond) & (f.trialN > -reach);
+}
+
 // Stiffness of the contact against its own relative motion (u, w) at the manifold's centre, world axes, by rows:
 // [A B; B^T C], A and C symmetric.
 struct Stiffness {

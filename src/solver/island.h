@@ -28,6 +28,7 @@ struct Island {
   std::vector<SolveMass> masses;        // bodies
   std::vector<Wrench> residual;         // bodies
   Hierarchy byStrength, byMechanism;
+  bool lengthenSteps = false;           // small island: steps held short by open points are tried longer
   Vec3 origin;                          // m, of SolveMass::position and Cluster::centre
   Vec3 drift;                           // m: rigid displacement of this step that d and dFree leave out
 
