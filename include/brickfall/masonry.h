@@ -33,7 +33,7 @@ struct WallDef {
   double bondShift = 0.5;       // running bond: shift of every second course, in brick lengths (0.5 half, 0.333 third bond)
   BrickFormat brick;
   int courses = 10;             // 1 .. 10000
-  int bricksPerCourse = 10;     // whole bricks in a full course; sets the length
+  int bricksPerCourse = 10;     // whole bricks (header bond: headers) in a full course, 1 .. 10000; sets the length
   bool halfBats = true;         // ends closed by cut bricks, flush; false: whole bricks only, toothed ends
   double headJoint = 0;         // m, gap between neighbours in a course
   double bedJoint = 0;          // m, gap between courses

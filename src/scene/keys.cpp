@@ -65,7 +65,7 @@ std::vector<KeySpec> makeKeys() {
       {"solver", "impact_stiffness", K::number, "u", 1, 1e5, "30", "", "of a contact born in an impact; at most resting_stiffness"},
       {"solver", "resting_approach_speed", K::number, "m/s", 0, 100, "0.3", "", "contacts born slower are resting, not impacts"},
       {"solver", "contact_margin", K::number, "m", 1e-5, 1, "0.01", "", "contacts are made this early"},
-      {"solver", "rest_speed", K::number, "m/s", 0, 1, "0.01", "", "only slower bodies are put to rest"},
+      {"solver", "rest_speed", K::number, "m/s", 0, 1, "0.01", "", "only slower islands are put to rest"},
       {"solver", "rest_tolerance", K::number, "", 0, 1, "0.001", "", "force residual / weight taken as: nothing moves"},
       {"solver", "cycle_tolerance", K::number, "", 1e-6, 1, "0.01", "", "residual / weight at which a moving island is done"},
       {"solver", "min_cycles", K::integer, "", 1, 64, "4", "", "cycles of every step; at most max_cycles"},
