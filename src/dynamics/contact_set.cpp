@@ -21,6 +21,7 @@ ContactIndex ContactSet::create() {
 void ContactSet::destroy(ContactIndex contact) {
   changed = true;
   contacts[contact].count = 0;
+  touchingChanged = touchingChanged || contacts[contact].touching;
   contacts[contact].touching = false;
   contacts[contact].bodyA = kNoIndex;
   free_.push_back(contact);

@@ -28,6 +28,7 @@ class ContactSet {
   std::vector<Contact> contacts;         // by ContactIndex
   std::vector<ContactGeometry> geometry;
   bool changed = true;                   // contacts appeared or went since the islands were built
+  bool touchingChanged = true;           // which contacts press changed since the events were collected
 
  private:
   friend class SnapshotArchive;

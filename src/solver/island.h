@@ -40,6 +40,7 @@ struct Island {
   bool resting = false;                 // accepted by the rest check in this step
   bool settled = false;                 // rested, and not one bit of its forces changed in the last step
   bool allowSleep = true;
+  std::int32_t points = 0, touchingPoints = 0;  // counted in the last step that was not passed over
   int heldSteps = 0;                    // steps in a row in which the solve left every body in its place
   double restTime = 0;                  // s, rested without a break
 

@@ -84,6 +84,7 @@ bool storeForces(Island& island, StepContext& context) {
       placeSlip(c, i, sliding);
     }
     c.touching = loaded > 0;
+    if (c.touching != before.touching) context.contacts->touchingChanged = true;
     if (updateWeak(c, loaded, slidingLoaded)) island.mechanismValid = false;
     changed = changed || std::memcmp(&before, &c, sizeof c) != 0;
   }

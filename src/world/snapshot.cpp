@@ -144,6 +144,9 @@ class SnapshotArchive {
       for (auto* flag : {&i.hierarchiesValid, &i.mechanismValid, &i.grounded, &i.partnersMove, &i.slow, &i.resting,
                          &i.settled, &i.allowSleep})
         a.value(*flag);
+      a.value(i.points);
+      a.value(i.touchingPoints);
+      a.value(i.heldSteps);
       a.value(i.restTime);
     }
   }

@@ -47,21 +47,43 @@ void World::Impl::appendTouching(const Island& island, BodyPairs& out) const {
 
 void World::Impl::collectEvents() {
   StageTimer timer(report, Stage::events);
-  // Bodies touch if any of their contacts does; pairs of bodies, each once.
-  touchingNow.clear();
   for (auto& island : islands.awake) {
-    for (std::size_t k = 0; k < island->contacts.size(); k++) {
-      const Contact& c = contacts.contacts[island->contacts[k]];
-      report.manifolds++;
-      report.contactPoints += c.count;
-      for (int i = 0; i < c.count; i++) report.touchingPoints += c.forceN[i] > 0;
-      if (!c.touching) continue;
-      touchingNow.push_back({std::min(c.bodyA, c.bodyB), std::max(c.bodyA, c.bodyB)});
-      if (island->settled || island->resting) continue;
-      ContactImpact impact = impactOf(c, island->starts[k], context.dt);
-      if (impact.speed >= def.hitEventSpeed && impact.impulse >= def.hitEventImpulse) addHit(*island, k, impact.speed, impact.impulse);
-    }
+    if (!island->settled) countPoints(*island);
+    report.manifolds += int(island->contacts.size());
+    report.contactPoints += island->points;
+    report.touchingPoints += island->touchingPoints;
+    if (!island->resting) collectHits(*island);
   }
+  if (contacts.touchingChanged || sleptNow > 0) collectTouching();
+  contacts.touchingChanged = false;
+
+  for (BodyIndex body : awake)
+    if (!bodies.still[body]) events.moved.push_back(idOf(body));
+  for (BodyIndex body : moving) events.moved.push_back(idOf(body));
+}
+
+void World::Impl::countPoints(Island& island) const {
+  island.points = island.touchingPoints = 0;
+  for (ContactIndex contact : island.contacts) {
+    const Contact& c = contacts.contacts[contact];
+    island.points += c.count;
+    for (int i = 0; i < c.count; i++) island.touchingPoints += c.forceN[i] > 0;
+  }
+}
+
+void World::Impl::collectHits(const Island& island) {
+  for (std::size_t k = 0; k < island.contacts.size(); k++) {
+    const Contact& c = contacts.contacts[island.contacts[k]];
+    if (!c.touching) continue;
+    ContactImpact impact = impactOf(c, island.starts[k], context.dt);
+    if (impact.speed >= def.hitEventSpeed && impact.impulse >= def.hitEventImpulse) addHit(island, k, impact.speed, impact.impulse);
+  }
+}
+
+// Bodies touch if any of their contacts does. Pairs that were not among those of the last step begin, and the other way.
+void World::Impl::collectTouching() {
+  touchingNow.clear();
+  for (auto& island : islands.awake) appendTouching(*island, touchingNow);
   // What fell asleep in this step still touches, but is not looked at again until it wakes.
   BodyPairs slept;
   for (std::size_t i = islands.asleep.size() - sleptNow; i < islands.asleep.size(); i++) appendTouching(*islands.asleep[i], slept);
@@ -79,10 +101,6 @@ void World::Impl::collectEvents() {
   tell(touchingBefore, touchingNow, events.end);
   touchingBefore.clear();
   std::set_difference(touchingNow.begin(), touchingNow.end(), slept.begin(), slept.end(), std::back_inserter(touchingBefore));
-
-  for (BodyIndex body : awake)
-    if (!bodies.still[body]) events.moved.push_back(idOf(body));
-  for (BodyIndex body : moving) events.moved.push_back(idOf(body));
 }
 
 void World::Impl::addHit(const Island& island, std::size_t k, double speed, double impulse) {

@@ -110,6 +110,9 @@ struct World::Impl {
   void wakeAll();
   void quarantine(BodyIndex body);
   void isolate(BodyIndex body);
+  void countPoints(Island& island) const;
+  void collectHits(const Island& island);
+  void collectTouching();
   void addHit(const Island& island, std::size_t contact, double speed, double impulse);
   void countAsMoved(BodyIndex body);     // a fixed or kinematic body that was made, moved or changed
   void enlist(BodyIndex body);           // into awake or moving, by type
