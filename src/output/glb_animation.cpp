@@ -9,8 +9,7 @@ namespace {
 
 // Ramer-Douglas-Peucker over time: a stretch whose worst frame is off by more than the tolerance is cut there. `off` gives
 // the error of frame f when only a and b are kept.
-template <class Off>
-std::vector<std::uint32_t> keys(std::size_t frames, double tolerance, Off off) {
+template <class Off> std::vector<std::uint32_t> keys(std::size_t frames, double tolerance, Off off) {
   auto last = std::uint32_t(frames - 1);
   std::vector<std::uint32_t> kept{0};
   bool moves = false;

@@ -8,7 +8,7 @@
 
 namespace brickfall {
 
-constexpr double kGlbPositionTolerance = 1e-4;        // m
+constexpr double kGlbPositionTolerance = 1e-4;                        // m
 constexpr double kGlbAngleTolerance = 0.05 * 3.14159265358979 / 180;  // rad
 
 // Frames in order, the first and the last among them; one alone if nothing moves. times are increasing.

@@ -15,10 +15,14 @@ using nlohmann::json;
 
 const char* roleName(TakeRole role) {
   switch (role) {
-    case TakeRole::ground: return "ground";
-    case TakeRole::brick: return "brick";
-    case TakeRole::ball: return "ball";
-    case TakeRole::body: break;
+    case TakeRole::ground:
+      return "ground";
+    case TakeRole::brick:
+      return "brick";
+    case TakeRole::ball:
+      return "ball";
+    case TakeRole::body:
+      break;
   }
   return "body";
 }
@@ -38,7 +42,9 @@ Mesh meshOf(const TakeBody& body) {
 // The geometry as bytes, to find equal ones.
 std::string keyOf(const Mesh& mesh) {
   std::string key;
-  auto add = [&](const auto& list) { key.append(reinterpret_cast<const char*>(list.data()), list.size() * sizeof(list[0])); };
+  auto add = [&](const auto& list) {
+    key.append(reinterpret_cast<const char*>(list.data()), list.size() * sizeof(list[0]));
+  };
   add(mesh.positions);
   add(mesh.uvs);
   add(mesh.indices);
@@ -79,7 +85,8 @@ int SceneWriter::material(const TakeBody& body) {
   auto [at, added] = materials_.try_emplace({body.colour, ball}, 0);
   if (!added) return at->second;
   json factor = {linear(body.colour >> 16 & 255), linear(body.colour >> 8 & 255), linear(body.colour & 255), 1.0};
-  json pbr = {{"baseColorFactor", factor}, {"metallicFactor", ball ? 0.8 : 0.0}, {"roughnessFactor", ball ? 0.35 : 0.9}};
+  json pbr = {
+      {"baseColorFactor", factor}, {"metallicFactor", ball ? 0.8 : 0.0}, {"roughnessFactor", ball ? 0.35 : 0.9}};
   char name[32];
   std::snprintf(name, sizeof name, "%s #%06X", roleName(body.role), unsigned(body.colour & 0xFFFFFF));
   return at->second = glb_.add("materials", {{"name", name}, {"pbrMetallicRoughness", pbr}});
@@ -99,12 +106,11 @@ int SceneWriter::mesh(const TakeBody& body) {
       for (const auto& item : list) out.insert(out.end(), item.begin(), item.end());
       return out;
     };
-    geometry->second = {
-        {"attributes",
-         {{"POSITION", glb_.addFloats(flat(mesh.positions), 3, GlbBuilder::kVertices, true)},
-          {"NORMAL", glb_.addFloats(flat(mesh.normals), 3, GlbBuilder::kVertices, false)},
-          {"TEXCOORD_0", glb_.addFloats(flat(mesh.uvs), 2, GlbBuilder::kVertices, false)}}},
-        {"indices", glb_.addIndices(mesh.indices)}};
+    geometry->second = {{"attributes",
+                         {{"POSITION", glb_.addFloats(flat(mesh.positions), 3, GlbBuilder::kVertices, true)},
+                          {"NORMAL", glb_.addFloats(flat(mesh.normals), 3, GlbBuilder::kVertices, false)},
+                          {"TEXCOORD_0", glb_.addFloats(flat(mesh.uvs), 2, GlbBuilder::kVertices, false)}}},
+                        {"indices", glb_.addIndices(mesh.indices)}};
   }
   json primitive = geometry->second;
   primitive["material"] = materialPlace;
@@ -144,7 +150,8 @@ void SceneWriter::addCameras() {
                           {back.x + right.z, back.y + up.z, m[2], right.y - up.x},
                           {up.z - back.y, back.x - right.z, right.y - up.x, m[3]}};
     Quat rotation = normalized(candidates[std::max_element(m, m + 4) - m]);
-    json lens = {{"type", "perspective"}, {"name", camera.name},
+    json lens = {{"type", "perspective"},
+                 {"name", camera.name},
                  {"perspective", {{"yfov", camera.fieldOfViewDegrees * 3.14159265358979 / 180}, {"znear", 0.02}}}};
     scene_.push_back(nodes_.size());
     nodes_.push_back({{"name", "camera " + camera.name},
@@ -165,12 +172,14 @@ int SceneWriter::timesOf(const std::vector<std::uint32_t>& keys) {
 }
 
 void SceneWriter::addChannel(json& animation, std::size_t node, const char* path, int input, int output) {
-  animation["channels"].push_back({{"sampler", animation["samplers"].size()}, {"target", {{"node", node}, {"path", path}}}});
+  animation["channels"].push_back(
+      {{"sampler", animation["samplers"].size()}, {"target", {{"node", node}, {"path", path}}}});
   animation["samplers"].push_back({{"input", input}, {"output", output}, {"interpolation", "LINEAR"}});
 }
 
 bool SceneWriter::addAnimation(const Progress& progress) {
-  json animation = {{"name", header_.scene.empty() ? "take" : header_.scene}, {"channels", json::array()},
+  json animation = {{"name", header_.scene.empty() ? "take" : header_.scene},
+                    {"channels", json::array()},
                     {"samplers", json::array()}};
   for (std::size_t k = 0; k < header_.bodies.size(); k++) {
     if (progress && k % 64 == 0 && !progress(0.5 + 0.45 * double(k) / double(header_.bodies.size()))) return false;
@@ -201,7 +210,9 @@ bool SceneWriter::addAnimation(const Progress& progress) {
 
 void SceneWriter::finish() {
   json& root = glb_.root();
-  root["asset"]["extras"] = {{"title", header_.title}, {"scene", header_.scene}, {"engineVersion", header_.engineVersion},
+  root["asset"]["extras"] = {{"title", header_.title},
+                             {"scene", header_.scene},
+                             {"engineVersion", header_.engineVersion},
                              {"seed", std::to_string(header_.seed)}};
   if (!nodes_.empty()) root["nodes"] = std::move(nodes_);
   json scene = {{"name", header_.scene.empty() ? "take" : header_.scene}};
@@ -220,7 +231,8 @@ Status writeGlb(const TakeReader& take, const std::string& path, const Progress&
   if (!poses) return poses.error();
   for (std::size_t f = 1; f < poses->frames; f++) {
     if (!(float(poses->times[f] - poses->times[0]) > float(poses->times[f - 1] - poses->times[0]))) {
-      return Error{ErrorCode::badFormat, path + ": the time of frame " + std::to_string(f) + " is not after the one before"};
+      return Error{ErrorCode::badFormat,
+                   path + ": the time of frame " + std::to_string(f) + " is not after the one before"};
     }
   }
   SceneWriter scene(take.header(), *poses);

@@ -61,7 +61,8 @@ std::vector<Face> facesOf(const std::vector<Vec3>& points) {
         if (most - least <= tolerance) return {};              // all in one plane
         if (most > tolerance) normal = -normal;
         bool known = std::any_of(faces.begin(), faces.end(), [&](const Face& f) {
-          return dot(f.normal, normal) > 1 - 1e-9 && std::fabs(dot(f.normal, points[f.corners[0]] - points[a])) <= tolerance;
+          return dot(f.normal, normal) > 1 - 1e-9 &&
+                 std::fabs(dot(f.normal, points[f.corners[0]] - points[a])) <= tolerance;
         });
         if (known) continue;
         std::vector<int> on;
@@ -83,7 +84,8 @@ Mesh hullMesh(const std::vector<Vec3>& vertices) {
   if (vertices.size() < 4) return mesh;
   for (const Face& face : facesOf(vertices)) {
     auto first = std::uint32_t(mesh.positions.size());
-    Vec3 origin = vertices[face.corners[0]], u = normalized(vertices[face.corners[1]] - origin), v = cross(face.normal, u);
+    Vec3 origin = vertices[face.corners[0]], u = normalized(vertices[face.corners[1]] - origin),
+         v = cross(face.normal, u);
     for (std::size_t k = 0; k < face.corners.size(); k++) {
       Vec3 p = vertices[face.corners[k]];
       mesh.positions.push_back({float(p.x), float(p.y), float(p.z)});

@@ -70,11 +70,16 @@ Mesh capsuleMesh(double radius, double halfHeight) { return roundMesh(radius, ha
 
 Mesh meshOf(const ShapeDef& shape) {
   switch (shape.type) {
-    case ShapeType::box: return boxMesh(shape.halfExtents);
-    case ShapeType::sphere: return sphereMesh(shape.radius);
-    case ShapeType::capsule: return capsuleMesh(shape.radius, shape.halfHeight);
-    case ShapeType::hull: return hullMesh(shape.vertices);
-    case ShapeType::plane: break;
+    case ShapeType::box:
+      return boxMesh(shape.halfExtents);
+    case ShapeType::sphere:
+      return sphereMesh(shape.radius);
+    case ShapeType::capsule:
+      return capsuleMesh(shape.radius, shape.halfHeight);
+    case ShapeType::hull:
+      return hullMesh(shape.vertices);
+    case ShapeType::plane:
+      break;
   }
   Mesh slab;
   append(slab, boxMesh({kPlaneHalfSize, kPlaneHalfDepth, kPlaneHalfSize}), {{0, -kPlaneHalfDepth, 0}, {}});

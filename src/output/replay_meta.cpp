@@ -15,12 +15,16 @@ json toJson(Vec3 v) { return json::array({v.x, v.y, v.z}); }
 
 json shapeJson(const ShapeDef& shape) {
   switch (shape.type) {
-    case ShapeType::box: return {{"type", "box"}, {"half", toJson(shape.halfExtents)}};
-    case ShapeType::sphere: return {{"type", "sphere"}, {"radius", shape.radius}};
+    case ShapeType::box:
+      return {{"type", "box"}, {"half", toJson(shape.halfExtents)}};
+    case ShapeType::sphere:
+      return {{"type", "sphere"}, {"radius", shape.radius}};
     case ShapeType::capsule:
       return {{"type", "capsule"}, {"radius", shape.radius}, {"halfHeight", shape.halfHeight}};
-    case ShapeType::plane: return {{"type", "plane"}};
-    case ShapeType::hull: break;
+    case ShapeType::plane:
+      return {{"type", "plane"}};
+    case ShapeType::hull:
+      break;
   }
   Mesh mesh = hullMesh(shape.vertices);
   json positions = json::array(), normals = json::array();
@@ -31,10 +35,14 @@ json shapeJson(const ShapeDef& shape) {
 
 const char* roleName(TakeRole role) {
   switch (role) {
-    case TakeRole::ground: return "ground";
-    case TakeRole::brick: return "brick";
-    case TakeRole::ball: return "ball";
-    case TakeRole::body: break;
+    case TakeRole::ground:
+      return "ground";
+    case TakeRole::brick:
+      return "brick";
+    case TakeRole::ball:
+      return "ball";
+    case TakeRole::body:
+      break;
   }
   return "body";
 }
@@ -58,17 +66,31 @@ std::string replayMeta(const TakeHeader& header, std::size_t frames, double posi
       }
       parts.push_back(std::move(part));
     }
-    bodies.push_back({{"name", body.name}, {"role", roleName(body.role)}, {"colour", body.colour}, {"mass", body.mass},
+    bodies.push_back({{"name", body.name},
+                      {"role", roleName(body.role)},
+                      {"colour", body.colour},
+                      {"mass", body.mass},
                       {"parts", std::move(parts)}});
   }
   for (const TakeCamera& camera : header.cameras) {
-    cameras.push_back({{"name", camera.name}, {"position", toJson(camera.position)}, {"target", toJson(camera.target)},
+    cameras.push_back({{"name", camera.name},
+                       {"position", toJson(camera.position)},
+                       {"target", toJson(camera.target)},
                        {"fieldOfView", camera.fieldOfViewDegrees}});
   }
-  json meta = {{"format", 1}, {"scene", header.scene}, {"title", header.title}, {"engineVersion", header.engineVersion},
-               {"seed", std::to_string(header.seed)}, {"framesPerSecond", header.framesPerSecond}, {"frames", frames},
-               {"positionStep", positionStep}, {"turnStep", kReplayTurnStep}, {"forceSteps", kReplayForceSteps},
-               {"shapes", std::move(shapes)}, {"bodies", std::move(bodies)}, {"cameras", std::move(cameras)}};
+  json meta = {{"format", 1},
+               {"scene", header.scene},
+               {"title", header.title},
+               {"engineVersion", header.engineVersion},
+               {"seed", std::to_string(header.seed)},
+               {"framesPerSecond", header.framesPerSecond},
+               {"frames", frames},
+               {"positionStep", positionStep},
+               {"turnStep", kReplayTurnStep},
+               {"forceSteps", kReplayForceSteps},
+               {"shapes", std::move(shapes)},
+               {"bodies", std::move(bodies)},
+               {"cameras", std::move(cameras)}};
   // Pure ASCII, bytes that are no UTF-8 replaced, and no "<": nothing a name holds can end the script element.
   std::string text = meta.dump(-1, ' ', true, json::error_handler_t::replace), safe;
   for (char c : text) safe += c == '<' ? std::string("\\u003c") : std::string(1, c);

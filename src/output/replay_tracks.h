@@ -6,9 +6,9 @@
 
 namespace brickfall {
 
-constexpr double kReplayTurnStep = 4e-4;         // of tan(angle / 2) from frame to frame
-constexpr double kReplayForceSteps = 12;         // per doubling of 1 N + force
-constexpr std::size_t kReplayMostHits = 20000;   // the strongest are kept
+constexpr double kReplayTurnStep = 4e-4;        // of tan(angle / 2) from frame to frame
+constexpr double kReplayForceSteps = 12;        // per doubling of 1 N + force
+constexpr std::size_t kReplayMostHits = 20000;  // the strongest are kept
 
 // m per step: 0.1 mm, more only where bodies fly so far that 32 bits would not hold it.
 double replayPositionStep(const TakePoses& poses);

@@ -8,10 +8,10 @@ namespace brickfall {
 
 struct TakePoses {
   std::size_t bodies = 0, frames = 0;
-  std::vector<double> times;            // s, per frame
-  std::vector<Transform> poses;         // [body * frames + frame]
-  std::vector<float> contactForce;      // N, likewise
-  std::vector<TakeEvent> events;        // in the order of time
+  std::vector<double> times;              // s, per frame
+  std::vector<Transform> poses;           // [body * frames + frame]
+  std::vector<float> contactForce;        // N, likewise
+  std::vector<TakeEvent> events;          // in the order of time
   std::vector<std::uint32_t> eventFrame;  // per event
 
   const Transform& pose(std::size_t body, std::size_t frame) const { return poses[body * frames + frame]; }

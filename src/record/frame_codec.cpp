@@ -50,8 +50,7 @@ void advance(std::int64_t (&last)[N], std::int64_t (&move)[N], bool key, const s
   }
 }
 
-template <int N>
-void put(ByteWriter& out, const std::int64_t (&values)[N]) {
+template <int N> void put(ByteWriter& out, const std::int64_t (&values)[N]) {
   for (std::int64_t v : values) out.signedVarint(v);
 }
 
@@ -128,7 +127,8 @@ Status FrameCodec::check(const TakeFrame& frame, const TakeHeader& header) const
     double norm = q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
     if (!within(pose.position, kMostPosition)) return wrong(numbered(header, k) + ": position is not within 1e9 m");
     if (!(norm >= 0.99 && norm <= 1.01)) return wrong(numbered(header, k) + ": rotation is not a unit quaternion");
-    if (!(pose.speed >= 0 && pose.speed <= kMostSpeed)) return wrong(numbered(header, k) + ": speed is not 0 .. 1e9 m/s");
+    if (!(pose.speed >= 0 && pose.speed <= kMostSpeed))
+      return wrong(numbered(header, k) + ": speed is not 0 .. 1e9 m/s");
     if (!(pose.contactForce >= 0 && std::isfinite(pose.contactForce))) {
       return wrong(numbered(header, k) + ": contactForce is not 0 or a positive number");
     }

@@ -13,13 +13,13 @@
 namespace brickfall {
 
 constexpr std::uint32_t kTakeGroupFrames = 64;
-constexpr double kPositionStep = 1e-5;             // m
-constexpr double kRotationStep = 1.0 / 65536;      // per quaternion component: 6.1e-5 rad at most between two steps
-constexpr double kSpeedStep = 1e-3;                // m/s
-constexpr double kEventPointStep = 1e-4;           // m
-constexpr double kMostPosition = 1e9;              // m, from the origin
-constexpr double kMostSpeed = 1e9;                 // m/s
-constexpr std::uint32_t kMostForceCode = 0x7F7F;   // the upper half of the largest finite float
+constexpr double kPositionStep = 1e-5;            // m
+constexpr double kRotationStep = 1.0 / 65536;     // per quaternion component: 6.1e-5 rad at most between two steps
+constexpr double kSpeedStep = 1e-3;               // m/s
+constexpr double kEventPointStep = 1e-4;          // m
+constexpr double kMostPosition = 1e9;             // m, from the origin
+constexpr double kMostSpeed = 1e9;                // m/s
+constexpr std::uint32_t kMostForceCode = 0x7F7F;  // the upper half of the largest finite float
 
 // A body's state in whole steps, and the last difference, which the next one is expected to repeat.
 struct CodedPose {

@@ -44,7 +44,8 @@ std::string shapeFault(const ShapeDef& shape) {
         if (!inRange(v)) return "a hull vertex is not finite";
       }
       return {};
-    case ShapeType::plane: return {};
+    case ShapeType::plane:
+      return {};
   }
   return "unknown shape type " + std::to_string(int(shape.type));
 }

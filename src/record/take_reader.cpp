@@ -122,7 +122,7 @@ Result<TakeReader> TakeReader::open(const std::string& path) {
     std::FILE* file;
     ~Closer() { std::fclose(file); }
   } closer{file};
-  struct stat status{};
+  struct stat status {};
   if (::fstat(::fileno(file), &status) != 0) return refused("read");
   if (!S_ISREG(status.st_mode)) return Error{ErrorCode::inputOutput, path + ": not a file, expected a take"};
   Bytes bytes(std::size_t(status.st_size));
@@ -160,8 +160,8 @@ const std::string& TakeReader::summaryJson() const { return impl_->summary; }
 Result<TakeFrame> TakeReader::frame(std::size_t index) const {
   Impl& take = *impl_;
   if (index >= take.offsets.size()) {
-    return Error{ErrorCode::invalidArgument, take.name + ": frame " + std::to_string(index) + " asked for, the take has " +
-                                                 std::to_string(take.offsets.size())};
+    return Error{ErrorCode::invalidArgument, take.name + ": frame " + std::to_string(index) +
+                                                 " asked for, the take has " + std::to_string(take.offsets.size())};
   }
   std::size_t groupStart = index - index % kTakeGroupFrames;
   bool goOn = take.codecReady && take.nextFrame >= groupStart && take.nextFrame <= index;

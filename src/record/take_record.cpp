@@ -35,7 +35,8 @@ Bytes makeRecord(RecordType type, std::span<const std::uint8_t> raw) {
 }
 
 Result<Record> recordAt(std::span<const std::uint8_t> file, std::size_t offset) {
-  if (offset > file.size() || file.size() - offset < kRecordHeadBytes) return bad("the file ends inside a record's head");
+  if (offset > file.size() || file.size() - offset < kRecordHeadBytes)
+    return bad("the file ends inside a record's head");
   std::span<const std::uint8_t> head = file.subspan(offset, kRecordHeadBytes);
   ByteReader in(head);
   Record record;

@@ -18,9 +18,9 @@ struct TakeWriter::Impl {
   TakeHeader header;
   FrameCodec codec;
   int file = -1;
-  std::uint64_t size = 0;               // bytes written and whole
-  std::vector<std::uint64_t> offsets;   // of the frames
-  Status state;                         // the first refusal of the system; nothing is written after it
+  std::uint64_t size = 0;              // bytes written and whole
+  std::vector<std::uint64_t> offsets;  // of the frames
+  Status state;                        // the first refusal of the system; nothing is written after it
   bool finished = false;
 
   Impl(std::string filePath, const TakeHeader& takeHeader)
@@ -76,8 +76,8 @@ Status TakeWriter::write(const TakeFrame& frame) {
   if (!impl_->state) return impl_->state;
   if (impl_->finished) return Error{ErrorCode::wrongState, impl_->path + ": the take is finished"};
   if (Status checked = impl_->codec.check(frame, impl_->header); !checked) {
-    return Error{checked.error().code, impl_->path + ": frame " + std::to_string(impl_->offsets.size()) + ": " +
-                                           checked.error().message};
+    return Error{checked.error().code,
+                 impl_->path + ": frame " + std::to_string(impl_->offsets.size()) + ": " + checked.error().message};
   }
   bool key = impl_->offsets.size() % kTakeGroupFrames == 0;
   std::uint64_t offset = impl_->size;

@@ -47,7 +47,8 @@ void layDown(Mover& m) {
   Vec3 now = r.column(axis) * (r.row[1][axis] < 0 ? -1.0 : 1.0);
   Vec3 turn = cross(now, Vec3{0, 1, 0});
   double sine = length(turn);
-  if (sine > 1e-9) m.rotation = normalized(quatFromAxisAngle(turn * (1 / sine), std::asin(std::min(1.0, sine))) * m.rotation);
+  if (sine > 1e-9)
+    m.rotation = normalized(quatFromAxisAngle(turn * (1 / sine), std::asin(std::min(1.0, sine))) * m.rotation);
   m.position.y -= lowest(m);
   m.velocity = m.spin = {};
   m.resting = true;
@@ -89,7 +90,8 @@ TakeBody brickBody(const std::string& name, std::uint32_t colour) {
 }
 
 void addOtherShapes(TakeHeader& header, std::vector<Mover>& movers) {
-  TakeBody capsule = brickBody("capsule", 0x4F7F8F), hull = brickBody("hull", 0x8F7F4F), pair = brickBody("pair", 0x6F8F4F);
+  TakeBody capsule = brickBody("capsule", 0x4F7F8F), hull = brickBody("hull", 0x8F7F4F),
+           pair = brickBody("pair", 0x6F8F4F);
   capsule.role = hull.role = pair.role = TakeRole::body;
   capsule.shapes[0].type = ShapeType::capsule;
   capsule.shapes[0].radius = 0.05;

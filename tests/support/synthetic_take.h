@@ -13,9 +13,9 @@ struct SyntheticTake {
 struct SyntheticOptions {
   int courses = 10, bricksPerCourse = 10;
   int frames = 240;
-  int hitFrame = 60;         // when the ball reaches the wall
-  bool everResting = true;   // false: bricks bounce and tumble to the end, the worst case for compression
-  bool otherShapes = true;   // also a capsule, a hull and a body of two shapes beside the wall
+  int hitFrame = 60;        // when the ball reaches the wall
+  bool everResting = true;  // false: bricks bounce and tumble to the end, the worst case for compression
+  bool otherShapes = true;  // also a capsule, a hull and a body of two shapes beside the wall
   std::uint64_t seed = 1;
 };
 

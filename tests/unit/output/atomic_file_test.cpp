@@ -68,7 +68,9 @@ TEST(AtomicFile, SaysWhichFileCannotBeMade) {
 }
 
 TEST(Base64, AgreesWithTheStandardsExamples) {
-  auto of = [](std::string_view s) { return base64(std::span(reinterpret_cast<const std::uint8_t*>(s.data()), s.size())); };
+  auto of = [](std::string_view s) {
+    return base64(std::span(reinterpret_cast<const std::uint8_t*>(s.data()), s.size()));
+  };
   EXPECT_EQ(of(""), "");
   EXPECT_EQ(of("f"), "Zg==");
   EXPECT_EQ(of("fo"), "Zm8=");

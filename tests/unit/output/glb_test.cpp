@@ -56,7 +56,8 @@ struct Track {
   }
   Vec3 position(double time) const {
     auto [k, share] = at(time);
-    Vec3 a{values[3 * k], values[3 * k + 1], values[3 * k + 2]}, b{values[3 * k + 3], values[3 * k + 4], values[3 * k + 5]};
+    Vec3 a{values[3 * k], values[3 * k + 1], values[3 * k + 2]},
+        b{values[3 * k + 3], values[3 * k + 4], values[3 * k + 5]};
     return a + (b - a) * share;
   }
   Quat rotation(double time, bool even) const {
@@ -91,13 +92,15 @@ TEST(Glb, HasOneNodePerBodyAndSharesMeshes) {
 
 TEST(Glb, ColoursTellMeshesApartButShareTheirVertices) {
   OutputFolder folder;
-  test::SyntheticTake take = test::makeSyntheticTake({.courses = 1, .bricksPerCourse = 2, .frames = 2, .otherShapes = false});
+  test::SyntheticTake take =
+      test::makeSyntheticTake({.courses = 1, .bricksPerCourse = 2, .frames = 2, .otherShapes = false});
   take.header.bodies[3].colour = 0x112233;
   TakeReader reader = test::opened(take, folder.file("a.take"));
   ASSERT_TRUE(writeGlb(reader, folder.file("a.glb")));
   Glb glb = readGlb(folder.file("a.glb"));
   const json &nodes = glb.root["nodes"], &meshes = glb.root["meshes"];
-  const json &a = meshes[nodes[2]["mesh"].get<int>()]["primitives"][0], &b = meshes[nodes[3]["mesh"].get<int>()]["primitives"][0];
+  const json &a = meshes[nodes[2]["mesh"].get<int>()]["primitives"][0],
+             &b = meshes[nodes[3]["mesh"].get<int>()]["primitives"][0];
   EXPECT_EQ(a["attributes"], b["attributes"]);
   EXPECT_NE(a["material"], b["material"]);
 }

@@ -64,7 +64,9 @@ TEST(Mesh, RoundShapesComeCloseToTheirVolume) {
 
 TEST(Mesh, HullOfACubeHasSixSquareFaces) {
   std::vector<Vec3> points;
-  for (double x : {-1.0, 1.0}) for (double y : {-1.0, 1.0}) for (double z : {-1.0, 1.0}) points.push_back({x, y, z});
+  for (double x : {-1.0, 1.0})
+    for (double y : {-1.0, 1.0})
+      for (double z : {-1.0, 1.0}) points.push_back({x, y, z});
   points.push_back({1, 0, 0});    // on a face
   points.push_back({1, 1, 0});    // on an edge
   points.push_back({0.2, 0, 0});  // inside

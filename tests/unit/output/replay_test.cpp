@@ -56,7 +56,8 @@ Decoded decode(const Bytes& packed, std::size_t bodies, std::size_t frames, doub
     std::int64_t turn[3] = {};
     for (std::size_t f = 1; f < frames; f++) {
       for (int axis = 0; axis < 3; axis++) turn[axis] += next(parts[4 + axis][at + f - 1], large);
-      Quat done{double(turn[0]) * kReplayTurnStep, double(turn[1]) * kReplayTurnStep, double(turn[2]) * kReplayTurnStep, 1};
+      Quat done{double(turn[0]) * kReplayTurnStep, double(turn[1]) * kReplayTurnStep, double(turn[2]) * kReplayTurnStep,
+                1};
       shown = out.poses[body * frames + f].rotation = normalized(done * shown);
     }
     for (std::size_t f = 0; f < frames; f++) next(parts[7][body * frames + f], large);
@@ -91,8 +92,8 @@ TEST(Replay, TracksStayWithinTheirSteps) {
 
 TEST(Replay, TurnsTooFastForAFrameAreCaughtUp) {
   OutputFolder folder;
-  test::SyntheticTake take =
-      test::makeSyntheticTake({.courses = 1, .bricksPerCourse = 1, .frames = 60, .hitFrame = 1000, .otherShapes = false});
+  test::SyntheticTake take = test::makeSyntheticTake(
+      {.courses = 1, .bricksPerCourse = 1, .frames = 60, .hitFrame = 1000, .otherShapes = false});
   for (std::size_t f = 30; f < 60; f++) take.frames[f].poses[2].rotation = {1, 0, 0, 0};  // half a turn at once
   TakeReader reader = test::opened(take, folder.file("a.take"));
   Result<TakePoses> poses = readPoses(reader, "a", {}, 1);

@@ -99,10 +99,18 @@ TEST(DamagedTake, RandomDamageNeverCrashes) {
     for (int c = 0; c < changes; c++) {
       std::size_t at = random() % damaged.size();
       switch (random() % 4) {
-        case 0: damaged[at] = std::uint8_t(random()); break;
-        case 1: damaged.erase(damaged.begin() + std::ptrdiff_t(at)); break;
-        case 2: damaged.insert(damaged.begin() + std::ptrdiff_t(at), std::uint8_t(random())); break;
-        default: damaged[at] = random() % 2 ? 0xff : 0; break;
+        case 0:
+          damaged[at] = std::uint8_t(random());
+          break;
+        case 1:
+          damaged.erase(damaged.begin() + std::ptrdiff_t(at));
+          break;
+        case 2:
+          damaged.insert(damaged.begin() + std::ptrdiff_t(at), std::uint8_t(random()));
+          break;
+        default:
+          damaged[at] = random() % 2 ? 0xff : 0;
+          break;
       }
     }
     int good = readAll(damaged);
@@ -220,7 +228,8 @@ TEST(DamagedTake, MessagesSayWhatIsWrong) {
     bool named = false;
     for (std::size_t f = 0; f < reader->frameCount(); f++) {
       Result<TakeFrame> frame = reader->frame(f);
-      named = named || (!frame && frame.error().message.find("frame " + std::to_string(f) + ": checksum") != std::string::npos);
+      named = named ||
+              (!frame && frame.error().message.find("frame " + std::to_string(f) + ": checksum") != std::string::npos);
     }
     EXPECT_TRUE(named || reader->frameCount() < 2);
   } else {
