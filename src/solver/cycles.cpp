@@ -6,10 +6,15 @@ namespace brickfall {
 
 namespace {
 
-// Small islands are cheap and, when they collapse, need more cycles than a wall to move at their true speed.
+// Small islands are cheap and, when they begin to collapse, need more cycles than a wall to move at their true speed. What
+// already moves fast does not: debris gets a few.
+constexpr double kDebrisSpeed = 0.5;  // m/s
+constexpr int kMaxCyclesDebris = 12;
+
 int cycleBudget(const Island& island, const SolverSettings& settings) {
   int bySize = int(640 / island.bodies.size());
-  int budget = std::clamp(bySize, settings.maxCycles, std::max(settings.maxCycles, settings.maxCyclesSmall));
+  int most = island.fastest > kDebrisSpeed ? std::min(kMaxCyclesDebris, settings.maxCyclesSmall) : settings.maxCyclesSmall;
+  int budget = std::clamp(bySize, settings.maxCycles, std::max(settings.maxCycles, most));
   return island.slow ? std::max(budget, kMaxCyclesSlow) : budget;
 }
 

@@ -37,6 +37,7 @@ struct Island {
   bool grounded = false;                // touches something fixed or kinematic
   bool partnersMove = false;            // a kinematic partner moves
   bool slow = false;                    // grounded, all bodies slower than SolverSettings::restSpeed
+  double fastest = 0;                   // m/s, of its bodies at the start of the step
   bool resting = false;                 // accepted by the rest check in this step
   bool settled = false;                 // rested, and not one bit of its forces changed in the last step
   bool allowSleep = true;
