@@ -21,7 +21,6 @@ using wide::V;
 // The transposed parts are summed untransposed and turned over once at the end.
 struct MatrixSums {
   V dd[3] = {}, thd[3] = {}, B[3] = {}, thth[3] = {}, rB[3] = {};
-  wide::M braced{};
 
   // [r] M by rows
   static void crossRows(V r, const V* m, V* out) {
@@ -122,10 +121,8 @@ bool sumBoundary(const Island& island, const Level& level, const Cluster& cluste
     force += sign * w.force;
     torque += sign * (wide::cross3(arm, w.force) + w.torque);
     nonlinear |= kernel::needsLineSearch(r, f);
-    if constexpr (withMatrix) {
-      sums.add(kernel::stiffness(r, frame, f, kNearContact), arm);
-      if (island.lengthenSteps) sums.braced |= kernel::braced(r, f, kNearContact);
-    }
+    if (island.exactSteps) nonlinear |= kernel::mayClose(r, f, kNearContact);
+    if constexpr (withMatrix) sums.add(kernel::stiffness(r, frame, f, island.exactSteps ? 0.0f : kNearContact), arm);
   }
   return wide::any(nonlinear);
 }
@@ -151,15 +148,14 @@ bool clusterResidual(const Island& island, const Level& level, const Cluster& cl
   residual = {wide::store3(force), wide::store3(torque)};
   if (matrix) {
     sums.write(*matrix);
-    matrix->braced = wide::any(sums.braced);
     addInertia(*matrix, cluster);
   }
   return nonlinear;
 }
 
-// Open points nearer than kNearContact are in the matrix, so that no step runs through them; but what turns away from
-// them, or towards one that is still far, then gets a step that can be a hundred times too short and seems to hang there.
-// In small islands such steps are doubled as long as that goes on.
+// Open points nearer than kNearContact are in the matrix, so that no step runs through them and no line search is needed
+// for them; but what turns away from them, or towards one that is still far, then gets a step that can be a hundred times
+// too short and seems to hang in the air. Small islands, which are cheap, therefore leave them out and search instead.
 //
 // The slope (residual . step) is positive while the step still lowers the energy. Where friction slides, the full step
 // may be too short or too long: bracketed secant search (Illinois rule) for the zero of the slope.
@@ -167,24 +163,16 @@ void clusterStep(Island& island, const Level& level, const Cluster& cluster, dou
   Symmetric6 matrix;
   Wrench residual;
   bool nonlinear = clusterResidual(island, level, cluster, residual, &matrix, visits);
-  bool lengthen = island.lengthenSteps && matrix.braced;
   if (!matrix.factor()) return;
   Wrench step = matrix.solve(residual);
   moveCluster(island, level, cluster, step, 1);
-  if (!nonlinear && !lengthen) return;
+  if (!nonlinear) return;
 
   float slopeAtStart = power(residual, step);
   float t = 1, low = 0, slopeLow = slopeAtStart, high = -1, slopeHigh = 0;  // high < 0: no upper end found yet
   for (int k = 0; k < kLineSearchSteps; k++) {
     clusterResidual(island, level, cluster, residual, nullptr, visits);
     float slope = power(residual, step);
-    if (slope > 0.6f * slopeAtStart && high < 0 && lengthen) {
-      low = t;
-      slopeLow = slope;
-      moveCluster(island, level, cluster, step, t);
-      t *= 2;
-      continue;
-    }
     if (slope >= 0) {
       bool goodEnough = slope < 0.3f * slopeAtStart || (slope < 0.6f * slopeAtStart && k >= 2);
       if (high < 0 || goodEnough) break;

@@ -90,8 +90,8 @@ inline M needsLineSearch(const ContactRecord& r, const PointForces& f) {
   return (f.slides & (load(r.limit) > zero)) | ((bond > zero) & (f.trialN <= -bond));
 }
 
-// Open points that the Newton matrix counts all the same.
-inline M braced(const ContactRecord& r, const PointForces& f, float near) {
+// Open points nearer than `near` m.
+inline M mayClose(const ContactRecord& r, const PointForces& f, float near) {
   V bond = load(r.bond), reach = wide::max(bond, load(r.k) * set(near));
   return (f.trialN <= -bond) & (f.trialN > -reach);
 }

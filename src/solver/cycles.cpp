@@ -6,20 +6,16 @@ namespace brickfall {
 
 namespace {
 
-// Small islands are cheap and, when they begin to collapse, need more cycles than a wall to move at their true speed. What
-// already moves fast does not: debris gets a few.
-constexpr double kDebrisSpeed = 0.5;  // m/s
-constexpr int kMaxCyclesDebris = 12;
-
+// Small islands are cheap and, when they collapse, need more cycles than a wall to move at their true speed.
 int cycleBudget(const Island& island, const SolverSettings& settings) {
   int bySize = int(640 / island.bodies.size());
-  int most = island.fastest > kDebrisSpeed ? std::min(kMaxCyclesDebris, settings.maxCyclesSmall) : settings.maxCyclesSmall;
-  int budget = std::clamp(bySize, settings.maxCycles, std::max(settings.maxCycles, most));
+  int budget = std::clamp(bySize, settings.maxCycles, std::max(settings.maxCycles, settings.maxCyclesSmall));
   return island.slow ? std::max(budget, kMaxCyclesSlow) : budget;
 }
 
 bool balanced(const Island& island, const StepContext& context) {
-  if (island.slow) return worstResidual(island, *context.bodies) < kSlowTolerance;
+  // The loose stop on forces alone would hold up, or set back, a block that is just past its balance.
+  if (island.slow || island.exactSteps) return worstResidual(island, *context.bodies) < kSlowTolerance;
   return rmsResidual(island, *context.bodies) < context.settings.cycleTolerance;
 }
 
@@ -39,7 +35,7 @@ void runCycles(Island& island, StepContext& context) {
   // Any other start cheats: "nothing moves" would glue falling and sliding bodies in place.
   startFromFreeMotion(island);
   int budget = cycleBudget(island, context.settings);
-  island.lengthenSteps = budget > context.settings.maxCycles;
+  island.exactSteps = budget > context.settings.maxCycles;
   for (int cycle = 0; cycle < budget; cycle++) {
     const Hierarchy& h = cycle % 2 == 0 ? island.byStrength : island.byMechanism;
     for (std::size_t l = h.levels.size(); l-- > 0;)

@@ -28,7 +28,7 @@ struct Island {
   std::vector<SolveMass> masses;        // bodies
   std::vector<Wrench> residual;         // bodies
   Hierarchy byStrength, byMechanism;
-  bool lengthenSteps = false;           // small island: steps held short by open points are tried longer
+  bool exactSteps = false;              // small island: no open points in the matrix, a line search instead
   Vec3 origin;                          // m, of SolveMass::position and Cluster::centre
   Vec3 drift;                           // m: rigid displacement of this step that d and dFree leave out
 
@@ -37,7 +37,6 @@ struct Island {
   bool grounded = false;                // touches something fixed or kinematic
   bool partnersMove = false;            // a kinematic partner moves
   bool slow = false;                    // grounded, all bodies slower than SolverSettings::restSpeed
-  double fastest = 0;                   // m/s, of its bodies at the start of the step
   bool resting = false;                 // accepted by the rest check in this step
   bool settled = false;                 // rested, and not one bit of its forces changed in the last step
   bool allowSleep = true;

@@ -5,7 +5,6 @@ namespace brickfall {
 void dampSlowIsland(Island& island, StepContext& context) {
   BodySet& bodies = *context.bodies;
   double before = 0, now = 0;
-  island.fastest = 0;
   island.slow = island.grounded && !island.partnersMove;
   for (BodyIndex body : island.bodies) {
     BodyData& data = bodies.data[body];
@@ -14,9 +13,8 @@ void dampSlowIsland(Island& island, StepContext& context) {
     data.lastKineticEnergy = bodies.kineticEnergy(body);
     now += data.lastKineticEnergy;
     double speed = length(m.linearVelocity) + length(m.angularVelocity) * bodies.mass[body].innerRadius;
-    if (!(speed <= island.fastest)) island.fastest = speed;
+    if (!(speed <= context.settings.restSpeed)) island.slow = false;
   }
-  if (!(island.fastest <= context.settings.restSpeed)) island.slow = false;
   if (!island.slow || now >= before) return;
   for (BodyIndex body : island.bodies) {
     bodies.motion[body].linearVelocity = {};

@@ -6,7 +6,6 @@ namespace brickfall {
 
 struct Symmetric6 {
   float a[21] = {};  // lower triangle by rows
-  bool braced = false;  // open contact points are in it
 
   float& at(int row, int col) { return a[row * (row + 1) / 2 + col]; }
   float at(int row, int col) const { return a[row * (row + 1) / 2 + col]; }

@@ -52,7 +52,6 @@ void World::Impl::collectEvents() {
     report.manifolds += int(island->contacts.size());
     report.contactPoints += island->points;
     report.touchingPoints += island->touchingPoints;
-    if (!island->resting) collectHits(*island);
   }
   if (contacts.touchingChanged || sleptNow > 0) collectTouching();
   contacts.touchingChanged = false;
@@ -71,6 +70,7 @@ void World::Impl::countPoints(Island& island) const {
   }
 }
 
+// Called when the forces are stored: restitution forgets those of the impacts that it answers.
 void World::Impl::collectHits(const Island& island) {
   for (std::size_t k = 0; k < island.contacts.size(); k++) {
     const Contact& c = contacts.contacts[island.contacts[k]];

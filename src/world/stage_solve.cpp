@@ -67,6 +67,7 @@ void World::Impl::store() {
   for (auto& island : islands.awake) {
     if (island->settled) continue;
     bool changed = storeForces(*island, context);
+    if (!island->resting) collectHits(*island);
     storeMotion(*island, context);
     correctFlight(*island, context);
     island->settled = island->resting && !changed;
