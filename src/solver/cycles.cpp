@@ -35,7 +35,7 @@ void runCycles(Island& island, StepContext& context) {
   // Any other start cheats: "nothing moves" would glue falling and sliding bodies in place.
   startFromFreeMotion(island);
   int budget = cycleBudget(island, context.settings);
-  island.exactSteps = budget > context.settings.maxCycles;
+  island.exactSteps = island.bodies.size() <= kExactBodies;
   for (int cycle = 0; cycle < budget; cycle++) {
     const Hierarchy& h = cycle % 2 == 0 ? island.byStrength : island.byMechanism;
     for (std::size_t l = h.levels.size(); l-- > 0;)

@@ -17,6 +17,8 @@ constexpr float kHeldWeights = 5;            // ... plus this many effective wei
 constexpr float kOffsetKept = 0.9f;          // of the plastic offset, per step
 constexpr float kLargestDrift = 1e-3f;       // m: an anchor further away is placed anew
 constexpr float kNearContact = 5e-3f;        // m: open points nearer than this stay in the Newton matrix
+constexpr std::size_t kExactBodies = 12;     // islands of no more bodies leave open points out of the matrix: true to
+                                             // the last residual; larger ones would lose walls by it
 constexpr int kLineSearchSteps = 8;
 constexpr double kSlowTolerance = 5e-4;      // worst residual / weight at which a slow island's cycles stop
 constexpr int kMaxCyclesSlow = 16;

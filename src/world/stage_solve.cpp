@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "solver/cycles.h"
+#include "solver/energy_guard.h"
 #include "solver/free_motion.h"
 #include "solver/prepare.h"
 #include "solver/rest.h"
@@ -77,8 +78,11 @@ void World::Impl::store() {
 
 void World::Impl::restitute() {
   StageTimer timer(report, Stage::restitution);
-  for (auto& island : islands.awake)
-    if (!island->settled) applyRestitution(*island, context);
+  for (auto& island : islands.awake) {
+    if (island->settled) continue;
+    applyRestitution(*island, context);
+    guardEnergy(*island, context);
+  }
 }
 
 }  // namespace brickfall

@@ -1,0 +1,88 @@
+#include "solver/energy_guard.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace brickfall {
+
+namespace {
+
+constexpr double kRelativeSlack = 1e-7;  // of the kinetic energy: rounding of the float solve
+constexpr double kSlackPerMass = 1e-6;   // J/kg: a lift of 0.1 micrometres
+
+struct RigidMotion {
+  Vec3 centre, velocity, spin;
+};
+
+Vec3 spinOf(const StepContext& context, BodyIndex body) {
+  return context.bodies->worldInvInertia(body) * context.solved[body].angularMomentum;
+}
+
+// The rigid motion with the island's linear and angular momentum.
+RigidMotion rigidMotion(const Island& island, const StepContext& context) {
+  const BodySet& bodies = *context.bodies;
+  RigidMotion out;
+  double mass = 0;
+  Vec3 momentum, angular;
+  for (BodyIndex body : island.bodies) {
+    double m = bodies.mass[body].mass;
+    mass += m;
+    out.centre += bodies.motion[body].position * m;
+    momentum += context.solved[body].velocity * m;
+  }
+  out.centre *= 1 / mass;
+  out.velocity = momentum * (1 / mass);
+  Mat3 inertia{{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}};
+  for (BodyIndex body : island.bodies) {
+    double m = bodies.mass[body].mass;
+    Vec3 r = bodies.motion[body].position - out.centre;
+    angular += cross(r, context.solved[body].velocity * m) + context.solved[body].angularMomentum;
+    double rr = dot(r, r);
+    Mat3 parallel{{{m * (rr - r.x * r.x), -m * r.x * r.y, -m * r.x * r.z},
+                   {-m * r.x * r.y, m * (rr - r.y * r.y), -m * r.y * r.z},
+                   {-m * r.x * r.z, -m * r.y * r.z, m * (rr - r.z * r.z)}}};
+    inertia = inertia + bodies.worldInertia(body) + parallel;
+  }
+  out.spin = inverse(inertia) * angular;
+  return out;
+}
+
+}  // namespace
+
+void guardEnergy(const Island& island, StepContext& context) {
+  if (island.resting || island.partnersMove) return;
+  const BodySet& bodies = *context.bodies;
+  double start = 0, end = 0, gained = 0, mass = 0;
+  for (BodyIndex body : island.bodies) {
+    const FreeMotion& free = context.free[body];
+    const SolvedMotion& s = context.solved[body];
+    const BodyData& data = bodies.data[body];
+    double m = bodies.mass[body].mass;
+    mass += m;
+    start += 0.5 * m * lengthSquared(free.startVelocity) + 0.5 * dot(free.startSpin, bodies.worldInertia(body) * free.startSpin);
+    end += 0.5 * m * lengthSquared(s.velocity) + 0.5 * dot(s.angularMomentum, spinOf(context, body));
+    gained -= dot(context.gravity * (m * data.gravityScale) + data.force, s.d) + dot(data.torque, s.th);
+  }
+  double allowed = start - gained;  // kinetic energy at the end
+  if (!(end > allowed + kRelativeSlack * start + kSlackPerMass * mass)) return;
+
+  RigidMotion rigid;
+  if (!island.grounded) rigid = rigidMotion(island, context);
+  double relative = 0;
+  for (BodyIndex body : island.bodies) {
+    Vec3 v = context.solved[body].velocity - rigid.velocity - cross(rigid.spin, bodies.motion[body].position - rigid.centre);
+    Vec3 w = spinOf(context, body) - rigid.spin;
+    relative += 0.5 * bodies.mass[body].mass * lengthSquared(v) + 0.5 * dot(w, bodies.worldInertia(body) * w);
+  }
+  if (!(relative > 0)) return;
+  double share = std::sqrt(std::clamp((allowed - (end - relative)) / relative, 0.0, 1.0));
+  for (BodyIndex body : island.bodies) {
+    SolvedMotion& s = context.solved[body];
+    Vec3 v = rigid.velocity + cross(rigid.spin, bodies.motion[body].position - rigid.centre);
+    Vec3 momentum = bodies.worldInertia(body) * rigid.spin;
+    s.velocity = v + (s.velocity - v) * share;
+    s.angularMomentum = momentum + (s.angularMomentum - momentum) * share;
+  }
+}
+
+}  // namespace brickfall
