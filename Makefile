@@ -8,12 +8,13 @@ SCENE ?= wall
 
 CONFIGURE = cmake -S . -B $(BUILD) $$(test -f $(BUILD)/CMakeCache.txt || echo -G Ninja -DCMAKE_BUILD_TYPE=$(BUILD_TYPE))
 
-.PHONY: help demo build test check bench install clean
+.PHONY: help demo build test validate check bench install clean
 .DEFAULT_GOAL := help
 
 help:
 	@echo "make demo               build, knock the wall down, leave out/wall/replay.html to watch (SCENE=hole for another)"
 	@echo "make test               build everything and run every test"
+	@echo "make validate           the laws at full length: minutes of simulated time, many seeds, small steps"
 	@echo "make build              build only: the command is then $(BUILD)/bin/brickfall"
 	@echo "make check              the tests and the rules of the source (tools/check)"
 	@echo "make bench              figures of the shipped scenes, as a table (tools/bench)"
@@ -36,6 +37,12 @@ test:
 	@$(CONFIGURE) -DBRICKFALL_TESTS=ON
 	@cmake --build $(BUILD) -j $(JOBS)
 	@ctest --test-dir $(BUILD) --output-on-failure -j $(JOBS)
+
+validate:
+	@tools/install-dependencies build test
+	@$(CONFIGURE) -DBRICKFALL_TESTS=ON
+	@cmake --build $(BUILD) -j $(JOBS) --target brickfall_validate
+	@$(BUILD)/bin/brickfall_validate
 
 check:
 	@tools/check

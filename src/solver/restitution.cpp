@@ -258,6 +258,53 @@ bool anyImpact(const Island& island, const StepContext& context) {
   return false;
 }
 
+// Angular momentum about the island's own centre: at the end of the step as solved, or if nothing touched.
+Vec3 spinOf(const Island& island, const StepContext& context, bool free) {
+  const BodySet& bodies = *context.bodies;
+  double mass = 0;
+  Vec3 moment, momentum, sum;
+  for (BodyIndex body : island.bodies) {
+    double m = bodies.mass[body].mass;
+    Vec3 d = free ? context.free[body].d : context.solved[body].d;
+    Vec3 v = free ? context.free[body].d * (1 / context.dt) : context.solved[body].velocity;
+    Vec3 at = bodies.motion[body].position + d;
+    mass += m;
+    moment += at * m;
+    momentum += v * m;
+    sum += cross(at, v * m) + (free ? context.free[body].angularMomentum : context.solved[body].angularMomentum);
+  }
+  return sum - cross(moment, momentum) * (1 / mass);
+}
+
+// Displacements and velocities of the rebound are found apart, so their cross product drifts. A rigid turn of the floating
+// island's velocities brings its angular momentum back.
+void correctSpin(const Island& island, StepContext& context) {
+  if (island.grounded) return;
+  const BodySet& bodies = *context.bodies;
+  double mass = 0;
+  Vec3 moment;
+  for (BodyIndex body : island.bodies) {
+    mass += bodies.mass[body].mass;
+    moment += (bodies.motion[body].position + context.solved[body].d) * bodies.mass[body].mass;
+  }
+  Vec3 centre = moment * (1 / mass);
+  Mat3 inertia{{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}};
+  for (BodyIndex body : island.bodies) {
+    Vec3 r = bodies.motion[body].position + context.solved[body].d - centre;
+    double m = bodies.mass[body].mass, rr = dot(r, r);
+    Mat3 parallel{{{m * (rr - r.x * r.x), -m * r.x * r.y, -m * r.x * r.z},
+                   {-m * r.x * r.y, m * (rr - r.y * r.y), -m * r.y * r.z},
+                   {-m * r.x * r.z, -m * r.y * r.z, m * (rr - r.z * r.z)}}};
+    inertia = inertia + bodies.worldInertia(body) + parallel;
+  }
+  Vec3 turn = inverse(inertia) * (spinOf(island, context, true) - spinOf(island, context, false));
+  for (BodyIndex body : island.bodies) {
+    SolvedMotion& s = context.solved[body];
+    s.velocity += cross(turn, bodies.motion[body].position + s.d - centre);
+    s.angularMomentum += bodies.worldInertia(body) * turn;
+  }
+}
+
 }  // namespace
 
 void applyRestitution(Island& island, StepContext& context) {
@@ -301,6 +348,7 @@ void applyRestitution(Island& island, StepContext& context) {
     if (lengthSquared(dth) > 0) s.freeTurn = false;
     s.th += dth * share;
   }
+  correctSpin(island, context);
   for (std::size_t n = 0; n < pass.blocks.size(); n++)
     for (int i = 0; i < pass.blocks[n].count; i++)
       if (pass.blocks[n].impact[i]) forgetForces(context.contacts->contacts[island.contacts[n]], i);

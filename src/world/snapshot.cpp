@@ -213,7 +213,8 @@ Status World::Impl::rebuild() {
       s.hull = std::make_unique<Hull>(std::move(hull).value());
       s.geometry.hull = s.hull.get();
     }
-    if (!bodies.data[s.body].quarantined) addProxy(i, s.swept);
+    // A hit may have thrown the body out of the bounds swept before it.
+    if (!bodies.data[s.body].quarantined) addProxy(i, merged(bounds(s.geometry, shapes.worldPose(i, bodies)), s.swept));
   }
   return {};
 }

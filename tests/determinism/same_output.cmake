@@ -1,0 +1,11 @@
+# Runs FIRST and SECOND; both must succeed and print the same.
+foreach(program FIRST SECOND)
+  execute_process(COMMAND ${${program}} OUTPUT_VARIABLE ${program}_OUTPUT RESULT_VARIABLE code)
+  if(NOT code EQUAL 0 OR ${program}_OUTPUT STREQUAL "")
+    message(FATAL_ERROR "${${program}} ended with ${code}")
+  endif()
+endforeach()
+if(NOT FIRST_OUTPUT STREQUAL SECOND_OUTPUT)
+  message(FATAL_ERROR "different hashes:\n${FIRST}\n${FIRST_OUTPUT}\n${SECOND}\n${SECOND_OUTPUT}")
+endif()
+message(STATUS "${FIRST_OUTPUT}")

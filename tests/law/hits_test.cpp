@@ -1,0 +1,51 @@
+// Hits make holes, not heaps, and nothing explodes.
+#include "law/law.h"
+
+namespace brickfall::law {
+namespace {
+
+TEST(Law, BallMakesAHoleAndTheRestStands) {
+  for (auto [name, most] : {std::pair{"hole5", 15}, std::pair{"hole10", 60}}) {
+    lab::Scene s = lab::make(name);
+    lab::Measured m = lab::run(s, 1.5, 1.0 / 60);
+    atMost(std::string(name) + ": bricks moved over 50 mm", m.moved50, most, "");
+    atMost(std::string(name) + ": energy rise", m.energyRise, 1e-6, "J");
+    EXPECT_TRUE(m.finite);
+    expectSound(s.world);
+  }
+}
+
+TEST(Law, AnyHitLosesEnergyAndLeavesNothingBelowGround) {
+  for (double speed : {5.0, 20.0, 80.0, 200.0})
+    for (double e : {0.0, 0.3}) {
+      lab::Options o;
+      o.restitution = e;
+      lab::Scene s = lab::make("w10", o);
+      BodyDef ball = bodyOf(sphereOf(0.3, 7800), {1.07, 0.35, 1});
+      ball.shapes[0].material.restitution = e;
+      ball.linearVelocity = {0, 0, -speed};
+      add(s.world, ball);
+      lab::Measured m = lab::run(s, 1.5, 1.0 / 60);
+      std::string name = std::to_string(int(speed)) + " m/s, e " + std::to_string(e).substr(0, 3);
+      atMost(name + ": energy rise / start", m.energyRise / m.energyStart, 1e-3, "");
+      EXPECT_GE(m.lowest, 0) << name;
+      EXPECT_TRUE(m.finite);
+      expectSound(s.world);
+    }
+}
+
+TEST(Law, TumblingBoxNeverGainsEnergy) {
+  for (double e : {0.0, 0.3, 0.5, 0.8})
+    for (double dt : {1.0 / 60, 1.0 / 120}) {
+      lab::Options o;
+      o.restitution = e;
+      lab::Scene s = lab::make("tumble", o);
+      lab::Measured m = lab::run(s, 4, dt);
+      std::string name = "e " + std::to_string(e).substr(0, 3) + at(dt);
+      atMost(name + ": rise", m.energyRise, 1e-6, "J");
+      atMost(name + ": largest jump / weight", m.largestJump / (125 * kG) * 1e3, 2.5, "mm");
+    }
+}
+
+}  // namespace
+}  // namespace brickfall::law

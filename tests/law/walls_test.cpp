@@ -1,0 +1,92 @@
+// Rows 13 and 14: dry walls stand, sleeping off, however they are laid, turned, numbered and out of true.
+#include "law/law.h"
+
+namespace brickfall::law {
+namespace {
+
+void expectStands(const char* scene, const lab::Options& o, const std::string& name, double seconds, double dt, double most) {
+  lab::Scene s = lab::make(scene, o);
+  lab::Measured m = lab::run(s, seconds, dt);
+  EXPECT_TRUE(m.finite);
+  expectSound(s.world);
+  atMost(name + ": moved" + at(dt), m.largestMove * 1e3, most, "mm");
+  atMost(name + ": creep in the second half" + at(dt), m.creep * 1e3, 0.1, "mm");
+}
+
+TEST(Law, Row13WallOfTenCoursesStands) {
+  expectStands("w10", {}, "half bond", 20, 1.0 / 60, 0.5);
+  expectStands("w10", {}, "half bond", 5, 1.0 / 30, 0.5);
+  expectStands("w10", {}, "half bond", 5, 1.0 / 120, 0.5);
+  expectStands("w10", {}, "half bond", 5, 1.0 / 240, 0.5);
+}
+
+TEST(Law, Row13EveryWayOfLayingItStands) {
+  lab::Options third, headers, gaps, yaw, shuffled, toothed;
+  third.bondShift = 1.0 / 3;
+  headers.headers = true;
+  gaps.headJoint = 0.01;
+  yaw.yawDegrees = 37;
+  shuffled.shuffle = true;
+  toothed.wholeBricks = true;
+  for (double dt : {1.0 / 60, 1.0 / 120}) {
+    expectStands("w10", third, "third bond", 5, dt, 0.5);
+    expectStands("w10", headers, "header bond", 5, dt, 0.5);
+    expectStands("w10", gaps, "head joints of 10 mm", 5, dt, 0.5);
+    expectStands("w10", yaw, "turned by 37 degrees", 5, dt, 0.5);
+    expectStands("w10", shuffled, "created in random order", 5, dt, 0.5);
+    expectStands("w10", toothed, "toothed ends", 5, dt, 0.5);
+  }
+  yaw.shuffle = true;
+  yaw.bondShift = 1.0 / 3;
+  yaw.seed = 3;
+  expectStands("w10", yaw, "third bond, turned, in random order", 5, 1.0 / 60, 0.5);
+}
+
+TEST(Law, Row13WallOnATiltedWorldLeansAndStands) {
+  // The same wall with gravity off the vertical by 3 degrees in its plane and across: statics lets it stand.
+  for (Vec3 tilt : {Vec3{0.05, 0, 0}, Vec3{0, 0, 0.05}}) {
+    lab::Scene s = lab::make("w10");
+    ASSERT_TRUE(s.world.setGravity(Vec3{0, -kG, 0} + tilt * kG).ok());
+    lab::Measured m = lab::run(s, 5, 1.0 / 60);
+    atMost("moved", m.largestMove * 1e3, 0.5, "mm");
+  }
+}
+
+TEST(Law, Row14WallOfFortyCoursesStands) {
+  lab::Scene s = lab::make("w40");
+  lab::Measured m = lab::run(s, 6, 1.0 / 60);
+  atMost("sag", m.sag * 1e3, 2, "mm");
+  atMost("moved", m.largestMove * 1e3, 2, "mm");
+  atMost("creep", m.creep * 1e3, 0.1, "mm");
+}
+
+TEST(Law, Row14WallOfFortyCoursesOutOfTrueStands) {
+  for (auto [gap, seed] : {std::pair{0.05e-3, 1}, std::pair{0.1e-3, 2}}) {
+    lab::Options o;
+    o.gap = gap;
+    o.seed = seed;
+    lab::Scene s = lab::make("w40", o);
+    lab::Measured m = lab::run(s, 3, 1.0 / 60);
+    std::string name = "gaps to " + std::to_string(gap * 1e3).substr(0, 4) + " mm";
+    atMost(name + ": sag", m.sag * 1e3, 40 * gap * 1e3 + 1.2, "mm");
+    atMost(name + ": out of plane", m.outOfPlane * 1e3, 2, "mm");
+  }
+}
+
+TEST(Law, WallTouchedByALightBallIsBackAtRestWithinTwoSeconds) {
+  lab::Scene s = lab::make("ball");
+  BodyId ball = s.others[0];
+  double hit = -1;
+  lab::Measured m = lab::run(s, 2.6, 1.0 / 60, [&](int, const StepReport& report) {
+    if (hit < 0 && s.world.state(ball)->linearVelocity.z > -2) hit = report.time;
+  });
+  ASSERT_GT(hit, 0);
+  atMost("moved", m.largestMove * 1e3, 2, "mm");
+  // The ball itself may roll on; the wall's island rests.
+  bool wallRests = true;
+  for (BodyId brick : s.boxes) wallRests = wallRests && length(s.world.state(brick)->linearVelocity) == 0;
+  EXPECT_TRUE(wallRests) << "2.5 s after the hit bricks still move";
+}
+
+}  // namespace
+}  // namespace brickfall::law

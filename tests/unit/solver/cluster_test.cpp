@@ -1,0 +1,227 @@
+// Forces and stiffness of a cluster against the contact law written out point by point in double, and its Newton matrix
+// against differences of its residual.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "math/random.h"
+#include "solver/island.h"
+#include "solver/symmetric6.h"
+
+namespace brickfall {
+namespace {
+
+enum class Regime { sticks, slides, open, mixed };
+
+// Two bodies and a fixed partner, one contact between each two, random frames, arms and points.
+struct Scene {
+  Island island;
+  Level level;  // one cluster: body 0, or bodies 0 and 1 together
+
+  Scene(Random& random, Regime regime, bool both) {
+    auto vector = [&](double size) {
+      return Vec3f{float(random.between(-size, size)), float(random.between(-size, size)), float(random.between(-size, size))};
+    };
+    island.bodies = {0, 1};
+    island.partners = {2};
+    island.motion.resize(3);
+    island.masses.resize(2);
+    for (int i = 0; i < 2; i++) {
+      SolveMass& m = island.masses[std::size_t(i)];
+      m.mass = 1000;
+      m.inertia[0] = 3;
+      m.inertia[2] = 4;
+      m.inertia[5] = 5;
+      m.inertia[1] = 0.2f;
+      m.dFree = vector(1e-3);
+      m.thFree = vector(1e-3);
+      m.position = vector(0.3);
+    }
+    for (SolveMotion& m : island.motion) {
+      m.d = vector(1e-4);
+      m.th = vector(1e-3);
+    }
+    const std::uint32_t ends[3][2] = {{0, 1}, {2, 0}, {1, 2}};
+    for (std::uint32_t k = 0; k < 3; k++) {
+      ContactRecord r;
+      Vec3 n = normalized(toDouble(vector(1))), t1 = normalized(cross(n, toDouble(vector(1))));
+      r.n = toFloat(n);
+      r.t1 = toFloat(t1);
+      r.armA = vector(0.1);
+      r.armB = vector(0.1);
+      r.bodyA = ends[k][0];
+      r.bodyB = ends[k][1];
+      for (int i = 0; i < 4; i++) {
+        bool open = regime == Regime::open || (regime == Regime::mixed && i == 1);
+        bool slides = regime == Regime::slides || (regime == Regime::mixed && i >= 2);
+        r.s1[i] = float(random.between(-0.1, 0.1));
+        r.s2[i] = float(random.between(-0.1, 0.1));
+        r.k[i] = float(random.between(0.5e6, 1e6));
+        r.trialN[i] = open ? -1e6f : float(random.between(2000, 3000));
+        r.trial1[i] = float(random.between(-500, 500));
+        r.trial2[i] = float(random.between(200, 500));
+        r.limit[i] = slides ? 60.0f : 1e6f;
+      }
+      island.records.push_back(r);
+    }
+    level.clusterOf = {0, both ? 0u : 1u};
+    level.bodies = both ? std::vector<std::uint32_t>{0, 1} : std::vector<std::uint32_t>{0};
+    level.sides = both ? std::vector<std::uint32_t>{3, 4} : std::vector<std::uint32_t>{0, 3};
+    Cluster c;
+    c.bodyEnd = std::uint32_t(level.bodies.size());
+    c.sideEnd = 2;
+    c.centre = both ? (island.masses[0].position + island.masses[1].position) * 0.5f : island.masses[0].position;
+    c.mass = both ? 2000.0f : 1000.0f;
+    // The matrix is only ever compared without the inertia of more than one body.
+    for (int i = 0; i < 6; i++) c.inertia[i] = island.masses[0].inertia[i];
+    level.clusters = {c};
+  }
+  Wrench residual(Symmetric6* matrix = nullptr) const {
+    Wrench out;
+    double visits = 0;
+    clusterResidual(island, level, level.clusters[0], out, matrix, visits);
+    return out;
+  }
+};
+
+struct WrenchD {
+  Vec3 force, torque;
+};
+
+// The law, written out: point by point, world axes, double.
+WrenchD direct(const Scene& s, bool both) {
+  WrenchD sum;
+  Vec3 centre = toDouble(s.level.clusters[0].centre);
+  for (std::uint32_t body : s.level.bodies) {
+    const SolveMass& m = s.island.masses[body];
+    const SolveMotion& x = s.island.motion[body];
+    Vec3 e = toDouble(m.dFree) - toDouble(x.d), t = toDouble(m.thFree) - toDouble(x.th);
+    Mat3 inertia{{{m.inertia[0], m.inertia[1], m.inertia[3]},
+                  {m.inertia[1], m.inertia[2], m.inertia[4]},
+                  {m.inertia[3], m.inertia[4], m.inertia[5]}}};
+    Vec3 force = e * double(m.mass);
+    sum.force += force;
+    sum.torque += inertia * t + cross(toDouble(m.position) - centre, force);
+  }
+  for (const ContactRecord& r : s.island.records) {
+    bool inA = r.bodyA == 0 || (both && r.bodyA == 1), inB = r.bodyB == 0 || (both && r.bodyB == 1);
+    if (inA == inB) continue;
+    Vec3 n = toDouble(r.n), t1 = toDouble(r.t1), t2 = cross(n, t1);
+    const SolveMotion &a = s.island.motion[r.bodyA], &b = s.island.motion[r.bodyB];
+    std::uint32_t body = inB ? r.bodyB : r.bodyA;
+    for (int i = 0; i < 4; i++) {
+      Vec3 place = t1 * double(r.s1[i]) + t2 * double(r.s2[i]);
+      Vec3 armA = toDouble(r.armA) + place, armB = toDouble(r.armB) + place;
+      Vec3 u = toDouble(b.d) + cross(toDouble(b.th), armB) - toDouble(a.d) - cross(toDouble(a.th), armA);
+      double fn = std::max(double(r.trialN[i]) - double(r.k[i]) * dot(n, u), -double(r.bond[i]));
+      double f1 = double(r.trial1[i]) - double(r.k[i]) * dot(t1, u), f2 = double(r.trial2[i]) - double(r.k[i]) * dot(t2, u);
+      double size = std::hypot(f1, f2), limit = double(r.limit[i]);
+      if (size > limit) {
+        f1 *= limit / size;
+        f2 *= limit / size;
+      }
+      Vec3 force = (n * fn + t1 * f1 + t2 * f2) * (inB ? 1.0 : -1.0);
+      sum.force += force;
+      sum.torque += cross(toDouble(s.island.masses[body].position) - centre + (inB ? armB : armA), force);
+    }
+  }
+  return sum;
+}
+
+const Regime kRegimes[] = {Regime::sticks, Regime::slides, Regime::open, Regime::mixed};
+
+TEST(Cluster, ResidualIsTheContactLawPointByPoint) {
+  Random random(21);
+  for (Regime regime : kRegimes)
+    for (int n = 0; n < 50; n++)
+      for (bool both : {false, true}) {
+        Scene s(random, regime, both);
+        Wrench found = s.residual();
+        WrenchD wanted = direct(s, both);
+        EXPECT_LT(length(toDouble(found.force) - wanted.force), 1e-2) << "of some thousand N, regime " << int(regime);
+        EXPECT_LT(length(toDouble(found.torque) - wanted.torque), 1e-2) << "regime " << int(regime);
+      }
+}
+
+TEST(Cluster, MatrixIsTheDerivativeOfTheResidual) {
+  Random random(22);
+  for (Regime regime : kRegimes)
+    for (int n = 0; n < 20; n++) {
+      Scene s(random, regime, false);
+      Symmetric6 matrix;
+      s.residual(&matrix);
+      for (int column = 0; column < 6; column++) {
+        // In double, by central differences of the law itself.
+        auto moved = [&](float by) {
+          Scene t = s;
+          SolveMotion& m = t.island.motion[0];
+          (column < 3 ? m.d : m.th)[column % 3] += by;
+          return direct(t, false);
+        };
+        float step = 0x1p-16f;
+        WrenchD plus = moved(step), minus = moved(-step);
+        SolveMotion high = s.island.motion[0], low = high;
+        (column < 3 ? high.d : high.th)[column % 3] += step;
+        (column < 3 ? low.d : low.th)[column % 3] -= step;
+        double width = column < 3 ? double(high.d[column % 3]) - double(low.d[column % 3])
+                                  : double(high.th[column % 3]) - double(low.th[column % 3]);
+        for (int row = 0; row < 6; row++) {
+          double slope = row < 3 ? (minus.force[row] - plus.force[row]) / width
+                                 : (minus.torque[row - 3] - plus.torque[row - 3]) / width;
+          double found = double(matrix.at(std::max(row, column), std::min(row, column)));
+          double scale = (row < 3 ? 1e7 : 1e6) * (column < 3 ? 1 : 0.1);
+          EXPECT_NEAR(found, slope, 2e-4 * scale) << "row " << row << " column " << column << " regime " << int(regime);
+        }
+      }
+    }
+}
+
+TEST(Cluster, NearOpenPointsBraceTheMatrixButPullNothing) {
+  Random random(23);
+  Scene s(random, Regime::open, false);
+  for (ContactRecord& r : s.island.records)
+    for (int i = 0; i < 4; i++) {
+      r.trialN[i] = -r.k[i] * 1e-6f;  // a micrometre apart
+      r.limit[i] = 0;
+    }
+  for (SolveMotion& m : s.island.motion) m = {};
+  Symmetric6 near;
+  Wrench residual = s.residual(&near);
+  EXPECT_NEAR(double(length(residual.force)), double(length(s.island.masses[0].dFree) * 1000), 1e-3);
+  EXPECT_GT(near.at(0, 0) + near.at(1, 1) + near.at(2, 2), 1e6f);
+}
+
+TEST(Cluster, StepBringsTheResidualOfALinearClusterToZero) {
+  Random random(24);
+  for (int n = 0; n < 50; n++)
+    for (bool both : {false, true}) {
+      Scene s(random, Regime::sticks, both);
+      for (ContactRecord& r : s.island.records)
+        for (float& bond : r.bond) bond = 1e9f;  // nothing opens
+      double before = double(length(s.residual().force)), visits = 0;
+      if (both) {  // the inertia of the pair about its centre
+        Cluster& c = s.level.clusters[0];
+        for (float& x : c.inertia) x = 0;
+        for (const SolveMass& m : s.island.masses) {
+          Vec3f r = m.position - c.centre;
+          c.inertia[0] += m.inertia[0] + m.mass * (r.y * r.y + r.z * r.z);
+          c.inertia[1] += m.inertia[1] - m.mass * r.x * r.y;
+          c.inertia[2] += m.inertia[2] + m.mass * (r.x * r.x + r.z * r.z);
+          c.inertia[3] += m.inertia[3] - m.mass * r.x * r.z;
+          c.inertia[4] += m.inertia[4] - m.mass * r.y * r.z;
+          c.inertia[5] += m.inertia[5] + m.mass * (r.x * r.x + r.y * r.y);
+        }
+      }
+      Vec3f apart = s.island.motion[1].th - s.island.motion[0].th;
+      clusterStep(s.island, s.level, s.level.clusters[0], visits);
+      EXPECT_GT(visits, 0);
+      if (both) {
+        EXPECT_LT(length((s.island.motion[1].th - s.island.motion[0].th) - apart), 1e-6f) << "a cluster moves rigidly";
+      }
+      EXPECT_LT(double(length(s.residual().force)), 1e-3 * before);
+    }
+}
+
+}  // namespace
+}  // namespace brickfall
