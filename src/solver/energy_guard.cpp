@@ -18,6 +18,11 @@ Vec3 spinOf(const StepContext& context, BodyIndex body) {
   return context.bodies->worldInvInertia(body) * context.solved[body].angularMomentum;
 }
 
+// Where the body's centre is at the end of the step: momentum has to be right there.
+Vec3 endOf(const StepContext& context, BodyIndex body) {
+  return context.bodies->motion[body].position + context.solved[body].d;
+}
+
 // The rigid motion with the island's linear and angular momentum.
 RigidMotion rigidMotion(const Island& island, const StepContext& context) {
   const BodySet& bodies = *context.bodies;
@@ -27,7 +32,7 @@ RigidMotion rigidMotion(const Island& island, const StepContext& context) {
   for (BodyIndex body : island.bodies) {
     double m = bodies.mass[body].mass;
     mass += m;
-    out.centre += bodies.motion[body].position * m;
+    out.centre += endOf(context, body) * m;
     momentum += context.solved[body].velocity * m;
   }
   out.centre *= 1 / mass;
@@ -35,7 +40,7 @@ RigidMotion rigidMotion(const Island& island, const StepContext& context) {
   Mat3 inertia{{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}};
   for (BodyIndex body : island.bodies) {
     double m = bodies.mass[body].mass;
-    Vec3 r = bodies.motion[body].position - out.centre;
+    Vec3 r = endOf(context, body) - out.centre;
     angular += cross(r, context.solved[body].velocity * m) + context.solved[body].angularMomentum;
     double rr = dot(r, r);
     Mat3 parallel{{{m * (rr - r.x * r.x), -m * r.x * r.y, -m * r.x * r.z},
@@ -70,7 +75,7 @@ void guardEnergy(const Island& island, StepContext& context) {
   if (!island.grounded) rigid = rigidMotion(island, context);
   double relative = 0;
   for (BodyIndex body : island.bodies) {
-    Vec3 v = context.solved[body].velocity - rigid.velocity - cross(rigid.spin, bodies.motion[body].position - rigid.centre);
+    Vec3 v = context.solved[body].velocity - rigid.velocity - cross(rigid.spin, endOf(context, body) - rigid.centre);
     Vec3 w = spinOf(context, body) - rigid.spin;
     relative += 0.5 * bodies.mass[body].mass * lengthSquared(v) + 0.5 * dot(w, bodies.worldInertia(body) * w);
   }
@@ -78,7 +83,7 @@ void guardEnergy(const Island& island, StepContext& context) {
   double share = std::sqrt(std::clamp((allowed - (end - relative)) / relative, 0.0, 1.0));
   for (BodyIndex body : island.bodies) {
     SolvedMotion& s = context.solved[body];
-    Vec3 v = rigid.velocity + cross(rigid.spin, bodies.motion[body].position - rigid.centre);
+    Vec3 v = rigid.velocity + cross(rigid.spin, endOf(context, body) - rigid.centre);
     Vec3 momentum = bodies.worldInertia(body) * rigid.spin;
     s.velocity = v + (s.velocity - v) * share;
     s.angularMomentum = momentum + (s.angularMomentum - momentum) * share;

@@ -61,8 +61,8 @@ TEST(Law, Row11CollisionsOfFreeBodiesKeepMomentum) {
         Drift drift = crash(seed, dt, 1.5, e);
         worst = {std::max(worst.linear, drift.linear), std::max(worst.angular, drift.angular)};
       }
-    atMost("linear" + at(dt), worst.linear, 1e-5, "");
-    atMost("angular" + at(dt), worst.angular, 1e-4, "");
+    atMost("linear" + at(dt), worst.linear, 3e-6, "");
+    atMost("angular" + at(dt), worst.angular, 3e-6, "");
   }
 }
 
