@@ -89,6 +89,7 @@ float impactStiffness(float approach, const StiffnessScale& scale) {
 
 // Returns the gap that causes force.
 float mapNormalOffset(Contact& c, int i, float approach, const StiffnessScale& scale) {
+  if (c.stiffness[i] > 1.01f * scale.full) c.stiffness[i] = scale.full;  // the time step has grown
   if (c.stiffness[i] == 0) c.offset[i] = std::min(0.0f, c.gap[i]);
   bool soft = c.stiffness[i] > 0 && c.stiffness[i] < 0.99f * scale.full;
   bool impactOver = soft && c.forceN[i] > 0 && approach > -scale.quietSpeed;

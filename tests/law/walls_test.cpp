@@ -52,6 +52,33 @@ TEST(Law, Row13WallOnATiltedWorldLeansAndStands) {
   }
 }
 
+TEST(Law, Row13WallStandsWhenTheTimeStepChanges) {
+  // Stiffness and forces are kept in units of the step; a change must not shake the wall.
+  for (bool sleep : {false, true}) {
+    lab::Options o;
+    o.sleep = sleep;
+    lab::Scene s = lab::make("w10", o);
+    for (double dt : {1.0 / 60, 1.0 / 240, 1.0 / 30, 1.0 / 120, 1.0 / 480, 1.0 / 60})
+      for (int i = 0; i < 1 / dt; i++) {
+        if (sleep && i == 3) {
+          ASSERT_TRUE(s.world.wake(s.boxes[40]).ok());
+        }
+        stepSound(s.world, dt);
+      }
+    double moved = 0;
+    for (std::size_t i = 0; i < s.boxes.size(); i++) moved = std::max(moved, lab::boxMove(s, i));
+    atMost(sleep ? "moved, woken at every change" : "moved", moved * 1e3, 0.5, "mm");
+  }
+}
+
+TEST(Law, Row13WallStandsInSubsteps) {
+  lab::Scene s = lab::make("w10");
+  for (int i = 0; i < 120; i++) stepSound(s.world, kDt, 4);
+  double moved = 0;
+  for (std::size_t i = 0; i < s.boxes.size(); i++) moved = std::max(moved, lab::boxMove(s, i));
+  atMost("moved", moved * 1e3, 0.5, "mm");
+}
+
 TEST(Law, Row14WallOfFortyCoursesStands) {
   lab::Scene s = lab::make("w40");
   lab::Measured m = lab::run(s, 6, 1.0 / 60);
