@@ -41,7 +41,8 @@ struct Island {
   bool settled = false;                 // rested, and not one bit of its forces changed in the last step
   bool allowSleep = true;
   std::int32_t points = 0, touchingPoints = 0;  // counted in the last step that was not passed over
-  int heldSteps = 0;                    // steps in a row in which the solve left every body in its place
+  std::vector<Transform> heldPoses;     // bodies: where a slow island was when its present watch began; empty = none
+  double heldTime = 0;                  // s, since then
   double restTime = 0;                  // s, rested without a break
 
   BodyIndex key() const { return bodies.front(); }

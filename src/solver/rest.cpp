@@ -33,16 +33,35 @@ void restCheck(Island& island, StepContext& context) {
   context.statistics.restingIslands++;
 }
 
+namespace {
+
+// How far any point of the body is from where it was in that pose.
+double strayed(const BodySet& bodies, BodyIndex body, const Transform& from) {
+  const BodyMotion& m = bodies.motion[body];
+  Quat turned = conjugate(from.rotation) * m.rotation;
+  double angle = 2 * length(Vec3{turned.x, turned.y, turned.z});
+  return length(m.position - from.position) + angle * bodies.mass[body].outerRadius;
+}
+
+}  // namespace
+
 void restIfHeld(Island& island, StepContext& context) {
-  if (island.resting) return;
-  bool held = island.slow;
-  for (BodyIndex body : island.bodies) {
-    const SolvedMotion& s = context.solved[body];
-    held = held && length(s.d) + length(s.th) * context.bodies->mass[body].outerRadius < kHeldMove;
+  const BodySet& bodies = *context.bodies;
+  if (!island.slow || island.resting) {
+    island.heldPoses.clear();
+    return;
   }
-  island.heldSteps = held ? island.heldSteps + 1 : 0;
-  if (island.heldSteps < kHeldSteps) return;
-  island.heldSteps = 0;
+  bool held = island.heldPoses.size() == island.bodies.size();
+  for (std::size_t i = 0; held && i < island.bodies.size(); i++)
+    held = strayed(bodies, island.bodies[i], island.heldPoses[i]) < kHeldMove;
+  if (!held) {
+    island.heldTime = 0;
+    island.heldPoses.clear();
+    for (BodyIndex body : island.bodies) island.heldPoses.push_back(bodies.pose(body));
+  }
+  island.heldTime += context.dt;
+  if (island.heldTime < kHeldTime) return;
+  island.heldPoses.clear();
   island.resting = island.settled = true;
   for (BodyIndex body : island.bodies) {
     context.solved[body] = {};

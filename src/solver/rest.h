@@ -14,9 +14,9 @@ void dampSlowIsland(Island& island, StepContext& context);
 // price of one light pass. Sets Island::resting; leaves all motion at zero.
 void restCheck(Island& island, StepContext& context);
 
-// The other way to rest: started from free motion, the solve itself leaves every body of a slow island in its place, many
-// steps in a row, though some residual does not come under the limit (points at the very edge of sliding or opening).
-// Solving on would only repeat that. Called after storeMotion; then stops the island and sets resting.
+// The other way to rest: a slow island of which nothing strays from its place for a while stays there, though the last
+// of its residual does not come under the limit (a thin wall goes on swaying by micrometres, a point at the very edge of
+// sliding or opening changes sides in every step). Called after storeMotion; then stops the island and sets resting.
 void restIfHeld(Island& island, StepContext& context);
 
 }  // namespace brickfall

@@ -22,9 +22,8 @@ constexpr std::size_t kExactBodies = 12;     // islands of no more bodies leave 
 constexpr int kLineSearchSteps = 8;
 constexpr double kSlowTolerance = 5e-4;      // worst residual / weight at which a slow island's cycles stop
 constexpr int kMaxCyclesSlow = 16;
-constexpr double kHeldMove = 1e-6;           // m per step: a body that the solve moves less is left in its place;
-                                             // free of support it would fall 2700 times as far
-constexpr int kHeldSteps = 20;               // in a row, and the island counts as at rest
+constexpr double kHeldMove = 25e-6;          // m: a slow island of which no point strays further than this from its place
+constexpr double kHeldTime = 0.5;            // s: during this time counts as at rest; an acceleration of 2e-5 g goes further
 constexpr int kWeakHold = 3;                 // steps a joint stays weak after it last looked weak
 constexpr double kLargestTurn = 0.5;         // rad per step of a body in contact: arms are frozen during a step
 constexpr double kRestitutionSpeed = 1;      // m/s: slower impacts do not rebound

@@ -104,7 +104,7 @@ World::World(World&&) noexcept = default;
 World& World::operator=(World&&) noexcept = default;
 World::~World() = default;
 
-Result<World> World::create(const WorldDef& def) {
+Status checkWorld(const WorldDef& def) {
   Checks check;
   check.vector("gravity", def.gravity, 1e4);
   check.range("airDensity", def.airDensity, 0, 1e4);
@@ -114,7 +114,11 @@ Result<World> World::create(const WorldDef& def) {
   check.range("threads", def.threads, 1, 64);
   check.range("maxBodies", def.maxBodies, 1, 16'000'000);
   checkSolver(check, def.solver);
-  if (check.failed()) return check.error();
+  return check.failed() ? Status(check.error()) : Status();
+}
+
+Result<World> World::create(const WorldDef& def) {
+  if (Status fine = checkWorld(def); !fine) return fine.error();
   static std::atomic<std::uint16_t> next{1};
   auto impl = std::make_unique<Impl>();
   impl->def = def;

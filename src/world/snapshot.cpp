@@ -146,7 +146,8 @@ class SnapshotArchive {
         a.value(*flag);
       a.value(i.points);
       a.value(i.touchingPoints);
-      a.value(i.heldSteps);
+      a.list(i.heldPoses);
+      a.value(i.heldTime);
       a.value(i.restTime);
     }
   }
@@ -198,6 +199,7 @@ Status World::restore(std::span<const std::byte> snapshot) {
 
 // After reading: hulls and the tree; then every invariant.
 Status World::Impl::rebuild() {
+  if (Status fine = checkWorld(def); !fine) return badSnapshot(fine.error().message);
   std::vector<std::string> wrong = validateStructure();
   if (!wrong.empty()) return badSnapshot(wrong.front());
   for (ShapeIndex i = 0; i < shapes.slots(); i++) {

@@ -35,10 +35,19 @@ void checkHierarchy(Findings& f, const Hierarchy& h, const Island& island, const
     for (std::uint32_t c : level.clusterOf) f.expect(c < level.clusters.size(), name + ": a body is in no cluster");
     for (std::uint32_t b : level.bodies) f.expect(b < island.bodies.size(), name + ": a cluster names a body that is not there");
     for (std::uint32_t s : level.sides) f.expect(s / 2 < island.contacts.size(), name + ": a side names no contact");
-    for (const Cluster& c : level.clusters)
+    if (f.any()) return;
+    for (std::size_t n = 0; n < level.clusters.size(); n++) {
+      const Cluster& c = level.clusters[n];
       f.expect(c.bodyBegin < c.bodyEnd && c.bodyEnd <= level.bodies.size() && c.sideBegin <= c.sideEnd &&
                    c.sideEnd <= level.sides.size(),
                name + ": a cluster's ranges are wrong");
+      if (f.any()) return;
+      for (std::uint32_t k = c.sideBegin; k < c.sideEnd; k++) {
+        const ContactRecord& r = island.records[level.sides[k] / 2];
+        std::uint32_t own = level.sides[k] % 2 == 1 ? r.bodyB : r.bodyA;
+        f.expect(own < island.bodies.size() && level.clusterOf[own] == n, name + ": a side is not of its cluster");
+      }
+    }
   }
   if (!h.levels.empty()) f.expect(h.levels.back().clusters.size() == 1, name + ": the top level is not one cluster");
 }
@@ -77,7 +86,7 @@ std::vector<std::string> World::Impl::validateStructure() const {
     for (const CandidatePair& p : *list) {
       bool fine = p.shapeA < m && p.shapeB < m && shapes.data[p.shapeA].alive && shapes.data[p.shapeB].alive &&
                   shapes.data[p.shapeA].body == p.bodyA && shapes.data[p.shapeB].body == p.bodyB && bodyFine(p.bodyA) &&
-                  bodyFine(p.bodyB) && (p.contact == kNoIndex || p.contact < contacts.contacts.size());
+                  bodyFine(p.bodyB) && !bodies.data[p.bodyA].quarantined && !bodies.data[p.bodyB].quarantined && (p.contact == kNoIndex || p.contact < contacts.contacts.size());
       f.expect(fine, "pairs: one names what is not there");
       if (!fine || p.contact == kNoIndex) continue;
       const Contact& c = contacts.contacts[p.contact];
@@ -86,6 +95,9 @@ std::vector<std::string> World::Impl::validateStructure() const {
       f.expect(c.count >= 1 && c.count <= 4, "contacts: a number of points that is not 1 .. 4");
     }
   }
+  for (ContactIndex c : contacts.unused()) f.expect(c < contacts.contacts.size(), "contacts: a free one that is not there");
+  for (BodyIndex b : bodies.unused()) f.expect(b < n && !bodies.data[b].alive, "bodies: a free slot that is not free");
+  for (ShapeIndex s : shapes.unused()) f.expect(s < m && !shapes.data[s].alive, "shapes: a free slot that is not free");
   for (BodyIndex b : awake) f.expect(bodyFine(b) && bodies.data[b].type == BodyType::dynamic, "awake: not a dynamic body");
   for (BodyIndex b : moving) f.expect(bodyFine(b) && bodies.data[b].type == BodyType::kinematic, "moving: not a kinematic body");
   f.expect(ascending(awake) && ascending(moving), "awake or moving: not sorted");
@@ -94,9 +106,18 @@ std::vector<std::string> World::Impl::validateStructure() const {
       f.expect(!island->bodies.empty() && ascending(island->bodies), "islands: bodies not sorted, or none");
       bool sized = island->records.size() == island->contacts.size() && island->starts.size() == island->contacts.size();
       f.expect(sized, "islands: lists of different lengths");
-      for (BodyIndex b : island->bodies) f.expect(bodyFine(b), "islands: a body that is not there");
+      for (BodyIndex b : island->bodies)
+        f.expect(bodyFine(b) && bodies.data[b].type == BodyType::dynamic, "islands: not a dynamic body");
       for (BodyIndex b : island->partners) f.expect(bodyFine(b), "islands: a partner that is not there");
       for (ContactIndex c : island->contacts) f.expect(c < contacts.contacts.size(), "islands: a contact that is not there");
+      bool current = list == &islands.asleep || (!contacts.changed && !membershipChanged);
+      if (f.any()) return f.take();
+      for (std::size_t k = 0; current && k < island->contacts.size(); k++) {
+        const Contact& c = contacts.contacts[island->contacts[k]];
+        f.expect(bodyFine(c.bodyA) && bodyFine(c.bodyB) && c.count >= 1 && c.count <= 4 &&
+                     island->records[k].contact == island->contacts[k],
+                 "islands: a contact of other bodies, or of none");
+      }
       std::size_t all = island->bodies.size() + island->partners.size();
       for (const ContactRecord& r : island->records)
         f.expect(r.bodyA < all && r.bodyB < all && r.contact < contacts.contacts.size(), "islands: a record names no body");
@@ -104,7 +125,7 @@ std::vector<std::string> World::Impl::validateStructure() const {
       checkHierarchy(f, island->byStrength, *island, "hierarchy by strength");
       checkHierarchy(f, island->byMechanism, *island, "hierarchy by mechanism");
     }
-  for (BodyIndex b : islands.single) f.expect(bodyFine(b), "islands: a single body that is not there");
+  for (BodyIndex b : islands.single) f.expect(bodyFine(b) && bodies.data[b].type == BodyType::dynamic, "islands: a single body that is not there");
   for (std::uint32_t i : islandOf) f.expect(i == kNoIndex || i < islands.awake.size(), "islandOf: an island that is not there");
   for (const auto* list : {&pushed, &unsettled}) {
     f.expect(ascending(*list), "pushed or unsettled: not sorted");

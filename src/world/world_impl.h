@@ -15,6 +15,8 @@
 
 namespace brickfall {
 
+Status checkWorld(const WorldDef& def);  // names the field that is out of range
+
 struct World::Impl {
   WorldDef def;
   std::uint16_t worldNumber = 0;  // in ids
