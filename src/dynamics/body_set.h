@@ -66,6 +66,7 @@ class BodySet {
   int count() const { return count_; }
   // Slots in order of creation.
   std::vector<BodyIndex> inOrder() const;
+  const std::vector<BodyIndex>& unused() const { return free_; }
 
   Transform pose(BodyIndex body) const { return {motion[body].position, motion[body].rotation}; }  // of the centre of mass
   Vec3 origin(BodyIndex body) const {

@@ -20,6 +20,7 @@ class ContactSet {
  public:
   ContactIndex create();
   void destroy(ContactIndex contact);
+  const std::vector<ContactIndex>& unused() const { return free_; }
   // Takes in pairs, sorted; those that are known stay as they are.
   void insert(const std::vector<CandidatePair>& found);
 

@@ -31,6 +31,7 @@ class ShapeSet {
   void destroy(ShapeIndex shape);
   bool alive(ShapeIndex shape) const { return shape < data.size() && data[shape].alive; }
   std::size_t slots() const { return data.size(); }
+  const std::vector<ShapeIndex>& unused() const { return free_; }
 
   Transform worldPose(ShapeIndex shape, const BodySet& bodies) const {
     const ShapeData& s = data[shape];

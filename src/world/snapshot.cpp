@@ -202,9 +202,16 @@ Status World::Impl::rebuild() {
   if (Status fine = checkWorld(def); !fine) return badSnapshot(fine.error().message);
   std::vector<std::string> wrong = validateStructure();
   if (!wrong.empty()) return badSnapshot(wrong.front());
+  for (BodyIndex i = 0; i < bodies.slots(); i++) {
+    const BodyMotion& m = bodies.motion[i];
+    bool finite = isFinite(m.position) && isFinite(m.rotation) && isFinite(m.linearVelocity) && isFinite(m.angularVelocity);
+    if (bodies.alive(i) && !finite) return badSnapshot("a body's motion is not finite");
+  }
   for (ShapeIndex i = 0; i < shapes.slots(); i++) {
     ShapeData& s = shapes.data[i];
     if (!s.alive) continue;
+    if (!isFinite(s.inCentreFrame.position) || !isFinite(s.inCentreFrame.rotation) || !isFinite(s.def.halfExtents))
+      return badSnapshot("a shape is not finite");
     s.geometry.type = s.def.type;
     s.geometry.halfExtents = s.def.halfExtents;
     s.geometry.radius = s.def.radius;
