@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "solver/rigid_sum.h"
+
 namespace brickfall {
 
 namespace {
@@ -51,31 +53,16 @@ void runCycles(Island& island, StepContext& context) {
 void correctMomentum(Island& island, const StepContext& context) {
   if (island.grounded) return;
   const BodySet& bodies = *context.bodies;
-  double mass = 0;
-  Vec3 moment;
-  for (BodyIndex body : island.bodies) {
-    mass += bodies.mass[body].mass;
-    moment += bodies.motion[body].position * bodies.mass[body].mass;
-  }
-  Vec3 centre = moment * (1 / mass), linear, angular;
-  Mat3 inertia{{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}};
+  RigidSum missing(island.origin);  // what the solve left, as displacements
   for (std::size_t i = 0; i < island.bodies.size(); i++) {
     BodyIndex body = island.bodies[i];
-    const FreeMotion& free = context.free[body];
     double m = bodies.mass[body].mass;
-    Vec3 r = bodies.motion[body].position - centre;
-    Vec3 missing = (free.d - island.drift - toDouble(island.motion[i].d)) * m;
-    Mat3 own = bodies.worldInertia(body);
-    linear += missing;
-    // thFree as the solve read it, so that what is missing is what the solve left
-    angular += cross(r, missing) + own * (toDouble(island.masses[i].thFree) - toDouble(island.motion[i].th));
-    double rr = dot(r, r);
-    Mat3 parallel{{{m * (rr - r.x * r.x), -m * r.x * r.y, -m * r.x * r.z},
-                   {-m * r.x * r.y, m * (rr - r.y * r.y), -m * r.y * r.z},
-                   {-m * r.x * r.z, -m * r.y * r.z, m * (rr - r.z * r.z)}}};
-    inertia = inertia + own + parallel;
+    Mat3 inertia = bodies.worldInertia(body);
+    // thFree as the solve read it
+    missing.add(m, bodies.motion[body].position, inertia, (context.free[body].d - island.drift - toDouble(island.motion[i].d)) * m,
+                inertia * (toDouble(island.masses[i].thFree) - toDouble(island.motion[i].th)));
   }
-  Vec3 move = linear * (1 / mass), turn = inverse(inertia) * angular;
+  Vec3 centre = missing.centre(), move = missing.velocity(), turn = missing.spin();
   for (std::size_t i = 0; i < island.bodies.size(); i++) {
     Vec3 r = bodies.motion[island.bodies[i]].position - centre;
     island.motion[i].d += toFloat(move + cross(turn, r));

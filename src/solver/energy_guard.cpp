@@ -3,16 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/rigid_sum.h"
+
 namespace brickfall {
 
 namespace {
 
 constexpr double kRelativeSlack = 1e-7;  // of the kinetic energy: rounding of the float solve
 constexpr double kSlackPerMass = 1e-6;   // J/kg: a lift of 0.1 micrometres
-
-struct RigidMotion {
-  Vec3 centre, velocity, spin;
-};
 
 Vec3 spinOf(const StepContext& context, BodyIndex body) {
   return context.bodies->worldInvInertia(body) * context.solved[body].angularMomentum;
@@ -23,33 +21,21 @@ Vec3 endOf(const StepContext& context, BodyIndex body) {
   return context.bodies->motion[body].position + context.solved[body].d;
 }
 
+struct RigidMotion {
+  Vec3 centre, velocity, spin;  // all zero: what is held by the ground has none to keep
+};
+
 // The rigid motion with the island's linear and angular momentum.
 RigidMotion rigidMotion(const Island& island, const StepContext& context) {
+  if (island.grounded) return {};
   const BodySet& bodies = *context.bodies;
-  RigidMotion out;
-  double mass = 0;
-  Vec3 momentum, angular;
+  RigidSum sum(island.origin);
   for (BodyIndex body : island.bodies) {
+    const SolvedMotion& s = context.solved[body];
     double m = bodies.mass[body].mass;
-    mass += m;
-    out.centre += endOf(context, body) * m;
-    momentum += context.solved[body].velocity * m;
+    sum.add(m, endOf(context, body), bodies.worldInertia(body), s.velocity * m, s.angularMomentum);
   }
-  out.centre *= 1 / mass;
-  out.velocity = momentum * (1 / mass);
-  Mat3 inertia{{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}};
-  for (BodyIndex body : island.bodies) {
-    double m = bodies.mass[body].mass;
-    Vec3 r = endOf(context, body) - out.centre;
-    angular += cross(r, context.solved[body].velocity * m) + context.solved[body].angularMomentum;
-    double rr = dot(r, r);
-    Mat3 parallel{{{m * (rr - r.x * r.x), -m * r.x * r.y, -m * r.x * r.z},
-                   {-m * r.x * r.y, m * (rr - r.y * r.y), -m * r.y * r.z},
-                   {-m * r.x * r.z, -m * r.y * r.z, m * (rr - r.z * r.z)}}};
-    inertia = inertia + bodies.worldInertia(body) + parallel;
-  }
-  out.spin = inverse(inertia) * angular;
-  return out;
+  return {sum.centre(), sum.velocity(), sum.spin()};
 }
 
 }  // namespace
@@ -71,8 +57,7 @@ void guardEnergy(const Island& island, StepContext& context) {
   double allowed = start - gained;  // kinetic energy at the end
   if (!(end > allowed + kRelativeSlack * start + kSlackPerMass * mass)) return;
 
-  RigidMotion rigid;
-  if (!island.grounded) rigid = rigidMotion(island, context);
+  RigidMotion rigid = rigidMotion(island, context);
   double relative = 0;
   for (BodyIndex body : island.bodies) {
     Vec3 v = context.solved[body].velocity - rigid.velocity - cross(rigid.spin, endOf(context, body) - rigid.centre);

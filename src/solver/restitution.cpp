@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/rigid_sum.h"
+
 namespace brickfall {
 
 namespace {
@@ -258,50 +260,31 @@ bool anyImpact(const Island& island, const StepContext& context) {
   return false;
 }
 
-// Angular momentum about the island's own centre: at the end of the step as solved, or if nothing touched.
-Vec3 spinOf(const Island& island, const StepContext& context, bool free) {
+// The island at the end of the step: as solved, or if nothing had touched.
+RigidSum endOfStep(const Island& island, const StepContext& context, bool free) {
   const BodySet& bodies = *context.bodies;
-  double mass = 0;
-  Vec3 moment, momentum, sum;
+  RigidSum sum(island.origin);
   for (BodyIndex body : island.bodies) {
+    const FreeMotion& f = context.free[body];
+    const SolvedMotion& s = context.solved[body];
+    Vec3 velocity = free ? f.d * (1 / context.dt) : s.velocity;
     double m = bodies.mass[body].mass;
-    Vec3 d = free ? context.free[body].d : context.solved[body].d;
-    Vec3 v = free ? context.free[body].d * (1 / context.dt) : context.solved[body].velocity;
-    Vec3 at = bodies.motion[body].position + d;
-    mass += m;
-    moment += at * m;
-    momentum += v * m;
-    sum += cross(at, v * m) + (free ? context.free[body].angularMomentum : context.solved[body].angularMomentum);
+    sum.add(m, bodies.motion[body].position + (free ? f.d : s.d), bodies.worldInertia(body), velocity * m,
+            free ? f.angularMomentum : s.angularMomentum);
   }
-  return sum - cross(moment, momentum) * (1 / mass);
+  return sum;
 }
 
 // Displacements and velocities of the rebound are found apart, so their cross product drifts. A rigid turn of the floating
 // island's velocities brings its angular momentum back.
 void correctSpin(const Island& island, StepContext& context) {
   if (island.grounded) return;
-  const BodySet& bodies = *context.bodies;
-  double mass = 0;
-  Vec3 moment;
-  for (BodyIndex body : island.bodies) {
-    mass += bodies.mass[body].mass;
-    moment += (bodies.motion[body].position + context.solved[body].d) * bodies.mass[body].mass;
-  }
-  Vec3 centre = moment * (1 / mass);
-  Mat3 inertia{{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}};
-  for (BodyIndex body : island.bodies) {
-    Vec3 r = bodies.motion[body].position + context.solved[body].d - centre;
-    double m = bodies.mass[body].mass, rr = dot(r, r);
-    Mat3 parallel{{{m * (rr - r.x * r.x), -m * r.x * r.y, -m * r.x * r.z},
-                   {-m * r.x * r.y, m * (rr - r.y * r.y), -m * r.y * r.z},
-                   {-m * r.x * r.z, -m * r.y * r.z, m * (rr - r.z * r.z)}}};
-    inertia = inertia + bodies.worldInertia(body) + parallel;
-  }
-  Vec3 turn = inverse(inertia) * (spinOf(island, context, true) - spinOf(island, context, false));
+  RigidSum now = endOfStep(island, context, false), wanted = endOfStep(island, context, true);
+  Vec3 centre = now.centre(), turn = inverse(now.inertia()) * (wanted.angularMomentum() - now.angularMomentum());
   for (BodyIndex body : island.bodies) {
     SolvedMotion& s = context.solved[body];
-    s.velocity += cross(turn, bodies.motion[body].position + s.d - centre);
-    s.angularMomentum += bodies.worldInertia(body) * turn;
+    s.velocity += cross(turn, context.bodies->motion[body].position + s.d - centre);
+    s.angularMomentum += context.bodies->worldInertia(body) * turn;
   }
 }
 

@@ -1,0 +1,43 @@
+// The rigid body that a group of bodies makes up: its mass, centre, inertia and momenta. For what has to leave a floating
+// island's linear and angular momentum exact.
+#pragma once
+#include "brickfall/math.h"
+
+namespace brickfall {
+
+class RigidSum {
+ public:
+  // Positions are summed relative to `origin`, somewhere near the group.
+  explicit RigidSum(Vec3 origin) : origin_(origin) {}
+
+  // inertia and angularMomentum: about the body's own centre, world axes.
+  void add(double mass, Vec3 position, const Mat3& inertia, Vec3 momentum, Vec3 angularMomentum) {
+    Vec3 r = position - origin_;
+    mass_ += mass;
+    moment_ += r * mass;
+    momentum_ += momentum;
+    angular_ += cross(r, momentum) + angularMomentum;
+    inertia_ = inertia_ + inertia + pointInertia(r, mass);
+  }
+
+  Vec3 centre() const { return origin_ + moment_ * (1 / mass_); }
+  Vec3 velocity() const { return momentum_ * (1 / mass_); }
+  // Both about the centre.
+  Vec3 angularMomentum() const { return angular_ - cross(moment_ * (1 / mass_), momentum_); }
+  Mat3 inertia() const { return inertia_ + pointInertia(moment_ * (1 / mass_), mass_) * -1.0; }
+  Vec3 spin() const { return inverse(inertia()) * angularMomentum(); }
+
+ private:
+  static Mat3 pointInertia(Vec3 r, double m) {
+    double rr = dot(r, r);
+    return {{{m * (rr - r.x * r.x), -m * r.x * r.y, -m * r.x * r.z},
+             {-m * r.x * r.y, m * (rr - r.y * r.y), -m * r.y * r.z},
+             {-m * r.x * r.z, -m * r.y * r.z, m * (rr - r.z * r.z)}}};
+  }
+
+  Vec3 origin_, moment_, momentum_, angular_;
+  double mass_ = 0;
+  Mat3 inertia_{{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}};
+};
+
+}  // namespace brickfall
