@@ -16,9 +16,11 @@ TEST(Law, Row1BlockOnAnInclineSticksUpToTheAngleOfFriction) {
         double settled = below.slid();
         run(below.world, 5, dt);
         run(above.world, 2, dt);
-        std::string name = "mu " + std::to_string(friction).substr(0, 4) + (tiltGravity ? " gravity" : " plane") + at(dt);
+        std::string name =
+            "mu " + std::to_string(friction).substr(0, 4) + (tiltGravity ? " gravity" : " plane") + at(dt);
         atMost(name + ", creep in 5 s", std::fabs(below.slid() - settled) * 1e3, 0.1, "mm");
-        double expected = 0.5 * 4 * kG * (std::sin((limit + 0.2) * kPi / 180) - friction * std::cos((limit + 0.2) * kPi / 180));
+        double expected =
+            0.5 * 4 * kG * (std::sin((limit + 0.2) * kPi / 180) - friction * std::cos((limit + 0.2) * kPi / 180));
         reached(name + ", slides in 2 s", above.slid(), expected, 0.25 * expected, "m");
       }
 }
@@ -26,7 +28,8 @@ TEST(Law, Row1BlockOnAnInclineSticksUpToTheAngleOfFriction) {
 TEST(Law, Row1HoldsWhicheverWayTheBlockIsTurned) {
   for (double yaw : {0.0, 17.0, 37.0, 45.0}) {
     double limit = std::atan(0.6) * 180 / kPi;
-    Incline below(limit - 0.2, 0.6, false, {0.25, 0.1, 0.25}, yaw), above(limit + 0.2, 0.6, false, {0.25, 0.1, 0.25}, yaw);
+    Incline below(limit - 0.2, 0.6, false, {0.25, 0.1, 0.25}, yaw),
+        above(limit + 0.2, 0.6, false, {0.25, 0.1, 0.25}, yaw);
     run(below.world, 5);
     run(above.world, 2);
     atMost("yaw " + std::to_string(int(yaw)) + ", creep in 5 s", below.moved() * 1e3, 0.1, "mm");
@@ -55,7 +58,7 @@ TEST(Law, Row3SlowlyTiltedBlockTopples) {
     addGround(world, 2);
     BodyId block = add(world, bodyOf(boxOf({0.125, 0.5, 0.125}, 1000, 2), {0, 0.5, 0}));
     run(world, 0.5, dt);
-    double degrees = 13, rate = 0.25;  // a second
+    double degrees = 13, rate = 0.25;                                                    // a second
     while (degrees < 15.5 && toMatrix(world.state(block)->rotation).row[1].y > 0.995) {  // 5.7 degrees from upright
       degrees += rate * dt;
       double angle = degrees * kPi / 180;
@@ -195,7 +198,8 @@ TEST(Law, Row8DzhanibekovFlips) {
       energyDrift = std::max(energyDrift, std::fabs(world.energy().kinetic - energy) / energy);
       BodyState s = *world.state(box);
       double spin = dot(s.angularVelocity, rotate(s.rotation, Vec3{0, 1, 0}));
-      if ((previous > 0) != (spin > 0)) flips.push_back(world.time() - dt * std::fabs(spin) / (std::fabs(spin) + std::fabs(previous)));
+      if ((previous > 0) != (spin > 0))
+        flips.push_back(world.time() - dt * std::fabs(spin) / (std::fabs(spin) + std::fabs(previous)));
       previous = spin;
     }
     ASSERT_GE(flips.size(), 20u);

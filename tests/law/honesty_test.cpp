@@ -23,10 +23,12 @@ TEST(Law, Row9HarmonicOverhang) {
       }
       std::vector<Vec3> start;
       for (BodyId b : blocks) start.push_back(world.state(b)->position);
-      if (share > 1) reached("overhang / L of " + std::to_string(n), right / L / share, n == 4 ? 1.04167 : 1.46448, 1e-4, "");
+      if (share > 1)
+        reached("overhang / L of " + std::to_string(n), right / L / share, n == 4 ? 1.04167 : 1.46448, 1e-4, "");
       run(world, 10);
       double moved = 0;
-      for (std::size_t i = 0; i < blocks.size(); i++) moved = std::max(moved, length(world.state(blocks[i])->position - start[i]));
+      for (std::size_t i = 0; i < blocks.size(); i++)
+        moved = std::max(moved, length(world.state(blocks[i])->position - start[i]));
       if (share < 1)
         atMost(std::to_string(n) + " blocks at 99 %: moved", moved * 1e3, 2, "mm");
       else

@@ -4,7 +4,8 @@
 namespace brickfall::law {
 namespace {
 
-void expectStands(const char* scene, const lab::Options& o, const std::string& name, double seconds, double dt, double most) {
+void expectStands(const char* scene, const lab::Options& o, const std::string& name, double seconds, double dt,
+                  double most) {
   lab::Scene s = lab::make(scene, o);
   lab::Measured m = lab::run(s, seconds, dt);
   EXPECT_TRUE(m.finite);

@@ -96,8 +96,8 @@ TEST(ContactSet, ReusesSlotsFresh) {
 }
 
 TEST(Mixing, EveryRuleIsSymmetricAndTheLaterWins) {
-  const CombineRule rules[] = {CombineRule::geometricMean, CombineRule::average, CombineRule::minimum, CombineRule::multiply,
-                               CombineRule::maximum};
+  const CombineRule rules[] = {CombineRule::geometricMean, CombineRule::average, CombineRule::minimum,
+                               CombineRule::multiply, CombineRule::maximum};
   const double expected[] = {0.4, 0.5, 0.2, 0.16, 0.8};
   Material a, b;
   a.friction = a.restitution = 0.2;

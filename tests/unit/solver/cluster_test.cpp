@@ -21,7 +21,8 @@ struct Scene {
 
   Scene(Random& random, Regime regime, bool both) {
     auto vector = [&](double size) {
-      return Vec3f{float(random.between(-size, size)), float(random.between(-size, size)), float(random.between(-size, size))};
+      return Vec3f{float(random.between(-size, size)), float(random.between(-size, size)),
+                   float(random.between(-size, size))};
     };
     island.bodies = {0, 1};
     island.partners = {2};
@@ -115,7 +116,8 @@ WrenchD direct(const Scene& s, bool both) {
       Vec3 armA = toDouble(r.armA) + place, armB = toDouble(r.armB) + place;
       Vec3 u = toDouble(b.d) + cross(toDouble(b.th), armB) - toDouble(a.d) - cross(toDouble(a.th), armA);
       double fn = std::max(double(r.trialN[i]) - double(r.k[i]) * dot(n, u), -double(r.bond[i]));
-      double f1 = double(r.trial1[i]) - double(r.k[i]) * dot(t1, u), f2 = double(r.trial2[i]) - double(r.k[i]) * dot(t2, u);
+      double f1 = double(r.trial1[i]) - double(r.k[i]) * dot(t1, u),
+             f2 = double(r.trial2[i]) - double(r.k[i]) * dot(t2, u);
       double size = std::hypot(f1, f2), limit = double(r.limit[i]);
       if (size > limit) {
         f1 *= limit / size;

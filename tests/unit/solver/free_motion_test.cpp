@@ -44,7 +44,8 @@ TEST(TurnFreely, KeepsEnergyAndFlipsInTimeWhateverTheAxes) {
       drift = std::max(drift, std::fabs(energy(inverseInertia, q, momentum) - start) / start);
       Vec3 w = inverseInertia * rotate(conjugate(q), momentum);
       double along = dot(rotate(axes, Vec3{0, 1, 0}), w);
-      if ((along > 0) != (previous > 0)) flips.push_back(i * dt - dt * std::fabs(along) / (std::fabs(along) + std::fabs(previous)));
+      if ((along > 0) != (previous > 0))
+        flips.push_back(i * dt - dt * std::fabs(along) / (std::fabs(along) + std::fabs(previous)));
       previous = along;
     }
     EXPECT_LT(drift, 1e-3);

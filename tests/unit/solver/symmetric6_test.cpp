@@ -59,7 +59,8 @@ TEST(Symmetric6, SolvesAsDoubleDoes) {
     for (double& r : right) r = float(r);
     solveInDouble(m, right, wanted);
     ASSERT_TRUE(s.factor());
-    Wrench x = s.solve({{float(right[0]), float(right[1]), float(right[2])}, {float(right[3]), float(right[4]), float(right[5])}});
+    Wrench x = s.solve(
+        {{float(right[0]), float(right[1]), float(right[2])}, {float(right[3]), float(right[4]), float(right[5])}});
     double found[6] = {x.force.x, x.force.y, x.force.z, x.torque.x, x.torque.y, x.torque.z};
     double size[2] = {0, 0};
     for (int i = 0; i < 6; i++) size[i / 3] = std::max(size[i / 3], std::fabs(wanted[i]));

@@ -54,7 +54,8 @@ TEST(Continuous, NothingEverPassesThroughTheGround) {
   for (int shot = 0; shot < 200; shot++) {
     World world = makeWorld();
     bool plane = shot % 2 == 0;
-    add(world, plane ? bodyOf(planeOf(), {}, BodyType::fixed) : bodyOf(boxOf({200, 0.01, 200}), {0, -0.01, 0}, BodyType::fixed));
+    add(world, plane ? bodyOf(planeOf(), {}, BodyType::fixed)
+                     : bodyOf(boxOf({200, 0.01, 200}), {0, -0.01, 0}, BodyType::fixed));
     ShapeDef shapes[] = {sphereOf(.1, 7800), boxOf({.1, .05, .2}), capsuleOf(.05, .2), hullOf(.2)};
     BodyDef d = bodyOf(shapes[shot % 4], {0, random.between(0.3, 5), 0});
     d.linearVelocity = {random.between(-100, 100), -random.between(1, 200), random.between(-100, 100)};
@@ -84,7 +85,8 @@ TEST(Continuous, BallMeetsTheWallAtAnySpeed) {
     double moved = 0;
     for (std::size_t i = 0; i < s.boxes.size(); i++) moved = std::max(moved, lab::boxMove(s, i));
     EXPECT_GT(moved, 0.1) << "shot " << shot << ": no brick gave way";
-    EXPECT_GT(s.world.state(ball)->linearVelocity.z, 0.9 * d.linearVelocity.z) << "shot " << shot << ": it lost no speed";
+    EXPECT_GT(s.world.state(ball)->linearVelocity.z, 0.9 * d.linearVelocity.z)
+        << "shot " << shot << ": it lost no speed";
     EXPECT_GT(s.world.state(ball)->position.y, 0);
   }
 }

@@ -21,10 +21,12 @@ struct World3 {
 
 // The call fails with `code`, its message holds `word`, and nothing changed.
 template <class Answer>
-void expectRefused(const World& world, std::uint64_t before, const Answer& answer, ErrorCode code, const std::string& word) {
+void expectRefused(const World& world, std::uint64_t before, const Answer& answer, ErrorCode code,
+                   const std::string& word) {
   ASSERT_FALSE(answer.ok()) << word;
   EXPECT_EQ(answer.error().code, code) << answer.error().message;
-  EXPECT_NE(answer.error().message.find(word), std::string::npos) << answer.error().message << " does not name " << word;
+  EXPECT_NE(answer.error().message.find(word), std::string::npos)
+      << answer.error().message << " does not name " << word;
   EXPECT_EQ(world.stateHash(), before);
 }
 
@@ -50,23 +52,51 @@ TEST(Errors, BodyDefinitionsNameTheirBadField) {
       {"shapes", [](BodyDef& d) { d.shapes.clear(); }},
       {"shapes", [](BodyDef& d) { d.shapes.resize(5000, d.shapes[0]); }},
       {"type", [](BodyDef& d) { d.type = BodyType(17); }},
-      {"rotation", [](BodyDef& d) { d.rotation = {0, 0, 0, 0}; }},
-      {"rotation", [](BodyDef& d) { d.rotation = {0, kNan, 0, 1}; }},
-      {"rotation", [](BodyDef& d) { d.rotation = {0, kInf, 0, 1}; }},
+      {"rotation",
+       [](BodyDef& d) {
+         d.rotation = {0, 0, 0, 0};
+       }},
+      {"rotation",
+       [](BodyDef& d) {
+         d.rotation = {0, kNan, 0, 1};
+       }},
+      {"rotation",
+       [](BodyDef& d) {
+         d.rotation = {0, kInf, 0, 1};
+       }},
       {"shapes[0].type", [](BodyDef& d) { d.shapes[0].type = ShapeType(9); }},
       {"shapes[0].type", [](BodyDef& d) { d.shapes[0].type = ShapeType::plane; }},
-      {"shapes[0].local.rotation", [](BodyDef& d) { d.shapes[0].local.rotation = {0, 0, 0, 0}; }},
+      {"shapes[0].local.rotation",
+       [](BodyDef& d) {
+         d.shapes[0].local.rotation = {0, 0, 0, 0};
+       }},
       {"shapes[0].local.position", [](BodyDef& d) { d.shapes[0].local.position.x = kNan; }},
       {"shapes[1].radius", [](BodyDef& d) { d.shapes.push_back(sphereOf(0)); }},
       {"shapes[1].radius", [](BodyDef& d) { d.shapes.push_back(sphereOf(kNan)); }},
       {"shapes[1].radius", [](BodyDef& d) { d.shapes.push_back(sphereOf(-1)); }},
       {"shapes[1].radius", [](BodyDef& d) { d.shapes.push_back(capsuleOf(-1, 1)); }},
       {"shapes[1].halfHeight", [](BodyDef& d) { d.shapes.push_back(capsuleOf(1, 0)); }},
-      {"shapes[1].vertices", [](BodyDef& d) { d.shapes.push_back(hullOf(1)); d.shapes[1].vertices.resize(3); }},
-      {"shapes[1].vertices", [](BodyDef& d) { d.shapes.push_back(hullOf(1)); d.shapes[1].vertices.clear(); }},
+      {"shapes[1].vertices",
+       [](BodyDef& d) {
+         d.shapes.push_back(hullOf(1));
+         d.shapes[1].vertices.resize(3);
+       }},
+      {"shapes[1].vertices",
+       [](BodyDef& d) {
+         d.shapes.push_back(hullOf(1));
+         d.shapes[1].vertices.clear();
+       }},
       {"shapes[1].vertices", [](BodyDef& d) { d.shapes.push_back(roundHull(65)); }},
-      {"shapes[1].vertices", [](BodyDef& d) { d.shapes.push_back(hullOf(1)); for (Vec3& v : d.shapes[1].vertices) v.y = 0; }},
-      {"shapes[1].vertices[2]", [](BodyDef& d) { d.shapes.push_back(hullOf(1)); d.shapes[1].vertices[2].z = kInf; }},
+      {"shapes[1].vertices",
+       [](BodyDef& d) {
+         d.shapes.push_back(hullOf(1));
+         for (Vec3& v : d.shapes[1].vertices) v.y = 0;
+       }},
+      {"shapes[1].vertices[2]",
+       [](BodyDef& d) {
+         d.shapes.push_back(hullOf(1));
+         d.shapes[1].vertices[2].z = kInf;
+       }},
   };
   for (double bad : {kNan, kInf, -kInf, 1e300, -1e300})
     for (int axis = 0; axis < 3; axis++) {
@@ -85,7 +115,8 @@ TEST(Errors, BodyDefinitionsNameTheirBadField) {
     cases.push_back({"shapes[0].material.friction", [=](BodyDef& d) { d.shapes[0].material.friction = bad; }});
     cases.push_back({"shapes[0].material.restitution", [=](BodyDef& d) { d.shapes[0].material.restitution = bad; }});
   }
-  for (double bad : {kNan, kInf, 1e4, -1e4}) cases.push_back({"gravityScale", [=](BodyDef& d) { d.gravityScale = bad; }});
+  for (double bad : {kNan, kInf, 1e4, -1e4})
+    cases.push_back({"gravityScale", [=](BodyDef& d) { d.gravityScale = bad; }});
   cases.push_back({"density", [](BodyDef& d) { d.shapes[0].material.density = 0; }});
   cases.push_back({"restitution", [](BodyDef& d) { d.shapes[0].material.restitution = 1.01; }});
   cases.push_back({"friction", [](BodyDef& d) { d.shapes[0].material.friction = 101; }});
@@ -97,7 +128,8 @@ TEST(Errors, BodyDefinitionsNameTheirBadField) {
     Result<BodyId> made = w.world.createBody(d);
     ASSERT_FALSE(made.ok()) << c.field;
     EXPECT_NE(made.error().code, ErrorCode::none);
-    EXPECT_NE(made.error().message.find(c.field), std::string::npos) << made.error().message << " does not name " << c.field;
+    EXPECT_NE(made.error().message.find(c.field), std::string::npos)
+        << made.error().message << " does not name " << c.field;
   }
   EXPECT_EQ(w.world.stateHash(), before);
   EXPECT_EQ(w.world.bodies().size(), 2u);
@@ -268,7 +300,8 @@ TEST(Errors, MaxBodiesIsALimitNotACrash) {
   std::vector<BodyId> made;
   for (int i = 0; i < 3; i++) made.push_back(addBox(world, {0.1, 0.1, 0.1}, {double(i), 0, 0}));
   std::uint64_t before = world.stateHash();
-  expectRefused(world, before, world.createBody(bodyOf(boxOf({0.1, 0.1, 0.1}), {9, 0, 0})), ErrorCode::limitExceeded, "maxBodies");
+  expectRefused(world, before, world.createBody(bodyOf(boxOf({0.1, 0.1, 0.1}), {9, 0, 0})), ErrorCode::limitExceeded,
+                "maxBodies");
   ASSERT_TRUE(world.destroyBody(made[1]).ok());
   addBox(world, {0.1, 0.1, 0.1}, {9, 0, 0});
   EXPECT_EQ(world.bodies().size(), 3u);

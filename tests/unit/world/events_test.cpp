@@ -11,7 +11,9 @@ namespace {
 
 using namespace test;
 
-bool names(const std::vector<BodyId>& list, BodyId body) { return std::find(list.begin(), list.end(), body) != list.end(); }
+bool names(const std::vector<BodyId>& list, BodyId body) {
+  return std::find(list.begin(), list.end(), body) != list.end();
+}
 
 TEST(Events, AFallingBoxBeginsRestsAndSleeps) {
   World world = makeWorld();

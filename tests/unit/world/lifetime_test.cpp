@@ -72,7 +72,8 @@ TEST(Lifetime, RandomBirthsAndDeathsKeepEveryInvariant) {
     for (int i = 0; i < 250; i++) {
       if (alive.size() < 5 || (alive.size() < 40 && random.unit() < 0.5)) {
         ShapeDef shapes[] = {boxOf({.1, .1, .1}), sphereOf(.1), capsuleOf(.05, .1), hullOf(.15)};
-        BodyDef d = bodyOf(shapes[random.below(4)], {random.between(-.4, .4), random.between(.2, 1.5), random.between(-.4, .4)});
+        BodyDef d = bodyOf(shapes[random.below(4)],
+                           {random.between(-.4, .4), random.between(.2, 1.5), random.between(-.4, .4)});
         if (random.unit() < 0.15) d.type = BodyType::fixed;
         if (random.unit() < 0.1) {
           d.type = BodyType::kinematic;

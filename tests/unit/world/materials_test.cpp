@@ -35,20 +35,25 @@ TEST(Materials, FrictionCombinesByRule) {
     CombineRule rule;
     double expected;
   };
-  for (Case c : {Case{CombineRule::geometricMean, std::sqrt(0.2 * 0.8)}, {CombineRule::average, 0.5}, {CombineRule::minimum, 0.2},
-                 {CombineRule::multiply, 0.16}, {CombineRule::maximum, 0.8}}) {
+  for (Case c : {Case{CombineRule::geometricMean, std::sqrt(0.2 * 0.8)},
+                 {CombineRule::average, 0.5},
+                 {CombineRule::minimum, 0.2},
+                 {CombineRule::multiply, 0.16},
+                 {CombineRule::maximum, 0.8}}) {
     EXPECT_NEAR(frictionActing(frictionOf(0.2, c.rule), frictionOf(0.8, c.rule)), c.expected, 0.01) << int(c.rule);
     EXPECT_NEAR(frictionActing(frictionOf(0.8, c.rule), frictionOf(0.2, c.rule)), c.expected, 0.01) << int(c.rule);
   }
 }
 
 TEST(Materials, TheLaterRuleWins) {
-  EXPECT_NEAR(frictionActing(frictionOf(0.2, CombineRule::geometricMean), frictionOf(0.8, CombineRule::maximum)), 0.8, 0.01);
+  EXPECT_NEAR(frictionActing(frictionOf(0.2, CombineRule::geometricMean), frictionOf(0.8, CombineRule::maximum)), 0.8,
+              0.01);
   EXPECT_NEAR(frictionActing(frictionOf(0.2, CombineRule::minimum), frictionOf(0.8, CombineRule::average)), 0.2, 0.01);
 }
 
 TEST(Materials, NoFrictionSlidesForEver) {
-  EXPECT_NEAR(frictionActing(frictionOf(0, CombineRule::geometricMean), frictionOf(0.8, CombineRule::geometricMean)), 0, 1e-6);
+  EXPECT_NEAR(frictionActing(frictionOf(0, CombineRule::geometricMean), frictionOf(0.8, CombineRule::geometricMean)), 0,
+              1e-6);
 }
 
 double apexOf(double own, double other, CombineRule rule) {

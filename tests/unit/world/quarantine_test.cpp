@@ -13,7 +13,8 @@ struct Outcome {
   bool names(BodyId body) const { return std::find(named.begin(), named.end(), body) != named.end(); }
 };
 
-Outcome runAny(World& world, int steps, double dt, const std::function<void()>& before = [] {}) {
+Outcome runAny(
+    World& world, int steps, double dt, const std::function<void()>& before = [] {}) {
   Outcome out;
   for (int i = 0; i < steps; i++) {
     before();
@@ -34,7 +35,8 @@ struct Scene {
   Scene() {
     addGround(world);
     for (int row = 0; row < 5; row++)
-      for (int i = 0; i < 3; i++) wall.push_back(addBox(world, {0.1, 0.05, 0.06}, {0.2 * i + 0.1 * (row % 2), 0.05 + 0.1 * row, 0}));
+      for (int i = 0; i < 3; i++)
+        wall.push_back(addBox(world, {0.1, 0.05, 0.06}, {0.2 * i + 0.1 * (row % 2), 0.05 + 0.1 * row, 0}));
   }
   void expectWallStands() {
     for (std::size_t i = 0; i < wall.size(); i++) {

@@ -1,6 +1,6 @@
 // Rays, overlaps and closest points of a whole world against a loop over its shapes.
-#include "geometry/hull.h"
 #include "geometry/queries.h"
+#include "geometry/hull.h"
 #include "math/random.h"
 #include "support/world_helpers.h"
 
@@ -24,8 +24,8 @@ class Crowd {
     addGround(world);
     for (int i = 0; i < 60; i++) {
       ShapeDef shapes[] = {boxOf({random.between(.05, .5), random.between(.05, .5), random.between(.05, .5)}),
-                           sphereOf(random.between(.05, .5)), capsuleOf(random.between(.05, .3), random.between(.05, .5)),
-                           hullOf(random.between(.1, .5))};
+                           sphereOf(random.between(.05, .5)),
+                           capsuleOf(random.between(.05, .3), random.between(.05, .5)), hullOf(random.between(.1, .5))};
       BodyDef d = bodyOf(shapes[i % 4], {random.between(-4, 4), random.between(1, 6), random.between(-4, 4)});
       d.shapes[0].filter.category = 1u << (i % 3);
       d.rotation = {random.between(-1, 1), random.between(-1, 1), random.between(-1, 1), random.between(0.1, 1)};

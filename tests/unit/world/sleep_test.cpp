@@ -110,19 +110,38 @@ TEST(Sleep, EverySetterWakes) {
     ASSERT_FALSE(world.state(box)->awake);
   };
   using Call = std::function<Status()>;
-  for (const Call& call : {Call([&] { return world.wake(box); }), Call([&] { return world.applyForce(box, {1, 0, 0}); }),
-                           Call([&] { return world.applyForceAtPoint(box, {1, 0, 0}, {0, 0, 0}); }),
-                           Call([&] { return world.applyTorque(box, {1, 0, 0}); }),
-                           Call([&] { return world.applyImpulse(box, {1, 0, 0}); }),
-                           Call([&] { return world.applyImpulseAtPoint(box, {1, 0, 0}, {0, 0, 0}); }),
-                           Call([&] { return world.applyAngularImpulse(box, {1, 0, 0}); }),
-                           Call([&] { return world.setLinearVelocity(box, {0.1, 0, 0}); }),
-                           Call([&] { return world.setAngularVelocity(box, {0.1, 0, 0}); }),
-                           Call([&] { return world.setGravityScale(box, 0.9); }),
-                           Call([&] { return world.setDamping(box, 0.1, 0.1); }),
-                           Call([&] { return world.setDragArea(box, 0.1); }),
-                           Call([&] { return world.setTransform(box, {0, 0.2, 0}, {}); }),
-                           Call([&] { return world.setGravity({0, -9.7, 0}); })}) {
+  for (const Call& call :
+       {Call([&] { return world.wake(box); }), Call([&] {
+          return world.applyForce(box, {1, 0, 0});
+        }),
+        Call([&] {
+          return world.applyForceAtPoint(box, {1, 0, 0}, {0, 0, 0});
+        }),
+        Call([&] {
+          return world.applyTorque(box, {1, 0, 0});
+        }),
+        Call([&] {
+          return world.applyImpulse(box, {1, 0, 0});
+        }),
+        Call([&] {
+          return world.applyImpulseAtPoint(box, {1, 0, 0}, {0, 0, 0});
+        }),
+        Call([&] {
+          return world.applyAngularImpulse(box, {1, 0, 0});
+        }),
+        Call([&] {
+          return world.setLinearVelocity(box, {0.1, 0, 0});
+        }),
+        Call([&] {
+          return world.setAngularVelocity(box, {0.1, 0, 0});
+        }),
+        Call([&] { return world.setGravityScale(box, 0.9); }), Call([&] { return world.setDamping(box, 0.1, 0.1); }),
+        Call([&] { return world.setDragArea(box, 0.1); }), Call([&] {
+          return world.setTransform(box, {0, 0.2, 0}, {});
+        }),
+        Call([&] {
+          return world.setGravity({0, -9.7, 0});
+        })}) {
     asleep();
     ASSERT_TRUE(call().ok());
     EXPECT_TRUE(world.state(box)->awake);

@@ -70,7 +70,8 @@ TEST(Snapshot, GoesOnBitForBitFromAnyMoment) {
     EXPECT_NEAR(again.world.time(), from * kDt, 1e-9);
     for (int i = from; i < std::min(kSteps, from + 60); i++) {
       again.advance(i);
-      ASSERT_EQ(again.world.stateHash(), wanted[std::size_t(i)]) << "restored at " << from << ", differs after step " << i;
+      ASSERT_EQ(again.world.stateHash(), wanted[std::size_t(i)])
+          << "restored at " << from << ", differs after step " << i;
     }
   }
 }
@@ -158,7 +159,8 @@ TEST(Snapshot, CutOffOrDamagedIsRefusedAndChangesNothing) {
   busy.advance(31);
   std::uint64_t before = busy.world.stateHash();
   Random random(7);
-  for (std::size_t length = 0; length < bytes.size(); length += 1 + random.below(1 + std::uint32_t(bytes.size() / 200))) {
+  for (std::size_t length = 0; length < bytes.size();
+       length += 1 + random.below(1 + std::uint32_t(bytes.size() / 200))) {
     Status status = busy.world.restore(std::span(bytes).first(length));
     ASSERT_FALSE(status.ok()) << length;
     ASSERT_EQ(status.error().code, ErrorCode::badFormat);
