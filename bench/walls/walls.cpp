@@ -1,6 +1,6 @@
 // Runs one of the solver's scenes and prints one line of figures.
 //   walls SCENE [seconds=S] [dt=S] [gap_mm=G] [seed=N] [e=E] [yaw=DEG] [shift=S] [whole=1] [joint_mm=J] [headers=1]
-//         [shuffle=1] [sleep=1] [kmax=U] [maxCycles=N] [stages=1] [print=S]
+//         [shuffle=1] [sleep=1] [kmax=U] [maxCycles=N] [threads=N] [stages=1] [print=S]
 #include <cstdio>
 #include <cstring>
 
@@ -38,6 +38,7 @@ int main(int argc, char** argv) {
     else if (key == "maxCyclesSmall") o.solver.maxCyclesSmall = int(v);
     else if (key == "margin_mm") o.solver.contactMargin = v * 1e-3;
     else if (key == "restSpeed") o.solver.restSpeed = v;
+    else if (key == "threads") o.threads = int(v);
     else if (key == "print") print = v;
     else if (key == "stages") stages = v != 0;
     else {

@@ -28,7 +28,7 @@ struct WorldDef {
   double sleepDelay = 0.5;         // s, > 0
   double hitEventSpeed = 1.0;      // m/s: slower impacts make no hit event
   double hitEventImpulse = 0.01;   // N s: weaker impacts make no hit event
-  int threads = 1;                 // 1 .. 64 worker threads; results do not depend on it
+  int threads = 1;                 // 1 .. 64: islands are solved side by side; results do not depend on it
   int maxBodies = 1'000'000;       // createBody fails beyond
   SolverSettings solver;
 };

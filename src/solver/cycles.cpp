@@ -30,8 +30,7 @@ void startFromFreeMotion(Island& island) {
 
 }  // namespace
 
-void runCycles(Island& island, StepContext& context) {
-  SolveStatistics& statistics = context.statistics;
+void runCycles(Island& island, const StepContext& context, SolveStatistics& statistics) {
   island.byStrength.refresh(island.masses);
   island.byMechanism.refresh(island.masses);
   // Any other start cheats: "nothing moves" would glue falling and sliding bodies in place.

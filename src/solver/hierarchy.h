@@ -1,4 +1,4 @@
-// Rigid clusters of an island, coarse to fine. Level 0 is the single bodies; each next level merges up to four
+// Rigid clusters of an island, coarse to fine. Level 0 is the single bodies; each next level merges up to six
 // neighbouring clusters, strongest link first, until one is left. What is fixed is never merged.
 //
 // Two hierarchies are used in turn:

@@ -54,11 +54,21 @@ void World::Impl::checkRest() {
 
 void World::Impl::solve() {
   StageTimer timer(report, Stage::solve);
-  for (auto& island : islands.awake) {
-    if (island->resting) continue;
-    updateHierarchies(*island, contacts);
-    runCycles(*island, context);
-    correctMomentum(*island, context);
+  std::vector<SolveStatistics> counts(islands.awake.size());
+  pool->forRange(int(islands.awake.size()), 1, [&](int begin, int end) {
+    for (int i = begin; i < end; i++) {
+      Island& island = *islands.awake[std::size_t(i)];
+      if (island.resting) continue;
+      updateHierarchies(island, contacts);
+      runCycles(island, context, counts[std::size_t(i)]);
+      correctMomentum(island, context);
+    }
+  });
+  for (const SolveStatistics& s : counts) {
+    context.statistics.cycles += s.cycles;
+    context.statistics.solveSides += s.solveSides;
+    context.statistics.lightVisits += s.lightVisits;
+    context.statistics.residualRms = std::max(context.statistics.residualRms, s.residualRms);
   }
 }
 

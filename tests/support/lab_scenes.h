@@ -23,6 +23,7 @@ struct Options {
   bool headers = false;     // bricks across the wall
   bool shuffle = false;     // bodies created in random order
   bool sleep = false;
+  int threads = 1;
   SolverSettings solver;
 };
 
@@ -120,6 +121,7 @@ class Builder {
 
   void open() {
     def.enableSleep = options_.sleep;
+    def.threads = options_.threads;
     def.solver = options_.solver;
     scene_.world = std::move(World::create(def)).value();
     BodyDef ground;
