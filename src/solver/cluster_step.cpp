@@ -170,7 +170,8 @@ void clusterStep(Island& island, const Level& level, const Cluster& cluster, dou
 
   float slopeAtStart = power(residual, step);
   float t = 1, low = 0, slopeLow = slopeAtStart, high = -1, slopeHigh = 0;  // high < 0: no upper end found yet
-  for (int k = 0; k < kLineSearchSteps; k++) {
+  int searchSteps = island.exactSteps ? kLineSearchStepsExact : kLineSearchSteps;
+  for (int k = 0; k < searchSteps; k++) {
     clusterResidual(island, level, cluster, residual, nullptr, visits);
     float slope = power(residual, step);
     if (slope >= 0) {

@@ -20,6 +20,7 @@ constexpr float kNearContact = 5e-3f;        // m: open points nearer than this 
 constexpr std::size_t kExactBodies = 12;     // islands of no more bodies leave open points out of the matrix: true to
                                              // the last residual; larger ones would lose walls by it
 constexpr int kLineSearchSteps = 8;
+constexpr int kLineSearchStepsExact = 16;    // in exact steps: sticking is a very narrow range of motion to find
 constexpr double kSlowTolerance = 5e-4;      // worst residual / weight at which a slow island's cycles stop
 constexpr int kMaxCyclesSlow = 16;
 constexpr double kHeldMove = 25e-6;          // m: a slow island of which no point strays further than this from its place

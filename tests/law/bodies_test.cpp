@@ -71,6 +71,21 @@ TEST(Law, Row3SlowlyTiltedBlockTopples) {
   }
 }
 
+// Gravity turned at once past the balance of 14.036 degrees: the block has to go over, however near it is.
+TEST(Law, Row3BlockPastItsBalanceGoesOver) {
+  for (double dt : kSteps)
+    for (double degrees : {14.3, 14.6, 15.0, 16.0}) {
+      World world = awakeWorld();
+      addGround(world, 2);
+      BodyId block = add(world, bodyOf(boxOf({0.125, 0.5, 0.125}, 1000, 2), {0, 0.5, 0}));
+      run(world, 0.5, dt);
+      double angle = degrees * kPi / 180;
+      ASSERT_TRUE(world.setGravity({kG * std::sin(angle), -kG * std::cos(angle), 0}).ok());
+      run(world, 3, dt);
+      EXPECT_LT(toMatrix(world.state(block)->rotation).row[1].y, 0.5) << degrees << " degrees, dt " << dt;
+    }
+}
+
 TEST(Law, Row4SlidesToRest) {
   for (double dt : kSteps) {
     World world = awakeWorld();
