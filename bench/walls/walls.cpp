@@ -20,27 +20,48 @@ int main(int argc, char** argv) {
     const char* eq = std::strchr(argv[i], '=');
     std::string key = eq ? std::string(argv[i], std::size_t(eq - argv[i])) : "";
     double v = eq ? std::atof(eq + 1) : 0;
-    if (key == "seconds") seconds = v;
-    else if (key == "dt") o.dt = v;
-    else if (key == "gap_mm") o.gap = v * 1e-3;
-    else if (key == "seed") o.seed = int(v);
-    else if (key == "e") o.restitution = v;
-    else if (key == "yaw") o.yawDegrees = v;
-    else if (key == "shift") o.bondShift = v;
-    else if (key == "whole") o.wholeBricks = v != 0;
-    else if (key == "joint_mm") o.headJoint = v * 1e-3;
-    else if (key == "headers") o.headers = v != 0;
-    else if (key == "shuffle") o.shuffle = v != 0;
-    else if (key == "sleep") o.sleep = v != 0;
-    else if (key == "kmax") o.solver.restingStiffness = v;
-    else if (key == "minCycles") o.solver.minCycles = int(v);
-    else if (key == "maxCycles") o.solver.maxCycles = int(v);
-    else if (key == "maxCyclesSmall") o.solver.maxCyclesSmall = int(v);
-    else if (key == "margin_mm") o.solver.contactMargin = v * 1e-3;
-    else if (key == "restSpeed") o.solver.restSpeed = v;
-    else if (key == "threads") o.threads = int(v);
-    else if (key == "print") print = v;
-    else if (key == "stages") stages = v != 0;
+    if (key == "seconds")
+      seconds = v;
+    else if (key == "dt")
+      o.dt = v;
+    else if (key == "gap_mm")
+      o.gap = v * 1e-3;
+    else if (key == "seed")
+      o.seed = int(v);
+    else if (key == "e")
+      o.restitution = v;
+    else if (key == "yaw")
+      o.yawDegrees = v;
+    else if (key == "shift")
+      o.bondShift = v;
+    else if (key == "whole")
+      o.wholeBricks = v != 0;
+    else if (key == "joint_mm")
+      o.headJoint = v * 1e-3;
+    else if (key == "headers")
+      o.headers = v != 0;
+    else if (key == "shuffle")
+      o.shuffle = v != 0;
+    else if (key == "sleep")
+      o.sleep = v != 0;
+    else if (key == "kmax")
+      o.solver.restingStiffness = v;
+    else if (key == "minCycles")
+      o.solver.minCycles = int(v);
+    else if (key == "maxCycles")
+      o.solver.maxCycles = int(v);
+    else if (key == "maxCyclesSmall")
+      o.solver.maxCyclesSmall = int(v);
+    else if (key == "margin_mm")
+      o.solver.contactMargin = v * 1e-3;
+    else if (key == "restSpeed")
+      o.solver.restSpeed = v;
+    else if (key == "threads")
+      o.threads = int(v);
+    else if (key == "print")
+      print = v;
+    else if (key == "stages")
+      stages = v != 0;
     else {
       std::printf("unknown option %s\n", argv[i]);
       return 2;
@@ -58,13 +79,14 @@ int main(int argc, char** argv) {
                   report.contactPoints, report.touchingPoints, report.islands, report.restingIslands, report.cycles,
                   report.residualRms, report.milliseconds);
   });
-  std::printf("%-8s %s max %.3f sag %.3f creep %.4f out %.3f mm | moved>50mm %d of %d | collapse %.2f s | rise %.3g jump %.3g J"
-              " | fell %.5f..%.5f slid %.4f apex %.4f topple %.4f rest %.2f momentum %.6f | visits %.2f light %.2f rest %.3f"
-              " cycles %.2f | %.3f ms | hash %016llx\n",
-              s.name.c_str(), r.finite ? (r.collapseTime > 0 ? "MOVES" : "stands") : "NOT FINITE", r.largestMove * 1e3,
-              r.sag * 1e3, r.creep * 1e3, r.outOfPlane * 1e3, r.moved50, int(s.boxes.size()), r.collapseTime, r.energyRise,
-              r.largestJump, r.fellMin, r.fellMax, r.slid, r.apex, r.toppleTime, r.restTime, r.momentumRatio, r.solveVisits,
-              r.lightVisits, r.restShare, r.cycles, r.milliseconds, (unsigned long long)s.world.stateHash());
+  std::printf(
+      "%-8s %s max %.3f sag %.3f creep %.4f out %.3f mm | moved>50mm %d of %d | collapse %.2f s | rise %.3g jump %.3g J"
+      " | fell %.5f..%.5f slid %.4f apex %.4f topple %.4f rest %.2f momentum %.6f | visits %.2f light %.2f rest %.3f"
+      " cycles %.2f | %.3f ms | hash %016llx\n",
+      s.name.c_str(), r.finite ? (r.collapseTime > 0 ? "MOVES" : "stands") : "NOT FINITE", r.largestMove * 1e3,
+      r.sag * 1e3, r.creep * 1e3, r.outOfPlane * 1e3, r.moved50, int(s.boxes.size()), r.collapseTime, r.energyRise,
+      r.largestJump, r.fellMin, r.fellMax, r.slid, r.apex, r.toppleTime, r.restTime, r.momentumRatio, r.solveVisits,
+      r.lightVisits, r.restShare, r.cycles, r.milliseconds, (unsigned long long)s.world.stateHash());
   if (stages) {
     for (int k = 0; k < kStageCount; k++)
       std::printf("  %-12s %.4f ms\n", std::string(kStageNames[std::size_t(k)]).c_str(), stage[std::size_t(k)] / steps);

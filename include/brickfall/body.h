@@ -28,8 +28,8 @@ struct BodyDef {
 };
 
 struct MassProperties {
-  double mass = 0;       // kg
-  Vec3 centre;           // m, centre of mass in the frame the shape was given in
+  double mass = 0;                                  // kg
+  Vec3 centre;                                      // m, centre of mass in the frame the shape was given in
   Mat3 inertia{{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}};  // kg m2, about the centre, axes of that frame
 };
 

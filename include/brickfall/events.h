@@ -26,7 +26,7 @@ struct Events {
   std::vector<ContactEvent> begin;
   std::vector<ContactEvent> end;
   std::vector<HitEvent> hits;
-  std::vector<BodyId> moved;       // bodies whose pose changed in the step
+  std::vector<BodyId> moved;  // bodies whose pose changed in the step
   std::vector<BodyId> fellAsleep;
   std::vector<BodyId> woke;
 };

@@ -19,10 +19,10 @@ struct BrickFormat {
 
 // A rectangular hole in the wall; bricks that reach into it are cut or left out. A lintel carries what is above.
 struct Opening {
-  double from = 0;      // m along the wall from its left end
-  double sill = 0;      // m above the foot (0 = door)
-  double width = 1;     // m
-  double height = 1;    // m
+  double from = 0;              // m along the wall from its left end
+  double sill = 0;              // m above the foot (0 = door)
+  double width = 1;             // m
+  double height = 1;            // m
   double lintelBearing = 0.15;  // m that the lintel reaches into the wall on either side
   double lintelHeight = 0.065;  // m; 0 = none
 };
@@ -30,27 +30,27 @@ struct Opening {
 struct WallDef {
   std::string name = "wall";
   Bond bond = Bond::running;
-  double bondShift = 0.5;       // running bond: shift of every second course, in brick lengths (0.5 half, 0.333 third bond)
+  double bondShift = 0.5;  // running bond: shift of every second course, in brick lengths (0.5 half, 0.333 third bond)
   BrickFormat brick;
-  int courses = 10;             // 1 .. 10000
-  int bricksPerCourse = 10;     // whole bricks (header bond: headers) in a full course, 1 .. 10000; sets the length
-  bool halfBats = true;         // ends closed by cut bricks, flush; false: whole bricks only, toothed ends
-  double headJoint = 0;         // m, gap between neighbours in a course
-  double bedJoint = 0;          // m, gap between courses
-  Vec3 position;                // m: left end of the foot, middle of the thickness
-  double yawDegrees = 0;        // about +y; 0: the wall runs along +x
+  int courses = 10;          // 1 .. 10000
+  int bricksPerCourse = 10;  // whole bricks (header bond: headers) in a full course, 1 .. 10000; sets the length
+  bool halfBats = true;      // ends closed by cut bricks, flush; false: whole bricks only, toothed ends
+  double headJoint = 0;      // m, gap between neighbours in a course
+  double bedJoint = 0;       // m, gap between courses
+  Vec3 position;             // m: left end of the foot, middle of the thickness
+  double yawDegrees = 0;     // about +y; 0: the wall runs along +x
   std::vector<Opening> openings;
-  double disorder = 0;          // m, >= 0: every brick out of true by random gaps below it of 0 .. this and like shifts
-  bool shuffle = false;         // bricks are created in random order (the result must not depend on it)
+  double disorder = 0;   // m, >= 0: every brick out of true by random gaps below it of 0 .. this and like shifts
+  bool shuffle = false;  // bricks are created in random order (the result must not depend on it)
 };
 
 struct BrickPlacement {
-  std::string name;    // "wall/3/7": wall, course from 0, position in the course
-  Vec3 centre;         // m, world
+  std::string name;  // "wall/3/7": wall, course from 0, position in the course
+  Vec3 centre;       // m, world
   Quat rotation;
-  Vec3 size;           // m: along the wall, height, through the wall
+  Vec3 size;  // m: along the wall, height, through the wall
   int course = 0;
-  bool cut = false;    // half bat, closer or cut at an opening
+  bool cut = false;  // half bat, closer or cut at an opening
   bool lintel = false;
 };
 

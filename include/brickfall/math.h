@@ -5,8 +5,7 @@
 
 namespace brickfall {
 
-template <class T>
-struct Vec3T {
+template <class T> struct Vec3T {
   T x = 0, y = 0, z = 0;
 
   T operator[](int i) const { return i == 0 ? x : i == 1 ? y : z; }
@@ -46,8 +45,7 @@ template <class T> inline bool isFinite(Vec3T<T> a) {
 }
 
 // 3 x 3 matrix by rows.
-template <class T>
-struct Mat3T {
+template <class T> struct Mat3T {
   Vec3T<T> row[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 
   Vec3T<T> column(int i) const { return {row[0][i], row[1][i], row[2][i]}; }
@@ -59,9 +57,7 @@ template <class T> inline Vec3T<T> operator*(const Mat3T<T>& m, Vec3T<T> v) {
 template <class T> inline Vec3T<T> transposeTimes(const Mat3T<T>& m, Vec3T<T> v) {
   return m.row[0] * v.x + m.row[1] * v.y + m.row[2] * v.z;
 }
-template <class T> inline Mat3T<T> transpose(const Mat3T<T>& m) {
-  return {{m.column(0), m.column(1), m.column(2)}};
-}
+template <class T> inline Mat3T<T> transpose(const Mat3T<T>& m) { return {{m.column(0), m.column(1), m.column(2)}}; }
 template <class T> inline Mat3T<T> operator*(const Mat3T<T>& a, const Mat3T<T>& b) {
   Mat3T<T> out;
   for (int i = 0; i < 3; i++) out.row[i] = transposeTimes(b, a.row[i]);
@@ -83,8 +79,7 @@ template <class T> inline Mat3T<T> inverse(const Mat3T<T>& m) {
 }
 
 // Rotation quaternion (x, y, z, w), unit length, as in glTF and three.js.
-template <class T>
-struct QuatT {
+template <class T> struct QuatT {
   T x = 0, y = 0, z = 0, w = 1;
   bool operator==(const QuatT&) const = default;
 };
@@ -113,8 +108,7 @@ template <class T> inline Vec3T<T> rotate(QuatT<T> q, Vec3T<T> v) {
 }
 
 // Rotation, then translation: point -> rotation * point + position.
-template <class T>
-struct TransformT {
+template <class T> struct TransformT {
   Vec3T<T> position;
   QuatT<T> rotation;
 };
@@ -147,9 +141,7 @@ inline bool contains(const Aabb& outer, const Aabb& inner) {
          inner.upper.x <= outer.upper.x && inner.upper.y <= outer.upper.y && inner.upper.z <= outer.upper.z;
 }
 inline Aabb merged(const Aabb& a, const Aabb& b) { return {min(a.lower, b.lower), max(a.upper, b.upper)}; }
-inline Aabb grown(const Aabb& a, double by) {
-  return {a.lower - Vec3{by, by, by}, a.upper + Vec3{by, by, by}};
-}
+inline Aabb grown(const Aabb& a, double by) { return {a.lower - Vec3{by, by, by}, a.upper + Vec3{by, by, by}}; }
 
 // Sine and cosine of the same bits on every platform (no libm); |radians| <= 1e5, error under 2e-16.
 void sinCos(double radians, double& sine, double& cosine);

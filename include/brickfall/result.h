@@ -25,8 +25,7 @@ struct Error {
 };
 
 // A value or an error. Test with `if (result)`; value() of a failed result is a bug of the caller (asserted).
-template <class T>
-class [[nodiscard]] Result {
+template <class T> class [[nodiscard]] Result {
  public:
   Result(T value) : value_(std::move(value)) {}
   Result(Error error) : error_(std::move(error)) {}

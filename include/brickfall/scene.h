@@ -19,9 +19,9 @@ enum class Severity : std::uint8_t { error, warning };
 struct Diagnostic {
   Severity severity = Severity::error;
   std::string file;
-  int line = 0, column = 0;   // from 1; 0 = the file as a whole, or a --set
-  std::string key;            // dotted path, "walls[0].courses"
-  std::string message;        // found, expected, nearest key
+  int line = 0, column = 0;  // from 1; 0 = the file as a whole, or a --set
+  std::string key;           // dotted path, "walls[0].courses"
+  std::string message;       // found, expected, nearest key
 };
 std::string format(const Diagnostic& diagnostic);
 
@@ -46,8 +46,8 @@ struct SceneBody {
   BodyRole role = BodyRole::body;
   std::string material;
   std::vector<std::string> shapeMaterials;  // one per shape; empty: `material` for all
-  BodyDef def;               // shapes get the material's values when the scene is built
-  double launchTime = 0;     // s: until then the body is held where it is, then it is let go with its velocity
+  BodyDef def;                              // shapes get the material's values when the scene is built
+  double launchTime = 0;  // s: until then the body is held where it is, then it is let go with its velocity
 };
 
 struct SceneCamera {
@@ -57,17 +57,17 @@ struct SceneCamera {
 };
 
 struct SceneDescription {
-  std::string name;          // of the file, without folder and ending
+  std::string name;  // of the file, without folder and ending
   std::string title, description;
   WorldDef world;
-  double seconds = 10;       // simulated time of a run
+  double seconds = 10;  // simulated time of a run
   double timeStep = 1.0 / 60;
   int substeps = 1;
   double framesPerSecond = 60;  // of the recorded take
   std::uint64_t seed = 1;
   std::vector<MaterialDef> materials;
   std::vector<SceneWall> walls;
-  std::vector<SceneBody> bodies;   // the ground, balls and free bodies
+  std::vector<SceneBody> bodies;  // the ground, balls and free bodies
   std::vector<SceneCamera> cameras;
 };
 
@@ -101,9 +101,9 @@ struct PlacedBody {
   std::string name;
   BodyRole role = BodyRole::body;
   std::uint32_t colour = 0;
-  BodyDef def;               // as created, with shapes and materials
+  BodyDef def;  // as created, with shapes and materials
   double launchTime = 0;
-  int course = -1;           // of a brick
+  int course = -1;  // of a brick
 };
 
 // A scene being simulated: the world, what is in it, and what is still to be launched.

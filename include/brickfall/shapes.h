@@ -14,9 +14,9 @@ enum class ShapeType : std::uint8_t { box, sphere, capsule, hull, plane };
 enum class CombineRule : std::uint8_t { geometricMean, average, minimum, multiply, maximum };
 
 struct Material {
-  double density = 1900;           // kg/m3, > 0; sets mass and inertia of dynamic bodies
-  double friction = 0.6;           // Coulomb coefficient, 0 .. 100
-  double restitution = 0;          // rebound speed / impact speed, 0 .. 1; impacts slower than 1 m/s do not rebound
+  double density = 1900;   // kg/m3, > 0; sets mass and inertia of dynamic bodies
+  double friction = 0.6;   // Coulomb coefficient, 0 .. 100
+  double restitution = 0;  // rebound speed / impact speed, 0 .. 1; impacts slower than 1 m/s do not rebound
   CombineRule frictionRule = CombineRule::geometricMean;
   CombineRule restitutionRule = CombineRule::maximum;
 };
@@ -39,10 +39,10 @@ struct ShapeDef {
   double halfHeight = 0.5;          // capsule: half the distance of the two cap centres along local y, m, > 0
   std::vector<Vec3> vertices;       // hull: 4 .. 64 points that span a volume; inner points are dropped
   // plane: the half space y <= 0 of the shape's frame is solid; static bodies only
-  Transform local;                  // the shape's frame in the body's frame
+  Transform local;  // the shape's frame in the body's frame
   Material material;
   CollisionFilter filter;
-  std::uint64_t userData = 0;       // yours; never read
+  std::uint64_t userData = 0;  // yours; never read
 };
 
 }  // namespace brickfall

@@ -25,29 +25,28 @@ enum class Stage : std::uint8_t {
   count
 };
 constexpr int kStageCount = int(Stage::count);
-constexpr std::array<std::string_view, kStageCount> kStageNames = {"pairs", "contacts",    "islands",   "prepare",
-                                                                   "rest",  "solve",       "store",     "restitution",
-                                                                   "integrate", "sleep",   "events"};
+constexpr std::array<std::string_view, kStageCount> kStageNames = {
+    "pairs", "contacts", "islands", "prepare", "rest", "solve", "store", "restitution", "integrate", "sleep", "events"};
 
 struct StepReport {
-  std::uint64_t stepIndex = 0;              // of the step just made, from 1
-  double time = 0;                          // s, simulated time after the step
+  std::uint64_t stepIndex = 0;  // of the step just made, from 1
+  double time = 0;              // s, simulated time after the step
   std::array<double, kStageCount> stageMilliseconds{};
-  double milliseconds = 0;                  // whole step, wall clock
-  int bodies = 0;                           // dynamic bodies, asleep ones included
+  double milliseconds = 0;  // whole step, wall clock
+  int bodies = 0;           // dynamic bodies, asleep ones included
   int awakeBodies = 0;
-  int manifolds = 0;                        // of awake bodies
-  int contactPoints = 0;                    // of awake bodies
-  int touchingPoints = 0;                   // points that carry force
-  int islands = 0;                          // awake
-  int restingIslands = 0;                   // accepted by the rest check: they cost one light pass
-  int cycles = 0;                           // multilevel cycles, summed over islands
-  double solveVisits = 0;                   // two-sided visits of a point in the solve, line search included
-  double lightVisits = 0;                   // visits that only read forces
-  double residualRms = 0;                   // worst island: rms of |force residual| / weight when the solve stopped
+  int manifolds = 0;       // of awake bodies
+  int contactPoints = 0;   // of awake bodies
+  int touchingPoints = 0;  // points that carry force
+  int islands = 0;         // awake
+  int restingIslands = 0;  // accepted by the rest check: they cost one light pass
+  int cycles = 0;          // multilevel cycles, summed over islands
+  double solveVisits = 0;  // two-sided visits of a point in the solve, line search included
+  double lightVisits = 0;  // visits that only read forces
+  double residualRms = 0;  // worst island: rms of |force residual| / weight when the solve stopped
   int manifoldsReused = 0;
   int manifoldsComputed = 0;
-  std::vector<BodyId> quarantined;          // bodies that became non-finite in this step
+  std::vector<BodyId> quarantined;  // bodies that became non-finite in this step
 };
 
 }  // namespace brickfall

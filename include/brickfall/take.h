@@ -37,9 +37,9 @@ struct TakeHeader {
 };
 
 struct TakePose {
-  Vec3 position;         // m, body origin; kept to 0.01 mm or better
-  Quat rotation;         // kept to 1e-4 rad or better
-  float speed = 0;       // m/s
+  Vec3 position;           // m, body origin; kept to 0.01 mm or better
+  Quat rotation;           // kept to 1e-4 rad or better
+  float speed = 0;         // m/s
   float contactForce = 0;  // N, sum of normal forces on the body
 };
 
@@ -48,13 +48,13 @@ struct TakeEvent {
   TakeEventType type = TakeEventType::hit;
   std::uint32_t bodyA = 0, bodyB = 0;  // positions in TakeHeader::bodies; bodyB only for hits
   Vec3 pointWorld;
-  float impulse = 0;     // N s
+  float impulse = 0;  // N s
 };
 
 struct TakeFrame {
-  double time = 0;                 // s
-  std::vector<TakePose> poses;     // one per body of the header
-  std::vector<TakeEvent> events;   // since the last frame
+  double time = 0;                // s
+  std::vector<TakePose> poses;    // one per body of the header
+  std::vector<TakeEvent> events;  // since the last frame
 };
 
 class TakeWriter {

@@ -22,28 +22,28 @@
 namespace brickfall {
 
 struct WorldDef {
-  Vec3 gravity{0, -9.81, 0};       // m/s2
-  double airDensity = 1.204;       // kg/m3, for bodies with a drag area
-  bool enableSleep = true;         // islands at rest for sleepDelay seconds cost nothing until something touches them
-  double sleepDelay = 0.5;         // s, > 0
-  double hitEventSpeed = 1.0;      // m/s: slower impacts make no hit event
-  double hitEventImpulse = 0.01;   // N s: weaker impacts make no hit event
-  int threads = 1;                 // 1 .. 64: islands are solved side by side; results do not depend on it
-  int maxBodies = 1'000'000;       // createBody fails beyond
+  Vec3 gravity{0, -9.81, 0};      // m/s2
+  double airDensity = 1.204;      // kg/m3, for bodies with a drag area
+  bool enableSleep = true;        // islands at rest for sleepDelay seconds cost nothing until something touches them
+  double sleepDelay = 0.5;        // s, > 0
+  double hitEventSpeed = 1.0;     // m/s: slower impacts make no hit event
+  double hitEventImpulse = 0.01;  // N s: weaker impacts make no hit event
+  int threads = 1;                // 1 .. 64: islands are solved side by side; results do not depend on it
+  int maxBodies = 1'000'000;      // createBody fails beyond
   SolverSettings solver;
 };
 
 // One touching pair of bodies as the solver left it.
 struct ContactPointView {
-  Vec3 pointWorld;           // m
-  double separation = 0;     // m, negative = overlap
-  double normalForce = 0;    // N, on B along the normal
-  Vec3 frictionForce;        // N, on B
+  Vec3 pointWorld;         // m
+  double separation = 0;   // m, negative = overlap
+  double normalForce = 0;  // N, on B along the normal
+  Vec3 frictionForce;      // N, on B
 };
 struct ContactView {
   BodyId bodyA, bodyB;
   ShapeId shapeA, shapeB;
-  Vec3 normalWorld;          // unit, from A to B
+  Vec3 normalWorld;  // unit, from A to B
   int pointCount = 0;
   ContactPointView points[4];
 };
@@ -52,14 +52,14 @@ struct RayHit {
   BodyId body;
   ShapeId shape;
   Vec3 pointWorld;
-  Vec3 normalWorld;      // unit, out of the shape
-  double distance = 0;   // m along the ray
+  Vec3 normalWorld;     // unit, out of the shape
+  double distance = 0;  // m along the ray
 };
 struct ClosestResult {
   BodyId body;
   ShapeId shape;
-  Vec3 pointWorld;       // nearest point of the shape
-  double distance = 0;   // m, 0 inside
+  Vec3 pointWorld;      // nearest point of the shape
+  double distance = 0;  // m, 0 inside
 };
 
 struct Energy {
@@ -83,7 +83,7 @@ class World {
   std::vector<BodyId> bodies() const;                        // in order of creation
   std::vector<ShapeId> shapes(BodyId body) const;            // empty for a stale id
   Result<ShapeDef> shape(ShapeId shape) const;
-  Status setType(BodyId body, BodyType type);                // velocities are kept; a fixed body loses them
+  Status setType(BodyId body, BodyType type);                      // velocities are kept; a fixed body loses them
   Status setTransform(BodyId body, Vec3 position, Quat rotation);  // teleports; contacts of the body are made anew
   Status setLinearVelocity(BodyId body, Vec3 velocity);
   Status setAngularVelocity(BodyId body, Vec3 velocity);
@@ -104,25 +104,26 @@ class World {
 
   // --- Time. Advances by dt seconds (1e-5 .. 0.1), in `substeps` equal parts (1 .. 64).
   Result<StepReport> step(double dt, int substeps = 1);
-  double time() const;               // s
+  double time() const;  // s
   std::uint64_t stepCount() const;
-  const Events& events() const;      // of the last step
+  const Events& events() const;  // of the last step
 
   // --- Queries, at the poses after the last step. Filter: shapes whose category is in the mask.
   Result<std::optional<RayHit>> castRay(Vec3 origin, Vec3 direction, double maxDistance,
                                         std::uint32_t mask = 0xffffffffu) const;
-  Result<std::vector<BodyId>> overlapBox(const Aabb& box, std::uint32_t mask = 0xffffffffu) const;   // bounds, exact shape
+  Result<std::vector<BodyId>> overlapBox(const Aabb& box,
+                                         std::uint32_t mask = 0xffffffffu) const;  // bounds, exact shape
   Result<std::vector<BodyId>> overlapSphere(Vec3 centre, double radius, std::uint32_t mask = 0xffffffffu) const;
   Result<std::optional<ClosestResult>> closest(Vec3 point, double maxDistance, std::uint32_t mask = 0xffffffffu) const;
   void forEachContact(const std::function<void(const ContactView&)>& visit) const;
   // Exact overlap depth of two shapes, m: 0 when apart. What is really there, not what the solver believes.
   Result<double> penetration(ShapeId a, ShapeId b) const;
-  Energy energy() const;             // of dynamic bodies
-  Vec3 linearMomentum() const;       // kg m/s, of dynamic bodies
-  Vec3 angularMomentum() const;      // kg m2/s, about the world's origin
+  Energy energy() const;         // of dynamic bodies
+  Vec3 linearMomentum() const;   // kg m/s, of dynamic bodies
+  Vec3 angularMomentum() const;  // kg m2/s, about the world's origin
 
   // --- State as a whole
-  std::uint64_t stateHash() const;   // over the bits of all poses and velocities, in order of creation
+  std::uint64_t stateHash() const;  // over the bits of all poses and velocities, in order of creation
   std::vector<std::byte> snapshot() const;
   Status restore(std::span<const std::byte> snapshot);  // on any error the world stays as it was
   // Every invariant of every part; empty = all hold. For tests and for finding our bugs.

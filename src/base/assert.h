@@ -5,12 +5,12 @@
 #if BRICKFALL_ASSERTS
 #include <cstdio>
 #include <cstdlib>
-#define BRICKFALL_ASSERT(condition, text)                                                             \
-  do {                                                                                                \
-    if (!(condition)) {                                                                               \
+#define BRICKFALL_ASSERT(condition, text)                                                               \
+  do {                                                                                                  \
+    if (!(condition)) {                                                                                 \
       std::fprintf(stderr, "%s:%d: assertion failed: %s (%s)\n", __FILE__, __LINE__, text, #condition); \
-      std::abort();                                                                                   \
-    }                                                                                                 \
+      std::abort();                                                                                     \
+    }                                                                                                   \
   } while (false)
 #else
 #define BRICKFALL_ASSERT(condition, text) \

@@ -19,7 +19,7 @@ using ShapeIndex = std::uint32_t;  // slot of a shape
 constexpr std::uint32_t kNoIndex = 0xffffffffu;
 
 struct BodyMotion {
-  Vec3 position;         // m, centre of mass
+  Vec3 position;  // m, centre of mass
   Quat rotation;
   Mat3 orientation;      // matrix of rotation, kept in step with it
   Vec3 linearVelocity;   // m/s, of the centre of mass
@@ -27,13 +27,13 @@ struct BodyMotion {
 };
 
 struct BodyMass {
-  double mass = 0, invMass = 0;  // kg; 0 unless dynamic
-  Mat3 inertia{{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}};     // kg m2, body axes, about the centre of mass; 0 unless dynamic
+  double mass = 0, invMass = 0;                     // kg; 0 unless dynamic
+  Mat3 inertia{{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}};  // kg m2, body axes, about the centre of mass; 0 unless dynamic
   Mat3 invInertia{{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}};
-  double innerRadius = 0;        // m: smallest distance from the centre to the surface, scale of torques and margins
-  double outerRadius = 0;        // m: largest, how far a turn can carry a point
-  bool isotropic = false;        // inertia is a multiple of the unit matrix: no gyroscopic torque
-  bool round = false;            // one sphere: however it turns, it looks the same
+  double innerRadius = 0;  // m: smallest distance from the centre to the surface, scale of torques and margins
+  double outerRadius = 0;  // m: largest, how far a turn can carry a point
+  bool isotropic = false;  // inertia is a multiple of the unit matrix: no gyroscopic torque
+  bool round = false;      // one sphere: however it turns, it looks the same
 };
 
 enum class BodyActivity : std::uint8_t { awake, asleep, fixed };  // fixed: static bodies, and kinematic ones at rest
@@ -45,21 +45,21 @@ struct BodyData {
   bool quarantined = false;
   bool allowSleep = true;
   std::uint16_t generation = 0;
-  Vec3 localCentre;                // m, centre of mass in the body frame
+  Vec3 localCentre;  // m, centre of mass in the body frame
   double gravityScale = 1, linearDamping = 0, angularDamping = 0, dragArea = 0;
-  Vec3 force, torque;              // N, N m: for the next step
+  Vec3 force, torque;                            // N, N m: for the next step
   Vec3 lastLinearVelocity, lastAngularVelocity;  // at the start of the last step, for accelerations
   Vec3 linearAcceleration, angularAcceleration;
-  double lastKineticEnergy = 0;    // J, at the start of the last step (kinetic damping)
-  bool flying = false;             // no chain of forces led to anything held, in the last step
+  double lastKineticEnergy = 0;  // J, at the start of the last step (kinetic damping)
+  bool flying = false;           // no chain of forces led to anything held, in the last step
   std::uint64_t userData = 0;
-  std::uint64_t order = 0;         // grows with creation
-  MassProperties bodyFrameMass;    // as asked for, whatever the type
+  std::uint64_t order = 0;       // grows with creation
+  MassProperties bodyFrameMass;  // as asked for, whatever the type
 };
 
 class BodySet {
  public:
-  BodyIndex create();                       // fresh slot, all fields default, alive
+  BodyIndex create();  // fresh slot, all fields default, alive
   void destroy(BodyIndex body);
   std::size_t slots() const { return data.size(); }
   bool alive(BodyIndex body) const { return body < data.size() && data[body].alive; }
@@ -68,7 +68,9 @@ class BodySet {
   std::vector<BodyIndex> inOrder() const;
   const std::vector<BodyIndex>& unused() const { return free_; }
 
-  Transform pose(BodyIndex body) const { return {motion[body].position, motion[body].rotation}; }  // of the centre of mass
+  Transform pose(BodyIndex body) const {
+    return {motion[body].position, motion[body].rotation};
+  }  // of the centre of mass
   Vec3 origin(BodyIndex body) const {
     return motion[body].position - motion[body].orientation * data[body].localCentre;
   }

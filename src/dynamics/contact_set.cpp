@@ -32,7 +32,8 @@ void ContactSet::insert(const std::vector<CandidatePair>& found) {
   std::size_t known = pairs.size();
   for (const CandidatePair& pair : found) {
     auto place = std::lower_bound(pairs.begin(), pairs.begin() + std::ptrdiff_t(known), pair);
-    bool have = place != pairs.begin() + std::ptrdiff_t(known) && place->shapeA == pair.shapeA && place->shapeB == pair.shapeB;
+    bool have =
+        place != pairs.begin() + std::ptrdiff_t(known) && place->shapeA == pair.shapeA && place->shapeB == pair.shapeB;
     if (!have) pairs.push_back(pair);
   }
   std::inplace_merge(pairs.begin(), pairs.begin() + std::ptrdiff_t(known), pairs.end());

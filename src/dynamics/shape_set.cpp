@@ -33,11 +33,16 @@ namespace {
 
 double mix(double a, double b, CombineRule ruleA, CombineRule ruleB) {
   switch (std::max(ruleA, ruleB)) {
-    case CombineRule::geometricMean: return std::sqrt(a * b);
-    case CombineRule::average: return 0.5 * (a + b);
-    case CombineRule::minimum: return std::min(a, b);
-    case CombineRule::multiply: return a * b;
-    case CombineRule::maximum: return std::max(a, b);
+    case CombineRule::geometricMean:
+      return std::sqrt(a * b);
+    case CombineRule::average:
+      return 0.5 * (a + b);
+    case CombineRule::minimum:
+      return std::min(a, b);
+    case CombineRule::multiply:
+      return a * b;
+    case CombineRule::maximum:
+      return std::max(a, b);
   }
   return a;
 }

@@ -15,14 +15,14 @@ struct ShapeData {
   bool alive = false;
   std::uint16_t generation = 0;
   BodyIndex body = kNoIndex;
-  ShapeDef def;                      // as given
+  ShapeDef def;  // as given
   Shape geometry;
-  Transform inCentreFrame;           // pose in the frame of the body's centre of mass
-  std::unique_ptr<Hull> hull;        // of hulls
+  Transform inCentreFrame;     // pose in the frame of the body's centre of mass
+  std::unique_ptr<Hull> hull;  // of hulls
   ProxyIndex proxy = kNoProxy;
-  double innerRadius = 0;            // m
-  Vec3 middle;                       // m, centroid in the frame of the body's centre of mass
-  Aabb swept;                        // m: bounds over the coming step at the present velocity, grown by the contact margin
+  double innerRadius = 0;  // m
+  Vec3 middle;             // m, centroid in the frame of the body's centre of mass
+  Aabb swept;              // m: bounds over the coming step at the present velocity, grown by the contact margin
 };
 
 class ShapeSet {

@@ -65,9 +65,6 @@ inline V cross3(V a, V b) {
   V c = a * __builtin_shufflevector(b, b, 1, 2, 0, 3) - __builtin_shufflevector(a, a, 1, 2, 0, 3) * b;
   return __builtin_shufflevector(c, c, 1, 2, 0, 3);
 }
-template <int lane>
-inline V spread(V v) {
-  return __builtin_shufflevector(v, v, lane, lane, lane, lane);
-}
+template <int lane> inline V spread(V v) { return __builtin_shufflevector(v, v, lane, lane, lane, lane); }
 
 }  // namespace brickfall::wide

@@ -100,7 +100,8 @@ Wrench inertiaResidual(const SolveMass& m, const SolveMotion& motion) {
 namespace {
 
 template <bool withMatrix>
-bool sumBoundary(const Island& island, const Level& level, const Cluster& cluster, V& force, V& torque, MatrixSums& sums) {
+bool sumBoundary(const Island& island, const Level& level, const Cluster& cluster, V& force, V& torque,
+                 MatrixSums& sums) {
   bool single = cluster.bodyEnd - cluster.bodyBegin == 1;
   const SolveMotion* motion = island.motion.data();
   const ContactRecord* records = island.records.data();

@@ -9,12 +9,12 @@
 
 namespace brickfall::kernel {
 
-using wide::M;
-using wide::V;
 using wide::load;
+using wide::M;
 using wide::set;
 using wide::store;
 using wide::sums;
+using wide::V;
 
 // The manifold's frame and arms, unpacked.
 struct Frame {
@@ -48,10 +48,10 @@ inline PointMotion pointMotion(const ContactRecord& r, const Frame& f, const Sol
 }
 
 struct PointForces {
-  V trialN, n;            // N
+  V trialN, n;  // N
   V trial1, trial2, t1, t2;
-  V trialSquared, root;   // of the tangential trial force; its length where it slides, else 1
-  M slides;               // out of the friction cone
+  V trialSquared, root;  // of the tangential trial force; its length where it slides, else 1
+  M slides;              // out of the friction cone
 };
 
 inline PointForces pointForces(const ContactRecord& r, const PointMotion& moved) {

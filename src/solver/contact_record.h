@@ -14,18 +14,18 @@
 namespace brickfall {
 
 struct alignas(64) ContactRecord {
-  Vec3f n, t1;                   // unit, world; n from A to B
-  Vec3f armA, armB;              // m, from the centres of mass to the manifold's centre
+  Vec3f n, t1;                         // unit, world; n from A to B
+  Vec3f armA, armB;                    // m, from the centres of mass to the manifold's centre
   std::uint32_t bodyA = 0, bodyB = 0;  // in Island::motion
-  std::uint32_t contact = 0;     // ContactIndex
-  std::uint32_t newPoints = 0;   // bit per point that carried nothing in the last step
+  std::uint32_t contact = 0;           // ContactIndex
+  std::uint32_t newPoints = 0;         // bit per point that carried nothing in the last step
 
   float s1[4] = {}, s2[4] = {};  // m
   float trialN[4] = {};          // N, force at zero motion: held share - k (correctable gap)
   float trial1[4] = {}, trial2[4] = {};
-  float k[4] = {};               // N/m; 0 in unused lanes
-  float limit[4] = {};           // N, friction cone
-  float bond[4] = {};            // N, tension carried; 0 = dry
+  float k[4] = {};      // N/m; 0 in unused lanes
+  float limit[4] = {};  // N, friction cone
+  float bond[4] = {};   // N, tension carried; 0 = dry
 };
 static_assert(sizeof(ContactRecord) == 192);
 
@@ -40,10 +40,10 @@ static_assert(sizeof(SolveMotion) == 32);
 
 // Constants of a body during a step. d and dFree are relative to the island's own rigid motion.
 struct alignas(64) SolveMass {
-  float mass = 0;                // m / dt^2, kg/s2
-  float inertia[6] = {};         // I / dt^2, world axes: xx yx yy zx zy zz
+  float mass = 0;         // m / dt^2, kg/s2
+  float inertia[6] = {};  // I / dt^2, world axes: xx yx yy zx zy zz
   Vec3f dFree, thFree;
-  Vec3f position;                // m, from the island's origin
+  Vec3f position;  // m, from the island's origin
 };
 static_assert(sizeof(SolveMass) == 64);
 

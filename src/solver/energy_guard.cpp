@@ -50,7 +50,8 @@ void guardEnergy(const Island& island, StepContext& context) {
     const BodyData& data = bodies.data[body];
     double m = bodies.mass[body].mass;
     mass += m;
-    start += 0.5 * m * lengthSquared(free.startVelocity) + 0.5 * dot(free.startSpin, bodies.worldInertia(body) * free.startSpin);
+    start += 0.5 * m * lengthSquared(free.startVelocity) +
+             0.5 * dot(free.startSpin, bodies.worldInertia(body) * free.startSpin);
     end += 0.5 * m * lengthSquared(s.velocity) + 0.5 * dot(s.angularMomentum, spinOf(context, body));
     gained -= dot(context.gravity * (m * data.gravityScale) + data.force, s.d) + dot(data.torque, s.th);
   }

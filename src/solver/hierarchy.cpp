@@ -25,7 +25,8 @@ Neighbours neighboursOf(const std::vector<ClusterLink>& links, const std::vector
   Neighbours out;
   std::vector<std::uint32_t> room(clusters + 1, 0);
   auto ends = [&](const ClusterLink& link, std::uint32_t& a, std::uint32_t& b) {
-    if (link.bodyA == ClusterLink::kNoBody || link.bodyB == ClusterLink::kNoBody || (link.weak && !withWeak)) return false;
+    if (link.bodyA == ClusterLink::kNoBody || link.bodyB == ClusterLink::kNoBody || (link.weak && !withWeak))
+      return false;
     a = clusterOf[link.bodyA];
     b = clusterOf[link.bodyB];
     return a != b;

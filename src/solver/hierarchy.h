@@ -14,9 +14,9 @@
 namespace brickfall {
 
 struct Cluster {
-  Vec3f centre;                            // m, from the island's origin
-  float mass = 0;                          // m / dt^2
-  float inertia[6] = {};                   // / dt^2, about the centre: xx yx yy zx zy zz
+  Vec3f centre;                              // m, from the island's origin
+  float mass = 0;                            // m / dt^2
+  float inertia[6] = {};                     // / dt^2, about the centre: xx yx yy zx zy zz
   std::uint32_t bodyBegin = 0, bodyEnd = 0;  // in Level::bodies
   std::uint32_t sideBegin = 0, sideEnd = 0;  // in Level::sides
 };
@@ -32,7 +32,7 @@ struct Level {
 struct ClusterLink {
   static constexpr std::uint32_t kNoBody = 0xffffffffu;
   std::uint32_t bodyA = kNoBody, bodyB = kNoBody;
-  float strength = 0;   // > 0
+  float strength = 0;  // > 0
   bool weak = false;
 };
 

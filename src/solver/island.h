@@ -18,32 +18,32 @@ struct ContactStart {
 };
 
 struct Island {
-  std::vector<BodyIndex> bodies;        // dynamic, ascending
-  std::vector<ContactIndex> contacts;   // with points, in pair order
-  std::vector<BodyIndex> partners;      // fixed or kinematic bodies touched; motion[bodies.size() + i]
+  std::vector<BodyIndex> bodies;       // dynamic, ascending
+  std::vector<ContactIndex> contacts;  // with points, in pair order
+  std::vector<BodyIndex> partners;     // fixed or kinematic bodies touched; motion[bodies.size() + i]
 
-  std::vector<ContactRecord> records;   // by contact
-  std::vector<ContactStart> starts;     // by contact
-  std::vector<SolveMotion> motion;      // bodies, then partners
-  std::vector<SolveMass> masses;        // bodies
-  std::vector<Wrench> residual;         // bodies
+  std::vector<ContactRecord> records;  // by contact
+  std::vector<ContactStart> starts;    // by contact
+  std::vector<SolveMotion> motion;     // bodies, then partners
+  std::vector<SolveMass> masses;       // bodies
+  std::vector<Wrench> residual;        // bodies
   Hierarchy byStrength, byMechanism;
-  bool exactSteps = false;              // small island: no open points in the matrix, a line search instead
-  Vec3 origin;                          // m, of SolveMass::position and Cluster::centre
-  Vec3 drift;                           // m: rigid displacement of this step that d and dFree leave out
+  bool exactSteps = false;  // small island: no open points in the matrix, a line search instead
+  Vec3 origin;              // m, of SolveMass::position and Cluster::centre
+  Vec3 drift;               // m: rigid displacement of this step that d and dFree leave out
 
-  bool hierarchiesValid = false;        // of this set of contacts
-  bool mechanismValid = false;          // and of the weak flags
-  bool grounded = false;                // touches something fixed or kinematic
-  bool partnersMove = false;            // a kinematic partner moves
-  bool slow = false;                    // grounded, all bodies slower than SolverSettings::restSpeed
-  bool resting = false;                 // accepted by the rest check in this step
-  bool settled = false;                 // rested, and not one bit of its forces changed in the last step
+  bool hierarchiesValid = false;  // of this set of contacts
+  bool mechanismValid = false;    // and of the weak flags
+  bool grounded = false;          // touches something fixed or kinematic
+  bool partnersMove = false;      // a kinematic partner moves
+  bool slow = false;              // grounded, all bodies slower than SolverSettings::restSpeed
+  bool resting = false;           // accepted by the rest check in this step
+  bool settled = false;           // rested, and not one bit of its forces changed in the last step
   bool allowSleep = true;
   std::int32_t points = 0, touchingPoints = 0;  // counted in the last step that was not passed over
-  std::vector<Transform> heldPoses;     // bodies: where a slow island was when its present watch began; empty = none
-  double heldTime = 0;                  // s, since then
-  double restTime = 0;                  // s, rested without a break
+  std::vector<Transform> heldPoses;  // bodies: where a slow island was when its present watch began; empty = none
+  double heldTime = 0;               // s, since then
+  double restTime = 0;               // s, rested without a break
 
   BodyIndex key() const { return bodies.front(); }
 };

@@ -10,7 +10,7 @@ namespace brickfall {
 struct IslandSet {
   std::vector<std::unique_ptr<Island>> awake;  // by lowest body
   std::vector<std::unique_ptr<Island>> asleep;
-  std::vector<BodyIndex> single;               // awake dynamic bodies without contacts, ascending
+  std::vector<BodyIndex> single;  // awake dynamic bodies without contacts, ascending
 };
 
 // Joins awake bodies by the contacts of ContactSet::pairs that have points. An island whose bodies and contacts are those

@@ -65,12 +65,12 @@ void findApproach(const ContactRecord& r, const Contact& c, const BodySet& bodie
 }
 
 struct StiffnessScale {
-  float unit;           // N/m
-  float full, soft;     // N/m
-  float quietSpeed;     // m/s
-  float cap;            // N
-  float deepest;        // m: overlap that an impact may reach
-  float dt;             // s
+  float unit;        // N/m
+  float full, soft;  // N/m
+  float quietSpeed;  // m/s
+  float cap;         // N
+  float deepest;     // m: overlap that an impact may reach
+  float dt;          // s
 };
 
 // Half of what separates the middles of the two bodies: past all of it the contact would turn round and let the bodies
@@ -108,7 +108,8 @@ float mapNormalOffset(Contact& c, int i, float approach, const StiffnessScale& s
   }
   float offset = kOffsetKept * std::min(0.0f, std::max(c.offset[i], c.gap[i]));
   c.offset[i] = offset > -1e-12f ? 0 : offset;  // no denormals: they would never come to a fixed point
-  if (c.stiffness[i] == 0) c.stiffness[i] = approach > -scale.quietSpeed ? scale.full : impactStiffness(approach, scale);
+  if (c.stiffness[i] == 0)
+    c.stiffness[i] = approach > -scale.quietSpeed ? scale.full : impactStiffness(approach, scale);
   return c.gap[i] - c.offset[i];
 }
 
@@ -151,7 +152,8 @@ void prepareBodies(Island& island, const StepContext& context) {
     SolveMotion& out = island.motion[count + i];
     out.d = toFloat(m.linearVelocity * context.dt - island.drift);
     out.th = toFloat(m.angularVelocity * context.dt);
-    island.partnersMove = island.partnersMove || lengthSquared(m.linearVelocity) > 0 || lengthSquared(m.angularVelocity) > 0;
+    island.partnersMove =
+        island.partnersMove || lengthSquared(m.linearVelocity) > 0 || lengthSquared(m.angularVelocity) > 0;
   }
 }
 

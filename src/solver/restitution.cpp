@@ -201,9 +201,9 @@ void makeBlocks(const Island& island, const StepContext& context, Pass& pass) {
     for (int i = 0; i < c.count; i++)
       for (int j = 0; j < c.count; j++) {
         const Response &a = pass.response[k.a], &b = pass.response[k.b];
-        k.response[i][j] =
-            a.invMass + b.invMass + dot(cross(k.armA[i], k.normal), a.invInertia * cross(k.armA[j], k.normal)) +
-            dot(cross(k.armB[i], k.normal), b.invInertia * cross(k.armB[j], k.normal));
+        k.response[i][j] = a.invMass + b.invMass +
+                           dot(cross(k.armA[i], k.normal), a.invInertia * cross(k.armA[j], k.normal)) +
+                           dot(cross(k.armB[i], k.normal), b.invInertia * cross(k.armB[j], k.normal));
       }
     for (int i = 0; i < c.count; i++) {
       Impact impact = findImpact(c, island.starts[n], i, k.normal, context);
@@ -228,7 +228,8 @@ double allowedShare(const Island& island, const StepContext& context, const Pass
     Vec3 v = endVelocity(context, body), w = endSpin(context, body);
     Vec3 dv = pass.velocities[i].linear - v, dw = pass.velocities[i].angular - w;
     Vec3 g = context.gravity * context.bodies->data[body].gravityScale;
-    double start = 0.5 * m * dot(free.startVelocity, free.startVelocity) + 0.5 * dot(free.startSpin, inertia * free.startSpin);
+    double start =
+        0.5 * m * dot(free.startVelocity, free.startVelocity) + 0.5 * dot(free.startSpin, inertia * free.startSpin);
     double end = 0.5 * m * dot(v, v) + 0.5 * dot(w, inertia * w);
     room += start - end + m * dot(g, context.solved[body].d);
     linear += m * dot(v, dv) + dot(w, inertia * dw) - m * dot(g, pass.moves[i].linear - context.solved[body].d);

@@ -70,7 +70,8 @@ Result<BodyIndex> World::Impl::openForChange(BodyId id, const Error& bad) const 
 Status World::setType(BodyId id, BodyType type) {
   Impl& w = *impl_;
   Checks check;
-  check.condition(type == BodyType::fixed || type == BodyType::kinematic || type == BodyType::dynamic, "type: not a BodyType");
+  check.condition(type == BodyType::fixed || type == BodyType::kinematic || type == BodyType::dynamic,
+                  "type: not a BodyType");
   Result<BodyIndex> body = w.openForChange(id, check.error());
   if (!body) return body.error();
   if (type != BodyType::fixed)
@@ -120,32 +121,24 @@ Status World::setTransform(BodyId id, Vec3 position, Quat rotation) {
   return {};
 }
 
-Status World::setLinearVelocity(BodyId id, Vec3 velocity) {
-  Impl& w = *impl_;
+Status World::Impl::setVelocity(BodyId id, Vec3 velocity, Vec3 BodyMotion::*which, Vec3 BodyData::*last) {
   Checks check;
   check.vector("velocity", velocity, 1e5);
-  Result<BodyIndex> body = w.openForChange(id, check.error());
+  Result<BodyIndex> body = openForChange(id, check.error());
   if (!body) return body.error();
-  if (w.bodies.data[*body].type == BodyType::fixed)
+  if (bodies.data[*body].type == BodyType::fixed)
     return Error{ErrorCode::wrongState, "velocity: the body is BodyType::fixed"};
-  w.disturb(*body);
-  w.bodies.motion[*body].linearVelocity = w.bodies.data[*body].lastLinearVelocity = velocity;
-  w.relist(*body);
+  disturb(*body);
+  bodies.motion[*body].*which = bodies.data[*body].*last = velocity;
+  relist(*body);
   return {};
 }
 
+Status World::setLinearVelocity(BodyId id, Vec3 velocity) {
+  return impl_->setVelocity(id, velocity, &BodyMotion::linearVelocity, &BodyData::lastLinearVelocity);
+}
 Status World::setAngularVelocity(BodyId id, Vec3 velocity) {
-  Impl& w = *impl_;
-  Checks check;
-  check.vector("velocity", velocity, 1e5);
-  Result<BodyIndex> body = w.openForChange(id, check.error());
-  if (!body) return body.error();
-  if (w.bodies.data[*body].type == BodyType::fixed)
-    return Error{ErrorCode::wrongState, "velocity: the body is BodyType::fixed"};
-  w.disturb(*body);
-  w.bodies.motion[*body].angularVelocity = w.bodies.data[*body].lastAngularVelocity = velocity;
-  w.relist(*body);
-  return {};
+  return impl_->setVelocity(id, velocity, &BodyMotion::angularVelocity, &BodyData::lastAngularVelocity);
 }
 
 // A kinematic body joins or leaves the moving ones with its velocity.

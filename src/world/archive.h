@@ -13,13 +13,11 @@ namespace brickfall {
 class WriteArchive {
  public:
   static constexpr bool kReading = false;
-  template <class T>
-  void value(const T& v) {
+  template <class T> void value(const T& v) {
     static_assert(std::is_trivially_copyable_v<T>);
     bytes(&v, sizeof v);
   }
-  template <class T>
-  void list(const std::vector<T>& v) {
+  template <class T> void list(const std::vector<T>& v) {
     static_assert(std::is_trivially_copyable_v<T>);
     value(std::uint64_t(v.size()));
     bytes(v.data(), v.size() * sizeof(T));
@@ -44,15 +42,13 @@ class ReadArchive {
  public:
   static constexpr bool kReading = true;
   explicit ReadArchive(std::span<const std::byte> in) : in_(in) {}
-  template <class T>
-  void value(T& v) {
+  template <class T> void value(T& v) {
     static_assert(std::is_trivially_copyable_v<T>);
     if (!need(sizeof v)) return;
     std::memcpy(static_cast<void*>(&v), in_.data() + at_, sizeof v);
     at_ += sizeof v;
   }
-  template <class T>
-  void list(std::vector<T>& v) {
+  template <class T> void list(std::vector<T>& v) {
     std::uint64_t n = count(0, sizeof(T));
     if (failed_) return;
     v.resize(std::size_t(n));

@@ -38,13 +38,16 @@ void checkShape(Checks& check, const std::string& at, const ShapeDef& s, BodyTyp
     case ShapeType::capsule:
       check.range(at + ".halfHeight", s.halfHeight, kSmallestSize, kLargestSize);
       [[fallthrough]];
-    case ShapeType::sphere: check.range(at + ".radius", s.radius, kSmallestSize, kLargestSize); return;
+    case ShapeType::sphere:
+      check.range(at + ".radius", s.radius, kSmallestSize, kLargestSize);
+      return;
     case ShapeType::hull:
       for (std::size_t i = 0; i < s.vertices.size() && !check.failed(); i++)
         check.vector(at + ".vertices[" + std::to_string(i) + "]", s.vertices[i], kLargestSize);
       return;
     case ShapeType::plane:
-      check.condition(type == BodyType::fixed, at + ".type: found a plane on a body that can move, expected BodyType::fixed");
+      check.condition(type == BodyType::fixed,
+                      at + ".type: found a plane on a body that can move, expected BodyType::fixed");
       return;
   }
   check.condition(false, at + ".type: not a ShapeType");
@@ -52,7 +55,8 @@ void checkShape(Checks& check, const std::string& at, const ShapeDef& s, BodyTyp
 
 void checkBody(Checks& check, const BodyDef& def) {
   check.condition(!def.shapes.empty(), "shapes: found none, expected at least one");
-  check.condition(def.shapes.size() <= 4096, "shapes: found " + std::to_string(def.shapes.size()) + ", expected at most 4096");
+  check.condition(def.shapes.size() <= 4096,
+                  "shapes: found " + std::to_string(def.shapes.size()) + ", expected at most 4096");
   check.condition(def.type == BodyType::fixed || def.type == BodyType::kinematic || def.type == BodyType::dynamic,
                   "type: not a BodyType");
   check.vector("position", def.position, kLargestCoordinate);
@@ -147,7 +151,9 @@ Result<ShapeIndex> World::Impl::find(ShapeId id) const {
 }
 
 BodyId World::Impl::idOf(BodyIndex body) const { return {body + 1, bodies.data[body].generation, worldNumber}; }
-ShapeId World::Impl::idOfShape(ShapeIndex shape) const { return {shape + 1, shapes.data[shape].generation, worldNumber}; }
+ShapeId World::Impl::idOfShape(ShapeIndex shape) const {
+  return {shape + 1, shapes.data[shape].generation, worldNumber};
+}
 
 // Mass, centre and radii from the shapes; keeps the body's origin where it is.
 void World::Impl::updateMass(BodyIndex body, Vec3 origin) {
@@ -173,7 +179,8 @@ void World::Impl::updateMass(BodyIndex body, Vec3 origin) {
     Vec3 centreInShape = transformPoint(inverse(s.inCentreFrame), Vec3{});
     mass.outerRadius = std::max(mass.outerRadius, outerRadius(s.geometry, centreInShape));
   }
-  mass.round = bodies.shapes[body].size() == 1 && shapes.data[bodies.shapes[body][0]].geometry.type == ShapeType::sphere;
+  mass.round =
+      bodies.shapes[body].size() == 1 && shapes.data[bodies.shapes[body][0]].geometry.type == ShapeType::sphere;
   if (data.type != BodyType::dynamic) return;
   mass.mass = data.bodyFrameMass.mass;
   mass.invMass = 1 / mass.mass;
@@ -186,7 +193,9 @@ void World::Impl::updateMass(BodyIndex body, Vec3 origin) {
 }
 
 void World::Impl::enlist(BodyIndex body) {
-  auto insert = [&](std::vector<BodyIndex>& list) { list.insert(std::lower_bound(list.begin(), list.end(), body), body); };
+  auto insert = [&](std::vector<BodyIndex>& list) {
+    list.insert(std::lower_bound(list.begin(), list.end(), body), body);
+  };
   BodyData& data = bodies.data[body];
   data.activity = data.type == BodyType::dynamic ? BodyActivity::awake : BodyActivity::fixed;
   if (data.type == BodyType::dynamic) insert(awake);
@@ -220,7 +229,8 @@ Result<BodyId> World::createBody(const BodyDef& def) {
   Impl& w = *impl_;
   if (w.stepping) return Error{ErrorCode::wrongState, "createBody: the world is stepping"};
   if (w.bodies.count() >= w.def.maxBodies)
-    return Error{ErrorCode::limitExceeded, "createBody: the world has maxBodies = " + std::to_string(w.def.maxBodies) + " bodies"};
+    return Error{ErrorCode::limitExceeded,
+                 "createBody: the world has maxBodies = " + std::to_string(w.def.maxBodies) + " bodies"};
   Checks check;
   checkBody(check, def);
   std::vector<std::unique_ptr<Hull>> hulls(def.shapes.size());

@@ -5,8 +5,8 @@ namespace brickfall {
 
 namespace {
 
-constexpr std::uint32_t kFixedColour = 0x808080, kAwakeColour = 0xD08050, kAsleepColour = 0x5070A0, kQuarantineColour = 0xFF00FF,
-                        kVelocityColour = 0x40C040;
+constexpr std::uint32_t kFixedColour = 0x808080, kAwakeColour = 0xD08050, kAsleepColour = 0x5070A0,
+                        kQuarantineColour = 0xFF00FF, kVelocityColour = 0x40C040;
 
 std::uint32_t colourOf(const BodyData& data) {
   if (data.quarantined) return kQuarantineColour;
@@ -22,14 +22,17 @@ void World::draw(const DebugDraw& draw) const {
     const BodyMotion& m = w.bodies.motion[body];
     for (ShapeIndex shape : w.bodies.shapes[body]) {
       const ShapeData& s = w.shapes.data[shape];
-      if (draw.shape) draw.shape(w.idOf(body), s.def, w.shapes.worldPose(shape, w.bodies), colourOf(w.bodies.data[body]));
+      if (draw.shape)
+        draw.shape(w.idOf(body), s.def, w.shapes.worldPose(shape, w.bodies), colourOf(w.bodies.data[body]));
       if (draw.bounds && s.proxy != kNoProxy) draw.bounds(w.broadPhase.kept(s.proxy));
     }
-    if (draw.line && lengthSquared(m.linearVelocity) > 0) draw.line(m.position, m.position + m.linearVelocity * 0.1, kVelocityColour);
+    if (draw.line && lengthSquared(m.linearVelocity) > 0)
+      draw.line(m.position, m.position + m.linearVelocity * 0.1, kVelocityColour);
   }
   if (draw.contact)
     forEachContact([&](const ContactView& c) {
-      for (int i = 0; i < c.pointCount; i++) draw.contact(c.points[i].pointWorld, c.normalWorld, c.points[i].normalForce);
+      for (int i = 0; i < c.pointCount; i++)
+        draw.contact(c.points[i].pointWorld, c.normalWorld, c.points[i].normalForce);
     });
 }
 

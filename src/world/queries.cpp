@@ -9,7 +9,8 @@
 
 namespace brickfall {
 
-Result<std::optional<RayHit>> World::castRay(Vec3 origin, Vec3 direction, double maxDistance, std::uint32_t mask) const {
+Result<std::optional<RayHit>> World::castRay(Vec3 origin, Vec3 direction, double maxDistance,
+                                             std::uint32_t mask) const {
   const Impl& w = *impl_;
   Checks check;
   check.vector("origin", origin, 1e7);
@@ -25,10 +26,11 @@ Result<std::optional<RayHit>> World::castRay(Vec3 origin, Vec3 direction, double
     Transform pose = w.shapes.worldPose(shape, w.bodies), back = inverse(pose);
     auto hit = brickfall::castRay(s.geometry, transformPoint(back, origin), rotate(back.rotation, direction), limit);
     if (!hit) return limit;
-    bool nearer = !best || hit->distance < best->distance || (hit->distance == best->distance && w.idOfShape(shape) < best->shape);
+    bool nearer = !best || hit->distance < best->distance ||
+                  (hit->distance == best->distance && w.idOfShape(shape) < best->shape);
     if (!nearer) return limit;
-    best = RayHit{w.idOf(s.body), w.idOfShape(shape), transformPoint(pose, hit->point), rotate(pose.rotation, hit->normal),
-                  hit->distance};
+    best = RayHit{w.idOf(s.body), w.idOfShape(shape), transformPoint(pose, hit->point),
+                  rotate(pose.rotation, hit->normal), hit->distance};
     return hit->distance;
   });
   return best;
@@ -38,8 +40,8 @@ namespace {
 
 // Bodies of which a shape fulfils `touches`, in order of their slots, each once.
 template <class Touches>
-std::vector<BodyIndex> bodiesNear(const BroadPhase& broadPhase, const ShapeSet& shapes, const Aabb& box, std::uint32_t mask,
-                                  Touches touches) {
+std::vector<BodyIndex> bodiesNear(const BroadPhase& broadPhase, const ShapeSet& shapes, const Aabb& box,
+                                  std::uint32_t mask, Touches touches) {
   std::vector<BodyIndex> found;
   broadPhase.query(box, [&](std::uint32_t shape) {
     if ((shapes.data[shape].def.filter.category & mask) && touches(shape)) found.push_back(shapes.data[shape].body);
@@ -156,7 +158,8 @@ Energy World::energy() const {
   for (BodyIndex i = 0; i < w.bodies.slots(); i++) {
     if (!w.bodies.alive(i) || w.bodies.data[i].type != BodyType::dynamic) continue;
     e.kinetic += w.bodies.kineticEnergy(i);
-    e.potential -= w.bodies.mass[i].mass * w.bodies.data[i].gravityScale * dot(w.def.gravity, w.bodies.motion[i].position);
+    e.potential -=
+        w.bodies.mass[i].mass * w.bodies.data[i].gravityScale * dot(w.def.gravity, w.bodies.motion[i].position);
   }
   return e;
 }

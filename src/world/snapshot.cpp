@@ -29,8 +29,7 @@ std::uint64_t hashOf(std::span<const std::byte> bytes) {
   return hash.value();
 }
 
-template <class Archive, class Vector>
-void nested(Archive& archive, Vector& lists) {
+template <class Archive, class Vector> void nested(Archive& archive, Vector& lists) {
   std::uint64_t n = archive.count(lists.size(), sizeof(std::uint64_t));
   if constexpr (Archive::kReading) lists.resize(std::size_t(n));
   for (auto& list : lists) archive.list(list);
@@ -41,8 +40,7 @@ void nested(Archive& archive, Vector& lists) {
 // Sees the private lists of the sets.
 class SnapshotArchive {
  public:
-  template <class Archive, class Impl>
-  static void world(Archive& a, Impl& w) {
+  template <class Archive, class Impl> static void world(Archive& a, Impl& w) {
     a.value(w.def);
     bodies(a, w.bodies);
     shapes(a, w.shapes);
@@ -66,8 +64,7 @@ class SnapshotArchive {
   }
 
  private:
-  template <class Archive, class Bodies>
-  static void bodies(Archive& a, Bodies& b) {
+  template <class Archive, class Bodies> static void bodies(Archive& a, Bodies& b) {
     a.list(b.motion);
     a.list(b.mass);
     a.list(b.data);
@@ -78,8 +75,7 @@ class SnapshotArchive {
     a.value(b.nextOrder_);
   }
 
-  template <class Archive, class Shapes>
-  static void shapes(Archive& a, Shapes& s) {
+  template <class Archive, class Shapes> static void shapes(Archive& a, Shapes& s) {
     std::uint64_t n = a.count(s.data.size(), sizeof(std::uint64_t));
     if constexpr (Archive::kReading) s.data.resize(std::size_t(n));
     for (auto& shape : s.data) {
@@ -103,8 +99,7 @@ class SnapshotArchive {
     a.list(s.free_);
   }
 
-  template <class Archive, class Contacts>
-  static void contacts(Archive& a, Contacts& c) {
+  template <class Archive, class Contacts> static void contacts(Archive& a, Contacts& c) {
     a.list(c.pairs);
     a.list(c.asleep);
     a.list(c.contacts);
@@ -113,8 +108,7 @@ class SnapshotArchive {
     a.list(c.free_);
   }
 
-  template <class Archive, class Hierarchies>
-  static void hierarchy(Archive& a, Hierarchies& h) {
+  template <class Archive, class Hierarchies> static void hierarchy(Archive& a, Hierarchies& h) {
     std::uint64_t n = a.count(h.levels.size(), sizeof(std::uint64_t));
     if constexpr (Archive::kReading) h.levels.resize(std::size_t(n));
     for (auto& level : h.levels) {
@@ -125,8 +119,7 @@ class SnapshotArchive {
     }
   }
 
-  template <class Archive, class Islands>
-  static void islandList(Archive& a, Islands& list) {
+  template <class Archive, class Islands> static void islandList(Archive& a, Islands& list) {
     std::uint64_t n = a.count(list.size(), sizeof(std::uint64_t));
     if constexpr (Archive::kReading) {
       list.clear();
@@ -175,7 +168,8 @@ Error badSnapshot(const std::string& why) { return {ErrorCode::badFormat, "snaps
 Status World::restore(std::span<const std::byte> snapshot) {
   if (impl_->stepping) return Error{ErrorCode::wrongState, "restore: the world is stepping"};
   if (snapshot.size() < sizeof(Header))
-    return badSnapshot("found " + std::to_string(snapshot.size()) + " bytes, expected at least " + std::to_string(sizeof(Header)));
+    return badSnapshot("found " + std::to_string(snapshot.size()) + " bytes, expected at least " +
+                       std::to_string(sizeof(Header)));
   Header header;
   std::memcpy(&header, snapshot.data(), sizeof header);
   std::span<const std::byte> rest = snapshot.subspan(sizeof header);
@@ -204,7 +198,8 @@ Status World::Impl::rebuild() {
   if (!wrong.empty()) return badSnapshot(wrong.front());
   for (BodyIndex i = 0; i < bodies.slots(); i++) {
     const BodyMotion& m = bodies.motion[i];
-    bool finite = isFinite(m.position) && isFinite(m.rotation) && isFinite(m.linearVelocity) && isFinite(m.angularVelocity);
+    bool finite =
+        isFinite(m.position) && isFinite(m.rotation) && isFinite(m.linearVelocity) && isFinite(m.angularVelocity);
     if (bodies.alive(i) && !finite) return badSnapshot("a body's motion is not finite");
   }
   for (ShapeIndex i = 0; i < shapes.slots(); i++) {

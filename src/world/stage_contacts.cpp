@@ -10,10 +10,10 @@ namespace brickfall {
 
 namespace {
 
-constexpr double kReusePosition = 1e-4;   // m: relative motion since the manifold was made under which it is kept,
-constexpr double kReuseTurn = 5e-4;       // rad,
-constexpr double kReuseStep = 1e-3;       // m, and relative motion expected in the coming step
-constexpr double kMatchDistance = 0.02;   // m: an old point this near may hand its memory to a new one
+constexpr double kReusePosition = 1e-4;  // m: relative motion since the manifold was made under which it is kept,
+constexpr double kReuseTurn = 5e-4;      // rad,
+constexpr double kReuseStep = 1e-3;      // m, and relative motion expected in the coming step
+constexpr double kMatchDistance = 0.02;  // m: an old point this near may hand its memory to a new one
 
 struct PairView {
   const ShapeData& a;
@@ -130,7 +130,8 @@ void measurePoints(Contact& c, ContactGeometry& g, const Transform& relative) {
 }
 
 // Points further away than the margin and the approach of the coming step can't touch: left out.
-void dropFarPoints(Manifold& m, const PairView& pair, const BodySet& bodies, const Transform& poseA, double margin, double dt) {
+void dropFarPoints(Manifold& m, const PairView& pair, const BodySet& bodies, const Transform& poseA, double margin,
+                   double dt) {
   const BodyMotion &a = bodies.motion[pair.bodyA], &b = bodies.motion[pair.bodyB];
   Vec3 n = rotate(poseA.rotation, m.normal);
   int kept = 0;

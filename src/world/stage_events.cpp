@@ -23,8 +23,7 @@ ContactImpact impactOf(const Contact& c, const ContactStart& start, double dt) {
   return out;
 }
 
-template <class T>
-void makeSet(std::vector<T>& list) {
+template <class T> void makeSet(std::vector<T>& list) {
   std::sort(list.begin(), list.end());
   list.erase(std::unique(list.begin(), list.end()), list.end());
 }
@@ -76,7 +75,8 @@ void World::Impl::collectHits(const Island& island) {
     const Contact& c = contacts.contacts[island.contacts[k]];
     if (!c.touching) continue;
     ContactImpact impact = impactOf(c, island.starts[k], context.dt);
-    if (impact.speed >= def.hitEventSpeed && impact.impulse >= def.hitEventImpulse) addHit(island, k, impact.speed, impact.impulse);
+    if (impact.speed >= def.hitEventSpeed && impact.impulse >= def.hitEventImpulse)
+      addHit(island, k, impact.speed, impact.impulse);
   }
 }
 
@@ -86,7 +86,8 @@ void World::Impl::collectTouching() {
   for (auto& island : islands.awake) appendTouching(*island, touchingNow);
   // What fell asleep in this step still touches, but is not looked at again until it wakes.
   BodyPairs slept;
-  for (std::size_t i = islands.asleep.size() - sleptNow; i < islands.asleep.size(); i++) appendTouching(*islands.asleep[i], slept);
+  for (std::size_t i = islands.asleep.size() - sleptNow; i < islands.asleep.size(); i++)
+    appendTouching(*islands.asleep[i], slept);
   touchingNow.insert(touchingNow.end(), slept.begin(), slept.end());
   makeSet(touchingNow);
   makeSet(slept);
@@ -100,7 +101,8 @@ void World::Impl::collectTouching() {
   tell(touchingNow, touchingBefore, events.begin);
   tell(touchingBefore, touchingNow, events.end);
   touchingBefore.clear();
-  std::set_difference(touchingNow.begin(), touchingNow.end(), slept.begin(), slept.end(), std::back_inserter(touchingBefore));
+  std::set_difference(touchingNow.begin(), touchingNow.end(), slept.begin(), slept.end(),
+                      std::back_inserter(touchingBefore));
 }
 
 void World::Impl::addHit(const Island& island, std::size_t k, double speed, double impulse) {

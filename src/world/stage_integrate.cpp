@@ -9,7 +9,7 @@ namespace brickfall {
 namespace {
 
 constexpr double kLargestCoordinate = 1e7;  // m: a body beyond is lost, as one that became non-finite
-constexpr double kLargestSpeed = 1e6;       // m/s and rad/s: ten times what setters allow; only absurd forces lead there
+constexpr double kLargestSpeed = 1e6;  // m/s and rad/s: ten times what setters allow; only absurd forces lead there
 
 bool sane(const BodyMotion& m) {
   return isFinite(m.position) && isFinite(m.rotation) && isFinite(m.linearVelocity) && isFinite(m.angularVelocity) &&

@@ -64,7 +64,8 @@ bool World::Impl::moves(BodyIndex body) const {
 
 // Pairs of a body that begins to move though it is not dynamic.
 void World::Impl::activatePairsOf(BodyIndex body) {
-  movePairs(contacts.asleep, contacts.pairs, [&](const CandidatePair& p) { return p.bodyA == body || p.bodyB == body; });
+  movePairs(contacts.asleep, contacts.pairs,
+            [&](const CandidatePair& p) { return p.bodyA == body || p.bodyB == body; });
 }
 
 // A sleeping body that something awake presses on, or is about to hit.
@@ -135,11 +136,13 @@ void World::Impl::disturb(BodyIndex body) {
     wakeTouching(body);
     activatePairsOf(body);
     for (auto& island : islands.awake)
-      if (std::find(island->partners.begin(), island->partners.end(), body) != island->partners.end()) island->settled = false;
+      if (std::find(island->partners.begin(), island->partners.end(), body) != island->partners.end())
+        island->settled = false;
     return;
   }
   if (bodies.data[body].activity == BodyActivity::asleep) wakeIslandOf(body);
-  if (body < islandOf.size() && islandOf[body] != kNoIndex && islandOf[body] < islands.awake.size() && !membershipChanged) {
+  if (body < islandOf.size() && islandOf[body] != kNoIndex && islandOf[body] < islands.awake.size() &&
+      !membershipChanged) {
     islands.awake[islandOf[body]]->settled = false;
     islands.awake[islandOf[body]]->restTime = 0;
   } else {

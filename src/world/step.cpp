@@ -8,11 +8,14 @@
 namespace brickfall {
 
 std::int64_t nowNanoseconds() {
-  return std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::steady_clock::now().time_since_epoch()).count();
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::steady_clock::now().time_since_epoch())
+      .count();
 }
 
 StageTimer::StageTimer(StepReport& report, Stage stage) : report_(report), stage_(stage), start_(nowNanoseconds()) {}
-StageTimer::~StageTimer() { report_.stageMilliseconds[std::size_t(stage_)] += double(nowNanoseconds() - start_) * 1e-6; }
+StageTimer::~StageTimer() {
+  report_.stageMilliseconds[std::size_t(stage_)] += double(nowNanoseconds() - start_) * 1e-6;
+}
 
 void World::Impl::step(double dt) {
   beginStep(dt);

@@ -22,8 +22,7 @@ class Findings {
 
 std::string at(const char* what, std::size_t i) { return std::string(what) + " " + std::to_string(i); }
 
-template <class T>
-bool ascending(const std::vector<T>& list) {
+template <class T> bool ascending(const std::vector<T>& list) {
   return std::adjacent_find(list.begin(), list.end(), [](const T& a, const T& b) { return !(a < b); }) == list.end();
 }
 
@@ -33,7 +32,8 @@ void checkHierarchy(Findings& f, const Hierarchy& h, const Island& island, const
              name + ": a level does not hold every body");
     if (f.any()) return;
     for (std::uint32_t c : level.clusterOf) f.expect(c < level.clusters.size(), name + ": a body is in no cluster");
-    for (std::uint32_t b : level.bodies) f.expect(b < island.bodies.size(), name + ": a cluster names a body that is not there");
+    for (std::uint32_t b : level.bodies)
+      f.expect(b < island.bodies.size(), name + ": a cluster names a body that is not there");
     for (std::uint32_t s : level.sides) f.expect(s / 2 < island.contacts.size(), name + ": a side names no contact");
     if (f.any()) return;
     for (std::size_t n = 0; n < level.clusters.size(); n++) {
@@ -58,8 +58,9 @@ void checkHierarchy(Findings& f, const Hierarchy& h, const Island& island, const
 std::vector<std::string> World::Impl::validateStructure() const {
   Findings f;
   std::size_t n = bodies.data.size(), m = shapes.data.size();
-  f.expect(bodies.motion.size() == n && bodies.mass.size() == n && bodies.shapes.size() == n && bodies.still.size() == n,
-           "bodies: lists of different lengths");
+  f.expect(
+      bodies.motion.size() == n && bodies.mass.size() == n && bodies.shapes.size() == n && bodies.still.size() == n,
+      "bodies: lists of different lengths");
   f.expect(contacts.contacts.size() == contacts.geometry.size(), "contacts: lists of different lengths");
   if (f.any()) return f.take();
   int alive = 0;
@@ -78,7 +79,8 @@ std::vector<std::string> World::Impl::validateStructure() const {
   f.expect(dynamic == dynamicBodies, "bodies: wrong count of dynamic ones");
   for (std::size_t i = 0; i < m; i++)
     if (shapes.data[i].alive)
-      f.expect(shapes.data[i].body < n && bodies.data[shapes.data[i].body].alive && shapes.data[i].def.type <= ShapeType::plane,
+      f.expect(shapes.data[i].body < n && bodies.data[shapes.data[i].body].alive &&
+                   shapes.data[i].def.type <= ShapeType::plane,
                at("shape", i) + ": of no body");
   auto bodyFine = [&](BodyIndex b) { return b < n && bodies.data[b].alive; };
   for (const auto* list : {&contacts.pairs, &contacts.asleep}) {
@@ -86,7 +88,8 @@ std::vector<std::string> World::Impl::validateStructure() const {
     for (const CandidatePair& p : *list) {
       bool fine = p.shapeA < m && p.shapeB < m && shapes.data[p.shapeA].alive && shapes.data[p.shapeB].alive &&
                   shapes.data[p.shapeA].body == p.bodyA && shapes.data[p.shapeB].body == p.bodyB && bodyFine(p.bodyA) &&
-                  bodyFine(p.bodyB) && !bodies.data[p.bodyA].quarantined && !bodies.data[p.bodyB].quarantined && (p.contact == kNoIndex || p.contact < contacts.contacts.size());
+                  bodyFine(p.bodyB) && !bodies.data[p.bodyA].quarantined && !bodies.data[p.bodyB].quarantined &&
+                  (p.contact == kNoIndex || p.contact < contacts.contacts.size());
       f.expect(fine, "pairs: one names what is not there");
       if (!fine || p.contact == kNoIndex) continue;
       const Contact& c = contacts.contacts[p.contact];
@@ -95,21 +98,26 @@ std::vector<std::string> World::Impl::validateStructure() const {
       f.expect(c.count >= 1 && c.count <= 4, "contacts: a number of points that is not 1 .. 4");
     }
   }
-  for (ContactIndex c : contacts.unused()) f.expect(c < contacts.contacts.size(), "contacts: a free one that is not there");
+  for (ContactIndex c : contacts.unused())
+    f.expect(c < contacts.contacts.size(), "contacts: a free one that is not there");
   for (BodyIndex b : bodies.unused()) f.expect(b < n && !bodies.data[b].alive, "bodies: a free slot that is not free");
   for (ShapeIndex s : shapes.unused()) f.expect(s < m && !shapes.data[s].alive, "shapes: a free slot that is not free");
-  for (BodyIndex b : awake) f.expect(bodyFine(b) && bodies.data[b].type == BodyType::dynamic, "awake: not a dynamic body");
-  for (BodyIndex b : moving) f.expect(bodyFine(b) && bodies.data[b].type == BodyType::kinematic, "moving: not a kinematic body");
+  for (BodyIndex b : awake)
+    f.expect(bodyFine(b) && bodies.data[b].type == BodyType::dynamic, "awake: not a dynamic body");
+  for (BodyIndex b : moving)
+    f.expect(bodyFine(b) && bodies.data[b].type == BodyType::kinematic, "moving: not a kinematic body");
   f.expect(ascending(awake) && ascending(moving), "awake or moving: not sorted");
   for (const auto* list : {&islands.awake, &islands.asleep})
     for (const auto& island : *list) {
       f.expect(!island->bodies.empty() && ascending(island->bodies), "islands: bodies not sorted, or none");
-      bool sized = island->records.size() == island->contacts.size() && island->starts.size() == island->contacts.size();
+      bool sized =
+          island->records.size() == island->contacts.size() && island->starts.size() == island->contacts.size();
       f.expect(sized, "islands: lists of different lengths");
       for (BodyIndex b : island->bodies)
         f.expect(bodyFine(b) && bodies.data[b].type == BodyType::dynamic, "islands: not a dynamic body");
       for (BodyIndex b : island->partners) f.expect(bodyFine(b), "islands: a partner that is not there");
-      for (ContactIndex c : island->contacts) f.expect(c < contacts.contacts.size(), "islands: a contact that is not there");
+      for (ContactIndex c : island->contacts)
+        f.expect(c < contacts.contacts.size(), "islands: a contact that is not there");
       bool current = list == &islands.asleep || (!contacts.changed && !membershipChanged);
       if (f.any()) return f.take();
       for (std::size_t k = 0; current && k < island->contacts.size(); k++) {
@@ -120,18 +128,22 @@ std::vector<std::string> World::Impl::validateStructure() const {
       }
       std::size_t all = island->bodies.size() + island->partners.size();
       for (const ContactRecord& r : island->records)
-        f.expect(r.bodyA < all && r.bodyB < all && r.contact < contacts.contacts.size(), "islands: a record names no body");
+        f.expect(r.bodyA < all && r.bodyB < all && r.contact < contacts.contacts.size(),
+                 "islands: a record names no body");
       if (f.any()) return f.take();
       checkHierarchy(f, island->byStrength, *island, "hierarchy by strength");
       checkHierarchy(f, island->byMechanism, *island, "hierarchy by mechanism");
     }
-  for (BodyIndex b : islands.single) f.expect(bodyFine(b) && bodies.data[b].type == BodyType::dynamic, "islands: a single body that is not there");
-  for (std::uint32_t i : islandOf) f.expect(i == kNoIndex || i < islands.awake.size(), "islandOf: an island that is not there");
+  for (BodyIndex b : islands.single)
+    f.expect(bodyFine(b) && bodies.data[b].type == BodyType::dynamic, "islands: a single body that is not there");
+  for (std::uint32_t i : islandOf)
+    f.expect(i == kNoIndex || i < islands.awake.size(), "islandOf: an island that is not there");
   for (const auto* list : {&pushed, &unsettled}) {
     f.expect(ascending(*list), "pushed or unsettled: not sorted");
     for (BodyIndex b : *list) f.expect(bodyFine(b), "pushed or unsettled: a body that is not there");
   }
-  for (const auto& pair : touchingBefore) f.expect(pair.first < n && pair.second < n, "touching: a body that is not there");
+  for (const auto& pair : touchingBefore)
+    f.expect(pair.first < n && pair.second < n, "touching: a body that is not there");
   return f.take();
 }
 
@@ -146,7 +158,8 @@ std::vector<std::string> World::validate() const {
     const BodyMotion& m = w.bodies.motion[i];
     f.expect(isFinite(m.position) && isFinite(m.rotation) && isFinite(m.linearVelocity) && isFinite(m.angularVelocity),
              at("body", i) + ": not finite");
-    double norm = m.rotation.x * m.rotation.x + m.rotation.y * m.rotation.y + m.rotation.z * m.rotation.z + m.rotation.w * m.rotation.w;
+    double norm = m.rotation.x * m.rotation.x + m.rotation.y * m.rotation.y + m.rotation.z * m.rotation.z +
+                  m.rotation.w * m.rotation.w;
     f.expect(std::fabs(norm - 1) < 1e-9, at("body", i) + ": its quaternion is not of unit length");
     bool listed = std::binary_search(w.awake.begin(), w.awake.end(), i);
     bool should = w.bodies.data[i].type == BodyType::dynamic && w.bodies.data[i].activity == BodyActivity::awake;
@@ -170,7 +183,8 @@ std::vector<std::string> World::validate() const {
       f.expect(std::fabs(lengthSquared(g.normal) - 1) < 1e-6 && std::fabs(dot(g.normal, g.tangent1)) < 1e-6,
                "contacts: a frame is not orthonormal");
       for (int k = 0; k < c.count; k++) {
-        f.expect(std::isfinite(c.gap[k]) && std::isfinite(c.forceN[k]) && std::isfinite(c.heldN[k]), "contacts: not finite");
+        f.expect(std::isfinite(c.gap[k]) && std::isfinite(c.forceN[k]) && std::isfinite(c.heldN[k]),
+                 "contacts: not finite");
         f.expect(c.forceN[k] >= 0, "contacts: a dry point pulls");
         f.expect(c.offset[k] <= 0 && c.stiffness[k] >= 0, "contacts: offset or stiffness of the wrong sign");
         double friction = std::hypot(double(c.force1[k]), double(c.force2[k]));

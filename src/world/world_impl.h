@@ -25,19 +25,19 @@ struct World::Impl {
   ContactSet contacts;
   BroadPhase broadPhase;
   IslandSet islands;
-  std::vector<BodyIndex> awake;          // dynamic bodies that are not asleep, ascending
-  std::vector<BodyIndex> moving;         // kinematic bodies with a velocity, ascending
-  std::vector<std::uint32_t> islandOf;   // by body: index in islands.awake, kNoIndex = none
-  bool membershipChanged = true;         // awake bodies or their contacts changed: islands must be built
-  double time = 0;   // s
-  double lastDt = 0;  // s
+  std::vector<BodyIndex> awake;         // dynamic bodies that are not asleep, ascending
+  std::vector<BodyIndex> moving;        // kinematic bodies with a velocity, ascending
+  std::vector<std::uint32_t> islandOf;  // by body: index in islands.awake, kNoIndex = none
+  bool membershipChanged = true;        // awake bodies or their contacts changed: islands must be built
+  double time = 0;                      // s
+  double lastDt = 0;                    // s
   std::uint64_t stepCount = 0;
   bool stepping = false;
   bool lastSubstep = true;  // of the call to step() under way
   double callDt = 0;        // s, of the whole call
   std::vector<BodyIndex> pendingQuarantine;
-  std::vector<BodyIndex> pushed;     // bodies with a force or torque for the next step
-  std::size_t sleptNow = 0;          // islands that fell asleep in this step: the last ones in islands.asleep
+  std::vector<BodyIndex> pushed;  // bodies with a force or torque for the next step
+  std::size_t sleptNow = 0;       // islands that fell asleep in this step: the last ones in islands.asleep
   int dynamicBodies = 0;
   std::vector<BodyIndex> unsettled;  // fixed or kinematic bodies that count as moved until the next step is over
   struct BodyPair {
@@ -74,6 +74,7 @@ struct World::Impl {
   Result<ShapeIndex> find(ShapeId id) const;
   Result<BodyIndex> openForChange(BodyId id, const Error& bad) const;
   Status push(BodyId id, Vec3 linear, Vec3 angular, Vec3* pointWorld, bool impulse);
+  Status setVelocity(BodyId id, Vec3 velocity, Vec3 BodyMotion::*which, Vec3 BodyData::*last);
   void renewProxies(BodyIndex body);
   void relist(BodyIndex body);
   BodyId idOf(BodyIndex body) const;
@@ -104,11 +105,11 @@ struct World::Impl {
   void step(double dt);
   void beginStep(double dt);
   void endStep();
-  void disturb(BodyIndex body);          // its state was changed from outside: wake it, nothing about it is settled
+  void disturb(BodyIndex body);  // its state was changed from outside: wake it, nothing about it is settled
   void wakeIsland(std::size_t asleepIndex);
   void wakeIslandOf(BodyIndex asleepBody);
   void wakeByNewContacts();
-  void wakeTouching(BodyIndex body);     // sleeping islands in contact with the body
+  void wakeTouching(BodyIndex body);  // sleeping islands in contact with the body
   void wakeAll();
   void quarantine(BodyIndex body);
   void isolate(BodyIndex body);
@@ -116,8 +117,8 @@ struct World::Impl {
   void collectHits(const Island& island);
   void collectTouching();
   void addHit(const Island& island, std::size_t contact, double speed, double impulse);
-  void countAsMoved(BodyIndex body);     // a fixed or kinematic body that was made, moved or changed
-  void enlist(BodyIndex body);           // into awake or moving, by type
+  void countAsMoved(BodyIndex body);  // a fixed or kinematic body that was made, moved or changed
+  void enlist(BodyIndex body);        // into awake or moving, by type
   void delist(BodyIndex body);
 };
 

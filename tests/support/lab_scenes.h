@@ -13,15 +13,15 @@ namespace brickfall::lab {
 
 struct Options {
   double dt = 1.0 / 60;
-  double gap = 0;           // m: random gaps under every brick, 0 .. gap, and like shifts
+  double gap = 0;  // m: random gaps under every brick, 0 .. gap, and like shifts
   int seed = 0;
   double restitution = 0;
-  double yawDegrees = 0;    // walls turned about the vertical
-  double bondShift = 0.5;   // of every second course; 0.5 closes the ends with half bats
-  bool wholeBricks = false; // no half bats: toothed ends
-  double headJoint = 0;     // m
-  bool headers = false;     // bricks across the wall
-  bool shuffle = false;     // bodies created in random order
+  double yawDegrees = 0;     // walls turned about the vertical
+  double bondShift = 0.5;    // of every second course; 0.5 closes the ends with half bats
+  bool wholeBricks = false;  // no half bats: toothed ends
+  double headJoint = 0;      // m
+  bool headers = false;      // bricks across the wall
+  bool shuffle = false;      // bodies created in random order
   bool sleep = false;
   int threads = 1;
   SolverSettings solver;
@@ -68,7 +68,9 @@ inline std::vector<Brick> wall(int courses, int bricks, double bottom, const Opt
   double pitch = L + o.headJoint;
   for (int row = 0; row < courses; row++) {
     double y = bottom + H * (row + 0.5);
-    auto add = [&](double from, double length) { out.push_back({{from + length / 2, y, 0}, {length / 2, H / 2, W / 2}, {}}); };
+    auto add = [&](double from, double length) {
+      out.push_back({{from + length / 2, y, 0}, {length / 2, H / 2, W / 2}, {}});
+    };
     if (row % 2 == 0) {
       for (int i = 0; i < bricks; i++) add(pitch * i, L);
     } else if (o.wholeBricks) {
@@ -113,9 +115,7 @@ inline ShapeDef boxShape(Vec3 half, double density, double friction, double rest
 
 class Builder {
  public:
-  Builder(std::string name, const Options& o) : options_(o) {
-    scene_.name = std::move(name);
-  }
+  Builder(std::string name, const Options& o) : options_(o) { scene_.name = std::move(name); }
   WorldDef def;
   double groundHeight = 0, groundFriction = kFriction;
 
@@ -134,8 +134,8 @@ class Builder {
     ground.position.y = groundHeight;
     scene_.ground = scene_.world.createBody(ground).value();
   }
-  BodyId box(Vec3 half, Vec3 position, double density, double friction = kFriction, Quat rotation = {}, Vec3 velocity = {},
-             Vec3 spin = {}) {
+  BodyId box(Vec3 half, Vec3 position, double density, double friction = kFriction, Quat rotation = {},
+             Vec3 velocity = {}, Vec3 spin = {}) {
     BodyDef d;
     d.shapes = {boxShape(half, density, friction, options_.restitution)};
     d.position = position;
@@ -267,7 +267,8 @@ inline Scene make(const std::string& name, const Options& o = {}) {
     b.open();
     double shift = number(3) * 1e-3;
     for (int row = 0; row < 10; row++)
-      b.box({kBrickLength / 2, kBrickHeight / 2, kBrickWidth / 2}, {row * shift, kBrickHeight * (row + 0.5), 0}, kDensity);
+      b.box({kBrickLength / 2, kBrickHeight / 2, kBrickWidth / 2}, {row * shift, kBrickHeight * (row + 0.5), 0},
+            kDensity);
     return b.take(5);
   }
   if (name == "topple") {
@@ -304,18 +305,20 @@ inline Scene make(const std::string& name, const Options& o = {}) {
 // --- measuring
 
 struct Measured {
-  double collapseTime = -1;      // s, first time a box is more than 50 mm from its start
+  double collapseTime = -1;                                    // s, first time a box is more than 50 mm from its start
   double largestMove = 0, sag = 0, creep = 0, outOfPlane = 0;  // m
   int moved50 = 0;
   double energyStart = 0, energyRise = 0, largestJump = 0;  // J
-  double momentumRatio = 0;      // along z
-  double apex = 0, toppleTime = -1, restTime = -1;  // m, s; restTime: first time from which every island rested to the end
-  double lowest = 0;             // m, lowest centre of any body
-  double solveVisits = 0, lightVisits = 0, restShare = 0, cycles = 0;  // per point and step; share of island-steps; mean
-  double milliseconds = 0;       // per step
+  double momentumRatio = 0;                                 // along z
+  double apex = 0, toppleTime = -1,
+         restTime = -1;  // m, s; restTime: first time from which every island rested to the end
+  double lowest = 0;     // m, lowest centre of any body
+  double solveVisits = 0, lightVisits = 0, restShare = 0,
+         cycles = 0;        // per point and step; share of island-steps; mean
+  double milliseconds = 0;  // per step
   double fellMin = 0, fellMax = 0, slid = 0;
   bool finite = true;
-  std::vector<double> boxMove;   // m, at the end
+  std::vector<double> boxMove;  // m, at the end
 };
 
 inline double boxMove(const Scene& s, std::size_t i, Vec3* at = nullptr) {
@@ -324,8 +327,7 @@ inline double boxMove(const Scene& s, std::size_t i, Vec3* at = nullptr) {
   return length(p - s.start[i]);
 }
 
-template <class EachStep>
-Measured run(Scene& s, double seconds, double dt, EachStep each) {
+template <class EachStep> Measured run(Scene& s, double seconds, double dt, EachStep each) {
   Measured r;
   int steps = int(std::lround(seconds / dt)), half = int(std::lround(std::min(10.0, seconds / 2) / dt));
   Energy e = s.world.energy();
