@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <cstring>
 
-#include "support/lab_scenes.h"
+#include "support/lab_measure.h"
 
 using namespace brickfall;
 

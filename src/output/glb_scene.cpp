@@ -6,26 +6,13 @@
 #include "output/glb_animation.h"
 #include "output/glb_builder.h"
 #include "output/mesh.h"
+#include "output/role_name.h"
 #include "output/take_poses.h"
 
 namespace brickfall {
 namespace {
 
 using nlohmann::json;
-
-const char* roleName(TakeRole role) {
-  switch (role) {
-    case TakeRole::ground:
-      return "ground";
-    case TakeRole::brick:
-      return "brick";
-    case TakeRole::ball:
-      return "ball";
-    case TakeRole::body:
-      break;
-  }
-  return "body";
-}
 
 // Screens' sRGB to the linear light that glTF wants.
 double linear(std::uint32_t byte) {

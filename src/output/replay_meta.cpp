@@ -5,6 +5,7 @@
 
 #include "output/mesh.h"
 #include "output/replay_tracks.h"
+#include "output/role_name.h"
 
 namespace brickfall {
 namespace {
@@ -31,20 +32,6 @@ json shapeJson(const ShapeDef& shape) {
   for (const auto& p : mesh.positions) positions.insert(positions.end(), {p[0], p[1], p[2]});
   for (const auto& n : mesh.normals) normals.insert(normals.end(), {n[0], n[1], n[2]});
   return {{"type", "hull"}, {"positions", positions}, {"normals", normals}, {"indices", mesh.indices}};
-}
-
-const char* roleName(TakeRole role) {
-  switch (role) {
-    case TakeRole::ground:
-      return "ground";
-    case TakeRole::brick:
-      return "brick";
-    case TakeRole::ball:
-      return "ball";
-    case TakeRole::body:
-      break;
-  }
-  return "body";
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 #pragma once
 #include <cstdio>
 
-#include "support/lab_scenes.h"
+#include "support/lab_measure.h"
 #include "support/world_helpers.h"
 
 namespace brickfall::law {

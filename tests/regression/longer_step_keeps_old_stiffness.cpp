@@ -1,6 +1,6 @@
 // Contacts kept the stiffness of the time step they were born at: after a change to a longer step they were up to 64 times
 // too stiff for it, and a wall that was hit then fell apart in another way.
-#include "support/lab_scenes.h"
+#include "support/lab_measure.h"
 #include "support/world_helpers.h"
 
 namespace brickfall {

@@ -103,7 +103,9 @@ TEST_F(Outputs, folderThatCannotBeWrittenInto) {
   ProcessOptions options;
   options.asNobody = true;
   const Finished refused = run({"run", "cube", "-o", "locked"}, options);
-  if (refused.exitCode > 100) GTEST_SKIP() << "the build folder is closed to others than root";
+  const bool notStarted =
+      refused.exitCode == 126 || refused.exitCode == 127;  // of process.cpp: exec or chdir was refused
+  if (notStarted) GTEST_SKIP() << "missing: a build folder that others than root may enter";
   EXPECT_EQ(refused.exitCode, 3);
   EXPECT_TRUE(isOneComplaint(refused.errors, {"'locked'", "Permission denied"}));
 }

@@ -206,7 +206,7 @@ TEST(Take, WrongHeadersAreRefusedByName) {
 }
 
 TEST(Take, FullDiskIsAnInputOutputError) {
-  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "this system has no /dev/full";
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "missing: the device /dev/full";
   Result<TakeWriter> writer = TakeWriter::create("/dev/full", makeSyntheticTake({.frames = 1}).header);
   ASSERT_FALSE(writer);
   EXPECT_EQ(writer.error().code, ErrorCode::inputOutput);

@@ -1,6 +1,6 @@
 // A fast ball never passes through what is solid, whatever its speed, its direction and the time step.
 #include "math/random.h"
-#include "support/lab_scenes.h"
+#include "support/lab_measure.h"
 #include "support/world_helpers.h"
 
 namespace brickfall {

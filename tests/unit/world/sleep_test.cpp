@@ -1,5 +1,5 @@
 // Sleep: what rests costs nothing, what is touched wakes, and nothing else does.
-#include "support/lab_scenes.h"
+#include "support/lab_measure.h"
 #include "support/world_helpers.h"
 
 namespace brickfall {
