@@ -1,22 +1,45 @@
 // Each law states what it should give, what it gave and the tolerance: printed, and kept in the test report.
 #pragma once
+#include <cctype>
 #include <cstdio>
 
 #include "support/lab_measure.h"
+#include "support/validation_record.h"
 #include "support/world_helpers.h"
 
 namespace brickfall::law {
 
 using namespace brickfall::test;
 
+// "15a" of a test named Row15a...: the row of the validation page that a figure belongs to.
+inline std::string section() {
+  std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
+  if (name.rfind("Row", 0) != 0) return "more";
+  std::size_t end = 3;
+  while (end < name.size() && std::isdigit(static_cast<unsigned char>(name[end]))) end++;
+  if (end < name.size() && (name[end] == 'a' || name[end] == 'b')) end++;
+  return name.substr(3, end - 3);
+}
 inline void reached(const std::string& what, double found, double expected, double tolerance, const char* unit) {
   std::printf("    %-44s %12.6g, expected %.6g +- %.3g %s\n", what.c_str(), found, expected, tolerance, unit);
-  testing::Test::RecordProperty(what, std::to_string(found));
+  record({.section = section(),
+          .name = what,
+          .expected = expected,
+          .found = found,
+          .tolerance = tolerance,
+          .unit = unit,
+          .pass = std::fabs(found - expected) <= tolerance});
   EXPECT_NEAR(found, expected, tolerance) << what << ", " << unit;
 }
 inline void atMost(const std::string& what, double found, double limit, const char* unit) {
   std::printf("    %-44s %12.6g, at most %.6g %s\n", what.c_str(), found, limit, unit);
-  testing::Test::RecordProperty(what, std::to_string(found));
+  record({.section = section(),
+          .name = what,
+          .expected = limit,
+          .found = found,
+          .atMost = true,
+          .unit = unit,
+          .pass = found <= limit});
   EXPECT_LE(found, limit) << what << ", " << unit;
 }
 inline std::string at(double dt) { return " at 1/" + std::to_string(std::lround(1 / dt)) + " s"; }
