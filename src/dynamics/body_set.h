@@ -30,10 +30,12 @@ struct BodyMass {
   double mass = 0, invMass = 0;                     // kg; 0 unless dynamic
   Mat3 inertia{{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}};  // kg m2, body axes, about the centre of mass; 0 unless dynamic
   Mat3 invInertia{{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}};
-  double innerRadius = 0;  // m: smallest distance from the centre to the surface, scale of torques and margins
-  double outerRadius = 0;  // m: largest, how far a turn can carry a point
-  bool isotropic = false;  // inertia is a multiple of the unit matrix: no gyroscopic torque
-  bool round = false;      // one sphere: however it turns, it looks the same
+  Vec3 principalInvInertia;  // 1 / (kg m2); 0 unless dynamic
+  Mat3 principalAxes;        // rows: principal axes of inertia in body axes
+  double innerRadius = 0;    // m: smallest distance from the centre to the surface, scale of torques and margins
+  double outerRadius = 0;    // m: largest, how far a turn can carry a point
+  bool isotropic = false;    // inertia is a multiple of the unit matrix: no gyroscopic torque
+  bool round = false;        // one sphere: however it turns, it looks the same
 };
 
 enum class BodyActivity : std::uint8_t { awake, asleep, fixed };  // fixed: static bodies, and kinematic ones at rest

@@ -8,8 +8,9 @@ namespace brickfall {
 // turns by at most kLargestTurn (its spin is cut beyond: arms are frozen during a step); a free one turns exactly.
 void predictFreeMotion(StepContext& context, BodyIndex body, double airDensity, bool hasContacts);
 
-// Turns a rigid body freely for dt: angular momentum is kept to rounding, energy to second order in the turn per step.
-// Symmetric splitting into turns about the body's axes (McLachlan 1993; Dullweber, Leimkuhler and McLachlan 1997).
-Quat turnFreely(Quat rotation, Vec3 angularMomentum, const Mat3& invInertia, double dt);
+// Turns a rigid body freely for dt: angular momentum is kept to rounding, energy to fourth order in the turn per substep.
+// Symmetric splitting into turns about the principal axes (McLachlan 1993; Dullweber, Leimkuhler and McLachlan 1997), five
+// of them to a substep for fourth order (Suzuki 1990).
+Quat turnFreely(Quat rotation, Vec3 angularMomentum, const BodyMass& mass, double dt);
 
 }  // namespace brickfall

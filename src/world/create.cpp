@@ -5,6 +5,7 @@
 #include <span>
 
 #include "geometry/mass_properties.h"
+#include "math/symmetric_eigen.h"
 #include "world/checks.h"
 #include "world/world_impl.h"
 
@@ -186,6 +187,9 @@ void World::Impl::updateMass(BodyIndex body, Vec3 origin) {
   mass.invMass = 1 / mass.mass;
   mass.inertia = data.bodyFrameMass.inertia;
   mass.invInertia = inverse(mass.inertia);
+  SymmetricEigen principal = symmetricEigen(mass.inertia);
+  mass.principalAxes = principal.axes;
+  mass.principalInvInertia = {1 / principal.values.x, 1 / principal.values.y, 1 / principal.values.z};
   const Mat3& I = mass.inertia;
   double size = I.row[0].x, slack = 1e-9 * size;
   mass.isotropic = std::fabs(I.row[1].y - size) < slack && std::fabs(I.row[2].z - size) < slack &&
