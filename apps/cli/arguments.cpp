@@ -35,6 +35,12 @@ Result<int> parseThreads(std::string_view text) {
   return refused("--threads", text, fmt::format("a whole number from 1 to {}", kMaxThreads));
 }
 
+Result<std::uint64_t> parseStep(std::string_view text) {
+  std::uint64_t value = 0;
+  if (readWhole(text, value) && value >= 1) return value;
+  return refused("--items", text, "the number of a step, from 1");
+}
+
 Result<std::pair<std::string, std::string>> parseOverride(std::string_view text) {
   const std::size_t equals = text.find('=');
   if (equals == std::string_view::npos || equals == 0) return refused("--set", text, "KEY=VALUE, such as world.seed=7");

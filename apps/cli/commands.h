@@ -1,5 +1,6 @@
 // The commands and what they can be told. Each returns the exit code of the process; main.cpp only reads the arguments.
 #pragma once
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
@@ -10,6 +11,7 @@ namespace brickfall::cli {
 enum ExitCode {
   kOk = 0,
   kInternalError = 1,
+  kParted = 1,        // brickfall trace --compare: the runs are not the same
   kBadInput = 2,      // arguments or a scene file
   kFileError = 3,     // something could not be read or written
   kQuarantined = 4,   // the run ended, but bodies became non-finite on the way
@@ -31,9 +33,21 @@ struct RunOptions {
   std::vector<std::pair<std::string, std::string>> overrides;
 };
 
+struct TraceCommand {
+  std::string scene;
+  std::string output;  // file; empty: out/<scene>/<scene>.trace
+  std::optional<double> seconds;
+  std::optional<int> threads;
+  std::optional<std::uint64_t> itemsOfStep;  // also a hash of each body and contact, in this step
+  std::vector<std::pair<std::string, std::string>> overrides;
+  bool quiet = false;
+};
+
 int run(const RunOptions& options);
 int check(const std::vector<std::string>& scenes);
 int listScenes();
 int replay(const std::string& take, const OutputOptions& options);
+int trace(const TraceCommand& options);
+int compareTraces(const std::string& a, const std::string& b);
 
 }  // namespace brickfall::cli

@@ -26,6 +26,9 @@ struct Arguments {
   std::vector<std::string> checked;
   std::string take;
   OutputOptions replay;
+  TraceCommand trace;
+  std::string items;
+  std::vector<std::string> compared;
 };
 
 void addOutputOptions(CLI::App& command, OutputOptions& options, const std::string& defaultFolder) {
@@ -36,6 +39,39 @@ void addOutputOptions(CLI::App& command, OutputOptions& options, const std::stri
   command.add_flag_callback(
       "--no-glb", [&options] { options.glb = false; }, "Leave out <scene>.glb");
   command.add_flag("--quiet", options.quiet, "Say nothing but errors");
+}
+
+// What decides about a simulation.
+void addRunOptions(CLI::App& command, Arguments& arguments) {
+  command.add_option("--seconds", arguments.seconds, "Simulate so long instead of what the scene says")->type_name("S");
+  command.add_option("--set", arguments.overrides, "Change a parameter or value of the scene file; may be repeated")
+      ->type_name("KEY=VALUE")
+      ->take_all()
+      ->expected(1)
+      ->allow_extra_args(false);
+  command.add_option("--threads", arguments.threads, "Worker threads, 1 to 64; the result does not depend on it")
+      ->type_name("N");
+}
+
+void defineTrace(CLI::App& app, Arguments& arguments) {
+  CLI::App& trace = *app.add_subcommand("trace", "Find the first step and stage in which two runs part");
+  trace.add_option("scene", arguments.trace.scene, "A scene file, or a shipped scene: its trace is written")
+      ->type_name("SCENE");
+  trace.add_option("-o,--output", arguments.trace.output, "The trace (default: out/<scene>/<scene>.trace)")
+      ->type_name("FILE");
+  addRunOptions(trace, arguments);
+  trace.add_option("--items", arguments.items, "In this step also a hash of each body and contact")->type_name("STEP");
+  trace.add_option("--compare", arguments.compared, "Two traces: where do they part? No scene is run")
+      ->expected(2)
+      ->type_name("TRACE");
+  trace.add_flag("--quiet", arguments.trace.quiet, "Say nothing but errors");
+  trace.footer(
+      std::string("Examples:\n"
+                  "  brickfall trace wall -o here.trace              one run, on this machine\n"
+                  "  brickfall trace --compare here.trace there.trace\n"
+                  "  brickfall trace wall -o here.trace --items 17   which body or contact it was, in step 17\n\n"
+                  "--compare: exit code 1 if the runs part.\n") +
+      kExitCodes);
 }
 
 void defineCommands(CLI::App& app, Arguments& arguments) {
@@ -52,14 +88,7 @@ void defineCommands(CLI::App& app, Arguments& arguments) {
       ->required()
       ->type_name("SCENE");
   addOutputOptions(run, arguments.run.output, "out/<scene>");
-  run.add_option("--seconds", arguments.seconds, "Simulate so long instead of what the scene says")->type_name("S");
-  run.add_option("--set", arguments.overrides, "Change a parameter or value of the scene file; may be repeated")
-      ->type_name("KEY=VALUE")
-      ->take_all()
-      ->expected(1)
-      ->allow_extra_args(false);
-  run.add_option("--threads", arguments.threads, "Worker threads, 1 to 64; the result does not depend on it")
-      ->type_name("N");
+  addRunOptions(run, arguments);
   run.footer(std::string("Examples:\n"
                          "  brickfall run wall\n"
                          "  brickfall run hole -o short --seconds 3\n"
@@ -85,26 +114,44 @@ void defineCommands(CLI::App& app, Arguments& arguments) {
                             "  brickfall replay out/wall/wall.take\n"
                             "  brickfall replay wall.take -o again --no-html\n\n") +
                 kExitCodes);
+  defineTrace(app, arguments);
 }
 
 // False after a complaint: a value that cannot be used.
-bool readValues(Arguments& arguments, const CLI::App& run) {
-  if (run.count("--seconds") > 0) {
+bool readValues(Arguments& arguments, const CLI::App& command) {
+  if (command.count("--seconds") > 0) {
     const Result<double> seconds = parseSeconds(arguments.seconds);
     if (!seconds) return complain(seconds.error().message), false;
-    arguments.run.seconds = *seconds;
+    arguments.run.seconds = arguments.trace.seconds = *seconds;
   }
-  if (run.count("--threads") > 0) {
+  if (command.count("--threads") > 0) {
     const Result<int> threads = parseThreads(arguments.threads);
     if (!threads) return complain(threads.error().message), false;
-    arguments.run.threads = *threads;
+    arguments.run.threads = arguments.trace.threads = *threads;
   }
   for (const std::string& text : arguments.overrides) {
     const auto pair = parseOverride(text);
     if (!pair) return complain(pair.error().message), false;
     arguments.run.overrides.push_back(*pair);
+    arguments.trace.overrides.push_back(*pair);
   }
   return true;
+}
+
+int traceCommand(Arguments& arguments, const CLI::App& command) {
+  if (!readValues(arguments, command)) return kBadInput;
+  if (command.count("--items") > 0) {
+    const Result<std::uint64_t> step = parseStep(arguments.items);
+    if (!step) return complain(step.error().message), kBadInput;
+    arguments.trace.itemsOfStep = *step;
+  }
+  const bool compares = !arguments.compared.empty();
+  if (compares == !arguments.trace.scene.empty()) {
+    complainf("trace: found {}, expected either a scene or --compare with two traces; see brickfall trace --help",
+              compares ? "both" : "neither");
+    return kBadInput;
+  }
+  return compares ? compareTraces(arguments.compared[0], arguments.compared[1]) : trace(arguments.trace);
 }
 
 // What was typed where a command belongs is worth a better answer than the parser's.
@@ -148,6 +195,7 @@ int dispatch(int argc, char** argv) {
     return readValues(arguments, *app.get_subcommand("run")) ? run(arguments.run) : kBadInput;
   if (app.got_subcommand("check")) return check(arguments.checked);
   if (app.got_subcommand("replay")) return replay(arguments.take, arguments.replay);
+  if (app.got_subcommand("trace")) return traceCommand(arguments, *app.get_subcommand("trace"));
   return listScenes();
 }
 

@@ -8,4 +8,5 @@
 #include "brickfall/result.h"
 #include "brickfall/shapes.h"
 #include "brickfall/step_report.h"
+#include "brickfall/step_trace.h"
 #include "brickfall/world.h"

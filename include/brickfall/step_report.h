@@ -2,28 +2,15 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <vector>
 
 #include "brickfall/ids.h"
+#include "brickfall/step_trace.h"
 
 namespace brickfall {
 
-// The stages of World::step in their order; docs/step.md describes each.
-enum class Stage : std::uint8_t {
-  pairs,        // broad phase: candidate pairs
-  contacts,     // narrow phase: manifolds, matching
-  islands,      // islands, cluster hierarchies
-  prepare,      // contact records, free motion
-  rest,         // kinetic damping, rest check
-  solve,        // multilevel cycles
-  store,        // forces kept, velocities, free flight
-  restitution,  // rebound
-  integrate,    // new poses, quarantine
-  sleep,        // sleeping and waking
-  events,
-  count
-};
 constexpr int kStageCount = int(Stage::count);
 constexpr std::array<std::string_view, kStageCount> kStageNames = {
     "pairs", "contacts", "islands", "prepare", "rest", "solve", "store", "restitution", "integrate", "sleep", "events"};
@@ -47,6 +34,9 @@ struct StepReport {
   int manifoldsReused = 0;
   int manifoldsComputed = 0;
   std::vector<BodyId> quarantined;  // bodies that became non-finite in this step
+  // Only as World::trace asked for:
+  std::vector<StageHash> stageHashes;  // of every substep: what it was given, then each stage
+  std::optional<StepLedger> ledger;    // of all substeps together
 };
 
 }  // namespace brickfall

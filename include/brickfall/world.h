@@ -106,7 +106,8 @@ class World {
   Result<StepReport> step(double dt, int substeps = 1);
   double time() const;  // s
   std::uint64_t stepCount() const;
-  const Events& events() const;  // of the last step
+  void trace(const TraceOptions& options);  // what the reports of the steps to come hold besides; changes no result
+  const Events& events() const;             // of the last step
 
   // --- Queries, at the poses after the last step. Filter: shapes whose category is in the mask.
   Result<std::optional<RayHit>> castRay(Vec3 origin, Vec3 direction, double maxDistance,

@@ -187,6 +187,7 @@ Status World::restore(std::span<const std::byte> snapshot) {
   Status sound = next->rebuild();
   if (!sound) return sound;
   next->pool = std::make_unique<WorkerPool>(next->def.threads);
+  next->traceOptions = impl_->traceOptions;
   impl_ = std::move(next);
   return {};
 }

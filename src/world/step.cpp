@@ -1,6 +1,7 @@
 // The step: a list of stages, one file each, no logic between them. docs/step.md says what each reads and writes.
 #include <algorithm>
 #include <chrono>
+#include <iterator>
 #include <string>
 
 #include "world/world_impl.h"
@@ -18,19 +19,24 @@ StageTimer::~StageTimer() {
 }
 
 void World::Impl::step(double dt) {
+  struct StageCall {
+    Stage stage;
+    void (Impl::*run)();
+  };
+  constexpr StageCall kStages[] = {{Stage::pairs, &Impl::findPairs},      {Stage::contacts, &Impl::updateContacts},
+                                   {Stage::islands, &Impl::buildIslands}, {Stage::prepare, &Impl::prepare},
+                                   {Stage::rest, &Impl::checkRest},       {Stage::solve, &Impl::solve},
+                                   {Stage::store, &Impl::store},          {Stage::restitution, &Impl::restitute},
+                                   {Stage::integrate, &Impl::integrate},  {Stage::sleep, &Impl::updateSleep},
+                                   {Stage::events, &Impl::collectEvents}};
+  static_assert(std::size(kStages) == kStageCount);
   beginStep(dt);
+  traceStage({});
   quarantineAbsurd();
-  findPairs();
-  updateContacts();
-  buildIslands();
-  prepare();
-  checkRest();
-  solve();
-  store();
-  restitute();
-  integrate();
-  updateSleep();
-  collectEvents();
+  for (const StageCall& call : kStages) {
+    (this->*call.run)();
+    traceStage(call.stage);
+  }
   endStep();
 }
 
@@ -59,6 +65,16 @@ void World::Impl::endStep() {
   report.residualRms = std::max(report.residualRms, s.residualRms);
 }
 
+void World::Impl::traceStage(std::optional<Stage> stage) {
+  if (traceOptions.stages || traceOptions.items) hashStage(stage);
+  if (traceOptions.ledger) bookStage(stage);
+}
+
+void World::trace(const TraceOptions& options) {
+  if (!options.ledger) impl_->ledgerState = {};
+  impl_->traceOptions = options;
+}
+
 Result<StepReport> World::step(double dt, int substeps) {
   if (!(dt >= 1e-5 && dt <= 0.1))
     return Error{ErrorCode::invalidArgument, "dt: found " + std::to_string(dt) + " s, expected 0.00001 .. 0.1 s"};
@@ -74,6 +90,7 @@ Result<StepReport> World::step(double dt, int substeps) {
   w.callDt = dt;
   for (int i = 0; i < substeps; i++) {
     w.report.manifolds = w.report.contactPoints = w.report.touchingPoints = 0;
+    w.substep = i;
     w.lastSubstep = i == substeps - 1;
     w.step(dt / substeps);
   }

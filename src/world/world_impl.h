@@ -12,6 +12,7 @@
 #include "parallel/worker_pool.h"
 #include "solver/island_builder.h"
 #include "solver/step_context.h"
+#include "world/ledger.h"
 
 namespace brickfall {
 
@@ -33,7 +34,8 @@ struct World::Impl {
   double lastDt = 0;                    // s
   std::uint64_t stepCount = 0;
   bool stepping = false;
-  bool lastSubstep = true;  // of the call to step() under way
+  int substep = 0;          // of the call to step() under way, from 0
+  bool lastSubstep = true;  // of it
   double callDt = 0;        // s, of the whole call
   std::vector<BodyIndex> pendingQuarantine;
   std::vector<BodyIndex> pushed;  // bodies with a force or torque for the next step
@@ -48,6 +50,8 @@ struct World::Impl {
   BodyPairs touchingNow, touchingBefore;  // bodies of awake islands that press on each other, sorted
   StepContext context;
   StepReport report;
+  TraceOptions traceOptions;
+  LedgerState ledgerState;
   Events events;
   Events pending;  // what happened between steps: told by the next
   std::unique_ptr<WorkerPool> pool;
@@ -113,6 +117,11 @@ struct World::Impl {
   void wakeAll();
   void quarantine(BodyIndex body);
   void isolate(BodyIndex body);
+  // --- on request only: what a stage wrote (none: what the step was given), and what that did to momentum and energy
+  void traceStage(std::optional<Stage> stage);
+  void hashStage(std::optional<Stage> stage);
+  void bookStage(std::optional<Stage> stage);
+  Balance balanceNow() const;
   void countPoints(Island& island) const;
   void collectHits(const Island& island);
   void collectTouching();

@@ -11,7 +11,8 @@ TEST_F(BadArguments, helpAndVersionAreNoErrors) {
                                                     {"run", "--help"},
                                                     {"check", "--help"},
                                                     {"scenes", "--help"},
-                                                    {"replay", "--help"}}) {
+                                                    {"replay", "--help"},
+                                                    {"trace", "--help"}}) {
     const Finished help = run(arguments);
     EXPECT_EQ(help.exitCode, 0);
     EXPECT_EQ(help.errors, "");
@@ -27,7 +28,8 @@ TEST_F(BadArguments, helpAndVersionAreNoErrors) {
 TEST_F(BadArguments, aCommandIsExpected) {
   const Finished none = run({});
   EXPECT_EQ(none.exitCode, 2);
-  EXPECT_TRUE(isOneComplaint(none.errors, {"command: found nothing, expected one of: run, check, scenes, replay"}));
+  EXPECT_TRUE(
+      isOneComplaint(none.errors, {"command: found nothing, expected one of: run, check, scenes, replay, trace"}));
   const Finished typo = run({"rnu", "wall"});
   EXPECT_EQ(typo.exitCode, 2);
   EXPECT_TRUE(isOneComplaint(typo.errors, {"command: found \"rnu\"", "did you mean \"run\"?"}));

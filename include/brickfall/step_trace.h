@@ -1,0 +1,83 @@
+// What a step tells about itself on request: a hash of what each stage wrote, by which the first place where two runs part
+// is found, and a ledger of momentum and energy. Costs a walk over all bodies and contacts after each stage; off, nothing.
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "brickfall/ids.h"
+#include "brickfall/math.h"
+
+namespace brickfall {
+
+// The stages of World::step in their order; docs/step.md describes each.
+enum class Stage : std::uint8_t {
+  pairs,        // broad phase: candidate pairs
+  contacts,     // narrow phase: manifolds, matching
+  islands,      // islands, cluster hierarchies
+  prepare,      // contact records, free motion
+  rest,         // kinetic damping, rest check
+  solve,        // multilevel cycles
+  store,        // forces kept, velocities, free flight
+  restitution,  // rebound
+  integrate,    // new poses, quarantine
+  sleep,        // sleeping and waking
+  events,
+  count
+};
+
+struct TraceOptions {
+  bool stages = false;  // StepReport::stageHashes
+  bool items = false;   // and in them a hash of each body and contact
+  bool ledger = false;  // StepReport::ledger
+};
+
+// What a stage wrote about a body, or about a contact of two.
+struct ItemHash {
+  BodyId bodyA;
+  BodyId bodyB;  // null: about bodyA alone
+  std::uint64_t hash = 0;
+};
+
+// Equal hashes mean the same bits. Settings are not part of it: two worlds with other settings part in the stage that
+// reads them first.
+struct StageHash {
+  int substep = 0;             // from 0
+  std::optional<Stage> stage;  // none: what the step was given, all bodies and what contacts remember
+  std::uint64_t hash = 0;
+  std::vector<ItemHash> items;  // in order of slots, bodies first
+};
+// "given" or the stage's name.
+std::string_view nameOf(const StageHash& hash);
+
+// Of all dynamic bodies.
+struct Balance {
+  Vec3 linear;           // kg m/s
+  Vec3 angular;          // kg m2/s, about the world's origin
+  double kinetic = 0;    // J
+  double potential = 0;  // J, of gravity, as World::energy()
+};
+struct BalanceChange {
+  Vec3 linear;        // kg m/s
+  Vec3 angular;       // kg m2/s
+  double energy = 0;  // J, kinetic and potential
+};
+
+// What changed in a step, and by what. The causes are measured one by one; together they are after - before, to rounding.
+struct StepLedger {
+  Balance before, after;
+  BalanceChange outside;     // calls since the last step: launches, impulses, bodies made, moved or destroyed. Not in
+                             // after - before; 0 in the first step that keeps a ledger
+  BalanceChange gravity;     // energy 0: it is potential energy
+  BalanceChange forces;      // of applyForce and its like
+  BalanceChange damping;     // damping, air drag, spins that are cut in contact
+  BalanceChange stopped;     // kinetic damping of slow islands
+  BalanceChange held;        // contacts with static and kinematic bodies; energy: the work of kinematic ones
+  BalanceChange contacts;    // energy: friction, impacts, joints; momentum: what the solve left unbalanced
+  BalanceChange rebound;     // restitution and energy guard
+  BalanceChange integrate;   // rounding of new poses
+  BalanceChange quarantine;  // bodies that were taken out
+};
+
+}  // namespace brickfall

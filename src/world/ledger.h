@@ -1,0 +1,17 @@
+// Where the ledger of a step stands between two stages.
+#pragma once
+#include <cstddef>
+
+#include "brickfall/step_trace.h"
+
+namespace brickfall {
+
+struct LedgerState {
+  bool begun = false;           // a step was booked: the next one can be held against `last`
+  Balance now;                  // after the stage booked last
+  Balance last;                 // after the last step
+  BalanceChange push;           // of gravity and forces in this substep: what the solve must answer
+  std::size_t quarantined = 0;  // bodies, when the stage began
+};
+
+}  // namespace brickfall
