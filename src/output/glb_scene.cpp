@@ -3,9 +3,9 @@
 #include <cmath>
 #include <map>
 
+#include "brickfall/geometry/shape_mesh.h"
 #include "output/glb_animation.h"
 #include "output/glb_builder.h"
-#include "output/mesh.h"
 #include "output/role_name.h"
 #include "output/take_poses.h"
 
@@ -20,14 +20,17 @@ double linear(std::uint32_t byte) {
   return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
 }
 
-Mesh meshOf(const TakeBody& body) {
-  Mesh mesh;
-  for (const ShapeDef& shape : body.shapes) append(mesh, meshOf(shape), shape.local);
+// A shape that encloses nothing is not drawn.
+ShapeMesh meshOf(const TakeBody& body) {
+  ShapeMesh mesh;
+  for (const ShapeDef& shape : body.shapes) {
+    if (Result<ShapeMesh> part = makeShapeMesh(shape)) append(mesh, *part, shape.local);
+  }
   return mesh;
 }
 
 // The geometry as bytes, to find equal ones.
-std::string keyOf(const Mesh& mesh) {
+std::string keyOf(const ShapeMesh& mesh) {
   std::string key;
   auto add = [&](const auto& list) {
     key.append(reinterpret_cast<const char*>(list.data()), list.size() * sizeof(list[0]));
@@ -80,7 +83,7 @@ int SceneWriter::material(const TakeBody& body) {
 }
 
 int SceneWriter::mesh(const TakeBody& body) {
-  Mesh mesh = meshOf(body);
+  ShapeMesh mesh = meshOf(body);
   if (mesh.indices.empty()) return -1;
   std::string key = keyOf(mesh);
   int materialPlace = material(body);

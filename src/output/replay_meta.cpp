@@ -3,7 +3,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "output/mesh.h"
+#include "brickfall/geometry/shape_mesh.h"
 #include "output/replay_tracks.h"
 #include "output/role_name.h"
 
@@ -27,7 +27,8 @@ json shapeJson(const ShapeDef& shape) {
     case ShapeType::hull:
       break;
   }
-  Mesh mesh = hullMesh(shape.vertices);
+  Result<ShapeMesh> made = hullMesh(shape.vertices);
+  ShapeMesh mesh = made ? std::move(*made) : ShapeMesh{};
   json positions = json::array(), normals = json::array();
   for (const auto& p : mesh.positions) positions.insert(positions.end(), {p[0], p[1], p[2]});
   for (const auto& n : mesh.normals) normals.insert(normals.end(), {n[0], n[1], n[2]});
