@@ -1,0 +1,156 @@
+#include "ledger.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace brickfall::oracle {
+
+namespace {
+
+void raise(double& worst, double value) {
+  if (!(value <= worst)) worst = value;  // takes NaN
+}
+
+double errorOfForces(const Problem& problem, const std::vector<Motion>& x, const std::vector<Motion>& y) {
+  double unit = problem.mass() / double(problem.bodies.size()) * 9.81, worst = 0;
+  for (const ProblemPoint& p : problem.points) {
+    PointForce f = pointForce(problem, p, x), g = pointForce(problem, p, y);
+    raise(worst, length(p.n * (f.n - g.n) + f.t - g.t) / unit);
+  }
+  return worst;
+}
+
+int stateOf(const PointForce& f) { return f.loaded() ? (f.slides ? 2 : 1) : 0; }
+
+// What the solve added to the momentum of an island that nothing outside touches, linear and angular (about the first body,
+// as a velocity at the bodies' mean radius).
+double momentumMadeUp(const Problem& problem, const std::vector<Motion>& x) {
+  Vec3 linear, angular;
+  double mass = problem.mass(), radius = 0;
+  for (std::size_t i = 0; i < problem.bodies.size(); i++) {
+    const ProblemBody& b = problem.bodies[i];
+    Vec3 p = (x[i].d - b.dFree) * b.mass;
+    linear += p;
+    angular += cross(b.position, p) + b.inertia * (x[i].th - b.thFree);
+    radius += b.mass / mass * std::sqrt(lengthSquared(b.position) + b.outer * b.outer);
+  }
+  return (length(linear) + length(angular) / radius) / (mass * 9.81 * problem.dt * problem.dt);
+}
+
+constexpr std::size_t kOwnBoundBodies = 200;  // larger islands cost too much to solve over and over
+
+}  // namespace
+
+void Ledger::add(const SolvedIsland& solved) {
+  const Problem& problem = solved.problem;
+  Solution exact = solveFrozen(problem);
+  islands++;
+  raise(oracleLeft, exact.left.worst());
+  failures += !exact.converged;
+  iterations += exact.iterations;
+
+  Imbalance engine = imbalanceAt(problem, solved.motion);
+  Deviation apart = deviationOf(problem, solved.motion, exact.motion);
+  raise(excess, apart.mean / (engine.mean + exact.left.mean + 1e-9));  // motions in double: some 1e-12
+  if (!solved.grounded) {
+    floating++;
+    raise(momentum, momentumMadeUp(problem, solved.motion));
+  }
+
+  EndingSums& s = endings[std::size_t(solved.ending)];
+  s.islands++;
+  s.bodies += int(problem.bodies.size());
+  s.cycles += solved.cycles;
+  raise(s.force, engine.force);
+  raise(s.torque, engine.torque);
+  raise(s.rms, engine.rmsForce);
+  raise(s.mean, engine.mean);
+  raise(s.deviation, apart.mean);
+  raise(s.millimetres, apart.largest * 1e3);
+  raise(s.forceError, errorOfForces(problem, solved.motion, exact.motion));
+  if (problem.bodies.size() <= kOwnBoundBodies) {
+    Problem own = solved.posed;
+    Solution solution = solveWithNewBounds(own);
+    ownBoundSolves++;
+    ownBoundFailures += !solution.converged;
+    if (solution.converged) raise(s.ownBounds, deviationOf(problem, solved.motion, solution.motion).mean);
+  }
+
+  bool steady = true;
+  for (const ProblemPoint& p : problem.points) {
+    PointForce f = pointForce(problem, p, exact.motion), e = pointForce(problem, p, solved.motion);
+    sticking += stateOf(f) == 1;
+    sliding += stateOf(f) == 2;
+    open += stateOf(f) == 0;
+    opening += !p.carriedNothing && !f.loaded();
+    closing += p.carriedNothing && f.loaded();
+    wrongStates += stateOf(f) != stateOf(e);
+    steady = steady && !(p.carriedNothing && e.loaded());
+  }
+  if (!steady) return;
+  raise(s.steady, engine.worst());
+  raise(s.steadyRms, engine.rmsForce);
+  if (solved.ending != Ending::rested && solved.grounded)
+    raise(s.noise, std::fabs(engine.rmsForce - solved.residualRms));
+}
+
+void Ledger::add(const Ledger& o) {
+  using S = EndingSums;
+  using L = Ledger;
+  for (std::size_t i = 0; i < endings.size(); i++) {
+    for (auto field : {&S::islands, &S::bodies, &S::cycles}) endings[i].*field += o.endings[i].*field;
+    for (auto field : {&S::force, &S::torque, &S::rms, &S::mean, &S::steady, &S::steadyRms, &S::noise, &S::deviation,
+                       &S::millimetres, &S::forceError, &S::ownBounds})
+      raise(endings[i].*field, o.endings[i].*field);
+  }
+  for (auto field :
+       {&L::steps, &L::islands, &L::sticking, &L::sliding, &L::open, &L::opening, &L::closing, &L::wrongStates,
+        &L::iterations, &L::failures, &L::ownBoundSolves, &L::ownBoundFailures, &L::floating, &L::hashesDiffer})
+    this->*field += o.*field;
+  for (auto field : {&L::oracleLeft, &L::excess, &L::momentum}) raise(this->*field, o.*field);
+}
+
+void Ledger::print(const std::string& title) const {
+  std::printf(
+      "  %s: %d steps, %d islands; points sticking %d, sliding %d, open %d, opening %d, closing %d; in another state "
+      "in the engine %d\n",
+      title.c_str(), steps, islands, sticking, sliding, open, opening, closing, wrongStates);
+  std::printf(
+      "    oracle: residual %.1e, iterations %.1f, failed %d, own bounds failed %d of %d; deviation / allowed %.3f; "
+      "floating %d, momentum %.1e\n",
+      oracleLeft, double(iterations) / std::max(1, islands), failures, ownBoundFailures, ownBoundSolves, excess,
+      floating, momentum);
+  std::printf("    %-9s %7s %7s %6s  %8s %8s %8s %8s  %8s %8s  %8s %8s %8s %8s\n", "ended", "islands", "bodies",
+              "cycles", "force", "torque", "rms", "mean", "steady", "noise", "dev/gh2", "dev mm", "forces", "own");
+  for (int i = 0; i < kEndings; i++) {
+    const EndingSums& s = endings[std::size_t(i)];
+    if (s.islands == 0) continue;
+    std::printf("    %-9s %7d %7.1f %6.1f  %8.1e %8.1e %8.1e %8.1e  %8.1e %8.1e  %8.1e %8.1e %8.1e %8.1e\n",
+                kEndingNames[i], s.islands, double(s.bodies) / s.islands, double(s.cycles) / s.islands, s.force,
+                s.torque, s.rms, s.mean, s.steady, s.noise, s.deviation, s.millimetres, s.forceError, s.ownBounds);
+  }
+}
+
+Ledger follow(Stage stage, double seconds, int every) {
+  Ledger ledger;
+  int steps = int(std::lround(seconds / stage.dt));
+  for (int step = 0; step < steps; step++) {
+    std::uint64_t expected = 0;
+    bool looked = step % every == 0;
+    if (looked) {
+      expected = probeStep(
+          stage.world, stage.dt, [&](const SolvedIsland& s) { ledger.add(s); }, stage.push);
+      ledger.steps++;
+    }
+    if (stage.push) stage.push(stage.world);
+    Result<StepReport> report = stage.world.step(stage.dt);
+    EXPECT_TRUE(report.ok() && report->quarantined.empty()) << "step " << step;
+    if (looked) ledger.hashesDiffer += stage.world.stateHash() != expected;
+  }
+  return ledger;
+}
+
+}  // namespace brickfall::oracle

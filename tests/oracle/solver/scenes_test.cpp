@@ -1,0 +1,109 @@
+// The engine's steps against the converged ones. In every step looked at:
+//   - the copy that is looked into ends as the world itself does, bit for bit;
+//   - the oracle converges, and the engine's motion is no further from its than strict convexity allows: whatever is wrong
+//     with either's forces breaks this;
+//   - what the engine stopped with is what its settings say, seen in double. Where a new point carries force, its friction
+//     bound moved once more after the last cycle, so the residual is told but not asked for;
+//   - islands that touch nothing fixed keep their momentum.
+// And the regimes were met, each so many times.
+#include <gtest/gtest.h>
+
+#include "ledger.h"
+
+namespace brickfall::oracle {
+namespace {
+
+// Float kernels, in weights: under loads of some ten weights; and for bodies that move some 0.1 m in the step, of which the
+// springs (1000 m / h^2) see the last bit: 0.1 m * 6e-8 * 1000 / (h^2 g) = 2e-3.
+constexpr double kNoise = 5e-5, kNoiseFast = 1e-3;
+
+void expectAsSettingsSay(const Ledger& l) {
+  EXPECT_EQ(l.hashesDiffer, 0);
+  EXPECT_EQ(l.failures, 0);
+  EXPECT_LE(l.excess, 1);
+  EXPECT_LE(std::max(l.of(Ending::rested).force, l.of(Ending::rested).torque), 1e-3 + kNoise);
+  EXPECT_LE(l.of(Ending::slow).steady, 5e-4 + kNoise);
+  EXPECT_LE(l.of(Ending::exact).steady, 5e-4 + kNoiseFast);
+  EXPECT_LE(l.of(Ending::moving).steadyRms, 1.5e-2);  // 1e-2, and what making a floating island's momentum exact adds
+  EXPECT_LE(l.momentum, 1e-5);
+}
+
+Ledger look(const char* name, Stage stage, double seconds, int every) {
+  Ledger l = follow(std::move(stage), seconds, every);
+  l.print(name);
+  expectAsSettingsSay(l);
+  return l;
+}
+
+TEST(ConvergedStep, Walls) {
+  Ledger l = look("wall of 10 courses", fromLab("w10"), 1, 5);
+  l.add(look("the same with gaps of 0.1 mm", walls(10, 10, 1e-4, 1), 1.5, 15));
+  l.add(look("4 courses of 4, gaps of 0.2 mm", walls(4, 4, 2e-4, 1), 2, 4));
+  l.add(look("6 courses of 8, gaps of 0.5 mm", walls(6, 8, 5e-4, 1), 1, 6));
+  l.add(look("20 courses of 8, gaps of 0.1 mm", walls(20, 8, 1e-4, 1), 0.5, 10));
+  EXPECT_GE(l.of(Ending::rested).islands, 4);
+  EXPECT_GE(l.of(Ending::slow).islands, 10);
+  EXPECT_GE(l.of(Ending::exhausted).islands, 10);
+}
+
+TEST(ConvergedStep, Pyramids) {
+  Ledger l = look("pyramid of 12 rows", pyramid(12), 0.5, 2);
+  l.add(look("pyramid of 4 rows", pyramid(4), 0.5, 1));
+  EXPECT_GE(l.of(Ending::rested).islands, 2);
+}
+
+TEST(ConvergedStep, Arches) {
+  Ledger l = look("segmental arch of 9", arch(9, 120, 0.3), 1, 2);
+  l.add(look("semicircle of 15", arch(15, 180, 0.2), 1, 2));
+  EXPECT_GE(l.of(Ending::rested).islands, 2);
+  Ledger thin = look("semicircle of 21, too thin to stand", arch(21, 180, 0.08), 1, 4);
+  EXPECT_EQ(thin.of(Ending::rested).islands, 0);
+}
+
+TEST(ConvergedStep, Piles) {
+  Ledger l;
+  int seed = 1;
+  for (Litter kind : {Litter::boxes, Litter::hulls, Litter::spheres, Litter::capsules}) {
+    l.add(look("pile of 40", pile(kind, 40, std::uint64_t(seed)), 2, 8));
+    seed++;
+  }
+  l.add(look("pile of 60, mixed", pile(Litter::mixed, 60, 5), 1.6, 12));
+  EXPECT_GE(l.sticking, 1000);
+  EXPECT_GE(l.sliding, 1000);
+  EXPECT_GE(l.open, 1000);
+  EXPECT_GE(l.opening, 100);
+  EXPECT_GE(l.closing, 500);
+  EXPECT_GE(l.of(Ending::exact).islands, 100);
+  EXPECT_GE(l.of(Ending::exhausted).islands, 50);
+}
+
+TEST(ConvergedStep, LoadsOfAThousandToOne) {
+  Ledger l = look("1000 times as heavy above", column(1000, true), 3, 4);
+  l.add(look("1000 times as heavy below", column(1000, false), 1, 1));
+  EXPECT_GE(l.of(Ending::exact).islands, 20);
+}
+
+TEST(ConvergedStep, FrictionAtItsLimit) {
+  Ledger sticks, slides;
+  for (bool tilt : {false, true}) {
+    for (double degrees : {-30.9, 30.9, 30.95}) sticks.add(follow(incline(degrees, 0.6, tilt), 0.5, 1));
+    for (double degrees : {-31.0, 30.98, 31.0}) slides.add(follow(incline(degrees, 0.6, tilt), 0.5, 1));
+  }
+  sticks.add(follow(pushed(0.99, 0.6), 0.5, 1));
+  slides.add(follow(pushed(1.01, 0.6), 0.5, 1));
+  sticks.print("just under the friction limit");
+  slides.print("just over it");
+  expectAsSettingsSay(sticks);
+  expectAsSettingsSay(slides);
+  EXPECT_GE(sticks.sticking, 500);
+  EXPECT_GE(slides.sliding, 500);
+}
+
+TEST(ConvergedStep, Hits) {
+  Ledger l = look("ball into a floating wall", fromLab("hit0"), 0.3, 4);
+  EXPECT_GE(l.floating, 10);
+  EXPECT_GE(l.closing, 500);
+}
+
+}  // namespace
+}  // namespace brickfall::oracle

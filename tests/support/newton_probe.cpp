@@ -1,0 +1,123 @@
+#include "support/newton_probe.h"
+
+#include <algorithm>
+#include <map>
+
+#include "solver/cycles.h"
+#include "world/world_impl.h"
+
+namespace brickfall::oracle {
+
+namespace {
+
+// The world's insides for tests: an explicit instantiation may name what is private.
+auto insideOfWorld();
+template <auto member> struct Opener {
+  friend auto insideOfWorld() { return member; }
+};
+template struct Opener<&World::impl_>;
+
+auto& inside(World& world) { return *(world.*insideOfWorld()); }
+
+Ending endingOf(const Island& island, const StepContext& context) {
+  if (island.resting) return Ending::rested;
+  bool tight = island.slow || island.exactSteps;
+  bool balanced = tight ? worstResidual(island, *context.bodies) < kSlowTolerance
+                        : rmsResidual(island, *context.bodies) < context.settings.cycleTolerance;
+  if (!balanced) return Ending::exhausted;
+  if (island.exactSteps) return Ending::exact;
+  return island.slow ? Ending::slow : Ending::moving;
+}
+
+template <class Impl> void finishStep(Impl& w) {
+  w.store();
+  w.restitute();
+  w.integrate();
+  w.updateSleep();
+  w.collectEvents();
+  w.endStep();
+}
+
+template <class Impl> void startStep(Impl& w, double dt) {
+  w.report = {};
+  w.callDt = dt;
+  w.lastSubstep = true;
+  w.beginStep(dt);
+  w.quarantineAbsurd();
+  w.findPairs();
+  w.updateContacts();
+  w.buildIslands();
+  w.prepare();
+}
+
+}  // namespace
+
+std::uint64_t probeStep(const World& world, double dt, const std::function<void(const SolvedIsland&)>& look,
+                        const std::function<void(World&)>& prepareCopy) {
+  World copy = std::move(World::create({})).value();
+  if (!copy.restore(world.snapshot()).ok()) return 0;
+  if (prepareCopy) prepareCopy(copy);
+  auto& w = inside(copy);
+  startStep(w, dt);
+  std::vector<Problem> problems;
+  for (auto& island : w.islands.awake) problems.push_back(island->settled ? Problem{} : problemOf(*island, w.context));
+  w.checkRest();
+  for (std::size_t i = 0; i < problems.size(); i++) {
+    Island& island = *w.islands.awake[i];
+    if (island.settled) continue;
+    SolveStatistics statistics;
+    SolvedIsland found;
+    if (!island.resting) {
+      updateHierarchies(island, w.contacts);
+      runCycles(island, w.context, statistics);
+      found.ending = endingOf(island, w.context);
+      correctMomentum(island, w.context);
+    }
+    found.posed = problems[i];
+    found.problem = std::move(problems[i]);
+    takeLimits(found.problem, island);
+    found.motion = engineMotion(island);
+    found.grounded = island.grounded;
+    found.slow = island.slow;
+    found.cycles = statistics.cycles;
+    found.residualRms = statistics.residualRms;
+    found.solveVisits = statistics.solveSides;
+    look(found);
+  }
+  finishStep(w);
+  return copy.stateHash();
+}
+
+ConvergedStep stepConverged(World& world, double dt, double tolerance) {
+  ConvergedStep out;
+  auto& w = inside(world);
+  startStep(w, dt);
+  std::vector<Problem> problems;
+  for (auto& island : w.islands.awake) problems.push_back(island->settled ? Problem{} : problemOf(*island, w.context));
+  w.checkRest();
+  for (std::size_t i = 0; i < problems.size(); i++) {
+    Island& island = *w.islands.awake[i];
+    if (island.settled || island.resting) continue;
+    updateHierarchies(island, w.contacts);
+    NewtonSettings settings;
+    settings.tolerance = tolerance;
+    Solution s = solveWithNewBounds(problems[i], settings);
+    out.islands++;
+    out.failed += !s.converged;
+    out.iterations += s.iterations;
+    out.worst = std::max(out.worst, s.left.worst());
+    std::map<ContactIndex, std::size_t> record;
+    for (std::size_t k = 0; k < island.contacts.size(); k++) record[island.contacts[k]] = k;
+    for (const ProblemPoint& p : problems[i].points)
+      island.records[record.at(p.contact)].limit[p.lane] = float(p.limit);
+    for (std::size_t k = 0; k < s.motion.size(); k++) {
+      island.motion[k].d = toFloat(s.motion[k].d - island.drift);
+      island.motion[k].th = toFloat(s.motion[k].th);
+    }
+    correctMomentum(island, w.context);
+  }
+  finishStep(w);
+  return out;
+}
+
+}  // namespace brickfall::oracle

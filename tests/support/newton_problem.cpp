@@ -1,0 +1,109 @@
+#include "support/newton_problem.h"
+
+#include <algorithm>
+#include <map>
+
+namespace brickfall::oracle {
+
+namespace {
+
+// docs/step.md, "The contact law" and "Constants"; written out here so that a change of the engine's shows.
+constexpr double kHalf = 0.5;         // of the last force held, and of an old gap or drift corrected
+constexpr double kWeightUnit = 9.81;  // m/s2
+
+ProblemBody bodyOf(BodyIndex index, const StepContext& context) {
+  const BodySet& set = *context.bodies;
+  const BodyMotion& m = set.motion[index];
+  const BodyData& data = set.data[index];
+  ProblemBody b;
+  b.mass = set.mass[index].mass;
+  Mat3 axes = toMatrix(m.rotation);
+  b.inertia = axes * set.mass[index].inertia * transpose(axes);
+  b.invInertia = axes * set.mass[index].invInertia * transpose(axes);
+  b.inner = set.mass[index].innerRadius;
+  b.outer = set.mass[index].outerRadius;
+  Vec3 acceleration = context.gravity * data.gravityScale + data.force * (1 / b.mass);
+  b.dFree = m.linearVelocity * context.dt + acceleration * (context.dt * context.dt);
+  b.thFree = context.free[index].th;
+  return b;
+}
+
+// Point i of a contact, all but its bodies' numbers.
+ProblemPoint pointOf(const Contact& c, const ContactGeometry& g, int i, const StepContext& context) {
+  const BodyMotion &a = context.bodies->motion[c.bodyA], &b = context.bodies->motion[c.bodyB];
+  Mat3 axes = toMatrix(a.rotation);
+  std::size_t lane = std::size_t(i);
+  ProblemPoint p;
+  p.lane = i;
+  p.n = axes * g.normal;
+  p.t1 = axes * g.tangent1;
+  p.t2 = cross(p.n, p.t1);
+  p.armA = axes * g.centre + p.t1 * double(c.s1[lane]) + p.t2 * double(c.s2[lane]);
+  p.armB = p.armA + (a.position - b.position);
+  p.k = c.stiffness[lane];
+  double gap = double(c.gap[lane]) - double(c.offset[lane]);
+  p.trialN = kHalf * c.heldN[lane] - p.k * (gap > 0 ? gap : kHalf * gap);
+  p.trialT = p.t1 * (kHalf * c.held1[lane] - p.k * kHalf * c.drift1[lane]) +
+             p.t2 * (kHalf * c.held2[lane] - p.k * kHalf * c.drift2[lane]);
+  p.friction = c.friction;
+  p.limit = p.friction * std::max(0.0, double(c.forceN[lane]));
+  p.carriedNothing = c.forceN[lane] == 0;
+  Vec3 approach =
+      b.linearVelocity + cross(b.angularVelocity, p.armB) - a.linearVelocity - cross(a.angularVelocity, p.armA);
+  p.newBound = c.effectiveMass * (std::max(0.0, -dot(p.n, approach)) + kWeightUnit * context.dt) / context.dt;
+  return p;
+}
+
+}  // namespace
+
+double Problem::mass() const {
+  double sum = 0;
+  for (const ProblemBody& b : bodies) sum += b.mass;
+  return sum;
+}
+
+Problem problemOf(const Island& island, const StepContext& context) {
+  Problem out;
+  out.dt = context.dt;
+  std::map<BodyIndex, int> number;
+  for (BodyIndex body : island.bodies) {
+    number[body] = int(number.size());
+    out.bodies.push_back(bodyOf(body, context));
+    out.bodies.back().position =
+        context.bodies->motion[body].position - context.bodies->motion[island.bodies.front()].position;
+  }
+  for (BodyIndex body : island.partners) {
+    number[body] = int(number.size());
+    const BodyMotion& m = context.bodies->motion[body];
+    out.partners.push_back({m.linearVelocity * context.dt, m.angularVelocity * context.dt});
+  }
+  for (ContactIndex index : island.contacts) {
+    const Contact& c = context.contacts->contacts[index];
+    for (int i = 0; i < c.count; i++) {
+      ProblemPoint p = pointOf(c, context.contacts->geometry[index], i, context);
+      p.a = number.at(c.bodyA);
+      p.b = number.at(c.bodyB);
+      p.contact = index;
+      out.points.push_back(p);
+    }
+  }
+  return out;
+}
+
+void takeLimits(Problem& problem, const Island& island) {
+  std::map<ContactIndex, const ContactRecord*> records;
+  for (std::size_t k = 0; k < island.contacts.size(); k++) records[island.contacts[k]] = &island.records[k];
+  for (ProblemPoint& p : problem.points) p.limit = double(records.at(p.contact)->limit[p.lane]);
+}
+
+std::vector<Motion> engineMotion(const Island& island) {
+  std::vector<Motion> out;
+  for (std::size_t i = 0; i < island.bodies.size(); i++) {
+    const SolveMotion& m = island.motion[i];
+    // A resting island has not moved at all; its drift is that of nothing.
+    out.push_back({toDouble(m.d) + (island.resting ? Vec3{} : island.drift), toDouble(m.th)});
+  }
+  return out;
+}
+
+}  // namespace brickfall::oracle
