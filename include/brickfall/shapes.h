@@ -16,7 +16,7 @@ enum class CombineRule : std::uint8_t { geometricMean, average, minimum, multipl
 struct Material {
   double density = 1900;   // kg/m3, > 0; sets mass and inertia of dynamic bodies
   double friction = 0.6;   // Coulomb coefficient, 0 .. 100
-  double restitution = 0;  // rebound speed / impact speed, 0 .. 1; impacts slower than 1 m/s do not rebound
+  double restitution = 0;  // rebound speed / impact speed, 0 .. 1; see SolverSettings::restitutionSpeed
   CombineRule frictionRule = CombineRule::geometricMean;
   CombineRule restitutionRule = CombineRule::maximum;
 };

@@ -11,6 +11,8 @@ struct SolverSettings {
   double restingApproachSpeed = 0.3;  // m/s: contacts born slower are resting, not impacts
   double contactMargin = 0.010;  // m: contacts are made this early (plus approach x dt); for small bodies 0.3 of the
                                  // smaller one's inner radius
+  double restitutionSpeed = 1;  // m/s, >= 0: slower impacts do not rebound; for a body alone on something fixed at most
+                                // gravity x dt. Smaller: heaps chatter longer before they rest
   double restSpeed = 1e-2;       // m/s: only islands slower than this may be stopped or put to rest
   double restTolerance = 1e-3;   // residual / weight accepted as "nothing moves"
   double cycleTolerance = 1e-2;  // rms residual / weight at which a moving island is done

@@ -36,6 +36,7 @@ struct BodyMass {
   double outerRadius = 0;    // m: largest, how far a turn can carry a point
   bool isotropic = false;    // inertia is a multiple of the unit matrix: no gyroscopic torque
   bool round = false;        // one sphere: however it turns, it looks the same
+  Vec3 symmetryAxis;         // body axes: one capsule looks the same however it turns about it; else 0
 };
 
 enum class BodyActivity : std::uint8_t { awake, asleep, fixed };  // fixed: static bodies, and kinematic ones at rest

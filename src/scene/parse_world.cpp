@@ -12,6 +12,7 @@ void readSolver(TableReader& top, SolverSettings& solver) {
   reader.number("resting_stiffness", solver.restingStiffness);
   reader.number("impact_stiffness", solver.impactStiffness);
   reader.number("resting_approach_speed", solver.restingApproachSpeed);
+  reader.number("restitution_speed", solver.restitutionSpeed);
   reader.number("contact_margin", solver.contactMargin);
   reader.number("rest_speed", solver.restSpeed);
   reader.number("rest_tolerance", solver.restTolerance);

@@ -10,7 +10,7 @@ namespace brickfall {
 namespace {
 
 constexpr double kRelativeSlack = 1e-7;  // of the kinetic energy: rounding of the float solve
-constexpr double kSlackPerMass = 1e-6;   // J/kg: a lift of 0.1 micrometres
+constexpr double kSlackPerMass = 1e-7;   // J/kg: a lift of 0.01 micrometres
 
 Vec3 spinOf(const StepContext& context, BodyIndex body) {
   return context.bodies->worldInvInertia(body) * context.solved[body].angularMomentum;

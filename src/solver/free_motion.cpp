@@ -53,6 +53,23 @@ Quat turnFreely(Quat rotation, Vec3 angularMomentum, const BodyMass& mass, doubl
   return normalized(rotation * Quat{axis.x, axis.y, axis.z, turned.w});
 }
 
+Vec3 visibleTurn(const BodyMass& mass, const Mat3& orientation, Vec3 th) {
+  if (mass.round) return {};
+  Vec3 axis = orientation * mass.symmetryAxis;
+  return th - axis * dot(axis, th);
+}
+
+namespace {
+
+// `turn`: without the wrap that a rotation vector has at half a turn.
+void limitTurn(FreeMotion& free, const BodyMass& mass, const BodyMotion& m, Vec3 turn) {
+  Vec3 visible = visibleTurn(mass, m.orientation, turn);
+  double size = length(visible);
+  free.th = turn - visible + visible * (size > kLargestTurn ? kLargestTurn / size : 1);
+}
+
+}  // namespace
+
 void predictFreeMotion(StepContext& context, BodyIndex body, double airDensity, bool hasContacts) {
   BodySet& bodies = *context.bodies;
   BodyMotion& m = bodies.motion[body];
@@ -71,10 +88,6 @@ void predictFreeMotion(StepContext& context, BodyIndex body, double airDensity, 
     Vec3 v = m.linearVelocity + half;
     m.linearVelocity = v * (1 / (1 + c * length(v) * dt)) - half;
   }
-  if (hasContacts && !mass.round) {
-    double turn = length(m.angularVelocity) * dt;
-    if (turn > kLargestTurn) m.angularVelocity *= kLargestTurn / turn;
-  }
   Vec3 acceleration = context.gravity * data.gravityScale + data.force * mass.invMass;
   free.d = (m.linearVelocity + acceleration * dt) * dt;
 
@@ -85,10 +98,11 @@ void predictFreeMotion(StepContext& context, BodyIndex body, double airDensity, 
   if (mass.isotropic || lengthSquared(spin) * dt * dt < 1e-12) {
     free.th = spin * dt;
     free.rotation = normalized(quatFromRotationVector(free.th) * m.rotation);
-    return;
+  } else {
+    free.rotation = turnFreely(m.rotation, momentum, mass, dt);
+    free.th = rotationVector(normalized(free.rotation * conjugate(m.rotation)));
   }
-  free.rotation = turnFreely(m.rotation, momentum, mass, dt);
-  free.th = rotationVector(normalized(free.rotation * conjugate(m.rotation)));
+  if (hasContacts && lengthSquared(spin) * dt * dt > kLargestTurn * kLargestTurn) limitTurn(free, mass, m, spin * dt);
 }
 
 }  // namespace brickfall

@@ -4,9 +4,12 @@
 
 namespace brickfall {
 
-// Applies the step's forces, damping and drag to the body's velocities and predicts its free motion. A body with contacts
-// turns by at most kLargestTurn (its spin is cut beyond: arms are frozen during a step); a free one turns exactly.
+// Applies the step's forces, damping and drag to the body's velocities and predicts its free motion: the exact turn. For a
+// body with contacts the solve sees at most kLargestTurn of it, since arms are frozen during a step; its momentum stays.
 void predictFreeMotion(StepContext& context, BodyIndex body, double airDensity, bool hasContacts);
+
+// What of the turn th (world axes) moves the body's surface elsewhere: not the part about an axis of symmetry.
+Vec3 visibleTurn(const BodyMass& mass, const Mat3& orientation, Vec3 th);
 
 // Turns a rigid body freely for dt: angular momentum is kept to rounding, energy to fourth order in the turn per substep.
 // Symmetric splitting into turns about the principal axes (McLachlan 1993; Dullweber, Leimkuhler and McLachlan 1997), five

@@ -37,6 +37,7 @@ struct Island {
   bool grounded = false;          // touches something fixed or kinematic
   bool partnersMove = false;      // a kinematic partner moves
   bool slow = false;              // grounded, all bodies slower than SolverSettings::restSpeed
+  bool calm = false;              // the same for a little more: settling, not falling
   bool resting = false;           // accepted by the rest check in this step
   bool settled = false;           // rested, and not one bit of its forces changed in the last step
   bool allowSleep = true;

@@ -161,6 +161,8 @@ void prepareContacts(Island& island, StepContext& context) {
   const BodySet& bodies = *context.bodies;
   ContactSet& set = *context.contacts;
   double perDt2 = 1 / (context.dt * context.dt);
+  bool stiffer = island.calm && island.bodies.size() <= kExactBodies;
+  double resting = context.settings.restingStiffness * (stiffer ? kExactStiffening : 1);
   for (std::size_t k = 0; k < island.contacts.size(); k++) {
     Contact& c = set.contacts[island.contacts[k]];
     ContactRecord& r = island.records[k];
@@ -171,7 +173,7 @@ void prepareContacts(Island& island, StepContext& context) {
     findApproach(r, c, bodies, start);
     double unit = c.effectiveMass * perDt2;
     StiffnessScale scale{float(unit),
-                         float(context.settings.restingStiffness * unit),
+                         float(resting * unit),
                          float(context.settings.impactStiffness * unit),
                          float(context.settings.restingApproachSpeed),
                          kHeldWeights * float(kReferenceGravity) * c.effectiveMass,

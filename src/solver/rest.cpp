@@ -6,6 +6,7 @@ void dampSlowIsland(Island& island, StepContext& context) {
   BodySet& bodies = *context.bodies;
   double before = 0, now = 0;
   island.slow = island.grounded && !island.partnersMove;
+  double fastest = 0;
   for (BodyIndex body : island.bodies) {
     BodyData& data = bodies.data[body];
     const BodyMotion& m = bodies.motion[body];
@@ -13,8 +14,10 @@ void dampSlowIsland(Island& island, StepContext& context) {
     data.lastKineticEnergy = bodies.kineticEnergy(body);
     now += data.lastKineticEnergy;
     double speed = length(m.linearVelocity) + length(m.angularVelocity) * bodies.mass[body].innerRadius;
-    if (!(speed <= context.settings.restSpeed)) island.slow = false;
+    if (!(speed <= fastest)) fastest = speed;
   }
+  island.calm = island.slow && fastest <= context.settings.restSpeed + kCalmShare * kReferenceGravity * context.dt;
+  island.slow = island.slow && fastest <= context.settings.restSpeed;
   if (!island.slow || now >= before) return;
   for (BodyIndex body : island.bodies) {
     bodies.motion[body].linearVelocity = {};

@@ -49,8 +49,16 @@ struct Pass {
   std::vector<Motion> velocities, moves;
 };
 
+// m/s: slower impacts do not rebound. In a heap every body would chatter with its neighbours; a body alone on something
+// fixed bounces on until a bounce takes no more than two steps.
+double slowestRebound(const Island& island, const StepContext& context) {
+  double wanted = context.settings.restitutionSpeed;
+  return island.bodies.size() == 1 ? std::min(wanted, length(context.gravity) * context.dt) : wanted;
+}
+
 // When in the step the surfaces met, and what follows: rebound, then free motion for the rest of the step.
-Impact findImpact(const Contact& c, const ContactStart& start, int i, Vec3 normal, const StepContext& context) {
+Impact findImpact(const Contact& c, const ContactStart& start, int i, Vec3 normal, double slowest,
+                  const StepContext& context) {
   Impact impact;
   if (c.restitution == 0 || !(c.forceN[i] > 0)) return impact;
   const auto& data = context.bodies->data;
@@ -62,7 +70,7 @@ Impact findImpact(const Contact& c, const ContactStart& start, int i, Vec3 norma
   double closing = std::sqrt(closing2);
   double time = std::min(context.dt, 2 * gap / (closing - approach));
   closing = -approach - pull * time;
-  if (closing <= kRestitutionSpeed) return impact;
+  if (closing <= slowest) return impact;
   double left = context.dt - time;
   impact.happens = true;
   impact.speedAfter = double(c.restitution) * closing + pull * left;
@@ -182,6 +190,7 @@ Vec3 endSpin(const StepContext& context, BodyIndex body) {
 }
 
 void makeBlocks(const Island& island, const StepContext& context, Pass& pass) {
+  double slowest = slowestRebound(island, context);
   const ContactSet& set = *context.contacts;
   for (std::size_t n = 0; n < island.contacts.size(); n++) {
     const Contact& c = set.contacts[island.contacts[n]];
@@ -206,7 +215,7 @@ void makeBlocks(const Island& island, const StepContext& context, Pass& pass) {
                            dot(cross(k.armB[i], k.normal), b.invInertia * cross(k.armB[j], k.normal));
       }
     for (int i = 0; i < c.count; i++) {
-      Impact impact = findImpact(c, island.starts[n], i, k.normal, context);
+      Impact impact = findImpact(c, island.starts[n], i, k.normal, slowest, context);
       k.impact[i] = impact.happens;
       k.wantedSpeed[i] = impact.speedAfter;
       k.wantedMove[i] = impact.gapAfter - k.gap[i];
@@ -252,11 +261,12 @@ void forgetForces(Contact& c, int i) {
 }
 
 bool anyImpact(const Island& island, const StepContext& context) {
+  double slowest = slowestRebound(island, context);
   for (std::size_t n = 0; n < island.contacts.size(); n++) {
     const Contact& c = context.contacts->contacts[island.contacts[n]];
     if (c.restitution == 0) continue;
     for (int i = 0; i < c.count; i++)
-      if (findImpact(c, island.starts[n], i, toDouble(island.records[n].n), context).happens) return true;
+      if (findImpact(c, island.starts[n], i, toDouble(island.records[n].n), slowest, context).happens) return true;
   }
   return false;
 }

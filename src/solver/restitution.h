@@ -4,7 +4,7 @@
 
 namespace brickfall {
 
-// Contacts with restitution e > 0 that met faster than kRestitutionSpeed and carried force get e x impact speed back, by
+// Contacts with restitution e > 0 that met faster than SolverSettings::restitutionSpeed and carried force get e x impact speed back, by
 // normal impulses (the friction of the impact is the primal solve's). Changes StepContext::solved of the island's bodies;
 // total energy never rises by it.
 void applyRestitution(Island& island, StepContext& context);

@@ -17,8 +17,10 @@ constexpr float kHeldWeights = 5;           // ... plus this many effective weig
 constexpr float kOffsetKept = 0.9f;         // of the plastic offset, per step
 constexpr float kLargestDrift = 1e-3f;      // m: an anchor further away is placed anew
 constexpr float kNearContact = 5e-3f;       // m: open points nearer than this stay in the Newton matrix
-constexpr std::size_t kExactBodies = 12;    // islands of no more bodies leave open points out of the matrix: true to
+constexpr std::size_t kExactBodies = 24;    // islands of no more bodies leave open points out of the matrix: true to
                                             // the last residual; larger ones would lose walls by it
+constexpr float kExactStiffening = 10;      // x restingStiffness while such an island is calm: they converge all the same
+constexpr double kCalmShare = 0.1;          // of g dt, added to the rest speed: an island no faster settles
 constexpr int kLineSearchSteps = 8;
 constexpr int kLineSearchStepsExact = 16;  // in exact steps: sticking is a very narrow range of motion to find
 constexpr double kSlowTolerance = 5e-4;    // worst residual / weight at which a slow island's cycles stop
@@ -27,7 +29,6 @@ constexpr double kHeldMove = 25e-6;   // m: a slow island of which no point stra
 constexpr double kHeldTime = 0.5;     // s: during this time counts as at rest; an acceleration of 2e-5 g goes further
 constexpr int kWeakHold = 3;          // steps a joint stays weak after it last looked weak
 constexpr double kLargestTurn = 0.5;  // rad per step of a body in contact: arms are frozen during a step
-constexpr double kRestitutionSpeed = 1;  // m/s: slower impacts do not rebound
 constexpr int kRestitutionSweeps = 200;
 
 // Motion of a body in this step if nothing touched it.

@@ -144,9 +144,8 @@ void advanceGaps(Island& island, StepContext& context) {
 void storeFreeBody(BodyIndex body, StepContext& context) {
   const FreeMotion& free = context.free[body];
   SolvedMotion& out = context.solved[body];
-  double scale = context.bodies->data[body].gravityScale;
   out.velocity = free.d * (1 / context.dt);
-  out.d = free.d - context.gravity * (0.5 * context.dt * context.dt * scale);
+  out.d = (free.startVelocity + out.velocity) * (0.5 * context.dt);
   out.th = free.th;
   out.angularMomentum = free.angularMomentum;
   out.freeTurn = true;

@@ -12,7 +12,7 @@ void storeMotion(const Island& island, StepContext& context);
 // After all corrections of the motion: carries gaps and drifts on by the displacement of each point.
 void advanceGaps(Island& island, StepContext& context);
 
-// Bodies without contacts: free motion.
+// Bodies without contacts: free motion, moved by the mean of old and new velocity.
 void storeFreeBody(BodyIndex body, StepContext& context);
 
 // Implicit Euler puts a flying body g dt^2 / 2 too low in every step. Groups that are held by nothing, and have nothing
@@ -20,5 +20,10 @@ void storeFreeBody(BodyIndex body, StepContext& context);
 // settling heap, which part for a step or two, against each other would pump energy into it.) Also sets
 // SolvedMotion::flying.
 void correctFlight(Island& island, StepContext& context);
+
+// The same for one body alone on something fixed that slides, rolls, rocks or topples: it moves with the mean of its old and
+// new velocities, so that ways and times are right to second order in dt. Only if all points that carry force are
+// neither landing nor leaving.
+void correctLoneBody(const Island& island, StepContext& context);
 
 }  // namespace brickfall

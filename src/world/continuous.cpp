@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "geometry/queries.h"
+#include "solver/free_motion.h"
 #include "world/world_impl.h"
 
 namespace brickfall {
@@ -29,8 +30,8 @@ Vec3 World::Impl::wayOf(BodyIndex body) const {
 void World::Impl::stopAtObstacles(BodyIndex body) {
   SolvedMotion& s = context.solved[body];
   if (s.rest) return;
-  double turn = length(s.th);
-  if (turn > kLargestTurn && !s.freeTurn && !bodies.mass[body].round) {
+  double turn = length(visibleTurn(bodies.mass[body], bodies.motion[body].orientation, s.th));
+  if (turn > kLargestTurn && !s.freeTurn) {
     s.d *= kLargestTurn / turn;
     s.th *= kLargestTurn / turn;
   }

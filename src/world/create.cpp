@@ -76,6 +76,7 @@ void checkSolver(Checks& check, const SolverSettings& s) {
   check.range("solver.restingStiffness", s.restingStiffness, 10, 1e5);
   check.range("solver.impactStiffness", s.impactStiffness, 1, s.restingStiffness);
   check.range("solver.restingApproachSpeed", s.restingApproachSpeed, 0, 100);
+  check.range("solver.restitutionSpeed", s.restitutionSpeed, 0, 100);
   check.range("solver.contactMargin", s.contactMargin, 1e-5, 1);
   check.range("solver.restSpeed", s.restSpeed, 0, 1);
   check.range("solver.restTolerance", s.restTolerance, 0, 1);
@@ -180,8 +181,11 @@ void World::Impl::updateMass(BodyIndex body, Vec3 origin) {
     Vec3 centreInShape = transformPoint(inverse(s.inCentreFrame), Vec3{});
     mass.outerRadius = std::max(mass.outerRadius, outerRadius(s.geometry, centreInShape));
   }
-  mass.round =
-      bodies.shapes[body].size() == 1 && shapes.data[bodies.shapes[body][0]].geometry.type == ShapeType::sphere;
+  if (bodies.shapes[body].size() == 1) {
+    const ShapeData& only = shapes.data[bodies.shapes[body][0]];
+    mass.round = only.geometry.type == ShapeType::sphere;
+    if (only.geometry.type == ShapeType::capsule) mass.symmetryAxis = rotate(only.def.local.rotation, Vec3{0, 1, 0});
+  }
   if (data.type != BodyType::dynamic) return;
   mass.mass = data.bodyFrameMass.mass;
   mass.invMass = 1 / mass.mass;

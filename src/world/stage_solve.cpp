@@ -81,6 +81,7 @@ void World::Impl::store() {
     if (!island->resting) collectHits(*island);
     storeMotion(*island, context);
     correctFlight(*island, context);
+    correctLoneBody(*island, context);
     island->settled = island->resting && !changed;
     restIfHeld(*island, context);
   }
