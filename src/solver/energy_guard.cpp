@@ -12,8 +12,13 @@ namespace {
 constexpr double kRelativeSlack = 1e-7;  // of the kinetic energy: rounding of the float solve
 constexpr double kSlackPerMass = 1e-7;   // J/kg: a lift of 0.01 micrometres
 
+// Spin at the end of the step: the momentum stays, the body turns under it.
 Vec3 spinOf(const StepContext& context, BodyIndex body) {
-  return context.bodies->worldInvInertia(body) * context.solved[body].angularMomentum;
+  const SolvedMotion& s = context.solved[body];
+  const BodyMotion& m = context.bodies->motion[body];
+  Quat end = s.freeTurn ? context.free[body].rotation : normalized(quatFromRotationVector(s.th) * m.rotation);
+  Vec3 local = rotate(conjugate(end), s.angularMomentum);
+  return rotate(end, context.bodies->mass[body].invInertia * local);
 }
 
 // Where the body's centre is at the end of the step: momentum has to be right there.
