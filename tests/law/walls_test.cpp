@@ -10,15 +10,12 @@ void expectStands(const char* scene, const lab::Options& o, const std::string& n
   lab::Measured m = lab::run(s, seconds, dt);
   EXPECT_TRUE(m.finite);
   expectSound(s.world);
-  atMost(name + ": moved" + at(dt), m.largestMove * 1e3, most, "mm");
-  atMost(name + ": creep in the second half" + at(dt), m.creep * 1e3, 0.1, "mm");
+  atMost(name + ": moved", dt, m.largestMove * 1e3, most, "mm");
+  atMost(name + ": creep in the second half", dt, m.creep * 1e3, 0.1, "mm");
 }
 
 TEST(Law, Row13WallOfTenCoursesStands) {
-  expectStands("w10", {}, "half bond", 20, 1.0 / 60, 0.5);
-  expectStands("w10", {}, "half bond", 5, 1.0 / 30, 0.5);
-  expectStands("w10", {}, "half bond", 5, 1.0 / 120, 0.5);
-  expectStands("w10", {}, "half bond", 5, 1.0 / 240, 0.5);
+  for (double dt : kSteps) expectStands("w10", {}, "half bond, 20 s", 20, dt, 0.5);
 }
 
 TEST(Law, Row13EveryWayOfLayingItStands) {
@@ -29,7 +26,7 @@ TEST(Law, Row13EveryWayOfLayingItStands) {
   yaw.yawDegrees = 37;
   shuffled.shuffle = true;
   toothed.wholeBricks = true;
-  for (double dt : {1.0 / 60, 1.0 / 120}) {
+  for (double dt : kSteps) {
     expectStands("w10", third, "third bond", 5, dt, 0.5);
     expectStands("w10", headers, "header bond", 5, dt, 0.5);
     expectStands("w10", gaps, "head joints of 10 mm", 5, dt, 0.5);
@@ -49,7 +46,8 @@ TEST(Law, Row13WallOnATiltedWorldLeansAndStands) {
     lab::Scene s = lab::make("w10");
     ASSERT_TRUE(s.world.setGravity(Vec3{0, -kG, 0} + tilt * kG).ok());
     lab::Measured m = lab::run(s, 5, 1.0 / 60);
-    atMost("moved", m.largestMove * 1e3, 0.5, "mm");
+    atMost(tilt.x > 0 ? "gravity 2.9 degrees off in its plane: moved" : "gravity 2.9 degrees off across: moved", kDt,
+           m.largestMove * 1e3, 0.5, "mm");
   }
 }
 
@@ -68,7 +66,7 @@ TEST(Law, Row13WallStandsWhenTheTimeStepChanges) {
       }
     double moved = 0;
     for (std::size_t i = 0; i < s.boxes.size(); i++) moved = std::max(moved, lab::boxMove(s, i));
-    atMost(sleep ? "moved, woken at every change" : "moved", moved * 1e3, 0.5, "mm");
+    atMost(sleep ? "changing time steps, woken: moved" : "changing time steps: moved", 0, moved * 1e3, 0.5, "mm");
   }
 }
 
@@ -77,15 +75,16 @@ TEST(Law, Row13WallStandsInSubsteps) {
   for (int i = 0; i < 120; i++) stepSound(s.world, kDt, 4);
   double moved = 0;
   for (std::size_t i = 0; i < s.boxes.size(); i++) moved = std::max(moved, lab::boxMove(s, i));
-  atMost("moved", moved * 1e3, 0.5, "mm");
+  atMost("1/60 s in 4 parts: moved", kDt / 4, moved * 1e3, 0.5, "mm");
 }
 
 TEST(Law, Row14WallOfFortyCoursesStands) {
-  lab::Scene s = lab::make("w40");
-  lab::Measured m = lab::run(s, 6, 1.0 / 60);
-  atMost("sag", m.sag * 1e3, 2, "mm");
-  atMost("moved", m.largestMove * 1e3, 2, "mm");
-  atMost("creep", m.creep * 1e3, 0.1, "mm");
+  for (double dt : kSteps) {
+    lab::Scene s = lab::make("w40");
+    lab::Measured m = lab::run(s, 4, dt);
+    reached({"4 s: sag", dt, m.sag * 1e3, kG * dt * dt / 4000 * 40 * 41 / 2 * 1e3, dt > 0.03 ? 1.0 : 0.1, "mm"});
+    atMost("4 s: creep in the second half", dt, m.creep * 1e3, 0.1, "mm");
+  }
 }
 
 TEST(Law, Row14WallOfFortyCoursesOutOfTrueStands) {
@@ -95,9 +94,9 @@ TEST(Law, Row14WallOfFortyCoursesOutOfTrueStands) {
     o.seed = seed;
     lab::Scene s = lab::make("w40", o);
     lab::Measured m = lab::run(s, 3, 1.0 / 60);
-    std::string name = "gaps to " + std::to_string(gap * 1e3).substr(0, 4) + " mm";
-    atMost(name + ": sag", m.sag * 1e3, 40 * gap * 1e3 + 1.2, "mm");
-    atMost(name + ": out of plane", m.outOfPlane * 1e3, 2, "mm");
+    std::string name = "gaps to " + text(gap * 1e3, 2) + " mm";
+    atMost(name + ": sag", kDt, m.sag * 1e3, 40 * gap * 1e3 + 1.2, "mm");
+    atMost(name + ": out of plane", kDt, m.outOfPlane * 1e3, 2, "mm");
   }
 }
 
@@ -109,7 +108,7 @@ TEST(Law, WallTouchedByALightBallIsBackAtRestWithinTwoSeconds) {
     if (hit < 0 && s.world.state(ball)->linearVelocity.z > -2) hit = report.time;
   });
   ASSERT_GT(hit, 0);
-  atMost("moved", m.largestMove * 1e3, 2, "mm");
+  atMost("touched by a light ball: moved", kDt, m.largestMove * 1e3, 2, "mm");
   // The ball itself may roll on; the wall's island rests.
   bool wallRests = true;
   for (BodyId brick : s.boxes) wallRests = wallRests && length(s.world.state(brick)->linearVelocity) == 0;
