@@ -49,6 +49,7 @@ ProxyIndex BroadPhase::add(const Aabb& tight, double grow, std::uint32_t user) {
   insertLeaf(leaf);
   markMoved(leaf);
   count_++;
+  if (moved_.capacity() < std::size_t(count_)) moved_.reserve(nodes_.capacity());  // all may move in one step
   return leaf;
 }
 
@@ -73,7 +74,7 @@ bool BroadPhase::update(ProxyIndex proxy, const Aabb& tight, double grow) {
 
 const Aabb& BroadPhase::kept(ProxyIndex proxy) const { return nodes_[proxy].box; }
 
-void BroadPhase::newPairs(const std::function<bool(std::uint32_t, std::uint32_t)>& wanted,
+void BroadPhase::newPairs(FunctionRef<bool(std::uint32_t, std::uint32_t)> wanted,
                           std::vector<std::pair<std::uint32_t, std::uint32_t>>& out) {
   out.clear();
   ProxyIndex stack[kStackSize];
@@ -102,7 +103,7 @@ void BroadPhase::newPairs(const std::function<bool(std::uint32_t, std::uint32_t)
   std::sort(out.begin(), out.end());
 }
 
-void BroadPhase::query(const Aabb& box, const std::function<bool(std::uint32_t)>& visit) const {
+void BroadPhase::query(const Aabb& box, FunctionRef<bool(std::uint32_t)> visit) const {
   if (root_ == kNoProxy) return;
   ProxyIndex stack[kStackSize];
   int depth = 0;
@@ -120,7 +121,7 @@ void BroadPhase::query(const Aabb& box, const std::function<bool(std::uint32_t)>
 }
 
 void BroadPhase::queryRay(Vec3 origin, Vec3 direction, double maxDistance,
-                          const std::function<double(std::uint32_t user, double limit)>& visit) const {
+                          FunctionRef<double(std::uint32_t user, double limit)> visit) const {
   if (root_ == kNoProxy) return;
   struct Entry {
     ProxyIndex index;

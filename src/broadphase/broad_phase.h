@@ -2,11 +2,11 @@
 // nothing.
 #pragma once
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "base/function_ref.h"
 #include "brickfall/math.h"
 
 namespace brickfall {
@@ -27,15 +27,15 @@ class BroadPhase {
   // All pairs (user a < user b) whose kept bounds overlap and of which one was added or re-inserted since the last
   // call; sorted, each once. May repeat a pair found earlier: the caller knows those. `wanted` filters (same body,
   // filters).
-  void newPairs(const std::function<bool(std::uint32_t, std::uint32_t)>& wanted,
+  void newPairs(FunctionRef<bool(std::uint32_t, std::uint32_t)> wanted,
                 std::vector<std::pair<std::uint32_t, std::uint32_t>>& out);
 
   // Calls visit(user) for every proxy whose kept bounds overlap `box`; stops when it returns false. Order unspecified.
-  void query(const Aabb& box, const std::function<bool(std::uint32_t)>& visit) const;
+  void query(const Aabb& box, FunctionRef<bool(std::uint32_t)> visit) const;
   // Calls visit(user, limit) for proxies whose kept bounds the ray meets before `limit`; visit returns the new limit
   // (distance along the unit direction), so that a hit shortens the search.
   void queryRay(Vec3 origin, Vec3 direction, double maxDistance,
-                const std::function<double(std::uint32_t user, double limit)>& visit) const;
+                FunctionRef<double(std::uint32_t user, double limit)> visit) const;
 
   int count() const;
   int height() const;                         // of the tree; balanced: O(log n)

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/keep_room.h"
+
 namespace brickfall {
 
 ContactIndex ContactSet::create() {
@@ -28,15 +30,32 @@ void ContactSet::destroy(ContactIndex contact) {
 }
 
 void ContactSet::insert(const std::vector<CandidatePair>& found) {
-  if (found.empty()) return;
-  std::size_t known = pairs.size();
-  for (const CandidatePair& pair : found) {
-    auto place = std::lower_bound(pairs.begin(), pairs.begin() + std::ptrdiff_t(known), pair);
-    bool have =
-        place != pairs.begin() + std::ptrdiff_t(known) && place->shapeA == pair.shapeA && place->shapeB == pair.shapeB;
-    if (!have) pairs.push_back(pair);
+  moved_.clear();
+  for (const CandidatePair& pair : found)
+    if (!std::binary_search(pairs.begin(), pairs.end(), pair)) moved_.push_back(pair);
+  mergeInto(pairs, moved_);
+}
+
+// From the back, in place: std::inplace_merge takes memory.
+void ContactSet::mergeInto(std::vector<CandidatePair>& sorted, const std::vector<CandidatePair>& more) {
+  if (more.empty()) return;
+  std::size_t left = sorted.size(), right = more.size(), to = left + right;
+  sorted.resize(to);
+  while (right > 0) {
+    bool fromLeft = left > 0 && more[right - 1] < sorted[left - 1];
+    sorted[--to] = fromLeft ? sorted[--left] : more[--right];
   }
-  std::inplace_merge(pairs.begin(), pairs.begin() + std::ptrdiff_t(known), pairs.end());
+}
+
+void ContactSet::keepRoom(std::size_t shapes) {
+  // A shape in a heap has some eight neighbours within the margins, a brick in a wall six.
+  constexpr std::size_t kPairs = 12, kContacts = 4;
+  brickfall::keepRoom(pairs, kPairs * shapes);
+  std::size_t all = std::max(pairs.capacity(), asleep.capacity());  // all of them may fall asleep or wake at once
+  for (auto* list : {&pairs, &asleep, &moved_}) list->reserve(all);
+  brickfall::keepRoom(contacts, kContacts * shapes);
+  geometry.reserve(contacts.capacity());
+  free_.reserve(contacts.capacity());
 }
 
 }  // namespace brickfall

@@ -1,6 +1,7 @@
 // Candidate pairs of shapes and the contacts made of those that are near.
 // Pairs lie sorted by (shapeA, shapeB): every loop over contacts runs in that order, whatever the broad phase's history.
 #pragma once
+#include <cstddef>
 #include <vector>
 
 #include "dynamics/contact.h"
@@ -23,6 +24,11 @@ class ContactSet {
   const std::vector<ContactIndex>& unused() const { return free_; }
   // Takes in pairs, sorted; those that are known stay as they are.
   void insert(const std::vector<CandidatePair>& found);
+  // Moves the pairs that fulfil `leaves` from `pairs` to `asleep`, or back.
+  template <class Condition> void moveToSleep(Condition leaves) { movePairs(pairs, asleep, leaves); }
+  template <class Condition> void moveFromSleep(Condition leaves) { movePairs(asleep, pairs, leaves); }
+  // Makes room ahead of a step, so that the step itself takes no memory.
+  void keepRoom(std::size_t shapes);
 
   std::vector<CandidatePair> pairs;   // of which at least one body is awake, sorted
   std::vector<CandidatePair> asleep;  // both asleep or fixed, sorted
@@ -33,7 +39,24 @@ class ContactSet {
 
  private:
   friend class SnapshotArchive;
+
+  template <class Condition>
+  void movePairs(std::vector<CandidatePair>& from, std::vector<CandidatePair>& to, Condition leaves) {
+    moved_.clear();
+    std::size_t kept = 0;
+    for (const CandidatePair& pair : from) {
+      if (leaves(pair))
+        moved_.push_back(pair);
+      else
+        from[kept++] = pair;
+    }
+    from.resize(kept);
+    mergeInto(to, moved_);
+  }
+  static void mergeInto(std::vector<CandidatePair>& sorted, const std::vector<CandidatePair>& more);
+
   std::vector<ContactIndex> free_;
+  std::vector<CandidatePair> moved_;  // scratch
 };
 
 }  // namespace brickfall

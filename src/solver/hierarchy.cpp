@@ -13,17 +13,22 @@ struct Tie {
   float strength;
 };
 
+using Memory = std::pmr::memory_resource;
+using Numbers = std::pmr::vector<std::uint32_t>;
+
 // Neighbours of every cluster, rows in one array; both directions of every link.
 struct Neighbours {
-  std::vector<std::uint32_t> begin;
-  std::vector<Tie> ties;
+  explicit Neighbours(Memory* memory) : begin(memory), ties(memory) {}
+  Numbers begin;
+  std::pmr::vector<Tie> ties;
 };
 
 // Sums links between the same two clusters. Order: by first appearance in `links`.
-Neighbours neighboursOf(const std::vector<ClusterLink>& links, const std::vector<std::uint32_t>& clusterOf,
-                        std::uint32_t clusters, bool withWeak) {
-  Neighbours out;
-  std::vector<std::uint32_t> room(clusters + 1, 0);
+Neighbours neighboursOf(std::span<const ClusterLink> links, const Numbers& clusterOf, std::uint32_t clusters,
+                        bool withWeak) {
+  Memory* memory = clusterOf.get_allocator().resource();
+  Neighbours out(memory);
+  Numbers room(clusters + 1, 0, memory);
   auto ends = [&](const ClusterLink& link, std::uint32_t& a, std::uint32_t& b) {
     if (link.bodyA == ClusterLink::kNoBody || link.bodyB == ClusterLink::kNoBody || (link.weak && !withWeak))
       return false;
@@ -38,8 +43,8 @@ Neighbours neighboursOf(const std::vector<ClusterLink>& links, const std::vector
       room[b + 1]++;
     }
   for (std::uint32_t c = 0; c < clusters; c++) room[c + 1] += room[c];
-  std::vector<Tie> rows(room[clusters]);
-  std::vector<std::uint32_t> count(clusters, 0);
+  std::pmr::vector<Tie> rows(room[clusters], memory);
+  Numbers count(clusters, 0, memory);
   auto add = [&](std::uint32_t from, std::uint32_t to, float strength) {
     Tie* row = rows.data() + room[from];
     for (std::uint32_t i = 0; i < count[from]; i++)
@@ -55,6 +60,7 @@ Neighbours neighboursOf(const std::vector<ClusterLink>& links, const std::vector
       add(b, a, link.strength);
     }
   out.begin.resize(clusters + 1);
+  out.ties.reserve(rows.size());
   for (std::uint32_t c = 0; c < clusters; c++) {
     out.begin[c] = std::uint32_t(out.ties.size());
     out.ties.insert(out.ties.end(), rows.begin() + room[c], rows.begin() + room[c] + count[c]);
@@ -65,9 +71,10 @@ Neighbours neighboursOf(const std::vector<ClusterLink>& links, const std::vector
 
 // Greedy aggregation: each aggregate grows by the free neighbour most strongly tied to it. A cluster left alone joins its
 // strongest neighbour's aggregate unless that is too large already. Returns the number of aggregates.
-std::uint32_t aggregate(const Neighbours& graph, std::uint32_t clusters, std::vector<std::uint32_t>& aggregateOf) {
+std::uint32_t aggregate(const Neighbours& graph, std::uint32_t clusters, Numbers& aggregateOf) {
   aggregateOf.assign(clusters, kNone);
-  std::vector<std::uint32_t> size;
+  Numbers size(aggregateOf.get_allocator());
+  size.reserve(clusters);
   for (std::uint32_t i = 0; i < clusters; i++) {
     if (aggregateOf[i] != kNone) continue;
     std::uint32_t id = std::uint32_t(size.size());
@@ -114,9 +121,8 @@ std::uint32_t aggregate(const Neighbours& graph, std::uint32_t clusters, std::ve
 }
 
 // Bodies and boundary contacts by cluster, by counting.
-Level makeLevel(const std::vector<ClusterLink>& links, const std::vector<std::uint32_t>& clusterOf,
-                std::uint32_t clusters) {
-  Level level;
+Level makeLevel(std::span<const ClusterLink> links, const Numbers& clusterOf, std::uint32_t clusters) {
+  Level level(clusterOf.get_allocator());
   level.clusterOf = clusterOf;
   level.clusters.resize(clusters);
   auto clusterAt = [&](std::uint32_t body) { return body == ClusterLink::kNoBody ? kNone : clusterOf[body]; };
@@ -149,9 +155,10 @@ Level makeLevel(const std::vector<ClusterLink>& links, const std::vector<std::ui
 
 }  // namespace
 
-void Hierarchy::build(std::uint32_t bodies, const std::vector<ClusterLink>& links, bool weakLast) {
+void Hierarchy::build(std::uint32_t bodies, std::span<const ClusterLink> links, bool weakLast) {
   levels.clear();
-  std::vector<std::uint32_t> clusterOf(bodies), aggregateOf;
+  Memory* memory = levels.get_allocator().resource();
+  Numbers clusterOf(bodies, memory), aggregateOf(memory);
   for (std::uint32_t i = 0; i < bodies; i++) clusterOf[i] = i;
   std::uint32_t clusters = bodies;
   bool withWeak = !weakLast;
@@ -169,7 +176,7 @@ void Hierarchy::build(std::uint32_t bodies, const std::vector<ClusterLink>& link
   }
 }
 
-void Hierarchy::refresh(const std::vector<SolveMass>& masses) {
+void Hierarchy::refresh(std::span<const SolveMass> masses) {
   for (Level& level : levels)
     for (Cluster& c : level.clusters) {
       float mass = 0;

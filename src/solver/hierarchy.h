@@ -7,6 +7,9 @@
 //                  moves rigidly and its boundary is the set of joints of the collapse: slow collapses keep their speed.
 #pragma once
 #include <cstdint>
+#include <memory_resource>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "solver/contact_record.h"
@@ -22,10 +25,26 @@ struct Cluster {
 };
 
 struct Level {
-  std::vector<Cluster> clusters;
-  std::vector<std::uint32_t> clusterOf;  // per body of the island
-  std::vector<std::uint32_t> bodies;     // by cluster
-  std::vector<std::uint32_t> sides;      // by cluster: boundary contacts, 2 x record + (1 if our body is B)
+  std::pmr::vector<Cluster> clusters;
+  std::pmr::vector<std::uint32_t> clusterOf;  // per body of the island
+  std::pmr::vector<std::uint32_t> bodies;     // by cluster
+  std::pmr::vector<std::uint32_t> sides;      // by cluster: boundary contacts, 2 x record + (1 if our body is B)
+
+  // A list of levels hands its memory on to them.
+  using allocator_type = std::pmr::polymorphic_allocator<std::byte>;
+  explicit Level(allocator_type from = {}) : clusters(from), clusterOf(from), bodies(from), sides(from) {}
+  Level(const Level&) = default;
+  Level(Level&&) noexcept = default;
+  Level(const Level& other, allocator_type from)
+      : clusters(other.clusters, from),
+        clusterOf(other.clusterOf, from),
+        bodies(other.bodies, from),
+        sides(other.sides, from) {}
+  Level(Level&& other, allocator_type from)
+      : clusters(std::move(other.clusters), from),
+        clusterOf(std::move(other.clusterOf), from),
+        bodies(std::move(other.bodies), from),
+        sides(std::move(other.sides), from) {}
 };
 
 // A contact as a link between two bodies of the island. Fixed partners: kNoBody.
@@ -37,11 +56,12 @@ struct ClusterLink {
 };
 
 struct Hierarchy {
-  std::vector<Level> levels;  // 0 = bodies ... back() = the island
+  std::pmr::vector<Level> levels;  // 0 = bodies ... back() = the island
 
-  void build(std::uint32_t bodies, const std::vector<ClusterLink>& links, bool weakLast);
+  explicit Hierarchy(std::pmr::memory_resource* memory = std::pmr::get_default_resource()) : levels(memory) {}
+  void build(std::uint32_t bodies, std::span<const ClusterLink> links, bool weakLast);
   // Mass, centre and inertia of every cluster from those of its bodies.
-  void refresh(const std::vector<SolveMass>& masses);
+  void refresh(std::span<const SolveMass> masses);
 };
 
 }  // namespace brickfall

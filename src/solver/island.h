@@ -2,6 +2,7 @@
 // 0 and kept from step to step as long as the same bodies and contacts make it up.
 #pragma once
 #include <cstdint>
+#include <memory_resource>
 #include <vector>
 
 #include "dynamics/contact_set.h"
@@ -18,16 +19,20 @@ struct ContactStart {
 };
 
 struct Island {
-  std::vector<BodyIndex> bodies;       // dynamic, ascending
-  std::vector<ContactIndex> contacts;  // with points, in pair order
-  std::vector<BodyIndex> partners;     // fixed or kinematic bodies touched; motion[bodies.size() + i]
+  // Islands come and go in a step: all their lists, and what is needed while they are solved, come from `memory`.
+  explicit Island(std::pmr::memory_resource* from = std::pmr::get_default_resource()) : memory(from) {}
+  std::pmr::memory_resource* memory;
 
-  std::vector<ContactRecord> records;  // by contact
-  std::vector<ContactStart> starts;    // by contact
-  std::vector<SolveMotion> motion;     // bodies, then partners
-  std::vector<SolveMass> masses;       // bodies
-  std::vector<Wrench> residual;        // bodies
-  Hierarchy byStrength, byMechanism;
+  std::pmr::vector<BodyIndex> bodies{memory};       // dynamic, ascending
+  std::pmr::vector<ContactIndex> contacts{memory};  // with points, in pair order
+  std::pmr::vector<BodyIndex> partners{memory};     // fixed or kinematic bodies touched; motion[bodies.size() + i]
+
+  std::pmr::vector<ContactRecord> records{memory};  // by contact
+  std::pmr::vector<ContactStart> starts{memory};    // by contact
+  std::pmr::vector<SolveMotion> motion{memory};     // bodies, then partners
+  std::pmr::vector<SolveMass> masses{memory};       // bodies
+  std::pmr::vector<Wrench> residual{memory};        // bodies
+  Hierarchy byStrength{memory}, byMechanism{memory};
   bool exactSteps = false;  // small island: no open points in the matrix, a line search instead
   Vec3 origin;              // m, of SolveMass::position and Cluster::centre
   Vec3 drift;               // m: rigid displacement of this step that d and dFree leave out
@@ -42,15 +47,16 @@ struct Island {
   bool settled = false;           // rested, and not one bit of its forces changed in the last step
   bool allowSleep = true;
   std::int32_t points = 0, touchingPoints = 0;  // counted in the last step that was not passed over
-  std::vector<Transform> heldPoses;  // bodies: where a slow island was when its present watch began; empty = none
-  double heldTime = 0;               // s, since then
-  double restTime = 0;               // s, rested without a break
+  // Bodies: where a slow island was when its present watch began; empty = none.
+  std::pmr::vector<Transform> heldPoses{memory};
+  double heldTime = 0;  // s, since then
+  double restTime = 0;  // s, rested without a break
 
   BodyIndex key() const { return bodies.front(); }
 };
 
 // The contact as a link between bodies, for hierarchies.
-std::vector<ClusterLink> clusterLinks(const Island& island, const ContactSet& contacts);
+std::pmr::vector<ClusterLink> clusterLinks(const Island& island, const ContactSet& contacts);
 
 // Inertia's part of a body's residual: M (dFree - d) / dt^2, I (thFree - th) / dt^2.
 Wrench inertiaResidual(const SolveMass& mass, const SolveMotion& motion);

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
+
+#include "base/keep_room.h"
 
 namespace brickfall {
 
@@ -9,7 +12,7 @@ namespace {
 
 class UnionFind {
  public:
-  explicit UnionFind(std::size_t count) : parent_(count) {
+  UnionFind(std::size_t count, std::pmr::memory_resource* memory) : parent_(count, memory) {
     for (std::size_t i = 0; i < count; i++) parent_[i] = std::uint32_t(i);
   }
   std::uint32_t find(std::uint32_t i) {
@@ -25,7 +28,7 @@ class UnionFind {
   }
 
  private:
-  std::vector<std::uint32_t> parent_;
+  std::pmr::vector<std::uint32_t> parent_;
 };
 
 // A contact's slot may have gone to another contact since: those are marked born.
@@ -36,7 +39,7 @@ bool sameMembers(const Island& old, const Island& fresh, const ContactSet& set) 
 }
 
 // Partners and the records' body numbers.
-void numberBodies(Island& island, const StepContext& context, std::vector<std::uint32_t>& localOf) {
+void numberBodies(Island& island, const StepContext& context, std::pmr::vector<std::uint32_t>& localOf) {
   const BodySet& bodies = *context.bodies;
   for (std::size_t i = 0; i < island.bodies.size(); i++) localOf[island.bodies[i]] = std::uint32_t(i);
   island.records.assign(island.contacts.size(), {});
@@ -65,12 +68,28 @@ void numberBodies(Island& island, const StepContext& context, std::vector<std::u
 
 }  // namespace
 
+IslandPointer makeIsland(std::pmr::memory_resource* memory) {
+  return IslandPointer(new (memory->allocate(sizeof(Island), alignof(Island))) Island(memory));
+}
+
+void IslandDeleter::operator()(Island* island) const {
+  std::pmr::memory_resource* memory = island->memory;
+  island->~Island();
+  memory->deallocate(island, sizeof(Island), alignof(Island));
+}
+
+void IslandSet::keepRoom(std::size_t dynamicBodies) {
+  for (auto* list : {&awake, &asleep, &scratch}) keepRoomFor(*list, dynamicBodies);
+  keepRoomFor(single, dynamicBodies);
+}
+
 void buildIslands(IslandSet& islands, const StepContext& context, const std::vector<BodyIndex>& awakeBodies) {
   const BodySet& bodies = *context.bodies;
   const ContactSet& set = *context.contacts;
   auto dynamic = [&](BodyIndex body) { return bodies.data[body].type == BodyType::dynamic; };
-  UnionFind join(bodies.slots());
-  std::vector<char> hasContact(bodies.slots(), 0);
+  std::pmr::memory_resource* memory = context.memory;
+  UnionFind join(bodies.slots(), memory);
+  std::pmr::vector<char> hasContact(bodies.slots(), 0, memory);
   for (const CandidatePair& pair : set.pairs) {
     if (pair.contact == kNoIndex) continue;
     const Contact& c = set.contacts[pair.contact];
@@ -80,8 +99,13 @@ void buildIslands(IslandSet& islands, const StepContext& context, const std::vec
     if (a && b) join.join(c.bodyA, c.bodyB);
   }
 
-  std::vector<std::unique_ptr<Island>> fresh;
-  std::vector<std::uint32_t> islandOf(bodies.slots(), kNoIndex);
+  struct Size {
+    std::size_t bodies = 0, contacts = 0;
+  };
+  std::vector<IslandPointer>& fresh = islands.scratch;
+  fresh.clear();
+  std::pmr::vector<std::uint32_t> islandOf(bodies.slots(), kNoIndex, memory);
+  std::pmr::vector<Size> sizes(memory);
   islands.single.clear();
   for (BodyIndex body : awakeBodies) {
     if (!hasContact[body]) {
@@ -90,21 +114,32 @@ void buildIslands(IslandSet& islands, const StepContext& context, const std::vec
     }
     std::uint32_t root = join.find(body);
     if (islandOf[root] == kNoIndex) {
-      islandOf[root] = std::uint32_t(fresh.size());
-      fresh.push_back(std::make_unique<Island>());
+      islandOf[root] = std::uint32_t(sizes.size());
+      sizes.emplace_back();
     }
     islandOf[body] = islandOf[root];
-    fresh[islandOf[body]]->bodies.push_back(body);
+    sizes[islandOf[body]].bodies++;
   }
-  for (const CandidatePair& pair : set.pairs) {
-    if (pair.contact == kNoIndex) continue;
-    const Contact& c = set.contacts[pair.contact];
-    fresh[islandOf[dynamic(c.bodyA) ? c.bodyA : c.bodyB]]->contacts.push_back(pair.contact);
+  auto eachContact = [&](auto use) {
+    for (const CandidatePair& pair : set.pairs) {
+      if (pair.contact == kNoIndex) continue;
+      const Contact& c = set.contacts[pair.contact];
+      use(islandOf[dynamic(c.bodyA) ? c.bodyA : c.bodyB], pair.contact);
+    }
+  };
+  eachContact([&](std::uint32_t island, ContactIndex) { sizes[island].contacts++; });
+  for (const Size& size : sizes) {
+    fresh.push_back(makeIsland(memory));
+    fresh.back()->bodies.reserve(size.bodies);
+    fresh.back()->contacts.reserve(size.contacts);
   }
+  for (BodyIndex body : awakeBodies)
+    if (hasContact[body]) fresh[islandOf[body]]->bodies.push_back(body);
+  eachContact([&](std::uint32_t island, ContactIndex contact) { fresh[island]->contacts.push_back(contact); });
 
-  std::vector<std::uint32_t> localOf(bodies.slots(), kNoIndex);
+  std::pmr::vector<std::uint32_t> localOf(bodies.slots(), kNoIndex, memory);
   std::size_t old = 0;
-  for (std::unique_ptr<Island>& island : fresh) {
+  for (IslandPointer& island : fresh) {
     while (old < islands.awake.size() && (!islands.awake[old] || islands.awake[old]->key() < island->key())) old++;
     bool keep = old < islands.awake.size() && islands.awake[old] && sameMembers(*islands.awake[old], *island, set);
     if (keep)
@@ -112,11 +147,12 @@ void buildIslands(IslandSet& islands, const StepContext& context, const std::vec
     else
       numberBodies(*island, context, localOf);
   }
-  islands.awake = std::move(fresh);
+  islands.awake.swap(fresh);
+  fresh.clear();
 }
 
-std::vector<ClusterLink> clusterLinks(const Island& island, const ContactSet& contacts) {
-  std::vector<ClusterLink> links(island.records.size());
+std::pmr::vector<ClusterLink> clusterLinks(const Island& island, const ContactSet& contacts) {
+  std::pmr::vector<ClusterLink> links(island.records.size(), island.memory);
   std::uint32_t bodies = std::uint32_t(island.bodies.size());
   for (std::size_t k = 0; k < links.size(); k++) {
     const ContactRecord& r = island.records[k];
@@ -134,7 +170,7 @@ std::vector<ClusterLink> clusterLinks(const Island& island, const ContactSet& co
 
 void updateHierarchies(Island& island, const ContactSet& contacts) {
   if (island.hierarchiesValid && island.mechanismValid) return;
-  std::vector<ClusterLink> links = clusterLinks(island, contacts);
+  std::pmr::vector<ClusterLink> links = clusterLinks(island, contacts);
   std::uint32_t bodies = std::uint32_t(island.bodies.size());
   if (!island.hierarchiesValid) island.byStrength.build(bodies, links, false);
   island.byMechanism.build(bodies, links, true);

@@ -7,10 +7,21 @@
 
 namespace brickfall {
 
+// An island lies in the memory that it uses itself.
+struct IslandDeleter {
+  void operator()(Island* island) const;
+};
+using IslandPointer = std::unique_ptr<Island, IslandDeleter>;
+IslandPointer makeIsland(std::pmr::memory_resource* memory);
+
 struct IslandSet {
-  std::vector<std::unique_ptr<Island>> awake;  // by lowest body
-  std::vector<std::unique_ptr<Island>> asleep;
-  std::vector<BodyIndex> single;  // awake dynamic bodies without contacts, ascending
+  std::vector<IslandPointer> awake;  // by lowest body
+  std::vector<IslandPointer> asleep;
+  std::vector<BodyIndex> single;       // awake dynamic bodies without contacts, ascending
+  std::vector<IslandPointer> scratch;  // of buildIslands
+
+  // Makes room ahead of a step, so that the step itself takes no memory.
+  void keepRoom(std::size_t dynamicBodies);
 };
 
 // Joins awake bodies by the contacts of ContactSet::pairs that have points. An island whose bodies and contacts are those

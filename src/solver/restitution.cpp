@@ -44,9 +44,11 @@ struct Block {
 };
 
 struct Pass {
-  std::vector<Block> blocks;
-  std::vector<Response> response;
-  std::vector<Motion> velocities, moves;
+  explicit Pass(std::pmr::memory_resource* memory)
+      : blocks(memory), response(memory), velocities(memory), moves(memory) {}
+  std::pmr::vector<Block> blocks;
+  std::pmr::vector<Response> response;
+  std::pmr::vector<Motion> velocities, moves;
 };
 
 // m/s: slower impacts do not rebound. In a heap every body would chatter with its neighbours; a body alone on something
@@ -78,12 +80,13 @@ Impact findImpact(const Contact& c, const ContactStart& start, int i, Vec3 norma
   return impact;
 }
 
-double normalMotion(const Block& k, int i, const std::vector<Motion>& motions) {
+double normalMotion(const Block& k, int i, const std::pmr::vector<Motion>& motions) {
   const Motion &a = motions[k.a], &b = motions[k.b];
   return dot(k.normal, b.linear + cross(b.angular, k.armB[i]) - a.linear - cross(a.angular, k.armA[i]));
 }
 
-void push(const Block& k, int i, double impulse, const std::vector<Response>& response, std::vector<Motion>& motions) {
+void push(const Block& k, int i, double impulse, const std::pmr::vector<Response>& response,
+          std::pmr::vector<Motion>& motions) {
   Vec3 p = k.normal * impulse;
   motions[k.a].linear -= p * response[k.a].invMass;
   motions[k.a].angular -= response[k.a].invInertia * cross(k.armA[i], p);
@@ -155,7 +158,7 @@ void solveBlock(const Block& k, const double* speed, double* x) {
 
 // Sweeps forwards and backwards until nothing changes by more than a thousandth of the largest wanted motion.
 void solveImpulses(Pass& pass, bool forSpeed) {
-  std::vector<Motion>& motions = forSpeed ? pass.velocities : pass.moves;
+  std::pmr::vector<Motion>& motions = forSpeed ? pass.velocities : pass.moves;
   double largest = 0;
   for (Block& k : pass.blocks)
     for (int i = 0; i < k.count; i++) {
@@ -192,6 +195,7 @@ Vec3 endSpin(const StepContext& context, BodyIndex body) {
 void makeBlocks(const Island& island, const StepContext& context, Pass& pass) {
   double slowest = slowestRebound(island, context);
   const ContactSet& set = *context.contacts;
+  pass.blocks.reserve(island.contacts.size());
   for (std::size_t n = 0; n < island.contacts.size(); n++) {
     const Contact& c = set.contacts[island.contacts[n]];
     const ContactRecord& r = island.records[n];
@@ -305,7 +309,7 @@ void applyRestitution(Island& island, StepContext& context) {
   if (island.resting || !anyImpact(island, context)) return;
   const BodySet& bodies = *context.bodies;
   std::size_t count = island.bodies.size();
-  Pass pass;
+  Pass pass(island.memory);
   pass.response.resize(island.motion.size());
   pass.velocities.resize(island.motion.size());
   pass.moves.resize(island.motion.size());

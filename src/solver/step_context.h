@@ -1,5 +1,6 @@
 // What the stages of one step share.
 #pragma once
+#include <memory_resource>
 #include <vector>
 
 #include "brickfall/solver_settings.h"
@@ -63,8 +64,9 @@ struct StepContext {
   SolverSettings settings;
   BodySet* bodies = nullptr;
   ContactSet* contacts = nullptr;
-  std::vector<FreeMotion> free;      // by body slot
-  std::vector<SolvedMotion> solved;  // by body slot
+  std::pmr::memory_resource* memory = std::pmr::get_default_resource();  // for all that a step needs for itself
+  std::vector<FreeMotion> free;                                          // by body slot
+  std::vector<SolvedMotion> solved;                                      // by body slot
   SolveStatistics statistics;
 };
 

@@ -156,11 +156,12 @@ void storeFreeBody(BodyIndex body, StepContext& context) {
 namespace {
 
 // Marks the bodies from which a chain of contacts leads to something fixed.
-void findHeld(const Island& island, const StepContext& context, float reach, std::vector<char>& held) {
+void findHeld(const Island& island, const StepContext& context, float reach, std::pmr::vector<char>& held) {
   std::size_t bodies = island.bodies.size();
   held.assign(bodies + island.partners.size(), 0);
   std::fill(held.begin() + std::ptrdiff_t(bodies), held.end(), 1);
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> links;
+  std::pmr::vector<std::pair<std::uint32_t, std::uint32_t>> links(island.memory);
+  links.reserve(island.records.size());
   for (std::size_t k = 0; k < island.records.size(); k++) {
     const ContactRecord& r = island.records[k];
     const Contact& c = context.contacts->contacts[island.contacts[k]];
@@ -194,7 +195,7 @@ void correctFlight(Island& island, StepContext& context) {
     return;
   }
   Vec3 correction = context.gravity * (-0.5 * context.dt * context.dt);
-  std::vector<char> held, near;
+  std::pmr::vector<char> held(island.memory), near(island.memory);
   findHeld(island, context, 0, held);
   findHeld(island, context, float(length(correction)), near);
   for (std::size_t i = 0; i < island.bodies.size(); i++) {

@@ -17,7 +17,7 @@ class WriteArchive {
     static_assert(std::is_trivially_copyable_v<T>);
     bytes(&v, sizeof v);
   }
-  template <class T> void list(const std::vector<T>& v) {
+  template <class T, class A> void list(const std::vector<T, A>& v) {
     static_assert(std::is_trivially_copyable_v<T>);
     value(std::uint64_t(v.size()));
     bytes(v.data(), v.size() * sizeof(T));
@@ -48,7 +48,7 @@ class ReadArchive {
     std::memcpy(static_cast<void*>(&v), in_.data() + at_, sizeof v);
     at_ += sizeof v;
   }
-  template <class T> void list(std::vector<T>& v) {
+  template <class T, class A> void list(std::vector<T, A>& v) {
     std::uint64_t n = count(0, sizeof(T));
     if (failed_) return;
     v.resize(std::size_t(n));

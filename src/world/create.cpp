@@ -325,7 +325,7 @@ Status World::destroyBody(BodyId id) {
 
 // Islands name bodies by slot: those that name this one are built anew at the next step, the others are kept.
 void World::Impl::forgetIslandsOf(BodyIndex body) {
-  std::erase_if(islands.awake, [&](const std::unique_ptr<Island>& island) {
+  std::erase_if(islands.awake, [&](const IslandPointer& island) {
     return std::binary_search(island->bodies.begin(), island->bodies.end(), body) ||
            std::find(island->partners.begin(), island->partners.end(), body) != island->partners.end();
   });

@@ -45,8 +45,8 @@ class SnapshotArchive {
     bodies(a, w.bodies);
     shapes(a, w.shapes);
     contacts(a, w.contacts);
-    islandList(a, w.islands.awake);
-    islandList(a, w.islands.asleep);
+    islandList(a, w.islands.awake, &w.stepMemory);
+    islandList(a, w.islands.asleep, &w.stepMemory);
     a.list(w.islands.single);
     a.list(w.awake);
     a.list(w.moving);
@@ -119,11 +119,12 @@ class SnapshotArchive {
     }
   }
 
-  template <class Archive, class Islands> static void islandList(Archive& a, Islands& list) {
+  template <class Archive, class Islands, class Memory>
+  static void islandList(Archive& a, Islands& list, [[maybe_unused]] Memory* memory) {
     std::uint64_t n = a.count(list.size(), sizeof(std::uint64_t));
     if constexpr (Archive::kReading) {
       list.clear();
-      for (std::uint64_t i = 0; i < n; i++) list.push_back(std::make_unique<Island>());
+      for (std::uint64_t i = 0; i < n; i++) list.push_back(makeIsland(memory));
     }
     for (auto& pointer : list) {
       auto& i = *pointer;

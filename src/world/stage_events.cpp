@@ -85,7 +85,7 @@ void World::Impl::collectTouching() {
   touchingNow.clear();
   for (auto& island : islands.awake) appendTouching(*island, touchingNow);
   // What fell asleep in this step still touches, but is not looked at again until it wakes.
-  BodyPairs slept;
+  slept.clear();
   for (std::size_t i = islands.asleep.size() - sleptNow; i < islands.asleep.size(); i++)
     appendTouching(*islands.asleep[i], slept);
   touchingNow.insert(touchingNow.end(), slept.begin(), slept.end());

@@ -7,24 +7,6 @@
 
 namespace brickfall {
 
-namespace {
-
-// Moves the pairs that fulfil `leaves` from one sorted list to the other.
-template <class Condition>
-void movePairs(std::vector<CandidatePair>& from, std::vector<CandidatePair>& to, Condition leaves) {
-  std::size_t before = to.size(), kept = 0;
-  for (const CandidatePair& pair : from) {
-    if (leaves(pair))
-      to.push_back(pair);
-    else
-      from[kept++] = pair;
-  }
-  from.resize(kept);
-  std::inplace_merge(to.begin(), to.begin() + std::ptrdiff_t(before), to.end());
-}
-
-}  // namespace
-
 void World::Impl::updateSleep() {
   StageTimer timer(report, Stage::sleep);
   bool any = false;
@@ -50,7 +32,7 @@ void World::Impl::updateSleep() {
     for (BodyIndex body : islands.awake[i]->bodies) islandOf[body] = std::uint32_t(i);
   auto isAwake = [&](BodyIndex body) { return bodies.data[body].activity == BodyActivity::awake; };
   std::erase_if(awake, [&](BodyIndex body) { return !isAwake(body); });
-  movePairs(contacts.pairs, contacts.asleep, [&](const CandidatePair& p) {
+  contacts.moveToSleep([&](const CandidatePair& p) {
     return !isAwake(p.bodyA) && !isAwake(p.bodyB) && !moves(p.bodyA) && !moves(p.bodyB);
   });
 }
@@ -64,13 +46,12 @@ bool World::Impl::moves(BodyIndex body) const {
 
 // Pairs of a body that begins to move though it is not dynamic.
 void World::Impl::activatePairsOf(BodyIndex body) {
-  movePairs(contacts.asleep, contacts.pairs,
-            [&](const CandidatePair& p) { return p.bodyA == body || p.bodyB == body; });
+  contacts.moveFromSleep([&](const CandidatePair& p) { return p.bodyA == body || p.bodyB == body; });
 }
 
 // A sleeping body that something awake presses on, or is about to hit.
 void World::Impl::wakeByNewContacts() {
-  std::vector<BodyIndex> wake;
+  std::pmr::vector<BodyIndex> wake(&stepMemory);
   for (const CandidatePair& pair : contacts.pairs) {
     bool a = bodies.data[pair.bodyA].activity == BodyActivity::asleep;
     bool b = bodies.data[pair.bodyB].activity == BodyActivity::asleep;
@@ -88,7 +69,7 @@ void World::Impl::wakeIslandOf(BodyIndex body) {
 }
 
 void World::Impl::wakeIsland(std::size_t asleepIndex) {
-  std::unique_ptr<Island> island = std::move(islands.asleep[asleepIndex]);
+  IslandPointer island = std::move(islands.asleep[asleepIndex]);
   islands.asleep.erase(islands.asleep.begin() + std::ptrdiff_t(asleepIndex));
   for (BodyIndex body : island->bodies) {
     bodies.data[body].activity = BodyActivity::awake;
@@ -98,8 +79,7 @@ void World::Impl::wakeIsland(std::size_t asleepIndex) {
   }
   std::sort(awake.begin(), awake.end());
   auto isAwake = [&](BodyIndex body) { return bodies.data[body].activity == BodyActivity::awake; };
-  movePairs(contacts.asleep, contacts.pairs,
-            [&](const CandidatePair& p) { return isAwake(p.bodyA) || isAwake(p.bodyB); });
+  contacts.moveFromSleep([&](const CandidatePair& p) { return isAwake(p.bodyA) || isAwake(p.bodyB); });
   appendTouching(*island, touchingBefore);
   std::sort(touchingBefore.begin(), touchingBefore.end());
   touchingBefore.erase(std::unique(touchingBefore.begin(), touchingBefore.end()), touchingBefore.end());

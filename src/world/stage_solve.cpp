@@ -54,7 +54,7 @@ void World::Impl::checkRest() {
 
 void World::Impl::solve() {
   StageTimer timer(report, Stage::solve);
-  std::vector<SolveStatistics> counts(islands.awake.size());
+  std::pmr::vector<SolveStatistics> counts(islands.awake.size(), &stepMemory);
   pool->forRange(int(islands.awake.size()), 1, [&](int begin, int end) {
     for (int i = begin; i < end; i++) {
       Island& island = *islands.awake[std::size_t(i)];

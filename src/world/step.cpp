@@ -46,6 +46,7 @@ void World::Impl::beginStep(double dt) {
   context.settings = def.solver;
   context.bodies = &bodies;
   context.contacts = &contacts;
+  context.memory = &stepMemory;
   context.statistics = {};
   if (dt != lastDt) {  // stiffnesses are in units of mass / dt^2: nothing is settled at another time step
     for (auto& island : islands.awake) island->settled = false;
@@ -85,8 +86,8 @@ Result<StepReport> World::step(double dt, int substeps) {
   w.stepping = true;
   std::int64_t start = nowNanoseconds();
   w.report = {};
-  w.events = std::move(w.pending);
-  w.pending = {};
+  w.keepRoom();
+  w.tellPending();
   w.callDt = dt;
   for (int i = 0; i < substeps; i++) {
     w.report.manifolds = w.report.contactPoints = w.report.touchingPoints = 0;

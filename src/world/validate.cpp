@@ -22,8 +22,9 @@ class Findings {
 
 std::string at(const char* what, std::size_t i) { return std::string(what) + " " + std::to_string(i); }
 
-template <class T> bool ascending(const std::vector<T>& list) {
-  return std::adjacent_find(list.begin(), list.end(), [](const T& a, const T& b) { return !(a < b); }) == list.end();
+template <class List> bool ascending(const List& list) {
+  return std::adjacent_find(list.begin(), list.end(), [](const auto& a, const auto& b) { return !(a < b); }) ==
+         list.end();
 }
 
 void checkHierarchy(Findings& f, const Hierarchy& h, const Island& island, const std::string& name) {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "base/pool.h"
 #include "brickfall/world.h"
 #include "broadphase/broad_phase.h"
 #include "dynamics/body_set.h"
@@ -21,6 +22,7 @@ Status checkWorld(const WorldDef& def);  // names the field that is out of range
 struct World::Impl {
   WorldDef def;
   std::uint16_t worldNumber = 0;  // in ids
+  Pool stepMemory;                // of islands and of what a stage needs for itself; outlives both
   BodySet bodies;
   ShapeSet shapes;
   ContactSet contacts;
@@ -48,6 +50,7 @@ struct World::Impl {
   };
   using BodyPairs = std::vector<BodyPair>;
   BodyPairs touchingNow, touchingBefore;  // bodies of awake islands that press on each other, sorted
+  BodyPairs slept;                        // of those that fell asleep in this step
   StepContext context;
   StepReport report;
   TraceOptions traceOptions;
@@ -107,6 +110,8 @@ struct World::Impl {
   void finishBody(BodyIndex body);
   void updateMass(BodyIndex body, Vec3 origin);
   void step(double dt);
+  void keepRoom();  // takes what memory the step may need
+  void tellPending();
   void beginStep(double dt);
   void endStep();
   void disturb(BodyIndex body);  // its state was changed from outside: wake it, nothing about it is settled

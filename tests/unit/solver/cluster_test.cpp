@@ -67,8 +67,9 @@ struct Scene {
       island.records.push_back(r);
     }
     level.clusterOf = {0, both ? 0u : 1u};
-    level.bodies = both ? std::vector<std::uint32_t>{0, 1} : std::vector<std::uint32_t>{0};
-    level.sides = both ? std::vector<std::uint32_t>{3, 4} : std::vector<std::uint32_t>{0, 3};
+    level.bodies = {0};
+    if (both) level.bodies.push_back(1);
+    level.sides = {both ? 3u : 0u, both ? 4u : 3u};
     Cluster c;
     c.bodyEnd = std::uint32_t(level.bodies.size());
     c.sideEnd = 2;
