@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "brickfall/geometry/mesh_tree.h"
+
 namespace brickfall::cli {
 namespace {
 
@@ -28,6 +30,12 @@ double topOf(const ShapeDef& shape, const Transform& body, Vec3 up) {
     case ShapeType::hull: {
       double top = -std::numeric_limits<double>::infinity();
       for (Vec3 vertex : shape.vertices) top = std::max(top, dot(vertex, upLocal));
+      return centre + top;
+    }
+    case ShapeType::mesh: {
+      if (!shape.mesh) return centre;
+      double top = -std::numeric_limits<double>::infinity();
+      for (Vec3 vertex : shape.mesh->mesh().vertices()) top = std::max(top, dot(vertex, upLocal));
       return centre + top;
     }
   }

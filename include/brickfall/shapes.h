@@ -7,7 +7,9 @@
 
 namespace brickfall {
 
-enum class ShapeType : std::uint8_t { box, sphere, capsule, hull, plane };
+class MeshTree;  // brickfall/geometry/mesh_tree.h
+
+enum class ShapeType : std::uint8_t { box, sphere, capsule, hull, plane, mesh };
 
 // How the values of two touching materials become one. If the two shapes ask for different rules, the later in this list
 // wins.
@@ -40,6 +42,9 @@ struct ShapeDef {
   std::vector<Vec3> vertices;       // hull: 4 .. 64 points that span a volume; inner points are dropped
   // plane: the half space y <= 0 of the shape's frame is solid; static bodies only
   Transform local;  // the shape's frame in the body's frame
+  // mesh: a surface of triangles that pushes towards the front of each; fixed and kinematic bodies only. Shared, not copied:
+  // many shapes and worlds may use one. Docs: docs/mesh.md
+  std::shared_ptr<const MeshTree> mesh;
   Material material;
   CollisionFilter filter;
   std::uint64_t userData = 0;  // yours; never read

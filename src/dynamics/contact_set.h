@@ -1,5 +1,5 @@
 // Candidate pairs of shapes and the contacts made of those that are near.
-// Pairs lie sorted by (shapeA, shapeB): every loop over contacts runs in that order, whatever the broad phase's history.
+// Pairs lie sorted by (shapeA, shapeB, part): every loop over contacts runs in that order, whatever the broad phase's history.
 #pragma once
 #include <cstddef>
 #include <vector>
@@ -12,9 +12,12 @@ struct CandidatePair {
   ShapeIndex shapeA = 0, shapeB = 0;  // shapeA < shapeB
   BodyIndex bodyA = 0, bodyB = 0;
   ContactIndex contact = kNoIndex;  // kNoIndex: no points at present
+  // A shape may lean on a mesh in several directions at once: a contact for each. Entries beyond 0 are there only with one.
+  std::uint32_t part = 0;
 };
 inline bool operator<(const CandidatePair& a, const CandidatePair& b) {
-  return a.shapeA != b.shapeA ? a.shapeA < b.shapeA : a.shapeB < b.shapeB;
+  if (a.shapeA != b.shapeA) return a.shapeA < b.shapeA;
+  return a.shapeB != b.shapeB ? a.shapeB < b.shapeB : a.part < b.part;
 }
 
 class ContactSet {

@@ -1,4 +1,5 @@
 // The point of a solid nearest to a given one.
+#include "brickfall/geometry/mesh_tree.h"
 #include "geometry/hull.h"
 #include "geometry/queries.h"
 
@@ -64,6 +65,8 @@ Vec3 closestPoint(const Shape& shape, Vec3 point) {
       return ontoHull(*shape.hull, point);
     case ShapeType::plane:
       return {point.x, point.y < 0 ? point.y : 0, point.z};
+    case ShapeType::mesh:
+      return shape.mesh->closestPoint(point, 1e300)->point;
   }
   return point;
 }

@@ -2,6 +2,7 @@
 // points, segments and polytopes, so the search ends after finitely many corners; it stops as soon as the support in the
 // search direction proves that nothing nearer is left, or rounding lets nothing nearer be found.
 #include "geometry/core.h"
+#include "geometry/mesh_shape.h"
 #include "geometry/queries.h"
 #include "geometry/simplex.h"
 
@@ -86,6 +87,11 @@ DistanceResult shapeDistance(const Shape& a, const Shape& b, const Transform& bI
   if (a.type == ShapeType::plane) return planeDistance(b, bInA);
   if (b.type == ShapeType::plane) {
     DistanceResult out = planeDistance(a, inverse(bInA));
+  if (a.type == ShapeType::mesh) return meshShapeDistance(a, b, bInA);
+  if (b.type == ShapeType::mesh) {
+    DistanceResult out = meshShapeDistance(b, a, inverse(bInA));
+    return {out.distance, transformPoint(bInA, out.onB), transformPoint(bInA, out.onA)};
+  }
     return {out.distance, transformPoint(bInA, out.onB), transformPoint(bInA, out.onA)};
   }
   DistanceResult out = coreDistance(a, Placed(b, bInA));

@@ -72,6 +72,7 @@ MassProperties shapeMass(const Shape& shape, double density) {
     case ShapeType::hull:
       return hullMass(*shape.hull, density);
     case ShapeType::plane:
+    case ShapeType::mesh:
       break;
   }
   return {};

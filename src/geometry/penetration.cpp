@@ -2,6 +2,7 @@
 // separating axes: the depth is the least overlap over the face normals of both and the crossed edges, which are the
 // face normals of their Minkowski difference.
 #include "geometry/core.h"
+#include "geometry/mesh_shape.h"
 #include "geometry/polytope.h"
 #include "geometry/queries.h"
 
@@ -134,6 +135,8 @@ double planeOverlap(const Shape& b, const Transform& bInPlane) {
 }  // namespace
 
 double penetrationDepth(const Shape& a, const Shape& b, const Transform& bInA) {
+  if (hasMesh(a, b))
+    return a.type == ShapeType::mesh ? meshPenetration(a, b, bInA) : meshPenetration(b, a, inverse(bInA));
   double depth = 0;
   if (a.type == ShapeType::plane) {
     depth = planeOverlap(b, bInA);

@@ -1,4 +1,5 @@
-// Ray, closest point and overlap depth of single shapes, exact for every type.
+// Ray, closest point and overlap depth of single shapes, exact for every type. Meshes are surfaces (mesh_shape.h): nothing is
+// inside one, and a ray hits it from either side.
 #pragma once
 #include <optional>
 

@@ -1,4 +1,5 @@
 // Rays against single shapes. A solid is met where the ray enters it; a ray that starts inside hits at once.
+#include "brickfall/geometry/mesh_tree.h"
 #include "geometry/hull.h"
 #include "geometry/queries.h"
 
@@ -110,6 +111,11 @@ std::optional<ShapeRayHit> castRay(const Shape& shape, Vec3 origin, Vec3 directi
       if (!(direction.y < 0 && distance <= maxDistance)) return {};
       return ShapeRayHit{
           {origin.x + direction.x * distance, 0, origin.z + direction.z * distance}, {0, 1, 0}, distance};
+    }
+    case ShapeType::mesh: {
+      auto hit = shape.mesh->castRay(origin, direction, maxDistance);
+      if (!hit) return {};
+      return ShapeRayHit{hit->point, hit->normal, hit->distance};
     }
   }
   return {};

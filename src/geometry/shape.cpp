@@ -1,6 +1,7 @@
 // Extents of shapes.
 #include "geometry/shape.h"
 
+#include "brickfall/geometry/mesh_tree.h"
 #include "geometry/hull.h"
 
 namespace brickfall {
@@ -30,6 +31,13 @@ Aabb hullBounds(const Hull& hull, const Transform& pose) {
   return {lower + pose.position, upper + pose.position};
 }
 
+Aabb meshBounds(const Aabb& box, const Transform& pose) {
+  Mat3 turn = toMatrix(pose.rotation);
+  Vec3 centre = transformPoint(pose, (box.lower + box.upper) * 0.5), extent = (box.upper - box.lower) * 0.5, half;
+  for (int k = 0; k < 3; k++) half[k] = dot(abs(turn.row[k]), extent);
+  return {centre - half, centre + half};
+}
+
 }  // namespace
 
 Aabb bounds(const Shape& shape, const Transform& pose) {
@@ -50,6 +58,8 @@ Aabb bounds(const Shape& shape, const Transform& pose) {
       return hullBounds(*shape.hull, pose);
     case ShapeType::plane:
       return planeBounds(pose);
+    case ShapeType::mesh:
+      return meshBounds(shape.mesh->bounds(), pose);
   }
   return {pose.position - half, pose.position + half};
 }
@@ -73,6 +83,7 @@ double innerRadius(const Shape& shape) {
       return nearest;
     }
     case ShapeType::plane:
+    case ShapeType::mesh:
       break;
   }
   return kInfinite;
@@ -89,6 +100,14 @@ double outerRadius(const Shape& shape, Vec3 point) {
     case ShapeType::hull: {
       double furthest = 0;
       for (Vec3 v : shape.hull->vertices) {
+        double distance = lengthSquared(v - point);
+        if (distance > furthest) furthest = distance;
+      }
+      return std::sqrt(furthest);
+    }
+    case ShapeType::mesh: {
+      double furthest = 0;
+      for (Vec3 v : shape.mesh->mesh().vertices()) {
         double distance = lengthSquared(v - point);
         if (distance > furthest) furthest = distance;
       }

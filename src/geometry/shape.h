@@ -1,11 +1,12 @@
-// A convex shape as the engine keeps it: small, copyable, hull data held elsewhere.
+// A shape as the engine keeps it: small, copyable, hull and mesh data held elsewhere. All but meshes are convex.
 #pragma once
 #include "brickfall/math.h"
 #include "brickfall/shapes.h"
 
 namespace brickfall {
 
-struct Hull;  // geometry/hull.h
+struct Hull;     // geometry/hull.h
+class MeshTree;  // brickfall/geometry/mesh_tree.h
 
 struct Shape {
   ShapeType type = ShapeType::box;
@@ -13,12 +14,13 @@ struct Shape {
   double radius = 0;           // sphere, capsule, m
   double halfHeight = 0;       // capsule, m, along local y
   const Hull* hull = nullptr;  // hull; owned by the world, outlives the shape
+  const MeshTree* mesh = nullptr;  // mesh; the same
 };
 
 // Bounds of the shape at a pose. A plane's bounds are infinite (+-1e30) except upwards along its own +y when that is a
 // world axis.
 Aabb bounds(const Shape& shape, const Transform& pose);
-// Smallest distance from the shape's centroid to its surface, m; sets margins and torque scales. A plane: 1e30.
+// Smallest distance from the shape's centroid to its surface, m; sets margins and torque scales. A plane or mesh: 1e30.
 double innerRadius(const Shape& shape);
 // Largest distance of a point of the shape from `point` (shape frame), m. A plane: 1e30.
 double outerRadius(const Shape& shape, Vec3 point);

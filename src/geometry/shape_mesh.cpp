@@ -4,6 +4,7 @@
 #include <numbers>
 #include <string>
 
+#include "brickfall/geometry/mesh_tree.h"
 #include "geometry/hull.h"
 
 namespace brickfall {
@@ -137,6 +138,9 @@ Result<ShapeMesh> makeShapeMesh(const ShapeDef& shape, RoundDetail detail) {
       return hullMesh(shape.vertices);
     case ShapeType::plane:
       return planeMesh();
+    case ShapeType::mesh:
+      if (!shape.mesh) return Error{ErrorCode::invalidArgument, "mesh: found none, expected a MeshTree"};
+      return surfaceMesh(shape.mesh->mesh());
   }
   return Error{ErrorCode::invalidArgument,
                "type: found " + std::to_string(int(shape.type)) + ", expected a shape type"};

@@ -2,6 +2,7 @@
 // of distance / approach speed along the closest points' normal is a Newton step for it: it never passes the first
 // contact, converges fast where the shapes really meet, and by halves where they only graze.
 #include "geometry/core.h"
+#include "geometry/mesh_shape.h"
 #include "geometry/queries.h"
 
 namespace brickfall {
@@ -15,6 +16,11 @@ constexpr int kMaxSteps = 200;
 
 std::optional<double> timeOfImpact(const Shape& a, const Shape& b, const Transform& bInA, Vec3 motion, double target) {
   if (a.type == ShapeType::plane && b.type == ShapeType::plane) return {};
+  if (a.type == ShapeType::mesh) return meshTimeOfImpact(a, b, bInA, motion, target);
+  if (b.type == ShapeType::mesh) {
+    Transform aInB = inverse(bInA);
+    return meshTimeOfImpact(b, a, aInB, -rotate(aInB.rotation, motion), target);
+  }
   double wanted = target > 0 ? target : 0, time = 0;
   for (int step = 0; step < kMaxSteps; step++) {
     DistanceResult now = shapeDistance(a, b, {bInA.position + motion * time, bInA.rotation});

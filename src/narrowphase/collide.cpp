@@ -22,6 +22,8 @@ int rank(ShapeType type) {
       return 3;
     case ShapeType::hull:
       return 4;
+    case ShapeType::mesh:
+      return -1;
   }
   return 0;
 }
@@ -53,6 +55,7 @@ void mirror(const Transform& bInA, Manifold& m) {
 void collide(const Shape& a, const Shape& b, const Transform& bInA, double margin, Manifold& out) {
   out.count = 0;
   int ra = rank(a.type), rb = rank(b.type);
+  if (ra < 0 || rb < 0) return;  // mesh_collide.h: several manifolds
   PairFunction function = ra <= rb ? kPairs[ra][rb] : kPairs[rb][ra];
   if (!function) return;
   if (ra <= rb) {

@@ -1,6 +1,8 @@
 // Bounds of shapes in the world.
 #include "scene/shape_bounds.h"
 
+#include "brickfall/geometry/mesh_tree.h"
+
 namespace brickfall::scene {
 
 Aabb shapeBounds(const ShapeDef& shape, const Transform& body) {
@@ -30,6 +32,13 @@ Aabb shapeBounds(const ShapeDef& shape, const Transform& body) {
     case ShapeType::plane:
       half = Vec3{1e7, 1e7, 1e7};
       break;
+    case ShapeType::mesh: {
+      if (!shape.mesh) break;
+      Vec3 extent = (shape.mesh->bounds().upper - shape.mesh->bounds().lower) * 0.5;
+      Vec3 middle = transformPoint(pose, shape.mesh->bounds().lower + extent);
+      half = abs(r.column(0)) * extent.x + abs(r.column(1)) * extent.y + abs(r.column(2)) * extent.z;
+      return {middle - half, middle + half};
+    }
   }
   return {c - half, c + half};
 }

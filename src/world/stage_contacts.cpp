@@ -4,6 +4,7 @@
 
 #include "geometry/queries.h"
 #include "narrowphase/collide.h"
+#include "narrowphase/mesh_collide.h"
 #include "world/world_impl.h"
 
 namespace brickfall {
@@ -144,14 +145,51 @@ void dropFarPoints(Manifold& m, const PairView& pair, const BodySet& bodies, con
   m.count = kept;
 }
 
+// To each manifold a part: the one whose normal is most like its own, the nearest manifolds first; else one without a
+// contact; else one whose contact ends now. Without points: -1.
+void assignParts(const ContactSet& contacts, const CandidatePair* parts, int count, const MeshManifolds& found, Quat aInBody,
+                 int* partOf) {
+  std::uint32_t taken = 0, had = 0;
+  for (int i = 0; i < count; i++) had |= parts[i].contact != kNoIndex ? 1u << parts[i].part : 0;
+  for (int m = 0; m < found.count; m++) {
+    partOf[m] = -1;
+    if (found.list[m].count == 0) continue;
+    Vec3 normal = rotate(aInBody, found.list[m].normal);
+    double most = 0.9;
+    for (int i = 0; i < count; i++) {
+      if (parts[i].contact == kNoIndex || taken >> parts[i].part & 1) continue;
+      double alike = dot(contacts.geometry[parts[i].contact].normal, normal);
+      if (alike > most) most = alike, partOf[m] = int(parts[i].part);
+    }
+    if (partOf[m] >= 0) taken |= 1u << partOf[m];
+  }
+  for (int m = 0; m < found.count; m++) {
+    if (found.list[m].count == 0 || partOf[m] >= 0) continue;
+    int free = 0;
+    while (free < kMaxMeshManifolds && (taken | had) >> free & 1) free++;
+    if (free == kMaxMeshManifolds)
+      for (free = 0; taken >> free & 1;) free++;
+    partOf[m] = free;
+    taken |= 1u << free;
+  }
+}
+
 }  // namespace
 
 void World::Impl::updateContacts() {
   StageTimer timer(report, Stage::contacts);
   double dt = context.dt;
   std::size_t kept = 0;
+  newParts.clear();
   for (std::size_t n = 0; n < contacts.pairs.size(); n++) {
     CandidatePair pair = contacts.pairs[n];
+    if (isMeshPair(shapes.data[pair.shapeA].geometry, shapes.data[pair.shapeB].geometry)) {
+      std::size_t end = n + 1;
+      while (end < contacts.pairs.size() && contacts.pairs[end].part > 0) end++;
+      updateMeshPair(n, end, kept);
+      n = end - 1;
+      continue;
+    }
     if (bodies.still[pair.bodyA] && bodies.still[pair.bodyB]) {
       contacts.pairs[kept++] = pair;
       report.manifoldsReused += pair.contact != kNoIndex;
@@ -188,7 +226,75 @@ void World::Impl::updateContacts() {
     contacts.pairs[kept++] = pair;
   }
   contacts.pairs.resize(kept);
+  contacts.insert(newParts);
   if (!contacts.asleep.empty() || !islands.asleep.empty()) wakeByNewContacts();
+}
+
+// All parts of a shape and a mesh: entries begin .. end of the list. Parts go with directions, not with faces: what rolls or
+// slides from face to face keeps its contact and what that remembers.
+void World::Impl::updateMeshPair(std::size_t begin, std::size_t end, std::size_t& kept) {
+  CandidatePair parts[kMaxMeshManifolds];
+  int count = 0;
+  for (std::size_t i = begin; i < end; i++) parts[count++] = contacts.pairs[i];
+  const CandidatePair& first = parts[0];
+  auto keep = [&](const CandidatePair& pair) {
+    contacts.pairs[kept++] = pair;
+    report.manifoldsReused += pair.contact != kNoIndex;
+  };
+  if (bodies.still[first.bodyA] && bodies.still[first.bodyB]) {
+    for (int i = 0; i < count; i++) keep(parts[i]);
+    return;
+  }
+  PairView view{shapes.data[first.shapeA], shapes.data[first.shapeB], first.bodyA, first.bodyB};
+  if (!overlaps(broadPhase.kept(view.a.proxy), broadPhase.kept(view.b.proxy))) {
+    for (int i = 0; i < count; i++)
+      if (parts[i].contact != kNoIndex) contacts.destroy(parts[i].contact);
+    return;
+  }
+  const BodyMotion &ma = bodies.motion[first.bodyA], &mb = bodies.motion[first.bodyB];
+  Transform relative = inverse(bodies.pose(first.bodyA)) * bodies.pose(first.bodyB);
+  Vec3 relativeVelocity = mb.linearVelocity - ma.linearVelocity;
+  double dt = context.dt;
+  bool near = overlaps(view.a.swept, view.b.swept), any = false, reuse = near;
+  for (int i = 0; i < count && reuse; i++) {
+    if (parts[i].contact == kNoIndex) continue;
+    any = true;
+    reuse = canReuse(contacts.contacts[parts[i].contact], contacts.geometry[parts[i].contact], relative, relativeVelocity, dt);
+  }
+  if (reuse && any) {
+    for (int i = 0; i < count; i++) keep(parts[i]);
+    return;
+  }
+  MeshManifolds found;
+  if (near) {
+    double margin = std::min(marginOf(first.shapeA), marginOf(first.shapeB));
+    double spin = std::min(0.5, length(ma.angularVelocity) * dt) * bodies.mass[first.bodyA].outerRadius +
+                  std::min(0.5, length(mb.angularVelocity) * dt) * bodies.mass[first.bodyB].outerRadius;
+    double reach = margin + length(relativeVelocity) * dt + (std::isfinite(spin) ? spin : 0.0);
+    collideMesh(view.a.geometry, view.b.geometry, inverse(view.a.inCentreFrame) * relative * view.b.inCentreFrame, reach,
+                meshScratch, found);
+    Transform poseA = bodies.pose(first.bodyA) * view.a.inCentreFrame;
+    for (int i = 0; i < found.count; i++) dropFarPoints(found.list[i], view, bodies, poseA, margin, dt);
+  }
+  for (int m = 0; m < found.count; m++) report.manifoldsComputed += found.list[m].count > 0;
+  int partOf[kMaxMeshManifolds];
+  assignParts(contacts, parts, count, found, view.a.inCentreFrame.rotation, partOf);
+  const Manifold none;
+  std::uint32_t done = 0;
+  for (int i = 0; i < count; i++) {
+    const Manifold* manifold = &none;
+    for (int m = 0; m < found.count; m++)
+      if (partOf[m] == int(parts[i].part)) manifold = &found.list[m];
+    makeContact(parts[i], *manifold, relative);
+    if (parts[i].part == 0 || parts[i].contact != kNoIndex) contacts.pairs[kept++] = parts[i];
+    done |= 1u << parts[i].part;
+  }
+  for (int m = 0; m < found.count; m++) {
+    if (partOf[m] < 0 || done >> partOf[m] & 1) continue;
+    CandidatePair pair{first.shapeA, first.shapeB, first.bodyA, first.bodyB, kNoIndex, std::uint32_t(partOf[m])};
+    makeContact(pair, found.list[m], relative);
+    newParts.push_back(pair);
+  }
 }
 
 // The contact of a pair from a new manifold (shape frame of A), with the memory of the old points.

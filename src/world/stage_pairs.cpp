@@ -69,7 +69,7 @@ void World::Impl::findPairs() {
   broadPhase.newPairs(wanted, foundPairs);
   newPairs.clear();
   for (const auto& [a, b] : foundPairs) {
-    CandidatePair pair{a, b, shapes.data[a].body, shapes.data[b].body, kNoIndex};
+    CandidatePair pair{a, b, shapes.data[a].body, shapes.data[b].body, kNoIndex, 0};
     // A pair that sleeps waits in the other list; it wakes with its island.
     bool known = std::binary_search(contacts.asleep.begin(), contacts.asleep.end(), pair);
     if (!known) newPairs.push_back(pair);

@@ -81,7 +81,9 @@ std::vector<std::string> World::Impl::validateStructure() const {
   for (std::size_t i = 0; i < m; i++)
     if (shapes.data[i].alive)
       f.expect(shapes.data[i].body < n && bodies.data[shapes.data[i].body].alive &&
-                   shapes.data[i].def.type <= ShapeType::plane,
+                   shapes.data[i].def.type <= ShapeType::mesh &&
+                   (shapes.data[i].def.type != ShapeType::mesh ||
+                    (shapes.data[i].def.mesh && bodies.data[shapes.data[i].body].type != BodyType::dynamic)),
                at("shape", i) + ": of no body");
   auto bodyFine = [&](BodyIndex b) { return b < n && bodies.data[b].alive; };
   for (const auto* list : {&contacts.pairs, &contacts.asleep}) {
@@ -92,6 +94,8 @@ std::vector<std::string> World::Impl::validateStructure() const {
                   bodyFine(p.bodyB) && !bodies.data[p.bodyA].quarantined && !bodies.data[p.bodyB].quarantined &&
                   (p.contact == kNoIndex || p.contact < contacts.contacts.size());
       f.expect(fine, "pairs: one names what is not there");
+      f.expect(p.part < std::uint32_t(kMaxMeshManifolds) && (p.part == 0 || p.contact != kNoIndex),
+               "pairs: a part too many, or without a contact");
       if (!fine || p.contact == kNoIndex) continue;
       const Contact& c = contacts.contacts[p.contact];
       f.expect(c.shapeA == p.shapeA && c.shapeB == p.shapeB && c.bodyA == p.bodyA && c.bodyB == p.bodyB,

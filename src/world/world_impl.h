@@ -10,6 +10,7 @@
 #include "dynamics/body_set.h"
 #include "dynamics/contact_set.h"
 #include "dynamics/shape_set.h"
+#include "narrowphase/mesh_collide.h"
 #include "parallel/worker_pool.h"
 #include "solver/island_builder.h"
 #include "solver/step_context.h"
@@ -61,6 +62,8 @@ struct World::Impl {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> foundPairs;  // scratch
   std::vector<CandidatePair> newPairs;                              // scratch
 
+  MeshScratch meshScratch;
+  std::vector<CandidatePair> newParts;  // scratch: of pairs with a mesh
   // --- stages, in their order
   void findPairs();
   void updateContacts();
@@ -75,6 +78,7 @@ struct World::Impl {
   void collectEvents();
 
   void makeContact(CandidatePair& pair, const Manifold& m, const Transform& relative);
+  void updateMeshPair(std::size_t begin, std::size_t end, std::size_t& kept);
 
   // --- shared by stages and the API
   Result<BodyIndex> find(BodyId id) const;

@@ -11,6 +11,8 @@
 
 namespace brickfall {
 
+class TriangleMesh;  // triangle_mesh.h
+
 struct ShapeMesh {
   std::vector<std::array<float, 3>> positions, normals;  // m; unit, outwards
   // Flat faces: 1 = one metre, so that bricks of all sizes wear one texture. Round ones: u once around, v from the top
@@ -39,6 +41,8 @@ ShapeMesh capsuleMesh(double radius, double halfHeight, RoundDetail detail = {})
 // not finite, all in a plane, too many corners.
 Result<ShapeMesh> hullMesh(std::span<const Vec3> vertices);
 ShapeMesh planeMesh(double halfSize = kPlaneHalfSize, double halfDepth = kPlaneHalfDepth);
+// Smooth where faces meet at less than some 40 degrees from their mean, else with an edge; seen from the front.
+ShapeMesh surfaceMesh(const TriangleMesh& mesh);
 
 // Adds `part` seen through `pose`.
 void append(ShapeMesh& mesh, const ShapeMesh& part, const Transform& pose);
