@@ -1,6 +1,7 @@
 // Collision shapes and materials.
 #pragma once
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "brickfall/math.h"
@@ -33,7 +34,7 @@ struct CollisionFilter {
 
 constexpr int kMaxHullVertices = 64;
 
-// One convex piece of a body. Only the fields of its type are read.
+// One piece of a body. Only the fields of its type are read.
 struct ShapeDef {
   ShapeType type = ShapeType::box;
   Vec3 halfExtents{0.5, 0.5, 0.5};  // box: m, each > 0
@@ -41,10 +42,10 @@ struct ShapeDef {
   double halfHeight = 0.5;          // capsule: half the distance of the two cap centres along local y, m, > 0
   std::vector<Vec3> vertices;       // hull: 4 .. 64 points that span a volume; inner points are dropped
   // plane: the half space y <= 0 of the shape's frame is solid; static bodies only
-  Transform local;  // the shape's frame in the body's frame
   // mesh: a surface of triangles that pushes towards the front of each; fixed and kinematic bodies only. Shared, not copied:
   // many shapes and worlds may use one. Docs: docs/mesh.md
   std::shared_ptr<const MeshTree> mesh;
+  Transform local;  // the shape's frame in the body's frame
   Material material;
   CollisionFilter filter;
   std::uint64_t userData = 0;  // yours; never read

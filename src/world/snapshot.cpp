@@ -15,7 +15,7 @@ namespace brickfall {
 namespace {
 
 constexpr std::uint64_t kMagic = 0x30504e5346424b42ull;
-constexpr std::uint32_t kLayout = 2;
+constexpr std::uint32_t kLayout = 3;
 
 struct Header {
   std::uint64_t magic = kMagic;
