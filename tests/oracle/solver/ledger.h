@@ -13,7 +13,7 @@ namespace brickfall::oracle {
 struct EndingSums {
   int islands = 0, bodies = 0, cycles = 0;
   double force = 0, torque = 0, rms = 0, mean = 0;  // residual of the engine's motion, weights (Imbalance)
-  double steady = 0, steadyRms = 0;                 // the same, of islands in which no new point carries force
+  double steady = 0, steadyRms = 0;                 // the same, where no new point carries force, less float's rounding
   double noise = 0;                                 // and there: the engine's own rms against that in double
   double deviation = 0;                             // mean distance from the converged motion, g h^2
   double millimetres = 0;                           // distance of any point from where it would be
@@ -41,6 +41,6 @@ struct Ledger {
 };
 
 // Lets the scene run and looks into every `every`-th step.
-Ledger follow(Stage stage, double seconds, int every);
+Ledger follow(Trial trial, double seconds, int every);
 
 }  // namespace brickfall::oracle

@@ -14,13 +14,13 @@ namespace {
 // Islands of a falling pile: all regimes at once.
 std::vector<Problem> problems() {
   std::vector<Problem> out;
-  Stage stage = pile(Litter::mixed, 40, 11);
+  Trial trial = pile(Litter::mixed, 40, 11);
   for (int step = 0; step < 60; step++) {
     if (step % 6 == 0)
-      probeStep(stage.world, stage.dt, [&](const SolvedIsland& s) {
+      probeStep(trial.world, trial.dt, [&](const SolvedIsland& s) {
         if (s.problem.bodies.size() > 2) out.push_back(s.problem);
       });
-    EXPECT_TRUE(stage.world.step(stage.dt).ok());
+    EXPECT_TRUE(trial.world.step(trial.dt).ok());
   }
   return out;
 }
@@ -86,7 +86,7 @@ TEST(Newton, BoxOnTheGroundSinksAsItsSpringsSay) {
     const ProblemBody& b = s.problem.bodies[0];
     ASSERT_EQ(s.problem.points.size(), 4u);
     double h2 = test::kDt * test::kDt, k = s.problem.points[0].k;
-    EXPECT_NEAR(k, 1000 * b.mass / h2, 1e-6 * k);
+    for (const ProblemPoint& p : s.problem.points) EXPECT_EQ(p.k, k);
     EXPECT_NEAR(exact.motion[0].d.y, -b.mass * 9.81 / (4 * k + b.mass / h2), 1e-12);
     EXPECT_LT(length(exact.motion[0].th), 1e-12);
     seen++;

@@ -46,11 +46,11 @@ ShapeDef litter(Litter kind, Random& random) {
 
 }  // namespace
 
-Stage fromLab(const std::string& name, const lab::Options& options) {
+Trial fromLab(const std::string& name, const lab::Options& options) {
   return {std::move(lab::make(name, options).world), options.dt};
 }
 
-Stage walls(int courses, int bricks, double gap, int seed, double dt) {
+Trial walls(int courses, int bricks, double gap, int seed, double dt) {
   lab::Options o;
   o.gap = gap;
   o.seed = seed;
@@ -60,7 +60,7 @@ Stage walls(int courses, int bricks, double gap, int seed, double dt) {
   return {std::move(b.take(0).world), dt};
 }
 
-Stage pyramid(int base) {
+Trial pyramid(int base) {
   lab::Builder b("pyramid", {});
   b.open();
   for (int row = 0; row < base; row++)
@@ -68,7 +68,7 @@ Stage pyramid(int base) {
   return {std::move(b.take(0).world)};
 }
 
-Stage arch(int voussoirs, double degrees, double thickness) {
+Trial arch(int voussoirs, double degrees, double thickness) {
   World world = awake();
   double inner = 1 - thickness / 2, outer = 1 + thickness / 2, depth = 0.4;
   double from = (180 - degrees) / 2 * test::kPi / 180, step = degrees * test::kPi / 180 / voussoirs;
@@ -80,7 +80,7 @@ Stage arch(int voussoirs, double degrees, double thickness) {
   return {std::move(world)};
 }
 
-Stage pile(Litter kind, int count, std::uint64_t seed) {
+Trial pile(Litter kind, int count, std::uint64_t seed) {
   World world = awake();
   test::addGround(world);
   for (double side : {-1.0, 1.0}) {
@@ -99,7 +99,7 @@ Stage pile(Litter kind, int count, std::uint64_t seed) {
   return {std::move(world)};
 }
 
-Stage incline(double degrees, double friction, bool tiltGravity) {
+Trial incline(double degrees, double friction, bool tiltGravity) {
   double angle = degrees * test::kPi / 180;
   Vec3 down{std::sin(angle) * 9.81, -std::cos(angle) * 9.81, 0};
   World world = tiltGravity ? awake(down) : awake();
@@ -114,7 +114,7 @@ Stage incline(double degrees, double friction, bool tiltGravity) {
   return {std::move(world)};
 }
 
-Stage pushed(double share, double friction) {
+Trial pushed(double share, double friction) {
   World world = awake();
   test::addGround(world, friction);
   for (int i = 0; i < 6; i++) {
@@ -133,7 +133,7 @@ Stage pushed(double share, double friction) {
   return {std::move(world), 1.0 / 60, push};
 }
 
-Stage column(double ratio, bool heavyAbove) {
+Trial column(double ratio, bool heavyAbove) {
   World world = awake();
   test::addGround(world);
   for (int i = 0; i < 10; i++) {

@@ -13,9 +13,7 @@
 namespace brickfall::oracle {
 namespace {
 
-// Float kernels, in weights: under loads of some ten weights; and for bodies that move some 0.1 m in the step, of which the
-// springs (1000 m / h^2) see the last bit: 0.1 m * 6e-8 * 1000 / (h^2 g) = 2e-3.
-constexpr double kNoise = 5e-5, kNoiseFast = 1e-3;
+constexpr double kNoise = 5e-5;  // weights: float kernels under loads of some ten weights
 
 void expectAsSettingsSay(const Ledger& l) {
   EXPECT_EQ(l.hashesDiffer, 0);
@@ -23,13 +21,13 @@ void expectAsSettingsSay(const Ledger& l) {
   EXPECT_LE(l.excess, 1);
   EXPECT_LE(std::max(l.of(Ending::rested).force, l.of(Ending::rested).torque), 1e-3 + kNoise);
   EXPECT_LE(l.of(Ending::slow).steady, 5e-4 + kNoise);
-  EXPECT_LE(l.of(Ending::exact).steady, 5e-4 + kNoiseFast);
+  EXPECT_LE(l.of(Ending::exact).steady, 5e-4 + kNoise);
   EXPECT_LE(l.of(Ending::moving).steadyRms, 1.5e-2);  // 1e-2, and what making a floating island's momentum exact adds
   EXPECT_LE(l.momentum, 1e-5);
 }
 
-Ledger look(const char* name, Stage stage, double seconds, int every) {
-  Ledger l = follow(std::move(stage), seconds, every);
+Ledger look(const char* name, Trial trial, double seconds, int every) {
+  Ledger l = follow(std::move(trial), seconds, every);
   l.print(name);
   expectAsSettingsSay(l);
   return l;
@@ -38,11 +36,11 @@ Ledger look(const char* name, Stage stage, double seconds, int every) {
 TEST(ConvergedStep, Walls) {
   Ledger l = look("wall of 10 courses", fromLab("w10"), 1, 5);
   l.add(look("the same with gaps of 0.1 mm", walls(10, 10, 1e-4, 1), 1.5, 15));
-  l.add(look("4 courses of 4, gaps of 0.2 mm", walls(4, 4, 2e-4, 1), 2, 4));
-  l.add(look("6 courses of 8, gaps of 0.5 mm", walls(6, 8, 5e-4, 1), 1, 6));
+  l.add(look("5 courses of 6, gaps of 0.2 mm", walls(5, 6, 2e-4, 1), 2, 3));
+  l.add(look("6 courses of 8, gaps of 0.5 mm", walls(6, 8, 5e-4, 1), 2, 4));
   l.add(look("20 courses of 8, gaps of 0.1 mm", walls(20, 8, 1e-4, 1), 0.5, 10));
   EXPECT_GE(l.of(Ending::rested).islands, 4);
-  EXPECT_GE(l.of(Ending::slow).islands, 10);
+  EXPECT_GE(l.of(Ending::slow).islands, 3);
   EXPECT_GE(l.of(Ending::exhausted).islands, 10);
 }
 
