@@ -12,9 +12,10 @@
 namespace brickfall {
 
 template <class T> constexpr bool kIsFloat = std::is_same_v<T, float>;
-// Squared sine of the angle between two axes below which their row is skipped: what rounding leaves of a separation is then
-// larger than the separation. Per row: the other rows stay exact.
-template <class T> constexpr T kParallelSquared = kIsFloat<T> ? T(1e-6) : T(1e-12);
+// Squared sine of the angle between two axes below which their row is skipped, each row for itself. Skipping hides gaps of
+// about the sine times the size, and rounding on a row just above the limit makes gaps of about epsilon over the sine: this
+// is where the two are equally small (docs/geometry.md has the measurements; 1e-12 in double would hide ten times more).
+template <class T> constexpr T kParallelSquared = kIsFloat<T> ? T(1e-6) : T(1e-15);
 
 template <class T> struct ObbRows {
   T c[3][3], m[3][3];  // A_i . B_j, and its absolute value

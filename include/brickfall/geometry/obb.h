@@ -53,7 +53,7 @@ template <class T> Status checkObb(const ObbT<T>& box, const char* name = "box")
 //
 // Fifteen axes decide (Gottschalk, Lin, Manocha 1996; the report's table of tests, whose test number is the row plus one):
 // rows 0..2 the axes of A, 3..5 those of B, 6 + 3 i + j the cross product A_i x B_j. Two boxes that touch overlap. Where
-// A_i and B_j are parallel to 1e-6 rad (double) or 1e-3 (float), their cross product says nothing and its row is skipped:
+// A_i and B_j are parallel to 3e-8 rad (double) or 1e-3 (float), their cross product says nothing and its row is skipped:
 // the axes of the faces cover it. docs/geometry.md has all conventions.
 
 constexpr int kObbRows = 15;
