@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "support/validation_record.h"
+
 namespace brickfall::oracle {
 
 namespace {
@@ -169,6 +171,54 @@ Ledger follow(Trial trial, double seconds, int every) {
     if (looked) ledger.hashesDiffer += trial.world.stateHash() != expected;
   }
   return ledger;
+}
+
+namespace {
+
+constexpr double kNoise = 5e-5;  // weights: float kernels under loads of some ten weights
+
+std::string endingsOf(const Ledger& l) {
+  std::string out;
+  for (int i = 0; i < kEndings; i++) {
+    const EndingSums& s = l.endings[std::size_t(i)];
+    if (s.islands == 0) continue;
+    char text[160];
+    std::snprintf(text, sizeof text, "%s%s %d: residual %.1g weights, off by %.1g g h^2, %.1g mm",
+                  out.empty() ? "" : "; ", kEndingNames[i], s.islands, std::max(s.force, s.torque), s.deviation,
+                  s.millimetres);
+    out += text;
+  }
+  return out;
+}
+
+}  // namespace
+
+void conclude(const std::string& name, double dt, const Ledger& l) {
+  l.print(name);
+  test::record({.section = "Against the converged solution",
+                .name = name + ": distance from it, of what the residual allows",
+                .dt = dt,
+                .expected = 1,
+                .found = l.excess,
+                .atMost = true,
+                .pass = l.excess <= 1,
+                .cases = l.islands,
+                .note = "islands " + endingsOf(l)});
+  EXPECT_EQ(l.hashesDiffer, 0);
+  EXPECT_EQ(l.failures, 0);
+  EXPECT_LE(l.excess, 1);
+  EXPECT_LE(std::max(l.of(Ending::rested).force, l.of(Ending::rested).torque), 1e-3 + kNoise);
+  EXPECT_LE(l.of(Ending::slow).steady, 5e-4 + kNoise);
+  EXPECT_LE(l.of(Ending::exact).steady, 5e-4 + kNoise);
+  EXPECT_LE(l.of(Ending::moving).steadyRms, 1.5e-2);  // 1e-2, and what making a floating island's momentum exact adds
+  EXPECT_LE(l.momentum, 1e-5);
+}
+
+Ledger look(const std::string& name, Trial trial, double seconds, int every) {
+  double dt = trial.dt;
+  Ledger l = follow(std::move(trial), seconds, every);
+  conclude(name, dt, l);
+  return l;
 }
 
 }  // namespace brickfall::oracle

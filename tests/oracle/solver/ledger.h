@@ -42,5 +42,9 @@ struct Ledger {
 
 // Lets the scene run and looks into every `every`-th step.
 Ledger follow(Trial trial, double seconds, int every);
+// Prints what was found, records it for the validation page and expects what scenes_test.cpp says of every scene.
+void conclude(const std::string& name, double dt, const Ledger& ledger);
+// Both.
+Ledger look(const std::string& name, Trial trial, double seconds, int every);
 
 }  // namespace brickfall::oracle

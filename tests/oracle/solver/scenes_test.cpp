@@ -13,26 +13,6 @@
 namespace brickfall::oracle {
 namespace {
 
-constexpr double kNoise = 5e-5;  // weights: float kernels under loads of some ten weights
-
-void expectAsSettingsSay(const Ledger& l) {
-  EXPECT_EQ(l.hashesDiffer, 0);
-  EXPECT_EQ(l.failures, 0);
-  EXPECT_LE(l.excess, 1);
-  EXPECT_LE(std::max(l.of(Ending::rested).force, l.of(Ending::rested).torque), 1e-3 + kNoise);
-  EXPECT_LE(l.of(Ending::slow).steady, 5e-4 + kNoise);
-  EXPECT_LE(l.of(Ending::exact).steady, 5e-4 + kNoise);
-  EXPECT_LE(l.of(Ending::moving).steadyRms, 1.5e-2);  // 1e-2, and what making a floating island's momentum exact adds
-  EXPECT_LE(l.momentum, 1e-5);
-}
-
-Ledger look(const char* name, Trial trial, double seconds, int every) {
-  Ledger l = follow(std::move(trial), seconds, every);
-  l.print(name);
-  expectAsSettingsSay(l);
-  return l;
-}
-
 TEST(ConvergedStep, Walls) {
   Ledger l = look("wall of 10 courses", fromLab("w10"), 1, 5);
   l.add(look("the same with gaps of 0.1 mm", walls(10, 10, 1e-4, 1), 1.5, 15));
@@ -89,10 +69,8 @@ TEST(ConvergedStep, FrictionAtItsLimit) {
   }
   sticks.add(follow(pushed(0.99, 0.6), 0.5, 1));
   slides.add(follow(pushed(1.01, 0.6), 0.5, 1));
-  sticks.print("just under the friction limit");
-  slides.print("just over it");
-  expectAsSettingsSay(sticks);
-  expectAsSettingsSay(slides);
+  conclude("boxes just under their friction limit", 1.0 / 60, sticks);
+  conclude("boxes just over it", 1.0 / 60, slides);
   EXPECT_GE(sticks.sticking, 500);
   EXPECT_GE(slides.sliding, 500);
 }
