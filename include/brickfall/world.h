@@ -116,6 +116,8 @@ class World {
                                          std::uint32_t mask = 0xffffffffu) const;  // bounds, exact shape
   Result<std::vector<BodyId>> overlapSphere(Vec3 centre, double radius, std::uint32_t mask = 0xffffffffu) const;
   Result<std::optional<ClosestResult>> closest(Vec3 point, double maxDistance, std::uint32_t mask = 0xffffffffu) const;
+  // While forEachContact or draw runs its callbacks, calls that change the world answer wrongState; reading is fine. The
+  // callbacks must not throw.
   void forEachContact(const std::function<void(const ContactView&)>& visit) const;
   // Exact overlap depth of two shapes, m: 0 when apart. What is really there, not what the solver believes.
   Result<double> penetration(ShapeId a, ShapeId b) const;

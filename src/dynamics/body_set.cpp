@@ -35,7 +35,8 @@ BodyIndex BodySet::create() {
 void BodySet::destroy(BodyIndex body) {
   data[body].alive = false;
   shapes[body].clear();
-  free_.push_back(body);
+  // A generation that begins anew would make ids of long ago valid again: such a slot is never used again.
+  if (data[body].generation < 0xffff) free_.push_back(body);
   count_--;
 }
 

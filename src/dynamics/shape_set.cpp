@@ -26,7 +26,8 @@ ShapeIndex ShapeSet::create() {
 void ShapeSet::destroy(ShapeIndex shape) {
   data[shape].alive = false;
   data[shape].hull.reset();
-  free_.push_back(shape);
+  // A generation that begins anew would make ids of long ago valid again: such a slot is never used again.
+  if (data[shape].generation < 0xffff) free_.push_back(shape);
 }
 
 namespace {

@@ -36,6 +36,8 @@ struct Problems {
 
 bool checkNumbers(const WallDef& wall, Problems& problems) {
   std::size_t before = problems.list.size();
+  if (!(wall.bond <= Bond::stack))
+    problems.add("bond", "found " + std::to_string(int(wall.bond)) + ", expected a Bond");
   problems.range("courses", wall.courses, 1, 10000, "");
   problems.range("bricksPerCourse", wall.bricksPerCourse, 1, 10000, "");
   problems.range("brick.size.x", wall.brick.size.x, 0.001, 100, "m");

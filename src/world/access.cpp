@@ -57,9 +57,17 @@ Result<ShapeDef> World::shape(ShapeId id) const {
   return impl_->shapes.data[*shape].def;
 }
 
-// What every setter does first: not while stepping, a live body, sound arguments.
+Status World::Impl::openForChange(const std::string& call) const {
+  if (stepping) return Error{ErrorCode::wrongState, call + ": the world is stepping"};
+  if (visiting > 0)
+    return Error{ErrorCode::wrongState,
+                 call + ": called from inside a callback of forEachContact or draw, expected after it has returned"};
+  return {};
+}
+
+// What every setter does first: not while stepping or from a callback, a live body, sound arguments.
 Result<BodyIndex> World::Impl::openForChange(BodyId id, const Error& bad) const {
-  if (stepping) return Error{ErrorCode::wrongState, "the world is stepping"};
+  if (Status open = openForChange("body"); !open) return open.error();
   Result<BodyIndex> body = find(id);
   if (!body) return body;
   if (bad.code != ErrorCode::none) return bad;
@@ -71,20 +79,15 @@ Status World::setType(BodyId id, BodyType type) {
   Impl& w = *impl_;
   Checks check;
   check.condition(type == BodyType::fixed || type == BodyType::kinematic || type == BodyType::dynamic,
-                  "type: not a BodyType");
+                  "type: found " + std::to_string(int(type)) + ", expected a BodyType");
   Result<BodyIndex> body = w.openForChange(id, check.error());
   if (!body) return body.error();
-  bool hasMesh = false;
-  for (ShapeIndex shape : w.bodies.shapes[*body]) {
-    ShapeType shapeType = w.shapes.data[shape].geometry.type;
-    hasMesh = hasMesh || shapeType == ShapeType::mesh;
-    if (shapeType == ShapeType::plane && type != BodyType::fixed)
-      return Error{ErrorCode::invalidArgument, "type: a body with a plane stays BodyType::fixed"};
-    if (shapeType == ShapeType::mesh && type == BodyType::dynamic)
-      return Error{ErrorCode::invalidArgument, "type: a body with a mesh stays BodyType::fixed or kinematic"};
-  }
+  if (type != BodyType::fixed)
+    for (ShapeIndex shape : w.bodies.shapes[*body])
+      if (w.shapes.data[shape].geometry.type == ShapeType::plane)
+        return Error{ErrorCode::invalidArgument, "type: a body with a plane stays BodyType::fixed"};
   if (w.bodies.data[*body].type == type) return {};
-  if (type != BodyType::fixed && !hasMesh) {
+  if (type != BodyType::fixed) {
     Checks mass;
     checkMass(mass, w.bodies.data[*body].bodyFrameMass.mass);
     if (mass.failed()) return mass.error();
@@ -188,7 +191,7 @@ Status World::setDragArea(BodyId id, double dragArea) {
 Status World::setGravity(Vec3 gravity) {
   Checks check;
   check.vector("gravity", gravity, 1e4);
-  if (impl_->stepping) return Error{ErrorCode::wrongState, "the world is stepping"};
+  if (Status open = impl_->openForChange("setGravity"); !open) return open;
   if (check.failed()) return check.error();
   impl_->def.gravity = gravity;
   impl_->wakeAll();

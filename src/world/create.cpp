@@ -4,7 +4,6 @@
 #include <cmath>
 #include <span>
 
-#include "brickfall/geometry/mesh_tree.h"
 #include "geometry/mass_properties.h"
 #include "math/symmetric_eigen.h"
 #include "world/checks.h"
@@ -23,17 +22,10 @@ void checkMaterial(Checks& check, const std::string& at, const Material& m) {
   check.above(at + ".density", m.density, 0, 1e7);
   check.range(at + ".friction", m.friction, 0, 100);
   check.range(at + ".restitution", m.restitution, 0, 1);
-  check.condition(m.frictionRule <= CombineRule::maximum, at + ".frictionRule: found " + std::to_string(int(m.frictionRule)) + ", expected a CombineRule");
-  check.condition(m.restitutionRule <= CombineRule::maximum, at + ".restitutionRule: found " + std::to_string(int(m.restitutionRule)) + ", expected a CombineRule");
-}
-
-void checkMesh(Checks& check, const std::string& at, const ShapeDef& s, BodyType type) {
-  check.condition(type != BodyType::dynamic,
-                  at + ".type: found a mesh on a dynamic body, expected BodyType::fixed or kinematic");
-  check.condition(s.mesh != nullptr, at + ".mesh: found none, expected a MeshTree");
-  if (check.failed()) return;
-  check.vector(at + ".mesh.bounds.lower", s.mesh->bounds().lower, kLargestSize);
-  check.vector(at + ".mesh.bounds.upper", s.mesh->bounds().upper, kLargestSize);
+  check.condition(m.frictionRule <= CombineRule::maximum,
+                  at + ".frictionRule: found " + std::to_string(int(m.frictionRule)) + ", expected a CombineRule");
+  check.condition(m.restitutionRule <= CombineRule::maximum,
+                  at + ".restitutionRule: found " + std::to_string(int(m.restitutionRule)) + ", expected a CombineRule");
 }
 
 void checkShape(Checks& check, const std::string& at, const ShapeDef& s, BodyType type) {
@@ -60,11 +52,8 @@ void checkShape(Checks& check, const std::string& at, const ShapeDef& s, BodyTyp
       check.condition(type == BodyType::fixed,
                       at + ".type: found a plane on a body that can move, expected BodyType::fixed");
       return;
-    case ShapeType::mesh:
-      checkMesh(check, at, s, type);
-      return;
   }
-  check.condition(false, at + ".type: not a ShapeType");
+  check.condition(false, at + ".type: found " + std::to_string(int(s.type)) + ", expected a ShapeType");
 }
 
 void checkBody(Checks& check, const BodyDef& def) {
@@ -72,7 +61,7 @@ void checkBody(Checks& check, const BodyDef& def) {
   check.condition(def.shapes.size() <= 4096,
                   "shapes: found " + std::to_string(def.shapes.size()) + ", expected at most 4096");
   check.condition(def.type == BodyType::fixed || def.type == BodyType::kinematic || def.type == BodyType::dynamic,
-                  "type: not a BodyType");
+                  "type: found " + std::to_string(int(def.type)) + ", expected a BodyType");
   check.vector("position", def.position, kLargestCoordinate);
   check.rotation("rotation", def.rotation);
   check.vector("linearVelocity", def.linearVelocity, kLargestSpeed);
@@ -106,7 +95,6 @@ Shape geometryOf(const ShapeDef& def, const Hull* hull) {
   g.radius = def.radius;
   g.halfHeight = def.halfHeight;
   g.hull = hull;
-  g.mesh = def.mesh.get();
   return g;
 }
 
@@ -249,7 +237,7 @@ void World::Impl::delist(BodyIndex body) {
 
 Result<BodyId> World::createBody(const BodyDef& def) {
   Impl& w = *impl_;
-  if (w.stepping) return Error{ErrorCode::wrongState, "createBody: the world is stepping"};
+  if (Status open = w.openForChange("createBody"); !open) return open.error();
   if (w.bodies.count() >= w.def.maxBodies)
     return Error{ErrorCode::limitExceeded,
                  "createBody: the world has maxBodies = " + std::to_string(w.def.maxBodies) + " bodies"};
@@ -264,10 +252,7 @@ Result<BodyId> World::createBody(const BodyDef& def) {
     else
       check.take({hull.error().code, "shapes[" + std::to_string(i) + "].vertices: " + hull.error().message});
   }
-  // A body with a mesh never becomes dynamic: it may weigh nothing.
-  bool hasMesh =
-      std::any_of(def.shapes.begin(), def.shapes.end(), [](const ShapeDef& s) { return s.type == ShapeType::mesh; });
-  if (!check.failed() && def.type != BodyType::fixed && !hasMesh) checkMass(check, massOf(def, hulls));
+  if (!check.failed() && def.type != BodyType::fixed) checkMass(check, massOf(def, hulls));
   if (check.failed()) return check.error();
 
   BodyIndex body = w.bodies.create();
@@ -324,7 +309,7 @@ void World::Impl::removeContactsOf(BodyIndex body) {
 
 Status World::destroyBody(BodyId id) {
   Impl& w = *impl_;
-  if (w.stepping) return Error{ErrorCode::wrongState, "destroyBody: the world is stepping"};
+  if (Status open = w.openForChange("destroyBody"); !open) return open;
   Result<BodyIndex> body = w.find(id);
   if (!body) return body.error();
   if (w.bodies.data[*body].activity == BodyActivity::asleep) w.wakeIslandOf(*body);

@@ -18,6 +18,7 @@ std::uint32_t colourOf(const BodyData& data) {
 
 void World::draw(const DebugDraw& draw) const {
   const Impl& w = *impl_;
+  Visit here(w.visiting);
   for (BodyIndex body : w.bodies.inOrder()) {
     const BodyMotion& m = w.bodies.motion[body];
     for (ShapeIndex shape : w.bodies.shapes[body]) {

@@ -59,8 +59,9 @@ Result<std::vector<BodyId>> World::overlapBox(const Aabb& box, std::uint32_t mas
   Checks check;
   check.vector("box.lower", box.lower, 1e7);
   check.vector("box.upper", box.upper, 1e7);
-  check.condition(box.lower.x <= box.upper.x && box.lower.y <= box.upper.y && box.lower.z <= box.upper.z,
-                  "box: lower is above upper");
+  check.range("box.lower.x", box.lower.x, -1e7, box.upper.x);
+  check.range("box.lower.y", box.lower.y, -1e7, box.upper.y);
+  check.range("box.lower.z", box.lower.z, -1e7, box.upper.z);
   if (check.failed()) return check.error();
   Shape region;
   region.halfExtents = max((box.upper - box.lower) * 0.5, Vec3{1e-9, 1e-9, 1e-9});
@@ -114,6 +115,8 @@ Result<std::optional<ClosestResult>> World::closest(Vec3 point, double maxDistan
 
 void World::forEachContact(const std::function<void(const ContactView&)>& visit) const {
   const Impl& w = *impl_;
+  if (!visit) return;
+  Visit here(w.visiting);
   auto show = [&](const CandidatePair& pair) {
     if (pair.contact == kNoIndex) return;
     const Contact& c = w.contacts.contacts[pair.contact];

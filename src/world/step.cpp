@@ -82,7 +82,7 @@ Result<StepReport> World::step(double dt, int substeps) {
   if (!(substeps >= 1 && substeps <= 64))
     return Error{ErrorCode::invalidArgument, "substeps: found " + std::to_string(substeps) + ", expected 1 .. 64"};
   Impl& w = *impl_;
-  if (w.stepping) return Error{ErrorCode::wrongState, "step: the world is already stepping"};
+  if (Status open = w.openForChange("step"); !open) return open.error();
   w.stepping = true;
   std::int64_t start = nowNanoseconds();
   w.report = {};

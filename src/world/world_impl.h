@@ -10,7 +10,6 @@
 #include "dynamics/body_set.h"
 #include "dynamics/contact_set.h"
 #include "dynamics/shape_set.h"
-#include "narrowphase/mesh_collide.h"
 #include "parallel/worker_pool.h"
 #include "solver/island_builder.h"
 #include "solver/step_context.h"
@@ -37,6 +36,7 @@ struct World::Impl {
   double lastDt = 0;                    // s
   std::uint64_t stepCount = 0;
   bool stepping = false;
+  mutable int visiting = 0;  // callbacks of forEachContact and draw under way
   int substep = 0;          // of the call to step() under way, from 0
   bool lastSubstep = true;  // of it
   double callDt = 0;        // s, of the whole call
@@ -62,8 +62,6 @@ struct World::Impl {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> foundPairs;  // scratch
   std::vector<CandidatePair> newPairs;                              // scratch
 
-  MeshScratch meshScratch;
-  std::vector<CandidatePair> newParts;  // scratch: of pairs with a mesh
   // --- stages, in their order
   void findPairs();
   void updateContacts();
@@ -78,11 +76,11 @@ struct World::Impl {
   void collectEvents();
 
   void makeContact(CandidatePair& pair, const Manifold& m, const Transform& relative);
-  void updateMeshPair(std::size_t begin, std::size_t end, std::size_t& kept);
 
   // --- shared by stages and the API
   Result<BodyIndex> find(BodyId id) const;
   Result<ShapeIndex> find(ShapeId id) const;
+  Status openForChange(const std::string& call) const;
   Result<BodyIndex> openForChange(BodyId id, const Error& bad) const;
   Status push(BodyId id, Vec3 linear, Vec3 angular, Vec3* pointWorld, bool impulse);
   Status setVelocity(BodyId id, Vec3 velocity, Vec3 BodyMotion::*which, Vec3 BodyData::*last);
@@ -138,6 +136,18 @@ struct World::Impl {
   void countAsMoved(BodyIndex body);  // a fixed or kinematic body that was made, moved or changed
   void enlist(BodyIndex body);        // into awake or moving, by type
   void delist(BodyIndex body);
+};
+
+// While the world shows itself to a callback, nothing may change it.
+class Visit {
+ public:
+  explicit Visit(int& count) : count_(count) { count_++; }
+  ~Visit() { count_--; }
+  Visit(const Visit&) = delete;
+  Visit& operator=(const Visit&) = delete;
+
+ private:
+  int& count_;
 };
 
 // Times a stage into the report.
