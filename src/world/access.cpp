@@ -82,12 +82,17 @@ Status World::setType(BodyId id, BodyType type) {
                   "type: found " + std::to_string(int(type)) + ", expected a BodyType");
   Result<BodyIndex> body = w.openForChange(id, check.error());
   if (!body) return body.error();
-  if (type != BodyType::fixed)
-    for (ShapeIndex shape : w.bodies.shapes[*body])
-      if (w.shapes.data[shape].geometry.type == ShapeType::plane)
-        return Error{ErrorCode::invalidArgument, "type: a body with a plane stays BodyType::fixed"};
+  bool hasMesh = false;
+  for (ShapeIndex shape : w.bodies.shapes[*body]) {
+    ShapeType shapeType = w.shapes.data[shape].geometry.type;
+    hasMesh = hasMesh || shapeType == ShapeType::mesh;
+    if (shapeType == ShapeType::plane && type != BodyType::fixed)
+      return Error{ErrorCode::invalidArgument, "type: a body with a plane stays BodyType::fixed"};
+    if (shapeType == ShapeType::mesh && type == BodyType::dynamic)
+      return Error{ErrorCode::invalidArgument, "type: a body with a mesh stays BodyType::fixed or kinematic"};
+  }
   if (w.bodies.data[*body].type == type) return {};
-  if (type != BodyType::fixed) {
+  if (type != BodyType::fixed && !hasMesh) {
     Checks mass;
     checkMass(mass, w.bodies.data[*body].bodyFrameMass.mass);
     if (mass.failed()) return mass.error();

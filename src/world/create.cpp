@@ -4,6 +4,7 @@
 #include <cmath>
 #include <span>
 
+#include "brickfall/geometry/mesh_tree.h"
 #include "geometry/mass_properties.h"
 #include "math/symmetric_eigen.h"
 #include "world/checks.h"
@@ -24,8 +25,18 @@ void checkMaterial(Checks& check, const std::string& at, const Material& m) {
   check.range(at + ".restitution", m.restitution, 0, 1);
   check.condition(m.frictionRule <= CombineRule::maximum,
                   at + ".frictionRule: found " + std::to_string(int(m.frictionRule)) + ", expected a CombineRule");
-  check.condition(m.restitutionRule <= CombineRule::maximum,
-                  at + ".restitutionRule: found " + std::to_string(int(m.restitutionRule)) + ", expected a CombineRule");
+  check.condition(
+      m.restitutionRule <= CombineRule::maximum,
+      at + ".restitutionRule: found " + std::to_string(int(m.restitutionRule)) + ", expected a CombineRule");
+}
+
+void checkMesh(Checks& check, const std::string& at, const ShapeDef& s, BodyType type) {
+  check.condition(type != BodyType::dynamic,
+                  at + ".type: found a mesh on a dynamic body, expected BodyType::fixed or kinematic");
+  check.condition(s.mesh != nullptr, at + ".mesh: found none, expected a MeshTree");
+  if (check.failed()) return;
+  check.vector(at + ".mesh.bounds.lower", s.mesh->bounds().lower, kLargestSize);
+  check.vector(at + ".mesh.bounds.upper", s.mesh->bounds().upper, kLargestSize);
 }
 
 void checkShape(Checks& check, const std::string& at, const ShapeDef& s, BodyType type) {
@@ -51,6 +62,9 @@ void checkShape(Checks& check, const std::string& at, const ShapeDef& s, BodyTyp
     case ShapeType::plane:
       check.condition(type == BodyType::fixed,
                       at + ".type: found a plane on a body that can move, expected BodyType::fixed");
+      return;
+    case ShapeType::mesh:
+      checkMesh(check, at, s, type);
       return;
   }
   check.condition(false, at + ".type: found " + std::to_string(int(s.type)) + ", expected a ShapeType");
@@ -95,6 +109,7 @@ Shape geometryOf(const ShapeDef& def, const Hull* hull) {
   g.radius = def.radius;
   g.halfHeight = def.halfHeight;
   g.hull = hull;
+  g.mesh = def.mesh.get();
   return g;
 }
 
@@ -252,7 +267,10 @@ Result<BodyId> World::createBody(const BodyDef& def) {
     else
       check.take({hull.error().code, "shapes[" + std::to_string(i) + "].vertices: " + hull.error().message});
   }
-  if (!check.failed() && def.type != BodyType::fixed) checkMass(check, massOf(def, hulls));
+  // A body with a mesh never becomes dynamic: it may weigh nothing.
+  bool hasMesh =
+      std::any_of(def.shapes.begin(), def.shapes.end(), [](const ShapeDef& s) { return s.type == ShapeType::mesh; });
+  if (!check.failed() && def.type != BodyType::fixed && !hasMesh) checkMass(check, massOf(def, hulls));
   if (check.failed()) return check.error();
 
   BodyIndex body = w.bodies.create();

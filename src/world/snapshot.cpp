@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/hash.h"
+#include "brickfall/geometry/mesh_tree.h"
 #include "world/archive.h"
 #include "world/world_impl.h"
 
@@ -14,7 +15,7 @@ namespace brickfall {
 namespace {
 
 constexpr std::uint64_t kMagic = 0x30504e5346424b42ull;
-constexpr std::uint32_t kLayout = 2;
+constexpr std::uint32_t kLayout = 3;
 
 struct Header {
   std::uint64_t magic = kMagic;
@@ -96,7 +97,42 @@ class SnapshotArchive {
       a.value(shape.middle);
       a.value(shape.swept);
     }
+    meshes(a, s);
     a.list(s.free_);
+  }
+
+  // Each mesh once, however many shapes have it, in the order of the first of them. Trees are built anew.
+  template <class Archive, class Shapes> static void meshes(Archive& a, Shapes& s) {
+    std::vector<std::shared_ptr<const MeshTree>> all;
+    std::vector<std::uint32_t> numberOf;  // by shape; 0 = none
+    if constexpr (!Archive::kReading)
+      for (auto& shape : s.data) {
+        std::uint32_t number = 0;
+        if (shape.alive && shape.def.mesh) {
+          number = std::uint32_t(std::find(all.begin(), all.end(), shape.def.mesh) - all.begin()) + 1;
+          if (number > all.size()) all.push_back(shape.def.mesh);
+        }
+        numberOf.push_back(number);
+      }
+    a.list(numberOf);
+    std::uint64_t n = a.count(all.size(), 2 * sizeof(std::uint64_t));
+    for (std::uint64_t i = 0; i < n; i++) {
+      std::vector<Vec3> vertices;
+      std::vector<std::uint32_t> indices;
+      if constexpr (!Archive::kReading) {
+        vertices = all[i]->mesh().vertices();
+        for (const TriangleMesh::Face& f : all[i]->mesh().faces()) indices.insert(indices.end(), f.vertex, f.vertex + 3);
+      }
+      a.list(vertices);
+      a.list(indices);
+      if constexpr (Archive::kReading) {
+        Result<TriangleMesh> mesh = TriangleMesh::create(vertices, indices);
+        all.push_back(mesh ? std::make_shared<MeshTree>(MeshTree::build(std::move(mesh).value())) : nullptr);
+      }
+    }
+    if constexpr (Archive::kReading)
+      for (std::size_t i = 0; i < s.data.size() && i < numberOf.size(); i++)
+        if (numberOf[i] > 0 && numberOf[i] <= all.size()) s.data[i].def.mesh = all[numberOf[i] - 1];
   }
 
   template <class Archive, class Contacts> static void contacts(Archive& a, Contacts& c) {
@@ -213,6 +249,7 @@ Status World::Impl::rebuild() {
     s.geometry.halfExtents = s.def.halfExtents;
     s.geometry.radius = s.def.radius;
     s.geometry.halfHeight = s.def.halfHeight;
+    s.geometry.mesh = s.def.mesh.get();
     if (s.def.type == ShapeType::hull) {
       Result<Hull> hull = buildHull(std::span<const Vec3>(s.def.vertices));
       if (!hull) return badSnapshot("a hull can't be built: " + hull.error().message);

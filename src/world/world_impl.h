@@ -10,6 +10,7 @@
 #include "dynamics/body_set.h"
 #include "dynamics/contact_set.h"
 #include "dynamics/shape_set.h"
+#include "narrowphase/mesh_collide.h"
 #include "parallel/worker_pool.h"
 #include "solver/island_builder.h"
 #include "solver/step_context.h"
@@ -37,9 +38,9 @@ struct World::Impl {
   std::uint64_t stepCount = 0;
   bool stepping = false;
   mutable int visiting = 0;  // callbacks of forEachContact and draw under way
-  int substep = 0;          // of the call to step() under way, from 0
-  bool lastSubstep = true;  // of it
-  double callDt = 0;        // s, of the whole call
+  int substep = 0;           // of the call to step() under way, from 0
+  bool lastSubstep = true;   // of it
+  double callDt = 0;         // s, of the whole call
   std::vector<BodyIndex> pendingQuarantine;
   std::vector<BodyIndex> pushed;  // bodies with a force or torque for the next step
   std::size_t sleptNow = 0;       // islands that fell asleep in this step: the last ones in islands.asleep
@@ -61,6 +62,8 @@ struct World::Impl {
   std::unique_ptr<WorkerPool> pool;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> foundPairs;  // scratch
   std::vector<CandidatePair> newPairs;                              // scratch
+  MeshScratch meshScratch;
+  std::vector<CandidatePair> newParts;  // scratch: of pairs with a mesh
 
   // --- stages, in their order
   void findPairs();
@@ -75,6 +78,7 @@ struct World::Impl {
   void updateSleep();
   void collectEvents();
 
+  void updateMeshPair(std::size_t begin, std::size_t end, std::size_t& kept);
   void makeContact(CandidatePair& pair, const Manifold& m, const Transform& relative);
 
   // --- shared by stages and the API
