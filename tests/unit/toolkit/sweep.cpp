@@ -248,6 +248,7 @@ template <class T> void firstContacts(int count, const char* name) {
         counts.rows[2], counts.byTable, counts.unique, counts.sets, counts.estimated, counts.misses, counts.grazing,
         counts.overlapping, counts.worstGap, counts.worstPoint);
     EXPECT_EQ(counts.wrong, 0) << nameOf(Family(f));
+    EXPECT_LE(counts.estimated, counts.hits / 1000) << nameOf(Family(f));
     if (f != int(Family::nested)) {
       EXPECT_GE(counts.hits, counts.pairs / 10) << nameOf(Family(f));
       // Crossed edges are aimed at each other.
