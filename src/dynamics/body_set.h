@@ -70,6 +70,7 @@ class BodySet {
   // Slots in order of creation.
   std::vector<BodyIndex> inOrder() const;
   const std::vector<BodyIndex>& unused() const { return free_; }
+  std::uint64_t nextOrder() const { return nextOrder_; }
 
   Transform pose(BodyIndex body) const {
     return {motion[body].position, motion[body].rotation};

@@ -1,5 +1,6 @@
-// Bytes in and out with one description of the layout: `archive(value)` writes or reads. Reading never trusts a count
-// before checking it against the bytes left.
+// Bytes in and out with one description of the layout: a function that names the fields writes or reads them. Reading
+// trusts nothing: a count is checked against the bytes left before it is used, a flag is 0 or 1, a choice is one of its
+// enumeration. Numbers and indices may still be anything; what they mean is for the reader of the whole to check.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -10,15 +11,22 @@
 
 namespace brickfall {
 
+// Numbers, or a structure of nothing but numbers: any bits are a value of it.
+template <class T> constexpr bool isPlain() {
+  return std::is_trivially_copyable_v<T> && !std::is_same_v<T, bool> && !std::is_enum_v<T> && !std::is_pointer_v<T>;
+}
+
 class WriteArchive {
  public:
   static constexpr bool kReading = false;
   template <class T> void value(const T& v) {
-    static_assert(std::is_trivially_copyable_v<T>);
+    static_assert(isPlain<T>());
     bytes(&v, sizeof v);
   }
+  void flag(bool v) { value(std::uint8_t(v)); }
+  template <class E> void choice(E v, E) { value(std::uint8_t(v)); }
   template <class T, class A> void list(const std::vector<T, A>& v) {
-    static_assert(std::is_trivially_copyable_v<T>);
+    static_assert(isPlain<T>());
     value(std::uint64_t(v.size()));
     bytes(v.data(), v.size() * sizeof(T));
   }
@@ -43,12 +51,25 @@ class ReadArchive {
   static constexpr bool kReading = true;
   explicit ReadArchive(std::span<const std::byte> in) : in_(in) {}
   template <class T> void value(T& v) {
-    static_assert(std::is_trivially_copyable_v<T>);
+    static_assert(isPlain<T>());
     if (!need(sizeof v)) return;
     std::memcpy(static_cast<void*>(&v), in_.data() + at_, sizeof v);
     at_ += sizeof v;
   }
+  void flag(bool& v) {
+    std::uint8_t byte = 0;
+    value(byte);
+    if (byte > 1) failed_ = true;
+    v = byte == 1;
+  }
+  template <class E> void choice(E& v, E last) {
+    std::uint8_t byte = 0;
+    value(byte);
+    if (byte > std::uint8_t(last)) failed_ = true;
+    if (!failed_) v = E(byte);
+  }
   template <class T, class A> void list(std::vector<T, A>& v) {
+    static_assert(isPlain<T>());
     std::uint64_t n = count(0, sizeof(T));
     if (failed_) return;
     v.resize(std::size_t(n));

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 
+#include "brickfall/body.h"
 #include "brickfall/math.h"
 #include "brickfall/result.h"
 
@@ -61,6 +62,11 @@ class Checks {
  private:
   Error error_;
 };
+
+// create.cpp. What createBody asks of a shape ("shapes[0]" is `at`) and of a body's constants.
+void checkShape(Checks& check, const std::string& at, const ShapeDef& shape, BodyType type);
+void checkMotionSettings(Checks& check, double gravityScale, double linearDamping, double angularDamping,
+                         double dragArea);
 
 // Of a body that may move. Each field of its shapes may be legal and the body still lighter or heavier than sums in
 // float can hold.

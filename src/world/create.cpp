@@ -39,6 +39,8 @@ void checkMesh(Checks& check, const std::string& at, const ShapeDef& s, BodyType
   check.vector(at + ".mesh.bounds.upper", s.mesh->bounds().upper, kLargestSize);
 }
 
+}  // namespace
+
 void checkShape(Checks& check, const std::string& at, const ShapeDef& s, BodyType type) {
   checkMaterial(check, at + ".material", s.material);
   check.vector(at + ".local.position", s.local.position, kLargestSize);
@@ -70,6 +72,16 @@ void checkShape(Checks& check, const std::string& at, const ShapeDef& s, BodyTyp
   check.condition(false, at + ".type: found " + std::to_string(int(s.type)) + ", expected a ShapeType");
 }
 
+void checkMotionSettings(Checks& check, double gravityScale, double linearDamping, double angularDamping,
+                         double dragArea) {
+  check.range("gravityScale", gravityScale, -1000, 1000);
+  check.range("linearDamping", linearDamping, 0, 1e6);
+  check.range("angularDamping", angularDamping, 0, 1e6);
+  check.range("dragArea", dragArea, 0, 1e6);
+}
+
+namespace {
+
 void checkBody(Checks& check, const BodyDef& def) {
   check.condition(!def.shapes.empty(), "shapes: found none, expected at least one");
   check.condition(def.shapes.size() <= 4096,
@@ -80,10 +92,7 @@ void checkBody(Checks& check, const BodyDef& def) {
   check.rotation("rotation", def.rotation);
   check.vector("linearVelocity", def.linearVelocity, kLargestSpeed);
   check.vector("angularVelocity", def.angularVelocity, kLargestSpeed);
-  check.range("gravityScale", def.gravityScale, -1000, 1000);
-  check.range("linearDamping", def.linearDamping, 0, 1e6);
-  check.range("angularDamping", def.angularDamping, 0, 1e6);
-  check.range("dragArea", def.dragArea, 0, 1e6);
+  checkMotionSettings(check, def.gravityScale, def.linearDamping, def.angularDamping, def.dragArea);
   for (std::size_t i = 0; i < def.shapes.size() && !check.failed(); i++)
     checkShape(check, "shapes[" + std::to_string(i) + "]", def.shapes[i], def.type);
 }

@@ -1,9 +1,10 @@
-// A world as bytes, and back: all that a step reads, so that a restored world goes on bit for bit. The tree of the broad
-// phase is built anew: which contacts exist does not depend on its shape.
+// A world as bytes, and back: all that a step reads and that can't be worked out from the rest, so that a restored world
+// goes on bit for bit. Masses, hulls and where shapes lie follow from what bodies were made of; the tree of the broad phase
+// is built anew: which contacts exist does not depend on its shape.
 //
-// Layout: magic, layout number, hash of the rest; the fields in the order below, as this machine has them in memory.
+// Layout: magic, layout number, hash of the rest; the fields in the order below, as this machine has them in memory. The
+// hash finds damage, not intent: nothing that is read is trusted (snapshot_check.cpp).
 #include <algorithm>
-#include <cmath>
 
 #include "base/hash.h"
 #include "brickfall/geometry/mesh_tree.h"
@@ -15,25 +16,22 @@ namespace brickfall {
 namespace {
 
 constexpr std::uint64_t kMagic = 0x30504e5346424b42ull;
-constexpr std::uint32_t kLayout = 3;
+constexpr std::uint32_t kLayout = 4;
 
 struct Header {
   std::uint64_t magic = kMagic;
   std::uint32_t layout = kLayout;
-  std::uint32_t contactSize = sizeof(Contact);  // tells builds with another memory layout apart
+  std::uint32_t recordSize = sizeof(ContactRecord);  // tells builds with another memory layout apart
   std::uint64_t hash = 0;
 };
+
+// Fewest bytes of an item: a forged count can't claim much more memory than the snapshot has.
+constexpr std::size_t kLeastSlot = 3, kLeastLevel = 32, kLeastIsland = 140;
 
 std::uint64_t hashOf(std::span<const std::byte> bytes) {
   Hash hash;
   for (std::byte b : bytes) hash.addByte(std::uint8_t(b));
   return hash.value();
-}
-
-template <class Archive, class Vector> void nested(Archive& archive, Vector& lists) {
-  std::uint64_t n = archive.count(lists.size(), sizeof(std::uint64_t));
-  if constexpr (Archive::kReading) lists.resize(std::size_t(n));
-  for (auto& list : lists) archive.list(list);
 }
 
 }  // namespace
@@ -42,7 +40,7 @@ template <class Archive, class Vector> void nested(Archive& archive, Vector& lis
 class SnapshotArchive {
  public:
   template <class Archive, class Impl> static void world(Archive& a, Impl& w) {
-    a.value(w.def);
+    definition(a, w.def);
     bodies(a, w.bodies);
     shapes(a, w.shapes);
     contacts(a, w.contacts);
@@ -52,7 +50,7 @@ class SnapshotArchive {
     a.list(w.awake);
     a.list(w.moving);
     a.list(w.islandOf);
-    a.value(w.membershipChanged);
+    a.flag(w.membershipChanged);
     a.value(w.time);
     a.value(w.lastDt);
     a.value(w.stepCount);
@@ -61,44 +59,86 @@ class SnapshotArchive {
     a.list(w.unsettled);
     a.list(w.pending.end);
     a.list(w.pending.woke);
-    a.value(w.dynamicBodies);
   }
 
  private:
+  template <class Archive, class Def> static void definition(Archive& a, Def& d) {
+    a.value(d.gravity);
+    a.value(d.airDensity);
+    a.flag(d.enableSleep);
+    a.value(d.sleepDelay);
+    a.value(d.hitEventSpeed);
+    a.value(d.hitEventImpulse);
+    a.value(d.threads);
+    a.value(d.maxBodies);
+    a.value(d.solver);
+  }
+
+  // The length of a list of structures that are read field by field.
+  template <class Archive, class List> static void length(Archive& a, List& list, std::size_t leastSize) {
+    std::uint64_t n = a.count(list.size(), leastSize);
+    if constexpr (Archive::kReading) list.resize(std::size_t(n));
+  }
+
   template <class Archive, class Bodies> static void bodies(Archive& a, Bodies& b) {
     a.list(b.motion);
-    a.list(b.mass);
-    a.list(b.data);
-    nested(a, b.shapes);
     a.list(b.still);
+    length(a, b.data, kLeastSlot);
+    length(a, b.shapes, sizeof(std::uint64_t));
+    for (auto& list : b.shapes) a.list(list);
+    for (auto& data : b.data) {
+      a.flag(data.alive);
+      a.value(data.generation);
+      if (data.alive) body(a, data);
+    }
     a.list(b.free_);
-    a.value(b.count_);
     a.value(b.nextOrder_);
+    if constexpr (Archive::kReading) {
+      b.mass.resize(b.data.size());
+      for (const auto& data : b.data) b.count_ += data.alive;
+    }
+  }
+
+  template <class Archive, class Data> static void body(Archive& a, Data& d) {
+    a.choice(d.type, BodyType::dynamic);
+    a.choice(d.activity, BodyActivity::fixed);
+    for (auto* flag : {&d.quarantined, &d.allowSleep, &d.flying}) a.flag(*flag);
+    for (auto* number : {&d.gravityScale, &d.linearDamping, &d.angularDamping, &d.dragArea, &d.lastKineticEnergy})
+      a.value(*number);
+    for (auto* vector : {&d.force, &d.torque, &d.lastLinearVelocity, &d.lastAngularVelocity, &d.linearAcceleration,
+                         &d.angularAcceleration})
+      a.value(*vector);
+    a.value(d.userData);
+    a.value(d.order);
   }
 
   template <class Archive, class Shapes> static void shapes(Archive& a, Shapes& s) {
-    std::uint64_t n = a.count(s.data.size(), sizeof(std::uint64_t));
-    if constexpr (Archive::kReading) s.data.resize(std::size_t(n));
-    for (auto& shape : s.data) {
-      a.value(shape.alive);
-      a.value(shape.generation);
-      a.value(shape.body);
-      a.value(shape.def.type);
-      a.value(shape.def.halfExtents);
-      a.value(shape.def.radius);
-      a.value(shape.def.halfHeight);
-      a.list(shape.def.vertices);
-      a.value(shape.def.local);
-      a.value(shape.def.material);
-      a.value(shape.def.filter);
-      a.value(shape.def.userData);
-      a.value(shape.inCentreFrame);
-      a.value(shape.innerRadius);
-      a.value(shape.middle);
-      a.value(shape.swept);
+    length(a, s.data, kLeastSlot);
+    for (auto& data : s.data) {
+      a.flag(data.alive);
+      a.value(data.generation);
+      if (data.alive) shape(a, data);
     }
     meshes(a, s);
     a.list(s.free_);
+  }
+
+  template <class Archive, class Data> static void shape(Archive& a, Data& s) {
+    a.value(s.body);
+    a.choice(s.def.type, ShapeType::mesh);
+    a.value(s.def.halfExtents);
+    a.value(s.def.radius);
+    a.value(s.def.halfHeight);
+    a.list(s.def.vertices);
+    a.value(s.def.local);
+    a.value(s.def.material.density);
+    a.value(s.def.material.friction);
+    a.value(s.def.material.restitution);
+    a.choice(s.def.material.frictionRule, CombineRule::maximum);
+    a.choice(s.def.material.restitutionRule, CombineRule::maximum);
+    a.value(s.def.filter);
+    a.value(s.def.userData);
+    a.value(s.swept);
   }
 
   // Each mesh once, however many shapes have it, in the order of the first of them. Trees are built anew.
@@ -121,7 +161,8 @@ class SnapshotArchive {
       std::vector<std::uint32_t> indices;
       if constexpr (!Archive::kReading) {
         vertices = all[i]->mesh().vertices();
-        for (const TriangleMesh::Face& f : all[i]->mesh().faces()) indices.insert(indices.end(), f.vertex, f.vertex + 3);
+        for (const TriangleMesh::Face& f : all[i]->mesh().faces())
+          indices.insert(indices.end(), f.vertex, f.vertex + 3);
       }
       a.list(vertices);
       a.list(indices);
@@ -138,15 +179,31 @@ class SnapshotArchive {
   template <class Archive, class Contacts> static void contacts(Archive& a, Contacts& c) {
     a.list(c.pairs);
     a.list(c.asleep);
-    a.list(c.contacts);
-    a.list(c.geometry);
-    a.value(c.changed);
+    length(a, c.contacts, sizeof(std::int32_t));
+    length(a, c.geometry, sizeof(std::int32_t));
+    for (std::size_t i = 0; i < c.contacts.size(); i++) {
+      a.value(c.contacts[i].count);
+      if (c.contacts[i].count == 0) continue;  // a free slot
+      contact(a, c.contacts[i]);
+      if (i < c.geometry.size()) a.value(c.geometry[i]);
+    }
+    a.flag(c.changed);
     a.list(c.free_);
   }
 
+  template <class Archive, class Contact> static void contact(Archive& a, Contact& c) {
+    for (auto* index : {&c.shapeA, &c.shapeB, &c.bodyA, &c.bodyB, &c.stickingMask}) a.value(*index);
+    for (auto* flag : {&c.rolls, &c.weak, &c.touching, &c.fresh, &c.born}) a.flag(*flag);
+    a.value(c.weakSteps);
+    for (auto* number : {&c.friction, &c.restitution, &c.effectiveMass}) a.value(*number);
+    for (auto* lanes : {&c.s1, &c.s2, &c.gap, &c.offset, &c.drift1, &c.drift2, &c.stiffness, &c.heldN, &c.held1,
+                        &c.held2, &c.forceN, &c.force1, &c.force2, &c.slip1, &c.slip2})
+      a.value(*lanes);
+    a.value(c.feature);
+  }
+
   template <class Archive, class Hierarchies> static void hierarchy(Archive& a, Hierarchies& h) {
-    std::uint64_t n = a.count(h.levels.size(), sizeof(std::uint64_t));
-    if constexpr (Archive::kReading) h.levels.resize(std::size_t(n));
+    length(a, h.levels, kLeastLevel);
     for (auto& level : h.levels) {
       a.list(level.clusters);
       a.list(level.clusterOf);
@@ -157,11 +214,9 @@ class SnapshotArchive {
 
   template <class Archive, class Islands, class Memory>
   static void islandList(Archive& a, Islands& list, [[maybe_unused]] Memory* memory) {
-    std::uint64_t n = a.count(list.size(), sizeof(std::uint64_t));
-    if constexpr (Archive::kReading) {
-      list.clear();
+    [[maybe_unused]] std::uint64_t n = a.count(list.size(), kLeastIsland);
+    if constexpr (Archive::kReading)
       for (std::uint64_t i = 0; i < n; i++) list.push_back(makeIsland(memory));
-    }
     for (auto& pointer : list) {
       auto& i = *pointer;
       a.list(i.bodies);
@@ -173,7 +228,7 @@ class SnapshotArchive {
       hierarchy(a, i.byMechanism);
       for (auto* flag : {&i.hierarchiesValid, &i.mechanismValid, &i.grounded, &i.partnersMove, &i.slow, &i.resting,
                          &i.settled, &i.allowSleep})
-        a.value(*flag);
+        a.flag(*flag);
       a.value(i.points);
       a.value(i.touchingPoints);
       a.list(i.heldPoses);
@@ -211,7 +266,7 @@ Status World::restore(std::span<const std::byte> snapshot) {
   std::memcpy(&header, snapshot.data(), sizeof header);
   std::span<const std::byte> rest = snapshot.subspan(sizeof header);
   if (header.magic != kMagic) return badSnapshot("these bytes are not a snapshot");
-  if (header.layout != kLayout || header.contactSize != sizeof(Contact))
+  if (header.layout != kLayout || header.recordSize != sizeof(ContactRecord))
     return badSnapshot("made by another version (layout " + std::to_string(header.layout) + ", expected " +
                        std::to_string(kLayout) + ")");
   if (header.hash != hashOf(rest)) return badSnapshot("damaged or cut off (its checksum differs)");
@@ -221,44 +276,13 @@ Status World::restore(std::span<const std::byte> snapshot) {
   SnapshotArchive::world(archive, *next);
   if (archive.failed() || !archive.atEnd()) return badSnapshot("its lists do not fit its length");
   next->worldNumber = impl_->worldNumber;
-  Status sound = next->rebuild();
-  if (!sound) return sound;
+  if (Status sound = next->rebuild(); !sound) return badSnapshot(sound.error().message);
   next->pool = std::make_unique<WorkerPool>(next->def.threads);
   next->traceOptions = impl_->traceOptions;
-  impl_ = std::move(next);
-  return {};
-}
-
-// After reading: hulls and the tree; then every invariant.
-Status World::Impl::rebuild() {
-  if (Status fine = checkWorld(def); !fine) return badSnapshot(fine.error().message);
-  std::vector<std::string> wrong = validateStructure();
+  World candidate(std::move(next));
+  std::vector<std::string> wrong = candidate.validate();
   if (!wrong.empty()) return badSnapshot(wrong.front());
-  for (BodyIndex i = 0; i < bodies.slots(); i++) {
-    const BodyMotion& m = bodies.motion[i];
-    bool finite =
-        isFinite(m.position) && isFinite(m.rotation) && isFinite(m.linearVelocity) && isFinite(m.angularVelocity);
-    if (bodies.alive(i) && !finite) return badSnapshot("a body's motion is not finite");
-  }
-  for (ShapeIndex i = 0; i < shapes.slots(); i++) {
-    ShapeData& s = shapes.data[i];
-    if (!s.alive) continue;
-    if (!isFinite(s.inCentreFrame.position) || !isFinite(s.inCentreFrame.rotation) || !isFinite(s.def.halfExtents))
-      return badSnapshot("a shape is not finite");
-    s.geometry.type = s.def.type;
-    s.geometry.halfExtents = s.def.halfExtents;
-    s.geometry.radius = s.def.radius;
-    s.geometry.halfHeight = s.def.halfHeight;
-    s.geometry.mesh = s.def.mesh.get();
-    if (s.def.type == ShapeType::hull) {
-      Result<Hull> hull = buildHull(std::span<const Vec3>(s.def.vertices));
-      if (!hull) return badSnapshot("a hull can't be built: " + hull.error().message);
-      s.hull = std::make_unique<Hull>(std::move(hull).value());
-      s.geometry.hull = s.hull.get();
-    }
-    // A hit may have thrown the body out of the bounds swept before it.
-    if (!bodies.data[s.body].quarantined) addProxy(i, merged(bounds(s.geometry, shapes.worldPose(i, bodies)), s.swept));
-  }
+  impl_ = std::move(candidate.impl_);
   return {};
 }
 

@@ -157,6 +157,7 @@ std::vector<std::string> World::validate() const {
   Findings f;
   for (const std::string& text : w.validateStructure()) f.expect(false, text);
   if (f.any()) return f.take();
+  for (const std::string& text : w.validateLinks()) f.expect(false, text);
   for (const std::string& text : w.broadPhase.validate()) f.expect(false, "broad phase: " + text);
   for (BodyIndex i = 0; i < w.bodies.slots(); i++) {
     if (!w.bodies.alive(i)) continue;

@@ -94,8 +94,11 @@ struct World::Impl {
   ShapeId idOfShape(ShapeIndex shape) const;
   void addProxy(ShapeIndex shape);
   void addProxy(ShapeIndex shape, const Aabb& swept);
-  Status rebuild();
+  Status rebuild();  // of a world that was read: what follows from the rest; an error if it is none
+  Status rebuildGeometry(ShapeData& shape);
   std::vector<std::string> validateStructure() const;
+  std::vector<std::string> validateLinks() const;  // follows what validateStructure found sound
+  class LinkChecks;
   void updateSwept(ShapeIndex shape, double dt);
   double marginOf(ShapeIndex shape) const;
   double slackOf(ShapeIndex shape) const;

@@ -1,0 +1,152 @@
+// After a snapshot's fields are read: are they a world? Everything that the rest determines is worked out anew, the rest is
+// checked as the API checks what it is given. World::restore then asks validate() for every invariant.
+#include <cmath>
+
+#include "world/checks.h"
+#include "world/world_impl.h"
+
+namespace brickfall {
+
+namespace {
+
+constexpr double kFarthest = 1e9;        // m: a moving platform may have gone this far
+constexpr double kLargestBounds = 2e30;  // m: those of a plane are 1e30
+
+bool unitLength(Quat q) { return std::fabs(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w - 1) < 1e-9; }
+bool inRange(Vec3 v, double limit) {
+  return std::fabs(v.x) <= limit && std::fabs(v.y) <= limit && std::fabs(v.z) <= limit;
+}
+
+void checkBody(Checks& check, const BodyData& d, const BodyMotion& m) {
+  checkMotionSettings(check, d.gravityScale, d.linearDamping, d.angularDamping, d.dragArea);
+  check.condition(inRange(m.position, kFarthest), "a body is not in the world");
+  check.condition(unitLength(m.rotation), "a body's quaternion is not of unit length");
+  check.condition(isFinite(m.linearVelocity) && isFinite(m.angularVelocity), "a body's motion is not finite");
+  // A dynamic body that is too fast is quarantined by the next step.
+  check.condition(
+      d.type == BodyType::dynamic || (inRange(m.linearVelocity, kFarthest) && inRange(m.angularVelocity, kFarthest)),
+      "a body moves too fast");
+  check.condition(isFinite(d.force) && isFinite(d.torque) && isFinite(d.lastLinearVelocity) &&
+                      isFinite(d.lastAngularVelocity) && isFinite(d.linearAcceleration) &&
+                      isFinite(d.angularAcceleration) && d.lastKineticEnergy >= 0,
+                  "a body's forces or accelerations are not finite");
+}
+
+void checkShapeData(Checks& check, const ShapeData& s, BodyType type) {
+  checkShape(check, "shape", s.def, type);
+  check.condition(unitLength(s.def.local.rotation), "a shape's quaternion is not of unit length");
+  const Aabb& b = s.swept;
+  bool bounds = inRange(b.lower, kLargestBounds) && inRange(b.upper, kLargestBounds) && b.lower.x <= b.upper.x &&
+                b.lower.y <= b.upper.y && b.lower.z <= b.upper.z;
+  check.condition(bounds, "a shape's bounds are not sound");
+}
+
+// What points remember of the last step. The limits are beyond anything that bodies within theirs can cause, and far
+// enough from the largest float for the sums and products of a step.
+constexpr float kLargestLength = 1e7f;     // m
+constexpr float kLargestForce = 1e28f;     // N, N/m
+constexpr float kLeastStiffness = 1e-20f;  // N/m
+
+bool isLength(float x) { return std::fabs(x) <= kLargestLength; }
+bool isForce(float x) { return std::fabs(x) <= kLargestForce; }
+
+bool soundPoint(const Contact& c, int k) {
+  return isLength(c.s1[k]) && isLength(c.s2[k]) && isLength(c.gap[k]) && isLength(c.offset[k]) &&
+         isLength(c.drift1[k]) && isLength(c.drift2[k]) && isLength(c.slip1[k]) && isLength(c.slip2[k]) &&
+         isForce(c.stiffness[k]) && isForce(c.heldN[k]) && isForce(c.held1[k]) && isForce(c.held2[k]) &&
+         isForce(c.forceN[k]) && isForce(c.force1[k]) && isForce(c.force2[k]) && c.offset[k] <= 0 &&
+         (c.stiffness[k] == 0 || c.stiffness[k] >= kLeastStiffness) && c.heldN[k] >= 0 && c.forceN[k] >= 0;
+}
+
+bool soundGeometry(const ContactGeometry& g) {
+  bool fine = inRange(g.relativePosition, kFarthest) && unitLength(g.relativeRotation) && inRange(g.centre, kFarthest);
+  for (int k = 0; k < 4; k++) fine = fine && inRange(g.anchorA[k], kFarthest) && inRange(g.anchorB[k], kFarthest);
+  return fine;
+}
+
+bool soundRecord(const ContactRecord& r, const ContactStart& start) {
+  bool fine = r.newPoints < 16;
+  for (const Vec3f& v : {r.n, r.t1, r.armA, r.armB}) fine = fine && isLength(v.x) && isLength(v.y) && isLength(v.z);
+  for (int i = 0; i < 4; i++)
+    fine = fine && isLength(r.s1[i]) && isLength(r.s2[i]) && isForce(r.trialN[i]) && isForce(r.trial1[i]) &&
+           isForce(r.trial2[i]) && isForce(r.k[i]) && r.k[i] >= 0 && isForce(r.limit[i]) && r.limit[i] >= 0 &&
+           r.bond[i] == 0 && isForce(start.approach[i]) && isLength(start.gap[i]);
+  return fine;
+}
+
+void checkIsland(Checks& check, const Island& island) {
+  for (const Transform& pose : island.heldPoses)
+    check.condition(isFinite(pose.position) && isFinite(pose.rotation), "an island's place is not finite");
+  for (std::size_t k = 0; k < island.records.size(); k++)
+    check.condition(soundRecord(island.records[k], island.starts[k]), "a contact's record is out of range");
+}
+
+void checkContacts(Checks& check, const ContactSet& set) {
+  for (std::size_t i = 0; i < set.contacts.size(); i++) {
+    const Contact& c = set.contacts[i];
+    if (c.count == 0) continue;
+    for (int k = 0; k < 4; k++) check.condition(soundPoint(c, k), "what a contact remembers is out of range");
+    check.condition(soundGeometry(set.geometry[i]), "a contact's geometry is out of range");
+  }
+}
+
+}  // namespace
+
+Status World::Impl::rebuild() {
+  if (Status fine = checkWorld(def); !fine) return fine;
+  for (const BodyData& d : bodies.data) dynamicBodies += d.alive && d.type == BodyType::dynamic;
+  std::vector<std::string> wrong = validateStructure();
+  if (!wrong.empty()) return Error{ErrorCode::badFormat, wrong.front()};
+  Checks check;
+  for (BodyIndex i = 0; i < bodies.slots(); i++) {
+    if (!bodies.alive(i)) continue;
+    checkBody(check, bodies.data[i], bodies.motion[i]);
+    bodies.setRotation(i, bodies.motion[i].rotation);
+    for (ShapeIndex s : bodies.shapes[i]) checkShapeData(check, shapes.data[s], bodies.data[i].type);
+  }
+  if (check.failed()) return check.error();
+  for (ShapeData& s : shapes.data)
+    if (s.alive)
+      if (Status built = rebuildGeometry(s); !built) return built;
+  for (BodyIndex i = 0; i < bodies.slots(); i++) {
+    if (!bodies.alive(i)) continue;
+    Vec3 centre = bodies.motion[i].position;
+    updateMass(i, {});
+    bodies.motion[i].position = centre;
+    // A platform of triangles may weigh nothing.
+    if (bodies.data[i].type == BodyType::dynamic) checkMass(check, bodies.data[i].bodyFrameMass.mass);
+  }
+  checkContacts(check, contacts);
+  for (const auto* list : {&islands.awake, &islands.asleep})
+    for (const auto& island : *list) checkIsland(check, *island);
+  if (check.failed()) return check.error();
+  wrong = validateLinks();
+  if (!wrong.empty()) return Error{ErrorCode::badFormat, wrong.front()};
+  for (ShapeIndex i = 0; i < shapes.slots(); i++) {
+    const ShapeData& s = shapes.data[i];
+    if (!s.alive || bodies.data[s.body].quarantined) continue;
+    // A hit may have thrown the body out of the bounds swept before it.
+    addProxy(i, merged(bounds(s.geometry, shapes.worldPose(i, bodies)), s.swept));
+  }
+  for (ContactEvent& event : pending.end) event.bodyA.world = event.bodyB.world = worldNumber;
+  for (BodyId& body : pending.woke) body.world = worldNumber;
+  return {};
+}
+
+Status World::Impl::rebuildGeometry(ShapeData& s) {
+  s.geometry.type = s.def.type;
+  s.geometry.halfExtents = s.def.halfExtents;
+  s.geometry.radius = s.def.radius;
+  s.geometry.halfHeight = s.def.halfHeight;
+  s.geometry.mesh = s.def.mesh.get();
+  if (s.def.type == ShapeType::hull) {
+    Result<Hull> hull = buildHull(std::span<const Vec3>(s.def.vertices));
+    if (!hull) return Error{ErrorCode::badFormat, "a hull can't be built: " + hull.error().message};
+    s.hull = std::make_unique<Hull>(std::move(hull).value());
+    s.geometry.hull = s.hull.get();
+  }
+  s.innerRadius = innerRadius(s.geometry);
+  return {};
+}
+
+}  // namespace brickfall
