@@ -165,6 +165,10 @@ void Hierarchy::build(std::uint32_t bodies, std::span<const ClusterLink> links, 
   levels.push_back(makeLevel(links, clusterOf, clusters));
   while (int(levels.size()) < kMaxLevels && clusters > 1) {
     std::uint32_t merged = aggregate(neighboursOf(links, clusterOf, clusters, withWeak), clusters, aggregateOf);
+    if (int(levels.size()) + 1 == kMaxLevels) {  // a body with hundreds of neighbours takes in few of them a level
+      aggregateOf.assign(clusters, 0);
+      merged = 1;
+    }
     if (merged == clusters) {  // nothing left to merge: now over the weak joints, or done
       if (withWeak) break;
       withWeak = true;

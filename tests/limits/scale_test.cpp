@@ -1,0 +1,128 @@
+// How large, how far, how fast, how fine: the ranges of docs/reliability.md ("Limits"), each walked through.
+#include "scaled_wall.h"
+
+namespace brickfall {
+namespace {
+
+using namespace test;
+
+WorldDef awakeDef() {
+  WorldDef def;
+  def.enableSleep = false;
+  return def;
+}
+
+TEST(Limits, WallsStandFromOneCentimetreToThirtyMetres) {
+  for (double size : {0.01, 0.02, 0.05, 0.215, 1.0, 10.0, 30.0}) {
+    SCOPED_TRACE(size);
+    ScaledWall wall(size, {}, awakeDef());
+    wall.runFor(3, kDt);
+    double after = wall.moved();
+    EXPECT_LT(after, 1e-2) << "of a brick";
+    wall.runFor(2, kDt);
+    EXPECT_NEAR(wall.moved(), after, 1e-4) << "it goes on moving";
+    Result<StepReport> report = wall.world.step(kDt);
+    ASSERT_TRUE(report.ok());
+    EXPECT_EQ(report->restingIslands, report->islands);
+    expectSound(wall.world);
+  }
+}
+
+// Speeds grow with the root of the size: the same fall at another scale.
+TEST(Limits, HitsLookAlikeFromFiveCentimetresToThirtyMetres) {
+  for (double size : {0.05, 0.215, 1.0, 10.0, 30.0}) {
+    SCOPED_TRACE(size);
+    ScaledWall wall(size, {}, awakeDef());
+    wall.shoot(6 * std::sqrt(kG * size));
+    wall.runFor(1.5 * std::max(0.5, std::sqrt(size / 0.215)), kDt);
+    EXPECT_GE(wall.movedBricks(0.5), 3) << "glued";
+    EXPECT_LE(wall.movedBricks(0.5), 40) << "blown away";
+  }
+}
+
+// Below that, the time step has to shrink with the root of the size.
+TEST(Limits, HitsOnOneCentimetreBricksNeedSmallerSteps) {
+  ScaledWall wall(0.01, {}, awakeDef());
+  wall.shoot(6 * std::sqrt(kG * 0.01));
+  wall.runFor(0.75, 1.0 / 240);
+  EXPECT_GE(wall.movedBricks(0.5), 3) << "glued";
+  EXPECT_LE(wall.movedBricks(0.5), 40) << "blown away";
+}
+
+TEST(Limits, AWallFarAwayStandsAsAtHome) {
+  for (Vec3 at : {Vec3{1e4, 0, 1e4}, Vec3{-1e4, 1e4, 1e4}, Vec3{1e5, 0, -1e5}, Vec3{9e5, 0, 9e5}}) {
+    SCOPED_TRACE(at.x);
+    ScaledWall wall(0.215, at, awakeDef(), 20), home(0.215, {}, awakeDef(), 20);
+    wall.runFor(3, kDt);
+    home.runFor(3, kDt);
+    EXPECT_NEAR(wall.moved(), home.moved(), 1e-4) << "in brick lengths";
+    Result<StepReport> report = wall.world.step(kDt);
+    ASSERT_TRUE(report.ok());
+    EXPECT_EQ(report->restingIslands, report->islands);
+    expectSound(wall.world);
+  }
+}
+
+TEST(Limits, AWallStandsAtEveryTimeStep) {
+  for (double per : {1000.0, 240.0, 60.0, 30.0, 20.0, 10.0}) {
+    SCOPED_TRACE(per);
+    ScaledWall wall(0.215, {}, awakeDef());
+    wall.runFor(2, 1 / per);
+    EXPECT_LT(wall.moved(), per < 15 ? 2e-2 : 5e-3);
+  }
+}
+
+TEST(Limits, AWallIsHitAtEveryTimeStep) {
+  for (double per : {1000.0, 240.0, 60.0, 30.0, 20.0}) {
+    SCOPED_TRACE(per);
+    ScaledWall wall(0.215, {}, awakeDef());
+    wall.runFor(0.5, 1 / per);
+    wall.shoot(10);
+    wall.runFor(1, 1 / per);
+    EXPECT_GE(wall.movedBricks(0.5), 3);
+    expectSound(wall.world);
+  }
+}
+
+TEST(Limits, GravityFromNoneToThreeTimesOurs) {
+  for (double g : {0.0, 0.1, 1.0, 9.81, 30.0}) {
+    SCOPED_TRACE(g);
+    WorldDef def = awakeDef();
+    def.gravity = {0, -g, 0};
+    ScaledWall wall(0.215, {}, def);
+    wall.runFor(3, kDt);
+    EXPECT_LT(wall.moved(), 2e-3);
+  }
+}
+
+TEST(Limits, SidewaysGravityTakesTheWallAway) {
+  WorldDef def = awakeDef();
+  def.gravity = {kG, 0, 0};
+  ScaledWall wall(0.215, {}, def);
+  wall.runFor(1, kDt);
+  EXPECT_NEAR(wall.moved() * 0.215, 0.5 * kG, 0.15);
+}
+
+// A plate that lies on very many bodies.
+TEST(Limits, OneBodyWithThousandsOfContacts) {
+  constexpr int kSide = 20;
+  constexpr double kPitch = 0.15, kMiddle = kPitch * (kSide - 1) / 2;
+  World world = awakeWorld();
+  addGround(world);
+  for (int i = 0; i < kSide * kSide; i++)
+    addBox(world, {0.05, 0.05, 0.05}, {kPitch * (i % kSide), 0.05, kPitch * (i / kSide)});
+  BodyId plate = addBox(world, {kPitch * kSide / 2, 0.1, kPitch * kSide / 2}, {kMiddle, 0.2, kMiddle});
+  StepReport last;
+  for (int i = 0; i < 20; i++) {
+    Result<StepReport> report = world.step(kDt);
+    ASSERT_TRUE(report.ok());
+    last = *report;
+  }
+  EXPECT_GE(last.contactPoints, 2 * 4 * kSide * kSide) << "four below and four above each cube";
+  expectNear(world.state(plate)->position, {kMiddle, 0.2, kMiddle}, 5e-3);
+  EXPECT_TRUE(last.quarantined.empty());
+  expectSound(world);
+}
+
+}  // namespace
+}  // namespace brickfall

@@ -1,0 +1,57 @@
+// A wall of ten courses of bricks of any size, anywhere, and how far it went.
+#pragma once
+#include "support/world_helpers.h"
+
+namespace brickfall::test {
+
+struct ScaledWall {
+  World world;
+  double size;  // m, length of a brick; height 0.3, width 0.48 of it, as a clay brick
+  std::vector<BodyId> bricks;
+  std::vector<Vec3> start;
+
+  // The ground is a box below the wall, so that it is where the wall is.
+  ScaledWall(double brickLength, Vec3 at, const WorldDef& def, double yawDegrees = 0)
+      : world(makeWorld(def)), size(brickLength) {
+    Vec3 half{0.5 * size, 0.15 * size, 0.24 * size};
+    Quat yaw = turn({0, 1, 0}, yawDegrees);
+    ShapeDef ground = boxOf({40 * size, size, 40 * size}, 1900);
+    BodyDef floor = bodyOf(ground, at - Vec3{0, size, 0}, BodyType::fixed);
+    add(world, floor);
+    for (int row = 0; row < 10; row++)
+      for (int i = 0; i < 6; i++) {
+        double x = (i + 0.5 * (row % 2) - 3) * size;
+        BodyDef d = bodyOf(boxOf(half, 1900), at + rotate(yaw, {x, half.y * (2 * row + 1), 0}));
+        d.rotation = yaw;
+        bricks.push_back(add(world, d));
+        start.push_back(d.position);
+      }
+  }
+  // Largest way of a brick, in brick lengths.
+  double moved() const {
+    double most = 0;
+    for (std::size_t i = 0; i < bricks.size(); i++)
+      most = std::max(most, length(world.state(bricks[i])->position - start[i]));
+    return most / size;
+  }
+  int movedBricks(double lengths) const {
+    int count = 0;
+    for (std::size_t i = 0; i < bricks.size(); i++)
+      count += length(world.state(bricks[i])->position - start[i]) > lengths * size;
+    return count;
+  }
+  void shoot(double speed) {  // a steel ball half a brick thick, at half height, across the wall
+    BodyDef d = bodyOf(sphereOf(0.25 * size, 7800), start[27] + Vec3{0, 0, 2 * size});
+    d.linearVelocity = {0, 0, -speed};
+    add(world, d);
+  }
+  void runFor(double seconds, double dt) {
+    for (int n = int(std::lround(seconds / dt)); n > 0; n--) {
+      Result<StepReport> report = world.step(dt);
+      ASSERT_TRUE(report.ok());
+      ASSERT_TRUE(report->quarantined.empty());
+    }
+  }
+};
+
+}  // namespace brickfall::test
