@@ -52,7 +52,7 @@ inline void reached(const Check& c) {
           .pass = std::fabs(c.found - c.expected) <= c.tolerance});
   EXPECT_NEAR(c.found, c.expected, std::max(c.tolerance, c.bound)) << c.name << at(c.dt) << ", " << c.unit;
 }
-inline void atMost(const std::string& name, double dt, double found, double limit, const char* unit) {
+inline void atMost(const std::string& name, double dt, double found, double limit, const char* unit, double bound = 0) {
   std::printf("    %-52s %12.6g, at most %.6g %s\n", (name + at(dt)).c_str(), found, limit, unit);
   record({.section = section(),
           .name = name,
@@ -62,7 +62,7 @@ inline void atMost(const std::string& name, double dt, double found, double limi
           .atMost = true,
           .unit = unit,
           .pass = found <= limit});
-  EXPECT_LE(found, limit) << name << at(dt) << ", " << unit;
+  EXPECT_LE(found, std::max(limit, bound)) << name << at(dt) << ", " << unit;
 }
 
 // The same law in many worlds: the worst case for each time step, and which it was. Reports when it goes out of scope.

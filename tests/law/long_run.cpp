@@ -30,7 +30,7 @@ TEST(LongRun, Row13TenMinutes) {
                         ""};
   for (double dt : kSteps) {
     lab::Scene s = lab::make("w10");
-    Trace worst("largest, dt 1/" + text(1 / dt, 0) + " s", 1);
+    Trace worst("dt 1/" + text(1 / dt, 0) + " s", 1);
     lab::Measured m = lab::run(s, 600, dt, [&](int step, const StepReport& report) {
       if (step % std::lround(1 / dt) != 0) return;
       double sag = 0;
@@ -76,7 +76,7 @@ TEST(LongRun, Row14OneMinute) {
       "14", "Wall of 40 courses x 25: how far its bricks are below their place", "time, s", "sag, mm", {}, {}, ""};
   for (double dt : {1.0 / 60, 1.0 / 120}) {
     lab::Scene s = lab::make("w40");
-    Trace worst("largest, dt 1/" + text(1 / dt, 0) + " s", 0.05);
+    Trace worst("dt 1/" + text(1 / dt, 0) + " s", 0.05);
     lab::Measured m = lab::run(s, 60, dt, [&](int step, const StepReport& report) {
       if (step % std::lround(0.05 / dt) != 0) return;
       double sag = 0;

@@ -31,9 +31,7 @@ TEST(Law, Row9HarmonicOverhang) {
       for (int i = 1; i <= n; i++) share += 0.5 / i;
       std::string name = text(n, 0) + " blocks, " + text(share, 5) + " L";
       double stood = overhangMoves(n, 0.99, dt, 10), fell = overhangMoves(n, 1.01, dt, 4);
-      // Joints are elastic: at long steps high stacks lean over their edge (docs/step.md).
-      bool soft = n * n * dt * dt > 0.05;
-      reached({name + ": 99 % of it, moved in 10 s", dt, stood * 1e3, 0, 2, "mm", soft ? 1e9 : 0});
+      reached({name + ": 99 % of it, moved in 10 s", dt, stood * 1e3, 0, 2, "mm"});
       EXPECT_GT(fell, 0.05) << n << " blocks at 101 % did not fall" << at(dt);
       reached({name + ": 101 % of it falls (1 = yes)", dt, fell > 0.05 ? 1.0 : 0.0, 1, 0, ""});
     }
@@ -64,8 +62,8 @@ TEST(Law, Row15ColumnUnderAThousandfoldWeight) {
     double worst = 0;
     for (std::size_t i = 0; i + 1 < s.boxes.size(); i++)
       worst = std::max(worst, *s.world.penetration(s.world.shapes(s.boxes[i])[0], s.world.shapes(s.boxes[i + 1])[0]));
-    reached({"overlap", dt, worst * 1e3, 0, 5, "mm", 8});
-    for (std::size_t i = 0; i < s.boxes.size(); i++) EXPECT_LT(lab::boxMove(s, i), dt > 0.03 ? 0.1 : 0.02) << i;
+    atMost("overlap", dt, worst * 1e3, 5, "mm");
+    for (std::size_t i = 0; i < s.boxes.size(); i++) EXPECT_LT(lab::boxMove(s, i), 0.01) << i;
   }
 }
 
@@ -110,7 +108,7 @@ TEST(Law, Row15aCorbelOf21mmStandsAnd22mmFalls) {
   for (double dt : kSteps) {
     lab::Scene stands = lab::make("cor21"), falls = lab::make("cor22");
     lab::Measured a = lab::run(stands, 10, dt), b = lab::run(falls, 4, dt);
-    reached({"corbel of 21 mm: moved in 10 s", dt, a.largestMove * 1e3, 0, 1, "mm", dt > 0.03 ? 5.0 : 0.0});
+    reached({"corbel of 21 mm: moved in 10 s", dt, a.largestMove * 1e3, 0, 1, "mm"});
     reached({"corbel of 22 mm falls (1 = yes)", dt, b.collapseTime > 0 ? 1.0 : 0.0, 1, 0, ""});
   }
   for (const char* name : {"cor21", "cor22", "cor23", "cor25"}) {
@@ -131,8 +129,7 @@ TEST(Law, Row15aBoxSlidesAsFarAsItMust) {
   for (double dt : kSteps) {
     lab::Scene s = lab::make("stop");
     lab::Measured m = lab::run(s, 2, dt);
-    // Implicit Euler: v0 dt / 2 less.
-    reached({"box sliding to rest from 3 m/s: way", dt, m.slid, way, 0.01 * way, "m", 1.5 * dt + 2e-3});
+    reached({"box sliding to rest from 3 m/s: way", dt, m.slid, way, 0.01 * way, "m"});
   }
 }
 
@@ -160,7 +157,7 @@ TEST(Law, Row15bWallDroppedFlatLandsAndStands) {
       for (double& y : series.y) y -= values.back();
       curve.found = {series};
       double top = m.energyStart - values.back(), landing = std::sqrt(2 * 0.5 / kG);
-      curve.exact = {exactCurve("falling, then wholly plastic", 0, 1, [&](double t) { return t < landing ? top : 0; })};
+      curve.exact = {exactCurve("plastic", 0, 1, [&](double t) { return t < landing ? top : 0; })};
     }
   }
   record(curve);

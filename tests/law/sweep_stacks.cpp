@@ -153,8 +153,7 @@ void sweepHeavyTops(int cases) {
     for (std::size_t k = 0; k + 1 < s.bodies.size(); k++)
       worst = std::max(worst, *w.penetration(w.shapes(s.bodies[k])[0], w.shapes(s.bodies[k + 1])[0]));
     sweep.add(setup.part(), worst * 1e3,
-              setup.text() + label(", %g cubes", n) + label(" of %.3f m", size) + label(", %.0f-fold on top", ratio),
-              setup.part() > 0.03 ? 8 : 0);
+              setup.text() + label(", %g cubes", n) + label(" of %.3f m", size) + label(", %.0f-fold on top", ratio));
   }
 }
 

@@ -82,7 +82,8 @@ TEST(Law, Row14WallOfFortyCoursesStands) {
   for (double dt : kSteps) {
     lab::Scene s = lab::make("w40");
     lab::Measured m = lab::run(s, 4, dt);
-    reached({"4 s: sag", dt, m.sag * 1e3, kG * dt * dt / 4000 * 40 * 41 / 2 * 1e3, dt > 0.03 ? 1.0 : 0.1, "mm"});
+    // Joints are elastic, the softer the longer the step: g h^2 / (4 stiffness), summed over the courses.
+    atMost("4 s: sag", dt, m.sag * 1e3, 2, "mm", 1.1 * kG * dt * dt / 4000 * 40 * 41 / 2 * 1e3);
     atMost("4 s: creep in the second half", dt, m.creep * 1e3, 0.1, "mm");
   }
 }
