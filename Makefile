@@ -47,9 +47,10 @@ validate:
 	@tools/install-dependencies build test
 	@$(CONFIGURE) -DBRICKFALL_TESTS=ON
 	@cmake --build $(BUILD) -j $(JOBS) --target test_law brickfall_validate test_ledger_scenes \
-	  brickfall_validate_solver brickfall_validate_toolkit
+	  brickfall_validate_solver brickfall_validate_toolkit brickfall_validate_collision brickfall_validate_continuous
 	@mkdir -p $(BUILD)/validation
-	@for tests in test_law brickfall_validate test_ledger_scenes brickfall_validate_solver brickfall_validate_toolkit; do \
+	@for tests in test_law brickfall_validate test_ledger_scenes brickfall_validate_solver brickfall_validate_toolkit \
+	    brickfall_validate_collision brickfall_validate_continuous; do \
 	  echo "$$tests --gtest_filter=$(LAWS)" && BRICKFALL_VALIDATION_DIR=$(BUILD)/validation BRICKFALL_WHOLE_SCENES=1 \
 	  $(BUILD)/bin/$$tests --gtest_brief=1 '--gtest_filter=$(LAWS)' & pids="$$pids $$!"; \
 	done; failed=0; for pid in $$pids; do wait $$pid || failed=1; done; \

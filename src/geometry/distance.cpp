@@ -13,6 +13,7 @@ namespace {
 constexpr int kMaxIterations = 128;
 constexpr double kGapTolerance = 1e-13;       // of the size: proven excess of the found distance
 constexpr double kProgress = 1 + 1e-15;       // a corner may bring less than rounding shows and yet lead on to the next
+constexpr double kApart = 1e-13;              // of the size and distance: such a support plane is no rounding
 constexpr double kTouchingTolerance = 1e-14;  // of the size: nearer cores count as overlapping
 
 // Shape b as seen from the frame of a.
@@ -42,6 +43,7 @@ DistanceResult coreDistance(const Shape& a, const Placed& b) {
   simplex.count = 1;
   reduce(simplex);
   Simplex best = simplex;
+  bool apart = false;   // a plane between the cores was found: four corners in a plane cannot prove the contrary
   bool refined = true;  // search along best.direction, exact for near shapes; then along best.nearest, for slivers
   for (int iteration = 0; iteration < kMaxIterations; iteration++) {
     double distance = length(best.nearest);
@@ -50,11 +52,12 @@ DistanceResult coreDistance(const Shape& a, const Placed& b) {
     SimplexCorner next = supportPair(a, b, -direction);
     double gap = distance - dot(direction, next.point);  // no point of A - B is nearer than distance - gap
     if (!(gap > kGapTolerance * size + 1e-15 * distance)) break;
+    apart = apart || dot(direction, next.point) > kApart * (size + length(next.point));
     simplex = best;
     bool nearer = false;
     if (!best.has(next.point)) {
       simplex.corner[simplex.count++] = next;
-      reduce(simplex);
+      reduce(simplex, apart);
       if (simplex.hasOrigin) return {};
       nearer = lengthSquared(simplex.nearest) <= lengthSquared(best.nearest) * kProgress;
     }
@@ -84,14 +87,14 @@ DistanceResult planeDistance(const Shape& b, const Transform& bInPlane) {
 }  // namespace
 
 DistanceResult shapeDistance(const Shape& a, const Shape& b, const Transform& bInA) {
-  if (a.type == ShapeType::plane) return planeDistance(b, bInA);
-  if (b.type == ShapeType::plane) {
-    DistanceResult out = planeDistance(a, inverse(bInA));
   if (a.type == ShapeType::mesh) return meshShapeDistance(a, b, bInA);
   if (b.type == ShapeType::mesh) {
     DistanceResult out = meshShapeDistance(b, a, inverse(bInA));
     return {out.distance, transformPoint(bInA, out.onB), transformPoint(bInA, out.onA)};
   }
+  if (a.type == ShapeType::plane) return planeDistance(b, bInA);
+  if (b.type == ShapeType::plane) {
+    DistanceResult out = planeDistance(a, inverse(bInA));
     return {out.distance, transformPoint(bInA, out.onB), transformPoint(bInA, out.onA)};
   }
   DistanceResult out = coreDistance(a, Placed(b, bInA));

@@ -58,8 +58,8 @@ bool surroundsOrigin(const Simplex& s) {
 
 }  // namespace
 
-void reduce(Simplex& simplex) {
-  simplex.hasOrigin = simplex.count == 4 && surroundsOrigin(simplex);
+void reduce(Simplex& simplex, bool apart) {
+  simplex.hasOrigin = !apart && simplex.count == 4 && surroundsOrigin(simplex);
   if (simplex.hasOrigin) {
     simplex.nearest = {};
     return;

@@ -27,7 +27,8 @@ struct Simplex {
 };
 
 // Finds the nearest point and drops the corners it does not need. The last corner lies beyond the plane through the
-// nearest point of the others, so the new one needs it. Flat and doubled corners are fine.
-void reduce(Simplex& simplex);
+// nearest point of the others, so the new one needs it. Flat and doubled corners are fine. `apart`: the origin is known to
+// be outside, so that four corners which seem to surround it do so by rounding only.
+void reduce(Simplex& simplex, bool apart = false);
 
 }  // namespace brickfall

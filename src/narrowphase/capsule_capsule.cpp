@@ -11,6 +11,7 @@ namespace brickfall {
 namespace {
 
 constexpr double kBeside = 0.1;  // of the smaller radius
+constexpr double kLoss = 0.005;  // of the smaller radius: what the common normal may be off in depth or from a surface
 
 }  // namespace
 
@@ -37,17 +38,23 @@ void collideCapsuleCapsule(const Shape& a, const Shape& b, const Transform& bInA
   bool beside =
       std::fabs(n.y) < kBeside && to - from > kBeside * smaller && 0.5 * (to - from) * sine < kBeside * smaller;
   if (beside) {
-    n = normalized(Vec3{n.x, 0, n.z});  // across a's axis, so that the points on a are on a plane
+    Vec3 common = normalized(Vec3{n.x, 0, n.z});  // across a's axis, so that the points on a are on a plane
+    double nearer = 1e30, alongB = dot(common, axis);
     for (int end = 0; end < 2; end++) {
       double y = end == 0 ? from : to;
       Vec3 p{0, y, 0}, q = q0 + axis * ((y - q0.y) / axis.y);
-      double separation = dot(n, q - p) - radii;
+      double separation = dot(common, q - p) - radii;
+      nearer = std::min(nearer, separation);
       if (separation > margin) continue;
-      Vec3 onA = p + n * a.radius;
-      out.points[out.count++] = {onA, onA + n * separation, separation, roundPoint(end)};
+      Vec3 onA = p + common * a.radius;
+      out.points[out.count++] = {onA, onA + common * separation, separation, roundPoint(end)};
     }
-    out.normal = n;
-    if (out.count > 0) return;
+    out.normal = common;
+    // Next to a far larger capsule a normal turned by a few degrees shows another depth altogether.
+    bool fair = std::fabs(nearer - (distance - radii)) <= kLoss * smaller &&
+                0.5 * b.radius * alongB * alongB <= kLoss * smaller;
+    if (fair && out.count > 0) return;
+    out.count = 0;
   }
   double separation = dot(n, between) - radii;
   Vec3 onA = nearest.p + n * a.radius;

@@ -14,7 +14,7 @@ namespace brickfall {
 namespace {
 
 constexpr double kLiesOnFace = 0.998, kRunsAlongFace = 0.0632;  // cosine and sine of 3.6 degrees
-constexpr double kLoss = 0.005;  // of the radius: depth that cutting to the face may hide
+constexpr double kLoss = 0.005;  // of the smaller shape: depth that lying on the face may hide or add
 constexpr double kParallel2 = 1e-8;
 
 struct Segment {
@@ -126,7 +126,8 @@ void collideCapsuleHull(const Shape& capsule, const Shape& b, const Transform& b
   Quat back = conjugate(bInA.rotation);
   Vec3 half = rotate(back, Vec3{0, capsule.halfHeight, 0});
   Segment segment{-rotate(back, bInA.position) - half, half * 2.0};
-  ContactTolerances tolerance = contactTolerances(std::min(capsule.radius, hull.innerRadius));
+  double smaller = std::min(capsule.radius, hull.innerRadius);
+  ContactTolerances tolerance = contactTolerances(smaller);
 
   CapsuleAxis axis = bestFaceAxis(hull, segment, tolerance.face);
   if (!(axis.distance - capsule.radius <= margin)) return;
@@ -161,9 +162,12 @@ void collideCapsuleHull(const Shape& capsule, const Shape& b, const Transform& b
       feature[count++] = roundPoint(end);
     }
   }
-  // A segment that leaves the face at a slight angle can be nearest just beside it: then that one point says more.
+  // A segment that leaves the face at a slight angle can be nearest just beside it, or, running through the hull, go deeper
+  // below that face than it takes to push it out another way: then the one point says more.
   double nearer = count == 2 && separation[1] < separation[0] ? separation[1] : separation[0];
-  if (count == 0 || (outside && nearer > axis.distance - capsule.radius + kLoss * capsule.radius)) {
+  double off = nearer - (axis.distance - capsule.radius);
+  bool below = axis.face < 0 && off < -kLoss * smaller;
+  if (count == 0 || (outside && off > kLoss * smaller) || below) {
     normal = axis.normal;
     onHull[0] = axis.onSegment - normal * axis.distance;
     separation[0] = axis.distance - capsule.radius;

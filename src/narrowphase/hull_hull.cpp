@@ -50,23 +50,22 @@ std::uint32_t featureName(const HullView& ref, const HullView& inc, bool refIsA,
   return refIsA ? edgeCrossing(edgeRef, edgeInc) : edgeCrossing(edgeInc, edgeRef);
 }
 
-// Cuts the incident face (of those around the deepest corner the one most opposed) to the reference face's prism.
-int clipFace(const HullView& ref, const HullView& inc, const FaceQuery& query, const ContactTolerances& tolerance,
+// Cuts a face of `inc` to the prism over a face of `ref`.
+int clipFace(const HullView& ref, int refFace, const HullView& inc, int incFace, const ContactTolerances& tolerance,
              ClipCorner* polygon) {
   ClipCorner other[kMaxPolygon];
   ClipCorner* from = polygon;
   ClipCorner* to = other;
-  Vec3 normal = ref.planes[query.face].normal;
-  int face = faceAround(inc, query.vertex, -normal);
-  int count = 0, previous = -1, e = inc.firstEdge[face];
+  Vec3 normal = ref.planes[refFace].normal;
+  int count = 0, previous = -1, e = inc.firstEdge[incFace];
   do {
     polygon[count++] = {inc.vertices[inc.edges[e].origin], previous, e};
     previous = e;
     e = inc.edges[e].next;
-  } while (e != inc.firstEdge[face]);
+  } while (e != inc.firstEdge[incFace]);
   polygon[0].before = previous;
 
-  e = ref.firstEdge[query.face];
+  e = ref.firstEdge[refFace];
   do {
     Vec3 a = ref.vertices[ref.edges[e].origin], b = ref.vertices[ref.edges[ref.edges[e].next].origin];
     Vec3 outward = normalized(cross(b - a, normal));
@@ -75,7 +74,7 @@ int clipFace(const HullView& ref, const HullView& inc, const FaceQuery& query, c
     from = to;
     to = swap;
     e = ref.edges[e].next;
-  } while (e != ref.firstEdge[query.face] && count > 0);
+  } while (e != ref.firstEdge[refFace] && count > 0);
   if (from != polygon)
     for (int i = 0; i < count; i++) polygon[i] = from[i];
   return count;
@@ -86,27 +85,63 @@ void addPoint(Manifold& out, bool refIsA, Vec3 onInc, Vec3 refNormal, double sep
   out.points[out.count++] = {refIsA ? onRef : onInc, refIsA ? onInc : onRef, separation, feature};
 }
 
-void faceContact(const HullView& ref, const HullView& inc, bool refIsA, const FaceQuery& query, double margin,
-                 const ContactTolerances& tolerance, Manifold& out) {
+// Points of one face of `inc` over the reference face; their least separation, or kNone.
+constexpr double kNone = 1e30;
+double faceOverFace(const HullView& ref, const HullView& inc, bool refIsA, int refFace, int incFace, double margin,
+                    const ContactTolerances& tolerance, Manifold& out) {
   ClipCorner polygon[kMaxPolygon];
   PatchPoint patch[kMaxPolygon];
-  int corners = clipFace(ref, inc, query, tolerance, polygon), count = 0;
-  const HullPlane& plane = ref.planes[query.face];
+  int corners = clipFace(ref, refFace, inc, incFace, tolerance, polygon), count = 0;
+  const HullPlane& plane = ref.planes[refFace];
   // Any two directions in the plane of the face.
-  int e = ref.firstEdge[query.face];
+  int e = ref.firstEdge[refFace];
   Vec3 origin = ref.vertices[ref.edges[e].origin];
   Vec3 u = normalized(ref.vertices[ref.edges[ref.edges[e].next].origin] - origin), v = cross(plane.normal, u);
+  double least = kNone;
   for (int i = 0; i < corners; i++) {
     Vec3 p = polygon[i].p;
     double separation = dot(plane.normal, p) - plane.offset;
     if (separation > margin) continue;
+    if (separation < least) least = separation;
     patch[count++] = {dot(u, p - origin), dot(v, p - origin), separation, featureName(ref, inc, refIsA, polygon[i])};
   }
   count = reducePatch(patch, count, tolerance);
   out.normal = refIsA ? plane.normal : -plane.normal;
+  out.count = 0;
   for (int i = 0; i < count; i++) {
     Vec3 onInc = origin + u * patch[i].u + v * patch[i].v + plane.normal * patch[i].separation;
     addPoint(out, refIsA, onInc, plane.normal, patch[i].separation, patch[i].feature);
+  }
+  return least;
+}
+
+double lowestCorner(const HullView& hull, int face, const HullPlane& plane) {
+  double lowest = kNone;
+  int e = hull.firstEdge[face];
+  do {
+    double height = dot(plane.normal, hull.vertices[hull.edges[e].origin]) - plane.offset;
+    if (height < lowest) lowest = height;
+    e = hull.edges[e].next;
+  } while (e != hull.firstEdge[face]);
+  return lowest;
+}
+
+// The incident face is, of those around the deepest corner, the one most opposed. Where that corner is not over the
+// reference face, another face may be what touches: a blade that lies across with its edge looks at it most with the face
+// at its tip. Then the one that reaches deepest over the reference face is taken.
+void faceContact(const HullView& ref, const HullView& inc, bool refIsA, const FaceQuery& query, double margin,
+                 const ContactTolerances& tolerance, Manifold& out) {
+  const HullPlane& plane = ref.planes[query.face];
+  int first = faceAround(inc, query.vertex, -plane.normal);
+  double deepest = faceOverFace(ref, inc, refIsA, query.face, first, margin, tolerance, out);
+  if (deepest <= query.separation + tolerance.edge) return;
+  for (int f = 0; f < inc.faceCount; f++) {
+    if (f == first || dot(inc.planes[f].normal, plane.normal) >= 0) continue;
+    double reach = lowestCorner(inc, f, plane);
+    if (reach > margin || reach >= deepest - tolerance.slack) continue;
+    Manifold trial;
+    double least = faceOverFace(ref, inc, refIsA, query.face, f, margin, tolerance, trial);
+    if (least < deepest - tolerance.slack) deepest = least, out = trial;
   }
 }
 
@@ -121,6 +156,18 @@ bool edgeContact(const HullView& a, const HullView& b, const EdgeQuery& query, M
   out.points[0] = {nearest.p, nearest.p + query.normal * query.separation, query.separation,
                    edgeCrossing(query.edgeA / 2, query.edgeB / 2)};
   return true;
+}
+
+// Any face that is nearly as good an axis and has something over it.
+bool anyFaceContact(const HullView& ref, const HullView& inc, bool refIsA, double nearlyAsGood, double margin,
+                    const ContactTolerances& tolerance, Manifold& out) {
+  for (int f = 0; f < ref.faceCount && out.count == 0; f++) {
+    const HullPlane& plane = ref.planes[f];
+    int vertex = supportVertex(inc, -plane.normal);
+    FaceQuery query{dot(plane.normal, inc.vertices[vertex]) - plane.offset, f, vertex};
+    if (query.separation > nearlyAsGood) faceContact(ref, inc, refIsA, query, margin, tolerance, out);
+  }
+  return out.count > 0;
 }
 
 // The deepest corner below a face alone, wherever that is: the last resort, so that no overlap goes unseen.
@@ -157,11 +204,15 @@ void collideHullHull(const Shape& shapeA, const Shape& shapeB, const Transform& 
   faceContact(ref, inc, refIsA, best, margin, tolerance, out);
   if (out.count > 0 || face >= 0) return;
   // Nothing over the reference face, though the face axes overlap. Either the hulls are apart (corner beside corner, which
-  // only an edge axis sees), or another axis was better, but not by its bias: try the others.
+  // only an edge axis sees), or another axis was better, but not by its bias: try all that are nearly as good.
   edge = queryEdges(a, b, margin, -1e30);
   if (edge.separation > 0) return;
-  if (other.separation > face - tolerance.edge) faceContact(inc, ref, !refIsA, other, margin, tolerance, out);
-  if (out.count > 0 || (edge.edgeA >= 0 && edgeContact(a, b, edge, out))) return;
+  double nearlyAsGood = face - tolerance.edge;
+  if (other.separation > nearlyAsGood) faceContact(inc, ref, !refIsA, other, margin, tolerance, out);
+  if (out.count > 0) return;
+  if (edge.edgeA >= 0 && edge.separation > nearlyAsGood && edgeContact(a, b, edge, out)) return;
+  if (anyFaceContact(ref, inc, refIsA, nearlyAsGood, margin, tolerance, out)) return;
+  if (anyFaceContact(inc, ref, !refIsA, nearlyAsGood, margin, tolerance, out)) return;
   cornerContact(ref, inc, refIsA, best, out);
 }
 

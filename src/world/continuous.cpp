@@ -2,8 +2,9 @@
 // as they are. A body that a hit throws somewhere else, or spins through most of a turn, or that a force accelerates from
 // rest, could end the step behind something thin. So the core of every fast body, a ball a fourth as thick as its shape, is
 // swept along the way that the solve found, against the ways of the others, and the body stops for this step where its core
-// would enter something. A body that contacts would spin too far in one step goes only a part of its way and turn, as
-// far as frozen arms are true. Velocities stay: the next step finds the contact and does the rest.
+// would enter something, or where it would run over the core of something smaller. Of two that both move, both stop; what a
+// kinematic body runs into is taken along. What is long and turns is looked at in its own frame. A body that contacts would spin too far in one step goes only a part of its way
+// and turn, as far as frozen arms are true. Velocities stay: the next step finds the contact and does the rest.
 #include <algorithm>
 #include <cmath>
 
@@ -16,55 +17,130 @@ namespace brickfall {
 namespace {
 
 constexpr double kCoreShare = 0.25;  // of a shape's inner radius
+constexpr int kHalvings = 6;         // of a way that turned out to end inside
+
+struct Sweep {
+  Transform start;     // of a body's centre frame
+  Vec3 way, turn;      // m, rad
+  bool turns = false;  // so far that its surface moves by more than it is thick
+
+  Transform at(double share) const {
+    Quat turned = turns ? normalized(quatFromRotationVector(turn * share) * start.rotation) : start.rotation;
+    return {start.position + way * share, turned};
+  }
+};
+
+// How far the core of `moving` gets on its way past `still`, as a share. What turns is seen from its own frame: the way
+// then is where the core ends up in it.
+double coreWay(const ShapeData& moving, const Sweep& way, const ShapeData& still, const Sweep& of) {
+  Transform pose = of.start * still.inCentreFrame, back = inverse(pose);
+  Vec3 from = transformPoint(way.start, moving.middle);
+  bool turns = way.turns || of.turns;
+  auto placeAt = [&](double share) {
+    return transformPoint(inverse(of.at(share) * still.inCentreFrame), transformPoint(way.at(share), moving.middle));
+  };
+  Transform coreInOther{transformPoint(back, from), {}};
+  Vec3 motion = turns ? placeAt(1) - coreInOther.position : rotate(back.rotation, way.way - of.way);
+  Shape core;
+  core.type = ShapeType::sphere;
+  core.radius = kCoreShare * moving.innerRadius;
+  // However often it is stopped there, it never gets all the way.
+  double apart = shapeDistance(still.geometry, core, coreInOther).distance, target = core.radius;
+  if (!(apart > 0)) {  // pressed in: at least its centre must stay outside
+    core.radius = 0;
+    apart = shapeDistance(still.geometry, core, coreInOther).distance;
+    if (!(apart > 0)) return 1;  // inside: the contacts push it out
+  }
+  target = std::min(target, 0.5 * apart);
+  double share = timeOfImpact(still.geometry, core, coreInOther, motion, target).value_or(1);
+  // Its way was taken as straight: where it really gets to on the arc must be outside, too.
+  for (int halving = 0; turns && halving < kHalvings; halving++) {
+    if (shapeDistance(still.geometry, core, {placeAt(share), {}}).distance > 0.5 * target) return share;
+    share *= 0.5;
+  }
+  return turns ? 0 : share;
+}
+
+bool exceeds(Vec3 way, double limit) { return lengthSquared(way) > limit * limit; }
 
 }  // namespace
 
-// Way of a body in this step.
-Vec3 World::Impl::wayOf(BodyIndex body) const {
+World::Impl::Motion World::Impl::motionOf(BodyIndex body) const {
   const BodyData& data = bodies.data[body];
-  if (data.type == BodyType::kinematic) return bodies.motion[body].linearVelocity * context.dt;
+  const BodyMotion& m = bodies.motion[body];
+  if (data.type == BodyType::kinematic) return {m.linearVelocity * context.dt, m.angularVelocity * context.dt};
   if (data.type == BodyType::fixed || data.activity != BodyActivity::awake || context.solved[body].rest) return {};
-  return context.solved[body].d;
+  return {context.solved[body].d, context.solved[body].th};
+}
+
+// Leaves the body a share of its way; it keeps its velocities.
+void World::Impl::shorten(BodyIndex body, double share) {
+  SolvedMotion& s = context.solved[body];
+  s.d *= share;
+  if (!turnsFar(body, s.th)) return;
+  s.th *= share;
+  s.freeTurn = false;
+}
+
+bool World::Impl::turnsFar(BodyIndex body, Vec3 turn) const {
+  const BodyMass& mass = bodies.mass[body];
+  Vec3 visible = visibleTurn(mass, bodies.motion[body].orientation, turn);
+  return exceeds(visible * mass.outerRadius, mass.innerRadius);
 }
 
 void World::Impl::stopAtObstacles(BodyIndex body) {
   SolvedMotion& s = context.solved[body];
-  if (s.rest) return;
+  if (s.rest || !isFinite(s.d)) return;
   double turn = length(visibleTurn(bodies.mass[body], bodies.motion[body].orientation, s.th));
-  if (turn > kLargestTurn && !s.freeTurn) {
+  double thickness = bodies.mass[body].innerRadius * (turn < kLargestTurn ? 1 : 0.5);
+  bool spins = turn > kLargestTurn && !s.freeTurn;
+  if (spins) {
     s.d *= kLargestTurn / turn;
     s.th *= kLargestTurn / turn;
   }
-  double thickness = bodies.mass[body].innerRadius * (turn < kLargestTurn ? 1 : 0.5);
-  if (!(lengthSquared(s.d) > thickness * thickness) || !isFinite(s.d)) return;
-  double share = 1;
-  for (ShapeIndex shape : bodies.shapes[body]) share = std::min(share, freeWay(shape, s.d));
-  s.d *= share;
+  // What it was left behind by its turn, and kinematic bodies, may run over it, however slow it is itself.
+  bool everything = spins || turnsFar(body, s.th);
+  if (!(everything || moving.size() > 0 || exceeds(s.d, thickness))) return;
+  Obstruction first;
+  for (ShapeIndex shape : bodies.shapes[body]) obstruct(shape, everything, thickness, first);
+  if (first.share == 1) return;
+  if (bodies.data[first.body].type != BodyType::dynamic) {
+    Vec3 way = motionOf(first.body).way;
+    s.d -= way;
+    shorten(body, first.share);
+    s.d += way;
+    return;
+  }
+  shorten(body, first.share);
+  Motion other = motionOf(first.body);
+  if (exceeds(other.way, thickness) || turnsFar(first.body, other.turn)) shorten(first.body, first.share);
 }
 
-// Share of its body's way d that the core of a shape can go.
-double World::Impl::freeWay(ShapeIndex shape, Vec3 d) const {
+// The first thing on a body's way, for one shape of the body. `everything`: it may be the other that does the moving.
+void World::Impl::obstruct(ShapeIndex shape, bool everything, double thickness, Obstruction& first) const {
+  auto sweepOf = [&](BodyIndex body) {
+    Motion m = motionOf(body);
+    return Sweep{bodies.pose(body), m.way, m.turn, turnsFar(body, m.turn)};
+  };
   const ShapeData& s = shapes.data[shape];
-  Shape core;
-  core.type = ShapeType::sphere;
-  core.radius = kCoreShare * s.innerRadius;
-  Vec3 at = transformPoint(bodies.pose(s.body), s.middle);
-  Vec3 reach{core.radius, core.radius, core.radius};
-  double share = 1;
-  broadPhase.query({min(at, at + d) - reach, max(at, at + d) + reach}, [&](std::uint32_t other) {
+  Sweep own = sweepOf(s.body);
+  Aabb here = bounds(s.geometry, own.start * s.inCentreFrame);
+  if (own.turns) here = merged(here, bounds(s.geometry, own.at(1) * s.inCentreFrame));
+  Vec3 d = own.way;
+  broadPhase.query({here.lower + min(d, Vec3{}), here.upper + max(d, Vec3{})}, [&](std::uint32_t other) {
     const ShapeData& o = shapes.data[other];
     if (o.body == s.body || !filtersAllow(s.def.filter, o.def.filter)) return true;
-    Transform pose = shapes.worldPose(other, bodies), back = inverse(pose);
-    Transform coreInOther{transformPoint(back, at), {}};
-    Vec3 motion = rotate(back.rotation, d - wayOf(o.body));
-    // However often it is stopped there, it never gets all the way.
-    double apart = shapeDistance(o.geometry, core, coreInOther).distance;
-    if (!(apart > 0)) return true;  // inside from the start: the contacts push it out
-    std::optional<double> met = timeOfImpact(o.geometry, core, coreInOther, motion, std::min(core.radius, 0.5 * apart));
-    if (met) share = std::min(share, *met);
+    BodyType type = bodies.data[o.body].type;
+    Sweep way = sweepOf(o.body);
+    Vec3 motion = d - way.way;
+    bool turns = own.turns || way.turns;
+    if (!turns && !exceeds(everything || type == BodyType::kinematic ? motion : d, thickness)) return true;
+    double share = coreWay(s, own, o, way);
+    if (type == BodyType::dynamic && (turns || exceeds(motion, o.innerRadius)))
+      share = std::min(share, coreWay(o, way, s, own));
+    if (share < first.share) first = {share, o.body};
     return true;
   });
-  return share;
 }
 
 }  // namespace brickfall

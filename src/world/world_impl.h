@@ -111,8 +111,17 @@ struct World::Impl {
   void keepBounds(BodyIndex body);
   bool moves(BodyIndex body) const;
   void stopAtObstacles(BodyIndex body);
-  double freeWay(ShapeIndex shape, Vec3 d) const;
-  Vec3 wayOf(BodyIndex body) const;
+  struct Obstruction {
+    double share = 1;           // of a way: where it ends
+    BodyIndex body = kNoIndex;  // what ends it
+  };
+  void obstruct(ShapeIndex shape, bool everything, double thickness, Obstruction& first) const;
+  struct Motion {
+    Vec3 way, turn;  // m, rad: in this step
+  };
+  Motion motionOf(BodyIndex body) const;
+  void shorten(BodyIndex body, double share);
+  bool turnsFar(BodyIndex body, Vec3 turn) const;
   void quarantineAbsurd();
   bool solvedWell(const Island& island) const;
   void salvage(Island& island);

@@ -1,0 +1,76 @@
+// Thousands of random shots, none through.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <map>
+
+#include "shot.h"
+#include "support/validation_record.h"
+
+namespace brickfall::oracle {
+namespace {
+
+#ifndef BRICKFALL_SHOTS
+#define BRICKFALL_SHOTS 1500
+#endif
+
+constexpr int kShots = BRICKFALL_SHOTS;
+
+struct Tally {
+  std::map<std::string, int> fired, hits;
+  int through = 0, within = 0, deep = 0;
+
+  void add(const Shot& shot, const Flight& flight) {
+    char step[32];
+    std::snprintf(step, sizeof step, "dt 1/%.0f", 1 / shot.dt);
+    const char* speed = shot.speed < 5 ? "below 5 m/s" : shot.speed < 30 ? "5 to 30 m/s" : "over 30 m/s";
+    const char* plate = shot.thickness < 0.02 ? "plates below 20 mm" : "plates from 20 mm";
+    for (std::string regime :
+         {nameOf(shot.target), nameOf(shot.missile), nameOf(shot.aim), shot.spin > 0 ? "spinning" : "not spinning",
+          speed, plate, static_cast<const char*>(step)}) {
+      fired[regime]++;
+      hits[regime] += flight.hit;
+    }
+    through += flight.through;
+    within += flight.within;
+    deep += flight.overlap > 0.5 * std::min(flight.missileSize, flight.obstacleSize);
+  }
+};
+
+void keepRows(const Tally& tally) {
+  std::printf("through %d, centre inside at the end %d, overlap over half the inner radius at the end %d\n",
+              tally.through, tally.within, tally.deep);
+  for (const auto& [regime, n] : tally.fired)
+    std::printf("%-20s %6d shots, %6d hit\n", regime.c_str(), n, tally.hits.at(regime));
+  test::ValidationRow row;
+  row.section = "continuous collision";
+  row.name = "shots that went through";
+  row.found = tally.through + tally.within;
+  row.atMost = true;
+  row.pass = row.found == 0;
+  row.cases = kShots;
+  test::record(row);
+}
+
+TEST(Shots, NothingGoesThrough) {
+  Tally tally;
+  for (std::uint64_t seed = 1, fired = 0; fired < std::uint64_t(kShots); seed++) {
+    Shot shot = randomShot(seed);
+    Flight flight = fly(shot);
+    if (!flight.fired) continue;
+    fired++;
+    tally.add(shot, flight);
+    EXPECT_FALSE(flight.through) << describe(shot);
+    EXPECT_FALSE(flight.within) << describe(shot);
+  }
+  EXPECT_GE(tally.fired.size(), std::size_t(kTargets + kMissiles + kAims + 2 + 3 + 2 + 4));
+  for (const auto& [regime, n] : tally.fired) {
+    EXPECT_GT(n, kShots / 12) << regime;
+    EXPECT_GT(tally.hits[regime], n / 2) << regime;
+  }
+  EXPECT_LT(tally.deep, kShots / 20);
+  if (kShots >= 10000) keepRows(tally);
+}
+
+}  // namespace
+}  // namespace brickfall::oracle
