@@ -3,7 +3,8 @@
 //
 // Angular momentum is that about the world's origin. Until the solve it is taken where bodies are, from then on where they
 // will be: a contact's impulse acts at the start of the step, velocities hold at its end. What lies between the two is
-// the way times the momentum, d x m v: zero where d = v h, and in free flight just what gravity adds along the parabola.
+// the way times the momentum, d x m v: zero where d = v h; where a body moves by the mean of two velocities it is what
+// its impulses give for acting midway, booked on gravity in flight and on what holds the body otherwise.
 #include "world/ledger.h"
 
 #include "world/world_impl.h"
@@ -147,13 +148,16 @@ void World::Impl::bookStage(std::optional<Stage> stage) {
   } else if (*stage == Stage::store) {
     BalanceChange held;
     for (const auto& island : islands.awake) held += heldImpulses(*island, bodies, contacts, dt);
-    Vec3 alongWay;
-    for (BodyIndex body : awake)
-      alongWay += cross(context.solved[body].d, context.solved[body].velocity * bodies.mass[body].mass);
+    Vec3 inFlight, inContact;
+    for (BodyIndex body : awake) {
+      const SolvedMotion& m = context.solved[body];
+      (m.flying ? inFlight : inContact) += cross(m.d, m.velocity * bodies.mass[body].mass);
+    }
+    held.angular += inContact;
     ledger.held += held;
-    ledger.gravity.angular += alongWay;
+    ledger.gravity.angular += inFlight;
     Balance now = withPotential(solvedBalance(awake, context));
-    ledger.contacts += now - s.now - s.push - held - BalanceChange{{}, alongWay, 0};
+    ledger.contacts += now - s.now - s.push - held - BalanceChange{{}, inFlight, 0};
     s.now = now;
   } else if (*stage == Stage::restitution) {
     book(ledger.rebound, withPotential(solvedBalance(awake, context)));

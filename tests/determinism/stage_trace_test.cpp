@@ -88,7 +88,7 @@ TEST(StageTrace, anotherSettingIsFoundInTheStageThatReadsIt) {
       {"pairs", [](WorldDef& d, ShapeDef&) { d.solver.contactMargin *= 1.0001; }},
       {"contacts", [](WorldDef&, ShapeDef& s) { s.material.friction *= 1.0001; }},
       {"prepare", [](WorldDef& d, ShapeDef&) { d.airDensity *= 1.0001; }},
-      {"rest", [](WorldDef& d, ShapeDef&) { d.solver.restTolerance = 0.1; }},
+      {"rest", [](WorldDef& d, ShapeDef&) { d.solver.restTolerance = 0.9; }},
       {"solve", [](WorldDef& d, ShapeDef&) { d.solver.maxCyclesSmall = 5; }},
       {"sleep", [](WorldDef& d, ShapeDef&) { d.sleepDelay = 0.25; }},
       {"events", [](WorldDef& d, ShapeDef&) { d.hitEventSpeed = 3; }},

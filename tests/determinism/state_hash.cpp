@@ -2,6 +2,7 @@
 #include <cinttypes>
 #include <cstdio>
 
+#include "support/input_list.h"
 #include "support/lab_scenes.h"
 
 using namespace brickfall;
@@ -50,6 +51,15 @@ void printPile() {
   std::printf("pile%s: %016" PRIx64 "\n", fine ? "" : " failed", world.stateHash());
 }
 
+// Calls of every kind between the steps; the hash is over all of them.
+void printInputs(int seed) {
+  World world = std::move(World::create({})).value();
+  test::Played played = test::play(test::randomInputs(seed, 120), world);
+  std::uint64_t sum = 0;
+  for (std::uint64_t hash : played.hashes) sum = sum * 31 + hash;
+  std::printf("inputs %d, %d refused: %016" PRIx64 "\n", seed, played.refused, sum);
+}
+
 }  // namespace
 
 int main() {
@@ -61,4 +71,6 @@ int main() {
   print("hit0", 0.3, 0, 0.1, 1.0 / 60);
   print("hole10", 0, 0, 0.08, 1.0 / 60);
   printPile();
+  printInputs(1);
+  printInputs(2);
 }

@@ -1,0 +1,119 @@
+// Every step of every shipped scene: linear and angular momentum, kinetic and potential energy, what changed and by what.
+// Held to: the causes add up to the change; momentum changes by gravity and what static bodies give, up to what the solve
+// leaves; energy is never above all that was put in. Within that it may
+// come back from a low: joints are elastic, and what they hold is not in the sum (the step and the amount are printed).
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <cstdlib>
+
+#include "brickfall/scene.h"
+#include "ledger/sums.h"
+#include "support/golden_scenes.h"
+#include "support/validation_record.h"
+
+namespace brickfall::test {
+namespace {
+
+bool wholeScenes() { return std::getenv("BRICKFALL_WHOLE_SCENES") != nullptr; }
+
+// What forEachContact tells of contacts with static bodies: another way to the same impulse.
+Vec3 heldImpulse(const World& world, double dt) {
+  Vec3 sum;
+  world.forEachContact([&](const ContactView& c) {
+    const bool a = world.state(c.bodyA)->type == BodyType::fixed, b = world.state(c.bodyB)->type == BodyType::fixed;
+    if (a == b) return;
+    for (int i = 0; i < c.pointCount; i++) {
+      const Vec3 onB = c.normalWorld * c.points[i].normalForce + c.points[i].frictionForce;
+      sum += onB * (a ? dt : -dt);
+    }
+  });
+  return sum;
+}
+
+constexpr double kGap = 1e-10;  // rounding of sums over up to 8000 bodies
+
+class LedgerOfScene : public testing::TestWithParam<std::string> {};
+
+void recordRow(const std::string& scene, const std::string& what, double found, double limit, const std::string& unit,
+               const Sums& sums, double dt) {
+  ValidationRow row;
+  row.section = "ledger";
+  row.name = scene + ": " + what;
+  row.dt = dt;
+  row.expected = limit;
+  row.found = found;
+  row.atMost = true;
+  row.unit = unit;
+  row.pass = found <= limit;
+  row.cases = sums.steps;
+  record(row);
+}
+
+void print(const std::string& scene, const Sums& s) {
+  const Causes& t = s.total;
+  std::printf(
+      "    %-16s %5d steps: largest rise %.3g J (%.3g J/kg, step %d), back from a low %.3g J, above all put in %.3g "
+      "J\n",
+      scene.c_str(), s.steps, s.largestRise, s.largestRisePerMass, s.riseStep, s.recovered, s.above);
+  std::printf("      J: put in %.6g; contacts %.6g, rebound %.6g, damping %.6g, stopped %.6g, rounding %.3g\n",
+              s.inputs, t.contacts.energy, t.rebound.energy, t.damping.energy, t.stopped.energy, t.integrate.energy);
+  std::printf("      left by the solve, in weights: linear %.3g, angular %.3g; causes add up to %.1e, %.1e, %.1e\n",
+              s.unbalanced.linear, s.unbalanced.angular, s.worstGap.linear, s.worstGap.angular, s.worstGap.energy);
+}
+
+TEST_P(LedgerOfScene, everyChangeHasItsCause) {
+  SceneLoad load = loadSceneFile(findScene(GetParam()));
+  ASSERT_TRUE(load.scene);
+  Result<SceneRun> run = SceneRun::create(*load.scene);
+  ASSERT_TRUE(run.ok());
+  World& world = run->world();
+  const double dt = run->scene().timeStep;
+  const int steps = wholeScenes() ? int(std::lround(run->scene().seconds / dt)) : goldenSteps(*run);
+  world.trace({false, false, true});
+  Sums sums;
+  double heldGap = 0, slack = 0;
+  int compared = 0;
+  for (int i = 0; i < steps; i++) {
+    Result<StepReport> report = run->step();
+    ASSERT_TRUE(report.ok()) << report.error().message;
+    ASSERT_TRUE(report->ledger);
+    const StepLedger& l = *report->ledger;
+    sums.add(world, l);
+    // The ledger's own figures are those of the world.
+    const Energy energy = world.energy();
+    ASSERT_NEAR(l.after.kinetic, energy.kinetic, 1e-9 * (1e-6 + energy.kinetic)) << "step " << i;
+    ASSERT_NEAR(l.after.potential, energy.potential, 1e-12 * std::fabs(energy.potential)) << "step " << i;
+    ASSERT_LT(length(l.after.linear - world.linearMomentum()), 1e-9 * sums.mass) << "step " << i;
+    slack += 1e-7 * (l.before.kinetic + sums.mass);               // the energy guard's own, in every step
+    const bool allAwake = report->awakeBodies == report->bodies;  // contacts of sleeping bodies are told, not booked
+    if (i % 5 == 0 && allAwake && length(l.rebound.linear) == 0 && run->scene().substeps == 1) {
+      heldGap = std::max(heldGap, length(heldImpulse(world, dt) - l.held.linear) / (sums.mass * 9.81 * dt));
+      compared++;
+    }
+    if (i % (steps / 4 + 1) == 0) {
+      const std::vector<std::string> wrong = world.validate();
+      ASSERT_TRUE(wrong.empty()) << "step " << i << ": " << wrong.front();
+    }
+  }
+  print(GetParam(), sums);
+  EXPECT_LT(sums.worstGap.linear, kGap);
+  EXPECT_LT(sums.worstGap.angular, kGap);
+  EXPECT_LT(sums.worstGap.energy, kGap);
+  EXPECT_LT(heldGap, 1e-5) << "of " << compared << " steps compared";
+  EXPECT_LE(sums.above, slack) << "energy was made";
+  recordRow(GetParam(), "energy above all that was put in", sums.above, slack, "J", sums, dt);
+  recordRow(GetParam(), "momentum left by the solve", sums.unbalanced.linear, 1, "weight x dt", sums, dt);
+  recordRow(GetParam(), "causes add up", sums.worstGap.energy, kGap, "", sums, dt);
+}
+
+std::vector<std::string> sceneNames() {
+  std::vector<std::string> names;
+  for (const ShippedScene& scene : shippedScenes()) names.push_back(scene.name);
+  return names;
+}
+INSTANTIATE_TEST_SUITE_P(Scenes, LedgerOfScene, testing::ValuesIn(sceneNames()),
+                         [](const auto& scene) { return scene.param; });
+
+}  // namespace
+}  // namespace brickfall::test

@@ -1,0 +1,97 @@
+// A run's ledger: steps added up, with the worst of each figure that should be nothing.
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+
+#include "brickfall/world.h"
+#include "support/input_list.h"
+
+namespace brickfall::test {
+
+inline double energyOf(const Balance& b) { return b.kinetic + b.potential; }
+
+struct Causes {
+  BalanceChange gravity, forces, damping, stopped, held, contacts, rebound, integrate, quarantine;
+};
+
+struct Worst {
+  double linear = 0, angular = 0, energy = 0;
+  int step = 0;  // of the largest energy
+};
+
+struct Sums {
+  int steps = 0;
+  Causes total;
+  BalanceChange outside;
+  // |after - before - all causes|, of all momentum and energy there is.
+  Worst worstGap;
+  // What the solve left: momentum that no cause accounts for, in weights of all bodies x dt; angular about the origin with
+  // the farthest centre of mass as lever, in the same.
+  Worst unbalanced;
+  // Energy that no input accounts for: J, and J/kg of all bodies.
+  double largestRise = -1e300, largestRisePerMass = -1e300;
+  int riseStep = 0;
+  double supplied = 0;         // J: at the start and by inputs since, above the lowest energy
+  double recovered = 0;        // J: largest return above an earlier low: what joints gave back of their elastic energy
+  double above = -1e300;       // J: by how much the energy was ever higher than all that was put in
+  double mass = 0, reach = 0;  // kg, m
+  double energyStart = 0, inputs = 0;  // J
+
+  void add(const World& world, const StepLedger& l) {
+    measureBodies(world);
+    if (steps == 0) energyStart = energyOf(l.before);
+    steps++;
+    BalanceChange all{};
+    auto sum = [](BalanceChange& into, const BalanceChange& c) {
+      into.linear += c.linear;
+      into.angular += c.angular;
+      into.energy += c.energy;
+    };
+    const BalanceChange* causes[] = {&l.gravity,  &l.forces,  &l.damping,   &l.stopped,   &l.held,
+                                     &l.contacts, &l.rebound, &l.integrate, &l.quarantine};
+    BalanceChange* totals[] = {&total.gravity,  &total.forces,  &total.damping,   &total.stopped,   &total.held,
+                               &total.contacts, &total.rebound, &total.integrate, &total.quarantine};
+    for (int i = 0; i < 9; i++) {
+      sum(all, *causes[i]);
+      sum(*totals[i], *causes[i]);
+    }
+    sum(outside, l.outside);
+    const double weight = mass * 9.81 / 60;  // N s: the scale of one step
+    const double momentum = weight + length(l.before.linear), moment = weight * reach + length(l.before.angular);
+    const double energy = 1 + std::fabs(l.before.kinetic) + std::fabs(l.before.potential);
+    worstGap.linear = std::max(worstGap.linear, length(l.after.linear - l.before.linear - all.linear) / momentum);
+    worstGap.angular = std::max(worstGap.angular, length(l.after.angular - l.before.angular - all.angular) / moment);
+    worstGap.energy =
+        std::max(worstGap.energy, std::fabs(energyOf(l.after) - energyOf(l.before) - all.energy) / energy);
+    const Vec3 left = l.contacts.linear + l.integrate.linear, leftAngular = l.contacts.angular + l.integrate.angular;
+    unbalanced.linear = std::max(unbalanced.linear, length(left) / weight);
+    unbalanced.angular = std::max(unbalanced.angular, length(leftAngular) / (weight * reach));
+    const double input = l.forces.energy + l.held.energy, rise = energyOf(l.after) - energyOf(l.before) - input;
+    if (rise > largestRise) {
+      largestRise = rise;
+      largestRisePerMass = rise / mass;
+      riseStep = steps;
+    }
+    inputs += l.outside.energy + input;
+    const double net = energyOf(l.after) - energyStart - inputs;
+    above = std::max(above, net);
+    low_ = std::min(low_, net);
+    recovered = std::max(recovered, net - low_);
+  }
+
+ private:
+  double low_ = 0;
+
+  void measureBodies(const World& world) {
+    mass = reach = 0;
+    for (BodyId body : world.bodies()) {
+      const BodyState s = *world.state(body);
+      if (s.type != BodyType::dynamic) continue;
+      mass += s.mass;
+      reach = std::max(reach, length(s.centreOfMass));
+    }
+  }
+};
+
+}  // namespace brickfall::test
