@@ -13,8 +13,8 @@ struct SolverSettings {
                                  // smaller one's inner radius
   double restitutionSpeed = 1;  // m/s, >= 0: slower impacts do not rebound; for a body alone on something fixed at most
                                 // gravity x dt. Smaller: heaps chatter longer before they rest
-  double restSpeed = 1e-2;       // m/s: only islands slower than this may be stopped or put to rest
-  double restTolerance = 1e-3;   // residual / weight accepted as "nothing moves"
+  double restSpeed = 1e-2;      // m/s: only islands slower than this may be stopped or put to rest
+  double restTolerance = 1e-3;  // residual / weight accepted as "nothing moves"
   double cycleTolerance = 1e-2;  // rms residual / weight at which a moving island is done
   int minCycles = 4;             // 1 .. 64: fewer glue bodies in place (they hang in the air)
   int maxCycles = 8;             // minCycles .. 256, islands of 80 bodies and more

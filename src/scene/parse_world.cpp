@@ -34,6 +34,20 @@ void readSolver(TableReader& top, SolverSettings& solver) {
                      ", expected at least min_cycles = " + std::to_string(solver.minCycles));
 }
 
+void readReport(TableReader& top, ReportSettings& report) {
+  TableReader reader = top.table("report");
+  reader.boolean("all_axes", report.allAxes);
+  reader.boolean("last_axis", report.lastAxis);
+  reader.boolean("restitution", report.restitution);
+  reader.boolean("friction", report.friction);
+  reader.boolean("manifold", report.manifold);
+  reader.boolean("warm_starting", report.warmStarting);
+  reader.number("impulse_factor", report.impulseFactor);
+  reader.number("damping", report.damping);
+  reader.integer("sweeps", report.sweeps);
+  reader.choice("integrator", report.integrator);
+}
+
 }  // namespace
 
 void readWorld(SceneBuild& build, TableReader& top) {
@@ -50,7 +64,10 @@ void readWorld(SceneBuild& build, TableReader& top) {
   reader.number("air_density", scene.world.airDensity);
   reader.number("hit_event_speed", scene.world.hitEventSpeed);
   reader.number("hit_event_impulse", scene.world.hitEventImpulse);
+  reader.choice("method", scene.world.method);
+  reader.choice("integrator", scene.world.integrator);
   readSolver(top, scene.world.solver);
+  readReport(top, scene.world.report);
 }
 
 void readGround(SceneBuild& build, TableReader& top) {

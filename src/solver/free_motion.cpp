@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/free_turn.h"
+
 namespace brickfall {
 
 namespace {
-
-constexpr double kTurnPerSubstep = 0.1;                  // rad: energy error of a substep ~ its fourth power
-constexpr double kSuzukiShare = 0.41449077179437571194;  // 1 / (4 - 4^(1/3))
-constexpr double kSuzuki[] = {kSuzukiShare, kSuzukiShare, 1 - 4 * kSuzukiShare, kSuzukiShare, kSuzukiShare};
 
 // Decay by exp(-x) without libm: (1 + x/2 + x^2/12)^-1 (1 - x/2 + x^2/12), Pade [2/2], error below 1e-6 for x <= 0.5;
 // larger x in halves.
@@ -26,33 +24,6 @@ double decay(double x) {
 
 }  // namespace
 
-Quat turnFreely(Quat rotation, Vec3 angularMomentum, const BodyMass& mass, double dt) {
-  // In principal axes; the length of the momentum is kept by every part.
-  Vec3 momentum = mass.principalAxes * rotate(conjugate(rotation), angularMomentum);
-  double spin = length(scaled(mass.principalInvInertia, momentum));
-  int substeps = int(std::min(4096.0, std::floor(spin * dt / kTurnPerSubstep) + 1));
-  Quat turned;  // since the start, in principal axes
-  auto turn = [&](int axis, double t) {
-    Vec3 w;
-    w[axis] = mass.principalInvInertia[axis] * momentum[axis] * t;
-    Quat q = quatFromRotationVector(w);
-    momentum = rotate(conjugate(q), momentum);
-    turned = turned * q;
-  };
-  for (int s = 0; s < substeps; s++) {
-    for (double share : kSuzuki) {
-      double h = share * dt / substeps;
-      turn(0, 0.5 * h);
-      turn(1, 0.5 * h);
-      turn(2, h);
-      turn(1, 0.5 * h);
-      turn(0, 0.5 * h);
-    }
-  }
-  Vec3 axis = transposeTimes(mass.principalAxes, Vec3{turned.x, turned.y, turned.z});
-  return normalized(rotation * Quat{axis.x, axis.y, axis.z, turned.w});
-}
-
 Vec3 visibleTurn(const BodyMass& mass, const Mat3& orientation, Vec3 th) {
   if (mass.round) return {};
   Vec3 axis = orientation * mass.symmetryAxis;
@@ -66,6 +37,23 @@ void limitTurn(FreeMotion& free, const BodyMass& mass, const BodyMotion& m, Vec3
   Vec3 visible = visibleTurn(mass, m.orientation, turn);
   double size = length(visible);
   free.th = turn - visible + visible * (size > kLargestTurn ? kLargestTurn / size : 1);
+}
+
+// With one of the integrators that are there to be compared.
+void integrateFreely(StepContext& context, BodyIndex body, Vec3 acceleration) {
+  const BodyMotion& m = context.bodies->motion[body];
+  FreeMotion& free = context.free[body];
+  RigidMass mass{context.bodies->mass[body].mass, context.bodies->mass[body].inertia};
+  LoadFunction load = [&](const RigidState&, double) {
+    return RigidLoad{acceleration * mass.mass, context.bodies->data[body].torque};
+  };
+  RigidState start{m.position, m.rotation, m.linearVelocity, m.angularVelocity};
+  RigidState end = integrated(context.integrator, start, mass, load, context.dt);
+  free.d = end.velocity * context.dt;
+  free.way = end.position - start.position;
+  free.rotation = end.rotation;
+  free.th = rotationVector(normalized(end.rotation * conjugate(start.rotation)));
+  free.angularMomentum = spinMomentum(end, mass);
 }
 
 }  // namespace
@@ -89,7 +77,12 @@ void predictFreeMotion(StepContext& context, BodyIndex body, double airDensity, 
     m.linearVelocity = v * (1 / (1 + c * length(v) * dt)) - half;
   }
   Vec3 acceleration = context.gravity * data.gravityScale + data.force * mass.invMass;
+  if (!hasContacts && context.integrator != Integrator::splitting) {
+    integrateFreely(context, body, acceleration);
+    return;
+  }
   free.d = (m.linearVelocity + acceleration * dt) * dt;
+  free.way = (free.startVelocity * dt + free.d) * 0.5;
 
   Vec3 spin = m.angularVelocity;
   Vec3 momentum = bodies.worldInertia(body) * spin + data.torque * dt;
@@ -99,7 +92,7 @@ void predictFreeMotion(StepContext& context, BodyIndex body, double airDensity, 
     free.th = spin * dt;
     free.rotation = normalized(quatFromRotationVector(free.th) * m.rotation);
   } else {
-    free.rotation = turnFreely(m.rotation, momentum, mass, dt);
+    free.rotation = turnFreely(m.rotation, momentum, {mass.principalAxes, mass.principalInvInertia}, dt);
     free.th = rotationVector(normalized(free.rotation * conjugate(m.rotation)));
   }
   if (hasContacts && lengthSquared(spin) * dt * dt > kLargestTurn * kLargestTurn) limitTurn(free, mass, m, spin * dt);

@@ -11,9 +11,4 @@ void predictFreeMotion(StepContext& context, BodyIndex body, double airDensity, 
 // What of the turn th (world axes) moves the body's surface elsewhere: not the part about an axis of symmetry.
 Vec3 visibleTurn(const BodyMass& mass, const Mat3& orientation, Vec3 th);
 
-// Turns a rigid body freely for dt: angular momentum is kept to rounding, energy to fourth order in the turn per substep.
-// Symmetric splitting into turns about the principal axes (McLachlan 1993; Dullweber, Leimkuhler and McLachlan 1997), five
-// of them to a substep for fourth order (Suzuki 1990).
-Quat turnFreely(Quat rotation, Vec3 angularMomentum, const BodyMass& mass, double dt);
-
 }  // namespace brickfall

@@ -3,6 +3,7 @@
 #include <memory_resource>
 #include <vector>
 
+#include "brickfall/integrators.h"
 #include "brickfall/solver_settings.h"
 #include "dynamics/body_set.h"
 #include "dynamics/contact_set.h"
@@ -20,8 +21,8 @@ constexpr float kLargestDrift = 1e-3f;      // m: an anchor further away is plac
 constexpr float kNearContact = 5e-3f;       // m: open points nearer than this stay in the Newton matrix
 constexpr std::size_t kExactBodies = 24;    // islands of no more bodies leave open points out of the matrix: true to
                                             // the last residual; larger ones would lose walls by it
-constexpr float kExactStiffening = 10;      // x restingStiffness while such an island is calm: they converge all the same
-constexpr double kCalmShare = 0.1;          // of g dt, added to the rest speed: an island no faster settles
+constexpr float kExactStiffening = 10;  // x restingStiffness while such an island is calm: they converge all the same
+constexpr double kCalmShare = 0.1;      // of g dt, added to the rest speed: an island no faster settles
 constexpr int kLineSearchSteps = 8;
 constexpr int kLineSearchStepsExact = 16;  // in exact steps: sticking is a very narrow range of motion to find
 constexpr double kSlowTolerance = 5e-4;    // worst residual / weight at which a slow island's cycles stop
@@ -34,7 +35,8 @@ constexpr int kRestitutionSweeps = 200;
 
 // Motion of a body in this step if nothing touched it.
 struct FreeMotion {
-  Vec3 d;                         // m
+  Vec3 d;                         // m: velocity at the end x dt
+  Vec3 way;                       // m: of a body without contacts
   Vec3 th;                        // rad, rotation vector
   Quat rotation;                  // where it ends: exact torque-free turn
   Vec3 angularMomentum;           // kg m2/s, at the end
@@ -62,6 +64,7 @@ struct StepContext {
   double dt = 0;
   Vec3 gravity;
   SolverSettings settings;
+  Integrator integrator = Integrator::splitting;  // of bodies without contacts
   BodySet* bodies = nullptr;
   ContactSet* contacts = nullptr;
   std::pmr::memory_resource* memory = std::pmr::get_default_resource();  // for all that a step needs for itself

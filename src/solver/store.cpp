@@ -145,7 +145,7 @@ void storeFreeBody(BodyIndex body, StepContext& context) {
   const FreeMotion& free = context.free[body];
   SolvedMotion& out = context.solved[body];
   out.velocity = free.d * (1 / context.dt);
-  out.d = (free.startVelocity + out.velocity) * (0.5 * context.dt);
+  out.d = free.way;
   out.th = free.th;
   out.angularMomentum = free.angularMomentum;
   out.freeTurn = true;

@@ -6,7 +6,7 @@
 
 #include "brickfall/geometry/mesh_tree.h"
 #include "geometry/mass_properties.h"
-#include "math/symmetric_eigen.h"
+#include "math/free_turn.h"
 #include "world/checks.h"
 #include "world/world_impl.h"
 
@@ -146,6 +146,11 @@ Status checkWorld(const WorldDef& def) {
   check.range("threads", def.threads, 1, 64);
   check.range("maxBodies", def.maxBodies, 1, 16'000'000);
   checkSolver(check, def.solver);
+  check.range("report.impulseFactor", def.report.impulseFactor, 0, 100);
+  check.range("report.damping", def.report.damping, 0, 1e6);
+  check.range("report.sweeps", def.report.sweeps, 1, 1000);
+  check.range("report.integrator", int(def.report.integrator), 0, kIntegratorCount - 1);
+  check.range("integrator", int(def.integrator), 0, kIntegratorCount - 1);
   return check.failed() ? Status(check.error()) : Status();
 }
 
@@ -217,9 +222,9 @@ void World::Impl::updateMass(BodyIndex body, Vec3 origin) {
   mass.invMass = 1 / mass.mass;
   mass.inertia = data.bodyFrameMass.inertia;
   mass.invInertia = inverse(mass.inertia);
-  SymmetricEigen principal = symmetricEigen(mass.inertia);
+  PrincipalInertia principal = principalInertia(mass.inertia);
   mass.principalAxes = principal.axes;
-  mass.principalInvInertia = {1 / principal.values.x, 1 / principal.values.y, 1 / principal.values.z};
+  mass.principalInvInertia = principal.inverse;
   const Mat3& I = mass.inertia;
   double size = I.row[0].x, slack = 1e-9 * size;
   mass.isotropic = std::fabs(I.row[1].y - size) < slack && std::fabs(I.row[2].z - size) < slack &&

@@ -11,12 +11,6 @@ namespace {
 constexpr double kLargestCoordinate = 1e7;  // m: a body beyond is lost, as one that became non-finite
 constexpr double kLargestSpeed = 1e6;  // m/s and rad/s: ten times what setters allow; only absurd forces lead there
 
-bool sane(const BodyMotion& m) {
-  return isFinite(m.position) && isFinite(m.rotation) && isFinite(m.linearVelocity) && isFinite(m.angularVelocity) &&
-         std::fabs(m.position.x) < kLargestCoordinate && std::fabs(m.position.y) < kLargestCoordinate &&
-         std::fabs(m.position.z) < kLargestCoordinate;
-}
-
 // Applies the solved motion. Returns false, and leaves the motion as it was, if the result is not sane.
 bool move(BodyIndex body, BodySet& bodies, const StepContext& context) {
   const SolvedMotion& s = context.solved[body];
@@ -30,12 +24,18 @@ bool move(BodyIndex body, BodySet& bodies, const StepContext& context) {
   // Angular momentum carries over exactly; the spin follows from the new orientation.
   next.angularVelocity =
       next.orientation * (bodies.mass[body].invInertia * transposeTimes(next.orientation, s.angularMomentum));
-  if (!sane(next)) return false;
+  if (!isSane(next)) return false;
   m = next;
   return true;
 }
 
 }  // namespace
+
+bool isSane(const BodyMotion& m) {
+  return isFinite(m.position) && isFinite(m.rotation) && isFinite(m.linearVelocity) && isFinite(m.angularVelocity) &&
+         std::fabs(m.position.x) < kLargestCoordinate && std::fabs(m.position.y) < kLargestCoordinate &&
+         std::fabs(m.position.z) < kLargestCoordinate;
+}
 
 // A body that its forces or impulses would make absurdly fast is taken out before it can spoil the sums of its island.
 void World::Impl::quarantineAbsurd() {

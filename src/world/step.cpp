@@ -31,6 +31,11 @@ void World::Impl::step(double dt) {
                                    {Stage::events, &Impl::collectEvents}};
   static_assert(std::size(kStages) == kStageCount);
   beginStep(dt);
+  if (def.method == Method::report) {
+    stepAsReported();
+    endStep();
+    return;
+  }
   traceStage({});
   quarantineAbsurd();
   for (const StageCall& call : kStages) {
@@ -44,6 +49,7 @@ void World::Impl::beginStep(double dt) {
   context.dt = dt;
   context.gravity = def.gravity;
   context.settings = def.solver;
+  context.integrator = def.integrator;
   context.bodies = &bodies;
   context.contacts = &contacts;
   context.memory = &stepMemory;

@@ -20,6 +20,8 @@ namespace brickfall {
 
 Status checkWorld(const WorldDef& def);  // names the field that is out of range
 
+bool isSane(const BodyMotion& motion);  // finite, and not lost in space
+
 struct World::Impl {
   WorldDef def;
   std::uint16_t worldNumber = 0;  // in ids
@@ -58,7 +60,8 @@ struct World::Impl {
   TraceOptions traceOptions;
   LedgerState ledgerState;
   Events events;
-  Events pending;  // what happened between steps: told by the next
+  Events pending;                              // what happened between steps: told by the next
+  std::unique_ptr<ReportSystem> reportSystem;  // Method::report
   std::unique_ptr<WorkerPool> pool;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> foundPairs;  // scratch
   std::vector<CandidatePair> newPairs;                              // scratch
@@ -77,6 +80,8 @@ struct World::Impl {
   void integrate();
   void updateSleep();
   void collectEvents();
+
+  void stepAsReported();  // Method::report: in place of all stages
 
   void updateMeshPair(std::size_t begin, std::size_t end, std::size_t& kept);
   void makeContact(CandidatePair& pair, const Manifold& m, const Transform& relative);
