@@ -14,6 +14,7 @@ namespace {
 constexpr std::size_t kPoolPerBody = 12 * 1024;  // bytes
 constexpr std::size_t kPoolPerBodyBeyond = 2 * 1024, kManyBodies = 10000;
 constexpr std::size_t kTouchingPerBody = 4;
+constexpr std::size_t kMeshScratch = 4096;  // faces near one shape, points on them
 
 std::size_t poolFor(std::size_t bodies) {
   return std::min(bodies, kManyBodies) * kPoolPerBody + std::max(bodies, kManyBodies) * kPoolPerBodyBeyond -
@@ -29,6 +30,9 @@ void World::Impl::keepRoom() {
   stepMemory.reserve(std::max(poolFor(dynamic), stepMemory.peak() + stepMemory.peak() / 2));
   foundPairs.reserve(contacts.pairs.capacity());
   newPairs.reserve(contacts.pairs.capacity());
+  brickfall::keepRoom(newParts, touching);
+  brickfall::keepRoom(meshScratch.faces, kMeshScratch);
+  brickfall::keepRoom(meshScratch.points, kMeshScratch);
   keepRoomFor(awake, dynamic);
   keepRoomFor(islandOf, bodies.slots());
   for (BodyPairs* list : {&touchingNow, &touchingBefore, &slept}) brickfall::keepRoom(*list, touching);

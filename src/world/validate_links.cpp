@@ -53,7 +53,8 @@ class World::Impl::LinkChecks {
 
   void checkBodies() {
     const BodySet& b = w_.bodies;
-    checkFree(b.unused(), b.slots(), [&](std::size_t i) { return b.data[i].alive; });
+    // A slot whose generations are used up is neither alive nor free.
+    checkFree(b.unused(), b.slots(), [&](std::size_t i) { return b.data[i].alive || b.data[i].generation == 0xffff; });
     std::vector<std::uint64_t> orders;
     for (BodyIndex i = 0; i < b.slots(); i++) {
       const BodyData& d = b.data[i];
@@ -76,7 +77,7 @@ class World::Impl::LinkChecks {
 
   void checkShapes() {
     const ShapeSet& s = w_.shapes;
-    checkFree(s.unused(), s.slots(), [&](std::size_t i) { return s.data[i].alive; });
+    checkFree(s.unused(), s.slots(), [&](std::size_t i) { return s.data[i].alive || s.data[i].generation == 0xffff; });
     std::size_t alive = 0, listed = 0;
     for (const ShapeData& shape : s.data) alive += shape.alive;
     std::vector<std::uint8_t> seen(s.slots(), kUnseen);
