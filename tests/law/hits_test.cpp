@@ -26,7 +26,7 @@ TEST(Law, AnyHitLosesEnergyAndLeavesNothingBelowGround) {
       ball.linearVelocity = {0, 0, -speed};
       add(s.world, ball);
       lab::Measured m = lab::run(s, 1.5, 1.0 / 60);
-      std::string name = "4 t ball at " + text(speed, 0) + " m/s, e " + text(e, 1);
+      std::string name = "0.9 t ball at " + text(speed, 0) + " m/s, e " + text(e, 1);
       atMost(name + ": energy rise / start", kDt, m.energyRise / m.energyStart, 1e-3, "");
       EXPECT_GE(m.lowest, 0) << name;
       EXPECT_TRUE(m.finite);
