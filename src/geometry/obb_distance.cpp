@@ -9,9 +9,10 @@ namespace brickfall {
 namespace {
 
 // Below this squared sine the corners stand in for parallel edges; the error is the sine times the size.
-template <class T> constexpr T kNoCrossing = kIsFloat<T> ? T(1e-9) : T(1e-20);
-// Share of |L| up to which two parallel edges count as equally far out.
-template <class T> constexpr T kLevel = kIsFloat<T> ? T(1e-2) : T(1e-6);
+template <class T> constexpr T kNoCrossing = kIsFloat<T> ? T(1e-11) : T(1e-24);
+// Share of |L| up to which two parallel edges count as equally far out: above what rounding does to the direction of the
+// shortest L. Too many candidates do no harm.
+template <class T> constexpr T kLevel = kIsFloat<T> ? T(5e-2) : T(1e-3);
 
 template <class T> T clamp(T value, T limit) { return value < -limit ? -limit : value > limit ? limit : value; }
 
