@@ -31,11 +31,18 @@ struct MaterialDef {
   std::uint32_t colour = 0xB5543A;  // 0xRRGGBB
 };
 
+// Where something stands in its file, from 1; 0 = not in a file.
+struct SourcePlace {
+  int line = 0, column = 0;
+};
+
 struct SceneWall {
   WallDef wall;
   std::string material = "brick";
   std::string lintelMaterial = "concrete";
   double densityScatter = 0;  // 0 .. 0.5: each brick's density is the material's times 1 +- up to this
+  SourcePlace place;
+  std::vector<SourcePlace> openingPlaces;  // as many as wall.openings, or none
 };
 
 enum class BodyRole : std::uint8_t { ground, brick, ball, body };
@@ -48,6 +55,7 @@ struct SceneBody {
   std::vector<std::string> shapeMaterials;  // one per shape; empty: `material` for all
   BodyDef def;                              // shapes get the material's values when the scene is built
   double launchTime = 0;  // s: until then the body is held where it is, then it is let go with its velocity
+  SourcePlace place;
 };
 
 struct SceneCamera {
@@ -57,6 +65,7 @@ struct SceneCamera {
 };
 
 struct SceneDescription {
+  std::string file;  // as it was given, for messages
   std::string name;  // of the file, without folder and ending
   std::string title, description;
   WorldDef world;
@@ -73,7 +82,7 @@ struct SceneDescription {
 
 struct SceneLoad {
   std::optional<SceneDescription> scene;  // absent if there is an error
-  std::vector<Diagnostic> diagnostics;    // all mistakes of the file, in its order
+  std::vector<Diagnostic> diagnostics;    // the mistakes of the file, in its order: the first 100 and how many follow
 };
 // Overrides are "key.path=value" pairs as of --set, applied before anything is checked.
 using Overrides = std::vector<std::pair<std::string, std::string>>;
@@ -92,7 +101,7 @@ std::vector<ShippedScene> shippedScenes();
 // The path of a scene file, given a path or a shipped scene's name; empty if there is no such file.
 std::string findScene(const std::string& nameOrPath);
 
-// Overlapping bodies at the start and the like, as warnings.
+// Overlapping bodies at the start and the like, as warnings at the tables that they come from.
 std::vector<Diagnostic> checkScene(const SceneDescription& scene);
 
 // A body of a scene, placed in a world.
@@ -104,6 +113,7 @@ struct PlacedBody {
   BodyDef def;  // as created, with shapes and materials
   double launchTime = 0;
   int course = -1;  // of a brick
+  SourcePlace place;
 };
 
 // A scene being simulated: the world, what is in it, and what is still to be launched.

@@ -61,29 +61,37 @@ class OverlapFinder {
   std::vector<Overlap> overlaps_;
 };
 
-Diagnostic warning(const SceneDescription& scene, std::string key, std::string message) {
-  return {Severity::warning, scene.name, 0, 0, std::move(key), std::move(message)};
+Diagnostic warning(const SceneDescription& scene, SourcePlace at, std::string key, std::string message) {
+  return {Severity::warning, scene.file, at.line, at.column, std::move(key), std::move(message)};
+}
+
+// "wall/3/1" (line 12)
+std::string nameAndLine(const PlacedBody& body) {
+  std::string line = body.place.line > 0 ? " (line " + std::to_string(body.place.line) + ")" : std::string();
+  return "\"" + body.name + "\"" + line;
 }
 
 void warnOfOverlaps(const SceneDescription& scene, const SceneRun& run, std::vector<Diagnostic>& out) {
   std::vector<Overlap> overlaps = OverlapFinder(run).find();
   for (std::size_t i = 0; i < std::min(overlaps.size(), kMaxWarnings); i++) {
-    const std::string& other = run.bodies()[overlaps[i].b].name;
+    // At the one that stands later in the file: it was put where the other already was.
+    const PlacedBody *late = &run.bodies()[overlaps[i].a], *early = &run.bodies()[overlaps[i].b];
+    if (late->place.line < early->place.line) std::swap(late, early);
     double millimetres = std::floor(overlaps[i].depth * 1e4 + 0.5) / 10;
-    out.push_back(warning(scene, run.bodies()[overlaps[i].a].name,
-                          "found it " + scene::numberText(millimetres) + " mm inside \"" + other +
-                              "\" at the start, expected bodies that touch at most"));
+    out.push_back(warning(scene, late->place, late->name,
+                          "found it " + scene::numberText(millimetres) + " mm inside " + nameAndLine(*early) +
+                              " at the start, expected bodies that touch at most"));
   }
   if (overlaps.size() > kMaxWarnings)
     out.push_back(warning(
-        scene, "",
+        scene, {}, "",
         "found " + std::to_string(overlaps.size() - kMaxWarnings) + " more pairs of bodies that overlap at the start"));
 }
 
 void warnOfLaunches(const SceneDescription& scene, std::vector<Diagnostic>& out) {
   for (const SceneBody& body : scene.bodies)
     if (body.launchTime >= scene.seconds)
-      out.push_back(warning(scene, body.name,
+      out.push_back(warning(scene, body.place, body.name,
                             "found launch_time " + scene::numberText(body.launchTime) +
                                 ", expected it before the end of the run at " + scene::numberText(scene.seconds) +
                                 " s"));
@@ -97,7 +105,8 @@ void warnOfBareOpenings(const SceneDescription& scene, std::vector<Diagnostic>& 
       bool bricksAbove = opening.sill + opening.height < height - wall.wall.brick.size.y;
       if (bricksAbove && opening.lintelHeight == 0)
         out.push_back(
-            warning(scene, wall.wall.name + ".opening[" + std::to_string(i) + "]",
+            warning(scene, i < wall.openingPlaces.size() ? wall.openingPlaces[i] : wall.place,
+                    wall.wall.name + ".opening[" + std::to_string(i) + "]",
                     "found bricks above an opening without a lintel, expected lintel_height > 0: they will fall"));
     }
 }
@@ -112,7 +121,7 @@ std::vector<Diagnostic> checkScene(const SceneDescription& scene) {
   if (run)
     warnOfOverlaps(scene, *run, out);
   else
-    out.push_back({Severity::error, scene.name, 0, 0, "", run.error().message});
+    out.push_back({Severity::error, scene.file, 0, 0, "", run.error().message});
   return out;
 }
 

@@ -95,7 +95,9 @@ class Parser {
     bool two = key == "min" || key == "max";
     bool known = two || key == "round" || key == "floor" || key == "ceil" || key == "sqrt" || key == "abs";
     if (!known) {
+      bool call = take('(');
       at_ = from;
+      if (call) return fail("unknown name \"" + key + "\"; functions are round, floor, ceil, sqrt, abs, min and max");
       return fail("unknown name \"" + key + "\"; a parameter begins with $");
     }
     if (!take('(')) return fail("expected ( after \"" + key + "\"");
@@ -145,7 +147,7 @@ class Parser {
 Evaluated evaluate(std::string_view text, const ParameterLookup& lookup) { return Parser(text, lookup).run(); }
 
 bool looksLikeExpression(std::string_view text) {
-  if (text.find('$') != std::string_view::npos) return true;
+  if (text.find_first_of("$(") != std::string_view::npos) return true;
   return !text.empty() && (isDigit(text[0]) || text[0] == '(' || text[0] == '-' || text[0] == '.');
 }
 

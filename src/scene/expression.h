@@ -17,7 +17,7 @@ struct Evaluated {
 // Value of a parameter, or nothing (with a reason in `error`).
 using ParameterLookup = std::function<std::optional<double>(const std::string& name, std::string& error)>;
 Evaluated evaluate(std::string_view text, const ParameterLookup& lookup);
-// True for texts that are meant as an expression: those with a digit or a $, and an operator's characters at most.
+// True for texts that are meant as an expression: those with a $ or a bracket, and those that begin as a number does.
 bool looksLikeExpression(std::string_view text);
 
 }  // namespace brickfall::scene

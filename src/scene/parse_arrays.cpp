@@ -1,4 +1,5 @@
 // [[array]]: many bodies of one kind.
+#include <algorithm>
 #include <cmath>
 
 #include "masonry/named_seed.h"
@@ -23,6 +24,14 @@ struct ArrayDef {
   double radius = 0.5;
   Vec3 position;
   SceneBody model;
+
+  ShapeDef shape(Vec3 lengths) const {
+    ShapeDef out;
+    out.type = sphere ? ShapeType::sphere : ShapeType::box;
+    out.radius = radius;
+    out.halfExtents = lengths * 0.5;
+    return out;
+  }
 
   std::int64_t bodies() const {
     if (arrangement == Arrangement::pyramid) return std::int64_t(base) * (base + 1) / 2;
@@ -60,6 +69,14 @@ void checkTogether(TableReader& reader, const ArrayDef& def) {
                             "\", expected it only with the other arrangement");
   for (const char* key : {"size", "size_min"})
     if (def.sphere && reader.has(key)) reader.error(key, "found with shape \"sphere\", expected radius");
+  double reach = 0;
+  for (int i = 0; i < 3; i++) {
+    double rows = def.arrangement == Arrangement::pyramid ? (i == 2 ? 1 : def.base) : def.count[i];
+    reach = std::max(reach, std::fabs(def.position[i]) + rows * def.spacing[i] + def.size[i] + def.jitter);
+  }
+  if (!(reach <= kFarthestBody))
+    reader.error("spacing", "the array reaches " + numberText(reach) + " m from the origin, expected at most " +
+                                numberText(kFarthestBody) + " m");
   if (!def.sphere && reader.has("radius")) reader.error("radius", "found with shape \"box\", expected size");
 }
 
@@ -89,10 +106,7 @@ class ArrayBuilder {
   void add(Vec3 centre) {
     SceneBody body = def_.model;
     body.name += "/" + std::to_string(next_++);
-    ShapeDef shape;
-    shape.type = def_.sphere ? ShapeType::sphere : ShapeType::box;
-    shape.radius = def_.radius;
-    shape.halfExtents = def_.size * 0.5;
+    ShapeDef shape = def_.shape(def_.size);
     for (int i = 0; def_.randomSize && i < 3; i++)
       shape.halfExtents[i] = 0.5 * random_.between(def_.sizeMin[i], def_.size[i]);
     for (int i = 0; def_.jitter > 0 && i < 3; i++) centre[i] += random_.between(-def_.jitter, def_.jitter);
@@ -118,6 +132,12 @@ void readArrays(SceneBuild& build, TableReader& top) {
     std::size_t before = build.context.diagnostics.size();
     readNumbers(reader, def);
     if (build.context.diagnostics.size() == before) checkTogether(reader, def);
+    def.model.place = placeOf(reader);
+    if (build.context.diagnostics.size() == before) {
+      SceneBody one = def.model;
+      one.def.shapes = {def.shape(def.size)};
+      build.checkBuildable(reader, one);
+    }
     bool sound = build.context.diagnostics.size() == before;
     if (sound && build.roomFor(reader, def.arrangement == Arrangement::pyramid ? "base" : "count", def.bodies()))
       ArrayBuilder(def, build).run();

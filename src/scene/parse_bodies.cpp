@@ -130,6 +130,8 @@ void readBodies(SceneBuild& build, TableReader& top) {
   std::size_t index = 0;
   for (TableReader& reader : top.tables("body")) {
     SceneBody body;
+    body.place = placeOf(reader);
+    std::size_t before = build.context.diagnostics.size();
     body.name = build.nameOf(reader, "body", index++);
     body.material = "brick";
     reader.choice("type", body.def.type);
@@ -145,6 +147,7 @@ void readBodies(SceneBuild& build, TableReader& top) {
       reader.error(reader.has("velocity") ? "velocity" : "angular_velocity",
                    "found a velocity on a fixed body, expected type \"kinematic\" or \"dynamic\"");
     readLaunch(reader, body);
+    if (build.context.diagnostics.size() == before) build.checkBuildable(reader, body);
     build.roomFor(reader, "", 1);
     build.scene.bodies.push_back(std::move(body));
   }
@@ -154,6 +157,8 @@ void readBalls(SceneBuild& build, TableReader& top) {
   std::size_t index = 0;
   for (TableReader& reader : top.tables("ball")) {
     SceneBody ball;
+    ball.place = placeOf(reader);
+    std::size_t before = build.context.diagnostics.size();
     ball.name = build.nameOf(reader, "ball", index++);
     ball.role = BodyRole::ball;
     ball.material = "steel";
@@ -166,6 +171,7 @@ void readBalls(SceneBuild& build, TableReader& top) {
     readMotion(reader, ball.def);
     readLaunch(reader, ball);
     ball.def.shapes.push_back(std::move(shape));
+    if (build.context.diagnostics.size() == before) build.checkBuildable(reader, ball);
     build.roomFor(reader, "", 1);
     build.scene.bodies.push_back(std::move(ball));
   }

@@ -1,4 +1,7 @@
 // [[wall]] and [[wall.opening]].
+#include <algorithm>
+#include <cmath>
+
 #include "scene/scene_build.h"
 
 namespace brickfall::scene {
@@ -58,6 +61,17 @@ void checkTogether(TableReader& reader, std::vector<TableReader>& openings, cons
   }
 }
 
+void checkReach(TableReader& reader, const WallDef& wall) {
+  double length = wall.bricksPerCourse * (wall.brick.size.x + wall.headJoint);
+  double height = wall.courses * (wall.brick.size.y + wall.bedJoint + wall.disorder);
+  Vec3 p = wall.position;
+  double sideways = std::max(std::fabs(p.x), std::fabs(p.z)) + length, up = std::fabs(p.y) + height;
+  if (!(sideways <= kFarthestBody && up <= kFarthestBody))
+    reader.error(sideways > up ? "bricks" : "courses", "the wall reaches " + numberText(std::max(sideways, up)) +
+                                                           " m from the origin, expected at most " +
+                                                           numberText(kFarthestBody) + " m");
+}
+
 }  // namespace
 
 void readWalls(SceneBuild& build, TableReader& top) {
@@ -68,8 +82,13 @@ void readWalls(SceneBuild& build, TableReader& top) {
     std::size_t before = build.context.diagnostics.size();
     readWallNumbers(reader, out);
     std::vector<TableReader> openings = reader.tables("opening");
-    for (TableReader& opening : openings) readOpening(opening, out.wall.openings.emplace_back());
+    out.place = placeOf(reader);
+    for (TableReader& opening : openings) {
+      readOpening(opening, out.wall.openings.emplace_back());
+      out.openingPlaces.push_back(placeOf(opening));
+    }
     if (build.context.diagnostics.size() == before) checkTogether(reader, openings, out.wall);
+    if (build.context.diagnostics.size() == before) checkReach(reader, out.wall);
     if (build.context.diagnostics.size() == before) build.roomFor(reader, "courses", brickCount(out.wall));
     build.scene.walls.push_back(std::move(out));
   }

@@ -1,5 +1,6 @@
 // [world], [solver], [ground], [[material]] and [[camera]].
 #include <numbers>
+#include <set>
 
 #include "scene/scene_build.h"
 
@@ -99,7 +100,7 @@ void readGround(SceneBuild& build, TableReader& top) {
   double below = type == GroundType::plane ? 0 : size.y * 0.5;
   ground.def.position = Vec3{0, height, 0} - rotate(ground.def.rotation, Vec3{0, below, 0});
   ground.def.shapes = {shape};
-  build.names.insert(ground.name);
+  build.names[ground.name] = reader.node().line;
   build.scene.bodies.push_back(std::move(ground));
 }
 

@@ -1,6 +1,7 @@
 // A scene while it is read: what is known so far, and the parts that read each kind of table.
 #pragma once
-#include <set>
+#include <map>
+#include <memory>
 #include <string>
 
 #include "brickfall/scene.h"
@@ -13,13 +14,16 @@ constexpr std::int64_t kMaxSceneBodies = 1'000'000;
 struct SceneBuild {
   ReadContext context;
   SceneDescription scene;
-  std::set<std::string> names;  // of walls, bodies, balls and arrays
-  std::int64_t bodyCount = 0;   // bricks included
+  std::map<std::string, int> names;  // of walls, bodies, balls and arrays, with their lines
+  std::int64_t bodyCount = 0;        // bricks included
+  std::unique_ptr<World> trial;      // where bodies are made to see whether they can be
 
   // The name in the table, or kind + number ("wall2"); a name given twice is an error.
   std::string nameOf(TableReader& reader, const char* kind, std::size_t index);
   // false (and an error at the table) if the scene would have too many bodies with these.
   bool roomFor(TableReader& reader, const std::string& key, std::int64_t bodies);
+  // What only the engine can tell of a body (is the hull one, is the mass in its range): an error at the table.
+  void checkBuildable(TableReader& reader, const SceneBody& body);
 };
 
 void readWorld(SceneBuild& build, TableReader& top);
@@ -30,6 +34,10 @@ void readWalls(SceneBuild& build, TableReader& top);
 void readBodies(SceneBuild& build, TableReader& top);
 void readBalls(SceneBuild& build, TableReader& top);
 void readArrays(SceneBuild& build, TableReader& top);
+
+// How far from the origin the engine takes bodies, m.
+constexpr double kFarthestBody = 1e6;
+inline SourcePlace placeOf(const TableReader& reader) { return {reader.node().line, reader.node().column}; }
 
 // A camera that sees the whole scene, for files that have none.
 void frameScene(SceneDescription& scene);

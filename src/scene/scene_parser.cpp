@@ -14,6 +14,7 @@ namespace brickfall {
 namespace {
 
 constexpr std::size_t kMaxFileBytes = 16u << 20;
+constexpr std::size_t kMostDiagnostics = 100;
 
 SceneLoad failed(const std::string& file, std::string message) {
   SceneLoad load;
@@ -51,6 +52,14 @@ void sortByPlace(std::vector<Diagnostic>& diagnostics) {
   });
 }
 
+// A file that is something else altogether: the first mistakes tell as much as all of them.
+void keepTheFirst(std::vector<Diagnostic>& diagnostics, const std::string& file) {
+  if (diagnostics.size() <= kMostDiagnostics) return;
+  std::string more = std::to_string(diagnostics.size() - kMostDiagnostics);
+  diagnostics.resize(kMostDiagnostics);
+  diagnostics.push_back({Severity::error, file, 0, 0, "", "found " + more + " more mistakes, expected none"});
+}
+
 }  // namespace
 
 SceneLoad parseScene(std::string_view text, const std::string& fileName, const Overrides& overrides) {
@@ -66,6 +75,7 @@ SceneLoad parseScene(std::string_view text, const std::string& fileName, const O
   build.context.file = fileName;
   build.context.syntaxErrors = !document.errors.empty();
   build.context.diagnostics = std::move(document.errors);
+  build.scene.file = fileName;
   build.scene.name = std::filesystem::path(fileName).stem().string();
   for (const auto& [key, value] : overrides) scene::applyOverride(build.context, document.root, key, value);
   readAll(build, document.root);
@@ -73,6 +83,7 @@ SceneLoad parseScene(std::string_view text, const std::string& fileName, const O
   sortByPlace(load.diagnostics);
   bool sound = std::none_of(load.diagnostics.begin(), load.diagnostics.end(),
                             [](const Diagnostic& d) { return d.severity == Severity::error; });
+  keepTheFirst(load.diagnostics, fileName);
   if (!sound) return load;
   if (build.scene.cameras.empty()) scene::frameScene(build.scene);
   load.scene = std::move(build.scene);
@@ -98,14 +109,37 @@ namespace scene {
 std::string SceneBuild::nameOf(TableReader& reader, const char* kind, std::size_t index) {
   std::string name;
   if (reader.text("name", name)) {
-    if (!names.insert(name).second)
-      reader.error("name", "found the name \"" + name + "\" a second time, expected different names");
+    auto [known, fresh] = names.emplace(name, reader.node().line);
+    std::string first = known->second > 0 ? " (first at line " + std::to_string(known->second) + ")" : std::string();
+    if (!fresh)
+      reader.error("name", "found the name \"" + name + "\" a second time" + first + ", expected different names");
     return name;
   }
   for (std::size_t number = index + 1;; number++) {
     name = kind + std::to_string(number);
-    if (names.insert(name).second) return name;
+    if (names.emplace(name, reader.node().line).second) return name;
   }
+}
+
+void SceneBuild::checkBuildable(TableReader& reader, const SceneBody& body) {
+  auto densityOf = [&](const std::string& name) {
+    for (const MaterialDef& material : scene.materials)
+      if (material.name == name) return material.material;
+    return Material{};
+  };
+  BodyDef def = body.def;
+  for (std::size_t i = 0; i < def.shapes.size(); i++)
+    def.shapes[i].material = densityOf(i < body.shapeMaterials.size() ? body.shapeMaterials[i] : body.material);
+  if (!trial) trial = std::make_unique<World>(std::move(World::create({})).value());
+  Result<BodyId> made = trial->createBody(def);
+  if (made) {
+    (void)trial->destroyBody(*made).ok();
+    return;
+  }
+  // "shapes[0].vertices: found ..." is the engine's word for what the file calls otherwise.
+  const std::string& why = made.error().message;
+  reader.error(why.find("vertices") == std::string::npos || !reader.has("vertices") ? "" : "vertices",
+               why.substr(std::min(why.find("found"), why.size())));
 }
 
 bool SceneBuild::roomFor(TableReader& reader, const std::string& key, std::int64_t bodies) {

@@ -46,6 +46,7 @@ class Placer {
     placed.role = body.role;
     placed.def = body.def;
     placed.launchTime = body.launchTime;
+    placed.place = body.place;
     Result<MaterialDef> own = material(body.material);
     if (!own) return inBody(body.name, own.error());
     placed.colour = own->colour;
@@ -73,6 +74,7 @@ class Placer {
       placed.role = BodyRole::brick;
       placed.colour = from.colour;
       placed.course = brick.course;
+      placed.place = wall.place;
       placed.def.position = brick.centre;
       placed.def.rotation = brick.rotation;
       ShapeDef shape;

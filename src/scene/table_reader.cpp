@@ -12,6 +12,9 @@ namespace {
 
 const Node kEmptyTable;
 
+constexpr int kMostUnknownKeys = 200;  // told of one table: each costs a search for the nearest
+constexpr std::size_t kMostParameters = 1000;
+
 bool isNumber(const Node& node) { return node.kind == NodeKind::integer || node.kind == NodeKind::number; }
 
 bool isParameterName(const std::string& name) {
@@ -119,6 +122,12 @@ void readParameters(ReadContext& context, const Node& root) {
     context.error(member->value, "parameters", "found " + describe(member->value) + ", expected a table of numbers");
     return;
   }
+  std::size_t count = member->value.members.size();
+  if (count > kMostParameters) {
+    context.error(member->value, "parameters",
+                  "found " + std::to_string(count) + ", expected at most " + std::to_string(kMostParameters));
+    return;
+  }
   ParameterReader(context, member->value).run();
 }
 
@@ -128,8 +137,10 @@ TableReader::TableReader(ReadContext& context, const Node& node, std::string tab
 }
 
 void TableReader::reportUnknownKeys() {
+  int reported = 0;
   for (const Member& member : node_.members) {
     if (findKey(table_, member.key)) continue;
+    if (++reported > kMostUnknownKeys) return;
     std::string hint = didYouMean(member.key, keysOf(table_));
     std::string owner = hint.empty() ? ownerOfKey(member.key) : std::string();
     if (!owner.empty()) hint = " (\"" + member.key + "\" is a key of " + owner + ")";
@@ -169,13 +180,28 @@ void TableReader::wrong(const Node& node, const std::string& path, const KeySpec
   context_->error(node, path, "found " + describe(node) + ", expected " + expectation(spec) + hint);
 }
 
+namespace {
+
+// "5 m/s", "45\u00b0": a number with something behind it that no expression has.
+bool hasUnit(const std::string& text) {
+  std::size_t digits = text.find_first_not_of("+-.0123456789eE");
+  std::size_t at = text.find_first_not_of(' ', digits == 0 ? std::string::npos : digits);
+  if (at == std::string::npos || text.find('$') != std::string::npos || text.find('(') != std::string::npos)
+    return false;
+  unsigned char c = static_cast<unsigned char>(text[at]);
+  return c >= 0x80 || c == '%' || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+
+}  // namespace
+
 bool TableReader::numberOf(const Node& node, const std::string& path, const KeySpec& spec, bool whole, double& out) {
   double value = node.number;
   std::string found = describe(node);
   if (node.kind == NodeKind::text && looksLikeExpression(node.text)) {
     Evaluated result = evaluate(node.text, context_->lookup());
     if (!result.error.empty()) {
-      context_->error(node, path, "found " + found + ": " + result.error + ", expected " + expectation(spec));
+      std::string why = hasUnit(node.text) ? "a number is written without its unit" : result.error;
+      context_->error(node, path, "found " + found + ": " + why + ", expected " + expectation(spec));
       return false;
     }
     value = result.value;
@@ -185,7 +211,9 @@ bool TableReader::numberOf(const Node& node, const std::string& path, const KeyS
     wrong(node, path, spec);
     return false;
   }
-  bool fits = value >= spec.minimum && value <= spec.maximum && (!whole || value == std::floor(value));
+  constexpr std::int64_t kExact = std::int64_t(1) << 53;  // beyond, a double is not the number that was written
+  bool exact = node.kind != NodeKind::integer || (node.integer >= -kExact && node.integer <= kExact);
+  bool fits = exact && value >= spec.minimum && value <= spec.maximum && (!whole || value == std::floor(value));
   if (!fits) {
     context_->error(node, path, "found " + found + ", expected " + expectation(spec));
     return false;
@@ -334,6 +362,13 @@ bool TableReader::points(const char* key, std::vector<Vec3>& out) {
   }
   std::vector<Vec3> points(node->items.size());
   bool sound = true;
+  for (std::size_t i = 0; i < points.size(); i++) {
+    const Node& item = node->items[i];
+    if (item.kind == NodeKind::array && item.items.size() == 3) continue;
+    context_->error(item, pathOf(key) + "[" + std::to_string(i) + "]",
+                    "found " + describe(item) + ", expected a point [x, y, z] of three numbers");
+    return false;
+  }
   for (std::size_t i = 0; i < points.size(); i++)
     if (!vectorOf(node->items[i], pathOf(key) + "[" + std::to_string(i) + "]", spec(key), false, points[i]))
       sound = false;

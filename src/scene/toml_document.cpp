@@ -30,6 +30,7 @@ namespace brickfall::scene {
 namespace {
 
 constexpr int kMaxSyntaxErrors = 20;
+constexpr std::size_t kLongText = 1u << 20;  // a longer one is not read again after a syntax error
 
 void place(Node& node, const toml::source_region& source) {
   node.line = int(source.begin.line);
@@ -110,6 +111,21 @@ bool blankLine(std::string& text, int line) {
   return true;
 }
 
+// The library's words ("Error while parsing string: unknown escape sequence '\\q'") in the form of all messages.
+std::string syntaxMessage(std::string_view description) {
+  constexpr std::string_view kParsing = "Error while parsing ";
+  if (description.find("utf-8") != std::string_view::npos)
+    return "found bytes that are not UTF-8 (not TOML), expected a text file in UTF-8";
+  if (description.find("redefine") != std::string_view::npos)
+    return "found what is there already (not TOML): " + std::string(description.substr(description.rfind(": ") + 2)) +
+           ", expected each key and table once";
+  std::size_t colon = description.find(": ");
+  if (!description.starts_with(kParsing) || colon == std::string_view::npos)
+    return "found text that is not TOML: " + std::string(description) + ", expected a scene file (docs/scene-file.md)";
+  std::string what(description.substr(kParsing.size(), colon - kParsing.size()));
+  return "found text that is not TOML: " + std::string(description.substr(colon + 2)) + ", expected a sound " + what;
+}
+
 }  // namespace
 
 TomlDocument readToml(std::string_view text, const std::string& fileName) {
@@ -134,9 +150,9 @@ TomlDocument readToml(std::string_view text, const std::string& fileName) {
     int line = int(at.line);
     if (line <= lastLine || attempt >= kMaxSyntaxErrors) break;
     std::string what(result.error().description());
-    document.errors.push_back({Severity::error, fileName, line, int(at.column), "", "not TOML: " + what});
+    document.errors.push_back({Severity::error, fileName, line, int(at.column), "", syntaxMessage(what)});
     lastLine = line;
-    if (!blankLine(rest, line)) break;
+    if (rest.size() > kLongText || !blankLine(rest, line)) break;
   }
   document.usable = false;
   return document;

@@ -41,6 +41,13 @@ TEST_P(MalformedScene, IsRefusedWithItsReason) {
     report += format(diagnostic) + "\n";
     EXPECT_EQ(diagnostic.file, path);
     EXPECT_EQ(diagnostic.severity, Severity::error);
+    // A place, unless it is the file as a whole that is wrong; what was found; what was expected.
+    bool whole = diagnostic.message.starts_with("found an empty file") ||
+                 diagnostic.message.starts_with("found nothing to simulate");
+    EXPECT_EQ(diagnostic.line > 0 && diagnostic.column > 0, !whole) << format(diagnostic);
+    EXPECT_TRUE(diagnostic.message.find("expected") != std::string::npos ||
+                diagnostic.message.find(" need ") != std::string::npos)
+        << format(diagnostic);
   }
   std::ifstream expected(kScenes / (GetParam() + ".expected"));
   int parts = 0;
@@ -53,21 +60,95 @@ INSTANTIATE_TEST_SUITE_P(Files, MalformedScene, testing::ValuesIn(names()),
                          [](const auto& file) { return file.param; });
 
 TEST(MalformedScenes, AreManyAndEachExpectationHasItsScene) {
-  EXPECT_GE(names().size(), 40u);
+  EXPECT_GE(names().size(), 130u);
   for (const auto& entry : fs::directory_iterator(kScenes)) {
     fs::path scene = entry.path();
     EXPECT_TRUE(fs::exists(scene.replace_extension(".toml"))) << entry.path();
   }
 }
 
-// Every prefix of every file ends in an answer: a scene, or at least one reason.
+// Every prefix of every file, malformed or shipped, ends in an answer: a scene, or at least one reason.
 TEST(MalformedScenes, EveryPrefixIsAnswered) {
-  for (const std::string& name : names()) {
-    std::string text = contentOf(kScenes / (name + ".toml"));
-    for (std::size_t length = 0; length < text.size(); length++) {
-      SceneLoad load = parseScene(std::string_view(text).substr(0, length), name);
-      EXPECT_TRUE(load.scene.has_value() || !load.diagnostics.empty()) << name << " " << length;
+  std::vector<fs::path> files;
+  for (const std::string& name : names()) files.push_back(kScenes / (name + ".toml"));
+  for (const auto& entry : fs::directory_iterator(fs::path(BRICKFALL_SOURCE_DIR) / "scenes"))
+    if (entry.path().extension() == ".toml") files.push_back(entry.path());
+  int prefixes = 0, sound = 0;
+  for (const fs::path& path : files) {
+    std::string text = contentOf(path);
+    if (text.size() > 4000) continue;  // the same line a thousand times
+    for (std::size_t length = 0; length < text.size(); length++, prefixes++) {
+      SceneLoad load = parseScene(std::string_view(text).substr(0, length), "prefix.toml");
+      EXPECT_TRUE(load.scene.has_value() || !load.diagnostics.empty()) << path << " " << length;
+      sound += load.scene.has_value();
     }
+  }
+  EXPECT_GT(prefixes, 10000);
+  EXPECT_GT(sound, 100);
+}
+
+// Byte order mark, line ends of Windows: sound.
+TEST(MalformedScenes, OtherEditorsFilesAreRead) {
+  for (const char* text : {"\xef\xbb\xbf[[wall]]\ncourses = 3\n", "[[wall]]\r\ncourses = 3\r\n"}) {
+    SceneLoad load = parseScene(text, "sound.toml");
+    ASSERT_TRUE(load.scene.has_value()) << format(load.diagnostics[0]);
+    EXPECT_EQ(load.scene->walls[0].wall.courses, 3);
+  }
+}
+
+// Thousands of mistakes: the first, and how many more.
+TEST(MalformedScenes, ManyMistakesAreABoundedList) {
+  std::string balls, keys;
+  for (int i = 0; i < 5000; i++) balls += "[[ball]]\nradius = -1\n", keys += "k" + std::to_string(i) + " = 1\n";
+  SceneLoad load = parseScene(balls, "many.toml");
+  ASSERT_EQ(load.diagnostics.size(), 101u);
+  EXPECT_EQ(format(load.diagnostics[100]), "many.toml: error: found 9900 more mistakes, expected none");
+  EXPECT_EQ(load.diagnostics[0].line, 1);
+  load = parseScene(keys, "many.toml");
+  EXPECT_EQ(load.diagnostics.size(), 101u);
+  EXPECT_FALSE(load.scene.has_value());
+}
+
+TEST(MalformedScenes, HugeFilesAreRefused) {
+  SceneLoad load = parseScene(std::string((16u << 20) + 1, '#'), "huge.toml");
+  ASSERT_EQ(load.diagnostics.size(), 1u);
+  EXPECT_EQ(format(load.diagnostics[0]), "huge.toml: error: found a file of over 16 MiB, expected a scene file");
+}
+
+// What --set may get wrong, with the answer.
+TEST(MalformedScenes, BadOverridesSayWhatTheyMean) {
+  const char* scene =
+      "[parameters]\nspeed = 3\n[[wall]]\n[[ball]]\nposition = [0, 1, 3]\n[[ball]]\nposition = [0, 2, 3]\n";
+  struct Case {
+    const char *key, *value, *report;
+  };
+  for (const Case& c : {
+           Case{"world.second", "3",
+                "world.second: found an unknown key \"second\", expected a key of [world] (did you mean \"seconds\"?)"},
+           Case{"world.seconds", "ten", "world.seconds: found the text \"ten\", expected a number 0.001 .. 86400 s"},
+           Case{"world.seconds", "3 s", "found the text \"3 s\": a number is written without its unit"},
+           Case{"world.seconds", "-1", "world.seconds: found -1, expected a number 0.001 .. 86400 s"},
+           Case{"world.seconds", "nan", "found nan, expected a number"},
+           Case{"world.seconds", "", "found no value, expected one such as \"world.seconds=1\""},
+           Case{"wall.courses", "2.5", "wall[0].courses: found 2.5, expected a whole number 1 .. 10000"},
+           Case{"wall[1].courses", "3", "found index [1] of \"wall\", expected [0] .. [0]"},
+           Case{"ball.radius", "0.1", "the scene has 2 of \"ball\", expected an index: ball[0] .. ball[1]"},
+           Case{"ball[0].position[3]", "0", "found index [3] of \"position\", expected [0] .. [2]"},
+           Case{"camera.position", "[1, 2, 3]", "the scene has no \"camera\", expected a path to what it has"},
+           Case{"wall.[0]", "3", "found a malformed path, expected one such as"},
+           Case{"", "3", "found a malformed path"},
+           Case{"speed", "fast", "parameters.speed: found the text \"fast\""},
+           Case{"sped", "3",
+                "found an unknown key \"sped\", expected a key of the top level (did you mean \"speed\"?)"},
+           Case{"wall.material", "../brick", "found the text \"../brick\", expected the name of a material"},
+           Case{"wall", "3", "wall: found 3, expected an array of tables: write [[wall]]"},
+       }) {
+    SceneLoad load = parseScene(scene, "s.toml", {{c.key, c.value}});
+    EXPECT_FALSE(load.scene.has_value()) << c.key;
+    ASSERT_FALSE(load.diagnostics.empty()) << c.key;
+    std::string report = format(load.diagnostics[0]);
+    EXPECT_NE(report.find(c.report), std::string::npos) << c.key << "=" << c.value << "\n" << report;
+    EXPECT_TRUE(report.starts_with("--set: error: ")) << report;
   }
 }
 

@@ -156,10 +156,12 @@ radius = 0.5
 position = [5, 0.3, 0]
 )");
   std::string text = allOf(checkScene(scene));
-  EXPECT_TRUE(
-      has(text, "test: warning: a: found it 10 mm inside \"b\" at the start, expected bodies that touch at most"))
+  // At the table of the one that comes later, with the line of the other.
+  EXPECT_TRUE(has(text,
+                  "test.toml:5:1: warning: b: found it 10 mm inside \"a\" (line 2) at the start, expected bodies that "
+                  "touch at most"))
       << text;
-  EXPECT_TRUE(has(text, "ground: found it 200 mm inside \"sunk\"")) << text;
+  EXPECT_TRUE(has(text, "test.toml:15:1: warning: sunk: found it 200 mm inside \"ground\" at the start")) << text;
   EXPECT_FALSE(has(text, "far")) << text;
   EXPECT_FALSE(has(text, "\"c\"")) << text;
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 2) << text;
@@ -193,8 +195,11 @@ name = "late"
 position = [0, 1, 3]
 launch_time = 2
 )")));
-  EXPECT_TRUE(has(text, "late: found launch_time 2, expected it before the end of the run at 2 s")) << text;
-  EXPECT_TRUE(has(text, "w.opening[0]: found bricks above an opening without a lintel")) << text;
+  EXPECT_TRUE(
+      has(text, "test.toml:11:1: warning: late: found launch_time 2, expected it before the end of the run at 2 s"))
+      << text;
+  EXPECT_TRUE(has(text, "test.toml:6:1: warning: w.opening[0]: found bricks above an opening without a lintel"))
+      << text;
 }
 
 TEST(CheckScene, ShippedScenesHaveNothingToWarnOf) {
