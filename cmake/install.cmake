@@ -9,7 +9,7 @@ if(BRICKFALL_APPS)
   list(APPEND libraries brickfall_scene)
   install(TARGETS brickfall_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/brickfall
-    FILES_MATCHING PATTERN "*.toml")
+    FILES_MATCHING PATTERN "*.toml" PATTERN "*.obj")
 endif()
 install(TARGETS ${libraries} EXPORT brickfallTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(EXPORT brickfallTargets NAMESPACE brickfall:: DESTINATION ${package_dir})

@@ -25,13 +25,15 @@ json shapeJson(const ShapeDef& shape) {
     case ShapeType::plane:
       return {{"type", "plane"}};
     case ShapeType::hull:
+    case ShapeType::mesh:
       break;
   }
-  Result<ShapeMesh> made = hullMesh(shape.vertices);
+  Result<ShapeMesh> made = makeShapeMesh(shape);
   ShapeMesh mesh = made ? std::move(*made) : ShapeMesh{};
   json positions = json::array(), normals = json::array();
   for (const auto& p : mesh.positions) positions.insert(positions.end(), {p[0], p[1], p[2]});
   for (const auto& n : mesh.normals) normals.insert(normals.end(), {n[0], n[1], n[2]});
+  // For the page both are triangles to draw.
   return {{"type", "hull"}, {"positions", positions}, {"normals", normals}, {"indices", mesh.indices}};
 }
 

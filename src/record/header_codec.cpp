@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "brickfall/geometry/mesh_tree.h"
+
 namespace brickfall {
 namespace {
 
@@ -46,6 +48,8 @@ std::string shapeFault(const ShapeDef& shape) {
       return {};
     case ShapeType::plane:
       return {};
+    case ShapeType::mesh:
+      return shape.mesh ? std::string() : "a mesh without sound triangles";
   }
   return "unknown shape type " + std::to_string(int(shape.type));
 }
@@ -99,6 +103,32 @@ void put(ByteWriter& out, const ShapeDef& shape) {
     out.varint(shape.vertices.size());
     for (Vec3 v : shape.vertices) put(out, v);
   }
+  if (shape.type == ShapeType::mesh) {
+    const TriangleMesh& mesh = shape.mesh->mesh();
+    out.varint(mesh.vertices().size());
+    for (Vec3 v : mesh.vertices()) put(out, v);
+    out.varint(mesh.count());
+    for (const TriangleMesh::Face& face : mesh.faces())
+      for (std::uint32_t vertex : face.vertex) out.varint(vertex);
+  }
+}
+
+// Null if the triangles make no mesh; headerFault() tells.
+std::shared_ptr<const MeshTree> getMesh(ByteReader& in, bool& sound) {
+  std::vector<Vec3> vertices;
+  std::vector<std::uint32_t> indices;
+  std::uint64_t count = in.varint();
+  sound = sound && in.canHold(count, 24);
+  for (std::uint64_t k = 0; sound && k < count; k++) vertices.push_back(getVec3(in));
+  std::uint64_t faces = sound ? in.varint() : 0;
+  sound = sound && in.canHold(faces, 3);
+  for (std::uint64_t k = 0; sound && k < 3 * faces; k++) {
+    std::uint64_t vertex = in.varint();
+    indices.push_back(vertex < count ? std::uint32_t(vertex) : kNoTriangle);
+  }
+  if (!sound || in.failed()) return nullptr;
+  Result<TriangleMesh> mesh = TriangleMesh::create(vertices, indices);
+  return mesh ? std::make_shared<MeshTree>(MeshTree::build(std::move(mesh).value())) : nullptr;
 }
 
 ShapeDef getShape(ByteReader& in, bool& sound) {
@@ -117,6 +147,7 @@ ShapeDef getShape(ByteReader& in, bool& sound) {
     sound = sound && in.canHold(count, 24);
     for (std::uint64_t k = 0; sound && k < count; k++) shape.vertices.push_back(getVec3(in));
   }
+  if (shape.type == ShapeType::mesh) shape.mesh = getMesh(in, sound);
   return shape;
 }
 

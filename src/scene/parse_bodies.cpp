@@ -9,8 +9,9 @@ namespace brickfall::scene {
 
 namespace {
 
-constexpr ShapeType kShapes[] = {ShapeType::box, ShapeType::sphere, ShapeType::capsule, ShapeType::hull};
-constexpr const char* kShapeNames[] = {"box", "sphere", "capsule", "hull"};
+constexpr ShapeType kShapes[] = {ShapeType::box, ShapeType::sphere, ShapeType::capsule, ShapeType::hull,
+                                 ShapeType::mesh};
+constexpr const char* kShapeNames[] = {"box", "sphere", "capsule", "hull", "mesh"};
 
 // True if some four of the points span a tetrahedron that is not flat.
 bool spansVolume(const std::vector<Vec3>& points) {
@@ -35,14 +36,14 @@ void refuseKeysOfOtherShapes(TableReader& reader, int shape) {
   constexpr struct {
     const char* key;
     int shapes;  // bits, in the order of kShapeNames
-  } kOwners[] = {{"size", 1}, {"radius", 2 | 4}, {"height", 4}, {"vertices", 8}};
+  } kOwners[] = {{"size", 1}, {"radius", 2 | 4}, {"height", 4}, {"vertices", 8}, {"file", 16}, {"scale", 16}};
   for (const auto& owner : kOwners)
     if (reader.has(owner.key) && !(owner.shapes & 1 << shape))
       reader.error(owner.key, std::string("found a key that a ") + kShapeNames[shape] +
                                   " does not have, expected it only with another shape");
 }
 
-ShapeDef readShape(TableReader& reader) {
+ShapeDef readShape(SceneBuild& build, TableReader& reader) {
   ShapeDef shape;
   int index = 0;
   bool known = !reader.has("shape") || reader.choice("shape", index);
@@ -56,6 +57,7 @@ ShapeDef readShape(TableReader& reader) {
   shape.halfExtents = size * 0.5;
   shape.halfHeight = height * 0.5;
   bool points = reader.points("vertices", shape.vertices);
+  if (shape.type == ShapeType::mesh) shape.mesh = readMesh(build, reader);
   if (shape.type != ShapeType::hull) return shape;
   if (!reader.has("vertices"))
     reader.error("vertices", "not given, expected the points of the hull");
@@ -64,16 +66,16 @@ ShapeDef readShape(TableReader& reader) {
   return shape;
 }
 
-void readParts(TableReader& reader, SceneBody& body) {
+void readParts(SceneBuild& build, TableReader& reader, SceneBody& body) {
   std::vector<TableReader> parts = reader.tables("part");
   if (parts.empty()) {
-    body.def.shapes.push_back(readShape(reader));
+    body.def.shapes.push_back(readShape(build, reader));
     return;
   }
-  for (const char* key : {"shape", "size", "radius", "height", "vertices"})
+  for (const char* key : {"shape", "size", "radius", "height", "vertices", "file", "scale"})
     if (reader.has(key)) reader.error(key, "found beside [[body.part]], expected the shape in the parts only");
   for (TableReader& part : parts) {
-    ShapeDef shape = readShape(part);
+    ShapeDef shape = readShape(build, part);
     Vec3 degrees;
     part.vector("position", shape.local.position);
     part.vector("rotation_degrees", degrees);
@@ -140,7 +142,12 @@ void readBodies(SceneBuild& build, TableReader& top) {
     reader.vector("position", body.def.position);
     reader.vector("rotation_degrees", degrees);
     body.def.rotation = rotationFromDegrees(degrees);
-    readParts(reader, body);
+    readParts(build, reader, body);
+    bool mesh = std::any_of(body.def.shapes.begin(), body.def.shapes.end(),
+                            [](const ShapeDef& shape) { return shape.type == ShapeType::mesh; });
+    if (mesh && body.def.type == BodyType::dynamic)
+      reader.error("type", std::string(reader.has("type") ? "found" : "not given, which means") +
+                               " \"dynamic\" on a body with a mesh, expected \"fixed\" or \"kinematic\"");
     readMotion(reader, body.def);
     bool moves = lengthSquared(body.def.linearVelocity) + lengthSquared(body.def.angularVelocity) > 0;
     if (body.def.type == BodyType::fixed && moves)

@@ -17,6 +17,7 @@ struct SceneBuild {
   std::map<std::string, int> names;  // of walls, bodies, balls and arrays, with their lines
   std::int64_t bodyCount = 0;        // bricks included
   std::unique_ptr<World> trial;      // where bodies are made to see whether they can be
+  std::map<std::string, std::shared_ptr<const MeshTree>> meshes;  // by file and scale; null: could not be read
 
   // The name in the table, or kind + number ("wall2"); a name given twice is an error.
   std::string nameOf(TableReader& reader, const char* kind, std::size_t index);
@@ -34,6 +35,9 @@ void readWalls(SceneBuild& build, TableReader& top);
 void readBodies(SceneBuild& build, TableReader& top);
 void readBalls(SceneBuild& build, TableReader& top);
 void readArrays(SceneBuild& build, TableReader& top);
+
+// The mesh that a table's `file` and `scale` ask for; null if it could not be read, which is said at `file`.
+std::shared_ptr<const MeshTree> readMesh(SceneBuild& build, TableReader& reader);
 
 // How far from the origin the engine takes bodies, m.
 constexpr double kFarthestBody = 1e6;
