@@ -30,7 +30,7 @@ Shot randomShot(std::uint64_t seed);
 std::string describe(const Shot& shot);
 
 struct Flight {
-  bool fired = false;    // false: drawn so that it starts inside the target
+  bool fired = false;                        // false: drawn so that it starts inside the target
   bool hit = false;                          // touched something
   bool through = false;                      // its centre passed from one side of an obstacle to the other, through it
   bool within = false;                       // its centre is inside an obstacle at the end
