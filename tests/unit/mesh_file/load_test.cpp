@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 
 #include "brickfall/geometry/mesh_tree.h"
 #include "brickfall/mesh_file.h"
@@ -94,6 +95,53 @@ TEST_F(MeshFiles, TwoBodiesOfOneFileShareItsMesh) {
   ASSERT_TRUE(scene.scene) << firstMessage(scene);
   EXPECT_EQ(scene.scene->bodies[0].def.shapes[0].mesh, scene.scene->bodies[1].def.shapes[0].mesh);
   EXPECT_NE(scene.scene->bodies[0].def.shapes[0].mesh, scene.scene->bodies[2].def.shapes[0].mesh);
+}
+
+// A take carries the mesh; the page and the glTF made from it show it, and the glTF reads back as the same surface.
+TEST_F(MeshFiles, TakesAndOutputsCarryTheMesh) {
+  SceneLoad scene = load("type = \"fixed\"\nshape = \"mesh\"\nfile = \"floor.obj\"\n");
+  ASSERT_TRUE(scene.scene) << firstMessage(scene);
+  TakeHeader header;
+  header.bodies.resize(1);
+  header.bodies[0].name = "floor";
+  header.bodies[0].shapes = scene.scene->bodies[0].def.shapes;
+  std::string path = (folder / "a.take").string();
+  {
+    Result<TakeWriter> writer = TakeWriter::create(path, header);
+    ASSERT_TRUE(writer) << writer.error().message;
+    TakeFrame frame;
+    frame.poses.resize(1);
+    frame.poses[0].position = {0, 2, 0};
+    ASSERT_TRUE(writer->write(frame));
+    ASSERT_TRUE(writer->finish(""));
+  }
+  Result<TakeReader> take = TakeReader::open(path);
+  ASSERT_TRUE(take) << take.error().message;
+  const ShapeDef& shape = take->header().bodies[0].shapes[0];
+  ASSERT_EQ(shape.type, ShapeType::mesh);
+  ASSERT_TRUE(shape.mesh);
+  EXPECT_EQ(shape.mesh->mesh().vertices(), header.bodies[0].shapes[0].mesh->mesh().vertices());
+  EXPECT_EQ(shape.mesh->mesh().count(), 2u);
+
+  ASSERT_TRUE(writeReplayHtml(*take, (folder / "a.html").string()));
+  ASSERT_TRUE(writeGlb(*take, (folder / "a.glb").string()));
+  Result<MeshFileData> back = loadMeshFile((folder / "a.glb").string());
+  ASSERT_TRUE(back) << back.error().message;
+  Result<TriangleMesh> mesh = TriangleMesh::create(back->vertices, back->indices);
+  ASSERT_TRUE(mesh);
+  EXPECT_EQ(mesh->count(), 2u);
+  EXPECT_EQ(mesh->bounds().lower, (Vec3{-5, 2, -5}));
+  EXPECT_GT(mesh->normal(0).y, 0.999);
+
+  // Every prefix of the take is refused or opens without frames that are not there.
+  std::ifstream file(path, std::ios::binary);
+  std::vector<std::uint8_t> bytes((std::istreambuf_iterator<char>(file)), {});
+  for (std::size_t length = 0; length < bytes.size(); length++) {
+    Result<TakeReader> cut = TakeReader::openBytes({bytes.begin(), bytes.begin() + std::ptrdiff_t(length)});
+    if (cut) {
+      EXPECT_LE(cut->frameCount(), 1u);
+    }
+  }
 }
 
 TEST_F(MeshFiles, SceneFilesSayWhatIsWrong) {
