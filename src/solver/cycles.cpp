@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "solver/direct_solve.h"
 #include "solver/rigid_sum.h"
 
 namespace brickfall {
@@ -35,7 +36,8 @@ void runCycles(Island& island, const StepContext& context, SolveStatistics& stat
   island.byMechanism.refresh(island.masses);
   // Any other start cheats: "nothing moves" would glue falling and sliding bodies in place.
   startFromFreeMotion(island);
-  int budget = cycleBudget(island, context.settings);
+  bool direct = solvesDirectly(island, context);
+  int budget = direct ? context.settings.minCycles : cycleBudget(island, context.settings);
   island.exactSteps = island.bodies.size() <= kExactBodies;
   for (int cycle = 0; cycle < budget; cycle++) {
     const Hierarchy& h = cycle % 2 == 0 ? island.byStrength : island.byMechanism;
@@ -46,6 +48,7 @@ void runCycles(Island& island, const StepContext& context, SolveStatistics& stat
     lightPass(island, *context.contacts, true, context.dt, statistics.lightVisits);
     if (cycle + 1 >= context.settings.minCycles && balanced(island, context)) break;
   }
+  if (direct) solveDirectly(island, context, kSlowTolerance, statistics);
   statistics.residualRms = std::max(statistics.residualRms, rmsResidual(island, *context.bodies));
 }
 

@@ -12,13 +12,19 @@ namespace {
 constexpr double kRelativeSlack = 1e-7;  // of the kinetic energy: rounding of the float solve
 constexpr double kSlackPerMass = 1e-7;   // J/kg: a lift of 0.01 micrometres
 
-// Spin at the end of the step: the momentum stays, the body turns under it.
-Vec3 spinOf(const StepContext& context, BodyIndex body) {
+// Orientation at the end of the step: the momentum stays, the body turns under it, and its inertia with it.
+Mat3 orientationAtEnd(const StepContext& context, BodyIndex body) {
   const SolvedMotion& s = context.solved[body];
   const BodyMotion& m = context.bodies->motion[body];
-  Quat end = s.freeTurn ? context.free[body].rotation : normalized(quatFromRotationVector(s.th) * m.rotation);
-  Vec3 local = rotate(conjugate(end), s.angularMomentum);
-  return rotate(end, context.bodies->mass[body].invInertia * local);
+  return toMatrix(s.freeTurn ? context.free[body].rotation : normalized(quatFromRotationVector(s.th) * m.rotation));
+}
+Vec3 spinOf(const StepContext& context, BodyIndex body, Vec3 angularMomentum) {
+  Mat3 end = orientationAtEnd(context, body);
+  return end * (context.bodies->mass[body].invInertia * transposeTimes(end, angularMomentum));
+}
+Mat3 inertiaAtEnd(const StepContext& context, BodyIndex body) {
+  Mat3 end = orientationAtEnd(context, body);
+  return end * context.bodies->mass[body].inertia * transpose(end);
 }
 
 // Where the body's centre is at the end of the step: momentum has to be right there.
@@ -38,7 +44,7 @@ RigidMotion rigidMotion(const Island& island, const StepContext& context) {
   for (BodyIndex body : island.bodies) {
     const SolvedMotion& s = context.solved[body];
     double m = bodies.mass[body].mass;
-    sum.add(m, endOf(context, body), bodies.worldInertia(body), s.velocity * m, s.angularMomentum);
+    sum.add(m, endOf(context, body), inertiaAtEnd(context, body), s.velocity * m, s.angularMomentum);
   }
   return {sum.centre(), sum.velocity(), sum.spin()};
 }
@@ -57,7 +63,7 @@ void guardEnergy(const Island& island, StepContext& context) {
     mass += m;
     start += 0.5 * m * lengthSquared(free.startVelocity) +
              0.5 * dot(free.startSpin, bodies.worldInertia(body) * free.startSpin);
-    end += 0.5 * m * lengthSquared(s.velocity) + 0.5 * dot(s.angularMomentum, spinOf(context, body));
+    end += 0.5 * m * lengthSquared(s.velocity) + 0.5 * dot(s.angularMomentum, spinOf(context, body, s.angularMomentum));
     gained -= dot(context.gravity * (m * data.gravityScale) + data.force, s.d) + dot(data.torque, s.th);
   }
   double allowed = start - gained;  // kinetic energy at the end
@@ -67,15 +73,15 @@ void guardEnergy(const Island& island, StepContext& context) {
   double relative = 0;
   for (BodyIndex body : island.bodies) {
     Vec3 v = context.solved[body].velocity - rigid.velocity - cross(rigid.spin, endOf(context, body) - rigid.centre);
-    Vec3 w = spinOf(context, body) - rigid.spin;
-    relative += 0.5 * bodies.mass[body].mass * lengthSquared(v) + 0.5 * dot(w, bodies.worldInertia(body) * w);
+    Vec3 l = context.solved[body].angularMomentum - inertiaAtEnd(context, body) * rigid.spin;
+    relative += 0.5 * bodies.mass[body].mass * lengthSquared(v) + 0.5 * dot(l, spinOf(context, body, l));
   }
   if (!(relative > 0)) return;
   double share = std::sqrt(std::clamp((allowed - (end - relative)) / relative, 0.0, 1.0));
   for (BodyIndex body : island.bodies) {
     SolvedMotion& s = context.solved[body];
     Vec3 v = rigid.velocity + cross(rigid.spin, endOf(context, body) - rigid.centre);
-    Vec3 momentum = bodies.worldInertia(body) * rigid.spin;
+    Vec3 momentum = inertiaAtEnd(context, body) * rigid.spin;
     s.velocity = v + (s.velocity - v) * share;
     s.angularMomentum = momentum + (s.angularMomentum - momentum) * share;
   }

@@ -31,7 +31,13 @@ void lightPass(Island& island, const ContactSet& contacts, bool updateLimits, do
   for (std::size_t k = 0; k < island.records.size(); k++) {
     ContactRecord& r = island.records[k];
     kernel::Frame frame = kernel::frame(r);
-    kernel::PointForces f = kernel::pointForces(r, kernel::pointMotion(r, frame, island.motion.data()));
+    kernel::PointMotion moved = kernel::pointMotion(r, frame, island.motion.data());
+    kernel::PointForces f = kernel::pointForces(r, moved);
+    if (updateLimits &&
+        r.newPoints) {  // before forces are summed: the residual that is judged is that of the new bounds
+      updateNewLimits(r, contacts.contacts[r.contact], island.starts[k], f, dt);
+      f = kernel::pointForces(r, moved);
+    }
     kernel::WideWrench w = kernel::wrench(r, frame, f);
     Vec3f force = wide::store3(w.force);
     if (r.bodyA < bodies) {
@@ -42,7 +48,6 @@ void lightPass(Island& island, const ContactSet& contacts, bool updateLimits, do
       island.residual[r.bodyB].force += force;
       island.residual[r.bodyB].torque += wide::store3(wide::cross3(frame.armB, w.force) + w.torque);
     }
-    if (updateLimits && r.newPoints) updateNewLimits(r, contacts.contacts[r.contact], island.starts[k], f, dt);
   }
   visits += 4.0 * double(island.records.size());
 }

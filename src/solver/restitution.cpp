@@ -290,9 +290,9 @@ RigidSum endOfStep(const Island& island, const StepContext& context, bool free) 
   return sum;
 }
 
-// Displacements and velocities of the rebound are found apart, so their cross product drifts. A rigid turn of the floating
-// island's velocities brings its angular momentum back.
-void correctSpin(const Island& island, StepContext& context) {
+}  // namespace
+
+void restoreSpin(const Island& island, StepContext& context) {
   if (island.grounded) return;
   RigidSum now = endOfStep(island, context, false), wanted = endOfStep(island, context, true);
   Vec3 centre = now.centre(), turn = inverse(now.inertia()) * (wanted.angularMomentum() - now.angularMomentum());
@@ -302,8 +302,6 @@ void correctSpin(const Island& island, StepContext& context) {
     s.angularMomentum += context.bodies->worldInertia(body) * turn;
   }
 }
-
-}  // namespace
 
 void applyRestitution(Island& island, StepContext& context) {
   if (island.resting || !anyImpact(island, context)) return;
@@ -346,7 +344,7 @@ void applyRestitution(Island& island, StepContext& context) {
     if (lengthSquared(dth) > 0) s.freeTurn = false;
     s.th += dth * share;
   }
-  correctSpin(island, context);
+  restoreSpin(island, context);
   for (std::size_t n = 0; n < pass.blocks.size(); n++)
     for (int i = 0; i < pass.blocks[n].count; i++)
       if (pass.blocks[n].impact[i]) forgetForces(context.contacts->contacts[island.contacts[n]], i);

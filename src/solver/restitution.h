@@ -9,4 +9,8 @@ namespace brickfall {
 // total energy never rises by it.
 void applyRestitution(Island& island, StepContext& context);
 
+// Where displacements and velocities of a floating island were changed apart, the angular momentum of its positions and
+// velocities drifts. A rigid turn of its velocities brings it back to that of the start of the step and outside forces.
+void restoreSpin(const Island& island, StepContext& context);
+
 }  // namespace brickfall

@@ -9,7 +9,9 @@
 #include <cmath>
 
 #include "geometry/queries.h"
+#include "solver/energy_guard.h"
 #include "solver/free_motion.h"
+#include "solver/restitution.h"
 #include "world/world_impl.h"
 
 namespace brickfall {
@@ -114,6 +116,19 @@ void World::Impl::stopAtObstacles(BodyIndex body) {
   shorten(body, first.share);
   Motion other = motionOf(first.body);
   if (exceeds(other.way, thickness) || turnsFar(first.body, other.turn)) shorten(first.body, first.share);
+}
+
+// Momentum stays what it was, though bodies of the island don't go as far as they would have.
+void World::Impl::stopAtObstacles(Island& island) {
+  bool shortened = false;
+  for (BodyIndex body : island.bodies) {
+    Vec3 d = context.solved[body].d;
+    stopAtObstacles(body);
+    shortened = shortened || !(context.solved[body].d == d);
+  }
+  if (!shortened || island.grounded || !solvedWell(island)) return;
+  restoreSpin(island, context);
+  guardEnergy(island, context);
 }
 
 // The first thing on a body's way, for one shape of the body. `everything`: it may be the other that does the moving.

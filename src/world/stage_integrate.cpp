@@ -117,8 +117,7 @@ void World::Impl::finishBody(BodyIndex body) {
 void World::Impl::integrate() {
   StageTimer timer(report, Stage::integrate);
   for (auto& island : islands.awake)
-    if (!island->resting)
-      for (BodyIndex body : island->bodies) stopAtObstacles(body);
+    if (!island->resting) stopAtObstacles(*island);
   for (BodyIndex body : islands.single) stopAtObstacles(body);
   for (auto& island : islands.awake) {
     if (island->settled) {

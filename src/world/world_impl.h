@@ -116,6 +116,7 @@ struct World::Impl {
   void keepBounds(BodyIndex body);
   bool moves(BodyIndex body) const;
   void stopAtObstacles(BodyIndex body);
+  void stopAtObstacles(Island& island);
   struct Obstruction {
     double share = 1;           // of a way: where it ends
     BodyIndex body = kNoIndex;  // what ends it

@@ -1,0 +1,292 @@
+// Clusters move rigidly, so cycles are slow where an island must bend or part in many places at once: an arch or a wall that
+// begins to collapse seems to hang. With the friction bounds frozen the step is the minimum of a strictly convex energy,
+// and Newton with a search along each step converges from anywhere. Its matrix has 6 rows a body; in an island of some
+// dozens of bodies, numbered so that neighbours are near (reverse Cuthill-McKee), its envelope is narrow and a
+// factorisation costs about as much as a few cycles.
+#include "solver/direct_solve.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/contact_kernel.h"
+
+namespace brickfall {
+
+namespace {
+
+constexpr std::size_t kDirectBodies = 12;      // at any speed
+constexpr std::size_t kDirectBodiesSlow = 80;  // none faster than ...
+constexpr double kDirectSpeed = 1;             // m/s
+constexpr int kDirectSteps = 24;
+constexpr int kBoundSteps = 6;    // friction bounds of new points follow for so many steps, then they are frozen
+constexpr int kSearchSteps = 30;  // evaluations along a step
+
+using Block = double[6][6];
+
+// Symmetric matrix by rows, each from its first column that can be other than 0 to the diagonal.
+class Envelope {
+ public:
+  explicit Envelope(std::pmr::memory_resource* memory) : first_(memory), begin_(memory), a_(memory) {}
+
+  // lowest: for each block row, the first block column.
+  void shape(const std::pmr::vector<std::uint32_t>& lowest) {
+    rows_ = 6 * lowest.size();
+    first_.resize(rows_);
+    begin_.resize(rows_);
+    std::size_t size = 0;
+    for (std::size_t i = 0; i < rows_; i++) {
+      first_[i] = 6 * lowest[i / 6];
+      begin_[i] = size;
+      size += i - first_[i] + 1;
+    }
+    a_.resize(size);
+  }
+  void clear() { std::fill(a_.begin(), a_.end(), 0.0); }
+  // A block on or under the diagonal.
+  void add(std::size_t row, std::size_t column, const Block& b) {
+    for (std::size_t i = 0; i < 6; i++)
+      for (std::size_t j = 0; j < 6 && 6 * column + j <= 6 * row + i; j++) at(6 * row + i)[6 * column + j] += b[i][j];
+  }
+
+  // Cholesky in place, inverse on the diagonal. False if not positive definite.
+  bool factor() {
+    for (std::size_t i = 0; i < rows_; i++) {
+      double* row = at(i);
+      for (std::size_t j = first_[i]; j < i; j++) {
+        std::size_t from = std::max(first_[i], first_[j]);
+        row[j] = (row[j] - dot(row + from, at(j) + from, j - from)) * at(j)[j];
+      }
+      double pivot = row[i] - dot(row + first_[i], row + first_[i], i - first_[i]);
+      if (!(pivot > 0)) return false;
+      row[i] = 1 / std::sqrt(pivot);
+    }
+    return true;
+  }
+  void solve(double* x) {
+    for (std::size_t i = 0; i < rows_; i++)
+      x[i] = (x[i] - dot(at(i) + first_[i], x + first_[i], i - first_[i])) * at(i)[i];
+    for (std::size_t i = rows_; i-- > 0;) {
+      x[i] *= at(i)[i];
+      for (std::size_t j = first_[i]; j < i; j++) x[j] -= at(i)[j] * x[i];
+    }
+  }
+
+ private:
+  double* at(std::size_t row) { return a_.data() + begin_[row] - first_[row]; }  // indexed by column
+  // Four sums side by side, in one fixed order.
+  static double dot(const double* x, const double* y, std::size_t n) {
+    double s0 = 0, s1 = 0, s2 = 0, s3 = 0;
+    std::size_t k = 0;
+    for (; k + 4 <= n; k += 4) {
+      s0 += x[k] * y[k];
+      s1 += x[k + 1] * y[k + 1];
+      s2 += x[k + 2] * y[k + 2];
+      s3 += x[k + 3] * y[k + 3];
+    }
+    for (; k < n; k++) s0 += x[k] * y[k];
+    return (s0 + s1) + (s2 + s3);
+  }
+
+  std::size_t rows_ = 0;
+  std::pmr::vector<std::size_t> first_, begin_;
+  std::pmr::vector<double> a_;
+};
+
+class Newton {
+ public:
+  Newton(Island& island, const StepContext& context, SolveStatistics& statistics)
+      : island_(island),
+        context_(context),
+        statistics_(statistics),
+        place_(island.bodies.size(), 0, island.memory),
+        step_(6 * island.bodies.size(), 0.0, island.memory),
+        from_(island.memory),
+        matrix_(island.memory) {
+    number();
+    std::pmr::vector<std::uint32_t> lowest(island.bodies.size(), 0, island.memory);
+    for (std::uint32_t k = 0; k < lowest.size(); k++) lowest[k] = k;
+    for (const ContactRecord& r : island.records) {
+      if (!inside(r)) continue;
+      std::uint32_t low = std::min(place_[r.bodyA], place_[r.bodyB]), high = std::max(place_[r.bodyA], place_[r.bodyB]);
+      lowest[high] = std::min(lowest[high], low);
+    }
+    matrix_.shape(lowest);
+  }
+
+  // One step to about the minimum of the energy along it. False if the matrix is not positive definite.
+  bool step(bool boundsFollow) {
+    assemble();
+    if (!matrix_.factor()) return false;
+    for (std::size_t i = 0; i < place_.size(); i++)
+      for (int k = 0; k < 3; k++) {
+        entry(i, k) = double(island_.residual[i].force[k]);
+        entry(i, k + 3) = double(island_.residual[i].torque[k]);
+      }
+    matrix_.solve(step_.data());
+    from_.assign(island_.motion.begin(), island_.motion.begin() + std::ptrdiff_t(place_.size()));
+    search();
+    readForces(boundsFollow);
+    return true;
+  }
+
+ private:
+  double& entry(std::size_t body, int k) { return step_[6 * place_[body] + std::size_t(k)]; }
+  bool inside(const ContactRecord& r) const { return r.bodyA < place_.size() && r.bodyB < place_.size(); }
+  void readForces(bool boundsFollow) {
+    lightPass(island_, *context_.contacts, boundsFollow, context_.dt, statistics_.lightVisits);
+  }
+
+  // Numbers bodies outwards from one that is far from the others (twice the last of a breadth-first sweep).
+  void number() {
+    std::size_t n = place_.size();
+    std::pmr::vector<std::uint32_t> begin(n + 1, 0, island_.memory), list(island_.memory), order(island_.memory);
+    for (const ContactRecord& r : island_.records)
+      if (inside(r)) {
+        begin[r.bodyA + 1]++;
+        begin[r.bodyB + 1]++;
+      }
+    for (std::size_t i = 0; i < n; i++) begin[i + 1] += begin[i];
+    list.resize(begin[n]);
+    std::pmr::vector<std::uint32_t> at(begin.begin(), begin.end() - 1, island_.memory);
+    for (const ContactRecord& r : island_.records)
+      if (inside(r)) {
+        list[at[r.bodyA]++] = r.bodyB;
+        list[at[r.bodyB]++] = r.bodyA;
+      }
+    std::pmr::vector<char> seen(island_.memory);
+    for (std::uint32_t sweep = 0, first = 0; sweep < 3; sweep++, first = order.back()) {
+      seen.assign(n, 0);
+      order.assign(1, first);
+      seen[first] = 1;
+      for (std::size_t i = 0; i < order.size(); i++)
+        for (std::uint32_t k = begin[order[i]]; k < begin[order[i] + 1]; k++)
+          if (!seen[list[k]]) {
+            seen[list[k]] = 1;
+            order.push_back(list[k]);
+          }
+    }
+    for (std::size_t k = 0; k < order.size(); k++) place_[order[k]] = std::uint32_t(n - 1 - k);
+  }
+
+  // J(left)^T K J(right) times sign, where J = [1 -[r]; 0 1] gives (u, w) at the contact from a body's (d, th).
+  static void congruence(const Block& K, Vec3 left, Vec3 right, double sign, Block& out) {
+    for (int i = 0; i < 6; i++) {
+      Vec3 d{K[i][0], K[i][1], K[i][2]}, t = Vec3{K[i][3], K[i][4], K[i][5]} + cross(right, d);
+      for (int k = 0; k < 3; k++) {
+        out[i][k] = sign * d[k];
+        out[i][k + 3] = sign * t[k];
+      }
+    }
+    for (int j = 0; j < 6; j++) {
+      Vec3 t = cross(left, Vec3{out[0][j], out[1][j], out[2][j]});
+      for (int k = 0; k < 3; k++) out[k + 3][j] += t[k];
+    }
+  }
+
+  void assemble() {
+    matrix_.clear();
+    for (std::size_t i = 0; i < place_.size(); i++) {
+      const SolveMass& m = island_.masses[i];
+      Block b = {};
+      for (int k = 0; k < 3; k++) b[k][k] = double(m.mass);
+      for (int row = 0, at = 0; row < 3; row++)
+        for (int column = 0; column <= row; column++, at++)
+          b[3 + row][3 + column] = b[3 + column][3 + row] = double(m.inertia[at]);
+      matrix_.add(place_[i], place_[i], b);
+    }
+    for (const ContactRecord& r : island_.records) addContact(r);
+  }
+
+  void addContact(const ContactRecord& r) {
+    kernel::Frame frame = kernel::frame(r);
+    kernel::PointForces f = kernel::pointForces(r, kernel::pointMotion(r, frame, island_.motion.data()));
+    kernel::Stiffness s = kernel::stiffness(r, frame, f, 0);
+    Block K, b;
+    for (int i = 0; i < 3; i++)
+      for (int j = 0; j < 3; j++) {
+        K[i][j] = double(s.A[i][j]);
+        K[i][j + 3] = K[j + 3][i] = double(s.B[i][j]);
+        K[i + 3][j + 3] = double(s.C[i][j]);
+      }
+    struct End {
+      std::uint32_t body;
+      Vec3 arm;
+    } ends[2] = {{r.bodyA, toDouble(r.armA)}, {r.bodyB, toDouble(r.armB)}};
+    for (const End& end : ends) {
+      if (end.body >= place_.size()) continue;
+      congruence(K, end.arm, end.arm, 1, b);
+      matrix_.add(place_[end.body], place_[end.body], b);
+    }
+    if (!inside(r)) return;
+    if (place_[ends[0].body] < place_[ends[1].body]) std::swap(ends[0], ends[1]);
+    congruence(K, ends[0].arm, ends[1].arm, -1, b);
+    matrix_.add(place_[ends[0].body], place_[ends[1].body], b);
+  }
+
+  // How fast the energy falls along the step: falls itself along it, and is zero at the minimum.
+  double slope() {
+    double sum = 0;
+    for (std::size_t i = 0; i < place_.size(); i++)
+      for (int k = 0; k < 3; k++)
+        sum += double(island_.residual[i].force[k]) * entry(i, k) +
+               double(island_.residual[i].torque[k]) * entry(i, k + 3);
+    return sum;
+  }
+  double moveTo(double t) {
+    for (std::size_t i = 0; i < place_.size(); i++)
+      for (int k = 0; k < 3; k++) {
+        island_.motion[i].d[k] = float(double(from_[i].d[k]) + t * entry(i, k));
+        island_.motion[i].th[k] = float(double(from_[i].th[k]) + t * entry(i, k + 3));
+      }
+    readForces(false);
+    return slope();
+  }
+
+  // Bracketed secant search (Illinois rule), every third time halving.
+  void search() {
+    double start = slope(), enough = 0.1 * start;
+    double low = 0, slopeLow = start, high = 1, slopeHigh = moveTo(1), s = slopeHigh;
+    for (int k = 0; s > enough && k < 4; k++) {
+      low = high;
+      slopeLow = s;
+      high *= 2;
+      s = slopeHigh = moveTo(high);
+    }
+    for (int k = 0; k < kSearchSteps && std::fabs(s) > enough && slopeHigh < 0; k++) {
+      double t = k % 3 == 2 ? 0.5 * (low + high) : low + (high - low) * slopeLow / (slopeLow - slopeHigh);
+      s = moveTo(t);
+      (s > 0 ? low : high) = t;
+      (s > 0 ? slopeLow : slopeHigh) = s;
+      (s > 0 ? slopeHigh : slopeLow) *= 0.5;
+    }
+  }
+
+  Island& island_;
+  const StepContext& context_;
+  SolveStatistics& statistics_;
+  std::pmr::vector<std::uint32_t> place_;  // of a body in the matrix
+  std::pmr::vector<double> step_;          // by place
+  std::pmr::vector<SolveMotion> from_;
+  Envelope matrix_;
+};
+
+}  // namespace
+
+bool solvesDirectly(const Island& island, const StepContext& context) {
+  std::size_t count = island.bodies.size();
+  if (count <= kDirectBodies) return count > 1;  // a body alone: its cycle is the whole Newton step
+  if (count > kDirectBodiesSlow || !island.grounded) return false;
+  for (BodyIndex body : island.bodies)
+    if (!(length(context.free[body].startVelocity) < kDirectSpeed)) return false;
+  return true;
+}
+
+void solveDirectly(Island& island, const StepContext& context, double tolerance, SolveStatistics& statistics) {
+  Newton newton(island, context, statistics);
+  for (int k = 0; k < kDirectSteps && !(worstResidual(island, *context.bodies) < tolerance); k++) {
+    if (!newton.step(k < kBoundSteps)) return;
+    statistics.cycles++;
+  }
+}
+
+}  // namespace brickfall
