@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kParallel2 = 1e-8;
 constexpr double kSameDirection = 0.98;
+constexpr double kAlongFace = 0.9;  // cosine between an edge contact's normal and a face on which the edge may lie
 constexpr int kMaxPolygon = kMaxHullVertices + 8;
 
 struct Corner {
@@ -25,6 +26,7 @@ struct Choice {
   enum Kind { surface, shapeFace, edges } kind = surface;
   double separation = 0;
   int face = -1;  // of the shape
+  int edge = -1;  // of the triangle
   MeshContactPoint point;
 };
 
@@ -88,6 +90,36 @@ void addShapeFaceContact(const MeshFace& face, const HullView& hull, int referen
     double height = dot(plane.normal, from[i].p) - plane.offset;
     if (height <= margin)
       out.push_back({-plane.normal, from[i].p, from[i].p - plane.normal * height, height, from[i].feature});
+  }
+}
+
+// Two edges that cross: one point. But where an edge of the mesh runs along a face of the shape, as a ridge under a box, it
+// crosses that face's outline twice, and either crossing may be the better axis: both ends of what lies on the face are
+// points, else the shape would rock over from one to the other.
+void addEdgeContact(const MeshFace& face, const HullView& hull, const Choice& choice, double margin, double slack,
+                    std::vector<MeshContactPoint>& out) {
+  Vec3 start = face.corner(choice.edge), along = face.edge(choice.edge), normal = choice.point.normal;
+  const HullPlane& plane = hull.planes[choice.face];
+  double alike = -dot(plane.normal, normal), from = 0, to = 1;
+  int e = hull.firstEdge[choice.face];
+  do {
+    Vec3 a = hull.vertices[hull.edges[e].origin], b = hull.vertices[hull.edges[hull.edges[e].next].origin];
+    Vec3 outward = normalized(cross(b - a, plane.normal));
+    double height = dot(outward, start - a) - slack, slope = dot(outward, along);
+    if (slope > 0 && -height < to * slope) to = -height / slope;
+    if (slope < 0 && -height < from * slope) from = -height / slope;
+    if (slope == 0 && height > 0) to = -1;
+    e = hull.edges[e].next;
+  } while (e != hull.firstEdge[choice.face]);
+  if (!(alike > kAlongFace && from < to)) {
+    out.push_back(choice.point);
+    return;
+  }
+  for (double t : {from, to}) {
+    Vec3 p = start + along * t;
+    double separation = (dot(plane.normal, p) - plane.offset) / alike;
+    std::uint32_t feature = 0x10000000u | (choice.point.feature + (t == to ? 1 : 0));
+    if (separation <= margin) out.push_back({normal, p, p + normal * separation, separation, feature});
   }
 }
 
@@ -156,7 +188,8 @@ class FaceAxes {
       if (!(separation > best.separation + tolerance_.edge) || !face_.edgePushes(k, axis)) continue;
       SegmentPair pair = nearestOfSegments(a, e, b, d);
       if (pair.s <= 0 || pair.s >= 1 || pair.t <= 0 || pair.t >= 1) continue;
-      best.kind = Choice::edges, best.separation = separation;
+      best.kind = Choice::edges, best.separation = separation, best.edge = k;
+      best.face = dot(axis, hull_.planes[f1].normal) < dot(axis, hull_.planes[f2].normal) ? f1 : f2;
       best.point = {axis, pair.p, pair.p + axis * separation, separation,
                     0x10000000u | ((face_.name(k) * 2654435761u ^ std::uint32_t(h)) & 0x0fffffffu)};
     }
@@ -182,7 +215,7 @@ void collideFaceHull(const MeshFace& face, const HullView& hull, double margin, 
       axes.most > 0.5 * axes.best.separation)
     return;
   if (axes.best.kind == Choice::edges) {
-    out.push_back(axes.best.point);
+    addEdgeContact(face, hull, axes.best, margin, tolerance.slack, out);
   } else if (axes.best.kind == Choice::shapeFace) {
     addShapeFaceContact(face, hull, axes.best.face, margin, tolerance.slack, out);
   } else {
