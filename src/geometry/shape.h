@@ -10,10 +10,10 @@ class MeshTree;  // brickfall/geometry/mesh_tree.h
 
 struct Shape {
   ShapeType type = ShapeType::box;
-  Vec3 halfExtents;            // box, m
-  double radius = 0;           // sphere, capsule, m
-  double halfHeight = 0;       // capsule, m, along local y
-  const Hull* hull = nullptr;  // hull; owned by the world, outlives the shape
+  Vec3 halfExtents;                // box, m
+  double radius = 0;               // sphere, capsule, m
+  double halfHeight = 0;           // capsule, m, along local y
+  const Hull* hull = nullptr;      // hull; owned by the world, outlives the shape
   const MeshTree* mesh = nullptr;  // mesh; the same
 };
 

@@ -147,8 +147,8 @@ void dropFarPoints(Manifold& m, const PairView& pair, const BodySet& bodies, con
 
 // To each manifold a part: the one whose normal is most like its own, the nearest manifolds first; else one without a
 // contact; else one whose contact ends now. Without points: -1.
-void assignParts(const ContactSet& contacts, const CandidatePair* parts, int count, const MeshManifolds& found, Quat aInBody,
-                 int* partOf) {
+void assignParts(const ContactSet& contacts, const CandidatePair* parts, int count, const MeshManifolds& found,
+                 Quat aInBody, int* partOf) {
   std::uint32_t taken = 0, had = 0;
   for (int i = 0; i < count; i++) had |= parts[i].contact != kNoIndex ? 1u << parts[i].part : 0;
   for (int m = 0; m < found.count; m++) {
@@ -259,7 +259,8 @@ void World::Impl::updateMeshPair(std::size_t begin, std::size_t end, std::size_t
   for (int i = 0; i < count && reuse; i++) {
     if (parts[i].contact == kNoIndex) continue;
     any = true;
-    reuse = canReuse(contacts.contacts[parts[i].contact], contacts.geometry[parts[i].contact], relative, relativeVelocity, dt);
+    reuse = canReuse(contacts.contacts[parts[i].contact], contacts.geometry[parts[i].contact], relative,
+                     relativeVelocity, dt);
   }
   if (reuse && any) {
     for (int i = 0; i < count; i++) keep(parts[i]);
@@ -271,8 +272,8 @@ void World::Impl::updateMeshPair(std::size_t begin, std::size_t end, std::size_t
     double spin = std::min(0.5, length(ma.angularVelocity) * dt) * bodies.mass[first.bodyA].outerRadius +
                   std::min(0.5, length(mb.angularVelocity) * dt) * bodies.mass[first.bodyB].outerRadius;
     double reach = margin + length(relativeVelocity) * dt + (std::isfinite(spin) ? spin : 0.0);
-    collideMesh(view.a.geometry, view.b.geometry, inverse(view.a.inCentreFrame) * relative * view.b.inCentreFrame, reach,
-                meshScratch, found);
+    collideMesh(view.a.geometry, view.b.geometry, inverse(view.a.inCentreFrame) * relative * view.b.inCentreFrame,
+                reach, meshScratch, found);
     Transform poseA = bodies.pose(first.bodyA) * view.a.inCentreFrame;
     for (int i = 0; i < found.count; i++) dropFarPoints(found.list[i], view, bodies, poseA, margin, dt);
   }
