@@ -18,6 +18,7 @@ namespace brickfall {
 
 namespace {
 
+constexpr double kFarHeavier = 30;   // times the mass
 constexpr double kCoreShare = 0.25;  // of a shape's inner radius
 constexpr int kHalvings = 6;         // of a way that turned out to end inside
 
@@ -90,6 +91,11 @@ bool World::Impl::turnsFar(BodyIndex body, Vec3 turn) const {
   return exceeds(visible * mass.outerRadius, mass.innerRadius);
 }
 
+// What is far lighter is carried along and stops nothing: bricks pressed into a wrecking ball must not hold it in the air.
+bool World::Impl::farHeavier(BodyIndex body, BodyIndex other) const {
+  return bodies.mass[body].mass > kFarHeavier * bodies.mass[other].mass;
+}
+
 void World::Impl::stopAtObstacles(BodyIndex body) {
   SolvedMotion& s = context.solved[body];
   if (s.rest || !isFinite(s.d)) return;
@@ -106,7 +112,7 @@ void World::Impl::stopAtObstacles(BodyIndex body) {
   Obstruction first;
   for (ShapeIndex shape : bodies.shapes[body]) obstruct(shape, everything, thickness, first);
   if (first.share == 1) return;
-  if (bodies.data[first.body].type != BodyType::dynamic) {
+  if (bodies.data[first.body].type != BodyType::dynamic || farHeavier(first.body, body)) {
     Vec3 way = motionOf(first.body).way;
     s.d -= way;
     shorten(body, first.share);
@@ -146,6 +152,7 @@ void World::Impl::obstruct(ShapeIndex shape, bool everything, double thickness, 
     const ShapeData& o = shapes.data[other];
     if (o.body == s.body || !filtersAllow(s.def.filter, o.def.filter)) return true;
     BodyType type = bodies.data[o.body].type;
+    if (type == BodyType::dynamic && farHeavier(s.body, o.body)) return true;
     Sweep way = sweepOf(o.body);
     Vec3 motion = d - way.way;
     bool turns = own.turns || way.turns;

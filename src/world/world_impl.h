@@ -115,6 +115,7 @@ struct World::Impl {
   void activatePairsOf(BodyIndex body);
   void keepBounds(BodyIndex body);
   bool moves(BodyIndex body) const;
+  bool farHeavier(BodyIndex body, BodyIndex other) const;
   void stopAtObstacles(BodyIndex body);
   void stopAtObstacles(Island& island);
   struct Obstruction {
