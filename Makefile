@@ -8,13 +8,14 @@ SCENE ?= wall
 
 CONFIGURE = cmake -S . -B $(BUILD) $$(test -f $(BUILD)/CMakeCache.txt || echo -G Ninja -DCMAKE_BUILD_TYPE=$(BUILD_TYPE))
 
-.PHONY: help demo build test validate golden same-bits check bench install clean
+.PHONY: help demo build test validate fuzz golden same-bits check bench install clean
 .DEFAULT_GOAL := help
 
 help:
 	@echo "make demo               build, knock the wall down, leave out/wall/replay.html to watch (SCENE=hole for another)"
 	@echo "make test               build everything and run every test"
 	@echo "make validate           the laws at full length: minutes of simulated time, many seeds, small steps"
+	@echo "make fuzz               made-up files thrown at every reader, five minutes each (needs clang)"
 	@echo "make golden             write the state hashes of the shipped scenes anew, after results were meant to change"
 	@echo "make same-bits          the same bits from every compiler, level of optimisation and instruction set at hand"
 	@echo "make build              build only: the command is then $(BUILD)/bin/brickfall"
@@ -43,6 +44,11 @@ test:
 # Runs all laws, short and long, and writes docs/validation.md from what they recorded. LAWS='*Row7*' runs some of them; the
 # records of the others stay as they were.
 LAWS ?= *
+fuzz:
+	@tools/install-dependencies build test
+	@$(CONFIGURE) -DBRICKFALL_TESTS=ON
+	@cmake --build $(BUILD) -j $(JOBS) --target brickfall_fuzz
+
 validate:
 	@tools/install-dependencies build test
 	@$(CONFIGURE) -DBRICKFALL_TESTS=ON

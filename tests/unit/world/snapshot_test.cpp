@@ -4,6 +4,7 @@
 #include "base/hash.h"
 #include "math/random.h"
 #include "support/lab_scenes.h"
+#include "support/snapshot_worlds.h"
 #include "support/world_helpers.h"
 
 namespace brickfall {
@@ -178,6 +179,52 @@ TEST(Snapshot, CutOffOrDamagedIsRefusedAndChangesNothing) {
   EXPECT_EQ(busy.world.stateHash(), before);
   expectSound(busy.world);
   stepSound(busy.world);
+}
+
+// What an attacker does: bytes changed and the checksum made right again. Either it is refused, and nothing changed, or a
+// sound world comes of it that steps. (tests/fuzz goes on from here.)
+TEST(Snapshot, ForgedWithItsChecksumIsRefusedOrSound) {
+  constexpr std::size_t kHashAt = 16, kHeader = 24;
+  Random random(11);
+  int refused = 0, sound = 0;
+  for (const std::vector<std::byte>& bytes : snapshotsOfEachKind()) {
+    World world = smallWorld();
+    ASSERT_TRUE(world.restore(bytes).ok());
+    for (int i = 0; i < 250; i++) {
+      std::vector<std::byte> forged = bytes;
+      for (std::uint32_t changes = 1 + random.below(3); changes > 0; changes--) {
+        std::size_t at = kHeader + random.below(std::uint32_t(forged.size() - kHeader));
+        forged[at] = std::byte(random.below(4) == 0 ? 0xff : random.below(256));
+      }
+      Hash hash;
+      for (std::size_t k = kHeader; k < forged.size(); k++) hash.addByte(std::uint8_t(forged[k]));
+      std::uint64_t value = hash.value();
+      std::memcpy(forged.data() + kHashAt, &value, sizeof value);
+      World target = smallWorld();
+      std::uint64_t before = target.stateHash();
+      if (target.restore(forged).ok()) {
+        sound++;
+        for (int step = 0; step < 3; step++) ASSERT_TRUE(target.step(kDt).ok());
+        expectSound(target);
+      } else {
+        refused++;
+        ASSERT_EQ(target.stateHash(), before);
+      }
+    }
+  }
+  EXPECT_GT(refused, 200);
+  EXPECT_GT(sound, 200);
+}
+
+TEST(Snapshot, EveryPrefixOfEveryKindIsRefused) {
+  for (const std::vector<std::byte>& bytes : snapshotsOfEachKind()) {
+    World world = smallWorld();
+    std::uint64_t before = world.stateHash();
+    for (std::size_t length = 0; length < bytes.size(); length += length < 200 ? 1 : 7)
+      ASSERT_EQ(world.restore(std::span(bytes).first(length)).error().code, ErrorCode::badFormat) << length;
+    EXPECT_EQ(world.stateHash(), before);
+    EXPECT_TRUE(world.restore(bytes).ok());
+  }
 }
 
 }  // namespace

@@ -1,0 +1,140 @@
+#include "support/snapshot_worlds.h"
+
+#include "brickfall/geometry/mesh_tree.h"
+
+namespace brickfall::test {
+
+namespace {
+
+ShapeDef shapeOf(ShapeType type) {
+  ShapeDef s;
+  s.type = type;
+  s.halfExtents = {0.1, 0.05, 0.06};
+  s.radius = 0.08;
+  s.halfHeight = 0.1;
+  if (type == ShapeType::hull) s.vertices = {{.1, 0, 0}, {-.1, 0, 0}, {0, .1, 0}, {0, -.1, 0}, {0, 0, .1}, {0, 0, -.1}};
+  return s;
+}
+
+BodyId add(World& world, ShapeType shape, Vec3 position, Vec3 velocity = {}, BodyType type = BodyType::dynamic) {
+  BodyDef d;
+  d.type = type;
+  d.shapes = {shapeOf(shape)};
+  d.position = position;
+  d.linearVelocity = velocity;
+  return *world.createBody(d);
+}
+
+World ground(const WorldDef& def = {}) {
+  World world = std::move(World::create(def)).value();
+  add(world, ShapeType::plane, {}, {}, BodyType::fixed);
+  return world;
+}
+
+void advance(World& world, int steps) {
+  for (int i = 0; i < steps; i++) (void)world.step(1.0 / 60).ok();
+}
+
+World stack(int steps) {
+  World world = ground();
+  for (int i = 0; i < 3; i++) add(world, ShapeType::box, {0.05 * (i % 2), 0.05 + 0.1 * i, 0});
+  advance(world, steps);
+  return world;
+}
+
+// Hit, and not yet at rest: a sphere, a capsule, a hull and a compound among boxes, one of them never asleep.
+World busy() {
+  World world = ground();
+  for (int i = 0; i < 3; i++) add(world, ShapeType::box, {0.2 * i, 0.05, 0});
+  add(world, ShapeType::box, {0.1, 0.15, 0});
+  BodyDef two;
+  two.shapes = {shapeOf(ShapeType::box), shapeOf(ShapeType::capsule)};
+  two.shapes[1].local = {{0.1, 0.1, 0}, {0, 0, 0.6, 0.8}};
+  two.shapes[0].material.restitution = 0.5;
+  two.position = {0.3, 0.25, 0};
+  two.angularVelocity = {1, 2, 3};
+  two.allowSleep = false;
+  two.dragArea = 0.1;
+  two.linearDamping = two.angularDamping = 0.1;
+  (void)world.createBody(two).ok();
+  add(world, ShapeType::hull, {0.1, 0.32, 0});
+  add(world, ShapeType::sphere, {0.1, 0.2, 0.3}, {0, 0, -4});
+  add(world, ShapeType::box, {1, 0.05, 0}, {0.1, 0.1, 0}, BodyType::kinematic);
+  add(world, ShapeType::capsule, {1, 0.3, 0});
+  advance(world, 8);
+  return world;
+}
+
+// As `busy`, with changes that the next step has to take in.
+World changed() {
+  World world = busy();
+  std::vector<BodyId> bodies = world.bodies();
+  (void)world.destroyBody(bodies[1]).ok();
+  (void)world.applyForce(bodies[2], {5, 0, 0}).ok();
+  (void)world.setTransform(bodies[4], {0, 1, 0}, {}).ok();
+  (void)world.setType(bodies[3], BodyType::fixed).ok();
+  (void)world.setLinearVelocity(bodies[8], {}).ok();
+  return world;
+}
+
+// On a trough of triangles, between its two sides.
+World onTriangles() {
+  World world = std::move(World::create({})).value();
+  const Vec3 vertices[] = {{-1, 1, -1}, {-1, 1, 1}, {0, 0, 1}, {0, 0, -1}, {1, 1, 1}, {1, 1, -1}};
+  const std::uint32_t indices[] = {0, 1, 2, 0, 2, 3, 3, 2, 4, 3, 4, 5};
+  ShapeDef trough = shapeOf(ShapeType::mesh);
+  trough.mesh = std::make_shared<MeshTree>(MeshTree::build(TriangleMesh::create(vertices, indices).value()));
+  BodyDef d;
+  d.type = BodyType::fixed;
+  d.shapes = {trough};
+  (void)world.createBody(d).ok();
+  add(world, ShapeType::sphere, {0, 0.1, 0});
+  add(world, ShapeType::box, {0.05, 0.3, 0.3});
+  advance(world, 30);
+  return world;
+}
+
+// A body lost to absurd forces, and a slot that has been used twice.
+World quarantined() {
+  World world = ground();
+  BodyId lost = add(world, ShapeType::box, {5, 5, 0});
+  for (int i = 0; i < 2000 && !world.state(lost)->quarantined; i++) {
+    (void)world.applyForce(lost, {1e12, 0, 0}).ok();
+    (void)world.step(0.1).ok();
+  }
+  (void)world.destroyBody(add(world, ShapeType::sphere, {0, 3, 0})).ok();
+  add(world, ShapeType::hull, {0, 0.1, 0});
+  (void)world.destroyBody(add(world, ShapeType::box, {0, 5, 0})).ok();
+  advance(world, 2);
+  return world;
+}
+
+}  // namespace
+
+World smallWorld() {
+  World world = ground();
+  add(world, ShapeType::box, {0, 1, 0});
+  return world;
+}
+
+std::vector<World> worldsOfEachKind() {
+  std::vector<World> out;
+  out.push_back(smallWorld());
+  out.push_back(stack(5));
+  out.push_back(stack(40));
+  out.push_back(stack(120));
+  out.push_back(busy());
+  out.push_back(changed());
+  out.push_back(quarantined());
+  out.push_back(onTriangles());
+  out.push_back(std::move(World::create({})).value());
+  return out;
+}
+
+std::vector<std::vector<std::byte>> snapshotsOfEachKind() {
+  std::vector<std::vector<std::byte>> out;
+  for (const World& world : worldsOfEachKind()) out.push_back(world.snapshot());
+  return out;
+}
+
+}  // namespace brickfall::test
