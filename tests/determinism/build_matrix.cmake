@@ -1,6 +1,7 @@
 # The same bits from every build: configures and builds state_hash and golden_hashes with each compiler, level and
 # instruction set that this machine has, and compares what they print with the first of them and with golden_hashes.txt.
 #   cmake -DSOURCE=... -DBUILD=... [-DONLY=regex of names] -P build_matrix.cmake
+cmake_minimum_required(VERSION 3.25)
 set(names)
 function(add_case name compiler type flags)
   set(names ${names} ${name} PARENT_SCOPE)
