@@ -30,6 +30,18 @@ class FaceShape {
   Shape shape_;
 };
 
+// Room that is kept from call to call: fast bodies are swept in every step, and a step takes nothing from the heap.
+struct Scratch {
+  FaceShape face;
+  std::vector<std::uint32_t> faces;  // near the shape
+
+  Scratch() { faces.reserve(4096); }
+};
+Scratch& scratch() {
+  thread_local Scratch kept;
+  return kept;
+}
+
 struct Span {
   double low, high;
 };
@@ -89,15 +101,16 @@ bool noPair(const Shape& shape) { return shape.type == ShapeType::mesh || shape.
 
 }  // namespace
 
+void keepMeshRoom() { scratch(); }
+
 double meshPenetration(const Shape& mesh, const Shape& shape, const Transform& pose) {
   if (noPair(shape)) return 0;
-  std::vector<std::uint32_t> faces;
+  auto& [face, faces] = scratch();
   mesh.mesh->facesNear(bounds(shape, pose), faces);
   if (faces.empty()) return 0;
   bool round = shape.type == ShapeType::sphere || shape.type == ShapeType::capsule;
   std::optional<Polytope> polytope;
   if (!round) polytope.emplace(shape, pose);
-  FaceShape face;
   double depth = 0;
   for (std::uint32_t f : faces) {
     Triangle t = mesh.mesh->mesh().triangle(f);
@@ -110,12 +123,11 @@ double meshPenetration(const Shape& mesh, const Shape& shape, const Transform& p
 DistanceResult meshShapeDistance(const Shape& mesh, const Shape& shape, const Transform& pose) {
   if (noPair(shape)) return {};
   const MeshTree& tree = *mesh.mesh;
-  FaceShape face;
+  auto& [face, faces] = scratch();
   // The face nearest to the middle gives a distance that no other need exceed.
   std::uint32_t first = tree.closestPoint(middleOf(shape, pose), 1e300)->face;
   DistanceResult best = shapeDistance(face(tree.mesh().triangle(first)), shape, pose);
   if (!(best.distance > 0)) return best;
-  std::vector<std::uint32_t> faces;
   tree.facesNear(grown(bounds(shape, pose), best.distance), faces);
   for (std::uint32_t f : faces) {
     DistanceResult found = shapeDistance(face(tree.mesh().triangle(f)), shape, pose);
@@ -130,9 +142,8 @@ std::optional<double> meshTimeOfImpact(const Shape& mesh, const Shape& shape, co
   if (noPair(shape)) return {};
   const MeshTree& tree = *mesh.mesh;
   Aabb now = bounds(shape, pose), then{now.lower + motion, now.upper + motion};
-  std::vector<std::uint32_t> faces;
+  auto& [face, faces] = scratch();
   tree.facesNear(grown(merged(now, then), target > 0 ? target + 1e-6 : 1e-6), faces);
-  FaceShape face;
   std::optional<double> first;
   for (std::uint32_t f : faces) {
     Triangle t = tree.mesh().triangle(f);

@@ -18,4 +18,7 @@ DistanceResult meshShapeDistance(const Shape& mesh, const Shape& shape, const Tr
 std::optional<double> meshTimeOfImpact(const Shape& mesh, const Shape& shape, const Transform& pose, Vec3 motion,
                                        double target);
 
+// Takes the room that these functions keep for each thread, so that the first of them takes none.
+void keepMeshRoom();
+
 }  // namespace brickfall

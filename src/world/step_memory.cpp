@@ -5,6 +5,7 @@
 // more than a body of a wall under a hit needs (4 KiB with rebounds), and half more than it ever gave out at once. This is
 // address space, not memory: what is never touched is never given by the system.
 #include "base/keep_room.h"
+#include "geometry/mesh_shape.h"
 #include "world/world_impl.h"
 
 namespace brickfall {
@@ -33,6 +34,7 @@ void World::Impl::keepRoom() {
   brickfall::keepRoom(newParts, touching);
   brickfall::keepRoom(meshScratch.faces, kMeshScratch);
   brickfall::keepRoom(meshScratch.points, kMeshScratch);
+  keepMeshRoom();
   keepRoomFor(awake, dynamic);
   keepRoomFor(islandOf, bodies.slots());
   for (BodyPairs* list : {&touchingNow, &touchingBefore, &slept}) brickfall::keepRoom(*list, touching);

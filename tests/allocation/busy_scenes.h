@@ -1,5 +1,8 @@
 // Scenes in which contacts, islands and sleep change all the time, or not at all.
 #pragma once
+#include <cmath>
+
+#include "brickfall/geometry/mesh_tree.h"
 #include "support/lab_scenes.h"
 #include "support/world_helpers.h"
 
@@ -107,6 +110,30 @@ inline BusyScene swarm() {
     d.allowSleep = false;
     add(s.world, d);
   }
+  return s;
+}
+
+// The same on hilly ground made of triangles.
+inline BusyScene fallingOnHills() {
+  BusyScene s{makeWorld()};
+  constexpr int kCells = 40;
+  std::vector<Vec3> vertices;
+  std::vector<std::uint32_t> indices;
+  for (int i = 0; i <= kCells; i++)
+    for (int k = 0; k <= kCells; k++)
+      vertices.push_back({0.2 * (i - kCells / 2), 0.2 * std::sin(0.9 * i) * std::sin(0.7 * k), 0.2 * (k - kCells / 2)});
+  for (int i = 0; i < kCells; i++)
+    for (int k = 0; k < kCells; k++) {
+      std::uint32_t a = std::uint32_t(i * (kCells + 1) + k), b = a + kCells + 1;
+      indices.insert(indices.end(), {a, a + 1, b, b, a + 1, b + 1});
+    }
+  Result<TriangleMesh> mesh = TriangleMesh::create(vertices, indices);
+  EXPECT_TRUE(mesh.ok());
+  ShapeDef shape;
+  shape.type = ShapeType::mesh;
+  shape.mesh = std::make_shared<MeshTree>(MeshTree::build(std::move(mesh).value()));
+  add(s.world, bodyOf(shape, {}, BodyType::fixed));
+  addRandomBodies(s.world, 60, 6, 0.25);
   return s;
 }
 

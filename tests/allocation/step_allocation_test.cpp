@@ -95,6 +95,12 @@ TEST(StepAllocation, StirredPileSleepsAndWakes) {
   EXPECT_GT(seen.sleepChanges, 0);
 }
 
+TEST(StepAllocation, PileLandsOnHills) {
+  BusyScene scene = fallingOnHills();
+  Seen seen = watch(scene, 4);
+  EXPECT_GT(seen.contactChanges, 100);
+}
+
 TEST(StepAllocation, WallIsHit) {
   BusyScene scene = wallHitLate();
   Seen seen = watch(scene, 4);
