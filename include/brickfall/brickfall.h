@@ -1,6 +1,7 @@
 // The engine's whole public API.
 #pragma once
 #include "brickfall/body.h"
+#include "brickfall/broad_phase.h"
 #include "brickfall/debug_draw.h"
 #include "brickfall/events.h"
 #include "brickfall/ids.h"

@@ -14,15 +14,15 @@ namespace brickfall {
 
 // All parts off = the report. Each may be switched on by itself; docs/report.md measures them added up in this order.
 struct ReportSettings {
-  bool allAxes = false;       // all 15 rows at every test, the widest gap is remembered; off: the first that separates
-  bool lastAxis = false;      // contact row = the last to stop separating, from the motion of the last step
-  bool restitution = false;   // impulse from masses, inertia and restitution; off: impulseFactor x speed
-  bool friction = false;      // Coulomb's law; off: damping
-  bool manifold = false;      // all points in which two boxes touch, and overlap is pushed out; off: one point
-  bool warmStarting = false;  // impulses remembered from step to step, and sweeps over all contacts
-  double impulseFactor = 1;   // of reduced mass x speed, >= 0; without `restitution`
-  double damping = 1;         // 1/s, >= 0: of all velocities; without `friction`
-  int sweeps = 10;            // 1 .. 1000, over all contacts; with `warmStarting`, else one
+  bool allAxes = false;        // all 15 rows at every test, the widest gap is remembered; off: the first that separates
+  bool lastAxis = false;       // contact row = the last to stop separating, from the motion of the last step
+  bool restitution = false;    // impulse from masses, inertia and restitution; off: impulseFactor x speed
+  bool friction = false;       // Coulomb's law; off: damping
+  bool manifold = false;       // all points in which two boxes touch, and overlap is pushed out; off: one point
+  bool warmStarting = false;   // impulses remembered from step to step, and sweeps over all contacts
+  double impulseFactor = 1.5;  // of reduced mass x speed, >= 0; without `restitution`
+  double damping = 0.3;        // 1/s, >= 0: of all velocities; without `friction`
+  int sweeps = 10;             // 1 .. 1000, over all contacts; with `warmStarting`, else one
   Integrator integrator = Integrator::semiImplicitEuler;
 };
 
@@ -48,8 +48,9 @@ class ReportSystem {
  private:
   struct Point {
     Vec3 position;
-    double depth = 0;
+    double depth = 0;                               // m, negative: still apart
     double normal = 0, tangent1 = 0, tangent2 = 0;  // impulses so far, N s
+    double wantedSpeed = 0;                         // m/s, along the normal
   };
   struct Memory {
     int row = -1;  // that separated the two when they were last apart
@@ -59,6 +60,7 @@ class ReportSystem {
   struct Collision {
     std::size_t a = 0, b = 0;  // in the list of bodies
     Vec3 normal;               // unit, from a to b
+    Vec3 tangent1, tangent2;   // unit, across it
     std::vector<Point> points;
     Memory* memory = nullptr;
   };
@@ -72,6 +74,9 @@ class ReportSystem {
   void rememberGap(const ObbMotion& now, Memory& memory) const;
   void takeOver(const Memory& memory, Collision& collision) const;
   void respond(std::vector<ReportBody>& bodies, std::vector<Collision>& collisions, double dt) const;
+  void chooseSpeeds(const ReportBody& a, const ReportBody& b, Collision& collision, double dt) const;
+  void pushApart(ReportBody& a, ReportBody& b, const Collision& collision, Point& point) const;
+  void holdBack(ReportBody& a, ReportBody& b, const Collision& collision, Point& point) const;
 
   ReportSettings settings_;
   std::map<std::pair<std::uint64_t, std::uint64_t>, Memory> memory_;

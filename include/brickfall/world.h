@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "brickfall/body.h"
+#include "brickfall/broad_phase.h"
 #include "brickfall/debug_draw.h"
 #include "brickfall/events.h"
 #include "brickfall/ids.h"
@@ -39,6 +40,7 @@ struct WorldDef {
   double hitEventImpulse = 0.01;  // N s: weaker impacts make no hit event
   int threads = 1;                // 1 .. 64: islands are solved side by side; results do not depend on it
   int maxBodies = 1'000'000;      // createBody fails beyond
+  BroadPhaseMethod broadPhase = BroadPhaseMethod::tree;  // changes time only, no result
   Method method = Method::clusters;
   ReportSettings report;                          // of Method::report
   Integrator integrator = Integrator::splitting;  // of bodies that touch nothing; Method::report: report.integrator

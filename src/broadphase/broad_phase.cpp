@@ -1,23 +1,44 @@
-// Proxies, pairs and queries; the tree itself is in tree.cpp.
+// What all broad phases share.
 #include "broadphase/broad_phase.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 
-#include "base/assert.h"
+#include "broadphase/every_pair.h"
+#include "broadphase/sweep_and_prune.h"
+#include "broadphase/tree.h"
 
 namespace brickfall {
-namespace {
 
-// A balanced tree of 2^31 leaves is 45 levels high, and a depth-first walk keeps one node a level.
-constexpr int kStackSize = 64;
-
-double edgeSum(const Aabb& box) {
-  Vec3 d = box.upper - box.lower;
-  return d.x + d.y + d.z;
+std::string_view broadPhaseName(BroadPhaseMethod method) {
+  constexpr std::string_view names[] = {"tree", "sweep_and_prune", "bounding_spheres", "all_pairs"};
+  static_assert(std::size(names) == kBroadPhaseMethodCount);
+  return names[std::size_t(method)];
 }
 
-// Where the ray enters the box: >= 0, or infinity if it misses it up to `limit`.
+std::unique_ptr<BroadPhase> makeBroadPhase(BroadPhaseMethod method) {
+  switch (method) {
+    case BroadPhaseMethod::sweepAndPrune:
+      return std::make_unique<SweepAndPrune>();
+    case BroadPhaseMethod::boundingSpheres:
+      return std::make_unique<EveryPair>(true);
+    case BroadPhaseMethod::allPairs:
+      return std::make_unique<EveryPair>(false);
+    case BroadPhaseMethod::tree:
+      break;
+  }
+  return std::make_unique<BoxTree>();
+}
+
+bool mustMove(const Aabb& kept, const Aabb& tight, const Aabb& fresh) {
+  auto edgeSum = [](const Aabb& box) {
+    Vec3 d = box.upper - box.lower;
+    return d.x + d.y + d.z;
+  };
+  return !(contains(kept, tight) && edgeSum(kept) <= 4 * edgeSum(fresh));
+}
+
 double rayEntry(const Aabb& box, Vec3 origin, Vec3 direction, double limit) {
   double enter = 0, leave = limit;
   for (int k = 0; k < 3; k++) {
@@ -32,171 +53,6 @@ double rayEntry(const Aabb& box, Vec3 origin, Vec3 direction, double limit) {
     leave = std::min(leave, t1);
   }
   return enter <= leave ? enter : std::numeric_limits<double>::infinity();
-}
-
-}  // namespace
-
-void BroadPhase::markMoved(ProxyIndex leaf) {
-  if (nodes_[leaf].moved) return;
-  nodes_[leaf].moved = true;
-  moved_.push_back(leaf);
-}
-
-ProxyIndex BroadPhase::add(const Aabb& tight, double grow, std::uint32_t user) {
-  ProxyIndex leaf = allocateNode();
-  nodes_[leaf].box = grown(tight, grow);
-  nodes_[leaf].user = user;
-  insertLeaf(leaf);
-  markMoved(leaf);
-  count_++;
-  if (moved_.capacity() < std::size_t(count_)) moved_.reserve(nodes_.capacity());  // all may move in one step
-  return leaf;
-}
-
-void BroadPhase::remove(ProxyIndex proxy) {
-  BRICKFALL_ASSERT(proxy >= 0 && proxy < ProxyIndex(nodes_.size()) && nodes_[proxy].height == 0, "not a live proxy");
-  removeLeaf(proxy);
-  freeNode(proxy);
-  count_--;
-}
-
-bool BroadPhase::update(ProxyIndex proxy, const Aabb& tight, double grow) {
-  BRICKFALL_ASSERT(proxy >= 0 && proxy < ProxyIndex(nodes_.size()) && nodes_[proxy].height == 0, "not a live proxy");
-  Aabb fresh = grown(tight, grow);
-  const Aabb& old = nodes_[proxy].box;
-  if (contains(old, tight) && edgeSum(old) <= 4 * edgeSum(fresh)) return false;
-  removeLeaf(proxy);
-  nodes_[proxy].box = fresh;
-  insertLeaf(proxy);
-  markMoved(proxy);
-  return true;
-}
-
-const Aabb& BroadPhase::kept(ProxyIndex proxy) const { return nodes_[proxy].box; }
-
-void BroadPhase::newPairs(FunctionRef<bool(std::uint32_t, std::uint32_t)> wanted,
-                          std::vector<std::pair<std::uint32_t, std::uint32_t>>& out) {
-  out.clear();
-  ProxyIndex stack[kStackSize];
-  std::sort(moved_.begin(), moved_.end());
-  moved_.erase(std::unique(moved_.begin(), moved_.end()), moved_.end());
-  for (ProxyIndex leaf : moved_) {
-    const Node& self = nodes_[leaf];
-    if (!self.moved) continue;  // removed since
-    int depth = 0;
-    stack[depth++] = root_;
-    while (depth > 0) {
-      ProxyIndex index = stack[--depth];
-      const Node& node = nodes_[index];
-      if (!overlaps(node.box, self.box)) continue;
-      if (node.height > 0) {
-        stack[depth++] = node.child[0];
-        stack[depth++] = node.child[1];
-      } else if (index != leaf && !(node.moved && index < leaf)) {  // of two moved ones, the lower reports
-        std::uint32_t a = std::min(self.user, node.user), b = std::max(self.user, node.user);
-        if (wanted(a, b)) out.emplace_back(a, b);
-      }
-    }
-  }
-  for (ProxyIndex leaf : moved_) nodes_[leaf].moved = false;
-  moved_.clear();
-  std::sort(out.begin(), out.end());
-}
-
-void BroadPhase::query(const Aabb& box, FunctionRef<bool(std::uint32_t)> visit) const {
-  if (root_ == kNoProxy) return;
-  ProxyIndex stack[kStackSize];
-  int depth = 0;
-  stack[depth++] = root_;
-  while (depth > 0) {
-    const Node& node = nodes_[stack[--depth]];
-    if (!overlaps(node.box, box)) continue;
-    if (node.height > 0) {
-      stack[depth++] = node.child[0];
-      stack[depth++] = node.child[1];
-    } else if (!visit(node.user)) {
-      return;
-    }
-  }
-}
-
-void BroadPhase::queryRay(Vec3 origin, Vec3 direction, double maxDistance,
-                          FunctionRef<double(std::uint32_t user, double limit)> visit) const {
-  if (root_ == kNoProxy) return;
-  struct Entry {
-    ProxyIndex index;
-    double distance;
-  };
-  Entry stack[kStackSize];
-  int depth = 0;
-  double limit = maxDistance;
-  stack[depth++] = {root_, rayEntry(nodes_[root_].box, origin, direction, limit)};
-  while (depth > 0) {
-    Entry entry = stack[--depth];
-    if (!(entry.distance <= limit)) continue;
-    const Node& node = nodes_[entry.index];
-    if (node.height == 0) {
-      limit = std::min(limit, visit(node.user, limit));
-      continue;
-    }
-    Entry first{node.child[0], rayEntry(nodes_[node.child[0]].box, origin, direction, limit)};
-    Entry second{node.child[1], rayEntry(nodes_[node.child[1]].box, origin, direction, limit)};
-    if (second.distance < first.distance) std::swap(first, second);  // the nearer is looked at first
-    stack[depth++] = second;
-    stack[depth++] = first;
-  }
-}
-
-int BroadPhase::count() const { return count_; }
-
-int BroadPhase::height() const { return root_ == kNoProxy ? 0 : nodes_[root_].height; }
-
-void BroadPhase::validateNode(ProxyIndex index, std::vector<std::string>& faults, int& leaves, int& inner) const {
-  const Node& node = nodes_[index];
-  std::string name = "node " + std::to_string(index) + ": ";
-  if (node.height == 0) {
-    leaves++;
-    if (node.child[0] != kNoProxy || node.child[1] != kNoProxy) faults.push_back(name + "a leaf has children");
-    return;
-  }
-  inner++;
-  if (inner > ProxyIndex(nodes_.size())) {
-    faults.push_back(name + "the tree has a cycle");
-    return;
-  }
-  for (ProxyIndex child : node.child) {
-    if (child < 0 || child >= ProxyIndex(nodes_.size())) {
-      faults.push_back(name + "a child is missing");
-      return;
-    }
-    if (nodes_[child].parent != index) faults.push_back(name + "a child has another parent");
-    if (!contains(node.box, nodes_[child].box)) faults.push_back(name + "a child sticks out");
-  }
-  const Node& first = nodes_[node.child[0]];
-  const Node& second = nodes_[node.child[1]];
-  if (node.height != 1 + std::max(first.height, second.height)) faults.push_back(name + "its height is wrong");
-  if (std::abs(first.height - second.height) > 1) faults.push_back(name + "it is out of balance");
-  Aabb both = merged(first.box, second.box);
-  if (!(both.lower == node.box.lower && both.upper == node.box.upper)) faults.push_back(name + "its box is not tight");
-  validateNode(node.child[0], faults, leaves, inner);
-  validateNode(node.child[1], faults, leaves, inner);
-}
-
-std::vector<std::string> BroadPhase::validate() const {
-  std::vector<std::string> faults;
-  int leaves = 0, inner = 0, unused = 0;
-  if (root_ != kNoProxy) {
-    if (nodes_[root_].parent != kNoProxy) faults.push_back("the root has a parent");
-    validateNode(root_, faults, leaves, inner);
-  }
-  for (ProxyIndex i = free_; i != kNoProxy && unused <= int(nodes_.size()); i = nodes_[i].parent) {
-    if (nodes_[i].height != -1) faults.push_back("node " + std::to_string(i) + ": in use and in the list of free ones");
-    unused++;
-  }
-  if (leaves != count_)
-    faults.push_back("found " + std::to_string(leaves) + " leaves, expected " + std::to_string(count_));
-  if (leaves + inner + unused != int(nodes_.size())) faults.push_back("nodes are lost");
-  return faults;
 }
 
 }  // namespace brickfall

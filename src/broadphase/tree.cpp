@@ -1,176 +1,173 @@
-// The tree of the broad phase: where a leaf goes, and how the tree keeps its shape.
-//
-// A leaf is put where it adds least surface (the surface-area heuristic, as a descent to the cheaper child). Two
-// things then happen on the way back to the root. Balance is a promise: as in an AVL tree, the heights of two
-// siblings differ by one at most, so a query needs a stack of known size and no order of insertion (bricks come
-// sorted) can make it slow. Boxes have no order among themselves, so one kind of rotation is enough for everything:
-// swap a child with a nephew. Surface is a wish: a swap that shrinks a box is made if it leaves the height as it is.
+// Proxies, pairs and queries; what the tree looks like is in tree_shape.cpp.
+#include "broadphase/tree.h"
+
+#include <algorithm>
+
 #include "base/assert.h"
-#include "broadphase/broad_phase.h"
 
 namespace brickfall {
 namespace {
 
-double halfSurface(const Aabb& box) {
-  Vec3 d = box.upper - box.lower;
-  return d.x * d.y + d.y * d.z + d.z * d.x;
-}
+// A balanced tree of 2^31 leaves is 45 levels high, and a depth-first walk keeps one node a level.
+constexpr int kStackSize = 64;
 
 }  // namespace
 
-ProxyIndex BroadPhase::allocateNode() {
-  ProxyIndex index = free_;
-  if (index == kNoProxy) {
-    index = ProxyIndex(nodes_.size());
-    nodes_.emplace_back();
-  } else {
-    free_ = nodes_[index].parent;
-    nodes_[index] = Node{};
-  }
-  return index;
+void BoxTree::markMoved(ProxyIndex leaf) {
+  if (nodes_[leaf].moved) return;
+  nodes_[leaf].moved = true;
+  moved_.push_back(leaf);
 }
 
-void BroadPhase::freeNode(ProxyIndex index) {
-  nodes_[index] = Node{};
-  nodes_[index].height = -1;
-  nodes_[index].parent = free_;
-  free_ = index;
+ProxyIndex BoxTree::add(const Aabb& tight, double grow, std::uint32_t user) {
+  ProxyIndex leaf = allocateNode();
+  nodes_[leaf].box = grown(tight, grow);
+  nodes_[leaf].user = user;
+  insertLeaf(leaf);
+  markMoved(leaf);
+  count_++;
+  if (moved_.capacity() < std::size_t(count_)) moved_.reserve(nodes_.capacity());  // all may move in one step
+  return leaf;
 }
 
-// Descends to the cheaper child: the cost of a place is the surface of the new parent there plus what every ancestor
-// grows by. Goes down to a leaf or the parent of two (a leaf beside anything higher would break the balance), so a
-// big box can end up deep in the tree: that costs every query of its ancestors a look, some log n of them.
-ProxyIndex BroadPhase::findSibling(const Aabb& box) const {
-  ProxyIndex index = root_;
-  while (nodes_[index].height > 0) {
-    const Node& node = nodes_[index];
-    double together = halfSurface(merged(node.box, box));
-    double inherited = together - halfSurface(node.box);
-    double cost[2];
-    for (int k = 0; k < 2; k++) {
-      const Node& child = nodes_[node.child[k]];
-      cost[k] = halfSurface(merged(child.box, box)) + inherited;
-      if (child.height > 0) cost[k] -= halfSurface(child.box);
-    }
-    if (node.height == 1 && together < cost[0] && together < cost[1]) break;
-    index = node.child[cost[1] < cost[0] ? 1 : 0];
-  }
-  return index;
+void BoxTree::remove(ProxyIndex proxy) {
+  BRICKFALL_ASSERT(proxy >= 0 && proxy < ProxyIndex(nodes_.size()) && nodes_[proxy].height == 0, "not a live proxy");
+  removeLeaf(proxy);
+  freeNode(proxy);
+  count_--;
 }
 
-void BroadPhase::insertLeaf(ProxyIndex leaf) {
-  if (root_ == kNoProxy) {
-    root_ = leaf;
-    nodes_[leaf].parent = kNoProxy;
-    return;
-  }
-  ProxyIndex sibling = findSibling(nodes_[leaf].box);
-  ProxyIndex parent = allocateNode();
-  ProxyIndex above = nodes_[sibling].parent;
-  nodes_[parent].parent = above;
-  nodes_[parent].child[0] = sibling;
-  nodes_[parent].child[1] = leaf;
-  nodes_[sibling].parent = parent;
-  nodes_[leaf].parent = parent;
-  if (above == kNoProxy)
-    root_ = parent;
-  else
-    nodes_[above].child[nodes_[above].child[0] == sibling ? 0 : 1] = parent;
-  refitUpwards(parent);
+bool BoxTree::update(ProxyIndex proxy, const Aabb& tight, double grow) {
+  BRICKFALL_ASSERT(proxy >= 0 && proxy < ProxyIndex(nodes_.size()) && nodes_[proxy].height == 0, "not a live proxy");
+  Aabb fresh = grown(tight, grow);
+  if (!mustMove(nodes_[proxy].box, tight, fresh)) return false;
+  removeLeaf(proxy);
+  nodes_[proxy].box = fresh;
+  insertLeaf(proxy);
+  markMoved(proxy);
+  return true;
 }
 
-void BroadPhase::removeLeaf(ProxyIndex leaf) {
-  ProxyIndex parent = nodes_[leaf].parent;
-  nodes_[leaf].parent = kNoProxy;
-  if (parent == kNoProxy) {
-    root_ = kNoProxy;
-    return;
-  }
-  ProxyIndex sibling = nodes_[parent].child[nodes_[parent].child[0] == leaf ? 1 : 0];
-  ProxyIndex above = nodes_[parent].parent;
-  nodes_[sibling].parent = above;
-  if (above == kNoProxy)
-    root_ = sibling;
-  else
-    nodes_[above].child[nodes_[above].child[0] == parent ? 0 : 1] = sibling;
-  freeNode(parent);
-  refitUpwards(above);
-}
-
-void BroadPhase::refitUpwards(ProxyIndex index) {
-  for (; index != kNoProxy; index = nodes_[index].parent) {
-    restoreBalance(index);
-    refit(index);
-    improve(index);
-  }
-}
-
-void BroadPhase::refit(ProxyIndex index) {
-  Node& node = nodes_[index];
-  const Node& first = nodes_[node.child[0]];
-  const Node& second = nodes_[node.child[1]];
-  node.box = merged(first.box, second.box);
-  node.height = 1 + (first.height > second.height ? first.height : second.height);
-}
-
-// Child `side` of `index` and child `nephew` of the other child change places.
-void BroadPhase::swapWithNephew(ProxyIndex index, int side, int nephew) {
-  ProxyIndex child = nodes_[index].child[side], other = nodes_[index].child[1 - side];
-  ProxyIndex raised = nodes_[other].child[nephew];
-  nodes_[index].child[side] = raised;
-  nodes_[raised].parent = index;
-  nodes_[other].child[nephew] = child;
-  nodes_[child].parent = other;
-  refit(other);
-}
-
-// One insertion or removal changes a height by one at most, so the children differ by two at most: raising the taller
-// nephew (of two equal ones, the one that leaves the smaller box) makes them differ by at most one again.
-void BroadPhase::restoreBalance(ProxyIndex index) {
-  const Node& node = nodes_[index];
-  int difference = nodes_[node.child[1]].height - nodes_[node.child[0]].height;
-  BRICKFALL_ASSERT(difference >= -2 && difference <= 2, "one change unbalances by two levels at most");
-  if (difference >= -1 && difference <= 1) return;
-  int low = difference > 0 ? 0 : 1;
-  const Node& tall = nodes_[node.child[1 - low]];
-  const Node& n0 = nodes_[tall.child[0]];
-  const Node& n1 = nodes_[tall.child[1]];
-  int nephew = n0.height > n1.height ? 0 : 1;
-  if (n0.height == n1.height) {
-    const Aabb& sinking = nodes_[node.child[low]].box;
-    nephew = halfSurface(merged(sinking, n1.box)) <= halfSurface(merged(sinking, n0.box)) ? 0 : 1;
-  }
-  swapWithNephew(index, low, nephew);
-}
-
-void BroadPhase::improve(ProxyIndex index) {
-  const Node& node = nodes_[index];
-  if (node.height < 2) return;
-  double bestGain = 0;
-  int bestSide = -1, bestNephew = 0;
-  for (int side = 0; side < 2; side++) {
-    const Node& child = nodes_[node.child[side]];
-    const Node& other = nodes_[node.child[1 - side]];
-    if (other.height == 0) continue;
-    double surface = halfSurface(other.box);
-    for (int nephew = 0; nephew < 2; nephew++) {
-      const Node& raised = nodes_[other.child[nephew]];
-      const Node& stays = nodes_[other.child[1 - nephew]];
-      int difference = child.height - stays.height;
-      if (difference < -1 || difference > 1) continue;
-      int otherHeight = 1 + (child.height > stays.height ? child.height : stays.height);
-      difference = otherHeight - raised.height;
-      if (difference < -1 || difference > 1) continue;
-      if (1 + (otherHeight > raised.height ? otherHeight : raised.height) != node.height) continue;
-      double gain = surface - halfSurface(merged(child.box, stays.box));
-      if (gain > bestGain) {
-        bestGain = gain;
-        bestSide = side;
-        bestNephew = nephew;
+void BoxTree::newPairs(PairFilter wanted, Pairs& out) {
+  out.clear();
+  ProxyIndex stack[kStackSize];
+  std::sort(moved_.begin(), moved_.end());
+  moved_.erase(std::unique(moved_.begin(), moved_.end()), moved_.end());
+  for (ProxyIndex leaf : moved_) {
+    const Node& self = nodes_[leaf];
+    if (!self.moved) continue;  // removed since
+    int depth = 0;
+    stack[depth++] = root_;
+    while (depth > 0) {
+      ProxyIndex index = stack[--depth];
+      const Node& node = nodes_[index];
+      if (!overlaps(node.box, self.box)) continue;
+      if (node.height > 0) {
+        stack[depth++] = node.child[0];
+        stack[depth++] = node.child[1];
+      } else if (index != leaf && !(node.moved && index < leaf)) {  // of two moved ones, the lower reports
+        std::uint32_t a = std::min(self.user, node.user), b = std::max(self.user, node.user);
+        if (wanted(a, b)) out.emplace_back(a, b);
       }
     }
   }
-  if (bestSide >= 0) swapWithNephew(index, bestSide, bestNephew);
+  for (ProxyIndex leaf : moved_) nodes_[leaf].moved = false;
+  moved_.clear();
+  std::sort(out.begin(), out.end());
+}
+
+void BoxTree::query(const Aabb& box, FunctionRef<bool(std::uint32_t)> visit) const {
+  if (root_ == kNoProxy) return;
+  ProxyIndex stack[kStackSize];
+  int depth = 0;
+  stack[depth++] = root_;
+  while (depth > 0) {
+    const Node& node = nodes_[stack[--depth]];
+    if (!overlaps(node.box, box)) continue;
+    if (node.height > 0) {
+      stack[depth++] = node.child[0];
+      stack[depth++] = node.child[1];
+    } else if (!visit(node.user)) {
+      return;
+    }
+  }
+}
+
+void BoxTree::queryRay(Vec3 origin, Vec3 direction, double maxDistance,
+                       FunctionRef<double(std::uint32_t user, double limit)> visit) const {
+  if (root_ == kNoProxy) return;
+  struct Entry {
+    ProxyIndex index;
+    double distance;
+  };
+  Entry stack[kStackSize];
+  int depth = 0;
+  double limit = maxDistance;
+  stack[depth++] = {root_, rayEntry(nodes_[root_].box, origin, direction, limit)};
+  while (depth > 0) {
+    Entry entry = stack[--depth];
+    if (!(entry.distance <= limit)) continue;
+    const Node& node = nodes_[entry.index];
+    if (node.height == 0) {
+      limit = std::min(limit, visit(node.user, limit));
+      continue;
+    }
+    Entry first{node.child[0], rayEntry(nodes_[node.child[0]].box, origin, direction, limit)};
+    Entry second{node.child[1], rayEntry(nodes_[node.child[1]].box, origin, direction, limit)};
+    if (second.distance < first.distance) std::swap(first, second);  // the nearer is looked at first
+    stack[depth++] = second;
+    stack[depth++] = first;
+  }
+}
+
+int BoxTree::height() const { return root_ == kNoProxy ? 0 : nodes_[root_].height; }
+
+void BoxTree::validateNode(ProxyIndex index, std::vector<std::string>& faults, int& leaves, int& inner) const {
+  const Node& node = nodes_[index];
+  std::string name = "node " + std::to_string(index) + ": ";
+  if (node.height == 0) {
+    leaves++;
+    if (node.child[0] != kNoProxy || node.child[1] != kNoProxy) faults.push_back(name + "a leaf has children");
+    return;
+  }
+  inner++;
+  if (inner > ProxyIndex(nodes_.size())) {
+    faults.push_back(name + "the tree has a cycle");
+    return;
+  }
+  for (ProxyIndex child : node.child) {
+    if (child < 0 || child >= ProxyIndex(nodes_.size())) {
+      faults.push_back(name + "a child is missing");
+      return;
+    }
+    if (nodes_[child].parent != index) faults.push_back(name + "a child has another parent");
+    if (!contains(node.box, nodes_[child].box)) faults.push_back(name + "a child sticks out");
+  }
+  const Node& first = nodes_[node.child[0]];
+  const Node& second = nodes_[node.child[1]];
+  if (node.height != 1 + std::max(first.height, second.height)) faults.push_back(name + "its height is wrong");
+  if (std::abs(first.height - second.height) > 1) faults.push_back(name + "it is out of balance");
+  Aabb both = merged(first.box, second.box);
+  if (!(both.lower == node.box.lower && both.upper == node.box.upper)) faults.push_back(name + "its box is not tight");
+  validateNode(node.child[0], faults, leaves, inner);
+  validateNode(node.child[1], faults, leaves, inner);
+}
+
+std::vector<std::string> BoxTree::validate() const {
+  std::vector<std::string> faults;
+  int leaves = 0, inner = 0, unused = 0;
+  if (root_ != kNoProxy) {
+    if (nodes_[root_].parent != kNoProxy) faults.push_back("the root has a parent");
+    validateNode(root_, faults, leaves, inner);
+  }
+  for (ProxyIndex i = free_; i != kNoProxy && unused <= int(nodes_.size()); i = nodes_[i].parent) {
+    if (nodes_[i].height != -1) faults.push_back("node " + std::to_string(i) + ": in use and in the list of free ones");
+    unused++;
+  }
+  if (leaves != count_)
+    faults.push_back("found " + std::to_string(leaves) + " leaves, expected " + std::to_string(count_));
+  if (leaves + inner + unused != int(nodes_.size())) faults.push_back("nodes are lost");
+  return faults;
 }
 
 }  // namespace brickfall

@@ -10,8 +10,11 @@ namespace brickfall {
 
 namespace {
 
-Obb boxOf(const ReportBody& body) {
-  return makeObb(Transform{body.state.position, body.state.rotation}, body.halfExtents);
+// With the manifold two boxes count as touching from 5 mm on, as engines have it: each is larger by half of that.
+constexpr double kSkin = 2.5e-3;  // m
+
+Obb boxOf(const ReportBody& body, double skin) {
+  return makeObb(Transform{body.state.position, body.state.rotation}, body.halfExtents + Vec3{skin, skin, skin});
 }
 
 // Bounding spheres first, in the order of their left ends: pairs that are far apart are not even looked at.
@@ -53,12 +56,21 @@ int widestGap(const ObbGapsT<double>& gaps) {
 }  // namespace
 
 void ReportSystem::step(std::vector<ReportBody>& bodies, Vec3 gravity, double dt) {
-  std::vector<ReportBody> before = bodies;
-  move(bodies, gravity, dt);
   std::vector<Collision> collisions;
-  findCollisions(bodies, dt, collisions);
-  if (!settings_.manifold) stepBack(before, collisions, bodies);
-  respond(bodies, collisions, dt);
+  if (settings_.manifold) {
+    // Contacts are there before they are needed: what gravity gives is taken back before anything moves by it.
+    for (ReportBody& body : bodies)
+      if (body.mass.mass > 0) body.state.velocity += gravity * dt;
+    findCollisions(bodies, dt, collisions);
+    respond(bodies, collisions, dt);
+    move(bodies, {}, dt);
+  } else {
+    std::vector<ReportBody> before = bodies;
+    move(bodies, gravity, dt);
+    findCollisions(bodies, dt, collisions);
+    stepBack(before, collisions, bodies);
+    respond(bodies, collisions, dt);
+  }
   for (Collision& c : collisions) c.memory->points = std::move(c.points);
 }
 
@@ -79,14 +91,15 @@ void ReportSystem::move(std::vector<ReportBody>& bodies, Vec3 gravity, double dt
 
 void ReportSystem::findCollisions(const std::vector<ReportBody>& bodies, double dt, std::vector<Collision>& out) {
   pairsTested_ = 0;
+  double skin = settings_.manifold ? kSkin : 0;
   for (auto& entry : memory_) entry.second.seen = false;
   forEachNearPair(bodies, [&](std::size_t i, std::size_t j) {
     const ReportBody &a = bodies[i], &b = bodies[j];
     pairsTested_++;
     Memory& memory = memory_[{a.id, b.id}];
     memory.seen = true;
-    ObbMotion now{
-        boxOf(a), boxOf(b), a.state.velocity, b.state.velocity, a.state.angularVelocity, b.state.angularVelocity};
+    ObbMotion now{boxOf(a, skin),   boxOf(b, skin),          a.state.velocity,
+                  b.state.velocity, a.state.angularVelocity, b.state.angularVelocity};
     if (!overlaps(now.a, now.b)) {
       rememberGap(now, memory);
       memory.points.clear();
@@ -135,14 +148,16 @@ int ReportSystem::contactRow(const ObbMotion& before, const ObbMotion& now, cons
 
 void ReportSystem::makePoints(const ObbMotion& now, int row, Collision& collision) const {
   int sigma = rowGaps(now.a, now.b).sigma[std::size_t(row)];
-  collision.normal = normalized(obbRowAxis(now.a, now.b, row)) * double(sigma);
+  Vec3 n = collision.normal = normalized(obbRowAxis(now.a, now.b, row)) * double(sigma);
+  collision.tangent1 = normalized(cross(n, std::fabs(n.x) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0}));
+  collision.tangent2 = cross(n, collision.tangent1);
   if (!settings_.manifold) {
     collision.points.push_back({tablePoint(now.a, now.b, row, sigma).point});
     return;
   }
   ObbContactSetT<double> set = contactSet(now.a, now.b, row, sigma, {0, 0.02});
   for (int k = 0; k < set.count; k++)
-    collision.points.push_back({set.points[std::size_t(k)].position, set.points[std::size_t(k)].depth});
+    collision.points.push_back({set.points[std::size_t(k)].position, set.points[std::size_t(k)].depth - 2 * kSkin});
 }
 
 // Impulses of the points that are still there, each from the nearest one of the last step.

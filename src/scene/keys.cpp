@@ -62,6 +62,7 @@ std::vector<KeySpec> makeKeys() {
       {"world", "sleep_delay", K::number, "s", 0.001, 1000, "0.5", "", "at rest for so long before it sleeps"},
       {"world", "air_density", K::number, "kg/m3", 0, 2000, "1.204", "", "for bodies with a drag_area"},
       {"world", "hit_event_speed", K::number, "m/s", 0, kFast, "1", "", "slower impacts make no hit event"},
+      {"world", "broad_phase", K::choice, "", 0, 0, "\"tree\"", "tree|sweep_and_prune|bounding_spheres|all_pairs", "how pairs that may touch are found; changes no result (docs/broad-phases.md)"},
       {"world", "method", K::choice, "", 0, 0, "\"clusters\"", "clusters|report", "the engine, or the system of the report that it came from, for comparison (docs/report.md)"},
       {"world", "integrator", K::choice, "", 0, 0, "\"splitting\"", "splitting|explicit_euler|semi_implicit_euler|implicit_euler_rotation|velocity_verlet|runge_kutta_4", "how bodies that touch nothing move (docs/integrators.md)"},
       {"world", "hit_event_impulse", K::number, "N s", 0, 1e9, "0.01", "", "weaker impacts make no hit event"},
@@ -84,8 +85,8 @@ std::vector<KeySpec> makeKeys() {
       {"report", "friction", K::boolean, "", 0, 0, "false", "", "Coulomb friction; false: damping"},
       {"report", "manifold", K::boolean, "", 0, 0, "false", "", "all points of contact, and overlap is pushed out; false: one point"},
       {"report", "warm_starting", K::boolean, "", 0, 0, "false", "", "impulses remembered, and sweeps over all contacts"},
-      {"report", "impulse_factor", K::number, "", 0, 100, "1", "", "of reduced mass x closing speed"},
-      {"report", "damping", K::number, "1/s", 0, 1e6, "1", "", "of all velocities, without friction"},
+      {"report", "impulse_factor", K::number, "", 0, 100, "1.5", "", "of reduced mass x closing speed"},
+      {"report", "damping", K::number, "1/s", 0, 1e6, "0.3", "", "of all velocities, without friction"},
       {"report", "sweeps", K::integer, "", 1, 1000, "10", "", "with warm_starting"},
       {"report", "integrator", K::choice, "", 0, 0, "\"semi_implicit_euler\"", "splitting|explicit_euler|semi_implicit_euler|implicit_euler_rotation|velocity_verlet|runge_kutta_4", "how its bodies move"},
 

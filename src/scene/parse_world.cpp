@@ -65,6 +65,7 @@ void readWorld(SceneBuild& build, TableReader& top) {
   reader.number("air_density", scene.world.airDensity);
   reader.number("hit_event_speed", scene.world.hitEventSpeed);
   reader.number("hit_event_impulse", scene.world.hitEventImpulse);
+  reader.choice("broad_phase", scene.world.broadPhase);
   reader.choice("method", scene.world.method);
   reader.choice("integrator", scene.world.integrator);
   readSolver(top, scene.world.solver);

@@ -114,7 +114,7 @@ Status World::setType(BodyId id, BodyType type) {
 // Removes and adds the body's proxies: its pairs are found anew.
 void World::Impl::renewProxies(BodyIndex body) {
   for (ShapeIndex shape : bodies.shapes[body]) {
-    if (shapes.data[shape].proxy != kNoProxy) broadPhase.remove(shapes.data[shape].proxy);
+    if (shapes.data[shape].proxy != kNoProxy) broadPhase->remove(shapes.data[shape].proxy);
     addProxy(shape);
   }
 }

@@ -148,7 +148,7 @@ void World::Impl::obstruct(ShapeIndex shape, bool everything, double thickness, 
   Aabb here = bounds(s.geometry, own.start * s.inCentreFrame);
   if (own.turns) here = merged(here, bounds(s.geometry, own.at(1) * s.inCentreFrame));
   Vec3 d = own.way;
-  broadPhase.query({here.lower + min(d, Vec3{}), here.upper + max(d, Vec3{})}, [&](std::uint32_t other) {
+  broadPhase->query({here.lower + min(d, Vec3{}), here.upper + max(d, Vec3{})}, [&](std::uint32_t other) {
     const ShapeData& o = shapes.data[other];
     if (o.body == s.body || !filtersAllow(s.def.filter, o.def.filter)) return true;
     BodyType type = bodies.data[o.body].type;

@@ -145,6 +145,8 @@ Status checkWorld(const WorldDef& def) {
   check.range("hitEventImpulse", def.hitEventImpulse, 0, 1e12);
   check.range("threads", def.threads, 1, 64);
   check.range("maxBodies", def.maxBodies, 1, 16'000'000);
+  check.range("broadPhase", int(def.broadPhase), 0, kBroadPhaseMethodCount - 1);
+  check.range("method", int(def.method), 0, int(Method::report));
   checkSolver(check, def.solver);
   check.range("report.impulseFactor", def.report.impulseFactor, 0, 100);
   check.range("report.damping", def.report.damping, 0, 1e6);
@@ -161,6 +163,7 @@ Result<World> World::create(const WorldDef& def) {
   impl->def = def;
   impl->worldNumber = next++;
   if (impl->worldNumber == 0) impl->worldNumber = next++;
+  impl->broadPhase = makeBroadPhase(def.broadPhase);
   impl->pool = std::make_unique<WorkerPool>(def.threads);
   return World(std::move(impl));
 }
@@ -347,7 +350,7 @@ Status World::destroyBody(BodyId id) {
   if (w.bodies.data[*body].activity == BodyActivity::asleep) w.wakeIslandOf(*body);
   w.removeContactsOf(*body);
   for (ShapeIndex shape : w.bodies.shapes[*body]) {
-    if (w.shapes.data[shape].proxy != kNoProxy) w.broadPhase.remove(w.shapes.data[shape].proxy);
+    if (w.shapes.data[shape].proxy != kNoProxy) w.broadPhase->remove(w.shapes.data[shape].proxy);
     w.shapes.destroy(shape);
   }
   w.delist(*body);

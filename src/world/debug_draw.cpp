@@ -25,7 +25,7 @@ void World::draw(const DebugDraw& draw) const {
       const ShapeData& s = w.shapes.data[shape];
       if (draw.shape)
         draw.shape(w.idOf(body), s.def, w.shapes.worldPose(shape, w.bodies), colourOf(w.bodies.data[body]));
-      if (draw.bounds && s.proxy != kNoProxy) draw.bounds(w.broadPhase.kept(s.proxy));
+      if (draw.bounds && s.proxy != kNoProxy) draw.bounds(w.broadPhase->kept(s.proxy));
     }
     if (draw.line && lengthSquared(m.linearVelocity) > 0)
       draw.line(m.position, m.position + m.linearVelocity * 0.1, kVelocityColour);

@@ -20,7 +20,7 @@ Result<std::optional<RayHit>> World::castRay(Vec3 origin, Vec3 direction, double
   if (check.failed()) return check.error();
   direction = normalized(direction * (1 / largest));  // first to about one: its square must not overflow
   std::optional<RayHit> best;
-  w.broadPhase.queryRay(origin, direction, maxDistance, [&](std::uint32_t shape, double limit) {
+  w.broadPhase->queryRay(origin, direction, maxDistance, [&](std::uint32_t shape, double limit) {
     const ShapeData& s = w.shapes.data[shape];
     if (!(s.def.filter.category & mask)) return limit;
     Transform pose = w.shapes.worldPose(shape, w.bodies), back = inverse(pose);
@@ -71,7 +71,7 @@ Result<std::vector<BodyId>> World::overlapBox(const Aabb& box, std::uint32_t mas
     const ShapeData& s = w.shapes.data[shape];
     return penetrationDepth(region, s.geometry, inverse(pose) * w.shapes.worldPose(shape, w.bodies)) > 0;
   };
-  for (BodyIndex body : bodiesNear(w.broadPhase, w.shapes, box, mask, touches)) out.push_back(w.idOf(body));
+  for (BodyIndex body : bodiesNear(*w.broadPhase, w.shapes, box, mask, touches)) out.push_back(w.idOf(body));
   return out;
 }
 
@@ -87,7 +87,7 @@ Result<std::vector<BodyId>> World::overlapSphere(Vec3 centre, double radius, std
   };
   std::vector<BodyId> out;
   Aabb box = grown({centre, centre}, radius);
-  for (BodyIndex body : bodiesNear(w.broadPhase, w.shapes, box, mask, touches)) out.push_back(w.idOf(body));
+  for (BodyIndex body : bodiesNear(*w.broadPhase, w.shapes, box, mask, touches)) out.push_back(w.idOf(body));
   return out;
 }
 
@@ -98,7 +98,7 @@ Result<std::optional<ClosestResult>> World::closest(Vec3 point, double maxDistan
   check.range("maxDistance", maxDistance, 0, 1e7);
   if (check.failed()) return check.error();
   std::optional<ClosestResult> best;
-  w.broadPhase.query(grown({point, point}, maxDistance), [&](std::uint32_t shape) {
+  w.broadPhase->query(grown({point, point}, maxDistance), [&](std::uint32_t shape) {
     const ShapeData& s = w.shapes.data[shape];
     if (!(s.def.filter.category & mask)) return true;
     Transform pose = w.shapes.worldPose(shape, w.bodies);

@@ -16,7 +16,7 @@ namespace brickfall {
 namespace {
 
 constexpr std::uint64_t kMagic = 0x30504e5346424b42ull;
-constexpr std::uint32_t kLayout = 4;
+constexpr std::uint32_t kLayout = 5;
 
 struct Header {
   std::uint64_t magic = kMagic;
@@ -71,7 +71,20 @@ class SnapshotArchive {
     a.value(d.hitEventImpulse);
     a.value(d.threads);
     a.value(d.maxBodies);
+    a.choice(d.broadPhase, BroadPhaseMethod(kBroadPhaseMethodCount - 1));
+    a.choice(d.method, Method::report);
+    a.choice(d.integrator, Integrator(kIntegratorCount - 1));
+    report(a, d.report);
     a.value(d.solver);
+  }
+
+  template <class Archive, class Settings> static void report(Archive& a, Settings& s) {
+    for (auto* part : {&s.allAxes, &s.lastAxis, &s.restitution, &s.friction, &s.manifold, &s.warmStarting})
+      a.flag(*part);
+    a.value(s.impulseFactor);
+    a.value(s.damping);
+    a.value(s.sweeps);
+    a.choice(s.integrator, Integrator(kIntegratorCount - 1));
   }
 
   // The length of a list of structures that are read field by field.

@@ -94,6 +94,7 @@ void checkContacts(Checks& check, const ContactSet& set) {
 
 Status World::Impl::rebuild() {
   if (Status fine = checkWorld(def); !fine) return fine;
+  broadPhase = makeBroadPhase(def.broadPhase);
   for (const BodyData& d : bodies.data) dynamicBodies += d.alive && d.type == BodyType::dynamic;
   std::vector<std::string> wrong = validateStructure();
   if (!wrong.empty()) return Error{ErrorCode::badFormat, wrong.front()};

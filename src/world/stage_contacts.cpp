@@ -196,7 +196,7 @@ void World::Impl::updateContacts() {
       continue;
     }
     PairView view{shapes.data[pair.shapeA], shapes.data[pair.shapeB], pair.bodyA, pair.bodyB};
-    if (!overlaps(broadPhase.kept(view.a.proxy), broadPhase.kept(view.b.proxy))) {
+    if (!overlaps(broadPhase->kept(view.a.proxy), broadPhase->kept(view.b.proxy))) {
       if (pair.contact != kNoIndex) contacts.destroy(pair.contact);
       continue;
     }
@@ -246,7 +246,7 @@ void World::Impl::updateMeshPair(std::size_t begin, std::size_t end, std::size_t
     return;
   }
   PairView view{shapes.data[first.shapeA], shapes.data[first.shapeB], first.bodyA, first.bodyB};
-  if (!overlaps(broadPhase.kept(view.a.proxy), broadPhase.kept(view.b.proxy))) {
+  if (!overlaps(broadPhase->kept(view.a.proxy), broadPhase->kept(view.b.proxy))) {
     for (int i = 0; i < count; i++)
       if (parts[i].contact != kNoIndex) contacts.destroy(parts[i].contact);
     return;

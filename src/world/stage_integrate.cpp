@@ -153,7 +153,7 @@ void World::Impl::keepBounds(BodyIndex body) {
   for (ShapeIndex shape : bodies.shapes[body]) {
     ShapeData& s = shapes.data[shape];
     Aabb now = bounds(s.geometry, shapes.worldPose(shape, bodies));
-    if (!contains(broadPhase.kept(s.proxy), now)) broadPhase.update(s.proxy, merged(now, s.swept), slackOf(shape));
+    if (!contains(broadPhase->kept(s.proxy), now)) broadPhase->update(s.proxy, merged(now, s.swept), slackOf(shape));
   }
 }
 
@@ -170,7 +170,7 @@ void World::Impl::quarantine(BodyIndex body) {
 void World::Impl::isolate(BodyIndex body) {
   removeContactsOf(body);
   for (ShapeIndex shape : bodies.shapes[body]) {
-    broadPhase.remove(shapes.data[shape].proxy);
+    broadPhase->remove(shapes.data[shape].proxy);
     shapes.data[shape].proxy = kNoProxy;
   }
   delist(body);

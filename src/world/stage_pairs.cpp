@@ -43,7 +43,7 @@ void World::Impl::addProxy(ShapeIndex shape) {
 
 void World::Impl::addProxy(ShapeIndex shape, const Aabb& swept) {
   ShapeData& s = shapes.data[shape];
-  s.proxy = broadPhase.add(swept, slackOf(shape), shape);
+  s.proxy = broadPhase->add(swept, slackOf(shape), shape);
 }
 
 void World::Impl::findPairs() {
@@ -53,7 +53,7 @@ void World::Impl::findPairs() {
     for (ShapeIndex shape : bodies.shapes[body]) {
       updateSwept(shape, context.dt);
       const ShapeData& s = shapes.data[shape];
-      broadPhase.update(s.proxy, s.swept, slackOf(shape));
+      broadPhase->update(s.proxy, s.swept, slackOf(shape));
     }
   };
   for (BodyIndex body : awake) update(body);
@@ -66,7 +66,7 @@ void World::Impl::findPairs() {
     return filtersAllow(shapes.data[a].def.filter, shapes.data[b].def.filter);
   };
   foundPairs.clear();
-  broadPhase.newPairs(wanted, foundPairs);
+  broadPhase->newPairs(wanted, foundPairs);
   newPairs.clear();
   for (const auto& [a, b] : foundPairs) {
     CandidatePair pair{a, b, shapes.data[a].body, shapes.data[b].body, kNoIndex, 0};

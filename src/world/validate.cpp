@@ -158,7 +158,7 @@ std::vector<std::string> World::validate() const {
   for (const std::string& text : w.validateStructure()) f.expect(false, text);
   if (f.any()) return f.take();
   for (const std::string& text : w.validateLinks()) f.expect(false, text);
-  for (const std::string& text : w.broadPhase.validate()) f.expect(false, "broad phase: " + text);
+  for (const std::string& text : w.broadPhase->validate()) f.expect(false, "broad phase: " + text);
   for (BodyIndex i = 0; i < w.bodies.slots(); i++) {
     if (!w.bodies.alive(i)) continue;
     const BodyMotion& m = w.bodies.motion[i];
@@ -175,7 +175,7 @@ std::vector<std::string> World::validate() const {
         f.expect(w.bodies.data[i].quarantined, at("shape", s) + ": not in the broad phase");
         continue;
       }
-      const Aabb& kept = w.broadPhase.kept(w.shapes.data[s].proxy);
+      const Aabb& kept = w.broadPhase->kept(w.shapes.data[s].proxy);
       f.expect(contains(kept, w.shapes.data[s].swept), at("shape", s) + ": its swept bounds are outside the kept ones");
       f.expect(contains(kept, bounds(w.shapes.data[s].geometry, w.shapes.worldPose(s, w.bodies))),
                at("shape", s) + ": outside its kept bounds");

@@ -29,7 +29,7 @@ struct World::Impl {
   BodySet bodies;
   ShapeSet shapes;
   ContactSet contacts;
-  BroadPhase broadPhase;
+  std::unique_ptr<BroadPhase> broadPhase;  // never null in a world
   IslandSet islands;
   std::vector<BodyIndex> awake;         // dynamic bodies that are not asleep, ascending
   std::vector<BodyIndex> moving;        // kinematic bodies with a velocity, ascending

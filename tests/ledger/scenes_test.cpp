@@ -109,7 +109,8 @@ TEST_P(LedgerOfScene, everyChangeHasItsCause) {
 
 std::vector<std::string> sceneNames() {
   std::vector<std::string> names;
-  for (const ShippedScene& scene : shippedScenes()) names.push_back(scene.name);
+  for (const ShippedScene& scene : shippedScenes())
+    if (scene.name != "report_wall") names.push_back(scene.name);  // there to show what breaks these laws
   return names;
 }
 INSTANTIATE_TEST_SUITE_P(Scenes, LedgerOfScene, testing::ValuesIn(sceneNames()),

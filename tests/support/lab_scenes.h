@@ -24,6 +24,7 @@ struct Options {
   bool shuffle = false;      // bodies created in random order
   bool sleep = false;
   int threads = 1;
+  BroadPhaseMethod broadPhase = BroadPhaseMethod::tree;
   SolverSettings solver;
 };
 
@@ -122,6 +123,7 @@ class Builder {
   void open() {
     def.enableSleep = options_.sleep;
     def.threads = options_.threads;
+    def.broadPhase = options_.broadPhase;
     def.solver = options_.solver;
     scene_.world = std::move(World::create(def)).value();
     BodyDef ground;

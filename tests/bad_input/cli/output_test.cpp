@@ -68,6 +68,21 @@ TEST_F(Outputs, sameSceneSameBits) {
   EXPECT_EQ(b["threads"], 2);
 }
 
+// The report's system, whose energy grows without end, leaves sound files too.
+TEST_F(Outputs, theReportsWallLeavesWhatOthersLeave) {
+  const Finished done = run({"run", "report_wall", "--seconds", "3", "-o", "wall"});
+  EXPECT_EQ(done.exitCode, 0) << done.errors;
+  EXPECT_EQ(done.errors, "");
+  for (const char* name : {"replay.html", "report_wall.glb", "report_wall.take"})
+    EXPECT_TRUE(exists(std::string("wall/") + name)) << name;
+  const json summary = json::parse(read("wall/summary.json"));
+  EXPECT_EQ(summary["bricks"], 105);
+  EXPECT_EQ(summary["steps"], 180);
+  EXPECT_GT(summary["displacement_max_m"].get<double>(), 0.05) << "it falls by itself";
+  const Finished again = run({"replay", "wall/report_wall.take", "-o", "again"});
+  EXPECT_EQ(again.exitCode, 0) << again.errors;
+}
+
 TEST_F(Outputs, switchesLeaveOutputsOut) {
   const Finished done = run({"run", "cube", "--seconds", "0.2", "--quiet", "--no-html", "--no-glb"});
   EXPECT_EQ(done.exitCode, 0) << done.errors;

@@ -1,4 +1,5 @@
-// The broad phase against brute force: random adds, moves and removals, walls in sorted order, infinite bounds.
+// Every broad phase against brute force: random adds, moves and removals, walls in sorted order, infinite bounds; and that
+// the tree keeps its shape.
 #include "broadphase/broad_phase.h"
 
 #include <gtest/gtest.h>
@@ -7,6 +8,7 @@
 #include <map>
 #include <set>
 
+#include "broadphase/tree.h"
 #include "math/random.h"
 
 namespace brickfall {
@@ -21,9 +23,9 @@ Aabb randomBox(Random& random, double world, double size) {
   return {c - h, c + h};
 }
 
-// What a broad phase should know, kept without a tree.
+// What a broad phase should know, kept in the simplest way.
 struct Model {
-  BroadPhase tree;
+  std::unique_ptr<BroadPhase> tree;
   std::map<std::uint32_t, ProxyIndex> proxies;
   std::set<std::uint32_t> moved;
 
@@ -31,7 +33,7 @@ struct Model {
     Pairs out;
     for (auto a = proxies.begin(); a != proxies.end(); ++a)
       for (auto b = std::next(a); b != proxies.end(); ++b)
-        if ((moved.count(a->first) || moved.count(b->first)) && overlaps(tree.kept(a->second), tree.kept(b->second)))
+        if ((moved.count(a->first) || moved.count(b->first)) && overlaps(tree->kept(a->second), tree->kept(b->second)))
           out.emplace_back(a->first, b->first);
     return out;
   }
@@ -39,9 +41,19 @@ struct Model {
 
 int allowedHeight(int count) { return int(1.45 * std::log2(count + 2.0)) + 1; }
 
-TEST(BroadPhase, RandomLifeAgreesWithBruteForce) {
+class EveryBroadPhase : public testing::TestWithParam<BroadPhaseMethod> {
+ protected:
+  std::unique_ptr<BroadPhase> made() const { return makeBroadPhase(GetParam()); }
+};
+INSTANTIATE_TEST_SUITE_P(All, EveryBroadPhase,
+                         testing::Values(BroadPhaseMethod::tree, BroadPhaseMethod::sweepAndPrune,
+                                         BroadPhaseMethod::boundingSpheres, BroadPhaseMethod::allPairs),
+                         [](const auto& kind) { return std::string(broadPhaseName(kind.param)); });
+
+TEST_P(EveryBroadPhase, RandomLifeAgreesWithBruteForce) {
   Random random(7);
   Model model;
+  model.tree = made();
   std::uint32_t next = 0;
   size_t pairsSeen = 0;
   for (int round = 0; round < 300; round++) {
@@ -49,7 +61,7 @@ TEST(BroadPhase, RandomLifeAgreesWithBruteForce) {
       double dice = random.unit();
       if (model.proxies.empty() || dice < 0.4) {
         // Names grow while slots are reused, so the two differ.
-        model.proxies[next] = model.tree.add(randomBox(random, 6, 0.8), 0.05, next);
+        model.proxies[next] = model.tree->add(randomBox(random, 6, 0.8), 0.05, next);
         model.moved.insert(next++);
         continue;
       }
@@ -57,49 +69,50 @@ TEST(BroadPhase, RandomLifeAgreesWithBruteForce) {
       if (dice < 0.7) {
         Vec3 by{random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)};
         by *= random.unit() < 0.5 ? 0.04 : 2.0;
-        Aabb kept = model.tree.kept(it->second);
+        Aabb kept = model.tree->kept(it->second);
         Aabb tight = grown({kept.lower + by, kept.upper + by}, -0.05);
         bool inside = contains(kept, tight);
-        bool reinserted = model.tree.update(it->second, tight, 0.05);
+        bool reinserted = model.tree->update(it->second, tight, 0.05);
         EXPECT_EQ(reinserted, !inside);
         if (reinserted) model.moved.insert(it->first);
       } else {
-        model.tree.remove(it->second);
+        model.tree->remove(it->second);
         model.moved.erase(it->first);
         model.proxies.erase(it);
       }
     }
-    ASSERT_EQ(model.tree.validate(), std::vector<std::string>{});
-    ASSERT_EQ(model.tree.count(), int(model.proxies.size()));
-    EXPECT_LE(model.tree.height(), allowedHeight(model.tree.count()));
+    ASSERT_EQ(model.tree->validate(), std::vector<std::string>{});
+    ASSERT_EQ(model.tree->count(), int(model.proxies.size()));
+    if (GetParam() == BroadPhaseMethod::tree)
+      EXPECT_LE(static_cast<BoxTree&>(*model.tree).height(), allowedHeight(model.tree->count()));
     Pairs found;
-    model.tree.newPairs(kAll, found);
+    model.tree->newPairs(kAll, found);
     ASSERT_EQ(found, model.expectedPairs());
     pairsSeen += found.size();
     model.moved.clear();
-    model.tree.newPairs(kAll, found);
+    model.tree->newPairs(kAll, found);
     EXPECT_TRUE(found.empty());
 
     Aabb where = randomBox(random, 6, 2);
     std::set<std::uint32_t> visited, expected;
-    model.tree.query(where, [&](std::uint32_t user) { return visited.insert(user).second; });
+    model.tree->query(where, [&](std::uint32_t user) { return visited.insert(user).second; });
     for (auto [user, proxy] : model.proxies)
-      if (overlaps(model.tree.kept(proxy), where)) expected.insert(user);
+      if (overlaps(model.tree->kept(proxy), where)) expected.insert(user);
     EXPECT_EQ(visited, expected);
   }
   EXPECT_GT(pairsSeen, 300u);
 }
 
-TEST(BroadPhase, StopsAQueryWhenAsked) {
-  BroadPhase tree;
-  for (std::uint32_t i = 0; i < 20; i++) tree.add({{0, 0, 0}, {1, 1, 1}}, 0, i);
+TEST_P(EveryBroadPhase, StopsAQueryWhenAsked) {
+  std::unique_ptr<BroadPhase> tree = made();
+  for (std::uint32_t i = 0; i < 20; i++) tree->add({{0, 0, 0}, {1, 1, 1}}, 0, i);
   int calls = 0;
-  tree.query({{0, 0, 0}, {1, 1, 1}}, [&](std::uint32_t) { return ++calls < 3; });
+  tree->query({{0, 0, 0}, {1, 1, 1}}, [&](std::uint32_t) { return ++calls < 3; });
   EXPECT_EQ(calls, 3);
 }
 
-TEST(BroadPhase, WallInSortedOrderStaysBalancedAndTight) {
-  BroadPhase tree;
+TEST(BoxTree, WallInSortedOrderStaysBalancedAndTight) {
+  BoxTree tree;
   tree.add({{-1e30, -1e30, -1e30}, {1e30, 0, 1e30}}, 0.01, 0);  // the ground
   std::uint32_t user = 1;
   for (int course = 0; course < 40; course++)
@@ -118,29 +131,48 @@ TEST(BroadPhase, WallInSortedOrderStaysBalancedAndTight) {
   EXPECT_EQ(std::adjacent_find(found.begin(), found.end()), found.end());
 }
 
-TEST(BroadPhase, FilterIsAsked) {
-  BroadPhase tree;
-  for (std::uint32_t i = 0; i < 4; i++) tree.add({{0, 0, 0}, {1, 1, 1}}, 0, i);
+// A plane's bounds, boxes that only touch, and boxes far from the origin: where rounding could lose a pair.
+TEST_P(EveryBroadPhase, LosesNoPairAtTheEdges) {
+  for (Vec3 far : {Vec3{}, Vec3{1e6, -1e5, 1e7}}) {
+    std::unique_ptr<BroadPhase> phase = made();
+    phase->add({{-1e30, -1e30, -1e30}, {1e30, 1e30, 1e30}}, 0.01, 0);
+    std::uint32_t user = 1;
+    for (double x : {0.0, 1.0, 2.0})
+      for (double y : {0.0, 1.0}) phase->add({far + Vec3{x, y, 0}, far + Vec3{x + 1, y + 1, 1e-3}}, 0, user++);
+    Pairs found, expected;
+    phase->newPairs(kAll, found);
+    for (std::uint32_t i = 1; i < user; i++) expected.emplace_back(0, i);
+    for (std::uint32_t i = 1; i < user; i++)
+      for (std::uint32_t j = i + 1; j < user && j <= i + 3; j++)
+        if ((j - 1) / 2 - (i - 1) / 2 <= 1) expected.emplace_back(i, j);
+    std::sort(expected.begin(), expected.end());
+    EXPECT_EQ(found, expected);
+  }
+}
+
+TEST_P(EveryBroadPhase, FilterIsAsked) {
+  std::unique_ptr<BroadPhase> tree = made();
+  for (std::uint32_t i = 0; i < 4; i++) tree->add({{0, 0, 0}, {1, 1, 1}}, 0, i);
   Pairs found;
-  tree.newPairs([](std::uint32_t a, std::uint32_t b) { return a == 0 && b == 3; }, found);
+  tree->newPairs([](std::uint32_t a, std::uint32_t b) { return a == 0 && b == 3; }, found);
   EXPECT_EQ(found, (Pairs{{0, 3}}));
 }
 
-TEST(BroadPhase, ReinsertsWhatShrankAlot) {
-  BroadPhase tree;
-  ProxyIndex p = tree.add({{-5, -5, -5}, {5, 5, 5}}, 0.1, 0);
-  EXPECT_FALSE(tree.update(p, {{-2, -2, -2}, {2, 2, 2}}, 0.1));
-  EXPECT_TRUE(tree.update(p, {{-1, -1, -1}, {1, 1, 1}}, 0.1));
-  EXPECT_EQ(tree.kept(p).upper.x, 1.1);
+TEST_P(EveryBroadPhase, ReinsertsWhatShrankAlot) {
+  std::unique_ptr<BroadPhase> tree = made();
+  ProxyIndex p = tree->add({{-5, -5, -5}, {5, 5, 5}}, 0.1, 0);
+  EXPECT_FALSE(tree->update(p, {{-2, -2, -2}, {2, 2, 2}}, 0.1));
+  EXPECT_TRUE(tree->update(p, {{-1, -1, -1}, {1, 1, 1}}, 0.1));
+  EXPECT_EQ(tree->kept(p).upper.x, 1.1);
 }
 
-TEST(BroadPhase, RayMeetsTheNearestFirstAndStops) {
+TEST_P(EveryBroadPhase, RayMeetsTheNearestFirstAndStops) {
   Random random(3);
-  BroadPhase tree;
+  std::unique_ptr<BroadPhase> tree = made();
   std::vector<Aabb> boxes;
   for (std::uint32_t i = 0; i < 400; i++) {
     boxes.push_back(randomBox(random, 10, 1));
-    tree.add(boxes.back(), 0, i);
+    tree->add(boxes.back(), 0, i);
   }
   auto entry = [&](const Aabb& box, Vec3 o, Vec3 d, double limit) {
     double enter = 0, leave = limit;
@@ -158,7 +190,7 @@ TEST(BroadPhase, RayMeetsTheNearestFirstAndStops) {
     Vec3 d = normalized(Vec3{random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)});
     double expected = 30, found = 30;
     for (const Aabb& box : boxes) expected = std::min(expected, entry(box, o, d, 30));
-    tree.queryRay(o, d, 30, [&](std::uint32_t user, double limit) {
+    tree->queryRay(o, d, 30, [&](std::uint32_t user, double limit) {
       visits++;
       found = std::min(limit, entry(boxes[user], o, d, limit));
       return found;
@@ -167,17 +199,17 @@ TEST(BroadPhase, RayMeetsTheNearestFirstAndStops) {
     hits += expected < 30;
   }
   EXPECT_GT(hits, 100);
-  EXPECT_LT(visits, 500 * 12);  // of 400 boxes each
+  if (GetParam() == BroadPhaseMethod::tree) EXPECT_LT(visits, 500 * 12);  // of 400 boxes each
   // Along an axis the other two directions are zero.
-  BroadPhase one;
-  one.add({{1, -1, -1}, {2, 1, 1}}, 0, 5);
+  std::unique_ptr<BroadPhase> one = made();
+  one->add({{1, -1, -1}, {2, 1, 1}}, 0, 5);
   int met = 0;
   auto count = [&](std::uint32_t, double limit) { return met++, limit; };
-  one.queryRay({0, 0.5, 0}, {1, 0, 0}, 10, count);
+  one->queryRay({0, 0.5, 0}, {1, 0, 0}, 10, count);
   EXPECT_EQ(met, 1);
-  one.queryRay({0, 1.5, 0}, {1, 0, 0}, 10, count);
+  one->queryRay({0, 1.5, 0}, {1, 0, 0}, 10, count);
   EXPECT_EQ(met, 1);
-  one.queryRay({0, 0.5, 0}, {1, 0, 0}, 0.5, count);
+  one->queryRay({0, 0.5, 0}, {1, 0, 0}, 0.5, count);
   EXPECT_EQ(met, 1);
 }
 

@@ -85,6 +85,36 @@ TEST(Report, EveryPartChangesWhatHappens) {
   }
 }
 
+// What is missing beyond the six parts: sweeps enough to bring the load of all courses to the ground.
+TEST(Report, AllPartsCarryTheWallOnlyWithManySweeps) {
+  ReportSettings all;
+  all.allAxes = all.lastAxis = all.restitution = all.friction = all.manifold = true;
+  double after = fallsAfter(all, 1);
+  EXPECT_GT(after, 0);
+  EXPECT_LT(after, 0.2) << "one sweep, nothing remembered";
+  all.warmStarting = true;
+  after = fallsAfter(all, 2);
+  EXPECT_GT(after, 0.3) << "ten sweeps";
+  all.sweeps = 100;
+  EXPECT_EQ(fallsAfter(all, 1.5), -1);
+}
+
+// Energy from nothing, most of it in spins: impulses count the speeds of the centres only.
+TEST(Report, SpinsPileUpInTheWallThatSeemsToStand) {
+  ReportSystem system(ReportSettings{});
+  std::vector<ReportBody> bodies = wall();
+  for (int i = 0; i < 60; i++) system.step(bodies, {0, -kG, 0}, kDt);
+  double way = 0, spin = 0;
+  for (const ReportBody& b : bodies) {
+    if (!(b.mass.mass > 0)) continue;
+    double moving = 0.5 * b.mass.mass * lengthSquared(b.state.velocity);
+    way += moving;
+    spin += kineticEnergy(b.state, b.mass) - moving;
+  }
+  EXPECT_GT(spin, 1000);
+  EXPECT_GT(spin, 5 * way);
+}
+
 TEST(Report, RunsAsAMethodOfTheWorldWithTheSameBits) {
   WorldDef def;
   def.method = Method::report;
