@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "geometry/hull_triangles.h"
+#include "math/symmetric_eigen.h"
 
 namespace brickfall {
 
@@ -135,40 +136,11 @@ Mat3 pointCovariance(std::span<const Vec3> points) {
 }
 
 Mat3 principalAxes(const Mat3& symmetric) {
-  Mat3 m = symmetric, vectors;  // vectors: columns
-  for (int sweep = 0; sweep < 60; sweep++) {
-    double off = std::fabs(m.row[0].y) + std::fabs(m.row[0].z) + std::fabs(m.row[1].z);
-    double on = std::fabs(m.row[0].x) + std::fabs(m.row[1].y) + std::fabs(m.row[2].z);
-    if (!(off > 1e-18 * on)) break;
-    for (int p = 0; p < 2; p++) {
-      for (int q = p + 1; q < 3; q++) {
-        double pq = m.row[p][q];
-        if (pq == 0) continue;
-        double theta = (m.row[q][q] - m.row[p][p]) / (2 * pq);
-        double t = (theta < 0 ? -1 : 1) / (std::fabs(theta) + std::sqrt(theta * theta + 1));
-        if (!std::isfinite(theta)) continue;
-        double c = 1 / std::sqrt(t * t + 1), s = t * c;
-        for (int k = 0; k < 3; k++) {
-          double kp = m.row[k][p], kq = m.row[k][q];
-          m.row[k][p] = c * kp - s * kq, m.row[k][q] = s * kp + c * kq;
-        }
-        for (int k = 0; k < 3; k++) {
-          double pk = m.row[p][k], qk = m.row[q][k];
-          m.row[p][k] = c * pk - s * qk, m.row[q][k] = s * pk + c * qk;
-          double vp = vectors.row[k][p], vq = vectors.row[k][q];
-          vectors.row[k][p] = c * vp - s * vq, vectors.row[k][q] = s * vp + c * vq;
-        }
-      }
-    }
-  }
+  SymmetricEigen e = symmetricEigen(symmetric);
   int order[3] = {0, 1, 2};
-  std::stable_sort(order, order + 3, [&](int a, int b) { return m.row[a][a] > m.row[b][b]; });
-  Mat3 out;
-  out.row[0] = normalized(vectors.column(order[0]));
-  Vec3 second = vectors.column(order[1]);
-  out.row[1] = normalized(second - out.row[0] * dot(second, out.row[0]));
-  out.row[2] = cross(out.row[0], out.row[1]);
-  return out;
+  std::stable_sort(order, order + 3, [&](int a, int b) { return e.values[a] > e.values[b]; });
+  Vec3 first = e.axes.row[order[0]], second = e.axes.row[order[1]];
+  return {{first, second, cross(first, second)}};
 }
 
 }  // namespace brickfall

@@ -26,7 +26,7 @@ FitHull fitHull(std::span<const Vec3> scaled);
 // Covariance of the surface of triangles, about its centre of area, divided by the area.
 Mat3 surfaceCovariance(std::span<const Vec3> points, std::span<const std::uint32_t> triangles);
 Mat3 pointCovariance(std::span<const Vec3> points);
-// Rows: eigenvectors of a symmetric matrix, right-handed, largest eigenvalue first. Cyclic Jacobi.
+// Rows: eigenvectors of a symmetric matrix, right-handed, largest eigenvalue first.
 Mat3 principalAxes(const Mat3& symmetric);
 
 // Axes (rows, right-handed) of a small box around the hull's corners, from the best of `starts`.
