@@ -6,11 +6,11 @@ add_library(brickfall_options INTERFACE)
 target_compile_options(brickfall_options INTERFACE
   -ffp-contract=off -fno-math-errno -Wall -Wextra -Wshadow -Wno-missing-field-initializers)
 # g++ 12 fuses pairs of products into vfmaddsub all the same (its vectoriser does not ask -ffp-contract) where the flags of
-# the build, such as -march=native, allow it: the instructions have to go.
+# the build, such as -march=native, allow it: the instructions have to go, those of AVX-512 too, which bring their own.
 include(CheckCXXSourceCompiles)
 check_cxx_source_compiles("#ifndef __FMA__\n#error none\n#endif\nint main() {}" BRICKFALL_BUILD_HAS_FMA)
 if(BRICKFALL_BUILD_HAS_FMA)
-  target_compile_options(brickfall_options INTERFACE -mno-fma)
+  target_compile_options(brickfall_options INTERFACE -mno-fma -mno-avx512f)
 endif()
 target_include_directories(brickfall_options INTERFACE
   $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
