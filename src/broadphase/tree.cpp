@@ -10,6 +10,7 @@ namespace {
 
 // A balanced tree of 2^31 leaves is 45 levels high, and a depth-first walk keeps one node a level.
 constexpr int kStackSize = 64;
+constexpr int kLeastRebuilt = 64;  // leaves: smaller trees are fine as they grew
 
 }  // namespace
 
@@ -26,7 +27,10 @@ ProxyIndex BoxTree::add(const Aabb& tight, double grow, std::uint32_t user) {
   insertLeaf(leaf);
   markMoved(leaf);
   count_++;
-  if (moved_.capacity() < std::size_t(count_)) moved_.reserve(nodes_.capacity());  // all may move in one step
+  if (moved_.capacity() < std::size_t(count_)) {  // all may move in one step
+    moved_.reserve(nodes_.capacity());
+    leaves_.reserve(nodes_.capacity());
+  }
   return leaf;
 }
 
@@ -53,6 +57,7 @@ void BoxTree::newPairs(PairFilter wanted, Pairs& out) {
   ProxyIndex stack[kStackSize];
   std::sort(moved_.begin(), moved_.end());
   moved_.erase(std::unique(moved_.begin(), moved_.end()), moved_.end());
+  if (count_ >= kLeastRebuilt && 2 * moved_.size() > std::size_t(count_)) rebuild();
   for (ProxyIndex leaf : moved_) {
     const Node& self = nodes_[leaf];
     if (!self.moved) continue;  // removed since

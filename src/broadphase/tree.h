@@ -31,6 +31,8 @@ class BoxTree final : public BroadPhase {
 
   ProxyIndex allocateNode();
   void freeNode(ProxyIndex index);
+  void rebuild();
+  ProxyIndex build(std::size_t from, std::size_t to);
   void insertLeaf(ProxyIndex leaf);
   void removeLeaf(ProxyIndex leaf);
   ProxyIndex findSibling(const Aabb& box) const;
@@ -43,7 +45,8 @@ class BoxTree final : public BroadPhase {
   void validateNode(ProxyIndex index, std::vector<std::string>& faults, int& leaves, int& inner) const;
 
   std::vector<Node> nodes_;
-  std::vector<ProxyIndex> moved_;  // may hold removed or repeated entries; newPairs sorts that out
+  std::vector<ProxyIndex> moved_;   // may hold removed or repeated entries; newPairs sorts that out
+  std::vector<ProxyIndex> leaves_;  // scratch
   ProxyIndex root_ = kNoProxy;
   ProxyIndex free_ = kNoProxy;
   int count_ = 0;

@@ -83,8 +83,9 @@ TEST_P(EveryBroadPhase, RandomLifeAgreesWithBruteForce) {
     }
     ASSERT_EQ(model.tree->validate(), std::vector<std::string>{});
     ASSERT_EQ(model.tree->count(), int(model.proxies.size()));
-    if (GetParam() == BroadPhaseMethod::tree)
+    if (GetParam() == BroadPhaseMethod::tree) {
       EXPECT_LE(static_cast<BoxTree&>(*model.tree).height(), allowedHeight(model.tree->count()));
+    }
     Pairs found;
     model.tree->newPairs(kAll, found);
     ASSERT_EQ(found, model.expectedPairs());
@@ -101,6 +102,36 @@ TEST_P(EveryBroadPhase, RandomLifeAgreesWithBruteForce) {
     EXPECT_EQ(visited, expected);
   }
   EXPECT_GT(pairsSeen, 300u);
+}
+
+// Most boxes move at once, some go, an endless one among them: the tree is built anew.
+TEST_P(EveryBroadPhase, AllMoveAtOnce) {
+  Random random(11);
+  Model model;
+  model.tree = made();
+  model.proxies[0] = model.tree->add({{-1e30, -1e30, -1e30}, {1e30, -5, 1e30}}, 0.05, 0);
+  for (std::uint32_t i = 1; i < 300; i++) model.proxies[i] = model.tree->add(randomBox(random, 6, 0.6), 0.05, i);
+  for (const auto& [user, proxy] : model.proxies) model.moved.insert(user);
+  std::size_t pairsSeen = 0;
+  for (int round = 0; round < 12; round++) {
+    Pairs found;
+    model.tree->newPairs(kAll, found);
+    ASSERT_EQ(found, model.expectedPairs());
+    ASSERT_EQ(model.tree->validate(), std::vector<std::string>{});
+    if (GetParam() == BroadPhaseMethod::tree) {
+      EXPECT_LE(static_cast<BoxTree&>(*model.tree).height(), allowedHeight(model.tree->count()));
+    }
+    pairsSeen += found.size();
+    model.moved.clear();
+    for (const auto& [user, proxy] : model.proxies)
+      if (user > 0 && model.tree->update(proxy, randomBox(random, 6, 0.6), 0.05)) model.moved.insert(user);
+    EXPECT_GT(2 * model.moved.size(), model.proxies.size());
+    auto gone = std::next(model.proxies.begin(), 1 + round);
+    model.tree->remove(gone->second);
+    model.moved.erase(gone->first);
+    model.proxies.erase(gone);
+  }
+  EXPECT_GT(pairsSeen, 1000u);
 }
 
 TEST_P(EveryBroadPhase, StopsAQueryWhenAsked) {
@@ -199,7 +230,9 @@ TEST_P(EveryBroadPhase, RayMeetsTheNearestFirstAndStops) {
     hits += expected < 30;
   }
   EXPECT_GT(hits, 100);
-  if (GetParam() == BroadPhaseMethod::tree) EXPECT_LT(visits, 500 * 12);  // of 400 boxes each
+  if (GetParam() == BroadPhaseMethod::tree) {
+    EXPECT_LT(visits, 500 * 12);  // of 400 boxes each
+  }
   // Along an axis the other two directions are zero.
   std::unique_ptr<BroadPhase> one = made();
   one->add({{1, -1, -1}, {2, 1, 1}}, 0, 5);
