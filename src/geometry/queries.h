@@ -29,7 +29,8 @@ struct DistanceResult {
 DistanceResult shapeDistance(const Shape& a, const Shape& b, const Transform& bInA);
 
 // First time in [0, 1] at which b, moving from bInA by `motion` (frame of a, no rotation), comes within `target` m of a;
-// nothing if it does not. 0 if it is that near already. Conservative advancement, tolerance 1e-6 m.
+// nothing if it does not. 0 if it is that near already. Conservative advancement; it stops short by at most 1e-5 of the
+// smaller inner radius or 1e-6 m, whichever is less, but not below 4e-9 of the larger shape, and never goes further in.
 // Never for two planes.
 std::optional<double> timeOfImpact(const Shape& a, const Shape& b, const Transform& bInA, Vec3 motion, double target);
 

@@ -21,6 +21,7 @@ struct Obstacle {
   Vec3 half;
   ShapeId shape;
   Vec3 lastOutside;
+  Transform before;  // where its body was a step ago
   bool inside = false;
 };
 
@@ -32,9 +33,13 @@ struct Scene {
   double flight = 0;  // m to the target
 };
 
-Vec3 inFrame(const World& world, const Obstacle& o, Vec3 point) {
-  BodyState s = *world.state(o.body);
-  return transformPoint(inverse(Transform{s.position, s.rotation} * o.local), point);
+Transform poseOf(const World& world, BodyId body) {
+  BodyState s = *world.state(body);
+  return {s.position, s.rotation};
+}
+
+Vec3 inFrame(const Obstacle& o, const Transform& pose, Vec3 point) {
+  return transformPoint(inverse(pose * o.local), point);
 }
 
 bool isInside(Vec3 p, Vec3 half) {
@@ -53,8 +58,34 @@ bool passes(Vec3 from, Vec3 to, Vec3 half) {
   return false;
 }
 
+// One step: from place to place, straight in the world. In the frame of an obstacle that turns, the missile's way is an
+// arc (a brick hit at its corner makes half a turn in a step: what is still in front of it is then on the other side of
+// its frame, and went round it, not through), so it is followed in parts of 0.05 rad. A turn of over half a turn is told
+// from the shorter one the other way by `spin`. True if it leads through.
+bool follow(Obstacle& o, const Transform& after, Vec3 spin, Vec3 from, Vec3 to) {
+  Quat turn = after.rotation * conjugate(o.before.rotation);
+  double sine = length(Vec3{turn.x, turn.y, turn.z}), angle = 2 * std::atan2(sine, std::fabs(turn.w));
+  Vec3 axis = sine > 0 ? Vec3{turn.x, turn.y, turn.z} * ((turn.w < 0 ? -1 : 1) / sine) : Vec3{};
+  if (angle > 1 && dot(axis, spin) < 0) axis = -axis, angle = 2 * kPi - angle;
+  int parts = 1 + int(angle / 0.05);
+  bool through = false;
+  for (int part = 1; part <= parts; part++) {
+    double share = double(part) / parts;
+    Transform pose{o.before.position + (after.position - o.before.position) * share,
+                   normalized(quatFromRotationVector(axis * (angle * share)) * o.before.rotation)};
+    if (part == parts) pose = after;
+    Vec3 now = inFrame(o, pose, from + (to - from) * share);
+    o.inside = isInside(now, o.half);
+    if (o.inside) continue;
+    through = through || passes(o.lastOutside, now, o.half);
+    o.lastOutside = now;
+  }
+  o.before = after;
+  return through;
+}
+
 void addObstacle(Scene& scene, BodyId body, Vec3 half, const Transform& local, std::size_t index) {
-  scene.obstacles.push_back({body, local, half, scene.world.shapes(body)[index], {}});
+  scene.obstacles.push_back({body, local, half, scene.world.shapes(body)[index], {}, {}});
 }
 
 BodyDef plateDef(Vec3 half, const Transform& pose, BodyType type, double density) {
@@ -230,23 +261,21 @@ Flight fly(const Shot& shot) {
   World& world = scene.world;
   auto centre = [&] { return world.state(scene.missile)->centreOfMass; };
   for (Obstacle& o : scene.obstacles) {
-    o.lastOutside = inFrame(world, o, centre());
+    o.before = poseOf(world, o.body);
+    o.lastOutside = inFrame(o, o.before, centre());
     if (world.penetration(scene.missileShape, o.shape).value() > 0) return out;
   }
   out.fired = true;
   int steps = int(1.3 * scene.flight / shot.speed / shot.dt) + 15;
   for (int n = 0; n < steps; n++) {
+    Vec3 centreBefore = centre();
     if (!world.step(shot.dt).ok()) break;
     out.steps++;
     for (const ContactEvent& touch : world.events().begin)
       out.hit = out.hit || touch.bodyA == scene.missile || touch.bodyB == scene.missile;
-    for (Obstacle& o : scene.obstacles) {
-      Vec3 now = inFrame(world, o, centre());
-      o.inside = isInside(now, o.half);
-      if (o.inside) continue;
-      out.through = out.through || passes(o.lastOutside, now, o.half);
-      o.lastOutside = now;
-    }
+    for (Obstacle& o : scene.obstacles)
+      if (follow(o, poseOf(world, o.body), world.state(o.body)->angularVelocity, centreBefore, centre()))
+        out.through = true;
   }
   for (const Obstacle& o : scene.obstacles) {
     out.within = out.within || o.inside;

@@ -1,7 +1,9 @@
 // Thousands of random shots, none through.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <map>
 
 #include "shot.h"
@@ -52,9 +54,27 @@ void keepRows(const Tally& tally) {
   test::record(row);
 }
 
+// BRICKFALL_SHOT=<seed> flies that one alone; BRICKFALL_SHOTS_FROM=<seed> begins the sweep there.
+std::uint64_t seedFrom(const char* variable) {
+  const char* text = std::getenv(variable);
+  return text ? std::strtoull(text, nullptr, 10) : 0;
+}
+
+TEST(Shots, OneAlone) {
+  std::uint64_t seed = seedFrom("BRICKFALL_SHOT");
+  Shot shot = randomShot(seed);
+  Flight flight = fly(shot);
+  if (seed > 0)
+    std::printf("%s: fired %d, hit %d, overlap %.3g m, %d steps\n", describe(shot).c_str(), flight.fired, flight.hit,
+                flight.overlap, flight.steps);
+  EXPECT_FALSE(flight.through) << describe(shot);
+  EXPECT_FALSE(flight.within) << describe(shot);
+}
+
 TEST(Shots, NothingGoesThrough) {
   Tally tally;
-  for (std::uint64_t seed = 1, fired = 0; fired < std::uint64_t(kShots); seed++) {
+  std::uint64_t first = std::max<std::uint64_t>(seedFrom("BRICKFALL_SHOTS_FROM"), 1);
+  for (std::uint64_t seed = first, fired = 0; fired < std::uint64_t(kShots); seed++) {
     Shot shot = randomShot(seed);
     Flight flight = fly(shot);
     if (!flight.fired) continue;
