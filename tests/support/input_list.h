@@ -201,9 +201,11 @@ inline void randomCall(InputList& list, lab::LabRandom& random) {
     case InputKind::gravityScale:
       list.set(kind, body, 0.5 + random.unit());
       break;
-    case InputKind::damping:
-      list.set(kind, body, random.unit(), random.unit());
+    case InputKind::damping: {
+      const double linear = random.unit(), angular = random.unit();  // arguments have no order of their own
+      list.set(kind, body, linear, angular);
       break;
+    }
     case InputKind::gravity:
       list.call(kind, -1, {random.unit() - 0.5, -9.81, 0});
       break;
