@@ -3,8 +3,9 @@
 // rest, could end the step behind something thin. So the core of every fast body, a ball a fourth as thick as its shape, is
 // swept along the way that the solve found, against the ways of the others, and the body stops for this step where its core
 // would enter something, or where it would run over the core of something smaller. Of two that both move, both stop; what a
-// kinematic body runs into is taken along. What is long and turns is looked at in its own frame. A body that contacts would spin too far in one step goes only a part of its way
-// and turn, as far as frozen arms are true. Velocities stay: the next step finds the contact and does the rest.
+// kinematic body runs into is taken along. What is long and turns is looked at in its own frame, where ways are arcs, in
+// parts of 0.1 rad. A body that contacts would spin too far in one step goes only a part of its way and turn, as far as
+// frozen arms are true. Velocities stay: the next step finds the contact and does the rest.
 #include <algorithm>
 #include <cmath>
 
@@ -21,6 +22,8 @@ namespace {
 constexpr double kFarHeavier = 30;   // times the mass
 constexpr double kCoreShare = 0.25;  // of a shape's inner radius
 constexpr int kHalvings = 6;         // of a way that turned out to end inside
+constexpr double kChord = 0.1;       // rad: arcs are looked at as straight in parts of this
+constexpr int kMostChords = 32;
 
 struct Sweep {
   Transform start;     // of a body's centre frame
@@ -43,7 +46,6 @@ double coreWay(const ShapeData& moving, const Sweep& way, const ShapeData& still
     return transformPoint(inverse(of.at(share) * still.inCentreFrame), transformPoint(way.at(share), moving.middle));
   };
   Transform coreInOther{transformPoint(back, from), {}};
-  Vec3 motion = turns ? placeAt(1) - coreInOther.position : rotate(back.rotation, way.way - of.way);
   Shape core;
   core.type = ShapeType::sphere;
   core.radius = kCoreShare * moving.innerRadius;
@@ -55,13 +57,28 @@ double coreWay(const ShapeData& moving, const Sweep& way, const ShapeData& still
     if (!(apart > 0)) return 1;  // inside: the contacts push it out
   }
   target = std::min(target, 0.5 * apart);
-  double share = timeOfImpact(still.geometry, core, coreInOther, motion, target).value_or(1);
-  // Its way was taken as straight: where it really gets to on the arc must be outside, too.
-  for (int halving = 0; turns && halving < kHalvings; halving++) {
-    if (shapeDistance(still.geometry, core, {placeAt(share), {}}).distance > 0.5 * target) return share;
-    share *= 0.5;
+  if (!turns) {
+    Vec3 motion = rotate(back.rotation, way.way - of.way);
+    return timeOfImpact(still.geometry, core, coreInOther, motion, target).value_or(1);
   }
-  return turns ? 0 : share;
+  double angle = std::max(length(way.turn), length(of.turn));
+  int parts = angle < kChord * kMostChords ? 1 + int(angle / kChord) : kMostChords;
+  for (int part = 0; part < parts; part++) {
+    double begin = double(part) / parts, step = 1.0 / parts;
+    coreInOther.position = placeAt(begin);
+    Vec3 motion = placeAt(begin + step) - coreInOther.position;
+    std::optional<double> met = timeOfImpact(still.geometry, core, coreInOther, motion, target);
+    // The part was taken as straight: where it really gets to on the arc must be outside, too.
+    double share = begin + step * met.value_or(1);
+    bool outside = false;
+    for (int halving = 0; halving < kHalvings && !outside; halving++) {
+      outside = shapeDistance(still.geometry, core, {placeAt(share), {}}).distance > 0.5 * target;
+      if (outside && (met || halving > 0)) return share;
+      share = begin + 0.5 * (share - begin);
+    }
+    if (!outside) return begin;
+  }
+  return 1;
 }
 
 bool exceeds(Vec3 way, double limit) { return lengthSquared(way) > limit * limit; }
