@@ -1,5 +1,7 @@
 #include "cli/console.h"
 
+#include <fcntl.h>
+
 #include <cerrno>
 #include <cstring>
 
@@ -19,6 +21,12 @@ std::string printable(std::string_view text) {
   for (char& c : shown)
     if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
   return shown;
+}
+
+void openMissingStreams() {
+  // The lowest free number is given out, and all below are in use.
+  for (int stream = 0; stream < 3; stream++)
+    if (fcntl(stream, F_GETFD) < 0 && errno == EBADF && open("/dev/null", O_RDWR) != stream) return;
 }
 
 void say(std::string_view line) {

@@ -16,6 +16,10 @@ template <class... Args> void sayf(fmt::format_string<Args...> text, Args&&... a
   say(fmt::format(text, std::forward<Args>(args)...));
 }
 
+// A process may be started with standard input, output or error closed. Without this the first file that it opens gets the
+// number of that stream, and what is said goes into that file.
+void openMissingStreams();
+
 // "brickfall: <message>" to standard error. Control characters of the message (file names may hold any) are shown as '?'.
 void complain(std::string_view message);
 template <class... Args> void complainf(fmt::format_string<Args...> text, Args&&... args) {

@@ -5,10 +5,11 @@
 
 #include <cctype>
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <system_error>
+
+#include "output/atomic_file.h"
 
 namespace brickfall::cli {
 namespace fs = std::filesystem;
@@ -36,20 +37,10 @@ Status makeFolder(const std::string& folder) {
 }
 
 Status writeWhole(const std::string& path, std::string_view text) {
-  const std::string aside = path + ".part";
-  std::FILE* file = std::fopen(aside.c_str(), "wb");
-  if (file == nullptr) return fileError("write", path, std::strerror(errno));
-  bool fine = std::fwrite(text.data(), 1, text.size(), file) == text.size();
-  fine = std::fflush(file) == 0 && fine;
-  int why = errno;
-  if (std::fclose(file) != 0 && fine) {
-    fine = false;
-    why = errno;
-  }
-  if (fine && std::rename(aside.c_str(), path.c_str()) == 0) return {};
-  if (fine) why = errno;
-  std::remove(aside.c_str());
-  return fileError("write", path, std::strerror(why));
+  AtomicFile file(path);
+  if (Status opened = file.open(); !opened) return opened;
+  file.write(text);
+  return file.commit();
 }
 
 std::string joinPath(const std::string& folder, const std::string& name) {

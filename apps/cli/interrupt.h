@@ -3,7 +3,7 @@
 
 namespace brickfall::cli {
 
-// From here on SIGINT and SIGTERM are counted instead of ending the process; the third one does end it.
+// From here on SIGINT, SIGTERM and SIGHUP (the terminal is gone) are counted instead of ending the process; the third one does end it.
 void watchInterrupts();
 // A reader of standard output that leaves, or a file that may not grow, makes a write fail instead of ending the process
 // in the middle of a run.

@@ -206,6 +206,7 @@ int main(int argc, char** argv) {
   using namespace brickfall::cli;
   int exitCode = kInternalError;
   try {
+    openMissingStreams();
     makeFailedWritesErrors();
     exitCode = dispatch(argc, argv);
   } catch (const std::bad_alloc&) {

@@ -29,7 +29,7 @@ OutputsResult writeOutputs(const TakeReader& take, const std::string& folder, co
     if (!job.wanted || interrupted()) continue;
     const std::string path = joinPath(folder, job.name);
     const Status written = job.write(take, path, [&](double share) {
-      display.update("writing " + path, share);
+      display.update("writing " + printable(path), share);
       return !interrupted();
     });
     display.finish();
@@ -51,7 +51,7 @@ void listFiles(const std::vector<WrittenFile>& files) {
   std::size_t widest = 0;
   for (const WrittenFile& file : files) widest = std::max(widest, file.path.size());
   for (const WrittenFile& file : files)
-    sayf("  {:<{}}  {:>8}  {}", file.path, widest, sizeText(file.path), file.purpose);
+    sayf("  {:<{}}  {:>8}  {}", printable(file.path), widest, sizeText(file.path), file.purpose);
 }
 
 }  // namespace brickfall::cli

@@ -1,5 +1,6 @@
 // brickfall replay: the outputs again, from a recorded take.
 #include <filesystem>
+#include <system_error>
 
 #include "brickfall/take.h"
 #include "cli/commands.h"
@@ -10,14 +11,39 @@
 
 namespace brickfall::cli {
 
+namespace {
+
+bool exists(const std::string& path, bool empty) {
+  std::error_code error;
+  const auto bytes = std::filesystem::file_size(path, error);
+  return !error && (bytes == 0) == empty;
+}
+
+// Why a take cannot be used; of a run that was killed there may be more to say than that there is no such file.
+std::string problemOf(const Result<TakeReader>& take, const std::string& path) {
+  if (take && take->frameCount() > 0) return "";
+  if (take || exists(path, true))
+    return fmt::format("'{}': no whole frame was recorded, nothing can be made from it", path);
+  const std::string part = path + ".part";
+  if (!std::filesystem::exists(path) && exists(part, false))
+    return fmt::format("{}; a run that was cut off left '{}'", take.error().message, part);
+  return take.error().message;
+}
+
+// Standard error, since it is not what was asked for.
+void sayWhatIsLost(const TakeReader& take, const std::string& path) {
+  const Result<TakeFrame> last = take.frame(take.frameCount() - 1);
+  const std::string until = last ? fmt::format(" up to {:.2f} s", last->time) : "";
+  complainf("'{}' was cut off: its {} whole frames{} are used, {} bytes of a torn one and the summary are lost", path,
+            take.frameCount(), until, take.tornBytes());
+}
+
+}  // namespace
+
 int replay(const std::string& takePath, const OutputOptions& options) {
   const Result<TakeReader> take = TakeReader::open(takePath);
-  if (!take) {
-    complain(take.error().message);
-    return kFileError;
-  }
-  if (take->frameCount() == 0) {
-    complainf("'{}': no whole frame was recorded, nothing can be made from it", takePath);
+  if (const std::string problem = problemOf(take, takePath); !problem.empty()) {
+    complain(problem);
     return kFileError;
   }
   const std::string folder =
@@ -28,8 +54,7 @@ int replay(const std::string& takePath, const OutputOptions& options) {
       return kFileError;
     }
   }
-  if (!take->complete())
-    complainf("'{}' was cut off: {} whole frames are used, there is no summary", takePath, take->frameCount());
+  if (!take->complete()) sayWhatIsLost(*take, takePath);
 
   watchInterrupts();
   ProgressDisplay display(ProgressDisplay::modeForOutput(options.quiet));

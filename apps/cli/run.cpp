@@ -44,7 +44,7 @@ Simulated simulate(SceneRun& run, std::uint64_t steps, RunMetrics& metrics, Take
     metrics.afterStep(run.world(), *report);
     if (const Status written = recorder.afterStep(run, *report); !written) {
       display.finish();
-      complain(written.error().message);
+      complainf("{}; what was recorded is kept in '{}'", written.error().message, recorder.file());
       result.exitCode = kFileError;
       break;
     }
@@ -149,11 +149,11 @@ int run(const RunOptions& options) {
   const std::string json = toJson(summary);
   int finished = kOk;
   if (const Status status = recorder->finish(json); !status && simulated.exitCode != kFileError) {
-    complain(status.error().message);
+    complainf("{}; what was recorded is kept in '{}'", status.error().message, recorder->file());
     finished = kFileError;
   }
   if (!options.output.quiet) sayResult(summary);
-  const int delivered = deliver(takePath, folder, json, options.output, display);
+  const int delivered = deliver(recorder->file(), folder, json, options.output, display);
   if (summary.figures.quarantined > 0)
     complainf("{} bodies became non-finite and were taken out of the simulation", summary.figures.quarantined);
   return firstProblem(

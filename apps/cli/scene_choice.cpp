@@ -1,13 +1,14 @@
 #include "cli/scene_choice.h"
 
+#include <fcntl.h>
 #include <fmt/core.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstddef>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
-#include <system_error>
 
 #include "cli/commands.h"
 #include "cli/console.h"
@@ -29,6 +30,33 @@ std::string unknownScene(const std::string& name) {
                      scene::didYouMean(name, names));
 }
 
+constexpr std::size_t kMostBytes = 16u << 20;  // of a scene file
+
+// The whole file, or a little more than a scene file may have (a device never ends; parseScene refuses that). Read here, since
+// streams do not tell why reading failed.
+Result<std::string> contentOf(const std::string& path) {
+  const auto refused = [&] {
+    return Error{ErrorCode::inputOutput, fmt::format("cannot read scene file '{}': {}", path, std::strerror(errno))};
+  };
+  const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (file < 0) return refused();
+  std::string text;
+  std::vector<char> block(1 << 16);
+  while (text.size() <= kMostBytes) {
+    const ssize_t count = read(file, block.data(), block.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) {
+      const Error error = refused();
+      close(file);
+      return error;
+    }
+    if (count == 0) break;
+    text.append(block.data(), std::size_t(count));
+  }
+  close(file);
+  return text;
+}
+
 }  // namespace
 
 SceneChoice chooseScene(const std::string& nameOrPath, const Overrides& overrides) {
@@ -40,15 +68,13 @@ SceneChoice chooseScene(const std::string& nameOrPath, const Overrides& override
     return choice;
   }
   if (choice.path.empty()) choice.path = nameOrPath;
-  std::error_code ignored;
-  const bool folder = std::filesystem::is_directory(choice.path, ignored);
-  if (folder || access(choice.path.c_str(), R_OK) != 0) {
+  const Result<std::string> text = contentOf(choice.path);
+  if (!text) {
     choice.exitCode = kFileError;
-    choice.problem =
-        fmt::format("cannot read scene file '{}': {}", choice.path, std::strerror(folder ? EISDIR : errno));
+    choice.problem = text.error().message;
     return choice;
   }
-  SceneLoad load = loadSceneFile(choice.path, overrides);
+  SceneLoad load = parseScene(*text, choice.path, overrides);
   choice.diagnostics = std::move(load.diagnostics);
   choice.scene = std::move(load.scene);
   if (!choice.scene) choice.exitCode = kBadInput;

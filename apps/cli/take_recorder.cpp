@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "output/atomic_file.h"
+
 namespace brickfall::cli {
 namespace {
 
@@ -48,8 +50,12 @@ bool isHeld(const SceneRun& run, const PlacedBody& body) {
 
 }  // namespace
 
-TakeRecorder::TakeRecorder(TakeWriter writer, const SceneRun& run, double framesPerSecond)
-    : writer_(std::move(writer)), framesPerSecond_(framesPerSecond) {
+TakeRecorder::TakeRecorder(TakeRecorder&&) noexcept = default;
+TakeRecorder::~TakeRecorder() = default;
+
+TakeRecorder::TakeRecorder(std::unique_ptr<AsideFile> aside, TakeWriter writer, const SceneRun& run,
+                           double framesPerSecond)
+    : aside_(std::move(aside)), writer_(std::move(writer)), framesPerSecond_(framesPerSecond) {
   const std::vector<PlacedBody>& bodies = run.bodies();
   for (std::size_t i = 0; i < bodies.size(); i++) {
     const std::size_t index = bodies[i].id.index;
@@ -62,12 +68,28 @@ TakeRecorder::TakeRecorder(TakeWriter writer, const SceneRun& run, double frames
 Result<TakeRecorder> TakeRecorder::create(const std::string& path, const SceneRun& run) {
   // No more frames than steps.
   const double rate = std::min(run.scene().framesPerSecond, 1 / run.scene().timeStep);
-  Result<TakeWriter> writer = TakeWriter::create(path, headerOf(run, rate));
-  if (!writer) return writer.error();
-  TakeRecorder recorder(std::move(writer).value(), run, rate);
-  if (Status written = recorder.writeFrame(run); !written) return written.error();
+  Result<AsideFile> opened = AsideFile::open(path);
+  if (!opened) return opened.error();
+  auto aside = std::make_unique<AsideFile>(std::move(opened).value());
+  Result<TakeWriter> writer = TakeWriter::create(aside->name(), headerOf(run, rate));
+  if (!writer) {
+    aside->remove();
+    return writer.error();
+  }
+  TakeRecorder recorder(std::move(aside), std::move(writer).value(), run, rate);
+  if (Status written = recorder.writeFrame(run); !written) {
+    recorder.aside_->remove();  // without a frame it is of no use
+    return written.error();
+  }
   return recorder;
 }
+
+Status TakeRecorder::finish(const std::string& summaryJson) {
+  if (Status finished = writer_.finish(summaryJson); !finished) return finished;
+  return aside_->takePlace();
+}
+
+const std::string& TakeRecorder::file() const { return aside_->name(); }
 
 Status TakeRecorder::afterStep(const SceneRun& run, const StepReport& report) {
   collectEvents(run, report);

@@ -85,6 +85,8 @@ class TakeReader {
   const TakeHeader& header() const;
   std::size_t frameCount() const;
   bool complete() const;
+  // Of a take that was cut off: bytes after its last whole frame, which belong to a torn one.
+  std::uint64_t tornBytes() const;
   const std::string& summaryJson() const;
   // Any order; frames in order are the fastest. Keeps its place between calls, so not from two threads at once.
   Result<TakeFrame> frame(std::size_t index) const;

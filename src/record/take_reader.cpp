@@ -21,6 +21,7 @@ struct TakeReader::Impl {
   std::vector<std::size_t> offsets;
   std::string summary;
   bool complete = false;
+  std::uint64_t tornBytes = 0;
   // The group that is being read: frames in order cost one decode each.
   FrameCodec codec{0};
   std::size_t nextFrame = 0;
@@ -87,12 +88,14 @@ bool TakeReader::Impl::readIndex(std::size_t firstFrame) {
 }
 
 void TakeReader::Impl::scan(std::size_t firstFrame) {
-  for (std::size_t at = firstFrame; at < file.size();) {
+  std::size_t at = firstFrame;
+  while (at < file.size()) {
     Result<Record> record = recordAt(file, at);
-    if (!record || record->type != RecordType::frame) return;
+    if (!record || record->type != RecordType::frame) break;
     offsets.push_back(at);
     at = record->end;
   }
+  tornBytes = file.size() - at;
 }
 
 Result<TakeFrame> TakeReader::Impl::decode(std::size_t index) {
@@ -155,6 +158,7 @@ Result<TakeReader> TakeReader::openImpl(std::unique_ptr<Impl> impl) {
 const TakeHeader& TakeReader::header() const { return impl_->header; }
 std::size_t TakeReader::frameCount() const { return impl_->offsets.size(); }
 bool TakeReader::complete() const { return impl_->complete; }
+std::uint64_t TakeReader::tornBytes() const { return impl_->tornBytes; }
 const std::string& TakeReader::summaryJson() const { return impl_->summary; }
 
 Result<TakeFrame> TakeReader::frame(std::size_t index) const {

@@ -103,6 +103,8 @@ Status TakeWriter::finish(const std::string& summaryJson) {
   end.append(kTakeEndMagic);
   if (Status written = impl_->append(end.bytes()); !written) return written;
   impl_->finished = true;
+  // On the disk before anybody gives it a name that says it is whole. Pipes and the like cannot, and need not.
+  if (::fsync(impl_->file) != 0 && errno != EINVAL) return impl_->state = impl_->refused("write");
   int file = impl_->file;
   impl_->file = -1;
   if (::close(file) != 0) return impl_->state = impl_->refused("close");

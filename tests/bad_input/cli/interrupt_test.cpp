@@ -25,10 +25,10 @@ class Interrupt : public Command {
 };
 
 TEST_F(Interrupt, endsTheRunAndWritesEverything) {
-  for (const auto& [signal, code] : {std::pair{SIGINT, 130}, std::pair{SIGTERM, 143}}) {
+  for (const auto& [signal, code] : {std::pair{SIGINT, 130}, std::pair{SIGTERM, 143}, std::pair{SIGHUP, 129}}) {
     std::filesystem::remove_all(folder_ / "out");
     Process process(folder_, {"run", "cube", "--seconds", "100000"});
-    ASSERT_TRUE(waitForTake(process, "out/cube/cube.take", 4000)) << process.finish().errors;
+    ASSERT_TRUE(waitForTake(process, "out/cube/cube.take.part", 4000)) << process.finish().errors;
     process.send(signal);
     const Finished ended = process.finish();
     EXPECT_EQ(ended.exitCode, code) << ended.errors;
@@ -43,17 +43,22 @@ TEST_F(Interrupt, endsTheRunAndWritesEverything) {
     ASSERT_TRUE(take) << take.error().message;
     EXPECT_TRUE(take->complete());
     EXPECT_GT(take->frameCount(), 1u);
+    EXPECT_FALSE(exists("out/cube/cube.take.part"));
   }
 }
 
 TEST_F(Interrupt, aKilledRunLeavesATakeThatOpens) {
   Process process(folder_, {"run", "cube", "--seconds", "100000"});
-  ASSERT_TRUE(waitForTake(process, "out/cube/cube.take", 4000)) << process.finish().errors;
+  ASSERT_TRUE(waitForTake(process, "out/cube/cube.take.part", 4000)) << process.finish().errors;
   process.send(SIGKILL);
   EXPECT_EQ(process.finish().signal, SIGKILL);
-  const Finished again = run({"replay", "out/cube/cube.take", "-o", "again"});
+  EXPECT_FALSE(exists("out/cube/cube.take")) << "under its name a take is whole";
+  const Finished missing = run({"replay", "out/cube/cube.take"});
+  EXPECT_EQ(missing.exitCode, 3);
+  EXPECT_TRUE(isOneComplaint(missing.errors, {"No such file", "cut off left 'out/cube/cube.take.part'"}));
+  const Finished again = run({"replay", "out/cube/cube.take.part", "-o", "again"});
   EXPECT_EQ(again.exitCode, 0) << again.errors;
-  EXPECT_TRUE(isOneComplaint(again.errors, {"cut off"}));
+  EXPECT_TRUE(isOneComplaint(again.errors, {"cut off", "whole frames up to", "bytes of a torn one"}));
   EXPECT_TRUE(exists("again/replay.html"));
 }
 

@@ -168,9 +168,9 @@ TEST_F(Outputs, aFullDiskUnderTheResultsIsSaid) {
   // Whole or not at all; the recording opens as far as it came.
   for (const auto& entry : std::filesystem::directory_iterator(folder_ / "full")) {
     const std::string name = entry.path().filename().string();
-    EXPECT_TRUE(name == "cube.take" || name == "summary.json") << name << " is left behind";
+    EXPECT_TRUE(name == "cube.take.part" || name == "summary.json") << name << " is left behind";
   }
-  EXPECT_EQ(run({"replay", "full/cube.take", "-o", "again", "--quiet"}).exitCode, 0);
+  EXPECT_EQ(run({"replay", "full/cube.take.part", "-o", "again", "--quiet"}).exitCode, 0);
 }
 
 TEST_F(Outputs, replayMakesTheSameAgain) {

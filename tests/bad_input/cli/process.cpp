@@ -7,7 +7,9 @@
 
 #include <csignal>
 #include <cstdlib>
+#include <ctime>
 #include <fstream>
+#include <initializer_list>
 #include <iterator>
 
 namespace brickfall::test {
@@ -25,11 +27,11 @@ void redirect(int descriptor, const std::string& path) {
   close(file);
 }
 
-void redirectToClosedPipe() {
+void redirectToClosedPipe(int stream) {
   int ends[2];
   if (pipe(ends) != 0) _exit(126);
   close(ends[0]);
-  dup2(ends[1], STDOUT_FILENO);
+  dup2(ends[1], stream);
   close(ends[1]);
 }
 
@@ -47,11 +49,19 @@ Process::Process(const fs::path& folder, const std::vector<std::string>& argumen
   if (child_ != 0) return;
   if (chdir(folder_.c_str()) != 0) _exit(126);
   if (options.closedPipe)
-    redirectToClosedPipe();
+    redirectToClosedPipe(STDOUT_FILENO);
   else
     redirect(STDOUT_FILENO, options.outputPath.empty() ? (folder_ / "stdout.txt").string() : options.outputPath);
-  redirect(STDERR_FILENO, (folder_ / "stderr.txt").string());
-  std::signal(SIGPIPE, SIG_DFL);
+  if (options.closedErrorPipe)
+    redirectToClosedPipe(STDERR_FILENO);
+  else
+    redirect(STDERR_FILENO, (folder_ / "stderr.txt").string());
+  // Whatever the tests themselves were started with.
+  for (int signal : {SIGPIPE, SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_DFL);
+  if (options.noTerminal) setsid();
+  for (int stream : options.closed) close(stream);
+  if (options.emptyEnvironment) clearenv();
+  for (const std::string& variable : options.environment) putenv(const_cast<char*>(variable.c_str()));
   const rlimit limit{options.largestFile, options.largestFile};
   if (options.largestFile > 0 && setrlimit(RLIMIT_FSIZE, &limit) != 0) _exit(126);
   constexpr uid_t kNobody = 65534;
@@ -68,6 +78,13 @@ Process::~Process() {
 
 void Process::send(int signal) {
   if (child_ > 0 && running()) kill(child_, signal);
+}
+
+double Process::processorSeconds() const {
+  clockid_t clock{};
+  timespec used{};
+  if (clock_getcpuclockid(child_, &clock) != 0 || clock_gettime(clock, &used) != 0) return 0;
+  return double(used.tv_sec) + double(used.tv_nsec) * 1e-9;
 }
 
 bool Process::running() {

@@ -20,8 +20,13 @@ struct Finished {
 struct ProcessOptions {
   std::string outputPath;
   bool closedPipe = false;
-  std::uint64_t largestFile = 0;  // bytes that a file may have, as if the disk were full then; 0: any
-  bool asNobody = false;          // gives up root first; the exit code is 126 or 127 where the command cannot be run so
+  bool closedErrorPipe = false;  // the same for standard error
+  std::vector<int> closed;       // streams that the process is started without
+  bool noTerminal = false;       // in a session of its own
+  bool emptyEnvironment = false;
+  std::vector<std::string> environment;  // more "NAME=value"
+  std::uint64_t largestFile = 0;         // bytes that a file may have, as if the disk were full then; 0: any
+  bool asNobody = false;  // gives up root first; the exit code is 126 or 127 where the command cannot be run so
 };
 
 class Process {
@@ -33,6 +38,8 @@ class Process {
   Process& operator=(const Process&) = delete;
   ~Process();
   void send(int signal);
+  // Seconds of processor time used so far; what it had used at its end is not told.
+  double processorSeconds() const;
   bool running();
   // Waits for the end.
   Finished finish();
