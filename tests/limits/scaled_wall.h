@@ -9,6 +9,7 @@ struct ScaledWall {
   double size;  // m, length of a brick; height 0.3, width 0.48 of it, as a clay brick
   std::vector<BodyId> bricks;
   std::vector<Vec3> start;
+  Vec3 middle;  // of the wall
 
   // The ground is a box below the wall, so that it is where the wall is.
   ScaledWall(double brickLength, Vec3 at, const WorldDef& def, double yawDegrees = 0)
@@ -18,14 +19,18 @@ struct ScaledWall {
     ShapeDef ground = boxOf({40 * size, size, 40 * size}, 1900);
     BodyDef floor = bodyOf(ground, at - Vec3{0, size, 0}, BodyType::fixed);
     add(world, floor);
+    // Half bats close every second course: an end brick that juts out by half would be at its very balance.
     for (int row = 0; row < 10; row++)
-      for (int i = 0; i < 6; i++) {
-        double x = (i + 0.5 * (row % 2) - 3) * size;
-        BodyDef d = bodyOf(boxOf(half, 1900), at + rotate(yaw, {x, half.y * (2 * row + 1), 0}));
+      for (int i = 0; i < 6 + row % 2; i++) {
+        bool bat = row % 2 == 1 && (i == 0 || i == 6);
+        double x = bat ? (i == 0 ? -2.75 : 2.75) : i - 2.5 - 0.5 * (row % 2);
+        Vec3 own{bat ? half.x / 2 : half.x, half.y, half.z};
+        BodyDef d = bodyOf(boxOf(own, 1900), at + rotate(yaw, {x * size, half.y * (2 * row + 1), 0}));
         d.rotation = yaw;
         bricks.push_back(add(world, d));
         start.push_back(d.position);
       }
+    middle = at + rotate(yaw, {0, half.y * 9, 0});
   }
   // Largest way of a brick, in brick lengths.
   double moved() const {
@@ -41,7 +46,7 @@ struct ScaledWall {
     return count;
   }
   void shoot(double speed) {  // a steel ball half a brick thick, at half height, across the wall
-    BodyDef d = bodyOf(sphereOf(0.25 * size, 7800), start[27] + Vec3{0, 0, 2 * size});
+    BodyDef d = bodyOf(sphereOf(0.25 * size, 7800), middle + Vec3{0, 0, 2 * size});
     d.linearVelocity = {0, 0, -speed};
     add(world, d);
   }

@@ -130,11 +130,12 @@ TEST(KeyReference, DocumentedDefaultsAreTheRealOnes) {
   std::string body = without(without(without("\n" + allDefaults("body"), "radius"), "height"), "size");
   std::string array = without(without("\n" + allDefaults("array"), "radius"), "base");
   std::string ground = without("\n" + allDefaults("ground"), "size");
-  std::string full =
-      "[world]\n" + allDefaults("world") + "[solver]\n" + allDefaults("solver") + "[report]\n" + allDefaults("report") + "[ground]" + ground + "[[wall]]\n" +
-      allDefaults("wall") + "[[wall.opening]]\nfrom = 0.5\nwidth = 0.5\nheight = 0.3\n" + allDefaults("wall.opening") +
-      "[[body]]\nsize = [1, 1, 1]" + body + "[[ball]]\nposition = [0, 9, 0]\n" + allDefaults("ball") + "[[array]]" +
-      array + "[[material]]\nname = \"own\"\n" + allDefaults("material") + "[[camera]]\n" + allDefaults("camera");
+  std::string full = "[world]\n" + allDefaults("world") + "[solver]\n" + allDefaults("solver") + "[report]\n" +
+                     allDefaults("report") + "[ground]" + ground + "[[wall]]\n" + allDefaults("wall") +
+                     "[[wall.opening]]\nfrom = 0.5\nwidth = 0.5\nheight = 0.3\n" + allDefaults("wall.opening") +
+                     "[[body]]\nsize = [1, 1, 1]" + body + "[[ball]]\nposition = [0, 9, 0]\n" + allDefaults("ball") +
+                     "[[array]]" + array + "[[material]]\nname = \"own\"\n" + allDefaults("material") + "[[camera]]\n" +
+                     allDefaults("camera");
   SceneDescription a = sound(bare), b = sound(full);
   expectSameWorld(a, b);
   ASSERT_EQ(a.bodies.size(), 4u);
