@@ -168,8 +168,9 @@ void sweepCrashes(int cases) {
     std::string which = setup.text() + label(", %g bodies", count) + label(", %.3g m/s", speed) + label(", e %.2f", e);
     linear.add(setup.part(), dp, which);
     // Known to be off where bodies go through one another or turn by more than a radian in a step.
-    angular.add(setup.part(), dl, which, speed > 5 ? 0.5 : 0.01);
-    energy.add(setup.part(), rise, which, speed > 5 ? 0.15 : 0.01);
+    // Measured over 200 cases: 0.143 and 0.0188 (9 bodies, 3.7 m/s, 1/30 s); 0.0109 and 0.0047.
+    angular.add(setup.part(), dl, which, speed > 5 ? 0.2 : 0.03);
+    energy.add(setup.part(), rise, which, speed > 5 ? 0.03 : 0.01);
   }
 }
 
