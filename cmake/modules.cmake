@@ -18,8 +18,9 @@ if(BRICKFALL_ASSERTS)
   target_compile_definitions(brickfall_options INTERFACE $<BUILD_INTERFACE:BRICKFALL_ASSERTS=1>)
 endif()
 if(BRICKFALL_SANITIZE)
-  target_compile_options(brickfall_options INTERFACE -fsanitize=${BRICKFALL_SANITIZE} -fno-omit-frame-pointer
-    -fno-sanitize-recover=all)
+  # The engine has no run-time types, which the check of virtual calls needs.
+  target_compile_options(brickfall_options INTERFACE -fsanitize=${BRICKFALL_SANITIZE} -fno-sanitize=vptr
+    -fno-omit-frame-pointer -fno-sanitize-recover=all)
   target_link_options(brickfall_options INTERFACE -fsanitize=${BRICKFALL_SANITIZE})
 endif()
 
