@@ -73,30 +73,16 @@ class Body {
   }
 
   RigidState velocityVerlet(const RigidState& s, double dt) const {
-    Unknowns y = unknowns(s);
-    RigidLoad l = load(s, 0);
-    y.velocity += acceleration(l) * (0.5 * dt);
-    y.momentum += l.torque * (0.5 * dt);
-    y.position += y.velocity * dt;
-    Quat middle = normalized(y.rotation + scaledBy(rate(y.rotation, spin(y.rotation, y.momentum)), 0.5 * dt));
-    y.rotation = normalized(quatFromRotationVector(spin(middle, y.momentum) * dt) * y.rotation);
-    RigidLoad end = load(state(y), dt);
-    y.velocity += acceleration(end) * (0.5 * dt);
-    y.momentum += end.torque * (0.5 * dt);
-    return state(y);
+    return betweenHalfPushes(s, dt, [&](const Unknowns& y) {
+      Quat middle = normalized(y.rotation + scaledBy(rate(y.rotation, spin(y.rotation, y.momentum)), 0.5 * dt));
+      return normalized(quatFromRotationVector(spin(middle, y.momentum) * dt) * y.rotation);
+    });
   }
 
   RigidState splitting(const RigidState& s, double dt) const {
-    Unknowns y = unknowns(s);
-    RigidLoad l = load(s, 0);
-    y.velocity += acceleration(l) * (0.5 * dt);
-    y.momentum += l.torque * (0.5 * dt);
-    y.position += y.velocity * dt;
-    y.rotation = turnFreely(y.rotation, y.momentum, principalInertia(mass_.inertia), dt);
-    RigidLoad end = load(state(y), dt);
-    y.velocity += acceleration(end) * (0.5 * dt);
-    y.momentum += end.torque * (0.5 * dt);
-    return state(y);
+    return betweenHalfPushes(s, dt, [&](const Unknowns& y) {
+      return turnFreely(y.rotation, y.momentum, principalInertia(mass_.inertia), dt);
+    });
   }
 
   RigidState rungeKutta4(const RigidState& s, double dt) const {
@@ -108,6 +94,19 @@ class Body {
   }
 
  private:
+  // Half a push, the way and the turn, half a push by the load at the end.
+  template <class Turn> RigidState betweenHalfPushes(const RigidState& s, double dt, const Turn& turned) const {
+    Unknowns y = unknowns(s);
+    RigidLoad l = load(s, 0);
+    y.velocity += acceleration(l) * (0.5 * dt);
+    y.momentum += l.torque * (0.5 * dt);
+    y.position += y.velocity * dt;
+    y.rotation = turned(y);
+    RigidLoad end = load(state(y), dt);
+    y.velocity += acceleration(end) * (0.5 * dt);
+    y.momentum += end.torque * (0.5 * dt);
+    return state(y);
+  }
   static Mat3 crossMatrix(Vec3 v) { return {{{0, -v.z, v.y}, {v.z, 0, -v.x}, {-v.y, v.x, 0}}}; }
   Unknowns slope(const Unknowns& y, double time) const {
     RigidState s = state(y);

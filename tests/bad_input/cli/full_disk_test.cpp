@@ -33,8 +33,8 @@ class FullDisk : public Command {
 
 TEST_F(FullDisk, atAnyFillLeavesWholeFilesOnly) {
   if (const std::string problem = enterOwnMounts(); !problem.empty())
-    GTEST_SKIP() << "a tmpfs cannot be mounted here (" << problem
-                 << "); run as root. injected_fault_test.cpp makes every "
+    GTEST_SKIP() << "missing: the right to mount a tmpfs (" << problem
+                 << "; root has it). injected_fault_test.cpp makes every "
                  << "write fail without";
   unmountDisk();
   std::set<std::string> refused;
