@@ -16,23 +16,51 @@ constexpr int kMaxPolygon = 2 * kMaxHullVertices;
 // of the reference face.
 constexpr int kSide = 1 << 15;
 struct ClipCorner {
-  Vec3 p;
+  double x, y, z;  // not a Vec3, which would be cleared: there are many of these on the stack and few are used
   int before, after;
+
+  Vec3 p() const { return {x, y, z}; }
 };
 
-int cutSide(const ClipCorner* from, int count, ClipCorner* to, int side, Vec3 outward, double offset, double slack) {
+// A side of the reference face. A corner up to `slack` beyond it is not cut off.
+struct Side {
+  Vec3 outward;
+  double offset, slack;
+  int edge;
+};
+
+// Where two sides meet at a sharp angle, a point that is beyond each by no more than the slack is beyond their corner by up to
+// slack / sin(angle / 2). Shards have faces of a degree or two: a hundred times the slack. It may be `same` at most.
+void limitSlack(Side& one, Side& next, const ContactTolerances& tolerance) {
+  double sine2 = 0.5 * (1 + dot(one.outward, next.outward));  // of half the angle
+  double same2 = tolerance.same * tolerance.same;
+  if (same2 * sine2 >= tolerance.slack * tolerance.slack) return;
+  double most = sine2 > 0 ? tolerance.same * std::sqrt(sine2) : 0;
+  one.slack = one.slack < most ? one.slack : most;
+  next.slack = next.slack < most ? next.slack : most;
+}
+
+Side sideOf(const HullView& hull, int edge, const ContactTolerances& tolerance) {
+  const HullEdge& e = hull.edges[edge];
+  Vec3 a = hull.vertices[e.origin], b = hull.vertices[hull.edges[e.next].origin];
+  Vec3 outward = normalized(cross(b - a, hull.planes[e.face].normal));
+  return {outward, dot(outward, a), tolerance.slack, edge};
+}
+
+int cutSide(const ClipCorner* from, int count, ClipCorner* to, const Side& side) {
   int kept = 0;
   for (int i = 0; i < count && kept < kMaxPolygon - 1; i++) {
     const ClipCorner& c = from[i];
     const ClipCorner& next = from[i + 1 == count ? 0 : i + 1];
-    double dc = dot(outward, c.p) - offset, dn = dot(outward, next.p) - offset;
-    bool inside = dc <= slack, nextInside = dn <= slack;
+    double dc = dot(side.outward, c.p()) - side.offset, dn = dot(side.outward, next.p()) - side.offset;
+    bool inside = dc <= side.slack, nextInside = dn <= side.slack;
     if (inside) to[kept++] = c;
     if (inside == nextInside) continue;
     double f = dc / (dc - dn);
     f = f < 0 ? 0 : f > 1 ? 1 : f;
-    ClipCorner cut{c.p + (next.p - c.p) * f, c.after, kSide | side};
-    if (!inside) cut.before = kSide | side, cut.after = c.after;
+    Vec3 p = c.p() + (next.p() - c.p()) * f;
+    ClipCorner cut{p.x, p.y, p.z, c.after, kSide | side.edge};
+    if (!inside) cut.before = kSide | side.edge, cut.after = c.after;
     to[kept++] = cut;
   }
   return kept;
@@ -56,25 +84,29 @@ int clipFace(const HullView& ref, int refFace, const HullView& inc, int incFace,
   ClipCorner other[kMaxPolygon];
   ClipCorner* from = polygon;
   ClipCorner* to = other;
-  Vec3 normal = ref.planes[refFace].normal;
   int count = 0, previous = -1, e = inc.firstEdge[incFace];
   do {
-    polygon[count++] = {inc.vertices[inc.edges[e].origin], previous, e};
+    Vec3 p = inc.vertices[inc.edges[e].origin];
+    polygon[count++] = {p.x, p.y, p.z, previous, e};
     previous = e;
     e = inc.edges[e].next;
   } while (e != inc.firstEdge[incFace]);
   polygon[0].before = previous;
 
-  e = ref.firstEdge[refFace];
-  do {
-    Vec3 a = ref.vertices[ref.edges[e].origin], b = ref.vertices[ref.edges[ref.edges[e].next].origin];
-    Vec3 outward = normalized(cross(b - a, normal));
-    count = cutSide(from, count, to, e, outward, dot(outward, a), tolerance.slack);
+  int first = ref.firstEdge[refFace], last = first;
+  while (ref.edges[last].next != first) last = ref.edges[last].next;
+  Side before = sideOf(ref, last, tolerance), side = sideOf(ref, first, tolerance);
+  limitSlack(before, side, tolerance);
+  for (bool more = true; more && count > 0;) {
+    Side next = sideOf(ref, ref.edges[side.edge].next, tolerance);
+    limitSlack(side, next, tolerance);
+    count = cutSide(from, count, to, side);
     ClipCorner* swap = from;
     from = to;
     to = swap;
-    e = ref.edges[e].next;
-  } while (e != ref.firstEdge[refFace] && count > 0);
+    more = side.edge != last;
+    side = next;
+  }
   if (from != polygon)
     for (int i = 0; i < count; i++) polygon[i] = from[i];
   return count;
@@ -99,7 +131,7 @@ double faceOverFace(const HullView& ref, const HullView& inc, bool refIsA, int r
   Vec3 u = normalized(ref.vertices[ref.edges[ref.edges[e].next].origin] - origin), v = cross(plane.normal, u);
   double least = kNone;
   for (int i = 0; i < corners; i++) {
-    Vec3 p = polygon[i].p;
+    Vec3 p = polygon[i].p();
     double separation = dot(plane.normal, p) - plane.offset;
     if (separation > margin) continue;
     if (separation < least) least = separation;
