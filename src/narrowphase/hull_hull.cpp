@@ -160,13 +160,13 @@ double lowestCorner(const HullView& hull, int face, const HullPlane& plane) {
 
 // The incident face is, of those around the deepest corner, the one most opposed. Where that corner is not over the
 // reference face, another face may be what touches: a blade that lies across with its edge looks at it most with the face
-// at its tip. Then the one that reaches deepest over the reference face is taken.
-void faceContact(const HullView& ref, const HullView& inc, bool refIsA, const FaceQuery& query, double margin,
-                 const ContactTolerances& tolerance, Manifold& out) {
+// at its tip. Then the one that reaches deepest over the reference face is taken. Returns the least separation, or kNone.
+double faceContact(const HullView& ref, const HullView& inc, bool refIsA, const FaceQuery& query, double margin,
+                   const ContactTolerances& tolerance, Manifold& out) {
   const HullPlane& plane = ref.planes[query.face];
   int first = faceAround(inc, query.vertex, -plane.normal);
   double deepest = faceOverFace(ref, inc, refIsA, query.face, first, margin, tolerance, out);
-  if (deepest <= query.separation + tolerance.edge) return;
+  if (deepest <= query.separation + tolerance.slack) return deepest;
   for (int f = 0; f < inc.faceCount; f++) {
     if (f == first || dot(inc.planes[f].normal, plane.normal) >= 0) continue;
     double reach = lowestCorner(inc, f, plane);
@@ -175,31 +175,22 @@ void faceContact(const HullView& ref, const HullView& inc, bool refIsA, const Fa
     double least = faceOverFace(ref, inc, refIsA, query.face, f, margin, tolerance, trial);
     if (least < deepest - tolerance.slack) deepest = least, out = trial;
   }
+  return deepest;
 }
 
-bool edgeContact(const HullView& a, const HullView& b, const EdgeQuery& query, Manifold& out) {
+// The nearest points of two edges. Not if they lie further than `beside` from each other across the axis: the edges do not
+// cross, and another axis is the one of least overlap.
+bool edgeContact(const HullView& a, const HullView& b, const EdgeQuery& query, double beside, Manifold& out) {
   Vec3 pa = a.vertices[a.edges[query.edgeA].origin], da = a.vertices[a.edges[query.edgeA + 1].origin] - pa;
   Vec3 pb = b.vertices[b.edges[query.edgeB].origin], db = b.vertices[b.edges[query.edgeB + 1].origin] - pb;
   SegmentPair nearest = nearestOfSegments(pa, da, pb, db);
-  // At an end of an edge they are not crossing: another axis is the one of least overlap.
-  if (nearest.s <= 0 || nearest.s >= 1 || nearest.t <= 0 || nearest.t >= 1) return false;
+  bool atEnd = nearest.s <= 0 || nearest.s >= 1 || nearest.t <= 0 || nearest.t >= 1;
+  Vec3 onB = nearest.p + query.normal * query.separation;
+  if (atEnd && !(lengthSquared(nearest.q - onB) < beside * beside)) return false;
   out.normal = query.normal;
   out.count = 1;
-  out.points[0] = {nearest.p, nearest.p + query.normal * query.separation, query.separation,
-                   edgeCrossing(query.edgeA / 2, query.edgeB / 2)};
+  out.points[0] = {nearest.p, onB, query.separation, edgeCrossing(query.edgeA / 2, query.edgeB / 2)};
   return true;
-}
-
-// Any face that is nearly as good an axis and has something over it.
-bool anyFaceContact(const HullView& ref, const HullView& inc, bool refIsA, double nearlyAsGood, double margin,
-                    const ContactTolerances& tolerance, Manifold& out) {
-  for (int f = 0; f < ref.faceCount && out.count == 0; f++) {
-    const HullPlane& plane = ref.planes[f];
-    int vertex = supportVertex(inc, -plane.normal);
-    FaceQuery query{dot(plane.normal, inc.vertices[vertex]) - plane.offset, f, vertex};
-    if (query.separation > nearlyAsGood) faceContact(ref, inc, refIsA, query, margin, tolerance, out);
-  }
-  return out.count > 0;
 }
 
 // The deepest corner below a face alone, wherever that is: the last resort, so that no overlap goes unseen.
@@ -209,6 +200,52 @@ void cornerContact(const HullView& ref, const HullView& inc, bool refIsA, const 
   addPoint(out, refIsA, inc.vertices[query.vertex], normal, query.separation,
            refIsA ? cornerOfB(query.vertex) : cornerOfA(query.vertex));
 }
+
+// All axes nearly as good as the best face, until one shows the overlap.
+class OtherAxes {
+ public:
+  OtherAxes(const HullView& a, const HullView& b, double margin, const ContactTolerances& tolerance, double face,
+            Manifold& out, double deepest)
+      : a_(a),
+        b_(b),
+        margin_(margin),
+        tolerance_(tolerance),
+        enough_(face + tolerance.edge),
+        nearlyAsGood_(face - tolerance.edge),
+        out_(out),
+        deepest_(deepest) {}
+
+  bool tryFace(bool refIsA, const FaceQuery& query) {
+    if (!(query.separation > nearlyAsGood_)) return false;
+    Manifold trial;
+    double least = faceContact(refIsA ? a_ : b_, refIsA ? b_ : a_, refIsA, query, margin_, tolerance_, trial);
+    if (least < deepest_ - tolerance_.slack) deepest_ = least, out_ = trial;
+    return deepest_ <= enough_;
+  }
+  bool tryFaces(bool refIsA) {
+    const HullView &ref = refIsA ? a_ : b_, &inc = refIsA ? b_ : a_;
+    for (int f = 0; f < ref.faceCount; f++) {
+      const HullPlane& plane = ref.planes[f];
+      int vertex = supportVertex(inc, -plane.normal);
+      if (tryFace(refIsA, {dot(plane.normal, inc.vertices[vertex]) - plane.offset, f, vertex})) return true;
+    }
+    return false;
+  }
+  bool tryEdges(const EdgeQuery& query) {
+    bool better =
+        query.edgeA >= 0 && query.separation > nearlyAsGood_ && query.separation < deepest_ - tolerance_.slack;
+    if (better && edgeContact(a_, b_, query, 0, out_)) deepest_ = query.separation;
+    return deepest_ <= enough_;
+  }
+
+ private:
+  const HullView &a_, &b_;
+  double margin_;
+  const ContactTolerances& tolerance_;
+  double enough_, nearlyAsGood_;
+  Manifold& out_;
+  double deepest_;
+};
 
 }  // namespace
 
@@ -226,26 +263,33 @@ void collideHullHull(const Shape& shapeA, const Shape& shapeB, const Transform& 
   bool refIsA = faceB.separation <= faceA.separation + (sameFace ? tolerance.otherFace : tolerance.face);
   double face = refIsA ? faceA.separation : faceB.separation;
 
-  EdgeQuery edge = queryEdges(a, b, margin, face + tolerance.edge);
+  // Of faces that overlap a little, an edge axis that parts the hulls is looked for even if it is not better by its bias.
+  double better = face + tolerance.edge;
+  EdgeQuery edge = queryEdges(a, b, margin, face < 0 && better > 0 ? 0 : better);
   if (edge.edgeA >= 0 && edge.separation > margin) return;
-  if (edge.edgeA >= 0 && edgeContact(a, b, edge, out)) return;
+  if (edge.edgeA >= 0 && edge.separation > better && edgeContact(a, b, edge, 0, out)) return;
   const FaceQuery& best = refIsA ? faceA : faceB;
   const FaceQuery& other = refIsA ? faceB : faceA;
   const HullView& ref = refIsA ? a : b;
   const HullView& inc = refIsA ? b : a;
-  faceContact(ref, inc, refIsA, best, margin, tolerance, out);
-  if (out.count > 0 || face >= 0) return;
-  // Nothing over the reference face, though the face axes overlap. Either the hulls are apart (corner beside corner, which
-  // only an edge axis sees), or another axis was better, but not by its bias: try all that are nearly as good.
-  edge = queryEdges(a, b, margin, -1e30);
-  if (edge.separation > 0) return;
-  double nearlyAsGood = face - tolerance.edge;
-  if (other.separation > nearlyAsGood) faceContact(inc, ref, !refIsA, other, margin, tolerance, out);
-  if (out.count > 0) return;
-  if (edge.edgeA >= 0 && edge.separation > nearlyAsGood && edgeContact(a, b, edge, out)) return;
-  if (anyFaceContact(ref, inc, refIsA, nearlyAsGood, margin, tolerance, out)) return;
-  if (anyFaceContact(inc, ref, !refIsA, nearlyAsGood, margin, tolerance, out)) return;
-  cornerContact(ref, inc, refIsA, best, out);
+  double deepest = faceContact(ref, inc, refIsA, best, margin, tolerance, out);
+  if (face >= 0) return;
+  if (edge.edgeA >= 0 && edge.separation > 0) {
+    // Apart, corner beside corner or corner beside edge. What is below a face and over it may be outside all the same, where
+    // the hull is narrower below: then the corners alone may touch.
+    if (deepest >= -tolerance.slack) return;
+    out.count = 0;
+    edgeContact(a, b, edge, tolerance.same, out);
+    return;
+  }
+  if (deepest <= better) return;
+  // What lies over the reference face is not as deep as it says, or nothing lies there: another axis was better, but not by
+  // its bias. Try all that are nearly as good.
+  if (edge.edgeA < 0) edge = queryEdges(a, b, margin, -1e30);
+  OtherAxes others(a, b, margin, tolerance, face, out, deepest);
+  if (others.tryFace(!refIsA, other) || others.tryEdges(edge) || others.tryFaces(refIsA) || others.tryFaces(!refIsA))
+    return;
+  if (out.count == 0) cornerContact(ref, inc, refIsA, best, out);
 }
 
 }  // namespace brickfall
