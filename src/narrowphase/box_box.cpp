@@ -325,6 +325,12 @@ void cornerContact(const BoxPair& p, const FaceAxis& face, const Transform& bInA
   out.points[0] = {onA, onA + normal * face.separation, face.separation, refIsA ? cornerOfB(name) : cornerOfA(name)};
 }
 
+double deepestOf(const Manifold& m) {
+  double least = 1e30;
+  for (int i = 0; i < m.count; i++) least = m.points[i].separation < least ? m.points[i].separation : least;
+  return least;
+}
+
 }  // namespace
 
 void collideBoxBox(const Shape& a, const Shape& b, const Transform& bInA, double margin, Manifold& out) {
@@ -334,15 +340,24 @@ void collideBoxBox(const Shape& a, const Shape& b, const Transform& bInA, double
   EdgeAxis edge;
   if (!testEdges(p, margin, face.separation + p.tolerance.edge, edge)) return;
   if (edge.edgeA >= 0 && edgeContact(p, edge, out)) return;
-  if (faceContact(p, face.index, margin, bInA, out) || face.separation >= 0) return;
-  // Nothing over the reference face, though the face axes overlap. Either the boxes are apart (corner beside corner, which
-  // only an edge axis sees), or another axis was better, but not by its bias: try the others.
+  faceContact(p, face.index, margin, bInA, out);
+  double deepest = deepestOf(out);
+  if (face.separation >= 0 || deepest <= face.separation + p.tolerance.edge) return;
+  // The face axes overlap, but what lies over the reference face is not as deep, or nothing lies there. Either the boxes are
+  // apart (corner beside corner, which only an edge axis sees), or another axis was better, but not by its bias: try the
+  // others.
   edge = {};
   if (!testEdges(p, margin, -1e30, edge) || edge.separation > 0) return;
-  bool nearlyAsGood = otherFace.separation > face.separation - p.tolerance.edge;
-  if (nearlyAsGood && faceContact(p, otherFace.index, margin, bInA, out)) return;
-  if (edge.edgeA >= 0 && edgeContact(p, edge, out)) return;
-  cornerContact(p, face, bInA, out);
+  if (otherFace.separation > face.separation - p.tolerance.edge) {
+    Manifold trial;
+    if (faceContact(p, otherFace.index, margin, bInA, trial) && deepestOf(trial) < deepest) {
+      out = trial;
+      deepest = deepestOf(out);
+      if (deepest <= face.separation + p.tolerance.edge) return;
+    }
+  }
+  if (edge.edgeA >= 0 && edge.separation < deepest && edgeContact(p, edge, out)) return;
+  if (out.count == 0) cornerContact(p, face, bInA, out);
 }
 
 }  // namespace brickfall

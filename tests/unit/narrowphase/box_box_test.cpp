@@ -235,5 +235,24 @@ TEST(BoxBox, WithinTheMarginButNotFurther) {
   EXPECT_NEAR(deepest(m), -2 * kHalf.y, 1e-15);
 }
 
+// Nothing of one box lies over the best face of the other but a point 4 mm above it; an edge axis was better, not by its
+// bias. Found by the sweep of tests/oracle/collision.
+TEST(BoxBox, OverlapIsHiddenByAPointThatIsApart) {
+  Shape a = boxShape({0.0613993025, 0.0332179916, 0.328867458}),
+        b = boxShape({0.0726923182, 0.294893815, 0.0872547759});
+  Transform pose{{-0.1914705485, 0.07125583586, 0.2477366732},
+                 normalized(Quat{-0.208662207101, -0.694708882199, 0.543813142516, 0.422027153568})};
+  pose.position -= Vec3{-0.9839, 0, 0.1786} * 2e-5;  // from touching, along the axis of least overlap
+  Separation slow = slowSeparation(a, b, pose);
+  ASSERT_NEAR(slow.value, -2e-5, 1e-6);
+  ASSERT_TRUE(slow.edge);
+  Manifold m, back = swapped(a, b, pose, 0.01);
+  collide(a, b, pose, 0.01, m);
+  ASSERT_GT(m.count, 0);
+  EXPECT_NEAR(deepest(m), slow.value, 1e-6);
+  ASSERT_GT(back.count, 0);
+  EXPECT_NEAR(deepest(back), slow.value, 1e-6);
+}
+
 }  // namespace
 }  // namespace brickfall
