@@ -17,7 +17,9 @@ namespace {
 constexpr std::size_t kDirectBodies = 12;      // at any speed
 constexpr std::size_t kDirectBodiesSlow = 80;  // none faster than ...
 constexpr double kDirectSpeed = 1;             // m/s
-constexpr int kDirectSteps = 24;
+// Half of all solves are done after 6 steps, 99 % after 56, all (but for rounding) after 88: scene `wall`, its rubble.
+constexpr int kDirectSteps = 100;
+constexpr int kTightSteps = 24;   // then ten times the residual is good enough: near it, floats round
 constexpr int kBoundSteps = 6;    // friction bounds of new points follow for so many steps, then they are frozen
 constexpr int kSearchSteps = 30;  // evaluations along a step
 
@@ -283,7 +285,8 @@ bool solvesDirectly(const Island& island, const StepContext& context) {
 
 void solveDirectly(Island& island, const StepContext& context, double tolerance, SolveStatistics& statistics) {
   Newton newton(island, context, statistics);
-  for (int k = 0; k < kDirectSteps && !(worstResidual(island, *context.bodies) < tolerance); k++) {
+  for (int k = 0; k < kDirectSteps; k++) {
+    if (worstResidual(island, *context.bodies) < (k < kTightSteps ? tolerance : 10 * tolerance)) return;
     if (!newton.step(k < kBoundSteps)) return;
     statistics.cycles++;
   }

@@ -36,7 +36,8 @@ namespace {
 void limitTurn(FreeMotion& free, const BodyMass& mass, const BodyMotion& m, Vec3 turn) {
   Vec3 visible = visibleTurn(mass, m.orientation, turn);
   double size = length(visible);
-  free.th = turn - visible + visible * (size > kLargestTurn ? kLargestTurn / size : 1);
+  free.turnsFaster = size > kLargestTurn;
+  free.th = turn - visible + visible * (free.turnsFaster ? kLargestTurn / size : 1);
 }
 
 // With one of the integrators that are there to be compared.
@@ -65,6 +66,8 @@ void predictFreeMotion(StepContext& context, BodyIndex body, double airDensity, 
   BodyData& data = bodies.data[body];
   FreeMotion& free = context.free[body];
   double dt = context.dt;
+  free.turnTime = dt;
+  free.turnsFaster = false;
   free.startVelocity = m.linearVelocity;
   free.startSpin = m.angularVelocity;
 
@@ -96,6 +99,14 @@ void predictFreeMotion(StepContext& context, BodyIndex body, double airDensity, 
     free.th = rotationVector(normalized(free.rotation * conjugate(m.rotation)));
   }
   if (hasContacts && lengthSquared(spin) * dt * dt > kLargestTurn * kLargestTurn) limitTurn(free, mass, m, spin * dt);
+}
+
+void shortenFreeTurn(StepContext& context, BodyIndex body, double share) {
+  const BodyMass& mass = context.bodies->mass[body];
+  FreeMotion& free = context.free[body];
+  free.turnTime *= share;
+  free.rotation = turnFreely(context.bodies->motion[body].rotation, free.angularMomentum,
+                             {mass.principalAxes, mass.principalInvInertia}, free.turnTime);
 }
 
 }  // namespace brickfall

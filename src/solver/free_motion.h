@@ -8,6 +8,9 @@ namespace brickfall {
 // body with contacts the solve sees at most kLargestTurn of it, since arms are frozen during a step; its momentum stays.
 void predictFreeMotion(StepContext& context, BodyIndex body, double airDensity, bool hasContacts);
 
+// Leaves the body a share of its free turn, on the way that the whole one takes: energy and momentum stay what they are.
+void shortenFreeTurn(StepContext& context, BodyIndex body, double share);
+
 // What of the turn th (world axes) moves the body's surface elsewhere: not the part about an axis of symmetry.
 Vec3 visibleTurn(const BodyMass& mass, const Mat3& orientation, Vec3 th);
 

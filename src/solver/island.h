@@ -36,6 +36,7 @@ struct Island {
   bool exactSteps = false;  // small island: no open points in the matrix, a line search instead
   Vec3 origin;              // m, of SolveMass::position and Cluster::centre
   Vec3 drift;               // m: rigid displacement of this step that d and dFree leave out
+  Vec3 lag;                 // kg m: mass times way, by which bodies were stopped at obstacles after the solve
 
   bool hierarchiesValid = false;  // of this set of contacts
   bool mechanismValid = false;    // and of the weak flags

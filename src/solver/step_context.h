@@ -39,6 +39,8 @@ struct FreeMotion {
   Vec3 way;                       // m: of a body without contacts
   Vec3 th;                        // rad, rotation vector
   Quat rotation;                  // where it ends: exact torque-free turn
+  double turnTime = 0;            // s, of it: less than dt if the body was stopped
+  bool turnsFaster = false;       // than th shows
   Vec3 angularMomentum;           // kg m2/s, at the end
   Vec3 startVelocity, startSpin;  // before forces, for energy
 };

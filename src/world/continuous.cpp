@@ -93,13 +93,16 @@ World::Impl::Motion World::Impl::motionOf(BodyIndex body) const {
   return {context.solved[body].d, context.solved[body].th};
 }
 
-// Leaves the body a share of its way; it keeps its velocities.
-void World::Impl::shorten(BodyIndex body, double share) {
+// Leaves the body a share of its way beyond `carried`, and of a turn that goes far or spins; it keeps its velocities.
+void World::Impl::shorten(BodyIndex body, double share, Vec3 carried, bool spins) {
   SolvedMotion& s = context.solved[body];
-  s.d *= share;
-  if (!turnsFar(body, s.th)) return;
-  s.th *= share;
-  s.freeTurn = false;
+  Vec3 lost = (s.d - carried) * (1 - share);
+  s.d = carried + (s.d - carried) * share;
+  if (spins || turnsFar(body, s.th)) {
+    s.th *= share;
+    s.freeTurn = false;
+  }
+  if (islandOf[body] != kNoIndex) islands.awake[islandOf[body]]->lag += lost * bodies.mass[body].mass;
 }
 
 bool World::Impl::turnsFar(BodyIndex body, Vec3 turn) const {
@@ -119,21 +122,15 @@ void World::Impl::stopAtObstacles(BodyIndex body) {
   double turn = length(visibleTurn(bodies.mass[body], bodies.motion[body].orientation, s.th));
   double thickness = bodies.mass[body].innerRadius * (turn < kLargestTurn ? 1 : 0.5);
   bool spins = turn > kLargestTurn && !s.freeTurn;
-  if (spins) {
-    s.d *= kLargestTurn / turn;
-    s.th *= kLargestTurn / turn;
-  }
+  if (spins) shorten(body, kLargestTurn / turn, {}, true);
   // What it was left behind by its turn, and kinematic bodies, may run over it, however slow it is itself.
   bool everything = spins || turnsFar(body, s.th);
   if (!(everything || moving.size() > 0 || exceeds(s.d, thickness))) return;
   Obstruction first;
-  for (ShapeIndex shape : bodies.shapes[body]) obstruct(shape, everything, thickness, first);
+  for (ShapeIndex shape : bodies.shapes[body]) obstruct(shape, everything, thickness, nullptr, first);
   if (first.share == 1) return;
   if (bodies.data[first.body].type != BodyType::dynamic || farHeavier(first.body, body)) {
-    Vec3 way = motionOf(first.body).way;
-    s.d -= way;
-    shorten(body, first.share);
-    s.d += way;
+    shorten(body, first.share, motionOf(first.body).way);
     return;
   }
   shorten(body, first.share);
@@ -141,21 +138,39 @@ void World::Impl::stopAtObstacles(BodyIndex body) {
   if (exceeds(other.way, thickness) || turnsFar(first.body, other.turn)) shorten(first.body, first.share);
 }
 
-// Momentum stays what it was, though bodies of the island don't go as far as they would have.
-void World::Impl::stopAtObstacles(Island& island) {
-  bool shortened = false;
-  for (BodyIndex body : island.bodies) {
-    Vec3 d = context.solved[body].d;
-    stopAtObstacles(body);
-    shortened = shortened || !(context.solved[body].d == d);
+void World::Impl::stopAtObstacles() {
+  for (auto& island : islands.awake) island->lag = {};
+  for (auto& island : islands.awake)
+    if (!island->resting)
+      for (BodyIndex body : island->bodies) stopAtObstacles(body);
+  for (BodyIndex body : islands.single) stopAtObstacles(body);
+  for (auto& island : islands.awake) {
+    if (island->grounded || island->lag == Vec3{} || !solvedWell(*island)) continue;
+    if (catchUp(*island)) restoreSpin(*island, context);
+    guardEnergy(*island, context);
   }
-  if (!shortened || island.grounded || !solvedWell(island)) return;
-  restoreSpin(island, context);
-  guardEnergy(island, context);
+}
+
+// The centre of mass of a floating island goes on as its momentum says, though bodies were stopped: all are moved alike
+// by what is missing, unless that would take one of them through something else.
+bool World::Impl::catchUp(const Island& island) {
+  double mass = 0;
+  for (BodyIndex body : island.bodies) mass += bodies.mass[body].mass;
+  Vec3 missing = island.lag * (1 / mass);
+  for (BodyIndex body : island.bodies) context.solved[body].d += missing;
+  Obstruction first;
+  for (BodyIndex body : island.bodies)
+    for (ShapeIndex shape : bodies.shapes[body])
+      if (first.share == 1) obstruct(shape, true, bodies.mass[body].innerRadius, &island, first);
+  if (first.share == 1) return true;
+  for (BodyIndex body : island.bodies) context.solved[body].d -= missing;
+  return false;
 }
 
 // The first thing on a body's way, for one shape of the body. `everything`: it may be the other that does the moving.
-void World::Impl::obstruct(ShapeIndex shape, bool everything, double thickness, Obstruction& first) const {
+// `without`: what is in this island is passed over.
+void World::Impl::obstruct(ShapeIndex shape, bool everything, double thickness, const Island* without,
+                           Obstruction& first) const {
   auto sweepOf = [&](BodyIndex body) {
     Motion m = motionOf(body);
     return Sweep{bodies.pose(body), m.way, m.turn, turnsFar(body, m.turn)};
@@ -168,6 +183,7 @@ void World::Impl::obstruct(ShapeIndex shape, bool everything, double thickness, 
   broadPhase->query({here.lower + min(d, Vec3{}), here.upper + max(d, Vec3{})}, [&](std::uint32_t other) {
     const ShapeData& o = shapes.data[other];
     if (o.body == s.body || !filtersAllow(s.def.filter, o.def.filter)) return true;
+    if (without && islandOf[o.body] != kNoIndex && islands.awake[islandOf[o.body]].get() == without) return true;
     BodyType type = bodies.data[o.body].type;
     if (type == BodyType::dynamic && farHeavier(s.body, o.body)) return true;
     Sweep way = sweepOf(o.body);

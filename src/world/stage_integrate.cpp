@@ -116,9 +116,7 @@ void World::Impl::finishBody(BodyIndex body) {
 
 void World::Impl::integrate() {
   StageTimer timer(report, Stage::integrate);
-  for (auto& island : islands.awake)
-    if (!island->resting) stopAtObstacles(*island);
-  for (BodyIndex body : islands.single) stopAtObstacles(body);
+  stopAtObstacles();
   for (auto& island : islands.awake) {
     if (island->settled) {
       // Nothing moves and nothing did in the last step.

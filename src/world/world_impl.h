@@ -117,17 +117,18 @@ struct World::Impl {
   bool moves(BodyIndex body) const;
   bool farHeavier(BodyIndex body, BodyIndex other) const;
   void stopAtObstacles(BodyIndex body);
-  void stopAtObstacles(Island& island);
+  void stopAtObstacles();
   struct Obstruction {
     double share = 1;           // of a way: where it ends
     BodyIndex body = kNoIndex;  // what ends it
   };
-  void obstruct(ShapeIndex shape, bool everything, double thickness, Obstruction& first) const;
+  void obstruct(ShapeIndex shape, bool everything, double thickness, const Island* without, Obstruction& first) const;
+  bool catchUp(const Island& island);
   struct Motion {
     Vec3 way, turn;  // m, rad: in this step
   };
   Motion motionOf(BodyIndex body) const;
-  void shorten(BodyIndex body, double share);
+  void shorten(BodyIndex body, double share, Vec3 carried = {}, bool spins = false);
   bool turnsFar(BodyIndex body, Vec3 turn) const;
   void quarantineAbsurd();
   bool solvedWell(const Island& island) const;
@@ -151,6 +152,8 @@ struct World::Impl {
   void traceStage(std::optional<Stage> stage);
   void hashStage(std::optional<Stage> stage);
   void bookStage(std::optional<Stage> stage);
+  double elasticNow() const;
+  BalanceChange bookJoints() const;
   Balance balanceNow() const;
   void countPoints(Island& island) const;
   void collectHits(const Island& island);
