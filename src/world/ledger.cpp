@@ -7,6 +7,7 @@
 // its impulses give for acting midway, booked on gravity in flight and on what holds the body otherwise.
 #include "world/ledger.h"
 
+#include "solver/joint_energy.h"
 #include "world/world_impl.h"
 
 namespace brickfall {
@@ -14,15 +15,17 @@ namespace brickfall {
 namespace {
 
 BalanceChange operator-(const Balance& a, const Balance& b) {
-  return {a.linear - b.linear, a.angular - b.angular, a.kinetic + a.potential - b.kinetic - b.potential};
+  return {a.linear - b.linear, a.angular - b.angular, a.kinetic + a.potential - b.kinetic - b.potential,
+          a.elastic - b.elastic};
 }
 BalanceChange operator-(const BalanceChange& a, const BalanceChange& b) {
-  return {a.linear - b.linear, a.angular - b.angular, a.energy - b.energy};
+  return {a.linear - b.linear, a.angular - b.angular, a.energy - b.energy, a.elastic - b.elastic};
 }
 void operator+=(BalanceChange& a, const BalanceChange& b) {
   a.linear += b.linear;
   a.angular += b.angular;
   a.energy += b.energy;
+  a.elastic += b.elastic;
 }
 
 void addBody(Balance& sum, const BodyMass& mass, Vec3 position, Vec3 velocity, Vec3 spin, Vec3 spinMomentum) {
@@ -93,8 +96,17 @@ template <class Bodies> Balance solvedBalance(const Bodies& awake, const StepCon
 
 }  // namespace
 
+double World::Impl::elasticNow() const {
+  double sum = 0;
+  for (const auto* pairs : {&contacts.pairs, &contacts.asleep})
+    for (const CandidatePair& pair : *pairs)
+      if (pair.contact != kNoIndex) sum += elasticEnergy(contacts.contacts[pair.contact], context);
+  return sum;
+}
+
 Balance World::Impl::balanceNow() const {
   Balance sum;
+  sum.elastic = elasticNow();
   for (BodyIndex i = 0; i < bodies.slots(); i++) {
     if (!bodies.alive(i) || bodies.data[i].type != BodyType::dynamic) continue;
     const BodyMotion& m = bodies.motion[i];
@@ -103,6 +115,20 @@ Balance World::Impl::balanceNow() const {
     sum.potential -= bodies.mass[i].mass * bodies.data[i].gravityScale * dot(def.gravity, m.position);
   }
   return sum;
+}
+
+BalanceChange World::Impl::bookJoints() const {
+  BalanceChange out;
+  double held = 0;
+  for (const CandidatePair& pair : contacts.asleep)
+    if (pair.contact != kNoIndex) held += elasticEnergy(contacts.contacts[pair.contact], context);
+  for (const auto& island : islands.awake) {
+    JointWork joints = jointWork(*island, context);
+    out.energy += joints.work;
+    held += joints.elastic;
+  }
+  out.elastic = held - ledgerState.now.elastic;
+  return out;
 }
 
 void World::Impl::bookStage(std::optional<Stage> stage) {
@@ -123,15 +149,24 @@ void World::Impl::bookStage(std::optional<Stage> stage) {
     cause += now - s.now;
     s.now = now;
   };
-  auto withPotential = [&](Balance sum) {
+  auto bookElastic = [&](BalanceChange& cause, double now) {
+    cause.elastic += now - s.now.elastic;
+    s.now.elastic = now;
+  };
+  auto moving = [&](Balance sum) {  // as `sum` moves, while places and joints stay as they are
     sum.potential = s.now.potential;
+    sum.elastic = s.now.elastic;
     return sum;
   };
   if (*stage == Stage::islands) {
-    book(ledger.quarantine, balanceNow());
+    Balance now = balanceNow();
+    bookElastic(ledger.remade, now.elastic);
+    book(ledger.quarantine, now);
   } else if (*stage == Stage::prepare) {
-    book(ledger.stopped, withPotential(atStart(islands, context)));
-    book(ledger.damping, withPotential(balanceNow()));
+    book(ledger.stopped, moving(atStart(islands, context)));
+    Balance start = balanceNow();
+    bookElastic(ledger.renewed, start.elastic);
+    book(ledger.damping, start);
     s.push = {};
     BalanceChange gravity, forces;
     for (BodyIndex body : awake) {
@@ -156,11 +191,14 @@ void World::Impl::bookStage(std::optional<Stage> stage) {
     held.angular += inContact;
     ledger.held += held;
     ledger.gravity.angular += inFlight;
-    Balance now = withPotential(solvedBalance(awake, context));
-    ledger.contacts += now - s.now - s.push - held - BalanceChange{{}, inFlight, 0};
+    Balance now = moving(solvedBalance(awake, context));
+    BalanceChange joints = bookJoints();
+    ledger.solve += now - s.now - s.push - held - BalanceChange{{}, inFlight, joints.energy};
     s.now = now;
+    s.now.elastic += joints.elastic;
+    ledger.contacts += joints;
   } else if (*stage == Stage::restitution) {
-    book(ledger.rebound, withPotential(solvedBalance(awake, context)));
+    book(ledger.rebound, moving(solvedBalance(awake, context)));
   } else if (*stage == Stage::integrate) {
     double work = 0;
     for (BodyIndex body : pushed)
@@ -169,9 +207,11 @@ void World::Impl::bookStage(std::optional<Stage> stage) {
     Balance now = balanceNow();
     double fallen = now.potential - s.now.potential;
     ledger.forces.energy += work;
-    ledger.contacts.energy += fallen - work;
+    ledger.solve.energy += fallen - work;
     s.now.potential = now.potential;
-    book(report.quarantined.size() > s.quarantined ? ledger.quarantine : ledger.integrate, now);
+    bool quarantined = report.quarantined.size() > s.quarantined;
+    bookElastic(quarantined ? ledger.quarantine : ledger.renewed, now.elastic);
+    book(quarantined ? ledger.quarantine : ledger.integrate, now);
     ledger.after = s.last = now;
     s.begun = true;
   }

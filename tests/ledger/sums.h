@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <iterator>
 
 #include "brickfall/world.h"
 #include "support/input_list.h"
@@ -12,7 +13,8 @@ namespace brickfall::test {
 inline double energyOf(const Balance& b) { return b.kinetic + b.potential; }
 
 struct Causes {
-  BalanceChange gravity, forces, damping, stopped, held, contacts, rebound, integrate, quarantine;
+  BalanceChange gravity, forces, damping, stopped, held, contacts, solve, rebound, integrate, quarantine, remade,
+      renewed;
 };
 
 struct Worst {
@@ -30,6 +32,9 @@ struct Sums {
   // the farthest centre of mass as lever, in the same.
   Worst unbalanced;
   // Energy that no input accounts for: J, and J/kg of all bodies.
+  double joints = -1e300;       // J: what joints ever gave in a step beyond what they held, less the rounding of floats
+  double unsolved = -1e300;     // J: most that what the solve left ever gave in a step
+  double withElastic = -1e300;  // J: largest rise in a step, of all energy with what joints hold
   double largestRise = -1e300, largestRisePerMass = -1e300;
   int riseStep = 0;
   double supplied = 0;         // J: at the start and by inputs since, above the lowest energy
@@ -47,12 +52,14 @@ struct Sums {
       into.linear += c.linear;
       into.angular += c.angular;
       into.energy += c.energy;
+      into.elastic += c.elastic;
     };
-    const BalanceChange* causes[] = {&l.gravity,  &l.forces,  &l.damping,   &l.stopped,   &l.held,
-                                     &l.contacts, &l.rebound, &l.integrate, &l.quarantine};
-    BalanceChange* totals[] = {&total.gravity,  &total.forces,  &total.damping,   &total.stopped,   &total.held,
-                               &total.contacts, &total.rebound, &total.integrate, &total.quarantine};
-    for (int i = 0; i < 9; i++) {
+    const BalanceChange* causes[] = {&l.gravity, &l.forces,  &l.damping,   &l.stopped,    &l.held,   &l.contacts,
+                                     &l.solve,   &l.rebound, &l.integrate, &l.quarantine, &l.remade, &l.renewed};
+    BalanceChange* totals[] = {&total.gravity,   &total.forces,     &total.damping, &total.stopped,
+                               &total.held,      &total.contacts,   &total.solve,   &total.rebound,
+                               &total.integrate, &total.quarantine, &total.remade,  &total.renewed};
+    for (std::size_t i = 0; i < std::size(causes); i++) {
       sum(all, *causes[i]);
       sum(*totals[i], *causes[i]);
     }
@@ -64,15 +71,20 @@ struct Sums {
     worstGap.angular = std::max(worstGap.angular, length(l.after.angular - l.before.angular - all.angular) / moment);
     worstGap.energy =
         std::max(worstGap.energy, std::fabs(energyOf(l.after) - energyOf(l.before) - all.energy) / energy);
-    const Vec3 left = l.contacts.linear + l.integrate.linear, leftAngular = l.contacts.angular + l.integrate.angular;
+    const Vec3 left = l.solve.linear + l.integrate.linear, leftAngular = l.solve.angular + l.integrate.angular;
     unbalanced.linear = std::max(unbalanced.linear, length(left) / weight);
     unbalanced.angular = std::max(unbalanced.angular, length(leftAngular) / (weight * reach));
+    const double made = l.contacts.energy + l.contacts.elastic;
+    joints = std::max(joints, made - 1e-7 * (mass + l.before.kinetic + l.before.elastic));
+    unsolved = std::max(unsolved, l.solve.energy);
+    const double elastic = l.after.elastic - l.before.elastic;
     const double input = l.forces.energy + l.held.energy, rise = energyOf(l.after) - energyOf(l.before) - input;
     if (rise > largestRise) {
       largestRise = rise;
       largestRisePerMass = rise / mass;
       riseStep = steps;
     }
+    withElastic = std::max(withElastic, rise + elastic);
     inputs += l.outside.energy + input;
     const double net = energyOf(l.after) - energyStart - inputs;
     above = std::max(above, net);
