@@ -117,7 +117,78 @@ Balance World::Impl::balanceNow() const {
   return sum;
 }
 
-BalanceChange World::Impl::bookJoints() const {
+void LedgerState::book(BalanceChange& cause, const Balance& after) {
+  cause += after - now;
+  now = after;
+}
+void LedgerState::bookElastic(BalanceChange& cause, double after) {
+  cause.elastic += after - now.elastic;
+  now.elastic = after;
+}
+Balance LedgerState::moving(Balance sum) const {
+  sum.potential = now.potential;
+  sum.elastic = now.elastic;
+  return sum;
+}
+
+void World::Impl::bookStage(std::optional<Stage> stage) {
+  if (!stage) return bookStart();
+  switch (*stage) {
+    case Stage::islands:
+      return bookContacts();
+    case Stage::prepare:
+      return bookFreeMotion();
+    case Stage::store:
+      return bookSolve();
+    case Stage::restitution:
+      return ledgerState.book(report.ledger->rebound, ledgerState.moving(solvedBalance(awake, context)));
+    case Stage::integrate:
+      return bookPoses();
+    default:
+      return;
+  }
+}
+
+void World::Impl::bookStart() {
+  LedgerState& s = ledgerState;
+  s.now = balanceNow();
+  s.quarantined = report.quarantined.size();
+  if (substep > 0) return;
+  StepLedger fresh;
+  fresh.before = s.now;
+  if (s.begun) fresh.outside = s.now - s.last;
+  report.ledger = fresh;
+}
+
+void World::Impl::bookContacts() {
+  Balance now = balanceNow();
+  ledgerState.bookElastic(report.ledger->remade, now.elastic);
+  ledgerState.book(report.ledger->quarantine, now);
+}
+
+void World::Impl::bookFreeMotion() {
+  LedgerState& s = ledgerState;
+  StepLedger& ledger = *report.ledger;
+  s.book(ledger.stopped, s.moving(atStart(islands, context)));
+  Balance start = balanceNow();
+  s.bookElastic(ledger.renewed, start.elastic);
+  s.book(ledger.damping, start);
+  BalanceChange gravity, forces;
+  double dt = context.dt;
+  for (BodyIndex body : awake) {
+    const BodyData& data = bodies.data[body];
+    Vec3 at = bodies.motion[body].position;
+    Vec3 weight = def.gravity * (bodies.mass[body].mass * data.gravityScale * dt), force = data.force * dt;
+    gravity += {weight, cross(at, weight), 0};
+    forces += {force, cross(at, force) + data.torque * dt, 0};
+  }
+  ledger.gravity += gravity;
+  ledger.forces += forces;
+  s.push = gravity;
+  s.push += forces;
+}
+
+BalanceChange World::Impl::jointsNow() const {
   BalanceChange out;
   double held = 0;
   for (const CandidatePair& pair : contacts.asleep)
@@ -131,90 +202,44 @@ BalanceChange World::Impl::bookJoints() const {
   return out;
 }
 
-void World::Impl::bookStage(std::optional<Stage> stage) {
+void World::Impl::bookSolve() {
   LedgerState& s = ledgerState;
-  double dt = context.dt;
-  if (!stage) {
-    s.now = balanceNow();
-    s.quarantined = report.quarantined.size();
-    if (substep > 0) return;
-    StepLedger fresh;
-    fresh.before = s.now;
-    if (s.begun) fresh.outside = s.now - s.last;
-    report.ledger = fresh;
-    return;
-  }
   StepLedger& ledger = *report.ledger;
-  auto book = [&](BalanceChange& cause, const Balance& now) {
-    cause += now - s.now;
-    s.now = now;
-  };
-  auto bookElastic = [&](BalanceChange& cause, double now) {
-    cause.elastic += now - s.now.elastic;
-    s.now.elastic = now;
-  };
-  auto moving = [&](Balance sum) {  // as `sum` moves, while places and joints stay as they are
-    sum.potential = s.now.potential;
-    sum.elastic = s.now.elastic;
-    return sum;
-  };
-  if (*stage == Stage::islands) {
-    Balance now = balanceNow();
-    bookElastic(ledger.remade, now.elastic);
-    book(ledger.quarantine, now);
-  } else if (*stage == Stage::prepare) {
-    book(ledger.stopped, moving(atStart(islands, context)));
-    Balance start = balanceNow();
-    bookElastic(ledger.renewed, start.elastic);
-    book(ledger.damping, start);
-    s.push = {};
-    BalanceChange gravity, forces;
-    for (BodyIndex body : awake) {
-      const BodyData& data = bodies.data[body];
-      Vec3 at = bodies.motion[body].position;
-      Vec3 weight = def.gravity * (bodies.mass[body].mass * data.gravityScale * dt), force = data.force * dt;
-      gravity += {weight, cross(at, weight), 0};
-      forces += {force, cross(at, force) + data.torque * dt, 0};
-    }
-    ledger.gravity += gravity;
-    ledger.forces += forces;
-    s.push += gravity;
-    s.push += forces;
-  } else if (*stage == Stage::store) {
-    BalanceChange held;
-    for (const auto& island : islands.awake) held += heldImpulses(*island, bodies, contacts, dt);
-    Vec3 inFlight, inContact;
-    for (BodyIndex body : awake) {
-      const SolvedMotion& m = context.solved[body];
-      (m.flying ? inFlight : inContact) += cross(m.d, m.velocity * bodies.mass[body].mass);
-    }
-    held.angular += inContact;
-    ledger.held += held;
-    ledger.gravity.angular += inFlight;
-    Balance now = moving(solvedBalance(awake, context));
-    BalanceChange joints = bookJoints();
-    ledger.solve += now - s.now - s.push - held - BalanceChange{{}, inFlight, joints.energy};
-    s.now = now;
-    s.now.elastic += joints.elastic;
-    ledger.contacts += joints;
-  } else if (*stage == Stage::restitution) {
-    book(ledger.rebound, moving(solvedBalance(awake, context)));
-  } else if (*stage == Stage::integrate) {
-    double work = 0;
-    for (BodyIndex body : pushed)
-      work +=
-          dot(bodies.data[body].force, context.solved[body].d) + dot(bodies.data[body].torque, context.solved[body].th);
-    Balance now = balanceNow();
-    double fallen = now.potential - s.now.potential;
-    ledger.forces.energy += work;
-    ledger.solve.energy += fallen - work;
-    s.now.potential = now.potential;
-    bool quarantined = report.quarantined.size() > s.quarantined;
-    bookElastic(quarantined ? ledger.quarantine : ledger.renewed, now.elastic);
-    book(quarantined ? ledger.quarantine : ledger.integrate, now);
-    ledger.after = s.last = now;
-    s.begun = true;
+  BalanceChange held;
+  for (const auto& island : islands.awake) held += heldImpulses(*island, bodies, contacts, context.dt);
+  Vec3 inFlight, inContact;
+  for (BodyIndex body : awake) {
+    const SolvedMotion& m = context.solved[body];
+    (m.flying ? inFlight : inContact) += cross(m.d, m.velocity * bodies.mass[body].mass);
   }
+  held.angular += inContact;
+  ledger.held += held;
+  ledger.gravity.angular += inFlight;
+  Balance now = s.moving(solvedBalance(awake, context));
+  BalanceChange joints = jointsNow();
+  ledger.solve += now - s.now - s.push - held - BalanceChange{{}, inFlight, joints.energy};
+  s.now = now;
+  s.now.elastic += joints.elastic;
+  ledger.contacts += joints;
+}
+
+void World::Impl::bookPoses() {
+  LedgerState& s = ledgerState;
+  StepLedger& ledger = *report.ledger;
+  double work = 0;
+  for (BodyIndex body : pushed)
+    work +=
+        dot(bodies.data[body].force, context.solved[body].d) + dot(bodies.data[body].torque, context.solved[body].th);
+  Balance now = balanceNow();
+  double fallen = now.potential - s.now.potential;
+  ledger.forces.energy += work;
+  ledger.solve.energy += fallen - work;
+  s.now.potential = now.potential;
+  bool quarantined = report.quarantined.size() > s.quarantined;
+  s.bookElastic(quarantined ? ledger.quarantine : ledger.renewed, now.elastic);
+  s.book(quarantined ? ledger.quarantine : ledger.integrate, now);
+  ledger.after = s.last = now;
+  s.begun = true;
 }
 
 }  // namespace brickfall

@@ -152,8 +152,13 @@ struct World::Impl {
   void traceStage(std::optional<Stage> stage);
   void hashStage(std::optional<Stage> stage);
   void bookStage(std::optional<Stage> stage);
+  void bookStart();
+  void bookContacts();
+  void bookFreeMotion();
+  void bookSolve();
+  void bookPoses();
+  BalanceChange jointsNow() const;
   double elasticNow() const;
-  BalanceChange bookJoints() const;
   Balance balanceNow() const;
   void countPoints(Island& island) const;
   void collectHits(const Island& island);
