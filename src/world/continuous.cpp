@@ -34,6 +34,13 @@ struct Sweep {
     Quat turned = turns ? normalized(quatFromRotationVector(turn * share) * start.rotation) : start.rotation;
     return {start.position + way * share, turned};
   }
+
+  // How much further what is at `place` after that share gets, if it stays where it then is on this body.
+  Vec3 carry(Vec3 place, double share) const {
+    Sweep exact = *this;
+    exact.turns = true;
+    return transformPoint(exact.at(1), transformPoint(inverse(exact.at(share)), place)) - place;
+  }
 };
 
 // How far the core of `moving` gets on its way past `still`, as a share. What turns is seen from its own frame: the way
@@ -93,11 +100,11 @@ World::Impl::Motion World::Impl::motionOf(BodyIndex body) const {
   return {context.solved[body].d, context.solved[body].th};
 }
 
-// Leaves the body a share of its way beyond `carried`, and of a turn that goes far or spins; it keeps its velocities.
+// Leaves the body a share of its way, then `carried`, and a share of a turn that goes far or spins; it keeps its velocities.
 void World::Impl::shorten(BodyIndex body, double share, Vec3 carried, bool spins) {
   SolvedMotion& s = context.solved[body];
-  Vec3 lost = (s.d - carried) * (1 - share);
-  s.d = carried + (s.d - carried) * share;
+  Vec3 left = s.d * share + carried, lost = s.d - left;
+  s.d = left;
   if (spins || turnsFar(body, s.th)) {
     s.th *= share;
     s.freeTurn = false;
@@ -130,7 +137,7 @@ void World::Impl::stopAtObstacles(BodyIndex body) {
   for (ShapeIndex shape : bodies.shapes[body]) obstruct(shape, everything, thickness, nullptr, first);
   if (first.share == 1) return;
   if (bodies.data[first.body].type != BodyType::dynamic || farHeavier(first.body, body)) {
-    shorten(body, first.share, motionOf(first.body).way);
+    shorten(body, first.share, first.carried);
     return;
   }
   shorten(body, first.share);
@@ -193,7 +200,7 @@ void World::Impl::obstruct(ShapeIndex shape, bool everything, double thickness, 
     double share = coreWay(s, own, o, way);
     if (type == BodyType::dynamic && (turns || exceeds(motion, o.innerRadius)))
       share = std::min(share, coreWay(o, way, s, own));
-    if (share < first.share) first = {share, o.body};
+    if (share < first.share) first = {share, o.body, way.carry(transformPoint(own.at(share), s.middle), share)};
     return true;
   });
 }

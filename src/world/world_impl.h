@@ -121,6 +121,7 @@ struct World::Impl {
   struct Obstruction {
     double share = 1;           // of a way: where it ends
     BodyIndex body = kNoIndex;  // what ends it
+    Vec3 carried;               // m: how far that takes along, from there, what does not get past it
   };
   void obstruct(ShapeIndex shape, bool everything, double thickness, const Island* without, Obstruction& first) const;
   bool catchUp(const Island& island);

@@ -71,6 +71,18 @@ TEST(Shots, OneAlone) {
   EXPECT_FALSE(flight.within) << describe(shot);
 }
 
+// Light balls and bricks that crept through a heavy plate that turned, and a hull whose end stuck in a brick that turned:
+// stopped in every step, they were taken along by the straight way of what they met, not by its turn.
+TEST(Shots, ThoseThatCreptIntoWhatTurned) {
+  for (std::uint64_t seed : {6143, 9039, 11845, 7394}) {
+    Shot shot = randomShot(seed);
+    Flight flight = fly(shot);
+    EXPECT_TRUE(flight.hit) << describe(shot);
+    EXPECT_FALSE(flight.through) << describe(shot);
+    EXPECT_FALSE(flight.within) << describe(shot);
+  }
+}
+
 TEST(Shots, NothingGoesThrough) {
   Tally tally;
   std::uint64_t first = std::max<std::uint64_t>(seedFrom("BRICKFALL_SHOTS_FROM"), 1);
