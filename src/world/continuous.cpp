@@ -100,13 +100,13 @@ World::Impl::Motion World::Impl::motionOf(BodyIndex body) const {
   return {context.solved[body].d, context.solved[body].th};
 }
 
-// Leaves the body a share of its way, then `carried`, and a share of a turn that goes far or spins; it keeps its velocities.
-void World::Impl::shorten(BodyIndex body, double share, Vec3 carried, bool spins) {
+// Leaves the body a share of its way, then `carried`, and a share of its turn; it keeps its velocities.
+void World::Impl::shorten(BodyIndex body, double share, double turnShare, Vec3 carried) {
   SolvedMotion& s = context.solved[body];
   Vec3 left = s.d * share + carried, lost = s.d - left;
   s.d = left;
-  if (spins || turnsFar(body, s.th)) {
-    s.th *= share;
+  if (turnShare < 1) {
+    s.th *= turnShare;
     s.freeTurn = false;
   }
   if (islandOf[body] != kNoIndex) islands.awake[islandOf[body]]->lag += lost * bodies.mass[body].mass;
@@ -129,7 +129,7 @@ void World::Impl::stopAtObstacles(BodyIndex body) {
   double turn = length(visibleTurn(bodies.mass[body], bodies.motion[body].orientation, s.th));
   double thickness = bodies.mass[body].innerRadius * (turn < kLargestTurn ? 1 : 0.5);
   bool spins = turn > kLargestTurn && !s.freeTurn;
-  if (spins) shorten(body, kLargestTurn / turn, {}, true);
+  if (spins) shorten(body, kLargestTurn / turn, kLargestTurn / turn);
   // What it was left behind by its turn, and kinematic bodies, may run over it, however slow it is itself.
   bool everything = spins || turnsFar(body, s.th);
   if (!(everything || moving.size() > 0 || exceeds(s.d, thickness))) return;
@@ -137,12 +137,13 @@ void World::Impl::stopAtObstacles(BodyIndex body) {
   for (ShapeIndex shape : bodies.shapes[body]) obstruct(shape, everything, thickness, nullptr, first);
   if (first.share == 1) return;
   if (bodies.data[first.body].type != BodyType::dynamic || farHeavier(first.body, body)) {
-    shorten(body, first.share, first.carried);
+    shorten(body, first.share, first.turnShare, first.carried);
     return;
   }
-  shorten(body, first.share);
+  shorten(body, first.share, first.turnShare);
   Motion other = motionOf(first.body);
-  if (exceeds(other.way, thickness) || turnsFar(first.body, other.turn)) shorten(first.body, first.share);
+  bool turns = turnsFar(first.body, other.turn);
+  if (turns || exceeds(other.way, thickness)) shorten(first.body, first.share, turns ? first.share : 1);
 }
 
 void World::Impl::stopAtObstacles() {
@@ -187,6 +188,8 @@ void World::Impl::obstruct(ShapeIndex shape, bool everything, double thickness, 
   Aabb here = bounds(s.geometry, own.start * s.inCentreFrame);
   if (own.turns) here = merged(here, bounds(s.geometry, own.at(1) * s.inCentreFrame));
   Vec3 d = own.way;
+  // A turn moves no core that is at the centre. Where the end of a body is pressed in, the turn gets it out.
+  bool centred = length(s.middle) < 0.5 * kCoreShare * s.innerRadius;
   broadPhase->query({here.lower + min(d, Vec3{}), here.upper + max(d, Vec3{})}, [&](std::uint32_t other) {
     const ShapeData& o = shapes.data[other];
     if (o.body == s.body || !filtersAllow(s.def.filter, o.def.filter)) return true;
@@ -198,9 +201,15 @@ void World::Impl::obstruct(ShapeIndex shape, bool everything, double thickness, 
     bool turns = own.turns || way.turns;
     if (!turns && !exceeds(everything || type == BodyType::kinematic ? motion : d, thickness)) return true;
     double share = coreWay(s, own, o, way);
-    if (type == BodyType::dynamic && (turns || exceeds(motion, o.innerRadius)))
-      share = std::min(share, coreWay(o, way, s, own));
-    if (share < first.share) first = {share, o.body, way.carry(transformPoint(own.at(share), s.middle), share)};
+    double turnShare = centred ? 1 : share;
+    if (type == BodyType::dynamic && (turns || exceeds(motion, o.innerRadius))) {
+      double over = coreWay(o, way, s, own);
+      share = std::min(share, over), turnShare = std::min(turnShare, over);
+    }
+    if (own.turns) first.turnShare = std::min(first.turnShare, turnShare);
+    if (!(share < first.share)) return true;
+    first.share = share, first.body = o.body;
+    first.carried = way.carry(transformPoint(own.at(share), s.middle), share);
     return true;
   });
 }

@@ -120,6 +120,7 @@ struct World::Impl {
   void stopAtObstacles();
   struct Obstruction {
     double share = 1;           // of a way: where it ends
+    double turnShare = 1;       // of the turn
     BodyIndex body = kNoIndex;  // what ends it
     Vec3 carried;               // m: how far that takes along, from there, what does not get past it
   };
@@ -129,7 +130,7 @@ struct World::Impl {
     Vec3 way, turn;  // m, rad: in this step
   };
   Motion motionOf(BodyIndex body) const;
-  void shorten(BodyIndex body, double share, Vec3 carried = {}, bool spins = false);
+  void shorten(BodyIndex body, double share, double turnShare, Vec3 carried = {});
   bool turnsFar(BodyIndex body, Vec3 turn) const;
   void quarantineAbsurd();
   bool solvedWell(const Island& island) const;
