@@ -107,7 +107,7 @@ void World::Impl::shorten(BodyIndex body, double share, double turnShare, Vec3 c
   s.d = left;
   if (turnShare < 1) {
     s.th *= turnShare;
-    s.freeTurn = false;
+    if (s.freeTurn) shortenFreeTurn(context, body, turnShare);
   }
   if (islandOf[body] != kNoIndex) islands.awake[islandOf[body]]->lag += lost * bodies.mass[body].mass;
 }
