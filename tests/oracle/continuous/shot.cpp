@@ -267,18 +267,25 @@ Flight fly(const Shot& shot) {
   }
   out.fired = true;
   int steps = int(1.3 * scene.flight / shot.speed / shot.dt) + 15;
-  for (int n = 0; n < steps; n++) {
+  auto step = [&] {
     Vec3 centreBefore = centre();
-    if (!world.step(shot.dt).ok()) break;
+    if (!world.step(shot.dt).ok()) return;
     out.steps++;
     for (const ContactEvent& touch : world.events().begin)
       out.hit = out.hit || touch.bodyA == scene.missile || touch.bodyB == scene.missile;
     for (Obstacle& o : scene.obstacles)
       if (follow(o, poseOf(world, o.body), world.state(o.body)->angularVelocity, centreBefore, centre()))
         out.through = true;
-  }
+  };
+  auto inside = [&] {
+    return std::any_of(scene.obstacles.begin(), scene.obstacles.end(), [](const Obstacle& o) { return o.inside; });
+  };
+  for (int n = 0; n < steps; n++) step();
+  out.wedged = inside();
+  for (int n = 0; n < int(0.5 / shot.dt) && inside(); n++) step();
+  out.within = inside();
+  out.wedged = out.wedged && !out.within;
   for (const Obstacle& o : scene.obstacles) {
-    out.within = out.within || o.inside;
     Result<double> depth = world.penetration(scene.missileShape, o.shape);
     if (depth.ok()) out.overlap = std::max(out.overlap, *depth);
   }

@@ -33,7 +33,8 @@ struct Flight {
   bool fired = false;                        // false: drawn so that it starts inside the target
   bool hit = false;                          // touched something
   bool through = false;                      // its centre passed from one side of an obstacle to the other, through it
-  bool within = false;                       // its centre is inside an obstacle at the end
+  bool within = false;                       // its centre is inside an obstacle at the end, and half a second after
+  bool wedged = false;                       // it is inside at the end, and was pushed out again in that time
   double overlap = 0;                        // m: deepest at the end, as the exact query has it
   double missileSize = 0, obstacleSize = 0;  // inner radii, m
   int steps = 0;

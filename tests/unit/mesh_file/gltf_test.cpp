@@ -49,9 +49,8 @@ Bytes toGlb(std::string json, Bytes binary) {
   return out;
 }
 Bytes toBytes(const std::string& text) {
-  Bytes out(text.size());
-  std::memcpy(out.data(), text.data(), text.size());
-  return out;
+  const auto* from = reinterpret_cast<const std::byte*>(text.data());
+  return Bytes(from, from + text.size());
 }
 
 std::string replaced(std::string text, const std::string& what, const std::string& with) {

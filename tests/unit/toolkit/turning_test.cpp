@@ -119,9 +119,10 @@ TEST(Turning, WithoutSpinAsTheSweep) {
     if (swept->hit == ObbHit::contact) {
       ASSERT_EQ(turning->hit, ObbHit::contact) << "pair " << k;
       // How far they may still be apart along the path depends on how squarely they meet.
-      EXPECT_LE(turning->time, swept->time + 1e-12);
       Vec3 w = m.velocityB - m.velocityA;
       double closing = -dot(swept->contact.normal, w);
+      // Of boxes that hardly move against each other, rounding of the gap is a long time.
+      EXPECT_LE(turning->time, swept->time + 1e-12 + (closing < 1e-6 * size ? 1e-9 * size / closing : 0));
       if (closing > 0.1 * length(w)) {
         EXPECT_NEAR(turning->time, swept->time, 1e-7 * size / closing);
       }
