@@ -21,7 +21,9 @@ void rollOver(BodyType plateType) {
     stepSound(world, 1.0 / 30);
     BodyState p = *world.state(plate);
     Vec3 at = transformPoint(inverse(Transform{p.position, p.rotation}), world.state(ball)->position);
-    if (at.x > -0.44) EXPECT_GT(at.z, half) << "step " << i;
+    if (at.x > -0.44) {
+      EXPECT_GT(at.z, half) << "step " << i;
+    }
   }
 }
 

@@ -127,7 +127,9 @@ TEST(Report, RunsAsAMethodOfTheWorldWithTheSameBits) {
     for (int i = 0; i < 120; i++) ASSERT_TRUE(world.step(kDt).ok());
     EXPECT_LT(world.state(first)->position.y, 0.5);
     EXPECT_TRUE(world.validate().empty());
-    if (run == 1) EXPECT_EQ(world.stateHash(), hash);
+    if (run == 1) {
+      EXPECT_EQ(world.stateHash(), hash);
+    }
     hash = world.stateHash();
   }
 }
