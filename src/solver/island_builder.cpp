@@ -163,7 +163,7 @@ std::pmr::vector<ClusterLink> clusterLinks(const Island& island, const ContactSe
     link.weak = c.weak;
     // Each point counts 1, and 100 per effective weight that it carries.
     for (int i = 0; i < c.count; i++)
-      link.strength += 1 + 100 * std::fabs(c.heldN[i]) / (c.effectiveMass * float(kReferenceGravity));
+      link.strength += 1 + 100 * std::fabs(c.points.heldN[i]) / (c.effectiveMass * float(kReferenceGravity));
   }
   return links;
 }

@@ -22,20 +22,20 @@ double elasticEnergy(const Contact& c, const StepContext& context) {
   double cap = kHeldWeights * kReferenceGravity * c.effectiveMass;
   double sum = 0;
   for (int i = 0; i < c.count; i++) {
-    double gap = double(c.gap[i]) - double(c.offset[i]), k = c.stiffness[i];
-    if (!(k > 0) || (gap >= 0 && c.heldN[i] == 0)) continue;
-    if (k < 0.99 * full) {
-      double share = c.forceN[i] > cap ? cap / c.forceN[i] : 1;
+    double gap = double(c.points.gap[i]) - double(c.points.offset[i]), k = c.points.stiffness[i];
+    if (!(k > 0) || (gap >= 0 && c.points.heldN[i] == 0)) continue;
+    if (c.points.phase[i] == PointPhase::impact) {
+      double share = c.points.forceN[i] > cap ? cap / c.points.forceN[i] : 1;
       auto left = [&](double force) { return 0.5 * force * force * share * share / full; };
-      sum += left(c.forceN[i]) + left(c.force1[i]) + left(c.force2[i]);
+      sum += left(c.points.forceN[i]) + left(c.points.force1[i]) + left(c.points.force2[i]);
       continue;
     }
-    sum += springEnergy(k, gap, c.heldN[i]);
+    sum += springEnergy(k, gap, c.points.heldN[i]);
     // What slid is placed so that its spring carries the sliding force; what opened lets go of its anchor.
-    bool sticks = c.stickingMask >> i & 1;
-    if (!sticks && c.forceN[i] == 0) continue;
-    sum += springEnergy(k, sticks ? c.drift1[i] : c.slip1[i], c.held1[i]);
-    sum += springEnergy(k, sticks ? c.drift2[i] : c.slip2[i], c.held2[i]);
+    bool sticks = c.points.stickingMask >> i & 1;
+    if (!sticks && c.points.forceN[i] == 0) continue;
+    sum += springEnergy(k, sticks ? c.points.drift1[i] : c.points.slip1[i], c.points.held1[i]);
+    sum += springEnergy(k, sticks ? c.points.drift2[i] : c.points.slip2[i], c.points.held2[i]);
   }
   return sum;
 }
@@ -51,15 +51,15 @@ JointWork jointWork(const Island& island, const StepContext& context) {
     kernel::store(m.t1, way[1]);
     kernel::store(m.t2, way[2]);
     for (int i = 0; i < c.count; i++) {
-      out.work += double(c.forceN[i]) * double(way[0][i]) + double(c.force1[i]) * double(way[1][i]) +
-                  double(c.force2[i]) * double(way[2][i]);
-      c.gap[i] += way[0][i];
-      c.drift1[i] += way[1][i];
-      c.drift2[i] += way[2][i];
+      out.work += double(c.points.forceN[i]) * double(way[0][i]) + double(c.points.force1[i]) * double(way[1][i]) +
+                  double(c.points.force2[i]) * double(way[2][i]);
+      c.points.gap[i] += way[0][i];
+      c.points.drift1[i] += way[1][i];
+      c.points.drift2[i] += way[2][i];
     }
-    std::copy(c.forceN, c.forceN + 4, c.heldN);
-    std::copy(c.force1, c.force1 + 4, c.held1);
-    std::copy(c.force2, c.force2 + 4, c.held2);
+    std::copy(c.points.forceN, c.points.forceN + 4, c.points.heldN);
+    std::copy(c.points.force1, c.points.force1 + 4, c.points.held1);
+    std::copy(c.points.force2, c.points.force2 + 4, c.points.held2);
     out.elastic += elasticEnergy(c, context);
   }
   return out;

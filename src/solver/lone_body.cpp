@@ -30,7 +30,7 @@ bool steadyContacts(const Island& island, const StepContext& context, Vec3 moveC
     double along = dot(n, moveChange + cross(turnChange, arm)), tilt1 = dot(t1, turnChange),
            tilt2 = dot(t2, turnChange);
     for (int i = 0; i < c.count; i++) {
-      if (!(c.forceN[i] > 0)) continue;
+      if (!(c.points.forceN[i] > 0)) continue;
       carried = true;
       double change = along + tilt1 * double(r.s2[i]) - tilt2 * double(r.s1[i]);
       if (!(std::fabs(change) <= most && std::fabs(island.starts[k].approach[i]) <= most)) return false;

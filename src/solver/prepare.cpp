@@ -46,8 +46,8 @@ void updateFrame(ContactRecord& r, const Contact& c, const ContactGeometry& g, c
   r.armA = toFloat(armA);
   r.armB = toFloat(armA + (a.position - b.position));
   for (int i = 0; i < 4; i++) {
-    r.s1[i] = c.s1[i];
-    r.s2[i] = c.s2[i];
+    r.s1[i] = c.points.s1[i];
+    r.s2[i] = c.points.s2[i];
   }
 }
 
@@ -59,10 +59,13 @@ void findApproach(const ContactRecord& r, const Contact& c, const BodySet& bodie
   Vec3 w = b.angularVelocity - a.angularVelocity;
   double un = dot(n, u), w1 = dot(t1, w), w2 = dot(t2, w);
   for (int i = 0; i < 4; i++) {
-    start.approach[i] = float(un + w1 * double(c.s2[i]) - w2 * double(c.s1[i]));
-    start.gap[i] = c.gap[i];
+    start.approach[i] = float(un + w1 * double(c.points.s2[i]) - w2 * double(c.points.s1[i]));
+    start.gap[i] = c.points.gap[i];
   }
 }
+
+// Of the full stiffness of an island: what is as stiff as this counts as at it, whatever the rounding.
+constexpr float kFullShare = 0.99f;
 
 struct StiffnessScale {
   float unit;        // N/m
@@ -87,42 +90,49 @@ float impactStiffness(float approach, const StiffnessScale& scale) {
   return std::min(scale.full, std::max(scale.soft, needed));
 }
 
+// An impact that is over, or an island that has calmed down or takes shorter steps: the point is softer than it is to be. It
+// goes on with the force it has, within what a sudden load may hold.
+bool mustStiffen(const PointMemory& m, int i, float approach, const StiffnessScale& scale) {
+  bool softer = m.phase[i] != PointPhase::fresh && m.stiffness[i] < kFullShare * scale.full;
+  return softer && m.forceN[i] > 0 && approach > -scale.quietSpeed;
+}
+void stiffen(PointMemory& m, int i, const StiffnessScale& scale) {
+  if (m.forceN[i] > scale.cap) scaleForces(m, i, scale.cap / m.forceN[i]);
+  m.phase[i] = PointPhase::resting;
+  m.stiffness[i] = scale.full;
+  m.offset[i] = std::min(0.0f, m.gap[i] + m.forceN[i] / scale.full);
+}
+
+// Slow surfaces rest from the start; so do impacts that have to be as stiff.
+void startPhase(PointMemory& m, int i, float approach, const StiffnessScale& scale) {
+  m.stiffness[i] = approach > -scale.quietSpeed ? scale.full : impactStiffness(approach, scale);
+  m.phase[i] = m.stiffness[i] < kFullShare * scale.full ? PointPhase::impact : PointPhase::resting;
+}
+
 // Returns the gap that causes force.
-float mapNormalOffset(Contact& c, int i, float approach, const StiffnessScale& scale) {
-  if (c.stiffness[i] > 1.01f * scale.full) c.stiffness[i] = scale.full;  // the time step has grown
-  if (c.stiffness[i] == 0) c.offset[i] = std::min(0.0f, c.gap[i]);
-  bool soft = c.stiffness[i] > 0 && c.stiffness[i] < 0.99f * scale.full;
-  bool impactOver = soft && c.forceN[i] > 0 && approach > -scale.quietSpeed;
-  if (impactOver) {
-    if (c.forceN[i] > scale.cap) {
-      float s = scale.cap / c.forceN[i];
-      c.forceN[i] *= s;
-      c.force1[i] *= s;
-      c.force2[i] *= s;
-      c.heldN[i] = c.forceN[i];
-      c.held1[i] = c.force1[i];
-      c.held2[i] = c.force2[i];
-    }
-    c.stiffness[i] = scale.full;
-    c.offset[i] = std::min(0.0f, c.gap[i] + c.forceN[i] / scale.full);
-  }
-  float offset = kOffsetKept * std::min(0.0f, std::max(c.offset[i], c.gap[i]));
-  c.offset[i] = offset > -1e-12f ? 0 : offset;  // no denormals: they would never come to a fixed point
-  if (c.stiffness[i] == 0)
-    c.stiffness[i] = approach > -scale.quietSpeed ? scale.full : impactStiffness(approach, scale);
-  return c.gap[i] - c.offset[i];
+float mapNormalOffset(PointMemory& m, int i, float approach, const StiffnessScale& scale) {
+  if (m.stiffness[i] >= kFullShare * scale.full) m.phase[i] = PointPhase::resting;
+  // The time step has grown, or the island is calm no longer.
+  if (m.stiffness[i] > (2 - kFullShare) * scale.full) m.stiffness[i] = scale.full;
+  if (m.phase[i] == PointPhase::fresh) m.offset[i] = std::min(0.0f, m.gap[i]);
+  if (mustStiffen(m, i, approach, scale)) stiffen(m, i, scale);
+  float offset = kOffsetKept * std::min(0.0f, std::max(m.offset[i], m.gap[i]));
+  m.offset[i] = offset > -1e-12f ? 0 : offset;  // no denormals: they would never come to a fixed point
+  if (m.phase[i] == PointPhase::fresh) startPhase(m, i, approach, scale);
+  return m.gap[i] - m.offset[i];
 }
 
 void mapFrictionAnchor(Contact& c, int i, ContactGeometry& g, const ContactRecord& r, const BodySet& bodies) {
-  bool sticking = c.stickingMask >> i & 1;
-  bool tooFar = c.drift1[i] * c.drift1[i] + c.drift2[i] * c.drift2[i] > kLargestDrift * kLargestDrift;
+  bool sticking = c.points.stickingMask >> i & 1;
+  bool tooFar =
+      c.points.drift1[i] * c.points.drift1[i] + c.points.drift2[i] * c.points.drift2[i] > kLargestDrift * kLargestDrift;
   if (sticking && !tooFar) return;
-  c.drift1[i] = sticking ? 0 : c.slip1[i];
-  c.drift2[i] = sticking ? 0 : c.slip2[i];
+  c.points.drift1[i] = sticking ? 0 : c.points.slip1[i];
+  c.points.drift2[i] = sticking ? 0 : c.points.slip2[i];
   const BodyMotion &a = bodies.motion[c.bodyA], &b = bodies.motion[c.bodyB];
   Vec3 n = toDouble(r.n), t1 = toDouble(r.t1), t2 = cross(n, t1);
   Vec3 onB = b.position + b.orientation * g.anchorB[i];
-  Vec3 anchor = onB - n * double(c.gap[i]) - t1 * double(c.drift1[i]) - t2 * double(c.drift2[i]);
+  Vec3 anchor = onB - n * double(c.points.gap[i]) - t1 * double(c.points.drift1[i]) - t2 * double(c.points.drift2[i]);
   g.anchorA[i] = transposeTimes(a.orientation, anchor - a.position);
 }
 
@@ -185,16 +195,16 @@ void prepareContacts(Island& island, StepContext& context) {
         r.trialN[i] = r.trial1[i] = r.trial2[i] = r.k[i] = r.limit[i] = r.bond[i] = 0;
         continue;
       }
-      float gap = mapNormalOffset(c, i, start.approach[i], scale);
+      float gap = mapNormalOffset(c.points, i, start.approach[i], scale);
       mapFrictionAnchor(c, i, set.geometry[island.contacts[k]], r, bodies);
-      float stiffness = c.stiffness[i];
+      float stiffness = c.points.stiffness[i];
       r.k[i] = stiffness;
-      r.trialN[i] = kHeldShare * c.heldN[i] - stiffness * (gap > 0 ? gap : kCorrect * gap);
-      r.trial1[i] = kHeldShare * c.held1[i] - stiffness * kCorrect * c.drift1[i];
-      r.trial2[i] = kHeldShare * c.held2[i] - stiffness * kCorrect * c.drift2[i];
-      r.limit[i] = c.friction * std::max(0.0f, c.forceN[i]);
+      r.trialN[i] = kHeldShare * c.points.heldN[i] - stiffness * (gap > 0 ? gap : kCorrect * gap);
+      r.trial1[i] = kHeldShare * c.points.held1[i] - stiffness * kCorrect * c.points.drift1[i];
+      r.trial2[i] = kHeldShare * c.points.held2[i] - stiffness * kCorrect * c.points.drift2[i];
+      r.limit[i] = c.friction * std::max(0.0f, c.points.forceN[i]);
       r.bond[i] = 0;
-      if (c.forceN[i] == 0) r.newPoints |= 1u << i;
+      if (c.points.forceN[i] == 0) r.newPoints |= 1u << i;
     }
   }
 }

@@ -62,7 +62,7 @@ double slowestRebound(const Island& island, const StepContext& context) {
 Impact findImpact(const Contact& c, const ContactStart& start, int i, Vec3 normal, double slowest,
                   const StepContext& context) {
   Impact impact;
-  if (c.restitution == 0 || !(c.forceN[i] > 0)) return impact;
+  if (c.restitution == 0 || !(c.points.forceN[i] > 0)) return impact;
   const auto& data = context.bodies->data;
   double along = dot(normal, context.gravity);
   double pull = (data[c.bodyB].flying ? along : 0) - (data[c.bodyA].flying ? along : 0);
@@ -254,16 +254,6 @@ double allowedShare(const Island& island, const StepContext& context, const Pass
   return std::clamp((std::sqrt(linear * linear + 4 * square * left) - linear) / (2 * square), 0.0, 1.0);
 }
 
-// The impact is over and the surfaces part: its force must act in no later step.
-void forgetForces(Contact& c, int i) {
-  c.heldN[i] = c.held1[i] = c.held2[i] = 0;
-  c.forceN[i] = c.force1[i] = c.force2[i] = 0;
-  c.slip1[i] = c.slip2[i] = 0;
-  c.stiffness[i] = 0;
-  c.offset[i] = 0;
-  c.stickingMask &= ~(1u << i);
-}
-
 bool anyImpact(const Island& island, const StepContext& context) {
   double slowest = slowestRebound(island, context);
   for (std::size_t n = 0; n < island.contacts.size(); n++) {
@@ -347,7 +337,8 @@ void applyRestitution(Island& island, StepContext& context) {
   restoreSpin(island, context);
   for (std::size_t n = 0; n < pass.blocks.size(); n++)
     for (int i = 0; i < pass.blocks[n].count; i++)
-      if (pass.blocks[n].impact[i]) forgetForces(context.contacts->contacts[island.contacts[n]], i);
+      // The surfaces part: the force of the impact must act in no later step.
+      if (pass.blocks[n].impact[i]) clearPoint(context.contacts->contacts[island.contacts[n]].points, i);
 }
 
 }  // namespace brickfall

@@ -28,28 +28,28 @@ StoredForces forcesAt(const ContactRecord& r, const Island& island) {
 
 // Multiplier for the next step: the force, but an impact's force must not act again, explicitly.
 void holdForce(Contact& c, int i, const StoredForces& f) {
-  float held = kHeldShare * c.heldN[i];
+  float held = kHeldShare * c.points.heldN[i];
   float cap = kHeldGrowth * held + kHeldWeights * float(kReferenceGravity) * c.effectiveMass;
   float share = f.n[i] > cap ? cap / f.n[i] : 1;
-  c.forceN[i] = f.n[i];
-  c.force1[i] = f.t1[i];
-  c.force2[i] = f.t2[i];
-  c.heldN[i] = f.n[i] > cap ? cap : f.n[i];
-  c.held1[i] = f.t1[i] * share;
-  c.held2[i] = f.t2[i] * share;
+  c.points.forceN[i] = f.n[i];
+  c.points.force1[i] = f.t1[i];
+  c.points.force2[i] = f.t2[i];
+  c.points.heldN[i] = f.n[i] > cap ? cap : f.n[i];
+  c.points.held1[i] = f.t1[i] * share;
+  c.points.held2[i] = f.t2[i] * share;
 }
 
 // Where the anchor of a point that slides has to be for its spring to carry the sliding force.
 void placeSlip(Contact& c, int i, bool sliding) {
-  c.slip1[i] = c.slip2[i] = 0;
-  if (!sliding || !(c.forceN[i] > 0)) return;
-  float scale = -(1 - kHeldShare) / (c.stiffness[i] * kCorrect);
-  c.slip1[i] = c.force1[i] * scale;
-  c.slip2[i] = c.force2[i] * scale;
-  float drift = std::sqrt(c.slip1[i] * c.slip1[i] + c.slip2[i] * c.slip2[i]);
+  c.points.slip1[i] = c.points.slip2[i] = 0;
+  if (!sliding || !(c.points.forceN[i] > 0)) return;
+  float scale = -(1 - kHeldShare) / (c.points.stiffness[i] * kCorrect);
+  c.points.slip1[i] = c.points.force1[i] * scale;
+  c.points.slip2[i] = c.points.force2[i] * scale;
+  float drift = std::sqrt(c.points.slip1[i] * c.points.slip1[i] + c.points.slip2[i] * c.points.slip2[i]);
   if (drift > kLargestDrift) {
-    c.slip1[i] *= kLargestDrift / drift;
-    c.slip2[i] *= kLargestDrift / drift;
+    c.points.slip1[i] *= kLargestDrift / drift;
+    c.points.slip2[i] *= kLargestDrift / drift;
   }
 }
 
@@ -75,13 +75,13 @@ bool storeForces(Island& island, StepContext& context) {
     Contact before = c;
     StoredForces f = forcesAt(island.records[k], island);
     int loaded = 0, slidingLoaded = 0;
-    c.stickingMask = 0;
+    c.points.stickingMask = 0;
     for (int i = 0; i < c.count; i++) {
       bool sliding = f.sliding >> i & 1;
       loaded += f.n[i] > 0;
       slidingLoaded += sliding && f.n[i] > 0;
       holdForce(c, i, f);
-      if (f.n[i] > 0 && !sliding) c.stickingMask |= 1u << i;
+      if (f.n[i] > 0 && !sliding) c.points.stickingMask |= 1u << i;
       placeSlip(c, i, sliding);
     }
     c.touching = loaded > 0;
@@ -157,9 +157,9 @@ void advanceGaps(Island& island, StepContext& context) {
     kernel::store(m.t1, t1);
     kernel::store(m.t2, u2);
     for (int i = 0; i < c.count; i++) {
-      c.gap[i] += n[i];
-      c.drift1[i] += t1[i];
-      c.drift2[i] += u2[i];
+      c.points.gap[i] += n[i];
+      c.points.drift1[i] += t1[i];
+      c.points.drift2[i] += u2[i];
     }
   }
 }
@@ -192,7 +192,7 @@ void findHeld(const Island& island, const StepContext& context, float reach, std
     if (!touches && reach > 0) {
       alignas(16) float n[4];
       kernel::store(kernel::pointMotion(r, kernel::frame(r), island.motion.data()).n, n);
-      for (int i = 0; i < c.count; i++) touches = touches || c.gap[i] + n[i] < reach;
+      for (int i = 0; i < c.count; i++) touches = touches || c.points.gap[i] + n[i] < reach;
     }
     if (touches) links.push_back({r.bodyA, r.bodyB});
   }

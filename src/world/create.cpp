@@ -8,6 +8,7 @@
 #include "geometry/mass_properties.h"
 #include "math/free_turn.h"
 #include "world/checks.h"
+#include "world/solver_fields.h"
 #include "world/world_impl.h"
 
 namespace brickfall {
@@ -97,20 +98,6 @@ void checkBody(Checks& check, const BodyDef& def) {
     checkShape(check, "shapes[" + std::to_string(i) + "]", def.shapes[i], def.type);
 }
 
-void checkSolver(Checks& check, const SolverSettings& s) {
-  check.range("solver.restingStiffness", s.restingStiffness, 10, 1e5);
-  check.range("solver.impactStiffness", s.impactStiffness, 1, s.restingStiffness);
-  check.range("solver.restingApproachSpeed", s.restingApproachSpeed, 0, 100);
-  check.range("solver.restitutionSpeed", s.restitutionSpeed, 0, 100);
-  check.range("solver.contactMargin", s.contactMargin, 1e-5, 1);
-  check.range("solver.restSpeed", s.restSpeed, 0, 1);
-  check.range("solver.restTolerance", s.restTolerance, 0, 1);
-  check.range("solver.cycleTolerance", s.cycleTolerance, 1e-6, 10);
-  check.range("solver.minCycles", s.minCycles, 1, 64);
-  check.range("solver.maxCycles", s.maxCycles, s.minCycles, 256);
-  check.range("solver.maxCyclesSmall", s.maxCyclesSmall, s.minCycles, 256);
-}
-
 Shape geometryOf(const ShapeDef& def, const Hull* hull) {
   Shape g;
   g.type = def.type;
@@ -147,7 +134,9 @@ Status checkWorld(const WorldDef& def) {
   check.range("maxBodies", def.maxBodies, 1, 16'000'000);
   check.range("broadPhase", int(def.broadPhase), 0, kBroadPhaseMethodCount - 1);
   check.range("method", int(def.method), 0, int(Method::report));
-  checkSolver(check, def.solver);
+  eachSetting(def.solver, [&](const char* name, auto value, auto least, auto most) {
+    check.range(std::string("solver.") + name, value, least, most);
+  });
   check.range("report.impulseFactor", def.report.impulseFactor, 0, 100);
   check.range("report.damping", def.report.damping, 0, 1e6);
   check.range("report.sweeps", def.report.sweeps, 1, 1000);

@@ -133,10 +133,10 @@ void World::forEachContact(const std::function<void(const ContactView&)>& visit)
     view.pointCount = c.count;
     for (int i = 0; i < c.count; i++) {
       ContactPointView& p = view.points[i];
-      p.pointWorld = centre + t1 * double(c.s1[i]) + t2 * double(c.s2[i]);
-      p.separation = c.gap[i];
-      p.normalForce = c.forceN[i];
-      p.frictionForce = t1 * double(c.force1[i]) + t2 * double(c.force2[i]);
+      p.pointWorld = centre + t1 * double(c.points.s1[i]) + t2 * double(c.points.s2[i]);
+      p.separation = c.points.gap[i];
+      p.normalForce = c.points.forceN[i];
+      p.frictionForce = t1 * double(c.points.force1[i]) + t2 * double(c.points.force2[i]);
     }
     visit(view);
   };

@@ -9,6 +9,7 @@
 #include "base/hash.h"
 #include "brickfall/geometry/mesh_tree.h"
 #include "world/archive.h"
+#include "world/solver_fields.h"
 #include "world/world_impl.h"
 
 namespace brickfall {
@@ -16,7 +17,7 @@ namespace brickfall {
 namespace {
 
 constexpr std::uint64_t kMagic = 0x30504e5346424b42ull;
-constexpr std::uint32_t kLayout = 5;
+constexpr std::uint32_t kLayout = 6;
 
 struct Header {
   std::uint64_t magic = kMagic;
@@ -35,6 +36,17 @@ std::uint64_t hashOf(std::span<const std::byte> bytes) {
 }
 
 }  // namespace
+
+// What points remember: numbers as they are, phases as one of theirs.
+template <class Archive> struct PointFields {
+  Archive& archive;
+  template <class T> void operator()(T& lanes, PointQuantity = {}) const {
+    if constexpr (std::is_same_v<std::remove_cvref_t<decltype(lanes)>, PointPhase[4]>)
+      for (auto& phase : lanes) archive.choice(phase, PointPhase::resting);
+    else
+      archive.value(lanes);
+  }
+};
 
 // Sees the private lists of the sets.
 class SnapshotArchive {
@@ -75,7 +87,7 @@ class SnapshotArchive {
     a.choice(d.method, Method::report);
     a.choice(d.integrator, Integrator(kIntegratorCount - 1));
     report(a, d.report);
-    a.value(d.solver);
+    eachSetting(d.solver, [&](auto, auto& value, auto, auto) { a.value(value); });
   }
 
   template <class Archive, class Settings> static void report(Archive& a, Settings& s) {
@@ -205,14 +217,11 @@ class SnapshotArchive {
   }
 
   template <class Archive, class Contact> static void contact(Archive& a, Contact& c) {
-    for (auto* index : {&c.shapeA, &c.shapeB, &c.bodyA, &c.bodyB, &c.stickingMask}) a.value(*index);
+    for (auto* index : {&c.shapeA, &c.shapeB, &c.bodyA, &c.bodyB}) a.value(*index);
     for (auto* flag : {&c.rolls, &c.weak, &c.touching, &c.fresh, &c.born}) a.flag(*flag);
     a.value(c.weakSteps);
     for (auto* number : {&c.friction, &c.restitution, &c.effectiveMass}) a.value(*number);
-    for (auto* lanes : {&c.s1, &c.s2, &c.gap, &c.offset, &c.drift1, &c.drift2, &c.stiffness, &c.heldN, &c.held1,
-                        &c.held2, &c.forceN, &c.force1, &c.force2, &c.slip1, &c.slip2})
-      a.value(*lanes);
-    a.value(c.feature);
+    eachField(c.points, PointFields<Archive>{a});
   }
 
   template <class Archive, class Hierarchies> static void hierarchy(Archive& a, Hierarchies& h) {

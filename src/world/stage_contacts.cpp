@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dynamics/point_matcher.h"
 #include "geometry/queries.h"
 #include "narrowphase/collide.h"
 #include "narrowphase/mesh_collide.h"
@@ -14,7 +15,6 @@ namespace {
 constexpr double kReusePosition = 1e-4;  // m: relative motion since the manifold was made under which it is kept,
 constexpr double kReuseTurn = 5e-4;      // rad,
 constexpr double kReuseStep = 1e-3;      // m, and relative motion expected in the coming step
-constexpr double kMatchDistance = 0.02;  // m: an old point this near may hand its memory to a new one
 
 struct PairView {
   const ShapeData& a;
@@ -34,100 +34,23 @@ Vec3 anyPerpendicular(Vec3 n) {
   return normalized(std::fabs(n.x) < 0.7 ? cross(n, Vec3{1, 0, 0}) : cross(n, Vec3{0, 1, 0}));
 }
 
-// What a point of the last manifold hands on.
-struct Memory {
-  float stiffness, offset, heldN, held1, held2, forceN, force1, force2, slip1, slip2;
-  bool sticking;
-  Vec3 anchorA, anchorB;
-};
-
-class PointMatcher {
- public:
-  PointMatcher(const Contact& old, const ContactGeometry& geometry, const Contact& fresh, const ContactGeometry& now)
-      : old_(old), geometry_(geometry), normals_(dot(geometry.normal, now.normal)) {
-    Vec3 t2 = cross(geometry.normal, geometry.tangent1), u2 = cross(now.normal, now.tangent1);
-    turn_[0] = float(dot(geometry.tangent1, now.tangent1));
-    turn_[1] = float(dot(t2, now.tangent1));
-    turn_[2] = float(dot(geometry.tangent1, u2));
-    turn_[3] = float(dot(t2, u2));
-    rolls_ = fresh.rolls;
-  }
-
-  // The nearest unused old point; the same feature counts as twice as near. Another face: its forces say nothing.
-  bool match(Vec3 anchorB, std::uint32_t feature, Memory& out) {
-    if (normals_ < 0.9) return false;
-    int best = -1;
-    double bestDistance = rolls_ ? 1e30 : kMatchDistance * kMatchDistance;
-    for (int j = 0; j < old_.count; j++) {
-      if (used_ >> j & 1) continue;
-      double distance = lengthSquared(geometry_.anchorB[j] - anchorB) * (old_.feature[j] == feature ? 0.25 : 1);
-      if (distance < bestDistance) {
-        bestDistance = distance;
-        best = j;
-      }
-    }
-    if (best < 0) return false;
-    used_ |= 1u << best;
-    const Contact& c = old_;
-    auto along1 = [&](float a, float b) { return a * turn_[0] + b * turn_[1]; };
-    auto along2 = [&](float a, float b) { return a * turn_[2] + b * turn_[3]; };
-    out = {c.stiffness[best],
-           c.offset[best],
-           c.heldN[best],
-           along1(c.held1[best], c.held2[best]),
-           along2(c.held1[best], c.held2[best]),
-           c.forceN[best],
-           along1(c.force1[best], c.force2[best]),
-           along2(c.force1[best], c.force2[best]),
-           along1(c.slip1[best], c.slip2[best]),
-           along2(c.slip1[best], c.slip2[best]),
-           bool(c.stickingMask >> best & 1),
-           geometry_.anchorA[best],
-           geometry_.anchorB[best]};
-    return true;
-  }
-  bool keepsAnchors() const { return normals_ > 0.999 && !rolls_; }
-
- private:
-  const Contact& old_;
-  const ContactGeometry& geometry_;
-  double normals_;
-  float turn_[4];
-  bool rolls_ = false;
-  std::uint32_t used_ = 0;
-};
-
-void writeMemory(Contact& c, int i, const Memory& m) {
-  c.stiffness[i] = m.stiffness;
-  c.offset[i] = m.offset;
-  c.heldN[i] = m.heldN;
-  c.held1[i] = m.held1;
-  c.held2[i] = m.held2;
-  c.forceN[i] = m.forceN;
-  c.force1[i] = m.force1;
-  c.force2[i] = m.force2;
-  c.slip1[i] = m.slip1;
-  c.slip2[i] = m.slip2;
-  if (m.sticking) c.stickingMask |= 1u << i;
-}
-
 // Gaps and drifts from the anchors, in double; the points' places about their middle.
 void measurePoints(Contact& c, ContactGeometry& g, const Transform& relative) {
   Vec3 t2 = cross(g.normal, g.tangent1), middle[4], centre;
   for (int i = 0; i < c.count; i++) {
     Vec3 onB = transformPoint(relative, g.anchorB[i]), apart = onB - g.anchorA[i];
-    c.gap[i] = float(dot(g.normal, apart));
-    c.drift1[i] = float(dot(g.tangent1, apart));
-    c.drift2[i] = float(dot(t2, apart));
+    c.points.gap[i] = float(dot(g.normal, apart));
+    c.points.drift1[i] = float(dot(g.tangent1, apart));
+    c.points.drift2[i] = float(dot(t2, apart));
     middle[i] = (g.anchorA[i] + onB) * 0.5;
     centre += middle[i] * (1.0 / c.count);
   }
   g.centre = centre;
   for (int i = 0; i < c.count; i++) {
-    c.s1[i] = float(dot(g.tangent1, middle[i] - centre));
-    c.s2[i] = float(dot(t2, middle[i] - centre));
+    c.points.s1[i] = float(dot(g.tangent1, middle[i] - centre));
+    c.points.s2[i] = float(dot(t2, middle[i] - centre));
   }
-  for (int i = c.count; i < 4; i++) c.s1[i] = c.s2[i] = 0;
+  for (int i = c.count; i < 4; i++) c.points.s1[i] = c.points.s2[i] = 0;
 }
 
 // Points further away than the margin and the approach of the coming step can't touch: left out.
@@ -335,15 +258,15 @@ void World::Impl::makeContact(CandidatePair& pair, const Manifold& m, const Tran
   PointMatcher matcher(old, oldGeometry, c, g);
   Transform centreOfAInB = inverse(relative);
   for (int i = 0; i < m.count; i++) {
-    c.feature[i] = m.points[i].feature;
+    c.points.feature[i] = m.points[i].feature;
     g.anchorA[i] = transformPoint(a.inCentreFrame, m.points[i].onA);
     g.anchorB[i] = transformPoint(centreOfAInB, transformPoint(a.inCentreFrame, m.points[i].onB));
-    Memory memory;
-    if (!had || !matcher.match(g.anchorB[i], c.feature[i], memory)) continue;
-    writeMemory(c, i, memory);
-    if (memory.sticking && matcher.keepsAnchors()) {
-      g.anchorA[i] = memory.anchorA;
-      g.anchorB[i] = memory.anchorB;
+    int from = had ? matcher.match(g.anchorB[i], c.points.feature[i]) : -1;
+    if (from < 0) continue;
+    carryOver(c.points, i, old.points, from, matcher.turn());
+    if (old.points.sticks(from) && matcher.keepsAnchors()) {
+      g.anchorA[i] = oldGeometry.anchorA[from];
+      g.anchorB[i] = oldGeometry.anchorB[from];
     }
   }
   measurePoints(c, g, relative);

@@ -16,9 +16,9 @@ struct ContactImpact {
 ContactImpact impactOf(const Contact& c, const ContactStart& start, double dt) {
   ContactImpact out;
   for (int i = 0; i < c.count; i++) {
-    if (!(c.forceN[i] > 0)) continue;
+    if (!(c.points.forceN[i] > 0)) continue;
     out.speed = std::max(out.speed, double(-start.approach[i]));
-    out.impulse += double(c.forceN[i]) * dt;
+    out.impulse += double(c.points.forceN[i]) * dt;
   }
   return out;
 }
@@ -65,7 +65,7 @@ void World::Impl::countPoints(Island& island) const {
   for (ContactIndex contact : island.contacts) {
     const Contact& c = contacts.contacts[contact];
     island.points += c.count;
-    for (int i = 0; i < c.count; i++) island.touchingPoints += c.forceN[i] > 0;
+    for (int i = 0; i < c.count; i++) island.touchingPoints += c.points.forceN[i] > 0;
   }
 }
 

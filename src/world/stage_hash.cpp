@@ -46,13 +46,15 @@ class Mix {
 void mix(Mix& h, const BodyMotion& m) { h(m.position, m.rotation, m.linearVelocity, m.angularVelocity); }
 void mix(Mix& h, const SolvedMotion& s) { h(s.d, s.th, s.velocity, s.angularMomentum, s.freeTurn, s.rest, s.flying); }
 void mix(Mix& h, const FreeMotion& f) { h(f.d, f.th, f.rotation, f.angularMomentum, f.startVelocity, f.startSpin); }
+struct MixPoints {
+  Mix& h;
+  int count;
+  template <class T> void operator()(const T (&lanes)[4], PointQuantity = {}) const { h.list(lanes, count); }
+  void operator()(std::uint32_t mask) const { h(mask); }
+};
 void mix(Mix& h, const Contact& c) {
-  h(c.shapeA, c.shapeB, c.count, c.stickingMask, c.rolls, c.weak, c.touching, c.weakSteps, c.friction, c.restitution,
-    c.effectiveMass);
-  for (const float* field : {c.s1, c.s2, c.gap, c.offset, c.drift1, c.drift2, c.stiffness, c.heldN, c.held1, c.held2,
-                             c.forceN, c.force1, c.force2, c.slip1, c.slip2})
-    h.list(field, c.count);
-  h.list(c.feature, c.count);
+  h(c.shapeA, c.shapeB, c.count, c.rolls, c.weak, c.touching, c.weakSteps, c.friction, c.restitution, c.effectiveMass);
+  eachField(c.points, MixPoints{h, c.count});
 }
 void mix(Mix& h, const ContactGeometry& g, int count) {
   h(g.relativePosition, g.relativeRotation, g.normal, g.tangent1, g.centre);

@@ -82,11 +82,7 @@ void World::Impl::salvage(Island& island) {
   }
   for (ContactIndex contact : island.contacts) {
     Contact& c = contacts.contacts[contact];
-    for (int i = 0; i < 4; i++) {
-      c.stiffness[i] = c.offset[i] = c.slip1[i] = c.slip2[i] = 0;
-      c.heldN[i] = c.held1[i] = c.held2[i] = c.forceN[i] = c.force1[i] = c.force2[i] = 0;
-    }
-    c.stickingMask = 0;
+    for (int i = 0; i < 4; i++) clearPoint(c.points, i);
     c.touching = false;
     c.fresh = true;
   }

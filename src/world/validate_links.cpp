@@ -126,8 +126,7 @@ class World::Impl::LinkChecks {
       const Material &a = w_.shapes.data[c.shapeA].def.material, &b = w_.shapes.data[c.shapeB].def.material;
       double inverseMass = w_.bodies.mass[c.bodyA].invMass + w_.bodies.mass[c.bodyB].invMass;
       expect(c.friction == float(mixFriction(a, b)) && c.restitution == float(mixRestitution(a, b)) &&
-                 c.effectiveMass == float(1 / inverseMass) && c.weakSteps >= 0 && c.weakSteps <= kWeakHold &&
-                 c.stickingMask < 16,
+                 c.effectiveMass == float(1 / inverseMass) && c.weakSteps >= 0 && c.weakSteps <= kWeakHold,
              "contacts: a constant is not that of its bodies");
       const ContactGeometry& g = w_.contacts.geometry[i];
       expect(std::fabs(lengthSquared(g.normal) - 1) < 1e-6 && std::fabs(lengthSquared(g.tangent1) - 1) < 1e-6 &&

@@ -38,16 +38,16 @@ ProblemPoint pointOf(const Contact& c, const ContactGeometry& g, int i, const St
   p.n = axes * g.normal;
   p.t1 = axes * g.tangent1;
   p.t2 = cross(p.n, p.t1);
-  p.armA = axes * g.centre + p.t1 * double(c.s1[lane]) + p.t2 * double(c.s2[lane]);
+  p.armA = axes * g.centre + p.t1 * double(c.points.s1[lane]) + p.t2 * double(c.points.s2[lane]);
   p.armB = p.armA + (a.position - b.position);
-  p.k = c.stiffness[lane];
-  double gap = double(c.gap[lane]) - double(c.offset[lane]);
-  p.trialN = kHalf * c.heldN[lane] - p.k * (gap > 0 ? gap : kHalf * gap);
-  p.trialT = p.t1 * (kHalf * c.held1[lane] - p.k * kHalf * c.drift1[lane]) +
-             p.t2 * (kHalf * c.held2[lane] - p.k * kHalf * c.drift2[lane]);
+  p.k = c.points.stiffness[lane];
+  double gap = double(c.points.gap[lane]) - double(c.points.offset[lane]);
+  p.trialN = kHalf * c.points.heldN[lane] - p.k * (gap > 0 ? gap : kHalf * gap);
+  p.trialT = p.t1 * (kHalf * c.points.held1[lane] - p.k * kHalf * c.points.drift1[lane]) +
+             p.t2 * (kHalf * c.points.held2[lane] - p.k * kHalf * c.points.drift2[lane]);
   p.friction = c.friction;
-  p.limit = p.friction * std::max(0.0, double(c.forceN[lane]));
-  p.carriedNothing = c.forceN[lane] == 0;
+  p.limit = p.friction * std::max(0.0, double(c.points.forceN[lane]));
+  p.carriedNothing = c.points.forceN[lane] == 0;
   Vec3 approach =
       b.linearVelocity + cross(b.angularVelocity, p.armB) - a.linearVelocity - cross(a.angularVelocity, p.armA);
   p.newBound = c.effectiveMass * (std::max(0.0, -dot(p.n, approach)) + kWeightUnit * context.dt) / context.dt;

@@ -1,0 +1,79 @@
+#include "dynamics/point_memory.h"
+
+#include <cmath>
+
+namespace brickfall {
+
+namespace {
+
+bool inRange(float x, PointQuantity quantity) {
+  const bool length = std::fabs(x) <= kLargestPointLength, force = std::fabs(x) <= kLargestPointForce;
+  switch (quantity) {
+    case PointQuantity::length:
+      return length;
+    case PointQuantity::overlap:
+      return length && x <= 0;
+    case PointQuantity::force:
+      return force;
+    case PointQuantity::pressure:
+      return force && x >= 0;
+    case PointQuantity::stiffness:
+      return force && (x == 0 || x >= kLeastPointStiffness);
+  }
+  return false;
+}
+
+struct RangeCheck {
+  bool sound = true;
+  void operator()(const float (&lanes)[4], PointQuantity quantity) {
+    for (float x : lanes) sound = sound && inRange(x, quantity);
+  }
+  void operator()(const std::uint32_t (&)[4]) {}  // features: any number is one
+  void operator()(const PointPhase (&phases)[4]) {
+    for (PointPhase phase : phases) sound = sound && phase <= PointPhase::resting;
+  }
+  void operator()(std::uint32_t mask) { sound = sound && mask < 16; }
+};
+
+}  // namespace
+
+bool isSound(const PointMemory& m) {
+  RangeCheck check;
+  eachField(m, check);
+  for (int i = 0; i < 4; i++) check.sound = check.sound && (m.phase[i] == PointPhase::fresh) == (m.stiffness[i] == 0);
+  return check.sound;
+}
+
+void clearPoint(PointMemory& m, int i) {
+  m.phase[i] = PointPhase::fresh;
+  m.stiffness[i] = m.offset[i] = 0;
+  m.heldN[i] = m.held1[i] = m.held2[i] = 0;
+  m.forceN[i] = m.force1[i] = m.force2[i] = 0;
+  m.slip1[i] = m.slip2[i] = 0;
+  m.stickingMask &= ~(1u << i);
+}
+
+void scaleForces(PointMemory& m, int i, float share) {
+  m.heldN[i] = m.forceN[i] *= share;
+  m.held1[i] = m.force1[i] *= share;
+  m.held2[i] = m.force2[i] *= share;
+}
+
+void carryOver(PointMemory& to, int i, const PointMemory& from, int j, const TangentTurn& turn) {
+  auto along1 = [&](float a, float b) { return a * turn.m[0] + b * turn.m[1]; };
+  auto along2 = [&](float a, float b) { return a * turn.m[2] + b * turn.m[3]; };
+  to.phase[i] = from.phase[j];
+  to.stiffness[i] = from.stiffness[j];
+  to.offset[i] = from.offset[j];
+  to.heldN[i] = from.heldN[j];
+  to.held1[i] = along1(from.held1[j], from.held2[j]);
+  to.held2[i] = along2(from.held1[j], from.held2[j]);
+  to.forceN[i] = from.forceN[j];
+  to.force1[i] = along1(from.force1[j], from.force2[j]);
+  to.force2[i] = along2(from.force1[j], from.force2[j]);
+  to.slip1[i] = along1(from.slip1[j], from.slip2[j]);
+  to.slip2[i] = along2(from.slip1[j], from.slip2[j]);
+  if (from.sticks(j)) to.stickingMask |= 1u << i;
+}
+
+}  // namespace brickfall
