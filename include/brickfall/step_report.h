@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "brickfall/ids.h"
+#include "brickfall/island_ending.h"
 #include "brickfall/step_trace.h"
 
 namespace brickfall {
@@ -22,12 +23,13 @@ struct StepReport {
   double milliseconds = 0;  // whole step, wall clock
   int bodies = 0;           // dynamic bodies, asleep ones included
   int awakeBodies = 0;
-  int manifolds = 0;       // of awake bodies
-  int contactPoints = 0;   // of awake bodies
-  int touchingPoints = 0;  // points that carry force
-  int islands = 0;         // awake
-  int restingIslands = 0;  // accepted by the rest check: they cost one light pass
-  int cycles = 0;          // multilevel cycles, summed over islands
+  int manifolds = 0;                                    // of awake bodies
+  int contactPoints = 0;                                // of awake bodies
+  int touchingPoints = 0;                               // points that carry force
+  int islands = 0;                                      // awake
+  int restingIslands = 0;                               // accepted by the rest check: they cost one light pass
+  std::array<int, kIslandEndingCount> islandEndings{};  // awake islands by how their solve ended, of all substeps
+  int cycles = 0;                                       // multilevel cycles, summed over islands
   double solveVisits = 0;  // two-sided visits of a point in the solve, line search included
   double lightVisits = 0;  // visits that only read forces
   double residualRms = 0;  // worst island: rms of |force residual| / weight when the solve stopped

@@ -122,8 +122,8 @@ bool sumBoundary(const Island& island, const Level& level, const Cluster& cluste
     force += sign * w.force;
     torque += sign * (wide::cross3(arm, w.force) + w.torque);
     nonlinear |= kernel::needsLineSearch(r, f);
-    if (island.exactSteps) nonlinear |= kernel::mayClose(r, f, kNearContact);
-    if constexpr (withMatrix) sums.add(kernel::stiffness(r, frame, f, island.exactSteps ? 0.0f : kNearContact), arm);
+    if (island.plan.exactSteps) nonlinear |= kernel::mayClose(r, f, kNearContact);
+    if constexpr (withMatrix) sums.add(kernel::stiffness(r, frame, f, island.plan.exactSteps ? 0.0f : kNearContact), arm);
   }
   return wide::any(nonlinear);
 }
@@ -171,7 +171,7 @@ void clusterStep(Island& island, const Level& level, const Cluster& cluster, dou
 
   float slopeAtStart = power(residual, step);
   float t = 1, low = 0, slopeLow = slopeAtStart, high = -1, slopeHigh = 0;  // high < 0: no upper end found yet
-  int searchSteps = island.exactSteps ? kLineSearchStepsExact : kLineSearchSteps;
+  int searchSteps = island.plan.exactSteps ? kLineSearchStepsExact : kLineSearchSteps;
   for (int k = 0; k < searchSteps; k++) {
     clusterResidual(island, level, cluster, residual, nullptr, visits);
     float slope = power(residual, step);

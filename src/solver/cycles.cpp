@@ -9,17 +9,10 @@ namespace brickfall {
 
 namespace {
 
-// Small islands are cheap and, when they collapse, need more cycles than a wall to move at their true speed.
-int cycleBudget(const Island& island, const SolverSettings& settings) {
-  int bySize = int(640 / island.bodies.size());
-  int budget = std::clamp(bySize, settings.maxCycles, std::max(settings.maxCycles, settings.maxCyclesSmall));
-  return island.slow ? std::max(budget, kMaxCyclesSlow) : budget;
-}
-
 bool balanced(const Island& island, const StepContext& context) {
-  // The loose stop on forces alone would hold up, or set back, a block that is just past its balance.
-  if (island.slow || island.exactSteps) return worstResidual(island, *context.bodies) < kSlowTolerance;
-  return rmsResidual(island, *context.bodies) < context.settings.cycleTolerance;
+  double residual =
+      island.plan.judgeWorst ? worstResidual(island, *context.bodies) : rmsResidual(island, *context.bodies);
+  return residual < island.plan.tolerance;
 }
 
 void startFromFreeMotion(Island& island) {
@@ -36,24 +29,23 @@ void runCycles(Island& island, const StepContext& context, SolveStatistics& stat
   island.byMechanism.refresh(island.masses);
   // Any other start cheats: "nothing moves" would glue falling and sliding bodies in place.
   startFromFreeMotion(island);
-  bool direct = solvesDirectly(island, context);
-  int budget = direct ? context.settings.minCycles : cycleBudget(island, context.settings);
-  island.exactSteps = island.bodies.size() <= kExactBodies;
-  for (int cycle = 0; cycle < budget; cycle++) {
+  bool done = false;
+  for (int cycle = 0; cycle < island.plan.maxCycles && !done; cycle++) {
     const Hierarchy& h = cycle % 2 == 0 ? island.byStrength : island.byMechanism;
     for (std::size_t l = h.levels.size(); l-- > 0;)
       for (const Cluster& cluster : h.levels[l].clusters)
         if (cluster.sideBegin != cluster.sideEnd) clusterStep(island, h.levels[l], cluster, statistics.solveSides);
     statistics.cycles++;
     lightPass(island, *context.contacts, true, context.dt, statistics.lightVisits);
-    if (cycle + 1 >= context.settings.minCycles && balanced(island, context)) break;
+    done = cycle + 1 >= island.plan.minCycles && balanced(island, context);
   }
-  if (direct) solveDirectly(island, context, kSlowTolerance, statistics);
+  if (island.plan.direct) done = solveDirectly(island, context, kSlowTolerance, statistics);
+  island.ending = done ? IslandEnding::balanced : IslandEnding::unbalanced;
   statistics.residualRms = std::max(statistics.residualRms, rmsResidual(island, *context.bodies));
 }
 
 void correctMomentum(Island& island, const StepContext& context) {
-  if (island.grounded) return;
+  if (island.grounded()) return;
   const BodySet& bodies = *context.bodies;
   RigidSum missing(island.origin);  // what the solve left, as displacements
   for (std::size_t i = 0; i < island.bodies.size(); i++) {

@@ -14,9 +14,6 @@ namespace brickfall {
 
 namespace {
 
-constexpr std::size_t kDirectBodies = 12;      // at any speed
-constexpr std::size_t kDirectBodiesSlow = 80;  // none faster than ...
-constexpr double kDirectSpeed = 1;             // m/s
 // Half of all solves are done after 6 steps, 99 % after 56, all (but for rounding) after 88: scene `wall`, its rubble.
 constexpr int kDirectSteps = 100;
 constexpr int kTightSteps = 24;   // then ten times the residual is good enough: near it, floats round
@@ -274,22 +271,14 @@ class Newton {
 
 }  // namespace
 
-bool solvesDirectly(const Island& island, const StepContext& context) {
-  std::size_t count = island.bodies.size();
-  if (count <= kDirectBodies) return count > 1;  // a body alone: its cycle is the whole Newton step
-  if (count > kDirectBodiesSlow || !island.grounded) return false;
-  for (BodyIndex body : island.bodies)
-    if (!(length(context.free[body].startVelocity) < kDirectSpeed)) return false;
-  return true;
-}
-
-void solveDirectly(Island& island, const StepContext& context, double tolerance, SolveStatistics& statistics) {
+bool solveDirectly(Island& island, const StepContext& context, double tolerance, SolveStatistics& statistics) {
   Newton newton(island, context, statistics);
   for (int k = 0; k < kDirectSteps; k++) {
-    if (worstResidual(island, *context.bodies) < (k < kTightSteps ? tolerance : 10 * tolerance)) return;
-    if (!newton.step(k < kBoundSteps)) return;
+    if (worstResidual(island, *context.bodies) < (k < kTightSteps ? tolerance : 10 * tolerance)) return true;
+    if (!newton.step(k < kBoundSteps)) return false;
     statistics.cycles++;
   }
+  return false;
 }
 
 }  // namespace brickfall

@@ -4,11 +4,8 @@
 
 namespace brickfall {
 
-// Islands that are solved directly if their first cycles do not balance them: small ones, and larger ones that are slow
-// enough for a collapse to be at its start, or a wall to be settling.
-bool solvesDirectly(const Island& island, const StepContext& context);
-
-// From the present motion, of which Island::residual is known, until the worst residual is under `tolerance` weights.
-void solveDirectly(Island& island, const StepContext& context, double tolerance, SolveStatistics& statistics);
+// From the present motion, of which Island::residual is known, until the worst residual is under `tolerance` weights, or after
+// many steps under ten times that. False if it did not come so far.
+bool solveDirectly(Island& island, const StepContext& context, double tolerance, SolveStatistics& statistics);
 
 }  // namespace brickfall

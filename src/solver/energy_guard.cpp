@@ -38,7 +38,7 @@ struct RigidMotion {
 
 // The rigid motion with the island's linear and angular momentum.
 RigidMotion rigidMotion(const Island& island, const StepContext& context) {
-  if (island.grounded) return {};
+  if (island.grounded()) return {};
   const BodySet& bodies = *context.bodies;
   RigidSum sum(island.origin);
   for (BodyIndex body : island.bodies) {
@@ -52,7 +52,7 @@ RigidMotion rigidMotion(const Island& island, const StepContext& context) {
 }  // namespace
 
 void guardEnergy(const Island& island, StepContext& context) {
-  if (island.resting || island.partnersMove) return;
+  if (island.resting() || island.facts.partnersMove) return;
   const BodySet& bodies = *context.bodies;
   double start = 0, end = 0, gained = 0, mass = 0;
   for (BodyIndex body : island.bodies) {

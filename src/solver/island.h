@@ -8,6 +8,7 @@
 #include "dynamics/contact_set.h"
 #include "solver/contact_record.h"
 #include "solver/hierarchy.h"
+#include "solver/plan.h"
 #include "solver/step_context.h"
 
 namespace brickfall {
@@ -33,20 +34,13 @@ struct Island {
   std::pmr::vector<SolveMass> masses{memory};       // bodies
   std::pmr::vector<Wrench> residual{memory};        // bodies
   Hierarchy byStrength{memory}, byMechanism{memory};
-  bool exactSteps = false;  // small island: no open points in the matrix, a line search instead
-  Vec3 origin;              // m, of SolveMass::position and Cluster::centre
-  Vec3 drift;               // m: rigid displacement of this step that d and dFree leave out
-  Vec3 lag;                 // kg m: mass times way, by which bodies were stopped at obstacles after the solve
+  Vec3 origin;  // m, of SolveMass::position and Cluster::centre
+  Vec3 drift;   // m: rigid displacement of this step that d and dFree leave out
+  Vec3 lag;     // kg m: mass times way, by which bodies were stopped at obstacles after the solve
 
-  bool hierarchiesValid = false;  // of this set of contacts
-  bool mechanismValid = false;    // and of the weak flags
-  bool grounded = false;          // touches something fixed or kinematic
-  bool partnersMove = false;      // a kinematic partner moves
-  bool slow = false;              // grounded, all bodies slower than SolverSettings::restSpeed
-  bool calm = false;              // the same for a little more: settling, not falling
-  bool resting = false;           // accepted by the rest check in this step
-  bool settled = false;           // rested, and not one bit of its forces changed in the last step
-  bool allowSleep = true;
+  IslandFacts facts;  // of this step, or of the last in which it was not passed over
+  SolvePlan plan;
+  IslandEnding ending = IslandEnding::unsolved;
   std::int32_t points = 0, touchingPoints = 0;  // counted in the last step that was not passed over
   // Bodies: where a slow island was when its present watch began; empty = none.
   std::pmr::vector<Transform> heldPoses{memory};
@@ -54,6 +48,13 @@ struct Island {
   double restTime = 0;  // s, rested without a break
 
   BodyIndex key() const { return bodies.front(); }
+  bool grounded() const { return !partners.empty(); }  // touches something fixed or kinematic
+  bool resting() const { return isResting(ending); }
+  bool settled() const { return isSettled(ending); }
+  // Something about it changed from outside: the coming step looks at it again.
+  void unsettle() {
+    if (settled()) ending = IslandEnding::rested;
+  }
 };
 
 // The contact as a link between bodies, for hierarchies.

@@ -61,9 +61,6 @@ void numberBodies(Island& island, const StepContext& context, std::pmr::vector<s
     context.contacts->contacts[island.contacts[k]].fresh = true;
     context.contacts->contacts[island.contacts[k]].born = false;
   }
-  island.grounded = !island.partners.empty();
-  island.allowSleep = true;
-  for (BodyIndex body : island.bodies) island.allowSleep = island.allowSleep && bodies.data[body].allowSleep;
 }
 
 }  // namespace
@@ -169,12 +166,12 @@ std::pmr::vector<ClusterLink> clusterLinks(const Island& island, const ContactSe
 }
 
 void updateHierarchies(Island& island, const ContactSet& contacts) {
-  if (island.hierarchiesValid && island.mechanismValid) return;
+  if (island.byStrength.valid && island.byMechanism.valid) return;
   std::pmr::vector<ClusterLink> links = clusterLinks(island, contacts);
   std::uint32_t bodies = std::uint32_t(island.bodies.size());
-  if (!island.hierarchiesValid) island.byStrength.build(bodies, links, false);
+  if (!island.byStrength.valid) island.byStrength.build(bodies, links, false);
   island.byMechanism.build(bodies, links, true);
-  island.hierarchiesValid = island.mechanismValid = true;
+  island.byStrength.valid = island.byMechanism.valid = true;
 }
 
 }  // namespace brickfall

@@ -55,7 +55,7 @@ bool keepsItsForces(const Island& island, const StepContext& context, const Solv
 }  // namespace
 
 void correctLoneBody(const Island& island, StepContext& context) {
-  if (island.resting || island.partnersMove || island.bodies.size() != 1) return;
+  if (island.resting() || island.facts.partnersMove || island.bodies.size() != 1) return;
   BodyIndex body = island.bodies[0];
   const FreeMotion& free = context.free[body];
   SolvedMotion& s = context.solved[body];

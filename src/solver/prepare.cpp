@@ -28,7 +28,7 @@ void writeInertia(SolveMass& out, const Mat3& world, double perDt2) {
 
 // Where the island as a whole goes: left out of d, so that a fast island in flight is solved as finely as one at rest.
 Vec3 rigidDrift(const Island& island, const StepContext& context) {
-  if (island.grounded) return {};
+  if (island.grounded()) return {};
   Vec3 moment;
   double mass = 0;
   for (BodyIndex body : island.bodies) {
@@ -156,14 +156,11 @@ void prepareBodies(Island& island, const StepContext& context) {
     m.thFree = toFloat(free.th);
     m.position = toFloat(bodies.motion[body].position - island.origin);
   }
-  island.partnersMove = false;
   for (std::size_t i = 0; i < island.partners.size(); i++) {
     const BodyMotion& m = bodies.motion[island.partners[i]];
     SolveMotion& out = island.motion[count + i];
     out.d = toFloat(m.linearVelocity * context.dt - island.drift);
     out.th = toFloat(m.angularVelocity * context.dt);
-    island.partnersMove =
-        island.partnersMove || lengthSquared(m.linearVelocity) > 0 || lengthSquared(m.angularVelocity) > 0;
   }
 }
 
@@ -171,8 +168,7 @@ void prepareContacts(Island& island, StepContext& context) {
   const BodySet& bodies = *context.bodies;
   ContactSet& set = *context.contacts;
   double perDt2 = 1 / (context.dt * context.dt);
-  bool stiffer = island.calm && island.bodies.size() <= kExactBodies;
-  double resting = context.settings.restingStiffness * (stiffer ? kExactStiffening : 1);
+  double resting = context.settings.restingStiffness * island.plan.stiffening;
   for (std::size_t k = 0; k < island.contacts.size(); k++) {
     Contact& c = set.contacts[island.contacts[k]];
     ContactRecord& r = island.records[k];

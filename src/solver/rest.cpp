@@ -2,23 +2,9 @@
 
 namespace brickfall {
 
-void dampSlowIsland(Island& island, StepContext& context) {
+void dampSlowIsland(const Island& island, StepContext& context) {
+  if (!island.plan.slow || island.facts.energy >= island.facts.energyBefore) return;
   BodySet& bodies = *context.bodies;
-  double before = 0, now = 0;
-  island.slow = island.grounded && !island.partnersMove;
-  double fastest = 0;
-  for (BodyIndex body : island.bodies) {
-    BodyData& data = bodies.data[body];
-    const BodyMotion& m = bodies.motion[body];
-    before += data.lastKineticEnergy;
-    data.lastKineticEnergy = bodies.kineticEnergy(body);
-    now += data.lastKineticEnergy;
-    double speed = length(m.linearVelocity) + length(m.angularVelocity) * bodies.mass[body].innerRadius;
-    if (!(speed <= fastest)) fastest = speed;
-  }
-  island.calm = island.slow && fastest <= context.settings.restSpeed + kCalmShare * kReferenceGravity * context.dt;
-  island.slow = island.slow && fastest <= context.settings.restSpeed;
-  if (!island.slow || now >= before) return;
   for (BodyIndex body : island.bodies) {
     bodies.motion[body].linearVelocity = {};
     bodies.motion[body].angularVelocity = {};
@@ -27,12 +13,12 @@ void dampSlowIsland(Island& island, StepContext& context) {
 }
 
 void restCheck(Island& island, StepContext& context) {
-  island.resting = false;
+  island.ending = IslandEnding::unsolved;
   for (std::size_t i = 0; i < island.bodies.size(); i++) island.motion[i] = {};
-  if (!island.slow) return;
+  if (!island.plan.slow) return;
   lightPass(island, *context.contacts, false, context.dt, context.statistics.lightVisits);
   if (!(worstResidual(island, *context.bodies) < context.settings.restTolerance)) return;
-  island.resting = true;
+  island.ending = IslandEnding::rested;
   context.statistics.restingIslands++;
 }
 
@@ -50,7 +36,7 @@ double strayed(const BodySet& bodies, BodyIndex body, const Transform& from) {
 
 void restIfHeld(Island& island, StepContext& context) {
   const BodySet& bodies = *context.bodies;
-  if (!island.slow || island.resting) {
+  if (!island.plan.slow || island.resting()) {
     island.heldPoses.clear();
     return;
   }
@@ -65,7 +51,7 @@ void restIfHeld(Island& island, StepContext& context) {
   island.heldTime += context.dt;
   if (island.heldTime < kHeldTime) return;
   island.heldPoses.clear();
-  island.resting = island.settled = true;
+  island.ending = IslandEnding::stilled;
   for (BodyIndex body : island.bodies) {
     context.solved[body] = {};
     context.solved[body].freeTurn = false;

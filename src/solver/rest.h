@@ -4,19 +4,18 @@
 
 namespace brickfall {
 
-// Decides whether the island is slow and, if its kinetic energy has just passed a maximum, stops it (kinetic damping, as
-// in dynamic relaxation): at that moment a vibration is at its balance, so one stop ends it; without it a tall wall on
+// Stops a slow island whose kinetic energy has just passed a maximum (kinetic damping, as in dynamic relaxation): at that moment a vibration is at its balance, so one stop ends it; without it a tall wall on
 // elastic joints sways by tenths of a millimetre for seconds. What topples or collapses gains energy from step to step
 // and is never stopped. To be called before the bodies' free motion is predicted.
-void dampSlowIsland(Island& island, StepContext& context);
+void dampSlowIsland(const Island& island, StepContext& context);
 
 // With no motion at all, do the forces of the last step still balance? Then a slow island stays where it is, for the
-// price of one light pass. Sets Island::resting; leaves all motion at zero.
+// price of one light pass. Sets Island::ending; leaves all motion at zero.
 void restCheck(Island& island, StepContext& context);
 
 // The other way to rest: a slow island of which nothing strays from its place for a while stays there, though the last
 // of its residual does not come under the limit (a thin wall goes on swaying by micrometres, a point at the very edge of
-// sliding or opening changes sides in every step). Called after storeMotion; then stops the island and sets resting.
+// sliding or opening changes sides in every step). Called after storeMotion; then stops the island.
 void restIfHeld(Island& island, StepContext& context);
 
 }  // namespace brickfall

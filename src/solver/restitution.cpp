@@ -283,7 +283,7 @@ RigidSum endOfStep(const Island& island, const StepContext& context, bool free) 
 }  // namespace
 
 void restoreSpin(const Island& island, StepContext& context) {
-  if (island.grounded) return;
+  if (island.grounded()) return;
   RigidSum now = endOfStep(island, context, false), wanted = endOfStep(island, context, true);
   Vec3 centre = now.centre(), turn = inverse(now.inertia()) * (wanted.angularMomentum() - now.angularMomentum());
   for (BodyIndex body : island.bodies) {
@@ -294,7 +294,7 @@ void restoreSpin(const Island& island, StepContext& context) {
 }
 
 void applyRestitution(Island& island, StepContext& context) {
-  if (island.resting || !anyImpact(island, context)) return;
+  if (island.resting() || !anyImpact(island, context)) return;
   const BodySet& bodies = *context.bodies;
   std::size_t count = island.bodies.size();
   Pass pass(island.memory);

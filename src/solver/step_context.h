@@ -19,9 +19,6 @@ constexpr float kHeldWeights = 5;           // ... plus this many effective weig
 constexpr float kOffsetKept = 0.9f;         // of the plastic offset, per step
 constexpr float kLargestDrift = 1e-3f;      // m: an anchor further away is placed anew
 constexpr float kNearContact = 5e-3f;       // m: open points nearer than this stay in the Newton matrix
-constexpr std::size_t kExactBodies = 24;    // islands of no more bodies leave open points out of the matrix: true to
-                                            // the last residual; larger ones would lose walls by it
-constexpr float kExactStiffening = 10;  // x restingStiffness while such an island is calm: they converge all the same
 constexpr double kCalmShare = 0.1;      // of g dt, added to the rest speed: an island no faster settles
 constexpr int kLineSearchSteps = 8;
 constexpr int kLineSearchStepsExact = 16;  // in exact steps: sticking is a very narrow range of motion to find

@@ -86,7 +86,7 @@ bool storeForces(Island& island, StepContext& context) {
     }
     c.touching = loaded > 0;
     if (c.touching != before.touching) context.contacts->touchingChanged = true;
-    if (updateWeak(c, loaded, slidingLoaded)) island.mechanismValid = false;
+    if (updateWeak(c, loaded, slidingLoaded)) island.byMechanism.valid = false;
     changed = changed || std::memcmp(&before, &c, sizeof c) != 0;
   }
   context.statistics.lightVisits += 4.0 * double(island.contacts.size());
@@ -117,7 +117,7 @@ void storeMotion(const Island& island, StepContext& context) {
     SolvedMotion& out = context.solved[body];
     const FreeMotion& free = context.free[body];
     const SolveMotion& m = island.motion[i];
-    if (island.resting) {
+    if (island.resting()) {
       out = {};
       out.rest = true;
       out.freeTurn = false;
@@ -142,7 +142,7 @@ void storeMotion(const Island& island, StepContext& context) {
 }
 
 void advanceGaps(Island& island, StepContext& context) {
-  if (island.resting) return;
+  if (island.resting()) return;
   for (std::size_t i = 0; i < island.bodies.size(); i++) {
     const SolvedMotion& s = context.solved[island.bodies[i]];
     island.motion[i].d = toFloat(s.d - island.drift);
@@ -213,7 +213,7 @@ void findHeld(const Island& island, const StepContext& context, float reach, std
 }  // namespace
 
 void correctFlight(Island& island, StepContext& context) {
-  if (island.resting) {
+  if (island.resting()) {
     for (BodyIndex body : island.bodies) context.solved[body].flying = false;
     return;
   }

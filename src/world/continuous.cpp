@@ -149,11 +149,11 @@ void World::Impl::stopAtObstacles(BodyIndex body) {
 void World::Impl::stopAtObstacles() {
   for (auto& island : islands.awake) island->lag = {};
   for (auto& island : islands.awake)
-    if (!island->resting)
+    if (!island->resting())
       for (BodyIndex body : island->bodies) stopAtObstacles(body);
   for (BodyIndex body : islands.single) stopAtObstacles(body);
   for (auto& island : islands.awake) {
-    if (island->grounded || island->lag == Vec3{} || !solvedWell(*island)) continue;
+    if (island->grounded() || island->lag == Vec3{} || !solvedWell(*island)) continue;
     if (catchUp(*island)) restoreSpin(*island, context);
     guardEnergy(*island, context);
   }

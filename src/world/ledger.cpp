@@ -66,7 +66,7 @@ BalanceChange heldImpulses(const Island& island, const BodySet& bodies, const Co
 template <class Visit> void forEachPrepared(const IslandSet& islands, Visit visit) {
   for (BodyIndex body : islands.single) visit(body);
   for (const auto& island : islands.awake)
-    if (!island->settled)
+    if (!island->settled())
       for (BodyIndex body : island->bodies) visit(body);
 }
 

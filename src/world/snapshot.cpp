@@ -225,6 +225,7 @@ class SnapshotArchive {
   }
 
   template <class Archive, class Hierarchies> static void hierarchy(Archive& a, Hierarchies& h) {
+    a.flag(h.valid);
     length(a, h.levels, kLeastLevel);
     for (auto& level : h.levels) {
       a.list(level.clusters);
@@ -248,9 +249,8 @@ class SnapshotArchive {
       a.list(i.starts);
       hierarchy(a, i.byStrength);
       hierarchy(a, i.byMechanism);
-      for (auto* flag : {&i.hierarchiesValid, &i.mechanismValid, &i.grounded, &i.partnersMove, &i.slow, &i.resting,
-                         &i.settled, &i.allowSleep})
-        a.flag(*flag);
+      a.flag(i.facts.partnersMove);  // of one that stays settled
+      a.choice(i.ending, IslandEnding::settled);
       a.value(i.points);
       a.value(i.touchingPoints);
       a.list(i.heldPoses);

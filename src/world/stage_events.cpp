@@ -47,7 +47,7 @@ void World::Impl::appendTouching(const Island& island, BodyPairs& out) const {
 void World::Impl::collectEvents() {
   StageTimer timer(report, Stage::events);
   for (auto& island : islands.awake) {
-    if (!island->settled) countPoints(*island);
+    if (!island->settled()) countPoints(*island);
     report.manifolds += int(island->contacts.size());
     report.contactPoints += island->points;
     report.touchingPoints += island->touchingPoints;

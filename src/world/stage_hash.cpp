@@ -126,7 +126,7 @@ void World::Impl::hashStage(std::optional<Stage> stage) {
     auto write = [&](Mix& h, BodyIndex body) { mix(h, context.solved[body]); };
     eachBody(islands.single, write);
     for (const auto& island : islands.awake)
-      if (!island->settled) eachBody(island->bodies, write);
+      if (!island->settled()) eachBody(island->bodies, write);
   };
 
   switch (stage.value_or(Stage::count)) {
@@ -140,7 +140,7 @@ void World::Impl::hashStage(std::optional<Stage> stage) {
       eachPair(contacts.pairs, wholeContact);
       eachPair(contacts.asleep, wholeContact);
       for (const auto* list : {&islands.awake, &islands.asleep})
-        eachIsland(*list, [](Mix& h, const Island& i) { h(i.settled, i.resting, i.restTime, i.heldTime); });
+        eachIsland(*list, [](Mix& h, const Island& i) { h(int(i.ending), i.restTime, i.heldTime); });
       break;
     case Stage::pairs:
       for (const auto* list : {&awake, &moving})
@@ -161,7 +161,7 @@ void World::Impl::hashStage(std::optional<Stage> stage) {
     case Stage::prepare:
       eachBody(islands.single, [&](Mix& h, BodyIndex body) { mix(h, context.free[body]); });
       for (const auto& island : islands.awake) {
-        if (island->settled) continue;
+        if (island->settled()) continue;
         eachBody(island->bodies, [&](Mix& h, BodyIndex body) {
           mix(h, context.free[body]);
           mix(h, bodies.motion[body]);
@@ -173,11 +173,11 @@ void World::Impl::hashStage(std::optional<Stage> stage) {
       });
       break;
     case Stage::rest:
-      eachIsland(islands.awake, [](Mix& h, const Island& i) { h(i.slow, i.settled, i.settled || i.resting); });
+      eachIsland(islands.awake, [](Mix& h, const Island& i) { h(i.plan.slow, int(i.ending)); });
       break;
     case Stage::solve:
       for (const auto& island : islands.awake) {
-        if (island->resting) continue;
+        if (island->resting()) continue;
         for (std::size_t k = 0; k < island->bodies.size(); k++) {
           Mix h;
           h(island->motion[k].d, island->motion[k].th);
@@ -189,7 +189,7 @@ void World::Impl::hashStage(std::optional<Stage> stage) {
       eachSolved();
       eachRecord([](Mix& h, const Island& island, std::size_t, const Contact& c) {
         mix(h, c);
-        h(island.settled, island.resting, island.heldTime);
+        h(int(island.ending), island.heldTime);
       });
       break;
     case Stage::restitution:

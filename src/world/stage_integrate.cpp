@@ -86,7 +86,7 @@ void World::Impl::salvage(Island& island) {
     c.touching = false;
     c.fresh = true;
   }
-  island.resting = island.settled = false;
+  island.ending = IslandEnding::unsolved;
   quarantine(culprit);
 }
 
@@ -114,7 +114,7 @@ void World::Impl::integrate() {
   StageTimer timer(report, Stage::integrate);
   stopAtObstacles();
   for (auto& island : islands.awake) {
-    if (island->settled) {
+    if (island->settled()) {
       // Nothing moves and nothing did in the last step.
       for (BodyIndex body : island->bodies)
         if (!bodies.still[body]) finishBody(body);

@@ -12,8 +12,11 @@ void World::Impl::updateSleep() {
   bool any = false;
   sleptNow = 0;
   for (auto& island : islands.awake) {
-    island->restTime = island->resting ? island->restTime + context.dt : 0;
-    bool sleeps = def.enableSleep && island->allowSleep && !island->partnersMove && island->restTime >= def.sleepDelay;
+    report.islandEndings[std::size_t(island->ending)]++;
+    island->restTime = island->resting() ? island->restTime + context.dt : 0;
+    bool sleeps = def.enableSleep && !island->facts.partnersMove && island->restTime >= def.sleepDelay &&
+                  std::all_of(island->bodies.begin(), island->bodies.end(),
+                              [&](BodyIndex body) { return bodies.data[body].allowSleep; });
     if (!sleeps) continue;
     any = true;
     sleptNow++;
@@ -84,7 +87,7 @@ void World::Impl::wakeIsland(std::size_t asleepIndex) {
   std::sort(touchingBefore.begin(), touchingBefore.end());
   touchingBefore.erase(std::unique(touchingBefore.begin(), touchingBefore.end()), touchingBefore.end());
   island->restTime = 0;
-  island->settled = island->resting = false;
+  island->ending = IslandEnding::unsolved;
   auto place = std::lower_bound(islands.awake.begin(), islands.awake.end(), island,
                                 [](const auto& a, const auto& b) { return a->key() < b->key(); });
   islands.awake.insert(place, std::move(island));
@@ -94,7 +97,7 @@ void World::Impl::wakeIsland(std::size_t asleepIndex) {
 void World::Impl::wakeAll() {
   while (!islands.asleep.empty()) wakeIsland(islands.asleep.size() - 1);
   for (auto& island : islands.awake) {
-    island->settled = false;
+    island->unsettle();
     island->restTime = 0;
   }
 }
@@ -117,17 +120,17 @@ void World::Impl::disturb(BodyIndex body) {
     activatePairsOf(body);
     for (auto& island : islands.awake)
       if (std::find(island->partners.begin(), island->partners.end(), body) != island->partners.end())
-        island->settled = false;
+        island->unsettle();
     return;
   }
   if (bodies.data[body].activity == BodyActivity::asleep) wakeIslandOf(body);
   if (body < islandOf.size() && islandOf[body] != kNoIndex && islandOf[body] < islands.awake.size() &&
       !membershipChanged) {
-    islands.awake[islandOf[body]]->settled = false;
+    islands.awake[islandOf[body]]->unsettle();
     islands.awake[islandOf[body]]->restTime = 0;
   } else {
     for (auto& island : islands.awake)
-      if (std::binary_search(island->bodies.begin(), island->bodies.end(), body)) island->settled = false;
+      if (std::binary_search(island->bodies.begin(), island->bodies.end(), body)) island->unsettle();
   }
 }
 

@@ -24,7 +24,7 @@ void World::Impl::buildIslands() {
   }
   for (auto& island : islands.awake)
     for (BodyIndex partner : island->partners)
-      if (!bodies.still[partner]) island->settled = false;
+      if (!bodies.still[partner]) island->unsettle();
 }
 
 void World::Impl::prepare() {
@@ -33,7 +33,12 @@ void World::Impl::prepare() {
   context.solved.resize(bodies.slots());
   for (BodyIndex body : islands.single) predictFreeMotion(context, body, def.airDensity, false);
   for (auto& island : islands.awake) {
-    if (island->settled) continue;
+    if (island->settled()) {
+      island->ending = IslandEnding::settled;
+      continue;
+    }
+    island->facts = findFacts(*island, context);
+    island->plan = planFor(island->facts, context.settings, context.dt);
     dampSlowIsland(*island, context);
     for (BodyIndex body : island->bodies) predictFreeMotion(context, body, def.airDensity, true);
     prepareBodies(*island, context);
@@ -45,7 +50,7 @@ void World::Impl::checkRest() {
   StageTimer timer(report, Stage::rest);
   for (auto& island : islands.awake) {
     context.statistics.islands++;
-    if (island->settled)
+    if (island->settled())
       context.statistics.restingIslands++;
     else
       restCheck(*island, context);
@@ -58,7 +63,7 @@ void World::Impl::solve() {
   pool->forRange(int(islands.awake.size()), 1, [&](int begin, int end) {
     for (int i = begin; i < end; i++) {
       Island& island = *islands.awake[std::size_t(i)];
-      if (island.resting) continue;
+      if (island.resting()) continue;
       updateHierarchies(island, contacts);
       runCycles(island, context, counts[std::size_t(i)]);
       correctMomentum(island, context);
@@ -76,13 +81,13 @@ void World::Impl::store() {
   StageTimer timer(report, Stage::store);
   for (BodyIndex body : islands.single) storeFreeBody(body, context);
   for (auto& island : islands.awake) {
-    if (island->settled) continue;
+    if (island->settled()) continue;
     bool changed = storeForces(*island, context);
-    if (!island->resting) collectHits(*island);
+    if (!island->resting()) collectHits(*island);
     storeMotion(*island, context);
     correctFlight(*island, context);
     correctLoneBody(*island, context);
-    island->settled = island->resting && !changed;
+    if (island->resting() && !changed) island->ending = IslandEnding::settled;
     restIfHeld(*island, context);
   }
 }
@@ -90,7 +95,7 @@ void World::Impl::store() {
 void World::Impl::restitute() {
   StageTimer timer(report, Stage::restitution);
   for (auto& island : islands.awake) {
-    if (island->settled) continue;
+    if (island->settled()) continue;
     applyRestitution(*island, context);
     guardEnergy(*island, context);
   }

@@ -55,7 +55,7 @@ void World::Impl::beginStep(double dt) {
   context.memory = &stepMemory;
   context.statistics = {};
   if (dt != lastDt) {  // stiffnesses are in units of mass / dt^2: nothing is settled at another time step
-    for (auto& island : islands.awake) island->settled = false;
+    for (auto& island : islands.awake) island->unsettle();
     lastDt = dt;
   }
 }

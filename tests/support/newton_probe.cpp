@@ -19,14 +19,11 @@ template struct Opener<&World::impl_>;
 
 auto& inside(World& world) { return *(world.*insideOfWorld()); }
 
-Ending endingOf(const Island& island, const StepContext& context) {
-  if (island.resting) return Ending::rested;
-  bool tight = island.slow || island.exactSteps;
-  bool balanced = tight ? worstResidual(island, *context.bodies) < kSlowTolerance
-                        : rmsResidual(island, *context.bodies) < context.settings.cycleTolerance;
-  if (!balanced) return Ending::exhausted;
-  if (island.exactSteps) return Ending::exact;
-  return island.slow ? Ending::slow : Ending::moving;
+Ending endingOf(const Island& island) {
+  if (island.resting()) return Ending::rested;
+  if (island.ending != IslandEnding::balanced) return Ending::exhausted;
+  if (island.plan.exactSteps) return Ending::exact;
+  return island.plan.slow ? Ending::slow : Ending::moving;
 }
 
 template <class Impl> void finishStep(Impl& w) {
@@ -60,25 +57,25 @@ std::uint64_t probeStep(const World& world, double dt, const std::function<void(
   auto& w = inside(copy);
   startStep(w, dt);
   std::vector<Problem> problems;
-  for (auto& island : w.islands.awake) problems.push_back(island->settled ? Problem{} : problemOf(*island, w.context));
+  for (auto& island : w.islands.awake) problems.push_back(island->settled() ? Problem{} : problemOf(*island, w.context));
   w.checkRest();
   for (std::size_t i = 0; i < problems.size(); i++) {
     Island& island = *w.islands.awake[i];
-    if (island.settled) continue;
+    if (island.settled()) continue;
     SolveStatistics statistics;
     SolvedIsland found;
-    if (!island.resting) {
+    if (!island.resting()) {
       updateHierarchies(island, w.contacts);
       runCycles(island, w.context, statistics);
-      found.ending = endingOf(island, w.context);
+      found.ending = endingOf(island);
       correctMomentum(island, w.context);
     }
     found.posed = problems[i];
     found.problem = std::move(problems[i]);
     takeLimits(found.problem, island);
     found.motion = engineMotion(island);
-    found.grounded = island.grounded;
-    found.slow = island.slow;
+    found.grounded = island.grounded();
+    found.slow = island.plan.slow;
     found.cycles = statistics.cycles;
     found.residualRms = statistics.residualRms;
     found.solveVisits = statistics.solveSides;
@@ -93,11 +90,11 @@ ConvergedStep stepConverged(World& world, double dt, double tolerance) {
   auto& w = inside(world);
   startStep(w, dt);
   std::vector<Problem> problems;
-  for (auto& island : w.islands.awake) problems.push_back(island->settled ? Problem{} : problemOf(*island, w.context));
+  for (auto& island : w.islands.awake) problems.push_back(island->settled() ? Problem{} : problemOf(*island, w.context));
   w.checkRest();
   for (std::size_t i = 0; i < problems.size(); i++) {
     Island& island = *w.islands.awake[i];
-    if (island.settled || island.resting) continue;
+    if (island.settled() || island.resting()) continue;
     updateHierarchies(island, w.contacts);
     NewtonSettings settings;
     settings.tolerance = tolerance;

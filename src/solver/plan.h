@@ -1,0 +1,61 @@
+// How an island is treated in a step: facts, found once before anyone reads them; a plan made of them by one table; an ending.
+//
+// The table (plan.cpp) is the only place that decides by an island's size or speed. docs/step.md prints it, and a test
+// compares the two.
+#pragma once
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "brickfall/island_ending.h"
+#include "brickfall/solver_settings.h"
+
+namespace brickfall {
+
+struct Island;
+struct StepContext;
+
+// At the start of a step.
+struct IslandFacts {
+  std::size_t bodies = 0;
+  bool grounded = false;      // touches something fixed or kinematic
+  bool partnersMove = false;  // a kinematic partner moves
+  double fastest = 0;         // m/s, largest |v| + |w| inner radius of a body
+  double fastestCentre = 0;   // m/s, largest |v|
+  double energy = 0;          // J, kinetic
+  double energyBefore = 0;    // J, at the start of the last step
+};
+
+// One row of the table: the first that an island fits decides.
+struct PlanRow {
+  std::string_view islands;  // in words
+  std::size_t mostBodies;
+  bool onlySlow;         // grounded, and no centre of mass faster than kDirectSpeed
+  bool exactSteps;       // open points are left out of the matrix and searched for instead
+  float calmStiffening;  // x restingStiffness while the island is calm
+  bool direct;           // Newton on all bodies at once, after the first cycles
+};
+std::span<const PlanRow> planRows();
+
+struct SolvePlan {
+  bool slow = false;  // grounded, partners still, no body faster than restSpeed: it may be stopped and put to rest
+  bool exactSteps = false;  // see PlanRow
+  bool direct = false;      // see PlanRow
+  bool judgeWorst = false;  // stops by its worst body, not by the rms of all
+  double stiffening = 1;    // x restingStiffness
+  double tolerance = 0;     // weights: residual at which it stops
+  int minCycles = 0, maxCycles = 0;
+};
+
+IslandFacts findFacts(const Island& island, const StepContext& context);
+SolvePlan planFor(const IslandFacts& facts, const SolverSettings& settings, double dt);
+
+// It stays where it is in this step.
+constexpr bool isResting(IslandEnding e) {
+  return e == IslandEnding::rested || e == IslandEnding::stilled || e == IslandEnding::settled;
+}
+// Nothing about it changes: the coming step passes it over.
+constexpr bool isSettled(IslandEnding e) { return e == IslandEnding::stilled || e == IslandEnding::settled; }
+
+}  // namespace brickfall
