@@ -1,10 +1,11 @@
 # What `cmake --install` puts in place: the command with its scenes, and the CMake package that find_package(brickfall)
-# finds: brickfall::brickfall (the engine) and, where it was built, brickfall::scene (scene files, takes, outputs).
+# finds: brickfall::brickfall (the engine), brickfall::report (docs/report.md) and, where it was built, brickfall::scene
+# (scene files, takes, outputs).
 include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/brickfall)
 
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/brickfall DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-set(libraries brickfall)
+set(libraries brickfall brickfall_report)
 if(BRICKFALL_APPS)
   list(APPEND libraries brickfall_scene)
   install(TARGETS brickfall_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})

@@ -142,8 +142,7 @@ int run(const RunOptions& options) {
   const Simulated simulated = simulate(scene, steps, metrics, *recorder, display);
   const int interrupted = interruptCount() > 0 ? interruptExitCode() : kOk;
   if (interrupted != kOk)
-    complainf("interrupted after {:.2f} s of {:g} s: what was simulated is kept", scene.world().time(),
-              scene.scene().seconds);
+    complainf("interrupted after {:.2f} s of {:g} s: what was simulated is kept", scene.time(), scene.scene().seconds);
 
   const Summary summary = summaryOf(scene, metrics.finish(scene.world()), simulated.wallSeconds);
   const std::string json = toJson(summary);

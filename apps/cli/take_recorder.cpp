@@ -121,7 +121,7 @@ void TakeRecorder::collectEvents(const SceneRun& run, const StepReport& report) 
 Status TakeRecorder::writeFrame(const SceneRun& run) {
   const World& world = run.world();
   TakeFrame frame;
-  frame.time = world.time();
+  frame.time = run.time();
   frame.poses.resize(run.bodies().size());
   for (std::size_t i = 0; i < frame.poses.size(); i++) {
     const Result<BodyState> state = world.state(run.bodies()[i].id);

@@ -96,8 +96,7 @@ int trace(const TraceCommand& options) {
     return kFileError;
   }
   if (!options.quiet)
-    sayf("{}: {} steps, state {:016x}: {}", out.scene, run.world().stepCount() / std::uint64_t(scene.substeps),
-         run.world().stateHash(), path);
+    sayf("{}: {} steps, state {:016x}: {}", out.scene, run.stepCount(), run.world().stateHash(), path);
   return interruptCount() > 0 ? interruptExitCode() : exitCode;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "brickfall/brickfall.h"
+#include "brickfall/report.h"
 #include "support/lab_scenes.h"
 
 namespace {
@@ -52,8 +53,8 @@ double wayEnergy(const lab::Scene& scene) {
   return sum;
 }
 
-// A wall of ten courses of ten bricks, left to itself.
-Outcome standOrFall(const WorldDef& def, double seconds) {
+// A wall of ten courses of ten bricks, left to itself, under the report's system or (null) ours.
+Outcome standOrFall(const WorldDef& def, ReportRun* reported, double seconds) {
   lab::Builder builder("report", {});
   builder.def = def;
   builder.open();
@@ -64,7 +65,7 @@ Outcome standOrFall(const WorldDef& def, double seconds) {
   int steps = int(std::lround(seconds * 60));
   for (int i = 0; i <= steps; i++) {
     double time = i / 60.0;
-    if (i > 0 && !scene.world.step(1.0 / 60).ok()) break;
+    if (i > 0 && !(reported ? reported->step(scene.world, 1.0 / 60) : scene.world.step(1.0 / 60)).ok()) break;
     double worst = 0;
     out.fallen = 0;
     for (std::size_t k = 0; k < scene.boxes.size(); k++) {
@@ -116,10 +117,8 @@ void print(Json& json, const std::string& name, const Outcome& o, bool curves) {
 }
 
 Outcome reported(const ReportSettings& settings) {
-  WorldDef def;
-  def.method = Method::report;
-  def.report = settings;
-  return standOrFall(def, kSeconds);
+  Result<ReportRun> run = ReportRun::create(settings);
+  return standOrFall({}, &run.value(), kSeconds);
 }
 
 struct Part {
@@ -146,7 +145,7 @@ void walls(Json& json) {
   print(json, "100 sweeps", reported(settings), true);
   WorldDef ours;
   ours.enableSleep = false;
-  print(json, "ours", standOrFall(ours, kSeconds), true);
+  print(json, "ours", standOrFall(ours, nullptr, kSeconds), true);
   json.close("]");
   json.name("alone");
   json.open("[");

@@ -1,14 +1,11 @@
 // The rigid-body system of the report "Breaking a Brick Wall", as it was described, with the parts that it left out to be
-// switched on one by one. For seeing why its wall of 100 bricks fell; nothing of the engine uses it. docs/report.md tells.
+// switched on one by one: for seeing why its wall of 100 bricks fell. A rival of the engine, on top of the engine's public
+// API; docs/report.md tells what it does. Library: brickfall::report.
 #pragma once
-#include <cstdint>
-#include <map>
-#include <utility>
-#include <vector>
+#include <memory>
 
-#include "brickfall/geometry/obb.h"
-#include "brickfall/geometry/obb_motion.h"
 #include "brickfall/integrators.h"
+#include "brickfall/world.h"
 
 namespace brickfall {
 
@@ -26,61 +23,27 @@ struct ReportSettings {
   Integrator integrator = Integrator::semiImplicitEuler;
 };
 
-// A box as the system sees it. Not dynamic: mass 0.
-struct ReportBody {
-  std::uint64_t id = 0;  // unique, stays with the body
-  RigidState state;
-  RigidMass mass;  // mass 0: does not move
-  Vec3 halfExtents{0.5, 0.5, 0.5};
-  double friction = 0.6, restitution = 0;
-};
-
-// What it remembers of pairs from step to step, and a step.
-class ReportSystem {
+// Moves the bodies of a world by the report's system, in place of World::step. Bodies are read and their motion is written
+// back through the World's own calls, so that everything but its step goes on working: setters, queries, energies, hashes.
+// To the system every body is the box around its shapes, a body with a plane a large box. What the world's step would do
+// besides does not happen: the world's time stands still, nothing sleeps, there are no events and no contacts to ask for.
+// A snapshot of the world holds none of what the run remembers of pairs.
+class ReportRun {
  public:
-  explicit ReportSystem(const ReportSettings& settings) : settings_(settings) {}
-  // Moves all bodies by dt under gravity, then tests all pairs and lets colliding ones push each other off.
-  void step(std::vector<ReportBody>& bodies, Vec3 gravity, double dt);
-
-  int pairsTested() const { return pairsTested_; }  // in the last step: pairs whose bounding spheres met
-  int collisions() const { return collisions_; }    // pairs that overlapped
+  static Result<ReportRun> create(const ReportSettings& settings);  // names the setting that is out of range
+  ReportRun(ReportRun&&) noexcept;
+  ReportRun& operator=(ReportRun&&) noexcept;
+  ~ReportRun();
+  // Advances by dt seconds (> 0), in `substeps` equal parts (>= 1). Always of the same world. Of the report time, counts of
+  // bodies and what it cost are filled in, `manifolds` and `touchingPoints` are pairs that collided. A body whose motion
+  // the world refuses (not finite, absurdly fast) stays where it was, at rest, is named in `quarantined` and left out from
+  // then on.
+  Result<StepReport> step(World& world, double dt, int substeps = 1);
 
  private:
-  struct Point {
-    Vec3 position;
-    double depth = 0;                               // m, negative: still apart
-    double normal = 0, tangent1 = 0, tangent2 = 0;  // impulses so far, N s
-    double wantedSpeed = 0;                         // m/s, along the normal
-  };
-  struct Memory {
-    int row = -1;  // that separated the two when they were last apart
-    std::vector<Point> points;
-    bool seen = false;  // in this step
-  };
-  struct Collision {
-    std::size_t a = 0, b = 0;  // in the list of bodies
-    Vec3 normal;               // unit, from a to b
-    Vec3 tangent1, tangent2;   // unit, across it
-    std::vector<Point> points;
-    Memory* memory = nullptr;
-  };
-
-  void move(std::vector<ReportBody>& bodies, Vec3 gravity, double dt) const;
-  void stepBack(const std::vector<ReportBody>& before, const std::vector<Collision>& collisions,
-                std::vector<ReportBody>& bodies) const;
-  void findCollisions(const std::vector<ReportBody>& bodies, double dt, std::vector<Collision>& out);
-  int contactRow(const ObbMotion& before, const ObbMotion& now, const Memory& memory, double dt) const;
-  void makePoints(const ObbMotion& now, int row, Collision& collision) const;
-  void rememberGap(const ObbMotion& now, Memory& memory) const;
-  void takeOver(const Memory& memory, Collision& collision) const;
-  void respond(std::vector<ReportBody>& bodies, std::vector<Collision>& collisions, double dt) const;
-  void chooseSpeeds(const ReportBody& a, const ReportBody& b, Collision& collision, double dt) const;
-  void pushApart(ReportBody& a, ReportBody& b, const Collision& collision, Point& point) const;
-  void holdBack(ReportBody& a, ReportBody& b, const Collision& collision, Point& point) const;
-
-  ReportSettings settings_;
-  std::map<std::pair<std::uint64_t, std::uint64_t>, Memory> memory_;
-  int pairsTested_ = 0, collisions_ = 0;
+  struct Impl;
+  explicit ReportRun(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace brickfall

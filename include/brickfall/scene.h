@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "brickfall/masonry.h"
+#include "brickfall/report.h"
 #include "brickfall/world.h"
 
 namespace brickfall {
@@ -64,12 +65,20 @@ struct SceneCamera {
   double fieldOfViewDegrees = 45;
 };
 
+// What moves the bodies of a scene.
+enum class SceneMethod : std::uint8_t {
+  clusters,  // the engine: World::step
+  report,    // ReportRun, for comparison
+};
+
 struct SceneDescription {
   std::string file;  // as it was given, for messages
   std::string name;  // of the file, without folder and ending
   std::string title, description;
   WorldDef world;
-  double seconds = 10;  // simulated time of a run
+  SceneMethod method = SceneMethod::clusters;
+  ReportSettings report;  // of SceneMethod::report
+  double seconds = 10;    // simulated time of a run
   double timeStep = 1.0 / 60;
   int substeps = 1;
   double framesPerSecond = 60;  // of the recorded take
@@ -120,20 +129,24 @@ struct PlacedBody {
 class SceneRun {
  public:
   static Result<SceneRun> create(const SceneDescription& scene);
-  // One time step of the scene; launches what is due first.
+  // One time step of the scene; launches what is due first. Under SceneMethod::report the world's own clock stands still.
   Result<StepReport> step();
   World& world() { return world_; }
   const World& world() const { return world_; }
   const SceneDescription& scene() const { return scene_; }
   const std::vector<PlacedBody>& bodies() const { return bodies_; }
+  double time() const { return time_; }  // s, simulated so far
+  std::uint64_t stepCount() const { return stepsDone_; }
 
  private:
   SceneRun(SceneDescription scene, World world);
   SceneDescription scene_;
   World world_;
   std::vector<PlacedBody> bodies_;
-  std::vector<std::size_t> held_;  // positions in bodies_ of what is still to be launched
-  std::size_t stepsDone_ = 0;
+  std::vector<std::size_t> held_;      // positions in bodies_ of what is still to be launched
+  std::optional<ReportRun> reported_;  // SceneMethod::report
+  std::uint64_t stepsDone_ = 0;
+  double time_ = 0;
 };
 
 }  // namespace brickfall

@@ -51,4 +51,8 @@ struct ShapeDef {
   std::uint64_t userData = 0;  // yours; never read
 };
 
+// The box around a shape of a body that lies at `body`. Tight but for meshes (that around their own box, turned); a plane's
+// reaches 1e30 m, except that one whose normal is a world axis ends at its surface.
+Aabb bounds(const ShapeDef& shape, const Transform& body);
+
 }  // namespace brickfall

@@ -16,20 +16,12 @@
 #include "brickfall/ids.h"
 #include "brickfall/integrators.h"
 #include "brickfall/math.h"
-#include "brickfall/report.h"
 #include "brickfall/result.h"
 #include "brickfall/shapes.h"
 #include "brickfall/solver_settings.h"
 #include "brickfall/step_report.h"
 
 namespace brickfall {
-
-// How bodies answer to contacts.
-enum class Method : std::uint8_t {
-  clusters,  // the engine: walls stand
-  report,  // as the report "Breaking a Brick Wall" describes, for comparison: see brickfall/report.h. Every body is the box
-  // around it, a plane a large box; no sleep, no events, no contacts to ask for; snapshots hold no memory of pairs
-};
 
 struct WorldDef {
   Vec3 gravity{0, -9.81, 0};      // m/s2
@@ -41,9 +33,7 @@ struct WorldDef {
   int threads = 1;                // 1 .. 64: islands are solved side by side; results do not depend on it
   int maxBodies = 1'000'000;      // createBody fails beyond
   BroadPhaseMethod broadPhase = BroadPhaseMethod::tree;  // changes time only, no result
-  Method method = Method::clusters;
-  ReportSettings report;                          // of Method::report
-  Integrator integrator = Integrator::splitting;  // of bodies that touch nothing; Method::report: report.integrator
+  Integrator integrator = Integrator::splitting;         // of bodies that touch nothing
   SolverSettings solver;
 };
 

@@ -21,10 +21,10 @@ Aabb planeBounds(const Transform& pose) {
   return box;
 }
 
-Aabb hullBounds(const Hull& hull, const Transform& pose) {
+Aabb hullBounds(const std::vector<Vec3>& vertices, const Transform& pose) {
   Mat3 turn = toMatrix(pose.rotation);
-  Vec3 lower = turn * hull.vertices[0], upper = lower;
-  for (Vec3 v : hull.vertices) {
+  Vec3 lower = turn * vertices[0], upper = lower;
+  for (Vec3 v : vertices) {
     Vec3 p = turn * v;
     lower = min(lower, p), upper = max(upper, p);
   }
@@ -55,13 +55,28 @@ Aabb bounds(const Shape& shape, const Transform& pose) {
       half = abs(rotate(pose.rotation, Vec3{0, shape.halfHeight, 0})) + Vec3{shape.radius, shape.radius, shape.radius};
       break;
     case ShapeType::hull:
-      return hullBounds(*shape.hull, pose);
+      return hullBounds(shape.hull->vertices, pose);
     case ShapeType::plane:
       return planeBounds(pose);
     case ShapeType::mesh:
       return meshBounds(shape.mesh->bounds(), pose);
   }
   return {pose.position - half, pose.position + half};
+}
+
+Aabb bounds(const ShapeDef& shape, const Transform& body) {
+  Transform pose = body * shape.local;
+  bool empty =
+      (shape.type == ShapeType::hull && shape.vertices.empty()) || (shape.type == ShapeType::mesh && !shape.mesh);
+  if (empty) return {pose.position, pose.position};
+  if (shape.type == ShapeType::hull) return hullBounds(shape.vertices, pose);
+  Shape form;
+  form.type = shape.type;
+  form.halfExtents = shape.halfExtents;
+  form.radius = shape.radius;
+  form.halfHeight = shape.halfHeight;
+  form.mesh = shape.mesh.get();
+  return bounds(form, pose);
 }
 
 double innerRadius(const Shape& shape) {

@@ -1,6 +1,6 @@
 // Impulses between two boxes at a point.
 #pragma once
-#include "brickfall/report.h"
+#include "report/report_system.h"
 
 namespace brickfall::report {
 

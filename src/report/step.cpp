@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "brickfall/report.h"
+#include "report/report_system.h"
 
 namespace brickfall {
 

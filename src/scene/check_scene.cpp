@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "brickfall/scene.h"
+#include "scene/body_bounds.h"
 #include "scene/node.h"
-#include "scene/shape_bounds.h"
 
 namespace brickfall {
 

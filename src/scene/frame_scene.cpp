@@ -1,8 +1,8 @@
 // A camera for scenes without one: in front, a little to the right and from above, far enough to see all of it.
 #include <algorithm>
 
+#include "scene/body_bounds.h"
 #include "scene/scene_build.h"
-#include "scene/shape_bounds.h"
 
 namespace brickfall::scene {
 
@@ -13,7 +13,13 @@ Aabb wallBounds(const WallDef& wall) {
   double height = wall.courses * (wall.brick.size.y + wall.bedJoint);
   shape.halfExtents = Vec3{wallLength(wall), height, wallThickness(wall)} * 0.5;
   shape.local.position = {shape.halfExtents.x, shape.halfExtents.y, 0};
-  return shapeBounds(shape, {wall.position, rotationFromDegrees({0, wall.yawDegrees, 0})});
+  return bounds(shape, {wall.position, rotationFromDegrees({0, wall.yawDegrees, 0})});
+}
+
+// A plane has no end.
+bool hasPlane(const BodyDef& def) {
+  return std::any_of(def.shapes.begin(), def.shapes.end(),
+                     [](const ShapeDef& shape) { return shape.type == ShapeType::plane; });
 }
 
 }  // namespace
@@ -22,7 +28,7 @@ void frameScene(SceneDescription& scene) {
   std::vector<Aabb> boxes;
   for (const SceneWall& wall : scene.walls) boxes.push_back(wallBounds(wall.wall));
   for (const SceneBody& body : scene.bodies)
-    if (body.role != BodyRole::ground) boxes.push_back(bodyBounds(body.def));
+    if (body.role != BodyRole::ground && !hasPlane(body.def)) boxes.push_back(bodyBounds(body.def));
   SceneCamera camera;
   if (!boxes.empty()) {
     Aabb all = boxes[0];

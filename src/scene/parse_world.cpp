@@ -66,10 +66,10 @@ void readWorld(SceneBuild& build, TableReader& top) {
   reader.number("hit_event_speed", scene.world.hitEventSpeed);
   reader.number("hit_event_impulse", scene.world.hitEventImpulse);
   reader.choice("broad_phase", scene.world.broadPhase);
-  reader.choice("method", scene.world.method);
+  reader.choice("method", scene.method);
   reader.choice("integrator", scene.world.integrator);
   readSolver(top, scene.world.solver);
-  readReport(top, scene.world.report);
+  readReport(top, scene.report);
 }
 
 void readGround(SceneBuild& build, TableReader& top) {

@@ -105,6 +105,11 @@ Result<SceneRun> SceneRun::create(const SceneDescription& scene) {
   Result<World> world = World::create(def);
   if (!world) return world.error();
   SceneRun run(scene, std::move(*world));
+  if (scene.method == SceneMethod::report) {
+    Result<ReportRun> reported = ReportRun::create(scene.report);
+    if (!reported) return reported.error();
+    run.reported_ = std::move(reported).value();
+  }
   run.bodies_ = std::move(placer.bodies);
   for (std::size_t i = 0; i < run.bodies_.size(); i++) {
     PlacedBody& body = run.bodies_[i];
@@ -136,8 +141,11 @@ Result<StepReport> SceneRun::step() {
     if (!status) return inBody(body.name, status.error());
   }
   held_ = std::move(stillHeld);
-  Result<StepReport> report = world_.step(scene_.timeStep, scene_.substeps);
-  if (report) stepsDone_++;
+  Result<StepReport> report = reported_ ? reported_->step(world_, scene_.timeStep, scene_.substeps)
+                                        : world_.step(scene_.timeStep, scene_.substeps);
+  if (!report) return report;
+  stepsDone_++;
+  time_ = report->time;
   return report;
 }
 

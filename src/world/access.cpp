@@ -1,5 +1,6 @@
 // Reading and changing bodies. Every setter checks first and changes nothing on an error.
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "world/checks.h"
@@ -119,6 +120,16 @@ void World::Impl::renewProxies(BodyIndex body) {
   }
 }
 
+namespace {
+
+// What is of unit length to rounding stays as it is, so that a rotation that was read can be put back bit for bit.
+Quat unitRotation(Quat q) {
+  double square = q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
+  return std::fabs(square - 1) < 1e-14 ? q : normalized(q);
+}
+
+}  // namespace
+
 Status World::setTransform(BodyId id, Vec3 position, Quat rotation) {
   Impl& w = *impl_;
   Checks check;
@@ -128,7 +139,7 @@ Status World::setTransform(BodyId id, Vec3 position, Quat rotation) {
   if (!body) return body.error();
   w.disturb(*body);
   w.removeContactsOf(*body);
-  w.bodies.setRotation(*body, normalized(rotation));
+  w.bodies.setRotation(*body, unitRotation(rotation));
   w.bodies.motion[*body].position = position + w.bodies.motion[*body].orientation * w.bodies.data[*body].localCentre;
   w.renewProxies(*body);
   return {};

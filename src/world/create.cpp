@@ -133,14 +133,9 @@ Status checkWorld(const WorldDef& def) {
   check.range("threads", def.threads, 1, 64);
   check.range("maxBodies", def.maxBodies, 1, 16'000'000);
   check.range("broadPhase", int(def.broadPhase), 0, kBroadPhaseMethodCount - 1);
-  check.range("method", int(def.method), 0, int(Method::report));
   eachSetting(def.solver, [&](const char* name, auto value, auto least, auto most) {
     check.range(std::string("solver.") + name, value, least, most);
   });
-  check.range("report.impulseFactor", def.report.impulseFactor, 0, 100);
-  check.range("report.damping", def.report.damping, 0, 1e6);
-  check.range("report.sweeps", def.report.sweeps, 1, 1000);
-  check.range("report.integrator", int(def.report.integrator), 0, kIntegratorCount - 1);
   check.range("integrator", int(def.integrator), 0, kIntegratorCount - 1);
   return check.failed() ? Status(check.error()) : Status();
 }

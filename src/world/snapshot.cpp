@@ -84,19 +84,8 @@ class SnapshotArchive {
     a.value(d.threads);
     a.value(d.maxBodies);
     a.choice(d.broadPhase, BroadPhaseMethod(kBroadPhaseMethodCount - 1));
-    a.choice(d.method, Method::report);
     a.choice(d.integrator, Integrator(kIntegratorCount - 1));
-    report(a, d.report);
     eachSetting(d.solver, [&](auto, auto& value, auto, auto) { a.value(value); });
-  }
-
-  template <class Archive, class Settings> static void report(Archive& a, Settings& s) {
-    for (auto* part : {&s.allAxes, &s.lastAxis, &s.restitution, &s.friction, &s.manifold, &s.warmStarting})
-      a.flag(*part);
-    a.value(s.impulseFactor);
-    a.value(s.damping);
-    a.value(s.sweeps);
-    a.choice(s.integrator, Integrator(kIntegratorCount - 1));
   }
 
   // The length of a list of structures that are read field by field.

@@ -31,11 +31,6 @@ void World::Impl::step(double dt) {
                                    {Stage::events, &Impl::collectEvents}};
   static_assert(std::size(kStages) == kStageCount);
   beginStep(dt);
-  if (def.method == Method::report) {
-    stepAsReported();
-    endStep();
-    return;
-  }
   traceStage({});
   quarantineAbsurd();
   for (const StageCall& call : kStages) {

@@ -60,8 +60,7 @@ struct World::Impl {
   TraceOptions traceOptions;
   LedgerState ledgerState;
   Events events;
-  Events pending;                              // what happened between steps: told by the next
-  std::unique_ptr<ReportSystem> reportSystem;  // Method::report
+  Events pending;  // what happened between steps: told by the next
   std::unique_ptr<WorkerPool> pool;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> foundPairs;  // scratch
   std::vector<CandidatePair> newPairs;                              // scratch
@@ -80,8 +79,6 @@ struct World::Impl {
   void integrate();
   void updateSleep();
   void collectEvents();
-
-  void stepAsReported();  // Method::report: in place of all stages
 
   void updateMeshPair(std::size_t begin, std::size_t end, std::size_t& kept);
   void makeContact(CandidatePair& pair, const Manifold& m, const Transform& relative);

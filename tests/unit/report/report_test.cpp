@@ -1,6 +1,6 @@
 // The report's system: what it does right (a cube falls to the ground), what it does as described (a wall of 100 bricks
 // stands for some seconds, then falls by itself), and that each part is a part.
-#include "brickfall/report.h"
+#include "report/report_system.h"
 
 #include <gtest/gtest.h>
 
@@ -115,16 +115,21 @@ TEST(Report, SpinsPileUpInTheWallThatSeemsToStand) {
   EXPECT_GT(spin, 5 * way);
 }
 
-TEST(Report, RunsAsAMethodOfTheWorldWithTheSameBits) {
-  WorldDef def;
-  def.method = Method::report;
+TEST(Report, RunsOverAWorldWithTheSameBits) {
   std::uint64_t hash = 0;
   for (int run = 0; run < 2; run++) {
-    World world = makeWorld(def);
+    World world = makeWorld();
     addGround(world, 0.6);
     BodyId first = add(world, bodyOf(boxOf({0.1, 0.1, 0.1}), {0, 1, 0}));
     add(world, bodyOf(sphereOf(0.1), {0.05, 2, 0}));
-    for (int i = 0; i < 120; i++) ASSERT_TRUE(world.step(kDt).ok());
+    ReportRun reported = std::move(ReportRun::create({})).value();
+    Result<StepReport> report = reported.step(world, kDt);
+    for (int i = 1; i < 120; i++) report = reported.step(world, kDt);
+    ASSERT_TRUE(report.ok());
+    EXPECT_EQ(report->stepIndex, 120u);
+    EXPECT_NEAR(report->time, 2, 1e-12);
+    EXPECT_EQ(report->bodies, 2);
+    EXPECT_EQ(world.stepCount(), 0u) << "its clock is the world's own";
     EXPECT_LT(world.state(first)->position.y, 0.5);
     EXPECT_TRUE(world.validate().empty());
     if (run == 1) {
@@ -134,12 +139,82 @@ TEST(Report, RunsAsAMethodOfTheWorldWithTheSameBits) {
   }
 }
 
+// Through the world's calls and back nothing is lost: the same motion as of the system alone, bit for bit.
+TEST(Report, TheWorldKeepsEveryBitOfTheMotion) {
+  World world = makeWorld();
+  std::vector<ReportBody> bodies;
+  std::vector<BodyId> ids;
+  for (const auto& b : lab::wall(4, 4, 0, {})) {
+    BodyDef def = bodyOf(boxOf(b.half, 1900), b.centre);
+    def.angularVelocity = {0.3, 0.2, 0.1};
+    ids.push_back(add(world, def));
+    bodies.push_back(brick(ids.back().index, b.half, b.centre));
+    const MassProperties mass = *world.massProperties(ids.back());
+    bodies.back().mass = {mass.mass, mass.inertia};
+    bodies.back().state.angularVelocity = def.angularVelocity;
+  }
+  ReportSystem system(ReportSettings{});
+  ReportRun run = std::move(ReportRun::create({})).value();
+  for (int i = 0; i < 90; i++) {
+    system.step(bodies, world.gravity(), kDt);
+    ASSERT_TRUE(run.step(world, kDt).ok());
+  }
+  for (std::size_t k = 0; k < ids.size(); k++) {
+    const BodyState s = *world.state(ids[k]);
+    EXPECT_EQ(s.centreOfMass, bodies[k].state.position) << k;
+    EXPECT_EQ(s.linearVelocity, bodies[k].state.velocity) << k;
+    EXPECT_EQ(s.rotation.x, bodies[k].state.rotation.x) << k;
+    EXPECT_EQ(s.rotation.w, bodies[k].state.rotation.w) << k;
+  }
+}
+
+TEST(Report, FixedBodiesStayAndKinematicOnesGoTheirWay) {
+  World world = makeWorld();
+  BodyId fixed = add(world, bodyOf(boxOf({0.1, 0.1, 0.1}), {0, 5, 0}, BodyType::fixed));
+  BodyDef def = bodyOf(boxOf({0.1, 0.1, 0.1}), {3, 5, 0}, BodyType::kinematic);
+  def.linearVelocity = {1, 0, 0};
+  BodyId kinematic = add(world, def);
+  ReportRun run = std::move(ReportRun::create({})).value();
+  ASSERT_TRUE(run.step(world, 0.5, 2).ok());
+  EXPECT_EQ(world.state(fixed)->position, (Vec3{0, 5, 0}));
+  EXPECT_NEAR(world.state(kinematic)->position.x, 3.5, 1e-12);
+  EXPECT_NEAR(world.state(kinematic)->position.y, 5, 1e-12);
+}
+
+// Beyond 1e6 m a world puts no body.
+TEST(Report, WhatTheWorldRefusesIsLeftOut) {
+  World world = makeWorld();
+  BodyId body = add(world, bodyOf(boxOf({0.1, 0.1, 0.1}), {0, 5, 0}));
+  BodyId other = add(world, bodyOf(boxOf({0.1, 0.1, 0.1}), {9, 5, 0}));
+  ASSERT_TRUE(world.setLinearVelocity(body, {9e4, 0, 0}).ok());
+  ReportRun run = std::move(ReportRun::create({})).value();
+  for (int i = 0; i < 15; i++) ASSERT_TRUE(run.step(world, 1).ok());
+  ASSERT_TRUE(world.setTransform(body, {999'999, 0, 0}, {}).ok());
+  Result<StepReport> report = run.step(world, 1);
+  ASSERT_TRUE(report.ok());
+  ASSERT_EQ(report->quarantined, std::vector<BodyId>{body});
+  EXPECT_EQ(world.state(body)->position.x, 999'999);
+  EXPECT_EQ(world.state(body)->linearVelocity, Vec3{});
+  double height = world.state(other)->position.y;
+  report = run.step(world, 1);
+  EXPECT_TRUE(report->quarantined.empty());
+  EXPECT_LT(world.state(other)->position.y, height) << "the others go on";
+  EXPECT_EQ(world.state(body)->position.x, 999'999);
+}
+
 TEST(Report, BadSettingsAreNamed) {
-  WorldDef def;
-  def.report.sweeps = 0;
-  Result<World> world = World::create(def);
-  ASSERT_FALSE(world.ok());
-  EXPECT_NE(world.error().message.find("report.sweeps"), std::string::npos) << world.error().message;
+  ReportSettings settings;
+  settings.sweeps = 0;
+  Result<ReportRun> run = ReportRun::create(settings);
+  ASSERT_FALSE(run.ok());
+  EXPECT_NE(run.error().message.find("report.sweeps"), std::string::npos) << run.error().message;
+  settings = {};
+  settings.damping = -1;
+  EXPECT_FALSE(ReportRun::create(settings).ok());
+  World world = makeWorld();
+  run = ReportRun::create({});
+  EXPECT_EQ(run->step(world, 0).error().code, ErrorCode::invalidArgument);
+  EXPECT_EQ(run->step(world, kDt, 0).error().code, ErrorCode::invalidArgument);
 }
 
 }  // namespace

@@ -26,11 +26,12 @@ bricks = 2
 )";
 
 TEST(ComparisonKeys, AllReachTheWorld) {
-  WorldDef def = sound(kWall).world;
-  EXPECT_EQ(def.method, Method::report);
+  SceneDescription scene = sound(kWall);
+  const WorldDef& def = scene.world;
+  EXPECT_EQ(scene.method, SceneMethod::report);
   EXPECT_EQ(def.broadPhase, BroadPhaseMethod::sweepAndPrune);
   EXPECT_EQ(def.integrator, Integrator::velocityVerlet);
-  const ReportSettings& r = def.report;
+  const ReportSettings& r = scene.report;
   for (bool part : {r.allAxes, r.lastAxis, r.restitution, r.friction, r.manifold, r.warmStarting}) EXPECT_TRUE(part);
   EXPECT_EQ(r.impulseFactor, 1.25);
   EXPECT_EQ(r.damping, 2.5);
@@ -43,9 +44,9 @@ constexpr const char* kBall = "[[ball]]\nposition = [0, 1, 0]\n";
 TEST(ComparisonKeys, NamesAreThoseOfTheLibrary) {
   for (int i = 0; i < kIntegratorCount; i++) {
     std::string name(integratorName(Integrator(i)));
-    WorldDef def = sound(kBall, {{"world.integrator", name}, {"report.integrator", name}}).world;
-    EXPECT_EQ(def.integrator, Integrator(i));
-    EXPECT_EQ(def.report.integrator, Integrator(i));
+    SceneDescription scene = sound(kBall, {{"world.integrator", name}, {"report.integrator", name}});
+    EXPECT_EQ(scene.world.integrator, Integrator(i));
+    EXPECT_EQ(scene.report.integrator, Integrator(i));
   }
   for (int i = 0; i < kBroadPhaseMethodCount; i++) {
     std::string name(broadPhaseName(BroadPhaseMethod(i)));
@@ -54,10 +55,10 @@ TEST(ComparisonKeys, NamesAreThoseOfTheLibrary) {
 }
 
 TEST(ComparisonKeys, DefaultsAreTheLibrarys) {
-  WorldDef def = sound(std::string("[report]\n") + kBall).world, own;
-  EXPECT_EQ(def.method, Method::clusters);
-  EXPECT_EQ(def.broadPhase, own.broadPhase);
-  EXPECT_EQ(def.integrator, own.integrator);
+  SceneDescription def = sound(std::string("[report]\n") + kBall), own;
+  EXPECT_EQ(def.method, SceneMethod::clusters);
+  EXPECT_EQ(def.world.broadPhase, own.world.broadPhase);
+  EXPECT_EQ(def.world.integrator, own.world.integrator);
   EXPECT_EQ(def.report.impulseFactor, own.report.impulseFactor);
   EXPECT_EQ(def.report.damping, own.report.damping);
   EXPECT_EQ(def.report.sweeps, own.report.sweeps);
@@ -79,6 +80,8 @@ TEST(ComparisonKeys, AReportedWallRuns) {
   for (int i = 0; i < 30; i++) ASSERT_TRUE(run->step().ok());
   EXPECT_NE(run->world().stateHash(), start);
   EXPECT_TRUE(run->world().validate().empty());
+  EXPECT_EQ(run->stepCount(), 30u);
+  EXPECT_NEAR(run->time(), 0.5, 1e-12);
 }
 
 }  // namespace

@@ -44,6 +44,20 @@ TEST(Bodies, MassOfACompoundIsThatOfItsParts) {
   EXPECT_EQ(s.mass, m.mass);
 }
 
+TEST(Bodies, ATransformThatWasReadIsPutBackBitForBit) {
+  World world = emptySpace();
+  BodyDef def = bodyOf(boxOf({0.1, 0.2, 0.3}), {1, 2, 3});
+  def.angularVelocity = {1, 2, 3};
+  BodyId body = add(world, def);
+  for (int i = 0; i < 100; i++) {
+    ASSERT_TRUE(world.step(kDt).ok());
+    BodyState s = *world.state(body);
+    std::uint64_t hash = world.stateHash();
+    ASSERT_TRUE(world.setTransform(body, s.position, s.rotation).ok());
+    ASSERT_EQ(world.stateHash(), hash) << i;
+  }
+}
+
 TEST(Bodies, CompoundSpinsAboutItsCentreOfMassNotItsOrigin) {
   World world = emptySpace();
   BodyDef d;
