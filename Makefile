@@ -79,7 +79,7 @@ bench: build
 	@tools/bench --command $(BUILD)/bin/brickfall $(SCENES)
 
 install: build
-	@cmake --build $(BUILD) -j $(JOBS) --target brickfall brickfall_scene brickfall_cli
+	@cmake --build $(BUILD) -j $(JOBS) --target brickfall_cli
 	@cmake --install $(BUILD) --prefix $(PREFIX)
 
 clean:

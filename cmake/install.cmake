@@ -1,16 +1,19 @@
 # What `cmake --install` puts in place: the command with its scenes, and the CMake package that find_package(brickfall)
-# finds: brickfall::brickfall (the engine), brickfall::report (docs/report.md) and, where it was built, brickfall::scene
-# (scene files, takes, outputs).
+# finds: brickfall::brickfall (the engine), brickfall::report (docs/report.md) and, where they were built, brickfall::scene,
+# brickfall::take and brickfall::output.
 include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/brickfall)
 
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/brickfall DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 set(libraries brickfall brickfall_report)
 if(BRICKFALL_APPS)
-  list(APPEND libraries brickfall_scene)
-  install(TARGETS brickfall_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  list(APPEND libraries brickfall_scene brickfall_take)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/brickfall
     FILES_MATCHING PATTERN "*.toml" PATTERN "*.obj")
+endif()
+if(BRICKFALL_OUTPUT)
+  list(APPEND libraries brickfall_output)
+  install(TARGETS brickfall_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endif()
 install(TARGETS ${libraries} EXPORT brickfallTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(EXPORT brickfallTargets NAMESPACE brickfall:: DESTINATION ${package_dir})

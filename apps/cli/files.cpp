@@ -9,8 +9,6 @@
 #include <filesystem>
 #include <system_error>
 
-#include "output/atomic_file.h"
-
 namespace brickfall::cli {
 namespace fs = std::filesystem;
 namespace {
@@ -34,13 +32,6 @@ Status makeFolder(const std::string& folder) {
   if (error) return fileError("make folder", folder, error.message());
   if (access(folder.c_str(), W_OK | X_OK) != 0) return fileError("write into", folder, std::strerror(errno));
   return {};
-}
-
-Status writeWhole(const std::string& path, std::string_view text) {
-  AtomicFile file(path);
-  if (Status opened = file.open(); !opened) return opened;
-  file.write(text);
-  return file.commit();
 }
 
 std::string joinPath(const std::string& folder, const std::string& name) {

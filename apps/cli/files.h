@@ -1,4 +1,4 @@
-// Folders and files of a run. A file appears whole or not at all.
+// Folders and files of a run.
 #pragma once
 #include <string>
 #include <string_view>
@@ -9,8 +9,6 @@ namespace brickfall::cli {
 
 // Makes the folder and those above it. The error names the part that is in the way.
 Status makeFolder(const std::string& folder);
-// Writes beside the file and renames it into place.
-Status writeWhole(const std::string& path, std::string_view text);
 // "folder/name"; "name" in an empty folder.
 std::string joinPath(const std::string& folder, const std::string& name);
 // A name from a file (a take may come from anywhere) as a file name: letters, digits, '-', '_' and '.', not first a '.';

@@ -5,12 +5,12 @@
 #include <new>
 #include <stdexcept>
 
+#include "brickfall/scene.h"
 #include "brickfall/world.h"
 #include "cli/arguments.h"
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/interrupt.h"
-#include "scene/nearest.h"
 
 namespace brickfall::cli {
 namespace {
@@ -168,7 +168,7 @@ int refuse(const CLI::App& app, const CLI::ParseError& error, const std::vector<
   } else {
     const std::string found = words.empty() ? "nothing" : '"' + words[0] + '"';
     complainf("command: found {}, expected one of: {}{}; see brickfall --help", found, list,
-              words.empty() ? "" : scene::didYouMean(words[0], commands));
+              words.empty() ? "" : didYouMean(words[0], commands));
   }
   return kBadInput;
 }

@@ -3,6 +3,7 @@
 #include <system_error>
 
 #include "brickfall/take.h"
+#include "brickfall/whole_file.h"
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/files.h"

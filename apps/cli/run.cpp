@@ -4,6 +4,8 @@
 #include <initializer_list>
 #include <utility>
 
+#include "brickfall/take_recorder.h"
+#include "brickfall/whole_file.h"
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/files.h"
@@ -12,7 +14,6 @@
 #include "cli/outputs.h"
 #include "cli/scene_choice.h"
 #include "cli/summary.h"
-#include "cli/take_recorder.h"
 
 namespace brickfall::cli {
 namespace {

@@ -12,7 +12,6 @@
 
 #include "cli/commands.h"
 #include "cli/console.h"
-#include "scene/nearest.h"
 
 namespace brickfall::cli {
 namespace {
@@ -27,7 +26,7 @@ std::string unknownScene(const std::string& name) {
     list += (list.empty() ? "" : ", ") + scene.name;
   }
   return fmt::format("scene: found \"{}\", expected a scene file or one of: {}{}", name, list.empty() ? "(none)" : list,
-                     scene::didYouMean(name, names));
+                     didYouMean(name, names));
 }
 
 constexpr std::size_t kMostBytes = 16u << 20;  // of a scene file

@@ -4,6 +4,7 @@
 #include <map>
 #include <sstream>
 
+#include "brickfall/whole_file.h"
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/files.h"

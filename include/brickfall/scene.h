@@ -10,6 +10,7 @@
 
 #include "brickfall/masonry.h"
 #include "brickfall/report.h"
+#include "brickfall/scenery.h"
 #include "brickfall/world.h"
 
 namespace brickfall {
@@ -46,8 +47,6 @@ struct SceneWall {
   std::vector<SourcePlace> openingPlaces;  // as many as wall.openings, or none
 };
 
-enum class BodyRole : std::uint8_t { ground, brick, ball, body };
-
 // A body placed by itself.
 struct SceneBody {
   std::string name;
@@ -57,12 +56,6 @@ struct SceneBody {
   BodyDef def;                              // shapes get the material's values when the scene is built
   double launchTime = 0;  // s: until then the body is held where it is, then it is let go with its velocity
   SourcePlace place;
-};
-
-struct SceneCamera {
-  std::string name = "main";
-  Vec3 position{3, 2, 5}, target{0, 0.5, 0};
-  double fieldOfViewDegrees = 45;
 };
 
 // What moves the bodies of a scene.
@@ -86,7 +79,7 @@ struct SceneDescription {
   std::vector<MaterialDef> materials;
   std::vector<SceneWall> walls;
   std::vector<SceneBody> bodies;  // the ground, balls and free bodies
-  std::vector<SceneCamera> cameras;
+  std::vector<Camera> cameras;
 };
 
 struct SceneLoad {
@@ -97,6 +90,8 @@ struct SceneLoad {
 using Overrides = std::vector<std::pair<std::string, std::string>>;
 SceneLoad loadSceneFile(const std::string& path, const Overrides& overrides = {});
 SceneLoad parseScene(std::string_view text, const std::string& fileName, const Overrides& overrides = {});
+// " (did you mean \"x\"?)", where one of the known words is near; else nothing. For messages about what a user typed.
+std::string didYouMean(std::string_view word, const std::vector<std::string>& known);
 // brick, steel, concrete, wood, rubber: what a scene file may name without defining it.
 const std::vector<MaterialDef>& predefinedMaterials();
 

@@ -8,24 +8,17 @@
 
 #include "brickfall/math.h"
 #include "brickfall/result.h"
+#include "brickfall/scenery.h"
 #include "brickfall/shapes.h"
 
 namespace brickfall {
 
-enum class TakeRole : std::uint8_t { ground, brick, ball, body };
-
 struct TakeBody {
   std::string name;
-  TakeRole role = TakeRole::body;
+  BodyRole role = BodyRole::body;
   std::uint32_t colour = 0xB5543A;  // 0xRRGGBB
   double mass = 0;                  // kg, 0 = fixed
   std::vector<ShapeDef> shapes;     // geometry and local pose; materials are not kept
-};
-
-struct TakeCamera {
-  std::string name;
-  Vec3 position, target;
-  double fieldOfViewDegrees = 45;
 };
 
 struct TakeHeader {
@@ -33,7 +26,7 @@ struct TakeHeader {
   std::uint64_t seed = 0;
   double framesPerSecond = 60;
   std::vector<TakeBody> bodies;
-  std::vector<TakeCamera> cameras;
+  std::vector<Camera> cameras;
 };
 
 struct TakePose {

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "output/atomic_file.h"
+#include "record/atomic_file.h"
 #include "record/byte_stream.h"
 
 namespace brickfall {

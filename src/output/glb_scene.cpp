@@ -71,7 +71,7 @@ class SceneWriter {
 };
 
 int SceneWriter::material(const TakeBody& body) {
-  bool ball = body.role == TakeRole::ball;
+  bool ball = body.role == BodyRole::ball;
   auto [at, added] = materials_.try_emplace({body.colour, ball}, 0);
   if (!added) return at->second;
   json factor = {linear(body.colour >> 16 & 255), linear(body.colour >> 8 & 255), linear(body.colour & 255), 1.0};
@@ -126,7 +126,7 @@ void SceneWriter::addBodies() {
 }
 
 void SceneWriter::addCameras() {
-  for (const TakeCamera& camera : header_.cameras) {
+  for (const Camera& camera : header_.cameras) {
     Vec3 back = normalized(camera.position - camera.target);  // a glTF camera looks along -z
     if (lengthSquared(back) == 0) back = {0, 0, 1};
     Vec3 right = cross(Vec3{0, 1, 0}, back);

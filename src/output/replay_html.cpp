@@ -1,9 +1,9 @@
 // One page: the template with title, description and motion put in their places.
-#include "output/atomic_file.h"
 #include "output/base64.h"
 #include "output/replay_meta.h"
 #include "output/replay_template.h"
 #include "output/replay_tracks.h"
+#include "record/atomic_file.h"
 
 namespace brickfall {
 namespace {

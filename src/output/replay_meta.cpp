@@ -62,7 +62,7 @@ std::string replayMeta(const TakeHeader& header, std::size_t frames, double posi
                       {"mass", body.mass},
                       {"parts", std::move(parts)}});
   }
-  for (const TakeCamera& camera : header.cameras) {
+  for (const Camera& camera : header.cameras) {
     cameras.push_back({{"name", camera.name},
                        {"position", toJson(camera.position)},
                        {"target", toJson(camera.target)},

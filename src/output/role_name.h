@@ -1,18 +1,18 @@
 // What a body's role is called in the outputs.
 #pragma once
-#include "brickfall/take.h"
+#include "brickfall/scenery.h"
 
 namespace brickfall {
 
-inline const char* roleName(TakeRole role) {
+inline const char* roleName(BodyRole role) {
   switch (role) {
-    case TakeRole::ground:
+    case BodyRole::ground:
       return "ground";
-    case TakeRole::brick:
+    case BodyRole::brick:
       return "brick";
-    case TakeRole::ball:
+    case BodyRole::ball:
       return "ball";
-    case TakeRole::body:
+    case BodyRole::body:
       break;
   }
   return "body";

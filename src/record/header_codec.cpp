@@ -60,13 +60,13 @@ std::string headerFault(const TakeHeader& header) {
   }
   for (std::size_t k = 0; k < header.bodies.size(); k++) {
     const TakeBody& body = header.bodies[k];
-    if (std::uint8_t(body.role) > std::uint8_t(TakeRole::body)) return bodyText(header, k) + ": unknown role";
+    if (int(body.role) >= kBodyRoleCount) return bodyText(header, k) + ": unknown role";
     if (!(body.mass >= 0 && body.mass <= 1e15)) return bodyText(header, k) + ": mass is not 0 or a positive number";
     for (const ShapeDef& shape : body.shapes) {
       if (std::string fault = shapeFault(shape); !fault.empty()) return bodyText(header, k) + ": " + fault;
     }
   }
-  for (const TakeCamera& camera : header.cameras) {
+  for (const Camera& camera : header.cameras) {
     if (!inRange(camera.position) || !inRange(camera.target)) {
       return "camera \"" + camera.name + "\": position or target is not finite";
     }
@@ -154,7 +154,7 @@ ShapeDef getShape(ByteReader& in, bool& sound) {
 TakeBody getBody(ByteReader& in, bool& sound) {
   TakeBody body;
   body.name = in.text();
-  body.role = TakeRole(in.u8());
+  body.role = BodyRole(in.u8());
   body.colour = in.u8();
   body.colour |= std::uint32_t(in.u8()) << 8;
   body.colour |= std::uint32_t(in.u8()) << 16;
@@ -189,7 +189,7 @@ Bytes encodeHeader(const TakeHeader& header) {
     for (const ShapeDef& shape : body.shapes) put(out, shape);
   }
   out.varint(header.cameras.size());
-  for (const TakeCamera& camera : header.cameras) {
+  for (const Camera& camera : header.cameras) {
     out.text(camera.name);
     put(out, camera.position);
     put(out, camera.target);
@@ -215,7 +215,7 @@ Result<TakeHeader> decodeHeader(std::span<const std::uint8_t> bytes) {
   std::uint64_t cameras = sound ? in.varint() : 0;
   sound = sound && in.canHold(cameras, kLeastCameraBytes);
   for (std::uint64_t k = 0; sound && k < cameras; k++) {
-    TakeCamera camera;
+    Camera camera;
     camera.name = in.text();
     camera.position = getVec3(in);
     camera.target = getVec3(in);

@@ -29,7 +29,7 @@ void frameScene(SceneDescription& scene) {
   for (const SceneWall& wall : scene.walls) boxes.push_back(wallBounds(wall.wall));
   for (const SceneBody& body : scene.bodies)
     if (body.role != BodyRole::ground && !hasPlane(body.def)) boxes.push_back(bodyBounds(body.def));
-  SceneCamera camera;
+  Camera camera;
   if (!boxes.empty()) {
     Aabb all = boxes[0];
     for (const Aabb& box : boxes) all = merged(all, box);

@@ -50,9 +50,13 @@ std::string nearest(std::string_view word, const std::vector<std::string>& known
   return best;
 }
 
+}  // namespace brickfall::scene
+
+namespace brickfall {
+
 std::string didYouMean(std::string_view word, const std::vector<std::string>& known) {
-  std::string best = nearest(word, known);
+  std::string best = scene::nearest(word, known);
   return best.empty() ? std::string() : " (did you mean \"" + best + "\"?)";
 }
 
-}  // namespace brickfall::scene
+}  // namespace brickfall

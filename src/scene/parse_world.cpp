@@ -138,7 +138,7 @@ void readMaterials(SceneBuild& build, TableReader& top) {
 void readCameras(SceneBuild& build, TableReader& top) {
   std::set<std::string> names;
   for (TableReader& reader : top.tables("camera")) {
-    SceneCamera camera;
+    Camera camera;
     reader.text("name", camera.name);
     if (!names.insert(camera.name).second)
       reader.error("name", "found the name \"" + camera.name + "\" a second time, expected different names");

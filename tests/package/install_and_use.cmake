@@ -1,4 +1,5 @@
-# Installs into an empty folder, builds examples/falling_cube against it, runs that and the installed command.
+# Installs into an empty folder, builds examples/falling_cube against it and runs that; with -DOUTPUT=ON examples/recorded_wall
+# and the installed command too.
 function(must)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
   if(NOT result EQUAL 0)
@@ -9,12 +10,25 @@ endfunction()
 
 file(REMOVE_RECURSE ${WORK_DIR})
 must(${CMAKE_COMMAND} --install ${BUILD_DIR} --prefix ${WORK_DIR}/prefix)
-must(${CMAKE_COMMAND} -S ${SOURCE_DIR}/examples/falling_cube -B ${WORK_DIR}/example -G ${GENERATOR}
-  -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER=${CXX} -DCMAKE_PREFIX_PATH=${WORK_DIR}/prefix)
-must(${CMAKE_COMMAND} --build ${WORK_DIR}/example)
-must(${WORK_DIR}/example/falling_cube)
+function(build_example name)
+  must(${CMAKE_COMMAND} -S ${SOURCE_DIR}/examples/${name} -B ${WORK_DIR}/${name} -G ${GENERATOR}
+    -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER=${CXX} -DCMAKE_PREFIX_PATH=${WORK_DIR}/prefix)
+  must(${CMAKE_COMMAND} --build ${WORK_DIR}/${name})
+endfunction()
+build_example(falling_cube)
+must(${WORK_DIR}/falling_cube/falling_cube)
 if(NOT output MATCHES "at rest at height 0\\.[01]")
   message(FATAL_ERROR "the example ran, but said: ${output}")
+endif()
+
+if(NOT OUTPUT)
+  return()
+endif()
+build_example(recorded_wall)
+must(${WORK_DIR}/recorded_wall/recorded_wall ${WORK_DIR}/prefix/share/brickfall/scenes/wall_hit.toml ${WORK_DIR})
+file(SIZE ${WORK_DIR}/wall.html page)
+if(NOT output MATCHES "61 frames" OR page LESS 100000)
+  message(FATAL_ERROR "the example ran, but made a page of ${page} bytes and said: ${output}")
 endif()
 
 # The installed command finds the installed scenes, not those of the source tree.

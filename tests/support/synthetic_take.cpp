@@ -80,7 +80,7 @@ double move(Mover& m, bool everResting, Dice& dice) {
 TakeBody brickBody(const std::string& name, std::uint32_t colour) {
   TakeBody body;
   body.name = name;
-  body.role = TakeRole::brick;
+  body.role = BodyRole::brick;
   body.colour = colour;
   body.mass = 3.4;
   ShapeDef box;
@@ -92,7 +92,7 @@ TakeBody brickBody(const std::string& name, std::uint32_t colour) {
 void addOtherShapes(TakeHeader& header, std::vector<Mover>& movers) {
   TakeBody capsule = brickBody("capsule", 0x4F7F8F), hull = brickBody("hull", 0x8F7F4F),
            pair = brickBody("pair", 0x6F8F4F);
-  capsule.role = hull.role = pair.role = TakeRole::body;
+  capsule.role = hull.role = pair.role = BodyRole::body;
   capsule.shapes[0].type = ShapeType::capsule;
   capsule.shapes[0].radius = 0.05;
   capsule.shapes[0].halfHeight = 0.1;
@@ -125,12 +125,12 @@ SyntheticTake makeSyntheticTake(const SyntheticOptions& options) {
   out.header.seed = options.seed;
   TakeBody ground;
   ground.name = "ground";
-  ground.role = TakeRole::ground;
+  ground.role = BodyRole::ground;
   ground.colour = 0x8A8A80;
   ground.shapes.resize(1);
   ground.shapes[0].type = ShapeType::plane;
   TakeBody ball = brickBody("ball", 0x30343A);
-  ball.role = TakeRole::ball;
+  ball.role = BodyRole::ball;
   ball.mass = 16.8;
   ball.shapes[0].type = ShapeType::sphere;
   ball.shapes[0].radius = 0.08;
@@ -165,7 +165,7 @@ SyntheticTake makeSyntheticTake(const SyntheticOptions& options) {
     for (std::size_t k = 0; k < movers.size(); k++) {
       Mover& m = movers[k];
       double impulse = 0;
-      bool brick = k >= 2 && out.header.bodies[k].role == TakeRole::brick;
+      bool brick = k >= 2 && out.header.bodies[k].role == BodyRole::brick;
       if (k == 1 && f > 0 && f < options.hitFrame) m.position += m.velocity * kDt;  // straight, to meet the wall
       if (k == 1 && f == options.hitFrame) {
         m.velocity = m.velocity * 0.4;

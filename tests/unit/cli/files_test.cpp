@@ -7,6 +7,8 @@
 #include <fstream>
 #include <iterator>
 
+#include "brickfall/whole_file.h"
+
 namespace brickfall::cli {
 namespace {
 namespace fs = std::filesystem;

@@ -81,7 +81,7 @@ TEST(Glb, HasOneNodePerBodyAndSharesMeshes) {
     const json& node = glb.root["nodes"][k];
     EXPECT_EQ(node["name"], take.header.bodies[k].name);
     EXPECT_EQ(node["extras"]["mass"], take.header.bodies[k].mass);
-    if (take.header.bodies[k].role == TakeRole::brick) {
+    if (take.header.bodies[k].role == BodyRole::brick) {
       meshesOfBricks.insert(node["mesh"].get<int>());
       EXPECT_EQ(node["extras"]["role"], "brick");
     }
@@ -153,7 +153,7 @@ TEST(Glb, CamerasLookAtTheirTarget) {
   ASSERT_TRUE(writeGlb(reader, folder.file("a.glb")));
   Glb glb = readGlb(folder.file("a.glb"));
   for (std::size_t k = 0; k < take.header.cameras.size(); k++) {
-    const TakeCamera& camera = take.header.cameras[k];
+    const Camera& camera = take.header.cameras[k];
     const json& node = glb.root["nodes"][take.header.bodies.size() + k];
     const json& r = node["rotation"];
     Quat q{r[0], r[1], r[2], r[3]};

@@ -1,11 +1,11 @@
-#include "cli/take_recorder.h"
+#include "brickfall/take_recorder.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
 
 #include <cstdio>
 
-namespace brickfall::cli {
+namespace brickfall {
 namespace {
 
 // A cube that falls onto a ground plane, and a ball that is launched at 0.1 s.
@@ -75,11 +75,11 @@ TEST_F(TakeRecording, headerTellsTheScene) {
   EXPECT_EQ(header.seed, 3u);
   EXPECT_EQ(header.engineVersion, versionString());
   ASSERT_EQ(header.bodies.size(), 3u);
-  EXPECT_EQ(header.bodies[0].role, TakeRole::ground);
+  EXPECT_EQ(header.bodies[0].role, BodyRole::ground);
   EXPECT_EQ(header.bodies[0].mass, 0);
   EXPECT_EQ(header.bodies[1].name, "cube");
   EXPECT_GT(header.bodies[1].mass, 0);
-  EXPECT_EQ(header.bodies[2].role, TakeRole::ball);
+  EXPECT_EQ(header.bodies[2].role, BodyRole::ball);
   EXPECT_GT(header.bodies[2].mass, 0) << "of a body that is held at first, too";
   EXPECT_EQ(header.cameras.size(), 1u);
   EXPECT_EQ(take->summaryJson(), "{}");
@@ -149,4 +149,4 @@ TEST_F(TakeRecording, restingBodiesCarryTheirWeightAsContactForce) {
 }
 
 }  // namespace
-}  // namespace brickfall::cli
+}  // namespace brickfall

@@ -1,4 +1,4 @@
-#include "output/atomic_file.h"
+#include "record/atomic_file.h"
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -9,6 +9,8 @@
 #include <cstdio>
 #include <cstring>
 #include <utility>
+
+#include "brickfall/whole_file.h"
 
 namespace brickfall {
 namespace {
@@ -125,6 +127,13 @@ Status AtomicFile::commit() {
   if (state_) aside_ = Error{};
   giveUp();
   return state_;
+}
+
+Status writeWhole(const std::string& path, std::string_view content) {
+  AtomicFile file(path);
+  if (Status opened = file.open(); !opened) return opened;
+  file.write(content);
+  return file.commit();
 }
 
 }  // namespace brickfall

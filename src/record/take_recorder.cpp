@@ -1,27 +1,13 @@
-#include "cli/take_recorder.h"
+#include "brickfall/take_recorder.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "output/atomic_file.h"
+#include "record/atomic_file.h"
 
-namespace brickfall::cli {
+namespace brickfall {
 namespace {
-
-TakeRole roleOf(BodyRole role) {
-  switch (role) {
-    case BodyRole::ground:
-      return TakeRole::ground;
-    case BodyRole::brick:
-      return TakeRole::brick;
-    case BodyRole::ball:
-      return TakeRole::ball;
-    case BodyRole::body:
-      break;
-  }
-  return TakeRole::body;
-}
 
 TakeHeader headerOf(const SceneRun& run, double framesPerSecond) {
   const SceneDescription& scene = run.scene();
@@ -35,11 +21,9 @@ TakeHeader headerOf(const SceneRun& run, double framesPerSecond) {
     // Of a body that is still held the world knows no mass: its own is that of its shapes.
     const Result<MassProperties> mass = run.world().massProperties(body.id);
     const bool moves = body.def.type == BodyType::dynamic;
-    header.bodies.push_back(
-        {body.name, roleOf(body.role), body.colour, moves && mass ? mass->mass : 0, body.def.shapes});
+    header.bodies.push_back({body.name, body.role, body.colour, moves && mass ? mass->mass : 0, body.def.shapes});
   }
-  for (const SceneCamera& camera : scene.cameras)
-    header.cameras.push_back({camera.name, camera.position, camera.target, camera.fieldOfViewDegrees});
+  header.cameras = scene.cameras;
   return header;
 }
 
@@ -139,4 +123,4 @@ Status TakeRecorder::writeFrame(const SceneRun& run) {
   return writer_.write(frame);
 }
 
-}  // namespace brickfall::cli
+}  // namespace brickfall

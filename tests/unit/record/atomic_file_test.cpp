@@ -6,8 +6,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "output/atomic_file.h"
-#include "output/base64.h"
+#include "record/atomic_file.h"
 
 namespace brickfall {
 namespace {
@@ -65,18 +64,6 @@ TEST(AtomicFile, SaysWhichFileCannotBeMade) {
   ASSERT_FALSE(committed);
   EXPECT_EQ(committed.error().code, ErrorCode::inputOutput);
   EXPECT_EQ(folder.files(), 1u);
-}
-
-TEST(Base64, AgreesWithTheStandardsExamples) {
-  auto of = [](std::string_view s) {
-    return base64(std::span(reinterpret_cast<const std::uint8_t*>(s.data()), s.size()));
-  };
-  EXPECT_EQ(of(""), "");
-  EXPECT_EQ(of("f"), "Zg==");
-  EXPECT_EQ(of("fo"), "Zm8=");
-  EXPECT_EQ(of("foo"), "Zm9v");
-  EXPECT_EQ(of("foobar"), "Zm9vYmFy");
-  EXPECT_EQ(of("\xff\xfe\xfd"), "//79");
 }
 
 }  // namespace

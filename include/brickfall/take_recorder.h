@@ -9,10 +9,8 @@
 #include "brickfall/take.h"
 
 namespace brickfall {
-class AsideFile;
-}
 
-namespace brickfall::cli {
+class AsideFile;
 
 // The file is "<path>.part" until it is finished: under its name a take is always whole, and an older one stays until then.
 class TakeRecorder {
@@ -42,4 +40,4 @@ class TakeRecorder {
   std::vector<TakeEvent> events_;  // since the last frame
 };
 
-}  // namespace brickfall::cli
+}  // namespace brickfall
