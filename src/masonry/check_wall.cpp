@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 
+#include "brickfall/limits.h"
 #include "brickfall/masonry.h"
 #include "masonry/layout.h"
 #include "masonry/openings.h"
@@ -13,8 +14,6 @@ namespace {
 
 using masonry::Layout;
 using masonry::OpeningSpan;
-
-constexpr std::int64_t kMaxBricks = 1'000'000;
 
 std::string textOf(double value) {
   char buffer[40];
@@ -155,9 +154,9 @@ std::vector<WallProblem> checkWall(const WallDef& wall) {
   if (!checkNumbers(wall, problems)) return problems.list;
   checkBond(wall, problems);
   if (!problems.list.empty()) return problems.list;
-  if (std::int64_t bricks = brickCount(wall); !(bricks <= kMaxBricks))
-    problems.add("courses",
-                 "the wall has " + std::to_string(bricks) + " bricks, expected at most " + std::to_string(kMaxBricks));
+  if (std::int64_t bricks = brickCount(wall); !(bricks <= scene_limits::kMostBodies))
+    problems.add("courses", "the wall has " + std::to_string(bricks) + " bricks, expected at most " +
+                                std::to_string(scene_limits::kMostBodies));
   else
     checkOpenings(wall, problems);
   return problems.list;

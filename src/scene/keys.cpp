@@ -1,6 +1,7 @@
 // The table of keys.
 #include "scene/keys.h"
 
+#include "brickfall/limits.h"
 #include "scene/node.h"
 
 namespace brickfall::scene {
@@ -8,10 +9,8 @@ namespace brickfall::scene {
 namespace {
 
 using K = KeyKind;
-constexpr double kFar = 1e5;      // m: coordinates
-constexpr double kFast = 1e4;     // m/s
-constexpr double kSmall = 0.001;  // m: sizes
-constexpr double kLarge = 1000;   // m
+constexpr double kFar = scene_limits::kLargestCoordinate, kFast = scene_limits::kLargestSpeed;
+constexpr double kSmall = scene_limits::kSmallestSize, kLarge = scene_limits::kLargestSize;
 
 // One row a key, wider than a page.
 // clang-format off
@@ -19,7 +18,7 @@ constexpr double kLarge = 1000;   // m
 void addMotion(std::vector<KeySpec>& keys, const char* table) {
   keys.push_back({table, "velocity", K::vector, "m/s", -kFast, kFast, "[0, 0, 0]", "", "velocity of the centre of mass"});
   keys.push_back({table, "angular_velocity", K::vector, "rad/s", -kFast, kFast, "[0, 0, 0]", "", "about the world's axes"});
-  keys.push_back({table, "gravity_scale", K::number, "", -1000, 1000, "1", "", "share of the world's gravity"});
+  keys.push_back({table, "gravity_scale", K::number, "", -limits::kLargestGravityScale, limits::kLargestGravityScale, "1", "", "share of the world's gravity"});
   keys.push_back({table, "linear_damping", K::number, "1/s", 0, 1000, "0", "", "velocity decays as exp(-damping t)"});
   keys.push_back({table, "angular_damping", K::number, "1/s", 0, 1000, "0", "", "the same for the spin"});
   keys.push_back({table, "drag_area", K::number, "m2", 0, 1000, "0", "", "Cd A of quadratic air drag; 0 = no drag"});
@@ -36,101 +35,117 @@ void addShape(std::vector<KeySpec>& keys, const char* table) {
   keys.push_back({table, "scale", K::positive, "", 1e-6, 1e6, "-", "", "mesh: factors along x, y, z; default 1"});
 }
 
-std::vector<KeySpec> makeKeys() {
-  std::vector<KeySpec> keys = {
-      {"", "title", K::text, "", 0, 200, "\"\"", "", "what the scene shows, in a line"},
-      {"", "description", K::text, "", 0, 10000, "\"\"", "", "more about it"},
-      {"", "parameters", K::parameters, "", 0, 0, "-", "", "named numbers for expressions"},
-      {"", "world", K::table, "", 0, 0, "-", "", "gravity, time and sleep"},
-      {"", "solver", K::table, "", 0, 0, "-", "", "advanced settings of the contact solver"},
-      {"", "report", K::table, "", 0, 0, "-", "", "parts of the report's system, with method = \"report\""},
-      {"", "ground", K::table, "", 0, 0, "-", "", "what everything stands on"},
-      {"", "material", K::tables, "", 0, 0, "-", "", "materials by name"},
-      {"", "wall", K::tables, "", 0, 0, "-", "", "walls of bricks"},
-      {"", "body", K::tables, "", 0, 0, "-", "", "bodies placed one by one"},
-      {"", "ball", K::tables, "", 0, 0, "-", "", "balls to throw"},
-      {"", "array", K::tables, "", 0, 0, "-", "", "many equal bodies: lattices, columns, pyramids, piles"},
-      {"", "camera", K::tables, "", 0, 0, "-", "", "views for the replay"},
+// One function a table, in the order of docs/scene-file.md.
+void addSceneKeys(std::vector<KeySpec>& keys) {
+  keys.push_back({"", "title", K::text, "", 0, 200, "\"\"", "", "what the scene shows, in a line"});
+  keys.push_back({"", "description", K::text, "", 0, 10000, "\"\"", "", "more about it"});
+  keys.push_back({"", "parameters", K::parameters, "", 0, 0, "-", "", "named numbers for expressions"});
+  keys.push_back({"", "world", K::table, "", 0, 0, "-", "", "gravity, time and sleep"});
+  keys.push_back({"", "solver", K::table, "", 0, 0, "-", "", "advanced settings of the contact solver"});
+  keys.push_back({"", "report", K::table, "", 0, 0, "-", "", "parts of the report's system, with method = \"report\""});
+  keys.push_back({"", "ground", K::table, "", 0, 0, "-", "", "what everything stands on"});
+  keys.push_back({"", "material", K::tables, "", 0, 0, "-", "", "materials by name"});
+  keys.push_back({"", "wall", K::tables, "", 0, 0, "-", "", "walls of bricks"});
+  keys.push_back({"", "body", K::tables, "", 0, 0, "-", "", "bodies placed one by one"});
+  keys.push_back({"", "ball", K::tables, "", 0, 0, "-", "", "balls to throw"});
+  keys.push_back({"", "array", K::tables, "", 0, 0, "-", "", "many equal bodies: lattices, columns, pyramids, piles"});
+  keys.push_back({"", "camera", K::tables, "", 0, 0, "-", "", "views for the replay"});
+}
 
-      {"world", "gravity", K::gravity, "m/s2", -1000, 1000, "9.81", "", "downwards, or a vector [x, y, z]"},
-      {"world", "seconds", K::number, "s", 0.001, 86400, "10", "", "simulated time of a run"},
-      {"world", "time_step", K::number, "s", 1e-5, 0.1, "0.016666666666666666", "", "dt of one step; smaller is truer and slower"},
-      {"world", "substeps", K::integer, "", 1, 64, "1", "", "equal parts that each step is solved in"},
-      {"world", "frames_per_second", K::number, "1/s", 0.1, 10000, "60", "", "frames recorded per simulated second"},
-      {"world", "seed", K::integer, "", 0, 9007199254740992.0, "1", "", "of every random number in the scene"},
-      {"world", "sleep", K::boolean, "", 0, 0, "true", "", "what rests costs nothing until something touches it"},
-      {"world", "sleep_delay", K::number, "s", 0.001, 1000, "0.5", "", "at rest for so long before it sleeps"},
-      {"world", "air_density", K::number, "kg/m3", 0, 2000, "1.204", "", "for bodies with a drag_area"},
-      {"world", "hit_event_speed", K::number, "m/s", 0, kFast, "1", "", "slower impacts make no hit event"},
-      {"world", "broad_phase", K::choice, "", 0, 0, "\"tree\"", "tree|sweep_and_prune|bounding_spheres|all_pairs", "how pairs that may touch are found; changes no result (docs/broad-phases.md)"},
-      {"world", "method", K::choice, "", 0, 0, "\"clusters\"", "clusters|report", "the engine, or the system of the report that it came from, for comparison (docs/report.md)"},
-      {"world", "integrator", K::choice, "", 0, 0, "\"splitting\"", "splitting|explicit_euler|semi_implicit_euler|implicit_euler_rotation|velocity_verlet|runge_kutta_4", "how bodies that touch nothing move (docs/integrators.md)"},
-      {"world", "hit_event_impulse", K::number, "N s", 0, 1e9, "0.01", "", "weaker impacts make no hit event"},
+void addWorldKeys(std::vector<KeySpec>& keys) {
+  keys.push_back({"world", "gravity", K::gravity, "m/s2", -1000, 1000, "9.81", "", "downwards, or a vector [x, y, z]"});
+  keys.push_back({"world", "seconds", K::number, "s", 0.001, 86400, "10", "", "simulated time of a run"});
+  keys.push_back({"world", "time_step", K::number, "s", limits::kShortestTimeStep, limits::kLongestTimeStep, "0.016666666666666666", "", "dt of one step; smaller is truer and slower"});
+  keys.push_back({"world", "substeps", K::integer, "", 1, limits::kMostSubsteps, "1", "", "equal parts that each step is solved in"});
+  keys.push_back({"world", "frames_per_second", K::number, "1/s", 0.1, 10000, "60", "", "frames recorded per simulated second"});
+  keys.push_back({"world", "seed", K::integer, "", 0, 9007199254740992.0, "1", "", "of every random number in the scene"});
+  keys.push_back({"world", "sleep", K::boolean, "", 0, 0, "true", "", "what rests costs nothing until something touches it"});
+  keys.push_back({"world", "sleep_delay", K::number, "s", 0.001, 1000, "0.5", "", "at rest for so long before it sleeps"});
+  keys.push_back({"world", "air_density", K::number, "kg/m3", 0, 2000, "1.204", "", "for bodies with a drag_area"});
+  keys.push_back({"world", "hit_event_speed", K::number, "m/s", 0, kFast, "1", "", "slower impacts make no hit event"});
+  keys.push_back({"world", "broad_phase", K::choice, "", 0, 0, "\"tree\"", "tree|sweep_and_prune|bounding_spheres|all_pairs", "how pairs that may touch are found; changes no result (docs/broad-phases.md)"});
+  keys.push_back({"world", "method", K::choice, "", 0, 0, "\"clusters\"", "clusters|report", "the engine, or the system of the report that it came from, for comparison (docs/report.md)"});
+  keys.push_back({"world", "integrator", K::choice, "", 0, 0, "\"splitting\"", "splitting|explicit_euler|semi_implicit_euler|implicit_euler_rotation|velocity_verlet|runge_kutta_4", "how bodies that touch nothing move (docs/integrators.md)"});
+  keys.push_back({"world", "hit_event_impulse", K::number, "N s", 0, 1e9, "0.01", "", "weaker impacts make no hit event"});
+}
 
-      {"solver", "resting_stiffness", K::number, "u", 10, 1e5, "1000", "", "of resting contacts; u = effective mass / time_step^2"},
-      {"solver", "impact_stiffness", K::number, "u", 1, 1e5, "30", "", "of a contact born in an impact; at most resting_stiffness"},
-      {"solver", "resting_approach_speed", K::number, "m/s", 0, 100, "0.3", "", "contacts born slower are resting, not impacts"},
-      {"solver", "restitution_speed", K::number, "m/s", 0, 100, "1", "", "slower impacts do not rebound; a body alone on something fixed bounces on until gravity x time_step"},
-      {"solver", "contact_margin", K::number, "m", 1e-5, 1, "0.01", "", "contacts are made this early"},
-      {"solver", "rest_speed", K::number, "m/s", 0, 1, "0.01", "", "only slower islands are put to rest"},
-      {"solver", "rest_tolerance", K::number, "", 0, 1, "0.001", "", "force residual / weight taken as: nothing moves"},
-      {"solver", "cycle_tolerance", K::number, "", 1e-6, 1, "0.01", "", "residual / weight at which a moving island is done"},
-      {"solver", "min_cycles", K::integer, "", 1, 64, "4", "", "cycles of every step; at most max_cycles"},
-      {"solver", "max_cycles", K::integer, "", 1, 256, "8", "", "cycles of large islands"},
-      {"solver", "max_cycles_small", K::integer, "", 1, 256, "64", "", "cycles of the smallest islands"},
+void addSolverKeys(std::vector<KeySpec>& keys) {
+  keys.push_back({"solver", "resting_stiffness", K::number, "u", 10, 1e5, "1000", "", "of resting contacts; u = effective mass / time_step^2"});
+  keys.push_back({"solver", "impact_stiffness", K::number, "u", 1, 1e5, "30", "", "of a contact born in an impact; at most resting_stiffness"});
+  keys.push_back({"solver", "resting_approach_speed", K::number, "m/s", 0, 100, "0.3", "", "contacts born slower are resting, not impacts"});
+  keys.push_back({"solver", "restitution_speed", K::number, "m/s", 0, 100, "1", "", "slower impacts do not rebound; a body alone on something fixed bounces on until gravity x time_step"});
+  keys.push_back({"solver", "contact_margin", K::number, "m", 1e-5, 1, "0.01", "", "contacts are made this early"});
+  keys.push_back({"solver", "rest_speed", K::number, "m/s", 0, 1, "0.01", "", "only slower islands are put to rest"});
+  keys.push_back({"solver", "rest_tolerance", K::number, "", 0, 1, "0.001", "", "force residual / weight taken as: nothing moves"});
+  keys.push_back({"solver", "cycle_tolerance", K::number, "", 1e-6, 1, "0.01", "", "residual / weight at which a moving island is done"});
+  keys.push_back({"solver", "min_cycles", K::integer, "", 1, 64, "4", "", "cycles of every step; at most max_cycles"});
+  keys.push_back({"solver", "max_cycles", K::integer, "", 1, 256, "8", "", "cycles of large islands"});
+  keys.push_back({"solver", "max_cycles_small", K::integer, "", 1, 256, "64", "", "cycles of the smallest islands"});
+}
 
-      {"report", "all_axes", K::boolean, "", 0, 0, "false", "", "all 15 axes at every test, the widest gap is remembered; false: the first that separates"},
-      {"report", "last_axis", K::boolean, "", 0, 0, "false", "", "contact axis: the last to stop separating"},
-      {"report", "restitution", K::boolean, "", 0, 0, "false", "", "impulses from masses, inertia and restitution; false: impulse_factor x speed"},
-      {"report", "friction", K::boolean, "", 0, 0, "false", "", "Coulomb friction; false: damping"},
-      {"report", "manifold", K::boolean, "", 0, 0, "false", "", "all points of contact, and overlap is pushed out; false: one point"},
-      {"report", "warm_starting", K::boolean, "", 0, 0, "false", "", "impulses remembered, and sweeps over all contacts"},
-      {"report", "impulse_factor", K::number, "", 0, 100, "1.5", "", "of reduced mass x closing speed"},
-      {"report", "damping", K::number, "1/s", 0, 1e6, "0.3", "", "of all velocities, without friction"},
-      {"report", "sweeps", K::integer, "", 1, 1000, "10", "", "with warm_starting"},
-      {"report", "integrator", K::choice, "", 0, 0, "\"semi_implicit_euler\"", "splitting|explicit_euler|semi_implicit_euler|implicit_euler_rotation|velocity_verlet|runge_kutta_4", "how its bodies move"},
+void addReportKeys(std::vector<KeySpec>& keys) {
+  keys.push_back({"report", "all_axes", K::boolean, "", 0, 0, "false", "", "all 15 axes at every test, the widest gap is remembered; false: the first that separates"});
+  keys.push_back({"report", "last_axis", K::boolean, "", 0, 0, "false", "", "contact axis: the last to stop separating"});
+  keys.push_back({"report", "restitution", K::boolean, "", 0, 0, "false", "", "impulses from masses, inertia and restitution; false: impulse_factor x speed"});
+  keys.push_back({"report", "friction", K::boolean, "", 0, 0, "false", "", "Coulomb friction; false: damping"});
+  keys.push_back({"report", "manifold", K::boolean, "", 0, 0, "false", "", "all points of contact, and overlap is pushed out; false: one point"});
+  keys.push_back({"report", "warm_starting", K::boolean, "", 0, 0, "false", "", "impulses remembered, and sweeps over all contacts"});
+  keys.push_back({"report", "impulse_factor", K::number, "", 0, 100, "1.5", "", "of reduced mass x closing speed"});
+  keys.push_back({"report", "damping", K::number, "1/s", 0, limits::kLargestDamping, "0.3", "", "of all velocities, without friction"});
+  keys.push_back({"report", "sweeps", K::integer, "", 1, 1000, "10", "", "with warm_starting"});
+  keys.push_back({"report", "integrator", K::choice, "", 0, 0, "\"semi_implicit_euler\"", "splitting|explicit_euler|semi_implicit_euler|implicit_euler_rotation|velocity_verlet|runge_kutta_4", "how its bodies move"});
+}
 
-      {"ground", "enabled", K::boolean, "", 0, 0, "true", "", "false: nothing to fall on"},
-      {"ground", "type", K::choice, "", 0, 0, "\"plane\"", "plane|box", "an endless plane, or a box with its top at `height`"},
-      {"ground", "height", K::number, "m", -kFar, kFar, "0", "", "of its surface, at the origin"},
-      {"ground", "size", K::positive, "m", kSmall, 1e5, "[100, 1, 100]", "", "of a box"},
-      {"ground", "tilt_degrees", K::number, "degrees", -90, 90, "0", "", "turned about tilt_axis through the origin"},
-      {"ground", "tilt_axis", K::vector, "", -1e3, 1e3, "[0, 0, 1]", "", "direction of the axis of the tilt"},
-      {"ground", "material", K::material, "", 0, 0, "\"concrete\"", "", "its material"},
+void addGroundKeys(std::vector<KeySpec>& keys) {
+  keys.push_back({"ground", "enabled", K::boolean, "", 0, 0, "true", "", "false: nothing to fall on"});
+  keys.push_back({"ground", "type", K::choice, "", 0, 0, "\"plane\"", "plane|box", "an endless plane, or a box with its top at `height`"});
+  keys.push_back({"ground", "height", K::number, "m", -kFar, kFar, "0", "", "of its surface, at the origin"});
+  keys.push_back({"ground", "size", K::positive, "m", kSmall, 2 * limits::kLargestSize, "[100, 1, 100]", "", "of a box"});
+  keys.push_back({"ground", "tilt_degrees", K::number, "degrees", -90, 90, "0", "", "turned about tilt_axis through the origin"});
+  keys.push_back({"ground", "tilt_axis", K::vector, "", -1e3, 1e3, "[0, 0, 1]", "", "direction of the axis of the tilt"});
+  keys.push_back({"ground", "material", K::material, "", 0, 0, "\"concrete\"", "", "its material"});
+}
 
-      {"material", "name", K::name, "", 0, 0, "", "", "what other tables call it"},
-      {"material", "density", K::number, "kg/m3", 0.01, 1e6, "1900", "", "mass by volume"},
-      {"material", "friction", K::number, "", 0, 100, "0.6", "", "Coulomb coefficient"},
-      {"material", "restitution", K::number, "", 0, 1, "0", "", "rebound speed / impact speed; impacts slower than restitution_speed do not rebound"},
-      {"material", "friction_rule", K::choice, "", 0, 0, "\"geometric_mean\"", "geometric_mean|average|minimum|multiply|maximum", "how two materials' values become one"},
-      {"material", "restitution_rule", K::choice, "", 0, 0, "\"maximum\"", "geometric_mean|average|minimum|multiply|maximum", "the same for restitution"},
-      {"material", "colour", K::colour, "", 0, 0, "\"#B5543A\"", "", "of what is made from it"},
+void addMaterialKeys(std::vector<KeySpec>& keys) {
+  keys.push_back({"material", "name", K::name, "", 0, 0, "", "", "what other tables call it"});
+  keys.push_back({"material", "density", K::number, "kg/m3", scene_limits::kSmallestDensity, scene_limits::kLargestDensity, "1900", "", "mass by volume"});
+  keys.push_back({"material", "friction", K::number, "", 0, limits::kLargestFriction, "0.6", "", "Coulomb coefficient"});
+  keys.push_back({"material", "restitution", K::number, "", 0, 1, "0", "", "rebound speed / impact speed; impacts slower than restitution_speed do not rebound"});
+  keys.push_back({"material", "friction_rule", K::choice, "", 0, 0, "\"geometric_mean\"", "geometric_mean|average|minimum|multiply|maximum", "how two materials' values become one"});
+  keys.push_back({"material", "restitution_rule", K::choice, "", 0, 0, "\"maximum\"", "geometric_mean|average|minimum|multiply|maximum", "the same for restitution"});
+  keys.push_back({"material", "colour", K::colour, "", 0, 0, "\"#B5543A\"", "", "of what is made from it"});
+}
 
-      {"wall", "name", K::name, "", 0, 0, "-", "", "bricks are called name/course/position"},
-      {"wall", "bond", K::choice, "", 0, 0, "\"running\"", "running|header|english|flemish|stack", "how the bricks overlap"},
-      {"wall", "bond_shift", K::number, "brick lengths", 0, 0.999, "0.5", "", "running bond: shift of every second course"},
-      {"wall", "courses", K::integer, "", 1, 10000, "10", "", "layers of bricks"},
-      {"wall", "bricks", K::integer, "", 1, 10000, "10", "", "whole bricks in a full course; sets the length"},
-      {"wall", "brick", K::brick, "m", kSmall, 100, "\"uk\"", "uk|as3700", "format, or [length, height, width]"},
-      {"wall", "half_bats", K::boolean, "", 0, 0, "true", "", "ends closed by cut bricks; false: whole bricks, toothed ends"},
-      {"wall", "head_joint", K::number, "m", 0, 1, "0", "", "gap between neighbours in a course"},
-      {"wall", "bed_joint", K::number, "m", 0, 1, "0", "", "gap between courses"},
-      {"wall", "position", K::vector, "m", -kFar, kFar, "[0, 0, 0]", "", "left end of the foot, middle of the thickness"},
-      {"wall", "yaw_degrees", K::number, "degrees", -3600, 3600, "0", "", "about the vertical; 0: along +x, 90: along -z"},
-      {"wall", "material", K::material, "", 0, 0, "\"brick\"", "", "of the bricks"},
-      {"wall", "lintel_material", K::material, "", 0, 0, "\"concrete\"", "", "of the lintels"},
-      {"wall", "density_scatter", K::number, "", 0, 0.5, "0", "", "each brick's density times 1 +- up to this"},
-      {"wall", "disorder", K::number, "m", 0, 0.01, "0", "", "bricks out of true by gaps of up to this"},
-      {"wall", "shuffle", K::boolean, "", 0, 0, "false", "", "bricks are created in random order"},
-      {"wall", "opening", K::tables, "", 0, 0, "-", "", "doors and windows"},
+void addWallKeys(std::vector<KeySpec>& keys) {
+  keys.push_back({"wall", "name", K::name, "", 0, 0, "-", "", "bricks are called name/course/position"});
+  keys.push_back({"wall", "bond", K::choice, "", 0, 0, "\"running\"", "running|header|english|flemish|stack", "how the bricks overlap"});
+  keys.push_back({"wall", "bond_shift", K::number, "brick lengths", 0, 0.999, "0.5", "", "running bond: shift of every second course"});
+  keys.push_back({"wall", "courses", K::integer, "", 1, 10000, "10", "", "layers of bricks"});
+  keys.push_back({"wall", "bricks", K::integer, "", 1, 10000, "10", "", "whole bricks in a full course; sets the length"});
+  keys.push_back({"wall", "brick", K::brick, "m", kSmall, 100, "\"uk\"", "uk|as3700", "format, or [length, height, width]"});
+  keys.push_back({"wall", "half_bats", K::boolean, "", 0, 0, "true", "", "ends closed by cut bricks; false: whole bricks, toothed ends"});
+  keys.push_back({"wall", "head_joint", K::number, "m", 0, 1, "0", "", "gap between neighbours in a course"});
+  keys.push_back({"wall", "bed_joint", K::number, "m", 0, 1, "0", "", "gap between courses"});
+  keys.push_back({"wall", "position", K::vector, "m", -kFar, kFar, "[0, 0, 0]", "", "left end of the foot, middle of the thickness"});
+  keys.push_back({"wall", "yaw_degrees", K::number, "degrees", -3600, 3600, "0", "", "about the vertical; 0: along +x, 90: along -z"});
+  keys.push_back({"wall", "material", K::material, "", 0, 0, "\"brick\"", "", "of the bricks"});
+  keys.push_back({"wall", "lintel_material", K::material, "", 0, 0, "\"concrete\"", "", "of the lintels"});
+  keys.push_back({"wall", "density_scatter", K::number, "", 0, 0.5, "0", "", "each brick's density times 1 +- up to this"});
+  keys.push_back({"wall", "disorder", K::number, "m", 0, 0.01, "0", "", "bricks out of true by gaps of up to this"});
+  keys.push_back({"wall", "shuffle", K::boolean, "", 0, 0, "false", "", "bricks are created in random order"});
+  keys.push_back({"wall", "opening", K::tables, "", 0, 0, "-", "", "doors and windows"});
+}
 
-      {"wall.opening", "from", K::number, "m", 0, kFar, "", "", "left reveal, from the wall's left end"},
-      {"wall.opening", "sill", K::number, "m", 0, kFar, "0", "", "above the wall's foot; 0 = door"},
-      {"wall.opening", "width", K::number, "m", 0.01, kLarge, "", "", "clear width"},
-      {"wall.opening", "height", K::number, "m", 0.01, kLarge, "", "", "clear height"},
-      {"wall.opening", "lintel_bearing", K::number, "m", 0.01, 100, "0.15", "", "how far the lintel reaches into the wall"},
-      {"wall.opening", "lintel_height", K::number, "m", 0, 100, "0.065", "", "in whole courses, rounded; 0 = no lintel"},
-  };
+void addOpeningKeys(std::vector<KeySpec>& keys) {
+  keys.push_back({"wall.opening", "from", K::number, "m", 0, kFar, "", "", "left reveal, from the wall's left end"});
+  keys.push_back({"wall.opening", "sill", K::number, "m", 0, kFar, "0", "", "above the wall's foot; 0 = door"});
+  keys.push_back({"wall.opening", "width", K::number, "m", 0.01, kLarge, "", "", "clear width"});
+  keys.push_back({"wall.opening", "height", K::number, "m", 0.01, kLarge, "", "", "clear height"});
+  keys.push_back({"wall.opening", "lintel_bearing", K::number, "m", 0.01, 100, "0.15", "", "how far the lintel reaches into the wall"});
+  keys.push_back({"wall.opening", "lintel_height", K::number, "m", 0, 100, "0.065", "", "in whole courses, rounded; 0 = no lintel"});
+}
+
+void addBodyKeys(std::vector<KeySpec>& keys) {
   keys.push_back({"body", "name", K::name, "", 0, 0, "-", "", "its name in reports and in the replay"});
   keys.push_back({"body", "type", K::choice, "", 0, 0, "\"dynamic\"", "fixed|kinematic|dynamic", "never moves, moves as told, moves by forces"});
   addShape(keys, "body");
@@ -140,22 +155,28 @@ std::vector<KeySpec> makeKeys() {
   keys.push_back({"body", "rotation_degrees", K::vector, "degrees", -3600, 3600, "[0, 0, 0]", "", "about the world's x, then y, then z axis"});
   addMotion(keys, "body");
   keys.push_back({"body", "launch_time", K::number, "s", 0, 86400, "0", "", "held in place until then"});
+}
 
+void addPartKeys(std::vector<KeySpec>& keys) {
   addShape(keys, "body.part");
   keys.push_back({"body.part", "material", K::material, "", 0, 0, "-", "", "of this part; default: the body's"});
   keys.push_back({"body.part", "position", K::vector, "m", -kLarge, kLarge, "[0, 0, 0]", "", "in the body's frame"});
   keys.push_back({"body.part", "rotation_degrees", K::vector, "degrees", -3600, 3600, "[0, 0, 0]", "", "in the body's frame"});
+}
 
+void addBallKeys(std::vector<KeySpec>& keys) {
   keys.push_back({"ball", "name", K::name, "", 0, 0, "-", "", "its name in reports and in the replay"});
   keys.push_back({"ball", "radius", K::number, "m", kSmall, kLarge, "0.1", "", "of the ball"});
   keys.push_back({"ball", "material", K::material, "", 0, 0, "\"steel\"", "", "of the ball"});
-  keys.push_back({"ball", "density", K::number, "kg/m3", 0.01, 1e6, "-", "", "instead of the material's"});
+  keys.push_back({"ball", "density", K::number, "kg/m3", scene_limits::kSmallestDensity, scene_limits::kLargestDensity, "-", "", "instead of the material's"});
   keys.push_back({"ball", "friction", K::number, "", 0, 100, "-", "", "instead of the material's"});
   keys.push_back({"ball", "restitution", K::number, "", 0, 1, "-", "", "instead of the material's"});
   keys.push_back({"ball", "position", K::vector, "m", -kFar, kFar, "", "", "of its centre"});
   addMotion(keys, "ball");
   keys.push_back({"ball", "launch_time", K::number, "s", 0, 86400, "0", "", "held in place until then"});
+}
 
+void addArrayKeys(std::vector<KeySpec>& keys) {
   keys.push_back({"array", "name", K::name, "", 0, 0, "-", "", "bodies are called name/0, name/1, ..."});
   keys.push_back({"array", "arrangement", K::choice, "", 0, 0, "\"lattice\"", "lattice|pyramid", "rows, columns and layers, or rows that each have one less"});
   keys.push_back({"array", "count", K::counts, "", 1, 10000, "[1, 1, 1]", "", "lattice: bodies along x, y, z"});
@@ -169,11 +190,30 @@ std::vector<KeySpec> makeKeys() {
   keys.push_back({"array", "material", K::material, "", 0, 0, "\"brick\"", "", "of all bodies"});
   keys.push_back({"array", "position", K::vector, "m", -kFar, kFar, "[0, 0, 0]", "", "middle of the lowest layer's underside"});
   addMotion(keys, "array");
+}
 
+void addCameraKeys(std::vector<KeySpec>& keys) {
   keys.push_back({"camera", "name", K::name, "", 0, 0, "\"main\"", "", "its name in the replay"});
   keys.push_back({"camera", "position", K::vector, "m", -kFar, kFar, "[3, 2, 5]", "", "where it stands"});
   keys.push_back({"camera", "target", K::vector, "m", -kFar, kFar, "[0, 0.5, 0]", "", "what it looks at"});
   keys.push_back({"camera", "field_of_view_degrees", K::number, "degrees", 1, 170, "45", "", "vertical"});
+}
+
+std::vector<KeySpec> makeKeys() {
+  std::vector<KeySpec> keys;
+  addSceneKeys(keys);
+  addWorldKeys(keys);
+  addSolverKeys(keys);
+  addReportKeys(keys);
+  addGroundKeys(keys);
+  addMaterialKeys(keys);
+  addWallKeys(keys);
+  addOpeningKeys(keys);
+  addBodyKeys(keys);
+  addPartKeys(keys);
+  addBallKeys(keys);
+  addArrayKeys(keys);
+  addCameraKeys(keys);
   return keys;
 }
 // clang-format on

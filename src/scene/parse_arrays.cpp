@@ -74,9 +74,9 @@ void checkTogether(TableReader& reader, const ArrayDef& def) {
     double rows = def.arrangement == Arrangement::pyramid ? (i == 2 ? 1 : def.base) : def.count[i];
     reach = std::max(reach, std::fabs(def.position[i]) + rows * def.spacing[i] + def.size[i] + def.jitter);
   }
-  if (!(reach <= kFarthestBody))
+  if (!(reach <= limits::kLargestCoordinate))
     reader.error("spacing", "the array reaches " + numberText(reach) + " m from the origin, expected at most " +
-                                numberText(kFarthestBody) + " m");
+                                numberText(limits::kLargestCoordinate) + " m");
   if (!def.sphere && reader.has("radius")) reader.error("radius", "found with shape \"box\", expected size");
 }
 

@@ -2,14 +2,13 @@
 #include <filesystem>
 
 #include "brickfall/geometry/mesh_tree.h"
+#include "brickfall/limits.h"
 #include "brickfall/mesh_file.h"
 #include "scene/scene_build.h"
 
 namespace brickfall::scene {
 
 namespace {
-
-constexpr double kMostSize = 1e4;  // m: coordinates that the engine takes
 
 // The mesh, or why not.
 Result<MeshTree> load(const std::string& path, Vec3 scale) {
@@ -19,9 +18,10 @@ Result<MeshTree> load(const std::string& path, Vec3 scale) {
   Result<TriangleMesh> mesh = TriangleMesh::create(file->vertices, file->indices);
   if (!mesh) return Error{mesh.error().code, path + ": " + mesh.error().message};
   Vec3 reach = max(abs(mesh->bounds().lower), abs(mesh->bounds().upper));
-  if (!(reach.x <= kMostSize && reach.y <= kMostSize && reach.z <= kMostSize))
-    return Error{ErrorCode::invalidArgument,
-                 path + ": found coordinates beyond 10000 m, expected a smaller mesh or scale"};
+  if (!(reach.x <= limits::kLargestSize && reach.y <= limits::kLargestSize && reach.z <= limits::kLargestSize))
+    return Error{ErrorCode::invalidArgument, path + ": found coordinates beyond " +
+                                                 std::to_string(int(limits::kLargestSize)) +
+                                                 " m, expected a smaller mesh or scale"};
   return MeshTree::build(std::move(mesh).value());
 }
 

@@ -66,10 +66,10 @@ void checkReach(TableReader& reader, const WallDef& wall) {
   double height = wall.courses * (wall.brick.size.y + wall.bedJoint + wall.disorder);
   Vec3 p = wall.position;
   double sideways = std::max(std::fabs(p.x), std::fabs(p.z)) + length, up = std::fabs(p.y) + height;
-  if (!(sideways <= kFarthestBody && up <= kFarthestBody))
+  if (!(sideways <= limits::kLargestCoordinate && up <= limits::kLargestCoordinate))
     reader.error(sideways > up ? "bricks" : "courses", "the wall reaches " + numberText(std::max(sideways, up)) +
                                                            " m from the origin, expected at most " +
-                                                           numberText(kFarthestBody) + " m");
+                                                           numberText(limits::kLargestCoordinate) + " m");
 }
 
 }  // namespace

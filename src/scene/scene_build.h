@@ -4,12 +4,11 @@
 #include <memory>
 #include <string>
 
+#include "brickfall/limits.h"
 #include "brickfall/scene.h"
 #include "scene/table_reader.h"
 
 namespace brickfall::scene {
-
-constexpr std::int64_t kMaxSceneBodies = 1'000'000;
 
 struct SceneBuild {
   ReadContext context;
@@ -39,8 +38,6 @@ void readArrays(SceneBuild& build, TableReader& top);
 // The mesh that a table's `file` and `scale` ask for; null if it could not be read, which is said at `file`.
 std::shared_ptr<const MeshTree> readMesh(SceneBuild& build, TableReader& reader);
 
-// How far from the origin the engine takes bodies, m.
-constexpr double kFarthestBody = 1e6;
 inline SourcePlace placeOf(const TableReader& reader) { return {reader.node().line, reader.node().column}; }
 
 // A camera that sees the whole scene, for files that have none.

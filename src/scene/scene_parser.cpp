@@ -144,11 +144,11 @@ void SceneBuild::checkBuildable(TableReader& reader, const SceneBody& body) {
 
 bool SceneBuild::roomFor(TableReader& reader, const std::string& key, std::int64_t bodies) {
   bodyCount += bodies;
-  if (bodyCount <= kMaxSceneBodies) return true;
-  bool before = bodyCount - bodies > kMaxSceneBodies;  // said once
+  if (bodyCount <= scene_limits::kMostBodies) return true;
+  bool before = bodyCount - bodies > scene_limits::kMostBodies;  // said once
   if (!before)
     reader.error(key, "the scene has " + std::to_string(bodyCount) + " bodies with these, expected at most " +
-                          std::to_string(kMaxSceneBodies));
+                          std::to_string(scene_limits::kMostBodies));
   return false;
 }
 

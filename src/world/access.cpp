@@ -133,7 +133,7 @@ Quat unitRotation(Quat q) {
 Status World::setTransform(BodyId id, Vec3 position, Quat rotation) {
   Impl& w = *impl_;
   Checks check;
-  check.vector("position", position, 1e6);
+  check.vector("position", position, limits::kLargestCoordinate);
   check.rotation("rotation", rotation);
   Result<BodyIndex> body = w.openForChange(id, check.error());
   if (!body) return body.error();
@@ -147,7 +147,7 @@ Status World::setTransform(BodyId id, Vec3 position, Quat rotation) {
 
 Status World::Impl::setVelocity(BodyId id, Vec3 velocity, Vec3 BodyMotion::*which, Vec3 BodyData::*last) {
   Checks check;
-  check.vector("velocity", velocity, 1e5);
+  check.vector("velocity", velocity, limits::kLargestSpeed);
   Result<BodyIndex> body = openForChange(id, check.error());
   if (!body) return body.error();
   if (bodies.data[*body].type == BodyType::fixed)
@@ -174,7 +174,7 @@ void World::Impl::relist(BodyIndex body) {
 
 Status World::setGravityScale(BodyId id, double scale) {
   Checks check;
-  check.range("scale", scale, -1000, 1000);
+  check.range("scale", scale, -limits::kLargestGravityScale, limits::kLargestGravityScale);
   Result<BodyIndex> body = impl_->openForChange(id, check.error());
   if (!body) return body.error();
   impl_->disturb(*body);
@@ -184,8 +184,8 @@ Status World::setGravityScale(BodyId id, double scale) {
 
 Status World::setDamping(BodyId id, double linear, double angular) {
   Checks check;
-  check.range("linear", linear, 0, 1e6);
-  check.range("angular", angular, 0, 1e6);
+  check.range("linear", linear, 0, limits::kLargestDamping);
+  check.range("angular", angular, 0, limits::kLargestDamping);
   Result<BodyIndex> body = impl_->openForChange(id, check.error());
   if (!body) return body.error();
   impl_->disturb(*body);
@@ -196,7 +196,7 @@ Status World::setDamping(BodyId id, double linear, double angular) {
 
 Status World::setDragArea(BodyId id, double dragArea) {
   Checks check;
-  check.range("dragArea", dragArea, 0, 1e6);
+  check.range("dragArea", dragArea, 0, limits::kLargestDragArea);
   Result<BodyIndex> body = impl_->openForChange(id, check.error());
   if (!body) return body.error();
   impl_->disturb(*body);
@@ -206,7 +206,7 @@ Status World::setDragArea(BodyId id, double dragArea) {
 
 Status World::setGravity(Vec3 gravity) {
   Checks check;
-  check.vector("gravity", gravity, 1e4);
+  check.vector("gravity", gravity, limits::kLargestGravity);
   if (Status open = impl_->openForChange("setGravity"); !open) return open;
   if (check.failed()) return check.error();
   impl_->def.gravity = gravity;
@@ -226,12 +226,10 @@ Status World::wake(BodyId id) {
 
 namespace {
 
-constexpr double kLargestForce = 1e12;
-
 Checks forceCheck(Vec3 value, Vec3 point) {
   Checks check;
-  check.vector("force", value, kLargestForce);
-  check.vector("pointWorld", point, 1e7);
+  check.vector("force", value, limits::kLargestPush);
+  check.vector("pointWorld", point, limits::kLargestReach);
   return check;
 }
 
@@ -240,7 +238,7 @@ Checks forceCheck(Vec3 value, Vec3 point) {
 // Force and torque about the centre of mass for the next step, or impulses at once.
 Status World::Impl::push(BodyId id, Vec3 linear, Vec3 angular, Vec3* pointWorld, bool impulse) {
   Checks check = forceCheck(linear, pointWorld ? *pointWorld : Vec3{});
-  check.vector("torque", angular, kLargestForce);
+  check.vector("torque", angular, limits::kLargestPush);
   Result<BodyIndex> found = openForChange(id, check.error());
   if (!found) return found.error();
   BodyIndex body = *found;

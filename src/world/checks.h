@@ -4,6 +4,7 @@
 #include <string>
 
 #include "brickfall/body.h"
+#include "brickfall/limits.h"
 #include "brickfall/math.h"
 #include "brickfall/result.h"
 
@@ -71,10 +72,9 @@ void checkMotionSettings(Checks& check, double gravityScale, double linearDampin
 // Of a body that may move. Each field of its shapes may be legal and the body still lighter or heavier than sums in
 // float can hold.
 inline void checkMass(Checks& check, double mass) {
-  constexpr double kSmallest = 1e-15, kLargest = 1e15;  // kg
-  check.condition(mass >= kSmallest && mass <= kLargest,
+  check.condition(mass >= limits::kSmallestMass && mass <= limits::kLargestMass,
                   "shapes: found a mass of " + numberText(mass) + " kg (from sizes and density), expected " +
-                      numberText(kSmallest) + " .. " + numberText(kLargest) + " kg");
+                      numberText(limits::kSmallestMass) + " .. " + numberText(limits::kLargestMass) + " kg");
 }
 
 }  // namespace brickfall

@@ -15,14 +15,9 @@ namespace brickfall {
 
 namespace {
 
-constexpr double kLargestCoordinate = 1e6;  // m
-constexpr double kLargestSize = 1e4;        // m
-constexpr double kSmallestSize = 1e-4;      // m
-constexpr double kLargestSpeed = 1e5;       // m/s
-
 void checkMaterial(Checks& check, const std::string& at, const Material& m) {
-  check.above(at + ".density", m.density, 0, 1e7);
-  check.range(at + ".friction", m.friction, 0, 100);
+  check.above(at + ".density", m.density, 0, limits::kLargestDensity);
+  check.range(at + ".friction", m.friction, 0, limits::kLargestFriction);
   check.range(at + ".restitution", m.restitution, 0, 1);
   check.condition(m.frictionRule <= CombineRule::maximum,
                   at + ".frictionRule: found " + std::to_string(int(m.frictionRule)) + ", expected a CombineRule");
@@ -36,31 +31,31 @@ void checkMesh(Checks& check, const std::string& at, const ShapeDef& s, BodyType
                   at + ".type: found a mesh on a dynamic body, expected BodyType::fixed or kinematic");
   check.condition(s.mesh != nullptr, at + ".mesh: found none, expected a MeshTree");
   if (check.failed()) return;
-  check.vector(at + ".mesh.bounds.lower", s.mesh->bounds().lower, kLargestSize);
-  check.vector(at + ".mesh.bounds.upper", s.mesh->bounds().upper, kLargestSize);
+  check.vector(at + ".mesh.bounds.lower", s.mesh->bounds().lower, limits::kLargestSize);
+  check.vector(at + ".mesh.bounds.upper", s.mesh->bounds().upper, limits::kLargestSize);
 }
 
 }  // namespace
 
 void checkShape(Checks& check, const std::string& at, const ShapeDef& s, BodyType type) {
   checkMaterial(check, at + ".material", s.material);
-  check.vector(at + ".local.position", s.local.position, kLargestSize);
+  check.vector(at + ".local.position", s.local.position, limits::kLargestSize);
   check.rotation(at + ".local.rotation", s.local.rotation);
   switch (s.type) {
     case ShapeType::box:
-      check.range(at + ".halfExtents.x", s.halfExtents.x, kSmallestSize, kLargestSize);
-      check.range(at + ".halfExtents.y", s.halfExtents.y, kSmallestSize, kLargestSize);
-      check.range(at + ".halfExtents.z", s.halfExtents.z, kSmallestSize, kLargestSize);
+      check.range(at + ".halfExtents.x", s.halfExtents.x, limits::kSmallestSize, limits::kLargestSize);
+      check.range(at + ".halfExtents.y", s.halfExtents.y, limits::kSmallestSize, limits::kLargestSize);
+      check.range(at + ".halfExtents.z", s.halfExtents.z, limits::kSmallestSize, limits::kLargestSize);
       return;
     case ShapeType::capsule:
-      check.range(at + ".halfHeight", s.halfHeight, kSmallestSize, kLargestSize);
+      check.range(at + ".halfHeight", s.halfHeight, limits::kSmallestSize, limits::kLargestSize);
       [[fallthrough]];
     case ShapeType::sphere:
-      check.range(at + ".radius", s.radius, kSmallestSize, kLargestSize);
+      check.range(at + ".radius", s.radius, limits::kSmallestSize, limits::kLargestSize);
       return;
     case ShapeType::hull:
       for (std::size_t i = 0; i < s.vertices.size() && !check.failed(); i++)
-        check.vector(at + ".vertices[" + std::to_string(i) + "]", s.vertices[i], kLargestSize);
+        check.vector(at + ".vertices[" + std::to_string(i) + "]", s.vertices[i], limits::kLargestSize);
       return;
     case ShapeType::plane:
       check.condition(type == BodyType::fixed,
@@ -75,24 +70,25 @@ void checkShape(Checks& check, const std::string& at, const ShapeDef& s, BodyTyp
 
 void checkMotionSettings(Checks& check, double gravityScale, double linearDamping, double angularDamping,
                          double dragArea) {
-  check.range("gravityScale", gravityScale, -1000, 1000);
-  check.range("linearDamping", linearDamping, 0, 1e6);
-  check.range("angularDamping", angularDamping, 0, 1e6);
-  check.range("dragArea", dragArea, 0, 1e6);
+  check.range("gravityScale", gravityScale, -limits::kLargestGravityScale, limits::kLargestGravityScale);
+  check.range("linearDamping", linearDamping, 0, limits::kLargestDamping);
+  check.range("angularDamping", angularDamping, 0, limits::kLargestDamping);
+  check.range("dragArea", dragArea, 0, limits::kLargestDragArea);
 }
 
 namespace {
 
 void checkBody(Checks& check, const BodyDef& def) {
   check.condition(!def.shapes.empty(), "shapes: found none, expected at least one");
-  check.condition(def.shapes.size() <= 4096,
-                  "shapes: found " + std::to_string(def.shapes.size()) + ", expected at most 4096");
+  check.condition(def.shapes.size() <= limits::kMostShapes, "shapes: found " + std::to_string(def.shapes.size()) +
+                                                                ", expected at most " +
+                                                                std::to_string(limits::kMostShapes));
   check.condition(def.type == BodyType::fixed || def.type == BodyType::kinematic || def.type == BodyType::dynamic,
                   "type: found " + std::to_string(int(def.type)) + ", expected a BodyType");
-  check.vector("position", def.position, kLargestCoordinate);
+  check.vector("position", def.position, limits::kLargestCoordinate);
   check.rotation("rotation", def.rotation);
-  check.vector("linearVelocity", def.linearVelocity, kLargestSpeed);
-  check.vector("angularVelocity", def.angularVelocity, kLargestSpeed);
+  check.vector("linearVelocity", def.linearVelocity, limits::kLargestSpeed);
+  check.vector("angularVelocity", def.angularVelocity, limits::kLargestSpeed);
   checkMotionSettings(check, def.gravityScale, def.linearDamping, def.angularDamping, def.dragArea);
   for (std::size_t i = 0; i < def.shapes.size() && !check.failed(); i++)
     checkShape(check, "shapes[" + std::to_string(i) + "]", def.shapes[i], def.type);
@@ -125,13 +121,13 @@ World::~World() = default;
 
 Status checkWorld(const WorldDef& def) {
   Checks check;
-  check.vector("gravity", def.gravity, 1e4);
-  check.range("airDensity", def.airDensity, 0, 1e4);
-  check.above("sleepDelay", def.sleepDelay, 0, 1e6);
-  check.range("hitEventSpeed", def.hitEventSpeed, 0, 1e6);
-  check.range("hitEventImpulse", def.hitEventImpulse, 0, 1e12);
-  check.range("threads", def.threads, 1, 64);
-  check.range("maxBodies", def.maxBodies, 1, 16'000'000);
+  check.vector("gravity", def.gravity, limits::kLargestGravity);
+  check.range("airDensity", def.airDensity, 0, limits::kLargestAirDensity);
+  check.above("sleepDelay", def.sleepDelay, 0, limits::kLongestDelay);
+  check.range("hitEventSpeed", def.hitEventSpeed, 0, lost::kSpeed);
+  check.range("hitEventImpulse", def.hitEventImpulse, 0, limits::kLargestPush);
+  check.range("threads", def.threads, 1, limits::kMostThreads);
+  check.range("maxBodies", def.maxBodies, 1, limits::kMostBodies);
   check.range("broadPhase", int(def.broadPhase), 0, kBroadPhaseMethodCount - 1);
   eachSetting(def.solver, [&](const char* name, auto value, auto least, auto most) {
     check.range(std::string("solver.") + name, value, least, most);

@@ -13,10 +13,10 @@ Result<std::optional<RayHit>> World::castRay(Vec3 origin, Vec3 direction, double
                                              std::uint32_t mask) const {
   const Impl& w = *impl_;
   Checks check;
-  check.vector("origin", origin, 1e7);
+  check.vector("origin", origin, limits::kLargestReach);
   double largest = std::max({std::fabs(direction.x), std::fabs(direction.y), std::fabs(direction.z)});
   check.condition(isFinite(direction) && largest > 1e-12, "direction: found zero or not finite, expected a direction");
-  check.range("maxDistance", maxDistance, 0, 1e7);
+  check.range("maxDistance", maxDistance, 0, limits::kLargestReach);
   if (check.failed()) return check.error();
   direction = normalized(direction * (1 / largest));  // first to about one: its square must not overflow
   std::optional<RayHit> best;
@@ -57,11 +57,11 @@ std::vector<BodyIndex> bodiesNear(const BroadPhase& broadPhase, const ShapeSet& 
 Result<std::vector<BodyId>> World::overlapBox(const Aabb& box, std::uint32_t mask) const {
   const Impl& w = *impl_;
   Checks check;
-  check.vector("box.lower", box.lower, 1e7);
-  check.vector("box.upper", box.upper, 1e7);
-  check.range("box.lower.x", box.lower.x, -1e7, box.upper.x);
-  check.range("box.lower.y", box.lower.y, -1e7, box.upper.y);
-  check.range("box.lower.z", box.lower.z, -1e7, box.upper.z);
+  check.vector("box.lower", box.lower, limits::kLargestReach);
+  check.vector("box.upper", box.upper, limits::kLargestReach);
+  check.range("box.lower.x", box.lower.x, -limits::kLargestReach, box.upper.x);
+  check.range("box.lower.y", box.lower.y, -limits::kLargestReach, box.upper.y);
+  check.range("box.lower.z", box.lower.z, -limits::kLargestReach, box.upper.z);
   if (check.failed()) return check.error();
   Shape region;
   region.halfExtents = max((box.upper - box.lower) * 0.5, Vec3{1e-9, 1e-9, 1e-9});
@@ -78,8 +78,8 @@ Result<std::vector<BodyId>> World::overlapBox(const Aabb& box, std::uint32_t mas
 Result<std::vector<BodyId>> World::overlapSphere(Vec3 centre, double radius, std::uint32_t mask) const {
   const Impl& w = *impl_;
   Checks check;
-  check.vector("centre", centre, 1e7);
-  check.range("radius", radius, 0, 1e7);
+  check.vector("centre", centre, limits::kLargestReach);
+  check.range("radius", radius, 0, limits::kLargestReach);
   if (check.failed()) return check.error();
   auto touches = [&](std::uint32_t shape) {
     Vec3 local = transformPoint(inverse(w.shapes.worldPose(shape, w.bodies)), centre);
@@ -94,8 +94,8 @@ Result<std::vector<BodyId>> World::overlapSphere(Vec3 centre, double radius, std
 Result<std::optional<ClosestResult>> World::closest(Vec3 point, double maxDistance, std::uint32_t mask) const {
   const Impl& w = *impl_;
   Checks check;
-  check.vector("point", point, 1e7);
-  check.range("maxDistance", maxDistance, 0, 1e7);
+  check.vector("point", point, limits::kLargestReach);
+  check.range("maxDistance", maxDistance, 0, limits::kLargestReach);
   if (check.failed()) return check.error();
   std::optional<ClosestResult> best;
   w.broadPhase->query(grown({point, point}, maxDistance), [&](std::uint32_t shape) {

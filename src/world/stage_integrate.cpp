@@ -1,15 +1,13 @@
 // New poses and velocities. Whatever became non-finite is quarantined here: held where it was, out of all contacts.
 #include <cmath>
 
+#include "brickfall/limits.h"
 #include "solver/store.h"
 #include "world/world_impl.h"
 
 namespace brickfall {
 
 namespace {
-
-constexpr double kLargestCoordinate = 1e7;  // m: a body beyond is lost, as one that became non-finite
-constexpr double kLargestSpeed = 1e6;  // m/s and rad/s: ten times what setters allow; only absurd forces lead there
 
 // Applies the solved motion. Returns false, and leaves the motion as it was, if the result is not sane.
 bool move(BodyIndex body, BodySet& bodies, const StepContext& context) {
@@ -33,8 +31,8 @@ bool move(BodyIndex body, BodySet& bodies, const StepContext& context) {
 
 bool isSane(const BodyMotion& m) {
   return isFinite(m.position) && isFinite(m.rotation) && isFinite(m.linearVelocity) && isFinite(m.angularVelocity) &&
-         std::fabs(m.position.x) < kLargestCoordinate && std::fabs(m.position.y) < kLargestCoordinate &&
-         std::fabs(m.position.z) < kLargestCoordinate;
+         std::fabs(m.position.x) < lost::kDistance && std::fabs(m.position.y) < lost::kDistance &&
+         std::fabs(m.position.z) < lost::kDistance;
 }
 
 // A body that its forces or impulses would make absurdly fast is taken out before it can spoil the sums of its island.
@@ -46,7 +44,7 @@ void World::Impl::quarantineAbsurd() {
     Vec3 velocity = m.linearVelocity + data.force * (bodies.mass[body].invMass * context.dt);
     Vec3 spin = m.angularVelocity;
     if (!(data.torque == Vec3{})) spin += bodies.worldInvInertia(body) * data.torque * context.dt;
-    bool fine = length(velocity) < kLargestSpeed && length(spin) < kLargestSpeed;  // false for NaN
+    bool fine = length(velocity) < lost::kSpeed && length(spin) < lost::kSpeed;  // false for NaN
     if (!fine) quarantine(body);
   }
   for (BodyIndex body : pendingQuarantine) isolate(body);

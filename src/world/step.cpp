@@ -4,6 +4,7 @@
 #include <iterator>
 #include <string>
 
+#include "brickfall/limits.h"
 #include "world/world_impl.h"
 
 namespace brickfall {
@@ -78,9 +79,9 @@ void World::trace(const TraceOptions& options) {
 }
 
 Result<StepReport> World::step(double dt, int substeps) {
-  if (!(dt >= 1e-5 && dt <= 0.1))
+  if (!(dt >= limits::kShortestTimeStep && dt <= limits::kLongestTimeStep))
     return Error{ErrorCode::invalidArgument, "dt: found " + std::to_string(dt) + " s, expected 0.00001 .. 0.1 s"};
-  if (!(substeps >= 1 && substeps <= 64))
+  if (!(substeps >= 1 && substeps <= limits::kMostSubsteps))
     return Error{ErrorCode::invalidArgument, "substeps: found " + std::to_string(substeps) + ", expected 1 .. 64"};
   Impl& w = *impl_;
   if (Status open = w.openForChange("step"); !open) return open.error();

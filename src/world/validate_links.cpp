@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "brickfall/limits.h"
 #include "world/world_impl.h"
 
 namespace brickfall {
@@ -217,7 +218,8 @@ class World::Impl::LinkChecks {
     for (const BodyPair& pair : touching)
       expect(pair.first < pair.second && w_.bodies.alive(pair.first) && w_.bodies.alive(pair.second),
              "touching: a body that is not there");
-    expect(w_.time >= 0 && std::isfinite(w_.time) && w_.lastDt >= 0 && w_.lastDt <= 0.1, "time: out of range");
+    expect(w_.time >= 0 && std::isfinite(w_.time) && w_.lastDt >= 0 && w_.lastDt <= limits::kLongestTimeStep,
+           "time: out of range");
   }
 
   const World::Impl& w_;
