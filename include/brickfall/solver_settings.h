@@ -6,19 +6,32 @@ namespace brickfall {
 // Everything that tunes the contact solver. The defaults are those under which all figures in docs were measured; each
 // trades honesty, stiffness and cost (docs/step.md). Stiffness unit u = mEff / dt^2, mEff = 1 / (1/mA + 1/mB).
 struct SolverSettings {
-  double restingStiffness = 1000;     // u, 10 .. 1e5: elastic sag ~ 1/this; stiffer converges later when disturbed
-  double impactStiffness = 30;        // u, 1 .. restingStiffness: of a point born in an impact
+  //! u | too small: walls sag (40 courses: 0.6 mm, proportional to 1 / this)
+  //! | too large: disturbed walls converge later: more visits
+  double restingStiffness = 1000;  // u, 10 .. 1e5: elastic sag ~ 1/this; stiffer converges later when disturbed
+  //! u | too small: deep overlap in hits | too large: a hit is one hard blow; more of the wall is shaken
+  double impactStiffness = 30;  // u, 1 .. restingStiffness: of a point born in an impact
+  //! m/s | too small: settling bricks count as impacts: soft, plastic
+  //! | too large: real impacts are stiff from the start
   double restingApproachSpeed = 0.3;  // m/s: contacts born slower are resting, not impacts
+  //! m | too small: points come too late: fast bodies overlap first | too large: more points that carry nothing
   double contactMargin = 0.010;  // m: contacts are made this early (plus approach x dt); for small bodies 0.3 of the
                                  // smaller one's inner radius
+  //! m/s | too small: heaps chatter | too large: bounces end early (a body alone goes on to g h)
   double restitutionSpeed = 1;  // m/s, >= 0: slower impacts do not rebound; for a body alone on something fixed at most
                                 // gravity x dt. Smaller: heaps chatter longer before they rest
-  double restSpeed = 1e-2;      // m/s: only islands slower than this may be stopped or put to rest
+  //! m/s | too small: walls sway for seconds after a hit | too large: what begins to fall slowly may be stopped
+  double restSpeed = 1e-2;  // m/s: only islands slower than this may be stopped or put to rest
+  //! weights | too small: float noise keeps walls awake | too large: slow topples are held
   double restTolerance = 1e-3;  // residual / weight accepted as "nothing moves"
+  //! weights | too small: more cycles | too large: the left-over error moves bodies
   double cycleTolerance = 1e-2;  // rms residual / weight at which a moving island is done
-  int minCycles = 4;             // 1 .. 64: fewer glue bodies in place (they hang in the air)
-  int maxCycles = 8;             // minCycles .. 256, islands of 80 bodies and more
-  int maxCyclesSmall = 64;       // the same for the smallest islands (640 / bodies, clamped)
+  //! - | too small: 2 hang bodies in the air (`topple` stays up) | too large: cost
+  int minCycles = 4;  // 1 .. 64: fewer glue bodies in place (they hang in the air)
+  //! - | too small: slow collapses come late | too large: cost of hits
+  int maxCycles = 8;  // minCycles .. 256, islands of 80 bodies and more
+  //! - | too small: debris of 13 to 80 bodies, fast or in flight, stays unbalanced | too large: its cost
+  int maxCyclesSmall = 64;  // the same for the smallest islands (640 / bodies, clamped)
 };
 
 }  // namespace brickfall

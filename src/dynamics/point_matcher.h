@@ -6,8 +6,9 @@
 
 namespace brickfall {
 
-// m: an old point this near may hand its memory to a new one.
-constexpr double kMatchDistance = 0.02;
+//! m | too small: a sliding or rocking contact forgets its force: bodies sink for a step
+//! | too large: a point takes over the force of another one
+constexpr double kMatchDistance = 0.02;  // m: an old point this near may hand its memory to a new one
 
 class PointMatcher {
  public:

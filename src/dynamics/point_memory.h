@@ -58,6 +58,7 @@ template <class Memory, class Visitor> void eachField(Memory& m, Visitor&& visit
 
 // Limits of what is sound: beyond anything that bodies within theirs can cause, and far enough from the largest float for the
 // sums and products of a step.
+//! not of the method: what a snapshot may say
 constexpr float kLargestPointLength = 1e7f;     // m
 constexpr float kLargestPointForce = 1e28f;     // N, N/m
 constexpr float kLeastPointStiffness = 1e-20f;  // N/m, but for 0

@@ -9,6 +9,7 @@ namespace brickfall {
 
 namespace {
 
+//! rad | too small: cost | too large: energy of a spinning brick drifts
 constexpr double kTurnPerSubstep = 0.1;                  // rad: energy error of a substep ~ its fourth power
 constexpr double kSuzukiShare = 0.41449077179437571194;  // 1 / (4 - 4^(1/3))
 constexpr double kSuzuki[] = {kSuzukiShare, kSuzukiShare, 1 - 4 * kSuzukiShare, kSuzukiShare, kSuzukiShare};

@@ -15,9 +15,15 @@ namespace brickfall {
 namespace {
 
 // Half of all solves are done after 6 steps, 99 % after 56, all (but for rounding) after 88: scene `wall`, its rubble.
+//! - | too small: rubble is left with many weights unbalanced | too large: cost of rubble
 constexpr int kDirectSteps = 100;
-constexpr int kTightSteps = 24;   // then ten times the residual is good enough: near it, floats round
-constexpr int kBoundSteps = 6;    // friction bounds of new points follow for so many steps, then they are frozen
+//! - | with kDirectSteps
+constexpr int kTightSteps = 24;  // then ten times the residual is good enough: near it, floats round
+//! - | too small: new points slide under bounds that are not theirs
+//! | too large: bounds and forces may chase each other, and no step is the last
+constexpr int kBoundSteps = 6;  // friction bounds of new points follow for so many steps, then they are frozen
+//! - | too small: steps end short of their minimum: more of them
+//! | too large: cost where float rounding hides the minimum
 constexpr int kSearchSteps = 30;  // evaluations along a step
 
 using Block = double[6][6];

@@ -9,8 +9,10 @@ namespace brickfall {
 
 namespace {
 
+//! - | too small: rounding of the float solve is taken for a gain | too large: energy may creep up
 constexpr double kRelativeSlack = 1e-7;  // of the kinetic energy: rounding of the float solve
-constexpr double kSlackPerMass = 1e-7;   // J/kg: a lift of 0.01 micrometres
+//! J/kg | with kRelativeSlack
+constexpr double kSlackPerMass = 1e-7;  // J/kg: a lift of 0.01 micrometres
 
 // Orientation at the end of the step: the momentum stays, the body turns under it, and its inertia with it.
 Mat3 orientationAtEnd(const StepContext& context, BodyIndex body) {

@@ -15,8 +15,11 @@ namespace brickfall {
 
 namespace {
 
+//! g h | too small: slides and rolls lose half a step of way
+//! | too large: bodies that land or leave get a correction that is not theirs
 constexpr double kSteadyShare = 0.2;  // of g dt: change of a normal velocity that still counts as none
-constexpr double kTurnShare = 1e-3;   // of the way: how far a slide may turn the surface out of its plane
+//! of the way | with kSteadyShare
+constexpr double kTurnShare = 1e-3;  // of the way: how far a slide may turn the surface out of its plane
 
 // All points that carry force neither land nor leave in this step, and there is one.
 bool steadyContacts(const Island& island, const StepContext& context, Vec3 moveChange, Vec3 turnChange) {

@@ -9,11 +9,13 @@ namespace brickfall {
 
 namespace {
 
+//! m/s | too small: late collapses | too large: cost
 constexpr double kDirectSpeed = 1;  // m/s: grounded islands of dozens of bodies are solved directly if none is faster
 
 // Small islands are cheap: they take exact steps, since open points counted as closed delay their collapses, and are
 // stiffer when calm, since they converge all the same. Larger ones would lose walls by it. A body alone: its cycle is the
 // whole Newton step.
+//! not of the method: docs/step.md prints the table
 constexpr std::size_t kAny = std::size_t(-1);
 constexpr PlanRow kRows[] = {
     {"one body", 1, false, true, 10, false},

@@ -65,6 +65,7 @@ void findApproach(const ContactRecord& r, const Contact& c, const BodySet& bodie
 }
 
 // Of the full stiffness of an island: what is as stiff as this counts as at it, whatever the rounding.
+//! - | too small: what is nearly at its full stiffness stays softer | too large: rounding takes points through the end of an impact
 constexpr float kFullShare = 0.99f;
 
 struct StiffnessScale {

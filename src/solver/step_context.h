@@ -11,23 +11,42 @@
 namespace brickfall {
 
 // Constants of the method; solver.md's recipe in numbers. What users may change is in SolverSettings.
+//! m/s2 | too small: weights are light, so residuals look large: walls stay awake | too large: slow topples are held
 constexpr double kReferenceGravity = 9.81;  // m/s2: weight by which residuals are judged, whatever the scene's gravity
-constexpr float kCorrect = 0.5f;            // 1 - alpha: share of an old gap or drift that a step corrects
-constexpr float kHeldShare = 0.5f;          // ld: share of the last force held as multiplier
-constexpr float kHeldGrowth = 2;            // a held force grows to at most this x the held one ...
-constexpr float kHeldWeights = 5;           // ... plus this many effective weights per step
-constexpr float kOffsetKept = 0.9f;         // of the plastic offset, per step
-constexpr float kLargestDrift = 1e-3f;      // m: an anchor further away is placed anew
-constexpr float kNearContact = 5e-3f;       // m: open points nearer than this stay in the Newton matrix
-constexpr double kCalmShare = 0.1;      // of g dt, added to the rest speed: an island no faster settles
+//! - | too small: gaps and drifts of the last step are corrected more slowly
+//! | too large: oscillation from step to step
+constexpr float kCorrect = 0.5f;  // 1 - alpha: share of an old gap or drift that a step corrects
+//! - | too small: loads are carried by overlap: walls sag further | too large: oscillation from step to step
+constexpr float kHeldShare = 0.5f;  // ld: share of the last force held as multiplier
+//! - | too small: loads build up over many steps | too large: an impact's force acts twice
+constexpr float kHeldGrowth = 2;  // a held force grows to at most this x the held one ...
+//! mEff g | with kHeldGrowth
+constexpr float kHeldWeights = 5;  // ... plus this many effective weights per step
+//! - | too small: overlap from a landing is released at once, as a rebound | too large: it stays for long
+constexpr float kOffsetKept = 0.9f;  // of the plastic offset, per step
+//! m | too small: anchors are placed anew while they stick: creep | too large: old forces come back after a slide
+constexpr float kLargestDrift = 1e-3f;  // m: an anchor further away is placed anew
+//! m | too small: steps run through open points | too large: short steps: late collapses
+constexpr float kNearContact = 5e-3f;  // m: open points nearer than this stay in the Newton matrix
+//! g h | too small: overhangs of 99 % fall | too large: float noise moves sliding bodies
+constexpr double kCalmShare = 0.1;  // of g dt, added to the rest speed: an island no faster settles
+//! - | too small: sliding groups stay unbalanced | too large: cost
 constexpr int kLineSearchSteps = 8;
+//! - | too small: a block just past its balance can hang (seen with 8) | too large: cost of small islands
 constexpr int kLineSearchStepsExact = 16;  // in exact steps: sticking is a very narrow range of motion to find
-constexpr double kSlowTolerance = 5e-4;    // worst residual / weight at which a slow island's cycles stop
+//! weights | too small: cost | too large: islands repeat an error for ever and do not rest
+constexpr double kSlowTolerance = 5e-4;  // worst residual / weight at which a slow island's cycles stop
+//! - | too small: slow islands keep their last error and do not rest | too large: cost
 constexpr int kMaxCyclesSlow = 16;
-constexpr double kHeldMove = 25e-6;   // m: a slow island of which no point strays further than this from its place
-constexpr double kHeldTime = 0.5;     // s: during this time counts as at rest; an acceleration of 2e-5 g goes further
-constexpr int kWeakHold = 3;          // steps a joint stays weak after it last looked weak
+//! m | too small: walls with points at an edge never rest | too large: a very slow start of a fall is stopped
+constexpr double kHeldMove = 25e-6;  // m: a slow island of which no point strays further than this from its place
+//! s | too small: a very slow start of a fall is stopped | too large: walls with points at an edge rest late
+constexpr double kHeldTime = 0.5;  // s: during this time counts as at rest; an acceleration of 2e-5 g goes further
+//! steps | too small: hierarchies are rebuilt all the time | too large: walls are solved by mechanism for longer
+constexpr int kWeakHold = 3;  // steps a joint stays weak after it last looked weak
+//! rad | too small: fast spins reach contacts too weakly | too large: rebounds at high speed explode
 constexpr double kLargestTurn = 0.5;  // rad per step of a body in contact: arms are frozen during a step
+//! - | too small: walls take rebounds unevenly | too large: cost
 constexpr int kRestitutionSweeps = 200;
 
 // Motion of a body in this step if nothing touched it.

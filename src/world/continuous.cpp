@@ -19,10 +19,17 @@ namespace brickfall {
 
 namespace {
 
-constexpr double kFarHeavier = 30;   // times the mass
+//! times the mass | too small: a body goes on through what is only a little lighter
+//! | too large: bricks pressed into a wrecking ball hold it in the air
+constexpr double kFarHeavier = 30;  // times the mass
+//! inner radii | too small: cores slip through what is thinner than they
+//! | too large: bodies in contact stop each other in their ordinary overlap
 constexpr double kCoreShare = 0.25;  // of a shape's inner radius
-constexpr int kHalvings = 6;         // of a way that turned out to end inside
-constexpr double kChord = 0.1;       // rad: arcs are looked at as straight in parts of this
+//! - | too small: a turning body stops earlier than it need | too large: cost
+constexpr int kHalvings = 6;  // of a way that turned out to end inside
+//! rad | too small: cost | too large: an arc passes over a thin corner between two chords
+constexpr double kChord = 0.1;  // rad: arcs are looked at as straight in parts of this
+//! - | too small: chords of fast spins get long | too large: cost of fast spins
 constexpr int kMostChords = 32;
 
 struct Sweep {

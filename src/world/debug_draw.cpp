@@ -5,6 +5,7 @@ namespace brickfall {
 
 namespace {
 
+//! not of the method: drawing
 constexpr std::uint32_t kFixedColour = 0x808080, kAwakeColour = 0xD08050, kAsleepColour = 0x5070A0,
                         kQuarantineColour = 0xFF00FF, kVelocityColour = 0x40C040;
 

@@ -16,6 +16,7 @@ namespace brickfall {
 
 namespace {
 
+//! not of the method: the file's
 constexpr std::uint64_t kMagic = 0x30504e5346424b42ull;
 constexpr std::uint32_t kLayout = 6;
 
@@ -27,6 +28,7 @@ struct Header {
 };
 
 // Fewest bytes of an item: a forged count can't claim much more memory than the snapshot has.
+//! not of the method: the file's
 constexpr std::size_t kLeastSlot = 3, kLeastLevel = 32, kLeastIsland = 140;
 
 std::uint64_t hashOf(std::span<const std::byte> bytes) {

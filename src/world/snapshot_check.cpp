@@ -9,6 +9,7 @@ namespace brickfall {
 
 namespace {
 
+//! not of the method: what a snapshot may say
 constexpr double kFarthest = 1e9;        // m: a moving platform may have gone this far
 constexpr double kLargestBounds = 2e30;  // m: those of a plane are 1e30
 

@@ -12,9 +12,12 @@ namespace brickfall {
 
 namespace {
 
+//! m | too small: manifolds made anew for nothing | too large: frozen normals and arms are wrong
 constexpr double kReusePosition = 1e-4;  // m: relative motion since the manifold was made under which it is kept,
-constexpr double kReuseTurn = 5e-4;      // rad,
-constexpr double kReuseStep = 1e-3;      // m, and relative motion expected in the coming step
+//! rad | with kReusePosition
+constexpr double kReuseTurn = 5e-4;  // rad,
+//! m a step | with kReusePosition
+constexpr double kReuseStep = 1e-3;  // m, and relative motion expected in the coming step
 
 struct PairView {
   const ShapeData& a;

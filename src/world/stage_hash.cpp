@@ -173,7 +173,7 @@ void World::Impl::hashStage(std::optional<Stage> stage) {
       });
       break;
     case Stage::rest:
-      eachIsland(islands.awake, [](Mix& h, const Island& i) { h(i.plan.slow, int(i.ending)); });
+      eachIsland(islands.awake, [](Mix& h, const Island& i) { h(!i.settled() && i.plan.slow, int(i.ending)); });
       break;
     case Stage::solve:
       for (const auto& island : islands.awake) {

@@ -7,7 +7,10 @@ namespace brickfall {
 
 namespace {
 
-constexpr double kKeptSlack = 0.3;      // of a shape's inner radius: kept bounds are this much larger than they need be
+//! inner radii | too small: bounds are made anew in most steps of a slow body
+//! | too large: more candidate pairs that never touch
+constexpr double kKeptSlack = 0.3;  // of a shape's inner radius: kept bounds are this much larger than they need be
+//! m | with kKeptSlack
 constexpr double kLargestSlack = 0.02;  // m
 
 }  // namespace

@@ -12,6 +12,7 @@ namespace brickfall {
 
 namespace {
 
+//! not of the method: room
 constexpr std::size_t kPoolPerBody = 12 * 1024;  // bytes
 constexpr std::size_t kPoolPerBodyBeyond = 2 * 1024, kManyBodies = 10000;
 constexpr std::size_t kTouchingPerBody = 4;

@@ -4,6 +4,7 @@
 #pragma once
 #include <cmath>
 #include <cstdlib>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -183,12 +184,9 @@ class Builder {
 
 inline bool startsWith(const std::string& text, const char* prefix) { return text.rfind(prefix, 0) == 0; }
 
-// Names: w10 w40 w100 pyr col ball hit hitvN wall_hit holeN hit0 fall drop stop incN corN topple bounce bouncing tumble
-// row. Ends the program on an unknown name.
-inline Scene make(const std::string& name, const Options& o = {}) {
+// Walls and piles that stand: w10 w40 w100 pyr col.
+inline std::optional<Scene> standing(const std::string& name, const Options& o) {
   Builder b(name, o);
-  double middle40 = 25 * kBrickLength / 2;
-  auto number = [&](std::size_t from) { return std::atof(name.c_str() + from); };
   if (name == "w10") {
     b.open();
     b.addWall(10, 10);
@@ -216,6 +214,14 @@ inline Scene make(const std::string& name, const Options& o = {}) {
     b.box({.5, .5, .5}, {0, 10.5, 0}, 1e6);
     return b.take(20);
   }
+  return std::nullopt;
+}
+
+// Walls that are hit, or fall: ball hit hitvN wall_hit holeN hit0 fall drop.
+inline std::optional<Scene> hit(const std::string& name, const Options& o) {
+  Builder b(name, o);
+  double middle40 = 25 * kBrickLength / 2;
+  auto number = [&](std::size_t from) { return std::atof(name.c_str() + from); };
   if (name == "ball") {
     b.open();
     b.addWall(40, 25);
@@ -253,6 +259,13 @@ inline Scene make(const std::string& name, const Options& o = {}) {
     b.addWall(10, 10, name == "fall" ? 5 : 0.5);
     return b.take(name == "fall" ? 0.5 : 5);
   }
+  return std::nullopt;
+}
+
+// A few bodies: stop incN corN topple bounce bouncing tumble row.
+inline std::optional<Scene> few(const std::string& name, const Options& o) {
+  Builder b(name, o);
+  auto number = [&](std::size_t from) { return std::atof(name.c_str() + from); };
   if (name == "stop") {
     b.open();
     b.box({.25, .1, .25}, {0, 0.1, 0}, 1000, kFriction, {}, {3, 0, 0});
@@ -301,6 +314,13 @@ inline Scene make(const std::string& name, const Options& o = {}) {
     for (int i = 0; i < 4; i++) b.sphere(0.05, 7800, {0, 0, -0.1 * i}, {});
     return b.take(0.3);
   }
+  return std::nullopt;
+}
+
+// Ends the program on an unknown name.
+inline Scene make(const std::string& name, const Options& o = {}) {
+  for (auto family : {standing, hit, few})
+    if (std::optional<Scene> scene = family(name, o)) return std::move(*scene);
   std::abort();
 }
 

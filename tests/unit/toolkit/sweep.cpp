@@ -151,6 +151,42 @@ double nearest(Vec3 p, const std::vector<Vec3>& set) {
   return best;
 }
 
+// The set of contact points of a hit: on both boxes, under a normal that separates them and, where all of the set is known, whole.
+template <class T, class Wrong>
+void lookAtContact(const ObbContactSetT<T>& contact, const SlowBox& slowA, const SlowBox& slowB, Family family,
+                   double size, double slack, MotionCounts& counts, Wrong wrong) {
+  counts.estimated += contact.estimated, counts.byTable += contact.byTable;
+  (contact.unique ? counts.unique : counts.sets)++;
+  double outside = 0;
+  for (int k = 0; k < contact.count; k++) {
+    Vec3 p = exactly(contact.points[std::size_t(k)].position);
+    for (const SlowBox* s : {&slowA, &slowB}) {
+      Vec3 local = abs(toLocal(s->box, p)) - s->box.halfExtents;
+      outside = std::max({outside, local.x, local.y, local.z});
+    }
+  }
+  counts.worstPoint = std::max(counts.worstPoint, outside / size);
+  if (outside > 10 * slack) wrong("contact point outside");
+  double high = 0, low = 0;
+  Vec3 n = exactly(contact.normal);
+  for (int k = 0; k < 3; k++) {
+    high += std::fabs(dot(n, slowA.box.axes.row[k])) * slowA.box.halfExtents[k];
+    low -= std::fabs(dot(n, slowB.box.axes.row[k])) * slowB.box.halfExtents[k];
+  }
+  low += dot(n, slowB.box.centre - slowA.box.centre);
+  if (std::fabs(low - high) > 10 * slack) wrong("normal does not separate the boxes at contact");
+  // Exactly level faces and edges, where all of the set is known.
+  bool level = family == Family::aligned || family == Family::sharedNormal || family == Family::sharedEdge;
+  if (level && std::is_same_v<T, double>) {
+    std::vector<Vec3> slow = slowContact(slowA, slowB, 1e-9 * size), ours;
+    for (int k = 0; k < contact.count; k++) ours.push_back(exactly(contact.points[std::size_t(k)].position));
+    double apart = 0;
+    for (Vec3 p : ours) apart = std::max(apart, nearest(p, slow));
+    for (Vec3 p : slow) apart = std::max(apart, nearest(p, ours));
+    if (apart > 1e-5 * size) wrong("contact set differs from corners and crossings");
+  }
+}
+
 template <class T> void lookAtMotion(const FamilyPair& pair, Family family, MotionCounts& counts) {
   using Limit = Tolerances<T>;
   const ObbMotionT<T> motion = as<T>(pair.motion);
@@ -201,38 +237,7 @@ template <class T> void lookAtMotion(const FamilyPair& pair, Family family, Moti
   // Before it they are apart: deep inside by then would have been seen.
   double before = std::max(0.0, time - 10 * slack / speed);
   if (-slowGap(slowA, SlowBox(boxAt(before))) > slack) wrong("touching before the time of contact");
-
-  const ObbContactSetT<T>& contact = result->contact;
-  counts.estimated += contact.estimated, counts.byTable += contact.byTable;
-  (contact.unique ? counts.unique : counts.sets)++;
-  double outside = 0;
-  for (int k = 0; k < contact.count; k++) {
-    Vec3 p = exactly(contact.points[std::size_t(k)].position);
-    for (const SlowBox* s : {&slowA, &slowB}) {
-      Vec3 local = abs(toLocal(s->box, p)) - s->box.halfExtents;
-      outside = std::max({outside, local.x, local.y, local.z});
-    }
-  }
-  counts.worstPoint = std::max(counts.worstPoint, outside / size);
-  if (outside > 10 * slack) wrong("contact point outside");
-  double high = 0, low = 0;
-  Vec3 n = exactly(contact.normal);
-  for (int k = 0; k < 3; k++) {
-    high += std::fabs(dot(n, slowA.box.axes.row[k])) * slowA.box.halfExtents[k];
-    low -= std::fabs(dot(n, slowB.box.axes.row[k])) * slowB.box.halfExtents[k];
-  }
-  low += dot(n, slowB.box.centre - slowA.box.centre);
-  if (std::fabs(low - high) > 10 * slack) wrong("normal does not separate the boxes at contact");
-  // Exactly level faces and edges, where all of the set is known.
-  bool level = family == Family::aligned || family == Family::sharedNormal || family == Family::sharedEdge;
-  if (level && std::is_same_v<T, double>) {
-    std::vector<Vec3> slow = slowContact(slowA, slowB, 1e-9 * size), ours;
-    for (int k = 0; k < contact.count; k++) ours.push_back(exactly(contact.points[std::size_t(k)].position));
-    double apart = 0;
-    for (Vec3 p : ours) apart = std::max(apart, nearest(p, slow));
-    for (Vec3 p : slow) apart = std::max(apart, nearest(p, ours));
-    if (apart > 1e-5 * size) wrong("contact set differs from corners and crossings");
-  }
+  lookAtContact(result->contact, slowA, slowB, family, size, slack, counts, wrong);
 }
 
 template <class T> void firstContacts(int count, const char* name) {

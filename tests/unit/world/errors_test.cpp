@@ -41,14 +41,14 @@ ShapeDef roundHull(int count) {
   return s;
 }
 
-TEST(Errors, BodyDefinitionsNameTheirBadField) {
-  World3 w;
-  std::uint64_t before = w.world.stateHash();
-  struct Case {
-    const char* field;
-    std::function<void(BodyDef&)> spoil;
-  };
-  std::vector<Case> cases = {
+// What makes a definition bad, and the field that the error must name.
+struct SpoiledBody {
+  const char* field;
+  std::function<void(BodyDef&)> spoil;
+};
+
+std::vector<SpoiledBody> spoiledForms() {
+  return {
       {"shapes", [](BodyDef& d) { d.shapes.clear(); }},
       {"shapes", [](BodyDef& d) { d.shapes.resize(5000, d.shapes[0]); }},
       {"type", [](BodyDef& d) { d.type = BodyType(17); }},
@@ -98,6 +98,10 @@ TEST(Errors, BodyDefinitionsNameTheirBadField) {
          d.shapes[1].vertices[2].z = kInf;
        }},
   };
+}
+
+std::vector<SpoiledBody> spoiledNumbers() {
+  std::vector<SpoiledBody> cases;
   for (double bad : {kNan, kInf, -kInf, 1e300, -1e300})
     for (int axis = 0; axis < 3; axis++) {
       cases.push_back({"position", [=](BodyDef& d) { d.position[axis] = bad; }});
@@ -122,7 +126,15 @@ TEST(Errors, BodyDefinitionsNameTheirBadField) {
   cases.push_back({"friction", [](BodyDef& d) { d.shapes[0].material.friction = 101; }});
   cases.push_back({"frictionRule", [](BodyDef& d) { d.shapes[0].material.frictionRule = CombineRule(9); }});
   cases.push_back({"restitutionRule", [](BodyDef& d) { d.shapes[0].material.restitutionRule = CombineRule(200); }});
-  for (const Case& c : cases) {
+  return cases;
+}
+
+TEST(Errors, BodyDefinitionsNameTheirBadField) {
+  World3 w;
+  std::uint64_t before = w.world.stateHash();
+  std::vector<SpoiledBody> cases = spoiledForms();
+  for (SpoiledBody& c : spoiledNumbers()) cases.push_back(std::move(c));
+  for (const SpoiledBody& c : cases) {
     BodyDef d = bodyOf(boxOf({0.1, 0.1, 0.1}), {0, 5, 0});
     c.spoil(d);
     Result<BodyId> made = w.world.createBody(d);
