@@ -3,6 +3,8 @@
 BUILD ?= build
 BUILD_TYPE ?= Release
 PREFIX ?= /usr/local
+# For whoever works on it a warning is an error; for whoever only builds it, not.
+TESTED = -DBRICKFALL_TESTS=ON -DBRICKFALL_WERROR=ON
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
 SCENE ?= wall
 
@@ -37,13 +39,13 @@ demo: build
 
 test:
 	@tools/install-dependencies build test
-	@$(CONFIGURE) -DBRICKFALL_TESTS=ON
+	@$(CONFIGURE) $(TESTED)
 	@cmake --build $(BUILD) -j $(JOBS)
 	@ctest --test-dir $(BUILD) --output-on-failure -j $(JOBS)
 
 fuzz:
 	@tools/install-dependencies build test
-	@$(CONFIGURE) -DBRICKFALL_TESTS=ON
+	@$(CONFIGURE) $(TESTED)
 	@cmake --build $(BUILD) -j $(JOBS) --target brickfall_fuzz
 
 # Runs all laws, short and long, and writes docs/validation.md from what they recorded. LAWS='*Row7*' runs some of them; the
@@ -51,7 +53,7 @@ fuzz:
 LAWS ?= *
 validate:
 	@tools/install-dependencies build test
-	@$(CONFIGURE) -DBRICKFALL_TESTS=ON
+	@$(CONFIGURE) $(TESTED)
 	@cmake --build $(BUILD) -j $(JOBS) --target test_law brickfall_validate test_ledger_scenes \
 	  brickfall_validate_solver brickfall_validate_toolkit brickfall_validate_collision brickfall_validate_continuous
 	@JOBS=$(JOBS) tools/validate $(BUILD) '$(LAWS)'
@@ -59,7 +61,7 @@ validate:
 # Results that were meant to change: the table that the tests hold the shipped scenes against.
 golden:
 	@tools/install-dependencies build test
-	@$(CONFIGURE) -DBRICKFALL_TESTS=ON
+	@$(CONFIGURE) $(TESTED)
 	@cmake --build $(BUILD) -j $(JOBS) --target golden_hashes
 	@$(BUILD)/bin/golden_hashes tests/determinism/golden_hashes.txt
 	@git --no-pager diff --stat -- tests/determinism/golden_hashes.txt 2>/dev/null || true
@@ -67,7 +69,7 @@ golden:
 # Every compiler, level of optimisation and instruction set at hand, each a build of its own.
 same-bits:
 	@tools/install-dependencies build test
-	@$(CONFIGURE) -DBRICKFALL_TESTS=ON
+	@$(CONFIGURE) $(TESTED)
 	@cmake --build $(BUILD) --target same_bits
 
 check:

@@ -5,6 +5,13 @@
 add_library(brickfall_options INTERFACE)
 target_compile_options(brickfall_options INTERFACE
   -ffp-contract=off -fno-math-errno -Wall -Wextra -Wshadow -Wno-missing-field-initializers)
+if(BRICKFALL_WERROR)
+  target_compile_options(brickfall_options INTERFACE -Werror)
+  # Under sanitizers g++ can't follow its own instrumentation.
+  if(BRICKFALL_SANITIZE AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    target_compile_options(brickfall_options INTERFACE -Wno-error=maybe-uninitialized -Wno-error=null-dereference)
+  endif()
+endif()
 # g++ 12 fuses pairs of products into vfmaddsub all the same (its vectoriser does not ask -ffp-contract) where the flags of
 # the build, such as -march=native, allow it: the instructions have to go, those of AVX-512 too, which bring their own.
 include(CheckCXXSourceCompiles)

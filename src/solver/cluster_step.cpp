@@ -123,7 +123,8 @@ bool sumBoundary(const Island& island, const Level& level, const Cluster& cluste
     torque += sign * (wide::cross3(arm, w.force) + w.torque);
     nonlinear |= kernel::needsLineSearch(r, f);
     if (island.plan.exactSteps) nonlinear |= kernel::mayClose(r, f, kNearContact);
-    if constexpr (withMatrix) sums.add(kernel::stiffness(r, frame, f, island.plan.exactSteps ? 0.0f : kNearContact), arm);
+    if constexpr (withMatrix)
+      sums.add(kernel::stiffness(r, frame, f, island.plan.exactSteps ? 0.0f : kNearContact), arm);
   }
   return wide::any(nonlinear);
 }

@@ -56,7 +56,7 @@ struct ClusterLink {
 };
 
 struct Hierarchy {
-  bool valid = false;              // built of the island's contacts as they are (by mechanism: of their weak flags, too)
+  bool valid = false;  // built of the island's contacts as they are (by mechanism: of their weak flags, too)
   std::pmr::vector<Level> levels;  // 0 = bodies ... back() = the island
 
   explicit Hierarchy(std::pmr::memory_resource* memory = std::pmr::get_default_resource()) : levels(memory) {}

@@ -44,7 +44,8 @@ BalanceChange impulseOf(const Contact& c, const ContactRecord& r, const BodySet&
   const BodyMotion& partner = bodies.motion[onB ? c.bodyA : c.bodyB];
   double sign = onB ? dt : -dt;
   for (int i = 0; i < c.count; i++) {
-    Vec3 impulse = (n * double(c.points.forceN[i]) + t1 * double(c.points.force1[i]) + t2 * double(c.points.force2[i])) * sign;
+    Vec3 impulse =
+        (n * double(c.points.forceN[i]) + t1 * double(c.points.force1[i]) + t2 * double(c.points.force2[i])) * sign;
     Vec3 point = centre + t1 * double(r.s1[i]) + t2 * double(r.s2[i]);
     Vec3 velocity = partner.linearVelocity + cross(partner.angularVelocity, point - partner.position);
     out += {impulse, cross(point, impulse), dot(impulse, velocity)};

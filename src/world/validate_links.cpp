@@ -155,9 +155,9 @@ class World::Impl::LinkChecks {
       islandOf_[body] = std::uint32_t(islands_.size());
     }
     islands_.push_back(&island);
-    bool fine = island.points >= island.touchingPoints &&
-                island.touchingPoints >= 0 && std::size_t(island.points) <= 4 * island.contacts.size() &&
-                island.heldTime >= 0 && island.restTime >= 0;
+    bool fine = island.points >= island.touchingPoints && island.touchingPoints >= 0 &&
+                std::size_t(island.points) <= 4 * island.contacts.size() && island.heldTime >= 0 &&
+                island.restTime >= 0;
     expect(fine, "islands: a count or a time is wrong");
     for (BodyIndex body : island.partners) expect(!dynamic(body), "islands: a partner is a dynamic body");
     for (std::size_t k = 0; k < island.contacts.size(); k++) {

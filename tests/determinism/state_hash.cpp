@@ -1,6 +1,8 @@
-// Prints the state hash of some scenes: the same bits are expected from every build of the engine.
+// Prints the state hash of some scenes: the same bits are expected from every build of the engine, on any number of threads
+// (the one argument; 1 without it).
 #include <cinttypes>
 #include <cstdio>
+#include <cstdlib>
 
 #include "support/input_list.h"
 #include "support/lab_scenes.h"
@@ -9,11 +11,20 @@ using namespace brickfall;
 
 namespace {
 
+int threads = 1;
+
+World makeWorld() {
+  WorldDef def;
+  def.threads = threads;
+  return std::move(World::create(def)).value();
+}
+
 void print(const char* name, double restitution, double gap, double seconds, double dt) {
   lab::Options o;
   o.restitution = restitution;
   o.gap = gap;
   o.seed = 1;
+  o.threads = threads;
   lab::Scene s = lab::make(name, o);
   for (int n = int(std::lround(seconds / dt)); n > 0; n--)
     if (!s.world.step(dt)) std::printf("a step failed\n");
@@ -23,7 +34,7 @@ void print(const char* name, double restitution, double gap, double seconds, dou
 
 // Every pair of shapes, a kinematic body, and spins.
 void printPile() {
-  World world = std::move(World::create({})).value();
+  World world = makeWorld();
   BodyDef ground;
   ground.type = BodyType::fixed;
   ground.shapes.resize(1);
@@ -53,7 +64,7 @@ void printPile() {
 
 // Calls of every kind between the steps; the hash is over all of them.
 void printInputs(int seed) {
-  World world = std::move(World::create({})).value();
+  World world = makeWorld();
   test::Played played = test::play(test::randomInputs(seed, 120), world);
   std::uint64_t sum = 0;
   for (std::uint64_t hash : played.hashes) sum = sum * 31 + hash;
@@ -62,7 +73,8 @@ void printInputs(int seed) {
 
 }  // namespace
 
-int main() {
+int main(int argc, char** argv) {
+  if (argc > 1) threads = std::atoi(argv[1]);
   print("w10", 0, 0, 0.5, 1.0 / 60);
   print("w10", 0, 0.1e-3, 0.5, 1.0 / 120);
   print("drop", 0.3, 0, 0.7, 1.0 / 60);

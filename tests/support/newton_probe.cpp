@@ -57,7 +57,8 @@ std::uint64_t probeStep(const World& world, double dt, const std::function<void(
   auto& w = inside(copy);
   startStep(w, dt);
   std::vector<Problem> problems;
-  for (auto& island : w.islands.awake) problems.push_back(island->settled() ? Problem{} : problemOf(*island, w.context));
+  for (auto& island : w.islands.awake)
+    problems.push_back(island->settled() ? Problem{} : problemOf(*island, w.context));
   w.checkRest();
   for (std::size_t i = 0; i < problems.size(); i++) {
     Island& island = *w.islands.awake[i];
@@ -90,7 +91,8 @@ ConvergedStep stepConverged(World& world, double dt, double tolerance) {
   auto& w = inside(world);
   startStep(w, dt);
   std::vector<Problem> problems;
-  for (auto& island : w.islands.awake) problems.push_back(island->settled() ? Problem{} : problemOf(*island, w.context));
+  for (auto& island : w.islands.awake)
+    problems.push_back(island->settled() ? Problem{} : problemOf(*island, w.context));
   w.checkRest();
   for (std::size_t i = 0; i < problems.size(); i++) {
     Island& island = *w.islands.awake[i];

@@ -143,6 +143,8 @@ double outside(const Shape& shape, Vec3 p) {
       for (const HullPlane& plane : shape.hull->planes) most = std::max(most, dot(plane.normal, p) - plane.offset);
       return most;
     }
+    case ShapeType::mesh:
+      break;  // not asked here: it is no solid
   }
   return 0;
 }

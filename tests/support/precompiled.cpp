@@ -1,0 +1,2 @@
+// Only there because a precompiled header needs a target (tests/CMakeLists.txt).
+int main() {}
