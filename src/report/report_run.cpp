@@ -146,7 +146,7 @@ Result<ReportRun> ReportRun::create(const ReportSettings& s) {
     return outOfRange("report.impulseFactor", s.impulseFactor, "0 .. 100");
   if (!(s.damping >= 0 && s.damping <= 1e6)) return outOfRange("report.damping", s.damping, "0 .. 1e6");
   if (!(s.sweeps >= 1 && s.sweeps <= 1000)) return outOfRange("report.sweeps", s.sweeps, "1 .. 1000");
-  if (!(int(s.integrator) >= 0 && int(s.integrator) < kIntegratorCount))
+  if (!(int(s.integrator) < kIntegratorCount))
     return outOfRange("report.integrator", int(s.integrator), "an Integrator");
   return ReportRun(std::make_unique<Impl>(s));
 }

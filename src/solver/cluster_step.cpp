@@ -1,13 +1,11 @@
-// One Newton step of a rigid cluster on the contacts of its boundary: the only place where anything is solved.
+// One Newton step of a rigid cluster on the rows of its boundary.
 //
 //   residual  g = sum over bodies (M (dFree - d) / dt^2; its torque)  +  sum over boundary points (F; r x F)
-//   matrix    H = cluster mass and inertia / dt^2  +  sum over boundary contacts of their stiffness, moved to the centre
+//   matrix    H = cluster mass and inertia / dt^2  +  sum over boundary rows of their stiffness, moved to the centre
 //   step      x = H^-1 g, all bodies of the cluster move rigidly by x
-#include <algorithm>
+#include "solver/cluster_step.h"
 
-#include "solver/contact_kernel.h"
-#include "solver/island.h"
-#include "solver/symmetric6.h"
+#include <algorithm>
 
 namespace brickfall {
 
@@ -15,7 +13,7 @@ namespace {
 
 using wide::V;
 
-// The Newton matrix as sums over contacts, by rows of three in four lanes. With a contact's stiffness [A B; B^T C] seen at
+// The Newton matrix as sums over rows, by lines of three in four lanes. With a row's stiffness [A B; B^T C] seen at
 // arm r from the cluster's centre (u = d - [r] th, w = th):
 //   dd: A,   th d: [r] A + B^T,   th th: [r] A [r]^T + [r] B + ([r] B)^T + C.
 // The transposed parts are summed untransposed and turned over once at the end.
@@ -30,7 +28,7 @@ struct MatrixSums {
     out[2] = x * m[1] - y * m[0];
   }
 
-  void add(const kernel::Stiffness& k, V r) {
+  void add(const Stiffness& k, V r) {
     V rA[3], rBk[3];
     crossRows(r, k.A, rA);
     crossRows(r, k.B, rBk);
@@ -79,52 +77,36 @@ void moveCluster(Island& island, const Level& level, const Cluster& cluster, con
   }
 }
 
-// Records lie in pair order, clusters jump about in it.
-void prefetch(const ContactRecord& r) {
-  const char* line = reinterpret_cast<const char*>(&r);
-  for (int i = 0; i < 3; i++) __builtin_prefetch(line + 64 * i);
-}
-
 float power(const Wrench& a, const Wrench& b) { return dot(a.force, b.force) + dot(a.torque, b.torque); }
-
-}  // namespace
-
-Wrench inertiaResidual(const SolveMass& m, const SolveMotion& motion) {
-  Vec3f e = m.dFree - motion.d, t = m.thFree - motion.th;
-  return {e * m.mass,
-          {m.inertia[0] * t.x + m.inertia[1] * t.y + m.inertia[3] * t.z,
-           m.inertia[1] * t.x + m.inertia[2] * t.y + m.inertia[4] * t.z,
-           m.inertia[3] * t.x + m.inertia[4] * t.y + m.inertia[5] * t.z}};
-}
-
-namespace {
 
 template <bool withMatrix>
 bool sumBoundary(const Island& island, const Level& level, const Cluster& cluster, V& force, V& torque,
                  MatrixSums& sums) {
   bool single = cluster.bodyEnd - cluster.bodyBegin == 1;
   const SolveMotion* motion = island.motion.data();
-  const ContactRecord* records = island.records.data();
   const SolveMass* masses = island.masses.data();
+  const bool exact = island.plan.exactSteps;
   V centre = wide::load3(cluster.centre);
   wide::M nonlinear{};
   for (std::uint32_t k = cluster.sideBegin; k < cluster.sideEnd; k++) {
     std::uint32_t side = level.sides[k];
-    const ContactRecord& r = records[side / 2];
-    if (k + 2 < cluster.sideEnd) prefetch(records[level.sides[k + 2] / 2]);
-    wide::M weAreB = wide::M{} - std::int32_t(side & 1);
-    kernel::Frame frame = kernel::frame(r);
-    kernel::PointForces f = kernel::pointForces(r, kernel::pointMotion(r, frame, motion));
-    kernel::WideWrench w = kernel::wrench(r, frame, f);
-    V arm = wide::select(weAreB, frame.armB, frame.armA);
-    if (!single) arm += wide::load3(masses[(side & 1) ? r.bodyB : r.bodyA].position) - centre;
-    V sign = wide::select(weAreB, wide::set(1), wide::set(-1));
-    force += sign * w.force;
-    torque += sign * (wide::cross3(arm, w.force) + w.torque);
-    nonlinear |= kernel::needsLineSearch(r, f);
-    if (island.plan.exactSteps) nonlinear |= kernel::mayClose(r, f, kNearContact);
-    if constexpr (withMatrix)
-      sums.add(kernel::stiffness(r, frame, f, island.plan.exactSteps ? 0.0f : kNearContact), arm);
+    // Rows lie in the order of their pairs, clusters jump about in it.
+    if (k + 2 < cluster.sideEnd)
+      island.rows.at(level.sides[k + 2] / 2, [](const auto& kind, std::uint32_t row) { kind.prefetch(row); });
+    island.rows.at(side / 2, [&](const auto& kind, std::uint32_t row) {
+      wide::M weAreB = wide::M{} - std::int32_t(side & 1);
+      StiffReaction x = kind.template reactStiff<withMatrix>(row, motion, exact);
+      V arm = wide::select(weAreB, x.armB, x.armA);
+      if (!single) {
+        RowEnds ends = kind.ends(row);
+        arm += wide::load3(masses[(side & 1) ? ends.b : ends.a].position) - centre;
+      }
+      V sign = wide::select(weAreB, wide::set(1), wide::set(-1));
+      force += sign * x.force;
+      torque += sign * (wide::cross3(arm, x.force) + x.torque);
+      nonlinear |= x.nonlinear;
+      if constexpr (withMatrix) sums.add(x.stiffness, arm);
+    });
   }
   return wide::any(nonlinear);
 }

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "solver/cluster_step.h"
 #include "solver/direct_solve.h"
+#include "solver/light_pass.h"
 #include "solver/rigid_sum.h"
 
 namespace brickfall {
@@ -36,7 +38,7 @@ void runCycles(Island& island, const StepContext& context, SolveStatistics& stat
       for (const Cluster& cluster : h.levels[l].clusters)
         if (cluster.sideBegin != cluster.sideEnd) clusterStep(island, h.levels[l], cluster, statistics.solveSides);
     statistics.cycles++;
-    lightPass(island, *context.contacts, true, context.dt, statistics.lightVisits);
+    lightPass(island, true, statistics.lightVisits);
     done = cycle + 1 >= island.plan.minCycles && balanced(island, context);
   }
   if (island.plan.direct) done = solveDirectly(island, context, kSlowTolerance, statistics);

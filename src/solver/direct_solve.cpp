@@ -7,8 +7,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
-#include "solver/contact_kernel.h"
+#include "solver/light_pass.h"
 
 namespace brickfall {
 
@@ -110,11 +111,10 @@ class Newton {
     number();
     std::pmr::vector<std::uint32_t> lowest(island.bodies.size(), 0, island.memory);
     for (std::uint32_t k = 0; k < lowest.size(); k++) lowest[k] = k;
-    for (const ContactRecord& r : island.records) {
-      if (!inside(r)) continue;
-      std::uint32_t low = std::min(place_[r.bodyA], place_[r.bodyB]), high = std::max(place_[r.bodyA], place_[r.bodyB]);
+    eachTie([&](std::uint32_t a, std::uint32_t b) {
+      std::uint32_t low = std::min(place_[a], place_[b]), high = std::max(place_[a], place_[b]);
       lowest[high] = std::min(lowest[high], low);
-    }
+    });
     matrix_.shape(lowest);
   }
 
@@ -136,28 +136,30 @@ class Newton {
 
  private:
   double& entry(std::size_t body, int k) { return step_[6 * place_[body] + std::size_t(k)]; }
-  bool inside(const ContactRecord& r) const { return r.bodyA < place_.size() && r.bodyB < place_.size(); }
-  void readForces(bool boundsFollow) {
-    lightPass(island_, *context_.contacts, boundsFollow, context_.dt, statistics_.lightVisits);
+  bool inside(RowEnds ends) const { return ends.a < place_.size() && ends.b < place_.size(); }
+  // visit(a, b) for each row between two bodies of the island.
+  template <class Visit> void eachTie(Visit visit) const {
+    std::as_const(island_.rows).each([&](const auto& kind, std::size_t k) {
+      if (RowEnds ends = kind.ends(k); inside(ends)) visit(ends.a, ends.b);
+    });
   }
+  void readForces(bool boundsFollow) { lightPass(island_, boundsFollow, statistics_.lightVisits); }
 
   // Numbers bodies outwards from one that is far from the others (twice the last of a breadth-first sweep).
   void number() {
     std::size_t n = place_.size();
     std::pmr::vector<std::uint32_t> begin(n + 1, 0, island_.memory), list(island_.memory), order(island_.memory);
-    for (const ContactRecord& r : island_.records)
-      if (inside(r)) {
-        begin[r.bodyA + 1]++;
-        begin[r.bodyB + 1]++;
-      }
+    eachTie([&](std::uint32_t a, std::uint32_t b) {
+      begin[a + 1]++;
+      begin[b + 1]++;
+    });
     for (std::size_t i = 0; i < n; i++) begin[i + 1] += begin[i];
     list.resize(begin[n]);
     std::pmr::vector<std::uint32_t> at(begin.begin(), begin.end() - 1, island_.memory);
-    for (const ContactRecord& r : island_.records)
-      if (inside(r)) {
-        list[at[r.bodyA]++] = r.bodyB;
-        list[at[r.bodyB]++] = r.bodyA;
-      }
+    eachTie([&](std::uint32_t a, std::uint32_t b) {
+      list[at[a]++] = b;
+      list[at[b]++] = a;
+    });
     std::pmr::vector<char> seen(island_.memory);
     for (std::uint32_t sweep = 0, first = 0; sweep < 3; sweep++, first = order.back()) {
       seen.assign(n, 0);
@@ -173,7 +175,7 @@ class Newton {
     for (std::size_t k = 0; k < order.size(); k++) place_[order[k]] = std::uint32_t(n - 1 - k);
   }
 
-  // J(left)^T K J(right) times sign, where J = [1 -[r]; 0 1] gives (u, w) at the contact from a body's (d, th).
+  // J(left)^T K J(right) times sign, where J = [1 -[r]; 0 1] gives (u, w) at the row from a body's (d, th).
   static void congruence(const Block& K, Vec3 left, Vec3 right, double sign, Block& out) {
     for (int i = 0; i < 6; i++) {
       Vec3 d{K[i][0], K[i][1], K[i][2]}, t = Vec3{K[i][3], K[i][4], K[i][5]} + cross(right, d);
@@ -199,13 +201,13 @@ class Newton {
           b[3 + row][3 + column] = b[3 + column][3 + row] = double(m.inertia[at]);
       matrix_.add(place_[i], place_[i], b);
     }
-    for (const ContactRecord& r : island_.records) addContact(r);
+    std::as_const(island_.rows).each([&](const auto& kind, std::size_t k) {
+      addRow(kind.ends(k), kind.template reactStiff<true>(k, island_.motion.data(), true));
+    });
   }
 
-  void addContact(const ContactRecord& r) {
-    kernel::Frame frame = kernel::frame(r);
-    kernel::PointForces f = kernel::pointForces(r, kernel::pointMotion(r, frame, island_.motion.data()));
-    kernel::Stiffness s = kernel::stiffness(r, frame, f, 0);
+  void addRow(RowEnds rowEnds, const StiffReaction& x) {
+    const Stiffness& s = x.stiffness;
     Block K, b;
     for (int i = 0; i < 3; i++)
       for (int j = 0; j < 3; j++) {
@@ -216,13 +218,13 @@ class Newton {
     struct End {
       std::uint32_t body;
       Vec3 arm;
-    } ends[2] = {{r.bodyA, toDouble(r.armA)}, {r.bodyB, toDouble(r.armB)}};
+    } ends[2] = {{rowEnds.a, toDouble(wide::store3(x.armA))}, {rowEnds.b, toDouble(wide::store3(x.armB))}};
     for (const End& end : ends) {
       if (end.body >= place_.size()) continue;
       congruence(K, end.arm, end.arm, 1, b);
       matrix_.add(place_[end.body], place_[end.body], b);
     }
-    if (!inside(r)) return;
+    if (!inside(rowEnds)) return;
     if (place_[ends[0].body] < place_[ends[1].body]) std::swap(ends[0], ends[1]);
     congruence(K, ends[0].arm, ends[1].arm, -1, b);
     matrix_.add(place_[ends[0].body], place_[ends[1].body], b);

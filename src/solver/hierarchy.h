@@ -2,8 +2,8 @@
 // neighbouring clusters, strongest link first, until one is left. What is fixed is never merged.
 //
 // Two hierarchies are used in turn:
-//   by strength    all contacts count, weighted by load: carries loads and moments through long, well-connected walls;
-//   by mechanism   weak contacts (joints that can turn or slide) are merged last, so that a cluster is a part that really
+//   by strength    all rows count, weighted by load: carries loads and moments through long, well-connected walls;
+//   by mechanism   weak rows (ties that can turn or slide) are merged last, so that a cluster is a part that really
 //                  moves rigidly and its boundary is the set of joints of the collapse: slow collapses keep their speed.
 #pragma once
 #include <cstdint>
@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "solver/contact_record.h"
+#include "solver/solve_body.h"
 
 namespace brickfall {
 
@@ -28,7 +28,7 @@ struct Level {
   std::pmr::vector<Cluster> clusters;
   std::pmr::vector<std::uint32_t> clusterOf;  // per body of the island
   std::pmr::vector<std::uint32_t> bodies;     // by cluster
-  std::pmr::vector<std::uint32_t> sides;      // by cluster: boundary contacts, 2 x record + (1 if our body is B)
+  std::pmr::vector<std::uint32_t> sides;      // by cluster: boundary rows, 2 x row + (1 if our body is B)
 
   // A list of levels hands its memory on to them.
   using allocator_type = std::pmr::polymorphic_allocator<std::byte>;
@@ -47,7 +47,13 @@ struct Level {
         sides(std::move(other.sides), from) {}
 };
 
-// A contact as a link between two bodies of the island. Fixed partners: kNoBody.
+// How firmly a row ties its two bodies.
+struct RowTie {
+  float strength = 0;  // > 0
+  bool weak = false;   // can turn or slide
+};
+
+// A row as a link between two bodies of the island. Fixed partners: kNoBody.
 struct ClusterLink {
   static constexpr std::uint32_t kNoBody = 0xffffffffu;
   std::uint32_t bodyA = kNoBody, bodyB = kNoBody;

@@ -1,8 +1,8 @@
 #include "solver/island_builder.h"
 
 #include <algorithm>
-#include <cmath>
 #include <new>
+#include <utility>
 
 #include "base/keep_room.h"
 
@@ -31,19 +31,10 @@ class UnionFind {
   std::pmr::vector<std::uint32_t> parent_;
 };
 
-// A contact's slot may have gone to another contact since: those are marked born.
-bool sameMembers(const Island& old, const Island& fresh, const ContactSet& set) {
-  if (old.bodies != fresh.bodies || old.contacts != fresh.contacts) return false;
-  return std::none_of(fresh.contacts.begin(), fresh.contacts.end(),
-                      [&](ContactIndex c) { return set.contacts[c].born; });
-}
-
-// Partners and the records' body numbers.
+// Partners, and the rows' body numbers.
 void numberBodies(Island& island, const StepContext& context, std::pmr::vector<std::uint32_t>& localOf) {
   const BodySet& bodies = *context.bodies;
   for (std::size_t i = 0; i < island.bodies.size(); i++) localOf[island.bodies[i]] = std::uint32_t(i);
-  island.records.assign(island.contacts.size(), {});
-  island.starts.assign(island.contacts.size(), {});
   island.partners.clear();
   auto number = [&](BodyIndex body) {
     if (bodies.data[body].type == BodyType::dynamic) return localOf[body];
@@ -52,15 +43,7 @@ void numberBodies(Island& island, const StepContext& context, std::pmr::vector<s
     if (place == island.partners.end()) island.partners.push_back(body);
     return std::uint32_t(island.bodies.size() + at);
   };
-  for (std::size_t k = 0; k < island.contacts.size(); k++) {
-    const Contact& c = context.contacts->contacts[island.contacts[k]];
-    ContactRecord& r = island.records[k];
-    r.contact = island.contacts[k];
-    r.bodyA = number(c.bodyA);
-    r.bodyB = number(c.bodyB);
-    context.contacts->contacts[island.contacts[k]].fresh = true;
-    context.contacts->contacts[island.contacts[k]].born = false;
-  }
+  island.rows.eachKind([&](auto& kind) { kind.bind(context, number); });
 }
 
 }  // namespace
@@ -82,22 +65,21 @@ void IslandSet::keepRoom(std::size_t dynamicBodies) {
 
 void buildIslands(IslandSet& islands, const StepContext& context, const std::vector<BodyIndex>& awakeBodies) {
   const BodySet& bodies = *context.bodies;
-  const ContactSet& set = *context.contacts;
+  const LinkSet links(*context.contacts);
   auto dynamic = [&](BodyIndex body) { return bodies.data[body].type == BodyType::dynamic; };
   std::pmr::memory_resource* memory = context.memory;
   UnionFind join(bodies.slots(), memory);
-  std::pmr::vector<char> hasContact(bodies.slots(), 0, memory);
-  for (const CandidatePair& pair : set.pairs) {
-    if (pair.contact == kNoIndex) continue;
-    const Contact& c = set.contacts[pair.contact];
-    bool a = dynamic(c.bodyA), b = dynamic(c.bodyB);
-    if (a) hasContact[c.bodyA] = 1;
-    if (b) hasContact[c.bodyB] = 1;
-    if (a && b) join.join(c.bodyA, c.bodyB);
-  }
+  std::pmr::vector<char> tied(bodies.slots(), 0, memory);
+  links.eachAwake([&](const Link& link) {
+    bool a = dynamic(link.bodyA), b = dynamic(link.bodyB);
+    if (a) tied[link.bodyA] = 1;
+    if (b) tied[link.bodyB] = 1;
+    if (a && b) join.join(link.bodyA, link.bodyB);
+  });
 
   struct Size {
-    std::size_t bodies = 0, contacts = 0;
+    std::size_t bodies = 0;
+    Rows::Counts rows{};
   };
   std::vector<IslandPointer>& fresh = islands.scratch;
   fresh.clear();
@@ -105,7 +87,7 @@ void buildIslands(IslandSet& islands, const StepContext& context, const std::vec
   std::pmr::vector<Size> sizes(memory);
   islands.single.clear();
   for (BodyIndex body : awakeBodies) {
-    if (!hasContact[body]) {
+    if (!tied[body]) {
       islands.single.push_back(body);
       continue;
     }
@@ -117,28 +99,23 @@ void buildIslands(IslandSet& islands, const StepContext& context, const std::vec
     islandOf[body] = islandOf[root];
     sizes[islandOf[body]].bodies++;
   }
-  auto eachContact = [&](auto use) {
-    for (const CandidatePair& pair : set.pairs) {
-      if (pair.contact == kNoIndex) continue;
-      const Contact& c = set.contacts[pair.contact];
-      use(islandOf[dynamic(c.bodyA) ? c.bodyA : c.bodyB], pair.contact);
-    }
-  };
-  eachContact([&](std::uint32_t island, ContactIndex) { sizes[island].contacts++; });
+  auto islandOfLink = [&](const Link& link) { return islandOf[dynamic(link.bodyA) ? link.bodyA : link.bodyB]; };
+  links.eachAwake([&](const Link& link) { sizes[islandOfLink(link)].rows[std::size_t(link.kind)]++; });
   for (const Size& size : sizes) {
     fresh.push_back(makeIsland(memory));
     fresh.back()->bodies.reserve(size.bodies);
-    fresh.back()->contacts.reserve(size.contacts);
+    fresh.back()->rows.reserve(size.rows);
   }
   for (BodyIndex body : awakeBodies)
-    if (hasContact[body]) fresh[islandOf[body]]->bodies.push_back(body);
-  eachContact([&](std::uint32_t island, ContactIndex contact) { fresh[island]->contacts.push_back(contact); });
+    if (tied[body]) fresh[islandOf[body]]->bodies.push_back(body);
+  links.eachAwake([&](const Link& link) { fresh[islandOfLink(link)]->rows.add(link); });
 
   std::pmr::vector<std::uint32_t> localOf(bodies.slots(), kNoIndex, memory);
   std::size_t old = 0;
   for (IslandPointer& island : fresh) {
     while (old < islands.awake.size() && (!islands.awake[old] || islands.awake[old]->key() < island->key())) old++;
-    bool keep = old < islands.awake.size() && islands.awake[old] && sameMembers(*islands.awake[old], *island, set);
+    bool keep = old < islands.awake.size() && islands.awake[old] && islands.awake[old]->bodies == island->bodies &&
+                island->rows.continues(islands.awake[old]->rows, context);
     if (keep)
       island = std::move(islands.awake[old++]);
     else
@@ -148,27 +125,17 @@ void buildIslands(IslandSet& islands, const StepContext& context, const std::vec
   fresh.clear();
 }
 
-std::pmr::vector<ClusterLink> clusterLinks(const Island& island, const ContactSet& contacts) {
-  std::pmr::vector<ClusterLink> links(island.records.size(), island.memory);
-  std::uint32_t bodies = std::uint32_t(island.bodies.size());
-  for (std::size_t k = 0; k < links.size(); k++) {
-    const ContactRecord& r = island.records[k];
-    const Contact& c = contacts.contacts[island.contacts[k]];
-    ClusterLink& link = links[k];
-    link.bodyA = r.bodyA < bodies ? r.bodyA : ClusterLink::kNoBody;
-    link.bodyB = r.bodyB < bodies ? r.bodyB : ClusterLink::kNoBody;
-    link.weak = c.weak;
-    // Each point counts 1, and 100 per effective weight that it carries.
-    for (int i = 0; i < c.count; i++)
-      link.strength += 1 + 100 * std::fabs(c.points.heldN[i]) / (c.effectiveMass * float(kReferenceGravity));
-  }
-  return links;
-}
-
-void updateHierarchies(Island& island, const ContactSet& contacts) {
+void updateHierarchies(Island& island, const StepContext& context) {
   if (island.byStrength.valid && island.byMechanism.valid) return;
-  std::pmr::vector<ClusterLink> links = clusterLinks(island, contacts);
   std::uint32_t bodies = std::uint32_t(island.bodies.size());
+  std::pmr::vector<ClusterLink> links(island.memory);
+  links.reserve(island.rows.size());
+  auto own = [&](std::uint32_t body) { return body < bodies ? body : ClusterLink::kNoBody; };
+  std::as_const(island.rows).each([&](const auto& kind, std::size_t k) {
+    RowEnds ends = kind.ends(k);
+    RowTie tie = kind.tie(k, context);
+    links.push_back({own(ends.a), own(ends.b), tie.strength, tie.weak});
+  });
   if (!island.byStrength.valid) island.byStrength.build(bodies, links, false);
   island.byMechanism.build(bodies, links, true);
   island.byStrength.valid = island.byMechanism.valid = true;

@@ -1,4 +1,4 @@
-// Which bodies hang together: islands from contacts, kept from step to step where nothing changed.
+// Which bodies hang together: islands from what ties them, kept from step to step where nothing changed.
 #pragma once
 #include <memory>
 #include <vector>
@@ -17,19 +17,19 @@ IslandPointer makeIsland(std::pmr::memory_resource* memory);
 struct IslandSet {
   std::vector<IslandPointer> awake;  // by lowest body
   std::vector<IslandPointer> asleep;
-  std::vector<BodyIndex> single;       // awake dynamic bodies without contacts, ascending
+  std::vector<BodyIndex> single;       // awake dynamic bodies without ties, ascending
   std::vector<IslandPointer> scratch;  // of buildIslands
 
   // Makes room ahead of a step, so that the step itself takes no memory.
   void keepRoom(std::size_t dynamicBodies);
 };
 
-// Joins awake bodies by the contacts of ContactSet::pairs that have points. An island whose bodies and contacts are those
-// of an old one is that old one, with its hierarchies.
+// Joins awake bodies by their links. An island whose bodies and ties are those of an old one is that old one, with its
+// hierarchies.
 void buildIslands(IslandSet& islands, const StepContext& context, const std::vector<BodyIndex>& awakeBodies);
 
-// Hierarchies of an island, as far as they are out of date: by strength when its contacts changed, by mechanism also when
+// Hierarchies of an island, as far as they are out of date: by strength when its ties changed, by mechanism also when
 // a weak flag did.
-void updateHierarchies(Island& island, const ContactSet& contacts);
+void updateHierarchies(Island& island, const StepContext& context);
 
 }  // namespace brickfall

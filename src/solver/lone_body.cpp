@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solver/contact_kernel.h"
+#include "solver/contact/kernel.h"
 #include "solver/free_motion.h"
 #include "solver/store.h"
 
@@ -25,9 +25,9 @@ constexpr double kTurnShare = 1e-3;  // of the way: how far a slide may turn the
 bool steadyContacts(const Island& island, const StepContext& context, Vec3 moveChange, Vec3 turnChange) {
   double most = kSteadyShare * kReferenceGravity * context.dt;
   bool carried = false;
-  for (std::size_t k = 0; k < island.records.size(); k++) {
-    const ContactRecord& r = island.records[k];
-    const Contact& c = context.contacts->contacts[island.contacts[k]];
+  for (std::size_t k = 0; k < island.rows.contacts.records.size(); k++) {
+    const ContactRecord& r = island.rows.contacts.records[k];
+    const Contact& c = context.contacts->contacts[island.rows.contacts.contactOf[k]];
     bool isA = r.bodyA == 0;
     Vec3 n = toDouble(r.n), t1 = toDouble(r.t1), t2 = cross(n, t1), arm = toDouble(isA ? r.armA : r.armB);
     double along = dot(n, moveChange + cross(turnChange, arm)), tilt1 = dot(t1, turnChange),
@@ -36,7 +36,7 @@ bool steadyContacts(const Island& island, const StepContext& context, Vec3 moveC
       if (!(c.points.forceN[i] > 0)) continue;
       carried = true;
       double change = along + tilt1 * double(r.s2[i]) - tilt2 * double(r.s1[i]);
-      if (!(std::fabs(change) <= most && std::fabs(island.starts[k].approach[i]) <= most)) return false;
+      if (!(std::fabs(change) <= most && std::fabs(island.rows.contacts.starts[k].approach[i]) <= most)) return false;
     }
   }
   return carried;
@@ -47,7 +47,7 @@ bool keepsItsForces(const Island& island, const StepContext& context, const Solv
   BodyIndex body = island.bodies[0];
   const BodyMass& mass = context.bodies->mass[body];
   Vec3 turn = visibleTurn(mass, context.bodies->motion[body].orientation, s.th);
-  for (const ContactRecord& r : island.records) {
+  for (const ContactRecord& r : island.rows.contacts.records) {
     Vec3 n = toDouble(r.n);
     Vec3 tilt = turn - n * dot(n, turn);
     if (!(length(tilt) * mass.outerRadius <= kTurnShare * length(s.d))) return false;

@@ -6,7 +6,7 @@ namespace brickfall {
 
 // Body constants and free motions of the island.
 void prepareBodies(Island& island, const StepContext& context);
-// Records: frames and arms where something moved, gaps and anchors mapped, trial forces.
-void prepareContacts(Island& island, StepContext& context);
+// What the rows read in the solve, from what they remember and how their bodies lie.
+void prepareRows(Island& island, StepContext& context);
 
 }  // namespace brickfall

@@ -1,5 +1,7 @@
 #include "solver/rest.h"
 
+#include "solver/light_pass.h"
+
 namespace brickfall {
 
 void dampSlowIsland(const Island& island, StepContext& context) {
@@ -16,7 +18,7 @@ void restCheck(Island& island, StepContext& context) {
   island.ending = IslandEnding::unsolved;
   for (std::size_t i = 0; i < island.bodies.size(); i++) island.motion[i] = {};
   if (!island.plan.slow) return;
-  lightPass(island, *context.contacts, false, context.dt, context.statistics.lightVisits);
+  lightPass(island, false, context.statistics.lightVisits);
   if (!(worstResidual(island, *context.bodies) < context.settings.restTolerance)) return;
   island.ending = IslandEnding::rested;
   context.statistics.restingIslands++;

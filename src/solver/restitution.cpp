@@ -195,10 +195,10 @@ Vec3 endSpin(const StepContext& context, BodyIndex body) {
 void makeBlocks(const Island& island, const StepContext& context, Pass& pass) {
   double slowest = slowestRebound(island, context);
   const ContactSet& set = *context.contacts;
-  pass.blocks.reserve(island.contacts.size());
-  for (std::size_t n = 0; n < island.contacts.size(); n++) {
-    const Contact& c = set.contacts[island.contacts[n]];
-    const ContactRecord& r = island.records[n];
+  pass.blocks.reserve(island.rows.contacts.contactOf.size());
+  for (std::size_t n = 0; n < island.rows.contacts.contactOf.size(); n++) {
+    const Contact& c = set.contacts[island.rows.contacts.contactOf[n]];
+    const ContactRecord& r = island.rows.contacts.records[n];
     Block k;
     k.a = r.bodyA;
     k.b = r.bodyB;
@@ -209,7 +209,7 @@ void makeBlocks(const Island& island, const StepContext& context, Pass& pass) {
       Vec3 place = t1 * double(r.s1[i]) + t2 * double(r.s2[i]);
       k.armA[i] = toDouble(r.armA) + place;
       k.armB[i] = toDouble(r.armB) + place;
-      k.gap[i] = island.starts[n].gap[i];
+      k.gap[i] = island.rows.contacts.starts[n].gap[i];
     }
     for (int i = 0; i < c.count; i++)
       for (int j = 0; j < c.count; j++) {
@@ -219,7 +219,7 @@ void makeBlocks(const Island& island, const StepContext& context, Pass& pass) {
                            dot(cross(k.armB[i], k.normal), b.invInertia * cross(k.armB[j], k.normal));
       }
     for (int i = 0; i < c.count; i++) {
-      Impact impact = findImpact(c, island.starts[n], i, k.normal, slowest, context);
+      Impact impact = findImpact(c, island.rows.contacts.starts[n], i, k.normal, slowest, context);
       k.impact[i] = impact.happens;
       k.wantedSpeed[i] = impact.speedAfter;
       k.wantedMove[i] = impact.gapAfter - k.gap[i];
@@ -256,11 +256,14 @@ double allowedShare(const Island& island, const StepContext& context, const Pass
 
 bool anyImpact(const Island& island, const StepContext& context) {
   double slowest = slowestRebound(island, context);
-  for (std::size_t n = 0; n < island.contacts.size(); n++) {
-    const Contact& c = context.contacts->contacts[island.contacts[n]];
+  for (std::size_t n = 0; n < island.rows.contacts.contactOf.size(); n++) {
+    const Contact& c = context.contacts->contacts[island.rows.contacts.contactOf[n]];
     if (c.restitution == 0) continue;
     for (int i = 0; i < c.count; i++)
-      if (findImpact(c, island.starts[n], i, toDouble(island.records[n].n), slowest, context).happens) return true;
+      if (findImpact(c, island.rows.contacts.starts[n], i, toDouble(island.rows.contacts.records[n].n), slowest,
+                     context)
+              .happens)
+        return true;
   }
   return false;
 }
@@ -338,7 +341,7 @@ void applyRestitution(Island& island, StepContext& context) {
   for (std::size_t n = 0; n < pass.blocks.size(); n++)
     for (int i = 0; i < pass.blocks[n].count; i++)
       // The surfaces part: the force of the impact must act in no later step.
-      if (pass.blocks[n].impact[i]) clearPoint(context.contacts->contacts[island.contacts[n]].points, i);
+      if (pass.blocks[n].impact[i]) clearPoint(context.contacts->contacts[island.rows.contacts.contactOf[n]].points, i);
 }
 
 }  // namespace brickfall

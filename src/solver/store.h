@@ -4,13 +4,12 @@
 
 namespace brickfall {
 
-// Reads the forces at the final motion into the contacts: multipliers, stick state, slip, weak flags. Returns true if any
-// bit of them changed.
-bool storeForces(Island& island, StepContext& context);
+// Reads the forces at the final motion into what the ties of the island remember. Returns true if any bit of it changed.
+bool storeRows(Island& island, StepContext& context);
 // Motion and velocities of the island's bodies into StepContext::solved.
 void storeMotion(const Island& island, StepContext& context);
-// After all corrections of the motion: carries gaps and drifts on by the displacement of each point.
-void advanceGaps(Island& island, StepContext& context);
+// After all corrections of the motion: carries the ties on by it (gaps and drifts of contacts).
+void advanceRows(Island& island, StepContext& context);
 
 // Bodies without contacts: free motion, moved by the mean of old and new velocity.
 void storeFreeBody(BodyIndex body, StepContext& context);

@@ -1,6 +1,6 @@
 // A symmetric positive definite 6 x 6 system, unknowns (translation, rotation): one rigid body or cluster.
 #pragma once
-#include "solver/contact_record.h"
+#include "solver/solve_body.h"
 
 namespace brickfall {
 

@@ -7,7 +7,7 @@
 // its impulses give for acting midway, booked on gravity in flight and on what holds the body otherwise.
 #include "world/ledger.h"
 
-#include "solver/joint_energy.h"
+#include "solver/contact/energy.h"
 #include "world/world_impl.h"
 
 namespace brickfall {
@@ -55,10 +55,11 @@ BalanceChange impulseOf(const Contact& c, const ContactRecord& r, const BodySet&
 
 BalanceChange heldImpulses(const Island& island, const BodySet& bodies, const ContactSet& contacts, double dt) {
   BalanceChange sum;
-  for (std::size_t k = 0; k < island.records.size(); k++) {
-    const ContactRecord& r = island.records[k];
+  for (std::size_t k = 0; k < island.rows.contacts.records.size(); k++) {
+    const ContactRecord& r = island.rows.contacts.records[k];
     bool partnerA = r.bodyA >= island.bodies.size(), partnerB = r.bodyB >= island.bodies.size();
-    if (partnerA || partnerB) sum += impulseOf(contacts.contacts[island.contacts[k]], r, bodies, partnerA, dt);
+    if (partnerA || partnerB)
+      sum += impulseOf(contacts.contacts[island.rows.contacts.contactOf[k]], r, bodies, partnerA, dt);
   }
   return sum;
 }

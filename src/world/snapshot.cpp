@@ -234,10 +234,10 @@ class SnapshotArchive {
     for (auto& pointer : list) {
       auto& i = *pointer;
       a.list(i.bodies);
-      a.list(i.contacts);
+      a.list(i.rows.contacts.contactOf);
       a.list(i.partners);
-      a.list(i.records);
-      a.list(i.starts);
+      a.list(i.rows.contacts.records);
+      a.list(i.rows.contacts.starts);
       hierarchy(a, i.byStrength);
       hierarchy(a, i.byMechanism);
       a.flag(i.facts.partnersMove);  // of one that stays settled

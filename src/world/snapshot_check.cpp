@@ -52,20 +52,21 @@ bool soundGeometry(const ContactGeometry& g) {
 }
 
 bool soundRecord(const ContactRecord& r, const ContactStart& start) {
-  bool fine = r.newPoints < 16;
+  bool fine = r.newPoints < 16 && isForce(start.friction) && start.points >= 0 && start.points <= 4;
   for (const Vec3f& v : {r.n, r.t1, r.armA, r.armB}) fine = fine && isLength(v.x) && isLength(v.y) && isLength(v.z);
   for (int i = 0; i < 4; i++)
     fine = fine && isLength(r.s1[i]) && isLength(r.s2[i]) && isForce(r.trialN[i]) && isForce(r.trial1[i]) &&
            isForce(r.trial2[i]) && isForce(r.k[i]) && r.k[i] >= 0 && isForce(r.limit[i]) && r.limit[i] >= 0 &&
-           r.bond[i] == 0 && isForce(start.approach[i]) && isLength(start.gap[i]);
+           r.bond[i] == 0 && isForce(start.approach[i]) && isLength(start.gap[i]) && isForce(start.stopping[i]);
   return fine;
 }
 
 void checkIsland(Checks& check, const Island& island) {
   for (const Transform& pose : island.heldPoses)
     check.condition(isFinite(pose.position) && isFinite(pose.rotation), "an island's place is not finite");
-  for (std::size_t k = 0; k < island.records.size(); k++)
-    check.condition(soundRecord(island.records[k], island.starts[k]), "a contact's record is out of range");
+  for (std::size_t k = 0; k < island.rows.contacts.records.size(); k++)
+    check.condition(soundRecord(island.rows.contacts.records[k], island.rows.contacts.starts[k]),
+                    "a contact's record is out of range");
 }
 
 void checkContacts(Checks& check, const ContactSet& set) {

@@ -38,7 +38,7 @@ World::Impl::BodyPair World::Impl::byCreation(BodyPair pair) const {
 
 // Pairs of bodies that press on each other; a pair comes once for each of its contacts.
 void World::Impl::appendTouching(const Island& island, BodyPairs& out) const {
-  for (ContactIndex contact : island.contacts) {
+  for (ContactIndex contact : island.rows.contacts.contactOf) {
     const Contact& c = contacts.contacts[contact];
     if (c.touching) out.push_back({std::min(c.bodyA, c.bodyB), std::max(c.bodyA, c.bodyB)});
   }
@@ -48,7 +48,7 @@ void World::Impl::collectEvents() {
   StageTimer timer(report, Stage::events);
   for (auto& island : islands.awake) {
     if (!island->settled()) countPoints(*island);
-    report.manifolds += int(island->contacts.size());
+    report.manifolds += int(island->rows.contacts.contactOf.size());
     report.contactPoints += island->points;
     report.touchingPoints += island->touchingPoints;
   }
@@ -62,7 +62,7 @@ void World::Impl::collectEvents() {
 
 void World::Impl::countPoints(Island& island) const {
   island.points = island.touchingPoints = 0;
-  for (ContactIndex contact : island.contacts) {
+  for (ContactIndex contact : island.rows.contacts.contactOf) {
     const Contact& c = contacts.contacts[contact];
     island.points += c.count;
     for (int i = 0; i < c.count; i++) island.touchingPoints += c.points.forceN[i] > 0;
@@ -71,10 +71,10 @@ void World::Impl::countPoints(Island& island) const {
 
 // Called when the forces are stored: restitution forgets those of the impacts that it answers.
 void World::Impl::collectHits(const Island& island) {
-  for (std::size_t k = 0; k < island.contacts.size(); k++) {
-    const Contact& c = contacts.contacts[island.contacts[k]];
+  for (std::size_t k = 0; k < island.rows.contacts.contactOf.size(); k++) {
+    const Contact& c = contacts.contacts[island.rows.contacts.contactOf[k]];
     if (!c.touching) continue;
-    ContactImpact impact = impactOf(c, island.starts[k], context.dt);
+    ContactImpact impact = impactOf(c, island.rows.contacts.starts[k], context.dt);
     if (impact.speed >= def.hitEventSpeed && impact.impulse >= def.hitEventImpulse)
       addHit(island, k, impact.speed, impact.impulse);
   }
@@ -106,8 +106,8 @@ void World::Impl::collectTouching() {
 }
 
 void World::Impl::addHit(const Island& island, std::size_t k, double speed, double impulse) {
-  const Contact& c = contacts.contacts[island.contacts[k]];
-  const ContactRecord& r = island.records[k];
+  const Contact& c = contacts.contacts[island.rows.contacts.contactOf[k]];
+  const ContactRecord& r = island.rows.contacts.records[k];
   HitEvent hit;
   hit.bodyA = idOf(c.bodyA);
   hit.bodyB = idOf(c.bodyB);

@@ -114,8 +114,8 @@ void World::Impl::hashStage(std::optional<Stage> stage) {
   };
   auto eachRecord = [&](auto write) {
     for (const auto& island : islands.awake)
-      for (std::size_t k = 0; k < island->records.size(); k++) {
-        const Contact& c = contacts.contacts[island->contacts[k]];
+      for (std::size_t k = 0; k < island->rows.contacts.records.size(); k++) {
+        const Contact& c = contacts.contacts[island->rows.contacts.contactOf[k]];
         Mix h;
         write(h, *island, k, c);
         items.add(idOf(c.bodyA), idOf(c.bodyB), h);
@@ -155,7 +155,8 @@ void World::Impl::hashStage(std::optional<Stage> stage) {
       eachBody(islands.single, [](Mix&, BodyIndex) {});
       eachIsland(islands.awake, [&](Mix& h, const Island& i) {
         h.list(i.bodies.data(), int(i.bodies.size())).list(i.partners.data(), int(i.partners.size()));
-        for (ContactIndex contact : i.contacts) h(contacts.contacts[contact].shapeA, contacts.contacts[contact].shapeB);
+        for (ContactIndex contact : i.rows.contacts.contactOf)
+          h(contacts.contacts[contact].shapeA, contacts.contacts[contact].shapeB);
       });
       break;
     case Stage::prepare:
@@ -169,7 +170,7 @@ void World::Impl::hashStage(std::optional<Stage> stage) {
       }
       eachRecord([](Mix& h, const Island& island, std::size_t k, const Contact& c) {
         mix(h, c);
-        mix(h, island.records[k], c.count);
+        mix(h, island.rows.contacts.records[k], c.count);
       });
       break;
     case Stage::rest:

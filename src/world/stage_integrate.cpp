@@ -78,7 +78,7 @@ void World::Impl::salvage(Island& island) {
     bodies.motion[body].angularVelocity = context.free[body].startSpin;
     bodies.still[body] = 0;
   }
-  for (ContactIndex contact : island.contacts) {
+  for (ContactIndex contact : island.rows.contacts.contactOf) {
     Contact& c = contacts.contacts[contact];
     for (int i = 0; i < 4; i++) clearPoint(c.points, i);
     c.touching = false;
@@ -122,7 +122,7 @@ void World::Impl::integrate() {
       salvage(*island);
       continue;
     }
-    advanceGaps(*island, context);
+    advanceRows(*island, context);
     for (BodyIndex body : island->bodies) finishBody(body);
   }
   for (BodyIndex body : islands.single) finishBody(body);

@@ -42,7 +42,7 @@ void World::Impl::prepare() {
     dampSlowIsland(*island, context);
     for (BodyIndex body : island->bodies) predictFreeMotion(context, body, def.airDensity, true);
     prepareBodies(*island, context);
-    prepareContacts(*island, context);
+    prepareRows(*island, context);
   }
 }
 
@@ -64,7 +64,7 @@ void World::Impl::solve() {
     for (int i = begin; i < end; i++) {
       Island& island = *islands.awake[std::size_t(i)];
       if (island.resting()) continue;
-      updateHierarchies(island, contacts);
+      updateHierarchies(island, context);
       runCycles(island, context, counts[std::size_t(i)]);
       correctMomentum(island, context);
     }
@@ -82,7 +82,7 @@ void World::Impl::store() {
   for (BodyIndex body : islands.single) storeFreeBody(body, context);
   for (auto& island : islands.awake) {
     if (island->settled()) continue;
-    bool changed = storeForces(*island, context);
+    bool changed = storeRows(*island, context);
     if (!island->resting()) collectHits(*island);
     storeMotion(*island, context);
     correctFlight(*island, context);

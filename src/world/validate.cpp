@@ -35,7 +35,7 @@ void checkHierarchy(Findings& f, const Hierarchy& h, const Island& island, const
     for (std::uint32_t c : level.clusterOf) f.expect(c < level.clusters.size(), name + ": a body is in no cluster");
     for (std::uint32_t b : level.bodies)
       f.expect(b < island.bodies.size(), name + ": a cluster names a body that is not there");
-    for (std::uint32_t s : level.sides) f.expect(s / 2 < island.contacts.size(), name + ": a side names no contact");
+    for (std::uint32_t s : level.sides) f.expect(s / 2 < island.rows.size(), name + ": a side names no row");
     if (f.any()) return;
     for (std::size_t n = 0; n < level.clusters.size(); n++) {
       const Cluster& c = level.clusters[n];
@@ -44,8 +44,10 @@ void checkHierarchy(Findings& f, const Hierarchy& h, const Island& island, const
                name + ": a cluster's ranges are wrong");
       if (f.any()) return;
       for (std::uint32_t k = c.sideBegin; k < c.sideEnd; k++) {
-        const ContactRecord& r = island.records[level.sides[k] / 2];
-        std::uint32_t own = level.sides[k] % 2 == 1 ? r.bodyB : r.bodyA;
+        std::uint32_t own = 0;
+        island.rows.at(level.sides[k] / 2, [&](const auto& kind, std::size_t row) {
+          own = level.sides[k] % 2 == 1 ? kind.ends(row).b : kind.ends(row).a;
+        });
         f.expect(own < island.bodies.size() && level.clusterOf[own] == n, name + ": a side is not of its cluster");
       }
     }
@@ -115,24 +117,24 @@ std::vector<std::string> World::Impl::validateStructure() const {
   for (const auto* list : {&islands.awake, &islands.asleep})
     for (const auto& island : *list) {
       f.expect(!island->bodies.empty() && ascending(island->bodies), "islands: bodies not sorted, or none");
-      bool sized =
-          island->records.size() == island->contacts.size() && island->starts.size() == island->contacts.size();
+      bool sized = island->rows.contacts.records.size() == island->rows.contacts.contactOf.size() &&
+                   island->rows.contacts.starts.size() == island->rows.contacts.contactOf.size();
       f.expect(sized, "islands: lists of different lengths");
       for (BodyIndex b : island->bodies)
         f.expect(bodyFine(b) && bodies.data[b].type == BodyType::dynamic, "islands: not a dynamic body");
       for (BodyIndex b : island->partners) f.expect(bodyFine(b), "islands: a partner that is not there");
-      for (ContactIndex c : island->contacts)
+      for (ContactIndex c : island->rows.contacts.contactOf)
         f.expect(c < contacts.contacts.size(), "islands: a contact that is not there");
       bool current = list == &islands.asleep || (!contacts.changed && !membershipChanged);
       if (f.any()) return f.take();
-      for (std::size_t k = 0; current && k < island->contacts.size(); k++) {
-        const Contact& c = contacts.contacts[island->contacts[k]];
+      for (std::size_t k = 0; current && k < island->rows.contacts.contactOf.size(); k++) {
+        const Contact& c = contacts.contacts[island->rows.contacts.contactOf[k]];
         f.expect(bodyFine(c.bodyA) && bodyFine(c.bodyB) && c.count >= 1 && c.count <= 4 &&
-                     island->records[k].contact == island->contacts[k],
+                     island->rows.contacts.records[k].contact == island->rows.contacts.contactOf[k],
                  "islands: a contact of other bodies, or of none");
       }
       std::size_t all = island->bodies.size() + island->partners.size();
-      for (const ContactRecord& r : island->records)
+      for (const ContactRecord& r : island->rows.contacts.records)
         f.expect(r.bodyA < all && r.bodyB < all && r.contact < contacts.contacts.size(),
                  "islands: a record names no body");
       if (f.any()) return f.take();

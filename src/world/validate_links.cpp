@@ -156,20 +156,20 @@ class World::Impl::LinkChecks {
     }
     islands_.push_back(&island);
     bool fine = island.points >= island.touchingPoints && island.touchingPoints >= 0 &&
-                std::size_t(island.points) <= 4 * island.contacts.size() && island.heldTime >= 0 &&
+                std::size_t(island.points) <= 4 * island.rows.contacts.contactOf.size() && island.heldTime >= 0 &&
                 island.restTime >= 0;
     expect(fine, "islands: a count or a time is wrong");
     for (BodyIndex body : island.partners) expect(!dynamic(body), "islands: a partner is a dynamic body");
-    for (std::size_t k = 0; k < island.contacts.size(); k++) {
+    for (std::size_t k = 0; k < island.rows.contacts.contactOf.size(); k++) {
       // Until islands are built anew a contact's slot may be empty, or another's.
-      const Contact& c = w_.contacts.contacts[island.contacts[k]];
+      const Contact& c = w_.contacts.contacts[island.rows.contacts.contactOf[k]];
       bool ours = c.count > 0 && !c.born;
       expect(ours || (!asleep && !current_), "islands: a contact is gone");
-      const ContactRecord& r = island.records[k];
+      const ContactRecord& r = island.rows.contacts.records[k];
       if (ours)
-        expect(
-            bodyOf(island, r.bodyA) == c.bodyA && bodyOf(island, r.bodyB) == c.bodyB && r.contact == island.contacts[k],
-            "islands: a record names other bodies than its contact");
+        expect(bodyOf(island, r.bodyA) == c.bodyA && bodyOf(island, r.bodyB) == c.bodyB &&
+                   r.contact == island.rows.contacts.contactOf[k],
+               "islands: a record names other bodies than its contact");
     }
   }
 
@@ -178,23 +178,30 @@ class World::Impl::LinkChecks {
     return local < own ? island.bodies[local] : island.partners[local - own];
   }
 
-  // The contacts of an island are those of the pairs of its bodies, in their order.
+  // The rows of an island are those of the links of its bodies, kind by kind in their order.
   void checkMembership() {
     std::size_t awakeCount = w_.islands.awake.size();
-    std::vector<std::size_t> next(islands_.size(), 0);
-    auto follow = [&](const std::vector<CandidatePair>& pairs, std::size_t first, std::size_t end) {
-      for (const CandidatePair& p : pairs) {
-        if (p.contact == kNoIndex) continue;
-        std::uint32_t a = islandOf_[p.bodyA], b = islandOf_[p.bodyB], n = dynamic(p.bodyA) ? a : b;
-        bool both = dynamic(p.bodyA) && dynamic(p.bodyB);
-        bool fine = n >= first && n < end && (!both || a == b) && next[n] < islands_[n]->contacts.size();
-        expect(fine && islands_[n]->contacts[next[n]++] == p.contact, "islands: contacts are not those of its bodies");
-      }
-      for (std::size_t n = first; n < end; n++)
-        expect(next[n] == islands_[n]->contacts.size(), "islands: a contact is of no pair");
+    std::vector<Rows::Counts> next(islands_.size());
+    const LinkSet links(w_.contacts);
+    auto follow = [&](std::size_t first, std::size_t end) {
+      return [this, &next, first, end](const Link& link) {
+        std::uint32_t a = islandOf_[link.bodyA], b = islandOf_[link.bodyB], n = dynamic(link.bodyA) ? a : b;
+        bool both = dynamic(link.bodyA) && dynamic(link.bodyB);
+        bool fine = n >= first && n < end && (!both || a == b);
+        if (fine) fine = islands_[n]->rows.names(link, next[n][std::size_t(link.kind)]++);
+        expect(fine, "islands: rows are not the links of its bodies");
+      };
     };
-    if (current_) follow(w_.contacts.pairs, 0, awakeCount);
-    follow(w_.contacts.asleep, awakeCount, islands_.size());
+    auto whole = [&](std::size_t first, std::size_t end) {
+      for (std::size_t n = first; n < end; n++)
+        expect(next[n] == islands_[n]->rows.counts(), "islands: a row is of no link");
+    };
+    if (current_) {
+      links.eachAwake(follow(0, awakeCount));
+      whole(0, awakeCount);
+    }
+    links.eachAsleep(follow(awakeCount, islands_.size()));
+    whole(awakeCount, islands_.size());
     std::vector<BodyIndex> single;
     for (BodyIndex i = 0; i < w_.bodies.slots(); i++) {
       if (!w_.bodies.data[i].alive) continue;

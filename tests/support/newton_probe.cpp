@@ -66,7 +66,7 @@ std::uint64_t probeStep(const World& world, double dt, const std::function<void(
     SolveStatistics statistics;
     SolvedIsland found;
     if (!island.resting()) {
-      updateHierarchies(island, w.contacts);
+      updateHierarchies(island, w.context);
       runCycles(island, w.context, statistics);
       found.ending = endingOf(island);
       correctMomentum(island, w.context);
@@ -97,7 +97,7 @@ ConvergedStep stepConverged(World& world, double dt, double tolerance) {
   for (std::size_t i = 0; i < problems.size(); i++) {
     Island& island = *w.islands.awake[i];
     if (island.settled() || island.resting()) continue;
-    updateHierarchies(island, w.contacts);
+    updateHierarchies(island, w.context);
     NewtonSettings settings;
     settings.tolerance = tolerance;
     Solution s = solveWithNewBounds(problems[i], settings);
@@ -106,9 +106,10 @@ ConvergedStep stepConverged(World& world, double dt, double tolerance) {
     out.iterations += s.iterations;
     out.worst = std::max(out.worst, s.left.worst());
     std::map<ContactIndex, std::size_t> record;
-    for (std::size_t k = 0; k < island.contacts.size(); k++) record[island.contacts[k]] = k;
+    for (std::size_t k = 0; k < island.rows.contacts.contactOf.size(); k++)
+      record[island.rows.contacts.contactOf[k]] = k;
     for (const ProblemPoint& p : problems[i].points)
-      island.records[record.at(p.contact)].limit[p.lane] = float(p.limit);
+      island.rows.contacts.records[record.at(p.contact)].limit[p.lane] = float(p.limit);
     for (std::size_t k = 0; k < s.motion.size(); k++) {
       island.motion[k].d = toFloat(s.motion[k].d - island.drift);
       island.motion[k].th = toFloat(s.motion[k].th);

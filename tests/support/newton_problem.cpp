@@ -77,7 +77,7 @@ Problem problemOf(const Island& island, const StepContext& context) {
     const BodyMotion& m = context.bodies->motion[body];
     out.partners.push_back({m.linearVelocity * context.dt, m.angularVelocity * context.dt});
   }
-  for (ContactIndex index : island.contacts) {
+  for (ContactIndex index : island.rows.contacts.contactOf) {
     const Contact& c = context.contacts->contacts[index];
     for (int i = 0; i < c.count; i++) {
       ProblemPoint p = pointOf(c, context.contacts->geometry[index], i, context);
@@ -92,7 +92,8 @@ Problem problemOf(const Island& island, const StepContext& context) {
 
 void takeLimits(Problem& problem, const Island& island) {
   std::map<ContactIndex, const ContactRecord*> records;
-  for (std::size_t k = 0; k < island.contacts.size(); k++) records[island.contacts[k]] = &island.records[k];
+  for (std::size_t k = 0; k < island.rows.contacts.contactOf.size(); k++)
+    records[island.rows.contacts.contactOf[k]] = &island.rows.contacts.records[k];
   for (ProblemPoint& p : problem.points) p.limit = double(records.at(p.contact)->limit[p.lane]);
 }
 

@@ -6,8 +6,7 @@
 #include <cmath>
 
 #include "math/random.h"
-#include "solver/island.h"
-#include "solver/symmetric6.h"
+#include "solver/cluster_step.h"
 
 namespace brickfall {
 namespace {
@@ -64,7 +63,7 @@ struct Scene {
         r.trial2[i] = float(random.between(200, 500));
         r.limit[i] = slides ? 60.0f : 1e6f;
       }
-      island.records.push_back(r);
+      island.rows.contacts.records.push_back(r);
     }
     level.clusterOf = {0, both ? 0u : 1u};
     level.bodies = {0};
@@ -106,7 +105,7 @@ WrenchD direct(const Scene& s, bool both) {
     sum.force += force;
     sum.torque += inertia * t + cross(toDouble(m.position) - centre, force);
   }
-  for (const ContactRecord& r : s.island.records) {
+  for (const ContactRecord& r : s.island.rows.contacts.records) {
     bool inA = r.bodyA == 0 || (both && r.bodyA == 1), inB = r.bodyB == 0 || (both && r.bodyB == 1);
     if (inA == inB) continue;
     Vec3 n = toDouble(r.n), t1 = toDouble(r.t1), t2 = cross(n, t1);
@@ -183,7 +182,7 @@ TEST(Cluster, MatrixIsTheDerivativeOfTheResidual) {
 TEST(Cluster, NearOpenPointsBraceTheMatrixButPullNothing) {
   Random random(23);
   Scene s(random, Regime::open, false);
-  for (ContactRecord& r : s.island.records)
+  for (ContactRecord& r : s.island.rows.contacts.records)
     for (int i = 0; i < 4; i++) {
       r.trialN[i] = -r.k[i] * 1e-6f;  // a micrometre apart
       r.limit[i] = 0;
@@ -200,7 +199,7 @@ TEST(Cluster, StepBringsTheResidualOfALinearClusterToZero) {
   for (int n = 0; n < 50; n++)
     for (bool both : {false, true}) {
       Scene s(random, Regime::sticks, both);
-      for (ContactRecord& r : s.island.records)
+      for (ContactRecord& r : s.island.rows.contacts.records)
         for (float& bond : r.bond) bond = 1e9f;  // nothing opens
       double before = double(length(s.residual().force)), visits = 0;
       if (both) {  // the inertia of the pair about its centre

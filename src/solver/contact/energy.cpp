@@ -1,8 +1,8 @@
-#include "solver/joint_energy.h"
+#include "solver/contact/energy.h"
 
 #include <algorithm>
 
-#include "solver/contact_kernel.h"
+#include "solver/contact/kernel.h"
 
 namespace brickfall {
 
@@ -42,10 +42,10 @@ double elasticEnergy(const Contact& c, const StepContext& context) {
 
 JointWork jointWork(const Island& island, const StepContext& context) {
   JointWork out;
-  for (std::size_t n = 0; n < island.records.size(); n++) {
-    Contact c = context.contacts->contacts[island.contacts[n]];  // as if it held all of its force
-    kernel::PointMotion m =
-        kernel::pointMotion(island.records[n], kernel::frame(island.records[n]), island.motion.data());
+  for (std::size_t n = 0; n < island.rows.contacts.records.size(); n++) {
+    Contact c = context.contacts->contacts[island.rows.contacts.contactOf[n]];  // as if it held all of its force
+    kernel::PointMotion m = kernel::pointMotion(island.rows.contacts.records[n],
+                                                kernel::frame(island.rows.contacts.records[n]), island.motion.data());
     alignas(16) float way[3][4];
     kernel::store(m.n, way[0]);
     kernel::store(m.t1, way[1]);

@@ -5,7 +5,9 @@
 //
 #pragma once
 #include "math/wide.h"
-#include "solver/contact_record.h"
+#include "solver/contact/record.h"
+#include "solver/reaction.h"
+#include "solver/solve_body.h"
 
 namespace brickfall::kernel {
 
@@ -95,12 +97,6 @@ inline M mayClose(const ContactRecord& r, const PointForces& f, float near) {
   V bond = load(r.bond), reach = wide::max(bond, load(r.k) * set(near));
   return (f.trialN <= -bond) & (f.trialN > -reach);
 }
-
-// Stiffness of the contact against its own relative motion (u, w) at the manifold's centre, world axes, by rows:
-// [A B; B^T C], A and C symmetric.
-struct Stiffness {
-  V A[3], B[3], C[3];
-};
 
 // Loaded points resist along the normal, and so do open ones that are nearer than `near` m: a Newton step must not run
 // through them. Sticking points resist tangentially; sliding ones only across their slip.

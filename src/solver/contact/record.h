@@ -29,26 +29,4 @@ struct alignas(64) ContactRecord {
 };
 static_assert(sizeof(ContactRecord) == 192);
 
-// The unknowns of a body: displacement and turn of this step. The only thing that a body step writes.
-struct alignas(32) SolveMotion {
-  Vec3f d;
-  float pad0 = 0;
-  Vec3f th;
-  float pad1 = 0;
-};
-static_assert(sizeof(SolveMotion) == 32);
-
-// Constants of a body during a step. d and dFree are relative to the island's own rigid motion.
-struct alignas(64) SolveMass {
-  float mass = 0;         // m / dt^2, kg/s2
-  float inertia[6] = {};  // I / dt^2, world axes: xx yx yy zx zy zz
-  Vec3f dFree, thFree;
-  Vec3f position;  // m, from the island's origin
-};
-static_assert(sizeof(SolveMass) == 64);
-
-struct Wrench {
-  Vec3f force, torque;
-};
-
 }  // namespace brickfall

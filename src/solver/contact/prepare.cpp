@@ -1,0 +1,167 @@
+// The start of a step for the contacts of an island. They remember forces, plastic offsets and friction anchors; here these become
+// the trial force of each point at zero motion.
+//
+// Normal return map: a point is born with all its overlap plastic (it causes no force). When an impact is over (a soft
+// point no longer closing) the point becomes stiff and its offset is chosen so that it goes on with the force it has;
+// else the soft overlap would come back as a rebound. Every step a tenth of the offset becomes real overlap again, which
+// parts the bodies slowly.
+//
+// Friction return map: a sticking point keeps its anchor; one that slid gets an anchor at which its spring carries just
+// the sliding force it had: no jump, no creep.
+#include <algorithm>
+#include <cmath>
+
+#include "solver/island.h"
+
+namespace brickfall {
+
+namespace {
+
+void updateFrame(ContactRecord& r, const Contact& c, const ContactGeometry& g, const BodySet& bodies) {
+  const BodyMotion &a = bodies.motion[c.bodyA], &b = bodies.motion[c.bodyB];
+  Vec3 armA = a.orientation * g.centre;
+  r.n = toFloat(a.orientation * g.normal);
+  r.t1 = toFloat(a.orientation * g.tangent1);
+  r.armA = toFloat(armA);
+  r.armB = toFloat(armA + (a.position - b.position));
+  for (int i = 0; i < 4; i++) {
+    r.s1[i] = c.points.s1[i];
+    r.s2[i] = c.points.s2[i];
+  }
+}
+
+void findApproach(const ContactRecord& r, const Contact& c, const BodySet& bodies, ContactStart& start) {
+  const BodyMotion &a = bodies.motion[c.bodyA], &b = bodies.motion[c.bodyB];
+  Vec3 n = toDouble(r.n), t1 = toDouble(r.t1), t2 = cross(n, t1);
+  Vec3 u = b.linearVelocity + cross(b.angularVelocity, toDouble(r.armB)) - a.linearVelocity -
+           cross(a.angularVelocity, toDouble(r.armA));
+  Vec3 w = b.angularVelocity - a.angularVelocity;
+  double un = dot(n, u), w1 = dot(t1, w), w2 = dot(t2, w);
+  for (int i = 0; i < 4; i++) {
+    start.approach[i] = float(un + w1 * double(c.points.s2[i]) - w2 * double(c.points.s1[i]));
+    start.gap[i] = c.points.gap[i];
+  }
+}
+
+// Of the full stiffness of an island: what is as stiff as this counts as at it, whatever the rounding.
+//! - | too small: what is nearly at its full stiffness stays softer | too large: rounding takes points through the end of an impact
+constexpr float kFullShare = 0.99f;
+
+struct StiffnessScale {
+  float unit;        // N/m
+  float full, soft;  // N/m
+  float quietSpeed;  // m/s
+  float cap;         // N
+  float deepest;     // m: overlap that an impact may reach
+  float dt;          // s
+};
+
+// Half of what separates the middles of the two bodies: past all of it the contact would turn round and let the bodies
+// through each other.
+double deepestOverlap(const BodyMass& a, const BodyMass& b) {
+  constexpr double kPlane = 1e29;
+  return 0.5 * ((a.innerRadius < kPlane ? a.innerRadius : 0) + (b.innerRadius < kPlane ? b.innerRadius : 0));
+}
+
+// An impact at k units of stiffness stops after approach dt / (1 + k): as soft as may be, but no softer than the bodies
+// are thick.
+float impactStiffness(float approach, const StiffnessScale& scale) {
+  float needed = scale.unit * -approach * scale.dt / scale.deepest;
+  return std::min(scale.full, std::max(scale.soft, needed));
+}
+
+// An impact that is over, or an island that has calmed down or takes shorter steps: the point is softer than it is to be. It
+// goes on with the force it has, within what a sudden load may hold.
+bool mustStiffen(const PointMemory& m, int i, float approach, const StiffnessScale& scale) {
+  bool softer = m.phase[i] != PointPhase::fresh && m.stiffness[i] < kFullShare * scale.full;
+  return softer && m.forceN[i] > 0 && approach > -scale.quietSpeed;
+}
+void stiffen(PointMemory& m, int i, const StiffnessScale& scale) {
+  if (m.forceN[i] > scale.cap) scaleForces(m, i, scale.cap / m.forceN[i]);
+  m.phase[i] = PointPhase::resting;
+  m.stiffness[i] = scale.full;
+  m.offset[i] = std::min(0.0f, m.gap[i] + m.forceN[i] / scale.full);
+}
+
+// Slow surfaces rest from the start; so do impacts that have to be as stiff.
+void startPhase(PointMemory& m, int i, float approach, const StiffnessScale& scale) {
+  m.stiffness[i] = approach > -scale.quietSpeed ? scale.full : impactStiffness(approach, scale);
+  m.phase[i] = m.stiffness[i] < kFullShare * scale.full ? PointPhase::impact : PointPhase::resting;
+}
+
+// Returns the gap that causes force.
+float mapNormalOffset(PointMemory& m, int i, float approach, const StiffnessScale& scale) {
+  if (m.stiffness[i] >= kFullShare * scale.full) m.phase[i] = PointPhase::resting;
+  // The time step has grown, or the island is calm no longer.
+  if (m.stiffness[i] > (2 - kFullShare) * scale.full) m.stiffness[i] = scale.full;
+  if (m.phase[i] == PointPhase::fresh) m.offset[i] = std::min(0.0f, m.gap[i]);
+  if (mustStiffen(m, i, approach, scale)) stiffen(m, i, scale);
+  float offset = kOffsetKept * std::min(0.0f, std::max(m.offset[i], m.gap[i]));
+  m.offset[i] = offset > -1e-12f ? 0 : offset;  // no denormals: they would never come to a fixed point
+  if (m.phase[i] == PointPhase::fresh) startPhase(m, i, approach, scale);
+  return m.gap[i] - m.offset[i];
+}
+
+void mapFrictionAnchor(Contact& c, int i, ContactGeometry& g, const ContactRecord& r, const BodySet& bodies) {
+  bool sticking = c.points.stickingMask >> i & 1;
+  bool tooFar =
+      c.points.drift1[i] * c.points.drift1[i] + c.points.drift2[i] * c.points.drift2[i] > kLargestDrift * kLargestDrift;
+  if (sticking && !tooFar) return;
+  c.points.drift1[i] = sticking ? 0 : c.points.slip1[i];
+  c.points.drift2[i] = sticking ? 0 : c.points.slip2[i];
+  const BodyMotion &a = bodies.motion[c.bodyA], &b = bodies.motion[c.bodyB];
+  Vec3 n = toDouble(r.n), t1 = toDouble(r.t1), t2 = cross(n, t1);
+  Vec3 onB = b.position + b.orientation * g.anchorB[i];
+  Vec3 anchor = onB - n * double(c.points.gap[i]) - t1 * double(c.points.drift1[i]) - t2 * double(c.points.drift2[i]);
+  g.anchorA[i] = transposeTimes(a.orientation, anchor - a.position);
+}
+
+}  // namespace
+
+void ContactRows::prepare(const Island& island, StepContext& context) {
+  const BodySet& bodies = *context.bodies;
+  ContactSet& set = *context.contacts;
+  double perDt2 = 1 / (context.dt * context.dt);
+  double resting = context.settings.restingStiffness * island.plan.stiffening;
+  for (std::size_t k = 0; k < size(); k++) {
+    Contact& c = set.contacts[contactOf[k]];
+    ContactRecord& r = records[k];
+    ContactStart& start = starts[k];
+    bool still = bodies.still[c.bodyA] && bodies.still[c.bodyB];
+    if (c.fresh || !still) updateFrame(r, c, set.geometry[contactOf[k]], bodies);
+    c.fresh = false;
+    findApproach(r, c, bodies, start);
+    double unit = c.effectiveMass * perDt2;
+    StiffnessScale scale{float(unit),
+                         float(resting * unit),
+                         float(context.settings.impactStiffness * unit),
+                         float(context.settings.restingApproachSpeed),
+                         kHeldWeights * float(kReferenceGravity) * c.effectiveMass,
+                         float(deepestOverlap(bodies.mass[c.bodyA], bodies.mass[c.bodyB])),
+                         float(context.dt)};
+    r.newPoints = 0;
+    start.points = c.count;
+    start.friction = c.friction;
+    for (int i = 0; i < 4; i++) {
+      if (i >= c.count) {
+        r.trialN[i] = r.trial1[i] = r.trial2[i] = r.k[i] = r.limit[i] = r.bond[i] = 0;
+        continue;
+      }
+      float gap = mapNormalOffset(c.points, i, start.approach[i], scale);
+      mapFrictionAnchor(c, i, set.geometry[contactOf[k]], r, bodies);
+      float stiffness = c.points.stiffness[i];
+      r.k[i] = stiffness;
+      r.trialN[i] = kHeldShare * c.points.heldN[i] - stiffness * (gap > 0 ? gap : kCorrect * gap);
+      r.trial1[i] = kHeldShare * c.points.held1[i] - stiffness * kCorrect * c.points.drift1[i];
+      r.trial2[i] = kHeldShare * c.points.held2[i] - stiffness * kCorrect * c.points.drift2[i];
+      start.stopping[i] = c.effectiveMass *
+                          (std::max(0.0f, -start.approach[i]) + float(kReferenceGravity * context.dt)) /
+                          float(context.dt);
+      r.limit[i] = c.friction * std::max(0.0f, c.points.forceN[i]);
+      r.bond[i] = 0;
+      if (c.points.forceN[i] == 0) r.newPoints |= 1u << i;
+    }
+  }
+}
+
+}  // namespace brickfall

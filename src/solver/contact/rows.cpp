@@ -1,0 +1,46 @@
+#include "solver/contact/rows.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace brickfall {
+
+// A contact's slot may have gone to another contact since: those are marked born.
+bool ContactRows::continues(const ContactRows& old, const StepContext& context) const {
+  if (contactOf != old.contactOf) return false;
+  return std::none_of(contactOf.begin(), contactOf.end(),
+                      [&](ContactIndex c) { return context.contacts->contacts[c].born; });
+}
+
+// Each point counts 1, and 100 per effective weight that it carries.
+RowTie ContactRows::tie(std::size_t k, const StepContext& context) const {
+  const Contact& c = context.contacts->contacts[contactOf[k]];
+  RowTie tie;
+  tie.weak = c.weak;
+  for (int i = 0; i < c.count; i++)
+    tie.strength += 1 + 100 * std::fabs(c.points.heldN[i]) / (c.effectiveMass * float(kReferenceGravity));
+  return tie;
+}
+
+bool ContactRows::holds(std::size_t k, float reach, const SolveMotion* motion, const StepContext& context) const {
+  const Contact& c = context.contacts->contacts[contactOf[k]];
+  if (c.touching || !(reach > 0)) return c.touching;
+  alignas(16) float n[4];
+  kernel::store(kernel::pointMotion(records[k], kernel::frame(records[k]), motion).n, n);
+  for (int i = 0; i < c.count; i++)
+    if (c.points.gap[i] + n[i] < reach) return true;
+  return false;
+}
+
+// A point that carried nothing in the last step has no frozen normal force to bound its friction by. It gets the present
+// one, but no more than stops the approach and carries the pair's weight.
+void ContactRows::renewNewPoints(std::size_t k, const SolveMotion* motion) {
+  ContactRecord& r = records[k];
+  const ContactStart& start = starts[k];
+  alignas(16) float fn[4];
+  kernel::store(kernel::pointForces(r, kernel::pointMotion(r, kernel::frame(r), motion)).n, fn);
+  for (int i = 0; i < start.points; i++)
+    if (r.newPoints >> i & 1) r.limit[i] = start.friction * std::max(0.0f, std::min(fn[i], start.stopping[i]));
+}
+
+}  // namespace brickfall

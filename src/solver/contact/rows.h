@@ -1,0 +1,100 @@
+// Contacts as rows of an island's solve.
+#pragma once
+#include <cstdint>
+#include <memory_resource>
+#include <vector>
+
+#include "dynamics/contact_set.h"
+#include "solver/contact/kernel.h"
+#include "solver/contact/record.h"
+#include "solver/hierarchy.h"
+#include "solver/step_context.h"
+
+namespace brickfall {
+
+struct Island;
+
+// What the start of a step says of a contact, and the records don't hold: for rebounds, hits and the friction of new points.
+struct ContactStart {
+  float approach[4] = {};   // m/s, normal relative velocity; negative = closing
+  float gap[4] = {};        // m
+  float stopping[4] = {};   // N, stops the approach and carries the pair's weight
+  float friction = 0;       // coefficient
+  std::int32_t points = 0;  // 0 .. 4
+};
+
+struct ContactRows {
+  explicit ContactRows(std::pmr::memory_resource* memory) : contactOf(memory), records(memory), starts(memory) {}
+  std::pmr::vector<ContactIndex> contactOf;  // by row, in pair order
+  std::pmr::vector<ContactRecord> records;   // by row
+  std::pmr::vector<ContactStart> starts;     // by row
+
+  // --- what every kind of row has (rows.h)
+  static constexpr double kPoints = 4;  // visits that a row counts as
+  std::size_t size() const { return contactOf.size(); }
+  void reserve(std::size_t rows) { contactOf.reserve(rows); }
+  void add(std::uint32_t index) { contactOf.push_back(index); }
+  std::uint32_t indexOf(std::size_t k) const { return contactOf[k]; }  // in the set of its kind
+
+  // The same contacts as in `old`, none of them another that took its slot.
+  bool continues(const ContactRows& old, const StepContext& context) const;
+  // New rows: `number` gives a body's place in Island::motion.
+  template <class Number> void bind(const StepContext& context, Number number) {
+    records.assign(size(), {});
+    starts.assign(size(), {});
+    for (std::size_t k = 0; k < size(); k++) {
+      Contact& c = context.contacts->contacts[contactOf[k]];
+      records[k].contact = contactOf[k];
+      records[k].bodyA = number(c.bodyA);
+      records[k].bodyB = number(c.bodyB);
+      c.fresh = true;
+      c.born = false;
+    }
+  }
+  RowEnds ends(std::size_t k) const { return {records[k].bodyA, records[k].bodyB}; }
+  RowTie tie(std::size_t k, const StepContext& context) const;
+  // It carries force, or is nearer than `reach` m (> 0) at the present motion.
+  bool holds(std::size_t k, float reach, const SolveMotion* motion, const StepContext& context) const;
+
+  void prepare(const Island& island, StepContext& context);
+  // Bounds that follow the solve: friction of points that carried nothing in the last step.
+  void renewBounds(std::size_t k, const SolveMotion* motion) {
+    if (records[k].newPoints) renewNewPoints(k, motion);
+  }
+  // Forces at the final motion into the contacts. True if any bit of what they remember changed.
+  bool store(Island& island, StepContext& context);
+  // Gaps and drifts go on by the motion that was finally made.
+  void advance(const Island& island, StepContext& context) const;
+
+  void prefetch(std::size_t k) const {
+    const char* line = reinterpret_cast<const char*>(&records[k]);
+    for (int i = 0; i < 3; i++) __builtin_prefetch(line + 64 * i);
+  }
+  Reaction react(std::size_t k, const SolveMotion* motion) const {
+    const ContactRecord& r = records[k];
+    kernel::Frame frame = kernel::frame(r);
+    kernel::WideWrench w = kernel::wrench(r, frame, kernel::pointForces(r, kernel::pointMotion(r, frame, motion)));
+    return {w.force, w.torque, frame.armA, frame.armB};
+  }
+  // Exact: open points are searched for, not counted as closed when they are near.
+  template <bool withStiffness> StiffReaction reactStiff(std::size_t k, const SolveMotion* motion, bool exact) const {
+    const ContactRecord& r = records[k];
+    kernel::Frame frame = kernel::frame(r);
+    kernel::PointForces f = kernel::pointForces(r, kernel::pointMotion(r, frame, motion));
+    kernel::WideWrench w = kernel::wrench(r, frame, f);
+    StiffReaction out;
+    out.force = w.force;
+    out.torque = w.torque;
+    out.armA = frame.armA;
+    out.armB = frame.armB;
+    out.nonlinear = kernel::needsLineSearch(r, f);
+    if (exact) out.nonlinear |= kernel::mayClose(r, f, kNearContact);
+    if constexpr (withStiffness) out.stiffness = kernel::stiffness(r, frame, f, exact ? 0.0f : kNearContact);
+    return out;
+  }
+
+ private:
+  void renewNewPoints(std::size_t k, const SolveMotion* motion);
+};
+
+}  // namespace brickfall

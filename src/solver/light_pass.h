@@ -1,0 +1,15 @@
+// What is out of balance at the present motion.
+#pragma once
+#include "solver/island.h"
+
+namespace brickfall {
+
+// Forces at the present motion into Island::residual. With `renewBounds`, bounds that follow the solve are renewed first:
+// the residual that is judged is that of the bounds that hold.
+void lightPass(Island& island, bool renewBounds, double& visits);
+// Largest residual of a body, in weights (torque: as a force at the body's inner radius).
+double worstResidual(const Island& island, const BodySet& bodies);
+// Root of the mean square of |force residual| / weight.
+double rmsResidual(const Island& island, const BodySet& bodies);
+
+}  // namespace brickfall

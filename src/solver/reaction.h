@@ -1,0 +1,33 @@
+// What a row, of whatever kind, does at the present motion. A row ties two bodies at its centre: with u their relative
+// displacement there and w their relative turn (both of B against A, world axes), it answers with a force and a torque about
+// the centre and, where a Newton step needs it, with its stiffness against u and w.
+#pragma once
+#include <cstdint>
+
+#include "math/wide.h"
+
+namespace brickfall {
+
+// The two bodies that a row ties, in Island::motion: partners come after the island's own.
+struct RowEnds {
+  std::uint32_t a = 0, b = 0;
+};
+
+// On B (the opposite on A), with the arms from the bodies' centres of mass to the row's centre. World axes, N and N m.
+struct Reaction {
+  wide::V force, torque;
+  wide::V armA, armB;
+};
+
+// By rows: [A B; B^T C], A and C symmetric.
+struct Stiffness {
+  wide::V A[3], B[3], C[3];
+};
+
+// A reaction for a Newton step.
+struct StiffReaction : Reaction {
+  Stiffness stiffness;  // as asked for
+  wide::M nonlinear{};  // any bit: the force has a kink nearby, the step wants a line search
+};
+
+}  // namespace brickfall

@@ -1,0 +1,92 @@
+// What ties the bodies of an island, as the solve reads it: rows, a list for each kind of tie.
+//
+// A kind is a folder (contact/): its list with the functions that every kind has (contact/rows.h names them), the record
+// that the solve reads, its law, how it is prepared and stored, its energy. It joins the solve as a member of Rows, named in
+// kinds(); whatever walks rows (cycles, direct solve, flight, hierarchies) never asks what they are. The list of kinds is
+// closed and known to the compiler: no virtual calls, and a row's arithmetic stays in its loop. How a kind lays out its
+// records is its own affair: a row may be a lane of a pack of several, since nobody but the kind reads them.
+//
+// Rows are numbered through all kinds, in the order of the members; side 2 x row + end is one body's end of a row.
+#pragma once
+#include <array>
+#include <tuple>
+
+#include "dynamics/link_set.h"
+#include "solver/contact/rows.h"
+
+namespace brickfall {
+
+struct Rows {
+  explicit Rows(std::pmr::memory_resource* memory) : contacts(memory) {}
+  ContactRows contacts;
+
+  // In the order of LinkKind.
+  auto kinds() { return std::tie(contacts); }
+  auto kinds() const { return std::tie(contacts); }
+  static constexpr std::size_t kKinds = kLinkKinds;
+
+  // visit(kind) for each list.
+  template <class Visit> void eachKind(Visit&& visit) {
+    std::apply([&](auto&... kind) { (visit(kind), ...); }, kinds());
+  }
+  template <class Visit> void eachKind(Visit&& visit) const {
+    std::apply([&](const auto&... kind) { (visit(kind), ...); }, kinds());
+  }
+  // visit(kind, index) for all rows in the order of their numbers.
+  template <class Visit> void each(Visit&& visit) {
+    eachKind([&](auto& kind) {
+      for (std::size_t k = 0; k < kind.size(); k++) visit(kind, k);
+    });
+  }
+  template <class Visit> void each(Visit&& visit) const {
+    eachKind([&](const auto& kind) {
+      for (std::size_t k = 0; k < kind.size(); k++) visit(kind, k);
+    });
+  }
+  // visit(kind, index in it) for the row of this number.
+  template <std::size_t i = 0, class Visit> void at(std::size_t row, Visit&& visit) const {
+    const auto& kind = std::get<i>(kinds());
+    if constexpr (i + 1 < kKinds)
+      if (row >= kind.size()) return at<i + 1>(row - kind.size(), visit);
+    visit(kind, row);
+  }
+
+  std::size_t size() const {
+    std::size_t rows = 0;
+    eachKind([&](const auto& kind) { rows += kind.size(); });
+    return rows;
+  }
+  using Counts = std::array<std::size_t, kKinds>;  // rows by kind
+  Counts counts() const {
+    Counts counts{};
+    std::size_t i = 0;
+    eachKind([&](const auto& kind) { counts[i++] = kind.size(); });
+    return counts;
+  }
+  template <std::size_t i = 0> void reserve(const Counts& counts) {
+    std::get<i>(kinds()).reserve(counts[i]);
+    if constexpr (i + 1 < kKinds) reserve<i + 1>(counts);
+  }
+  template <std::size_t i = 0> void add(const Link& link) {
+    if constexpr (i + 1 < kKinds)
+      if (std::size_t(link.kind) != i) return add<i + 1>(link);
+    std::get<i>(kinds()).add(link.index);
+  }
+  // Row k of the link's kind is that of the link.
+  template <std::size_t i = 0> bool names(const Link& link, std::size_t k) const {
+    if constexpr (i + 1 < kKinds)
+      if (std::size_t(link.kind) != i) return names<i + 1>(link, k);
+    const auto& kind = std::get<i>(kinds());
+    return k < kind.size() && kind.indexOf(k) == link.index;
+  }
+  // The ties are those of `old`.
+  template <std::size_t i = 0> bool continues(const Rows& old, const StepContext& context) const {
+    if (!std::get<i>(kinds()).continues(std::get<i>(old.kinds()), context)) return false;
+    if constexpr (i + 1 < kKinds) return continues<i + 1>(old, context);
+    return true;
+  }
+};
+static_assert(std::tuple_size_v<decltype(std::declval<Rows&>().kinds())> == kLinkKinds,
+              "a kind of link is a kind of row");
+
+}  // namespace brickfall
