@@ -11,6 +11,7 @@ namespace brickfall {
 class MeshTree;  // brickfall/geometry/mesh_tree.h
 
 enum class ShapeType : std::uint8_t { box, sphere, capsule, hull, plane, mesh };
+constexpr int kShapeTypeCount = int(ShapeType::mesh) + 1;  // a new one goes to the end (docs/how-to-add.md)
 
 // How the values of two touching materials become one. If the two shapes ask for different rules, the later in this list
 // wins.

@@ -6,9 +6,7 @@
 
 namespace brickfall {
 
-inline double coreRadius(const Shape& shape) {
-  return shape.type == ShapeType::sphere || shape.type == ShapeType::capsule ? shape.radius : 0;
-}
+inline double coreRadius(const Shape& shape) { return isRound(shape.type) ? shape.radius : 0; }
 
 // The corner of the core furthest along `direction`; of equals the first. Not for planes.
 inline Vec3 coreSupport(const Shape& shape, Vec3 direction) {
@@ -29,9 +27,12 @@ inline Vec3 coreSupport(const Shape& shape, Vec3 direction) {
       }
       return best;
     }
-    default:
+    case ShapeType::sphere:
+    case ShapeType::plane:
+    case ShapeType::mesh:
       return {};
   }
+  return {};
 }
 
 // Half the extent of the shape, m, to scale tolerances. 0 for planes.
@@ -43,9 +44,12 @@ inline double coreSize(const Shape& shape) {
       return shape.halfHeight;
     case ShapeType::hull:
       return outerRadius(shape, shape.hull->centroid);
-    default:
+    case ShapeType::sphere:
+    case ShapeType::plane:
+    case ShapeType::mesh:
       return 0;
   }
+  return 0;
 }
 
 }  // namespace brickfall

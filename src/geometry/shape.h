@@ -17,6 +17,21 @@ struct Shape {
   const MeshTree* mesh = nullptr;  // mesh; the same
 };
 
+// Its contacts wander as it moves: they are found anew in every step.
+inline bool isRound(ShapeType type) {
+  switch (type) {
+    case ShapeType::sphere:
+    case ShapeType::capsule:
+      return true;
+    case ShapeType::box:
+    case ShapeType::hull:
+    case ShapeType::plane:
+    case ShapeType::mesh:
+      return false;
+  }
+  return false;
+}
+
 // Bounds of the shape at a pose. A plane's bounds are infinite (+-1e30) except upwards along its own +y when that is a
 // world axis.
 Aabb bounds(const Shape& shape, const Transform& pose);

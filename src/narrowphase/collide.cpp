@@ -10,6 +10,7 @@ using PairFunction = void (*)(const Shape&, const Shape&, const Transform&, doub
 
 // The order in which a pair's function takes its arguments. Two planes have none.
 constexpr int kRanks = 5;
+static_assert(kRanks == kShapeTypeCount - 1, "a new shape needs a row and a column in kPairs; only meshes have none");
 int rank(ShapeType type) {
   switch (type) {
     case ShapeType::plane:
@@ -25,7 +26,7 @@ int rank(ShapeType type) {
     case ShapeType::mesh:
       return -1;
   }
-  return 0;
+  return -1;
 }
 
 // clang-format off

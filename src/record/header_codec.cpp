@@ -89,6 +89,7 @@ Vec3 getVec3(ByteReader& in) {
   return v;
 }
 
+static_assert(kShapeTypeCount == 6, "a new shape: put() and getShape(), and docs/take-format.md");
 void put(ByteWriter& out, const ShapeDef& shape) {
   out.u8(std::uint8_t(shape.type));
   put(out, shape.local.position);

@@ -3,6 +3,7 @@
 
 #include "brickfall/limits.h"
 #include "scene/node.h"
+#include "scene/shape_choices.h"
 
 namespace brickfall::scene {
 
@@ -26,7 +27,7 @@ void addMotion(std::vector<KeySpec>& keys, const char* table) {
 }
 
 void addShape(std::vector<KeySpec>& keys, const char* table) {
-  keys.push_back({table, "shape", K::choice, "", 0, 0, "\"box\"", "box|sphere|capsule|hull|mesh", "form"});
+  keys.push_back({table, "shape", K::choice, "", 0, 0, "\"box\"", kShapeChoices, "form"});
   keys.push_back({table, "size", K::positive, "m", kSmall, kLarge, "[1, 1, 1]", "", "box: whole lengths along x, y, z"});
   keys.push_back({table, "radius", K::number, "m", kSmall, kLarge, "0.5", "", "sphere and capsule"});
   keys.push_back({table, "height", K::number, "m", kSmall, kLarge, "1", "", "capsule: between the centres of its caps, along y"});

@@ -4,14 +4,11 @@
 #include <numbers>
 
 #include "scene/scene_build.h"
+#include "scene/shape_choices.h"
 
 namespace brickfall::scene {
 
 namespace {
-
-constexpr ShapeType kShapes[] = {ShapeType::box, ShapeType::sphere, ShapeType::capsule, ShapeType::hull,
-                                 ShapeType::mesh};
-constexpr const char* kShapeNames[] = {"box", "sphere", "capsule", "hull", "mesh"};
 
 // True if some four of the points span a tetrahedron that is not flat.
 bool spansVolume(const std::vector<Vec3>& points) {
@@ -31,24 +28,40 @@ bool spansVolume(const std::vector<Vec3>& points) {
   return height > 1e-6 * scale && lengthSquared(normal) > 1e-12 * scale * scale * scale * scale;
 }
 
+constexpr const char* kShapeKeys[] = {"size", "radius", "height", "vertices", "file", "scale"};
+
+bool hasKey(ShapeType shape, std::string_view key) {
+  switch (shape) {
+    case ShapeType::box:
+      return key == "size";
+    case ShapeType::sphere:
+      return key == "radius";
+    case ShapeType::capsule:
+      return key == "radius" || key == "height";
+    case ShapeType::hull:
+      return key == "vertices";
+    case ShapeType::mesh:
+      return key == "file" || key == "scale";
+    case ShapeType::plane:
+      return false;
+  }
+  return false;
+}
+
 // A key that belongs to another shape than the one chosen would silently do nothing.
-void refuseKeysOfOtherShapes(TableReader& reader, int shape) {
-  constexpr struct {
-    const char* key;
-    int shapes;  // bits, in the order of kShapeNames
-  } kOwners[] = {{"size", 1}, {"radius", 2 | 4}, {"height", 4}, {"vertices", 8}, {"file", 16}, {"scale", 16}};
-  for (const auto& owner : kOwners)
-    if (reader.has(owner.key) && !(owner.shapes & 1 << shape))
-      reader.error(owner.key, std::string("found a key that a ") + kShapeNames[shape] +
-                                  " does not have, expected it only with another shape");
+void refuseKeysOfOtherShapes(TableReader& reader, const ShapeChoice& shape) {
+  for (const char* key : kShapeKeys)
+    if (reader.has(key) && !hasKey(shape.type, key))
+      reader.error(
+          key, "found a key that a " + std::string(shape.name) + " does not have, expected it only with another shape");
 }
 
 ShapeDef readShape(SceneBuild& build, TableReader& reader) {
   ShapeDef shape;
   int index = 0;
   bool known = !reader.has("shape") || reader.choice("shape", index);
-  shape.type = kShapes[index];
-  if (known) refuseKeysOfOtherShapes(reader, index);
+  shape.type = kShapes[index].type;
+  if (known) refuseKeysOfOtherShapes(reader, kShapes[index]);
   Vec3 size{1, 1, 1};
   double height = 1;
   reader.vector("size", size);

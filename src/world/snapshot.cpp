@@ -141,7 +141,7 @@ class SnapshotArchive {
 
   template <class Archive, class Data> static void shape(Archive& a, Data& s) {
     a.value(s.body);
-    a.choice(s.def.type, ShapeType::mesh);
+    a.choice(s.def.type, ShapeType(kShapeTypeCount - 1));
     a.value(s.def.halfExtents);
     a.value(s.def.radius);
     a.value(s.def.halfHeight);

@@ -243,8 +243,7 @@ void World::Impl::makeContact(CandidatePair& pair, const Manifold& m, const Tran
   c.bodyA = pair.bodyA;
   c.bodyB = pair.bodyB;
   c.count = m.count;
-  auto round = [](ShapeType t) { return t == ShapeType::sphere || t == ShapeType::capsule; };
-  c.rolls = round(a.geometry.type) || round(b.geometry.type);
+  c.rolls = isRound(a.geometry.type) || isRound(b.geometry.type);
   c.friction = float(mixFriction(a.def.material, b.def.material));
   c.restitution = float(mixRestitution(a.def.material, b.def.material));
   c.effectiveMass = float(1 / (bodies.mass[pair.bodyA].invMass + bodies.mass[pair.bodyB].invMass));

@@ -83,7 +83,7 @@ std::vector<std::string> World::Impl::validateStructure() const {
   for (std::size_t i = 0; i < m; i++)
     if (shapes.data[i].alive)
       f.expect(shapes.data[i].body < n && bodies.data[shapes.data[i].body].alive &&
-                   shapes.data[i].def.type <= ShapeType::mesh &&
+                   int(shapes.data[i].def.type) < kShapeTypeCount &&
                    (shapes.data[i].def.type != ShapeType::mesh ||
                     (shapes.data[i].def.mesh && bodies.data[shapes.data[i].body].type != BodyType::dynamic)),
                at("shape", i) + ": of no body");
