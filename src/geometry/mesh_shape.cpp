@@ -108,7 +108,7 @@ double meshPenetration(const Shape& mesh, const Shape& shape, const Transform& p
   auto& [face, faces] = scratch();
   mesh.mesh->facesNear(bounds(shape, pose), faces);
   if (faces.empty()) return 0;
-  bool round = shape.type == ShapeType::sphere || shape.type == ShapeType::capsule;
+  bool round = isRound(shape.type);
   std::optional<Polytope> polytope;
   if (!round) polytope.emplace(shape, pose);
   double depth = 0;

@@ -14,7 +14,7 @@ void collectPoints(const MeshTree& tree, const Shape& shape, const Transform& po
   scratch.points.clear();
   tree.facesNear(grown(bounds(shape, pose), margin), scratch.faces);
   if (scratch.faces.empty()) return;
-  if (shape.type == ShapeType::sphere || shape.type == ShapeType::capsule) {
+  if (isRound(shape.type)) {
     Vec3 tip = shape.type == ShapeType::capsule ? rotate(pose.rotation, Vec3{0, shape.halfHeight, 0}) : Vec3{};
     for (std::uint32_t f : scratch.faces)
       collideFaceRound(MeshFace(tree.mesh(), f), pose.position - tip, pose.position + tip, shape.radius, margin,
