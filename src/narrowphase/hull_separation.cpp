@@ -25,10 +25,10 @@ int facingEdges(const HullView& hull, const HullView& other, double toBeat, std:
   bool all = toBeat + other.innerRadius < 0;
   for (int e = 0; e < hull.edgeCount; e += 2) {
     Vec3 towards = other.centroid - hull.vertices[hull.edges[e].origin];
-    bool faces = (dot(hull.planes[hull.edges[e].face].normal, towards) > 0) |
-                 (dot(hull.planes[hull.edges[e + 1].face].normal, towards) > 0);
+    int faces = int(dot(hull.planes[hull.edges[e].face].normal, towards) > 0) |
+                int(dot(hull.planes[hull.edges[e + 1].face].normal, towards) > 0);
     out[count] = std::uint16_t(e);
-    count += all | faces;  // as likely as not: no branch
+    count += int(all) | faces;  // as likely as not: no branch
   }
   return count;
 }

@@ -43,6 +43,7 @@ Shape ShapeSamples::make(ShapeType type) {
       return makeHull(points);
     }
     case ShapeType::plane:
+    case ShapeType::mesh:
       break;
   }
   return shape;
@@ -79,6 +80,7 @@ Outline outlineOf(const Shape& shape) {
       }
       break;
     case ShapeType::plane:
+    case ShapeType::mesh:
       break;
   }
   return out;
