@@ -36,8 +36,8 @@ def modules_of(names, folder):
                 module = Module(path, call.split())
                 found[module.name] = module
     top = re.sub(r"#[^\n]*", "", read(folder + "/CMakeLists.txt"))
-    top = re.sub(r"brickfall_library\(\w+", "", top)  # a library may have the name of a module in it
-    order = {word: at for at, word in reversed(list(enumerate(re.findall(r"\w+", top))))}
+    lists = re.findall(r"\bset\(\w+ ([^)]*)\)|\bMODULES ([a-z_\s]+)", top)
+    order = {word: at for at, word in enumerate(" ".join(a + b for a, b in lists).split())}
     return dict(sorted(found.items(), key=lambda item: order.get(item[0], len(order))))
 
 
