@@ -60,17 +60,19 @@ RunMetrics::RunMetrics(const World& world, std::span<const PlacedBody> bodies, s
     if (!state) continue;
     figures_.bodies++;
     figures_.bricks += isBrick(body);
-    if (anyBrick ? isBrick(body) : body.role == BodyRole::body) tracked_.push_back({body.id, state->centreOfMass});
+    if (anyBrick ? isBrick(body) : body.role == BodyRole::body)
+      tracked_.push_back({body.id, state->centreOfMass, state->centreOfMass});
     if (state->type == BodyType::dynamic)
       countWeight(world, body.id, body.def.gravityScale);
     else
       pending_.push_back({body.id, body.def});
   }
-  const double energy = energyNow(world);
-  ledger_.supply(energy);
-  ledger_.measure(energy);
+  for (BodyId id : world.bodies()) know(id);
+  energy_ = energyNow(world);
+  ledger_.supply(energy_);
+  ledger_.measure(energy_);
   figures_.kineticEnergyMax = figures_.kineticEnergyEnd = world.energy().kinetic;
-  samples_.push_back({world.time(), centres(world)});
+  samples_.push_back(sample(world, world.time()));
 }
 
 void RunMetrics::findLowestPlace(const World& world, std::span<const PlacedBody> bodies) {
@@ -88,8 +90,40 @@ void RunMetrics::findLowestPlace(const World& world, std::span<const PlacedBody>
   if (!std::isfinite(lowestHeight_)) lowestHeight_ = 0;
 }
 
-void RunMetrics::countWeight(const World& world, BodyId id, double gravityScale) {
-  if (const Result<MassProperties> mass = world.massProperties(id)) weight_ += mass->mass * gravityScale * gravity_;
+double RunMetrics::countWeight(const World& world, BodyId id, double gravityScale) {
+  const Result<MassProperties> mass = world.massProperties(id);
+  if (!mass) return 0;
+  weighed_.push_back({id, mass->mass * gravityScale * gravity_});
+  weight_ += weighed_.back().weight;
+  return weighed_.back().weight;
+}
+
+void RunMetrics::know(BodyId id) {
+  if (id.index >= knownByIndex_.size()) knownByIndex_.resize(id.index + 1);
+  knownByIndex_[id.index] = id;
+}
+
+bool RunMetrics::isKnown(BodyId id) const { return id.index < knownByIndex_.size() && knownByIndex_[id.index] == id; }
+
+// The bodies that came since the start, and those that went. True if any did.
+bool RunMetrics::followBodies(const World& world) {
+  const std::size_t before = weighed_.size();
+  std::erase_if(weighed_, [&](const Weighed& body) {
+    if (world.isValid(body.id)) return false;
+    weight_ -= body.weight;
+    return true;
+  });
+  bool changed = weighed_.size() != before;
+  for (BodyId id : world.bodies()) {
+    if (isKnown(id)) continue;
+    const Result<BodyState> state = world.state(id);
+    if (!state || state->type != BodyType::dynamic) continue;  // it may become so
+    know(id);
+    countWeight(world, id, 1);
+    figures_.bodies++;
+    changed = true;
+  }
+  return changed;
 }
 
 double RunMetrics::energyNow(const World& world) const {
@@ -108,20 +142,21 @@ void RunMetrics::bookLaunches(const World& world) {
     const Vec3 spin = rotate(conjugate(rotation), held.def.angularVelocity);
     const double kinetic =
         0.5 * mass->mass * lengthSquared(held.def.linearVelocity) + 0.5 * dot(spin, mass->inertia * spin);
-    const double weight = mass->mass * held.def.gravityScale * gravity_;
-    weight_ += weight;
+    const double weight = countWeight(world, held.id, held.def.gravityScale);
     ledger_.supply(kinetic + weight * (heightOf(centre) - lowestHeight_));
     return true;
   });
 }
 
-std::vector<Vec3> RunMetrics::centres(const World& world) const {
-  std::vector<Vec3> out;
-  out.reserve(tracked_.size());
-  for (const Tracked& body : tracked_) {
-    const Result<BodyState> state = world.state(body.id);
-    out.push_back(state ? state->centreOfMass : body.start);
-  }
+void RunMetrics::measureCentres(const World& world) {
+  for (Tracked& body : tracked_)
+    if (const Result<BodyState> state = world.state(body.id)) body.last = state->centreOfMass;
+}
+
+RunMetrics::Sample RunMetrics::sample(const World& world, double time) {
+  measureCentres(world);
+  Sample out{time, {}};
+  for (const Tracked& body : tracked_) out.centres.push_back(body.last);
   return out;
 }
 
@@ -147,7 +182,12 @@ RunMetrics::Overlap RunMetrics::measureOverlap(const World& world) const {
 
 void RunMetrics::afterStep(const World& world, const StepReport& report) {
   bookLaunches(world);
-  ledger_.measure(energyNow(world));
+  const bool changed = followBodies(world);
+  const double energy = energyNow(world);
+  // What came or went took its energy along; in that step nothing can be told of what was made.
+  if (changed) ledger_.supply(energy - energy_);
+  ledger_.measure(energy);
+  energy_ = energy;
   figures_.steps++;
   figures_.simulatedSeconds = report.time;
   figures_.kineticEnergyEnd = world.energy().kinetic;
@@ -158,25 +198,25 @@ void RunMetrics::afterStep(const World& world, const StepReport& report) {
   stepMilliseconds_.push_back(report.milliseconds);
   for (int i = 0; i < kStageCount; i++) figures_.stageMilliseconds[i] += report.stageMilliseconds[i];
   if (figures_.steps % sampleEvery_ == 0) {
-    samples_.push_back({report.time, centres(world)});
+    samples_.push_back(sample(world, report.time));
     figures_.penetrationMax = std::max(figures_.penetrationMax, measureOverlap(world).max);
   }
 }
 
 RunFigures RunMetrics::finish(const World& world) {
   RunFigures out = figures_;
-  const std::vector<Vec3> now = centres(world);
+  measureCentres(world);
   const double half = out.simulatedSeconds / 2;
   const auto nearer = [&](const Sample& a, const Sample& b) {
     return std::fabs(a.time - half) < std::fabs(b.time - half);
   };
   const Sample& middle = *std::min_element(samples_.begin(), samples_.end(), nearer);
   for (std::size_t i = 0; i < tracked_.size(); i++) {
-    const Vec3 moved = now[i] - tracked_[i].start;
+    const Vec3 moved = tracked_[i].last - tracked_[i].start;
     out.displacementMax = std::max(out.displacementMax, length(moved));
     out.bricksMoved50mm += length(moved) > kMoved;
     out.sagMax = std::max(out.sagMax, -heightOf(moved));
-    out.creepMax = std::max(out.creepMax, length(now[i] - middle.centres[i]));
+    out.creepMax = std::max(out.creepMax, length(tracked_[i].last - middle.centres[i]));
   }
   const Overlap overlap = measureOverlap(world);
   out.penetrationMax = std::max(out.penetrationMax, overlap.max);

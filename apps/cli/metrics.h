@@ -1,5 +1,5 @@
 // The figures of a run: how far bricks moved, how deep bodies overlap, what energy did, what a step cost. Fed after every
-// step; docs/summary.md says what each figure means.
+// step; docs/summary.md says what each figure means. Bodies may come and go meanwhile.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -46,6 +46,11 @@ class RunMetrics {
   struct Tracked {
     BodyId id;
     Vec3 start;  // m, centre of mass
+    Vec3 last;   // m, where it was last measured: one that is gone stays there
+  };
+  struct Weighed {
+    BodyId id;
+    double weight = 0;  // N
   };
   struct Pending {  // a body that is held until it is launched
     BodyId id;
@@ -55,16 +60,20 @@ class RunMetrics {
     double time = 0;
     std::vector<Vec3> centres;  // of tracked_
   };
+  Sample sample(const World& world, double time);
   struct Overlap {
     double max = 0, mean = 0;
   };
 
   double heightOf(Vec3 point) const { return dot(point, up_); }
   void findLowestPlace(const World& world, std::span<const PlacedBody> bodies);
-  void countWeight(const World& world, BodyId id, double gravityScale);
+  double countWeight(const World& world, BodyId id, double gravityScale);
+  void know(BodyId id);
+  bool isKnown(BodyId id) const;
+  bool followBodies(const World& world);
   double energyNow(const World& world) const;
   void bookLaunches(const World& world);
-  std::vector<Vec3> centres(const World& world) const;
+  void measureCentres(const World& world);
   Overlap measureOverlap(const World& world) const;
 
   std::vector<Tracked> tracked_;  // bricks, or whatever moves where there are none
@@ -72,9 +81,12 @@ class RunMetrics {
   std::vector<Sample> samples_;
   std::uint64_t sampleEvery_ = 1;
   Vec3 up_{0, 1, 0};
-  double gravity_ = 0;       // m/s2
-  double lowestHeight_ = 0;  // m along up_
-  double weight_ = 0;        // N, of all bodies that move by forces
+  double gravity_ = 0;                // m/s2
+  double lowestHeight_ = 0;           // m along up_
+  double weight_ = 0;                 // N, of all bodies that move by forces
+  double energy_ = 0;                 // J, after the last step
+  std::vector<Weighed> weighed_;      // those bodies
+  std::vector<BodyId> knownByIndex_;  // by BodyId::index: bodies of the start, and those that came and were weighed
   EnergyLedger ledger_;
   RunFigures figures_;
   std::vector<double> stepMilliseconds_;

@@ -1,7 +1,6 @@
 // brickfall trace: writes down what every stage of a run did, as hashes, and finds where two such runs part.
 #include <cmath>
 #include <fstream>
-#include <map>
 #include <sstream>
 
 #include "brickfall/whole_file.h"
@@ -15,27 +14,17 @@
 namespace brickfall::cli {
 namespace {
 
-// Names of bodies by the index of their id: a scene makes all its bodies at the start.
-class BodyNames {
- public:
-  explicit BodyNames(const SceneRun& run) {
-    for (const PlacedBody& body : run.bodies()) names_[body.id.index] = printable(body.name);
-  }
-  std::string of(BodyId id) const {
-    const auto at = names_.find(id.index);
-    return at == names_.end() || at->second.empty() ? fmt::format("body {}", id.index) : at->second;
-  }
+std::string nameOfBody(const SceneRun& run, BodyId id) {
+  const PlacedBody* body = run.find(id);
+  return body && !body->name.empty() ? printable(body->name) : fmt::format("body {}", id.index);
+}
 
- private:
-  std::map<std::uint32_t, std::string> names_;
-};
-
-void append(const StepReport& report, std::uint64_t step, const BodyNames& names, Trace& trace) {
+void append(const StepReport& report, std::uint64_t step, const SceneRun& run, Trace& trace) {
   for (const StageHash& hash : report.stageHashes) {
     TraceStage stage{step, hash.substep, std::string(nameOf(hash)), hash.hash, {}};
     for (const ItemHash& item : hash.items) {
-      std::string name = names.of(item.bodyA);
-      if (item.bodyB) name += " | " + names.of(item.bodyB);
+      std::string name = nameOfBody(run, item.bodyA);
+      if (item.bodyB) name += " | " + nameOfBody(run, item.bodyB);
       stage.items.push_back({std::move(name), item.hash});
     }
     trace.stages.push_back(std::move(stage));
@@ -78,7 +67,6 @@ int trace(const TraceCommand& options) {
 
   watchInterrupts();
   Trace out{printable(scene.name), scene.seed, scene.timeStep, {}};
-  const BodyNames names(run);
   const std::uint64_t steps = std::uint64_t(std::max(1.0, std::round(scene.seconds / scene.timeStep)));
   int exitCode = kOk;
   for (std::uint64_t step = 1; step <= steps && interruptCount() == 0; step++) {
@@ -89,7 +77,7 @@ int trace(const TraceCommand& options) {
       exitCode = kInternalError;
       break;
     }
-    append(*report, step, names, out);
+    append(*report, step, run, out);
   }
   out.complete = exitCode == kOk && interruptCount() == 0;
   if (const Status written = writeWhole(path, toText(out)); !written) {

@@ -120,7 +120,8 @@ struct PlacedBody {
   SourcePlace place;
 };
 
-// A scene being simulated: the world, what is in it, and what is still to be launched.
+// A scene being simulated: the world, what is in it, and what is still to be launched. Bodies that come or go while it runs are
+// created and destroyed through it, so that they have a name, a role and a colour, or through world(), which knows none of these.
 class SceneRun {
  public:
   static Result<SceneRun> create(const SceneDescription& scene);
@@ -129,7 +130,12 @@ class SceneRun {
   World& world() { return world_; }
   const World& world() const { return world_; }
   const SceneDescription& scene() const { return scene_; }
+  // As they were placed, those of the scene first. One that was destroyed through world() is still listed.
   const std::vector<PlacedBody>& bodies() const { return bodies_; }
+  const PlacedBody* find(BodyId id) const;  // null for a body that is not listed
+  // `id` of what is given is not read; with a launchTime to come the body is held until then.
+  Result<BodyId> createBody(PlacedBody body);
+  Status destroyBody(BodyId id);
   double time() const { return time_; }  // s, simulated so far
   std::uint64_t stepCount() const { return stepsDone_; }
 
@@ -138,8 +144,9 @@ class SceneRun {
   SceneDescription scene_;
   World world_;
   std::vector<PlacedBody> bodies_;
-  std::vector<std::size_t> held_;      // positions in bodies_ of what is still to be launched
-  std::optional<ReportRun> reported_;  // SceneMethod::report
+  std::vector<std::size_t> placeByIndex_;  // by BodyId::index: position in bodies_, where that id is
+  std::vector<BodyId> held_;               // still to be launched
+  std::optional<ReportRun> reported_;      // SceneMethod::report
   std::uint64_t stepsDone_ = 0;
   double time_ = 0;
 };

@@ -13,6 +13,7 @@
 
 namespace brickfall {
 
+// A body is known by its number: bodies are counted from 0 over the whole take, in the order in which they came.
 struct TakeBody {
   std::string name;
   BodyRole role = BodyRole::body;
@@ -25,8 +26,13 @@ struct TakeHeader {
   std::string scene, title, engineVersion;
   std::uint64_t seed = 0;
   double framesPerSecond = 60;
-  std::vector<TakeBody> bodies;
   std::vector<Camera> cameras;
+};
+
+// The frames in which a body is there: from `birth` up to, not including, `end`.
+struct TakeLife {
+  std::size_t birth = 0, end = 0;
+  bool holds(std::size_t frame) const { return frame >= birth && frame < end; }
 };
 
 struct TakePose {
@@ -39,15 +45,21 @@ struct TakePose {
 enum class TakeEventType : std::uint8_t { hit, launch, fellAsleep, quarantined };
 struct TakeEvent {
   TakeEventType type = TakeEventType::hit;
-  std::uint32_t bodyA = 0, bodyB = 0;  // positions in TakeHeader::bodies; bodyB only for hits
+  std::uint32_t bodyA = 0, bodyB = 0;  // numbers of bodies that are or were there; bodyB only for hits
   Vec3 pointWorld;
   float impulse = 0;  // N s
 };
 
 struct TakeFrame {
   double time = 0;                // s
-  std::vector<TakePose> poses;    // one per body of the header
+  std::vector<TakePose> poses;    // one per body that is there, in the order of their numbers
   std::vector<TakeEvent> events;  // since the last frame
+};
+
+// Who comes and who goes with a frame.
+struct TakeChange {
+  std::vector<TakeBody> births;     // there from this frame on; their numbers follow those of all bodies before
+  std::vector<std::uint32_t> ends;  // numbers of bodies that were there in the last frame and no longer are, ascending
 };
 
 class TakeWriter {
@@ -57,7 +69,8 @@ class TakeWriter {
   TakeWriter(TakeWriter&&) noexcept;
   TakeWriter& operator=(TakeWriter&&) noexcept;
   ~TakeWriter();
-  Status write(const TakeFrame& frame);
+  // The first frame's change brings the bodies that are there at the start.
+  Status write(const TakeFrame& frame, const TakeChange& change = {});
   // Writes the index and `summaryJson` (any text, may be empty); without it the take still opens.
   Status finish(const std::string& summaryJson);
 
@@ -77,6 +90,10 @@ class TakeReader {
   ~TakeReader();
   const TakeHeader& header() const;
   std::size_t frameCount() const;
+  const std::vector<TakeBody>& bodies() const;  // all that ever were there, by number
+  const std::vector<TakeLife>& lives() const;   // of each body
+  // Numbers of the bodies that are there in a frame, ascending: those to which TakeFrame::poses belong.
+  std::vector<std::uint32_t> bodiesAt(std::size_t frame) const;
   bool complete() const;
   // Of a take that was cut off: bytes after its last whole frame, which belong to a torn one.
   std::uint64_t tornBytes() const;

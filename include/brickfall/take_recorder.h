@@ -1,43 +1,42 @@
-// Records a running scene into a take: a frame whenever one is due, with all that happened since the last.
+// Records a running world into a take: a frame whenever one is due, with all that happened since the last. Bodies may be
+// created and destroyed meanwhile: the take tells in which frames each of them was there.
 #pragma once
-#include <cstddef>
+#include <functional>
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "brickfall/scene.h"
 #include "brickfall/take.h"
 
 namespace brickfall {
 
-class AsideFile;
-
 // The file is "<path>.part" until it is finished: under its name a take is always whole, and an older one stays until then.
 class TakeRecorder {
  public:
-  // Creates the file and writes the first frame: the scene before its first step.
+  // How a body is called and looks in the take; asked once, when it is first seen. Where `shapes` is left empty they are those
+  // of the world.
+  using Describe = std::function<TakeBody(BodyId)>;
+
+  // Creates the file and writes the first frame: the world as it is. Without `describe` bodies are "body 0", "body 1" ...
+  static Result<TakeRecorder> create(const std::string& path, const TakeHeader& header, const World& world,
+                                     const Describe& describe = {});
+  // Of a scene: bodies are called as there, frames come as it asks for them, but no more than one a step.
   static Result<TakeRecorder> create(const std::string& path, const SceneRun& run);
   TakeRecorder(TakeRecorder&&) noexcept;
+  TakeRecorder& operator=(TakeRecorder&&) noexcept;
   ~TakeRecorder();
+
+  // After every step, with its report.
+  Status afterStep(const World& world, const StepReport& report, const Describe& describe = {});
   Status afterStep(const SceneRun& run, const StepReport& report);
   Status finish(const std::string& summaryJson);
   // Where the recording is now.
   const std::string& file() const;
 
  private:
-  TakeRecorder(std::unique_ptr<AsideFile> aside, TakeWriter writer, const SceneRun& run, double framesPerSecond);
-  void collectEvents(const SceneRun& run, const StepReport& report);
-  Status writeFrame(const SceneRun& run);
-  // Position in TakeHeader::bodies, -1 for a body that is not of the scene.
-  int placeOf(BodyId id) const { return id.index < placeByIndex_.size() ? placeByIndex_[id.index] : -1; }
-
-  std::unique_ptr<AsideFile> aside_;
-  TakeWriter writer_;
-  double framesPerSecond_;
-  double nextFrame_ = 1;           // number of the frame that is due next
-  std::vector<int> placeByIndex_;  // by BodyId::index
-  std::vector<std::size_t> held_;  // places of bodies not yet launched
-  std::vector<TakeEvent> events_;  // since the last frame
+  struct Impl;
+  explicit TakeRecorder(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace brickfall

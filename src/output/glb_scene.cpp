@@ -43,7 +43,8 @@ std::string keyOf(const ShapeMesh& mesh) {
 
 class SceneWriter {
  public:
-  SceneWriter(const TakeHeader& header, const TakePoses& poses) : header_(header), poses_(poses) {
+  SceneWriter(const TakeReader& take, const TakePoses& poses)
+      : header_(take.header()), bodies_(take.bodies()), poses_(poses) {
     for (double time : poses.times) times_.push_back(time - poses.times[0]);
   }
 
@@ -57,9 +58,13 @@ class SceneWriter {
   int material(const TakeBody& body);
   int mesh(const TakeBody& body);  // -1 = nothing to draw
   int timesOf(const std::vector<std::uint32_t>& keys);
-  void addChannel(json& animation, std::size_t node, const char* path, int input, int output);
+  void addMotion(json& animation, std::size_t body);
+  void addLife(json& animation, std::size_t body);
+  void addChannel(json& animation, std::size_t node, const char* path, int input, int output,
+                  const char* interpolation = "LINEAR");
 
   const TakeHeader& header_;
+  const std::vector<TakeBody>& bodies_;
   const TakePoses& poses_;
   std::vector<double> times_;  // from 0
   GlbBuilder glb_;
@@ -112,14 +117,15 @@ json toJson(Vec3 v) { return {float(v.x), float(v.y), float(v.z)}; }
 json toJson(Quat q) { return {float(q.x), float(q.y), float(q.z), float(q.w)}; }
 
 void SceneWriter::addBodies() {
-  for (std::size_t k = 0; k < header_.bodies.size(); k++) {
-    const TakeBody& body = header_.bodies[k];
+  for (std::size_t k = 0; k < bodies_.size(); k++) {
+    const TakeBody& body = bodies_[k];
     const Transform& pose = poses_.pose(k, 0);
     json node = {{"name", body.name},
                  {"translation", toJson(pose.position)},
                  {"rotation", toJson(pose.rotation)},
                  {"extras", {{"mass", body.mass}, {"role", roleName(body.role)}}}};
     if (int place = mesh(body); place >= 0) node["mesh"] = place;
+    if (poses_.lives[k].birth > 0) node["scale"] = {0, 0, 0};  // see addLife
     scene_.push_back(nodes_.size());
     nodes_.push_back(std::move(node));
   }
@@ -161,38 +167,70 @@ int SceneWriter::timesOf(const std::vector<std::uint32_t>& keys) {
   return at->second;
 }
 
-void SceneWriter::addChannel(json& animation, std::size_t node, const char* path, int input, int output) {
+void SceneWriter::addChannel(json& animation, std::size_t node, const char* path, int input, int output,
+                             const char* interpolation) {
   animation["channels"].push_back(
       {{"sampler", animation["samplers"].size()}, {"target", {{"node", node}, {"path", path}}}});
-  animation["samplers"].push_back({{"input", input}, {"output", output}, {"interpolation", "LINEAR"}});
+  animation["samplers"].push_back({{"input", input}, {"output", output}, {"interpolation", interpolation}});
+}
+
+// Keys of the frames in which the body is there.
+void SceneWriter::addMotion(json& animation, std::size_t body) {
+  std::span<const Transform> poses = poses_.posesOf(body);
+  const TakeLife life = poses_.lives[body];
+  std::span<const double> times = std::span(times_).subspan(life.birth, poses.size());
+  const auto inTake = [&](std::vector<std::uint32_t> keys) {
+    for (std::uint32_t& f : keys) f += std::uint32_t(life.birth);
+    return keys;
+  };
+  if (std::vector<std::uint32_t> keys = keysOfPositions(poses, times); keys.size() > 1) {
+    std::vector<float> values;
+    for (std::uint32_t f : keys) {
+      for (int axis = 0; axis < 3; axis++) values.push_back(float(poses[f].position[axis]));
+    }
+    int output = glb_.addFloats(values, 3, GlbBuilder::kOther, false);
+    addChannel(animation, body, "translation", timesOf(inTake(keys)), output);
+  }
+  if (std::vector<std::uint32_t> keys = keysOfRotations(poses, times); keys.size() > 1) {
+    std::vector<float> values;
+    Quat last = poses[0].rotation;
+    for (std::uint32_t f : keys) {
+      Quat q = poses[f].rotation;
+      // Never to the far side of the sphere: players that blend component by component would swing round.
+      if (q.x * last.x + q.y * last.y + q.z * last.z + q.w * last.w < 0) q = {-q.x, -q.y, -q.z, -q.w};
+      values.insert(values.end(), {float(q.x), float(q.y), float(q.z), float(q.w)});
+      last = q;
+    }
+    int output = glb_.addFloats(values, 4, GlbBuilder::kOther, false);
+    addChannel(animation, body, "rotation", timesOf(inTake(keys)), output);
+  }
+}
+
+// A body that is not there has size 0: the one way that every player knows.
+void SceneWriter::addLife(json& animation, std::size_t body) {
+  const TakeLife life = poses_.lives[body];
+  std::vector<std::uint32_t> keys{0};
+  std::vector<float> values(3, life.birth > 0 ? 0.0f : 1.0f);
+  if (life.birth > 0) {
+    keys.push_back(std::uint32_t(life.birth));
+    values.insert(values.end(), {1, 1, 1});
+  }
+  if (life.end < poses_.frames) {
+    keys.push_back(std::uint32_t(life.end));
+    values.insert(values.end(), {0, 0, 0});
+  }
+  if (keys.size() == 1) return;
+  addChannel(animation, body, "scale", timesOf(keys), glb_.addFloats(values, 3, GlbBuilder::kOther, false), "STEP");
 }
 
 bool SceneWriter::addAnimation(const Progress& progress) {
   json animation = {{"name", header_.scene.empty() ? "take" : header_.scene},
                     {"channels", json::array()},
                     {"samplers", json::array()}};
-  for (std::size_t k = 0; k < header_.bodies.size(); k++) {
-    if (progress && k % 64 == 0 && !progress(0.5 + 0.45 * double(k) / double(header_.bodies.size()))) return false;
-    std::span<const Transform> poses(poses_.poses.data() + k * poses_.frames, poses_.frames);
-    if (std::vector<std::uint32_t> keys = keysOfPositions(poses, times_); keys.size() > 1) {
-      std::vector<float> values;
-      for (std::uint32_t f : keys) {
-        for (int axis = 0; axis < 3; axis++) values.push_back(float(poses[f].position[axis]));
-      }
-      addChannel(animation, k, "translation", timesOf(keys), glb_.addFloats(values, 3, GlbBuilder::kOther, false));
-    }
-    if (std::vector<std::uint32_t> keys = keysOfRotations(poses, times_); keys.size() > 1) {
-      std::vector<float> values;
-      Quat last = poses[0].rotation;
-      for (std::uint32_t f : keys) {
-        Quat q = poses[f].rotation;
-        // Never to the far side of the sphere: players that blend component by component would swing round.
-        if (q.x * last.x + q.y * last.y + q.z * last.z + q.w * last.w < 0) q = {-q.x, -q.y, -q.z, -q.w};
-        values.insert(values.end(), {float(q.x), float(q.y), float(q.z), float(q.w)});
-        last = q;
-      }
-      addChannel(animation, k, "rotation", timesOf(keys), glb_.addFloats(values, 4, GlbBuilder::kOther, false));
-    }
+  for (std::size_t k = 0; k < bodies_.size(); k++) {
+    if (progress && k % 64 == 0 && !progress(0.5 + 0.45 * double(k) / double(bodies_.size()))) return false;
+    addMotion(animation, k);
+    addLife(animation, k);
   }
   if (!animation["channels"].empty()) glb_.add("animations", std::move(animation));
   return true;
@@ -214,7 +252,7 @@ void SceneWriter::finish() {
 }  // namespace
 
 Status writeGlb(const TakeReader& take, const std::string& path, const Progress& progress) {
-  if (take.frameCount() == 0 || take.header().bodies.empty()) {
+  if (take.frameCount() == 0 || take.bodies().empty()) {
     return Error{ErrorCode::invalidArgument, path + ": the take has no frames or no bodies"};
   }
   Result<TakePoses> poses = readPoses(take, path, progress, 0.5);
@@ -225,7 +263,7 @@ Status writeGlb(const TakeReader& take, const std::string& path, const Progress&
                    path + ": the time of frame " + std::to_string(f) + " is not after the one before"};
     }
   }
-  SceneWriter scene(take.header(), *poses);
+  SceneWriter scene(take, *poses);
   scene.addBodies();
   scene.addCameras();
   if (!scene.addAnimation(progress)) return cancelled(path);

@@ -39,10 +39,14 @@ json shapeJson(const ShapeDef& shape) {
 
 }  // namespace
 
-std::string replayMeta(const TakeHeader& header, std::size_t frames, double positionStep) {
+std::string replayMeta(const TakeReader& take, double positionStep) {
+  const TakeHeader& header = take.header();
+  const std::size_t frames = take.frameCount();
   std::map<std::string, std::size_t> known;  // shapes by their text
   json shapes = json::array(), bodies = json::array(), cameras = json::array();
-  for (const TakeBody& body : header.bodies) {
+  for (std::size_t k = 0; k < take.bodies().size(); k++) {
+    const TakeBody& body = take.bodies()[k];
+    const TakeLife& life = take.lives()[k];
     json parts = json::array();
     for (const ShapeDef& shape : body.shapes) {
       json description = shapeJson(shape);
@@ -61,6 +65,8 @@ std::string replayMeta(const TakeHeader& header, std::size_t frames, double posi
                       {"colour", body.colour},
                       {"mass", body.mass},
                       {"parts", std::move(parts)}});
+    if (life.birth > 0) bodies.back()["birth"] = life.birth;
+    if (life.end < frames) bodies.back()["end"] = life.end;
   }
   for (const Camera& camera : header.cameras) {
     cameras.push_back({{"name", camera.name},
@@ -68,7 +74,7 @@ std::string replayMeta(const TakeHeader& header, std::size_t frames, double posi
                        {"target", toJson(camera.target)},
                        {"fieldOfView", camera.fieldOfViewDegrees}});
   }
-  json meta = {{"format", 1},
+  json meta = {{"format", 2},
                {"scene", header.scene},
                {"title", header.title},
                {"engineVersion", header.engineVersion},

@@ -6,6 +6,6 @@
 
 namespace brickfall {
 
-std::string replayMeta(const TakeHeader& header, std::size_t frames, double positionStep);
+std::string replayMeta(const TakeReader& take, double positionStep);
 
 }  // namespace brickfall

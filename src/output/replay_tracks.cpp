@@ -26,12 +26,12 @@ struct Planes {
 
 std::int64_t steps(double value, double step) { return std::llround(value / step); }
 
-void putPositions(Planes& planes, const TakePoses& poses, std::size_t body, double step, ByteWriter& start) {
+void putPositions(Planes& planes, std::span<const Transform> poses, double step, ByteWriter& start) {
   for (int axis = 0; axis < 3; axis++) {
-    std::int64_t last = steps(poses.pose(body, 0).position[axis], step), move = 0;
+    std::int64_t last = steps(poses[0].position[axis], step), move = 0;
     start.signedVarint(last);
-    for (std::size_t f = 1; f < poses.frames; f++) {
-      std::int64_t now = steps(poses.pose(body, f).position[axis], step);
+    for (std::size_t f = 1; f < poses.size(); f++) {
+      std::int64_t now = steps(poses[f].position[axis], step);
       planes.put(axis, now - last - move);
       move = now - last;
       last = now;
@@ -41,15 +41,15 @@ void putPositions(Planes& planes, const TakePoses& poses, std::size_t body, doub
 
 // The page turns the body on by whole steps, frame by frame; so does this loop, and each step aims at the true pose, which
 // keeps rounding from adding up.
-void putRotations(Planes& planes, const TakePoses& poses, std::size_t body, ByteWriter& start) {
-  const Quat first = poses.pose(body, 0).rotation;
+void putRotations(Planes& planes, std::span<const Transform> poses, ByteWriter& start) {
+  const Quat first = poses[0].rotation;
   const std::int64_t parts[4] = {steps(first.x, 1 / 32767.0), steps(first.y, 1 / 32767.0), steps(first.z, 1 / 32767.0),
                                  steps(first.w, 1 / 32767.0)};
   for (std::int64_t part : parts) start.signedVarint(part);
   Quat shown = normalized(Quat{double(parts[0]), double(parts[1]), double(parts[2]), double(parts[3])});
   std::int64_t last[3] = {};
-  for (std::size_t f = 1; f < poses.frames; f++) {
-    Quat turn = poses.pose(body, f).rotation * conjugate(shown);
+  for (std::size_t f = 1; f < poses.size(); f++) {
+    Quat turn = poses[f].rotation * conjugate(shown);
     if (turn.w < 0) turn = {-turn.x, -turn.y, -turn.z, -turn.w};
     double w = std::max(turn.w, 1e-3);
     const double tangent[3] = {turn.x / w, turn.y / w, turn.z / w};
@@ -70,10 +70,10 @@ std::int64_t forceCode(float force) {
 }
 
 // A force that only flickers by one step keeps its number.
-void putForces(Planes& planes, const TakePoses& poses, std::size_t body) {
+void putForces(Planes& planes, std::span<const float> forces) {
   std::int64_t last = 0;
-  for (std::size_t f = 0; f < poses.frames; f++) {
-    std::int64_t now = forceCode(poses.contactForce[body * poses.frames + f]);
+  for (float force : forces) {
+    std::int64_t now = forceCode(force);
     if (std::abs(now - last) == 1 && now != 0) now = last;
     planes.put(6, now - last);
     last = now;
@@ -111,7 +111,7 @@ void putHits(ByteWriter& out, const TakePoses& poses) {
   for (int axis = 0; axis < 3; axis++) {
     for (std::size_t k : hits) {
       const TakeEvent& hit = poses.events[k];
-      // From the first body's place, in mm: small numbers.
+      // From the first body's place, in mm: small numbers. One that went in this very frame: from its last.
       out.signedVarint(steps(hit.pointWorld[axis] - poses.pose(hit.bodyA, poses.eventFrame[k]).position[axis], 1e-3));
     }
   }
@@ -131,12 +131,11 @@ double replayPositionStep(const TakePoses& poses) {
 Bytes replayTracks(const TakePoses& poses, double positionStep) {
   Planes planes;
   ByteWriter start, hits;
-  if (poses.frames > 0) {
-    for (std::size_t body = 0; body < poses.bodies; body++) {
-      putPositions(planes, poses, body, positionStep, start);
-      putRotations(planes, poses, body, start);
-      putForces(planes, poses, body);
-    }
+  for (std::size_t body = 0; body < poses.bodies; body++) {
+    if (poses.count(body) == 0) continue;  // of a take without frames
+    putPositions(planes, poses.posesOf(body), positionStep, start);
+    putRotations(planes, poses.posesOf(body), start);
+    putForces(planes, poses.forcesOf(body));
   }
   putHits(hits, poses);
 

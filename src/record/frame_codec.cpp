@@ -23,29 +23,25 @@ float forceOf(std::int64_t code) {
   return code == 0 ? 0.0f : std::bit_cast<float>((std::uint32_t(code) << 16) | 0x8000u);
 }
 
-std::string numbered(const TakeHeader& header, std::size_t k) {
-  return "body " + std::to_string(k) + " \"" + header.bodies[k].name + "\"";
-}
-
 // `most` components: writes what differs from "as last time, moved on as last time". True if anything does.
 template <int N>
-bool difference(const std::int64_t (&now)[N], std::int64_t (&last)[N], std::int64_t (&move)[N], bool key,
+bool difference(const std::int64_t (&now)[N], std::int64_t (&last)[N], std::int64_t (&move)[N], bool fresh,
                 std::int64_t (&out)[N]) {
   bool any = false;
   for (int k = 0; k < N; k++) {
     out[k] = now[k] - last[k] - move[k];
     any = any || out[k] != 0;
-    move[k] = key ? 0 : now[k] - last[k];
+    move[k] = fresh ? 0 : now[k] - last[k];
     last[k] = now[k];
   }
   return any;
 }
 
 template <int N>
-void advance(std::int64_t (&last)[N], std::int64_t (&move)[N], bool key, const std::int64_t (&residual)[N]) {
+void advance(std::int64_t (&last)[N], std::int64_t (&move)[N], bool fresh, const std::int64_t (&residual)[N]) {
   for (int k = 0; k < N; k++) {
     std::int64_t now = wrapAdd(wrapAdd(last[k], move[k]), residual[k]);
-    move[k] = key ? 0 : wrapSub(now, last[k]);
+    move[k] = fresh ? 0 : wrapSub(now, last[k]);
     last[k] = now;
   }
 }
@@ -114,35 +110,60 @@ std::string readEvents(ByteReader& in, std::size_t bodies, std::vector<TakeEvent
 
 }  // namespace
 
-Status FrameCodec::check(const TakeFrame& frame, const TakeHeader& header) const {
+Status checkFrame(const TakeFrame& frame, std::span<const std::uint32_t> there, std::span<const std::string> names) {
   auto wrong = [](std::string message) { return Status(Error{ErrorCode::invalidArgument, std::move(message)}); };
   if (!std::isfinite(frame.time)) return wrong("time is not finite");
-  if (frame.poses.size() != poses_.size()) {
-    return wrong(std::to_string(frame.poses.size()) + " poses, expected one for each of the header's " +
-                 std::to_string(poses_.size()) + " bodies");
+  if (frame.poses.size() != there.size()) {
+    return wrong(std::to_string(frame.poses.size()) + " poses, expected one for each of the " +
+                 std::to_string(there.size()) + " bodies that are there");
   }
   for (std::size_t k = 0; k < frame.poses.size(); k++) {
     const TakePose& pose = frame.poses[k];
     const Quat q = pose.rotation;
     double norm = q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
-    if (!within(pose.position, kMostPosition)) return wrong(numbered(header, k) + ": position is not within 1e9 m");
-    if (!(norm >= 0.99 && norm <= 1.01)) return wrong(numbered(header, k) + ": rotation is not a unit quaternion");
-    if (!(pose.speed >= 0 && pose.speed <= kMostSpeed))
-      return wrong(numbered(header, k) + ": speed is not 0 .. 1e9 m/s");
-    if (!(pose.contactForce >= 0 && std::isfinite(pose.contactForce))) {
-      return wrong(numbered(header, k) + ": contactForce is not 0 or a positive number");
-    }
+    const char* fault = nullptr;
+    if (!within(pose.position, kMostPosition))
+      fault = "position is not within 1e9 m";
+    else if (!(norm >= 0.99 && norm <= 1.01))
+      fault = "rotation is not a unit quaternion";
+    else if (!(pose.speed >= 0 && pose.speed <= kMostSpeed))
+      fault = "speed is not 0 .. 1e9 m/s";
+    else if (!(pose.contactForce >= 0 && std::isfinite(pose.contactForce)))
+      fault = "contactForce is not 0 or a positive number";
+    if (fault) return wrong("body " + std::to_string(there[k]) + " \"" + names[there[k]] + "\": " + fault);
   }
   for (const TakeEvent& event : frame.events) {
     if (std::uint8_t(event.type) > std::uint8_t(TakeEventType::quarantined)) return wrong("unknown event type");
-    if (event.bodyA >= poses_.size() || event.bodyB >= poses_.size()) {
+    if (event.bodyA >= names.size() || event.bodyB >= names.size()) {
       return wrong("an event names body " + std::to_string(std::max(event.bodyA, event.bodyB)) + ", expected below " +
-                   std::to_string(poses_.size()));
+                   std::to_string(names.size()));
     }
     if (!within(event.pointWorld, kMostPosition)) return wrong("an event's point is not within 1e9 m");
     if (!std::isfinite(event.impulse)) return wrong("an event's impulse is not finite");
   }
   return {};
+}
+
+void FrameCodec::start(std::vector<std::uint32_t> there, std::size_t known) {
+  there_ = std::move(there);
+  poses_.assign(there_.size(), {});
+  known_ = known;
+}
+
+void FrameCodec::change(std::span<const std::uint32_t> ends, std::size_t births) {
+  std::size_t kept = 0, next = 0;
+  for (std::size_t k = 0; k < there_.size(); k++) {
+    if (next < ends.size() && ends[next] == there_[k]) {
+      next++;
+      continue;
+    }
+    there_[kept] = there_[k];
+    poses_[kept++] = poses_[k];
+  }
+  there_.resize(kept);
+  for (std::size_t k = 0; k < births; k++) there_.push_back(std::uint32_t(known_++));
+  poses_.resize(kept);
+  poses_.resize(there_.size());
 }
 
 Bytes FrameCodec::encode(const TakeFrame& frame, bool key) {
@@ -155,8 +176,8 @@ Bytes FrameCodec::encode(const TakeFrame& frame, bool key) {
     for (int axis = 0; axis < 3; axis++) position[axis] = stepsOf(pose.position[axis], kPositionStep);
     rotationSteps(normalized(pose.rotation), last, rotation);
     std::uint8_t mask = 0;
-    if (difference(position, last.position, last.move, key, moved)) mask |= kMoved, put(moves, moved);
-    if (difference(rotation, last.rotation, last.turn, key, turned)) mask |= kTurned, put(turns, turned);
+    if (difference(position, last.position, last.move, last.fresh, moved)) mask |= kMoved, put(moves, moved);
+    if (difference(rotation, last.rotation, last.turn, last.fresh, turned)) mask |= kTurned, put(turns, turned);
     if (std::int64_t speed = stepsOf(pose.speed, kSpeedStep); speed != last.speed) {
       mask |= kSpeedChanged;
       rest.signedVarint(speed - last.speed);
@@ -168,6 +189,7 @@ Bytes FrameCodec::encode(const TakeFrame& frame, bool key) {
       last.force = force;
     }
     masks.u8(mask);
+    last.fresh = false;
   }
   ByteWriter out;
   out.f64(frame.time);
@@ -200,24 +222,25 @@ Result<TakeFrame> FrameCodec::decode(std::span<const std::uint8_t> bytes, bool k
     if (masks[k] & kMoved) {
       for (std::int64_t& r : residual) r = in.signedVarint();
     }
-    advance(poses_[k].position, poses_[k].move, key, residual);
+    advance(poses_[k].position, poses_[k].move, poses_[k].fresh, residual);
   }
   for (std::size_t k = 0; k < masks.size(); k++) {
     std::int64_t residual[4] = {};
     if (masks[k] & kTurned) {
       for (std::int64_t& r : residual) r = in.signedVarint();
     }
-    advance(poses_[k].rotation, poses_[k].turn, key, residual);
+    advance(poses_[k].rotation, poses_[k].turn, poses_[k].fresh, residual);
+    poses_[k].fresh = false;
   }
   frame.poses.resize(poses_.size());
   for (std::size_t k = 0; k < masks.size(); k++) {
     if (masks[k] & kSpeedChanged) poses_[k].speed = wrapAdd(poses_[k].speed, in.signedVarint());
     if (masks[k] & kForceChanged) poses_[k].force = wrapAdd(poses_[k].force, in.signedVarint());
     if (std::string fault = toPose(poses_[k], frame.poses[k]); !fault.empty()) {
-      return bad("body " + std::to_string(k) + ": " + fault);
+      return bad("body " + std::to_string(there_[k]) + ": " + fault);
     }
   }
-  if (std::string fault = readEvents(in, poses_.size(), frame.events); !fault.empty()) return bad(fault);
+  if (std::string fault = readEvents(in, known_, frame.events); !fault.empty()) return bad(fault);
   if (in.failed() || in.left() != 0) return bad("its lengths do not add up");
   return frame;
 }

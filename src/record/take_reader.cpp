@@ -1,13 +1,16 @@
-// Opens a take. With a sound index at its end the frames are found there; without one (the run was killed) the records are
-// walked from the start up to the last whole one. Nothing in the file is trusted before it is checked.
+// Opens a take. With a sound index at its end the frames, and who comes and goes with them, are found there; without one (the
+// run was killed) the records are walked from the start up to the last whole frame. Nothing in the file is trusted before it
+// is checked.
 #include <sys/stat.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <optional>
 
 #include "brickfall/take.h"
+#include "record/body_codec.h"
 #include "record/frame_codec.h"
 #include "record/header_codec.h"
 #include "record/take_record.h"
@@ -17,13 +20,22 @@ namespace brickfall {
 struct TakeReader::Impl {
   std::string name;  // for messages
   Bytes file;
+  std::uint32_t version = kTakeVersion;
   TakeHeader header;
+  std::vector<TakeBody> bodies;
+  std::vector<TakeLife> lives;  // of each; while the take is being opened kStays for those that have no end yet
+  struct Change {
+    std::size_t frame = 0;  // with which it comes
+    std::vector<std::uint32_t> ends;
+    std::size_t births = 0;
+  };
+  std::vector<Change> changes;  // in the order of frames
   std::vector<std::size_t> offsets;
   std::string summary;
   bool complete = false;
   std::uint64_t tornBytes = 0;
   // The group that is being read: frames in order cost one decode each.
-  FrameCodec codec{0};
+  FrameCodec codec;
   std::size_t nextFrame = 0;
   bool codecReady = false;
 
@@ -31,17 +43,26 @@ struct TakeReader::Impl {
 
   Status readStart(std::size_t& firstFrame);
   bool readIndex(std::size_t firstFrame);
+  bool readFrames(ByteReader& in, std::size_t firstFrame, std::size_t end);
+  bool readChanges(ByteReader& in, std::size_t firstFrame);
   void scan(std::size_t firstFrame);
+  bool addChange(std::size_t frame, const Record& record);
+  void forgetChanges();
+  std::vector<std::uint32_t> bodiesAt(std::size_t frame) const;
+  void prepareCodec(std::size_t index, bool goesOn);
   Result<TakeFrame> decode(std::size_t index);
 };
+
+constexpr std::size_t kStays = SIZE_MAX;
 
 Status TakeReader::Impl::readStart(std::size_t& firstFrame) {
   if (file.size() < kTakeStartBytes || !std::equal(std::begin(kTakeMagic), std::end(kTakeMagic), file.begin())) {
     return bad("not a Brickfall take (its first bytes are not a take's)");
   }
   ByteReader in(std::span<const std::uint8_t>(file).subspan(8, 4));
-  if (std::uint32_t version = in.u32(); version != kTakeVersion) {
-    return bad("take format version " + std::to_string(version) + ", this program reads version " +
+  version = in.u32();
+  if (version < 1 || version > kTakeVersion) {
+    return bad("take format version " + std::to_string(version) + ", this program reads versions 1 to " +
                std::to_string(kTakeVersion));
   }
   Result<Record> record = recordAt(file, kTakeStartBytes);
@@ -49,9 +70,11 @@ Status TakeReader::Impl::readStart(std::size_t& firstFrame) {
   if (record->type != RecordType::header) return bad("the first record is not the header");
   Result<Bytes> raw = unpack(*record);
   if (!raw) return bad("header: " + raw.error().message);
-  Result<TakeHeader> decoded = decodeHeader(*raw);
+  Result<DecodedHeader> decoded = decodeHeader(*raw, version);
   if (!decoded) return bad(decoded.error().message);
-  header = std::move(decoded).value();
+  header = std::move(decoded->header);
+  bodies = std::move(decoded->bodies);
+  lives.assign(bodies.size(), {0, kStays});
   firstFrame = record->end;
   return {};
 }
@@ -69,21 +92,45 @@ bool TakeReader::Impl::readIndex(std::size_t firstFrame) {
   Result<Bytes> raw = unpack(*record);
   if (!raw) return false;
   ByteReader in(*raw);
+  bool sound = readFrames(in, firstFrame, std::size_t(at)) && (version == 1 || readChanges(in, firstFrame));
+  std::string text = in.text();
+  if (!sound || in.failed() || in.left() != 0) {
+    offsets.clear();
+    forgetChanges();
+    return false;
+  }
+  summary = std::move(text);
+  return true;
+}
+
+bool TakeReader::Impl::readFrames(ByteReader& in, std::size_t firstFrame, std::size_t end) {
   std::uint64_t count = in.varint();
   if (!in.canHold(count, 1)) return false;
-  std::vector<std::size_t> found;
-  found.reserve(std::size_t(count));
+  offsets.reserve(std::size_t(count));
   std::uint64_t offset = 0;
   for (std::uint64_t k = 0; k < count; k++) {
     std::uint64_t step = in.varint();
-    if (step == 0 || step > at || offset + step >= at || offset + step < firstFrame) return false;
+    if (step == 0 || step > end || offset + step >= end || offset + step < firstFrame) return false;
     offset += step;
-    found.push_back(std::size_t(offset));
+    offsets.push_back(std::size_t(offset));
   }
-  std::string text = in.text();
-  if (in.failed() || in.left() != 0) return false;
-  offsets = std::move(found);
-  summary = std::move(text);
+  return !in.failed();
+}
+
+// Each change lies right before its frame; the index tells which frames have one, and how long it is.
+bool TakeReader::Impl::readChanges(ByteReader& in, std::size_t firstFrame) {
+  std::uint64_t count = in.varint(), frame = 0;
+  if (!in.canHold(count, 2)) return false;
+  for (std::uint64_t k = 0; k < count; k++) {
+    std::uint64_t step = in.varint(), size = in.varint();
+    if (in.failed() || (k > 0 && step == 0) || step >= offsets.size() || frame + step >= offsets.size()) return false;
+    frame += step;
+    std::size_t at = offsets[std::size_t(frame)];
+    if (size > at - firstFrame) return false;
+    Result<Record> record = recordAt(file, at - std::size_t(size));
+    if (!record || record->type != RecordType::life || record->end != at) return false;
+    if (!addChange(std::size_t(frame), *record)) return false;
+  }
   return true;
 }
 
@@ -91,11 +138,64 @@ void TakeReader::Impl::scan(std::size_t firstFrame) {
   std::size_t at = firstFrame;
   while (at < file.size()) {
     Result<Record> record = recordAt(file, at);
+    if (!record) break;
+    std::size_t frameAt = at;
+    std::optional<Record> change;
+    if (record->type == RecordType::life && version > 1) {
+      change = *record;
+      frameAt = record->end;
+      record = recordAt(file, frameAt);
+    }
     if (!record || record->type != RecordType::frame) break;
-    offsets.push_back(at);
+    if (change && !addChange(offsets.size(), *change)) break;
+    offsets.push_back(frameAt);
     at = record->end;
   }
   tornBytes = file.size() - at;
+}
+
+// False, and nothing changed, if it is damaged or does not fit those before it.
+bool TakeReader::Impl::addChange(std::size_t frame, const Record& record) {
+  Result<Bytes> raw = unpack(record);
+  if (!raw) return false;
+  Result<TakeChange> change = decodeChange(*raw);
+  if (!change || change->births.size() > UINT32_MAX - bodies.size()) return false;
+  for (std::uint32_t body : change->ends)
+    if (body >= bodies.size() || lives[body].end != kStays) return false;
+  for (std::uint32_t body : change->ends) lives[body].end = frame;
+  for (TakeBody& body : change->births) {
+    bodies.push_back(std::move(body));
+    lives.push_back({frame, kStays});
+  }
+  changes.push_back({frame, std::move(change->ends), change->births.size()});
+  return true;
+}
+
+// Back to the bodies of the header.
+void TakeReader::Impl::forgetChanges() {
+  std::size_t births = 0;
+  for (const Change& change : changes) births += change.births;
+  bodies.resize(bodies.size() - births);
+  lives.assign(bodies.size(), {0, kStays});
+  changes.clear();
+}
+
+std::vector<std::uint32_t> TakeReader::Impl::bodiesAt(std::size_t frame) const {
+  std::vector<std::uint32_t> out;
+  for (std::size_t k = 0; k < lives.size(); k++)
+    if (lives[k].holds(frame)) out.push_back(std::uint32_t(k));
+  return out;
+}
+
+// Who is there in the frame: from what the codec knows of the one before, or from scratch.
+void TakeReader::Impl::prepareCodec(std::size_t index, bool goesOn) {
+  if (!goesOn) {
+    auto later = std::partition_point(lives.begin(), lives.end(), [&](const TakeLife& l) { return l.birth <= index; });
+    codec.start(bodiesAt(index), std::size_t(later - lives.begin()));
+    return;
+  }
+  auto change = std::partition_point(changes.begin(), changes.end(), [&](const Change& c) { return c.frame < index; });
+  if (change != changes.end() && change->frame == index) codec.change(change->ends, change->births);
 }
 
 Result<TakeFrame> TakeReader::Impl::decode(std::size_t index) {
@@ -151,12 +251,15 @@ Result<TakeReader> TakeReader::openImpl(std::unique_ptr<Impl> impl) {
   if (Status started = impl->readStart(firstFrame); !started) return started.error();
   impl->complete = impl->readIndex(firstFrame);
   if (!impl->complete) impl->scan(firstFrame);
-  impl->codec = FrameCodec(impl->header.bodies.size());
+  for (TakeLife& life : impl->lives) life.end = std::min(life.end, impl->offsets.size());
   return TakeReader(std::move(impl));
 }
 
 const TakeHeader& TakeReader::header() const { return impl_->header; }
 std::size_t TakeReader::frameCount() const { return impl_->offsets.size(); }
+const std::vector<TakeBody>& TakeReader::bodies() const { return impl_->bodies; }
+const std::vector<TakeLife>& TakeReader::lives() const { return impl_->lives; }
+std::vector<std::uint32_t> TakeReader::bodiesAt(std::size_t frame) const { return impl_->bodiesAt(frame); }
 bool TakeReader::complete() const { return impl_->complete; }
 std::uint64_t TakeReader::tornBytes() const { return impl_->tornBytes; }
 const std::string& TakeReader::summaryJson() const { return impl_->summary; }
@@ -172,8 +275,11 @@ Result<TakeFrame> TakeReader::frame(std::size_t index) const {
   std::size_t at = goOn ? take.nextFrame : groupStart;
   take.codecReady = false;
   for (; at < index; at++) {
+    take.prepareCodec(at, goOn);
     if (Result<TakeFrame> before = take.decode(at); !before) return before.error();
+    goOn = true;
   }
+  take.prepareCodec(index, goOn);
   Result<TakeFrame> frame = take.decode(index);
   take.codecReady = frame.ok();
   take.nextFrame = index + 1;

@@ -44,7 +44,8 @@ Result<Record> recordAt(std::span<const std::uint8_t> file, std::size_t offset) 
   std::uint32_t storedBytes = in.u32();
   record.unpackedBytes = in.u32();
   std::uint32_t checksum = in.u32();
-  if (record.type != RecordType::header && record.type != RecordType::frame && record.type != RecordType::index) {
+  if (record.type != RecordType::header && record.type != RecordType::life && record.type != RecordType::frame &&
+      record.type != RecordType::index) {
     return bad("unknown record type " + std::to_string(std::uint32_t(record.type)));
   }
   if (storedBytes > file.size() - offset - kRecordHeadBytes) {

@@ -1,7 +1,7 @@
 // The container of a take: a magic number, then records one after the other, each with its own lengths and checksum, so
 // that a file cut off anywhere is whole up to its last whole record. docs/take-format.md shows the bytes.
 //
-//   magic (8) version (4) | HEAD | FRAM | FRAM | ... | INDX | offset of INDX (8) end magic (8)
+//   magic (8) version (4) | HEAD | LIFE FRAM | FRAM | LIFE FRAM | ... | INDX | offset of INDX (8) end magic (8)
 #pragma once
 #include <cstdint>
 #include <span>
@@ -14,12 +14,13 @@ namespace brickfall {
 
 constexpr std::uint8_t kTakeMagic[8] = {0x89, 'B', 'F', 'T', 'A', 'K', 'E', '\n'};
 constexpr std::uint8_t kTakeEndMagic[8] = {0x89, 'B', 'F', 'T', 'E', 'N', 'D', '\n'};
-constexpr std::uint32_t kTakeVersion = 1;
+constexpr std::uint32_t kTakeVersion = 2;  // which is written; version 1 is read too
 constexpr std::size_t kTakeStartBytes = 12;
 constexpr std::size_t kTakeEndBytes = 16;
 
 enum class RecordType : std::uint32_t {
   header = 0x44414548,  // "HEAD"
+  life = 0x4546494C,    // "LIFE": which bodies come and go with the frame that follows; not in version 1
   frame = 0x4D415246,   // "FRAM"
   index = 0x58444E49,   // "INDX"
 };

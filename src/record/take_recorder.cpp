@@ -7,108 +7,149 @@
 #include "record/atomic_file.h"
 
 namespace brickfall {
+
+struct TakeRecorder::Impl {
+  struct Followed {
+    BodyId id;
+    std::uint32_t number = 0;  // in the take
+  };
+  struct Heard {
+    TakeEvent event;  // numbers are found when it is written
+    BodyId a, b;
+  };
+
+  AsideFile aside;
+  TakeWriter writer;
+  double framesPerSecond;
+  double nextFrame = 1;                     // number of the frame that is due next
+  std::uint32_t known = 0;                  // bodies that were ever recorded
+  std::vector<Followed> there;              // in the last frame, by number
+  std::vector<std::uint32_t> placeByIndex;  // by BodyId::index: position in `there`, kNowhere = none
+  std::vector<BodyId> held;                 // bodies that forces do not move: one that they will has been launched
+  std::vector<Heard> heard;                 // since the last frame
+  static constexpr std::uint32_t kNowhere = 0xffffffffu;
+
+  Impl(AsideFile file, TakeWriter take, double rate)
+      : aside(std::move(file)), writer(std::move(take)), framesPerSecond(rate) {}
+
+  // The body's place in `there`, kNowhere for one that is not.
+  std::uint32_t placeOf(BodyId id) const {
+    std::uint32_t place = id.index < placeByIndex.size() ? placeByIndex[id.index] : kNowhere;
+    return place < there.size() && there[place].id == id ? place : kNowhere;
+  }
+  void hear(const World& world, const StepReport& report);
+  TakeChange follow(const World& world, const Describe& describe, std::vector<Followed>& gone);
+  void listPlaces();
+  void addEvents(const std::vector<Followed>& gone, TakeFrame& frame);
+  Status writeFrame(const World& world, double time, const Describe& describe);
+};
+
 namespace {
 
-TakeHeader headerOf(const SceneRun& run, double framesPerSecond) {
-  const SceneDescription& scene = run.scene();
-  TakeHeader header;
-  header.scene = scene.name;
-  header.title = scene.title;
-  header.engineVersion = versionString();
-  header.seed = scene.seed;
-  header.framesPerSecond = framesPerSecond;
-  for (const PlacedBody& body : run.bodies()) {
-    // Of a body that is still held the world knows no mass: its own is that of its shapes.
-    const Result<MassProperties> mass = run.world().massProperties(body.id);
-    const bool moves = body.def.type == BodyType::dynamic;
-    header.bodies.push_back({body.name, body.role, body.colour, moves && mass ? mass->mass : 0, body.def.shapes});
+TakeBody described(const World& world, BodyId id, std::uint32_t number, const TakeRecorder::Describe& describe) {
+  TakeBody body;
+  if (describe) {
+    body = describe(id);
+  } else {
+    body.name = "body " + std::to_string(number);
+    if (const Result<BodyState> state = world.state(id)) body.mass = state->mass;
   }
-  header.cameras = scene.cameras;
-  return header;
+  if (body.shapes.empty())
+    for (ShapeId shape : world.shapes(id)) body.shapes.push_back(*world.shape(shape));
+  return body;
 }
 
-bool isHeld(const SceneRun& run, const PlacedBody& body) {
-  const Result<BodyState> state = run.world().state(body.id);
-  return state && body.def.type == BodyType::dynamic && state->type != BodyType::dynamic;
+TakeRecorder::Describe descriptionsOf(const SceneRun& run) {
+  return [&run](BodyId id) {
+    TakeBody body;
+    body.name = "body " + std::to_string(id.index);
+    const Result<MassProperties> mass = run.world().massProperties(id);
+    const PlacedBody* placed = run.find(id);
+    // Of a body that is still held the world knows no mass: its own is that of its shapes.
+    const bool moves = placed ? placed->def.type == BodyType::dynamic : run.world().state(id)->mass > 0;
+    if (moves && mass) body.mass = mass->mass;
+    if (!placed) return body;
+    body.name = placed->name;
+    body.role = placed->role;
+    body.colour = placed->colour;
+    return body;
+  };
 }
 
 }  // namespace
 
-TakeRecorder::TakeRecorder(TakeRecorder&&) noexcept = default;
-TakeRecorder::~TakeRecorder() = default;
-
-TakeRecorder::TakeRecorder(std::unique_ptr<AsideFile> aside, TakeWriter writer, const SceneRun& run,
-                           double framesPerSecond)
-    : aside_(std::move(aside)), writer_(std::move(writer)), framesPerSecond_(framesPerSecond) {
-  const std::vector<PlacedBody>& bodies = run.bodies();
-  for (std::size_t i = 0; i < bodies.size(); i++) {
-    const std::size_t index = bodies[i].id.index;
-    if (index >= placeByIndex_.size()) placeByIndex_.resize(index + 1, -1);
-    placeByIndex_[index] = int(i);
-    if (isHeld(run, bodies[i])) held_.push_back(i);
-  }
-}
-
-Result<TakeRecorder> TakeRecorder::create(const std::string& path, const SceneRun& run) {
-  // No more frames than steps.
-  const double rate = std::min(run.scene().framesPerSecond, 1 / run.scene().timeStep);
-  Result<AsideFile> opened = AsideFile::open(path);
-  if (!opened) return opened.error();
-  auto aside = std::make_unique<AsideFile>(std::move(opened).value());
-  Result<TakeWriter> writer = TakeWriter::create(aside->name(), headerOf(run, rate));
-  if (!writer) {
-    aside->remove();
-    return writer.error();
-  }
-  TakeRecorder recorder(std::move(aside), std::move(writer).value(), run, rate);
-  if (Status written = recorder.writeFrame(run); !written) {
-    recorder.aside_->remove();  // without a frame it is of no use
-    return written.error();
-  }
-  return recorder;
-}
-
-Status TakeRecorder::finish(const std::string& summaryJson) {
-  if (Status finished = writer_.finish(summaryJson); !finished) return finished;
-  return aside_->takePlace();
-}
-
-const std::string& TakeRecorder::file() const { return aside_->name(); }
-
-Status TakeRecorder::afterStep(const SceneRun& run, const StepReport& report) {
-  collectEvents(run, report);
-  const double frames = std::floor(report.time * framesPerSecond_ + 1e-6);
-  if (frames < nextFrame_) return {};
-  nextFrame_ = frames + 1;
-  return writeFrame(run);
-}
-
-void TakeRecorder::collectEvents(const SceneRun& run, const StepReport& report) {
-  const auto add = [&](TakeEventType type, int body) {
-    if (body >= 0) events_.push_back({type, std::uint32_t(body), 0, {}, 0});
-  };
-  std::erase_if(held_, [&](std::size_t place) {
-    if (isHeld(run, run.bodies()[place])) return false;
-    add(TakeEventType::launch, int(place));
+void TakeRecorder::Impl::hear(const World& world, const StepReport& report) {
+  std::erase_if(held, [&](BodyId id) {
+    const Result<BodyState> state = world.state(id);
+    if (!state) return true;
+    if (state->type != BodyType::dynamic) return false;
+    heard.push_back({{TakeEventType::launch, 0, 0, {}, 0}, id, {}});
     return true;
   });
-  for (const HitEvent& hit : run.world().events().hits) {
-    const int a = placeOf(hit.bodyA), b = placeOf(hit.bodyB);
-    if (a < 0 || b < 0) continue;
-    events_.push_back(
-        {TakeEventType::hit, std::uint32_t(a), std::uint32_t(b), hit.pointWorld, static_cast<float>(hit.impulse)});
-  }
-  for (BodyId id : run.world().events().fellAsleep) add(TakeEventType::fellAsleep, placeOf(id));
-  for (BodyId id : report.quarantined) add(TakeEventType::quarantined, placeOf(id));
+  for (const HitEvent& hit : world.events().hits)
+    heard.push_back({{TakeEventType::hit, 0, 0, hit.pointWorld, float(hit.impulse)}, hit.bodyA, hit.bodyB});
+  for (BodyId id : world.events().fellAsleep) heard.push_back({{TakeEventType::fellAsleep, 0, 0, {}, 0}, id, {}});
+  for (BodyId id : report.quarantined) heard.push_back({{TakeEventType::quarantined, 0, 0, {}, 0}, id, {}});
 }
 
-Status TakeRecorder::writeFrame(const SceneRun& run) {
-  const World& world = run.world();
+// Who came and went since the last frame.
+TakeChange TakeRecorder::Impl::follow(const World& world, const Describe& describe, std::vector<Followed>& gone) {
+  TakeChange change;
+  std::vector<Followed> now;
+  for (const Followed& body : there) {
+    if (world.isValid(body.id)) {
+      now.push_back(body);
+    } else {
+      gone.push_back(body);
+      change.ends.push_back(body.number);
+    }
+  }
+  for (BodyId id : world.bodies()) {
+    if (placeOf(id) != kNowhere) continue;
+    change.births.push_back(described(world, id, known, describe));
+    now.push_back({id, known++});
+    if (world.state(id)->type != BodyType::dynamic) held.push_back(id);
+  }
+  if (change.births.empty() && change.ends.empty()) return change;
+  there = std::move(now);
+  listPlaces();
+  return change;
+}
+
+void TakeRecorder::Impl::listPlaces() {
+  std::fill(placeByIndex.begin(), placeByIndex.end(), kNowhere);
+  for (std::size_t place = 0; place < there.size(); place++) {
+    const std::size_t index = there[place].id.index;
+    if (index >= placeByIndex.size()) placeByIndex.resize(index + 1, kNowhere);
+    placeByIndex[index] = std::uint32_t(place);
+  }
+}
+
+// Those whose bodies the take knows: one that came and went between two frames left no trace.
+void TakeRecorder::Impl::addEvents(const std::vector<Followed>& gone, TakeFrame& frame) {
+  const auto find = [&](BodyId id, std::uint32_t& number) {
+    if (const std::uint32_t place = placeOf(id); place != kNowhere) {
+      number = there[place].number;
+      return true;
+    }
+    const auto ended = std::find_if(gone.begin(), gone.end(), [&](const Followed& body) { return body.id == id; });
+    if (ended == gone.end()) return false;
+    number = ended->number;
+    return true;
+  };
+  for (Heard& h : heard)
+    if (find(h.a, h.event.bodyA) && (!h.b || find(h.b, h.event.bodyB))) frame.events.push_back(h.event);
+  heard.clear();
+}
+
+Status TakeRecorder::Impl::writeFrame(const World& world, double time, const Describe& describe) {
+  std::vector<Followed> gone;
+  const TakeChange change = follow(world, describe, gone);
   TakeFrame frame;
-  frame.time = run.time();
-  frame.poses.resize(run.bodies().size());
-  for (std::size_t i = 0; i < frame.poses.size(); i++) {
-    const Result<BodyState> state = world.state(run.bodies()[i].id);
+  frame.time = time;
+  frame.poses.resize(there.size());
+  for (std::size_t i = 0; i < there.size(); i++) {
+    const Result<BodyState> state = world.state(there[i].id);
     if (!state) return state.error();
     frame.poses[i] = {state->position, state->rotation, static_cast<float>(length(state->linearVelocity)), 0};
   }
@@ -116,11 +157,64 @@ Status TakeRecorder::writeFrame(const SceneRun& run) {
     float force = 0;
     for (int i = 0; i < contact.pointCount; i++) force += static_cast<float>(contact.points[i].normalForce);
     for (BodyId id : {contact.bodyA, contact.bodyB})
-      if (const int place = placeOf(id); place >= 0) frame.poses[std::size_t(place)].contactForce += force;
+      if (const std::uint32_t place = placeOf(id); place != kNowhere) frame.poses[place].contactForce += force;
   });
-  frame.events = std::move(events_);
-  events_.clear();
-  return writer_.write(frame);
+  addEvents(gone, frame);
+  return writer.write(frame, change);
 }
+
+TakeRecorder::TakeRecorder(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+TakeRecorder::TakeRecorder(TakeRecorder&&) noexcept = default;
+TakeRecorder& TakeRecorder::operator=(TakeRecorder&&) noexcept = default;
+TakeRecorder::~TakeRecorder() = default;
+
+Result<TakeRecorder> TakeRecorder::create(const std::string& path, const TakeHeader& header, const World& world,
+                                          const Describe& describe) {
+  Result<AsideFile> aside = AsideFile::open(path);
+  if (!aside) return aside.error();
+  Result<TakeWriter> writer = TakeWriter::create(aside->name(), header);
+  if (!writer) {
+    aside->remove();
+    return writer.error();
+  }
+  auto impl = std::make_unique<Impl>(std::move(aside).value(), std::move(writer).value(), header.framesPerSecond);
+  impl->nextFrame = std::floor(world.time() * header.framesPerSecond + 1e-6) + 1;
+  if (Status written = impl->writeFrame(world, world.time(), describe); !written) {
+    impl->aside.remove();  // without a frame it is of no use
+    return written.error();
+  }
+  return TakeRecorder(std::move(impl));
+}
+
+Result<TakeRecorder> TakeRecorder::create(const std::string& path, const SceneRun& run) {
+  const SceneDescription& scene = run.scene();
+  TakeHeader header;
+  header.scene = scene.name;
+  header.title = scene.title;
+  header.engineVersion = versionString();
+  header.seed = scene.seed;
+  header.framesPerSecond = std::min(scene.framesPerSecond, 1 / scene.timeStep);
+  header.cameras = scene.cameras;
+  return create(path, header, run.world(), descriptionsOf(run));
+}
+
+Status TakeRecorder::afterStep(const World& world, const StepReport& report, const Describe& describe) {
+  impl_->hear(world, report);
+  const double frames = std::floor(report.time * impl_->framesPerSecond + 1e-6);
+  if (frames < impl_->nextFrame) return {};
+  impl_->nextFrame = frames + 1;
+  return impl_->writeFrame(world, report.time, describe);
+}
+
+Status TakeRecorder::afterStep(const SceneRun& run, const StepReport& report) {
+  return afterStep(run.world(), report, descriptionsOf(run));
+}
+
+Status TakeRecorder::finish(const std::string& summaryJson) {
+  if (Status finished = impl_->writer.finish(summaryJson); !finished) return finished;
+  return impl_->aside.takePlace();
+}
+
+const std::string& TakeRecorder::file() const { return impl_->aside.name(); }
 
 }  // namespace brickfall

@@ -3,10 +3,12 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 
 #include "brickfall/take.h"
+#include "record/body_codec.h"
 #include "record/frame_codec.h"
 #include "record/header_codec.h"
 #include "record/take_record.h"
@@ -15,16 +17,17 @@ namespace brickfall {
 
 struct TakeWriter::Impl {
   std::string path;
-  TakeHeader header;
+  std::vector<std::string> names;  // of all bodies that ever were there
   FrameCodec codec;
   int file = -1;
   std::uint64_t size = 0;              // bytes written and whole
   std::vector<std::uint64_t> offsets;  // of the frames
-  Status state;                        // the first refusal of the system; nothing is written after it
+  ByteWriter changes;                  // as the index has them
+  std::uint64_t changeCount = 0, lastChange = 0;
+  Status state;  // the first refusal of the system; nothing is written after it
   bool finished = false;
 
-  Impl(std::string filePath, const TakeHeader& takeHeader)
-      : path(std::move(filePath)), header(takeHeader), codec(takeHeader.bodies.size()) {}
+  explicit Impl(std::string filePath) : path(std::move(filePath)) {}
   ~Impl() {
     if (file >= 0) ::close(file);
   }
@@ -32,6 +35,13 @@ struct TakeWriter::Impl {
   Error refused(const char* what) const {
     return {ErrorCode::inputOutput, path + ": cannot " + what + ": " + std::strerror(errno)};
   }
+
+  Error wrong(const std::string& what) const {
+    return {ErrorCode::invalidArgument, path + ": frame " + std::to_string(offsets.size()) + ": " + what};
+  }
+
+  Status check(const TakeFrame& frame, const TakeChange& change) const;
+  Bytes changeRecord(const TakeChange& change);
 
   Status append(std::span<const std::uint8_t> bytes) {
     std::size_t done = 0;
@@ -51,6 +61,44 @@ struct TakeWriter::Impl {
   }
 };
 
+// Nothing is changed.
+Status TakeWriter::Impl::check(const TakeFrame& frame, const TakeChange& change) const {
+  if (change.births.empty() && change.ends.empty()) {
+    Status same = checkFrame(frame, codec.there(), names);
+    return same ? same : Status(wrong(same.error().message));
+  }
+  std::vector<std::uint32_t> there = codec.there();
+  std::vector<std::string> known = names;
+  for (std::size_t k = 0; k < change.ends.size(); k++) {
+    std::uint32_t body = change.ends[k];
+    if (k > 0 && body <= change.ends[k - 1]) return wrong("the ends are not in ascending order");
+    if (!std::binary_search(there.begin(), there.end(), body))
+      return wrong("body " + std::to_string(body) + " ends, but is not there");
+  }
+  std::erase_if(there,
+                [&](std::uint32_t body) { return std::binary_search(change.ends.begin(), change.ends.end(), body); });
+  for (const TakeBody& body : change.births) {
+    std::string fault = bodyFault(body);
+    if (!fault.empty()) return wrong("body " + std::to_string(known.size()) + " \"" + body.name + "\": " + fault);
+    there.push_back(std::uint32_t(known.size()));
+    known.push_back(body.name);
+  }
+  Status fine = checkFrame(frame, there, known);
+  return fine ? fine : Status(wrong(fine.error().message));
+}
+
+Bytes TakeWriter::Impl::changeRecord(const TakeChange& change) {
+  if (change.births.empty() && change.ends.empty()) return {};
+  codec.change(change.ends, change.births.size());
+  for (const TakeBody& body : change.births) names.push_back(body.name);
+  Bytes record = makeRecord(RecordType::life, encodeChange(change));
+  changes.varint(offsets.size() - lastChange);
+  changes.varint(record.size());
+  lastChange = offsets.size();
+  changeCount++;
+  return record;
+}
+
 TakeWriter::TakeWriter(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 TakeWriter::TakeWriter(TakeWriter&&) noexcept = default;
 TakeWriter& TakeWriter::operator=(TakeWriter&&) noexcept = default;
@@ -60,7 +108,7 @@ Result<TakeWriter> TakeWriter::create(const std::string& path, const TakeHeader&
   if (Status checked = checkHeader(header); !checked) {
     return Error{checked.error().code, path + ": take header: " + checked.error().message};
   }
-  auto impl = std::make_unique<Impl>(path, header);
+  auto impl = std::make_unique<Impl>(path);
   impl->file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
   if (impl->file < 0) return impl->refused("create");
 
@@ -72,16 +120,17 @@ Result<TakeWriter> TakeWriter::create(const std::string& path, const TakeHeader&
   return TakeWriter(std::move(impl));
 }
 
-Status TakeWriter::write(const TakeFrame& frame) {
+Status TakeWriter::write(const TakeFrame& frame, const TakeChange& change) {
   if (!impl_->state) return impl_->state;
   if (impl_->finished) return Error{ErrorCode::wrongState, impl_->path + ": the take is finished"};
-  if (Status checked = impl_->codec.check(frame, impl_->header); !checked) {
-    return Error{checked.error().code,
-                 impl_->path + ": frame " + std::to_string(impl_->offsets.size()) + ": " + checked.error().message};
-  }
+  if (Status checked = impl_->check(frame, change); !checked) return checked;
+  // Both records in one piece: a change without its frame would be of no use.
+  Bytes bytes = impl_->changeRecord(change);
+  std::uint64_t offset = impl_->size + bytes.size();
   bool key = impl_->offsets.size() % kTakeGroupFrames == 0;
-  std::uint64_t offset = impl_->size;
-  Status written = impl_->append(makeRecord(RecordType::frame, impl_->codec.encode(frame, key)));
+  Bytes record = makeRecord(RecordType::frame, impl_->codec.encode(frame, key));
+  bytes.insert(bytes.end(), record.begin(), record.end());
+  Status written = impl_->append(bytes);
   if (written) impl_->offsets.push_back(offset);
   return written;
 }
@@ -96,6 +145,8 @@ Status TakeWriter::finish(const std::string& summaryJson) {
     index.varint(offset - last);
     last = offset;
   }
+  index.varint(impl_->changeCount);
+  index.append(impl_->changes.bytes());
   index.text(summaryJson);
   ByteWriter end;
   end.append(makeRecord(RecordType::index, index.bytes()));

@@ -110,35 +110,56 @@ Result<SceneRun> SceneRun::create(const SceneDescription& scene) {
     if (!reported) return reported.error();
     run.reported_ = std::move(reported).value();
   }
-  run.bodies_ = std::move(placer.bodies);
-  for (std::size_t i = 0; i < run.bodies_.size(); i++) {
-    PlacedBody& body = run.bodies_[i];
-    BodyDef made = body.def;
-    if (body.launchTime > 0) {  // held until then; everything else already feels it
-      made.type = BodyType::fixed;
-      made.linearVelocity = made.angularVelocity = {};
-      run.held_.push_back(i);
-    }
-    Result<BodyId> id = run.world_.createBody(made);
-    if (!id) return inBody(body.name, id.error());
-    body.id = *id;
-  }
+  for (PlacedBody& body : placer.bodies)
+    if (Result<BodyId> made = run.createBody(std::move(body)); !made) return made.error();
   return run;
+}
+
+Result<BodyId> SceneRun::createBody(PlacedBody body) {
+  BodyDef made = body.def;
+  const bool held = body.launchTime > time_;
+  if (held) {  // until then; everything else already feels it
+    made.type = BodyType::fixed;
+    made.linearVelocity = made.angularVelocity = {};
+  }
+  Result<BodyId> id = world_.createBody(made);
+  if (!id) return inBody(body.name, id.error());
+  body.id = *id;
+  if (held) held_.push_back(*id);
+  if (id->index >= placeByIndex_.size()) placeByIndex_.resize(id->index + 1);
+  placeByIndex_[id->index] = bodies_.size();
+  bodies_.push_back(std::move(body));
+  return id;
+}
+
+Status SceneRun::destroyBody(BodyId id) {
+  if (Status destroyed = world_.destroyBody(id); !destroyed) return destroyed;
+  const PlacedBody* body = find(id);
+  if (!body) return {};
+  bodies_.erase(bodies_.begin() + (body - bodies_.data()));
+  for (std::size_t k = 0; k < bodies_.size(); k++) placeByIndex_[bodies_[k].id.index] = k;
+  return {};
+}
+
+const PlacedBody* SceneRun::find(BodyId id) const {
+  const std::size_t place = id.index < placeByIndex_.size() ? placeByIndex_[id.index] : bodies_.size();
+  return place < bodies_.size() && bodies_[place].id == id ? &bodies_[place] : nullptr;
 }
 
 Result<StepReport> SceneRun::step() {
   double now = double(stepsDone_) * scene_.timeStep;
-  std::vector<std::size_t> stillHeld;
-  for (std::size_t i : held_) {
-    const PlacedBody& body = bodies_[i];
-    if (now < body.launchTime - 1e-9) {
-      stillHeld.push_back(i);
+  std::vector<BodyId> stillHeld;
+  for (BodyId id : held_) {
+    const PlacedBody* body = find(id);
+    if (!body || !world_.isValid(id)) continue;  // destroyed meanwhile
+    if (now < body->launchTime - 1e-9) {
+      stillHeld.push_back(id);
       continue;
     }
-    Status status = world_.setType(body.id, body.def.type);
-    if (status) status = world_.setLinearVelocity(body.id, body.def.linearVelocity);
-    if (status) status = world_.setAngularVelocity(body.id, body.def.angularVelocity);
-    if (!status) return inBody(body.name, status.error());
+    Status status = world_.setType(id, body->def.type);
+    if (status) status = world_.setLinearVelocity(id, body->def.linearVelocity);
+    if (status) status = world_.setAngularVelocity(id, body->def.angularVelocity);
+    if (!status) return inBody(body->name, status.error());
   }
   held_ = std::move(stillHeld);
   Result<StepReport> report = reported_ ? reported_->step(world_, scene_.timeStep, scene_.substeps)

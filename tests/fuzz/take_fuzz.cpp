@@ -1,7 +1,8 @@
 // libFuzzer: any bytes as a take, and, since checksums keep most of them out there, as the inside of its records and as
-// records with sound checksums. What opens gives only finite poses, as many as the header says.
+// records with sound checksums. What opens gives only finite poses, one for each body that is there.
 #include "brickfall/take.h"
 #include "fuzz/fuzz_check.h"
+#include "record/body_codec.h"
 #include "record/crc32.h"
 #include "record/frame_codec.h"
 #include "record/header_codec.h"
@@ -14,8 +15,8 @@ using fuzz::require;
 
 constexpr std::size_t kMostFrames = 200;
 
-void checkFrame(const TakeFrame& frame, std::size_t bodies) {
-  require(frame.poses.size() == bodies, "poses are missing, or too many");
+void checkFrame(const TakeFrame& frame, std::size_t there, std::size_t bodies) {
+  require(frame.poses.size() == there, "poses are missing, or too many");
   for (const TakePose& pose : frame.poses)
     require(isFinite(pose.position) && isFinite(pose.rotation), "a pose is not finite");
   for (const TakeEvent& event : frame.events)
@@ -29,19 +30,22 @@ void readAll(const Bytes& bytes) {
     return;
   }
   std::size_t frames = std::min(reader->frameCount(), kMostFrames);
+  for (const TakeLife& life : reader->lives())
+    require(life.birth <= life.end && life.end <= reader->frameCount(),
+            "a body ends before it comes, or after the take");
   for (std::size_t f = frames; f-- > 0;) (void)reader->frame(f).ok();  // backwards: seeks
   for (std::size_t f = 0; f < frames; f++) {
     Result<TakeFrame> frame = reader->frame(f);
-    if (frame) checkFrame(*frame, reader->header().bodies.size());
+    if (frame) checkFrame(*frame, reader->bodiesAt(f).size(), reader->bodies().size());
   }
 }
 
 // Records of any content, each "type, length (2 bytes), content", sealed as an attacker would.
-Bytes sealed(fuzz::Bytes input, bool finished) {
-  constexpr RecordType kTypes[] = {RecordType::header, RecordType::frame, RecordType::index};
+Bytes sealed(fuzz::Bytes input, std::uint32_t version, bool finished) {
+  constexpr RecordType kTypes[] = {RecordType::header, RecordType::frame, RecordType::index, RecordType::life};
   ByteWriter out;
   out.append(kTakeMagic);
-  out.u32(kTakeVersion);
+  out.u32(version);
   std::size_t last = 0;
   std::uint8_t type = 0;
   std::uint16_t length = 0;
@@ -49,7 +53,7 @@ Bytes sealed(fuzz::Bytes input, bool finished) {
     std::span<const std::uint8_t> content(input.data(), std::min<std::size_t>(length, input.size()));
     for (std::uint8_t skipped; length > 0 && input.take(skipped);) length--;
     ByteWriter head;
-    head.u32(std::uint32_t(kTypes[type % 3]));
+    head.u32(std::uint32_t(kTypes[type % 4]));
     head.u32(std::uint32_t(content.size()));
     head.u32(std::uint32_t(content.size()));
     head.u32(crc32(content, crc32(head.bytes())));
@@ -67,23 +71,35 @@ Bytes sealed(fuzz::Bytes input, bool finished) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) return 0;
-  std::uint8_t mode = data[0] % 5;
-  std::size_t bodies = data[0] / 5;
+  std::uint8_t mode = data[0] % 8;
+  std::size_t bodies = data[0] / 8;
   std::span<const std::uint8_t> bytes(data + 1, size - 1);
   if (mode == 0) {
     readAll({bytes.begin(), bytes.end()});
   } else if (mode == 1) {
-    Result<TakeHeader> header = decodeHeader(bytes);
+    Result<DecodedHeader> header = decodeHeader(bytes, 1 + bodies % 2);
     require(header.ok() || !header.error().message.empty(), "an error without a reason");
   } else if (mode == 2) {
-    FrameCodec codec(bodies);
+    // Two frames; with the second a body goes and two come.
+    FrameCodec codec;
+    codec.change({}, bodies);
     std::size_t half = bytes.size() / 2;
     Result<TakeFrame> first = codec.decode(bytes.first(half), true);
     if (!first) return 0;
-    checkFrame(*first, bodies);
-    if (Result<TakeFrame> next = codec.decode(bytes.subspan(half), false)) checkFrame(*next, bodies);
+    checkFrame(*first, bodies, bodies);
+    const std::uint32_t goes[] = {0};
+    codec.change(std::span(goes).first(bodies > 0 ? 1 : 0), 2);
+    if (Result<TakeFrame> next = codec.decode(bytes.subspan(half), false))
+      checkFrame(*next, bodies + (bodies > 0 ? 1 : 2), bodies + 2);
+  } else if (mode == 3) {
+    Result<TakeChange> change = decodeChange(bytes);
+    require(change.ok() || !change.error().message.empty(), "an error without a reason");
+    if (!change) return 0;
+    Result<TakeChange> again = decodeChange(encodeChange(*change));
+    require(again.ok() && again->ends == change->ends && again->births.size() == change->births.size(),
+            "a change is not what it was");
   } else {
-    readAll(sealed({bytes.data(), bytes.size()}, mode == 4));
+    readAll(sealed({bytes.data(), bytes.size()}, mode < 6 ? 2 : 1, mode % 2 == 0));
   }
   return 0;
 }

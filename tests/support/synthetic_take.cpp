@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <random>
 
 namespace brickfall::test {
@@ -89,7 +90,7 @@ TakeBody brickBody(const std::string& name, std::uint32_t colour) {
   return body;
 }
 
-void addOtherShapes(TakeHeader& header, std::vector<Mover>& movers) {
+void addOtherShapes(std::vector<TakeBody>& bodies, std::vector<Mover>& movers) {
   TakeBody capsule = brickBody("capsule", 0x4F7F8F), hull = brickBody("hull", 0x8F7F4F),
            pair = brickBody("pair", 0x6F8F4F);
   capsule.role = hull.role = pair.role = BodyRole::body;
@@ -105,7 +106,7 @@ void addOtherShapes(TakeHeader& header, std::vector<Mover>& movers) {
   pair.shapes[1].local.position = {0, 0.02, 0.08};
   double x = -0.4;
   for (TakeBody* body : {&capsule, &hull, &pair}) {
-    header.bodies.push_back(*body);
+    bodies.push_back(*body);
     Mover m;
     m.half = {0.1, body == &capsule ? 0.15 : 0.1, 0.1};
     m.position = {x, m.half.y, 0.6};
@@ -114,7 +115,38 @@ void addOtherShapes(TakeHeader& header, std::vector<Mover>& movers) {
   }
 }
 
+// The first brick goes; three pieces of it come, of which the second goes again.
+void breakBrick(SyntheticTake& out, std::vector<Mover>& movers, std::size_t frame, Dice& dice) {
+  const Mover whole = movers[2];
+  out.lives[2].end = frame;
+  for (int piece = 0; piece < 3; piece++) {
+    Mover m = whole;
+    m.half.x = whole.half.x / 3;
+    m.position += rotate(whole.rotation, Vec3{(piece - 1) * 2 * m.half.x, 0, 0});
+    m.velocity = dice.cube(1) + Vec3{0, 1.5, 0};
+    m.spin = dice.cube(5);
+    m.resting = false;
+    movers.push_back(m);
+    TakeBody body = brickBody("piece " + std::to_string(piece), 0xC5643A);
+    body.role = BodyRole::body;
+    body.mass /= 3;
+    body.shapes[0].halfExtents = m.half;
+    out.bodies.push_back(std::move(body));
+    out.lives.push_back({frame, piece == 1 ? frame + 70 : SIZE_MAX});
+  }
+}
+
 }  // namespace
+
+TakeChange SyntheticTake::change(std::size_t frame) const {
+  TakeChange out;
+  for (std::size_t k = 0; k < bodies.size(); k++) {
+    const TakeLife life = k < lives.size() ? lives[k] : TakeLife{0, SIZE_MAX};
+    if (life.birth == frame) out.births.push_back(bodies[k]);
+    if (life.end == frame) out.ends.push_back(std::uint32_t(k));
+  }
+  return out;
+}
 
 SyntheticTake makeSyntheticTake(const SyntheticOptions& options) {
   SyntheticTake out;
@@ -134,7 +166,7 @@ SyntheticTake makeSyntheticTake(const SyntheticOptions& options) {
   ball.mass = 16.8;
   ball.shapes[0].type = ShapeType::sphere;
   ball.shapes[0].radius = 0.08;
-  out.header.bodies = {ground, ball};
+  out.bodies = {ground, ball};
   double width = options.bricksPerCourse * 2 * kHalf.x, height = options.courses * 2 * kHalf.y;
   double speed = 12, hitTime = options.hitFrame * kDt;
   std::vector<Mover> movers(2);
@@ -152,24 +184,27 @@ SyntheticTake makeSyntheticTake(const SyntheticOptions& options) {
       m.velocity = Vec3{m.position.x, 0.4, -1.2} * push + dice.cube(push * 0.3);
       m.spin = dice.cube(3 * push);
       movers.push_back(m);
-      out.header.bodies.push_back(brickBody("brick " + std::to_string(movers.size() - 3), 0xB5543A));
+      out.bodies.push_back(brickBody("brick " + std::to_string(movers.size() - 3), 0xB5543A));
     }
   }
-  if (options.otherShapes) addOtherShapes(out.header, movers);
+  if (options.otherShapes) addOtherShapes(out.bodies, movers);
   out.header.cameras = {{"front", {1.2, height * 0.9 + 0.5, 3.2}, {0, height * 0.4, 0}, 45},
                         {"side", {-3.5, 1.0, 0.8}, {0, height * 0.3, 0}, 40}};
 
+  out.lives.assign(movers.size(), {0, SIZE_MAX});
   for (int f = 0; f < options.frames; f++) {
     TakeFrame frame;
     frame.time = f * kDt;
+    if (options.breaking && f == options.hitFrame) breakBrick(out, movers, std::size_t(f), dice);
     for (std::size_t k = 0; k < movers.size(); k++) {
+      if (!out.lives[k].holds(std::size_t(f))) continue;
       Mover& m = movers[k];
       double impulse = 0;
-      bool brick = k >= 2 && out.header.bodies[k].role == BodyRole::brick;
+      bool brick = k >= 2 && (out.bodies[k].role == BodyRole::brick || out.lives[k].birth > 0);
       if (k == 1 && f > 0 && f < options.hitFrame) m.position += m.velocity * kDt;  // straight, to meet the wall
       if (k == 1 && f == options.hitFrame) {
         m.velocity = m.velocity * 0.4;
-        frame.events.push_back({TakeEventType::hit, 1, 2, m.position, 80});
+        frame.events.push_back({TakeEventType::hit, 1, 2, m.position, 80});  // of a brick that may break by it
       }
       if (brick && m.resting && m.bounces == 0 && frame.time >= m.startTime) m.resting = false;
       if (!m.resting && f > 0 && (brick || f >= options.hitFrame)) impulse = move(m, options.everResting, dice);
@@ -189,8 +224,8 @@ SyntheticTake makeSyntheticTake(const SyntheticOptions& options) {
 std::string writeTake(const SyntheticTake& take, const std::string& path) {
   Result<TakeWriter> writer = TakeWriter::create(path, take.header);
   if (!writer) return writer.error().message;
-  for (const TakeFrame& frame : take.frames) {
-    if (Status written = writer->write(frame); !written) return written.error().message;
+  for (std::size_t f = 0; f < take.frames.size(); f++) {
+    if (Status written = writer->write(take.frames[f], take.change(f)); !written) return written.error().message;
   }
   Status finished = writer->finish("{\"scene\": \"synthetic\"}");
   return finished ? std::string() : finished.error().message;

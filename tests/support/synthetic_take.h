@@ -7,7 +7,12 @@ namespace brickfall::test {
 
 struct SyntheticTake {
   TakeHeader header;
+  std::vector<TakeBody> bodies;  // all that ever are there, by number
+  std::vector<TakeLife> lives;   // of those; bodies beyond its end are always there
   std::vector<TakeFrame> frames;
+
+  // Who comes and goes with a frame.
+  TakeChange change(std::size_t frame) const;
 };
 
 struct SyntheticOptions {
@@ -16,6 +21,8 @@ struct SyntheticOptions {
   int hitFrame = 60;        // when the ball reaches the wall
   bool everResting = true;  // false: bricks bounce and tumble to the end, the worst case for compression
   bool otherShapes = true;  // also a capsule, a hull and a body of two shapes beside the wall
+  bool breaking =
+      false;  // "brick 0" breaks when the ball is there: three pieces come, of which "piece 1" goes 70 frames later
   std::uint64_t seed = 1;
 };
 

@@ -1,9 +1,9 @@
-// replay_test.mjs WEB_FOLDER CHROMIUM PAGE OUT_FOLDER: the replay page as a visitor has it, from disk, without a network,
+// replay_test.mjs WEB_FOLDER CHROMIUM PAGE BREAKING OUT_FOLDER: the replay page as a visitor has it, from disk, without a network,
 // drawn in software. What the page says of itself is checked against what its picture shows.
 import assert from 'node:assert/strict';
 import { createRequire } from 'node:module';
 
-const [webFolder, executablePath, file, outFolder] = process.argv.slice(2);
+const [webFolder, executablePath, file, breaking, outFolder] = process.argv.slice(2);
 const { chromium } = createRequire(`${webFolder}/package.json`)('playwright-core');
 const patience = { timeout: 180_000 };
 const kHitFrame = 60; // of the synthetic take
@@ -237,6 +237,53 @@ try {
     assert.ok(right <= 390, `a control ends at ${right}`);
     assert.ok((await picture()).red > 500);
     await page.screenshot({ path: `${outFolder}/phone.png`, ...patience });
+  });
+
+  await check('bodies are shown only while they are there', async () => {
+    await page.setViewportSize({ width: 640, height: 360 });
+    await page.goto(`file://${breaking}#paused`, patience);
+    await page.waitForFunction(() => window.brickfall?.ready, null, patience);
+    const names = await page.evaluate(() => window.brickfall.names);
+    const [brick, piece, passing] = ['brick 0', 'piece 0', 'piece 1'].map((name) => names.indexOf(name));
+    assert.ok(brick > 0 && piece > 0 && passing > 0, names.join());
+    const there = (frame) => page.evaluate(([f, list]) => list.map((k) => window.brickfall.isThere(k, f)), [frame, [brick, piece, passing]]);
+    assert.deepEqual(await there(kHitFrame - 1), [true, false, false]);
+    assert.deepEqual(await there(kHitFrame), [false, true, true]);
+    assert.deepEqual(await there(kHitFrame + 70), [false, true, false]);
+    // From behind, where the ball does not hide them: the one or the other is under the same point of the picture.
+    await seek(kHitFrame);
+    await drawn(() => window.brickfall.lookFrom([-0.1, 0.5, -1.2], [-0.1, 0.05, 0]));
+    const point = await page.evaluate((k) => window.brickfall.project(k), piece);
+    const picked = () => page.evaluate(([x, y]) => window.brickfall.pick(x, y), point);
+    assert.equal(await picked(), piece);
+    await seek(kHitFrame - 1);
+    assert.equal(await picked(), brick);
+    const before = await picture();
+    assert.ok(before.red > 500, `${before.red} points of brick`);
+    await page.screenshot({ path: `${outFolder}/whole.png`, ...patience });
+    await seek(kHitFrame + 20);
+    assert.notDeepEqual(await picture(), before);
+    await page.screenshot({ path: `${outFolder}/broken.png`, ...patience });
+    // The second piece, of which the others leave a corner to be seen, is in the picture until the frame in which it goes.
+    const passes = async (frame) => {
+      await seek(frame);
+      return page.evaluate((k) => {
+        const { brickfall: b } = window;
+        const [x, y] = b.project(k);
+        for (let dx = -60; dx <= 60; dx += 4) for (let dy = -60; dy <= 60; dy += 4) if (b.pick(x + dx, y + dy) === k) return true;
+        return false;
+      }, passing);
+    };
+    const [x, y, z] = await page.evaluate(([k, f]) => window.brickfall.position(k, f), [passing, kHitFrame + 69]);
+    await drawn(([p, t]) => window.brickfall.lookFrom(p, t), [[x + 0.1, y + 1, z + 0.1], [x, y, z]]);
+    assert.equal(await passes(kHitFrame + 69), true);
+    assert.equal(await passes(kHitFrame + 70), false);
+    await drawn((k) => window.brickfall.select(k), passing);
+    assert.match(await page.textContent('#card'), /no longer there/);
+    await seek(kHitFrame - 10);
+    assert.match(await page.textContent('#card'), /not there yet/);
+    await seek(kHitFrame + 5);
+    assert.doesNotMatch(await page.textContent('#card'), /there/);
   });
 
   await check('nothing went wrong on the way', async () => {

@@ -78,6 +78,7 @@ export class Bodies {
   private mode: ColourMode = 'material';
   private coloursStale = true; // those of the materials do not change from frame to frame
   private readonly materialColours: Color[];
+  private shownFrame = 0;
   selected = -1;
 
   constructor(private readonly take: Take, private readonly scene: Scene) {
@@ -118,6 +119,11 @@ export class Bodies {
     this.scene.add(mesh);
   }
 
+  // Between two frames that is there which was in the first.
+  private isShown(body: number): boolean {
+    return this.take.isThere(this.shownFrame, body);
+  }
+
   // The pose at a place between two frames.
   pose(body: number, position: number, out: Matrix4): Matrix4 {
     const { take } = this;
@@ -126,10 +132,12 @@ export class Bodies {
     const share = position - f;
     const p = take.positions;
     const r = take.rotations;
-    const a = (f * take.bodies + body) * 3;
-    const b = (next * take.bodies + body) * 3;
-    const c = (f * take.bodies + body) * 4;
-    const d = (next * take.bodies + body) * 4;
+    const here = take.at(f, body);
+    const there = take.at(next, body);
+    const a = here * 3;
+    const b = there * 3;
+    const c = here * 4;
+    const d = there * 4;
     const side = r[c] * r[d] + r[c + 1] * r[d + 1] + r[c + 2] * r[d + 2] + r[c + 3] * r[d + 3] < 0 ? -share : share;
     const keep = 1 - share;
     scratch.rotation.set(r[c] * keep + r[d] * side, r[c + 1] * keep + r[d + 1] * side, r[c + 2] * keep + r[d + 2] * side,
@@ -140,13 +148,18 @@ export class Bodies {
 
   show(position: number): void {
     const frame = Math.round(position);
+    this.shownFrame = Math.min(this.take.frames - 1, Math.floor(position));
     const recolour = this.coloursStale || this.mode !== 'material';
     this.coloursStale = false;
     for (const { mesh, bodies, locals } of this.groups) {
       for (let k = 0; k < bodies.length; k++) {
-        this.pose(bodies[k], position, scratch.matrix);
-        const local = locals[k];
-        if (local) scratch.matrix.multiply(local);
+        if (this.isShown(bodies[k])) {
+          this.pose(bodies[k], position, scratch.matrix);
+          const local = locals[k];
+          if (local) scratch.matrix.multiply(local);
+        } else {
+          scratch.matrix.makeScale(0, 0, 0);
+        }
         scratch.matrix.toArray(mesh.instanceMatrix.array, k * 16);
         if (recolour) mesh.setColorAt(k, this.colourOf(bodies[k], frame));
       }
@@ -154,7 +167,7 @@ export class Bodies {
       if (recolour && mesh.instanceColor) mesh.instanceColor.needsUpdate = true;
       mesh.boundingSphere = null; // picking measures it anew
     }
-    this.outline.visible = this.selected >= 0 && this.take.meta.bodies[this.selected].role !== 'ground';
+    this.outline.visible = this.selected >= 0 && this.isShown(this.selected) && this.take.meta.bodies[this.selected].role !== 'ground';
     if (this.outline.visible) {
       this.pose(this.selected, position, this.outline.matrix);
       this.outline.matrixAutoUpdate = false;
@@ -196,7 +209,7 @@ export class Bodies {
     const hits = this.raycaster.intersectObjects(this.groups.map((group) => group.mesh) as Mesh[], false);
     for (const hit of hits) {
       const group = this.byMesh.get(hit.object);
-      if (group && hit.instanceId !== undefined) return group.bodies[hit.instanceId];
+      if (group && hit.instanceId !== undefined && this.isShown(group.bodies[hit.instanceId])) return group.bodies[hit.instanceId];
     }
     return -1;
   }

@@ -81,12 +81,13 @@ export class Card {
     if (this.body < 0) return;
     const { take, body } = this;
     const here = take.position(frame, body);
-    const start = take.position(0, body);
+    const start = take.position(0, body); // or where it came
     const moved = Math.hypot(here[0] - start[0], here[1] - start[1], here[2] - start[2]);
     const set = (name: string, value: string): void => {
       this.values.get(name)!.textContent = value;
     };
-    set('Speed', amount(take.speed(frame, body), 'm/s'));
+    const missing = frame < take.births[body] ? 'not there yet' : frame >= take.ends[body] ? 'no longer there' : '';
+    set('Speed', missing || amount(take.speed(frame, body), 'm/s'));
     set('Contact force', amount(take.force(frame, body), 'N'));
     set('Height', amount(here[1], 'm'));
     set('Moved', moved < 0.1 ? amount(moved * 1000, 'mm') : amount(moved, 'm'));

@@ -144,6 +144,7 @@ function main(): void {
       const canvas = stage.renderer.domElement;
       return bodies.pick(new Vector2((x / canvas.clientWidth) * 2 - 1, 1 - (y / canvas.clientHeight) * 2), stage.camera);
     },
+    isThere: (body: number, frame = player.frame) => take.isThere(frame, body),
     position: (body: number, frame = player.frame) => take.position(frame, body),
     rotation: (body: number, frame = player.frame) => take.rotation(frame, body),
     speed: (body: number, frame = player.frame) => take.speed(frame, body),

@@ -21,6 +21,8 @@ export interface BodyMeta {
   colour: number;
   mass: number;
   parts: PartMeta[];
+  birth?: number; // the first frame in which it is there; left out: 0
+  end?: number; // the first in which it no longer is; left out: it stays
 }
 export interface CameraMeta {
   name: string;
@@ -111,19 +113,29 @@ export class Take {
   readonly bodies: number;
   readonly frames: number;
   readonly times: Float64Array; // s, per frame
-  readonly positions: Float32Array; // [(frame * bodies + body) * 3]
-  readonly rotations: Int16Array; // [(frame * bodies + body) * 4], 1 = 32767
-  readonly forces: Uint8Array; // [frame * bodies + body], code
+  readonly births: Int32Array; // per body: the first frame in which it is there
+  readonly ends: Int32Array; // and the first in which it no longer is
+  private readonly starts: Float64Array; // and where its frames begin in the lists below
+  readonly positions: Float32Array; // [at(frame, body) * 3]
+  readonly rotations: Int16Array; // [at(frame, body) * 4], 1 = 32767
+  readonly forces: Uint8Array; // [at(frame, body)], code
   readonly hits: Hit[] = []; // in the order of time
   readonly activity: Float32Array; // per frame: root of the summed squares of all speeds but the balls'
   topSpeed = 1; // m/s: 95 % of the moving bodies' frames are below it
   topForce = 1; // N
 
   constructor(readonly meta: TakeMeta, base64: string) {
-    if (meta.format !== 1) throw new Error(`replay data of format ${meta.format}; this page reads 1`);
+    if (meta.format !== 2) throw new Error(`replay data of format ${meta.format}; this page reads 2`);
     this.bodies = meta.bodies.length;
     this.frames = meta.frames;
-    const count = this.bodies * this.frames;
+    this.births = Int32Array.from(meta.bodies, (body) => body.birth ?? 0);
+    this.ends = Int32Array.from(meta.bodies, (body) => body.end ?? this.frames);
+    this.starts = new Float64Array(this.bodies);
+    let count = 0;
+    for (let body = 0; body < this.bodies; body++) {
+      this.starts[body] = count;
+      count += this.ends[body] - this.births[body];
+    }
     this.times = new Float64Array(this.frames);
     this.positions = new Float32Array(count * 3);
     this.rotations = new Int16Array(count * 4);
@@ -140,40 +152,52 @@ export class Take {
     this.measure();
   }
 
+  isThere(frame: number, body: number): boolean {
+    return frame >= this.births[body] && frame < this.ends[body];
+  }
+  // Where the lists have the frame, or the nearest in which the body is there.
+  at(frame: number, body: number): number {
+    const birth = this.births[body];
+    return this.starts[body] + Math.max(0, Math.min(frame, this.ends[body] - 1) - birth);
+  }
+
   // Body by body as it was written; the order of the planes within a body matters only for the list of large numbers.
   private readBodies(start: ByteReader, planes: Uint8Array[], large: ByteReader): void {
-    const moves = Math.max(0, this.frames - 1);
+    let moves = 0; // of the bodies before
     for (let body = 0; body < this.bodies; body++) {
+      const first = this.starts[body];
+      const count = this.ends[body] - this.births[body];
       for (let axis = 0; axis < 3; axis++) {
-        this.readAxis(planes[axis], body * moves, large, body, axis, start.signedVarint());
+        this.readAxis(planes[axis], moves, large, first, count, axis, start.signedVarint());
       }
-      this.readTurns(planes, body * moves, large, body, start);
+      this.readTurns(planes, moves, large, first, count, start);
       let code = 0;
-      for (let f = 0; f < this.frames; f++) {
-        const b = planes[6][body * this.frames + f];
+      for (let at = first; at < first + count; at++) {
+        const b = planes[6][at];
         code += unzigzag(b < kEscape ? b : large.varint());
-        this.forces[f * this.bodies + body] = code;
+        this.forces[at] = code;
       }
+      moves += count - 1;
     }
   }
 
-  private readAxis(plane: Uint8Array, at: number, large: ByteReader, body: number, axis: number, first: number): void {
-    const { positions, bodies, frames } = this;
+  private readAxis(plane: Uint8Array, at: number, large: ByteReader, first: number, count: number, axis: number, place: number): void {
+    const { positions } = this;
     const step = this.meta.positionStep;
-    let last = first;
+    let last = place;
     let move = 0;
-    positions[body * 3 + axis] = first * step;
-    for (let f = 1; f < frames; f++) {
+    positions[first * 3 + axis] = place * step;
+    for (let f = 1; f < count; f++) {
       const b = plane[at++];
       if (b !== 0) move += unzigzag(b < kEscape ? b : large.varint());
       last += move;
-      positions[(f * bodies + body) * 3 + axis] = last * step;
+      positions[(first + f) * 3 + axis] = last * step;
     }
   }
 
   // The same arithmetic as the writer's, so that both arrive at the same rotation: turned on by whole steps of
   // tan(angle / 2), each frame.
-  private readTurns(planes: Uint8Array[], at: number, large: ByteReader, body: number, start: ByteReader): void {
+  private readTurns(planes: Uint8Array[], at: number, large: ByteReader, first: number, count: number, start: ByteReader): void {
     const step = this.meta.turnStep;
     let x = start.signedVarint();
     let y = start.signedVarint();
@@ -184,8 +208,8 @@ export class Take {
     let tx = 0;
     let ty = 0;
     let tz = 0;
-    this.setRotation(0, body, x, y, z, w);
-    for (let f = 1; f < this.frames; f++, at++) {
+    this.setRotation(first, x, y, z, w);
+    for (let f = 1; f < count; f++, at++) {
       const bx = planes[3][at];
       const by = planes[4][at];
       const bz = planes[5][at];
@@ -203,12 +227,12 @@ export class Take {
         s = 1 / Math.sqrt(nx * nx + ny * ny + nz * nz + nw * nw);
         x = nx * s; y = ny * s; z = nz * s; w = nw * s;
       }
-      this.setRotation(f, body, x, y, z, w);
+      this.setRotation(first + f, x, y, z, w);
     }
   }
 
-  private setRotation(frame: number, body: number, x: number, y: number, z: number, w: number): void {
-    const at = (frame * this.bodies + body) * 4;
+  private setRotation(place: number, x: number, y: number, z: number, w: number): void {
+    const at = place * 4;
     this.rotations[at] = Math.round(x * kQuatScale);
     this.rotations[at + 1] = Math.round(y * kQuatScale);
     this.rotations[at + 2] = Math.round(z * kQuatScale);
@@ -228,7 +252,7 @@ export class Take {
     let frame = 0;
     for (let k = 0; k < count; k++) {
       frame += steps[k];
-      const at = (frame * this.bodies + a[k]) * 3;
+      const at = this.at(frame, a[k]) * 3;
       const p = this.positions;
       this.hits.push({
         frame, a: a[k], b: b[k], impulse: impulse[k],
@@ -245,7 +269,7 @@ export class Take {
     for (let f = 0; f < this.frames; f++) {
       let sum = 0;
       for (let body = 0; body < this.bodies; body++) {
-        if (!counts[body]) continue;
+        if (!counts[body] || !this.isThere(f, body)) continue;
         const speed = this.speed(f, body);
         if (speed > 0.05) {
           speeds[Math.min(511, Math.floor(speed * 10))]++;
@@ -260,8 +284,10 @@ export class Take {
     while (bin < 511 && (below += speeds[bin]) < 0.95 * moving) bin++;
     this.topSpeed = Math.max(1, Math.ceil((bin + 1) / 5) / 2);
     let code = 0;
-    for (let f = 0; f < this.forces.length; f++) {
-      if (this.forces[f] > code && counts[f % this.bodies]) code = this.forces[f];
+    for (let body = 0; body < this.bodies; body++) {
+      if (!counts[body]) continue;
+      const last = this.at(this.frames, body);
+      for (let at = this.starts[body]; at <= last; at++) code = Math.max(code, this.forces[at]);
     }
     this.topForce = Math.max(10, this.forceOfCode(code));
   }
@@ -270,26 +296,26 @@ export class Take {
     return 2 ** (code / this.meta.forceSteps) - 1;
   }
   force(frame: number, body: number): number {
-    return this.forceOfCode(this.forces[frame * this.bodies + body]);
+    return this.isThere(frame, body) ? this.forceOfCode(this.forces[this.at(frame, body)]) : 0;
   }
   // m/s, from the frame before to this one.
   speed(frame: number, body: number): number {
-    const f = frame > 0 ? frame : Math.min(1, this.frames - 1);
-    if (f === 0) return 0;
+    if (!this.isThere(frame, body) || this.ends[body] - this.births[body] < 2) return 0;
+    const f = Math.max(frame, this.births[body] + 1); // its first frame has none before: as in the next
     const p = this.positions;
-    const now = (f * this.bodies + body) * 3;
-    const last = now - this.bodies * 3;
+    const now = this.at(f, body) * 3;
+    const last = now - 3;
     const x = p[now] - p[last];
     const y = p[now + 1] - p[last + 1];
     const z = p[now + 2] - p[last + 2];
     return Math.sqrt(x * x + y * y + z * z) / (this.times[f] - this.times[f - 1] || 1); // Math.hypot is many times slower
   }
   position(frame: number, body: number): [number, number, number] {
-    const at = (frame * this.bodies + body) * 3;
+    const at = this.at(frame, body) * 3;
     return [this.positions[at], this.positions[at + 1], this.positions[at + 2]];
   }
   rotation(frame: number, body: number): [number, number, number, number] {
-    const at = (frame * this.bodies + body) * 4;
+    const at = this.at(frame, body) * 4;
     const r = this.rotations;
     return [r[at] / kQuatScale, r[at + 1] / kQuatScale, r[at + 2] / kQuatScale, r[at + 3] / kQuatScale];
   }

@@ -27,7 +27,9 @@ export function interestingBounds(take: Take): { start: Box3; all: Box3 } {
   const movable = take.meta.bodies.map((_, k) => k).filter((k) => take.meta.bodies[k].role !== 'ground');
   const bricks = movable.filter((k) => take.meta.bodies[k].role !== 'ball');
   const point = new Vector3();
-  for (const k of bricks.length > 0 ? bricks : movable) {
+  // Those of the start; where nothing is there yet, all where they come.
+  const first = (bricks.length > 0 ? bricks : movable).filter((k) => take.isThere(0, k));
+  for (const k of first.length > 0 ? first : movable) {
     const size = sizeOf(take, k);
     start.expandByPoint(point.set(...take.position(0, k)).addScalar(size));
     start.expandByPoint(point.set(...take.position(0, k)).addScalar(-size));
@@ -36,7 +38,7 @@ export function interestingBounds(take: Take): { start: Box3; all: Box3 } {
   const all = start.clone();
   const last = take.frames - 1;
   for (let axis = 0; axis < 3; axis++) {
-    const ends = bricks.map((k) => take.position(last, k)[axis]).sort((a, b) => a - b);
+    const ends = bricks.filter((k) => take.isThere(last, k)).map((k) => take.position(last, k)[axis]).sort((a, b) => a - b);
     if (ends.length === 0) continue;
     const low = ends[Math.floor(ends.length * 0.04)];
     const high = ends[Math.ceil(ends.length * 0.96) - 1];

@@ -130,32 +130,36 @@ struct TakeFile {
   ~TakeFile() { std::remove(path.c_str()); }
 };
 
-TakeHeader oneBodyHeader() {
-  TakeHeader header;
+TakeChange oneBody() {
+  TakeChange change;
   TakeBody body;
   body.name = "box";
   body.mass = 1;
   body.shapes.push_back(boxOf({0.1, 0.1, 0.1}));
-  header.bodies.push_back(body);
-  return header;
+  change.births.push_back(body);
+  return change;
 }
 
 TEST(FileCalls, TakesRefuseWhatTheyCouldNotGiveBack) {
   TakeFile file;
   for (double bad : {0.0, -1.0, kNan, kInf}) {
-    TakeHeader header = oneBodyHeader();
+    TakeHeader header;
     header.framesPerSecond = bad;
     expectNames(TakeWriter::create(file.path, header).error(), ErrorCode::invalidArgument, "framesPerSecond");
-    header = oneBodyHeader();
-    header.bodies[0].shapes[0].halfExtents.y = bad;
-    expectNames(TakeWriter::create(file.path, header).error(), ErrorCode::invalidArgument, "halfExtents");
   }
   EXPECT_FALSE(std::filesystem::exists(file.path)) << "nothing is left of a refused take";
-  Result<TakeWriter> writer = TakeWriter::create(file.path, oneBodyHeader());
+  Result<TakeWriter> writer = TakeWriter::create(file.path, {});
   ASSERT_TRUE(writer.ok());
   TakeFrame good;
   good.poses.resize(1);
-  ASSERT_TRUE(writer->write(good).ok());
+  for (double bad : {0.0, -1.0, kNan, kInf}) {
+    TakeChange change = oneBody();
+    change.births[0].shapes[0].halfExtents.y = bad;
+    expectNames(writer->write(good, change).error(), ErrorCode::invalidArgument, "body 0 \"box\": halfExtents");
+  }
+  expectNames(writer->write(good, {{}, {0}}).error(), ErrorCode::invalidArgument, "body 0 ends, but is not there");
+  ASSERT_TRUE(writer->write(good, oneBody()).ok());
+  expectNames(writer->write(good, {{}, {0, 0}}).error(), ErrorCode::invalidArgument, "ascending order");
   auto refused = [&](const std::function<void(TakeFrame&)>& spoil) {
     TakeFrame frame = good;
     spoil(frame);
@@ -190,7 +194,7 @@ TEST(FileCalls, TakesRefuseWhatTheyCouldNotGiveBack) {
   expectNames(writeGlb(*reader, nowhere).error(), ErrorCode::inputOutput, nowhere);
   expectNames(writeGlb(*reader, "").error(), ErrorCode::inputOutput, "create");
   expectNames(TakeReader::open(nowhere).error(), ErrorCode::inputOutput, nowhere);
-  expectNames(TakeWriter::create(nowhere, oneBodyHeader()).error(), ErrorCode::inputOutput, nowhere);
+  expectNames(TakeWriter::create(nowhere, {}).error(), ErrorCode::inputOutput, nowhere);
   EXPECT_EQ(TakeReader::openBytes({}).error().code, ErrorCode::badFormat);
 }
 

@@ -167,5 +167,34 @@ TEST(Metrics, penetrationIsTheExactDepthOfWhatTouches) {
   EXPECT_NEAR(figures.penetrationMean, depth, 1e-9);
 }
 
+// A brick high up is replaced by two halves, which fall: their energy was not made from nothing, nor did it vanish.
+TEST(Metrics, bodiesThatComeAndGoTakeTheirEnergyAlong) {
+  Hand hand;
+  hand.addGround();
+  const BodyId brick = hand.addCube(BodyRole::brick, {0, 3.1, 0});
+  const BodyId other = hand.addCube(BodyRole::brick, {5, 0.1, 0});
+  RunMetrics metrics(hand.world, hand.bodies, 60);
+  for (int i = 0; i < 10; i++) metrics.afterStep(hand.world, hand.world.step(kStep).value());
+  ASSERT_TRUE(hand.world.destroyBody(brick));
+  for (double x : {-0.1, 0.1}) {
+    BodyDef half;
+    half.shapes.resize(1);
+    half.shapes[0].halfExtents = {0.05, 0.1, 0.1};
+    half.position = {x, 8, 0};
+    hand.world.createBody(half).value();
+  }
+  for (int i = 0; i < 20; i++) metrics.afterStep(hand.world, hand.world.step(kStep).value());
+  RunFigures figures = metrics.finish(hand.world);
+  EXPECT_EQ(figures.bodies, 4) << "all that ever were there";
+  EXPECT_EQ(figures.bricks, 2);
+  EXPECT_LT(figures.energyRatioMax, 1.001);
+  EXPECT_GT(figures.displacementMax, 0.05) << "where the brick was last seen";
+  EXPECT_LT(figures.displacementMax, 0.2);
+  // What is made afterwards is found as before.
+  ASSERT_TRUE(hand.world.setLinearVelocity(other, {40, 0, 0}));
+  metrics.afterStep(hand.world, hand.world.step(kStep).value());
+  EXPECT_GT(metrics.finish(hand.world).energyRatioMax, 1.5);
+}
+
 }  // namespace
 }  // namespace brickfall::cli

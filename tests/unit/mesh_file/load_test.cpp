@@ -101,26 +101,26 @@ TEST_F(MeshFiles, TwoBodiesOfOneFileShareItsMesh) {
 TEST_F(MeshFiles, TakesAndOutputsCarryTheMesh) {
   SceneLoad scene = load("type = \"fixed\"\nshape = \"mesh\"\nfile = \"floor.obj\"\n");
   ASSERT_TRUE(scene.scene) << firstMessage(scene);
-  TakeHeader header;
-  header.bodies.resize(1);
-  header.bodies[0].name = "floor";
-  header.bodies[0].shapes = scene.scene->bodies[0].def.shapes;
+  TakeChange start;
+  start.births.resize(1);
+  start.births[0].name = "floor";
+  start.births[0].shapes = scene.scene->bodies[0].def.shapes;
   std::string path = (folder / "a.take").string();
   {
-    Result<TakeWriter> writer = TakeWriter::create(path, header);
+    Result<TakeWriter> writer = TakeWriter::create(path, {});
     ASSERT_TRUE(writer) << writer.error().message;
     TakeFrame frame;
     frame.poses.resize(1);
     frame.poses[0].position = {0, 2, 0};
-    ASSERT_TRUE(writer->write(frame));
+    ASSERT_TRUE(writer->write(frame, start));
     ASSERT_TRUE(writer->finish(""));
   }
   Result<TakeReader> take = TakeReader::open(path);
   ASSERT_TRUE(take) << take.error().message;
-  const ShapeDef& shape = take->header().bodies[0].shapes[0];
+  const ShapeDef& shape = take->bodies()[0].shapes[0];
   ASSERT_EQ(shape.type, ShapeType::mesh);
   ASSERT_TRUE(shape.mesh);
-  EXPECT_EQ(shape.mesh->mesh().vertices(), header.bodies[0].shapes[0].mesh->mesh().vertices());
+  EXPECT_EQ(shape.mesh->mesh().vertices(), start.births[0].shapes[0].mesh->mesh().vertices());
   EXPECT_EQ(shape.mesh->mesh().count(), 2u);
 
   ASSERT_TRUE(writeReplayHtml(*take, (folder / "a.html").string()));

@@ -73,15 +73,15 @@ TEST(Glb, HasOneNodePerBodyAndSharesMeshes) {
   TakeReader reader = test::opened(take, folder.file("a.take"));
   ASSERT_TRUE(writeGlb(reader, folder.file("a.glb")));
   Glb glb = readGlb(folder.file("a.glb"));
-  ASSERT_EQ(glb.root["nodes"].size(), take.header.bodies.size() + take.header.cameras.size());
+  ASSERT_EQ(glb.root["nodes"].size(), take.bodies.size() + take.header.cameras.size());
   EXPECT_EQ(glb.root["scenes"][0]["nodes"].size(), glb.root["nodes"].size());
   EXPECT_EQ(glb.root["meshes"].size(), 6u);  // ground, ball, brick, capsule, hull, pair
   std::set<int> meshesOfBricks;
-  for (std::size_t k = 0; k < take.header.bodies.size(); k++) {
+  for (std::size_t k = 0; k < take.bodies.size(); k++) {
     const json& node = glb.root["nodes"][k];
-    EXPECT_EQ(node["name"], take.header.bodies[k].name);
-    EXPECT_EQ(node["extras"]["mass"], take.header.bodies[k].mass);
-    if (take.header.bodies[k].role == BodyRole::brick) {
+    EXPECT_EQ(node["name"], take.bodies[k].name);
+    EXPECT_EQ(node["extras"]["mass"], take.bodies[k].mass);
+    if (take.bodies[k].role == BodyRole::brick) {
       meshesOfBricks.insert(node["mesh"].get<int>());
       EXPECT_EQ(node["extras"]["role"], "brick");
     }
@@ -94,7 +94,7 @@ TEST(Glb, ColoursTellMeshesApartButShareTheirVertices) {
   OutputFolder folder;
   test::SyntheticTake take =
       test::makeSyntheticTake({.courses = 1, .bricksPerCourse = 2, .frames = 2, .otherShapes = false});
-  take.header.bodies[3].colour = 0x112233;
+  take.bodies[3].colour = 0x112233;
   TakeReader reader = test::opened(take, folder.file("a.take"));
   ASSERT_TRUE(writeGlb(reader, folder.file("a.glb")));
   Glb glb = readGlb(folder.file("a.glb"));
@@ -144,6 +144,46 @@ TEST(Glb, AnimationStaysWithinToleranceOfEveryFrameAndIsThinned) {
   EXPECT_LT(keys, moving.size() * 2 * take.frames.size() / 2);
 }
 
+// A body is of size 0 where it is not there, and where it is its motion is that of the take.
+TEST(Glb, BodiesComeAndGoByTheirScale) {
+  OutputFolder folder;
+  test::SyntheticTake take = test::makeSyntheticTake(
+      {.courses = 2, .bricksPerCourse = 3, .frames = 200, .otherShapes = false, .breaking = true});
+  TakeReader reader = test::opened(take, folder.file("a.take"));
+  ASSERT_TRUE(writeGlb(reader, folder.file("a.glb")));
+  Glb glb = readGlb(folder.file("a.glb"));
+  const json& animation = glb.root["animations"][0];
+  std::set<int> scaled;
+  for (const json& channel : animation["channels"]) {
+    const json& sampler = animation["samplers"][channel["sampler"].get<int>()];
+    Track track{glb.floats(sampler["input"]), glb.floats(sampler["output"])};
+    const int body = channel["target"]["node"].get<int>();
+    const TakeLife life = reader.lives()[std::size_t(body)];
+    if (channel["target"]["path"] == "scale") {
+      scaled.insert(body);
+      EXPECT_EQ(sampler["interpolation"], "STEP");
+      for (std::size_t f = 0; f < take.frames.size(); f++) {
+        std::size_t key = 0;
+        while (key + 1 < track.times.size() && double(track.times[key + 1]) <= take.frames[f].time + 1e-5) key++;
+        for (std::size_t axis = 0; axis < 3; axis++)
+          EXPECT_EQ(track.values[3 * key + axis], life.holds(f) ? 1 : 0) << body << " frame " << f;
+      }
+    } else if (channel["target"]["path"] == "translation") {
+      for (std::size_t f = life.birth; f < life.end; f++) {
+        const std::vector<std::uint32_t> there = reader.bodiesAt(f);
+        const std::size_t place =
+            std::size_t(std::lower_bound(there.begin(), there.end(), std::uint32_t(body)) - there.begin());
+        EXPECT_LE(length(track.position(take.frames[f].time) - take.frames[f].poses[place].position), 1.2e-4)
+            << body << " frame " << f;
+      }
+    }
+  }
+  EXPECT_EQ(scaled, (std::set<int>{2, 8, 9, 10}));  // the brick that broke, its pieces
+  const json& nodes = glb.root["nodes"];
+  EXPECT_FALSE(nodes[2].contains("scale"));
+  EXPECT_EQ(nodes[8]["scale"], (json{0, 0, 0}));
+}
+
 TEST(Glb, CamerasLookAtTheirTarget) {
   OutputFolder folder;
   test::SyntheticTake take = test::makeSyntheticTake({.frames = 2});
@@ -154,7 +194,7 @@ TEST(Glb, CamerasLookAtTheirTarget) {
   Glb glb = readGlb(folder.file("a.glb"));
   for (std::size_t k = 0; k < take.header.cameras.size(); k++) {
     const Camera& camera = take.header.cameras[k];
-    const json& node = glb.root["nodes"][take.header.bodies.size() + k];
+    const json& node = glb.root["nodes"][take.bodies.size() + k];
     const json& r = node["rotation"];
     Quat q{r[0], r[1], r[2], r[3]};
     Vec3 looks = rotate(q, Vec3{0, 0, -1}), up = rotate(q, Vec3{0, 1, 0});
@@ -166,7 +206,7 @@ TEST(Glb, CamerasLookAtTheirTarget) {
 TEST(Glb, WorksWithoutAnythingToDraw) {
   OutputFolder folder;
   test::SyntheticTake take;
-  take.header.bodies.resize(1);
+  take.bodies.resize(1);
   take.frames.resize(1);
   take.frames[0].poses.resize(1);
   TakeReader reader = test::opened(take, folder.file("a.take"));

@@ -1,10 +1,12 @@
-// Takes whose header holds odd but allowed things (from damage that the checks let pass): both outputs give a file or an
+// Takes whose bodies and header hold odd but allowed things (from damage that the checks let pass): both outputs give a file or an
 // error, and both are still readable as JSON.
 #include <nlohmann/json.hpp>
 #include <random>
 
 #include "output_helpers.h"
+#include "record/body_codec.h"
 #include "record/header_codec.h"
+#include "record/take_record.h"
 
 namespace brickfall {
 namespace {
@@ -12,15 +14,19 @@ namespace {
 TEST(OddTakes, GiveAFileOrAnError) {
   test::OutputFolder folder;
   test::SyntheticTake take = test::makeSyntheticTake({.courses = 1, .bricksPerCourse = 2, .frames = 3, .hitFrame = 1});
-  const Bytes whole = encodeHeader(take.header);
+  const Bytes header = encodeHeader(take.header), bodies = encodeChange(take.change(0));
   std::mt19937_64 random(11);
   int written = 0;
   for (int round = 0; round < 150; round++) {
-    Bytes bytes = whole;
-    for (std::uint64_t c = 1 + random() % 3; c > 0; c--) bytes[random() % bytes.size()] = std::uint8_t(random());
-    Result<TakeHeader> header = decodeHeader(bytes);
-    if (!header || header->bodies.size() != take.header.bodies.size()) continue;
-    take.header = *header;
+    const auto damaged = [&](Bytes bytes) {
+      for (std::uint64_t c = 1 + random() % 3; c > 0; c--) bytes[random() % bytes.size()] = std::uint8_t(random());
+      return bytes;
+    };
+    Result<DecodedHeader> odd = decodeHeader(damaged(header), kTakeVersion);
+    Result<TakeChange> others = decodeChange(damaged(bodies));
+    if (odd) take.header = odd->header;
+    if (others && others->births.size() == take.bodies.size()) take.bodies = others->births;
+    if (!odd && !others) continue;
     TakeReader reader = test::opened(take, folder.file("a.take"));
     ASSERT_TRUE(writeReplayHtml(reader, folder.file("a.html")));
     Status glb = writeGlb(reader, folder.file("a.glb"));

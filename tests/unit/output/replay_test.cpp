@@ -27,40 +27,42 @@ struct Decoded {
 
 std::int64_t next(std::uint8_t byte, ByteReader& large) { return unzigzag(byte < 255 ? byte : large.varint()); }
 
-Decoded decode(const Bytes& packed, std::size_t bodies, std::size_t frames, double step) {
+Decoded decode(const Bytes& packed, const TakePoses& poses, double step) {
   Bytes raw(ZSTD_getFrameContentSize(packed.data(), packed.size()));
   EXPECT_EQ(ZSTD_decompress(raw.data(), raw.size(), packed.data(), packed.size()), raw.size());
   ByteReader in(raw);
-  in.take(frames * 8);
+  in.take(poses.frames * 8);
   std::vector<std::span<const std::uint8_t>> parts;
   for (int k = 0; k < 10; k++) parts.push_back(in.take(in.u32()));
   EXPECT_FALSE(in.failed());
   EXPECT_EQ(in.left(), 0u);
   ByteReader start(parts[0]), large(parts[8]);
   Decoded out;
-  out.poses.resize(bodies * frames);
-  for (std::size_t body = 0; body < bodies; body++) {
-    std::size_t at = body * (frames - 1);
+  out.poses.resize(poses.poses.size());
+  std::size_t at = 0;
+  for (std::size_t body = 0; body < poses.bodies; body++) {
+    const std::size_t frames = poses.count(body), first = poses.start[body];
     for (int axis = 0; axis < 3; axis++) {
       std::int64_t last = start.signedVarint(), move = 0;
-      out.poses[body * frames].position[axis] = double(last) * step;
+      out.poses[first].position[axis] = double(last) * step;
       for (std::size_t f = 1; f < frames; f++) {
         move += next(parts[1 + axis][at + f - 1], large);
         last += move;
-        out.poses[body * frames + f].position[axis] = double(last) * step;
+        out.poses[first + f].position[axis] = double(last) * step;
       }
     }
     double q[4];
     for (double& part : q) part = double(start.signedVarint());
-    Quat shown = out.poses[body * frames].rotation = normalized(Quat{q[0], q[1], q[2], q[3]});
+    Quat shown = out.poses[first].rotation = normalized(Quat{q[0], q[1], q[2], q[3]});
     std::int64_t turn[3] = {};
     for (std::size_t f = 1; f < frames; f++) {
       for (int axis = 0; axis < 3; axis++) turn[axis] += next(parts[4 + axis][at + f - 1], large);
       Quat done{double(turn[0]) * kReplayTurnStep, double(turn[1]) * kReplayTurnStep, double(turn[2]) * kReplayTurnStep,
                 1};
-      shown = out.poses[body * frames + f].rotation = normalized(done * shown);
+      shown = out.poses[first + f].rotation = normalized(done * shown);
     }
-    for (std::size_t f = 0; f < frames; f++) next(parts[7][body * frames + f], large);
+    for (std::size_t f = 0; f < frames; f++) next(parts[7][first + f], large);
+    at += frames - 1;
   }
   EXPECT_EQ(large.left(), 0u);
   EXPECT_EQ(start.left(), 0u);
@@ -74,13 +76,13 @@ double angleBetween(Quat a, Quat b) {
 
 TEST(Replay, TracksStayWithinTheirSteps) {
   OutputFolder folder;
-  test::SyntheticTake take = test::makeSyntheticTake({.frames = 300, .everResting = false});
+  test::SyntheticTake take = test::makeSyntheticTake({.frames = 300, .everResting = false, .breaking = true});
   TakeReader reader = test::opened(take, folder.file("a.take"));
   Result<TakePoses> poses = readPoses(reader, "a", {}, 1);
   ASSERT_TRUE(poses);
   double step = replayPositionStep(*poses);
   EXPECT_EQ(step, 1e-4);
-  Decoded decoded = decode(replayTracks(*poses, step), poses->bodies, poses->frames, step);
+  Decoded decoded = decode(replayTracks(*poses, step), *poses, step);
   double worstPlace = 0, worstAngle = 0;
   for (std::size_t k = 0; k < decoded.poses.size(); k++) {
     worstPlace = std::max(worstPlace, length(decoded.poses[k].position - poses->poses[k].position));
@@ -97,7 +99,7 @@ TEST(Replay, TurnsTooFastForAFrameAreCaughtUp) {
   for (std::size_t f = 30; f < 60; f++) take.frames[f].poses[2].rotation = {1, 0, 0, 0};  // half a turn at once
   TakeReader reader = test::opened(take, folder.file("a.take"));
   Result<TakePoses> poses = readPoses(reader, "a", {}, 1);
-  Decoded decoded = decode(replayTracks(*poses, 1e-4), poses->bodies, 60, 1e-4);
+  Decoded decoded = decode(replayTracks(*poses, 1e-4), *poses, 1e-4);
   EXPECT_LE(angleBetween(decoded.poses[2 * 60 + 59].rotation, poses->pose(2, 59).rotation), 7e-4);
   EXPECT_LE(angleBetween(decoded.poses[2 * 60 + 32].rotation, poses->pose(2, 32).rotation), 0.02);
 }
@@ -127,18 +129,34 @@ TEST(Replay, PageIsOneFileWithEverythingInItsPlace) {
   EXPECT_EQ(page.find("src=\"http"), std::string::npos);
   auto meta = nlohmann::json::parse(between(page, "id=\"meta\">", "</script>"));
   EXPECT_EQ(meta["frames"], 100);
-  EXPECT_EQ(meta["bodies"].size(), take.header.bodies.size());
+  EXPECT_EQ(meta["bodies"].size(), take.bodies.size());
   EXPECT_EQ(meta["bodies"][2]["name"], "brick 0");
   EXPECT_EQ(meta["bodies"][2]["role"], "brick");
   EXPECT_EQ(meta["shapes"].size(), 6u);  // plane, ball, one box for all bricks and the pair, its sphere, capsule, hull
   EXPECT_EQ(meta["cameras"][0]["name"], "front");
 }
 
+TEST(Replay, PageKnowsWhoComesAndGoes) {
+  OutputFolder folder;
+  test::SyntheticTake take = test::makeSyntheticTake(
+      {.courses = 1, .bricksPerCourse = 2, .frames = 150, .otherShapes = false, .breaking = true});
+  TakeReader reader = test::opened(take, folder.file("a.take"));
+  ASSERT_TRUE(writeReplayHtml(reader, folder.file("a.html")));
+  auto meta = nlohmann::json::parse(between(test::contentOf(folder.file("a.html")), "id=\"meta\">", "</script>"));
+  const auto& bodies = meta["bodies"];
+  ASSERT_EQ(bodies.size(), 7u);
+  EXPECT_FALSE(bodies[0].contains("birth") || bodies[0].contains("end"));
+  EXPECT_EQ(bodies[2]["end"], 60);
+  EXPECT_EQ(bodies[4]["birth"], 60);
+  EXPECT_FALSE(bodies[4].contains("end"));
+  EXPECT_EQ(bodies[5]["end"], 130);
+}
+
 TEST(Replay, NamesCannotBreakOutOfThePage) {
   OutputFolder folder;
   test::SyntheticTake take = test::makeSyntheticTake({.courses = 1, .bricksPerCourse = 1, .frames = 2});
   take.header.title = "</title><script>alert(1)</script>{{BRICKFALL_META}}";
-  take.header.bodies[2].name = "</script><script>alert(2)</script>{{BRICKFALL_DATA}}\xff\x80";
+  take.bodies[2].name = "</script><script>alert(2)</script>{{BRICKFALL_DATA}}\xff\x80";
   TakeReader reader = test::opened(take, folder.file("a.take"));
   ASSERT_TRUE(writeReplayHtml(reader, folder.file("a.html")));
   std::string page = test::contentOf(folder.file("a.html"));

@@ -8,6 +8,7 @@
 #include <iterator>
 #include <random>
 
+#include "record/body_codec.h"
 #include "record/crc32.h"
 #include "record/frame_codec.h"
 #include "record/header_codec.h"
@@ -20,17 +21,23 @@ namespace {
 Bytes smallTake(int frames, bool finished) {
   std::string path = (std::filesystem::temp_directory_path() / (std::to_string(::getpid()) + "_damage.take")).string();
   test::SyntheticTake take = test::makeSyntheticTake(
-      {.courses = 2, .bricksPerCourse = 2, .frames = frames, .hitFrame = 2, .otherShapes = true});
+      {.courses = 2, .bricksPerCourse = 2, .frames = frames, .hitFrame = 2, .otherShapes = true, .breaking = true});
   if (finished) {
     EXPECT_EQ(test::writeTake(take, path), "");
   } else {
     Result<TakeWriter> writer = TakeWriter::create(path, take.header);
-    for (const TakeFrame& frame : take.frames) EXPECT_TRUE(writer->write(frame));
+    for (std::size_t f = 0; f < take.frames.size(); f++) EXPECT_TRUE(writer->write(take.frames[f], take.change(f)));
   }
   std::ifstream in(path, std::ios::binary);
   Bytes bytes{std::istreambuf_iterator<char>(in), {}};
   std::filesystem::remove(path);
   return bytes;
+}
+
+// Written by version 1 of the format.
+Bytes fixture() {
+  std::ifstream in(BRICKFALL_SOURCE_DIR "/tests/unit/record/version1.take", std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
 }
 
 // Reads all there is; the number of frames that came out, -1 = not opened.
@@ -44,7 +51,7 @@ int readAll(const Bytes& bytes) {
   for (std::size_t f = 0; f < reader->frameCount(); f++) {
     Result<TakeFrame> frame = reader->frame(f);
     if (frame) {
-      EXPECT_EQ(frame->poses.size(), reader->header().bodies.size());
+      EXPECT_EQ(frame->poses.size(), reader->bodiesAt(f).size());
       for (const TakePose& pose : frame->poses) EXPECT_TRUE(isFinite(pose.position) && isFinite(pose.rotation));
       good++;
     }
@@ -52,13 +59,15 @@ int readAll(const Bytes& bytes) {
   return good;
 }
 
-TEST(DamagedTake, EveryPrefixOpensUpToItsLastWholeFrame) {
-  Bytes whole = smallTake(70, true);
+// Of a take of 70 frames.
+void expectPrefixesToOpen(const Bytes& whole) {
+  const TakeReader all = TakeReader::openBytes(whole).value();
   std::vector<std::size_t> ends;  // of the header and of each frame
   for (std::size_t at = kTakeStartBytes;;) {
     Result<Record> record = recordAt(whole, at);
     if (!record || record->type == RecordType::index) break;
-    ends.push_back(at = record->end);
+    at = record->end;
+    if (record->type != RecordType::life) ends.push_back(at);
   }
   ASSERT_EQ(ends.size(), 71u);
   for (std::size_t size = 0; size < whole.size(); size++) {
@@ -71,12 +80,17 @@ TEST(DamagedTake, EveryPrefixOpensUpToItsLastWholeFrame) {
     ASSERT_TRUE(reader) << size << ": " << reader.error().message;
     EXPECT_FALSE(reader->complete()) << size;
     ASSERT_EQ(int(reader->frameCount()), want) << size;
-    if (want > 0) {
-      EXPECT_TRUE(reader->frame(std::size_t(want) - 1)) << size;
-    }
+    if (want == 0) continue;
+    EXPECT_TRUE(reader->frame(std::size_t(want) - 1)) << size;
+    ASSERT_EQ(reader->bodiesAt(std::size_t(want) - 1), all.bodiesAt(std::size_t(want) - 1)) << size;
+    for (const TakeLife& life : reader->lives()) EXPECT_TRUE(life.birth < life.end && life.end <= std::size_t(want));
   }
   EXPECT_EQ(readAll(whole), 70);
 }
+
+TEST(DamagedTake, EveryPrefixOpensUpToItsLastWholeFrame) { expectPrefixesToOpen(smallTake(70, true)); }
+
+TEST(DamagedTake, EveryPrefixOfVersionOneDoesToo) { expectPrefixesToOpen(fixture()); }
 
 TEST(DamagedTake, NoSingleFlippedBitGoesUnnoticed) {
   Bytes whole = smallTake(4, false);
@@ -124,13 +138,15 @@ TEST(DamagedTake, RandomDamageNeverCrashes) {
 // The same behind the checksums: bytes that are damaged and then sealed again, as an attacker would.
 TEST(DamagedTake, RandomFrameBytesNeverCrash) {
   test::SyntheticTake take = test::makeSyntheticTake({.courses = 2, .bricksPerCourse = 2, .frames = 3, .hitFrame = 1});
-  FrameCodec encoder(take.header.bodies.size());
+  FrameCodec encoder;
+  encoder.change({}, take.bodies.size());
   std::vector<Bytes> frames;
   for (std::size_t f = 0; f < 3; f++) frames.push_back(encoder.encode(take.frames[f], f == 0));
   std::mt19937_64 random(8);
   int refused = 0;
   for (int round = 0; round < 20000; round++) {
-    FrameCodec decoder(take.header.bodies.size());
+    FrameCodec decoder;
+    decoder.change({}, take.bodies.size());
     bool ok = true;
     for (std::size_t f = 0; f < 3 && ok; f++) {
       Bytes bytes = frames[f];
@@ -139,7 +155,7 @@ TEST(DamagedTake, RandomFrameBytesNeverCrash) {
       Result<TakeFrame> frame = decoder.decode(bytes, f == 0);
       ok = frame.ok();
       if (ok) {
-        EXPECT_EQ(frame->poses.size(), take.header.bodies.size());
+        EXPECT_EQ(frame->poses.size(), take.bodies.size());
       }
     }
     refused += !ok;
@@ -148,20 +164,45 @@ TEST(DamagedTake, RandomFrameBytesNeverCrash) {
   EXPECT_LT(refused, 20000);
 }
 
-TEST(DamagedTake, RandomHeaderBytesNeverCrash) {
-  Bytes whole = encodeHeader(test::makeSyntheticTake({.courses = 1, .bricksPerCourse = 3, .frames = 1}).header);
-  ASSERT_TRUE(decodeHeader(whole));
+// Any decoder: its own bytes, cut off and damaged.
+template <class Decode> void expectDistrust(const Bytes& whole, const Decode& decode) {
+  ASSERT_TRUE(decode(whole));
   for (std::size_t size = 0; size < whole.size(); size++) {
-    EXPECT_FALSE(decodeHeader(std::span(whole).first(size))) << size;
+    EXPECT_FALSE(decode(Bytes(whole.begin(), whole.begin() + std::ptrdiff_t(size)))) << size;
   }
   std::mt19937_64 random(9);
   int refused = 0;
   for (int round = 0; round < 20000; round++) {
     Bytes bytes = whole;
     for (std::uint64_t c = 1 + random() % 4; c > 0; c--) bytes[random() % bytes.size()] = std::uint8_t(random());
-    refused += !decodeHeader(bytes).ok();
+    refused += !decode(bytes);
   }
   EXPECT_GT(refused, 2000);
+}
+
+TEST(DamagedTake, RandomHeaderBytesNeverCrash) {
+  TakeHeader header = test::makeSyntheticTake({.courses = 1, .bricksPerCourse = 3, .frames = 1}).header;
+  header.cameras.resize(8);
+  expectDistrust(encodeHeader(header), [](const Bytes& bytes) { return decodeHeader(bytes, 2).ok(); });
+}
+
+TEST(DamagedTake, RandomHeaderBytesOfVersionOneNeverCrash) {
+  Bytes file = fixture();
+  Result<Record> record = recordAt(file, kTakeStartBytes);
+  ASSERT_TRUE(record);
+  expectDistrust(unpack(*record).value(), [](const Bytes& bytes) { return decodeHeader(bytes, 1).ok(); });
+}
+
+TEST(DamagedTake, RandomChangesNeverCrash) {
+  TakeChange change;
+  change.births = test::makeSyntheticTake({.courses = 1, .bricksPerCourse = 3, .frames = 1}).bodies;
+  change.ends = {0, 1, 300};
+  Bytes whole = encodeChange(change);
+  Result<TakeChange> back = decodeChange(whole);
+  ASSERT_TRUE(back);
+  EXPECT_EQ(back->ends, change.ends);
+  EXPECT_EQ(back->births.size(), change.births.size());
+  expectDistrust(whole, [](const Bytes& bytes) { return decodeChange(bytes).ok(); });
 }
 
 Bytes sealedRecord(std::uint32_t type, std::uint32_t stored, std::uint32_t unpacked, const Bytes& payload) {
@@ -188,17 +229,69 @@ TEST(DamagedTake, LengthsOutOfProportionAreRefusedBeforeMemoryIsTaken) {
   header.u64(0);
   header.f64(60);
   header.varint(std::uint64_t(1) << 60);
-  Result<TakeHeader> decoded = decodeHeader(header.bytes());
+  Result<DecodedHeader> decoded = decodeHeader(header.bytes(), 1);
   ASSERT_FALSE(decoded);
   EXPECT_NE(decoded.error().message.find("bodies announced"), std::string::npos);
+  ByteWriter births, ends;
+  births.varint(std::uint64_t(1) << 60);
+  EXPECT_NE(decodeChange(births.bytes()).error().message.find("bodies announced"), std::string::npos);
+  ends.varint(0);
+  ends.varint(std::uint64_t(1) << 60);
+  EXPECT_NE(decodeChange(ends.bytes()).error().message.find("ends announced"), std::string::npos);
 
-  FrameCodec codec(0);
+  FrameCodec codec;
   ByteWriter frame;
   frame.f64(0);
   frame.varint(std::uint64_t(1) << 40);
   Result<TakeFrame> events = codec.decode(frame.bytes(), true);
   ASSERT_FALSE(events);
   EXPECT_NE(events.error().message.find("events announced"), std::string::npos);
+}
+
+// Changes that are whole but cannot be true: the take ends before them.
+TEST(DamagedTake, ImpossibleChangesEndTheTake) {
+  auto framed = [](const TakeChange& change, std::size_t bodies) {
+    FrameCodec codec;
+    codec.change({}, bodies);
+    TakeFrame frame;
+    frame.poses.resize(bodies);
+    Bytes out = makeRecord(RecordType::life, encodeChange(change));
+    Bytes record = makeRecord(RecordType::frame, codec.encode(frame, false));
+    out.insert(out.end(), record.begin(), record.end());
+    return out;
+  };
+  const Bytes whole = smallTake(2, false);
+  TakeChange comes, goes, never;
+  comes.births.resize(1);
+  goes.ends = {1};
+  never.ends = {4000};
+  struct Case {
+    std::vector<Bytes> more;
+    std::size_t frames;
+  };
+  const Case cases[] = {{{framed(comes, 0)}, 3},
+                        {{framed(goes, 0)}, 3},
+                        {{framed(never, 0)}, 2},
+                        {{framed(goes, 0), framed(goes, 0)}, 3}};
+  for (const Case& c : cases) {
+    Bytes bytes = whole;
+    for (const Bytes& more : c.more) bytes.insert(bytes.end(), more.begin(), more.end());
+    Result<TakeReader> reader = TakeReader::openBytes(bytes);
+    ASSERT_TRUE(reader) << reader.error().message;
+    EXPECT_EQ(reader->frameCount(), c.frames);
+    EXPECT_TRUE(reader->frame(1));
+    if (c.frames > 2) {
+      EXPECT_FALSE(reader->frame(2)) << "its frame has no poses for those that are there";
+    }
+  }
+  // A change of which the frame was torn off is not taken over.
+  Bytes torn = whole, change = makeRecord(RecordType::life, encodeChange(comes));
+  torn.insert(torn.end(), change.begin(), change.end());
+  Result<TakeReader> reader = TakeReader::openBytes(torn);
+  ASSERT_TRUE(reader);
+  EXPECT_EQ(reader->frameCount(), 2u);
+  EXPECT_EQ(reader->bodies().size(), TakeReader::openBytes(whole)->bodies().size());
+  EXPECT_EQ(reader->tornBytes(), change.size());
 }
 
 TEST(DamagedTake, RecordsThatCompressExtremelyWellStillOpen) {

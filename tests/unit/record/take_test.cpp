@@ -78,14 +78,15 @@ TEST(Take, HeaderComesBackAsWritten) {
   Result<TakeReader> reader = TakeReader::open(file.path);
   ASSERT_TRUE(reader) << reader.error().message;
   const TakeHeader &want = take.header, &got = reader->header();
+  const std::vector<TakeBody>& bodies = reader->bodies();
   EXPECT_EQ(want.scene, got.scene);
   EXPECT_EQ(want.title, got.title);
   EXPECT_EQ(want.engineVersion, got.engineVersion);
   EXPECT_EQ(want.seed, got.seed);
   EXPECT_EQ(want.framesPerSecond, got.framesPerSecond);
-  ASSERT_EQ(want.bodies.size(), got.bodies.size());
-  for (std::size_t k = 0; k < want.bodies.size(); k++) {
-    const TakeBody &a = want.bodies[k], &b = got.bodies[k];
+  ASSERT_EQ(take.bodies.size(), bodies.size());
+  for (std::size_t k = 0; k < bodies.size(); k++) {
+    const TakeBody &a = take.bodies[k], &b = bodies[k];
     EXPECT_EQ(a.name, b.name);
     EXPECT_EQ(a.role, b.role);
     EXPECT_EQ(a.colour, b.colour);
@@ -126,6 +127,88 @@ TEST(Take, AnyOrderGivesTheSameFrames) {
   EXPECT_EQ(beyond.error().code, ErrorCode::invalidArgument);
 }
 
+TEST(Take, BodiesComeAndGo) {
+  RemovedAtEnd file{temporaryFile("lives.take")};
+  SyntheticTake take = makeSyntheticTake({.courses = 3, .bricksPerCourse = 3, .frames = 200, .breaking = true});
+  ASSERT_EQ(test::writeTake(take, file.path), "");
+  Result<TakeReader> reader = TakeReader::open(file.path);
+  ASSERT_TRUE(reader) << reader.error().message;
+  EXPECT_TRUE(reader->complete());
+  ASSERT_EQ(reader->bodies().size(), 17u);  // ground, ball, nine bricks, three others, three pieces
+  ASSERT_EQ(reader->lives().size(), 17u);
+  for (std::size_t k = 0; k < 17; k++) {
+    EXPECT_EQ(reader->bodies()[k].name, take.bodies[k].name);
+    EXPECT_EQ(reader->lives()[k].birth, k < 14 ? 0u : 60u) << k;
+    EXPECT_EQ(reader->lives()[k].end, k == 2 ? 60u : k == 15 ? 130u : 200u) << k;
+  }
+  // In any order, in and out of the groups of 64 frames, the right bodies with the right poses.
+  for (std::size_t f : {199, 0, 59, 60, 61, 130, 129, 128, 131, 60, 64, 63, 62, 127, 130, 10, 199, 70}) {
+    std::vector<std::uint32_t> there;
+    for (std::uint32_t k = 0; k < 17; k++)
+      if (take.lives[k].holds(f)) there.push_back(k);
+    EXPECT_EQ(reader->bodiesAt(f), there) << f;
+    Result<TakeFrame> frame = reader->frame(f);
+    ASSERT_TRUE(frame) << frame.error().message;
+    expectSame(take.frames[f], *frame, "frame " + std::to_string(f));
+  }
+  for (std::size_t f = 0; f < 200; f++) expectSame(take.frames[f], *reader->frame(f), "frame " + std::to_string(f));
+}
+
+TEST(Take, WrongChangesAreRefusedAndSpoilNothing) {
+  RemovedAtEnd file{temporaryFile("changes.take")};
+  SyntheticTake take = makeSyntheticTake({.courses = 1, .bricksPerCourse = 2, .frames = 2, .otherShapes = false});
+  Result<TakeWriter> writer = TakeWriter::create(file.path, take.header);
+  ASSERT_TRUE(writer);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  auto refused = [&](auto spoil, const std::string& named) {
+    TakeChange change = take.change(0);
+    spoil(change);
+    Status written = writer->write(take.frames[0], change);
+    ASSERT_FALSE(written) << named;
+    EXPECT_EQ(written.error().code, ErrorCode::invalidArgument);
+    EXPECT_NE(written.error().message.find(named), std::string::npos) << written.error().message;
+  };
+  refused([&](TakeChange& c) { c.births[2].mass = nan; }, "body 2 \"brick 0\": mass");
+  refused([&](TakeChange& c) { c.births[2].shapes[0].halfExtents.x = 0; }, "halfExtents");
+  refused([&](TakeChange& c) { c.births[1].shapes[0].radius = -1; }, "radius");
+  refused([&](TakeChange& c) { c.births.pop_back(); }, "4 poses, expected one for each of the 3");
+  refused([&](TakeChange& c) { c.ends = {0}; }, "body 0 ends, but is not there");
+  ASSERT_TRUE(writer->write(take.frames[0], take.change(0)));
+  TakeFrame less = take.frames[1];
+  less.poses.erase(less.poses.begin() + 2);
+  EXPECT_FALSE(writer->write(less));
+  EXPECT_FALSE(writer->write(less, {{}, {2, 1}})) << "not in order";
+  EXPECT_FALSE(writer->write(less, {{}, {2, 2}}));
+  ASSERT_TRUE(writer->write(less, {{}, {2}}));
+  EXPECT_FALSE(writer->write(less, {{}, {2}})) << "it is gone already";
+  ASSERT_TRUE(writer->finish(""));
+  Result<TakeReader> reader = TakeReader::open(file.path);
+  ASSERT_TRUE(reader);
+  EXPECT_EQ(reader->bodiesAt(1), (std::vector<std::uint32_t>{0, 1, 3}));
+  expectSame(less, *reader->frame(1), "frame 1");
+}
+
+// version1.take was written by the last program that wrote this version, from the same synthetic take.
+TEST(Take, VersionOneStillOpens) {
+  SyntheticTake take = makeSyntheticTake({.courses = 2, .bricksPerCourse = 2, .frames = 70, .hitFrame = 2});
+  Result<TakeReader> reader = TakeReader::open(BRICKFALL_SOURCE_DIR "/tests/unit/record/version1.take");
+  ASSERT_TRUE(reader) << reader.error().message;
+  EXPECT_TRUE(reader->complete());
+  EXPECT_EQ(reader->summaryJson(), "{\"scene\": \"synthetic\"}");
+  EXPECT_EQ(reader->header().title, take.header.title);
+  EXPECT_EQ(reader->header().cameras.size(), take.header.cameras.size());
+  ASSERT_EQ(reader->bodies().size(), take.bodies.size());
+  for (std::size_t k = 0; k < take.bodies.size(); k++) {
+    EXPECT_EQ(reader->bodies()[k].name, take.bodies[k].name);
+    EXPECT_EQ(reader->bodies()[k].shapes.size(), take.bodies[k].shapes.size());
+    EXPECT_EQ(reader->bodies()[k].mass, take.bodies[k].mass);
+    EXPECT_EQ(reader->lives()[k].birth, 0u);
+    EXPECT_EQ(reader->lives()[k].end, 70u);
+  }
+  ASSERT_EQ(reader->frameCount(), 70u);
+  for (std::size_t f : {69, 0, 63, 64, 30}) expectSame(take.frames[f], *reader->frame(f), "frame " + std::to_string(f));
+}
+
 TEST(Take, FarAndFastBodiesKeepTheirPlace) {
   RemovedAtEnd file{temporaryFile("far.take")};
   SyntheticTake take = makeSyntheticTake({.courses = 1, .bricksPerCourse = 1, .frames = 3, .otherShapes = false});
@@ -161,7 +244,7 @@ TEST(Take, WrongFramesAreRefusedByName) {
   auto refused = [&](auto change, const std::string& named) {
     TakeFrame frame = take.frames[0];
     change(frame);
-    Status written = writer->write(frame);
+    Status written = writer->write(frame, take.change(0));
     EXPECT_FALSE(written) << named;
     EXPECT_EQ(written.error().code, ErrorCode::invalidArgument);
     EXPECT_NE(written.error().message.find(named), std::string::npos) << written.error().message;
@@ -177,7 +260,7 @@ TEST(Take, WrongFramesAreRefusedByName) {
   refused([&](TakeFrame& f) { f.poses.pop_back(); }, "3 poses");
   refused([&](TakeFrame& f) { f.events.push_back({TakeEventType::hit, 9, 0, {}, 1}); }, "body 9");
   // None of these spoilt what follows.
-  EXPECT_TRUE(writer->write(take.frames[0]));
+  EXPECT_TRUE(writer->write(take.frames[0], take.change(0)));
   EXPECT_TRUE(writer->finish(""));
   EXPECT_EQ(writer->write(take.frames[0]).error().code, ErrorCode::wrongState);
   Result<TakeReader> reader = TakeReader::open(file.path);
@@ -198,9 +281,6 @@ TEST(Take, WrongHeadersAreRefusedByName) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   refused([&](TakeHeader& h) { h.framesPerSecond = 0; }, "framesPerSecond");
   refused([&](TakeHeader& h) { h.framesPerSecond = nan; }, "framesPerSecond");
-  refused([&](TakeHeader& h) { h.bodies[2].mass = nan; }, "brick 0\": mass");
-  refused([&](TakeHeader& h) { h.bodies[2].shapes[0].halfExtents.x = 0; }, "halfExtents");
-  refused([&](TakeHeader& h) { h.bodies[1].shapes[0].radius = -1; }, "radius");
   refused([&](TakeHeader& h) { h.cameras[0].target.x = nan; }, "camera \"front\"");
   EXPECT_FALSE(std::filesystem::exists(file.path));
 }
@@ -240,7 +320,7 @@ TEST(Take, DiskThatFillsUpKeepsWholeFrames) {
     int written = 0;
     Status last;
     for (const TakeFrame& frame : take.frames) {
-      last = writer->write(frame);
+      last = writer->write(frame, take.change(std::size_t(written)));
       if (!last) break;
       written++;
     }
@@ -267,7 +347,7 @@ TEST(Take, KilledWriterLeavesItsFrames) {
   ASSERT_GE(child, 0);
   if (child == 0) {
     Result<TakeWriter> writer = TakeWriter::create(file.path, take.header);
-    for (int f = 0; f < 100; f++) (void)writer->write(take.frames[f]).ok();
+    for (int f = 0; f < 100; f++) (void)writer->write(take.frames[f], take.change(std::size_t(f))).ok();
     ::kill(::getpid(), SIGKILL);
   }
   int status = 0;

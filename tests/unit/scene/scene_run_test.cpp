@@ -210,5 +210,41 @@ TEST(CheckScene, ShippedScenesHaveNothingToWarnOf) {
   }
 }
 
+TEST(SceneRun, BodiesComeAndGoByName) {
+  Result<SceneRun> run =
+      SceneRun::create(sound("[[ball]]\nname = \"a\"\nposition = [0, 1, 0]\n"
+                             "[[ball]]\nname = \"b\"\nposition = [2, 1, 0]\nlaunch_time = 0.1\n"));
+  ASSERT_TRUE(run.ok()) << run.error().message;
+  const std::size_t before = run->bodies().size();
+  const PlacedBody a = run->bodies()[before - 2], b = run->bodies()[before - 1];
+  ASSERT_EQ(a.name, "a");
+  ASSERT_TRUE(run->destroyBody(a.id).ok());
+  EXPECT_FALSE(run->world().isValid(a.id));
+  EXPECT_EQ(run->bodies().size(), before - 1);
+  EXPECT_EQ(run->find(a.id), nullptr);
+  ASSERT_TRUE(run->find(b.id));
+  EXPECT_EQ(run->find(b.id)->name, "b");
+  EXPECT_EQ(run->destroyBody(a.id).error().code, ErrorCode::staleId);
+
+  PlacedBody c = a;
+  c.name = "c";
+  Result<BodyId> id = run->createBody(c);
+  ASSERT_TRUE(id.ok()) << id.error().message;
+  EXPECT_EQ(run->find(*id)->name, "c");
+  EXPECT_EQ(run->find(*id)->id, *id);
+  c.name = "later";
+  c.def.position = {4, 1, 0};
+  c.launchTime = 0.2;
+  const BodyId later = run->createBody(c).value();
+  // A held one that is destroyed, here and behind the scene's back, is not launched and stops nothing.
+  ASSERT_TRUE(run->world().destroyBody(b.id).ok());
+  for (int i = 0; i < 10; i++) ASSERT_TRUE(run->step().ok());
+  EXPECT_EQ(run->world().state(later)->type, BodyType::fixed);
+  for (int i = 0; i < 10; i++) ASSERT_TRUE(run->step().ok());
+  EXPECT_EQ(run->world().state(later)->type, BodyType::dynamic);
+  c.def.shapes.clear();
+  EXPECT_NE(run->createBody(c).error().message.find("body \"later\""), std::string::npos);
+}
+
 }  // namespace
 }  // namespace brickfall

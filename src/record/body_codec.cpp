@@ -1,0 +1,199 @@
+#include "record/body_codec.h"
+
+#include <cmath>
+
+#include "brickfall/geometry/mesh_tree.h"
+
+namespace brickfall {
+namespace {
+
+constexpr std::size_t kLeastShapeBytes = 1 + 7 * 8;
+
+Error bad(std::string what) { return {ErrorCode::badFormat, std::move(what)}; }
+
+bool isUnit(Quat q) { return std::fabs(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w - 1) <= 1e-3; }
+
+// Empty: fine. Only the fields of the shape's type are looked at, as everywhere.
+std::string shapeFault(const ShapeDef& shape) {
+  if (!withinTakeSize(shape.local.position)) return "local position is not a finite number of metres";
+  if (!isUnit(shape.local.rotation)) return "local rotation is not a unit quaternion";
+  auto positive = [](double v) { return v > 0 && v <= kMostTakeSize; };
+  switch (shape.type) {
+    case ShapeType::box:
+      if (!positive(shape.halfExtents.x) || !positive(shape.halfExtents.y) || !positive(shape.halfExtents.z)) {
+        return "halfExtents are not all positive";
+      }
+      return {};
+    case ShapeType::capsule:
+      if (!positive(shape.halfHeight)) return "halfHeight is not positive";
+      [[fallthrough]];
+    case ShapeType::sphere:
+      return positive(shape.radius) ? std::string() : "radius is not positive";
+    case ShapeType::hull:
+      if (shape.vertices.size() < 4 || shape.vertices.size() > std::size_t(kMaxHullVertices)) {
+        return "a hull of " + std::to_string(shape.vertices.size()) + " vertices, expected 4 to " +
+               std::to_string(kMaxHullVertices);
+      }
+      for (Vec3 v : shape.vertices) {
+        if (!withinTakeSize(v)) return "a hull vertex is not finite";
+      }
+      return {};
+    case ShapeType::plane:
+      return {};
+    case ShapeType::mesh:
+      return shape.mesh ? std::string() : "a mesh without sound triangles";
+  }
+  return "unknown shape type " + std::to_string(int(shape.type));
+}
+
+static_assert(kShapeTypeCount == 6, "a new shape: put() and getShape(), and docs/take-format.md");
+void put(ByteWriter& out, const ShapeDef& shape) {
+  out.u8(std::uint8_t(shape.type));
+  put(out, shape.local.position);
+  out.f64(shape.local.rotation.x);
+  out.f64(shape.local.rotation.y);
+  out.f64(shape.local.rotation.z);
+  out.f64(shape.local.rotation.w);
+  if (shape.type == ShapeType::box) put(out, shape.halfExtents);
+  if (shape.type == ShapeType::sphere || shape.type == ShapeType::capsule) out.f64(shape.radius);
+  if (shape.type == ShapeType::capsule) out.f64(shape.halfHeight);
+  if (shape.type == ShapeType::hull) {
+    out.varint(shape.vertices.size());
+    for (Vec3 v : shape.vertices) put(out, v);
+  }
+  if (shape.type == ShapeType::mesh) {
+    const TriangleMesh& mesh = shape.mesh->mesh();
+    out.varint(mesh.vertices().size());
+    for (Vec3 v : mesh.vertices()) put(out, v);
+    out.varint(mesh.count());
+    for (const TriangleMesh::Face& face : mesh.faces())
+      for (std::uint32_t vertex : face.vertex) out.varint(vertex);
+  }
+}
+
+// Null if the triangles make no mesh; headerFault() tells.
+std::shared_ptr<const MeshTree> getMesh(ByteReader& in, bool& sound) {
+  std::vector<Vec3> vertices;
+  std::vector<std::uint32_t> indices;
+  std::uint64_t count = in.varint();
+  sound = sound && in.canHold(count, 24);
+  for (std::uint64_t k = 0; sound && k < count; k++) vertices.push_back(getVec3(in));
+  std::uint64_t faces = sound ? in.varint() : 0;
+  sound = sound && in.canHold(faces, 3);
+  for (std::uint64_t k = 0; sound && k < 3 * faces; k++) {
+    std::uint64_t vertex = in.varint();
+    indices.push_back(vertex < count ? std::uint32_t(vertex) : kNoTriangle);
+  }
+  if (!sound || in.failed()) return nullptr;
+  Result<TriangleMesh> mesh = TriangleMesh::create(vertices, indices);
+  return mesh ? std::make_shared<MeshTree>(MeshTree::build(std::move(mesh).value())) : nullptr;
+}
+
+ShapeDef getShape(ByteReader& in, bool& sound) {
+  ShapeDef shape;
+  shape.type = ShapeType(in.u8());
+  shape.local.position = getVec3(in);
+  shape.local.rotation.x = in.f64();
+  shape.local.rotation.y = in.f64();
+  shape.local.rotation.z = in.f64();
+  shape.local.rotation.w = in.f64();
+  if (shape.type == ShapeType::box) shape.halfExtents = getVec3(in);
+  if (shape.type == ShapeType::sphere || shape.type == ShapeType::capsule) shape.radius = in.f64();
+  if (shape.type == ShapeType::capsule) shape.halfHeight = in.f64();
+  if (shape.type == ShapeType::hull) {
+    std::uint64_t count = in.varint();
+    sound = sound && in.canHold(count, 24);
+    for (std::uint64_t k = 0; sound && k < count; k++) shape.vertices.push_back(getVec3(in));
+  }
+  if (shape.type == ShapeType::mesh) shape.mesh = getMesh(in, sound);
+  return shape;
+}
+
+}  // namespace
+
+bool withinTakeSize(Vec3 v) {
+  return std::fabs(v.x) <= kMostTakeSize && std::fabs(v.y) <= kMostTakeSize && std::fabs(v.z) <= kMostTakeSize;
+}
+
+void put(ByteWriter& out, Vec3 v) {
+  out.f64(v.x);
+  out.f64(v.y);
+  out.f64(v.z);
+}
+
+Vec3 getVec3(ByteReader& in) {
+  Vec3 v;
+  for (int k = 0; k < 3; k++) v[k] = in.f64();
+  return v;
+}
+
+std::string bodyFault(const TakeBody& body) {
+  if (int(body.role) >= kBodyRoleCount) return "unknown role";
+  if (!(body.mass >= 0 && body.mass <= 1e15)) return "mass is not 0 or a positive number";
+  for (const ShapeDef& shape : body.shapes)
+    if (std::string fault = shapeFault(shape); !fault.empty()) return fault;
+  return {};
+}
+
+void put(ByteWriter& out, const TakeBody& body) {
+  out.text(body.name);
+  out.u8(std::uint8_t(body.role));
+  for (int k = 0; k < 3; k++) out.u8(std::uint8_t(body.colour >> (8 * k)));
+  out.f64(body.mass);
+  out.varint(body.shapes.size());
+  for (const ShapeDef& shape : body.shapes) put(out, shape);
+}
+
+TakeBody getBody(ByteReader& in, bool& sound) {
+  TakeBody body;
+  body.name = in.text();
+  body.role = BodyRole(in.u8());
+  body.colour = in.u8();
+  body.colour |= std::uint32_t(in.u8()) << 8;
+  body.colour |= std::uint32_t(in.u8()) << 16;
+  body.mass = in.f64();
+  std::uint64_t shapes = in.varint();
+  sound = sound && in.canHold(shapes, kLeastShapeBytes);
+  for (std::uint64_t k = 0; sound && k < shapes; k++) body.shapes.push_back(getShape(in, sound));
+  return body;
+}
+
+Bytes encodeChange(const TakeChange& change) {
+  ByteWriter out;
+  out.varint(change.births.size());
+  for (const TakeBody& body : change.births) put(out, body);
+  out.varint(change.ends.size());
+  std::uint32_t last = 0;
+  for (std::uint32_t body : change.ends) {
+    out.varint(body - last);
+    last = body;
+  }
+  return out.bytes();
+}
+
+Result<TakeChange> decodeChange(std::span<const std::uint8_t> bytes) {
+  ByteReader in(bytes);
+  TakeChange change;
+  bool sound = true;
+  std::uint64_t births = in.varint();
+  if (!in.canHold(births, kLeastBodyBytes)) return bad(std::to_string(births) + " bodies announced, which cannot fit");
+  for (std::uint64_t k = 0; sound && !in.failed() && k < births; k++) {
+    change.births.push_back(getBody(in, sound));
+    if (!sound || in.failed()) break;
+    if (std::string fault = bodyFault(change.births.back()); !fault.empty())
+      return bad("body \"" + change.births.back().name + "\": " + fault);
+  }
+  std::uint64_t ends = sound ? in.varint() : 0, body = 0;
+  if (!in.canHold(ends, 1)) return bad(std::to_string(ends) + " ends announced, which cannot fit");
+  for (std::uint64_t k = 0; sound && !in.failed() && k < ends; k++) {
+    std::uint64_t step = in.varint();
+    if (k > 0 && step == 0) return bad("a body ends twice");
+    if (step > UINT32_MAX || body + step > UINT32_MAX) return bad("a body ends that never was there");
+    body += step;
+    change.ends.push_back(std::uint32_t(body));
+  }
+  if (!sound || in.failed() || in.left() != 0) return bad("its lengths do not add up");
+  return change;
+}
+
+}  // namespace brickfall
