@@ -2,14 +2,15 @@
 
 Checked: every include line of src/ names a module that its own module uses; no module names one that it does not need or
 that comes later in src/CMakeLists.txt (so there are no circles, and siblings never include each other); the engine knows
-nothing above it; the table in docs/architecture.md is made from the same lines.
+nothing above it; programs (apps/) include public headers and their own only; the table in docs/architecture.md is made from the same lines.
 """
 import re
 
 from rules.source import errors, made_block, read
 
 # Public headers that the engine must not know.
-ABOVE_ENGINE = {"brickfall/" + name for name in ("masonry.h", "mesh_file.h", "scene.h", "take.h", "output.h")}
+ABOVE_ENGINE = {"brickfall/" + name for name in ("masonry.h", "mesh_file.h", "report.h", "scene.h", "scenery.h", "take.h",
+                                                "take_recorder.h", "whole_file.h", "output.h")}
 
 
 class Module:
@@ -100,6 +101,20 @@ def check_includes(modules, sources):
                               f"{' '.join(module.uses) or 'nothing'}")
 
 
+def check_apps(names, sources, modules):
+    """Programs use the public API only."""
+    apps = modules_of(names, "apps")
+    for app in apps.values():
+        if set(app.uses) - set(apps):
+            errors.append(f"{app.path}: {app.name} uses {' '.join(app.uses)}: a program uses the public API only")
+    for name in sources:
+        if not name.startswith("apps/"):
+            continue
+        for number, header in includes(read(name)):
+            if "/" in header and header.split("/")[0] in modules:
+                errors.append(f"{name}:{number}: a program must not include {header}: it uses the public API only")
+
+
 def table(modules):
     rows = {}
     for module in modules.values():  # one row for neighbours that use the same
@@ -118,4 +133,5 @@ def check(names, sources, fix):
     modules = modules_of(names, "src")
     check_uses(modules, sources)
     check_includes(modules, sources)
+    check_apps(names, sources, modules)
     made_block("docs/architecture.md", "the USES lines of src/*/CMakeLists.txt", list(table(modules)), fix)
