@@ -3,7 +3,6 @@
 #include <array>
 #include <cstdint>
 #include <optional>
-#include <string_view>
 #include <vector>
 
 #include "brickfall/ids.h"
@@ -11,10 +10,6 @@
 #include "brickfall/step_trace.h"
 
 namespace brickfall {
-
-constexpr int kStageCount = int(Stage::count);
-constexpr std::array<std::string_view, kStageCount> kStageNames = {
-    "pairs", "contacts", "islands", "prepare", "rest", "solve", "store", "restitution", "integrate", "sleep", "events"};
 
 struct StepReport {
   std::uint64_t stepIndex = 0;  // of the step just made, from 1

@@ -1,6 +1,7 @@
 // What a step tells about itself on request: a hash of what each stage wrote, by which the first place where two runs part
 // is found, and a ledger of momentum and energy. Costs a walk over all bodies and contacts after each stage; off, nothing.
 #pragma once
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -15,17 +16,22 @@ namespace brickfall {
 enum class Stage : std::uint8_t {
   pairs,        // broad phase: candidate pairs
   contacts,     // narrow phase: manifolds, matching
-  islands,      // islands, cluster hierarchies
-  prepare,      // contact records, free motion
-  rest,         // kinetic damping, rest check
-  solve,        // multilevel cycles
+  islands,      // which bodies hang together
+  prepare,      // kinetic damping, free motion, contact records
+  rest,         // rest check
+  solve,        // cluster hierarchies, multilevel cycles
   store,        // forces kept, velocities, free flight
-  restitution,  // rebound
+  restitution,  // rebound, energy guard
+  obstacles,    // fast bodies stop before what they would pass through
   integrate,    // new poses, quarantine
-  sleep,        // sleeping and waking
+  sleep,        // falling asleep
   events,
   count
 };
+constexpr int kStageCount = int(Stage::count);
+constexpr std::array<std::string_view, kStageCount> kStageNames = {"pairs",     "contacts",  "islands", "prepare",
+                                                                   "rest",      "solve",     "store",   "restitution",
+                                                                   "obstacles", "integrate", "sleep",   "events"};
 
 struct TraceOptions {
   bool stages = false;  // StepReport::stageHashes
@@ -85,6 +91,7 @@ struct StepLedger {
   BalanceChange renewed;  // elastic energy of joints that remember otherwise without moving: overlap left by an impact
                           // begins to press (a tenth in each step), an impact ends, a sudden load is held in part
   BalanceChange rebound;  // restitution and energy guard
+  BalanceChange obstacles;   // bodies that stopped short of what they would pass through: they end, and turn, elsewhere
   BalanceChange integrate;   // rounding of new poses
   BalanceChange quarantine;  // bodies that were taken out
 };

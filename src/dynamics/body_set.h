@@ -78,6 +78,12 @@ class BodySet {
   Vec3 origin(BodyIndex body) const {
     return motion[body].position - motion[body].orientation * data[body].localCentre;
   }
+  // A kinematic body with a velocity: whatever sleeps, it moves.
+  bool isDriven(BodyIndex body) const {
+    const BodyMotion& m = motion[body];
+    return data[body].type == BodyType::kinematic &&
+           (lengthSquared(m.linearVelocity) > 0 || lengthSquared(m.angularVelocity) > 0);
+  }
   void setRotation(BodyIndex body, Quat unit) {
     motion[body].rotation = unit;
     motion[body].orientation = toMatrix(unit);

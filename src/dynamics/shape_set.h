@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "brickfall/shapes.h"
-#include "broadphase/broad_phase.h"
 #include "dynamics/body_set.h"
 #include "geometry/hull.h"
 #include "geometry/shape.h"
@@ -19,10 +18,8 @@ struct ShapeData {
   Shape geometry;
   Transform inCentreFrame;     // pose in the frame of the body's centre of mass
   std::unique_ptr<Hull> hull;  // of hulls
-  ProxyIndex proxy = kNoProxy;
-  double innerRadius = 0;  // m
-  Vec3 middle;             // m, centroid in the frame of the body's centre of mass
-  Aabb swept;              // m: bounds over the coming step at the present velocity, grown by the contact margin
+  double innerRadius = 0;      // m
+  Vec3 middle;                 // m, centroid in the frame of the body's centre of mass
 };
 
 class ShapeSet {

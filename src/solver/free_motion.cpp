@@ -59,8 +59,7 @@ void integrateFreely(StepContext& context, BodyIndex body, Vec3 acceleration) {
 
 }  // namespace
 
-void predictFreeMotion(StepContext& context, BodyIndex body, double airDensity, bool hasContacts) {
-  BodySet& bodies = *context.bodies;
+void predictFreeMotion(StepContext& context, BodySet& bodies, BodyIndex body, double airDensity, bool hasContacts) {
   BodyMotion& m = bodies.motion[body];
   const BodyMass& mass = bodies.mass[body];
   BodyData& data = bodies.data[body];

@@ -28,7 +28,6 @@ struct Island {
   Hierarchy byStrength{memory}, byMechanism{memory};
   Vec3 origin;  // m, of SolveMass::position and Cluster::centre
   Vec3 drift;   // m: rigid displacement of this step that d and dFree leave out
-  Vec3 lag;     // kg m: mass times way, by which bodies were stopped at obstacles after the solve
 
   IslandFacts facts;  // of this step, or of the last in which it was not passed over
   SolvePlan plan;

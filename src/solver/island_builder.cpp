@@ -32,8 +32,7 @@ class UnionFind {
 };
 
 // Partners, and the rows' body numbers.
-void numberBodies(Island& island, const StepContext& context, std::pmr::vector<std::uint32_t>& localOf) {
-  const BodySet& bodies = *context.bodies;
+void numberBodies(Island& island, const BodySet& bodies, Ties ties, std::pmr::vector<std::uint32_t>& localOf) {
   for (std::size_t i = 0; i < island.bodies.size(); i++) localOf[island.bodies[i]] = std::uint32_t(i);
   island.partners.clear();
   auto number = [&](BodyIndex body) {
@@ -43,7 +42,7 @@ void numberBodies(Island& island, const StepContext& context, std::pmr::vector<s
     if (place == island.partners.end()) island.partners.push_back(body);
     return std::uint32_t(island.bodies.size() + at);
   };
-  island.rows.eachKind([&](auto& kind) { kind.bind(context, number); });
+  island.rows.eachKind([&](auto& kind) { kind.bind(ties, number); });
 }
 
 }  // namespace
@@ -63,7 +62,8 @@ void IslandSet::keepRoom(std::size_t dynamicBodies) {
   keepRoomFor(single, dynamicBodies);
 }
 
-void buildIslands(IslandSet& islands, const StepContext& context, const std::vector<BodyIndex>& awakeBodies) {
+void buildIslands(IslandSet& islands, Ties ties, const StepContext& context,
+                  const std::vector<BodyIndex>& awakeBodies) {
   const BodySet& bodies = *context.bodies;
   const LinkSet links(*context.contacts);
   auto dynamic = [&](BodyIndex body) { return bodies.data[body].type == BodyType::dynamic; };
@@ -119,7 +119,7 @@ void buildIslands(IslandSet& islands, const StepContext& context, const std::vec
     if (keep)
       island = std::move(islands.awake[old++]);
     else
-      numberBodies(*island, context, localOf);
+      numberBodies(*island, bodies, ties, localOf);
   }
   islands.awake.swap(fresh);
   fresh.clear();

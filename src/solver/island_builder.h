@@ -26,7 +26,7 @@ struct IslandSet {
 
 // Joins awake bodies by their links. An island whose bodies and ties are those of an old one is that old one, with its
 // hierarchies.
-void buildIslands(IslandSet& islands, const StepContext& context, const std::vector<BodyIndex>& awakeBodies);
+void buildIslands(IslandSet& islands, Ties ties, const StepContext& context, const std::vector<BodyIndex>& awakeBodies);
 
 // Hierarchies of an island, as far as they are out of date: by strength when its ties changed, by mechanism also when
 // a weak flag did.

@@ -48,8 +48,7 @@ void takeLarger(double& largest, double value) {
 
 std::span<const PlanRow> planRows() { return kRows; }
 
-IslandFacts findFacts(const Island& island, const StepContext& context) {
-  BodySet& bodies = *context.bodies;
+IslandFacts findFacts(const Island& island, BodySet& bodies) {
   IslandFacts facts;
   facts.bodies = island.bodies.size();
   facts.grounded = island.grounded();

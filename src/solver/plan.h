@@ -13,8 +13,8 @@
 
 namespace brickfall {
 
+class BodySet;
 struct Island;
-struct StepContext;
 
 // At the start of a step.
 struct IslandFacts {
@@ -48,7 +48,8 @@ struct SolvePlan {
   int minCycles = 0, maxCycles = 0;
 };
 
-IslandFacts findFacts(const Island& island, const StepContext& context);
+// Keeps each body's kinetic energy for the next step's.
+IslandFacts findFacts(const Island& island, BodySet& bodies);
 SolvePlan planFor(const IslandFacts& facts, const SolverSettings& settings, double dt);
 
 // It stays where it is in this step.

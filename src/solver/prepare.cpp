@@ -54,8 +54,8 @@ void prepareBodies(Island& island, const StepContext& context) {
   }
 }
 
-void prepareRows(Island& island, StepContext& context) {
-  island.rows.eachKind([&](auto& kind) { kind.prepare(island, context); });
+void prepareRows(Island& island, Ties ties, const StepContext& context) {
+  island.rows.eachKind([&](auto& kind) { kind.prepare(island, ties, context); });
 }
 
 }  // namespace brickfall

@@ -7,6 +7,6 @@ namespace brickfall {
 // Body constants and free motions of the island.
 void prepareBodies(Island& island, const StepContext& context);
 // What the rows read in the solve, from what they remember and how their bodies lie.
-void prepareRows(Island& island, StepContext& context);
+void prepareRows(Island& island, Ties ties, const StepContext& context);
 
 }  // namespace brickfall

@@ -4,9 +4,8 @@
 
 namespace brickfall {
 
-void dampSlowIsland(const Island& island, StepContext& context) {
+void dampSlowIsland(const Island& island, BodySet& bodies) {
   if (!island.plan.slow || island.facts.energy >= island.facts.energyBefore) return;
-  BodySet& bodies = *context.bodies;
   for (BodyIndex body : island.bodies) {
     bodies.motion[body].linearVelocity = {};
     bodies.motion[body].angularVelocity = {};

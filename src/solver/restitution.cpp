@@ -296,7 +296,7 @@ void restoreSpin(const Island& island, StepContext& context) {
   }
 }
 
-void applyRestitution(Island& island, StepContext& context) {
+void applyRestitution(Island& island, Ties ties, StepContext& context) {
   if (island.resting() || !anyImpact(island, context)) return;
   const BodySet& bodies = *context.bodies;
   std::size_t count = island.bodies.size();
@@ -341,7 +341,7 @@ void applyRestitution(Island& island, StepContext& context) {
   for (std::size_t n = 0; n < pass.blocks.size(); n++)
     for (int i = 0; i < pass.blocks[n].count; i++)
       // The surfaces part: the force of the impact must act in no later step.
-      if (pass.blocks[n].impact[i]) clearPoint(context.contacts->contacts[island.rows.contacts.contactOf[n]].points, i);
+      if (pass.blocks[n].impact[i]) clearPoint(ties.contacts.contacts[island.rows.contacts.contactOf[n]].points, i);
 }
 
 }  // namespace brickfall

@@ -78,13 +78,18 @@ struct SolveStatistics {
   double residualRms = 0;
 };
 
+// What ties bodies, by kind: for whatever changes what ties remember. All others see it through StepContext.
+struct Ties {
+  ContactSet& contacts;
+};
+
 struct StepContext {
   double dt = 0;
   Vec3 gravity;
   SolverSettings settings;
   Integrator integrator = Integrator::splitting;  // of bodies without contacts
-  BodySet* bodies = nullptr;
-  ContactSet* contacts = nullptr;
+  const BodySet* bodies = nullptr;                // what changes them is handed them besides
+  const ContactSet* contacts = nullptr;
   std::pmr::memory_resource* memory = std::pmr::get_default_resource();  // for all that a step needs for itself
   std::vector<FreeMotion> free;                                          // by body slot
   std::vector<SolvedMotion> solved;                                      // by body slot

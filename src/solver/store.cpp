@@ -7,9 +7,9 @@
 
 namespace brickfall {
 
-bool storeRows(Island& island, StepContext& context) {
+bool storeRows(Island& island, Ties ties, StepContext& context) {
   bool changed = false;
-  island.rows.eachKind([&](auto& kind) { changed = kind.store(island, context) || changed; });
+  island.rows.eachKind([&](auto& kind) { changed = kind.store(island, ties, context) || changed; });
   return changed;
 }
 
@@ -61,14 +61,22 @@ void storeMotion(const Island& island, StepContext& context) {
   if (cut) restoreSpin(island, context);
 }
 
-void advanceRows(Island& island, StepContext& context) {
+bool solvedWell(const Island& island, const StepContext& context) {
+  for (BodyIndex body : island.bodies) {
+    const SolvedMotion& s = context.solved[body];
+    if (!isFinite(s.d) || !isFinite(s.th) || !isFinite(s.velocity) || !isFinite(s.angularMomentum)) return false;
+  }
+  return true;
+}
+
+void advanceRows(Island& island, Ties ties, const StepContext& context) {
   if (island.resting()) return;
   for (std::size_t i = 0; i < island.bodies.size(); i++) {
     const SolvedMotion& s = context.solved[island.bodies[i]];
     island.motion[i].d = toFloat(s.d - island.drift);
     island.motion[i].th = toFloat(s.th);
   }
-  island.rows.eachKind([&](const auto& kind) { kind.advance(island, context); });
+  island.rows.eachKind([&](const auto& kind) { kind.advance(island, ties); });
 }
 
 void storeFreeBody(BodyIndex body, StepContext& context) {

@@ -5,11 +5,13 @@
 namespace brickfall {
 
 // Reads the forces at the final motion into what the ties of the island remember. Returns true if any bit of it changed.
-bool storeRows(Island& island, StepContext& context);
+bool storeRows(Island& island, Ties ties, StepContext& context);
 // Motion and velocities of the island's bodies into StepContext::solved.
 void storeMotion(const Island& island, StepContext& context);
+// Whether what was found is finite, of every body.
+bool solvedWell(const Island& island, const StepContext& context);
 // After all corrections of the motion: carries the ties on by it (gaps and drifts of contacts).
-void advanceRows(Island& island, StepContext& context);
+void advanceRows(Island& island, Ties ties, const StepContext& context);
 
 // Bodies without contacts: free motion, moved by the mean of old and new velocity.
 void storeFreeBody(BodyIndex body, StepContext& context);

@@ -1,6 +1,4 @@
 // Reading and changing bodies. Every setter checks first and changes nothing on an error.
-#include <algorithm>
-#include <cmath>
 #include <string>
 
 #include "world/checks.h"
@@ -8,24 +6,24 @@
 
 namespace brickfall {
 
-bool World::isValid(BodyId id) const { return impl_->find(id).ok(); }
+bool World::isValid(BodyId id) const { return impl_->registry.find(id).ok(); }
 
 Result<BodyState> World::state(BodyId id) const {
   const Impl& w = *impl_;
-  Result<BodyIndex> body = w.find(id);
+  Result<BodyIndex> body = w.registry.find(id);
   if (!body) return body.error();
-  const BodyData& data = w.bodies.data[*body];
-  const BodyMotion& m = w.bodies.motion[*body];
+  const BodyData& data = w.registry.bodies.data[*body];
+  const BodyMotion& m = w.registry.bodies.motion[*body];
   BodyState s;
   s.type = data.type;
-  s.position = w.bodies.origin(*body);
+  s.position = w.registry.bodies.origin(*body);
   s.rotation = m.rotation;
   s.centreOfMass = m.position;
   s.linearVelocity = m.linearVelocity;
   s.angularVelocity = m.angularVelocity;
   s.linearAcceleration = data.linearAcceleration;
   s.angularAcceleration = data.angularAcceleration;
-  s.mass = w.bodies.mass[*body].mass;
+  s.mass = w.registry.bodies.mass[*body].mass;
   s.awake = data.activity == BodyActivity::awake;
   s.quarantined = data.quarantined;
   s.userData = data.userData;
@@ -33,33 +31,33 @@ Result<BodyState> World::state(BodyId id) const {
 }
 
 Result<MassProperties> World::massProperties(BodyId id) const {
-  Result<BodyIndex> body = impl_->find(id);
+  Result<BodyIndex> body = impl_->registry.find(id);
   if (!body) return body.error();
-  return impl_->bodies.data[*body].bodyFrameMass;
+  return impl_->registry.bodies.data[*body].bodyFrameMass;
 }
 
 std::vector<BodyId> World::bodies() const {
   std::vector<BodyId> out;
-  for (BodyIndex body : impl_->bodies.inOrder()) out.push_back(impl_->idOf(body));
+  for (BodyIndex body : impl_->registry.bodies.inOrder()) out.push_back(impl_->registry.idOf(body));
   return out;
 }
 
 std::vector<ShapeId> World::shapes(BodyId id) const {
   std::vector<ShapeId> out;
-  Result<BodyIndex> body = impl_->find(id);
+  Result<BodyIndex> body = impl_->registry.find(id);
   if (!body) return out;
-  for (ShapeIndex shape : impl_->bodies.shapes[*body]) out.push_back(impl_->idOfShape(shape));
+  for (ShapeIndex shape : impl_->registry.bodies.shapes[*body]) out.push_back(impl_->registry.idOfShape(shape));
   return out;
 }
 
 Result<ShapeDef> World::shape(ShapeId id) const {
-  Result<ShapeIndex> shape = impl_->find(id);
+  Result<ShapeIndex> shape = impl_->registry.find(id);
   if (!shape) return shape.error();
-  return impl_->shapes.data[*shape].def;
+  return impl_->registry.shapes.data[*shape].def;
 }
 
 Status World::Impl::openForChange(const std::string& call) const {
-  if (stepping) return Error{ErrorCode::wrongState, call + ": the world is stepping"};
+  if (diary.inStep) return Error{ErrorCode::wrongState, call + ": the world is stepping"};
   if (visiting > 0)
     return Error{ErrorCode::wrongState,
                  call + ": called from inside a callback of forEachContact or draw, expected after it has returned"};
@@ -69,10 +67,11 @@ Status World::Impl::openForChange(const std::string& call) const {
 // What every setter does first: not while stepping or from a callback, a live body, sound arguments.
 Result<BodyIndex> World::Impl::openForChange(BodyId id, const Error& bad) const {
   if (Status open = openForChange("body"); !open) return open.error();
-  Result<BodyIndex> body = find(id);
+  Result<BodyIndex> body = registry.find(id);
   if (!body) return body;
   if (bad.code != ErrorCode::none) return bad;
-  if (bodies.data[*body].quarantined) return Error{ErrorCode::wrongState, "body: it is quarantined; destroy it"};
+  if (registry.bodies.data[*body].quarantined)
+    return Error{ErrorCode::wrongState, "body: it is quarantined; destroy it"};
   return body;
 }
 
@@ -83,52 +82,21 @@ Status World::setType(BodyId id, BodyType type) {
                   "type: found " + std::to_string(int(type)) + ", expected a BodyType");
   Result<BodyIndex> body = w.openForChange(id, check.error());
   if (!body) return body.error();
-  bool hasMesh = false;
-  for (ShapeIndex shape : w.bodies.shapes[*body]) {
-    ShapeType shapeType = w.shapes.data[shape].geometry.type;
-    hasMesh = hasMesh || shapeType == ShapeType::mesh;
-    if (shapeType == ShapeType::plane && type != BodyType::fixed)
+  for (ShapeIndex shape : w.registry.bodies.shapes[*body])
+    if (w.registry.shapes.data[shape].geometry.type == ShapeType::plane && type != BodyType::fixed)
       return Error{ErrorCode::invalidArgument, "type: a body with a plane stays BodyType::fixed"};
-    if (shapeType == ShapeType::mesh && type == BodyType::dynamic)
-      return Error{ErrorCode::invalidArgument, "type: a body with a mesh stays BodyType::fixed or kinematic"};
-  }
-  if (w.bodies.data[*body].type == type) return {};
+  bool hasMesh = w.registry.hasMesh(*body);
+  if (hasMesh && type == BodyType::dynamic)
+    return Error{ErrorCode::invalidArgument, "type: a body with a mesh stays BodyType::fixed or kinematic"};
+  if (w.registry.bodies.data[*body].type == type) return {};
   if (type != BodyType::fixed && !hasMesh) {
     Checks mass;
-    checkMass(mass, w.bodies.data[*body].bodyFrameMass.mass);
+    checkMass(mass, w.registry.bodies.data[*body].bodyFrameMass.mass);
     if (mass.failed()) return mass.error();
   }
-  if (w.bodies.data[*body].activity == BodyActivity::asleep) w.wakeIslandOf(*body);
-  w.removeContactsOf(*body);
-  w.delist(*body);
-  Vec3 origin = w.bodies.origin(*body);
-  w.dynamicBodies += (type == BodyType::dynamic) - (w.bodies.data[*body].type == BodyType::dynamic);
-  w.bodies.data[*body].type = type;
-  if (type == BodyType::fixed) w.bodies.motion[*body].linearVelocity = w.bodies.motion[*body].angularVelocity = {};
-  w.updateMass(*body, origin);
-  w.renewProxies(*body);
-  w.enlist(*body);
-  w.forgetIslandsOf(*body);
+  w.upkeep().setType(*body, type);
   return {};
 }
-
-// Removes and adds the body's proxies: its pairs are found anew.
-void World::Impl::renewProxies(BodyIndex body) {
-  for (ShapeIndex shape : bodies.shapes[body]) {
-    if (shapes.data[shape].proxy != kNoProxy) broadPhase->remove(shapes.data[shape].proxy);
-    addProxy(shape);
-  }
-}
-
-namespace {
-
-// What is of unit length to rounding stays as it is, so that a rotation that was read can be put back bit for bit.
-Quat unitRotation(Quat q) {
-  double square = q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
-  return std::fabs(square - 1) < 1e-14 ? q : normalized(q);
-}
-
-}  // namespace
 
 Status World::setTransform(BodyId id, Vec3 position, Quat rotation) {
   Impl& w = *impl_;
@@ -137,11 +105,7 @@ Status World::setTransform(BodyId id, Vec3 position, Quat rotation) {
   check.rotation("rotation", rotation);
   Result<BodyIndex> body = w.openForChange(id, check.error());
   if (!body) return body.error();
-  w.disturb(*body);
-  w.removeContactsOf(*body);
-  w.bodies.setRotation(*body, unitRotation(rotation));
-  w.bodies.motion[*body].position = position + w.bodies.motion[*body].orientation * w.bodies.data[*body].localCentre;
-  w.renewProxies(*body);
+  w.upkeep().setPose(*body, position, rotation);
   return {};
 }
 
@@ -150,11 +114,12 @@ Status World::Impl::setVelocity(BodyId id, Vec3 velocity, Vec3 BodyMotion::*whic
   check.vector("velocity", velocity, limits::kLargestSpeed);
   Result<BodyIndex> body = openForChange(id, check.error());
   if (!body) return body.error();
-  if (bodies.data[*body].type == BodyType::fixed)
+  if (registry.bodies.data[*body].type == BodyType::fixed)
     return Error{ErrorCode::wrongState, "velocity: the body is BodyType::fixed"};
-  disturb(*body);
-  bodies.motion[*body].*which = bodies.data[*body].*last = velocity;
-  relist(*body);
+  Upkeep keeper = upkeep();
+  keeper.disturb(*body);
+  registry.bodies.motion[*body].*which = registry.bodies.data[*body].*last = velocity;
+  keeper.relist(*body);
   return {};
 }
 
@@ -165,20 +130,13 @@ Status World::setAngularVelocity(BodyId id, Vec3 velocity) {
   return impl_->setVelocity(id, velocity, &BodyMotion::angularVelocity, &BodyData::lastAngularVelocity);
 }
 
-// A kinematic body joins or leaves the moving ones with its velocity.
-void World::Impl::relist(BodyIndex body) {
-  if (bodies.data[body].type != BodyType::kinematic) return;
-  delist(body);
-  enlist(body);
-}
-
 Status World::setGravityScale(BodyId id, double scale) {
   Checks check;
   check.range("scale", scale, -limits::kLargestGravityScale, limits::kLargestGravityScale);
   Result<BodyIndex> body = impl_->openForChange(id, check.error());
   if (!body) return body.error();
-  impl_->disturb(*body);
-  impl_->bodies.data[*body].gravityScale = scale;
+  impl_->upkeep().disturb(*body);
+  impl_->registry.bodies.data[*body].gravityScale = scale;
   return {};
 }
 
@@ -188,9 +146,9 @@ Status World::setDamping(BodyId id, double linear, double angular) {
   check.range("angular", angular, 0, limits::kLargestDamping);
   Result<BodyIndex> body = impl_->openForChange(id, check.error());
   if (!body) return body.error();
-  impl_->disturb(*body);
-  impl_->bodies.data[*body].linearDamping = linear;
-  impl_->bodies.data[*body].angularDamping = angular;
+  impl_->upkeep().disturb(*body);
+  impl_->registry.bodies.data[*body].linearDamping = linear;
+  impl_->registry.bodies.data[*body].angularDamping = angular;
   return {};
 }
 
@@ -199,8 +157,8 @@ Status World::setDragArea(BodyId id, double dragArea) {
   check.range("dragArea", dragArea, 0, limits::kLargestDragArea);
   Result<BodyIndex> body = impl_->openForChange(id, check.error());
   if (!body) return body.error();
-  impl_->disturb(*body);
-  impl_->bodies.data[*body].dragArea = dragArea;
+  impl_->upkeep().disturb(*body);
+  impl_->registry.bodies.data[*body].dragArea = dragArea;
   return {};
 }
 
@@ -210,8 +168,8 @@ Status World::setGravity(Vec3 gravity) {
   if (Status open = impl_->openForChange("setGravity"); !open) return open;
   if (check.failed()) return check.error();
   impl_->def.gravity = gravity;
-  impl_->wakeAll();
-  for (BodyIndex body : impl_->awake) impl_->bodies.still[body] = 0;
+  impl_->upkeep().wakeAll();
+  for (BodyIndex body : impl_->activity.awake) impl_->registry.bodies.still[body] = 0;
   return {};
 }
 
@@ -220,7 +178,7 @@ Vec3 World::gravity() const { return impl_->def.gravity; }
 Status World::wake(BodyId id) {
   Result<BodyIndex> body = impl_->openForChange(id, {});
   if (!body) return body.error();
-  impl_->disturb(*body);
+  impl_->upkeep().disturb(*body);
   return {};
 }
 
@@ -242,22 +200,22 @@ Status World::Impl::push(BodyId id, Vec3 linear, Vec3 angular, Vec3* pointWorld,
   Result<BodyIndex> found = openForChange(id, check.error());
   if (!found) return found.error();
   BodyIndex body = *found;
-  if (bodies.data[body].type != BodyType::dynamic)
+  if (registry.bodies.data[body].type != BodyType::dynamic)
     return Error{ErrorCode::wrongState, "force: the body is not BodyType::dynamic"};
-  disturb(body);
-  BodyMotion& m = bodies.motion[body];
+  upkeep().disturb(body);
+  BodyMotion& m = registry.bodies.motion[body];
+  BodyData& data = registry.bodies.data[body];
   if (pointWorld) angular += cross(*pointWorld - m.position, linear);
   if (impulse) {
-    Vec3 kick = linear * bodies.mass[body].invMass, spin = bodies.worldInvInertia(body) * angular;
+    Vec3 kick = linear * registry.bodies.mass[body].invMass, spin = registry.bodies.worldInvInertia(body) * angular;
     m.linearVelocity += kick;
     m.angularVelocity += spin;
-    bodies.data[body].lastLinearVelocity += kick;
-    bodies.data[body].lastAngularVelocity += spin;
+    data.lastLinearVelocity += kick;
+    data.lastAngularVelocity += spin;
   } else {
-    auto place = std::lower_bound(pushed.begin(), pushed.end(), body);
-    if (place == pushed.end() || *place != body) pushed.insert(place, body);
-    bodies.data[body].force += linear;
-    bodies.data[body].torque += angular;
+    activity.push(body);
+    data.force += linear;
+    data.torque += angular;
   }
   return {};
 }
@@ -273,8 +231,8 @@ Status World::applyImpulseAtPoint(BodyId body, Vec3 impulse, Vec3 pointWorld) {
 }
 Status World::applyAngularImpulse(BodyId body, Vec3 impulse) { return impl_->push(body, {}, impulse, nullptr, true); }
 
-double World::time() const { return impl_->time; }
-std::uint64_t World::stepCount() const { return impl_->stepCount; }
-const Events& World::events() const { return impl_->events; }
+double World::time() const { return impl_->clock.time; }
+std::uint64_t World::stepCount() const { return impl_->clock.stepCount; }
+const Events& World::events() const { return impl_->diary.events; }
 
 }  // namespace brickfall

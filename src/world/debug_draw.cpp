@@ -20,13 +20,14 @@ std::uint32_t colourOf(const BodyData& data) {
 void World::draw(const DebugDraw& draw) const {
   const Impl& w = *impl_;
   Visit here(w.visiting);
-  for (BodyIndex body : w.bodies.inOrder()) {
-    const BodyMotion& m = w.bodies.motion[body];
-    for (ShapeIndex shape : w.bodies.shapes[body]) {
-      const ShapeData& s = w.shapes.data[shape];
+  for (BodyIndex body : w.registry.bodies.inOrder()) {
+    const BodyMotion& m = w.registry.bodies.motion[body];
+    for (ShapeIndex shape : w.registry.bodies.shapes[body]) {
+      const ShapeData& s = w.registry.shapes.data[shape];
       if (draw.shape)
-        draw.shape(w.idOf(body), s.def, w.shapes.worldPose(shape, w.bodies), colourOf(w.bodies.data[body]));
-      if (draw.bounds && s.proxy != kNoProxy) draw.bounds(w.broadPhase->kept(s.proxy));
+        draw.shape(w.registry.idOf(body), s.def, w.registry.shapes.worldPose(shape, w.registry.bodies),
+                   colourOf(w.registry.bodies.data[body]));
+      if (draw.bounds && w.proximity.around[shape].proxy != kNoProxy) draw.bounds(w.proximity.kept(shape));
     }
     if (draw.line && lengthSquared(m.linearVelocity) > 0)
       draw.line(m.position, m.position + m.linearVelocity * 0.1, kVelocityColour);

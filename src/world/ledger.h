@@ -1,17 +1,29 @@
-// Where the ledger of a step stands between two stages.
+// The ledger of momentum and energy: what the dynamic bodies have is summed up between the stages, and what a stage
+// changed is booked on the cause that acts in it, by the function that stands beside it.
+//
+// Angular momentum is that about the world's origin. Until the solve it is taken where bodies are, from then on where they
+// will be: a contact's impulse acts at the start of the step, velocities hold at its end. What lies between the two is
+// the way times the momentum, d x m v: zero where d = v h; where a body moves by the mean of two velocities it is what
+// its impulses give for acting midway, booked on gravity in flight and on what holds the body otherwise.
 #pragma once
 #include <cstddef>
+#include <vector>
 
 #include "brickfall/step_trace.h"
+#include "dynamics/body_set.h"
+#include "dynamics/contact_set.h"
 
 namespace brickfall {
 
+struct StepContext;
+
+// Where the ledger of a step stands between two stages.
 struct LedgerState {
   bool begun = false;           // a step was booked: the next one can be held against `last`
   Balance now;                  // after the stage booked last
   Balance last;                 // after the last step
   BalanceChange push;           // of gravity and forces in this substep: what the solve must answer
-  std::size_t quarantined = 0;  // bodies, when the stage began
+  std::size_t quarantined = 0;  // bodies, when the substep began
 
   // Books on `cause` what was changed up to `after`; of elastic energy alone.
   void book(BalanceChange& cause, const Balance& after);
@@ -19,5 +31,20 @@ struct LedgerState {
   // With the motion of `sum`, while places and joints are still as they were.
   Balance moving(Balance sum) const;
 };
+
+BalanceChange operator-(const Balance& a, const Balance& b);
+BalanceChange operator-(const BalanceChange& a, const BalanceChange& b);
+void operator+=(BalanceChange& a, const BalanceChange& b);
+
+void addBody(Balance& sum, const BodyMass& mass, Vec3 position, Vec3 velocity, Vec3 spin, Vec3 spinMomentum);
+// Elastic energy of the contacts of a list of pairs.
+double elasticOf(const std::vector<CandidatePair>& pairs, const ContactSet& contacts, const StepContext& context);
+// Of all dynamic bodies, where they are.
+Balance balanceNow(const BodySet& bodies, const ContactSet& contacts, const StepContext& context);
+// Of those awake as the solve left them, at the end of the step's ways.
+Balance solvedBalance(const std::vector<BodyIndex>& awake, const BodySet& bodies, const StepContext& context);
+// Books on `cause` what was done to the solved motions.
+void bookSolved(BalanceChange& cause, const BodySet& bodies, const std::vector<BodyIndex>& awake,
+                const StepContext& context, LedgerState& state);
 
 }  // namespace brickfall

@@ -20,16 +20,16 @@ Result<std::optional<RayHit>> World::castRay(Vec3 origin, Vec3 direction, double
   if (check.failed()) return check.error();
   direction = normalized(direction * (1 / largest));  // first to about one: its square must not overflow
   std::optional<RayHit> best;
-  w.broadPhase->queryRay(origin, direction, maxDistance, [&](std::uint32_t shape, double limit) {
-    const ShapeData& s = w.shapes.data[shape];
+  w.proximity.broadPhase->queryRay(origin, direction, maxDistance, [&](std::uint32_t shape, double limit) {
+    const ShapeData& s = w.registry.shapes.data[shape];
     if (!(s.def.filter.category & mask)) return limit;
-    Transform pose = w.shapes.worldPose(shape, w.bodies), back = inverse(pose);
+    Transform pose = w.registry.shapes.worldPose(shape, w.registry.bodies), back = inverse(pose);
     auto hit = brickfall::castRay(s.geometry, transformPoint(back, origin), rotate(back.rotation, direction), limit);
     if (!hit) return limit;
     bool nearer = !best || hit->distance < best->distance ||
-                  (hit->distance == best->distance && w.idOfShape(shape) < best->shape);
+                  (hit->distance == best->distance && w.registry.idOfShape(shape) < best->shape);
     if (!nearer) return limit;
-    best = RayHit{w.idOf(s.body), w.idOfShape(shape), transformPoint(pose, hit->point),
+    best = RayHit{w.registry.idOf(s.body), w.registry.idOfShape(shape), transformPoint(pose, hit->point),
                   rotate(pose.rotation, hit->normal), hit->distance};
     return hit->distance;
   });
@@ -68,10 +68,12 @@ Result<std::vector<BodyId>> World::overlapBox(const Aabb& box, std::uint32_t mas
   Transform pose{(box.lower + box.upper) * 0.5, {}};
   std::vector<BodyId> out;
   auto touches = [&](std::uint32_t shape) {
-    const ShapeData& s = w.shapes.data[shape];
-    return penetrationDepth(region, s.geometry, inverse(pose) * w.shapes.worldPose(shape, w.bodies)) > 0;
+    const ShapeData& s = w.registry.shapes.data[shape];
+    return penetrationDepth(region, s.geometry, inverse(pose) * w.registry.shapes.worldPose(shape, w.registry.bodies)) >
+           0;
   };
-  for (BodyIndex body : bodiesNear(*w.broadPhase, w.shapes, box, mask, touches)) out.push_back(w.idOf(body));
+  for (BodyIndex body : bodiesNear(*w.proximity.broadPhase, w.registry.shapes, box, mask, touches))
+    out.push_back(w.registry.idOf(body));
   return out;
 }
 
@@ -82,12 +84,13 @@ Result<std::vector<BodyId>> World::overlapSphere(Vec3 centre, double radius, std
   check.range("radius", radius, 0, limits::kLargestReach);
   if (check.failed()) return check.error();
   auto touches = [&](std::uint32_t shape) {
-    Vec3 local = transformPoint(inverse(w.shapes.worldPose(shape, w.bodies)), centre);
-    return lengthSquared(closestPoint(w.shapes.data[shape].geometry, local) - local) <= radius * radius;
+    Vec3 local = transformPoint(inverse(w.registry.shapes.worldPose(shape, w.registry.bodies)), centre);
+    return lengthSquared(closestPoint(w.registry.shapes.data[shape].geometry, local) - local) <= radius * radius;
   };
   std::vector<BodyId> out;
   Aabb box = grown({centre, centre}, radius);
-  for (BodyIndex body : bodiesNear(*w.broadPhase, w.shapes, box, mask, touches)) out.push_back(w.idOf(body));
+  for (BodyIndex body : bodiesNear(*w.proximity.broadPhase, w.registry.shapes, box, mask, touches))
+    out.push_back(w.registry.idOf(body));
   return out;
 }
 
@@ -98,16 +101,16 @@ Result<std::optional<ClosestResult>> World::closest(Vec3 point, double maxDistan
   check.range("maxDistance", maxDistance, 0, limits::kLargestReach);
   if (check.failed()) return check.error();
   std::optional<ClosestResult> best;
-  w.broadPhase->query(grown({point, point}, maxDistance), [&](std::uint32_t shape) {
-    const ShapeData& s = w.shapes.data[shape];
+  w.proximity.broadPhase->query(grown({point, point}, maxDistance), [&](std::uint32_t shape) {
+    const ShapeData& s = w.registry.shapes.data[shape];
     if (!(s.def.filter.category & mask)) return true;
-    Transform pose = w.shapes.worldPose(shape, w.bodies);
+    Transform pose = w.registry.shapes.worldPose(shape, w.registry.bodies);
     Vec3 near = transformPoint(pose, closestPoint(s.geometry, transformPoint(inverse(pose), point)));
     double distance = length(near - point);
     if (!(distance <= maxDistance)) return true;
-    ShapeId id = w.idOfShape(shape);
+    ShapeId id = w.registry.idOfShape(shape);
     if (!best || distance < best->distance || (distance == best->distance && id < best->shape))
-      best = ClosestResult{w.idOf(s.body), id, near, distance};
+      best = ClosestResult{w.registry.idOf(s.body), id, near, distance};
     return true;
   });
   return best;
@@ -119,14 +122,14 @@ void World::forEachContact(const std::function<void(const ContactView&)>& visit)
   Visit here(w.visiting);
   auto show = [&](const CandidatePair& pair) {
     if (pair.contact == kNoIndex) return;
-    const Contact& c = w.contacts.contacts[pair.contact];
-    const ContactGeometry& g = w.contacts.geometry[pair.contact];
-    const BodyMotion& a = w.bodies.motion[c.bodyA];
+    const Contact& c = w.proximity.contacts.contacts[pair.contact];
+    const ContactGeometry& g = w.proximity.contacts.geometry[pair.contact];
+    const BodyMotion& a = w.registry.bodies.motion[c.bodyA];
     ContactView view;
-    view.bodyA = w.idOf(c.bodyA);
-    view.bodyB = w.idOf(c.bodyB);
-    view.shapeA = w.idOfShape(c.shapeA);
-    view.shapeB = w.idOfShape(c.shapeB);
+    view.bodyA = w.registry.idOf(c.bodyA);
+    view.bodyB = w.registry.idOf(c.bodyB);
+    view.shapeA = w.registry.idOfShape(c.shapeA);
+    view.shapeB = w.registry.idOfShape(c.shapeB);
     Vec3 n = a.orientation * g.normal, t1 = a.orientation * g.tangent1, t2 = cross(n, t1);
     Vec3 centre = a.position + a.orientation * g.centre;
     view.normalWorld = n;
@@ -141,28 +144,29 @@ void World::forEachContact(const std::function<void(const ContactView&)>& visit)
     visit(view);
   };
   std::size_t i = 0, j = 0;
-  const auto &p = w.contacts.pairs, &q = w.contacts.asleep;
+  const auto &p = w.proximity.contacts.pairs, &q = w.proximity.contacts.asleep;
   while (i < p.size() || j < q.size()) show(j == q.size() || (i < p.size() && p[i] < q[j]) ? p[i++] : q[j++]);
 }
 
 Result<double> World::penetration(ShapeId a, ShapeId b) const {
   const Impl& w = *impl_;
-  Result<ShapeIndex> shapeA = w.find(a);
+  Result<ShapeIndex> shapeA = w.registry.find(a);
   if (!shapeA) return shapeA.error();
-  Result<ShapeIndex> shapeB = w.find(b);
+  Result<ShapeIndex> shapeB = w.registry.find(b);
   if (!shapeB) return shapeB.error();
-  Transform bInA = inverse(w.shapes.worldPose(*shapeA, w.bodies)) * w.shapes.worldPose(*shapeB, w.bodies);
-  return penetrationDepth(w.shapes.data[*shapeA].geometry, w.shapes.data[*shapeB].geometry, bInA);
+  Transform bInA = inverse(w.registry.shapes.worldPose(*shapeA, w.registry.bodies)) *
+                   w.registry.shapes.worldPose(*shapeB, w.registry.bodies);
+  return penetrationDepth(w.registry.shapes.data[*shapeA].geometry, w.registry.shapes.data[*shapeB].geometry, bInA);
 }
 
 Energy World::energy() const {
   const Impl& w = *impl_;
   Energy e;
-  for (BodyIndex i = 0; i < w.bodies.slots(); i++) {
-    if (!w.bodies.alive(i) || w.bodies.data[i].type != BodyType::dynamic) continue;
-    e.kinetic += w.bodies.kineticEnergy(i);
-    e.potential -=
-        w.bodies.mass[i].mass * w.bodies.data[i].gravityScale * dot(w.def.gravity, w.bodies.motion[i].position);
+  for (BodyIndex i = 0; i < w.registry.bodies.slots(); i++) {
+    if (!w.registry.bodies.alive(i) || w.registry.bodies.data[i].type != BodyType::dynamic) continue;
+    e.kinetic += w.registry.bodies.kineticEnergy(i);
+    e.potential -= w.registry.bodies.mass[i].mass * w.registry.bodies.data[i].gravityScale *
+                   dot(w.def.gravity, w.registry.bodies.motion[i].position);
   }
   return e;
 }
@@ -170,18 +174,19 @@ Energy World::energy() const {
 Vec3 World::linearMomentum() const {
   const Impl& w = *impl_;
   Vec3 sum;
-  for (BodyIndex i = 0; i < w.bodies.slots(); i++)
-    if (w.bodies.alive(i)) sum += w.bodies.motion[i].linearVelocity * w.bodies.mass[i].mass;
+  for (BodyIndex i = 0; i < w.registry.bodies.slots(); i++)
+    if (w.registry.bodies.alive(i)) sum += w.registry.bodies.motion[i].linearVelocity * w.registry.bodies.mass[i].mass;
   return sum;
 }
 
 Vec3 World::angularMomentum() const {
   const Impl& w = *impl_;
   Vec3 sum;
-  for (BodyIndex i = 0; i < w.bodies.slots(); i++) {
-    if (!w.bodies.alive(i)) continue;
-    const BodyMotion& m = w.bodies.motion[i];
-    sum += cross(m.position, m.linearVelocity * w.bodies.mass[i].mass) + w.bodies.worldInertia(i) * m.angularVelocity;
+  for (BodyIndex i = 0; i < w.registry.bodies.slots(); i++) {
+    if (!w.registry.bodies.alive(i)) continue;
+    const BodyMotion& m = w.registry.bodies.motion[i];
+    sum += cross(m.position, m.linearVelocity * w.registry.bodies.mass[i].mass) +
+           w.registry.bodies.worldInertia(i) * m.angularVelocity;
   }
   return sum;
 }
@@ -194,8 +199,8 @@ std::uint64_t World::stateHash() const {
     hash.add(v.y);
     hash.add(v.z);
   };
-  for (BodyIndex body : w.bodies.inOrder()) {
-    const BodyMotion& m = w.bodies.motion[body];
+  for (BodyIndex body : w.registry.bodies.inOrder()) {
+    const BodyMotion& m = w.registry.bodies.motion[body];
     add(m.position);
     add({m.rotation.x, m.rotation.y, m.rotation.z});
     hash.add(m.rotation.w);

@@ -55,24 +55,24 @@ class SnapshotArchive {
  public:
   template <class Archive, class Impl> static void world(Archive& a, Impl& w) {
     definition(a, w.def);
-    bodies(a, w.bodies);
-    shapes(a, w.shapes);
-    contacts(a, w.contacts);
-    islandList(a, w.islands.awake, &w.stepMemory);
-    islandList(a, w.islands.asleep, &w.stepMemory);
-    a.list(w.islands.single);
-    a.list(w.awake);
-    a.list(w.moving);
-    a.list(w.islandOf);
-    a.flag(w.membershipChanged);
-    a.value(w.time);
-    a.value(w.lastDt);
-    a.value(w.stepCount);
-    a.list(w.touchingBefore);
-    a.list(w.pushed);
-    a.list(w.unsettled);
-    a.list(w.pending.end);
-    a.list(w.pending.woke);
+    bodies(a, w.registry.bodies);
+    shapes(a, w.registry.shapes, w.proximity.around);
+    contacts(a, w.proximity.contacts);
+    islandList(a, w.activity.islands.awake, &w.solve.memory);
+    islandList(a, w.activity.islands.asleep, &w.solve.memory);
+    a.list(w.activity.islands.single);
+    a.list(w.activity.awake);
+    a.list(w.activity.moving);
+    a.list(w.activity.islandOf);
+    a.flag(w.activity.membershipChanged);
+    a.value(w.clock.time);
+    a.value(w.clock.lastDt);
+    a.value(w.clock.stepCount);
+    a.list(w.diary.touchingBefore);
+    a.list(w.activity.pushed);
+    a.list(w.activity.unsettled);
+    a.list(w.diary.pending.end);
+    a.list(w.diary.pending.woke);
   }
 
  private:
@@ -128,12 +128,15 @@ class SnapshotArchive {
     a.value(d.order);
   }
 
-  template <class Archive, class Shapes> static void shapes(Archive& a, Shapes& s) {
+  template <class Archive, class Shapes, class Around> static void shapes(Archive& a, Shapes& s, Around& around) {
     length(a, s.data, kLeastSlot);
-    for (auto& data : s.data) {
-      a.flag(data.alive);
-      a.value(data.generation);
-      if (data.alive) shape(a, data);
+    if constexpr (Archive::kReading) around.resize(s.data.size());
+    for (std::size_t i = 0; i < s.data.size(); i++) {
+      a.flag(s.data[i].alive);
+      a.value(s.data[i].generation);
+      if (!s.data[i].alive) continue;
+      shape(a, s.data[i]);
+      a.value(around[i].swept);
     }
     meshes(a, s);
     a.list(s.free_);
@@ -154,7 +157,6 @@ class SnapshotArchive {
     a.choice(s.def.material.restitutionRule, CombineRule::maximum);
     a.value(s.def.filter);
     a.value(s.def.userData);
-    a.value(s.swept);
   }
 
   // Each mesh once, however many shapes have it, in the order of the first of them. Trees are built anew.
@@ -288,10 +290,10 @@ Status World::restore(std::span<const std::byte> snapshot) {
   ReadArchive archive(rest);
   SnapshotArchive::world(archive, *next);
   if (archive.failed() || !archive.atEnd()) return badSnapshot("its lists do not fit its length");
-  next->worldNumber = impl_->worldNumber;
+  next->registry.worldNumber = impl_->registry.worldNumber;
   if (Status sound = next->rebuild(); !sound) return badSnapshot(sound.error().message);
-  next->pool = std::make_unique<WorkerPool>(next->def.threads);
-  next->traceOptions = impl_->traceOptions;
+  next->solve.workers = std::make_unique<WorkerPool>(next->def.threads);
+  next->diary.traceOptions = impl_->diary.traceOptions;
   World candidate(std::move(next));
   std::vector<std::string> wrong = candidate.validate();
   if (!wrong.empty()) return badSnapshot(wrong.front());

@@ -33,10 +33,9 @@ void checkBody(Checks& check, const BodyData& d, const BodyMotion& m) {
                   "a body's forces or accelerations are not finite");
 }
 
-void checkShapeData(Checks& check, const ShapeData& s, BodyType type) {
+void checkShapeData(Checks& check, const ShapeData& s, const Aabb& b, BodyType type) {
   checkShape(check, "shape", s.def, type);
   check.condition(unitLength(s.def.local.rotation), "a shape's quaternion is not of unit length");
-  const Aabb& b = s.swept;
   bool bounds = inRange(b.lower, kLargestBounds) && inRange(b.upper, kLargestBounds) && b.lower.x <= b.upper.x &&
                 b.lower.y <= b.upper.y && b.lower.z <= b.upper.z;
   check.condition(bounds, "a shape's bounds are not sound");
@@ -82,59 +81,42 @@ void checkContacts(Checks& check, const ContactSet& set) {
 
 Status World::Impl::rebuild() {
   if (Status fine = checkWorld(def); !fine) return fine;
-  broadPhase = makeBroadPhase(def.broadPhase);
-  for (const BodyData& d : bodies.data) dynamicBodies += d.alive && d.type == BodyType::dynamic;
-  std::vector<std::string> wrong = validateStructure();
-  if (!wrong.empty()) return Error{ErrorCode::badFormat, wrong.front()};
+  proximity.open(def.broadPhase, def.solver.contactMargin);
+  BodySet& bodies = registry.bodies;
+  ShapeSet& shapes = registry.shapes;
+  for (const BodyData& d : bodies.data) registry.dynamicBodies += d.alive && d.type == BodyType::dynamic;
+  Findings structure;
+  checkStructure(structure);
+  if (structure.any()) return Error{ErrorCode::badFormat, structure.take().front()};
   Checks check;
   for (BodyIndex i = 0; i < bodies.slots(); i++) {
     if (!bodies.alive(i)) continue;
     checkBody(check, bodies.data[i], bodies.motion[i]);
-    bodies.setRotation(i, bodies.motion[i].rotation);
-    for (ShapeIndex s : bodies.shapes[i]) checkShapeData(check, shapes.data[s], bodies.data[i].type);
+    for (ShapeIndex s : bodies.shapes[i])
+      checkShapeData(check, shapes.data[s], proximity.around[s].swept, bodies.data[i].type);
   }
   if (check.failed()) return check.error();
-  for (ShapeData& s : shapes.data)
-    if (s.alive)
-      if (Status built = rebuildGeometry(s); !built) return built;
-  for (BodyIndex i = 0; i < bodies.slots(); i++) {
-    if (!bodies.alive(i)) continue;
-    Vec3 centre = bodies.motion[i].position;
-    updateMass(i, {});
-    bodies.motion[i].position = centre;
+  if (Status built = registry.rebuild(); !built) return built;
+  for (BodyIndex i = 0; i < bodies.slots(); i++)
     // A platform of triangles may weigh nothing.
-    if (bodies.data[i].type == BodyType::dynamic) checkMass(check, bodies.data[i].bodyFrameMass.mass);
-  }
-  checkContacts(check, contacts);
-  for (const auto* list : {&islands.awake, &islands.asleep})
+    if (bodies.alive(i) && bodies.data[i].type == BodyType::dynamic)
+      checkMass(check, bodies.data[i].bodyFrameMass.mass);
+  checkContacts(check, proximity.contacts);
+  for (const auto* list : {&activity.islands.awake, &activity.islands.asleep})
     for (const auto& island : *list) checkIsland(check, *island);
   if (check.failed()) return check.error();
-  wrong = validateLinks();
-  if (!wrong.empty()) return Error{ErrorCode::badFormat, wrong.front()};
+  Findings links;
+  checkLinks(links);
+  if (links.any()) return Error{ErrorCode::badFormat, links.take().front()};
   for (ShapeIndex i = 0; i < shapes.slots(); i++) {
     const ShapeData& s = shapes.data[i];
     if (!s.alive || bodies.data[s.body].quarantined) continue;
     // A hit may have thrown the body out of the bounds swept before it.
-    addProxy(i, merged(bounds(s.geometry, shapes.worldPose(i, bodies)), s.swept));
+    Aabb now = bounds(s.geometry, shapes.worldPose(i, bodies));
+    proximity.enter(registry, i, merged(now, proximity.around[i].swept));
   }
-  for (ContactEvent& event : pending.end) event.bodyA.world = event.bodyB.world = worldNumber;
-  for (BodyId& body : pending.woke) body.world = worldNumber;
-  return {};
-}
-
-Status World::Impl::rebuildGeometry(ShapeData& s) {
-  s.geometry.type = s.def.type;
-  s.geometry.halfExtents = s.def.halfExtents;
-  s.geometry.radius = s.def.radius;
-  s.geometry.halfHeight = s.def.halfHeight;
-  s.geometry.mesh = s.def.mesh.get();
-  if (s.def.type == ShapeType::hull) {
-    Result<Hull> hull = buildHull(std::span<const Vec3>(s.def.vertices));
-    if (!hull) return Error{ErrorCode::badFormat, "a hull can't be built: " + hull.error().message};
-    s.hull = std::make_unique<Hull>(std::move(hull).value());
-    s.geometry.hull = s.hull.get();
-  }
-  s.innerRadius = innerRadius(s.geometry);
+  for (ContactEvent& event : diary.pending.end) event.bodyA.world = event.bodyB.world = registry.worldNumber;
+  for (BodyId& body : diary.pending.woke) body.world = registry.worldNumber;
   return {};
 }
 

@@ -1,66 +1,23 @@
-// What listeners are told: contacts that began or ended to press, impacts, bodies that moved.
+// What listeners are told: pairs of bodies that began or ceased to press on each other, bodies that moved.
 #include <algorithm>
 #include <iterator>
 
-#include "world/world_impl.h"
+#include "world/activity.h"
+#include "world/diary.h"
+#include "world/registry.h"
+#include "world/stage_hash.h"
+#include "world/stages.h"
 
 namespace brickfall {
 
 namespace {
-
-// The impact of a contact in the step just made: fastest approach and impulse over its points.
-struct ContactImpact {
-  double speed = 0, impulse = 0;
-};
-
-ContactImpact impactOf(const Contact& c, const ContactStart& start, double dt) {
-  ContactImpact out;
-  for (int i = 0; i < c.count; i++) {
-    if (!(c.points.forceN[i] > 0)) continue;
-    out.speed = std::max(out.speed, double(-start.approach[i]));
-    out.impulse += double(c.points.forceN[i]) * dt;
-  }
-  return out;
-}
 
 template <class T> void makeSet(std::vector<T>& list) {
   std::sort(list.begin(), list.end());
   list.erase(std::unique(list.begin(), list.end()), list.end());
 }
 
-}  // namespace
-
-// Slots are used again, so their order is not that of creation.
-World::Impl::BodyPair World::Impl::byCreation(BodyPair pair) const {
-  if (bodies.data[pair.second].order < bodies.data[pair.first].order) std::swap(pair.first, pair.second);
-  return pair;
-}
-
-// Pairs of bodies that press on each other; a pair comes once for each of its contacts.
-void World::Impl::appendTouching(const Island& island, BodyPairs& out) const {
-  for (ContactIndex contact : island.rows.contacts.contactOf) {
-    const Contact& c = contacts.contacts[contact];
-    if (c.touching) out.push_back({std::min(c.bodyA, c.bodyB), std::max(c.bodyA, c.bodyB)});
-  }
-}
-
-void World::Impl::collectEvents() {
-  StageTimer timer(report, Stage::events);
-  for (auto& island : islands.awake) {
-    if (!island->settled()) countPoints(*island);
-    report.manifolds += int(island->rows.contacts.contactOf.size());
-    report.contactPoints += island->points;
-    report.touchingPoints += island->touchingPoints;
-  }
-  if (contacts.touchingChanged || sleptNow > 0) collectTouching();
-  contacts.touchingChanged = false;
-
-  for (BodyIndex body : awake)
-    if (!bodies.still[body]) events.moved.push_back(idOf(body));
-  for (BodyIndex body : moving) events.moved.push_back(idOf(body));
-}
-
-void World::Impl::countPoints(Island& island) const {
+void countPoints(Island& island, const ContactSet& contacts) {
   island.points = island.touchingPoints = 0;
   for (ContactIndex contact : island.rows.contacts.contactOf) {
     const Contact& c = contacts.contacts[contact];
@@ -69,57 +26,55 @@ void World::Impl::countPoints(Island& island) const {
   }
 }
 
-// Called when the forces are stored: restitution forgets those of the impacts that it answers.
-void World::Impl::collectHits(const Island& island) {
-  for (std::size_t k = 0; k < island.rows.contacts.contactOf.size(); k++) {
-    const Contact& c = contacts.contacts[island.rows.contacts.contactOf[k]];
-    if (!c.touching) continue;
-    ContactImpact impact = impactOf(c, island.rows.contacts.starts[k], context.dt);
-    if (impact.speed >= def.hitEventSpeed && impact.impulse >= def.hitEventImpulse)
-      addHit(island, k, impact.speed, impact.impulse);
-  }
-}
-
 // Bodies touch if any of their contacts does. Pairs that were not among those of the last step begin, and the other way.
-void World::Impl::collectTouching() {
-  touchingNow.clear();
-  for (auto& island : islands.awake) appendTouching(*island, touchingNow);
+void collectTouching(const Registry& registry, const Activity& activity, const ContactSet& contacts, Diary& diary) {
+  BodyPairs &now = diary.touchingNow, &before = diary.touchingBefore, &slept = diary.slept;
+  now.clear();
+  for (const IslandPointer& island : activity.islands.awake) appendTouching(*island, contacts, now);
   // What fell asleep in this step still touches, but is not looked at again until it wakes.
   slept.clear();
-  for (std::size_t i = islands.asleep.size() - sleptNow; i < islands.asleep.size(); i++)
-    appendTouching(*islands.asleep[i], slept);
-  touchingNow.insert(touchingNow.end(), slept.begin(), slept.end());
-  makeSet(touchingNow);
+  const auto& asleep = activity.islands.asleep;
+  for (std::size_t i = asleep.size() - activity.sleptNow; i < asleep.size(); i++)
+    appendTouching(*asleep[i], contacts, slept);
+  now.insert(now.end(), slept.begin(), slept.end());
+  makeSet(now);
   makeSet(slept);
   auto tell = [&](const BodyPairs& in, const BodyPairs& notIn, std::vector<ContactEvent>& out) {
-    for (const BodyPair& pair : in) {
-      if (std::binary_search(notIn.begin(), notIn.end(), pair)) continue;
-      BodyPair ordered = byCreation(pair);
-      out.push_back({idOf(ordered.first), idOf(ordered.second)});
-    }
+    for (const BodyPair& pair : in)
+      if (!std::binary_search(notIn.begin(), notIn.end(), pair)) out.push_back(byCreation(pair, registry));
   };
-  tell(touchingNow, touchingBefore, events.begin);
-  tell(touchingBefore, touchingNow, events.end);
-  touchingBefore.clear();
-  std::set_difference(touchingNow.begin(), touchingNow.end(), slept.begin(), slept.end(),
-                      std::back_inserter(touchingBefore));
+  tell(now, before, diary.events.begin);
+  tell(before, now, diary.events.end);
+  before.clear();
+  std::set_difference(now.begin(), now.end(), slept.begin(), slept.end(), std::back_inserter(before));
 }
 
-void World::Impl::addHit(const Island& island, std::size_t k, double speed, double impulse) {
-  const Contact& c = contacts.contacts[island.rows.contacts.contactOf[k]];
-  const ContactRecord& r = island.rows.contacts.records[k];
-  HitEvent hit;
-  hit.bodyA = idOf(c.bodyA);
-  hit.bodyB = idOf(c.bodyB);
-  hit.normalWorld = toDouble(r.n);
-  hit.pointWorld = bodies.motion[c.bodyA].position + toDouble(r.armA);
-  if (bodies.data[c.bodyB].order < bodies.data[c.bodyA].order) {
-    std::swap(hit.bodyA, hit.bodyB);
-    hit.normalWorld = -hit.normalWorld;
+}  // namespace
+
+void collectEvents(const Registry& registry, Activity& activity, ContactSet& contacts, Diary& diary) {
+  StepReport& report = diary.report;
+  for (IslandPointer& island : activity.islands.awake) {
+    if (!island->settled()) countPoints(*island, contacts);
+    report.manifolds += int(island->rows.contacts.contactOf.size());
+    report.contactPoints += island->points;
+    report.touchingPoints += island->touchingPoints;
   }
-  hit.approachSpeed = speed;
-  hit.impulse = impulse;
-  events.hits.push_back(hit);
+  if (contacts.touchingChanged || activity.sleptNow > 0) collectTouching(registry, activity, contacts, diary);
+  contacts.touchingChanged = false;
+
+  Events& events = diary.events;
+  for (BodyIndex body : activity.awake)
+    if (!registry.bodies.still[body]) events.moved.push_back(registry.idOf(body));
+  for (BodyIndex body : activity.moving) events.moved.push_back(registry.idOf(body));
+}
+
+void hashEvents(const Events& events, HashItems& out) {
+  for (const auto* list : {&events.begin, &events.end})
+    for (const ContactEvent& e : *list) out.add(e.bodyA, e.bodyB, Mix()(list == &events.begin));
+  for (const HitEvent& e : events.hits)
+    out.add(e.bodyA, e.bodyB, Mix()(e.pointWorld, e.normalWorld, e.approachSpeed, e.impulse));
+  for (const auto* list : {&events.moved, &events.fellAsleep, &events.woke})
+    for (BodyId body : *list) out.add(body, {}, Mix()(list == &events.moved, list == &events.woke));
 }
 
 }  // namespace brickfall

@@ -1,9 +1,13 @@
 // New poses and velocities. Whatever became non-finite is quarantined here: held where it was, out of all contacts.
 #include <cmath>
 
-#include "brickfall/limits.h"
 #include "solver/store.h"
-#include "world/world_impl.h"
+#include "world/activity.h"
+#include "world/diary.h"
+#include "world/proximity.h"
+#include "world/quarantine.h"
+#include "world/stage_hash.h"
+#include "world/stages.h"
 
 namespace brickfall {
 
@@ -27,41 +31,44 @@ bool move(BodyIndex body, BodySet& bodies, const StepContext& context) {
   return true;
 }
 
-}  // namespace
+struct Integration {
+  const Clock& clock;
+  BodySet& bodies;
+  const Registry& registry;
+  Proximity& proximity;
+  ContactSet& contacts;
+  const StepContext& context;
+  Quarantine& quarantine;
 
-bool isSane(const BodyMotion& m) {
-  return isFinite(m.position) && isFinite(m.rotation) && isFinite(m.linearVelocity) && isFinite(m.angularVelocity) &&
-         std::fabs(m.position.x) < lost::kDistance && std::fabs(m.position.y) < lost::kDistance &&
-         std::fabs(m.position.z) < lost::kDistance;
-}
+  void finishBody(BodyIndex body);
+  void finishIsland(Island& island);
+  void salvage(Island& island);
+  void drive(BodyIndex body);
+};
 
-// A body that its forces or impulses would make absurdly fast is taken out before it can spoil the sums of its island.
-void World::Impl::quarantineAbsurd() {
-  for (BodyIndex body : awake) {
-    if (bodies.still[body]) continue;
-    const BodyMotion& m = bodies.motion[body];
-    const BodyData& data = bodies.data[body];
-    Vec3 velocity = m.linearVelocity + data.force * (bodies.mass[body].invMass * context.dt);
-    Vec3 spin = m.angularVelocity;
-    if (!(data.torque == Vec3{})) spin += bodies.worldInvInertia(body) * data.torque * context.dt;
-    bool fine = length(velocity) < lost::kSpeed && length(spin) < lost::kSpeed;  // false for NaN
-    if (!fine) quarantine(body);
+// Pose, velocity and acceleration of a body after the solve.
+void Integration::finishBody(BodyIndex body) {
+  BodyData& data = bodies.data[body];
+  BodyMotion& m = bodies.motion[body];
+  if (context.solved[body].rest) {
+    m.linearVelocity = m.angularVelocity = {};
+    bodies.still[body] = 1;
+  } else {
+    bodies.still[body] = 0;
+    if (!move(body, bodies, context)) quarantine.hold(body);
+    proximity.keepBounds(registry, body);
   }
-  for (BodyIndex body : pendingQuarantine) isolate(body);
-  pendingQuarantine.clear();
-}
-
-bool World::Impl::solvedWell(const Island& island) const {
-  for (BodyIndex body : island.bodies) {
-    const SolvedMotion& s = context.solved[body];
-    if (!isFinite(s.d) || !isFinite(s.th) || !isFinite(s.velocity) || !isFinite(s.angularMomentum)) return false;
-  }
-  return true;
+  data.flying = context.solved[body].flying;
+  if (!clock.lastSubstep) return;
+  data.linearAcceleration = (m.linearVelocity - data.lastLinearVelocity) * (1 / clock.callDt);
+  data.angularAcceleration = (m.angularVelocity - data.lastAngularVelocity) * (1 / clock.callDt);
+  data.lastLinearVelocity = m.linearVelocity;
+  data.lastAngularVelocity = m.angularVelocity;
 }
 
 // The sums of an island overflowed. Its fastest body, which must have caused it, is quarantined; the others stay where
 // they are for this step, with the velocities they had, and their contacts start afresh.
-void World::Impl::salvage(Island& island) {
+void Integration::salvage(Island& island) {
   BodyIndex culprit = island.bodies.front();
   double fastest = -1;
   for (BodyIndex body : island.bodies) {
@@ -85,87 +92,75 @@ void World::Impl::salvage(Island& island) {
     c.fresh = true;
   }
   island.ending = IslandEnding::unsolved;
-  quarantine(culprit);
+  quarantine.hold(culprit);
 }
 
-// Pose, velocity and acceleration of a body after the solve.
-void World::Impl::finishBody(BodyIndex body) {
-  BodyData& data = bodies.data[body];
+void Integration::finishIsland(Island& island) {
+  if (island.settled()) {
+    // Nothing moves and nothing did in the last step.
+    for (BodyIndex body : island.bodies)
+      if (!bodies.still[body]) finishBody(body);
+    return;
+  }
+  if (!solvedWell(island, context)) {
+    salvage(island);
+    return;
+  }
+  advanceRows(island, Ties{contacts}, context);
+  for (BodyIndex body : island.bodies) finishBody(body);
+}
+
+// A kinematic body goes on at its velocity.
+void Integration::drive(BodyIndex body) {
   BodyMotion& m = bodies.motion[body];
-  if (context.solved[body].rest) {
-    m.linearVelocity = m.angularVelocity = {};
-    bodies.still[body] = 1;
-  } else {
-    bodies.still[body] = 0;
-    if (!move(body, bodies, context)) quarantine(body);
-    keepBounds(body);
-  }
-  data.flying = context.solved[body].flying;
-  if (!lastSubstep) return;
-  data.linearAcceleration = (m.linearVelocity - data.lastLinearVelocity) * (1 / callDt);
-  data.angularAcceleration = (m.angularVelocity - data.lastAngularVelocity) * (1 / callDt);
-  data.lastLinearVelocity = m.linearVelocity;
-  data.lastAngularVelocity = m.angularVelocity;
+  m.position += m.linearVelocity * context.dt;
+  bodies.setRotation(body, normalized(quatFromRotationVector(m.angularVelocity * context.dt) * m.rotation));
+  bodies.still[body] = 0;
+  proximity.keepBounds(registry, body);
 }
 
-void World::Impl::integrate() {
-  StageTimer timer(report, Stage::integrate);
-  stopAtObstacles();
-  for (auto& island : islands.awake) {
-    if (island->settled()) {
-      // Nothing moves and nothing did in the last step.
-      for (BodyIndex body : island->bodies)
-        if (!bodies.still[body]) finishBody(body);
-      continue;
-    }
-    if (!solvedWell(*island)) {
-      salvage(*island);
-      continue;
-    }
-    advanceRows(*island, context);
-    for (BodyIndex body : island->bodies) finishBody(body);
-  }
-  for (BodyIndex body : islands.single) finishBody(body);
-  for (BodyIndex body : unsettled) bodies.still[body] = 1;
-  unsettled.clear();
-  for (BodyIndex body : moving) {
-    BodyMotion& m = bodies.motion[body];
-    m.position += m.linearVelocity * context.dt;
-    bodies.setRotation(body, normalized(quatFromRotationVector(m.angularVelocity * context.dt) * m.rotation));
-    bodies.still[body] = 0;
-    keepBounds(body);
-  }
-  for (BodyIndex body : pendingQuarantine) isolate(body);
-  pendingQuarantine.clear();
+}  // namespace
+
+void integrate(const Clock& clock, const StepContext& context, Registry& registry, Activity& activity,
+               Proximity& proximity, Quarantine& quarantine) {
+  Integration all{clock, registry.bodies, registry, proximity, proximity.contacts, context, quarantine};
+  for (IslandPointer& island : activity.islands.awake) all.finishIsland(*island);
+  for (BodyIndex body : activity.islands.single) all.finishBody(body);
+  activity.settleUnmoved(registry.bodies);
+  for (BodyIndex body : activity.moving) all.drive(body);
+  quarantine.isolateHeld();
 }
 
-// The tree must hold a body where it is now: queries between steps rely on it. A collision may throw it out of the bounds
-// that its velocity before the step foretold.
-void World::Impl::keepBounds(BodyIndex body) {
-  for (ShapeIndex shape : bodies.shapes[body]) {
-    ShapeData& s = shapes.data[shape];
-    Aabb now = bounds(s.geometry, shapes.worldPose(shape, bodies));
-    if (!contains(broadPhase->kept(s.proxy), now)) broadPhase->update(s.proxy, merged(now, s.swept), slackOf(shape));
-  }
+void hashIntegrate(const Registry& registry, const Activity& activity, const ContactSet& contacts, HashItems& out) {
+  const BodySet& bodies = registry.bodies;
+  for (const auto* list : {&activity.awake, &activity.moving})
+    out.bodies(*list, [&](Mix& h, BodyIndex body) {
+      mix(h, bodies.motion[body]);
+      h(bodies.still[body], bodies.data[body].quarantined, bodies.data[body].linearAcceleration,
+        bodies.data[body].angularAcceleration);
+    });
+  out.contacts(activity.islands, contacts);
 }
 
-// Holds a body that became non-finite: it keeps its last good pose, without velocity.
-void World::Impl::quarantine(BodyIndex body) {
-  BodyMotion& m = bodies.motion[body];
-  m.linearVelocity = m.angularVelocity = {};
-  bodies.data[body].quarantined = true;
-  report.quarantined.push_back(idOf(body));
-  pendingQuarantine.push_back(body);
-}
-
-// Takes a quarantined body out of all contacts and of every list that the step walks.
-void World::Impl::isolate(BodyIndex body) {
-  removeContactsOf(body);
-  for (ShapeIndex shape : bodies.shapes[body]) {
-    broadPhase->remove(shapes.data[shape].proxy);
-    shapes.data[shape].proxy = kNoProxy;
-  }
-  delist(body);
+void bookIntegrate(const Registry& registry, const Activity& activity, const ContactSet& contacts,
+                   const StepContext& context, Diary& diary) {
+  const BodySet& bodies = registry.bodies;
+  LedgerState& s = diary.ledgerState;
+  StepLedger& ledger = *diary.report.ledger;
+  double work = 0;
+  for (BodyIndex body : activity.pushed)
+    work +=
+        dot(bodies.data[body].force, context.solved[body].d) + dot(bodies.data[body].torque, context.solved[body].th);
+  Balance now = balanceNow(bodies, contacts, context);
+  double fallen = now.potential - s.now.potential;
+  ledger.forces.energy += work;
+  ledger.solve.energy += fallen - work;
+  s.now.potential = now.potential;
+  bool quarantined = diary.report.quarantined.size() > s.quarantined;
+  s.bookElastic(quarantined ? ledger.quarantine : ledger.renewed, now.elastic);
+  s.book(quarantined ? ledger.quarantine : ledger.integrate, now);
+  ledger.after = s.last = now;
+  s.begun = true;
 }
 
 }  // namespace brickfall

@@ -1,65 +1,147 @@
-// The step: a list of stages, one file each, no logic between them. docs/step.md says what each reads and writes.
+// The step: a table of stages, in their order, with what each reads and changes. docs/step.md goes through them.
 #include <algorithm>
 #include <chrono>
-#include <iterator>
 #include <string>
 
 #include "brickfall/limits.h"
+#include "world/stage_hash.h"
+#include "world/stages.h"
 #include "world/world_impl.h"
 
 namespace brickfall {
+
+struct World::Impl::StageRow {
+  Stage stage;
+  void (*run)(Impl&);
+  void (*hash)(const Impl&, HashItems&);  // what it wrote
+  void (*book)(Impl&) = nullptr;          // what it did to momentum and energy; none: nothing
+};
+
+std::span<const World::Impl::StageRow> World::Impl::stageRows() {
+  using W = Impl;
+  using H = HashItems;
+  static constexpr StageRow kRows[] = {
+      {Stage::pairs, [](W& w) { findPairs(w.registry, w.activity, w.solve.context.dt, w.proximity); },
+       [](const W& w, H& out) { hashPairs(w.registry, w.activity, w.proximity, out); }},
+
+      {Stage::contacts,
+       [](W& w) {
+         Upkeep upkeep = w.upkeep();
+         updateContacts(w.registry, w.activity, w.solve.context, w.proximity, w.diary.report, upkeep);
+       },
+       [](const W& w, H& out) { hashContacts(w.proximity.contacts, out); }},
+
+      {Stage::islands, [](W& w) { renewIslands(w.registry, w.solve.context, w.activity, w.proximity.contacts); },
+       [](const W& w, H& out) { hashIslands(w.proximity.contacts, w.activity.islands, out); },
+       [](W& w) { bookIslands(w.registry, w.proximity.contacts, w.solve.context, w.diary); }},
+
+      {Stage::prepare,
+       [](W& w) { prepare(w.def, w.registry, w.activity.islands, w.proximity.contacts, w.solve.context); },
+       [](const W& w, H& out) {
+         hashPrepare(w.registry, w.activity.islands, w.proximity.contacts, w.solve.context, out);
+       },
+       [](W& w) { bookPrepare(w.registry, w.activity, w.proximity.contacts, w.solve.context, w.diary); }},
+
+      {Stage::rest, [](W& w) { checkRest(w.activity.islands, w.solve.context); },
+       [](const W& w, H& out) { hashRest(w.activity.islands, out); }},
+
+      {Stage::solve, [](W& w) { solveIslands(w.activity.islands, w.solve); },
+       [](const W& w, H& out) { hashSolve(w.registry, w.activity.islands, out); }},
+
+      {Stage::store,
+       [](W& w) {
+         storeSolution(w.def, w.registry, w.activity.islands, w.proximity.contacts, w.solve.context, w.diary.events);
+       },
+       [](const W& w, H& out) { hashStore(w.activity.islands, w.proximity.contacts, w.solve.context, out); },
+       [](W& w) { bookStore(w.registry, w.activity, w.proximity.contacts, w.solve.context, w.diary); }},
+
+      {Stage::restitution, [](W& w) { restitute(w.activity.islands, w.proximity.contacts, w.solve.context); },
+       [](const W& w, H& out) { hashRestitution(w.activity.islands, w.proximity.contacts, w.solve.context, out); },
+       [](W& w) { bookRestitution(w.registry, w.activity, w.solve.context, w.diary); }},
+
+      {Stage::obstacles, [](W& w) { stopAtObstacles(w.registry, w.activity, w.proximity, w.solve.context); },
+       [](const W& w, H& out) { hashObstacles(w.activity.islands, w.solve.context, out); },
+       [](W& w) { bookObstacles(w.registry, w.activity, w.solve.context, w.diary); }},
+
+      {Stage::integrate,
+       [](W& w) {
+         Quarantine quarantine = w.quarantine();
+         integrate(w.clock, w.solve.context, w.registry, w.activity, w.proximity, quarantine);
+       },
+       [](const W& w, H& out) { hashIntegrate(w.registry, w.activity, w.proximity.contacts, out); },
+       [](W& w) { bookIntegrate(w.registry, w.activity, w.proximity.contacts, w.solve.context, w.diary); }},
+
+      {Stage::sleep,
+       [](W& w) { fallAsleep(w.def, w.solve.context.dt, w.registry, w.activity, w.proximity.contacts, w.diary); },
+       [](const W& w, H& out) { hashSleep(w.registry, w.activity.islands, out); }},
+
+      {Stage::events, [](W& w) { collectEvents(w.registry, w.activity, w.proximity.contacts, w.diary); },
+       [](const W& w, H& out) { hashEvents(w.diary.events, out); }},
+  };
+  static_assert(std::size(kRows) == kStageCount);
+  return kRows;
+}
+
+namespace {
+
+//! not of the method: room
+constexpr std::size_t kTouchingPerBody = 4;
 
 std::int64_t nowNanoseconds() {
   return std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::steady_clock::now().time_since_epoch())
       .count();
 }
 
-StageTimer::StageTimer(StepReport& report, Stage stage) : report_(report), stage_(stage), start_(nowNanoseconds()) {}
-StageTimer::~StageTimer() {
-  report_.stageMilliseconds[std::size_t(stage_)] += double(nowNanoseconds() - start_) * 1e-6;
-}
+}  // namespace
 
-void World::Impl::step(double dt) {
-  struct StageCall {
-    Stage stage;
-    void (Impl::*run)();
-  };
-  constexpr StageCall kStages[] = {{Stage::pairs, &Impl::findPairs},      {Stage::contacts, &Impl::updateContacts},
-                                   {Stage::islands, &Impl::buildIslands}, {Stage::prepare, &Impl::prepare},
-                                   {Stage::rest, &Impl::checkRest},       {Stage::solve, &Impl::solve},
-                                   {Stage::store, &Impl::store},          {Stage::restitution, &Impl::restitute},
-                                   {Stage::integrate, &Impl::integrate},  {Stage::sleep, &Impl::updateSleep},
-                                   {Stage::events, &Impl::collectEvents}};
-  static_assert(std::size(kStages) == kStageCount);
-  beginStep(dt);
-  traceStage({});
-  quarantineAbsurd();
-  for (const StageCall& call : kStages) {
-    (this->*call.run)();
-    traceStage(call.stage);
+void World::Impl::runStages(Stage first, Stage end) {
+  for (const StageRow& row : stageRows()) {
+    if (row.stage < first || row.stage >= end) continue;
+    std::int64_t start = nowNanoseconds();
+    row.run(*this);
+    diary.report.stageMilliseconds[std::size_t(row.stage)] += double(nowNanoseconds() - start) * 1e-6;
+    traceStage(row.stage, row.hash, row.book);
   }
-  endStep();
 }
 
-void World::Impl::beginStep(double dt) {
+void World::Impl::traceStage(std::optional<Stage> stage, void (*hash)(const Impl&, HashItems&), void (*book)(Impl&)) {
+  const TraceOptions& wanted = diary.traceOptions;
+  if (wanted.stages || wanted.items) {
+    HashItems items(registry, wanted.items);
+    hash(*this, items);
+    diary.report.stageHashes.push_back(items.take(clock.substep, stage));
+  }
+  if (wanted.ledger && book) book(*this);
+}
+
+void World::Impl::beginPart(double dt) {
+  StepContext& context = solve.context;
   context.dt = dt;
   context.gravity = def.gravity;
   context.settings = def.solver;
   context.integrator = def.integrator;
-  context.bodies = &bodies;
-  context.contacts = &contacts;
-  context.memory = &stepMemory;
+  context.bodies = &registry.bodies;
+  context.contacts = &proximity.contacts;
+  context.memory = &solve.memory;
   context.statistics = {};
-  if (dt != lastDt) {  // stiffnesses are in units of mass / dt^2: nothing is settled at another time step
-    for (auto& island : islands.awake) island->unsettle();
-    lastDt = dt;
-  }
+  // Stiffnesses are in units of mass / dt^2: nothing is settled at another time step.
+  if (dt != clock.lastDt) activity.unsettleAll();
+  clock.lastDt = dt;
+  traceStage(
+      {}, [](const Impl& w, HashItems& out) { hashGiven(w.registry, w.activity.islands, w.proximity.contacts, out); },
+      [](Impl& w) {
+        Balance now = balanceNow(w.registry.bodies, w.proximity.contacts, w.solve.context);
+        w.diary.beginLedger(now, w.clock.substep == 0);
+      });
+  Quarantine out = quarantine();
+  quarantineAbsurd(registry, activity, dt, out);
 }
 
-void World::Impl::endStep() {
-  time += context.dt;
-  stepCount++;
-  const SolveStatistics& s = context.statistics;
+void World::Impl::endPart() {
+  clock.time += solve.context.dt;
+  clock.stepCount++;
+  const SolveStatistics& s = solve.context.statistics;
+  StepReport& report = diary.report;
   report.islands = s.islands;
   report.restingIslands = s.restingIslands;
   report.cycles += s.cycles;
@@ -68,14 +150,19 @@ void World::Impl::endStep() {
   report.residualRms = std::max(report.residualRms, s.residualRms);
 }
 
-void World::Impl::traceStage(std::optional<Stage> stage) {
-  if (traceOptions.stages || traceOptions.items) hashStage(stage);
-  if (traceOptions.ledger) bookStage(stage);
+// All memory that the step may need is taken before it.
+void World::Impl::keepRoom() {
+  std::size_t dynamic = std::size_t(registry.dynamicBodies), touching = kTouchingPerBody * dynamic;
+  std::size_t slots = registry.bodies.slots();
+  proximity.keepRoom(registry.shapes.slots(), touching);
+  activity.keepRoom(dynamic, slots);
+  solve.keepRoom(dynamic, slots);
+  diary.keepRoom(slots, touching);
 }
 
 void World::trace(const TraceOptions& options) {
-  if (!options.ledger) impl_->ledgerState = {};
-  impl_->traceOptions = options;
+  if (!options.ledger) impl_->diary.ledgerState = {};
+  impl_->diary.traceOptions = options;
 }
 
 Result<StepReport> World::step(double dt, int substeps) {
@@ -85,27 +172,29 @@ Result<StepReport> World::step(double dt, int substeps) {
     return Error{ErrorCode::invalidArgument, "substeps: found " + std::to_string(substeps) + ", expected 1 .. 64"};
   Impl& w = *impl_;
   if (Status open = w.openForChange("step"); !open) return open.error();
-  w.stepping = true;
+  StepReport& report = w.diary.report;
+  w.diary.inStep = true;
   std::int64_t start = nowNanoseconds();
-  w.report = {};
+  report = {};
   w.keepRoom();
-  w.tellPending();
-  w.callDt = dt;
+  w.diary.tellPending();
+  w.clock.callDt = dt;
   for (int i = 0; i < substeps; i++) {
-    w.report.manifolds = w.report.contactPoints = w.report.touchingPoints = 0;
-    w.substep = i;
-    w.lastSubstep = i == substeps - 1;
-    w.step(dt / substeps);
+    report.manifolds = report.contactPoints = report.touchingPoints = 0;
+    w.clock.substep = i;
+    w.clock.lastSubstep = i == substeps - 1;
+    w.beginPart(dt / substeps);
+    w.runStages(Stage::pairs, Stage::count);
+    w.endPart();
   }
-  w.report.stepIndex = w.stepCount;
-  w.report.time = w.time;
-  for (BodyIndex body : w.pushed) w.bodies.data[body].force = w.bodies.data[body].torque = {};
-  w.pushed.clear();
-  w.report.bodies = w.dynamicBodies;
-  w.report.awakeBodies = int(w.awake.size());
-  w.report.milliseconds = double(nowNanoseconds() - start) * 1e-6;
-  w.stepping = false;
-  return w.report;
+  report.stepIndex = w.clock.stepCount;
+  report.time = w.clock.time;
+  w.activity.dropForces(w.registry.bodies);
+  report.bodies = w.registry.dynamicBodies;
+  report.awakeBodies = int(w.activity.awake.size());
+  report.milliseconds = double(nowNanoseconds() - start) * 1e-6;
+  w.diary.inStep = false;
+  return report;
 }
 
 }  // namespace brickfall

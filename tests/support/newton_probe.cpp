@@ -27,24 +27,16 @@ Ending endingOf(const Island& island) {
 }
 
 template <class Impl> void finishStep(Impl& w) {
-  w.store();
-  w.restitute();
-  w.integrate();
-  w.updateSleep();
-  w.collectEvents();
-  w.endStep();
+  w.runStages(Stage::store, Stage::count);
+  w.endPart();
 }
 
 template <class Impl> void startStep(Impl& w, double dt) {
-  w.report = {};
-  w.callDt = dt;
-  w.lastSubstep = true;
-  w.beginStep(dt);
-  w.quarantineAbsurd();
-  w.findPairs();
-  w.updateContacts();
-  w.buildIslands();
-  w.prepare();
+  w.diary.report = {};
+  w.clock.callDt = dt;
+  w.clock.lastSubstep = true;
+  w.beginPart(dt);
+  w.runStages(Stage::pairs, Stage::rest);
 }
 
 }  // namespace
@@ -57,19 +49,19 @@ std::uint64_t probeStep(const World& world, double dt, const std::function<void(
   auto& w = inside(copy);
   startStep(w, dt);
   std::vector<Problem> problems;
-  for (auto& island : w.islands.awake)
-    problems.push_back(island->settled() ? Problem{} : problemOf(*island, w.context));
-  w.checkRest();
+  for (auto& island : w.activity.islands.awake)
+    problems.push_back(island->settled() ? Problem{} : problemOf(*island, w.solve.context));
+  w.runStages(Stage::rest, Stage::solve);
   for (std::size_t i = 0; i < problems.size(); i++) {
-    Island& island = *w.islands.awake[i];
+    Island& island = *w.activity.islands.awake[i];
     if (island.settled()) continue;
     SolveStatistics statistics;
     SolvedIsland found;
     if (!island.resting()) {
-      updateHierarchies(island, w.context);
-      runCycles(island, w.context, statistics);
+      updateHierarchies(island, w.solve.context);
+      runCycles(island, w.solve.context, statistics);
       found.ending = endingOf(island);
-      correctMomentum(island, w.context);
+      correctMomentum(island, w.solve.context);
     }
     found.posed = problems[i];
     found.problem = std::move(problems[i]);
@@ -91,13 +83,13 @@ ConvergedStep stepConverged(World& world, double dt, double tolerance) {
   auto& w = inside(world);
   startStep(w, dt);
   std::vector<Problem> problems;
-  for (auto& island : w.islands.awake)
-    problems.push_back(island->settled() ? Problem{} : problemOf(*island, w.context));
-  w.checkRest();
+  for (auto& island : w.activity.islands.awake)
+    problems.push_back(island->settled() ? Problem{} : problemOf(*island, w.solve.context));
+  w.runStages(Stage::rest, Stage::solve);
   for (std::size_t i = 0; i < problems.size(); i++) {
-    Island& island = *w.islands.awake[i];
+    Island& island = *w.activity.islands.awake[i];
     if (island.settled() || island.resting()) continue;
-    updateHierarchies(island, w.context);
+    updateHierarchies(island, w.solve.context);
     NewtonSettings settings;
     settings.tolerance = tolerance;
     Solution s = solveWithNewBounds(problems[i], settings);
@@ -114,7 +106,7 @@ ConvergedStep stepConverged(World& world, double dt, double tolerance) {
       island.motion[k].d = toFloat(s.motion[k].d - island.drift);
       island.motion[k].th = toFloat(s.motion[k].th);
     }
-    correctMomentum(island, w.context);
+    correctMomentum(island, w.solve.context);
   }
   finishStep(w);
   return out;

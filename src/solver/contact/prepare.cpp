@@ -118,9 +118,9 @@ void mapFrictionAnchor(Contact& c, int i, ContactGeometry& g, const ContactRecor
 
 }  // namespace
 
-void ContactRows::prepare(const Island& island, StepContext& context) {
+void ContactRows::prepare(const Island& island, Ties ties, const StepContext& context) {
   const BodySet& bodies = *context.bodies;
-  ContactSet& set = *context.contacts;
+  ContactSet& set = ties.contacts;
   double perDt2 = 1 / (context.dt * context.dt);
   double resting = context.settings.restingStiffness * island.plan.stiffening;
   for (std::size_t k = 0; k < size(); k++) {

@@ -39,11 +39,11 @@ struct ContactRows {
   // The same contacts as in `old`, none of them another that took its slot.
   bool continues(const ContactRows& old, const StepContext& context) const;
   // New rows: `number` gives a body's place in Island::motion.
-  template <class Number> void bind(const StepContext& context, Number number) {
+  template <class Number> void bind(Ties ties, Number number) {
     records.assign(size(), {});
     starts.assign(size(), {});
     for (std::size_t k = 0; k < size(); k++) {
-      Contact& c = context.contacts->contacts[contactOf[k]];
+      Contact& c = ties.contacts.contacts[contactOf[k]];
       records[k].contact = contactOf[k];
       records[k].bodyA = number(c.bodyA);
       records[k].bodyB = number(c.bodyB);
@@ -56,15 +56,15 @@ struct ContactRows {
   // It carries force, or is nearer than `reach` m (> 0) at the present motion.
   bool holds(std::size_t k, float reach, const SolveMotion* motion, const StepContext& context) const;
 
-  void prepare(const Island& island, StepContext& context);
+  void prepare(const Island& island, Ties ties, const StepContext& context);
   // Bounds that follow the solve: friction of points that carried nothing in the last step.
   void renewBounds(std::size_t k, const SolveMotion* motion) {
     if (records[k].newPoints) renewNewPoints(k, motion);
   }
   // Forces at the final motion into the contacts. True if any bit of what they remember changed.
-  bool store(Island& island, StepContext& context);
+  bool store(Island& island, Ties ties, StepContext& context);
   // Gaps and drifts go on by the motion that was finally made.
-  void advance(const Island& island, StepContext& context) const;
+  void advance(const Island& island, Ties ties) const;
 
   void prefetch(std::size_t k) const {
     const char* line = reinterpret_cast<const char*>(&records[k]);

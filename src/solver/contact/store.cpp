@@ -67,10 +67,10 @@ bool updateWeak(Contact& c, int loaded, int slidingLoaded) {
 
 }  // namespace
 
-bool ContactRows::store(Island& island, StepContext& context) {
+bool ContactRows::store(Island& island, Ties ties, StepContext& context) {
   bool changed = false;
   for (std::size_t k = 0; k < size(); k++) {
-    Contact& c = context.contacts->contacts[contactOf[k]];
+    Contact& c = ties.contacts.contacts[contactOf[k]];
     Contact before = c;
     StoredForces f = forcesAt(records[k], island.motion.data());
     int loaded = 0, slidingLoaded = 0;
@@ -84,7 +84,7 @@ bool ContactRows::store(Island& island, StepContext& context) {
       placeSlip(c, i, sliding);
     }
     c.touching = loaded > 0;
-    if (c.touching != before.touching) context.contacts->touchingChanged = true;
+    if (c.touching != before.touching) ties.contacts.touchingChanged = true;
     if (updateWeak(c, loaded, slidingLoaded)) island.byMechanism.valid = false;
     changed = changed || std::memcmp(&before, &c, sizeof c) != 0;
   }
@@ -92,9 +92,9 @@ bool ContactRows::store(Island& island, StepContext& context) {
   return changed;
 }
 
-void ContactRows::advance(const Island& island, StepContext& context) const {
+void ContactRows::advance(const Island& island, Ties ties) const {
   for (std::size_t k = 0; k < size(); k++) {
-    Contact& c = context.contacts->contacts[contactOf[k]];
+    Contact& c = ties.contacts.contacts[contactOf[k]];
     const ContactRecord& r = records[k];
     kernel::PointMotion m = kernel::pointMotion(r, kernel::frame(r), island.motion.data());
     alignas(16) float n[4], t1[4], u2[4];

@@ -13,7 +13,12 @@
 #include "solver/energy_guard.h"
 #include "solver/free_motion.h"
 #include "solver/restitution.h"
-#include "world/world_impl.h"
+#include "solver/store.h"
+#include "world/activity.h"
+#include "world/diary.h"
+#include "world/proximity.h"
+#include "world/stage_hash.h"
+#include "world/stages.h"
 
 namespace brickfall {
 
@@ -97,9 +102,43 @@ double coreWay(const ShapeData& moving, const Sweep& way, const ShapeData& still
 
 bool exceeds(Vec3 way, double limit) { return lengthSquared(way) > limit * limit; }
 
-}  // namespace
+struct Motion {
+  Vec3 way, turn;  // m, rad: in this step
+};
 
-World::Impl::Motion World::Impl::motionOf(BodyIndex body) const {
+struct Obstruction {
+  double share = 1;           // of a way: where it ends
+  double turnShare = 1;       // of the turn
+  BodyIndex body = kNoIndex;  // what ends it
+  Vec3 carried;               // m: how far that takes along, from there, what does not get past it
+};
+
+struct Obstacles {
+  const BodySet& bodies;
+  const ShapeSet& shapes;
+  const BroadPhase& broadPhase;
+  const Activity& activity;
+  const IslandSet& islands;
+  StepContext& context;
+  std::pmr::vector<Vec3> lag;  // kg m, by awake island: mass times way, by which bodies were stopped
+
+  void stopAll();
+  void stop(BodyIndex body);
+  bool catchUp(const Island& island, Vec3 missing);
+  void obstruct(ShapeIndex shape, bool everything, double thickness, const Island* without, Obstruction& first) const;
+  const Island* islandWith(BodyIndex body) const;
+  Motion motionOf(BodyIndex body) const;
+  void shorten(BodyIndex body, double share, double turnShare, Vec3 carried = {});
+  bool turnsFar(BodyIndex body, Vec3 turn) const;
+  bool farHeavier(BodyIndex body, BodyIndex other) const;
+};
+
+const Island* Obstacles::islandWith(BodyIndex body) const {
+  std::uint32_t n = activity.islandOf[body];
+  return n == kNoIndex ? nullptr : islands.awake[n].get();
+}
+
+Motion Obstacles::motionOf(BodyIndex body) const {
   const BodyData& data = bodies.data[body];
   const BodyMotion& m = bodies.motion[body];
   if (data.type == BodyType::kinematic) return {m.linearVelocity * context.dt, m.angularVelocity * context.dt};
@@ -108,7 +147,7 @@ World::Impl::Motion World::Impl::motionOf(BodyIndex body) const {
 }
 
 // Leaves the body a share of its way, then `carried`, and a share of its turn; it keeps its velocities.
-void World::Impl::shorten(BodyIndex body, double share, double turnShare, Vec3 carried) {
+void Obstacles::shorten(BodyIndex body, double share, double turnShare, Vec3 carried) {
   SolvedMotion& s = context.solved[body];
   Vec3 left = s.d * share + carried, lost = s.d - left;
   s.d = left;
@@ -116,21 +155,21 @@ void World::Impl::shorten(BodyIndex body, double share, double turnShare, Vec3 c
     s.th *= turnShare;
     if (s.freeTurn) shortenFreeTurn(context, body, turnShare);
   }
-  if (islandOf[body] != kNoIndex) islands.awake[islandOf[body]]->lag += lost * bodies.mass[body].mass;
+  if (activity.islandOf[body] != kNoIndex) lag[activity.islandOf[body]] += lost * bodies.mass[body].mass;
 }
 
-bool World::Impl::turnsFar(BodyIndex body, Vec3 turn) const {
+bool Obstacles::turnsFar(BodyIndex body, Vec3 turn) const {
   const BodyMass& mass = bodies.mass[body];
   Vec3 visible = visibleTurn(mass, bodies.motion[body].orientation, turn);
   return exceeds(visible * mass.outerRadius, mass.innerRadius);
 }
 
 // What is far lighter is carried along and stops nothing: bricks pressed into a wrecking ball must not hold it in the air.
-bool World::Impl::farHeavier(BodyIndex body, BodyIndex other) const {
+bool Obstacles::farHeavier(BodyIndex body, BodyIndex other) const {
   return bodies.mass[body].mass > kFarHeavier * bodies.mass[other].mass;
 }
 
-void World::Impl::stopAtObstacles(BodyIndex body) {
+void Obstacles::stop(BodyIndex body) {
   SolvedMotion& s = context.solved[body];
   if (s.rest || !isFinite(s.d)) return;
   double turn = length(visibleTurn(bodies.mass[body], bodies.motion[body].orientation, s.th));
@@ -139,7 +178,7 @@ void World::Impl::stopAtObstacles(BodyIndex body) {
   if (spins) shorten(body, kLargestTurn / turn, kLargestTurn / turn);
   // What it was left behind by its turn, and kinematic bodies, may run over it, however slow it is itself.
   bool everything = spins || turnsFar(body, s.th);
-  if (!(everything || moving.size() > 0 || exceeds(s.d, thickness))) return;
+  if (!(everything || !activity.moving.empty() || exceeds(s.d, thickness))) return;
   Obstruction first;
   for (ShapeIndex shape : bodies.shapes[body]) obstruct(shape, everything, thickness, nullptr, first);
   if (first.share == 1) return;
@@ -153,25 +192,26 @@ void World::Impl::stopAtObstacles(BodyIndex body) {
   if (turns || exceeds(other.way, thickness)) shorten(first.body, first.share, turns ? first.share : 1);
 }
 
-void World::Impl::stopAtObstacles() {
-  for (auto& island : islands.awake) island->lag = {};
-  for (auto& island : islands.awake)
+void Obstacles::stopAll() {
+  lag.assign(islands.awake.size(), {});
+  for (const IslandPointer& island : islands.awake)
     if (!island->resting())
-      for (BodyIndex body : island->bodies) stopAtObstacles(body);
-  for (BodyIndex body : islands.single) stopAtObstacles(body);
-  for (auto& island : islands.awake) {
-    if (island->grounded() || island->lag == Vec3{} || !solvedWell(*island)) continue;
-    if (catchUp(*island)) restoreSpin(*island, context);
-    guardEnergy(*island, context);
+      for (BodyIndex body : island->bodies) stop(body);
+  for (BodyIndex body : islands.single) stop(body);
+  for (std::size_t i = 0; i < islands.awake.size(); i++) {
+    const Island& island = *islands.awake[i];
+    if (island.grounded() || lag[i] == Vec3{} || !solvedWell(island, context)) continue;
+    if (catchUp(island, lag[i])) restoreSpin(island, context);
+    guardEnergy(island, context);
   }
 }
 
 // The centre of mass of a floating island goes on as its momentum says, though bodies were stopped: all are moved alike
 // by what is missing, unless that would take one of them through something else.
-bool World::Impl::catchUp(const Island& island) {
+bool Obstacles::catchUp(const Island& island, Vec3 missing) {
   double mass = 0;
   for (BodyIndex body : island.bodies) mass += bodies.mass[body].mass;
-  Vec3 missing = island.lag * (1 / mass);
+  missing = missing * (1 / mass);
   for (BodyIndex body : island.bodies) context.solved[body].d += missing;
   Obstruction first;
   for (BodyIndex body : island.bodies)
@@ -184,8 +224,8 @@ bool World::Impl::catchUp(const Island& island) {
 
 // The first thing on a body's way, for one shape of the body. `everything`: it may be the other that does the moving.
 // `without`: what is in this island is passed over.
-void World::Impl::obstruct(ShapeIndex shape, bool everything, double thickness, const Island* without,
-                           Obstruction& first) const {
+void Obstacles::obstruct(ShapeIndex shape, bool everything, double thickness, const Island* without,
+                         Obstruction& first) const {
   auto sweepOf = [&](BodyIndex body) {
     Motion m = motionOf(body);
     return Sweep{bodies.pose(body), m.way, m.turn, turnsFar(body, m.turn)};
@@ -197,10 +237,10 @@ void World::Impl::obstruct(ShapeIndex shape, bool everything, double thickness, 
   Vec3 d = own.way;
   // A turn moves no core that is at the centre. Where the end of a body is pressed in, the turn gets it out.
   bool centred = length(s.middle) < 0.5 * kCoreShare * s.innerRadius;
-  broadPhase->query({here.lower + min(d, Vec3{}), here.upper + max(d, Vec3{})}, [&](std::uint32_t other) {
+  broadPhase.query({here.lower + min(d, Vec3{}), here.upper + max(d, Vec3{})}, [&](std::uint32_t other) {
     const ShapeData& o = shapes.data[other];
     if (o.body == s.body || !filtersAllow(s.def.filter, o.def.filter)) return true;
-    if (without && islandOf[o.body] != kNoIndex && islands.awake[islandOf[o.body]].get() == without) return true;
+    if (without && islandWith(o.body) == without) return true;
     BodyType type = bodies.data[o.body].type;
     if (type == BodyType::dynamic && farHeavier(s.body, o.body)) return true;
     Sweep way = sweepOf(o.body);
@@ -219,6 +259,29 @@ void World::Impl::obstruct(ShapeIndex shape, bool everything, double thickness, 
     first.carried = way.carry(transformPoint(own.at(share), s.middle), share);
     return true;
   });
+}
+
+}  // namespace
+
+void stopAtObstacles(const Registry& registry, const Activity& activity, const Proximity& proximity,
+                     StepContext& context) {
+  Obstacles{registry.bodies,
+            registry.shapes,
+            *proximity.broadPhase,
+            activity,
+            activity.islands,
+            context,
+            std::pmr::vector<Vec3>(context.memory)}
+      .stopAll();
+}
+
+void hashObstacles(const IslandSet& islands, const StepContext& context, HashItems& out) {
+  out.solved(islands, context);
+}
+
+// Bodies will end elsewhere: that is an angular momentum about the world's origin; and velocities are guarded anew.
+void bookObstacles(const Registry& registry, const Activity& activity, const StepContext& context, Diary& diary) {
+  bookSolved(diary.report.ledger->obstacles, registry.bodies, activity.awake, context, diary.ledgerState);
 }
 
 }  // namespace brickfall

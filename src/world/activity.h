@@ -1,0 +1,48 @@
+// What in a world is awake: the bodies that a step walks, and the islands that they make up. Nothing here asks what a body
+// weighs or why it fell asleep.
+#pragma once
+#include <vector>
+
+#include "dynamics/body_set.h"
+#include "solver/island_builder.h"
+#include "world/findings.h"
+
+namespace brickfall {
+
+class Activity {
+ public:
+  // Bodies, each list ascending.
+  std::vector<BodyIndex> awake;      // dynamic ones that are not asleep
+  std::vector<BodyIndex> moving;     // kinematic ones with a velocity
+  std::vector<BodyIndex> unsettled;  // fixed or kinematic ones that count as moved until the next step is over
+  std::vector<BodyIndex> pushed;     // those with a force or torque for the next step
+
+  IslandSet islands;
+  std::vector<std::uint32_t> islandOf;  // by body: index in islands.awake, kNoIndex = none
+  bool membershipChanged = true;        // awake bodies or their contacts changed: islands must be built
+  std::size_t sleptNow = 0;             // islands that fell asleep in this step: the last ones in islands.asleep
+
+  void enlist(BodySet& bodies, BodyIndex body);        // into awake or moving, by type and velocity
+  void delist(BodySet& bodies, BodyIndex body);        // out of all lists, with the forces that it was to get
+  void countAsMoved(BodySet& bodies, BodyIndex body);  // a fixed or kinematic body that was made, moved or changed
+  void settleUnmoved(BodySet& bodies);                 // the step is over: those that counted as moved
+  void push(BodyIndex body);
+  void dropForces(BodySet& bodies);  // they were for one step
+
+  // Islands name bodies by slot: those that name this one are built anew at the next step, the others are kept.
+  void forgetIslandsOf(BodyIndex body);
+  // Nothing is settled any more: of the body's island, of islands that it holds, of all.
+  void unsettleIslandOf(BodyIndex body);
+  void unsettlePartnersOf(BodyIndex body);
+  void unsettleAll();
+  void renumberIslands();  // islandOf, after islands.awake changed
+
+  void keepRoom(std::size_t dynamicBodies, std::size_t slots);
+
+  // No body and no contact appeared or went since the islands were built.
+  bool current(const ContactSet& contacts) const { return !contacts.changed && !membershipChanged; }
+  void checkStructure(Findings& f, const BodySet& bodies, const ContactSet& contacts) const;
+  void check(Findings& f, const BodySet& bodies, const ContactSet& contacts) const;
+};
+
+}  // namespace brickfall

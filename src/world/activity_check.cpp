@@ -1,0 +1,231 @@
+// What must hold of the lists of what is awake, and of the islands: each body in one at most, each island with the contacts
+// of its bodies.
+#include <algorithm>
+#include <string>
+
+#include "world/activity.h"
+
+namespace brickfall {
+
+namespace {
+
+void checkHierarchy(Findings& f, const Hierarchy& h, const Island& island, const std::string& name) {
+  for (const Level& level : h.levels) {
+    f.expect(level.clusterOf.size() == island.bodies.size() && level.bodies.size() == island.bodies.size(),
+             name + ": a level does not hold every body");
+    if (f.any()) return;
+    for (std::uint32_t c : level.clusterOf) f.expect(c < level.clusters.size(), name + ": a body is in no cluster");
+    for (std::uint32_t b : level.bodies)
+      f.expect(b < island.bodies.size(), name + ": a cluster names a body that is not there");
+    for (std::uint32_t s : level.sides) f.expect(s / 2 < island.rows.size(), name + ": a side names no row");
+    if (f.any()) return;
+    for (std::size_t n = 0; n < level.clusters.size(); n++) {
+      const Cluster& c = level.clusters[n];
+      f.expect(c.bodyBegin < c.bodyEnd && c.bodyEnd <= level.bodies.size() && c.sideBegin <= c.sideEnd &&
+                   c.sideEnd <= level.sides.size(),
+               name + ": a cluster's ranges are wrong");
+      if (f.any()) return;
+      for (std::uint32_t k = c.sideBegin; k < c.sideEnd; k++) {
+        std::uint32_t own = 0;
+        island.rows.at(level.sides[k] / 2, [&](const auto& kind, std::size_t row) {
+          own = level.sides[k] % 2 == 1 ? kind.ends(row).b : kind.ends(row).a;
+        });
+        f.expect(own < island.bodies.size() && level.clusterOf[own] == n, name + ": a side is not of its cluster");
+      }
+    }
+  }
+  if (!h.levels.empty()) f.expect(h.levels.back().clusters.size() == 1, name + ": the top level is not one cluster");
+}
+
+class StructureCheck {
+ public:
+  StructureCheck(Findings& f, const Activity& activity, const BodySet& bodies, const ContactSet& contacts)
+      : f_(f), a_(activity), bodies_(bodies), contacts_(contacts) {}
+
+  void run() {
+    for (BodyIndex b : a_.awake) f_.expect(is(b, BodyType::dynamic), "awake: not a dynamic body");
+    for (BodyIndex b : a_.moving) f_.expect(is(b, BodyType::kinematic), "moving: not a kinematic body");
+    f_.expect(isAscending(a_.awake) && isAscending(a_.moving), "awake or moving: not sorted");
+    for (const auto* list : {&a_.islands.awake, &a_.islands.asleep})
+      for (const auto& island : *list) {
+        checkIsland(*island, list == &a_.islands.asleep || a_.current(contacts_));
+        if (f_.any()) return;
+      }
+    for (BodyIndex b : a_.islands.single)
+      f_.expect(is(b, BodyType::dynamic), "islands: a single body that is not there");
+    for (std::uint32_t i : a_.islandOf)
+      f_.expect(i == kNoIndex || i < a_.islands.awake.size(), "islandOf: an island that is not there");
+    for (const auto* list : {&a_.pushed, &a_.unsettled}) {
+      f_.expect(isAscending(*list), "pushed or unsettled: not sorted");
+      for (BodyIndex b : *list) f_.expect(bodies_.alive(b), "pushed or unsettled: a body that is not there");
+    }
+  }
+
+ private:
+  bool is(BodyIndex body, BodyType type) const { return bodies_.alive(body) && bodies_.data[body].type == type; }
+
+  void checkIsland(const Island& island, bool current) {
+    f_.expect(!island.bodies.empty() && isAscending(island.bodies), "islands: bodies not sorted, or none");
+    bool sized = island.rows.contacts.records.size() == island.rows.contacts.contactOf.size() &&
+                 island.rows.contacts.starts.size() == island.rows.contacts.contactOf.size();
+    f_.expect(sized, "islands: lists of different lengths");
+    for (BodyIndex b : island.bodies) f_.expect(is(b, BodyType::dynamic), "islands: not a dynamic body");
+    for (BodyIndex b : island.partners) f_.expect(bodies_.alive(b), "islands: a partner that is not there");
+    for (ContactIndex c : island.rows.contacts.contactOf)
+      f_.expect(c < contacts_.contacts.size(), "islands: a contact that is not there");
+    if (f_.any()) return;
+    for (std::size_t k = 0; current && k < island.rows.contacts.contactOf.size(); k++) {
+      const Contact& c = contacts_.contacts[island.rows.contacts.contactOf[k]];
+      f_.expect(bodies_.alive(c.bodyA) && bodies_.alive(c.bodyB) && c.count >= 1 && c.count <= 4 &&
+                    island.rows.contacts.records[k].contact == island.rows.contacts.contactOf[k],
+                "islands: a contact of other bodies, or of none");
+    }
+    std::size_t all = island.bodies.size() + island.partners.size();
+    for (const ContactRecord& r : island.rows.contacts.records)
+      f_.expect(r.bodyA < all && r.bodyB < all && r.contact < contacts_.contacts.size(),
+                "islands: a record names no body");
+    if (f_.any()) return;
+    checkHierarchy(f_, island.byStrength, island, "hierarchy by strength");
+    checkHierarchy(f_, island.byMechanism, island, "hierarchy by mechanism");
+  }
+
+  Findings& f_;
+  const Activity& a_;
+  const BodySet& bodies_;
+  const ContactSet& contacts_;
+};
+
+class LinkCheck {
+ public:
+  LinkCheck(Findings& f, const Activity& activity, const BodySet& bodies, const ContactSet& contacts)
+      : f_(f),
+        a_(activity),
+        bodies_(bodies),
+        contacts_(contacts),
+        current_(activity.current(contacts)),
+        islandOf_(bodies.slots(), kNoIndex) {}
+
+  void run() {
+    checkLists();
+    checkIslands();
+    checkMembership();
+  }
+
+ private:
+  bool dynamic(BodyIndex body) const { return bodies_.data[body].type == BodyType::dynamic; }
+  bool activity(BodyIndex body, BodyActivity is) const { return bodies_.data[body].activity == is; }
+
+  void checkLists() {
+    for (BodyIndex i = 0; i < bodies_.slots(); i++) {
+      const BodyData& d = bodies_.data[i];
+      if (!d.alive) continue;
+      bool active = d.activity == BodyActivity::awake || d.activity == BodyActivity::asleep;
+      f_.expect(active == (d.type == BodyType::dynamic && !d.quarantined), "bodies: activity and type differ");
+      bool listed = std::binary_search(a_.awake.begin(), a_.awake.end(), i);
+      f_.expect(listed == (dynamic(i) && activity(i, BodyActivity::awake)), "body", i, "awake list and state differ");
+      f_.expect(std::binary_search(a_.moving.begin(), a_.moving.end(), i) == (bodies_.isDriven(i) && !d.quarantined),
+                "moving: not the kinematic bodies with a velocity");
+    }
+    for (BodyIndex body : a_.pushed) f_.expect(dynamic(body), "pushed: not a dynamic body");
+    for (BodyIndex body : a_.unsettled) f_.expect(!dynamic(body), "unsettled: a dynamic body");
+  }
+
+  // Each body in one island at most; what an island says of itself. Islands are numbered through both lists.
+  void checkIslands() {
+    BodyIndex last = 0;
+    for (std::size_t n = 0; n < a_.islands.awake.size(); n++) {
+      const Island& island = *a_.islands.awake[n];
+      f_.expect(n == 0 || last < island.key(), "islands: not in order");
+      last = island.key();
+      checkIsland(island, false);
+    }
+    for (const auto& island : a_.islands.asleep) checkIsland(*island, true);
+  }
+
+  void checkIsland(const Island& island, bool asleep) {
+    for (BodyIndex body : island.bodies) {
+      f_.expect(islandOf_[body] == kNoIndex, "islands: a body is in two");
+      f_.expect(activity(body, BodyActivity::asleep) == asleep, "islands: awake and asleep are mixed up");
+      islandOf_[body] = std::uint32_t(islands_.size());
+    }
+    islands_.push_back(&island);
+    bool fine = island.points >= island.touchingPoints && island.touchingPoints >= 0 &&
+                std::size_t(island.points) <= 4 * island.rows.contacts.contactOf.size() && island.heldTime >= 0 &&
+                island.restTime >= 0;
+    f_.expect(fine, "islands: a count or a time is wrong");
+    for (BodyIndex body : island.partners) f_.expect(!dynamic(body), "islands: a partner is a dynamic body");
+    for (std::size_t k = 0; k < island.rows.contacts.contactOf.size(); k++) {
+      // Until islands are built anew a contact's slot may be empty, or another's.
+      const Contact& c = contacts_.contacts[island.rows.contacts.contactOf[k]];
+      bool ours = c.count > 0 && !c.born;
+      f_.expect(ours || (!asleep && !current_), "islands: a contact is gone");
+      const ContactRecord& r = island.rows.contacts.records[k];
+      if (ours)
+        f_.expect(bodyOf(island, r.bodyA) == c.bodyA && bodyOf(island, r.bodyB) == c.bodyB &&
+                      r.contact == island.rows.contacts.contactOf[k],
+                  "islands: a record names other bodies than its contact");
+    }
+  }
+
+  static BodyIndex bodyOf(const Island& island, std::uint32_t local) {
+    std::size_t own = island.bodies.size();
+    return local < own ? island.bodies[local] : island.partners[local - own];
+  }
+
+  // The rows of an island are those of the links of its bodies, kind by kind in their order.
+  void checkMembership() {
+    std::size_t awakeCount = a_.islands.awake.size();
+    std::vector<Rows::Counts> next(islands_.size());
+    const LinkSet links(contacts_);
+    auto follow = [&](std::size_t first, std::size_t end) {
+      return [this, &next, first, end](const Link& link) {
+        std::uint32_t a = islandOf_[link.bodyA], b = islandOf_[link.bodyB], n = dynamic(link.bodyA) ? a : b;
+        bool both = dynamic(link.bodyA) && dynamic(link.bodyB);
+        bool fine = n >= first && n < end && (!both || a == b);
+        if (fine) fine = islands_[n]->rows.names(link, next[n][std::size_t(link.kind)]++);
+        f_.expect(fine, "islands: rows are not the links of its bodies");
+      };
+    };
+    auto whole = [&](std::size_t first, std::size_t end) {
+      for (std::size_t n = first; n < end; n++)
+        f_.expect(next[n] == islands_[n]->rows.counts(), "islands: a row is of no link");
+    };
+    if (current_) {
+      links.eachAwake(follow(0, awakeCount));
+      whole(0, awakeCount);
+    }
+    links.eachAsleep(follow(awakeCount, islands_.size()));
+    whole(awakeCount, islands_.size());
+    std::vector<BodyIndex> single;
+    for (BodyIndex i = 0; i < bodies_.slots(); i++) {
+      if (!bodies_.data[i].alive) continue;
+      if (activity(i, BodyActivity::asleep)) f_.expect(islandOf_[i] != kNoIndex, "islands: a body sleeps in none");
+      if (activity(i, BodyActivity::awake) && islandOf_[i] == kNoIndex) single.push_back(i);
+    }
+    if (!current_) return;
+    f_.expect(a_.islands.single == single, "islands: single bodies are not those without one");
+    std::vector<std::uint32_t> awakeIslandOf = islandOf_;
+    for (std::uint32_t& n : awakeIslandOf) n = n < awakeCount ? n : kNoIndex;
+    f_.expect(a_.islandOf == awakeIslandOf, "islandOf: not the islands that are there");
+  }
+
+  Findings& f_;
+  const Activity& a_;
+  const BodySet& bodies_;
+  const ContactSet& contacts_;
+  bool current_;                         // islands are those of the contacts
+  std::vector<std::uint32_t> islandOf_;  // by body, in islands_
+  std::vector<const Island*> islands_;   // awake, then asleep
+};
+
+}  // namespace
+
+void Activity::checkStructure(Findings& f, const BodySet& bodies, const ContactSet& contacts) const {
+  StructureCheck(f, *this, bodies, contacts).run();
+}
+
+void Activity::check(Findings& f, const BodySet& bodies, const ContactSet& contacts) const {
+  LinkCheck(f, *this, bodies, contacts).run();
+}
+
+}  // namespace brickfall

@@ -1,0 +1,81 @@
+#include "world/diary.h"
+
+#include <algorithm>
+
+#include "base/keep_room.h"
+
+namespace brickfall {
+
+ContactEvent byCreation(BodyPair pair, const Registry& registry) {
+  const auto& data = registry.bodies.data;
+  if (data[pair.second].order < data[pair.first].order) std::swap(pair.first, pair.second);
+  return {registry.idOf(pair.first), registry.idOf(pair.second)};
+}
+
+void appendTouching(const Island& island, const ContactSet& contacts, BodyPairs& out) {
+  for (ContactIndex contact : island.rows.contacts.contactOf) {
+    const Contact& c = contacts.contacts[contact];
+    if (c.touching) out.push_back({std::min(c.bodyA, c.bodyB), std::max(c.bodyA, c.bodyB)});
+  }
+}
+
+// Both lists of events keep their room.
+void Diary::tellPending() {
+  events.begin.clear();
+  events.hits.clear();
+  events.moved.clear();
+  events.fellAsleep.clear();
+  events.end.assign(pending.end.begin(), pending.end.end());
+  events.woke.assign(pending.woke.begin(), pending.woke.end());
+  pending.end.clear();
+  pending.woke.clear();
+}
+
+void Diary::addTouching(const Island& island, const ContactSet& contacts) {
+  appendTouching(island, contacts, touchingBefore);
+  std::sort(touchingBefore.begin(), touchingBefore.end());
+  touchingBefore.erase(std::unique(touchingBefore.begin(), touchingBefore.end()), touchingBefore.end());
+}
+
+void Diary::endTouchingOf(BodyIndex body, const Registry& registry) {
+  std::erase_if(touchingBefore, [&](const BodyPair& pair) {
+    if (pair.first != body && pair.second != body) return false;
+    heard().end.push_back(byCreation(pair, registry));
+    return true;
+  });
+}
+
+void Diary::beginLedger(const Balance& now, bool firstPart) {
+  LedgerState& s = ledgerState;
+  s.now = now;
+  s.quarantined = report.quarantined.size();
+  if (!firstPart) return;
+  StepLedger fresh;
+  fresh.before = s.now;
+  if (s.begun) fresh.outside = s.now - s.last;
+  report.ledger = fresh;
+}
+
+void Diary::keepRoom(std::size_t slots, std::size_t touching) {
+  for (BodyPairs* list : {&touchingNow, &touchingBefore, &slept}) brickfall::keepRoom(*list, touching);
+  for (Events* e : {&events, &pending}) {
+    for (auto* list : {&e->begin, &e->end}) brickfall::keepRoom(*list, touching);
+    for (auto* list : {&e->moved, &e->fellAsleep, &e->woke}) keepRoomFor(*list, slots);
+    brickfall::keepRoom(e->hits, touching);
+  }
+}
+
+void Diary::checkStructure(Findings& f, const Registry& registry) const {
+  for (const BodyPair& pair : touchingBefore)
+    f.expect(pair.first < registry.bodies.slots() && pair.second < registry.bodies.slots(),
+             "touching: a body that is not there");
+}
+
+void Diary::check(Findings& f, const Registry& registry) const {
+  f.expect(isAscending(touchingBefore), "touching: not sorted, or twice");
+  for (const BodyPair& pair : touchingBefore)
+    f.expect(pair.first < pair.second && registry.bodies.alive(pair.first) && registry.bodies.alive(pair.second),
+             "touching: a body that is not there");
+}
+
+}  // namespace brickfall

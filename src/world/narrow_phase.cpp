@@ -1,0 +1,306 @@
+#include "world/narrow_phase.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "dynamics/point_matcher.h"
+#include "geometry/queries.h"
+#include "narrowphase/collide.h"
+#include "narrowphase/mesh_collide.h"
+
+namespace brickfall {
+
+namespace {
+
+//! m | too small: manifolds made anew for nothing | too large: frozen normals and arms are wrong
+constexpr double kReusePosition = 1e-4;  // m: relative motion since the manifold was made under which it is kept,
+//! rad | with kReusePosition
+constexpr double kReuseTurn = 5e-4;  // rad,
+//! m a step | with kReusePosition
+constexpr double kReuseStep = 1e-3;  // m, and relative motion expected in the coming step
+
+bool canReuse(const Contact& c, const ContactGeometry& g, const Transform& relative, Vec3 relativeVelocity, double dt) {
+  if (c.rolls) return false;
+  Quat turned = conjugate(g.relativeRotation) * relative.rotation;
+  double turned2 = 4 * (turned.x * turned.x + turned.y * turned.y + turned.z * turned.z);
+  return lengthSquared(relative.position - g.relativePosition) < kReusePosition * kReusePosition &&
+         turned2 < kReuseTurn * kReuseTurn && lengthSquared(relativeVelocity) * dt * dt < kReuseStep * kReuseStep;
+}
+
+Vec3 anyPerpendicular(Vec3 n) {
+  return normalized(std::fabs(n.x) < 0.7 ? cross(n, Vec3{1, 0, 0}) : cross(n, Vec3{0, 1, 0}));
+}
+
+// Points further away than the margin and the approach of the coming step can't touch: left out.
+void dropFarPoints(Manifold& m, const BodyMotion& a, const BodyMotion& b, const Transform& poseA, double margin,
+                   double dt) {
+  Vec3 n = rotate(poseA.rotation, m.normal);
+  int kept = 0;
+  for (int i = 0; i < m.count; i++) {
+    Vec3 onA = transformPoint(poseA, m.points[i].onA), onB = transformPoint(poseA, m.points[i].onB);
+    Vec3 v = b.linearVelocity + cross(b.angularVelocity, onB - b.position) - a.linearVelocity -
+             cross(a.angularVelocity, onA - a.position);
+    if (m.points[i].separation <= margin + std::max(0.0, -dot(n, v)) * dt) m.points[kept++] = m.points[i];
+  }
+  m.count = kept;
+}
+
+// To each manifold a part: the one whose normal is most like its own, the nearest manifolds first; else one without a
+// contact; else one whose contact ends now. Without points: -1.
+void assignParts(const ContactSet& contacts, const CandidatePair* parts, int count, const MeshManifolds& found,
+                 Quat aInBody, int* partOf) {
+  std::uint32_t taken = 0, had = 0;
+  for (int i = 0; i < count; i++) had |= parts[i].contact != kNoIndex ? 1u << parts[i].part : 0;
+  for (int m = 0; m < found.count; m++) {
+    partOf[m] = -1;
+    if (found.list[m].count == 0) continue;
+    Vec3 normal = rotate(aInBody, found.list[m].normal);
+    double most = 0.9;
+    for (int i = 0; i < count; i++) {
+      if (parts[i].contact == kNoIndex || taken >> parts[i].part & 1) continue;
+      double alike = dot(contacts.geometry[parts[i].contact].normal, normal);
+      if (alike > most) most = alike, partOf[m] = int(parts[i].part);
+    }
+    if (partOf[m] >= 0) taken |= 1u << partOf[m];
+  }
+  for (int m = 0; m < found.count; m++) {
+    if (found.list[m].count == 0 || partOf[m] >= 0) continue;
+    int free = 0;
+    while (free < kMaxMeshManifolds && (taken | had) >> free & 1) free++;
+    if (free == kMaxMeshManifolds)
+      for (free = 0; taken >> free & 1;) free++;
+    partOf[m] = free;
+    taken |= 1u << free;
+  }
+}
+
+}  // namespace
+
+void measurePoints(Contact& c, ContactGeometry& g, const Transform& relative) {
+  Vec3 t2 = cross(g.normal, g.tangent1), middle[4], centre;
+  for (int i = 0; i < c.count; i++) {
+    Vec3 onB = transformPoint(relative, g.anchorB[i]), apart = onB - g.anchorA[i];
+    c.points.gap[i] = float(dot(g.normal, apart));
+    c.points.drift1[i] = float(dot(g.tangent1, apart));
+    c.points.drift2[i] = float(dot(t2, apart));
+    middle[i] = (g.anchorA[i] + onB) * 0.5;
+    centre += middle[i] * (1.0 / c.count);
+  }
+  g.centre = centre;
+  for (int i = 0; i < c.count; i++) {
+    c.points.s1[i] = float(dot(g.tangent1, middle[i] - centre));
+    c.points.s2[i] = float(dot(t2, middle[i] - centre));
+  }
+  for (int i = c.count; i < 4; i++) c.points.s1[i] = c.points.s2[i] = 0;
+}
+
+void NarrowPhase::run() {
+  std::size_t kept = 0;
+  proximity_.newParts.clear();
+  for (std::size_t n = 0; n < contacts_.pairs.size(); n++) {
+    CandidatePair pair = contacts_.pairs[n];
+    if (!isMeshPair(shapes_.data[pair.shapeA].geometry, shapes_.data[pair.shapeB].geometry)) {
+      if (updatePair(pair)) contacts_.pairs[kept++] = pair;
+      continue;
+    }
+    CandidatePair parts[kMaxMeshManifolds] = {pair};
+    int count = 1;
+    while (n + 1 < contacts_.pairs.size() && contacts_.pairs[n + 1].part > 0) parts[count++] = contacts_.pairs[++n];
+    int left = updateParts(parts, count);
+    for (int i = 0; i < left; i++) contacts_.pairs[kept++] = parts[i];
+  }
+  contacts_.pairs.resize(kept);
+  contacts_.insert(proximity_.newParts);
+}
+
+void NarrowPhase::meet(CandidatePair pair, std::vector<CandidatePair>& out) {
+  if (!isMeshPair(shapes_.data[pair.shapeA].geometry, shapes_.data[pair.shapeB].geometry)) {
+    if (updatePair(pair)) out.push_back(pair);
+    return;
+  }
+  proximity_.newParts.clear();
+  if (updateParts(&pair, 1) > 0) out.push_back(pair);
+  out.insert(out.end(), proximity_.newParts.begin(), proximity_.newParts.end());
+}
+
+bool NarrowPhase::isStill(const CandidatePair& pair) const {
+  return bodies_.still[pair.bodyA] && bodies_.still[pair.bodyB];
+}
+
+bool NarrowPhase::haveParted(const CandidatePair& pair) const {
+  return !overlaps(proximity_.kept(pair.shapeA), proximity_.kept(pair.shapeB));
+}
+
+// Kept bounds depend on the history of the tree; only the swept ones may decide about a contact.
+NarrowPhase::Approach NarrowPhase::approachOf(const CandidatePair& pair) const {
+  const ShapeData &a = shapes_.data[pair.shapeA], &b = shapes_.data[pair.shapeB];
+  const BodyMotion &ma = bodies_.motion[pair.bodyA], &mb = bodies_.motion[pair.bodyB];
+  Approach out;
+  out.near = overlaps(proximity_.around[pair.shapeA].swept, proximity_.around[pair.shapeB].swept);
+  out.relative = inverse(bodies_.pose(pair.bodyA)) * bodies_.pose(pair.bodyB);
+  out.velocity = mb.linearVelocity - ma.linearVelocity;
+  out.margin = std::min(proximity_.marginOf(a), proximity_.marginOf(b));
+  return out;
+}
+
+double NarrowPhase::reachOf(const CandidatePair& pair, const Approach& approach) const {
+  auto turn = [&](BodyIndex body) {
+    return std::min(0.5, length(bodies_.motion[body].angularVelocity) * dt_) * bodies_.mass[body].outerRadius;
+  };
+  double spin = turn(pair.bodyA) + turn(pair.bodyB);
+  return approach.margin + length(approach.velocity) * dt_ + (std::isfinite(spin) ? spin : 0.0);
+}
+
+bool NarrowPhase::mayReuse(const CandidatePair& pair, const Approach& approach) const {
+  return canReuse(contacts_.contacts[pair.contact], contacts_.geometry[pair.contact], approach.relative,
+                  approach.velocity, dt_);
+}
+
+bool NarrowPhase::updatePair(CandidatePair& pair) {
+  if (isStill(pair)) {
+    reused_ += pair.contact != kNoIndex;
+    return true;
+  }
+  if (haveParted(pair)) {
+    if (pair.contact != kNoIndex) contacts_.destroy(pair.contact);
+    return false;
+  }
+  Approach approach = approachOf(pair);
+  if (approach.near && pair.contact != kNoIndex && mayReuse(pair, approach)) {
+    reused_++;
+    return true;
+  }
+  Manifold m;
+  if (approach.near) {
+    const ShapeData &a = shapes_.data[pair.shapeA], &b = shapes_.data[pair.shapeB];
+    Transform bInA = inverse(a.inCentreFrame) * approach.relative * b.inCentreFrame;
+    collide(a.geometry, b.geometry, bInA, reachOf(pair, approach), m);
+    computed_++;
+    if (m.count > 0)
+      dropFarPoints(m, bodies_.motion[pair.bodyA], bodies_.motion[pair.bodyB],
+                    bodies_.pose(pair.bodyA) * a.inCentreFrame, approach.margin, dt_);
+  }
+  makeContact(pair, m, approach.relative);
+  return true;
+}
+
+// Parts go with directions, not with faces: what rolls or slides from face to face keeps its contact and what that
+// remembers.
+int NarrowPhase::updateParts(CandidatePair* parts, int count) {
+  const CandidatePair first = parts[0];
+  auto all = [&](auto condition) {
+    bool any = false, fine = true;
+    for (int i = 0; i < count && fine; i++) {
+      if (parts[i].contact == kNoIndex) continue;
+      any = true;
+      fine = condition(parts[i]);
+    }
+    return any && fine;
+  };
+  Approach approach;
+  bool still = isStill(first);
+  if (!still) {
+    if (haveParted(first)) {
+      for (int i = 0; i < count; i++)
+        if (parts[i].contact != kNoIndex) contacts_.destroy(parts[i].contact);
+      return 0;
+    }
+    approach = approachOf(first);
+  }
+  if (still || (approach.near && all([&](const CandidatePair& part) { return mayReuse(part, approach); }))) {
+    for (int i = 0; i < count; i++) reused_ += parts[i].contact != kNoIndex;
+    return count;
+  }
+  MeshManifolds found;
+  if (approach.near) findParts(first, approach, found);
+  return takeParts(parts, count, found, approach.relative);
+}
+
+void NarrowPhase::findParts(const CandidatePair& pair, const Approach& approach, MeshManifolds& found) {
+  const ShapeData &a = shapes_.data[pair.shapeA], &b = shapes_.data[pair.shapeB];
+  collideMesh(a.geometry, b.geometry, inverse(a.inCentreFrame) * approach.relative * b.inCentreFrame,
+              reachOf(pair, approach), proximity_.meshScratch, found);
+  Transform poseA = bodies_.pose(pair.bodyA) * a.inCentreFrame;
+  for (int i = 0; i < found.count; i++) {
+    dropFarPoints(found.list[i], bodies_.motion[pair.bodyA], bodies_.motion[pair.bodyB], poseA, approach.margin, dt_);
+    computed_ += found.list[i].count > 0;
+  }
+}
+
+int NarrowPhase::takeParts(CandidatePair* parts, int count, const MeshManifolds& found, const Transform& relative) {
+  const CandidatePair first = parts[0];
+  int partOf[kMaxMeshManifolds], left = 0;
+  assignParts(contacts_, parts, count, found, shapes_.data[first.shapeA].inCentreFrame.rotation, partOf);
+  const Manifold none;
+  std::uint32_t done = 0;
+  for (int i = 0; i < count; i++) {
+    CandidatePair part = parts[i];
+    const Manifold* manifold = &none;
+    for (int m = 0; m < found.count; m++)
+      if (partOf[m] == int(part.part)) manifold = &found.list[m];
+    makeContact(part, *manifold, relative);
+    if (part.part == 0 || part.contact != kNoIndex) parts[left++] = part;
+    done |= 1u << part.part;
+  }
+  for (int m = 0; m < found.count; m++) {
+    if (partOf[m] < 0 || done >> partOf[m] & 1) continue;
+    CandidatePair pair{first.shapeA, first.shapeB, first.bodyA, first.bodyB, kNoIndex, std::uint32_t(partOf[m])};
+    makeContact(pair, found.list[m], relative);
+    proximity_.newParts.push_back(pair);
+  }
+  return left;
+}
+
+// The contact of a pair from a new manifold (shape frame of A), with the memory of the old points.
+void NarrowPhase::makeContact(CandidatePair& pair, const Manifold& m, const Transform& relative) {
+  if (m.count == 0) {
+    if (pair.contact != kNoIndex) contacts_.destroy(pair.contact);
+    pair.contact = kNoIndex;
+    return;
+  }
+  const ShapeData &a = shapes_.data[pair.shapeA], &b = shapes_.data[pair.shapeB];
+  bool had = pair.contact != kNoIndex;
+  if (!had) pair.contact = contacts_.create();
+  Contact old = contacts_.contacts[pair.contact];
+  ContactGeometry oldGeometry = contacts_.geometry[pair.contact];
+  Contact c;
+  ContactGeometry g;
+  c.shapeA = pair.shapeA;
+  c.shapeB = pair.shapeB;
+  c.bodyA = pair.bodyA;
+  c.bodyB = pair.bodyB;
+  c.count = m.count;
+  c.rolls = isRound(a.geometry.type) || isRound(b.geometry.type);
+  c.friction = float(mixFriction(a.def.material, b.def.material));
+  c.restitution = float(mixRestitution(a.def.material, b.def.material));
+  c.effectiveMass = float(1 / (bodies_.mass[pair.bodyA].invMass + bodies_.mass[pair.bodyB].invMass));
+  c.born = old.born;
+  if (had) {
+    c.weak = old.weak;
+    c.weakSteps = old.weakSteps;
+    c.touching = old.touching;
+  }
+  g.relativePosition = relative.position;
+  g.relativeRotation = relative.rotation;
+  g.normal = rotate(a.inCentreFrame.rotation, m.normal);
+  g.tangent1 = anyPerpendicular(g.normal);
+  PointMatcher matcher(old, oldGeometry, c, g);
+  Transform centreOfAInB = inverse(relative);
+  for (int i = 0; i < m.count; i++) {
+    c.points.feature[i] = m.points[i].feature;
+    g.anchorA[i] = transformPoint(a.inCentreFrame, m.points[i].onA);
+    g.anchorB[i] = transformPoint(centreOfAInB, transformPoint(a.inCentreFrame, m.points[i].onB));
+    int from = had ? matcher.match(g.anchorB[i], c.points.feature[i]) : -1;
+    if (from < 0) continue;
+    carryOver(c.points, i, old.points, from, matcher.turn());
+    if (old.points.sticks(from) && matcher.keepsAnchors()) {
+      g.anchorA[i] = oldGeometry.anchorA[from];
+      g.anchorB[i] = oldGeometry.anchorB[from];
+    }
+  }
+  measurePoints(c, g, relative);
+  contacts_.contacts[pair.contact] = c;
+  contacts_.geometry[pair.contact] = g;
+}
+
+}  // namespace brickfall

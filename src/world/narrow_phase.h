@@ -1,0 +1,58 @@
+// From candidate pairs to contacts: the manifold of two shapes that are near, kept while they hardly move against each
+// other, and made anew with what its points remember.
+#pragma once
+#include "world/proximity.h"
+
+namespace brickfall {
+
+class NarrowPhase {
+ public:
+  NarrowPhase(const Registry& registry, double dt, Proximity& proximity)
+      : bodies_(registry.bodies),
+        shapes_(registry.shapes),
+        dt_(dt),
+        proximity_(proximity),
+        contacts_(proximity.contacts) {}
+
+  // Brings all pairs that are not asleep up to date.
+  void run();
+  // What a pair that the broad phase has not found yet has in common already: pairs with their contacts, to be inserted.
+  void meet(CandidatePair pair, std::vector<CandidatePair>& out);
+
+  int reused() const { return reused_; }  // manifolds
+  int computed() const { return computed_; }
+
+ private:
+  // How two bodies are placed, and how they approach each other.
+  struct Approach {
+    bool near = false;   // they may touch in the coming step
+    Transform relative;  // B's centre frame in A's
+    Vec3 velocity;       // m/s, of B against A
+    double margin = 0;   // m
+  };
+
+  bool updatePair(CandidatePair& pair);  // false: it is forgotten
+  // All parts of a shape and a mesh; the first ones, as many as it returns, are kept.
+  int updateParts(CandidatePair* parts, int count);
+  void findParts(const CandidatePair& pair, const Approach& approach, MeshManifolds& found);
+  int takeParts(CandidatePair* parts, int count, const MeshManifolds& found, const Transform& relative);
+  bool isStill(const CandidatePair& pair) const;
+  bool haveParted(const CandidatePair& pair) const;
+  Approach approachOf(const CandidatePair& pair) const;
+  double reachOf(const CandidatePair& pair, const Approach& approach) const;  // m
+  bool mayReuse(const CandidatePair& pair, const Approach& approach) const;
+  void makeContact(CandidatePair& pair, const Manifold& m, const Transform& relative);
+
+  const BodySet& bodies_;
+  const ShapeSet& shapes_;
+  double dt_;
+  Proximity& proximity_;
+  ContactSet& contacts_;
+  int reused_ = 0, computed_ = 0;
+};
+
+// Gaps and drifts from the anchors, in double; the points' places about their middle. `relative`: the centre frame of B in
+// that of A.
+void measurePoints(Contact& c, ContactGeometry& g, const Transform& relative);
+
+}  // namespace brickfall

@@ -1,0 +1,102 @@
+#include "world/proximity.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/keep_room.h"
+#include "geometry/mesh_shape.h"
+
+namespace brickfall {
+
+namespace {
+
+//! inner radii | too small: bounds are made anew in most steps of a slow body
+//! | too large: more candidate pairs that never touch
+constexpr double kKeptSlack = 0.3;  // of a shape's inner radius: kept bounds are this much larger than they need be
+//! m | with kKeptSlack
+constexpr double kLargestSlack = 0.02;  // m
+//! not of the method: room
+constexpr std::size_t kMeshScratch = 4096;  // faces near one shape, points on them
+
+double slackOf(const ShapeData& shape) { return std::min(kLargestSlack, kKeptSlack * shape.innerRadius); }
+
+}  // namespace
+
+void Proximity::open(BroadPhaseMethod method, double largestMargin) {
+  broadPhase = makeBroadPhase(method);
+  contactMargin = largestMargin;
+}
+
+double Proximity::marginOf(const ShapeData& shape) const { return std::min(contactMargin, 0.3 * shape.innerRadius); }
+
+// Its motion at the present velocity, and the contact margin. Contacts are made only where these bounds overlap, so that
+// which exist does not depend on the history of the tree.
+void Proximity::updateSwept(const Registry& registry, ShapeIndex shape, double dt) {
+  const ShapeData& s = registry.shapes.data[shape];
+  const BodyMotion& m = registry.bodies.motion[s.body];
+  Aabb box = bounds(s.geometry, registry.shapes.worldPose(shape, registry.bodies));
+  if (s.geometry.type != ShapeType::plane) {
+    Vec3 move = m.linearVelocity * dt;
+    double turn = std::min(1.0, length(m.angularVelocity) * dt) * registry.bodies.mass[s.body].outerRadius;
+    double pad = marginOf(s) + turn;
+    box = {box.lower + min(move, Vec3{}) - Vec3{pad, pad, pad}, box.upper + max(move, Vec3{}) + Vec3{pad, pad, pad}};
+  }
+  around[shape].swept = box;
+}
+
+void Proximity::enter(const Registry& registry, BodyIndex body) {
+  around.resize(registry.shapes.slots());
+  for (ShapeIndex shape : registry.bodies.shapes[body]) {
+    updateSwept(registry, shape, 0);
+    enter(registry, shape, around[shape].swept);
+  }
+}
+
+void Proximity::enter(const Registry& registry, ShapeIndex shape, const Aabb& swept) {
+  around[shape].proxy = broadPhase->add(swept, slackOf(registry.shapes.data[shape]), shape);
+}
+
+void Proximity::leave(const Registry& registry, BodyIndex body) {
+  for (ShapeIndex shape : registry.bodies.shapes[body]) {
+    ProxyIndex& proxy = around[shape].proxy;
+    if (proxy != kNoProxy) broadPhase->remove(proxy);
+    proxy = kNoProxy;
+  }
+}
+
+void Proximity::follow(const Registry& registry, ShapeIndex shape) {
+  const Surroundings& s = around[shape];
+  broadPhase->update(s.proxy, s.swept, slackOf(registry.shapes.data[shape]));
+}
+
+// The tree must hold a body where it is now: queries between steps rely on it. A collision may throw it out of the bounds
+// that its velocity before the step foretold.
+void Proximity::keepBounds(const Registry& registry, BodyIndex body) {
+  for (ShapeIndex shape : registry.bodies.shapes[body]) {
+    const ShapeData& s = registry.shapes.data[shape];
+    const Surroundings& at = around[shape];
+    Aabb now = bounds(s.geometry, registry.shapes.worldPose(shape, registry.bodies));
+    if (!contains(broadPhase->kept(at.proxy), now)) broadPhase->update(at.proxy, merged(now, at.swept), slackOf(s));
+  }
+}
+
+void Proximity::dropPairsOf(BodyIndex body) {
+  for (auto* list : {&contacts.pairs, &contacts.asleep})
+    std::erase_if(*list, [&](const CandidatePair& pair) {
+      if (pair.bodyA != body && pair.bodyB != body) return false;
+      if (pair.contact != kNoIndex) contacts.destroy(pair.contact);
+      return true;
+    });
+}
+
+void Proximity::keepRoom(std::size_t shapes, std::size_t touching) {
+  contacts.keepRoom(shapes);
+  foundPairs.reserve(contacts.pairs.capacity());
+  newPairs.reserve(contacts.pairs.capacity());
+  brickfall::keepRoom(newParts, touching);
+  brickfall::keepRoom(meshScratch.faces, kMeshScratch);
+  brickfall::keepRoom(meshScratch.points, kMeshScratch);
+  keepMeshRoom();
+}
+
+}  // namespace brickfall

@@ -1,0 +1,54 @@
+// What in a world is near what: the bounds of shapes, the broad phase that they lie in, candidate pairs, and the contacts
+// made of those that are near.
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "brickfall/broad_phase.h"
+#include "broadphase/broad_phase.h"
+#include "dynamics/contact_set.h"
+#include "narrowphase/mesh_collide.h"
+#include "world/registry.h"
+
+namespace brickfall {
+
+// Of a shape.
+struct Surroundings {
+  ProxyIndex proxy = kNoProxy;  // none: its body is quarantined
+  Aabb swept;                   // m: bounds over the coming step at the present velocity, grown by the contact margin
+};
+
+class Proximity {
+ public:
+  // Empty, of a world with these settings.
+  void open(BroadPhaseMethod method, double contactMargin);
+
+  std::unique_ptr<BroadPhase> broadPhase;  // never null in a world
+  double contactMargin = 0;                // m, the largest
+  std::vector<Surroundings> around;        // by shape
+  ContactSet contacts;
+  // Scratch, kept for its memory.
+  BroadPhase::Pairs foundPairs;
+  std::vector<CandidatePair> newPairs;
+  std::vector<CandidatePair> newParts;  // of pairs with a mesh
+  MeshScratch meshScratch;
+
+  double marginOf(const ShapeData& shape) const;
+  // Bounds that anything must meet to be able to touch the shape in the coming step.
+  void updateSwept(const Registry& registry, ShapeIndex shape, double dt);
+  void enter(const Registry& registry, BodyIndex body);  // all its shapes, where they are
+  void enter(const Registry& registry, ShapeIndex shape, const Aabb& swept);
+  void leave(const Registry& registry, BodyIndex body);
+  void follow(const Registry& registry, ShapeIndex shape);    // the swept bounds, before the step
+  void keepBounds(const Registry& registry, BodyIndex body);  // where it is, after the step
+  const Aabb& kept(ShapeIndex shape) const { return broadPhase->kept(around[shape].proxy); }
+  void dropPairsOf(BodyIndex body);  // with their contacts
+
+  void keepRoom(std::size_t shapes, std::size_t touching);
+
+  void checkStructure(Findings& f, const Registry& registry) const;
+  void check(Findings& f, const Registry& registry) const;
+  void checkBounds(Findings& f, const Registry& registry) const;  // of shapes that have entered
+};
+
+}  // namespace brickfall

@@ -1,0 +1,43 @@
+#include "world/quarantine.h"
+
+#include <cmath>
+
+#include "brickfall/limits.h"
+
+namespace brickfall {
+
+bool isSane(const BodyMotion& m) {
+  return isFinite(m.position) && isFinite(m.rotation) && isFinite(m.linearVelocity) && isFinite(m.angularVelocity) &&
+         std::fabs(m.position.x) < lost::kDistance && std::fabs(m.position.y) < lost::kDistance &&
+         std::fabs(m.position.z) < lost::kDistance;
+}
+
+void Quarantine::hold(BodyIndex body) {
+  BodyMotion& m = registry_.bodies.motion[body];
+  m.linearVelocity = m.angularVelocity = {};
+  registry_.bodies.data[body].quarantined = true;
+  report_.quarantined.push_back(registry_.idOf(body));
+  held_.push_back(body);
+}
+
+void Quarantine::isolateHeld() {
+  for (BodyIndex body : held_) upkeep_.isolate(body);
+  held_.clear();
+}
+
+void quarantineAbsurd(const Registry& registry, const Activity& activity, double dt, Quarantine& quarantine) {
+  const BodySet& bodies = registry.bodies;
+  for (BodyIndex body : activity.awake) {
+    if (bodies.still[body]) continue;
+    const BodyMotion& m = bodies.motion[body];
+    const BodyData& data = bodies.data[body];
+    Vec3 velocity = m.linearVelocity + data.force * (bodies.mass[body].invMass * dt);
+    Vec3 spin = m.angularVelocity;
+    if (!(data.torque == Vec3{})) spin += bodies.worldInvInertia(body) * data.torque * dt;
+    bool fine = length(velocity) < lost::kSpeed && length(spin) < lost::kSpeed;  // false for NaN
+    if (!fine) quarantine.hold(body);
+  }
+  quarantine.isolateHeld();
+}
+
+}  // namespace brickfall

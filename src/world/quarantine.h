@@ -1,0 +1,31 @@
+// Bodies whose motion is none: not finite, absurdly fast, or lost in space. They are held where they last were, without
+// velocity, and taken out of all contacts and lists, so that it never spreads.
+#pragma once
+#include <vector>
+
+#include "solver/island.h"
+#include "world/upkeep.h"
+
+namespace brickfall {
+
+bool isSane(const BodyMotion& motion);  // finite, and not lost in space
+
+class Quarantine {
+ public:
+  Quarantine(Registry& registry, StepReport& report, Upkeep upkeep)
+      : registry_(registry), report_(report), upkeep_(upkeep) {}
+
+  void hold(BodyIndex body);  // at once; the lists are being walked, so it stays in them ...
+  void isolateHeld();         // ... until this
+
+ private:
+  Registry& registry_;
+  StepReport& report_;
+  Upkeep upkeep_;
+  std::vector<BodyIndex> held_;
+};
+
+// What its forces or impulses would make absurdly fast is taken out before it can spoil the sums of its island.
+void quarantineAbsurd(const Registry& registry, const Activity& activity, double dt, Quarantine& quarantine);
+
+}  // namespace brickfall

@@ -1,0 +1,256 @@
+#include "world/registry.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "brickfall/geometry/mesh_tree.h"
+#include "geometry/mass_properties.h"
+#include "math/free_turn.h"
+
+namespace brickfall {
+
+Result<BodyIndex> Registry::find(BodyId id) const {
+  BodyIndex body = id.index - 1;
+  if (id.index == 0) return Error{ErrorCode::staleId, "body: the id is null"};
+  if (id.world != worldNumber) return Error{ErrorCode::staleId, "body: the id is of another world"};
+  if (!bodies.alive(body) || bodies.data[body].generation != id.generation)
+    return Error{ErrorCode::staleId, "body: id " + std::to_string(id.index) + " was destroyed"};
+  return body;
+}
+
+Result<ShapeIndex> Registry::find(ShapeId id) const {
+  ShapeIndex shape = id.index - 1;
+  if (id.index == 0) return Error{ErrorCode::staleId, "shape: the id is null"};
+  if (id.world != worldNumber) return Error{ErrorCode::staleId, "shape: the id is of another world"};
+  if (!shapes.alive(shape) || shapes.data[shape].generation != id.generation)
+    return Error{ErrorCode::staleId, "shape: id " + std::to_string(id.index) + " was destroyed"};
+  return shape;
+}
+
+Shape geometryOf(const ShapeDef& def, const Hull* hull) {
+  Shape g;
+  g.type = def.type;
+  g.halfExtents = def.halfExtents;
+  g.radius = def.radius;
+  g.halfHeight = def.halfHeight;
+  g.hull = hull;
+  g.mesh = def.mesh.get();
+  return g;
+}
+
+BodyIndex Registry::add(BodyPlan&& plan) {
+  const BodyDef& def = *plan.def;
+  BodyIndex body = bodies.create();
+  BodyData& data = bodies.data[body];
+  data.type = def.type;
+  data.gravityScale = def.gravityScale;
+  data.linearDamping = def.linearDamping;
+  data.angularDamping = def.angularDamping;
+  data.dragArea = def.dragArea;
+  data.allowSleep = def.allowSleep;
+  data.userData = def.userData;
+  bodies.setRotation(body, normalized(def.rotation));
+  if (def.type != BodyType::fixed) {
+    bodies.motion[body].linearVelocity = data.lastLinearVelocity = def.linearVelocity;
+    bodies.motion[body].angularVelocity = data.lastAngularVelocity = def.angularVelocity;
+  }
+  for (std::size_t i = 0; i < def.shapes.size(); i++) {
+    ShapeIndex shape = shapes.create();
+    ShapeData& s = shapes.data[shape];
+    s.def = def.shapes[i];
+    s.def.local.rotation = normalized(s.def.local.rotation);
+    s.body = body;
+    s.hull = std::move(plan.hulls[i]);
+    s.geometry = geometryOf(s.def, s.hull.get());
+    s.innerRadius = innerRadius(s.geometry);
+    bodies.shapes[body].push_back(shape);
+  }
+  updateMass(body, def.position);
+  dynamicBodies += def.type == BodyType::dynamic;
+  return body;
+}
+
+void Registry::remove(BodyIndex body) {
+  for (ShapeIndex shape : bodies.shapes[body]) shapes.destroy(shape);
+  dynamicBodies -= bodies.data[body].type == BodyType::dynamic;
+  bodies.destroy(body);
+}
+
+void Registry::setType(BodyIndex body, BodyType type) {
+  Vec3 origin = bodies.origin(body);
+  dynamicBodies += (type == BodyType::dynamic) - (bodies.data[body].type == BodyType::dynamic);
+  bodies.data[body].type = type;
+  if (type == BodyType::fixed) bodies.motion[body].linearVelocity = bodies.motion[body].angularVelocity = {};
+  updateMass(body, origin);
+}
+
+namespace {
+
+// What is of unit length to rounding stays as it is, so that a rotation that was read can be put back bit for bit.
+Quat unitRotation(Quat q) {
+  double square = q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
+  return std::fabs(square - 1) < 1e-14 ? q : normalized(q);
+}
+
+}  // namespace
+
+void Registry::setPose(BodyIndex body, Vec3 position, Quat rotation) {
+  bodies.setRotation(body, unitRotation(rotation));
+  bodies.motion[body].position = position + bodies.motion[body].orientation * bodies.data[body].localCentre;
+}
+
+bool Registry::hasMesh(BodyIndex body) const {
+  return std::any_of(bodies.shapes[body].begin(), bodies.shapes[body].end(),
+                     [&](ShapeIndex shape) { return shapes.data[shape].geometry.type == ShapeType::mesh; });
+}
+
+// Mass, centre and radii from the shapes; keeps the body's origin where it is.
+void Registry::updateMass(BodyIndex body, Vec3 origin) {
+  BodyData& data = bodies.data[body];
+  BodyMass& mass = bodies.mass[body];
+  BodyMotion& m = bodies.motion[body];
+  std::vector<MassProperties> parts;
+  for (ShapeIndex shape : bodies.shapes[body]) {
+    const ShapeData& s = shapes.data[shape];
+    parts.push_back(transformed(shapeMass(s.geometry, s.def.material.density), s.def.local));
+  }
+  data.bodyFrameMass = combined(parts);
+  data.localCentre = data.bodyFrameMass.mass > 0 ? data.bodyFrameMass.centre : Vec3{};
+  m.position = origin + m.orientation * data.localCentre;
+  mass = {};
+  mass.innerRadius = 1e30;
+  std::size_t part = 0;
+  for (ShapeIndex shape : bodies.shapes[body]) {
+    ShapeData& s = shapes.data[shape];
+    s.inCentreFrame = {s.def.local.position - data.localCentre, s.def.local.rotation};
+    s.middle = parts[part++].centre - data.localCentre;
+    mass.innerRadius = std::min(mass.innerRadius, s.innerRadius);
+    Vec3 centreInShape = transformPoint(inverse(s.inCentreFrame), Vec3{});
+    mass.outerRadius = std::max(mass.outerRadius, outerRadius(s.geometry, centreInShape));
+  }
+  if (bodies.shapes[body].size() == 1) {
+    const ShapeData& only = shapes.data[bodies.shapes[body][0]];
+    mass.round = only.geometry.type == ShapeType::sphere;
+    if (only.geometry.type == ShapeType::capsule) mass.symmetryAxis = rotate(only.def.local.rotation, Vec3{0, 1, 0});
+  }
+  if (data.type != BodyType::dynamic) return;
+  mass.mass = data.bodyFrameMass.mass;
+  mass.invMass = 1 / mass.mass;
+  mass.inertia = data.bodyFrameMass.inertia;
+  mass.invInertia = inverse(mass.inertia);
+  PrincipalInertia principal = principalInertia(mass.inertia);
+  mass.principalAxes = principal.axes;
+  mass.principalInvInertia = principal.inverse;
+  const Mat3& I = mass.inertia;
+  double size = I.row[0].x, slack = 1e-9 * size;
+  mass.isotropic = std::fabs(I.row[1].y - size) < slack && std::fabs(I.row[2].z - size) < slack &&
+                   std::fabs(I.row[0].y) < slack && std::fabs(I.row[0].z) < slack && std::fabs(I.row[1].z) < slack;
+}
+
+namespace {
+
+Status rebuildGeometry(ShapeData& s) {
+  if (s.def.type == ShapeType::hull) {
+    Result<Hull> hull = buildHull(std::span<const Vec3>(s.def.vertices));
+    if (!hull) return Error{ErrorCode::badFormat, "a hull can't be built: " + hull.error().message};
+    s.hull = std::make_unique<Hull>(std::move(hull).value());
+  }
+  s.geometry = geometryOf(s.def, s.hull.get());
+  s.innerRadius = innerRadius(s.geometry);
+  return {};
+}
+
+}  // namespace
+
+Status Registry::rebuild() {
+  for (ShapeData& s : shapes.data)
+    if (s.alive)
+      if (Status built = rebuildGeometry(s); !built) return built;
+  for (BodyIndex i = 0; i < bodies.slots(); i++) {
+    if (!bodies.alive(i)) continue;
+    bodies.setRotation(i, bodies.motion[i].rotation);
+    Vec3 centre = bodies.motion[i].position;
+    updateMass(i, {});
+    bodies.motion[i].position = centre;
+  }
+  return {};
+}
+
+void Registry::checkStructure(Findings& f) const {
+  std::size_t n = bodies.data.size(), m = shapes.data.size();
+  f.expect(
+      bodies.motion.size() == n && bodies.mass.size() == n && bodies.shapes.size() == n && bodies.still.size() == n,
+      "bodies: lists of different lengths");
+  if (f.any()) return;
+  int alive = 0, dynamic = 0;
+  for (std::size_t i = 0; i < n; i++) {
+    const BodyData& d = bodies.data[i];
+    alive += d.alive;
+    dynamic += d.alive && d.type == BodyType::dynamic;
+    if (!d.alive) continue;
+    f.expect(d.type <= BodyType::dynamic && d.activity <= BodyActivity::fixed, "body", i, "unknown type");
+    f.expect(!bodies.shapes[i].empty(), "body", i, "no shapes");
+    for (ShapeIndex s : bodies.shapes[i])
+      f.expect(s < m && shapes.data[s].alive && shapes.data[s].body == i, "body", i, "a shape is not its own");
+  }
+  f.expect(alive == bodies.count(), "bodies: wrong count");
+  f.expect(dynamic == dynamicBodies, "bodies: wrong count of dynamic ones");
+  for (std::size_t i = 0; i < m; i++) {
+    const ShapeData& s = shapes.data[i];
+    if (!s.alive) continue;
+    bool owned = s.body < n && bodies.data[s.body].alive && int(s.def.type) < kShapeTypeCount;
+    bool mesh = s.def.type == ShapeType::mesh;
+    f.expect(owned && (!mesh || (s.def.mesh && bodies.data[s.body].type != BodyType::dynamic)), "shape", i,
+             "of no body");
+  }
+  for (BodyIndex b : bodies.unused()) f.expect(b < n && !bodies.data[b].alive, "bodies: a free slot that is not free");
+  for (ShapeIndex s : shapes.unused()) f.expect(s < m && !shapes.data[s].alive, "shapes: a free slot that is not free");
+}
+
+namespace {
+
+void checkMotion(Findings& f, const BodyMotion& m, BodyIndex i) {
+  f.expect(isFinite(m.position) && isFinite(m.rotation) && isFinite(m.linearVelocity) && isFinite(m.angularVelocity),
+           "body", i, "not finite");
+  double norm = m.rotation.x * m.rotation.x + m.rotation.y * m.rotation.y + m.rotation.z * m.rotation.z +
+                m.rotation.w * m.rotation.w;
+  f.expect(std::fabs(norm - 1) < 1e-9, "body", i, "its quaternion is not of unit length");
+}
+
+// A slot whose generations are used up is neither alive nor free.
+template <class Data> bool isFree(const Data& d) { return !d.alive && d.generation != 0xffff; }
+
+}  // namespace
+
+void Registry::check(Findings& f) const {
+  checkFreeSlots(f, bodies.unused(), bodies.slots(), [&](std::size_t i) { return isFree(bodies.data[i]); });
+  checkFreeSlots(f, shapes.unused(), shapes.slots(), [&](std::size_t i) { return isFree(shapes.data[i]); });
+  std::vector<std::uint64_t> orders;
+  std::vector<bool> seen(shapes.slots(), false);
+  std::size_t alive = 0, listed = 0;
+  for (const ShapeData& shape : shapes.data) alive += shape.alive;
+  for (BodyIndex i = 0; i < bodies.slots(); i++) {
+    const BodyData& d = bodies.data[i];
+    f.expect(bodies.still[i] <= 1, "bodies: still is neither 0 nor 1");
+    f.expect(d.alive || bodies.shapes[i].empty(), "bodies: a free slot has shapes");
+    if (!d.alive) continue;
+    orders.push_back(d.order);
+    f.expect(d.order > 0 && d.order < bodies.nextOrder(), "bodies: an order of creation that was not given yet");
+    const BodyMotion& m = bodies.motion[i];
+    checkMotion(f, m, i);
+    bool rests = m.linearVelocity == Vec3{} && m.angularVelocity == Vec3{};
+    f.expect(d.type != BodyType::fixed || rests, "bodies: a fixed one has a velocity");
+    for (ShapeIndex shape : bodies.shapes[i]) {
+      f.expect(!seen[shape], "shapes: one is listed twice");
+      seen[shape] = true;
+      listed++;
+      bool plane = shapes.data[shape].def.type == ShapeType::plane;
+      f.expect(!plane || d.type == BodyType::fixed, "shapes: a plane on a body that can move");
+    }
+  }
+  f.expect(alive == listed, "shapes: one is of no body");
+  std::sort(orders.begin(), orders.end());
+  f.expect(std::adjacent_find(orders.begin(), orders.end()) == orders.end(), "bodies: two were created at once");
+}
+
+}  // namespace brickfall

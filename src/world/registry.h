@@ -1,0 +1,56 @@
+// What is in a world: bodies, their shapes, and the ids by which a program names them. Knows what a body is made of and
+// where it is, not what it touches or whether it is awake.
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "brickfall/body.h"
+#include "brickfall/ids.h"
+#include "brickfall/result.h"
+#include "dynamics/body_set.h"
+#include "dynamics/shape_set.h"
+#include "world/findings.h"
+
+namespace brickfall {
+
+// A body that passed all checks: making it can't fail any more.
+struct BodyPlan {
+  const BodyDef* def = nullptr;              // outlives the plan
+  std::vector<std::unique_ptr<Hull>> hulls;  // by shape; null but for hulls
+};
+
+class Registry {
+ public:
+  BodySet bodies;
+  ShapeSet shapes;
+  std::uint16_t worldNumber = 0;  // in ids
+  int dynamicBodies = 0;
+
+  Result<BodyIndex> find(BodyId id) const;
+  Result<ShapeIndex> find(ShapeId id) const;
+  BodyId idOf(BodyIndex body) const { return {body + 1, bodies.data[body].generation, worldNumber}; }
+  ShapeId idOfShape(ShapeIndex shape) const { return {shape + 1, shapes.data[shape].generation, worldNumber}; }
+
+  BodyIndex add(BodyPlan&& plan);
+  void remove(BodyIndex body);
+  // A fixed body loses its velocities.
+  void setType(BodyIndex body, BodyType type);
+  void setPose(BodyIndex body, Vec3 position, Quat rotation);  // of the body's frame
+  bool hasMesh(BodyIndex body) const;
+
+  // Of bodies that were read from a snapshot: what follows from their definitions.
+  Status rebuild();
+
+  // Counts, indices and links: what must hold before anything may be followed; then all the rest.
+  void checkStructure(Findings& f) const;
+  void check(Findings& f) const;
+
+ private:
+  void updateMass(BodyIndex body, Vec3 origin);
+};
+
+// The shape as geometry; `hull` of hulls.
+Shape geometryOf(const ShapeDef& def, const Hull* hull);
+
+}  // namespace brickfall

@@ -1,0 +1,39 @@
+// Islands: which bodies hang together. Built only if contacts came or went, or bodies woke.
+#include "world/activity.h"
+#include "world/diary.h"
+#include "world/registry.h"
+#include "world/stage_hash.h"
+#include "world/stages.h"
+
+namespace brickfall {
+
+void renewIslands(const Registry& registry, const StepContext& context, Activity& activity, ContactSet& contacts) {
+  IslandSet& islands = activity.islands;
+  if (!activity.current(contacts)) {
+    buildIslands(islands, Ties{contacts}, context, activity.awake);
+    activity.islandOf.assign(registry.bodies.slots(), kNoIndex);
+    activity.renumberIslands();
+    contacts.changed = activity.membershipChanged = false;
+  }
+  for (IslandPointer& island : islands.awake)
+    for (BodyIndex partner : island->partners)
+      if (!registry.bodies.still[partner]) island->unsettle();
+}
+
+void hashIslands(const ContactSet& contacts, const IslandSet& islands, HashItems& out) {
+  out.bodies(islands.single, [](Mix&, BodyIndex) {});
+  out.islands(islands.awake, [&](Mix& h, const Island& i) {
+    h.list(i.bodies.data(), int(i.bodies.size())).list(i.partners.data(), int(i.partners.size()));
+    for (ContactIndex contact : i.rows.contacts.contactOf)
+      h(contacts.contacts[contact].shapeA, contacts.contacts[contact].shapeB);
+  });
+}
+
+// All that the contacts and quarantine did since the step began.
+void bookIslands(const Registry& registry, const ContactSet& contacts, const StepContext& context, Diary& diary) {
+  Balance now = balanceNow(registry.bodies, contacts, context);
+  diary.ledgerState.bookElastic(diary.report.ledger->remade, now.elastic);
+  diary.ledgerState.book(diary.report.ledger->quarantine, now);
+}
+
+}  // namespace brickfall

@@ -1,0 +1,92 @@
+// Kinetic damping; where each body would go if nothing touched it; contacts to records. From here to restitution a settled
+// island, of which nothing can change, is passed over.
+#include "solver/free_motion.h"
+#include "solver/prepare.h"
+#include "solver/rest.h"
+#include "world/activity.h"
+#include "world/diary.h"
+#include "world/registry.h"
+#include "world/stage_hash.h"
+#include "world/stages.h"
+
+namespace brickfall {
+
+void prepare(const WorldDef& def, Registry& registry, IslandSet& islands, ContactSet& contacts, StepContext& context) {
+  BodySet& bodies = registry.bodies;
+  context.free.resize(bodies.slots());
+  context.solved.resize(bodies.slots());
+  for (BodyIndex body : islands.single) predictFreeMotion(context, bodies, body, def.airDensity, false);
+  for (IslandPointer& island : islands.awake) {
+    if (island->settled()) {
+      island->ending = IslandEnding::settled;
+      continue;
+    }
+    island->facts = findFacts(*island, bodies);
+    island->plan = planFor(island->facts, context.settings, context.dt);
+    dampSlowIsland(*island, bodies);
+    for (BodyIndex body : island->bodies) predictFreeMotion(context, bodies, body, def.airDensity, true);
+    prepareBodies(*island, context);
+    prepareRows(*island, Ties{contacts}, context);
+  }
+}
+
+void hashPrepare(const Registry& registry, const IslandSet& islands, const ContactSet& contacts,
+                 const StepContext& context, HashItems& out) {
+  out.bodies(islands.single, [&](Mix& h, BodyIndex body) { mix(h, context.free[body]); });
+  for (const IslandPointer& island : islands.awake) {
+    if (island->settled()) continue;
+    out.bodies(island->bodies, [&](Mix& h, BodyIndex body) {
+      mix(h, context.free[body]);
+      mix(h, registry.bodies.motion[body]);
+    });
+  }
+  out.records(islands, contacts, [](Mix& h, const Island& island, std::size_t k, const Contact& c) {
+    mix(h, c);
+    mix(h, island.rows.contacts.records[k], c.count);
+  });
+}
+
+namespace {
+
+// Of the bodies for which free motion was predicted: what they had before damping and drag.
+Balance atStart(const BodySet& bodies, const IslandSet& islands, const StepContext& context) {
+  Balance sum;
+  auto addTo = [&](BodyIndex body) {
+    const FreeMotion& free = context.free[body];
+    addBody(sum, bodies.mass[body], bodies.motion[body].position, free.startVelocity, free.startSpin,
+            bodies.worldInertia(body) * free.startSpin);
+  };
+  for (BodyIndex body : islands.single) addTo(body);
+  for (const IslandPointer& island : islands.awake)
+    if (!island->settled())
+      for (BodyIndex body : island->bodies) addTo(body);
+  return sum;
+}
+
+}  // namespace
+
+void bookPrepare(const Registry& registry, const Activity& activity, const ContactSet& contacts,
+                 const StepContext& context, Diary& diary) {
+  const BodySet& bodies = registry.bodies;
+  LedgerState& s = diary.ledgerState;
+  StepLedger& ledger = *diary.report.ledger;
+  s.book(ledger.stopped, s.moving(atStart(bodies, activity.islands, context)));
+  Balance start = balanceNow(bodies, contacts, context);
+  s.bookElastic(ledger.renewed, start.elastic);
+  s.book(ledger.damping, start);
+  BalanceChange gravity, forces;
+  double dt = context.dt;
+  for (BodyIndex body : activity.awake) {
+    const BodyData& data = bodies.data[body];
+    Vec3 at = bodies.motion[body].position;
+    Vec3 weight = context.gravity * (bodies.mass[body].mass * data.gravityScale * dt), force = data.force * dt;
+    gravity += {weight, cross(at, weight), 0};
+    forces += {force, cross(at, force) + data.torque * dt, 0};
+  }
+  ledger.gravity += gravity;
+  ledger.forces += forces;
+  s.push = gravity;
+  s.push += forces;
+}
+
+}  // namespace brickfall

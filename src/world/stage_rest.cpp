@@ -1,0 +1,23 @@
+// For slow islands: do last step's forces balance without any motion?
+#include "solver/rest.h"
+
+#include "world/stage_hash.h"
+#include "world/stages.h"
+
+namespace brickfall {
+
+void checkRest(IslandSet& islands, StepContext& context) {
+  for (IslandPointer& island : islands.awake) {
+    context.statistics.islands++;
+    if (island->settled())
+      context.statistics.restingIslands++;
+    else
+      restCheck(*island, context);
+  }
+}
+
+void hashRest(const IslandSet& islands, HashItems& out) {
+  out.islands(islands.awake, [](Mix& h, const Island& i) { h(!i.settled() && i.plan.slow, int(i.ending)); });
+}
+
+}  // namespace brickfall

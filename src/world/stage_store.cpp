@@ -1,0 +1,157 @@
+// What the solve found is kept: forces for the next step, motions for the stages to come. Hits are told here, before
+// restitution forgets the forces of the impacts that it answers.
+#include "solver/store.h"
+
+#include <algorithm>
+
+#include "solver/contact/energy.h"
+#include "solver/rest.h"
+#include "world/activity.h"
+#include "world/diary.h"
+#include "world/registry.h"
+#include "world/stage_hash.h"
+#include "world/stages.h"
+
+namespace brickfall {
+
+namespace {
+
+// The impact of a contact in the step just made: fastest approach and impulse over its points.
+struct ContactImpact {
+  double speed = 0, impulse = 0;
+};
+
+ContactImpact impactOf(const Contact& c, const ContactStart& start, double dt) {
+  ContactImpact out;
+  for (int i = 0; i < c.count; i++) {
+    if (!(c.points.forceN[i] > 0)) continue;
+    out.speed = std::max(out.speed, double(-start.approach[i]));
+    out.impulse += double(c.points.forceN[i]) * dt;
+  }
+  return out;
+}
+
+HitEvent hitOf(const Registry& registry, const Contact& c, const ContactRecord& r, ContactImpact impact) {
+  const BodySet& bodies = registry.bodies;
+  HitEvent hit;
+  hit.bodyA = registry.idOf(c.bodyA);
+  hit.bodyB = registry.idOf(c.bodyB);
+  hit.normalWorld = toDouble(r.n);
+  hit.pointWorld = bodies.motion[c.bodyA].position + toDouble(r.armA);
+  if (bodies.data[c.bodyB].order < bodies.data[c.bodyA].order) {
+    std::swap(hit.bodyA, hit.bodyB);
+    hit.normalWorld = -hit.normalWorld;
+  }
+  hit.approachSpeed = impact.speed;
+  hit.impulse = impact.impulse;
+  return hit;
+}
+
+void collectHits(const WorldDef& def, const Registry& registry, const Island& island, const ContactSet& contacts,
+                 double dt, std::vector<HitEvent>& out) {
+  for (std::size_t k = 0; k < island.rows.contacts.contactOf.size(); k++) {
+    const Contact& c = contacts.contacts[island.rows.contacts.contactOf[k]];
+    if (!c.touching) continue;
+    ContactImpact impact = impactOf(c, island.rows.contacts.starts[k], dt);
+    if (impact.speed >= def.hitEventSpeed && impact.impulse >= def.hitEventImpulse)
+      out.push_back(hitOf(registry, c, island.rows.contacts.records[k], impact));
+  }
+}
+
+}  // namespace
+
+void storeSolution(const WorldDef& def, const Registry& registry, IslandSet& islands, ContactSet& contacts,
+                   StepContext& context, Events& events) {
+  for (BodyIndex body : islands.single) storeFreeBody(body, context);
+  for (IslandPointer& island : islands.awake) {
+    if (island->settled()) continue;
+    bool changed = storeRows(*island, Ties{contacts}, context);
+    if (!island->resting()) collectHits(def, registry, *island, contacts, context.dt, events.hits);
+    storeMotion(*island, context);
+    correctFlight(*island, context);
+    correctLoneBody(*island, context);
+    if (island->resting() && !changed) island->ending = IslandEnding::settled;
+    restIfHeld(*island, context);
+  }
+}
+
+void hashStore(const IslandSet& islands, const ContactSet& contacts, const StepContext& context, HashItems& out) {
+  out.solved(islands, context);
+  out.records(islands, contacts, [](Mix& h, const Island& island, std::size_t, const Contact& c) {
+    mix(h, c);
+    h(int(island.ending), island.heldTime);
+  });
+}
+
+namespace {
+
+// Impulse of a contact with something fixed or kinematic on the island's body, about the world's origin; its work is that
+// of the partner's motion.
+BalanceChange impulseOf(const Contact& c, const ContactRecord& r, const BodySet& bodies, bool onB, double dt) {
+  BalanceChange out;
+  Vec3 n = toDouble(r.n), t1 = toDouble(r.t1), t2 = cross(n, t1);
+  Vec3 centre = bodies.motion[c.bodyA].position + toDouble(r.armA);
+  const BodyMotion& partner = bodies.motion[onB ? c.bodyA : c.bodyB];
+  double sign = onB ? dt : -dt;
+  for (int i = 0; i < c.count; i++) {
+    Vec3 impulse =
+        (n * double(c.points.forceN[i]) + t1 * double(c.points.force1[i]) + t2 * double(c.points.force2[i])) * sign;
+    Vec3 point = centre + t1 * double(r.s1[i]) + t2 * double(r.s2[i]);
+    Vec3 velocity = partner.linearVelocity + cross(partner.angularVelocity, point - partner.position);
+    out += {impulse, cross(point, impulse), dot(impulse, velocity)};
+  }
+  return out;
+}
+
+BalanceChange heldImpulses(const Island& island, const BodySet& bodies, const ContactSet& contacts, double dt) {
+  BalanceChange sum;
+  for (std::size_t k = 0; k < island.rows.contacts.records.size(); k++) {
+    const ContactRecord& r = island.rows.contacts.records[k];
+    bool partnerA = r.bodyA >= island.bodies.size(), partnerB = r.bodyB >= island.bodies.size();
+    if (partnerA || partnerB)
+      sum += impulseOf(contacts.contacts[island.rows.contacts.contactOf[k]], r, bodies, partnerA, dt);
+  }
+  return sum;
+}
+
+// The work of joints, and what it did to what they hold.
+BalanceChange jointsNow(const IslandSet& islands, const ContactSet& contacts, const StepContext& context,
+                        double elasticBefore) {
+  BalanceChange out;
+  double held = elasticOf(contacts.asleep, contacts, context);
+  for (const IslandPointer& island : islands.awake) {
+    JointWork joints = jointWork(*island, context);
+    out.energy += joints.work;
+    held += joints.elastic;
+  }
+  out.elastic = held - elasticBefore;
+  return out;
+}
+
+}  // namespace
+
+void bookStore(const Registry& registry, const Activity& activity, const ContactSet& contacts,
+               const StepContext& context, Diary& diary) {
+  const BodySet& bodies = registry.bodies;
+  LedgerState& s = diary.ledgerState;
+  StepLedger& ledger = *diary.report.ledger;
+  BalanceChange held;
+  for (const IslandPointer& island : activity.islands.awake)
+    held += heldImpulses(*island, bodies, contacts, context.dt);
+  Vec3 inFlight, inContact;
+  for (BodyIndex body : activity.awake) {
+    const SolvedMotion& m = context.solved[body];
+    (m.flying ? inFlight : inContact) += cross(m.d, m.velocity * bodies.mass[body].mass);
+  }
+  held.angular += inContact;
+  ledger.held += held;
+  ledger.gravity.angular += inFlight;
+  Balance now = s.moving(solvedBalance(activity.awake, bodies, context));
+  BalanceChange joints = jointsNow(activity.islands, contacts, context, s.now.elastic);
+  ledger.solve += now - s.now - s.push - held - BalanceChange{{}, inFlight, joints.energy};
+  s.now = now;
+  s.now.elastic += joints.elastic;
+  ledger.contacts += joints;
+}
+
+}  // namespace brickfall

@@ -1,0 +1,66 @@
+// The stages of a step, each in a file of its name. What a stage reads it takes as const, what it changes by reference:
+// docs/step.md has the same as a table. The step itself, the list of them in their order, is step.cpp.
+//
+// Beside each stage stands what it tells on request: a hash of what it wrote, and what it did to momentum and energy.
+#pragma once
+#include "brickfall/step_report.h"
+#include "brickfall/world.h"
+#include "world/clock.h"
+
+namespace brickfall {
+
+class Activity;
+class ContactSet;
+class Diary;
+class HashItems;
+class Proximity;
+class Quarantine;
+class Registry;
+class Upkeep;
+struct IslandSet;
+struct SolveState;
+struct StepContext;
+
+void findPairs(const Registry&, const Activity&, double dt, Proximity&);
+void hashPairs(const Registry&, const Activity&, const Proximity&, HashItems&);
+
+void updateContacts(const Registry&, const Activity&, const StepContext&, Proximity&, StepReport&, Upkeep&);
+void hashContacts(const ContactSet&, HashItems&);
+
+void renewIslands(const Registry&, const StepContext&, Activity&, ContactSet&);
+void hashIslands(const ContactSet&, const IslandSet&, HashItems&);
+void bookIslands(const Registry&, const ContactSet&, const StepContext&, Diary&);
+
+void prepare(const WorldDef&, Registry&, IslandSet&, ContactSet&, StepContext&);
+void hashPrepare(const Registry&, const IslandSet&, const ContactSet&, const StepContext&, HashItems&);
+void bookPrepare(const Registry&, const Activity&, const ContactSet&, const StepContext&, Diary&);
+
+void checkRest(IslandSet&, StepContext&);
+void hashRest(const IslandSet&, HashItems&);
+
+void solveIslands(IslandSet&, SolveState&);
+void hashSolve(const Registry&, const IslandSet&, HashItems&);
+
+void storeSolution(const WorldDef&, const Registry&, IslandSet&, ContactSet&, StepContext&, Events&);
+void hashStore(const IslandSet&, const ContactSet&, const StepContext&, HashItems&);
+void bookStore(const Registry&, const Activity&, const ContactSet&, const StepContext&, Diary&);
+
+void restitute(IslandSet&, ContactSet&, StepContext&);
+void hashRestitution(const IslandSet&, const ContactSet&, const StepContext&, HashItems&);
+void bookRestitution(const Registry&, const Activity&, const StepContext&, Diary&);
+
+void stopAtObstacles(const Registry&, const Activity&, const Proximity&, StepContext&);
+void hashObstacles(const IslandSet&, const StepContext&, HashItems&);
+void bookObstacles(const Registry&, const Activity&, const StepContext&, Diary&);
+
+void integrate(const Clock&, const StepContext&, Registry&, Activity&, Proximity&, Quarantine&);
+void hashIntegrate(const Registry&, const Activity&, const ContactSet&, HashItems&);
+void bookIntegrate(const Registry&, const Activity&, const ContactSet&, const StepContext&, Diary&);
+
+void fallAsleep(const WorldDef&, double dt, Registry&, Activity&, ContactSet&, Diary&);
+void hashSleep(const Registry&, const IslandSet&, HashItems&);
+
+void collectEvents(const Registry&, Activity&, ContactSet&, Diary&);
+void hashEvents(const Events&, HashItems&);
+
+}  // namespace brickfall
