@@ -11,7 +11,7 @@ PointMatcher::PointMatcher(const Contact& old, const ContactGeometry& geometry, 
 }
 
 int PointMatcher::match(Vec3 anchorB, std::uint32_t feature) {
-  if (normals_ < 0.9) return -1;
+  if (normals_ < kSameFace) return -1;
   int best = -1;
   double bestDistance = rolls_ ? 1e30 : kMatchDistance * kMatchDistance;
   for (int j = 0; j < old_.count; j++) {

@@ -183,4 +183,22 @@ Status World::destroyBody(BodyId id) {
   return {};
 }
 
+Result<std::vector<BodyId>> World::replaceBody(BodyId id, std::span<const BodyDef> pieces) {
+  Impl& w = *impl_;
+  Result<BodyIndex> body = w.openForChange(id, {});
+  if (!body) return body.error();
+  if (pieces.empty()) return Error{ErrorCode::invalidArgument, "pieces: found none, expected at least one"};
+  if (pieces.size() > std::size_t(w.def.maxBodies - w.registry.bodies.count() + 1))
+    return tooManyBodies("replaceBody", w.def.maxBodies);
+  std::vector<BodyPlan> plans;
+  for (std::size_t i = 0; i < pieces.size(); i++) {
+    Result<BodyPlan> plan = planned(pieces[i]);
+    if (!plan) return Error{plan.error().code, "pieces[" + std::to_string(i) + "]." + plan.error().message};
+    plans.push_back(std::move(plan).value());
+  }
+  std::vector<BodyId> out;
+  for (BodyIndex piece : w.upkeep().replace(*body, std::move(plans))) out.push_back(w.registry.idOf(piece));
+  return out;
+}
+
 }  // namespace brickfall

@@ -104,6 +104,14 @@ bool Registry::hasMesh(BodyIndex body) const {
                      [&](ShapeIndex shape) { return shapes.data[shape].geometry.type == ShapeType::mesh; });
 }
 
+bool Registry::mayMeet(ShapeIndex a, ShapeIndex b) const {
+  const ShapeData &first = shapes.data[a], &second = shapes.data[b];
+  if (first.body == second.body) return false;
+  if (bodies.data[first.body].type != BodyType::dynamic && bodies.data[second.body].type != BodyType::dynamic)
+    return false;
+  return filtersAllow(first.def.filter, second.def.filter);
+}
+
 // Mass, centre and radii from the shapes; keeps the body's origin where it is.
 void Registry::updateMass(BodyIndex body, Vec3 origin) {
   BodyData& data = bodies.data[body];

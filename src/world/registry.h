@@ -38,6 +38,7 @@ class Registry {
   void setType(BodyIndex body, BodyType type);
   void setPose(BodyIndex body, Vec3 position, Quat rotation);  // of the body's frame
   bool hasMesh(BodyIndex body) const;
+  bool mayMeet(ShapeIndex a, ShapeIndex b) const;  // of two bodies of which one is dynamic, and their filters allow it
 
   // Of bodies that were read from a snapshot: what follows from their definitions.
   Status rebuild();

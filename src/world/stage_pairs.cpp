@@ -20,12 +20,7 @@ void findPairs(const Registry& registry, const Activity& activity, double dt, Pr
       }
     }
 
-  auto wanted = [&](std::uint32_t a, std::uint32_t b) {
-    BodyIndex bodyA = shapes.data[a].body, bodyB = shapes.data[b].body;
-    if (bodyA == bodyB) return false;
-    if (bodies.data[bodyA].type != BodyType::dynamic && bodies.data[bodyB].type != BodyType::dynamic) return false;
-    return filtersAllow(shapes.data[a].def.filter, shapes.data[b].def.filter);
-  };
+  auto wanted = [&](std::uint32_t a, std::uint32_t b) { return registry.mayMeet(a, b); };
   ContactSet& contacts = proximity.contacts;
   proximity.foundPairs.clear();
   proximity.broadPhase->newPairs(wanted, proximity.foundPairs);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "world/succession.h"
+
 namespace brickfall {
 
 BodyIndex Upkeep::create(BodyPlan&& plan) {
@@ -12,7 +14,7 @@ BodyIndex Upkeep::create(BodyPlan&& plan) {
 }
 
 void Upkeep::destroy(BodyIndex body) {
-  if (registry_.bodies.data[body].activity == BodyActivity::asleep) wakeIslandOf(body);
+  wakeIslandOf(body);
   removeContactsOf(body);
   proximity_.leave(registry_, body);
   activity_.delist(registry_.bodies, body);
@@ -20,8 +22,19 @@ void Upkeep::destroy(BodyIndex body) {
   registry_.remove(body);
 }
 
+std::vector<BodyIndex> Upkeep::replace(BodyIndex body, std::vector<BodyPlan>&& pieces) {
+  wakeIslandOf(body);
+  wakeTouching(body);  // now all contacts of the body are among the pairs that are awake
+  Succession succession(registry_, proximity_.contacts, body);
+  destroy(body);
+  std::vector<BodyIndex> made;
+  for (BodyPlan& piece : pieces) made.push_back(create(std::move(piece)));
+  succession.pass(registry_, made, proximity_);
+  return made;
+}
+
 void Upkeep::setType(BodyIndex body, BodyType type) {
-  if (registry_.bodies.data[body].activity == BodyActivity::asleep) wakeIslandOf(body);
+  wakeIslandOf(body);
   removeContactsOf(body);
   activity_.delist(registry_.bodies, body);
   registry_.setType(body, type);
@@ -74,11 +87,12 @@ void Upkeep::disturb(BodyIndex body) {
     activity_.unsettlePartnersOf(body);
     return;
   }
-  if (bodies.data[body].activity == BodyActivity::asleep) wakeIslandOf(body);
+  wakeIslandOf(body);
   activity_.unsettleIslandOf(body);
 }
 
 void Upkeep::wakeIslandOf(BodyIndex body) {
+  if (registry_.bodies.data[body].activity != BodyActivity::asleep) return;
   const auto& asleep = activity_.islands.asleep;
   for (std::size_t i = 0; i < asleep.size(); i++)
     if (std::binary_search(asleep[i]->bodies.begin(), asleep[i]->bodies.end(), body)) {
@@ -121,8 +135,7 @@ void Upkeep::wakeTouching(BodyIndex body) {
   for (const CandidatePair& pair : proximity_.contacts.asleep)
     if ((pair.bodyA == body || pair.bodyB == body) && pair.contact != kNoIndex)
       wake.push_back(pair.bodyA == body ? pair.bodyB : pair.bodyA);
-  for (BodyIndex other : wake)
-    if (registry_.bodies.data[other].activity == BodyActivity::asleep) wakeIslandOf(other);
+  for (BodyIndex other : wake) wakeIslandOf(other);
 }
 
 }  // namespace brickfall

@@ -15,13 +15,15 @@ class Upkeep {
 
   BodyIndex create(BodyPlan&& plan);
   void destroy(BodyIndex body);
+  // By pieces, whose contacts go on with what those of the body remember.
+  std::vector<BodyIndex> replace(BodyIndex body, std::vector<BodyPlan>&& pieces);
   void setType(BodyIndex body, BodyType type);
   void setPose(BodyIndex body, Vec3 position, Quat rotation);
   void relist(BodyIndex body);   // its velocity was set
   void isolate(BodyIndex body);  // a quarantined one: out of all contacts and of every list that the step walks
 
-  void disturb(BodyIndex body);  // its state was changed from outside: wake it, nothing about it is settled
-  void wakeIslandOf(BodyIndex asleepBody);
+  void disturb(BodyIndex body);       // its state was changed from outside: wake it, nothing about it is settled
+  void wakeIslandOf(BodyIndex body);  // if it sleeps
   void wakeAll();
 
  private:
