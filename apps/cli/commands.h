@@ -19,9 +19,8 @@ enum ExitCode {
 };
 
 struct OutputOptions {
-  std::string folder;  // empty: the command's own default
-  bool html = true;
-  bool glb = true;
+  std::string folder;                // empty: the command's own default
+  std::vector<std::string> leftOut;  // names of outputs
   bool quiet = false;
 };
 

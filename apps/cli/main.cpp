@@ -11,6 +11,7 @@
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/interrupt.h"
+#include "cli/outputs.h"
 
 namespace brickfall::cli {
 namespace {
@@ -34,10 +35,10 @@ struct Arguments {
 void addOutputOptions(CLI::App& command, OutputOptions& options, const std::string& defaultFolder) {
   command.add_option("-o,--output", options.folder, "Folder for the results (default: " + defaultFolder + ")")
       ->type_name("DIR");
-  command.add_flag_callback(
-      "--no-html", [&options] { options.html = false; }, "Leave out replay.html");
-  command.add_flag_callback(
-      "--no-glb", [&options] { options.glb = false; }, "Leave out <scene>.glb");
+  for (const OutputKind& kind : outputKinds()) {
+    const auto leaveOut = [&options, name = std::string(kind.name)] { options.leftOut.push_back(name); };
+    command.add_flag_callback(std::string("--no-") + kind.name, leaveOut, "Leave out " + outputFile(kind, "<scene>"));
+  }
   command.add_flag("--quiet", options.quiet, "Say nothing but errors");
 }
 

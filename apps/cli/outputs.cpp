@@ -3,38 +3,35 @@
 #include <algorithm>
 #include <functional>
 
-#include "brickfall/output.h"
 #include "cli/console.h"
 #include "cli/files.h"
 #include "cli/interrupt.h"
 
 namespace brickfall::cli {
 
+std::string outputFile(const OutputKind& kind, const std::string& scene) {
+  std::string name = kind.file;
+  if (const std::size_t star = name.find('*'); star != std::string::npos) name.replace(star, 1, scene);
+  return name;
+}
+
 OutputsResult writeOutputs(const TakeReader& take, const std::string& folder, const OutputOptions& options,
                            ProgressDisplay& display) {
-  using Write = Status (*)(const TakeReader&, const std::string&, const Progress&);
-  struct Job {
-    bool wanted;
-    Write write;
-    std::string name, purpose;
-  };
-  const Job jobs[] = {
-      {options.html, writeReplayHtml, "replay.html", "to watch: opens in any browser"},
-      {options.glb, writeGlb, safeFileName(take.header().scene) + ".glb", "for Blender and other tools"},
-  };
   OutputsResult result;
   const int interruptsBefore = interruptCount();
   const auto interrupted = [&] { return interruptCount() > interruptsBefore; };
-  for (const Job& job : jobs) {
-    if (!job.wanted || interrupted()) continue;
-    const std::string path = joinPath(folder, job.name);
-    const Status written = job.write(take, path, [&](double share) {
+  const std::string scene = safeFileName(take.header().scene);
+  for (const OutputKind& kind : outputKinds()) {
+    const bool wanted = std::find(options.leftOut.begin(), options.leftOut.end(), kind.name) == options.leftOut.end();
+    if (!wanted || interrupted()) continue;
+    const std::string path = joinPath(folder, outputFile(kind, scene));
+    const Status written = kind.write(take, path, [&](double share) {
       display.update("writing " + printable(path), share);
       return !interrupted();
     });
     display.finish();
     if (written) {
-      result.files.push_back({path, job.purpose});
+      result.files.push_back({path, kind.purpose});
     } else if (!interrupted()) {
       complain(written.error().message);
       result.exitCode = kFileError;

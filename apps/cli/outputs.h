@@ -1,9 +1,9 @@
-// What people open, made from a take: replay.html and <scene>.glb.
+// What people open, made from a take.
 #pragma once
 #include <string>
 #include <vector>
 
-#include "brickfall/take.h"
+#include "brickfall/output.h"
 #include "cli/commands.h"
 #include "cli/progress.h"
 
@@ -19,6 +19,8 @@ struct OutputsResult {
   std::vector<WrittenFile> files;
 };
 
+// "replay.html", "wall.glb"
+std::string outputFile(const OutputKind& kind, const std::string& scene);
 // An interrupt while writing ends it; nothing half written stays.
 OutputsResult writeOutputs(const TakeReader& take, const std::string& folder, const OutputOptions& options,
                            ProgressDisplay& display);

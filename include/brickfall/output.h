@@ -1,6 +1,7 @@
 // A take to what people open: one HTML file, one glTF binary. Files appear whole or not at all.
 #pragma once
 #include <functional>
+#include <span>
 #include <string>
 
 #include "brickfall/result.h"
@@ -16,5 +17,14 @@ Status writeReplayHtml(const TakeReader& take, const std::string& path, const Pr
 
 // glTF 2.0 binary: one node per body, meshes shared by equal shapes, keyframes thinned where nothing moves.
 Status writeGlb(const TakeReader& take, const std::string& path, const Progress& progress = {});
+
+// Every output there is, in the order in which `brickfall run` makes them.
+struct OutputKind {
+  const char* name;     // "html": --no-html leaves it out
+  const char* file;     // what its file is called; "*" stands for the scene's name
+  const char* purpose;  // in a few words
+  Status (*write)(const TakeReader& take, const std::string& path, const Progress& progress);
+};
+std::span<const OutputKind> outputKinds();
 
 }  // namespace brickfall
