@@ -1,8 +1,9 @@
 // Reads all forces at the present motion and sums them into each body's residual. Solves nothing.
 #include "solver/light_pass.h"
 
-#include <algorithm>
 #include <cmath>
+
+#include "base/take_larger.h"
 
 namespace brickfall {
 
@@ -33,9 +34,8 @@ double worstResidual(const Island& island, const BodySet& bodies) {
   for (std::size_t i = 0; i < island.bodies.size(); i++) {
     const BodyMass& m = bodies.mass[island.bodies[i]];
     double weight = m.mass * kReferenceGravity;
-    double error = std::max(double(length(island.residual[i].force)) / weight,
-                            double(length(island.residual[i].torque)) / (weight * m.innerRadius));
-    if (!(error <= worst)) worst = error;  // also takes NaN
+    takeLarger(worst, double(length(island.residual[i].force)) / weight);
+    takeLarger(worst, double(length(island.residual[i].torque)) / (weight * m.innerRadius));
   }
   return worst;
 }

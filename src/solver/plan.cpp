@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/take_larger.h"
 #include "solver/island.h"
 
 namespace brickfall {
@@ -39,11 +40,6 @@ const PlanRow& rowOf(const IslandFacts& facts) {
                        [&](const PlanRow& row) { return facts.bodies <= row.mostBodies && (slow || !row.onlySlow); });
 }
 
-// Keeps NaN: what is not a number is not slow.
-void takeLarger(double& largest, double value) {
-  if (!(value <= largest) && largest == largest) largest = value;
-}
-
 }  // namespace
 
 std::span<const PlanRow> planRows() { return kRows; }
@@ -58,7 +54,7 @@ IslandFacts findFacts(const Island& island, BodySet& bodies) {
     facts.energyBefore += data.lastKineticEnergy;
     data.lastKineticEnergy = bodies.kineticEnergy(body);
     facts.energy += data.lastKineticEnergy;
-    double speed = length(m.linearVelocity);
+    double speed = length(m.linearVelocity);  // what is not a number is not slow
     takeLarger(facts.fastestCentre, speed);
     takeLarger(facts.fastest, speed + length(m.angularVelocity) * bodies.mass[body].innerRadius);
   }

@@ -1,0 +1,163 @@
+// The multilevel solve: forces of a stack under load, honest starts, stops, momentum.
+#include "solver/cycles.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "math/random.h"
+#include "solver/light_pass.h"
+#include "support/test_island.h"
+
+namespace brickfall {
+namespace {
+
+using test::kBrick;
+using test::kBrickMass;
+using test::kBrickWeight;
+using test::kG;
+using test::TestIsland;
+
+// Each joint of a stack carries all that is above it. A body's residual at rest is under 1e-3 weights, so the joint under n of
+// them is right to n times that.
+TEST(Cycles, AStackUnderLoadComesToItsForces) {
+  for (int bricks : {1, 5, 12, 30}) {
+    TestIsland lab;
+    std::vector<BodyIndex> pile = lab.pile(lab.ground(), bricks);
+    const double load = 10 * kBrickWeight;
+    for (int step = 0; step < 300; step++) {
+      lab.bodies.data[pile.back()].force = {0, -load, 0};
+      lab.step();
+    }
+    EXPECT_TRUE(lab.island().resting()) << bricks;
+    for (int i = 0; i < bricks; i++) {
+      double wanted = (bricks - i) * kBrickWeight + load;
+      EXPECT_NEAR(lab.pressure(ContactIndex(i)), wanted, 1e-3 * wanted) << "joint " << i << " of " << bricks;
+    }
+    // Elastic: each joint gives f / (sum of its stiffness). 10 x 1000 u while it is one of at most 24 calm bodies.
+    if (bricks > 24) continue;
+    double sag = 0;
+    for (int i = 0; i < bricks; i++) {
+      double k = 0;
+      for (float each : lab.points(ContactIndex(i)).stiffness) k += double(each);
+      sag += ((bricks - i) * kBrickWeight + load) / k;
+    }
+    double top = lab.at(pile.back()).position.y;
+    EXPECT_NEAR((2 * bricks - 1) * kBrick.y - top, sag, 0.02 * sag + 1e-7) << bricks;
+  }
+}
+
+TEST(Cycles, StartFromFreeMotion) {
+  TestIsland lab;
+  BodyIndex a = lab.brick({}), b = lab.brick({0, 2 * kBrick.y + 5e-3, 0});  // nothing reaches the other
+  lab.touch(a, b);
+  lab.at(b).linearVelocity = {0.3, 0, 0};
+  lab.prepare();
+  for (SolveMotion& m : lab.island().motion) m = {{1, 2, 3}, 0, {4, 5, 6}, 0};
+  SolveStatistics counts = lab.solve();
+  for (std::size_t i : {0u, 1u}) {
+    EXPECT_NEAR(double(length(lab.island().motion[i].d - lab.island().masses[i].dFree)), 0, 1e-9);
+    EXPECT_NEAR(double(length(lab.island().motion[i].th)), 0, 1e-9);
+  }
+  EXPECT_EQ(counts.cycles, 4) << "never fewer";
+  EXPECT_GT(counts.solveSides, 0);
+  EXPECT_EQ(counts.lightVisits, 4 * 4.0);
+}
+
+TEST(Cycles, EndWhenBalancedOrWhenTheyAreUsedUp) {
+  for (bool direct : {false, true})
+    for (int most : {4, 400}) {
+      TestIsland lab;
+      lab.pile(lab.ground(), 6);
+      lab.prepare();
+      SolvePlan& plan = lab.island().plan;
+      plan.direct = direct;
+      plan.maxCycles = most;
+      SolveStatistics counts = lab.solve();
+      double left = worstResidual(lab.island(), lab.bodies);
+      bool balanced = left < 5e-4;
+      EXPECT_EQ(lab.island().ending, balanced ? IslandEnding::balanced : IslandEnding::unbalanced) << left;
+      EXPECT_EQ(balanced, direct || most == 400) << left;
+      EXPECT_GE(counts.cycles, 4);
+      EXPECT_NEAR(counts.residualRms, rmsResidual(lab.island(), lab.bodies), 1e-12);
+    }
+}
+
+// Whatever a solve leaves, a floating island ends with the momenta that it came with.
+TEST(Cycles, MomentumOfAFloatingIslandIsExactWhateverTheMotion) {
+  Random random(61);
+  auto vector = [&](double size) {
+    double x = random.between(-size, size), y = random.between(-size, size);
+    return Vec3{x, y, random.between(-size, size)};
+  };
+  for (int n = 0; n < 20; n++) {
+    TestIsland lab;
+    std::vector<BodyIndex> bodies;
+    for (int i = 0; i < 5; i++) {
+      bodies.push_back(lab.brick({0, 2 * i * kBrick.y, 0.02 * i}, random.between(0.5, 20)));
+      if (i > 0) lab.touch(bodies[std::size_t(i) - 1], bodies.back());
+      lab.at(bodies.back()).linearVelocity = Vec3{20, 0, 0} + vector(0.5);
+      lab.at(bodies.back()).angularVelocity = vector(2);
+    }
+    lab.prepare();
+    Island& island = lab.island();
+    struct Sum {
+      Vec3 linear, angular;
+    };
+    auto momenta = [&](bool free) {
+      Sum sum;
+      for (std::size_t i = 0; i < 5; i++) {
+        Vec3 d = toDouble(free ? island.masses[i].dFree : island.motion[i].d),
+             th = toDouble(free ? island.masses[i].thFree : island.motion[i].th), r = lab.at(bodies[i]).position;
+        double m = lab.bodies.mass[bodies[i]].mass;
+        sum.linear += d * m;
+        sum.angular += cross(r, d * m) + lab.bodies.worldInertia(bodies[i]) * th;
+      }
+      return sum;
+    };
+    for (SolveMotion& m : island.motion) {
+      m.d = toFloat(vector(0.01));
+      m.th = toFloat(vector(0.1));
+    }
+    std::vector<SolveMotion> before(island.motion.begin(), island.motion.end());
+    correctMomentum(island, lab.context);
+    Sum wanted = momenta(true), found = momenta(false);
+    EXPECT_NEAR(length(found.linear - wanted.linear), 0, 1e-7) << "kg m, of some 0.5: the last bits of floats";
+    EXPECT_NEAR(length(found.angular - wanted.angular), 0, 3e-8) << "kg m2, of some 0.05";
+    Vec3f turn = island.motion[0].th - before[0].th;
+    for (std::size_t i = 1; i < 5; i++) {  // rigidly
+      Vec3f relative = (island.motion[i].d - before[i].d) - (island.motion[0].d - before[0].d);
+      Vec3 arm = lab.at(bodies[i]).position - lab.at(bodies[0]).position;
+      EXPECT_NEAR(length(toDouble(relative) - cross(toDouble(turn), arm)), 0, 1e-7);
+      EXPECT_NEAR(double(length((island.motion[i].th - before[i].th) - turn)), 0, 1e-7);
+    }
+  }
+}
+
+TEST(Cycles, MomentumOfAGroundedIslandIsTheGroundsAffair) {
+  TestIsland lab;
+  lab.pile(lab.ground(), 2);
+  lab.prepare();
+  lab.island().motion[1].d = {1, 2, 3};
+  correctMomentum(lab.island(), lab.context);
+  EXPECT_EQ(lab.island().motion[1].d, (Vec3f{1, 2, 3}));
+}
+
+// A hit in empty space: after the solve the pair has the momentum of the one that came.
+TEST(Cycles, AHitHandsOnAllOfItsMomentum) {
+  TestIsland lab;
+  lab.context.gravity = {};
+  std::vector<BodyIndex> row;
+  for (int i = 0; i < 40; i++) {
+    row.push_back(lab.brick({2 * i * kBrick.x, 0, 0.03 * (i % 3)}));
+    if (i > 0) lab.touch(row[std::size_t(i) - 1], row.back());
+  }
+  lab.at(row[0]).linearVelocity = {10, 0, 0};
+  for (int i = 0; i < 5; i++) lab.step();
+  Vec3 momentum;
+  for (BodyIndex body : row) momentum += lab.at(body).linearVelocity * kBrickMass;
+  EXPECT_NEAR(length(momentum - Vec3{10 * kBrickMass, 0, 0}), 0, 1e-6 * 10 * kBrickMass);
+}
+
+}  // namespace
+}  // namespace brickfall

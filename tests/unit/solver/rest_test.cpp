@@ -1,0 +1,154 @@
+// How islands come to rest: what stops them, exactly when, and what never does.
+#include "solver/rest.h"
+
+#include <gtest/gtest.h>
+
+#include "support/test_island.h"
+
+namespace brickfall {
+namespace {
+
+using test::kBrick;
+using test::kBrickWeight;
+using test::TestIsland;
+
+// A brick on the ground.
+struct OnGround : TestIsland {
+  explicit OnGround(double dt = 1.0 / 60) : TestIsland(dt), under(ground()), body(brick({0, kBrick.y, 0})) {
+    face = touch(under, body);
+  }
+  BodyIndex under, body;
+  ContactIndex face;
+};
+
+TEST(Rest, OnlyUnderTheToleranceOfTheResidual) {
+  for (double error : {0.0, 0.9e-3, -0.9e-3, 1.1e-3, -1.1e-3, 0.5}) {
+    OnGround lab;
+    lab.load(lab.face, (1 + error) * kBrickWeight, 1e4 * lab.unit(lab.face));  // one calm body: 10 x 1000 u
+    lab.prepare();
+    lab.checkRest();
+    bool rests = std::fabs(error) < 1e-3;
+    EXPECT_EQ(lab.island().ending, rests ? IslandEnding::rested : IslandEnding::unsolved) << error;
+    EXPECT_EQ(lab.context.statistics.restingIslands, int(rests));
+    for (const SolveMotion& m : lab.island().motion) EXPECT_TRUE(m.d == Vec3f{} && m.th == Vec3f{}) << "no motion is judged";
+  }
+}
+
+TEST(Rest, TorqueIsAForceAtTheInnerRadius) {
+  for (double share : {0.9, 1.1}) {
+    OnGround lab;
+    lab.load(lab.face, kBrickWeight, 1e4 * lab.unit(lab.face));
+    lab.bodies.data[lab.body].torque = {0, share * 1e-3 * kBrickWeight * kBrick.y, 0};
+    lab.prepare();
+    lab.checkRest();
+    EXPECT_EQ(lab.island().resting(), share < 1) << share;
+  }
+}
+
+TEST(Rest, NotWhileAnythingIsFasterThanTheRestSpeed) {
+  OnGround lab;
+  lab.load(lab.face, kBrickWeight, 1e4 * lab.unit(lab.face));
+  lab.at(lab.body).linearVelocity = {0.0101, 0, 0};
+  lab.prepare();
+  lab.checkRest();
+  EXPECT_EQ(lab.island().ending, IslandEnding::unsolved);
+}
+
+TEST(Rest, KineticDampingStopsAtAMaximumOfTheEnergyAndNowhereElse) {
+  OnGround lab;
+  const double speeds[] = {1e-3, 2e-3, 2e-3, 5e-3, 9e-3, 8.99e-3, 8e-3};  // m/s
+  for (double v : speeds) {
+    lab.at(lab.body).linearVelocity = {v, 0, 0};
+    lab.prepare();
+    bool passed = v == 8.99e-3;
+    EXPECT_EQ(lab.at(lab.body).linearVelocity.x, passed ? 0 : v) << "after a stop the energy grows again";
+    EXPECT_EQ(lab.context.free[lab.body].startVelocity.x, passed ? 0 : v) << "free motion goes on from there";
+    if (passed) {
+      EXPECT_EQ(lab.bodies.data[lab.body].lastKineticEnergy, 0);
+    }
+  }
+}
+
+TEST(Rest, KineticDampingLeavesWhatGainsEnergyOrIsFastOrFloats) {
+  OnGround topples;
+  for (int step = 0; step < 50; step++) {  // ever faster
+    topples.at(topples.body).angularVelocity = {1e-3 * step, 0, 0};
+    topples.prepare();
+    EXPECT_EQ(topples.at(topples.body).angularVelocity.x, 1e-3 * step);
+  }
+  OnGround fast;
+  for (double v : {2.0, 1.0, 0.02}) {
+    fast.at(fast.body).linearVelocity = {v, 0, 0};
+    fast.prepare();
+    EXPECT_EQ(fast.at(fast.body).linearVelocity.x, v);
+  }
+  TestIsland space;
+  BodyIndex a = space.brick({}), b = space.brick({0, 2 * kBrick.y, 0});
+  space.touch(a, b);
+  for (double v : {5e-3, 4e-3}) {
+    space.at(a).linearVelocity = {v, 0, 0};
+    space.prepare();
+    EXPECT_EQ(space.at(a).linearVelocity.x, v) << "nothing holds it";
+  }
+}
+
+// Steps of restIfHeld alone, for an island that its solve leaves unbalanced; `place`: where the brick is in that step.
+template <class Place> int stepsUntilStilled(OnGround& lab, int most, Place place) {
+  Vec3 start = lab.at(lab.body).position;
+  for (int step = 1; step <= most; step++) {
+    lab.prepare();
+    lab.island().ending = IslandEnding::unbalanced;
+    lab.context.solved[lab.body].d = {1, 1, 1};
+    lab.at(lab.body).position = start + place(step);
+    restIfHeld(lab.island(), lab.context);
+    if (lab.island().ending == IslandEnding::stilled) return step;
+  }
+  return -1;
+}
+
+TEST(Rest, StilledAfterHalfASecondWithinTwentyFiveMicrometres) {
+  for (double dt : {1.0 / 64, 1.0 / 128}) {  // exact in binary: sums of steps have no rounding
+    OnGround lab(dt);
+    int steps = stepsUntilStilled(lab, 200, [](int n) { return Vec3{n % 2 ? 24e-6 : 0, 0, 0}; });
+    EXPECT_EQ(steps, int(0.5 / dt)) << "not a step sooner";
+    const SolvedMotion& s = lab.context.solved[lab.body];
+    EXPECT_TRUE(s.rest && s.d == Vec3{} && s.velocity == Vec3{} && !s.freeTurn);
+  }
+}
+
+TEST(Rest, GoingFurtherBeginsTheWatchAnew) {
+  constexpr double kStep = 1.0 / 64;
+  OnGround once(kStep);
+  EXPECT_EQ(stepsUntilStilled(once, 200, [](int n) { return Vec3{0, n < 20 ? 0 : 26e-6, 0}; }), 19 + 32);
+  OnGround creeps(kStep);  // 1 mm/s: 15.6 um a step
+  EXPECT_EQ(stepsUntilStilled(creeps, 500, [](int n) { return Vec3{0, 0, 15.6e-6 * n}; }), -1);
+  OnGround starts(kStep);  // falls slowly at 2e-5 g: 24.5 um in 0.5 s, then faster
+  EXPECT_EQ(stepsUntilStilled(starts, 500, [](int n) { return Vec3{0, 0.5 * 2.2e-5 * 9.81 * n * n * kStep * kStep, 0}; }), -1);
+}
+
+TEST(Rest, ATurnCountsAtTheOuterRadius) {
+  double reach = length(kBrick);
+  for (double share : {0.9, 1.1}) {
+    OnGround lab(1.0 / 64);
+    int steps = stepsUntilStilled(lab, 40, [&](int n) {
+      double turn = n % 2 ? share * 25e-6 / reach : 0;
+      lab.bodies.setRotation(lab.body, quatFromRotationVector(Vec3{0, turn, 0}));
+      return Vec3{};
+    });
+    EXPECT_EQ(steps, share < 1 ? 32 : -1) << share;
+  }
+}
+
+TEST(Rest, WhatIsNotSlowIsNotWatched) {
+  OnGround lab(1.0 / 64);
+  EXPECT_EQ(stepsUntilStilled(lab, 31, [](int) { return Vec3{}; }), -1);
+  lab.at(lab.body).linearVelocity = {0.5, 0, 0};
+  lab.prepare();
+  restIfHeld(lab.island(), lab.context);
+  EXPECT_TRUE(lab.island().heldPoses.empty());
+  lab.at(lab.body).linearVelocity = {};
+  EXPECT_EQ(stepsUntilStilled(lab, 200, [](int) { return Vec3{}; }), 32) << "from the beginning";
+}
+
+}  // namespace
+}  // namespace brickfall
