@@ -24,8 +24,8 @@
 namespace brickfall::test {
 
 constexpr double kG = 9.81;                       // m/s2
-constexpr Vec3 kBrick{0.12, 0.0325, 0.0575};     // m, half extents
-constexpr double kBrickMass = 2.7;               // kg
+constexpr Vec3 kBrick{0.12, 0.0325, 0.0575};      // m, half extents
+constexpr double kBrickMass = 2.7;                // kg
 constexpr double kBrickWeight = kBrickMass * kG;  // N
 
 class TestIsland {
@@ -172,12 +172,13 @@ class TestIsland {
       m.linearVelocity = m.angularVelocity = {};
       if (s.rest) continue;
       m.position += s.d;
-      bodies.setRotation(body, s.freeTurn ? context.free[body].rotation
-                                          : normalized(quatFromRotationVector(s.th) * m.rotation));
+      bodies.setRotation(
+          body, s.freeTurn ? context.free[body].rotation : normalized(quatFromRotationVector(s.th) * m.rotation));
       m.linearVelocity = s.velocity;
       m.angularVelocity = bodies.worldInvInertia(body) * s.angularMomentum;
     }
   }
+  // Without rebounds, and without taking back what an unconverged solve gained.
   void step() {
     if (island().settled()) {
       island().ending = IslandEnding::settled;

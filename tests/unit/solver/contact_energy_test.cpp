@@ -140,7 +140,8 @@ TEST(ContactEnergy, TheLossIsThatOfTheProof) {
     storeRows(lab.island(), lab.context);
     JointWork joints = jointWork(lab.island(), lab.context);
     EXPECT_NEAR(joints.work, 4 * C * (f + more / 2 - k * C), 2e-5 * f * f / k);
-    EXPECT_NEAR(joints.work + joints.elastic - before, -4 * (k * C - m / 2) * (k * C - m / 2) / (2 * k), 2e-5 * f * f / k);
+    EXPECT_NEAR(joints.work + joints.elastic - before, -4 * (k * C - m / 2) * (k * C - m / 2) / (2 * k),
+                2e-5 * f * f / k);
   }
 }
 

@@ -83,7 +83,10 @@ struct Shape {
   Lab (*make)(int bricks);
 };
 const Shape kShapes[] = {{"pile", [](int n) { return pile(n, {}); }},
-                         {"leaning pile", [](int n) { return pile(n, {0.05, 0, 0.01}); }},
+                         {"leaning pile",
+                          [](int n) {
+                            return pile(n, {0.05, 0, 0.01});
+                          }},
                          {"chain", chain},
                          {"arch", arch}};
 
@@ -110,7 +113,8 @@ TEST(DirectSolve, EndsUnderItsToleranceAndInTheMinimumOfTheEnergy) {
         oracle::Problem problem = oracle::problemOf(lab->island(), lab->context);
         oracle::takeLimits(problem, lab->island());
         double least = oracle::stepEnergy(problem, solved.motion);
-        EXPECT_NEAR(oracle::imbalanceAt(problem, solved.motion).worst(), solved.residual, 2e-3) << "the law in double agrees";
+        EXPECT_NEAR(oracle::imbalanceAt(problem, solved.motion).worst(), solved.residual, 2e-3)
+            << "the law in double agrees";
         for (int n = 0; n < 30; n++) {
           std::vector<oracle::Motion> other = solved.motion;
           for (oracle::Motion& m : other)

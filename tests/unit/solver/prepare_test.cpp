@@ -205,7 +205,8 @@ TEST(Prepare, ASlidingPointGetsTheAnchorAtWhichItsSpringCarriesItsForce) {
     // One step back limits it: 0.6 of the normal force that the point had then.
     EXPECT_NEAR(double(r.trial1[i]), double(before.force1[i]), 1e-5 * size);
     EXPECT_NEAR(double(r.trial2[i]), double(before.force2[i]), 1e-5 * size);
-    EXPECT_NEAR(double(m.drift1[i]), -double(before.force1[i]) / double(m.stiffness[i]), 1e-5 * size / double(m.stiffness[i]));
+    EXPECT_NEAR(double(m.drift1[i]), -double(before.force1[i]) / double(m.stiffness[i]),
+                1e-5 * size / double(m.stiffness[i]));
     Vec3 apart = lab.at(lab.body).position + lab.at(lab.body).orientation * g.anchorB[i] - g.anchorA[i];
     EXPECT_NEAR(dot(t1, apart), double(m.drift1[i]), 1e-9) << "the anchor lies where the drift says";
     EXPECT_NEAR(dot(t2, apart), double(m.drift2[i]), 1e-9);
@@ -253,7 +254,8 @@ TEST(Prepare, LongerStepsMakeAPointSofterAtOnce) {
 TEST(Prepare, UnusedLanesDoNothing) {
   TestIsland lab;
   BodyIndex under = lab.ground();
-  BodyIndex body = lab.brick({0, 0.06 * std::sqrt(0.5) * 2, 0}, 1, {0.06, 0.06, 0.06}, quatFromAxisAngle({1, 0, 0}, 0.7853981633974483));
+  BodyIndex body = lab.brick({0, 0.06 * std::sqrt(0.5) * 2, 0}, 1, {0.06, 0.06, 0.06},
+                             quatFromAxisAngle({1, 0, 0}, 0.7853981633974483));
   ContactIndex edge = lab.touch(under, body);  // on an edge
   ASSERT_EQ(lab.contact(edge).count, 2);
   lab.points(edge).forceN[0] = lab.points(edge).heldN[0] = 3;
@@ -261,7 +263,9 @@ TEST(Prepare, UnusedLanesDoNothing) {
   const ContactRecord& r = lab.record();
   EXPECT_EQ(r.newPoints, 2u);
   EXPECT_FLOAT_EQ(r.limit[0], 0.6f * 3);
-  for (int i : {2, 3}) EXPECT_TRUE(r.k[i] == 0 && r.trialN[i] == 0 && r.trial1[i] == 0 && r.trial2[i] == 0 && r.limit[i] == 0 && r.bond[i] == 0);
+  for (int i : {2, 3})
+    EXPECT_TRUE(r.k[i] == 0 && r.trialN[i] == 0 && r.trial1[i] == 0 && r.trial2[i] == 0 && r.limit[i] == 0 &&
+                r.bond[i] == 0);
 }
 
 }  // namespace

@@ -30,7 +30,8 @@ TEST(Rest, OnlyUnderTheToleranceOfTheResidual) {
     bool rests = std::fabs(error) < 1e-3;
     EXPECT_EQ(lab.island().ending, rests ? IslandEnding::rested : IslandEnding::unsolved) << error;
     EXPECT_EQ(lab.context.statistics.restingIslands, int(rests));
-    for (const SolveMotion& m : lab.island().motion) EXPECT_TRUE(m.d == Vec3f{} && m.th == Vec3f{}) << "no motion is judged";
+    for (const SolveMotion& m : lab.island().motion)
+      EXPECT_TRUE(m.d == Vec3f{} && m.th == Vec3f{}) << "no motion is judged";
   }
 }
 
@@ -123,7 +124,11 @@ TEST(Rest, GoingFurtherBeginsTheWatchAnew) {
   OnGround creeps(kStep);  // 1 mm/s: 15.6 um a step
   EXPECT_EQ(stepsUntilStilled(creeps, 500, [](int n) { return Vec3{0, 0, 15.6e-6 * n}; }), -1);
   OnGround starts(kStep);  // falls slowly at 2e-5 g: 24.5 um in 0.5 s, then faster
-  EXPECT_EQ(stepsUntilStilled(starts, 500, [](int n) { return Vec3{0, 0.5 * 2.2e-5 * 9.81 * n * n * kStep * kStep, 0}; }), -1);
+  EXPECT_EQ(stepsUntilStilled(starts, 500,
+                              [](int n) {
+                                return Vec3{0, 0.5 * 2.2e-5 * 9.81 * n * n * kStep * kStep, 0};
+                              }),
+            -1);
 }
 
 TEST(Rest, ATurnCountsAtTheOuterRadius) {

@@ -68,7 +68,8 @@ TEST(Rows, TieByTheirPointsAndAHundredTimesByTheirLoad) {
   EXPECT_TRUE(rows.tie(0, lab.context).weak) << "carries nothing yet";
   lab.load(1, 3 * kBrickWeight, 1e6);
   lab.contact(1).weak = false;
-  EXPECT_NEAR(double(rows.tie(1, lab.context).strength), 4 + 100 * 3 * 2, 1e-3) << "two bricks: half of one is effective";
+  EXPECT_NEAR(double(rows.tie(1, lab.context).strength), 4 + 100 * 3 * 2, 1e-3)
+      << "two bricks: half of one is effective";
   EXPECT_FALSE(rows.tie(1, lab.context).weak);
 }
 

@@ -21,8 +21,7 @@ using test::TestIsland;
 constexpr double kCap = 5 * kBrickWeight;  // N
 
 struct OnGround : TestIsland {
-  explicit OnGround(Vec3 velocity = {})
-      : under(ground()), body(brick({0, kBrick.y, 0})), face(touch(under, body)) {
+  explicit OnGround(Vec3 velocity = {}) : under(ground()), body(brick({0, kBrick.y, 0})), face(touch(under, body)) {
     at(body).linearVelocity = velocity;
   }
   SolveMotion& motion() { return island().motion[0]; }
@@ -109,7 +108,8 @@ TEST(Store, NoAnchorIsPlacedFurtherThanAMillimetre) {
   const PointMemory& m = lab.points(lab.face);
   for (int i = 0; i < 4; i++) {
     EXPECT_NEAR(std::hypot(double(m.slip1[i]), double(m.slip2[i])), 1e-3, 1e-8);
-    EXPECT_NEAR(double(m.slip1[i]) * double(m.force2[i]) - double(m.slip2[i]) * double(m.force1[i]), 0, 1e-6) << "along the force";
+    EXPECT_NEAR(double(m.slip1[i]) * double(m.force2[i]) - double(m.slip2[i]) * double(m.force1[i]), 0, 1e-6)
+        << "along the force";
   }
 }
 
@@ -147,7 +147,8 @@ TEST(Store, TellsWhenAContactBeginsOrCeasesToCarry) {
   OnGround lab;
   lab.prepare();
   lab.contacts.touchingChanged = false;
-  for (auto [y, touches, changes] : {std::tuple{1e-6f, false, false}, {-1e-6f, true, true}, {-2e-6f, true, false}, {1e-6f, false, true}}) {
+  for (auto [y, touches, changes] :
+       {std::tuple{1e-6f, false, false}, {-1e-6f, true, true}, {-2e-6f, true, false}, {1e-6f, false, true}}) {
     lab.motion().d = {0, y, 0};
     lab.store();
     EXPECT_EQ(lab.contact(lab.face).touching, touches) << y;
@@ -166,7 +167,9 @@ TEST(Store, AtAFixedPointNotOneBitChanges) {
   }
   ASSERT_TRUE(lab.island().settled());
   std::vector<Contact> before = lab.contacts.contacts;
-  auto sameBits = [&] { return std::memcmp(before.data(), lab.contacts.contacts.data(), before.size() * sizeof(Contact)) == 0; };
+  auto sameBits = [&] {
+    return std::memcmp(before.data(), lab.contacts.contacts.data(), before.size() * sizeof(Contact)) == 0;
+  };
   lab.island().unsettle();
   lab.prepare();
   lab.checkRest();
