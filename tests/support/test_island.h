@@ -94,6 +94,7 @@ class TestIsland {
     }
     return add(a, b, m, toA * bodies.pose(b), friction);
   }
+  Ties ties() { return {contacts}; }
   Contact& contact(ContactIndex index) { return contacts.contacts[index]; }
   PointMemory& points(ContactIndex index) { return contacts.contacts[index].points; }
   // u, N/m: of the pair's effective mass and this time step
@@ -128,19 +129,19 @@ class TestIsland {
   }
   const ContactRecord& record(std::size_t row = 0) { return island().rows.contacts.records[row]; }
   void link() {
-    if (contacts.changed) buildIslands(islands, context, awake);
+    if (contacts.changed) buildIslands(islands, ties(), context, awake);
     contacts.changed = false;
     context.free.resize(bodies.slots());
     context.solved.resize(bodies.slots());
   }
   void prepare() {
     Island& all = island();
-    all.facts = findFacts(all, context);
+    all.facts = findFacts(all, bodies);
     all.plan = planFor(all.facts, context.settings, context.dt);
-    dampSlowIsland(all, context);
-    for (BodyIndex body : all.bodies) predictFreeMotion(context, body, 1.2, true);
+    dampSlowIsland(all, bodies);
+    for (BodyIndex body : all.bodies) predictFreeMotion(context, bodies, body, 1.2, true);
     prepareBodies(all, context);
-    prepareRows(all, context);
+    prepareRows(all, ties(), context);
   }
   void checkRest() { restCheck(island(), context); }
   // Cycles, and the direct solve where the plan has it.
@@ -154,7 +155,7 @@ class TestIsland {
   }
   // True if any bit of what the contacts remember changed.
   bool store() {
-    bool changed = storeRows(island(), context);
+    bool changed = storeRows(island(), ties(), context);
     storeMotion(island(), context);
     correctFlight(island(), context);
     correctLoneBody(island(), context);
@@ -164,7 +165,7 @@ class TestIsland {
   }
   // Velocities, poses, gaps.
   void move() {
-    advanceRows(island(), context);
+    advanceRows(island(), ties(), context);
     for (BodyIndex body : island().bodies) {
       const SolvedMotion& s = context.solved[body];
       BodyMotion& m = bodies.motion[body];

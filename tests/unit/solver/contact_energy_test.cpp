@@ -113,7 +113,7 @@ TEST(ContactEnergy, NoMotionDrawsMoreThanIsHeld) {
       moved.d = {some(double(way)), start == Start::closing ? -way : some(double(way)), some(double(way))};
       moved.th = {some(10.0 * double(way)), some(10.0 * double(way)), some(10.0 * double(way))};
       lab.island().ending = IslandEnding::balanced;
-      storeRows(lab.island(), lab.context);
+      storeRows(lab.island(), lab.ties(), lab.context);
       JointWork joints = jointWork(lab.island(), lab.context);
       double scale = before + std::fabs(joints.work) + joints.elastic, gain = joints.work + joints.elastic - before;
       EXPECT_LE(gain, 1e-5 * scale) << "start " << int(start) << ": held " << before << " J, then " << joints.elastic
@@ -137,7 +137,7 @@ TEST(ContactEnergy, TheLossIsThatOfTheProof) {
     double C = n == 0 ? m / (2 * k) : random.between(-0.5, 0.5) * f / k;
     lab.island().motion[0].d = {0, float(C), 0};
     lab.island().ending = IslandEnding::balanced;
-    storeRows(lab.island(), lab.context);
+    storeRows(lab.island(), lab.ties(), lab.context);
     JointWork joints = jointWork(lab.island(), lab.context);
     EXPECT_NEAR(joints.work, 4 * C * (f + more / 2 - k * C), 2e-5 * f * f / k);
     EXPECT_NEAR(joints.work + joints.elastic - before, -4 * (k * C - m / 2) * (k * C - m / 2) / (2 * k),

@@ -116,7 +116,7 @@ TEST(Plan, WhatIsNotANumberIsNotSlow) {
     TestIsland lab;
     std::vector<BodyIndex> pile = lab.pile(lab.ground(), 3);
     lab.at(pile[std::size_t(which)]).linearVelocity.x = nan;
-    IslandFacts facts = findFacts(lab.island(), lab.context);
+    IslandFacts facts = findFacts(lab.island(), lab.bodies);
     EXPECT_TRUE(std::isnan(facts.fastest) && std::isnan(facts.fastestCentre)) << "body " << which;
     facts.bodies = 25;  // too many to be solved directly at any speed
     SolvePlan plan = planOf(facts);
@@ -131,7 +131,7 @@ TEST(Plan, FactsAreThoseOfTheBodies) {
   lab.at(pile[0]).linearVelocity = {0.3, 0, 0.4};
   lab.at(pile[1]).linearVelocity = {0, 0.1, 0};
   lab.at(pile[1]).angularVelocity = {0, 20, 0};
-  IslandFacts facts = findFacts(lab.island(), lab.context);
+  IslandFacts facts = findFacts(lab.island(), lab.bodies);
   double inertia = test::kBrickMass / 3 * (kBrick.x * kBrick.x + kBrick.z * kBrick.z);
   EXPECT_EQ(facts.bodies, 2u);
   EXPECT_TRUE(facts.grounded);
@@ -141,13 +141,13 @@ TEST(Plan, FactsAreThoseOfTheBodies) {
   EXPECT_NEAR(facts.energy, 0.5 * test::kBrickMass * (0.25 + 0.01) + 0.5 * inertia * 400, 1e-12);
   EXPECT_EQ(facts.energyBefore, 0);
   for (BodyIndex body : pile) lab.at(body).angularVelocity = {};
-  IslandFacts next = findFacts(lab.island(), lab.context);
+  IslandFacts next = findFacts(lab.island(), lab.bodies);
   EXPECT_DOUBLE_EQ(next.energyBefore, facts.energy);
   EXPECT_DOUBLE_EQ(next.fastest, 0.5);
   TestIsland space;
   BodyIndex first = space.brick({}), second = space.brick({0, 2 * kBrick.y, 0});
   space.touch(first, second);
-  EXPECT_FALSE(findFacts(space.island(), space.context).grounded);
+  EXPECT_FALSE(findFacts(space.island(), space.bodies).grounded);
 }
 
 TEST(Plan, APartnerThatBeginsToMoveIsSeenInTheSameStep) {

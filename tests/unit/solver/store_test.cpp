@@ -194,7 +194,7 @@ TEST(Store, MotionBecomesVelocityAndAngularMomentum) {
   lab.motion().d = {1e-3f, 2e-3f, -3e-3f};
   lab.motion().th = {2e-3f, 0, 1e-3f};
   lab.island().ending = IslandEnding::balanced;
-  storeRows(lab.island(), lab.context);
+  storeRows(lab.island(), lab.ties(), lab.context);
   storeMotion(lab.island(), lab.context);
   const SolvedMotion& s = lab.context.solved[lab.body];
   EXPECT_NEAR(length(s.d - Vec3{1e-3, 2e-3, -3e-3}), 0, 1e-9);
@@ -223,7 +223,7 @@ TEST(Store, GapsAndDriftsGoOnByTheMotionThatWasMade) {
     auto some = [&](double size) { return random.between(-size, size); };
     s.d = {some(1e-3), some(1e-3), some(1e-3)};
     s.th = {some(1e-3), some(1e-3), some(1e-3)};
-    advanceRows(lab.island(), lab.context);
+    advanceRows(lab.island(), lab.ties(), lab.context);
     const ContactGeometry& g = lab.contacts.geometry[lab.face];
     Vec3 t2 = cross(g.normal, g.tangent1);
     const PointMemory& m = lab.points(lab.face);
@@ -240,7 +240,7 @@ TEST(Store, GapsAndDriftsGoOnByTheMotionThatWasMade) {
   rests.prepare();
   rests.checkRest();
   PointMemory before = rests.points(rests.face);
-  advanceRows(rests.island(), rests.context);
+  advanceRows(rests.island(), rests.ties(), rests.context);
   EXPECT_EQ(std::memcmp(&before, &rests.points(rests.face), sizeof before), 0);
 }
 
@@ -250,7 +250,7 @@ TEST(Store, ABodyWithoutContactsFliesItsParabola) {
   lab.at(body).linearVelocity = {3, 4, 0};
   lab.at(body).angularVelocity = {0, 2, 0};
   lab.link();
-  predictFreeMotion(lab.context, body, 1.2, false);
+  predictFreeMotion(lab.context, lab.bodies, body, 1.2, false);
   storeFreeBody(body, lab.context);
   const SolvedMotion& s = lab.context.solved[body];
   double h = lab.context.dt;
