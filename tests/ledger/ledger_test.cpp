@@ -163,5 +163,23 @@ TEST(Ledger, causesAddUpToTheChange) {
   EXPECT_LT(sums.total.contacts.energy, 0);
 }
 
+// A force drives a ball at rest, as its bounds say, through a thin plate: it stops short of it, and so turns less about the
+// world's origin than its momentum says. That is the obstacle's doing, not rounding.
+TEST(Ledger, whatStopsAtAnObstacleIsBookedOnIt) {
+  WorldDef def;
+  def.gravity = {};
+  World world = ledgerWorld(def);
+  BodyDef d = bodyOf(sphereOf(0.05), {});
+  d.linearVelocity = {0, 0, 5};
+  BodyId ball = add(world, d);
+  add(world, bodyOf(boxOf({0.005, 2, 2}), {0.4, 0, 0}, BodyType::fixed));
+  ASSERT_TRUE(world.applyForce(ball, {world.state(ball)->mass * 60 / kDt, 0, 0}).ok());
+  StepLedger l = stepOf(world);
+  EXPECT_LT(world.state(ball)->position.x, 0.395);
+  EXPECT_GT(length(l.obstacles.angular), 0.1);
+  EXPECT_LT(length(l.integrate.angular), 1e-9);
+  EXPECT_LT(length(l.obstacles.linear), 1e-12);
+}
+
 }  // namespace
 }  // namespace brickfall::test
