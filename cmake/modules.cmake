@@ -7,9 +7,12 @@ target_compile_options(brickfall_options INTERFACE
   -ffp-contract=off -fno-math-errno -Wall -Wextra -Wshadow -Wno-missing-field-initializers)
 if(BRICKFALL_WERROR)
   target_compile_options(brickfall_options INTERFACE -Werror)
-  # Under sanitizers g++ can't follow its own instrumentation.
-  if(BRICKFALL_SANITIZE AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-    target_compile_options(brickfall_options INTERFACE -Wno-error=maybe-uninitialized -Wno-error=null-dereference)
+endif()
+# What g++ can't follow through the checks that sanitizers put in.
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  set(BRICKFALL_SANITIZER_DOUBTS -Wno-maybe-uninitialized -Wno-array-bounds -Wno-stringop-overflow -Wno-restrict)
+  if(BRICKFALL_SANITIZE)
+    target_compile_options(brickfall_options INTERFACE ${BRICKFALL_SANITIZER_DOUBTS})
   endif()
 endif()
 # g++ 12 fuses pairs of products into vfmaddsub all the same (its vectoriser does not ask -ffp-contract) where the flags of
