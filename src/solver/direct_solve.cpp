@@ -100,9 +100,8 @@ class Envelope {
 
 class Newton {
  public:
-  Newton(Island& island, const StepContext& context, SolveStatistics& statistics)
+  Newton(Island& island, SolveStatistics& statistics)
       : island_(island),
-        context_(context),
         statistics_(statistics),
         place_(island.bodies.size(), 0, island.memory),
         step_(6 * island.bodies.size(), 0.0, island.memory),
@@ -269,7 +268,6 @@ class Newton {
   }
 
   Island& island_;
-  const StepContext& context_;
   SolveStatistics& statistics_;
   std::pmr::vector<std::uint32_t> place_;  // of a body in the matrix
   std::pmr::vector<double> step_;          // by place
@@ -280,7 +278,7 @@ class Newton {
 }  // namespace
 
 bool solveDirectly(Island& island, const StepContext& context, double tolerance, SolveStatistics& statistics) {
-  Newton newton(island, context, statistics);
+  Newton newton(island, statistics);
   for (int k = 0; k < kDirectSteps; k++) {
     if (worstResidual(island, *context.bodies) < (k < kTightSteps ? tolerance : 10 * tolerance)) return true;
     if (!newton.step(k < kBoundSteps)) return false;
