@@ -41,7 +41,10 @@ void runCycles(Island& island, const StepContext& context, SolveStatistics& stat
     lightPass(island, true, statistics.lightVisits);
     done = cycle + 1 >= island.plan.minCycles && balanced(island, context);
   }
-  if (island.plan.direct) done = solveDirectly(island, context, kSlowTolerance, statistics);
+  if (island.plan.direct) {
+    solveDirectly(island, context, kSlowTolerance, statistics);
+    done = balanced(island, context);
+  }
   island.ending = done ? IslandEnding::balanced : IslandEnding::unbalanced;
   statistics.residualRms = std::max(statistics.residualRms, rmsResidual(island, *context.bodies));
 }

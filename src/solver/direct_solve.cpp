@@ -277,14 +277,13 @@ class Newton {
 
 }  // namespace
 
-bool solveDirectly(Island& island, const StepContext& context, double tolerance, SolveStatistics& statistics) {
+void solveDirectly(Island& island, const StepContext& context, double tolerance, SolveStatistics& statistics) {
   Newton newton(island, statistics);
   for (int k = 0; k < kDirectSteps; k++) {
-    if (worstResidual(island, *context.bodies) < (k < kTightSteps ? tolerance : 10 * tolerance)) return true;
-    if (!newton.step(k < kBoundSteps)) return false;
+    if (worstResidual(island, *context.bodies) < (k < kTightSteps ? tolerance : 10 * tolerance)) return;
+    if (!newton.step(k < kBoundSteps)) return;
     statistics.cycles++;
   }
-  return false;
 }
 
 }  // namespace brickfall

@@ -5,7 +5,7 @@
 namespace brickfall {
 
 // From the present motion, of which Island::residual is known, until the worst residual is under `tolerance` weights, or after
-// many steps under ten times that. False if it did not come so far.
-bool solveDirectly(Island& island, const StepContext& context, double tolerance, SolveStatistics& statistics);
+// many steps under ten times that.
+void solveDirectly(Island& island, const StepContext& context, double tolerance, SolveStatistics& statistics);
 
 }  // namespace brickfall
