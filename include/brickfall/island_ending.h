@@ -11,12 +11,12 @@ enum class IslandEnding : std::uint8_t {
   unbalanced,  // its cycles and steps are used up, some residual is left
   balanced,    // every residual under the tolerance of its plan
   rested,      // balanced without any motion (rest check): stays where it is
-  stilled,     // slow, and no point of it strayed for a while: stopped where it is
+  inPlace,     // slow, and no point of it strayed for a while: stopped where it is
   settled,     // rested, and not one bit of its forces changed: passed over until something disturbs it
   count
 };
 constexpr int kIslandEndingCount = int(IslandEnding::count);
 constexpr std::array<std::string_view, kIslandEndingCount> kIslandEndingNames = {"unsolved", "unbalanced", "balanced",
-                                                                                 "rested",   "stilled",    "settled"};
+                                                                                 "rested",   "in place",   "settled"};
 
 }  // namespace brickfall

@@ -21,17 +21,18 @@ enum class Stage : std::uint8_t {
   rest,         // rest check
   solve,        // cluster hierarchies, multilevel cycles
   store,        // forces kept, velocities, free flight
-  restitution,  // rebound, energy guard
+  restitution,  // rebound
   obstacles,    // fast bodies stop before what they would pass through
+  balance,      // momentum and energy of islands, once
   integrate,    // new poses, quarantine
   sleep,        // falling asleep
   events,
   count
 };
 constexpr int kStageCount = int(Stage::count);
-constexpr std::array<std::string_view, kStageCount> kStageNames = {"pairs",     "contacts",  "islands", "prepare",
-                                                                   "rest",      "solve",     "store",   "restitution",
-                                                                   "obstacles", "integrate", "sleep",   "events"};
+constexpr std::array<std::string_view, kStageCount> kStageNames = {
+    "pairs",       "contacts",  "islands", "prepare",   "rest",  "solve", "store",
+    "restitution", "obstacles", "balance", "integrate", "sleep", "events"};
 
 struct TraceOptions {
   bool stages = false;  // StepReport::stageHashes
@@ -90,8 +91,9 @@ struct StepLedger {
   BalanceChange remade;   // elastic energy of contacts that appeared, ended or were measured anew
   BalanceChange renewed;  // elastic energy of joints that remember otherwise without moving: overlap left by an impact
                           // begins to press (a tenth in each step), an impact ends, a sudden load is held in part
-  BalanceChange rebound;  // restitution and energy guard
+  BalanceChange rebound;  // restitution
   BalanceChange obstacles;   // bodies that stopped short of what they would pass through: they end, and turn, elsewhere
+  BalanceChange balance;     // angular momentum set right, energy that an island had gained taken back
   BalanceChange integrate;   // rounding of new poses
   BalanceChange quarantine;  // bodies that were taken out
 };

@@ -54,9 +54,9 @@ SolvePlan planFor(const IslandFacts& facts, const SolverSettings& settings, doub
 
 // It stays where it is in this step.
 constexpr bool isResting(IslandEnding e) {
-  return e == IslandEnding::rested || e == IslandEnding::stilled || e == IslandEnding::settled;
+  return e == IslandEnding::rested || e == IslandEnding::inPlace || e == IslandEnding::settled;
 }
 // Nothing about it changes: the coming step passes it over.
-constexpr bool isSettled(IslandEnding e) { return e == IslandEnding::stilled || e == IslandEnding::settled; }
+constexpr bool isSettled(IslandEnding e) { return e == IslandEnding::inPlace || e == IslandEnding::settled; }
 
 }  // namespace brickfall

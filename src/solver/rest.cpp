@@ -35,7 +35,7 @@ double strayed(const BodySet& bodies, BodyIndex body, const Transform& from) {
 
 }  // namespace
 
-void restIfHeld(Island& island, StepContext& context) {
+void restIfHeld(Island& island, const StepContext& context) {
   const BodySet& bodies = *context.bodies;
   if (!island.plan.slow || island.resting()) {
     island.heldPoses.clear();
@@ -52,12 +52,7 @@ void restIfHeld(Island& island, StepContext& context) {
   island.heldTime += context.dt;
   if (island.heldTime < kHeldTime) return;
   island.heldPoses.clear();
-  island.ending = IslandEnding::stilled;
-  for (BodyIndex body : island.bodies) {
-    context.solved[body] = {};
-    context.solved[body].freeTurn = false;
-    context.solved[body].rest = true;
-  }
+  island.ending = IslandEnding::inPlace;
 }
 
 }  // namespace brickfall

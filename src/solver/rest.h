@@ -15,7 +15,7 @@ void restCheck(Island& island, StepContext& context);
 
 // The other way to rest: a slow island of which nothing strays from its place for a while stays there, though the last
 // of its residual does not come under the limit (a thin wall goes on swaying by micrometres, a point at the very edge of
-// sliding or opening changes sides in every step). Called after storeMotion; then stops the island.
-void restIfHeld(Island& island, StepContext& context);
+// sliding or opening changes sides in every step). Called before storeMotion, which then leaves all in place.
+void restIfHeld(Island& island, const StepContext& context);
 
 }  // namespace brickfall

@@ -61,12 +61,14 @@ struct FreeMotion {
   Vec3 startVelocity, startSpin;  // before forces, for energy
 };
 
-// What the solve found: filled by islands, applied by integrate.
+// How a body moves in this step. Written by solver/finish, in this order: motion (as solved, flight, second order), rebound;
+// shortened at obstacles; balanced once (momentum, spin, energy); then it is the body's.
 struct SolvedMotion {
   Vec3 d;                // m
   Vec3 th;               // rad
   Vec3 velocity;         // m/s
   Vec3 angularMomentum;  // kg m2/s
+  Vec3 lost;             // m: of the way, cut off by an obstacle
   bool freeTurn = true;  // no torque acted: take FreeMotion::rotation
   bool rest = false;     // does not move
   bool flying = false;   // no chain of forces leads to anything held

@@ -1,6 +1,7 @@
 // New poses and velocities. Whatever became non-finite is quarantined here: held where it was, out of all contacts.
 #include <cmath>
 
+#include "solver/finish/motion.h"
 #include "solver/store.h"
 #include "world/activity.h"
 #include "world/diary.h"

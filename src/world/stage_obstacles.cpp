@@ -10,10 +10,8 @@
 #include <cmath>
 
 #include "geometry/queries.h"
-#include "solver/energy_guard.h"
+#include "solver/finish/motion.h"
 #include "solver/free_motion.h"
-#include "solver/restitution.h"
-#include "solver/store.h"
 #include "world/activity.h"
 #include "world/diary.h"
 #include "world/proximity.h"
@@ -120,11 +118,10 @@ struct Obstacles {
   const Activity& activity;
   const IslandSet& islands;
   StepContext& context;
-  std::pmr::vector<Vec3> lag;  // kg m, by awake island: mass times way, by which bodies were stopped
 
   void stopAll();
   void stop(BodyIndex body);
-  bool catchUp(const Island& island, Vec3 missing);
+  void catchUp(const Island& island);
   void obstruct(ShapeIndex shape, bool everything, double thickness, const Island* without, Obstruction& first) const;
   const Island* islandWith(BodyIndex body) const;
   Motion motionOf(BodyIndex body) const;
@@ -151,11 +148,11 @@ void Obstacles::shorten(BodyIndex body, double share, double turnShare, Vec3 car
   SolvedMotion& s = context.solved[body];
   Vec3 left = s.d * share + carried, lost = s.d - left;
   s.d = left;
+  s.lost += lost;
   if (turnShare < 1) {
     s.th *= turnShare;
     if (s.freeTurn) shortenFreeTurn(context, body, turnShare);
   }
-  if (activity.islandOf[body] != kNoIndex) lag[activity.islandOf[body]] += lost * bodies.mass[body].mass;
 }
 
 bool Obstacles::turnsFar(BodyIndex body, Vec3 turn) const {
@@ -193,33 +190,37 @@ void Obstacles::stop(BodyIndex body) {
 }
 
 void Obstacles::stopAll() {
-  lag.assign(islands.awake.size(), {});
   for (const IslandPointer& island : islands.awake)
     if (!island->resting())
       for (BodyIndex body : island->bodies) stop(body);
   for (BodyIndex body : islands.single) stop(body);
-  for (std::size_t i = 0; i < islands.awake.size(); i++) {
-    const Island& island = *islands.awake[i];
-    if (island.grounded() || lag[i] == Vec3{} || !solvedWell(island, context)) continue;
-    if (catchUp(island, lag[i])) restoreSpin(island, context);
-    guardEnergy(island, context);
-  }
+  for (const IslandPointer& island : islands.awake)
+    if (!island->grounded() && !island->resting() && solvedWell(*island, context)) catchUp(*island);
 }
 
 // The centre of mass of a floating island goes on as its momentum says, though bodies were stopped: all are moved alike
 // by what is missing, unless that would take one of them through something else.
-bool Obstacles::catchUp(const Island& island, Vec3 missing) {
+void Obstacles::catchUp(const Island& island) {
   double mass = 0;
-  for (BodyIndex body : island.bodies) mass += bodies.mass[body].mass;
-  missing = missing * (1 / mass);
-  for (BodyIndex body : island.bodies) context.solved[body].d += missing;
+  Vec3 lag;  // kg m
+  for (BodyIndex body : island.bodies) {
+    mass += bodies.mass[body].mass;
+    lag += context.solved[body].lost * bodies.mass[body].mass;
+  }
+  if (lag == Vec3{}) return;
+  auto moveOn = [&](Vec3 by) {
+    for (BodyIndex body : island.bodies) {
+      context.solved[body].d += by;
+      context.solved[body].lost -= by;
+    }
+  };
+  Vec3 missing = lag * (1 / mass);
+  moveOn(missing);
   Obstruction first;
   for (BodyIndex body : island.bodies)
     for (ShapeIndex shape : bodies.shapes[body])
       if (first.share == 1) obstruct(shape, true, bodies.mass[body].innerRadius, &island, first);
-  if (first.share == 1) return true;
-  for (BodyIndex body : island.bodies) context.solved[body].d -= missing;
-  return false;
+  if (first.share < 1) moveOn(-missing);
 }
 
 // The first thing on a body's way, for one shape of the body. `everything`: it may be the other that does the moving.
@@ -265,21 +266,14 @@ void Obstacles::obstruct(ShapeIndex shape, bool everything, double thickness, co
 
 void stopAtObstacles(const Registry& registry, const Activity& activity, const Proximity& proximity,
                      StepContext& context) {
-  Obstacles{registry.bodies,
-            registry.shapes,
-            *proximity.broadPhase,
-            activity,
-            activity.islands,
-            context,
-            std::pmr::vector<Vec3>(context.memory)}
-      .stopAll();
+  Obstacles{registry.bodies, registry.shapes, *proximity.broadPhase, activity, activity.islands, context}.stopAll();
 }
 
 void hashObstacles(const IslandSet& islands, const StepContext& context, HashItems& out) {
   out.solved(islands, context);
 }
 
-// Bodies will end elsewhere: that is an angular momentum about the world's origin; and velocities are guarded anew.
+// Bodies will end elsewhere: that is an angular momentum about the world's origin.
 void bookObstacles(const Registry& registry, const Activity& activity, const StepContext& context, Diary& diary) {
   bookSolved(diary.report.ledger->obstacles, registry.bodies, activity.awake, context, diary.ledgerState);
 }

@@ -1,7 +1,5 @@
-// Rebound of impacts; and what an island's energy gained in the step is taken back.
-#include "solver/restitution.h"
-
-#include "solver/energy_guard.h"
+// Rebound of impacts.
+#include "solver/finish/rebound.h"
 #include "world/activity.h"
 #include "world/diary.h"
 #include "world/registry.h"
@@ -13,8 +11,7 @@ namespace brickfall {
 void restitute(IslandSet& islands, ContactSet& contacts, StepContext& context) {
   for (IslandPointer& island : islands.awake) {
     if (island->settled()) continue;
-    applyRestitution(*island, Ties{contacts}, context);
-    guardEnergy(*island, context);
+    rebound(*island, Ties{contacts}, context);
   }
 }
 

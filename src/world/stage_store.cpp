@@ -5,6 +5,9 @@
 #include <algorithm>
 
 #include "solver/contact/energy.h"
+#include "solver/finish/flight.h"
+#include "solver/finish/lone_body.h"
+#include "solver/finish/motion.h"
 #include "solver/rest.h"
 #include "world/activity.h"
 #include "world/diary.h"
@@ -67,11 +70,11 @@ void storeSolution(const WorldDef& def, const Registry& registry, IslandSet& isl
     if (island->settled()) continue;
     bool changed = storeRows(*island, Ties{contacts}, context);
     if (!island->resting()) collectHits(def, registry, *island, contacts, context.dt, events.hits);
+    if (island->resting() && !changed) island->ending = IslandEnding::settled;
+    restIfHeld(*island, context);
     storeMotion(*island, context);
     correctFlight(*island, context);
     correctLoneBody(*island, context);
-    if (island->resting() && !changed) island->ending = IslandEnding::settled;
-    restIfHeld(*island, context);
   }
 }
 

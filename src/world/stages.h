@@ -53,6 +53,10 @@ void stopAtObstacles(const Registry&, const Activity&, const Proximity&, StepCon
 void hashObstacles(const IslandSet&, const StepContext&, HashItems&);
 void bookObstacles(const Registry&, const Activity&, const StepContext&, Diary&);
 
+void balanceIslands(const IslandSet&, StepContext&);
+void hashBalance(const IslandSet&, const StepContext&, HashItems&);
+void bookBalance(const Registry&, const Activity&, const StepContext&, Diary&);
+
 void integrate(const Clock&, const StepContext&, Registry&, Activity&, Proximity&, Quarantine&);
 void hashIntegrate(const Registry&, const Activity&, const ContactSet&, HashItems&);
 void bookIntegrate(const Registry&, const Activity&, const ContactSet&, const StepContext&, Diary&);

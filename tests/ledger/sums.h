@@ -13,8 +13,8 @@ namespace brickfall::test {
 inline double energyOf(const Balance& b) { return b.kinetic + b.potential; }
 
 struct Causes {
-  BalanceChange gravity, forces, damping, stopped, held, contacts, solve, rebound, obstacles, integrate, quarantine,
-      remade, renewed;
+  BalanceChange gravity, forces, damping, stopped, held, contacts, solve, rebound, obstacles, balance, integrate,
+      quarantine, remade, renewed;
 };
 
 struct Worst {
@@ -54,12 +54,12 @@ struct Sums {
       into.energy += c.energy;
       into.elastic += c.elastic;
     };
-    const BalanceChange* causes[] = {&l.gravity,    &l.forces, &l.damping, &l.stopped,   &l.held,
-                                     &l.contacts,   &l.solve,  &l.rebound, &l.obstacles, &l.integrate,
-                                     &l.quarantine, &l.remade, &l.renewed};
-    BalanceChange* totals[] = {&total.gravity,    &total.forces, &total.damping, &total.stopped,   &total.held,
-                               &total.contacts,   &total.solve,  &total.rebound, &total.obstacles, &total.integrate,
-                               &total.quarantine, &total.remade, &total.renewed};
+    const BalanceChange* causes[] = {&l.gravity,   &l.forces,     &l.damping, &l.stopped,   &l.held,
+                                     &l.contacts,  &l.solve,      &l.rebound, &l.obstacles, &l.balance,
+                                     &l.integrate, &l.quarantine, &l.remade,  &l.renewed};
+    BalanceChange* totals[] = {&total.gravity,   &total.forces,     &total.damping, &total.stopped,   &total.held,
+                               &total.contacts,  &total.solve,      &total.rebound, &total.obstacles, &total.balance,
+                               &total.integrate, &total.quarantine, &total.remade,  &total.renewed};
     for (std::size_t i = 0; i < std::size(causes); i++) {
       sum(all, *causes[i]);
       sum(*totals[i], *causes[i]);
@@ -72,8 +72,8 @@ struct Sums {
     worstGap.angular = std::max(worstGap.angular, length(l.after.angular - l.before.angular - all.angular) / moment);
     worstGap.energy =
         std::max(worstGap.energy, std::fabs(energyOf(l.after) - energyOf(l.before) - all.energy) / energy);
-    const Vec3 left = l.solve.linear + l.obstacles.linear + l.integrate.linear;
-    const Vec3 leftAngular = l.solve.angular + l.obstacles.angular + l.integrate.angular;
+    const Vec3 left = l.solve.linear + l.obstacles.linear + l.balance.linear + l.integrate.linear;
+    const Vec3 leftAngular = l.solve.angular + l.obstacles.angular + l.balance.angular + l.integrate.angular;
     unbalanced.linear = std::max(unbalanced.linear, length(left) / weight);
     unbalanced.angular = std::max(unbalanced.angular, length(leftAngular) / (weight * reach));
     const double made = l.contacts.energy + l.contacts.elastic;

@@ -15,6 +15,11 @@
 #include "geometry/shape.h"
 #include "narrowphase/collide.h"
 #include "solver/cycles.h"
+#include "solver/finish/balance.h"
+#include "solver/finish/flight.h"
+#include "solver/finish/lone_body.h"
+#include "solver/finish/motion.h"
+#include "solver/finish/rebound.h"
 #include "solver/free_motion.h"
 #include "solver/island_builder.h"
 #include "solver/prepare.h"
@@ -156,11 +161,11 @@ class TestIsland {
   // True if any bit of what the contacts remember changed.
   bool store() {
     bool changed = storeRows(island(), ties(), context);
+    if (island().resting() && !changed) island().ending = IslandEnding::settled;
+    restIfHeld(island(), context);
     storeMotion(island(), context);
     correctFlight(island(), context);
     correctLoneBody(island(), context);
-    if (island().resting() && !changed) island().ending = IslandEnding::settled;
-    restIfHeld(island(), context);
     return changed;
   }
   // Velocities, poses, gaps.

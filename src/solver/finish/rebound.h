@@ -7,10 +7,6 @@ namespace brickfall {
 // Contacts with restitution e > 0 that met faster than SolverSettings::restitutionSpeed and carried force get e x impact speed back, by
 // normal impulses (the friction of the impact is the primal solve's). Changes StepContext::solved of the island's bodies;
 // total energy never rises by it.
-void applyRestitution(Island& island, Ties ties, StepContext& context);
-
-// Where displacements and velocities of a floating island were changed apart, the angular momentum of its positions and
-// velocities drifts. A rigid turn of its velocities brings it back to that of the start of the step and outside forces.
-void restoreSpin(const Island& island, StepContext& context);
+void rebound(Island& island, Ties ties, StepContext& context);
 
 }  // namespace brickfall

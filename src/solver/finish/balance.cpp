@@ -1,4 +1,4 @@
-#include "solver/energy_guard.h"
+#include "solver/finish/balance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,6 +34,34 @@ Vec3 endOf(const StepContext& context, BodyIndex body) {
   return context.bodies->motion[body].position + context.solved[body].d;
 }
 
+// The island at the end of the step: as solved, or if nothing had touched.
+RigidSum endOfStep(const Island& island, const StepContext& context, bool free) {
+  const BodySet& bodies = *context.bodies;
+  RigidSum sum(island.origin);
+  for (BodyIndex body : island.bodies) {
+    const FreeMotion& f = context.free[body];
+    const SolvedMotion& s = context.solved[body];
+    Vec3 velocity = free ? f.d * (1 / context.dt) : s.velocity;
+    double m = bodies.mass[body].mass;
+    sum.add(m, bodies.motion[body].position + (free ? f.d : s.d), bodies.worldInertia(body), velocity * m,
+            free ? f.angularMomentum : s.angularMomentum);
+  }
+  return sum;
+}
+
+// Where ways and velocities of a floating island were changed apart, the angular momentum of its places and velocities
+// drifts. A rigid turn of its velocities brings it back to that of the start of the step and of outside forces.
+void restoreSpin(const Island& island, StepContext& context) {
+  if (island.grounded()) return;
+  RigidSum now = endOfStep(island, context, false), wanted = endOfStep(island, context, true);
+  Vec3 centre = now.centre(), turn = inverse(now.inertia()) * (wanted.angularMomentum() - now.angularMomentum());
+  for (BodyIndex body : island.bodies) {
+    SolvedMotion& s = context.solved[body];
+    s.velocity += cross(turn, context.bodies->motion[body].position + s.d - centre);
+    s.angularMomentum += context.bodies->worldInertia(body) * turn;
+  }
+}
+
 struct RigidMotion {
   Vec3 centre, velocity, spin;  // all zero: what is held by the ground has none to keep
 };
@@ -51,10 +79,11 @@ RigidMotion rigidMotion(const Island& island, const StepContext& context) {
   return {sum.centre(), sum.velocity(), sum.spin()};
 }
 
-}  // namespace
-
+// Takes back from the velocities of an island what kinetic plus potential energy gained in the step beyond the work of
+// outside forces. Linear and angular momentum of a floating island are kept: only motion relative to its rigid motion is
+// scaled. Islands that something kinematic moves are left alone.
 void guardEnergy(const Island& island, StepContext& context) {
-  if (island.resting() || island.facts.partnersMove) return;
+  if (island.facts.partnersMove) return;
   const BodySet& bodies = *context.bodies;
   double start = 0, end = 0, gained = 0, mass = 0;
   for (BodyIndex body : island.bodies) {
@@ -66,7 +95,7 @@ void guardEnergy(const Island& island, StepContext& context) {
     start += 0.5 * m * lengthSquared(free.startVelocity) +
              0.5 * dot(free.startSpin, bodies.worldInertia(body) * free.startSpin);
     end += 0.5 * m * lengthSquared(s.velocity) + 0.5 * dot(s.angularMomentum, spinOf(context, body, s.angularMomentum));
-    gained -= dot(context.gravity * (m * data.gravityScale) + data.force, s.d) + dot(data.torque, s.th);
+    gained -= dot(context.gravity * (m * data.gravityScale) + data.force, s.d + s.lost) + dot(data.torque, s.th);
   }
   double allowed = start - gained;  // kinetic energy at the end
   if (!(end > allowed + kRelativeSlack * start + kSlackPerMass * mass)) return;
@@ -87,6 +116,14 @@ void guardEnergy(const Island& island, StepContext& context) {
     s.velocity = v + (s.velocity - v) * share;
     s.angularMomentum = momentum + (s.angularMomentum - momentum) * share;
   }
+}
+
+}  // namespace
+
+void balance(const Island& island, StepContext& context) {
+  if (island.resting()) return;
+  restoreSpin(island, context);
+  guardEnergy(island, context);
 }
 
 }  // namespace brickfall

@@ -4,12 +4,11 @@
 // from rest gets half its change, which makes the steps after it a leapfrog: positions and times of second order, energy
 // kept, velocities half a step late. Bodies that push each other are left alone: what one gains, the other would have to
 // give.
-#include <algorithm>
+#include "solver/finish/lone_body.h"
+
 #include <cmath>
 
-#include "solver/contact/kernel.h"
 #include "solver/free_motion.h"
-#include "solver/store.h"
 
 namespace brickfall {
 

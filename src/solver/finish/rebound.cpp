@@ -4,12 +4,10 @@
 // with an even share among its points, so that a flat cube does not turn), sweeps run over the island until nothing
 // changes; once for displacements, once for velocities. The result is scaled back if energy would rise (Newton's law of
 // restitution; bodies that touch before the impact stay inelastic towards each other).
-#include "solver/restitution.h"
+#include "solver/finish/rebound.h"
 
 #include <algorithm>
 #include <cmath>
-
-#include "solver/rigid_sum.h"
 
 namespace brickfall {
 
@@ -268,35 +266,9 @@ bool anyImpact(const Island& island, const StepContext& context) {
   return false;
 }
 
-// The island at the end of the step: as solved, or if nothing had touched.
-RigidSum endOfStep(const Island& island, const StepContext& context, bool free) {
-  const BodySet& bodies = *context.bodies;
-  RigidSum sum(island.origin);
-  for (BodyIndex body : island.bodies) {
-    const FreeMotion& f = context.free[body];
-    const SolvedMotion& s = context.solved[body];
-    Vec3 velocity = free ? f.d * (1 / context.dt) : s.velocity;
-    double m = bodies.mass[body].mass;
-    sum.add(m, bodies.motion[body].position + (free ? f.d : s.d), bodies.worldInertia(body), velocity * m,
-            free ? f.angularMomentum : s.angularMomentum);
-  }
-  return sum;
-}
-
 }  // namespace
 
-void restoreSpin(const Island& island, StepContext& context) {
-  if (island.grounded()) return;
-  RigidSum now = endOfStep(island, context, false), wanted = endOfStep(island, context, true);
-  Vec3 centre = now.centre(), turn = inverse(now.inertia()) * (wanted.angularMomentum() - now.angularMomentum());
-  for (BodyIndex body : island.bodies) {
-    SolvedMotion& s = context.solved[body];
-    s.velocity += cross(turn, context.bodies->motion[body].position + s.d - centre);
-    s.angularMomentum += context.bodies->worldInertia(body) * turn;
-  }
-}
-
-void applyRestitution(Island& island, Ties ties, StepContext& context) {
+void rebound(Island& island, Ties ties, StepContext& context) {
   if (island.resting() || !anyImpact(island, context)) return;
   const BodySet& bodies = *context.bodies;
   std::size_t count = island.bodies.size();
@@ -337,7 +309,6 @@ void applyRestitution(Island& island, Ties ties, StepContext& context) {
     if (lengthSquared(dth) > 0) s.freeTurn = false;
     s.th += dth * share;
   }
-  restoreSpin(island, context);
   for (std::size_t n = 0; n < pass.blocks.size(); n++)
     for (int i = 0; i < pass.blocks[n].count; i++)
       // The surfaces part: the force of the impact must act in no later step.

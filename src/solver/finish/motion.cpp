@@ -1,0 +1,72 @@
+#include "solver/finish/motion.h"
+
+#include <algorithm>
+
+namespace brickfall {
+
+namespace {
+
+// Of a body that turns faster than the solve sees, friction would drive the spin on and on: a brick under a rolling ball
+// would spin up without end. What the torque of this step turned it by counts as far as the spin that the solve ended with
+// goes beyond the one that the body had.
+Vec3 effectiveTurn(Vec3 turned, Vec3 end, const FreeMotion& free, const Mat3& invInertia, double dt) {
+  double size = length(turned);
+  if (!(size > 0)) return turned;
+  Vec3 along = turned * (1 / size);
+  double had = dot(invInertia * free.angularMomentum, along) * dt, ends = dot(end, along);
+  return along * std::min(size, std::max(0.0, ends - had));
+}
+
+}  // namespace
+
+void storeMotion(const Island& island, StepContext& context) {
+  const BodySet& bodies = *context.bodies;
+  double perDt = 1 / context.dt;
+  for (std::size_t i = 0; i < island.bodies.size(); i++) {
+    BodyIndex body = island.bodies[i];
+    SolvedMotion& out = context.solved[body];
+    const FreeMotion& free = context.free[body];
+    const SolveMotion& m = island.motion[i];
+    if (island.resting()) {
+      out = {};
+      out.rest = true;
+      out.freeTurn = false;
+      continue;
+    }
+    out.rest = false;
+    out.lost = {};
+    bool untouched = m.d == island.masses[i].dFree && m.th == island.masses[i].thFree;
+    out.freeTurn = m.th == island.masses[i].thFree;
+    out.d = untouched ? free.d : island.drift + toDouble(m.d);
+    out.th = out.freeTurn ? free.th : toDouble(m.th);
+    out.velocity = out.d * perDt;
+    // Torque impulses are added to the angular momentum, so that it is kept to rounding.
+    Vec3 turned = toDouble(m.th) - toDouble(island.masses[i].thFree);
+    if (free.turnsFaster)
+      turned = effectiveTurn(turned, toDouble(m.th), free, bodies.worldInvInertia(body), context.dt);
+    out.angularMomentum = free.angularMomentum + bodies.worldInertia(body) * turned * perDt;
+  }
+}
+
+bool solvedWell(const Island& island, const StepContext& context) {
+  for (BodyIndex body : island.bodies) {
+    const SolvedMotion& s = context.solved[body];
+    if (!isFinite(s.d) || !isFinite(s.th) || !isFinite(s.velocity) || !isFinite(s.angularMomentum)) return false;
+  }
+  return true;
+}
+
+void storeFreeBody(BodyIndex body, StepContext& context) {
+  const FreeMotion& free = context.free[body];
+  SolvedMotion& out = context.solved[body];
+  out.velocity = free.d * (1 / context.dt);
+  out.d = free.way;
+  out.th = free.th;
+  out.angularMomentum = free.angularMomentum;
+  out.freeTurn = true;
+  out.rest = false;
+  out.lost = {};
+  out.flying = true;
+}
+
+}  // namespace brickfall

@@ -1,0 +1,175 @@
+// What follows the solve: flight, rebound, and the balance of spin and energy.
+#include <cmath>
+
+#include "math/random.h"
+#include "solver/rigid_sum.h"
+#include "support/test_island.h"
+
+namespace brickfall {
+namespace {
+
+using namespace test;
+
+// Through the solve, with motions stored.
+void solveAndStore(TestIsland& lab) {
+  lab.prepare();
+  lab.checkRest();
+  lab.solve();
+  lab.store();
+}
+
+// Two bricks, one on the other, far from anything fixed.
+struct Floating {
+  TestIsland lab;
+  BodyIndex lower, upper;
+  explicit Floating(Vec3 velocity = {}, Vec3 spin = {}) {
+    lower = lab.brick({0, 5, 0});
+    upper = lab.brick({0.03, 5 + 2 * kBrick.y, 0});
+    lab.touch(lower, upper);
+    lab.at(lower).linearVelocity = velocity;
+    lab.at(upper).angularVelocity = spin;
+  }
+  RigidSum sum(bool free) const {
+    RigidSum out({0, 5, 0});
+    for (BodyIndex body : {lower, upper}) {
+      const SolvedMotion& s = lab.context.solved[body];
+      const FreeMotion& f = lab.context.free[body];
+      double m = lab.bodies.mass[body].mass;
+      Vec3 way = free ? f.d : s.d, velocity = free ? f.d * (1 / lab.context.dt) : s.velocity;
+      out.add(m, lab.bodies.motion[body].position + way, lab.bodies.worldInertia(body), velocity * m,
+              free ? f.angularMomentum : s.angularMomentum);
+    }
+    return out;
+  }
+};
+
+double kineticEnergy(const TestIsland& lab) {
+  double sum = 0;
+  for (BodyIndex body : lab.islands.awake.front()->bodies) {
+    const SolvedMotion& s = lab.context.solved[body];
+    sum += 0.5 * lab.bodies.mass[body].mass * lengthSquared(s.velocity) +
+           0.5 * dot(s.angularMomentum, lab.bodies.worldInvInertia(body) * s.angularMomentum);
+  }
+  return sum;
+}
+
+TEST(Flight, AGroupThatNothingSupportsFliesTheExactParabola) {
+  Floating f({0, -0.1, 0});
+  solveAndStore(f.lab);
+  Vec3 way;
+  for (BodyIndex body : {f.lower, f.upper}) {
+    EXPECT_TRUE(f.lab.context.solved[body].flying);
+    way += f.lab.context.solved[body].d * 0.5;
+  }
+  const double h = f.lab.context.dt;
+  EXPECT_NEAR(way.y, -0.05 * h - 0.5 * kG * h * h, 1e-8);
+}
+
+TEST(Flight, WhatStandsOnTheGroundDoesNot) {
+  TestIsland lab;
+  BodyIndex ground = lab.ground();
+  std::vector<BodyIndex> pile = lab.pile(ground, 3);
+  for (int i = 0; i < 40; i++) lab.step();
+  for (BodyIndex body : pile) EXPECT_FALSE(lab.context.solved[body].flying);
+}
+
+TEST(Balance, SpinIsThatOfTheStartWhateverChangedWaysAndVelocitiesApart) {
+  Random random(5);
+  for (int n = 0; n < 50; n++) {
+    auto vector = [&](double size) {
+      return Vec3{random.between(-size, size), random.between(-size, size), random.between(-size, size)};
+    };
+    Floating f(vector(2), vector(5));
+    solveAndStore(f.lab);
+    const Vec3 wanted = f.sum(true).angularMomentum();
+    // As a rebound or an obstacle does: ways and velocities apart, the momentum of the whole as it was.
+    Vec3 push = vector(0.3);
+    f.lab.context.solved[f.lower].velocity += push;
+    f.lab.context.solved[f.upper].velocity -= push;
+    f.lab.context.solved[f.lower].d += vector(0.002);
+    const double off = length(f.sum(false).angularMomentum() - wanted);
+    const Vec3 momentum = f.sum(false).velocity();
+    balance(f.lab.island(), f.lab.context);
+    EXPECT_LT(length(f.sum(false).angularMomentum() - wanted), 1e-9 + 1e-6 * off) << "was off by " << off;
+    EXPECT_LT(length(f.sum(false).velocity() - momentum), 1e-12);
+  }
+}
+
+TEST(Balance, TakesBackJustWhatWasGained) {
+  TestIsland lab;
+  BodyIndex ground = lab.ground();
+  std::vector<BodyIndex> pile = lab.pile(ground, 3);
+  for (int i = 0; i < 5; i++) lab.step();
+  lab.at(pile[2]).linearVelocity = {0.5, 0, 0};  // nothing rests
+  solveAndStore(lab);
+  double allowed = 0;
+  for (BodyIndex body : pile) {
+    const FreeMotion& free = lab.context.free[body];
+    allowed += 0.5 * kBrickMass * lengthSquared(free.startVelocity) +
+               0.5 * dot(free.startSpin, lab.bodies.worldInertia(body) * free.startSpin) +
+               kBrickMass * dot(lab.context.gravity, lab.context.solved[body].d);
+  }
+  for (BodyIndex body : pile) lab.context.solved[body].velocity = lab.context.solved[body].velocity * 3.0;
+  ASSERT_GT(kineticEnergy(lab), 1.5 * allowed);
+  balance(lab.island(), lab.context);
+  EXPECT_NEAR(kineticEnergy(lab), allowed, 1e-4 * allowed);
+}
+
+TEST(Balance, LeavesAloneWhatLost) {
+  TestIsland lab;
+  BodyIndex ground = lab.ground();
+  std::vector<BodyIndex> pile = lab.pile(ground, 3);
+  lab.at(pile[2]).linearVelocity = {0.5, 0, 0};
+  solveAndStore(lab);
+  std::vector<Vec3> before;
+  for (BodyIndex body : pile) before.push_back(lab.context.solved[body].velocity *= 0.5);
+  balance(lab.island(), lab.context);
+  for (std::size_t i = 0; i < pile.size(); i++) EXPECT_EQ(lab.context.solved[pile[i]].velocity, before[i]);
+}
+
+TEST(Balance, AWayCutOffAtAnObstacleIsNoGain) {
+  TestIsland lab;
+  BodyIndex ground = lab.ground();
+  BodyIndex low = lab.brick({0, kBrick.y, 0}), high = lab.brick({0.05, 3 * kBrick.y + 1e-3, 0});
+  lab.touch(ground, low);
+  lab.touch(low, high);
+  lab.at(high).linearVelocity = {3, 2, 0};
+  solveAndStore(lab);
+  Vec3 velocity = lab.context.solved[high].velocity;
+  SolvedMotion& s = lab.context.solved[high];
+  s.lost = s.d * 0.9;  // as stopAtObstacles does
+  s.d = s.d * 0.1;
+  balance(lab.island(), lab.context);
+  EXPECT_LT(length(lab.context.solved[high].velocity - velocity), 1e-9);
+}
+
+TEST(Rebound, ABallRisesWithItsShareOfTheSpeed) {
+  for (double e : {0.2, 0.5, 0.9}) {
+    TestIsland lab;
+    BodyIndex ground = lab.ground(), brick = lab.brick({0, kBrick.y + 1e-3, 0});
+    lab.at(brick).linearVelocity = {0, -3, 0};
+    lab.contact(lab.touch(ground, brick)).restitution = float(e);
+    solveAndStore(lab);
+    rebound(lab.island(), lab.ties(), lab.context);
+    const double closing = std::sqrt(9 + 2 * kG * 1e-3), h = lab.context.dt, met = (closing - 3) / kG;
+    // Gravity is not flight's while the contact holds: what is left of the step goes on at the speed after the impact.
+    EXPECT_NEAR(lab.context.solved[brick].velocity.y, e * closing, 0.02 * e * closing + kG * (h - met));
+    EXPECT_GT(lab.context.solved[brick].d.y, -1e-3 - 1e-6) << "not into the ground";
+    EXPECT_LT(length(lab.context.solved[brick].angularMomentum), 1e-6) << "all four corners alike";
+  }
+}
+
+TEST(Rebound, SlowImpactsDoNot) {
+  TestIsland lab;
+  BodyIndex ground = lab.ground();
+  std::vector<BodyIndex> pile = lab.pile(ground, 2);
+  lab.at(pile[1]).linearVelocity = {0, -0.5, 0};  // under restitutionSpeed, and not alone
+  for (Contact& c : lab.contacts.contacts) c.restitution = 0.9f;
+  solveAndStore(lab);
+  SolvedMotion before = lab.context.solved[pile[1]];
+  rebound(lab.island(), lab.ties(), lab.context);
+  EXPECT_EQ(lab.context.solved[pile[1]].velocity, before.velocity);
+}
+
+}  // namespace
+}  // namespace brickfall
