@@ -145,7 +145,7 @@ class SceneRun {
   World world_;
   std::vector<PlacedBody> bodies_;
   std::vector<std::size_t> placeByIndex_;  // by BodyId::index: position in bodies_, where that id is
-  std::vector<BodyId> held_;               // still to be launched
+  std::vector<BodyId> waiting_;            // still to be launched
   std::optional<ReportRun> reported_;      // SceneMethod::report
   std::uint64_t stepsDone_ = 0;
   double time_ = 0;

@@ -64,7 +64,7 @@ struct Balance {
   Vec3 angular;          // kg m2/s, about the world's origin
   double kinetic = 0;    // J
   double potential = 0;  // J, of gravity, as World::energy()
-  double elastic = 0;    // J, >= 0: what compressed and sheared joints can give back; not part of World::energy()
+  double elastic = 0;    // J, >= 0: what compressed and sheared contacts can give back; not part of World::energy()
 };
 struct BalanceChange {
   Vec3 linear;         // kg m/s
@@ -76,22 +76,23 @@ struct BalanceChange {
 // What changed in a step, and by what. The causes are measured one by one; together they are after - before, to rounding.
 struct StepLedger {
   Balance before, after;
-  BalanceChange outside;  // calls since the last step: launches, impulses, bodies made, moved or destroyed. Not in
-                          // after - before; 0 in the first step that keeps a ledger
-  BalanceChange gravity;  // energy 0: it is potential energy
-  BalanceChange forces;   // of applyForce and its like
-  BalanceChange damping;  // damping, air drag, spins that are cut in contact
-  BalanceChange stopped;  // kinetic damping of slow islands
-  BalanceChange held;     // contacts with static and kinematic bodies; energy: the work of kinematic ones
+  BalanceChange outside;   // calls since the last step: launches, impulses, bodies made, moved or destroyed. Not in
+                           // after - before; 0 in the first step that keeps a ledger
+  BalanceChange gravity;   // energy 0: it is potential energy
+  BalanceChange forces;    // of applyForce and its like
+  BalanceChange damping;   // damping, air drag, spins that are cut in contact
+  BalanceChange stopped;   // kinetic damping of slow islands
+  BalanceChange supports;  // contacts with static and kinematic bodies; energy: the work of kinematic ones
   BalanceChange
-      contacts;           // the work of joints on dynamic bodies, and what it did to what they hold: friction, impacts,
-                          // springs. energy + elastic is a loss in every step: no joint gives what it was not given
-  BalanceChange solve;    // the rest of the solve: momentum that it left unbalanced, its work, and the loss of implicit
-                          // steps (half the mass times the change of velocity squared)
-  BalanceChange remade;   // elastic energy of contacts that appeared, ended or were measured anew
-  BalanceChange renewed;  // elastic energy of joints that remember otherwise without moving: overlap left by an impact
-                          // begins to press (a tenth in each step), an impact ends, a sudden load is held in part
-  BalanceChange rebound;  // restitution
+      contacts;         // the work of contacts on dynamic bodies, and what it did to what they hold: friction, impacts,
+                        // springs. energy + elastic is a loss in every step: no contact gives what it was not given
+  BalanceChange solve;  // the rest of the solve: momentum that it left unbalanced, its work, and the loss of implicit
+                        // steps (half the mass times the change of velocity squared)
+  BalanceChange remade;  // elastic energy of contacts that appeared, ended or were measured anew
+  BalanceChange
+      renewed;  // elastic energy of contacts that remember otherwise without moving: overlap left by an impact
+                // begins to press (a tenth in each step), an impact ends, a sudden load is held in part
+  BalanceChange rebound;     // restitution
   BalanceChange obstacles;   // bodies that stopped short of what they would pass through: they end, and turn, elsewhere
   BalanceChange balance;     // angular momentum set right, energy that an island had gained taken back
   BalanceChange integrate;   // rounding of new poses

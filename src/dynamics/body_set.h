@@ -54,7 +54,7 @@ struct BodyData {
   Vec3 lastLinearVelocity, lastAngularVelocity;  // at the start of the last step, for accelerations
   Vec3 linearAcceleration, angularAcceleration;
   double lastKineticEnergy = 0;  // J, at the start of the last step (kinetic damping)
-  bool flying = false;           // no chain of forces led to anything held, in the last step
+  bool flying = false;           // no chain of forces led to anything fixed or kinematic, in the last step
   std::uint64_t userData = 0;
   std::uint64_t order = 0;       // grows with creation
   MassProperties bodyFrameMass;  // as asked for, whatever the type

@@ -19,7 +19,7 @@ struct Contact {
   BodyIndex bodyA = kNoIndex, bodyB = kNoIndex;
   std::int32_t count = 0;      // points
   bool rolls = false;          // a sphere or capsule takes part: points wander, the manifold is never reused
-  bool weak = true;            // a joint of a mechanism: cannot carry a moment (few loaded points, or all sliding)
+  bool weak = true;            // a contact of a mechanism: cannot carry a moment (few loaded points, or all sliding)
   bool touching = false;       // carried force in the last step
   bool fresh = true;           // geometry changed since the solver's record was made
   bool born = true;            // made since islands were built

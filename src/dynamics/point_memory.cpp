@@ -47,16 +47,16 @@ bool isSound(const PointMemory& m) {
 void clearPoint(PointMemory& m, int i) {
   m.phase[i] = PointPhase::fresh;
   m.stiffness[i] = m.offset[i] = 0;
-  m.heldN[i] = m.held1[i] = m.held2[i] = 0;
+  m.multiplierN[i] = m.multiplier1[i] = m.multiplier2[i] = 0;
   m.forceN[i] = m.force1[i] = m.force2[i] = 0;
   m.slip1[i] = m.slip2[i] = 0;
   m.stickingMask &= ~(1u << i);
 }
 
 void scaleForces(PointMemory& m, int i, float share) {
-  m.heldN[i] = m.forceN[i] *= share;
-  m.held1[i] = m.force1[i] *= share;
-  m.held2[i] = m.force2[i] *= share;
+  m.multiplierN[i] = m.forceN[i] *= share;
+  m.multiplier1[i] = m.force1[i] *= share;
+  m.multiplier2[i] = m.force2[i] *= share;
 }
 
 void carryOver(PointMemory& to, int i, const PointMemory& from, int j, const TangentTurn& turn) {
@@ -65,9 +65,9 @@ void carryOver(PointMemory& to, int i, const PointMemory& from, int j, const Tan
   to.phase[i] = from.phase[j];
   to.stiffness[i] = from.stiffness[j];
   to.offset[i] = from.offset[j];
-  to.heldN[i] = from.heldN[j];
-  to.held1[i] = along1(from.held1[j], from.held2[j]);
-  to.held2[i] = along2(from.held1[j], from.held2[j]);
+  to.multiplierN[i] = from.multiplierN[j];
+  to.multiplier1[i] = along1(from.multiplier1[j], from.multiplier2[j]);
+  to.multiplier2[i] = along2(from.multiplier1[j], from.multiplier2[j]);
   to.forceN[i] = from.forceN[j];
   to.force1[i] = along1(from.force1[j], from.force2[j]);
   to.force2[i] = along2(from.force1[j], from.force2[j]);

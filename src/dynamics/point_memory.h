@@ -19,16 +19,16 @@ enum class PointPhase : std::uint32_t {
 
 struct PointMemory {
   PointPhase phase[4] = {};
-  std::uint32_t feature[4] = {};                         // of the manifold
-  float s1[4] = {}, s2[4] = {};                          // m, place in the tangent plane, about the manifold's centre
-  float gap[4] = {};                                     // m, geometric normal gap; negative = overlap
-  float offset[4] = {};                                  // m, <= 0: overlap that causes no force (plastic)
-  float drift1[4] = {}, drift2[4] = {};                  // m, tangential way since the anchor was placed
-  float stiffness[4] = {};                               // N/m, normal and tangential; 0 in a fresh point
-  float heldN[4] = {}, held1[4] = {}, held2[4] = {};     // N, multiplier of the augmented Lagrangian
-  float forceN[4] = {}, force1[4] = {}, force2[4] = {};  // N, applied in the last step
-  float slip1[4] = {}, slip2[4] = {};                    // m, where to place the anchor of a point that slid
-  std::uint32_t stickingMask = 0;                        // bit per point: held by its anchor
+  std::uint32_t feature[4] = {};         // of the manifold
+  float s1[4] = {}, s2[4] = {};          // m, place in the tangent plane, about the manifold's centre
+  float gap[4] = {};                     // m, geometric normal gap; negative = overlap
+  float offset[4] = {};                  // m, <= 0: overlap that causes no force (plastic)
+  float drift1[4] = {}, drift2[4] = {};  // m, tangential way since the anchor was placed
+  float stiffness[4] = {};               // N/m, normal and tangential; 0 in a fresh point
+  float multiplierN[4] = {}, multiplier1[4] = {}, multiplier2[4] = {};  // N, multiplier of the augmented Lagrangian
+  float forceN[4] = {}, force1[4] = {}, force2[4] = {};                 // N, applied in the last step
+  float slip1[4] = {}, slip2[4] = {};  // m, where to place the anchor of a point that slid
+  std::uint32_t stickingMask = 0;      // bit per point: held by its anchor
 
   bool sticks(int i) const { return stickingMask >> i & 1; }
 };
@@ -40,15 +40,15 @@ enum class PointQuantity : std::uint8_t { length, overlap, force, pressure, stif
 // order. `Memory`: PointMemory, const or not.
 template <class Memory, class Visitor> void eachField(Memory& m, Visitor&& visit) {
   // As many names as there are fields: one more in PointMemory does not compile until it is visited here.
-  auto& [phase, feature, s1, s2, gap, offset, drift1, drift2, stiffness, heldN, held1, held2, forceN, force1, force2,
-         slip1, slip2, stickingMask] = m;
+  auto& [phase, feature, s1, s2, gap, offset, drift1, drift2, stiffness, multiplierN, multiplier1, multiplier2, forceN,
+         force1, force2, slip1, slip2, stickingMask] = m;
   visit(stickingMask);
   for (auto* lanes : {&s1, &s2, &gap}) visit(*lanes, PointQuantity::length);
   visit(offset, PointQuantity::overlap);
   for (auto* lanes : {&drift1, &drift2}) visit(*lanes, PointQuantity::length);
   visit(stiffness, PointQuantity::stiffness);
-  visit(heldN, PointQuantity::pressure);
-  for (auto* lanes : {&held1, &held2}) visit(*lanes, PointQuantity::force);
+  visit(multiplierN, PointQuantity::pressure);
+  for (auto* lanes : {&multiplier1, &multiplier2}) visit(*lanes, PointQuantity::force);
   visit(forceN, PointQuantity::pressure);
   for (auto* lanes : {&force1, &force2}) visit(*lanes, PointQuantity::force);
   for (auto* lanes : {&slip1, &slip2}) visit(*lanes, PointQuantity::length);

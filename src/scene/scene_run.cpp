@@ -125,7 +125,7 @@ Result<BodyId> SceneRun::createBody(PlacedBody body) {
   Result<BodyId> id = world_.createBody(made);
   if (!id) return inBody(body.name, id.error());
   body.id = *id;
-  if (held) held_.push_back(*id);
+  if (held) waiting_.push_back(*id);
   if (id->index >= placeByIndex_.size()) placeByIndex_.resize(id->index + 1);
   placeByIndex_[id->index] = bodies_.size();
   bodies_.push_back(std::move(body));
@@ -148,12 +148,12 @@ const PlacedBody* SceneRun::find(BodyId id) const {
 
 Result<StepReport> SceneRun::step() {
   double now = double(stepsDone_) * scene_.timeStep;
-  std::vector<BodyId> stillHeld;
-  for (BodyId id : held_) {
+  std::vector<BodyId> stillWaiting;
+  for (BodyId id : waiting_) {
     const PlacedBody* body = find(id);
     if (!body || !world_.isValid(id)) continue;  // destroyed meanwhile
     if (now < body->launchTime - 1e-9) {
-      stillHeld.push_back(id);
+      stillWaiting.push_back(id);
       continue;
     }
     Status status = world_.setType(id, body->def.type);
@@ -161,7 +161,7 @@ Result<StepReport> SceneRun::step() {
     if (status) status = world_.setAngularVelocity(id, body->def.angularVelocity);
     if (!status) return inBody(body->name, status.error());
   }
-  held_ = std::move(stillHeld);
+  waiting_ = std::move(stillWaiting);
   Result<StepReport> report = reported_ ? reported_->step(world_, scene_.timeStep, scene_.substeps)
                                         : world_.step(scene_.timeStep, scene_.substeps);
   if (!report) return report;

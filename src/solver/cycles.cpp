@@ -59,7 +59,7 @@ void correctMomentum(Island& island, const StepContext& context) {
     Mat3 inertia = bodies.worldInertia(body);
     // thFree as the solve read it
     missing.add(m, bodies.motion[body].position, inertia,
-                (context.free[body].d - island.drift - toDouble(island.motion[i].d)) * m,
+                (context.free[body].d - island.travel - toDouble(island.motion[i].d)) * m,
                 inertia * (toDouble(island.masses[i].thFree) - toDouble(island.motion[i].th)));
   }
   Vec3 centre = missing.centre(), move = missing.velocity(), turn = missing.spin();

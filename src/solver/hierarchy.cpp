@@ -171,7 +171,7 @@ void Hierarchy::build(std::uint32_t bodies, std::span<const ClusterLink> links, 
       aggregateOf.assign(clusters, 0);
       merged = 1;
     }
-    if (merged == clusters) {  // nothing left to merge: now over the weak joints, or done
+    if (merged == clusters) {  // nothing left to merge: now over the weak contacts, or done
       if (withWeak) break;
       withWeak = true;
       continue;

@@ -4,7 +4,7 @@
 // Two hierarchies are used in turn:
 //   by strength    all rows count, weighted by load: carries loads and moments through long, well-connected walls;
 //   by mechanism   weak rows (ties that can turn or slide) are merged last, so that a cluster is a part that really
-//                  moves rigidly and its boundary is the set of joints of the collapse: slow collapses keep their speed.
+//                  moves rigidly and its boundary is the set of hinges of the collapse: slow collapses keep their speed.
 #pragma once
 #include <cstdint>
 #include <memory_resource>

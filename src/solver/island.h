@@ -27,16 +27,16 @@ struct Island {
   std::pmr::vector<Wrench> residual{memory};     // bodies
   Hierarchy byStrength{memory}, byMechanism{memory};
   Vec3 origin;  // m, of SolveMass::position and Cluster::centre
-  Vec3 drift;   // m: rigid displacement of this step that d and dFree leave out
+  Vec3 travel;  // m: rigid displacement of this step that d and dFree leave out
 
   IslandFacts facts;  // of this step, or of the last in which it was not passed over
   SolvePlan plan;
   IslandEnding ending = IslandEnding::unsolved;
   std::int32_t points = 0, touchingPoints = 0;  // counted in the last step that was not passed over
   // Bodies: where a slow island was when its present watch began; empty = none.
-  std::pmr::vector<Transform> heldPoses{memory};
-  double heldTime = 0;  // s, since then
-  double restTime = 0;  // s, rested without a break
+  std::pmr::vector<Transform> placePoses{memory};
+  double inPlaceTime = 0;  // s, since then
+  double restTime = 0;     // s, rested without a break
 
   BodyIndex key() const { return bodies.front(); }
   bool grounded() const { return !partners.empty(); }  // touches something fixed or kinematic

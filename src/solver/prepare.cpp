@@ -15,7 +15,7 @@ void writeInertia(SolveMass& out, const Mat3& world, double perDt2) {
 }
 
 // Where the island as a whole goes: left out of d, so that a fast island in flight is solved as finely as one at rest.
-Vec3 rigidDrift(const Island& island, const StepContext& context) {
+Vec3 rigidTravel(const Island& island, const StepContext& context) {
   if (island.grounded()) return {};
   Vec3 moment;
   double mass = 0;
@@ -34,7 +34,7 @@ void prepareBodies(Island& island, const StepContext& context) {
   island.motion.resize(count + island.partners.size());
   island.masses.resize(count);
   island.origin = bodies.motion[island.bodies.front()].position;
-  island.drift = rigidDrift(island, context);
+  island.travel = rigidTravel(island, context);
   double perDt2 = 1 / (context.dt * context.dt);
   for (std::size_t i = 0; i < count; i++) {
     BodyIndex body = island.bodies[i];
@@ -42,14 +42,14 @@ void prepareBodies(Island& island, const StepContext& context) {
     SolveMass& m = island.masses[i];
     m.mass = float(bodies.mass[body].mass * perDt2);
     writeInertia(m, bodies.worldInertia(body), perDt2);
-    m.dFree = toFloat(free.d - island.drift);
+    m.dFree = toFloat(free.d - island.travel);
     m.thFree = toFloat(free.th);
     m.position = toFloat(bodies.motion[body].position - island.origin);
   }
   for (std::size_t i = 0; i < island.partners.size(); i++) {
     const BodyMotion& m = bodies.motion[island.partners[i]];
     SolveMotion& out = island.motion[count + i];
-    out.d = toFloat(m.linearVelocity * context.dt - island.drift);
+    out.d = toFloat(m.linearVelocity * context.dt - island.travel);
     out.th = toFloat(m.angularVelocity * context.dt);
   }
 }

@@ -35,23 +35,23 @@ double strayed(const BodySet& bodies, BodyIndex body, const Transform& from) {
 
 }  // namespace
 
-void restIfHeld(Island& island, const StepContext& context) {
+void restInPlace(Island& island, const StepContext& context) {
   const BodySet& bodies = *context.bodies;
   if (!island.plan.slow || island.resting()) {
-    island.heldPoses.clear();
+    island.placePoses.clear();
     return;
   }
-  bool held = island.heldPoses.size() == island.bodies.size();
-  for (std::size_t i = 0; held && i < island.bodies.size(); i++)
-    held = strayed(bodies, island.bodies[i], island.heldPoses[i]) < kHeldMove;
-  if (!held) {
-    island.heldTime = 0;
-    island.heldPoses.clear();
-    for (BodyIndex body : island.bodies) island.heldPoses.push_back(bodies.pose(body));
+  bool inPlace = island.placePoses.size() == island.bodies.size();
+  for (std::size_t i = 0; inPlace && i < island.bodies.size(); i++)
+    inPlace = strayed(bodies, island.bodies[i], island.placePoses[i]) < kInPlaceMove;
+  if (!inPlace) {
+    island.inPlaceTime = 0;
+    island.placePoses.clear();
+    for (BodyIndex body : island.bodies) island.placePoses.push_back(bodies.pose(body));
   }
-  island.heldTime += context.dt;
-  if (island.heldTime < kHeldTime) return;
-  island.heldPoses.clear();
+  island.inPlaceTime += context.dt;
+  if (island.inPlaceTime < kInPlaceTime) return;
+  island.placePoses.clear();
   island.ending = IslandEnding::inPlace;
 }
 

@@ -5,7 +5,7 @@
 namespace brickfall {
 
 // Stops a slow island whose kinetic energy has just passed a maximum (kinetic damping, as in dynamic relaxation): at that moment a vibration is at its balance, so one stop ends it; without it a tall wall on
-// elastic joints sways by tenths of a millimetre for seconds. What topples or collapses gains energy from step to step
+// elastic contacts sways by tenths of a millimetre for seconds. What topples or collapses gains energy from step to step
 // and is never stopped. To be called before the bodies' free motion is predicted.
 void dampSlowIsland(const Island& island, BodySet& bodies);
 
@@ -16,6 +16,6 @@ void restCheck(Island& island, StepContext& context);
 // The other way to rest: a slow island of which nothing strays from its place for a while stays there, though the last
 // of its residual does not come under the limit (a thin wall goes on swaying by micrometres, a point at the very edge of
 // sliding or opening changes sides in every step). Called before storeMotion, which then leaves all in place.
-void restIfHeld(Island& island, const StepContext& context);
+void restInPlace(Island& island, const StepContext& context);
 
 }  // namespace brickfall

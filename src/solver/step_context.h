@@ -17,11 +17,11 @@ constexpr double kReferenceGravity = 9.81;  // m/s2: weight by which residuals a
 //! | too large: oscillation from step to step
 constexpr float kCorrect = 0.5f;  // 1 - alpha: share of an old gap or drift that a step corrects
 //! - | too small: loads are carried by overlap: walls sag further | too large: oscillation from step to step
-constexpr float kHeldShare = 0.5f;  // ld: share of the last force held as multiplier
+constexpr float kMultiplierShare = 0.5f;  // ld: share of the last force held as multiplier
 //! - | too small: loads build up over many steps | too large: an impact's force acts twice
-constexpr float kHeldGrowth = 2;  // a held force grows to at most this x the held one ...
-//! mEff g | with kHeldGrowth
-constexpr float kHeldWeights = 5;  // ... plus this many effective weights per step
+constexpr float kMultiplierGrowth = 2;  // a held force grows to at most this x the held one ...
+//! mEff g | with kMultiplierGrowth
+constexpr float kMultiplierWeights = 5;  // ... plus this many effective weights per step
 //! - | too small: overlap from a landing is released at once, as a rebound | too large: it stays for long
 constexpr float kOffsetKept = 0.9f;  // of the plastic offset, per step
 //! m | too small: anchors are placed anew while they stick: creep | too large: old forces come back after a slide
@@ -39,11 +39,11 @@ constexpr double kSlowTolerance = 5e-4;  // worst residual / weight at which a s
 //! - | too small: slow islands keep their last error and do not rest | too large: cost
 constexpr int kMaxCyclesSlow = 16;
 //! m | too small: walls with points at an edge never rest | too large: a very slow start of a fall is stopped
-constexpr double kHeldMove = 25e-6;  // m: a slow island of which no point strays further than this from its place
+constexpr double kInPlaceMove = 25e-6;  // m: a slow island of which no point strays further than this from its place
 //! s | too small: a very slow start of a fall is stopped | too large: walls with points at an edge rest late
-constexpr double kHeldTime = 0.5;  // s: during this time counts as at rest; an acceleration of 2e-5 g goes further
+constexpr double kInPlaceTime = 0.5;  // s: during this time counts as at rest; an acceleration of 2e-5 g goes further
 //! steps | too small: hierarchies are rebuilt all the time | too large: walls are solved by mechanism for longer
-constexpr int kWeakHold = 3;  // steps a joint stays weak after it last looked weak
+constexpr int kWeakHold = 3;  // steps a contact stays weak after it last looked weak
 //! rad | too small: fast spins reach contacts too weakly | too large: rebounds at high speed explode
 constexpr double kLargestTurn = 0.5;  // rad per step of a body in contact: arms are frozen during a step
 //! - | too small: walls take rebounds unevenly | too large: cost
@@ -71,7 +71,7 @@ struct SolvedMotion {
   Vec3 lost;             // m: of the way, cut off by an obstacle
   bool freeTurn = true;  // no torque acted: take FreeMotion::rotation
   bool rest = false;     // does not move
-  bool flying = false;   // no chain of forces leads to anything held
+  bool flying = false;   // no chain of forces leads to anything fixed or kinematic
 };
 
 struct SolveStatistics {

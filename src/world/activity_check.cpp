@@ -150,7 +150,7 @@ class LinkCheck {
     }
     islands_.push_back(&island);
     bool fine = island.points >= island.touchingPoints && island.touchingPoints >= 0 &&
-                std::size_t(island.points) <= 4 * island.rows.contacts.contactOf.size() && island.heldTime >= 0 &&
+                std::size_t(island.points) <= 4 * island.rows.contacts.contactOf.size() && island.inPlaceTime >= 0 &&
                 island.restTime >= 0;
     f_.expect(fine, "islands: a count or a time is wrong");
     for (BodyIndex body : island.partners) f_.expect(!dynamic(body), "islands: a partner is a dynamic body");

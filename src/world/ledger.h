@@ -28,7 +28,7 @@ struct LedgerState {
   // Books on `cause` what was changed up to `after`; of elastic energy alone.
   void book(BalanceChange& cause, const Balance& after);
   void bookElastic(BalanceChange& cause, double after);
-  // With the motion of `sum`, while places and joints are still as they were.
+  // With the motion of `sum`, while places and contacts are still as they were.
   Balance moving(Balance sum) const;
 };
 

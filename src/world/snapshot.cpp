@@ -246,8 +246,8 @@ class SnapshotArchive {
       a.choice(i.ending, IslandEnding::settled);
       a.value(i.points);
       a.value(i.touchingPoints);
-      a.list(i.heldPoses);
-      a.value(i.heldTime);
+      a.list(i.placePoses);
+      a.value(i.inPlaceTime);
       a.value(i.restTime);
     }
   }

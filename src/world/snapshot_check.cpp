@@ -56,12 +56,12 @@ bool soundRecord(const ContactRecord& r, const ContactStart& start) {
   for (int i = 0; i < 4; i++)
     fine = fine && isLength(r.s1[i]) && isLength(r.s2[i]) && isForce(r.trialN[i]) && isForce(r.trial1[i]) &&
            isForce(r.trial2[i]) && isForce(r.k[i]) && r.k[i] >= 0 && isForce(r.limit[i]) && r.limit[i] >= 0 &&
-           r.bond[i] == 0 && isForce(start.approach[i]) && isLength(start.gap[i]) && isForce(start.stopping[i]);
+           r.tensionCap[i] == 0 && isForce(start.approach[i]) && isLength(start.gap[i]) && isForce(start.stopping[i]);
   return fine;
 }
 
 void checkIsland(Checks& check, const Island& island) {
-  for (const Transform& pose : island.heldPoses)
+  for (const Transform& pose : island.placePoses)
     check.condition(isFinite(pose.position) && isFinite(pose.rotation), "an island's place is not finite");
   for (std::size_t k = 0; k < island.rows.contacts.records.size(); k++)
     check.condition(soundRecord(island.rows.contacts.records[k], island.rows.contacts.starts[k]),

@@ -27,7 +27,8 @@ void mix(Mix& h, const ContactGeometry& g, int count) {
 }
 void mix(Mix& h, const ContactRecord& r, int count) {
   h(r.n, r.t1, r.armA, r.armB, r.newPoints);
-  for (const float* field : {r.s1, r.s2, r.trialN, r.trial1, r.trial2, r.k, r.limit, r.bond}) h.list(field, count);
+  for (const float* field : {r.s1, r.s2, r.trialN, r.trial1, r.trial2, r.k, r.limit, r.tensionCap})
+    h.list(field, count);
 }
 
 void HashItems::add(BodyId a, BodyId b, const Mix& item) {
@@ -64,7 +65,7 @@ void hashGiven(const Registry& registry, const IslandSet& islands, const Contact
   };
   for (const auto* list : {&contacts.pairs, &contacts.asleep}) out.pairs(*list, contacts, whole);
   for (const auto* list : {&islands.awake, &islands.asleep})
-    out.islands(*list, [](Mix& h, const Island& i) { h(int(i.ending), i.restTime, i.heldTime); });
+    out.islands(*list, [](Mix& h, const Island& i) { h(int(i.ending), i.restTime, i.inPlaceTime); });
 }
 
 }  // namespace brickfall

@@ -71,7 +71,7 @@ void storeSolution(const WorldDef& def, const Registry& registry, IslandSet& isl
     bool changed = storeRows(*island, Ties{contacts}, context);
     if (!island->resting()) collectHits(def, registry, *island, contacts, context.dt, events.hits);
     if (island->resting() && !changed) island->ending = IslandEnding::settled;
-    restIfHeld(*island, context);
+    restInPlace(*island, context);
     storeMotion(*island, context);
     correctFlight(*island, context);
     correctLoneBody(*island, context);
@@ -82,7 +82,7 @@ void hashStore(const IslandSet& islands, const ContactSet& contacts, const StepC
   out.solved(islands, context);
   out.records(islands, contacts, [](Mix& h, const Island& island, std::size_t, const Contact& c) {
     mix(h, c);
-    h(int(island.ending), island.heldTime);
+    h(int(island.ending), island.inPlaceTime);
   });
 }
 
@@ -106,7 +106,7 @@ BalanceChange impulseOf(const Contact& c, const ContactRecord& r, const BodySet&
   return out;
 }
 
-BalanceChange heldImpulses(const Island& island, const BodySet& bodies, const ContactSet& contacts, double dt) {
+BalanceChange supportImpulses(const Island& island, const BodySet& bodies, const ContactSet& contacts, double dt) {
   BalanceChange sum;
   for (std::size_t k = 0; k < island.rows.contacts.records.size(); k++) {
     const ContactRecord& r = island.rows.contacts.records[k];
@@ -117,17 +117,17 @@ BalanceChange heldImpulses(const Island& island, const BodySet& bodies, const Co
   return sum;
 }
 
-// The work of joints, and what it did to what they hold.
-BalanceChange jointsNow(const IslandSet& islands, const ContactSet& contacts, const StepContext& context,
-                        double elasticBefore) {
+// The work of contacts, and what it did to what they hold.
+BalanceChange contactsNow(const IslandSet& islands, const ContactSet& contacts, const StepContext& context,
+                          double elasticBefore) {
   BalanceChange out;
-  double held = elasticOf(contacts.asleep, contacts, context);
+  double elastic = elasticOf(contacts.asleep, contacts, context);
   for (const IslandPointer& island : islands.awake) {
-    JointWork joints = jointWork(*island, context);
-    out.energy += joints.work;
-    held += joints.elastic;
+    ContactWork ofContacts = contactWork(*island, context);
+    out.energy += ofContacts.work;
+    elastic += ofContacts.elastic;
   }
-  out.elastic = held - elasticBefore;
+  out.elastic = elastic - elasticBefore;
   return out;
 }
 
@@ -138,23 +138,23 @@ void bookStore(const Registry& registry, const Activity& activity, const Contact
   const BodySet& bodies = registry.bodies;
   LedgerState& s = diary.ledgerState;
   StepLedger& ledger = *diary.report.ledger;
-  BalanceChange held;
+  BalanceChange supports;
   for (const IslandPointer& island : activity.islands.awake)
-    held += heldImpulses(*island, bodies, contacts, context.dt);
+    supports += supportImpulses(*island, bodies, contacts, context.dt);
   Vec3 inFlight, inContact;
   for (BodyIndex body : activity.awake) {
     const SolvedMotion& m = context.solved[body];
     (m.flying ? inFlight : inContact) += cross(m.d, m.velocity * bodies.mass[body].mass);
   }
-  held.angular += inContact;
-  ledger.held += held;
+  supports.angular += inContact;
+  ledger.supports += supports;
   ledger.gravity.angular += inFlight;
   Balance now = s.moving(solvedBalance(activity.awake, bodies, context));
-  BalanceChange joints = jointsNow(activity.islands, contacts, context, s.now.elastic);
-  ledger.solve += now - s.now - s.push - held - BalanceChange{{}, inFlight, joints.energy};
+  BalanceChange ofContacts = contactsNow(activity.islands, contacts, context, s.now.elastic);
+  ledger.solve += now - s.now - s.push - supports - BalanceChange{{}, inFlight, ofContacts.energy};
   s.now = now;
-  s.now.elastic += joints.elastic;
-  ledger.contacts += joints;
+  s.now.elastic += ofContacts.elastic;
+  ledger.contacts += ofContacts;
 }
 
 }  // namespace brickfall

@@ -28,7 +28,7 @@ TEST(Ledger, fallIsGravityAndNothingElse) {
     expectNear(l.gravity.linear, {0, -kG * mass * kDt, 0}, 1e-12 * mass);
     expectNear(l.after.linear - l.before.linear, l.gravity.linear, 1e-12 * mass);
     expectNear(l.after.angular - l.before.angular, l.gravity.angular, 1e-10 * mass);
-    EXPECT_LT(length(l.held.linear) + length(l.forces.linear) + length(l.damping.linear), 1e-300);
+    EXPECT_LT(length(l.supports.linear) + length(l.forces.linear) + length(l.damping.linear), 1e-300);
     EXPECT_LT(length(l.contacts.linear), 1e-12 * mass);
     EXPECT_NEAR(energyOf(l.after), energyOf(l.before), 1e-9 * energyOf(l.before));
   }
@@ -40,10 +40,10 @@ TEST(Ledger, whatStandsIsHeldByTheGround) {
   const double mass = world.state(addBox(world, {.1, .1, .1}, {2, .1, 1}))->mass;
   StepLedger l;
   for (int i = 0; i < 20; i++) l = stepOf(world);
-  expectNear(l.held.linear, {0, kG * mass * kDt, 0}, 1e-3 * kG * mass * kDt, "held");
-  expectNear(l.held.angular, cross(Vec3{2, .1, 1}, Vec3{0, kG * mass * kDt, 0}), 3e-3 * kG * mass * kDt,
+  expectNear(l.supports.linear, {0, kG * mass * kDt, 0}, 1e-3 * kG * mass * kDt, "held");
+  expectNear(l.supports.angular, cross(Vec3{2, .1, 1}, Vec3{0, kG * mass * kDt, 0}), 3e-3 * kG * mass * kDt,
              "about the origin");
-  EXPECT_EQ(l.held.energy, 0);
+  EXPECT_EQ(l.supports.energy, 0);
 }
 
 TEST(Ledger, forcesImpulsesAndLaunchesAreNamed) {
@@ -100,7 +100,7 @@ TEST(Ledger, aKinematicBodyDoesWork) {
   double work = 0, rise = 0;
   for (int i = 0; i < 60; i++) {
     StepLedger l = stepOf(world);
-    work += l.held.energy;
+    work += l.supports.energy;
     rise += energyOf(l.after) - energyOf(l.before);
   }
   EXPECT_NEAR(work, mass * kG * 0.5, 0.01 * mass * kG * 0.5);
@@ -159,7 +159,7 @@ TEST(Ledger, causesAddUpToTheChange) {
   EXPECT_LT(sums.worstGap.linear, 1e-9);
   EXPECT_LT(sums.worstGap.angular, 1e-9);
   EXPECT_LT(sums.worstGap.energy, 1e-9);
-  EXPECT_GT(length(sums.total.held.linear), 0);
+  EXPECT_GT(length(sums.total.supports.linear), 0);
   EXPECT_LT(sums.total.contacts.energy, 0);
 }
 

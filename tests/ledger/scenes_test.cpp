@@ -1,6 +1,6 @@
 // Every step of every shipped scene: linear and angular momentum, kinetic and potential energy, what changed and by what.
 // Held to: the causes add up to the change; momentum changes by gravity and what static bodies give, up to what the solve
-// leaves; energy is never above all that was put in; no joint gives more than it holds. Motion and height alone may come
+// leaves; energy is never above all that was put in; no contact gives more than it holds. Motion and height alone may come
 // back from a low, when joints give back what they hold, or part what an impact left overlapping: that is printed.
 #include <gtest/gtest.h>
 
@@ -19,12 +19,12 @@ bool wholeScenes() { return std::getenv("BRICKFALL_WHOLE_SCENES") != nullptr; }
 
 // What forEachContact tells of contacts with static bodies: another way to the same impulse. Directions are told in the
 // frame of body A as it is now; the forces acted in that of the start of the step.
-struct HeldImpulse {
+struct SupportImpulse {
   Vec3 sum;
   double turned = 0;  // N s: by how much the turn of bodies A in the step can change the sum
 };
-HeldImpulse heldImpulse(const World& world, double dt) {
-  HeldImpulse out;
+SupportImpulse supportImpulse(const World& world, double dt) {
+  SupportImpulse out;
   world.forEachContact([&](const ContactView& c) {
     const BodyState a = *world.state(c.bodyA);
     const bool fixedA = a.type == BodyType::fixed, fixedB = world.state(c.bodyB)->type == BodyType::fixed;
@@ -64,7 +64,7 @@ void recordRow(const std::string& scene, const std::string& what, double found, 
 void print(const std::string& scene, const Sums& s) {
   const Causes& t = s.total;
   std::printf(
-      "    %-16s %5d steps: largest rise %.3g J (%.3g J/kg, step %d; with what joints hold %.3g J), back from a low "
+      "    %-16s %5d steps: largest rise %.3g J (%.3g J/kg, step %d; with what contacts hold %.3g J), back from a low "
       "%.3g "
       "J, above all put in %.3g J\n",
       scene.c_str(), s.steps, s.largestRise, s.largestRisePerMass, s.riseStep, s.withElastic, s.recovered, s.above);
@@ -88,7 +88,7 @@ TEST_P(LedgerOfScene, everyChangeHasItsCause) {
   const int steps = wholeScenes() ? int(std::lround(run->scene().seconds / dt)) : goldenSteps(*run);
   world.trace({false, false, true});
   Sums sums;
-  double heldGap = 0, slack = 0;
+  double supportsGap = 0, slack = 0;
   int compared = 0;
   for (int i = 0; i < steps; i++) {
     Result<StepReport> report = run->step();
@@ -104,8 +104,9 @@ TEST_P(LedgerOfScene, everyChangeHasItsCause) {
     slack += 1e-7 * (l.before.kinetic + sums.mass);               // the energy guard's own, in every step
     const bool allAwake = report->awakeBodies == report->bodies;  // contacts of sleeping bodies are told, not booked
     if (i % 5 == 0 && allAwake && length(l.rebound.linear) == 0 && run->scene().substeps == 1) {
-      const HeldImpulse told = heldImpulse(world, dt);
-      heldGap = std::max(heldGap, (length(told.sum - l.held.linear) - told.turned) / (sums.mass * 9.81 * dt));
+      const SupportImpulse told = supportImpulse(world, dt);
+      supportsGap =
+          std::max(supportsGap, (length(told.sum - l.supports.linear) - told.turned) / (sums.mass * 9.81 * dt));
       compared++;
     }
     if (i % (steps / 4 + 1) == 0) {
@@ -117,7 +118,7 @@ TEST_P(LedgerOfScene, everyChangeHasItsCause) {
   EXPECT_LT(sums.worstGap.linear, kGap);
   EXPECT_LT(sums.worstGap.angular, kGap);
   EXPECT_LT(sums.worstGap.energy, kGap);
-  EXPECT_LT(heldGap, 1e-5) << "of " << compared << " steps compared";
+  EXPECT_LT(supportsGap, 1e-5) << "of " << compared << " steps compared";
   EXPECT_LE(sums.above, slack) << "energy was made";
   EXPECT_LE(sums.joints, 0) << "a joint gave more than it held";
   EXPECT_LE(sums.unbalanced.linear, kMomentumLeft);

@@ -13,7 +13,7 @@ namespace brickfall::test {
 inline double energyOf(const Balance& b) { return b.kinetic + b.potential; }
 
 struct Causes {
-  BalanceChange gravity, forces, damping, stopped, held, contacts, solve, rebound, obstacles, balance, integrate,
+  BalanceChange gravity, forces, damping, stopped, supports, contacts, solve, rebound, obstacles, balance, integrate,
       quarantine, remade, renewed;
 };
 
@@ -32,9 +32,9 @@ struct Sums {
   // the farthest centre of mass as lever, in the same.
   Worst unbalanced;
   // Energy that no input accounts for: J, and J/kg of all bodies.
-  double joints = -1e300;       // J: what joints ever gave in a step beyond what they held, less the rounding of floats
-  double unsolved = -1e300;     // J: most that what the solve left ever gave in a step
-  double withElastic = -1e300;  // J: largest rise in a step, of all energy with what joints hold
+  double joints = -1e300;    // J: what contacts ever gave in a step beyond what they held, less the rounding of floats
+  double unsolved = -1e300;  // J: most that what the solve left ever gave in a step
+  double withElastic = -1e300;  // J: largest rise in a step, of all energy with what contacts hold
   double largestRise = -1e300, largestRisePerMass = -1e300;
   int riseStep = 0;
   double supplied = 0;         // J: at the start and by inputs since, above the lowest energy
@@ -54,10 +54,10 @@ struct Sums {
       into.energy += c.energy;
       into.elastic += c.elastic;
     };
-    const BalanceChange* causes[] = {&l.gravity,   &l.forces,     &l.damping, &l.stopped,   &l.held,
+    const BalanceChange* causes[] = {&l.gravity,   &l.forces,     &l.damping, &l.stopped,   &l.supports,
                                      &l.contacts,  &l.solve,      &l.rebound, &l.obstacles, &l.balance,
                                      &l.integrate, &l.quarantine, &l.remade,  &l.renewed};
-    BalanceChange* totals[] = {&total.gravity,   &total.forces,     &total.damping, &total.stopped,   &total.held,
+    BalanceChange* totals[] = {&total.gravity,   &total.forces,     &total.damping, &total.stopped,   &total.supports,
                                &total.contacts,  &total.solve,      &total.rebound, &total.obstacles, &total.balance,
                                &total.integrate, &total.quarantine, &total.remade,  &total.renewed};
     for (std::size_t i = 0; i < std::size(causes); i++) {
@@ -80,7 +80,7 @@ struct Sums {
     joints = std::max(joints, made - 1e-7 * (mass + l.before.kinetic + l.before.elastic));
     unsolved = std::max(unsolved, l.solve.energy);
     const double elastic = l.after.elastic - l.before.elastic;
-    const double input = l.forces.energy + l.held.energy, rise = energyOf(l.after) - energyOf(l.before) - input;
+    const double input = l.forces.energy + l.supports.energy, rise = energyOf(l.after) - energyOf(l.before) - input;
     if (rise > largestRise) {
       largestRise = rise;
       largestRisePerMass = rise / mass;

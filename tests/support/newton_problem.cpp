@@ -42,9 +42,9 @@ ProblemPoint pointOf(const Contact& c, const ContactGeometry& g, int i, const St
   p.armB = p.armA + (a.position - b.position);
   p.k = c.points.stiffness[lane];
   double gap = double(c.points.gap[lane]) - double(c.points.offset[lane]);
-  p.trialN = kHalf * c.points.heldN[lane] - p.k * (gap > 0 ? gap : kHalf * gap);
-  p.trialT = p.t1 * (kHalf * c.points.held1[lane] - p.k * kHalf * c.points.drift1[lane]) +
-             p.t2 * (kHalf * c.points.held2[lane] - p.k * kHalf * c.points.drift2[lane]);
+  p.trialN = kHalf * c.points.multiplierN[lane] - p.k * (gap > 0 ? gap : kHalf * gap);
+  p.trialT = p.t1 * (kHalf * c.points.multiplier1[lane] - p.k * kHalf * c.points.drift1[lane]) +
+             p.t2 * (kHalf * c.points.multiplier2[lane] - p.k * kHalf * c.points.drift2[lane]);
   p.friction = c.friction;
   p.limit = p.friction * std::max(0.0, double(c.points.forceN[lane]));
   p.carriedNothing = c.points.forceN[lane] == 0;
@@ -102,7 +102,7 @@ std::vector<Motion> engineMotion(const Island& island) {
   for (std::size_t i = 0; i < island.bodies.size(); i++) {
     const SolveMotion& m = island.motion[i];
     // A resting island has not moved at all; its drift is that of nothing.
-    out.push_back({toDouble(m.d) + (island.resting() ? Vec3{} : island.drift), toDouble(m.th)});
+    out.push_back({toDouble(m.d) + (island.resting() ? Vec3{} : island.travel), toDouble(m.th)});
   }
   return out;
 }

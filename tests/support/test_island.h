@@ -119,7 +119,7 @@ class TestIsland {
     for (int i = 0; i < c.count; i++) {
       c.points.phase[i] = PointPhase::resting;
       c.points.stiffness[i] = float(stiffness);
-      c.points.forceN[i] = c.points.heldN[i] = float(load / c.count);
+      c.points.forceN[i] = c.points.multiplierN[i] = float(load / c.count);
       c.points.gap[i] = -float(load / c.count / stiffness);
       c.points.stickingMask |= 1u << i;
     }
@@ -162,7 +162,7 @@ class TestIsland {
   bool store() {
     bool changed = storeRows(island(), ties(), context);
     if (island().resting() && !changed) island().ending = IslandEnding::settled;
-    restIfHeld(island(), context);
+    restInPlace(island(), context);
     storeMotion(island(), context);
     correctFlight(island(), context);
     correctLoneBody(island(), context);

@@ -8,10 +8,10 @@ namespace brickfall {
 
 namespace {
 
-static_assert(kCorrect == 0.5f && kHeldShare == 0.5f, "the energy is that of this law");
+static_assert(kCorrect == 0.5f && kMultiplierShare == 0.5f, "the energy is that of this law");
 
-double springEnergy(double stiffness, double way, double held) {
-  double decaying = held + stiffness * way;
+double springEnergy(double stiffness, double way, double multiplier) {
+  double decaying = multiplier + stiffness * way;
   return 0.5 * stiffness * way * way + decaying * decaying / (6 * stiffness);
 }
 
@@ -19,31 +19,31 @@ double springEnergy(double stiffness, double way, double held) {
 
 double elasticEnergy(const Contact& c, const StepContext& context) {
   double full = context.settings.restingStiffness * c.effectiveMass / (context.dt * context.dt);
-  double cap = kHeldWeights * kReferenceGravity * c.effectiveMass;
+  double cap = kMultiplierWeights * kReferenceGravity * c.effectiveMass;
   double sum = 0;
   for (int i = 0; i < c.count; i++) {
     double gap = double(c.points.gap[i]) - double(c.points.offset[i]), k = c.points.stiffness[i];
-    if (!(k > 0) || (gap >= 0 && c.points.heldN[i] == 0)) continue;
+    if (!(k > 0) || (gap >= 0 && c.points.multiplierN[i] == 0)) continue;
     if (c.points.phase[i] == PointPhase::impact) {
       double share = c.points.forceN[i] > cap ? cap / c.points.forceN[i] : 1;
       auto left = [&](double force) { return 0.5 * force * force * share * share / full; };
       sum += left(c.points.forceN[i]) + left(c.points.force1[i]) + left(c.points.force2[i]);
       continue;
     }
-    sum += springEnergy(k, gap, c.points.heldN[i]);
+    sum += springEnergy(k, gap, c.points.multiplierN[i]);
     // What slid is placed so that its spring carries the sliding force; what opened lets go of its anchor.
     bool sticks = c.points.stickingMask >> i & 1;
     if (!sticks && c.points.forceN[i] == 0) continue;
-    sum += springEnergy(k, sticks ? c.points.drift1[i] : c.points.slip1[i], c.points.held1[i]);
-    sum += springEnergy(k, sticks ? c.points.drift2[i] : c.points.slip2[i], c.points.held2[i]);
+    sum += springEnergy(k, sticks ? c.points.drift1[i] : c.points.slip1[i], c.points.multiplier1[i]);
+    sum += springEnergy(k, sticks ? c.points.drift2[i] : c.points.slip2[i], c.points.multiplier2[i]);
   }
   return sum;
 }
 
-JointWork jointWork(const Island& island, const StepContext& context) {
-  JointWork out;
+ContactWork contactWork(const Island& island, const StepContext& context) {
+  ContactWork out;
   for (std::size_t n = 0; n < island.rows.contacts.records.size(); n++) {
-    Contact c = context.contacts->contacts[island.rows.contacts.contactOf[n]];  // as if it held all of its force
+    Contact c = context.contacts->contacts[island.rows.contacts.contactOf[n]];  // as if its multiplier were all of its force
     kernel::PointMotion m = kernel::pointMotion(island.rows.contacts.records[n],
                                                 kernel::frame(island.rows.contacts.records[n]), island.motion.data());
     alignas(16) float way[3][4];
@@ -57,9 +57,9 @@ JointWork jointWork(const Island& island, const StepContext& context) {
       c.points.drift1[i] += way[1][i];
       c.points.drift2[i] += way[2][i];
     }
-    std::copy(c.points.forceN, c.points.forceN + 4, c.points.heldN);
-    std::copy(c.points.force1, c.points.force1 + 4, c.points.held1);
-    std::copy(c.points.force2, c.points.force2 + 4, c.points.held2);
+    std::copy(c.points.forceN, c.points.forceN + 4, c.points.multiplierN);
+    std::copy(c.points.force1, c.points.force1 + 4, c.points.multiplier1);
+    std::copy(c.points.force2, c.points.force2 + 4, c.points.multiplier2);
     out.elastic += elasticEnergy(c, context);
   }
   return out;

@@ -1,6 +1,6 @@
 // The contact law and its derivatives, four points at a time.
 //
-//   fn = max(trialN - k Cn, -bond)
+//   fn = max(trialN - k Cn, -cap)
 //   ft = (trial1 - k C1, trial2 - k C2), scaled back onto |ft| <= limit: scaled back = slides
 //
 #pragma once
@@ -60,7 +60,7 @@ inline PointForces pointForces(const ContactRecord& r, const PointMotion& moved)
   PointForces f;
   V k = load(r.k);
   f.trialN = load(r.trialN) - (k * moved.n);
-  f.n = wide::max(f.trialN, -load(r.bond));
+  f.n = wide::max(f.trialN, -load(r.tensionCap));
   f.trial1 = load(r.trial1) - (k * moved.t1);
   f.trial2 = load(r.trial2) - (k * moved.t2);
   V limit = load(r.limit);
@@ -88,21 +88,21 @@ inline WideWrench wrench(const ContactRecord& r, const Frame& frame, const Point
 
 // Points whose force has a kink nearby: sliding ones and bonds that yield.
 inline M needsLineSearch(const ContactRecord& r, const PointForces& f) {
-  V bond = load(r.bond), zero = set(0);
-  return (f.slides & (load(r.limit) > zero)) | ((bond > zero) & (f.trialN <= -bond));
+  V cap = load(r.tensionCap), zero = set(0);
+  return (f.slides & (load(r.limit) > zero)) | ((cap > zero) & (f.trialN <= -cap));
 }
 
 // Open points nearer than `near` m.
 inline M mayClose(const ContactRecord& r, const PointForces& f, float near) {
-  V bond = load(r.bond), reach = wide::max(bond, load(r.k) * set(near));
-  return (f.trialN <= -bond) & (f.trialN > -reach);
+  V cap = load(r.tensionCap), reach = wide::max(cap, load(r.k) * set(near));
+  return (f.trialN <= -cap) & (f.trialN > -reach);
 }
 
 // Loaded points resist along the normal, and so do open ones that are nearer than `near` m: a Newton step must not run
 // through them. Sticking points resist tangentially; sliding ones only across their slip.
 inline Stiffness stiffness(const ContactRecord& r, const Frame& frame, const PointForces& f, float near) {
   V s1 = load(r.s1), s2 = load(r.s2), k = load(r.k), zero = set(0);
-  M normalOn = f.trialN > -wide::max(load(r.bond), k * set(near));
+  M normalOn = f.trialN > -wide::max(load(r.tensionCap), k * set(near));
   V kn = wide::keepIf(normalOn, k);
   M frictional = load(r.limit) > zero;
   V kt = wide::keepIf(frictional, k);

@@ -136,7 +136,7 @@ void ContactRows::prepare(const Island& island, Ties ties, const StepContext& co
                          float(resting * unit),
                          float(context.settings.impactStiffness * unit),
                          float(context.settings.restingApproachSpeed),
-                         kHeldWeights * float(kReferenceGravity) * c.effectiveMass,
+                         kMultiplierWeights * float(kReferenceGravity) * c.effectiveMass,
                          float(deepestOverlap(bodies.mass[c.bodyA], bodies.mass[c.bodyB])),
                          float(context.dt)};
     r.newPoints = 0;
@@ -144,21 +144,21 @@ void ContactRows::prepare(const Island& island, Ties ties, const StepContext& co
     start.friction = c.friction;
     for (int i = 0; i < 4; i++) {
       if (i >= c.count) {
-        r.trialN[i] = r.trial1[i] = r.trial2[i] = r.k[i] = r.limit[i] = r.bond[i] = 0;
+        r.trialN[i] = r.trial1[i] = r.trial2[i] = r.k[i] = r.limit[i] = r.tensionCap[i] = 0;
         continue;
       }
       float gap = mapNormalOffset(c.points, i, start.approach[i], scale);
       mapFrictionAnchor(c, i, set.geometry[contactOf[k]], r, bodies);
       float stiffness = c.points.stiffness[i];
       r.k[i] = stiffness;
-      r.trialN[i] = kHeldShare * c.points.heldN[i] - stiffness * (gap > 0 ? gap : kCorrect * gap);
-      r.trial1[i] = kHeldShare * c.points.held1[i] - stiffness * kCorrect * c.points.drift1[i];
-      r.trial2[i] = kHeldShare * c.points.held2[i] - stiffness * kCorrect * c.points.drift2[i];
+      r.trialN[i] = kMultiplierShare * c.points.multiplierN[i] - stiffness * (gap > 0 ? gap : kCorrect * gap);
+      r.trial1[i] = kMultiplierShare * c.points.multiplier1[i] - stiffness * kCorrect * c.points.drift1[i];
+      r.trial2[i] = kMultiplierShare * c.points.multiplier2[i] - stiffness * kCorrect * c.points.drift2[i];
       start.stopping[i] = c.effectiveMass *
                           (std::max(0.0f, -start.approach[i]) + float(kReferenceGravity * context.dt)) /
                           float(context.dt);
       r.limit[i] = c.friction * std::max(0.0f, c.points.forceN[i]);
-      r.bond[i] = 0;
+      r.tensionCap[i] = 0;
       if (c.points.forceN[i] == 0) r.newPoints |= 1u << i;
     }
   }

@@ -21,11 +21,11 @@ struct alignas(64) ContactRecord {
   std::uint32_t newPoints = 0;         // bit per point that carried nothing in the last step
 
   float s1[4] = {}, s2[4] = {};  // m
-  float trialN[4] = {};          // N, force at zero motion: held share - k (correctable gap)
+  float trialN[4] = {};          // N, force at zero motion: share of the multiplier - k (correctable gap)
   float trial1[4] = {}, trial2[4] = {};
-  float k[4] = {};      // N/m; 0 in unused lanes
-  float limit[4] = {};  // N, friction cone
-  float bond[4] = {};   // N, tension carried; 0 = dry
+  float k[4] = {};           // N/m; 0 in unused lanes
+  float limit[4] = {};       // N, friction cone
+  float tensionCap[4] = {};  // N, tension carried; 0 = dry
 };
 static_assert(sizeof(ContactRecord) == 192);
 

@@ -18,7 +18,7 @@ RowTie ContactRows::tie(std::size_t k, const StepContext& context) const {
   RowTie tie;
   tie.weak = c.weak;
   for (int i = 0; i < c.count; i++)
-    tie.strength += 1 + 100 * std::fabs(c.points.heldN[i]) / (c.effectiveMass * float(kReferenceGravity));
+    tie.strength += 1 + 100 * std::fabs(c.points.multiplierN[i]) / (c.effectiveMass * float(kReferenceGravity));
   return tie;
 }
 

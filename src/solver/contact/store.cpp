@@ -27,22 +27,22 @@ StoredForces forcesAt(const ContactRecord& r, const SolveMotion* motion) {
 
 // Multiplier for the next step: the force, but an impact's force must not act again, explicitly.
 void holdForce(Contact& c, int i, const StoredForces& f) {
-  float held = kHeldShare * c.points.heldN[i];
-  float cap = kHeldGrowth * held + kHeldWeights * float(kReferenceGravity) * c.effectiveMass;
+  float kept = kMultiplierShare * c.points.multiplierN[i];
+  float cap = kMultiplierGrowth * kept + kMultiplierWeights * float(kReferenceGravity) * c.effectiveMass;
   float share = f.n[i] > cap ? cap / f.n[i] : 1;
   c.points.forceN[i] = f.n[i];
   c.points.force1[i] = f.t1[i];
   c.points.force2[i] = f.t2[i];
-  c.points.heldN[i] = f.n[i] > cap ? cap : f.n[i];
-  c.points.held1[i] = f.t1[i] * share;
-  c.points.held2[i] = f.t2[i] * share;
+  c.points.multiplierN[i] = f.n[i] > cap ? cap : f.n[i];
+  c.points.multiplier1[i] = f.t1[i] * share;
+  c.points.multiplier2[i] = f.t2[i] * share;
 }
 
 // Where the anchor of a point that slides has to be for its spring to carry the sliding force.
 void placeSlip(Contact& c, int i, bool sliding) {
   c.points.slip1[i] = c.points.slip2[i] = 0;
   if (!sliding || !(c.points.forceN[i] > 0)) return;
-  float scale = -(1 - kHeldShare) / (c.points.stiffness[i] * kCorrect);
+  float scale = -(1 - kMultiplierShare) / (c.points.stiffness[i] * kCorrect);
   c.points.slip1[i] = c.points.force1[i] * scale;
   c.points.slip2[i] = c.points.force2[i] * scale;
   float drift = std::sqrt(c.points.slip1[i] * c.points.slip1[i] + c.points.slip2[i] * c.points.slip2[i]);
@@ -52,7 +52,7 @@ void placeSlip(Contact& c, int i, bool sliding) {
   }
 }
 
-// A joint that cannot carry a moment: few loaded points, or all of them sliding.
+// A contact that cannot carry a moment: few loaded points, or all of them sliding.
 bool updateWeak(Contact& c, int loaded, int slidingLoaded) {
   bool was = c.weak;
   if (loaded < 3 || slidingLoaded >= c.count) {

@@ -37,7 +37,7 @@ void storeMotion(const Island& island, StepContext& context) {
     out.lost = {};
     bool untouched = m.d == island.masses[i].dFree && m.th == island.masses[i].thFree;
     out.freeTurn = m.th == island.masses[i].thFree;
-    out.d = untouched ? free.d : island.drift + toDouble(m.d);
+    out.d = untouched ? free.d : island.travel + toDouble(m.d);
     out.th = out.freeTurn ? free.th : toDouble(m.th);
     out.velocity = out.d * perDt;
     // Torque impulses are added to the angular momentum, so that it is kept to rounding.

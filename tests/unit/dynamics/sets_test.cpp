@@ -85,13 +85,13 @@ TEST(ContactSet, ReusesSlotsFresh) {
   ContactSet set;
   ContactIndex a = set.create();
   set.contacts[a].count = 3;
-  set.contacts[a].points.heldN[1] = 7;
+  set.contacts[a].points.multiplierN[1] = 7;
   set.changed = false;
   set.destroy(a);
   EXPECT_TRUE(set.changed);
   ASSERT_EQ(set.create(), a);
   EXPECT_EQ(set.contacts[a].count, 0);
-  EXPECT_EQ(set.contacts[a].points.heldN[1], 0);
+  EXPECT_EQ(set.contacts[a].points.multiplierN[1], 0);
   EXPECT_TRUE(set.contacts[a].born);
 }
 

@@ -63,6 +63,7 @@ struct Scene {
         r.trial2[i] = float(random.between(200, 500));
         r.limit[i] = slides ? 60.0f : 1e6f;
       }
+      island.rows.contacts.contactOf.push_back(k);
       island.rows.contacts.records.push_back(r);
     }
     level.clusterOf = {0, both ? 0u : 1u};
@@ -115,7 +116,7 @@ WrenchD direct(const Scene& s, bool both) {
       Vec3 place = t1 * double(r.s1[i]) + t2 * double(r.s2[i]);
       Vec3 armA = toDouble(r.armA) + place, armB = toDouble(r.armB) + place;
       Vec3 u = toDouble(b.d) + cross(toDouble(b.th), armB) - toDouble(a.d) - cross(toDouble(a.th), armA);
-      double fn = std::max(double(r.trialN[i]) - double(r.k[i]) * dot(n, u), -double(r.bond[i]));
+      double fn = std::max(double(r.trialN[i]) - double(r.k[i]) * dot(n, u), -double(r.tensionCap[i]));
       double f1 = double(r.trial1[i]) - double(r.k[i]) * dot(t1, u),
              f2 = double(r.trial2[i]) - double(r.k[i]) * dot(t2, u);
       double size = std::hypot(f1, f2), limit = double(r.limit[i]);
@@ -200,7 +201,7 @@ TEST(Cluster, StepBringsTheResidualOfALinearClusterToZero) {
     for (bool both : {false, true}) {
       Scene s(random, Regime::sticks, both);
       for (ContactRecord& r : s.island.rows.contacts.records)
-        for (float& bond : r.bond) bond = 1e9f;  // nothing opens
+        for (float& cap : r.tensionCap) cap = 1e9f;  // nothing opens
       double before = double(length(s.residual().force)), visits = 0;
       if (both) {  // the inertia of the pair about its centre
         Cluster& c = s.level.clusters[0];

@@ -1,4 +1,4 @@
-// No joint gives what it was not given: in every step of any motion, the work that a joint does and what it then holds is no more
+// No contact gives what it was not given: in every step of any motion, the work that a joint does and what it then holds is no more
 // than what it held before (docs/step.md has the proof). Here for random points in every phase of their lives under random
 // motions, and the closed forms of what is held.
 #include "solver/contact/energy.h"
@@ -32,7 +32,7 @@ TEST(ContactEnergy, OfARestingPointIsThatOfItsSpringAndOfWhatDecays) {
   double k = 1000 * lab.unit(lab.face), f = 40, gap = -f / k;
   lab.load(lab.face, 4 * f, k);
   EXPECT_NEAR(lab.held(), 4 * f * f / (2 * k), 1e-6 * f * f / k) << "held in full: nothing decays";
-  for (float& held : lab.points(lab.face).heldN) held = 0;
+  for (float& held : lab.points(lab.face).multiplierN) held = 0;
   double decays = k * gap;
   EXPECT_NEAR(lab.held(), 4 * (0.5 * k * gap * gap + decays * decays / (6 * k)), 1e-6 * f * f / k);
   for (float& offset : lab.points(lab.face).offset) offset = float(gap);
@@ -53,7 +53,7 @@ TEST(ContactEnergy, WhatIsOpenOrFreshHoldsNothing) {
   PointMemory& m = lab.points(lab.face);
   for (int i = 0; i < 4; i++) {
     m.gap[i] = 1e-4f;
-    m.heldN[i] = m.forceN[i] = 0;
+    m.multiplierN[i] = m.forceN[i] = 0;
     m.drift1[i] = 1e-3f;
   }
   m.stickingMask = 0;
@@ -87,8 +87,8 @@ TEST(ContactEnergy, NoMotionDrawsMoreThanIsHeld) {
         double angle = random.between(0, 6.28), size = random.between(0, 0.6) * f;
         if (start == Start::sliding) size = 0.6 * f;
         m.gap[i] *= float(random.between(0.2, 3));
-        m.force1[i] = m.held1[i] = float(size * std::cos(angle));
-        m.force2[i] = m.held2[i] = float(size * std::sin(angle));
+        m.force1[i] = m.multiplier1[i] = float(size * std::cos(angle));
+        m.force2[i] = m.multiplier2[i] = float(size * std::sin(angle));
         m.drift1[i] = float(-random.between(0, 1) * size * std::cos(angle) / k);
         m.drift2[i] = float(-random.between(0, 1) * size * std::sin(angle) / k);
         if (start == Start::sliding) {
@@ -99,7 +99,7 @@ TEST(ContactEnergy, NoMotionDrawsMoreThanIsHeld) {
         if (start == Start::justOpened) m.gap[i] = float(random.between(0, 2) * f / k);
         if (start == Start::open || start == Start::closing) {
           m.gap[i] = float(random.between(0, 2) * f / k);
-          m.forceN[i] = m.heldN[i] = m.force1[i] = m.held1[i] = m.force2[i] = m.held2[i] = 0;
+          m.forceN[i] = m.multiplierN[i] = m.force1[i] = m.multiplier1[i] = m.force2[i] = m.multiplier2[i] = 0;
           m.drift1[i] = m.drift2[i] = 0;
           m.stickingMask = 0;
         }
@@ -114,10 +114,11 @@ TEST(ContactEnergy, NoMotionDrawsMoreThanIsHeld) {
       moved.th = {some(10.0 * double(way)), some(10.0 * double(way)), some(10.0 * double(way))};
       lab.island().ending = IslandEnding::balanced;
       storeRows(lab.island(), lab.ties(), lab.context);
-      JointWork joints = jointWork(lab.island(), lab.context);
-      double scale = before + std::fabs(joints.work) + joints.elastic, gain = joints.work + joints.elastic - before;
-      EXPECT_LE(gain, 1e-5 * scale) << "start " << int(start) << ": held " << before << " J, then " << joints.elastic
-                                    << " J and " << joints.work << " J of work";
+      ContactWork ofContacts = contactWork(lab.island(), lab.context);
+      double scale = before + std::fabs(ofContacts.work) + ofContacts.elastic,
+             gain = ofContacts.work + ofContacts.elastic - before;
+      EXPECT_LE(gain, 1e-5 * scale) << "start " << int(start) << ": held " << before << " J, then "
+                                    << ofContacts.elastic << " J and " << ofContacts.work << " J of work";
       least = std::min(least, gain / scale);
     }
   EXPECT_LT(least, -0.5) << "most motions cost";
@@ -138,9 +139,9 @@ TEST(ContactEnergy, TheLossIsThatOfTheProof) {
     lab.island().motion[0].d = {0, float(C), 0};
     lab.island().ending = IslandEnding::balanced;
     storeRows(lab.island(), lab.ties(), lab.context);
-    JointWork joints = jointWork(lab.island(), lab.context);
-    EXPECT_NEAR(joints.work, 4 * C * (f + more / 2 - k * C), 2e-5 * f * f / k);
-    EXPECT_NEAR(joints.work + joints.elastic - before, -4 * (k * C - m / 2) * (k * C - m / 2) / (2 * k),
+    ContactWork ofContacts = contactWork(lab.island(), lab.context);
+    EXPECT_NEAR(ofContacts.work, 4 * C * (f + more / 2 - k * C), 2e-5 * f * f / k);
+    EXPECT_NEAR(ofContacts.work + ofContacts.elastic - before, -4 * (k * C - m / 2) * (k * C - m / 2) / (2 * k),
                 2e-5 * f * f / k);
   }
 }

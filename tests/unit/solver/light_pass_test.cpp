@@ -30,7 +30,7 @@ void disturb(TestIsland& lab, Random& random) {
     lab.load(ContactIndex(&c - lab.contacts.contacts.data()), random.between(0.5, 5) * kBrickWeight, 1e6);
     for (int i = 0; i < c.count; i++) {
       c.points.drift1[i] = float(random.between(-1e-5, 1e-5));
-      c.points.held2[i] = c.points.force2[i] = float(random.between(-1, 1));
+      c.points.multiplier2[i] = c.points.force2[i] = float(random.between(-1, 1));
       if (random.unit() < 0.2) c.points.gap[i] = 1e-4f;
     }
   }

@@ -32,7 +32,7 @@ struct OnGround : TestIsland {
       m.stiffness[i] = float(stiffness);
       m.gap[i] = float(gap);
       m.offset[i] = float(offset);
-      m.forceN[i] = m.heldN[i] = float(force);
+      m.forceN[i] = m.multiplierN[i] = float(force);
       m.stickingMask = 15;
     }
   }
@@ -83,9 +83,9 @@ TEST(Prepare, TheCommonWayOfAFloatingIslandIsLeftOut) {
   lab.prepare();
   const Island& island = lab.island();
   double h = lab.context.dt;
-  EXPECT_NEAR(island.drift.x, 40 * h, 1e-15);
-  EXPECT_NEAR(island.drift.y, -kG * h * h, 1e-15);
-  EXPECT_NEAR(island.drift.z, 0.001 * h, 1e-15);
+  EXPECT_NEAR(island.travel.x, 40 * h, 1e-15);
+  EXPECT_NEAR(island.travel.y, -kG * h * h, 1e-15);
+  EXPECT_NEAR(island.travel.z, 0.001 * h, 1e-15);
   EXPECT_NEAR(double(island.masses[0].dFree.z), 0.01 * h, 1e-10);
   EXPECT_NEAR(double(island.masses[1].dFree.z), -0.001 * h, 1e-11);
 }
@@ -159,16 +159,16 @@ TEST(Prepare, TheEndOfAnImpactGoesOnWithItsForceUpToFiveWeights) {
       OnGround lab({0, -0.2, 0});
       double k = 1000 * lab.unit(lab.face);
       lab.remember(PointPhase::impact, 30 * lab.unit(lab.face), gap, 0, force);
-      lab.points(lab.face).force1[1] = lab.points(lab.face).held1[1] = 5;
+      lab.points(lab.face).force1[1] = lab.points(lab.face).multiplier1[1] = 5;
       lab.prepare();
       double left = std::min(force, double(kCap)), share = left / force;
       const PointMemory& m = lab.points(lab.face);
       EXPECT_EQ(lab.phase(), PointPhase::resting);
       EXPECT_NEAR(lab.stiffness(), 1000, 1e-3);
       EXPECT_NEAR(double(m.forceN[1]), left, 1e-3);
-      EXPECT_NEAR(double(m.heldN[1]), left, 1e-3);
+      EXPECT_NEAR(double(m.multiplierN[1]), left, 1e-3);
       EXPECT_NEAR(double(m.force1[1]), 5 * share, 1e-5) << "friction goes down with it";
-      EXPECT_NEAR(double(m.held1[1]), 5 * share, 1e-5);
+      EXPECT_NEAR(double(m.multiplier1[1]), 5 * share, 1e-5);
       // Chosen so that k (offset - gap) is the force; a tenth of it released in the same step.
       double offset = 0.9 * std::min(0.0, gap + left / k);
       EXPECT_NEAR(double(m.offset[1]), offset, 1e-9);
@@ -258,14 +258,14 @@ TEST(Prepare, UnusedLanesDoNothing) {
                              quatFromAxisAngle({1, 0, 0}, 0.7853981633974483));
   ContactIndex edge = lab.touch(under, body);  // on an edge
   ASSERT_EQ(lab.contact(edge).count, 2);
-  lab.points(edge).forceN[0] = lab.points(edge).heldN[0] = 3;
+  lab.points(edge).forceN[0] = lab.points(edge).multiplierN[0] = 3;
   lab.prepare();
   const ContactRecord& r = lab.record();
   EXPECT_EQ(r.newPoints, 2u);
   EXPECT_FLOAT_EQ(r.limit[0], 0.6f * 3);
   for (int i : {2, 3})
     EXPECT_TRUE(r.k[i] == 0 && r.trialN[i] == 0 && r.trial1[i] == 0 && r.trial2[i] == 0 && r.limit[i] == 0 &&
-                r.bond[i] == 0);
+                r.tensionCap[i] == 0);
 }
 
 }  // namespace

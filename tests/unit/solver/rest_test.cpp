@@ -93,24 +93,24 @@ TEST(Rest, KineticDampingLeavesWhatGainsEnergyOrIsFastOrFloats) {
   }
 }
 
-// Steps of restIfHeld alone, for an island that its solve leaves unbalanced; `place`: where the brick is in that step.
-template <class Place> int stepsUntilStilled(OnGround& lab, int most, Place place) {
+// Steps of restInPlace alone, for an island that its solve leaves unbalanced; `place`: where the brick is in that step.
+template <class Place> int stepsUntilInPlace(OnGround& lab, int most, Place place) {
   Vec3 start = lab.at(lab.body).position;
   for (int step = 1; step <= most; step++) {
     lab.prepare();
     lab.island().ending = IslandEnding::unbalanced;
     lab.context.solved[lab.body].d = {1, 1, 1};
     lab.at(lab.body).position = start + place(step);
-    restIfHeld(lab.island(), lab.context);
+    restInPlace(lab.island(), lab.context);
     if (lab.island().ending == IslandEnding::inPlace) return step;
   }
   return -1;
 }
 
-TEST(Rest, StilledAfterHalfASecondWithinTwentyFiveMicrometres) {
+TEST(Rest, InPlaceAfterHalfASecondWithinTwentyFiveMicrometres) {
   for (double dt : {1.0 / 64, 1.0 / 128}) {  // exact in binary: sums of steps have no rounding
     OnGround lab(dt);
-    int steps = stepsUntilStilled(lab, 200, [](int n) { return Vec3{n % 2 ? 24e-6 : 0, 0, 0}; });
+    int steps = stepsUntilInPlace(lab, 200, [](int n) { return Vec3{n % 2 ? 24e-6 : 0, 0, 0}; });
     EXPECT_EQ(steps, int(0.5 / dt)) << "not a step sooner";
     storeMotion(lab.island(), lab.context);
     const SolvedMotion& s = lab.context.solved[lab.body];
@@ -121,11 +121,11 @@ TEST(Rest, StilledAfterHalfASecondWithinTwentyFiveMicrometres) {
 TEST(Rest, GoingFurtherBeginsTheWatchAnew) {
   constexpr double kStep = 1.0 / 64;
   OnGround once(kStep);
-  EXPECT_EQ(stepsUntilStilled(once, 200, [](int n) { return Vec3{0, n < 20 ? 0 : 26e-6, 0}; }), 19 + 32);
+  EXPECT_EQ(stepsUntilInPlace(once, 200, [](int n) { return Vec3{0, n < 20 ? 0 : 26e-6, 0}; }), 19 + 32);
   OnGround creeps(kStep);  // 1 mm/s: 15.6 um a step
-  EXPECT_EQ(stepsUntilStilled(creeps, 500, [](int n) { return Vec3{0, 0, 15.6e-6 * n}; }), -1);
+  EXPECT_EQ(stepsUntilInPlace(creeps, 500, [](int n) { return Vec3{0, 0, 15.6e-6 * n}; }), -1);
   OnGround starts(kStep);  // falls slowly at 2e-5 g: 24.5 um in 0.5 s, then faster
-  EXPECT_EQ(stepsUntilStilled(starts, 500,
+  EXPECT_EQ(stepsUntilInPlace(starts, 500,
                               [](int n) {
                                 return Vec3{0, 0.5 * 2.2e-5 * 9.81 * n * n * kStep * kStep, 0};
                               }),
@@ -136,7 +136,7 @@ TEST(Rest, ATurnCountsAtTheOuterRadius) {
   double reach = length(kBrick);
   for (double share : {0.9, 1.1}) {
     OnGround lab(1.0 / 64);
-    int steps = stepsUntilStilled(lab, 40, [&](int n) {
+    int steps = stepsUntilInPlace(lab, 40, [&](int n) {
       double turn = n % 2 ? share * 25e-6 / reach : 0;
       lab.bodies.setRotation(lab.body, quatFromRotationVector(Vec3{0, turn, 0}));
       return Vec3{};
@@ -147,13 +147,13 @@ TEST(Rest, ATurnCountsAtTheOuterRadius) {
 
 TEST(Rest, WhatIsNotSlowIsNotWatched) {
   OnGround lab(1.0 / 64);
-  EXPECT_EQ(stepsUntilStilled(lab, 31, [](int) { return Vec3{}; }), -1);
+  EXPECT_EQ(stepsUntilInPlace(lab, 31, [](int) { return Vec3{}; }), -1);
   lab.at(lab.body).linearVelocity = {0.5, 0, 0};
   lab.prepare();
-  restIfHeld(lab.island(), lab.context);
-  EXPECT_TRUE(lab.island().heldPoses.empty());
+  restInPlace(lab.island(), lab.context);
+  EXPECT_TRUE(lab.island().placePoses.empty());
   lab.at(lab.body).linearVelocity = {};
-  EXPECT_EQ(stepsUntilStilled(lab, 200, [](int) { return Vec3{}; }), 32) << "from the beginning";
+  EXPECT_EQ(stepsUntilInPlace(lab, 200, [](int) { return Vec3{}; }), 32) << "from the beginning";
 }
 
 }  // namespace

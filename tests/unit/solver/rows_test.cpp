@@ -154,7 +154,7 @@ TEST(IslandBuilder, HierarchiesAreBuiltWhenTheyAreOutOfDate) {
   island.byMechanism.valid = false;
   updateHierarchies(island, lab.context);
   EXPECT_EQ(island.byStrength.levels.front().clusters.front().mass, 123)
-      << "knows nothing of weak joints: not built anew";
+      << "knows nothing of weak contacts: not built anew";
   for (const Level& level : island.byMechanism.levels)
     if (level.clusters.size() > 1) {
       EXPECT_NE(level.clusterOf[2], level.clusterOf[3]) << "joined over the hinge";

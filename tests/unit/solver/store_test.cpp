@@ -42,13 +42,13 @@ TEST(Store, ForcesAreThoseOfTheFinalMotion) {
     EXPECT_NEAR(double(m.forceN[i]), kBrickWeight / 4 + 2, 1e-4);
     EXPECT_NEAR(double(m.force1[i]), -0.5, 1e-5);
     EXPECT_NEAR(double(m.force2[i]), 0, 1e-5);
-    EXPECT_EQ(m.heldN[i], m.forceN[i]) << "far from a sudden load";
-    EXPECT_EQ(m.held1[i], m.force1[i]);
+    EXPECT_EQ(m.multiplierN[i], m.forceN[i]) << "far from a sudden load";
+    EXPECT_EQ(m.multiplier1[i], m.force1[i]);
   }
   EXPECT_EQ(m.stickingMask, 15u);
 }
 
-TEST(Store, HeldGrowsByNoMoreThanFiveWeightsBeyondTwiceWhatWasHeld) {
+TEST(Store, MultiplierGrowsByNoMoreThanFiveWeightsBeyondTwiceWhatItWas) {
   for (double held : {0.0, 10.0, 200.0})
     for (double force : {0.5 * kCap, held + 0.99 * kCap, held + 1.01 * kCap, held + 9 * kCap}) {
       OnGround lab;
@@ -62,11 +62,12 @@ TEST(Store, HeldGrowsByNoMoreThanFiveWeightsBeyondTwiceWhatWasHeld) {
       double cap = held + kCap;  // half of it was held in the solve: twice that, and 5 weights
       for (int i = 0; i < 4; i++) {
         EXPECT_NEAR(double(m.forceN[i]), force, 1e-4 * force) << "the force itself is kept";
-        EXPECT_NEAR(double(m.heldN[i]), std::min(force, cap), 1e-4 * force) << held << " held, now " << force;
+        EXPECT_NEAR(double(m.multiplierN[i]), std::min(force, cap), 1e-4 * force) << held << " held, now " << force;
         if (held > 0) {
           double size = std::hypot(double(m.force1[i]), double(m.force2[i]));
           EXPECT_NEAR(size, 1, 1e-3);
-          EXPECT_NEAR(std::hypot(double(m.held1[i]), double(m.held2[i])), std::min(1.0, cap / force) * size, 1e-3);
+          EXPECT_NEAR(std::hypot(double(m.multiplier1[i]), double(m.multiplier2[i])), std::min(1.0, cap / force) * size,
+                      1e-3);
         }
       }
     }
@@ -180,7 +181,7 @@ TEST(Store, AtAFixedPointNotOneBitChanges) {
   lab.prepare();
   lab.checkRest();
   PointMemory& m = lab.points(1);
-  m.heldN[2] = std::nextafter(m.heldN[2], 1e9f);
+  m.multiplierN[2] = std::nextafter(m.multiplierN[2], 1e9f);
   EXPECT_TRUE(lab.store()) << "one bit of one force";
   EXPECT_FALSE(lab.island().settled());
   EXPECT_TRUE(sameBits()) << "and it is put right";
