@@ -42,8 +42,9 @@ struct Island {
   bool grounded() const { return !partners.empty(); }  // touches something fixed or kinematic
   bool resting() const { return isResting(ending); }
   bool settled() const { return isSettled(ending); }
-  // Something about it changed from outside: the coming step looks at it again.
+  // Something about it changed from outside: the coming step looks at it again, and a watch of its place begins anew.
   void unsettle() {
+    placePoses.clear();
     if (settled()) ending = IslandEnding::rested;
   }
 };
