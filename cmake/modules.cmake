@@ -8,11 +8,11 @@ target_compile_options(brickfall_options INTERFACE
 if(BRICKFALL_WERROR)
   target_compile_options(brickfall_options INTERFACE -Werror)
 endif()
-# What g++ can't follow through the checks that sanitizers put in.
+# What g++ 12 says wrongly: of strings, more often at -O3, and of what sanitizers put in.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-  set(BRICKFALL_SANITIZER_DOUBTS -Wno-maybe-uninitialized -Wno-array-bounds -Wno-stringop-overflow -Wno-restrict)
+  set(BRICKFALL_DOUBTS -Wno-maybe-uninitialized -Wno-array-bounds -Wno-stringop-overflow -Wno-restrict)
   if(BRICKFALL_SANITIZE)
-    target_compile_options(brickfall_options INTERFACE ${BRICKFALL_SANITIZER_DOUBTS})
+    target_compile_options(brickfall_options INTERFACE ${BRICKFALL_DOUBTS})
   endif()
 endif()
 # g++ 12 fuses pairs of products into vfmaddsub all the same (its vectoriser does not ask -ffp-contract) where the flags of

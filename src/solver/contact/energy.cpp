@@ -43,7 +43,8 @@ double elasticEnergy(const Contact& c, const StepContext& context) {
 ContactWork contactWork(const Island& island, const StepContext& context) {
   ContactWork out;
   for (std::size_t n = 0; n < island.rows.contacts.records.size(); n++) {
-    Contact c = context.contacts->contacts[island.rows.contacts.contactOf[n]];  // as if its multiplier were all of its force
+    Contact c =
+        context.contacts->contacts[island.rows.contacts.contactOf[n]];  // as if its multiplier were all of its force
     kernel::PointMotion m = kernel::pointMotion(island.rows.contacts.records[n],
                                                 kernel::frame(island.rows.contacts.records[n]), island.motion.data());
     alignas(16) float way[3][4];

@@ -88,7 +88,7 @@ std::string fallbackWords(const KeySpec& spec) {
   return text.empty() ? "**must be given**" : text == "-" ? "" : "`" + text + "`";
 }
 
-std::string quoted(const std::string& text) {
+std::string inQuotes(const std::string& text) {
   std::string out = "\"";
   for (char c : text) {
     if (c == '"' || c == '\\') out += '\\';
@@ -113,7 +113,7 @@ std::string tableSchema(const std::string& table, const std::string& indent);
 std::string valueSchema(const KeySpec& spec, const std::string& indent) {
   std::string number = numberSchema(spec, false);
   std::string choices;
-  for (const std::string& choice : choicesOf(spec)) choices += (choices.empty() ? "" : ", ") + quoted(choice);
+  for (const std::string& choice : choicesOf(spec)) choices += (choices.empty() ? "" : ", ") + inQuotes(choice);
   switch (spec.kind) {
     case K::number:
       return number;
@@ -157,7 +157,7 @@ std::string describedSchema(const KeySpec& spec, const std::string& indent) {
   std::string schema = valueSchema(spec, indent);
   std::string words = spec.meaning;
   if (*spec.unit) words += std::string(" (") + spec.unit + ")";
-  std::string head = "{\"description\": " + quoted(words) + ", ";
+  std::string head = "{\"description\": " + inQuotes(words) + ", ";
   bool literal = *spec.fallback && std::string(spec.fallback) != "-";
   if (literal) head += "\"default\": " + std::string(spec.fallback) + ", ";
   return head + schema.substr(1);
@@ -167,8 +167,8 @@ std::string tableSchema(const std::string& table, const std::string& indent) {
   std::string inner = indent + "    ", required, properties;
   for (const KeySpec& spec : keySpecs()) {
     if (spec.table != table) continue;
-    if (!*spec.fallback) required += (required.empty() ? "" : ", ") + quoted(spec.key);
-    properties += (properties.empty() ? "" : ",\n") + inner + quoted(spec.key) + ": " + describedSchema(spec, inner);
+    if (!*spec.fallback) required += (required.empty() ? "" : ", ") + inQuotes(spec.key);
+    properties += (properties.empty() ? "" : ",\n") + inner + inQuotes(spec.key) + ": " + describedSchema(spec, inner);
   }
   std::string out = "{\"type\": \"object\", \"additionalProperties\": false, ";
   if (!required.empty()) out += "\"required\": [" + required + "], ";
