@@ -169,8 +169,10 @@ void clusterStep(Island& island, const Level& level, const Cluster& cluster, dou
       high = t;
       slopeHigh = slope;
     }
+    float fall = slopeLow - slopeHigh;
+    if (!(fall > 0)) break;  // both have underflowed: forces that a float hardly knows are balanced
     float width = high - low;
-    float next = low + width * slopeLow / (slopeLow - slopeHigh);
+    float next = low + width * slopeLow / fall;
     if (k >= 1) next = std::min(std::max(next, low + 0.2f * width), high - 0.2f * width);
     moveCluster(island, level, cluster, step, next - t);
     t = next;

@@ -195,6 +195,35 @@ TEST(Cluster, NearOpenPointsBraceTheMatrixButPullNothing) {
   EXPECT_GT(near.at(0, 0) + near.at(1, 1) + near.at(2, 2), 1e6f);
 }
 
+// A ball at rest between walls: forces of 1e-20 N and ways of 1e-26 m, of which floats no longer hold the product. The
+// search along such a step divided nothing by nothing.
+TEST(Cluster, ForcesTooSmallForTheirProductLeaveTheMotionFinite) {
+  Random random(25);
+  int underflown = 0;
+  for (Regime regime : kRegimes)
+    for (int exponent = -100; exponent < -30; exponent++)
+      for (int n = 0; n < 10; n++) {
+        Scene s(random, regime, false);
+        float scale = std::ldexp(1.0f, exponent);
+        s.island.plan.exactSteps = true;
+        for (SolveMass& m : s.island.masses) {
+          m.dFree *= scale;
+          m.thFree *= scale;
+        }
+        for (SolveMotion& m : s.island.motion) m = {};
+        for (ContactRecord& r : s.island.rows.contacts.records)
+          for (int i = 0; i < 4; i++)
+            for (float* force : {r.trialN, r.trial1, r.trial2, r.limit}) force[i] *= scale;
+        Wrench start = s.residual();
+        underflown += dot(start.force, start.force) < 1e-37f;
+        double visits = 0;
+        for (int k = 0; k < 4; k++) clusterStep(s.island, s.level, s.level.clusters[0], visits);
+        const SolveMotion& end = s.island.motion[0];
+        ASSERT_TRUE(std::isfinite(length(end.d)) && std::isfinite(length(end.th))) << "2^" << exponent;
+      }
+  EXPECT_GT(underflown, 100);
+}
+
 TEST(Cluster, StepBringsTheResidualOfALinearClusterToZero) {
   Random random(24);
   for (int n = 0; n < 50; n++)
