@@ -34,10 +34,13 @@ if(BRICKFALL_SANITIZE)
   target_link_options(brickfall_options INTERFACE -fsanitize=${BRICKFALL_SANITIZE})
 endif()
 
-# brickfall_module(NAME [ENGINE] SOURCES ... USES module ... LINK library ...)
+# brickfall_module(NAME [ENGINE] SOURCES ... [ALONE source ...] USES module ... LINK library ...)
 # ENGINE: neither throws nor needs exceptions.
+# ALONE: of SOURCES, those that cannot share a file with the others (mostly, names that another has for something else): left alone where the
+# rest of the module is compiled as one file (CMAKE_UNITY_BUILD, as tests/fuzz and the variants of tests/determinism do).
 function(brickfall_module name)
-  cmake_parse_arguments(ARG "ENGINE" "" "SOURCES;USES;LINK" ${ARGN})
+  cmake_parse_arguments(ARG "ENGINE" "" "SOURCES;ALONE;USES;LINK" ${ARGN})
+  set_source_files_properties(${ARG_ALONE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   set(links ${CMAKE_BINARY_DIR}/modules/${name})
   file(MAKE_DIRECTORY ${links})
   file(CREATE_LINK ${CMAKE_CURRENT_SOURCE_DIR} ${links}/${name} SYMBOLIC)
