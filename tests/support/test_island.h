@@ -32,6 +32,7 @@ constexpr double kG = 9.81;                       // m/s2
 constexpr Vec3 kBrick{0.12, 0.0325, 0.0575};      // m, half extents
 constexpr double kBrickMass = 2.7;                // kg
 constexpr double kBrickWeight = kBrickMass * kG;  // N
+constexpr double kCap = 5 * kBrickWeight;         // N, what an impact may hand on
 
 class TestIsland {
  public:
@@ -252,6 +253,32 @@ class TestIsland {
     }
   }
   std::vector<Shape> shapes_;  // by body
+};
+
+// A brick on the ground, `gap` m above it, falling or sliding.
+struct OnGround : TestIsland {
+  explicit OnGround(Vec3 velocity = {}, double gap = 0, double dt = 1.0 / 60)
+      : TestIsland(dt), under(ground()), body(brick({0, kBrick.y + gap, 0})), face(touch(under, body)) {
+    at(body).linearVelocity = velocity;
+  }
+  // A point as an earlier step left it.
+  void remember(PointPhase phase, double stiffness, double gap, double offset, double force) {
+    PointMemory& m = points(face);
+    for (int i = 0; i < 4; i++) {
+      m.phase[i] = phase;
+      m.stiffness[i] = float(stiffness);
+      m.gap[i] = float(gap);
+      m.offset[i] = float(offset);
+      m.forceN[i] = m.multiplierN[i] = float(force);
+      m.stickingMask = 15;
+    }
+  }
+  // Stiffness of the first point in u.
+  double stiffness() { return double(points(face).stiffness[0]) / unit(face); }
+  PointPhase phase() { return points(face).phase[0]; }
+  SolveMotion& motion() { return island().motion[0]; }
+  BodyIndex under, body;
+  ContactIndex face;
 };
 
 }  // namespace brickfall::test

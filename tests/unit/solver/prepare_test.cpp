@@ -13,35 +13,10 @@ namespace {
 
 using test::kBrick;
 using test::kBrickMass;
+using test::kCap;
 using test::kG;
+using test::OnGround;
 using test::TestIsland;
-
-constexpr float kCap = float(5 * kBrickMass * kG);  // N, what an impact may hand on
-
-// A brick on the ground, `gap` m above it, falling or sliding.
-struct OnGround : TestIsland {
-  explicit OnGround(Vec3 velocity = {}, double gap = 0, double dt = 1.0 / 60)
-      : TestIsland(dt), under(ground()), body(brick({0, kBrick.y + gap, 0})), face(touch(under, body)) {
-    at(body).linearVelocity = velocity;
-  }
-  // A point as an earlier step left it.
-  void remember(PointPhase phase, double stiffness, double gap, double offset, double force) {
-    PointMemory& m = points(face);
-    for (int i = 0; i < 4; i++) {
-      m.phase[i] = phase;
-      m.stiffness[i] = float(stiffness);
-      m.gap[i] = float(gap);
-      m.offset[i] = float(offset);
-      m.forceN[i] = m.multiplierN[i] = float(force);
-      m.stickingMask = 15;
-    }
-  }
-  // Stiffness of the first point in u.
-  double stiffness() { return double(points(face).stiffness[0]) / unit(face); }
-  PointPhase phase() { return points(face).phase[0]; }
-  BodyIndex under, body;
-  ContactIndex face;
-};
 
 TEST(Prepare, BodiesInUnitsOfTheStep) {
   for (double dt : {1.0 / 60, 1.0 / 240}) {
@@ -161,7 +136,7 @@ TEST(Prepare, TheEndOfAnImpactGoesOnWithItsForceUpToFiveWeights) {
       lab.remember(PointPhase::impact, 30 * lab.unit(lab.face), gap, 0, force);
       lab.points(lab.face).force1[1] = lab.points(lab.face).multiplier1[1] = 5;
       lab.prepare();
-      double left = std::min(force, double(kCap)), share = left / force;
+      double left = std::min(force, kCap), share = left / force;
       const PointMemory& m = lab.points(lab.face);
       EXPECT_EQ(lab.phase(), PointPhase::resting);
       EXPECT_NEAR(lab.stiffness(), 1000, 1e-3);

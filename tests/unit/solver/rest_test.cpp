@@ -10,16 +10,8 @@ namespace {
 
 using test::kBrick;
 using test::kBrickWeight;
+using test::OnGround;
 using test::TestIsland;
-
-// A brick on the ground.
-struct OnGround : TestIsland {
-  explicit OnGround(double dt = 1.0 / 60) : TestIsland(dt), under(ground()), body(brick({0, kBrick.y, 0})) {
-    face = touch(under, body);
-  }
-  BodyIndex under, body;
-  ContactIndex face;
-};
 
 TEST(Rest, OnlyUnderTheToleranceOfTheResidual) {
   for (double error : {0.0, 0.9e-3, -0.9e-3, 1.1e-3, -1.1e-3, 0.5}) {
@@ -109,7 +101,7 @@ template <class Place> int stepsUntilInPlace(OnGround& lab, int most, Place plac
 
 TEST(Rest, InPlaceAfterHalfASecondWithinTwentyFiveMicrometres) {
   for (double dt : {1.0 / 64, 1.0 / 128}) {  // exact in binary: sums of steps have no rounding
-    OnGround lab(dt);
+    OnGround lab({}, 0, dt);
     int steps = stepsUntilInPlace(lab, 200, [](int n) { return Vec3{n % 2 ? 24e-6 : 0, 0, 0}; });
     EXPECT_EQ(steps, int(0.5 / dt)) << "not a step sooner";
     storeMotion(lab.island(), lab.context);
@@ -120,11 +112,11 @@ TEST(Rest, InPlaceAfterHalfASecondWithinTwentyFiveMicrometres) {
 
 TEST(Rest, GoingFurtherBeginsTheWatchAnew) {
   constexpr double kStep = 1.0 / 64;
-  OnGround once(kStep);
+  OnGround once({}, 0, kStep);
   EXPECT_EQ(stepsUntilInPlace(once, 200, [](int n) { return Vec3{0, n < 20 ? 0 : 26e-6, 0}; }), 19 + 32);
-  OnGround creeps(kStep);  // 1 mm/s: 15.6 um a step
+  OnGround creeps({}, 0, kStep);  // 1 mm/s: 15.6 um a step
   EXPECT_EQ(stepsUntilInPlace(creeps, 500, [](int n) { return Vec3{0, 0, 15.6e-6 * n}; }), -1);
-  OnGround starts(kStep);  // falls slowly at 2e-5 g: 24.5 um in 0.5 s, then faster
+  OnGround starts({}, 0, kStep);  // falls slowly at 2e-5 g: 24.5 um in 0.5 s, then faster
   EXPECT_EQ(stepsUntilInPlace(starts, 500,
                               [](int n) {
                                 return Vec3{0, 0.5 * 2.2e-5 * 9.81 * n * n * kStep * kStep, 0};
@@ -135,7 +127,7 @@ TEST(Rest, GoingFurtherBeginsTheWatchAnew) {
 TEST(Rest, ATurnCountsAtTheOuterRadius) {
   double reach = length(kBrick);
   for (double share : {0.9, 1.1}) {
-    OnGround lab(1.0 / 64);
+    OnGround lab({}, 0, 1.0 / 64);
     int steps = stepsUntilInPlace(lab, 40, [&](int n) {
       double turn = n % 2 ? share * 25e-6 / reach : 0;
       lab.bodies.setRotation(lab.body, quatFromRotationVector(Vec3{0, turn, 0}));
@@ -146,7 +138,7 @@ TEST(Rest, ATurnCountsAtTheOuterRadius) {
 }
 
 TEST(Rest, WhatIsNotSlowIsNotWatched) {
-  OnGround lab(1.0 / 64);
+  OnGround lab({}, 0, 1.0 / 64);
   EXPECT_EQ(stepsUntilInPlace(lab, 31, [](int) { return Vec3{}; }), -1);
   lab.at(lab.body).linearVelocity = {0.5, 0, 0};
   lab.prepare();

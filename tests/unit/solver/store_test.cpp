@@ -13,21 +13,11 @@ namespace brickfall {
 namespace {
 
 using test::kBrick;
-using test::kBrickMass;
 using test::kBrickWeight;
+using test::kCap;
 using test::kG;
+using test::OnGround;
 using test::TestIsland;
-
-constexpr double kCap = 5 * kBrickWeight;  // N
-
-struct OnGround : TestIsland {
-  explicit OnGround(Vec3 velocity = {}) : under(ground()), body(brick({0, kBrick.y, 0})), face(touch(under, body)) {
-    at(body).linearVelocity = velocity;
-  }
-  SolveMotion& motion() { return island().motion[0]; }
-  BodyIndex under, body;
-  ContactIndex face;
-};
 
 TEST(Store, ForcesAreThoseOfTheFinalMotion) {
   OnGround lab;
