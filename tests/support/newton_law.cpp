@@ -7,8 +7,6 @@ namespace brickfall::oracle {
 
 namespace {
 
-constexpr double kWeightUnit = 9.81;  // m/s2
-
 const Motion& motionOf(const Problem& problem, const std::vector<Motion>& x, int body) {
   std::size_t i = std::size_t(body), n = problem.bodies.size();
   return i < n ? x[i] : problem.partners[i - n];

@@ -8,8 +8,7 @@ namespace brickfall::oracle {
 namespace {
 
 // docs/step.md, "The contact law" and "Constants"; written out here so that a change of the engine's shows.
-constexpr double kHalf = 0.5;         // of the last force held, and of an old gap or drift corrected
-constexpr double kWeightUnit = 9.81;  // m/s2
+constexpr double kHalf = 0.5;  // of the last force held, and of an old gap or drift corrected
 
 ProblemBody bodyOf(BodyIndex index, const StepContext& context) {
   const BodySet& set = *context.bodies;
