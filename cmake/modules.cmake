@@ -36,8 +36,8 @@ endif()
 
 # brickfall_module(NAME [ENGINE] SOURCES ... [ALONE source ...] USES module ... LINK library ...)
 # ENGINE: neither throws nor needs exceptions.
-# ALONE: of SOURCES, those that cannot share a file with the others (mostly, names that another has for something else): left alone where the
-# rest of the module is compiled as one file (CMAKE_UNITY_BUILD, as tests/fuzz and the variants of tests/determinism do).
+# ALONE: of SOURCES, those that cannot share a file with the others (mostly, names that another has for something else): left
+# alone where the module is compiled as one file (CMAKE_UNITY_BUILD, as in tests/fuzz and the variants of tests/determinism).
 function(brickfall_module name)
   cmake_parse_arguments(ARG "ENGINE" "" "SOURCES;ALONE;USES;LINK" ${ARGN})
   set_source_files_properties(${ARG_ALONE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)

@@ -12,7 +12,8 @@
 
 namespace brickfall::oracle {
 
-constexpr double kWeightUnit = 9.81;  // m/s2; written out, as all constants of the law here, so that a change of the engine's shows
+constexpr double kWeightUnit =
+    9.81;  // m/s2; written out, as all constants of the law here, so that a change of the engine's shows
 
 struct ProblemBody {
   double mass = 0;              // kg
