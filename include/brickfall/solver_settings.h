@@ -25,11 +25,12 @@ struct SolverSettings {
   //! weights | too small: float noise keeps walls awake | too large: slow topples are held
   double restTolerance = 1e-3;  // residual / weight accepted as "nothing moves"
   //! weights | too small: more cycles | too large: the left-over error moves bodies
-  double cycleTolerance = 1e-2;  // rms residual / weight at which a moving island is done
+  double cycleTolerance =
+      2e-2;  // residual under which a body of a large moving island is left alone, of what it carries
   //! - | too small: 2 hang bodies in the air (`topple` stays up) | too large: cost
   int minCycles = 4;  // 1 .. 64: fewer glue bodies in place (they hang in the air)
   //! - | too small: slow collapses come late | too large: cost of hits
-  int maxCycles = 8;  // minCycles .. 256, islands of 80 bodies and more
+  int maxCycles = 10;  // minCycles .. 256, islands of 64 bodies and more
   //! - | too small: debris of 13 to 80 bodies, fast or in flight, stays unbalanced | too large: its cost
   int maxCyclesSmall = 64;  // the same for the smallest islands (640 / bodies, clamped)
 };

@@ -28,6 +28,10 @@ struct StepReport {
   double solveVisits = 0;  // two-sided visits of a point in the solve, line search included
   double lightVisits = 0;  // visits that only read forces
   double residualRms = 0;  // worst island: rms of |force residual| / weight when the solve stopped
+  double worstResidual =
+      0;  // of a moving island's body when the solve stopped: force (torque: at its inner radius) over
+          // the larger of its weight and half the sum of the forces on it
+  int unbalancedBodies = 0;  // bodies that were left with more than 0.05 of that, of all substeps
   int manifoldsReused = 0;
   int manifoldsComputed = 0;
   std::vector<BodyId> quarantined;  // bodies that became non-finite in this step

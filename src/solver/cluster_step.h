@@ -1,15 +1,30 @@
 // One Newton step of a rigid cluster on the rows of its boundary.
 #pragma once
-#include "solver/island.h"
+#include "solver/row_forces.h"
 #include "solver/symmetric6.h"
 
 namespace brickfall {
 
-// Forces at the present motion of one cluster's boundary and inertia of its bodies: residual about the cluster's centre.
-// With `matrix`, also its Newton matrix. Returns true if a boundary point slides or yields.
-bool clusterResidual(const Island& island, const Level& level, const Cluster& cluster, Wrench& residual,
-                     Symmetric6* matrix, double& visits);
-// One Newton step of a cluster, moving it rigidly; with a line search where friction slides.
-void clusterStep(Island& island, const Level& level, const Cluster& cluster, double& visits);
+// The factor of a cluster's Newton matrix: inertia and the stiffness of its boundary. Good until a row of the boundary gets
+// stiffer.
+struct ClusterFactor {
+  Symmetric6 matrix;
+  bool valid = false;
+};
+
+// Exact: open points are left out of the matrix and searched for. Else those nearer than kNearContact are in it.
+Symmetric6 clusterMatrix(RowForces& forces, const Level& level, const Cluster& cluster, bool exact);
+
+// A step tried: what it moves the cluster by, and by which part of it. The bodies have been moved; forces and residuals are
+// those from before until it is taken.
+struct ClusterStep {
+  Wrench whole;  // as displacement and turn of the cluster
+  float part = 0;
+};
+// From `residual`, the cluster's, about its centre. Nothing is moved (part 0) if there is no way down.
+ClusterStep tryStep(RowForces& forces, const Level& level, const Cluster& cluster, ClusterFactor& factor,
+                    const Wrench& residual, bool exact);
+// The inertia of the bodies moved becomes part of their residuals.
+void addInertiaOfStep(Island& island, const Level& level, const Cluster& cluster, const ClusterStep& step);
 
 }  // namespace brickfall

@@ -1,27 +1,31 @@
 #include "solver/cycles.h"
 
-#include <algorithm>
-
-#include "solver/cluster_step.h"
+#include "base/take_larger.h"
 #include "solver/direct_solve.h"
 #include "solver/light_pass.h"
+#include "solver/relaxation.h"
 #include "solver/rigid_sum.h"
 
 namespace brickfall {
 
 namespace {
 
-bool balanced(const Island& island, const StepContext& context) {
-  double residual =
-      island.plan.judgeWorst ? worstResidual(island, *context.bodies) : rmsResidual(island, *context.bodies);
-  return residual < island.plan.tolerance;
+// Free motion is the honest start: whatever cycles leave undone falls. Large islands on the ground go on as they moved instead:
+// what cycles leave undone in a wall would fall through it a little in every step, and make it lean; and no brick hangs by it,
+// since each that is out of balance by itself is moved until it is not.
+void startMotion(Island& island, const StepContext& context) {
+  for (std::size_t i = 0; i < island.bodies.size(); i++) {
+    const BodyMotion& m = context.bodies->motion[island.bodies[i]];
+    island.motion[i].d = island.plan.startsFree ? island.masses[i].dFree : toFloat(m.linearVelocity * context.dt);
+    island.motion[i].th = island.plan.startsFree ? island.masses[i].thFree : toFloat(m.angularVelocity * context.dt);
+  }
 }
 
-void startFromFreeMotion(Island& island) {
-  for (std::size_t i = 0; i < island.bodies.size(); i++) {
-    island.motion[i].d = island.masses[i].dFree;
-    island.motion[i].th = island.masses[i].thFree;
-  }
+void countLeftOver(const Island& island, const StepContext& context, SolveStatistics& statistics) {
+  takeLarger(statistics.residualRms, rmsResidual(island, *context.bodies));
+  LeftOver left = leftOver(island, *context.bodies);
+  takeLarger(statistics.worstResidual, left.worst);
+  statistics.leftOver += left.bodies;
 }
 
 }  // namespace
@@ -29,24 +33,14 @@ void startFromFreeMotion(Island& island) {
 void runCycles(Island& island, const StepContext& context, SolveStatistics& statistics) {
   island.byStrength.refresh(island.masses);
   island.byMechanism.refresh(island.masses);
-  // Any other start cheats: "nothing moves" would glue falling and sliding bodies in place.
-  startFromFreeMotion(island);
-  bool done = false;
-  for (int cycle = 0; cycle < island.plan.maxCycles && !done; cycle++) {
-    const Hierarchy& h = cycle % 2 == 0 ? island.byStrength : island.byMechanism;
-    for (std::size_t l = h.levels.size(); l-- > 0;)
-      for (const Cluster& cluster : h.levels[l].clusters)
-        if (cluster.sideBegin != cluster.sideEnd) clusterStep(island, h.levels[l], cluster, statistics.solveSides);
-    statistics.cycles++;
-    lightPass(island, true, statistics.lightVisits);
-    done = cycle + 1 >= island.plan.minCycles && balanced(island, context);
-  }
+  startMotion(island, context);
+  bool done = relax(island, context, statistics);
   if (island.plan.direct) {
     solveDirectly(island, context, kSlowTolerance, statistics);
-    done = balanced(island, context);
+    done = worstResidual(island, *context.bodies) < kSlowTolerance;
   }
   island.ending = done ? IslandEnding::balanced : IslandEnding::unbalanced;
-  statistics.residualRms = std::max(statistics.residualRms, rmsResidual(island, *context.bodies));
+  countLeftOver(island, context, statistics);
 }
 
 void correctMomentum(Island& island, const StepContext& context) {
@@ -67,6 +61,11 @@ void correctMomentum(Island& island, const StepContext& context) {
     Vec3 r = bodies.motion[island.bodies[i]].position - centre;
     island.motion[i].d += toFloat(move + cross(turn, r));
     island.motion[i].th += toFloat(turn);
+    // Rows are not stretched by it: the residuals change by inertia alone, and their sum is none.
+    if (island.residual.empty()) continue;
+    island.residual[i].force -= toFloat((move + cross(turn, r)) * double(island.masses[i].mass));
+    island.residual[i].torque -=
+        toFloat(bodies.worldInertia(island.bodies[i]) * turn * (1 / (context.dt * context.dt)));
   }
 }
 

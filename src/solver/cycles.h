@@ -4,9 +4,8 @@
 
 namespace brickfall {
 
-// Cycles over both hierarchies in turn, coarsest level first, from free motion until the residual is small: rms for a
-// moving island, the worst body for a slow one (a looser stop can repeat the same not quite balanced state for ever).
-// Leaves Island::motion.
+// Relaxation by cycles, and the direct solve where the plan has it, until every body is in balance. Leaves motion, residuals
+// and loads, and the island's ending.
 // Touches nothing but the island, so that islands may be solved side by side; counts into `statistics`.
 void runCycles(Island& island, const StepContext& context, SolveStatistics& statistics);
 

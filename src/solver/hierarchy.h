@@ -17,6 +17,7 @@
 namespace brickfall {
 
 struct Cluster {
+  static constexpr std::uint32_t kNone = 0xffffffffu;
   Vec3f centre;                              // m, from the island's origin
   float mass = 0;                            // m / dt^2
   float inertia[6] = {};                     // / dt^2, about the centre: xx yx yy zx zy zz

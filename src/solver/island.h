@@ -25,6 +25,8 @@ struct Island {
   std::pmr::vector<SolveMotion> motion{memory};  // bodies, then partners
   std::pmr::vector<SolveMass> masses{memory};    // bodies
   std::pmr::vector<Wrench> residual{memory};     // bodies
+  std::pmr::vector<float> loads{memory};         // N, bodies: half the sum of the forces that its rows exert on it
+  std::pmr::vector<float> speeds{memory};        // m/s, bodies: |v| + |w| inner radius at the start of the step
   Hierarchy byStrength{memory}, byMechanism{memory};
   Vec3 origin;  // m, of SolveMass::position and Cluster::centre
   Vec3 travel;  // m: rigid displacement of this step that d and dFree leave out

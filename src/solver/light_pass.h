@@ -9,6 +9,13 @@ namespace brickfall {
 void lightPass(Island& island, bool renewBounds, double& visits);
 // Largest residual of a body, in weights (torque: as a force at the body's inner radius).
 double worstResidual(const Island& island, const BodySet& bodies);
+// What a solve left, by what each body carries: the largest residual over max(weight, load) (torque as above), and how many
+// bodies are left over 5 %.
+struct LeftOver {
+  double worst = 0;
+  int bodies = 0;
+};
+LeftOver leftOver(const Island& island, const BodySet& bodies);
 // Root of the mean square of |force residual| / weight.
 double rmsResidual(const Island& island, const BodySet& bodies);
 

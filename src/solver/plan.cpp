@@ -12,6 +12,16 @@ namespace {
 
 //! m/s | too small: late collapses | too large: cost
 constexpr double kDirectSpeed = 1;  // m/s: grounded islands of dozens of bodies are solved directly if none is faster
+//! m/s | too small: walls that sway are softened, and sag | too large: debris does not converge
+constexpr double kDebrisSpeed = 0.5;  // m/s: in a large island with a faster body, contacts of what moves are soft
+//! m/s | too small: hit walls are solved like rubble: cost | too large: rubble is left unbalanced and rests late
+constexpr double kQuickSpeed = 0.1;
+//! - | with kQuickSpeed
+constexpr double kRubbleShare = 0.1;  // of the bodies quick: then it is rubble ...
+//! - | too small: rubble is left unbalanced and rests late | too large: cost
+constexpr int kMaxCyclesRubble = 20;  // ... and gets so many cycles
+//! weights | too small: cost | too large: large walls creep before they rest
+constexpr double kStandingTolerance = 1e-2;  // weights: of a body in a large slow island
 
 // Small islands are cheap: they take exact steps, since open points counted as closed delay their collapses, and are
 // stiffer when calm, since they converge all the same. Larger ones would lose walls by it. A body alone: its cycle is the
@@ -19,19 +29,20 @@ constexpr double kDirectSpeed = 1;  // m/s: grounded islands of dozens of bodies
 //! not of the method: docs/step.md prints the table
 constexpr std::size_t kAny = std::size_t(-1);
 constexpr PlanRow kRows[] = {
-    {"one body", 1, false, true, 10, false},
-    {"2 to 12", 12, false, true, 10, true},
-    {"13 to 24, grounded, none faster than 1 m/s", 24, true, true, 10, true},
-    {"13 to 24", 24, false, true, 10, false},
-    {"25 to 80, grounded, none faster than 1 m/s", 80, true, false, 1, true},
-    {"25 and more", kAny, false, false, 1, false},
+    {"one body", 1, false, true, 10, false, false},
+    {"2 to 12", 12, false, true, 10, true, false},
+    {"13 to 24, grounded, none faster than 1 m/s", 24, true, true, 10, true, false},
+    {"13 to 24", 24, false, true, 10, false, false},
+    {"25 to 80, grounded, none faster than 1 m/s", 80, true, false, 1, true, false},
+    {"25 and more", kAny, false, false, 1, false, true},
 };
 
 // Small islands, when they collapse, need more cycles than a wall to move at their true speed.
 int cycleBudget(const IslandFacts& facts, bool slow, const SolverSettings& settings) {
   int bySize = int(640 / facts.bodies);
   int budget = std::clamp(bySize, settings.maxCycles, std::max(settings.maxCycles, settings.maxCyclesSmall));
-  return slow ? std::max(budget, kMaxCyclesSlow) : budget;
+  bool rubble = double(facts.quick) > kRubbleShare * double(facts.bodies);
+  return std::max({budget, slow ? kMaxCyclesSlow : 0, rubble ? kMaxCyclesRubble : 0});
 }
 
 const PlanRow& rowOf(const IslandFacts& facts) {
@@ -56,7 +67,9 @@ IslandFacts findFacts(const Island& island, BodySet& bodies) {
     facts.energy += data.lastKineticEnergy;
     double speed = length(m.linearVelocity);  // what is not a number is not slow
     takeLarger(facts.fastestCentre, speed);
-    takeLarger(facts.fastest, speed + length(m.angularVelocity) * bodies.mass[body].innerRadius);
+    double withSpin = speed + length(m.angularVelocity) * bodies.mass[body].innerRadius;
+    takeLarger(facts.fastest, withSpin);
+    facts.quick += !(withSpin <= kQuickSpeed);
   }
   for (BodyIndex body : island.partners) {
     const BodyMotion& m = bodies.motion[body];
@@ -75,9 +88,10 @@ SolvePlan planFor(const IslandFacts& facts, const SolverSettings& settings, doub
   plan.exactSteps = row.exactSteps;
   plan.direct = row.direct;
   plan.stiffening = calm ? double(row.calmStiffening) : 1;
-  // The loose stop on forces alone would hold up, or set back, a block that is just past its balance.
-  plan.judgeWorst = plan.slow || row.exactSteps;
-  plan.tolerance = plan.judgeWorst ? kSlowTolerance : settings.cycleTolerance;
+  plan.byLoad = row.byLoad;
+  plan.startsFree = !row.byLoad || !facts.grounded || facts.fastest > kDebrisSpeed;
+  plan.softDebris = row.byLoad && facts.fastest > kDebrisSpeed;
+  plan.tolerance = !row.byLoad ? kSlowTolerance : plan.slow ? kStandingTolerance : settings.cycleTolerance;
   plan.minCycles = settings.minCycles;
   plan.maxCycles = row.direct ? settings.minCycles : cycleBudget(facts, plan.slow, settings);
   return plan;

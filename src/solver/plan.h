@@ -23,6 +23,7 @@ struct IslandFacts {
   bool partnersMove = false;  // a kinematic partner moves
   double fastest = 0;         // m/s, largest |v| + |w| inner radius of a body
   double fastestCentre = 0;   // m/s, largest |v|
+  std::size_t quick = 0;      // bodies faster than kQuickSpeed
   double energy = 0;          // J, kinetic
   double energyBefore = 0;    // J, at the start of the last step
 };
@@ -35,6 +36,7 @@ struct PlanRow {
   bool exactSteps;       // open points are left out of the matrix and searched for instead
   float calmStiffening;  // x restingStiffness while the island is calm
   bool direct;           // Newton on all bodies at once, after the first cycles
+  bool byLoad;           // residuals are judged by what each body carries, not by its weight alone
 };
 std::span<const PlanRow> planRows();
 
@@ -42,9 +44,11 @@ struct SolvePlan {
   bool slow = false;  // grounded, partners still, no body faster than restSpeed: it may be stopped and put to rest
   bool exactSteps = false;  // see PlanRow
   bool direct = false;      // see PlanRow
-  bool judgeWorst = false;  // stops by its worst body, not by the rms of all
+  bool byLoad = false;      // see PlanRow
+  bool startsFree = true;   // from free motion; else from the motion it had
+  bool softDebris = false;  // contacts of what moves in it have impactStiffness
   double stiffening = 1;    // x restingStiffness
-  double tolerance = 0;     // weights: residual at which it stops
+  double tolerance = 0;     // weights: residual under which a body is left alone
   int minCycles = 0, maxCycles = 0;
 };
 

@@ -33,6 +33,7 @@ void prepareBodies(Island& island, const StepContext& context) {
   std::size_t count = island.bodies.size();
   island.motion.resize(count + island.partners.size());
   island.masses.resize(count);
+  island.speeds.resize(count);
   island.origin = bodies.motion[island.bodies.front()].position;
   island.travel = rigidTravel(island, context);
   double perDt2 = 1 / (context.dt * context.dt);
@@ -40,6 +41,7 @@ void prepareBodies(Island& island, const StepContext& context) {
     BodyIndex body = island.bodies[i];
     const FreeMotion& free = context.free[body];
     SolveMass& m = island.masses[i];
+    island.speeds[i] = float(length(free.startVelocity) + length(free.startSpin) * bodies.mass[body].innerRadius);
     m.mass = float(bodies.mass[body].mass * perDt2);
     writeInertia(m, bodies.worldInertia(body), perDt2);
     m.dFree = toFloat(free.d - island.travel);

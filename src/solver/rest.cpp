@@ -1,24 +1,67 @@
 #include "solver/rest.h"
 
+#include <algorithm>
+
 #include "solver/light_pass.h"
+#include "solver/rigid_cluster.h"
 
 namespace brickfall {
 
-void dampSlowIsland(const Island& island, BodySet& bodies) {
+void dampSlowIsland(const Island& island, const StepContext& context, BodySet& bodies) {
   if (!island.plan.slow || island.facts.energy >= island.facts.energyBefore) return;
-  for (BodyIndex body : island.bodies) {
+  // What nothing presses on has no part in a vibration: it falls.
+  std::pmr::vector<char> touched(island.bodies.size(), 0, island.memory);
+  island.rows.each([&](const auto& kind, std::size_t k) {
+    if (!kind.carriesForce(k, context)) return;
+    RowEnds ends = kind.ends(k);
+    if (ends.a < touched.size()) touched[ends.a] = 1;
+    if (ends.b < touched.size()) touched[ends.b] = 1;
+  });
+  for (std::size_t i = 0; i < island.bodies.size(); i++) {
+    if (!touched[i]) continue;
+    BodyIndex body = island.bodies[i];
     bodies.motion[body].linearVelocity = {};
     bodies.motion[body].angularVelocity = {};
     bodies.data[body].lastKineticEnergy = 0;
   }
 }
 
+namespace {
+
+// As the rest check, but each body by what it carries, and clusters by their weight: what leans or slides as a whole is out of
+// balance as a whole, however little each of its bodies is.
+bool balancedByLoad(const Island& island, const StepContext& context) {
+  const BodySet& bodies = *context.bodies;
+  for (std::size_t i = 0; i < island.bodies.size(); i++) {
+    const BodyMass& m = bodies.mass[island.bodies[i]];
+    if (!(island.speeds[i] < float(kRestByLoadSpeed))) return false;
+    double most = kRestByLoad * std::max(m.mass * kReferenceGravity, kLoadShare * double(island.loads[i]));
+    if (!(double(length(island.residual[i].force)) < most)) return false;
+    if (!(double(length(island.residual[i].torque)) < most * m.innerRadius)) return false;
+  }
+  if (!island.byStrength.valid) return true;
+  float perDt2 = float(context.dt * context.dt * kReferenceGravity);
+  for (const Level& level : island.byStrength.levels)
+    for (const Cluster& c : level.clusters) {
+      if (c.bodyEnd - c.bodyBegin == 1) continue;
+      Wrench g = residualOf(island, level, c);
+      float most = float(kRestByLoad) * clusterScale(c, perDt2);
+      if (!(dot(g.force, g.force) < most * most && dot(g.torque, g.torque) < most * most * gyrationSquared(c)))
+        return false;
+    }
+  return true;
+}
+
+}  // namespace
+
 void restCheck(Island& island, StepContext& context) {
   island.ending = IslandEnding::unsolved;
   for (std::size_t i = 0; i < island.bodies.size(); i++) island.motion[i] = {};
   if (!island.plan.slow) return;
   lightPass(island, false, context.statistics.lightVisits);
-  if (!(worstResidual(island, *context.bodies) < context.settings.restTolerance)) return;
+  bool balanced = worstResidual(island, *context.bodies) < context.settings.restTolerance ||
+                  (island.plan.byLoad && balancedByLoad(island, context));
+  if (!balanced) return;
   island.ending = IslandEnding::rested;
   context.statistics.restingIslands++;
 }

@@ -4,10 +4,11 @@
 
 namespace brickfall {
 
-// Stops a slow island whose kinetic energy has just passed a maximum (kinetic damping, as in dynamic relaxation): at that moment a vibration is at its balance, so one stop ends it; without it a tall wall on
-// elastic contacts sways by tenths of a millimetre for seconds. What topples or collapses gains energy from step to step
-// and is never stopped. To be called before the bodies' free motion is predicted.
-void dampSlowIsland(const Island& island, BodySet& bodies);
+// Stops a slow island whose kinetic energy has just passed a maximum (kinetic damping, as in dynamic relaxation): at that
+// moment a vibration is at its balance, so one stop ends it; without it a tall wall on elastic contacts sways by tenths of a
+// millimetre for seconds. What topples or collapses gains energy from step to step and is never stopped, nor is a body that
+// nothing presses on. To be called before the bodies' free motion is predicted.
+void dampSlowIsland(const Island& island, const StepContext& context, BodySet& bodies);
 
 // With no motion at all, do the forces of the last step still balance? Then a slow island stays where it is, for the
 // price of one light pass. Sets Island::ending; leaves all motion at zero.

@@ -44,6 +44,12 @@ struct Rows {
     });
   }
   // visit(kind, index in it) for the row of this number.
+  template <std::size_t i = 0, class Visit> void at(std::size_t row, Visit&& visit) {
+    auto& kind = std::get<i>(kinds());
+    if constexpr (i + 1 < kKinds)
+      if (row >= kind.size()) return at<i + 1>(row - kind.size(), visit);
+    visit(kind, std::uint32_t(row));
+  }
   template <std::size_t i = 0, class Visit> void at(std::size_t row, Visit&& visit) const {
     const auto& kind = std::get<i>(kinds());
     if constexpr (i + 1 < kKinds)

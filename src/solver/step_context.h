@@ -49,6 +49,16 @@ constexpr double kLargestTurn = 0.5;  // rad per step of a body in contact: arms
 //! - | too small: walls take rebounds unevenly | too large: cost
 constexpr int kRestitutionSweeps = 200;
 
+//! - | too small: counts what nobody sees | too large: hides what hangs
+constexpr double kLeftOver = 0.05;  // of max(weight, load): bodies that a solve leaves with more are counted
+
+//! - | too small: large walls stay awake over the last of their residual | too large: slow topples are held
+constexpr double kRestByLoad = 1e-2;  // of max(weight, kLoadShare x load): residual at which a large slow island rests
+//! m/s | with kRestByLoad
+constexpr double kRestByLoadSpeed = 1e-3;  // m/s: if no body of it is faster
+//! - | too small: what carries much is solved too finely: cost | too large: what lies under much is held up
+constexpr double kLoadShare = 0.3;  // of a body's load, that counts like its weight
+
 // Motion of a body in this step if nothing touched it.
 struct FreeMotion {
   Vec3 d;                         // m: velocity at the end x dt
@@ -78,6 +88,8 @@ struct SolveStatistics {
   int islands = 0, restingIslands = 0, cycles = 0;
   double solveSides = 0, lightVisits = 0;  // point visits
   double residualRms = 0;
+  double worstResidual = 0;  // of max(weight, load)
+  int leftOver = 0;          // bodies with more than kLeftOver
 };
 
 // What ties bodies, by kind: for whatever changes what ties remember. All others see it through StepContext.

@@ -23,7 +23,7 @@ void prepare(const WorldDef& def, Registry& registry, IslandSet& islands, Contac
     }
     island->facts = findFacts(*island, bodies);
     island->plan = planFor(island->facts, context.settings, context.dt);
-    dampSlowIsland(*island, bodies);
+    dampSlowIsland(*island, context, bodies);
     for (BodyIndex body : island->bodies) predictFreeMotion(context, bodies, body, def.airDensity, true);
     prepareBodies(*island, context);
     prepareRows(*island, Ties{contacts}, context);

@@ -28,6 +28,8 @@ void solveIslands(IslandSet& islands, SolveState& state) {
     context.statistics.solveSides += s.solveSides;
     context.statistics.lightVisits += s.lightVisits;
     context.statistics.residualRms = std::max(context.statistics.residualRms, s.residualRms);
+    context.statistics.worstResidual = std::max(context.statistics.worstResidual, s.worstResidual);
+    context.statistics.leftOver += s.leftOver;
   }
 }
 

@@ -152,6 +152,8 @@ void World::Impl::endPart() {
   report.solveVisits += 0.5 * s.solveSides;
   report.lightVisits += s.lightVisits;
   report.residualRms = std::max(report.residualRms, s.residualRms);
+  report.worstResidual = std::max(report.worstResidual, s.worstResidual);
+  report.unbalancedBodies += s.leftOver;
 }
 
 // All memory that the step may need is taken before it.

@@ -21,7 +21,7 @@ inline std::string section() {
   if (name.rfind("Row", 0) != 0) return "hits";
   std::size_t end = 3;
   while (end < name.size() && std::isdigit(static_cast<unsigned char>(name[end]))) end++;
-  if (end < name.size() && (name[end] == 'a' || name[end] == 'b')) end++;
+  if (end < name.size() && name[end] >= 'a' && name[end] <= 'z') end++;
   return name.substr(3, end - 3);
 }
 inline std::string at(double dt) { return dt > 0 ? " at 1/" + std::to_string(std::lround(1 / dt)) + " s" : ""; }

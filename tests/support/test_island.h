@@ -144,7 +144,7 @@ class TestIsland {
     Island& all = island();
     all.facts = findFacts(all, bodies);
     all.plan = planFor(all.facts, context.settings, context.dt);
-    dampSlowIsland(all, bodies);
+    dampSlowIsland(all, context, bodies);
     for (BodyIndex body : all.bodies) predictFreeMotion(context, bodies, body, 1.2, true);
     prepareBodies(all, context);
     prepareRows(all, ties(), context);

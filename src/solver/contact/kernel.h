@@ -98,6 +98,17 @@ inline M mayClose(const ContactRecord& r, const PointForces& f, float near) {
   return (f.trialN <= -cap) & (f.trialN > -reach);
 }
 
+// Bits of the points that slide.
+inline std::uint32_t slidingPoints(const ContactRecord& r, const PointForces& f) {
+  return wide::bits(f.slides & (load(r.limit) > set(0)));
+}
+// Bits of what resists as `stiffness` counts it: 0 to 3 points along the normal, 4 to 7 points that stick.
+inline std::uint32_t grip(const ContactRecord& r, const PointForces& f, float near) {
+  M closed = f.trialN > -wide::max(load(r.tensionCap), load(r.k) * set(near));
+  M sticks = ~f.slides & (load(r.limit) > set(0));
+  return wide::bits(closed) | wide::bits(sticks) << 4;
+}
+
 // Loaded points resist along the normal, and so do open ones that are nearer than `near` m: a Newton step must not run
 // through them. Sticking points resist tangentially; sliding ones only across their slip.
 inline Stiffness stiffness(const ContactRecord& r, const Frame& frame, const PointForces& f, float near) {

@@ -116,6 +116,18 @@ void mapFrictionAnchor(Contact& c, int i, ContactGeometry& g, const ContactRecor
   g.anchorA[i] = transposeTimes(a.orientation, anchor - a.position);
 }
 
+// Joints a thousand times as stiff as inertia couple what flies apart so firmly that no solve converges; debris is soft, as in
+// an impact, until it has come to lie.
+bool isDebris(const Island& island, const ContactRecord& r) {
+  //! m/s | too small: walls that sway are softened, and sag | too large: debris does not converge
+  constexpr float kDebrisBodySpeed = 0.03f;
+  if (!island.plan.softDebris) return false;
+  auto moves = [&](std::uint32_t body) {
+    return body < island.bodies.size() && island.speeds[body] > kDebrisBodySpeed;
+  };
+  return moves(r.bodyA) || moves(r.bodyB);
+}
+
 }  // namespace
 
 void ContactRows::prepare(const Island& island, Ties ties, const StepContext& context) {
@@ -133,7 +145,7 @@ void ContactRows::prepare(const Island& island, Ties ties, const StepContext& co
     findApproach(r, c, bodies, start);
     double unit = c.effectiveMass * perDt2;
     StiffnessScale scale{float(unit),
-                         float(resting * unit),
+                         float((isDebris(island, r) ? context.settings.impactStiffness : resting) * unit),
                          float(context.settings.impactStiffness * unit),
                          float(context.settings.restingApproachSpeed),
                          kMultiplierWeights * float(kReferenceGravity) * c.effectiveMass,

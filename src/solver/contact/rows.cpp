@@ -22,11 +22,12 @@ RowTie ContactRows::tie(std::size_t k, const StepContext& context) const {
   return tie;
 }
 
-bool ContactRows::holds(std::size_t k, float reach, const SolveMotion* motion, const StepContext& context) const {
+bool ContactRows::meetsWithin(std::size_t k, Vec3f way, const SolveMotion* motion, const StepContext& context) const {
   const Contact& c = context.contacts->contacts[contactOf[k]];
-  if (c.touching || !(reach > 0)) return c.touching;
+  if (c.touching) return true;
   alignas(16) float n[4];
   kernel::store(kernel::pointMotion(records[k], kernel::frame(records[k]), motion).n, n);
+  float reach = std::fabs(dot(records[k].n, way));
   for (int i = 0; i < c.count; i++)
     if (c.points.gap[i] + n[i] < reach) return true;
   return false;
@@ -34,13 +35,20 @@ bool ContactRows::holds(std::size_t k, float reach, const SolveMotion* motion, c
 
 // A point that carried nothing in the last step has no frozen normal force to bound its friction by. It gets the present
 // one, but no more than stops the approach and carries the pair's weight.
-void ContactRows::renewNewPoints(std::size_t k, const SolveMotion* motion) {
+bool ContactRows::renewNewPoints(std::size_t k, const SolveMotion* motion, float slack) {
   ContactRecord& r = records[k];
   const ContactStart& start = starts[k];
   alignas(16) float fn[4];
   kernel::store(kernel::pointForces(r, kernel::pointMotion(r, kernel::frame(r), motion)).n, fn);
-  for (int i = 0; i < start.points; i++)
-    if (r.newPoints >> i & 1) r.limit[i] = start.friction * std::max(0.0f, std::min(fn[i], start.stopping[i]));
+  bool changed = false;
+  for (int i = 0; i < start.points; i++) {
+    if (!(r.newPoints >> i & 1)) continue;
+    float limit = start.friction * std::max(0.0f, std::min(fn[i], start.stopping[i]));
+    if (std::fabs(limit - r.limit[i]) <= slack * std::max(limit, r.limit[i])) continue;
+    r.limit[i] = limit;
+    changed = true;
+  }
+  return changed;
 }
 
 }  // namespace brickfall

@@ -53,13 +53,18 @@ struct ContactRows {
   }
   RowEnds ends(std::size_t k) const { return {records[k].bodyA, records[k].bodyB}; }
   RowTie tie(std::size_t k, const StepContext& context) const;
-  // It carries force, or is nearer than `reach` m (> 0) at the present motion.
-  bool holds(std::size_t k, float reach, const SolveMotion* motion, const StepContext& context) const;
+  bool carriesForce(std::size_t k, const StepContext& context) const {
+    return context.contacts->contacts[contactOf[k]].touching;
+  }
+  // It carries force, or would at the present motion if one of its bodies went by `way` (m) besides.
+  bool meetsWithin(std::size_t k, Vec3f way, const SolveMotion* motion, const StepContext& context) const;
 
   void prepare(const Island& island, Ties ties, const StepContext& context);
   // Bounds that follow the solve: friction of points that carried nothing in the last step.
-  void renewBounds(std::size_t k, const SolveMotion* motion) {
-    if (records[k].newPoints) renewNewPoints(k, motion);
+  // Changes of less than `slack` of a bound are left. True if any changed.
+  bool boundsFollow(std::size_t k) const { return records[k].newPoints != 0; }
+  bool renewBounds(std::size_t k, const SolveMotion* motion, float slack = 0) {
+    return records[k].newPoints && renewNewPoints(k, motion, slack);
   }
   // Forces at the final motion into the contacts. True if any bit of what they remember changed.
   bool store(Island& island, Ties ties, StepContext& context);
@@ -88,13 +93,15 @@ struct ContactRows {
     out.armA = frame.armA;
     out.armB = frame.armB;
     out.nonlinear = kernel::needsLineSearch(r, f);
+    out.grip = kernel::grip(r, f, exact ? 0.0f : kNearContact);
+    out.yields = kernel::slidingPoints(r, f) != 0;
     if (exact) out.nonlinear |= kernel::mayClose(r, f, kNearContact);
     if constexpr (withStiffness) out.stiffness = kernel::stiffness(r, frame, f, exact ? 0.0f : kNearContact);
     return out;
   }
 
  private:
-  void renewNewPoints(std::size_t k, const SolveMotion* motion);
+  bool renewNewPoints(std::size_t k, const SolveMotion* motion, float slack);
 };
 
 }  // namespace brickfall

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "solver/rigid_sum.h"
+#include "solver/support.h"
 
 namespace brickfall {
 
@@ -24,15 +26,6 @@ Vec3 spinOf(const StepContext& context, BodyIndex body, Vec3 angularMomentum) {
   Mat3 end = orientationAtEnd(context, body);
   return end * (context.bodies->mass[body].invInertia * transposeTimes(end, angularMomentum));
 }
-Mat3 inertiaAtEnd(const StepContext& context, BodyIndex body) {
-  Mat3 end = orientationAtEnd(context, body);
-  return end * context.bodies->mass[body].inertia * transpose(end);
-}
-
-// Where the body's centre is at the end of the step: momentum has to be right there.
-Vec3 endOf(const StepContext& context, BodyIndex body) {
-  return context.bodies->motion[body].position + context.solved[body].d;
-}
 
 // The island at the end of the step: as solved, or if nothing had touched.
 RigidSum endOfStep(const Island& island, const StepContext& context, bool free) {
@@ -50,80 +43,116 @@ RigidSum endOfStep(const Island& island, const StepContext& context, bool free) 
 }
 
 // Where ways and velocities of a floating island were changed apart, the angular momentum of its places and velocities
-// drifts. A rigid turn of its velocities brings it back to that of the start of the step and of outside forces.
-void restoreSpin(const Island& island, StepContext& context) {
+// drifts. A rigid motion of its velocities brings both momenta back to those of the start of the step and of outside forces.
+void restoreMomentum(const Island& island, StepContext& context) {
   if (island.grounded()) return;
   RigidSum now = endOfStep(island, context, false), wanted = endOfStep(island, context, true);
   Vec3 centre = now.centre(), turn = inverse(now.inertia()) * (wanted.angularMomentum() - now.angularMomentum());
+  Vec3 push = wanted.velocity() - now.velocity();
   for (BodyIndex body : island.bodies) {
     SolvedMotion& s = context.solved[body];
-    s.velocity += cross(turn, context.bodies->motion[body].position + s.d - centre);
+    s.velocity += push + cross(turn, context.bodies->motion[body].position + s.d - centre);
     s.angularMomentum += context.bodies->worldInertia(body) * turn;
   }
 }
 
-struct RigidMotion {
-  Vec3 centre, velocity, spin;  // all zero: what is held by the ground has none to keep
-};
-
-// The rigid motion with the island's linear and angular momentum.
-RigidMotion rigidMotion(const Island& island, const StepContext& context) {
-  if (island.grounded()) return {};
-  const BodySet& bodies = *context.bodies;
-  RigidSum sum(island.origin);
-  for (BodyIndex body : island.bodies) {
-    const SolvedMotion& s = context.solved[body];
-    double m = bodies.mass[body].mass;
-    sum.add(m, endOf(context, body), inertiaAtEnd(context, body), s.velocity * m, s.angularMomentum);
-  }
-  return {sum.centre(), sum.velocity(), sum.spin()};
+double kineticEnergy(const StepContext& context, BodyIndex body) {
+  const SolvedMotion& s = context.solved[body];
+  return 0.5 * context.bodies->mass[body].mass * lengthSquared(s.velocity) +
+         0.5 * dot(s.angularMomentum, spinOf(context, body, s.angularMomentum));
 }
 
-// Takes back from the velocities of an island what kinetic plus potential energy gained in the step beyond the work of
-// outside forces. Linear and angular momentum of a floating island are kept: only motion relative to its rigid motion is
-// scaled. Islands that something kinematic moves are left alone.
-void guardEnergy(const Island& island, StepContext& context) {
-  if (island.facts.partnersMove) return;
-  const BodySet& bodies = *context.bodies;
-  double start = 0, end = 0, gained = 0, mass = 0;
+struct IslandEnergy {
+  double start = 0, end = 0;  // J, kinetic
+  double work = 0;            // J, of gravity and outside forces
+  double mass = 0;
+  double excess() const { return end - start - work; }  // at the end, over what it was given
+  double slack() const { return kRelativeSlack * start + kSlackPerMass * mass; }
+};
+IslandEnergy energyOf(const Island& island, const StepContext& context) {
+  IslandEnergy sum;
   for (BodyIndex body : island.bodies) {
     const FreeMotion& free = context.free[body];
     const SolvedMotion& s = context.solved[body];
-    const BodyData& data = bodies.data[body];
-    double m = bodies.mass[body].mass;
-    mass += m;
-    start += 0.5 * m * lengthSquared(free.startVelocity) +
-             0.5 * dot(free.startSpin, bodies.worldInertia(body) * free.startSpin);
-    end += 0.5 * m * lengthSquared(s.velocity) + 0.5 * dot(s.angularMomentum, spinOf(context, body, s.angularMomentum));
-    gained -= dot(context.gravity * (m * data.gravityScale) + data.force, s.d + s.lost) + dot(data.torque, s.th);
+    const BodyData& data = context.bodies->data[body];
+    double m = context.bodies->mass[body].mass;
+    sum.mass += m;
+    sum.start += 0.5 * m * lengthSquared(free.startVelocity) +
+                 0.5 * dot(free.startSpin, context.bodies->worldInertia(body) * free.startSpin);
+    sum.end += kineticEnergy(context, body);
+    sum.work += dot(context.gravity * (m * data.gravityScale) + data.force, s.d + s.lost) + dot(data.torque, s.th);
   }
-  double allowed = start - gained;  // kinetic energy at the end
-  if (!(end > allowed + kRelativeSlack * start + kSlackPerMass * mass)) return;
+  return sum;
+}
 
-  RigidMotion rigid = rigidMotion(island, context);
-  double relative = 0;
-  for (BodyIndex body : island.bodies) {
-    Vec3 v = context.solved[body].velocity - rigid.velocity - cross(rigid.spin, endOf(context, body) - rigid.centre);
-    Vec3 l = context.solved[body].angularMomentum - inertiaAtEnd(context, body) * rigid.spin;
-    relative += 0.5 * bodies.mass[body].mass * lengthSquared(v) + 0.5 * dot(l, spinOf(context, body, l));
+// What a solve left out of balance has acted like a force from nowhere. Velocities take back the same share of its impulse on
+// each body, so much that no energy is gained: what is in balance, or touches nothing, is left alone, and momentum comes out
+// better than it was. Returns the excess that is left.
+double takeResidual(const Island& island, StepContext& context, double excess) {
+  if (island.residual.size() != island.bodies.size()) return excess;
+  auto impulse = [&](std::size_t i) {
+    const Wrench& r = island.residual[i];
+    return std::pair{toDouble(r.force) * context.dt, toDouble(r.torque) * context.dt};
+  };
+  // Of a share x of all impulses: energy changes by linear x + square x^2.
+  double linear = 0, square = 0;
+  for (std::size_t i = 0; i < island.bodies.size(); i++) {
+    BodyIndex body = island.bodies[i];
+    const SolvedMotion& s = context.solved[body];
+    auto [push, twist] = impulse(i);
+    Vec3 spin = spinOf(context, body, twist);
+    linear += dot(push, s.velocity) + dot(spin, s.angularMomentum);
+    square += 0.5 * lengthSquared(push) * context.bodies->mass[body].invMass + 0.5 * dot(twist, spin);
   }
-  if (!(relative > 0)) return;
-  double share = std::sqrt(std::clamp((allowed - (end - relative)) / relative, 0.0, 1.0));
-  for (BodyIndex body : island.bodies) {
-    SolvedMotion& s = context.solved[body];
-    Vec3 v = rigid.velocity + cross(rigid.spin, endOf(context, body) - rigid.centre);
-    Vec3 momentum = inertiaAtEnd(context, body) * rigid.spin;
-    s.velocity = v + (s.velocity - v) * share;
-    s.angularMomentum = momentum + (s.angularMomentum - momentum) * share;
+  if (!(linear < 0) || !(square > 0)) return excess;
+  double share = std::min(1.0, -linear / (2 * square)), root = linear * linear - 4 * square * excess;
+  if (root > 0) share = std::min(share, (-linear - std::sqrt(root)) / (2 * square));
+  for (std::size_t i = 0; i < island.bodies.size(); i++) {
+    SolvedMotion& s = context.solved[island.bodies[i]];
+    auto [push, twist] = impulse(i);
+    s.velocity += push * (share * context.bodies->mass[island.bodies[i]].invMass);
+    s.angularMomentum += twist * share;
   }
+  return excess + linear * share + square * share * share;
+}
+
+// What elastic joints give back is no gain, but makes what stands sway: it is taken from what firm joints hold to the ground,
+// and from nothing else. Large islands sway little enough without it.
+void dampSway(const Island& island, StepContext& context, double excess) {
+  if (!island.grounded() || island.plan.byLoad) return;
+  std::pmr::vector<char> held(island.memory);
+  findSupported(island, held, [&](const auto& kind, std::size_t k) {
+    return kind.carriesForce(k, context) && !kind.tie(k, context).weak;
+  });
+  double energy = 0;
+  for (std::size_t i = 0; i < island.bodies.size(); i++)
+    if (held[i]) energy += kineticEnergy(context, island.bodies[i]);
+  if (!(energy > 0)) return;
+  double share = std::sqrt(std::max(0.0, 1 - excess / energy));
+  for (std::size_t i = 0; i < island.bodies.size(); i++) {
+    if (!held[i]) continue;
+    SolvedMotion& s = context.solved[island.bodies[i]];
+    s.velocity = s.velocity * share;
+    s.angularMomentum = s.angularMomentum * share;
+  }
+}
+
+// Takes back from the velocities of an island what kinetic plus potential energy gained in the step beyond the work of
+// outside forces. Islands that something kinematic moves are left alone.
+void guardEnergy(const Island& island, StepContext& context) {
+  if (island.facts.partnersMove) return;
+  IslandEnergy energy = energyOf(island, context);
+  if (!(energy.excess() > energy.slack())) return;
+  double left = takeResidual(island, context, energy.excess());
+  if (left > energy.slack()) dampSway(island, context, left);
 }
 
 }  // namespace
 
 void balance(const Island& island, StepContext& context) {
   if (island.resting()) return;
-  restoreSpin(island, context);
   guardEnergy(island, context);
+  restoreMomentum(island, context);
 }
 
 }  // namespace brickfall

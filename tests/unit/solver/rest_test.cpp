@@ -52,6 +52,7 @@ TEST(Rest, KineticDampingStopsAtAMaximumOfTheEnergyAndNowhereElse) {
   const double speeds[] = {1e-3, 2e-3, 2e-3, 5e-3, 9e-3, 8.99e-3, 8e-3};  // m/s
   for (double v : speeds) {
     lab.at(lab.body).linearVelocity = {v, 0, 0};
+    lab.contact(0).touching = true;
     lab.prepare();
     bool passed = v == 8.99e-3;
     EXPECT_EQ(lab.at(lab.body).linearVelocity.x, passed ? 0 : v) << "after a stop the energy grows again";
@@ -59,6 +60,16 @@ TEST(Rest, KineticDampingStopsAtAMaximumOfTheEnergyAndNowhereElse) {
     if (passed) {
       EXPECT_EQ(lab.bodies.data[lab.body].lastKineticEnergy, 0);
     }
+  }
+}
+
+TEST(Rest, KineticDampingLeavesWhatNothingPressesOn) {
+  OnGround lab;
+  for (double v : {9e-3, 8e-3}) {
+    lab.at(lab.body).linearVelocity = {0, -v, 0};
+    lab.contact(0).touching = false;
+    lab.prepare();
+    EXPECT_EQ(lab.at(lab.body).linearVelocity.y, -v) << "it falls";
   }
 }
 

@@ -84,12 +84,14 @@ TEST(Rows, HoldWhatTheyPressOrWhatIsWithinReach) {
     motion[0] = {};
     motion[0].d.y = -down;
     float gap = 1e-3f - down;
-    EXPECT_FALSE(rows.holds(0, 0, motion, lab.context));
-    EXPECT_FALSE(rows.holds(0, 0.99f * gap, motion, lab.context));
-    EXPECT_TRUE(rows.holds(0, 1.01f * gap, motion, lab.context)) << "at the present motion";
+    EXPECT_FALSE(rows.carriesForce(0, lab.context));
+    EXPECT_FALSE(rows.meetsWithin(0, {0, 0.99f * gap, 0}, motion, lab.context));
+    EXPECT_TRUE(rows.meetsWithin(0, {0, 1.01f * gap, 0}, motion, lab.context)) << "at the present motion";
+    EXPECT_FALSE(rows.meetsWithin(0, {10 * gap, 0, 0}, motion, lab.context)) << "along it, not towards it";
   }
   lab.contact(face).touching = true;
-  EXPECT_TRUE(rows.holds(0, 0, motion, lab.context));
+  EXPECT_TRUE(rows.carriesForce(0, lab.context));
+  EXPECT_TRUE(rows.meetsWithin(0, {}, motion, lab.context));
 }
 
 // --- island_builder.h

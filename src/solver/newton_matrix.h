@@ -1,0 +1,58 @@
+// The Newton matrix of a rigid cluster: its inertia and the stiffness of the rows of its boundary.
+#pragma once
+#include "solver/hierarchy.h"
+#include "solver/reaction.h"
+#include "solver/symmetric6.h"
+
+namespace brickfall {
+
+// The Newton matrix as sums over rows, by lines of three in four lanes. With a row's stiffness [A B; B^T C] seen at
+// arm r from the cluster's centre (u = d - [r] th, w = th):
+//   dd: A,   th d: [r] A + B^T,   th th: [r] A [r]^T + [r] B + ([r] B)^T + C.
+// The transposed parts are summed untransposed and turned over once at the end.
+struct MatrixSums {
+  using V = wide::V;
+  V dd[3] = {}, thd[3] = {}, B[3] = {}, thth[3] = {}, rB[3] = {};
+
+  // [r] M by rows
+  static void crossRows(V r, const V* m, V* out) {
+    V x = wide::spread<0>(r), y = wide::spread<1>(r), z = wide::spread<2>(r);
+    out[0] = y * m[2] - z * m[1];
+    out[1] = z * m[0] - x * m[2];
+    out[2] = x * m[1] - y * m[0];
+  }
+
+  void add(const Stiffness& k, V r) {
+    V rA[3], rBk[3];
+    crossRows(r, k.A, rA);
+    crossRows(r, k.B, rBk);
+    for (int i = 0; i < 3; i++) {
+      dd[i] += k.A[i];
+      thd[i] += rA[i];
+      B[i] += k.B[i];
+      thth[i] += wide::cross3(r, rA[i]) + k.C[i];
+      rB[i] += rBk[i];
+    }
+  }
+
+  void write(Symmetric6& H) const {
+    for (int i = 0; i < 3; i++)
+      for (int j = 0; j <= i; j++) H.at(i, j) = dd[i][j];
+    for (int i = 0; i < 3; i++)
+      for (int j = 0; j < 3; j++) H.at(3 + i, j) = thd[i][j] + B[j][i];
+    for (int i = 0; i < 3; i++)
+      for (int j = 0; j <= i; j++) H.at(3 + i, 3 + j) = thth[i][j] + (rB[i][j] + rB[j][i]);
+  }
+};
+
+inline void addInertia(Symmetric6& H, const Cluster& c) {
+  for (int i = 0; i < 3; i++) H.at(i, i) += c.mass;
+  H.at(3, 3) += c.inertia[0];
+  H.at(4, 3) += c.inertia[1];
+  H.at(4, 4) += c.inertia[2];
+  H.at(5, 3) += c.inertia[3];
+  H.at(5, 4) += c.inertia[4];
+  H.at(5, 5) += c.inertia[5];
+}
+
+}  // namespace brickfall

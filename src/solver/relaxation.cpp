@@ -1,0 +1,198 @@
+#include "solver/relaxation.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/cluster_step.h"
+
+namespace brickfall {
+
+namespace {
+
+//! - | too small: bodies that hang by one corner take all cycles | too large: cost
+constexpr int kRounds = 2;  // sweeps over the single bodies in each cycle, forwards and backwards
+//! - | too small: what flips open and shut is left to the next round | too large: cost
+constexpr int kExactSteps = 4, kExactStepsSmall = 16;  // of one body in a row; the latter in islands of exact steps
+//! - | too small: cost | too large: bodies are taken up again and again; what slides alone is a little off
+constexpr float kGoal = 0.3f, kGoalExact = 0.01f;  // x what a body may be left with: its own steps end there
+//! - | too small: standing walls are searched through: cost | too large: what hangs is not found
+constexpr float kBarely = 0.5f;  // a step that leaves so much of the residual's square has not found the way
+//! - | too small: new points slide under bounds that are not theirs | too large: bounds and forces chase each other
+constexpr int kBoundCycles = 2;  // in which the friction bounds of new points follow
+//! m/s | too small: standing walls take the steps of rubble: cost | too large: rubble takes those of walls
+constexpr float kMovingSpeed = 0.03f;
+//! weights | too small: cost | too large: what is flung about is left unbalanced
+constexpr float kMovingWeights = 2.5f;  // x tolerance: what a body that moves faster is left with, if it carries little
+//! - | too small: cost | too large: walls lean
+constexpr float kClusterShare = 1.0f;  // x tolerance: of clusters
+
+class Relaxation {
+ public:
+  Relaxation(Island& island, const StepContext& context, SolveStatistics& statistics)
+      : island_(island),
+        context_(context),
+        statistics_(statistics),
+        forces_(island, statistics),
+        allowed_(island.bodies.size(), 0, island.memory),
+        hierarchies_{&island.byStrength, &island.byMechanism},
+        factors_{std::pmr::vector<ClusterFactor>(island.memory), std::pmr::vector<ClusterFactor>(island.memory)} {
+    for (int h = 0; h < 2; h++) {
+      std::size_t clusters = 0;
+      for (const Level& level : hierarchies_[h]->levels) clusters += level.clusters.size();
+      factors_[h].resize(clusters);
+    }
+  }
+
+  bool run() {
+    forces_.readAll();
+    findAllowed();
+    bool done = false;
+    for (int cycle = 0; cycle < island_.plan.maxCycles && !done; cycle++) {
+      statistics_.cycles++;
+      coarseSweep(cycle % 2);
+      for (int round = 0; round < kRounds && singleSweep(round % 2 != 0); round++) {
+      }
+      if (cycle < kBoundCycles) forces_.renewBounds([this](RowEnds ends) { invalidate(ends); });
+      findAllowed();
+      done = cycle + 1 >= island_.plan.minCycles && allBalanced();
+    }
+    if (island_.grounded() && !island_.plan.exactSteps) moveAsOne();
+    return done;
+  }
+
+ private:
+  // What is out of balance by less than this (N) is left alone. Standing bodies are judged by their weight, even those that
+  // carry much, or bricks would hang at the foot of a wall.
+  void findAllowed() {
+    forces_.findLoads();
+    float tolerance = float(island_.plan.tolerance);
+    for (std::size_t i = 0; i < allowed_.size(); i++) {
+      float weight = float(context_.bodies->mass[island_.bodies[i]].mass * kReferenceGravity), load = island_.loads[i];
+      if (!island_.plan.byLoad)
+        allowed_[i] = tolerance * weight;
+      else if (moves(i))
+        allowed_[i] = tolerance * std::max(kMovingWeights * weight, load);
+      else
+        allowed_[i] = tolerance * std::max(weight, float(kLoadShare) * load);
+    }
+  }
+  bool moves(std::size_t i) const { return !island_.plan.slow && island_.speeds[i] > kMovingSpeed; }
+
+  float innerRadius(std::size_t i) const { return float(context_.bodies->mass[island_.bodies[i]].innerRadius); }
+  bool balanced(std::size_t i, float share = 1) const {
+    const Wrench& g = island_.residual[i];
+    float most = share * allowed_[i], arm = most * innerRadius(i);
+    return dot(g.force, g.force) <= most * most && dot(g.torque, g.torque) <= arm * arm;
+  }
+  bool allBalanced() const {
+    for (std::size_t i = 0; i < allowed_.size(); i++)
+      if (!balanced(i)) return false;
+    return true;
+  }
+  // For comparison of one body's: torque as a force at its inner radius.
+  float squareOf(std::size_t i) const {
+    const Wrench& g = island_.residual[i];
+    float r = innerRadius(i);
+    return dot(g.force, g.force) + dot(g.torque, g.torque) / (r * r);
+  }
+
+  // The factors of the clusters that a row bounds are no good any more.
+  void invalidate(RowEnds ends) {
+    std::uint32_t bodies = std::uint32_t(allowed_.size());
+    for (int h = 0; h < 2; h++) {
+      std::size_t begin = 0;
+      for (const Level& level : hierarchies_[h]->levels) {
+        std::uint32_t none = Cluster::kNone, a = ends.a < bodies ? level.clusterOf[ends.a] : none,
+                      b = ends.b < bodies ? level.clusterOf[ends.b] : none;
+        if (a == b) break;
+        if (a != none) factors_[h][begin + a].valid = false;
+        if (b != none) factors_[h][begin + b].valid = false;
+        begin += level.clusters.size();
+      }
+    }
+  }
+
+  bool step(const Level& level, const Cluster& cluster, ClusterFactor& factor, const Wrench& residual, bool exact) {
+    ClusterStep made = tryStep(forces_, level, cluster, factor, residual, exact);
+    if (made.part == 0) return false;
+    if (!forces_.acceptBoundary(level, cluster, [this](RowEnds ends) { invalidate(ends); })) factor.valid = false;
+    addInertiaOfStep(island_, level, cluster, made);
+    return true;
+  }
+
+  void coarseSweep(int h) {
+    float threshold = kClusterShare * float(island_.plan.tolerance);
+    float perDt2 = float(context_.dt * context_.dt * kReferenceGravity);
+    std::size_t begin = factors_[h].size();
+    for (std::size_t l = hierarchies_[h]->levels.size(); l-- > 1;) {
+      const Level& level = hierarchies_[h]->levels[l];
+      begin -= level.clusters.size();
+      for (std::size_t c = 0; c < level.clusters.size(); c++) {
+        const Cluster& cluster = level.clusters[c];
+        if (cluster.bodyEnd - cluster.bodyBegin == 1 || cluster.sideBegin == cluster.sideEnd) continue;
+        Wrench g = residualOf(island_, level, cluster);
+        float most = threshold * clusterScale(cluster, perDt2);
+        if (dot(g.force, g.force) <= most * most && dot(g.torque, g.torque) <= most * most * gyrationSquared(cluster))
+          continue;
+        step(level, cluster, factors_[h][begin + c], g, false);
+      }
+    }
+  }
+
+  // True if any was out of balance.
+  bool singleSweep(bool backwards) {
+    const Level& level = hierarchies_[0]->levels[0];
+    std::size_t count = level.clusters.size();
+    bool any = false;
+    for (std::size_t n = 0; n < count; n++) {
+      std::size_t c = backwards ? count - 1 - n : n;
+      const Cluster& cluster = level.clusters[c];
+      std::uint32_t body = level.bodies[cluster.bodyBegin];
+      if (cluster.sideBegin == cluster.sideEnd || balanced(body)) continue;
+      any = true;
+      solveBody(level, cluster, factors_[0][c], body);
+    }
+    return any;
+  }
+
+  // What stands takes a step that counts near points as closed, and exact ones only if that found hardly any way: then it hangs
+  // by points that are open. What moves takes exact ones at once.
+  void solveBody(const Level& level, const Cluster& cluster, ClusterFactor& factor, std::uint32_t body) {
+    if (!island_.plan.exactSteps && !moves(body)) {
+      float before = squareOf(body);
+      step(level, cluster, factor, island_.residual[body], false);
+      if (balanced(body, 0.5f) || squareOf(body) < kBarely * before) return;
+    }
+    float goal = island_.plan.exactSteps ? kGoalExact : kGoal;
+    int most = island_.plan.exactSteps ? kExactStepsSmall : kExactSteps;
+    for (int k = 0; k < most && !balanced(body, goal); k++) {
+      ClusterFactor exact;
+      if (!step(level, cluster, exact, island_.residual[body], true)) break;
+    }
+  }
+
+  // The momentum of what slides on smooth ground is the whole island's: one exact step of it.
+  void moveAsOne() {
+    const Level& top = hierarchies_[0]->levels.back();
+    for (const Cluster& cluster : top.clusters) {
+      ClusterFactor exact;
+      if (cluster.sideBegin != cluster.sideEnd) step(top, cluster, exact, residualOf(island_, top, cluster), true);
+    }
+  }
+
+  Island& island_;
+  const StepContext& context_;
+  SolveStatistics& statistics_;
+  RowForces forces_;
+  std::pmr::vector<float> allowed_;  // N, by body
+  const Hierarchy* hierarchies_[2];
+  std::pmr::vector<ClusterFactor> factors_[2];  // by cluster, finest level first
+};
+
+}  // namespace
+
+bool relax(Island& island, const StepContext& context, SolveStatistics& statistics) {
+  return Relaxation(island, context, statistics).run();
+}
+
+}  // namespace brickfall

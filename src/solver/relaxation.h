@@ -1,0 +1,12 @@
+// The cycles of a solve: what is out of balance is moved, what is in balance is left alone.
+#pragma once
+#include "solver/island.h"
+
+namespace brickfall {
+
+// From the motion that is there. Cycles over both hierarchies in turn, coarsest level first; then each body that is still out
+// of balance by itself. A cluster or body whose residual is small costs nothing. Returns true when every body is in balance,
+// false when the cycles of the plan were used up. Leaves motion, residuals and loads.
+bool relax(Island& island, const StepContext& context, SolveStatistics& statistics);
+
+}  // namespace brickfall
