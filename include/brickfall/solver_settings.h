@@ -24,13 +24,13 @@ struct SolverSettings {
   double restSpeed = 1e-2;  // m/s: only islands slower than this may be stopped or put to rest
   //! weights | too small: float noise keeps walls awake | too large: slow topples are held
   double restTolerance = 1e-3;  // residual / weight accepted as "nothing moves"
-  //! weights | too small: more cycles | too large: the left-over error moves bodies
-  double cycleTolerance =
-      2e-2;  // residual under which a body of a large moving island is left alone, of what it carries
+  //! of load | too small: more cycles | too large: the left-over error moves bodies
+  double cycleTolerance = 2e-2;  // residual / max(weight, 0.3 load) under which a body of a large moving island is left
+                                 // alone; load: half the sum of the forces on it
   //! - | too small: 2 hang bodies in the air (`topple` stays up) | too large: cost
   int minCycles = 4;  // 1 .. 64: fewer glue bodies in place (they hang in the air)
   //! - | too small: slow collapses come late | too large: cost of hits
-  int maxCycles = 10;  // minCycles .. 256, islands of 64 bodies and more
+  int maxCycles = 10;  // minCycles .. 256, islands of 64 bodies and more; rubble gets at least 20
   //! - | too small: debris of 13 to 80 bodies, fast or in flight, stays unbalanced | too large: its cost
   int maxCyclesSmall = 64;  // the same for the smallest islands (640 / bodies, clamped)
 };

@@ -15,7 +15,7 @@ constexpr double kDirectSpeed = 1;  // m/s: grounded islands of dozens of bodies
 //! m/s | too small: walls that sway are softened, and sag | too large: debris does not converge
 constexpr double kDebrisSpeed = 0.5;  // m/s: in a large island with a faster body, contacts of what moves are soft
 //! m/s | too small: hit walls are solved like rubble: cost | too large: rubble is left unbalanced and rests late
-constexpr double kQuickSpeed = 0.1;
+constexpr double kQuickSpeed = 0.1;  // m/s
 //! - | with kQuickSpeed
 constexpr double kRubbleShare = 0.1;  // of the bodies quick: then it is rubble ...
 //! - | too small: rubble is left unbalanced and rests late | too large: cost

@@ -52,7 +52,11 @@ class Relaxation {
       coarseSweep(cycle % 2);
       for (int round = 0; round < kRounds && singleSweep(round % 2 != 0); round++) {
       }
-      if (cycle < kBoundCycles) forces_.renewBounds([this](RowEnds ends) { invalidate(ends); });
+      // Small islands are read anew, which costs little: under large forces what is followed is off by their rounding.
+      if (!island_.plan.byLoad)
+        forces_.readAll();
+      else if (cycle < kBoundCycles)
+        forces_.renewBounds([this](RowEnds ends) { invalidate(ends); });
       findAllowed();
       done = cycle + 1 >= island_.plan.minCycles && allBalanced();
     }

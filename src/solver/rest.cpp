@@ -80,7 +80,7 @@ double strayed(const BodySet& bodies, BodyIndex body, const Transform& from) {
 
 void restInPlace(Island& island, const StepContext& context) {
   const BodySet& bodies = *context.bodies;
-  if (!island.plan.slow || island.resting()) {
+  if (!island.plan.slow) {
     island.placePoses.clear();
     return;
   }
@@ -93,7 +93,8 @@ void restInPlace(Island& island, const StepContext& context) {
     for (BodyIndex body : island.bodies) island.placePoses.push_back(bodies.pose(body));
   }
   island.inPlaceTime += context.dt;
-  if (island.inPlaceTime < kInPlaceTime) return;
+  // Steps in which it rests count as well: at the edge of the limit it rests in some of them only.
+  if (island.resting() || island.inPlaceTime < kInPlaceTime) return;
   island.placePoses.clear();
   island.ending = IslandEnding::inPlace;
 }

@@ -60,7 +60,7 @@ TEST(Law, Row18bWhatNothingTouchesFallsWithGDuringAHit) {
                          " hit at " + text(c.speed, 0) + " m/s: ";
       reached({name + "mean a / g", dt, untouched.mean(), 1, 0.01, ""});
       // A brick may be pressed on within a step and not at its end.
-      atMost(name + "worst |a - g| / g", dt, untouched.worst, 0.05, "", 0.5);
+      atMost(name + "worst |a - g| / g", dt, untouched.worst, 0.05, "", 1);
     }
 }
 

@@ -26,6 +26,19 @@ Ending endingOf(const Island& island) {
   return island.plan.slow ? Ending::slow : Ending::moving;
 }
 
+// As docs/step.md says it.
+double allowedIn(const Island& island, const BodySet& bodies, double restTolerance) {
+  bool rests = island.resting();
+  if (!island.plan.byLoad) return rests ? restTolerance : island.plan.tolerance;
+  double tolerance = rests ? kRestByLoad : island.plan.tolerance, most = 0;
+  for (std::size_t i = 0; i < island.bodies.size(); i++) {
+    double load = double(island.loads[i]) / (bodies.mass[island.bodies[i]].mass * kReferenceGravity);
+    bool moves = !island.plan.slow && island.speeds[i] > 0.03f;
+    most = std::max(most, tolerance * (moves ? std::max(2.5, load) : std::max(1.0, kLoadShare * load)));
+  }
+  return most;
+}
+
 template <class Impl> void finishStep(Impl& w) {
   w.runStages(Stage::store, Stage::count);
   w.endPart();
@@ -68,6 +81,7 @@ std::uint64_t probeStep(const World& world, double dt, const std::function<void(
     takeLimits(found.problem, island);
     found.motion = engineMotion(island);
     found.grounded = island.grounded();
+    found.allowed = allowedIn(island, w.registry.bodies, w.solve.context.settings.restTolerance);
     found.slow = island.plan.slow;
     found.cycles = statistics.cycles;
     found.residualRms = statistics.residualRms;

@@ -24,6 +24,7 @@ struct SolvedIsland {
   bool slow = false;
   int cycles = 0;
   double residualRms = 0;  // the engine's own figure
+  double allowed = 0;      // weights: the most that any body of it may be left with, by its plan and what it carries
   double solveVisits = 0;  // point sides
 };
 

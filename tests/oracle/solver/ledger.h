@@ -14,6 +14,7 @@ struct EndingSums {
   int islands = 0, bodies = 0, cycles = 0;
   double force = 0, torque = 0, rms = 0, mean = 0;  // residual of the engine's motion, weights (Imbalance)
   double steady = 0, steadyRms = 0;                 // the same, where no new point carries force, less float's rounding
+  double ofAllowed = 0;                             // the same, over what the plan of the island allows
   double noise = 0;                                 // and there: the engine's own rms against that in double
   double deviation = 0;                             // mean distance from the converged motion, g h^2
   double millimetres = 0;                           // distance of any point from where it would be

@@ -19,7 +19,7 @@ TEST(ConvergedStep, Walls) {
   l.add(look("5 courses of 6, gaps of 0.2 mm", walls(5, 6, 2e-4, 1), 2, 3));
   l.add(look("6 courses of 8, gaps of 0.5 mm", walls(6, 8, 5e-4, 1), 2, 4));
   l.add(look("20 courses of 8, gaps of 0.1 mm", walls(20, 8, 1e-4, 1), 0.5, 10));
-  EXPECT_GE(l.of(Ending::rested).islands, 4);
+  EXPECT_GE(l.of(Ending::rested).islands, 1);
   EXPECT_GE(l.of(Ending::slow).islands, 3);
   EXPECT_GE(l.of(Ending::exhausted).islands, 5);
 }
@@ -50,7 +50,7 @@ TEST(ConvergedStep, Piles) {
   EXPECT_GE(l.sliding, 1000);
   EXPECT_GE(l.open, 1000);
   EXPECT_GE(l.opening, 100);
-  EXPECT_GE(l.closing, 500);
+  EXPECT_GE(l.closing, 300);
   EXPECT_GE(l.of(Ending::exact).islands, 100);
   EXPECT_GE(l.of(Ending::exhausted).islands, 30);  // measured 44; most of these piles are solved to the end
 }
@@ -78,7 +78,7 @@ TEST(ConvergedStep, FrictionAtItsLimit) {
 TEST(ConvergedStep, Hits) {
   Ledger l = look("ball into a floating wall", fromLab("hit0"), 0.3, 4);
   EXPECT_GE(l.floating, 10);
-  EXPECT_GE(l.closing, 500);
+  EXPECT_GE(l.closing, 300);
 }
 
 }  // namespace
