@@ -119,7 +119,7 @@ double takeResidual(const Island& island, StepContext& context, double excess) {
 // What elastic joints give back is no gain, but makes what stands sway: it is taken from what firm joints hold to the ground,
 // and from nothing else. Large islands sway little enough without it.
 void dampSway(const Island& island, StepContext& context, double excess) {
-  if (!island.grounded() || island.plan.byLoad) return;
+  if (island.plan.byLoad) return;
   std::pmr::vector<char> held(island.memory);
   findSupported(island, held, [&](const auto& kind, std::size_t k) {
     return kind.carriesForce(k, context) && !kind.tie(k, context).weak;
@@ -137,12 +137,46 @@ void dampSway(const Island& island, StepContext& context, double excess) {
   }
 }
 
+Mat3 inertiaAtEnd(const StepContext& context, BodyIndex body) {
+  Mat3 end = orientationAtEnd(context, body);
+  return end * context.bodies->mass[body].inertia * transpose(end);
+}
+
+// What a floating island has gained (also by compression in one step that rebounds in the next) is taken from what moves
+// against its rigid motion: linear and angular momentum are kept.
+void takeRelativeMotion(const Island& island, StepContext& context, double excess) {
+  const BodySet& bodies = *context.bodies;
+  RigidSum sum(island.origin);
+  auto endOf = [&](BodyIndex body) { return bodies.motion[body].position + context.solved[body].d; };
+  for (BodyIndex body : island.bodies) {
+    const SolvedMotion& s = context.solved[body];
+    double m = bodies.mass[body].mass;
+    sum.add(m, endOf(body), inertiaAtEnd(context, body), s.velocity * m, s.angularMomentum);
+  }
+  Vec3 centre = sum.centre(), velocity = sum.velocity(), spin = sum.spin();
+  double relative = 0;
+  for (BodyIndex body : island.bodies) {
+    Vec3 v = context.solved[body].velocity - velocity - cross(spin, endOf(body) - centre);
+    Vec3 l = context.solved[body].angularMomentum - inertiaAtEnd(context, body) * spin;
+    relative += 0.5 * bodies.mass[body].mass * lengthSquared(v) + 0.5 * dot(l, spinOf(context, body, l));
+  }
+  if (!(relative > 0)) return;
+  double share = std::sqrt(std::max(0.0, 1 - excess / relative));
+  for (BodyIndex body : island.bodies) {
+    SolvedMotion& s = context.solved[body];
+    Vec3 v = velocity + cross(spin, endOf(body) - centre), momentum = inertiaAtEnd(context, body) * spin;
+    s.velocity = v + (s.velocity - v) * share;
+    s.angularMomentum = momentum + (s.angularMomentum - momentum) * share;
+  }
+}
+
 // Takes back from the velocities of an island what kinetic plus potential energy gained in the step beyond the work of
 // outside forces. Islands that something kinematic moves are left alone.
 void guardEnergy(const Island& island, StepContext& context) {
   if (island.facts.partnersMove) return;
   IslandEnergy energy = energyOf(island, context);
   if (!(energy.excess() > energy.slack())) return;
+  if (!island.grounded()) return takeRelativeMotion(island, context, energy.excess());
   double left = takeResidual(island, context, energy.excess());
   if (left > energy.slack()) dampSway(island, context, left);
 }
@@ -151,8 +185,8 @@ void guardEnergy(const Island& island, StepContext& context) {
 
 void balance(const Island& island, StepContext& context) {
   if (island.resting()) return;
-  guardEnergy(island, context);
   restoreMomentum(island, context);
+  guardEnergy(island, context);
 }
 
 }  // namespace brickfall
