@@ -14,25 +14,25 @@ namespace brickfall {
 
 // The stages of World::step in their order; docs/step.md describes each.
 enum class Stage : std::uint8_t {
-  pairs,        // broad phase: candidate pairs
-  contacts,     // narrow phase: manifolds, matching
-  islands,      // which bodies hang together
-  prepare,      // kinetic damping, free motion, contact records
-  rest,         // rest check
-  solve,        // cluster hierarchies, multilevel cycles
-  store,        // forces kept, velocities, free flight
-  restitution,  // rebound
-  obstacles,    // fast bodies stop before what they would pass through
-  balance,      // momentum and energy of islands, once
-  integrate,    // new poses, quarantine
-  sleep,        // falling asleep
+  pairs,      // broad phase: candidate pairs
+  contacts,   // narrow phase: manifolds, matching
+  islands,    // which bodies hang together
+  impacts,    // small islands, up to and through the impacts of the step
+  prepare,    // kinetic damping, free motion, contact records
+  rest,       // rest check
+  solve,      // cluster hierarchies, multilevel cycles
+  store,      // forces kept, velocities, free flight
+  obstacles,  // fast bodies stop before what they would pass through
+  balance,    // momentum and energy of islands, once
+  integrate,  // new poses, quarantine
+  sleep,      // falling asleep
   events,
   count
 };
 constexpr int kStageCount = int(Stage::count);
 constexpr std::array<std::string_view, kStageCount> kStageNames = {
-    "pairs",       "contacts",  "islands", "prepare",   "rest",  "solve", "store",
-    "restitution", "obstacles", "balance", "integrate", "sleep", "events"};
+    "pairs", "contacts",  "islands", "impacts",   "prepare", "rest",  "solve",
+    "store", "obstacles", "balance", "integrate", "sleep",   "events"};
 
 struct TraceOptions {
   bool stages = false;  // StepReport::stageHashes
@@ -92,7 +92,8 @@ struct StepLedger {
   BalanceChange
       renewed;  // elastic energy of contacts that remember otherwise without moving: overlap left by an impact
                 // begins to press (a tenth in each step), an impact ends, a sudden load is held in part
-  BalanceChange rebound;     // restitution
+  BalanceChange impacts;     // small islands, from the start of the step through its last impact: all that acted then
+  BalanceChange rebound;     // restitution of the others
   BalanceChange obstacles;   // bodies that stopped short of what they would pass through: they end, and turn, elsewhere
   BalanceChange balance;     // angular momentum set right, energy that an island had gained taken back
   BalanceChange integrate;   // rounding of new poses

@@ -41,7 +41,7 @@ struct WorldDef {
 struct ContactPointView {
   Vec3 pointWorld;         // m
   double separation = 0;   // m, negative = overlap
-  double normalForce = 0;  // N, on B along the normal
+  double normalForce = 0;  // N, on B along the normal; an impact within the step counts as its mean over the step
   Vec3 frictionForce;      // N, on B
 };
 struct ContactView {

@@ -41,6 +41,9 @@ struct BodyMass {
 
 enum class BodyActivity : std::uint8_t { awake, asleep, fixed };  // fixed: static bodies, and kinematic ones at rest
 
+//! not of the method: a mark
+constexpr double kUnknownLag = -1;  // s: see BodyData::lag
+
 struct BodyData {
   bool alive = false;
   BodyType type = BodyType::dynamic;
@@ -54,7 +57,10 @@ struct BodyData {
   Vec3 lastLinearVelocity, lastAngularVelocity;  // at the start of the last step, for accelerations
   Vec3 linearAcceleration, angularAcceleration;
   double lastKineticEnergy = 0;  // J, at the start of the last step (kinetic damping)
-  bool flying = false;           // no chain of forces led to anything fixed or kinematic, in the last step
+  double lag =
+      kUnknownLag;      // s: by how much its velocities are late against its pose, of one alone on something fixed;
+                        // negative: unknown
+  bool flying = false;  // no chain of forces led to anything fixed or kinematic, in the last step
   std::uint64_t userData = 0;
   std::uint64_t order = 0;       // grows with creation
   MassProperties bodyFrameMass;  // as asked for, whatever the type

@@ -21,6 +21,7 @@ struct Contact {
   bool rolls = false;          // a sphere or capsule takes part: points wander, the manifold is never reused
   bool weak = true;            // a contact of a mechanism: cannot carry a moment (few loaded points, or all sliding)
   bool touching = false;       // carried force in the last step
+  bool struck = false;         // pressed in an impact of the last step that was over within it
   bool fresh = true;           // geometry changed since the solver's record was made
   bool born = true;            // made since islands were built
   std::int32_t weakSteps = 0;  // steps that weak is still held

@@ -6,6 +6,20 @@
 
 namespace brickfall {
 
+void ContactSet::strike(ContactIndex contact) {
+  if (contacts[contact].struck) return;
+  contacts[contact].struck = touchingChanged = true;
+  struck.push_back(contact);
+}
+void ContactSet::endStrikes() {
+  for (ContactIndex contact : struck) {
+    contacts[contact].struck = false;
+    for (int i = 0; i < 4; i++) endHit(contacts[contact].points, i);
+  }
+  touchingChanged = touchingChanged || !struck.empty();
+  struck.clear();
+}
+
 ContactIndex ContactSet::create() {
   changed = true;
   if (!free_.empty()) {
@@ -23,8 +37,8 @@ ContactIndex ContactSet::create() {
 void ContactSet::destroy(ContactIndex contact) {
   changed = true;
   contacts[contact].count = 0;
-  touchingChanged = touchingChanged || contacts[contact].touching;
-  contacts[contact].touching = false;
+  touchingChanged = touchingChanged || contacts[contact].touching || contacts[contact].struck;
+  contacts[contact].touching = contacts[contact].struck = false;
   contacts[contact].bodyA = kNoIndex;
   free_.push_back(contact);
 }
@@ -54,6 +68,7 @@ void ContactSet::keepRoom(std::size_t shapes) {
   std::size_t all = std::max(pairs.capacity(), asleep.capacity());  // all of them may fall asleep or wake at once
   for (auto* list : {&pairs, &asleep, &moved_}) list->reserve(all);
   brickfall::keepRoom(contacts, kContacts * shapes);
+  brickfall::keepRoom(struck, kContacts * shapes);
   geometry.reserve(contacts.capacity());
   free_.reserve(contacts.capacity());
 }

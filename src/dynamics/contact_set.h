@@ -24,6 +24,9 @@ class ContactSet {
  public:
   ContactIndex create();
   void destroy(ContactIndex contact);
+  // An impact of this step; and the next one begins.
+  void strike(ContactIndex contact);
+  void endStrikes();
   const std::vector<ContactIndex>& unused() const { return free_; }
   // Takes in pairs, sorted; those that are known stay as they are.
   void insert(const std::vector<CandidatePair>& found);
@@ -37,8 +40,9 @@ class ContactSet {
   std::vector<CandidatePair> asleep;  // both asleep or fixed, sorted
   std::vector<Contact> contacts;      // by ContactIndex
   std::vector<ContactGeometry> geometry;
-  bool changed = true;          // contacts appeared or went since the islands were built
-  bool touchingChanged = true;  // which contacts press changed since the events were collected
+  std::vector<ContactIndex> struck;  // those with Contact::struck
+  bool changed = true;               // contacts appeared or went since the islands were built
+  bool touchingChanged = true;       // which contacts press changed since the events were collected
 
  private:
   friend class SnapshotArchive;

@@ -50,7 +50,18 @@ void clearPoint(PointMemory& m, int i) {
   m.multiplierN[i] = m.multiplier1[i] = m.multiplier2[i] = 0;
   m.forceN[i] = m.force1[i] = m.force2[i] = 0;
   m.slip1[i] = m.slip2[i] = 0;
+  m.impulse[i] = m.impactSpeed[i] = 0;
   m.stickingMask &= ~(1u << i);
+}
+
+void addHit(PointMemory& m, int i, float n, float t1, float t2) {
+  m.hitN[i] += n;
+  m.hit1[i] += t1;
+  m.hit2[i] += t2;
+}
+void endHit(PointMemory& m, int i) {
+  m.hitN[i] = m.hit1[i] = m.hit2[i] = 0;
+  m.metMask &= ~(1u << i);
 }
 
 void scaleForces(PointMemory& m, int i, float share) {
@@ -73,6 +84,12 @@ void carryOver(PointMemory& to, int i, const PointMemory& from, int j, const Tan
   to.force2[i] = along2(from.force1[j], from.force2[j]);
   to.slip1[i] = along1(from.slip1[j], from.slip2[j]);
   to.slip2[i] = along2(from.slip1[j], from.slip2[j]);
+  to.impulse[i] = from.impulse[j];
+  to.impactSpeed[i] = from.impactSpeed[j];
+  to.hitN[i] = from.hitN[j];
+  to.hit1[i] = along1(from.hit1[j], from.hit2[j]);
+  to.hit2[i] = along2(from.hit1[j], from.hit2[j]);
+  if (from.metMask >> j & 1) to.metMask |= 1u << i;
   if (from.sticks(j)) to.stickingMask |= 1u << i;
 }
 

@@ -28,7 +28,13 @@ struct PointMemory {
   float multiplierN[4] = {}, multiplier1[4] = {}, multiplier2[4] = {};  // N, multiplier of the augmented Lagrangian
   float forceN[4] = {}, force1[4] = {}, force2[4] = {};                 // N, applied in the last step
   float slip1[4] = {}, slip2[4] = {};  // m, where to place the anchor of a point that slid
-  std::uint32_t stickingMask = 0;      // bit per point: held by its anchor
+  float impulse[4] = {};               // N s, taken so far by an impact that will rebound and is not over
+  float impactSpeed[4] = {};           // m/s, of approach when it began
+  float hitN[4] = {}, hit1[4] = {},
+        hit2[4] = {};              // N, mean over the last step of what its force leaves out: impacts that were
+                                   // over within it, rebounds, other parts of the step
+  std::uint32_t metMask = 0;       // bit per point: hit in the last step, and not parted by it
+  std::uint32_t stickingMask = 0;  // bit per point: held by its anchor
 
   bool sticks(int i) const { return stickingMask >> i & 1; }
 };
@@ -41,7 +47,8 @@ enum class PointQuantity : std::uint8_t { length, overlap, force, pressure, stif
 template <class Memory, class Visitor> void eachField(Memory& m, Visitor&& visit) {
   // As many names as there are fields: one more in PointMemory does not compile until it is visited here.
   auto& [phase, feature, s1, s2, gap, offset, drift1, drift2, stiffness, multiplierN, multiplier1, multiplier2, forceN,
-         force1, force2, slip1, slip2, stickingMask] = m;
+         force1, force2, slip1, slip2, impulse, impactSpeed, hitN, hit1, hit2, metMask, stickingMask] = m;
+  visit(metMask);
   visit(stickingMask);
   for (auto* lanes : {&s1, &s2, &gap}) visit(*lanes, PointQuantity::length);
   visit(offset, PointQuantity::overlap);
@@ -52,6 +59,8 @@ template <class Memory, class Visitor> void eachField(Memory& m, Visitor&& visit
   visit(forceN, PointQuantity::pressure);
   for (auto* lanes : {&force1, &force2}) visit(*lanes, PointQuantity::force);
   for (auto* lanes : {&slip1, &slip2}) visit(*lanes, PointQuantity::length);
+  for (auto* lanes : {&impulse, &impactSpeed}) visit(*lanes, PointQuantity::pressure);
+  for (auto* lanes : {&hitN, &hit1, &hit2}) visit(*lanes, PointQuantity::force);
   visit(feature);
   visit(phase);
 }
@@ -69,6 +78,10 @@ bool isSound(const PointMemory& m);
 
 // The point knows nothing any more: its surfaces parted in a rebound, or its island was salvaged. Its place stays.
 void clearPoint(PointMemory& m, int i);
+
+// The point got an impulse over and above its force, as a mean force over the step; and forgets it.
+void addHit(PointMemory& m, int i, float n, float t1, float t2);
+void endHit(PointMemory& m, int i);
 
 // Its last force and its multiplier become `share` of what they were.
 void scaleForces(PointMemory& m, int i, float share);

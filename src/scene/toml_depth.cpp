@@ -53,10 +53,10 @@ class Scanner {
     at_ += multiLine ? 3 : 1;
     while (at_ < text_.size()) {
       if (text_[at_] == '\n') {
+        if (!multiLine) return;  // unclosed: the parser will say so, and run() counts the line
         line_++;
-        if (!multiLine) return;  // unclosed: the parser will say so
       }
-      if (quote == '"' && text_[at_] == '\\') {
+      if (quote == '"' && text_[at_] == '\\' && at_ + 1 < text_.size() && text_[at_ + 1] != '\n') {
         at_ += 2;
         continue;
       }

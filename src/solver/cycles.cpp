@@ -16,9 +16,16 @@ namespace {
 void startMotion(Island& island, const StepContext& context) {
   for (std::size_t i = 0; i < island.bodies.size(); i++) {
     const BodyMotion& m = context.bodies->motion[island.bodies[i]];
-    island.motion[i].d = island.plan.startsFree ? island.masses[i].dFree : toFloat(m.linearVelocity * context.dt);
-    island.motion[i].th = island.plan.startsFree ? island.masses[i].thFree : toFloat(m.angularVelocity * context.dt);
+    island.motion[i].d = island.plan.startsFree ? island.masses[i].dFree : toFloat(m.linearVelocity * island.dt);
+    island.motion[i].th = island.plan.startsFree ? island.masses[i].thFree : toFloat(m.angularVelocity * island.dt);
   }
+}
+
+// By what it takes to stop each impact, what it gives back is known; nothing but that is then out of balance.
+bool startRebounds(Island& island, const StepContext& context) {
+  bool any = false;
+  island.rows.eachKind([&](auto& kind) { any = kind.startRebounds(island, context, island.credit) || any; });
+  return any;
 }
 
 void countLeftOver(const Island& island, const StepContext& context, SolveStatistics& statistics) {
@@ -30,15 +37,23 @@ void countLeftOver(const Island& island, const StepContext& context, SolveStatis
 
 }  // namespace
 
-void runCycles(Island& island, const StepContext& context, SolveStatistics& statistics) {
+bool goOn(Island& island, const StepContext& context, SolveStatistics& statistics) {
+  bool done = relax(island, context, statistics);
+  if (!island.plan.direct) return done;
+  solveDirectly(island, context, kSlowTolerance, statistics);
+  return worstResidual(island, *context.bodies) < kSlowTolerance;
+}
+
+void startCycles(Island& island, const StepContext& context) {
   island.byStrength.refresh(island.masses);
   island.byMechanism.refresh(island.masses);
   startMotion(island, context);
-  bool done = relax(island, context, statistics);
-  if (island.plan.direct) {
-    solveDirectly(island, context, kSlowTolerance, statistics);
-    done = worstResidual(island, *context.bodies) < kSlowTolerance;
-  }
+}
+
+void runCycles(Island& island, const StepContext& context, SolveStatistics& statistics) {
+  startCycles(island, context);
+  bool done = goOn(island, context, statistics);
+  if (startRebounds(island, context)) done = goOn(island, context, statistics);
   island.ending = done ? IslandEnding::balanced : IslandEnding::unbalanced;
   countLeftOver(island, context, statistics);
 }
@@ -64,8 +79,7 @@ void correctMomentum(Island& island, const StepContext& context) {
     // Rows are not stretched by it: the residuals change by inertia alone, and their sum is none.
     if (island.residual.empty()) continue;
     island.residual[i].force -= toFloat((move + cross(turn, r)) * double(island.masses[i].mass));
-    island.residual[i].torque -=
-        toFloat(bodies.worldInertia(island.bodies[i]) * turn * (1 / (context.dt * context.dt)));
+    island.residual[i].torque -= toFloat(bodies.worldInertia(island.bodies[i]) * turn * (1 / (island.dt * island.dt)));
   }
 }
 

@@ -41,7 +41,7 @@ void limitTurn(FreeMotion& free, const BodyMass& mass, const BodyMotion& m, Vec3
 }
 
 // With one of the integrators that are there to be compared.
-void integrateFreely(StepContext& context, BodyIndex body, Vec3 acceleration) {
+void integrateFreely(StepContext& context, BodyIndex body, Vec3 acceleration, double dt) {
   const BodyMotion& m = context.bodies->motion[body];
   FreeMotion& free = context.free[body];
   RigidMass mass{context.bodies->mass[body].mass, context.bodies->mass[body].inertia};
@@ -49,8 +49,8 @@ void integrateFreely(StepContext& context, BodyIndex body, Vec3 acceleration) {
     return RigidLoad{acceleration * mass.mass, context.bodies->data[body].torque};
   };
   RigidState start{m.position, m.rotation, m.linearVelocity, m.angularVelocity};
-  RigidState end = integrated(context.integrator, start, mass, load, context.dt);
-  free.d = end.velocity * context.dt;
+  RigidState end = integrated(context.integrator, start, mass, load, dt);
+  free.d = end.velocity * dt;
   free.way = end.position - start.position;
   free.rotation = end.rotation;
   free.th = rotationVector(normalized(end.rotation * conjugate(start.rotation)));
@@ -59,12 +59,12 @@ void integrateFreely(StepContext& context, BodyIndex body, Vec3 acceleration) {
 
 }  // namespace
 
-void predictFreeMotion(StepContext& context, BodySet& bodies, BodyIndex body, double airDensity, bool hasContacts) {
+void predictFreeMotion(StepContext& context, BodySet& bodies, BodyIndex body, double dt, double airDensity,
+                       bool hasContacts) {
   BodyMotion& m = bodies.motion[body];
   const BodyMass& mass = bodies.mass[body];
   BodyData& data = bodies.data[body];
   FreeMotion& free = context.free[body];
-  double dt = context.dt;
   free.turnTime = dt;
   free.turnsFaster = false;
   free.startVelocity = m.linearVelocity;
@@ -80,7 +80,7 @@ void predictFreeMotion(StepContext& context, BodySet& bodies, BodyIndex body, do
   }
   Vec3 acceleration = context.gravity * data.gravityScale + data.force * mass.invMass;
   if (!hasContacts && context.integrator != Integrator::splitting) {
-    integrateFreely(context, body, acceleration);
+    integrateFreely(context, body, acceleration, dt);
     return;
   }
   free.d = (m.linearVelocity + acceleration * dt) * dt;

@@ -4,9 +4,10 @@
 
 namespace brickfall {
 
-// Applies the step's forces, damping and drag to the body's velocities and predicts its free motion: the exact turn. For a
+// Over `dt` s: applies the step's forces, damping and drag to the body's velocities and predicts its free motion: the exact turn. For a
 // body with contacts the solve sees at most kLargestTurn of it, since arms are frozen during a step; its momentum stays.
-void predictFreeMotion(StepContext& context, BodySet& bodies, BodyIndex body, double airDensity, bool hasContacts);
+void predictFreeMotion(StepContext& context, BodySet& bodies, BodyIndex body, double dt, double airDensity,
+                       bool hasContacts);
 
 // Leaves the body a share of its free turn, on the way that the whole one takes: energy and momentum stay what they are.
 void shortenFreeTurn(StepContext& context, BodyIndex body, double share);

@@ -28,8 +28,16 @@ struct Island {
   std::pmr::vector<float> loads{memory};         // N, bodies: half the sum of the forces that its rows exert on it
   std::pmr::vector<float> speeds{memory};        // m/s, bodies: |v| + |w| inner radius at the start of the step
   Hierarchy byStrength{memory}, byMechanism{memory};
-  Vec3 origin;  // m, of SolveMass::position and Cluster::centre
-  Vec3 travel;  // m: rigid displacement of this step that d and dFree leave out
+  double dt = 0;  // s: its time step: what is left of the world's after the impacts that it met (stage_impacts.cpp)
+  Vec3 origin;    // m, of SolveMass::position and Cluster::centre
+  Vec3 travel;    // m: rigid displacement of this step that d and dFree leave out
+
+  double credit = 0;  // J: what impacts took in earlier steps that rebound in this one
+
+  bool toImpact =
+      false;  // its step ends where a point closes: open points are left out, velocities are those of that moment
+  bool leapt =
+      false;  // its velocities are late or early against its ways, so its energy says nothing (finish/lone_body.cpp)
 
   IslandFacts facts;  // of this step, or of the last in which it was not passed over
   SolvePlan plan;
@@ -37,6 +45,7 @@ struct Island {
   std::int32_t points = 0, touchingPoints = 0;  // counted in the last step that was not passed over
   // Bodies: where a slow island was when its present watch began; empty = none.
   std::pmr::vector<Transform> placePoses{memory};
+  double slipWork = 0;     // J, that sliding points took in the last step
   double inPlaceTime = 0;  // s, since then
   double restTime = 0;     // s, rested without a break
 

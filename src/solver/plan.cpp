@@ -30,9 +30,7 @@ constexpr double kStandingTolerance = 1e-2;  // weights: of a body in a large sl
 constexpr std::size_t kAny = std::size_t(-1);
 constexpr PlanRow kRows[] = {
     {"one body", 1, false, true, 10, false, false},
-    {"2 to 12", 12, false, true, 10, true, false},
-    {"13 to 24, grounded, none faster than 1 m/s", 24, true, true, 10, true, false},
-    {"13 to 24", 24, false, true, 10, false, false},
+    {"2 to 24", 24, false, true, 10, true, false},
     {"25 to 80, grounded, none faster than 1 m/s", 80, true, false, 1, true, false},
     {"25 and more", kAny, false, false, 1, false, true},
 };
@@ -55,16 +53,14 @@ const PlanRow& rowOf(const IslandFacts& facts) {
 
 std::span<const PlanRow> planRows() { return kRows; }
 
-IslandFacts findFacts(const Island& island, BodySet& bodies) {
+IslandFacts findFacts(const Island& island, const BodySet& bodies) {
   IslandFacts facts;
   facts.bodies = island.bodies.size();
   facts.grounded = island.grounded();
   for (BodyIndex body : island.bodies) {
-    BodyData& data = bodies.data[body];
     const BodyMotion& m = bodies.motion[body];
-    facts.energyBefore += data.lastKineticEnergy;
-    data.lastKineticEnergy = bodies.kineticEnergy(body);
-    facts.energy += data.lastKineticEnergy;
+    facts.energyBefore += bodies.data[body].lastKineticEnergy;
+    facts.energy += bodies.kineticEnergy(body);
     double speed = length(m.linearVelocity);  // what is not a number is not slow
     takeLarger(facts.fastestCentre, speed);
     double withSpin = speed + length(m.angularVelocity) * bodies.mass[body].innerRadius;
@@ -77,6 +73,10 @@ IslandFacts findFacts(const Island& island, BodySet& bodies) {
         facts.partnersMove || lengthSquared(m.linearVelocity) > 0 || lengthSquared(m.angularVelocity) > 0;
   }
   return facts;
+}
+
+void keepEnergies(const Island& island, BodySet& bodies) {
+  for (BodyIndex body : island.bodies) bodies.data[body].lastKineticEnergy = bodies.kineticEnergy(body);
 }
 
 SolvePlan planFor(const IslandFacts& facts, const SolverSettings& settings, double dt) {

@@ -52,8 +52,9 @@ struct SolvePlan {
   int minCycles = 0, maxCycles = 0;
 };
 
-// Keeps each body's kinetic energy for the next step's.
-IslandFacts findFacts(const Island& island, BodySet& bodies);
+IslandFacts findFacts(const Island& island, const BodySet& bodies);
+// Each body's kinetic energy, for the facts of the next step.
+void keepEnergies(const Island& island, BodySet& bodies);
 SolvePlan planFor(const IslandFacts& facts, const SolverSettings& settings, double dt);
 
 // It stays where it is in this step.

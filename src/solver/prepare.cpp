@@ -35,8 +35,10 @@ void prepareBodies(Island& island, const StepContext& context) {
   island.masses.resize(count);
   island.speeds.resize(count);
   island.origin = bodies.motion[island.bodies.front()].position;
+  island.credit = 0;
+  island.leapt = false;
   island.travel = rigidTravel(island, context);
-  double perDt2 = 1 / (context.dt * context.dt);
+  double perDt2 = 1 / (island.dt * island.dt);
   for (std::size_t i = 0; i < count; i++) {
     BodyIndex body = island.bodies[i];
     const FreeMotion& free = context.free[body];
@@ -51,8 +53,8 @@ void prepareBodies(Island& island, const StepContext& context) {
   for (std::size_t i = 0; i < island.partners.size(); i++) {
     const BodyMotion& m = bodies.motion[island.partners[i]];
     SolveMotion& out = island.motion[count + i];
-    out.d = toFloat(m.linearVelocity * context.dt - island.travel);
-    out.th = toFloat(m.angularVelocity * context.dt);
+    out.d = toFloat(m.linearVelocity * island.dt - island.travel);
+    out.th = toFloat(m.angularVelocity * island.dt);
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "solver/cluster_step.h"
 
@@ -12,7 +13,7 @@ namespace {
 //! - | too small: bodies that hang by one corner take all cycles | too large: cost
 constexpr int kRounds = 2;  // sweeps over the single bodies in each cycle, forwards and backwards
 //! - | too small: what flips open and shut is left to the next round | too large: cost
-constexpr int kExactSteps = 4, kExactStepsSmall = 16;  // of one body in a row; the latter in islands of exact steps
+constexpr int kExactSteps = 4, kExactStepsSmall = 4;  // of one body in a row; the latter in islands of exact steps
 //! - | too small: cost | too large: bodies are taken up again and again; what slides alone is a little off
 constexpr float kGoal = 0.3f, kGoalExact = 0.01f;  // x what a body may be left with: its own steps end there
 //! - | too small: standing walls are searched through: cost | too large: what hangs is not found
@@ -25,6 +26,11 @@ constexpr float kMovingSpeed = 0.03f;
 constexpr float kMovingWeights = 2.5f;  // x tolerance: what a body that moves faster is left with, if it carries little
 //! - | too small: cost | too large: walls lean
 constexpr float kClusterShare = 1.0f;  // x tolerance: of clusters
+
+//! - | too small: cycles of rounding are taken for progress: cost | too large: slow ways to balance are given up
+constexpr float kBetter = 0.8f;  // of the least square of residuals
+//! - | too small: a body whose points open and close is given up | too large: cost
+constexpr int kMostStalled = 4;  // cycles of a body alone that are no better
 
 class Relaxation {
  public:
@@ -59,6 +65,7 @@ class Relaxation {
         forces_.renewBounds([this](RowEnds ends) { invalidate(ends); });
       findAllowed();
       done = cycle + 1 >= island_.plan.minCycles && allBalanced();
+      if (stalls()) break;
     }
     if (island_.grounded() && !island_.plan.exactSteps) moveAsOne();
     return done;
@@ -93,6 +100,14 @@ class Relaxation {
       if (!balanced(i)) return false;
     return true;
   }
+  // A cycle of a body alone is all of Newton's method: where rounding leaves it out of balance, more of them change nothing.
+  bool stalls() {
+    if (allowed_.size() != 1) return false;
+    float now = squareOf(0);
+    stalled_ = now < kBetter * least_ ? 0 : stalled_ + 1;
+    least_ = std::min(least_, now);
+    return stalled_ > kMostStalled;
+  }
   // For comparison of one body's: torque as a force at its inner radius.
   float squareOf(std::size_t i) const {
     const Wrench& g = island_.residual[i];
@@ -126,7 +141,7 @@ class Relaxation {
 
   void coarseSweep(int h) {
     float threshold = kClusterShare * float(island_.plan.tolerance);
-    float perDt2 = float(context_.dt * context_.dt * kReferenceGravity);
+    float perDt2 = float(island_.dt * island_.dt * kReferenceGravity);
     std::size_t begin = factors_[h].size();
     for (std::size_t l = hierarchies_[h]->levels.size(); l-- > 1;) {
       const Level& level = hierarchies_[h]->levels[l];
@@ -188,7 +203,9 @@ class Relaxation {
   const StepContext& context_;
   SolveStatistics& statistics_;
   RowForces forces_;
-  std::pmr::vector<float> allowed_;  // N, by body
+  std::pmr::vector<float> allowed_;                       // N, by body
+  float least_ = std::numeric_limits<float>::infinity();  // N2, of a body alone: what a cycle left at best
+  int stalled_ = 0;                                       // cycles since
   const Hierarchy* hierarchies_[2];
   std::pmr::vector<ClusterFactor> factors_[2];  // by cluster, finest level first
 };

@@ -46,9 +46,6 @@ constexpr double kInPlaceTime = 0.5;  // s: during this time counts as at rest; 
 constexpr int kWeakHold = 3;  // steps a contact stays weak after it last looked weak
 //! rad | too small: fast spins reach contacts too weakly | too large: rebounds at high speed explode
 constexpr double kLargestTurn = 0.5;  // rad per step of a body in contact: arms are frozen during a step
-//! - | too small: walls take rebounds unevenly | too large: cost
-constexpr int kRestitutionSweeps = 200;
-
 //! - | too small: counts what nobody sees | too large: hides what hangs
 constexpr double kLeftOver = 0.05;  // of max(weight, load): bodies that a solve leaves with more are counted
 
@@ -71,7 +68,7 @@ struct FreeMotion {
   Vec3 startVelocity, startSpin;  // before forces, for energy
 };
 
-// How a body moves in this step. Written by solver/finish, in this order: motion (as solved, flight, second order), rebound;
+// How a body moves in this step. Written by solver/finish, in this order: as solved, flight, second order;
 // shortened at obstacles; balanced once (momentum, spin, energy); then it is the body's.
 struct SolvedMotion {
   Vec3 d;                // m
@@ -81,6 +78,7 @@ struct SolvedMotion {
   Vec3 lost;             // m: of the way, cut off by an obstacle
   bool freeTurn = true;  // no torque acted: take FreeMotion::rotation
   bool rest = false;     // does not move
+  double lag = 0;        // s: by how much the velocities are late against the way (BodyData::lag)
   bool flying = false;   // no chain of forces leads to anything fixed or kinematic
 };
 

@@ -6,6 +6,9 @@ namespace brickfall {
 
 // Reads the forces at the final motion into what the ties of the island remember. Returns true if any bit of it changed.
 bool storeRows(Island& island, Ties ties, StepContext& context);
+// Of an island's part of a step of `step` s: contacts tell of forces as their means over the step. The force that a point
+// remembers counts for the last part; of those before it (`done`) nothing is remembered.
+void tellMean(Island& island, Ties ties, double step, bool done = false);
 // After all corrections of the motion: carries the ties on by it (gaps and drifts of contacts).
 void advanceRows(Island& island, Ties ties, const StepContext& context);
 

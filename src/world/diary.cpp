@@ -15,7 +15,7 @@ ContactEvent byCreation(BodyPair pair, const Registry& registry) {
 void appendTouching(const Island& island, const ContactSet& contacts, BodyPairs& out) {
   for (ContactIndex contact : island.rows.contacts.contactOf) {
     const Contact& c = contacts.contacts[contact];
-    if (c.touching) out.push_back({std::min(c.bodyA, c.bodyB), std::max(c.bodyA, c.bodyB)});
+    if (c.touching || c.struck) out.push_back({std::min(c.bodyA, c.bodyB), std::max(c.bodyA, c.bodyB)});
   }
 }
 

@@ -19,6 +19,9 @@ constexpr double kReuseTurn = 5e-4;  // rad,
 //! m a step | with kReusePosition
 constexpr double kReuseStep = 1e-3;  // m, and relative motion expected in the coming step
 
+//! - | too small: memory goes to another face | too large: memory is lost where a mesh is curved
+constexpr double kSamePart = 0.9;  // cosine between the normals of a part of a mesh contact and of its successor
+
 bool canReuse(const Contact& c, const ContactGeometry& g, const Transform& relative, Vec3 relativeVelocity, double dt) {
   if (c.rolls) return false;
   Quat turned = conjugate(g.relativeRotation) * relative.rotation;
@@ -55,7 +58,7 @@ void assignParts(const ContactSet& contacts, const CandidatePair* parts, int cou
     partOf[m] = -1;
     if (found.list[m].count == 0) continue;
     Vec3 normal = rotate(aInBody, found.list[m].normal);
-    double most = 0.9;
+    double most = kSamePart;
     for (int i = 0; i < count; i++) {
       if (parts[i].contact == kNoIndex || taken >> parts[i].part & 1) continue;
       double alike = dot(contacts.geometry[parts[i].contact].normal, normal);
@@ -123,6 +126,27 @@ void NarrowPhase::meet(CandidatePair pair, std::vector<CandidatePair>& out) {
   out.insert(out.end(), proximity_.newParts.begin(), proximity_.newParts.end());
 }
 
+void NarrowPhase::renew(ContactIndex contact) {
+  const Contact& old = contacts_.contacts[contact];
+  CandidatePair pair{old.shapeA, old.shapeB, old.bodyA, old.bodyB, contact, 0};
+  const ShapeData &a = shapes_.data[pair.shapeA], &b = shapes_.data[pair.shapeB];
+  Approach approach = approachOf(pair);
+  if (mayReuse(pair, approach)) return;
+  Manifold now;
+  if (isMeshPair(a.geometry, b.geometry)) {
+    MeshManifolds found;
+    findParts(pair, approach, found);
+    double most = kSamePart;
+    for (int i = 0; i < found.count; i++) {
+      double alike = dot(contacts_.geometry[contact].normal, rotate(a.inCentreFrame.rotation, found.list[i].normal));
+      if (found.list[i].count > 0 && alike > most) most = alike, now = found.list[i];
+    }
+  } else {
+    collidePair(pair, approach, now);
+  }
+  if (now.count > 0) makeContact(pair, now, approach.relative);
+}
+
 bool NarrowPhase::isStill(const CandidatePair& pair) const {
   return bodies_.still[pair.bodyA] && bodies_.still[pair.bodyB];
 }
@@ -156,6 +180,16 @@ bool NarrowPhase::mayReuse(const CandidatePair& pair, const Approach& approach) 
                   approach.velocity, dt_);
 }
 
+void NarrowPhase::collidePair(const CandidatePair& pair, const Approach& approach, Manifold& m) {
+  const ShapeData &a = shapes_.data[pair.shapeA], &b = shapes_.data[pair.shapeB];
+  Transform bInA = inverse(a.inCentreFrame) * approach.relative * b.inCentreFrame;
+  collide(a.geometry, b.geometry, bInA, reachOf(pair, approach), m);
+  computed_++;
+  if (m.count > 0)
+    dropFarPoints(m, bodies_.motion[pair.bodyA], bodies_.motion[pair.bodyB], bodies_.pose(pair.bodyA) * a.inCentreFrame,
+                  approach.margin, dt_);
+}
+
 bool NarrowPhase::updatePair(CandidatePair& pair) {
   if (isStill(pair)) {
     reused_ += pair.contact != kNoIndex;
@@ -171,15 +205,7 @@ bool NarrowPhase::updatePair(CandidatePair& pair) {
     return true;
   }
   Manifold m;
-  if (approach.near) {
-    const ShapeData &a = shapes_.data[pair.shapeA], &b = shapes_.data[pair.shapeB];
-    Transform bInA = inverse(a.inCentreFrame) * approach.relative * b.inCentreFrame;
-    collide(a.geometry, b.geometry, bInA, reachOf(pair, approach), m);
-    computed_++;
-    if (m.count > 0)
-      dropFarPoints(m, bodies_.motion[pair.bodyA], bodies_.motion[pair.bodyB],
-                    bodies_.pose(pair.bodyA) * a.inCentreFrame, approach.margin, dt_);
-  }
+  if (approach.near) collidePair(pair, approach, m);
   makeContact(pair, m, approach.relative);
   return true;
 }
@@ -279,6 +305,7 @@ void NarrowPhase::makeContact(CandidatePair& pair, const Manifold& m, const Tran
     c.weak = old.weak;
     c.weakSteps = old.weakSteps;
     c.touching = old.touching;
+    c.struck = old.struck;
   }
   g.relativePosition = relative.position;
   g.relativeRotation = relative.rotation;
@@ -286,6 +313,7 @@ void NarrowPhase::makeContact(CandidatePair& pair, const Manifold& m, const Tran
   g.tangent1 = anyPerpendicular(g.normal);
   PointMatcher matcher(old, oldGeometry, c, g);
   Transform centreOfAInB = inverse(relative);
+  std::uint32_t goesOn = 0;
   for (int i = 0; i < m.count; i++) {
     c.points.feature[i] = m.points[i].feature;
     g.anchorA[i] = transformPoint(a.inCentreFrame, m.points[i].onA);
@@ -293,11 +321,15 @@ void NarrowPhase::makeContact(CandidatePair& pair, const Manifold& m, const Tran
     int from = had ? matcher.match(g.anchorB[i], c.points.feature[i]) : -1;
     if (from < 0) continue;
     carryOver(c.points, i, old.points, from, matcher.turn());
+    goesOn |= 1u << from;
     if (old.points.sticks(from) && matcher.keepsAnchors()) {
       g.anchorA[i] = oldGeometry.anchorA[from];
       g.anchorB[i] = oldGeometry.anchorB[from];
     }
   }
+  // What points that are gone were hit by in this step is still told.
+  for (int j = 0; had && j < old.count; j++)
+    if (!(goesOn >> j & 1)) addHit(c.points, 0, old.points.hitN[j], old.points.hit1[j], old.points.hit2[j]);
   measurePoints(c, g, relative);
   contacts_.contacts[pair.contact] = c;
   contacts_.geometry[pair.contact] = g;

@@ -16,6 +16,8 @@ class NarrowPhase {
 
   // Brings all pairs that are not asleep up to date.
   void run();
+  // A contact in the middle of a step, after its bodies moved: its points where they are now. What has parted keeps its old ones.
+  void renew(ContactIndex contact);
   // What a pair that the broad phase has not found yet has in common already: pairs with their contacts, to be inserted.
   void meet(CandidatePair pair, std::vector<CandidatePair>& out);
 
@@ -32,6 +34,7 @@ class NarrowPhase {
   };
 
   bool updatePair(CandidatePair& pair);  // false: it is forgotten
+  void collidePair(const CandidatePair& pair, const Approach& approach, Manifold& m);
   // All parts of a shape and a mesh; the first ones, as many as it returns, are kept.
   int updateParts(CandidatePair* parts, int count);
   void findParts(const CandidatePair& pair, const Approach& approach, MeshManifolds& found);

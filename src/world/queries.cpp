@@ -138,8 +138,9 @@ void World::forEachContact(const std::function<void(const ContactView&)>& visit)
       ContactPointView& p = view.points[i];
       p.pointWorld = centre + t1 * double(c.points.s1[i]) + t2 * double(c.points.s2[i]);
       p.separation = c.points.gap[i];
-      p.normalForce = c.points.forceN[i];
-      p.frictionForce = t1 * double(c.points.force1[i]) + t2 * double(c.points.force2[i]);
+      p.normalForce = c.points.forceN[i] + c.points.hitN[i];
+      p.frictionForce =
+          t1 * double(c.points.force1[i] + c.points.hit1[i]) + t2 * double(c.points.force2[i] + c.points.hit2[i]);
     }
     visit(view);
   };

@@ -18,7 +18,7 @@ namespace {
 
 //! not of the method: the file's
 constexpr std::uint64_t kMagic = 0x30504e5346424b42ull;
-constexpr std::uint32_t kLayout = 6;
+constexpr std::uint32_t kLayout = 7;
 
 struct Header {
   std::uint64_t magic = kMagic;
@@ -119,7 +119,8 @@ class SnapshotArchive {
     a.choice(d.type, BodyType::dynamic);
     a.choice(d.activity, BodyActivity::fixed);
     for (auto* flag : {&d.quarantined, &d.allowSleep, &d.flying}) a.flag(*flag);
-    for (auto* number : {&d.gravityScale, &d.linearDamping, &d.angularDamping, &d.dragArea, &d.lastKineticEnergy})
+    for (auto* number :
+         {&d.gravityScale, &d.linearDamping, &d.angularDamping, &d.dragArea, &d.lastKineticEnergy, &d.lag})
       a.value(*number);
     for (auto* vector : {&d.force, &d.torque, &d.lastLinearVelocity, &d.lastAngularVelocity, &d.linearAcceleration,
                          &d.angularAcceleration})
@@ -206,12 +207,13 @@ class SnapshotArchive {
       if (i < c.geometry.size()) a.value(c.geometry[i]);
     }
     a.flag(c.changed);
+    a.list(c.struck);
     a.list(c.free_);
   }
 
   template <class Archive, class Contact> static void contact(Archive& a, Contact& c) {
     for (auto* index : {&c.shapeA, &c.shapeB, &c.bodyA, &c.bodyB}) a.value(*index);
-    for (auto* flag : {&c.rolls, &c.weak, &c.touching, &c.fresh, &c.born}) a.flag(*flag);
+    for (auto* flag : {&c.rolls, &c.weak, &c.touching, &c.struck, &c.fresh, &c.born}) a.flag(*flag);
     a.value(c.weakSteps);
     for (auto* number : {&c.friction, &c.restitution, &c.effectiveMass}) a.value(*number);
     eachField(c.points, PointFields<Archive>{a});
@@ -247,6 +249,7 @@ class SnapshotArchive {
       a.value(i.points);
       a.value(i.touchingPoints);
       a.list(i.placePoses);
+      a.value(i.slipWork);
       a.value(i.inPlaceTime);
       a.value(i.restTime);
     }

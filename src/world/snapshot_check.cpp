@@ -52,11 +52,13 @@ bool soundGeometry(const ContactGeometry& g) {
 
 bool soundRecord(const ContactRecord& r, const ContactStart& start) {
   bool fine = r.newPoints < 16 && isForce(start.friction) && start.points >= 0 && start.points <= 4;
-  for (const Vec3f& v : {r.n, r.t1, r.armA, r.armB}) fine = fine && isLength(v.x) && isLength(v.y) && isLength(v.z);
+  for (const Vec3f& v : {r.n, r.t1, r.armA, r.armB, start.bend})
+    fine = fine && isLength(v.x) && isLength(v.y) && isLength(v.z);
   for (int i = 0; i < 4; i++)
     fine = fine && isLength(r.s1[i]) && isLength(r.s2[i]) && isForce(r.trialN[i]) && isForce(r.trial1[i]) &&
            isForce(r.trial2[i]) && isForce(r.k[i]) && r.k[i] >= 0 && isForce(r.limit[i]) && r.limit[i] >= 0 &&
-           r.tensionCap[i] == 0 && isForce(start.approach[i]) && isLength(start.gap[i]) && isForce(start.stopping[i]);
+           r.tensionCap[i] == 0 && isForce(start.approach[i]) && isLength(start.gap[i]) && isForce(start.stopping[i]) &&
+           isForce(start.taken[i]) && isForce(start.back[i]) && isForce(start.back1[i]) && isForce(start.back2[i]);
   return fine;
 }
 
@@ -69,6 +71,8 @@ void checkIsland(Checks& check, const Island& island) {
 }
 
 void checkContacts(Checks& check, const ContactSet& set) {
+  for (ContactIndex contact : set.struck)
+    check.condition(contact < set.contacts.size(), "a contact that was struck is not there");
   for (std::size_t i = 0; i < set.contacts.size(); i++) {
     const Contact& c = set.contacts[i];
     if (c.count == 0) continue;

@@ -15,7 +15,7 @@ namespace brickfall {
 namespace {
 
 //! not of the method: room
-constexpr std::size_t kPoolPerBody = 12 * 1024;  // bytes
+constexpr std::size_t kPoolPerBody = 16 * 1024;  // bytes
 constexpr std::size_t kPoolPerBodyBeyond = 2 * 1024, kManyBodies = 10000;
 
 std::size_t poolFor(std::size_t bodies) {

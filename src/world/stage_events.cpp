@@ -22,7 +22,7 @@ void countPoints(Island& island, const ContactSet& contacts) {
   for (ContactIndex contact : island.rows.contacts.contactOf) {
     const Contact& c = contacts.contacts[contact];
     island.points += c.count;
-    for (int i = 0; i < c.count; i++) island.touchingPoints += c.points.forceN[i] > 0;
+    for (int i = 0; i < c.count; i++) island.touchingPoints += c.points.forceN[i] > 0 || c.points.hitN[i] > 0;
   }
 }
 

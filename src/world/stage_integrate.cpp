@@ -5,6 +5,7 @@
 #include "solver/store.h"
 #include "world/activity.h"
 #include "world/diary.h"
+#include "world/move_body.h"
 #include "world/proximity.h"
 #include "world/quarantine.h"
 #include "world/stage_hash.h"
@@ -13,24 +14,6 @@
 namespace brickfall {
 
 namespace {
-
-// Applies the solved motion. Returns false, and leaves the motion as it was, if the result is not sane.
-bool move(BodyIndex body, BodySet& bodies, const StepContext& context) {
-  const SolvedMotion& s = context.solved[body];
-  const FreeMotion& free = context.free[body];
-  BodyMotion& m = bodies.motion[body];
-  BodyMotion next = m;
-  next.position = m.position + s.d;
-  next.rotation = s.freeTurn ? free.rotation : normalized(quatFromRotationVector(s.th) * m.rotation);
-  next.linearVelocity = s.velocity;
-  next.orientation = toMatrix(next.rotation);
-  // Angular momentum carries over exactly; the spin follows from the new orientation.
-  next.angularVelocity =
-      next.orientation * (bodies.mass[body].invInertia * transposeTimes(next.orientation, s.angularMomentum));
-  if (!isSane(next)) return false;
-  m = next;
-  return true;
-}
 
 struct Integration {
   const Clock& clock;
@@ -53,10 +36,11 @@ void Integration::finishBody(BodyIndex body) {
   BodyMotion& m = bodies.motion[body];
   if (context.solved[body].rest) {
     m.linearVelocity = m.angularVelocity = {};
+    data.lag = kUnknownLag;
     bodies.still[body] = 1;
   } else {
     bodies.still[body] = 0;
-    if (!move(body, bodies, context)) quarantine.hold(body);
+    if (!moveBody(body, bodies, context)) quarantine.hold(body);
     proximity.keepBounds(registry, body);
   }
   data.flying = context.solved[body].flying;

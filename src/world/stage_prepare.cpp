@@ -15,16 +15,17 @@ void prepare(const WorldDef& def, Registry& registry, IslandSet& islands, Contac
   BodySet& bodies = registry.bodies;
   context.free.resize(bodies.slots());
   context.solved.resize(bodies.slots());
-  for (BodyIndex body : islands.single) predictFreeMotion(context, bodies, body, def.airDensity, false);
+  for (BodyIndex body : islands.single) predictFreeMotion(context, bodies, body, context.dt, def.airDensity, false);
   for (IslandPointer& island : islands.awake) {
     if (island->settled()) {
       island->ending = IslandEnding::settled;
       continue;
     }
     island->facts = findFacts(*island, bodies);
-    island->plan = planFor(island->facts, context.settings, context.dt);
+    keepEnergies(*island, bodies);
+    island->plan = planFor(island->facts, context.settings, island->dt);
     dampSlowIsland(*island, context, bodies);
-    for (BodyIndex body : island->bodies) predictFreeMotion(context, bodies, body, def.airDensity, true);
+    for (BodyIndex body : island->bodies) predictFreeMotion(context, bodies, body, island->dt, def.airDensity, true);
     prepareBodies(*island, context);
     prepareRows(*island, Ties{contacts}, context);
   }
@@ -75,9 +76,10 @@ void bookPrepare(const Registry& registry, const Activity& activity, const Conta
   s.bookElastic(ledger.renewed, start.elastic);
   s.book(ledger.damping, start);
   BalanceChange gravity, forces;
-  double dt = context.dt;
   for (BodyIndex body : activity.awake) {
     const BodyData& data = bodies.data[body];
+    std::uint32_t in = activity.islandOf[body];
+    double dt = in == kNoIndex ? context.dt : activity.islands.awake[in]->dt;
     Vec3 at = bodies.motion[body].position;
     Vec3 weight = context.gravity * (bodies.mass[body].mass * data.gravityScale * dt), force = data.force * dt;
     gravity += {weight, cross(at, weight), 0};

@@ -11,6 +11,7 @@
 #include "solver/rest.h"
 #include "world/activity.h"
 #include "world/diary.h"
+#include "world/hits.h"
 #include "world/registry.h"
 #include "world/stage_hash.h"
 #include "world/stages.h"
@@ -34,30 +35,13 @@ ContactImpact impactOf(const Contact& c, const ContactStart& start, double dt) {
   return out;
 }
 
-HitEvent hitOf(const Registry& registry, const Contact& c, const ContactRecord& r, ContactImpact impact) {
-  const BodySet& bodies = registry.bodies;
-  HitEvent hit;
-  hit.bodyA = registry.idOf(c.bodyA);
-  hit.bodyB = registry.idOf(c.bodyB);
-  hit.normalWorld = toDouble(r.n);
-  hit.pointWorld = bodies.motion[c.bodyA].position + toDouble(r.armA);
-  if (bodies.data[c.bodyB].order < bodies.data[c.bodyA].order) {
-    std::swap(hit.bodyA, hit.bodyB);
-    hit.normalWorld = -hit.normalWorld;
-  }
-  hit.approachSpeed = impact.speed;
-  hit.impulse = impact.impulse;
-  return hit;
-}
-
 void collectHits(const WorldDef& def, const Registry& registry, const Island& island, const ContactSet& contacts,
                  double dt, std::vector<HitEvent>& out) {
   for (std::size_t k = 0; k < island.rows.contacts.contactOf.size(); k++) {
     const Contact& c = contacts.contacts[island.rows.contacts.contactOf[k]];
     if (!c.touching) continue;
     ContactImpact impact = impactOf(c, island.rows.contacts.starts[k], dt);
-    if (impact.speed >= def.hitEventSpeed && impact.impulse >= def.hitEventImpulse)
-      out.push_back(hitOf(registry, c, island.rows.contacts.records[k], impact));
+    tellHit(def, registry, c, island.rows.contacts.records[k], impact.speed, impact.impulse, out);
   }
 }
 
@@ -65,16 +49,17 @@ void collectHits(const WorldDef& def, const Registry& registry, const Island& is
 
 void storeSolution(const WorldDef& def, const Registry& registry, IslandSet& islands, ContactSet& contacts,
                    StepContext& context, Events& events) {
-  for (BodyIndex body : islands.single) storeFreeBody(body, context);
+  for (BodyIndex body : islands.single) storeFreeBody(body, context.dt, context);
   for (IslandPointer& island : islands.awake) {
     if (island->settled()) continue;
     bool changed = storeRows(*island, Ties{contacts}, context);
+    if (island->dt < context.dt) tellMean(*island, Ties{contacts}, context.dt);
     if (!island->resting()) collectHits(def, registry, *island, contacts, context.dt, events.hits);
     if (island->resting() && !changed) island->ending = IslandEnding::settled;
     restInPlace(*island, context);
     storeMotion(*island, context);
     correctFlight(*island, context);
-    correctLoneBody(*island, context);
+    correctLoneBody(*island, Ties{contacts}, context);
   }
 }
 
@@ -90,15 +75,18 @@ namespace {
 
 // Impulse of a contact with something fixed or kinematic on the island's body, about the world's origin; its work is that
 // of the partner's motion.
-BalanceChange impulseOf(const Contact& c, const ContactRecord& r, const BodySet& bodies, bool onB, double dt) {
+BalanceChange impulseOf(const Contact& c, const ContactRecord& r, const ContactStart& start, const BodySet& bodies,
+                        bool onB, double dt) {
   BalanceChange out;
   Vec3 n = toDouble(r.n), t1 = toDouble(r.t1), t2 = cross(n, t1);
   Vec3 centre = bodies.motion[c.bodyA].position + toDouble(r.armA);
   const BodyMotion& partner = bodies.motion[onB ? c.bodyA : c.bodyB];
   double sign = onB ? dt : -dt;
   for (int i = 0; i < c.count; i++) {
-    Vec3 impulse =
-        (n * double(c.points.forceN[i]) + t1 * double(c.points.force1[i]) + t2 * double(c.points.force2[i])) * sign;
+    auto sum = [&](float force, float back) { return double(force) + double(back); };
+    Vec3 impulse = (n * sum(c.points.forceN[i], start.back[i]) + t1 * sum(c.points.force1[i], start.back1[i]) +
+                    t2 * sum(c.points.force2[i], start.back2[i])) *
+                   sign;
     Vec3 point = centre + t1 * double(r.s1[i]) + t2 * double(r.s2[i]);
     Vec3 velocity = partner.linearVelocity + cross(partner.angularVelocity, point - partner.position);
     out += {impulse, cross(point, impulse), dot(impulse, velocity)};
@@ -112,19 +100,21 @@ BalanceChange supportImpulses(const Island& island, const BodySet& bodies, const
     const ContactRecord& r = island.rows.contacts.records[k];
     bool partnerA = r.bodyA >= island.bodies.size(), partnerB = r.bodyB >= island.bodies.size();
     if (partnerA || partnerB)
-      sum += impulseOf(contacts.contacts[island.rows.contacts.contactOf[k]], r, bodies, partnerA, dt);
+      sum += impulseOf(contacts.contacts[island.rows.contacts.contactOf[k]], r, island.rows.contacts.starts[k], bodies,
+                       partnerA, dt);
   }
   return sum;
 }
 
 // The work of contacts, and what it did to what they hold.
 BalanceChange contactsNow(const IslandSet& islands, const ContactSet& contacts, const StepContext& context,
-                          double elasticBefore) {
+                          double elasticBefore, double& rebound) {
   BalanceChange out;
   double elastic = elasticOf(contacts.asleep, contacts, context);
   for (const IslandPointer& island : islands.awake) {
     ContactWork ofContacts = contactWork(*island, context);
     out.energy += ofContacts.work;
+    rebound += ofContacts.rebound;
     elastic += ofContacts.elastic;
   }
   out.elastic = elastic - elasticBefore;
@@ -140,7 +130,7 @@ void bookStore(const Registry& registry, const Activity& activity, const Contact
   StepLedger& ledger = *diary.report.ledger;
   BalanceChange supports;
   for (const IslandPointer& island : activity.islands.awake)
-    supports += supportImpulses(*island, bodies, contacts, context.dt);
+    supports += supportImpulses(*island, bodies, contacts, island->dt);
   Vec3 inFlight, inContact;
   for (BodyIndex body : activity.awake) {
     const SolvedMotion& m = context.solved[body];
@@ -150,8 +140,10 @@ void bookStore(const Registry& registry, const Activity& activity, const Contact
   ledger.supports += supports;
   ledger.gravity.angular += inFlight;
   Balance now = s.moving(solvedBalance(activity.awake, bodies, context));
-  BalanceChange ofContacts = contactsNow(activity.islands, contacts, context, s.now.elastic);
-  ledger.solve += now - s.now - s.push - supports - BalanceChange{{}, inFlight, ofContacts.energy};
+  double rebound = 0;
+  BalanceChange ofContacts = contactsNow(activity.islands, contacts, context, s.now.elastic, rebound);
+  ledger.solve += now - s.now - s.push - supports - BalanceChange{{}, inFlight, ofContacts.energy + rebound};
+  ledger.rebound.energy += rebound;
   s.now = now;
   s.now.elastic += ofContacts.elastic;
   ledger.contacts += ofContacts;

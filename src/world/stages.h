@@ -31,6 +31,10 @@ void renewIslands(const Registry&, const StepContext&, Activity&, ContactSet&);
 void hashIslands(const ContactSet&, const IslandSet&, HashItems&);
 void bookIslands(const Registry&, const ContactSet&, const StepContext&, Diary&);
 
+void meetImpacts(const WorldDef&, Registry&, IslandSet&, Proximity&, StepContext&, StepReport&, Events&);
+void hashImpacts(const Registry&, const IslandSet&, const ContactSet&, HashItems&);
+void bookImpacts(const Registry&, const ContactSet&, const StepContext&, Diary&);
+
 void prepare(const WorldDef&, Registry&, IslandSet&, ContactSet&, StepContext&);
 void hashPrepare(const Registry&, const IslandSet&, const ContactSet&, const StepContext&, HashItems&);
 void bookPrepare(const Registry&, const Activity&, const ContactSet&, const StepContext&, Diary&);
@@ -44,10 +48,6 @@ void hashSolve(const Registry&, const IslandSet&, HashItems&);
 void storeSolution(const WorldDef&, const Registry&, IslandSet&, ContactSet&, StepContext&, Events&);
 void hashStore(const IslandSet&, const ContactSet&, const StepContext&, HashItems&);
 void bookStore(const Registry&, const Activity&, const ContactSet&, const StepContext&, Diary&);
-
-void restitute(IslandSet&, ContactSet&, StepContext&);
-void hashRestitution(const IslandSet&, const ContactSet&, const StepContext&, HashItems&);
-void bookRestitution(const Registry&, const Activity&, const StepContext&, Diary&);
 
 void stopAtObstacles(const Registry&, const Activity&, const Proximity&, StepContext&);
 void hashObstacles(const IslandSet&, const StepContext&, HashItems&);

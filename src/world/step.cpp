@@ -35,6 +35,14 @@ std::span<const World::Impl::StageRow> World::Impl::stageRows() {
        [](const W& w, H& out) { hashIslands(w.proximity.contacts, w.activity.islands, out); },
        [](W& w) { bookIslands(w.registry, w.proximity.contacts, w.solve.context, w.diary); }},
 
+      {Stage::impacts,
+       [](W& w) {
+         meetImpacts(w.def, w.registry, w.activity.islands, w.proximity, w.solve.context, w.diary.report,
+                     w.diary.events);
+       },
+       [](const W& w, H& out) { hashImpacts(w.registry, w.activity.islands, w.proximity.contacts, out); },
+       [](W& w) { bookImpacts(w.registry, w.proximity.contacts, w.solve.context, w.diary); }},
+
       {Stage::prepare,
        [](W& w) { prepare(w.def, w.registry, w.activity.islands, w.proximity.contacts, w.solve.context); },
        [](const W& w, H& out) {
@@ -54,10 +62,6 @@ std::span<const World::Impl::StageRow> World::Impl::stageRows() {
        },
        [](const W& w, H& out) { hashStore(w.activity.islands, w.proximity.contacts, w.solve.context, out); },
        [](W& w) { bookStore(w.registry, w.activity, w.proximity.contacts, w.solve.context, w.diary); }},
-
-      {Stage::restitution, [](W& w) { restitute(w.activity.islands, w.proximity.contacts, w.solve.context); },
-       [](const W& w, H& out) { hashRestitution(w.activity.islands, w.proximity.contacts, w.solve.context, out); },
-       [](W& w) { bookRestitution(w.registry, w.activity, w.solve.context, w.diary); }},
 
       {Stage::obstacles, [](W& w) { stopAtObstacles(w.registry, w.activity, w.proximity, w.solve.context); },
        [](const W& w, H& out) { hashObstacles(w.activity.islands, w.solve.context, out); },

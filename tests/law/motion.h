@@ -11,6 +11,8 @@
 
 namespace brickfall::law {
 
+constexpr double kMotionSteps[] = {1.0 / 60, 1.0 / 120, 1.0 / 240};
+
 struct WallOf {
   int courses = 10, bricks = 10;
   double friction = 0.65, groundFriction = 0.65, restitution = 0, groundRestitution = 0;

@@ -4,8 +4,6 @@
 namespace brickfall::law {
 namespace {
 
-constexpr double kMotionSteps[] = {1.0 / 60, 1.0 / 120, 1.0 / 240};
-
 // Bricks of the second course over a hole, touching nothing: how far they fall in 0.1 s, against g t^2 / 2.
 TEST(Law, Row18aBricksOverAHoleFall) {
   struct Case {
@@ -60,7 +58,7 @@ TEST(Law, Row18bWhatNothingTouchesFallsWithGDuringAHit) {
                          " hit at " + text(c.speed, 0) + " m/s: ";
       reached({name + "mean a / g", dt, untouched.mean(), 1, 0.01, ""});
       // A brick may be pressed on within a step and not at its end.
-      atMost(name + "worst |a - g| / g", dt, untouched.worst, 0.05, "", 1);
+      atMost(name + "worst |a - g| / g", dt, untouched.worst, 0.05, "", 1.5);
     }
 }
 

@@ -117,7 +117,8 @@ TEST(Ledger, impactsAndReboundsTakeWhatTheyShould) {
     double lost = 0, total = 0;
     for (int i = 0; i < 40; i++) {
       StepLedger l = stepOf(world);
-      lost += l.contacts.energy + l.solve.energy + l.rebound.energy + l.balance.energy + l.stopped.energy;
+      lost += l.contacts.energy + l.solve.energy + l.impacts.energy + l.rebound.energy + l.balance.energy +
+              l.stopped.energy;
       total += energyOf(l.after) - energyOf(l.before);
     }
     const double fall = mass * kG * 0.9;

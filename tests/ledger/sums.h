@@ -13,8 +13,8 @@ namespace brickfall::test {
 inline double energyOf(const Balance& b) { return b.kinetic + b.potential; }
 
 struct Causes {
-  BalanceChange gravity, forces, damping, stopped, supports, contacts, solve, rebound, obstacles, balance, integrate,
-      quarantine, remade, renewed;
+  BalanceChange gravity, forces, damping, stopped, supports, contacts, solve, impacts, rebound, obstacles, balance,
+      integrate, quarantine, remade, renewed;
 };
 
 struct Worst {
@@ -54,12 +54,12 @@ struct Sums {
       into.energy += c.energy;
       into.elastic += c.elastic;
     };
-    const BalanceChange* causes[] = {&l.gravity,   &l.forces,     &l.damping, &l.stopped,   &l.supports,
-                                     &l.contacts,  &l.solve,      &l.rebound, &l.obstacles, &l.balance,
-                                     &l.integrate, &l.quarantine, &l.remade,  &l.renewed};
-    BalanceChange* totals[] = {&total.gravity,   &total.forces,     &total.damping, &total.stopped,   &total.supports,
-                               &total.contacts,  &total.solve,      &total.rebound, &total.obstacles, &total.balance,
-                               &total.integrate, &total.quarantine, &total.remade,  &total.renewed};
+    const BalanceChange* causes[] = {&l.gravity,  &l.forces,    &l.damping,    &l.stopped, &l.supports,
+                                     &l.contacts, &l.solve,     &l.impacts,    &l.rebound, &l.obstacles,
+                                     &l.balance,  &l.integrate, &l.quarantine, &l.remade,  &l.renewed};
+    BalanceChange* totals[] = {&total.gravity,  &total.forces,    &total.damping,    &total.stopped, &total.supports,
+                               &total.contacts, &total.solve,     &total.impacts,    &total.rebound, &total.obstacles,
+                               &total.balance,  &total.integrate, &total.quarantine, &total.remade,  &total.renewed};
     for (std::size_t i = 0; i < std::size(causes); i++) {
       sum(all, *causes[i]);
       sum(*totals[i], *causes[i]);

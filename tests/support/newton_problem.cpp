@@ -10,7 +10,7 @@ namespace {
 // docs/step.md, "The contact law" and "Constants"; written out here so that a change of the engine's shows.
 constexpr double kHalf = 0.5;  // of the last force held, and of an old gap or drift corrected
 
-ProblemBody bodyOf(BodyIndex index, const StepContext& context) {
+ProblemBody bodyOf(BodyIndex index, const StepContext& context, double dt) {
   const BodySet& set = *context.bodies;
   const BodyMotion& m = set.motion[index];
   const BodyData& data = set.data[index];
@@ -22,13 +22,13 @@ ProblemBody bodyOf(BodyIndex index, const StepContext& context) {
   b.inner = set.mass[index].innerRadius;
   b.outer = set.mass[index].outerRadius;
   Vec3 acceleration = context.gravity * data.gravityScale + data.force * (1 / b.mass);
-  b.dFree = m.linearVelocity * context.dt + acceleration * (context.dt * context.dt);
+  b.dFree = m.linearVelocity * dt + acceleration * (dt * dt);
   b.thFree = context.free[index].th;
   return b;
 }
 
 // Point i of a contact, all but its bodies' numbers.
-ProblemPoint pointOf(const Contact& c, const ContactGeometry& g, int i, const StepContext& context) {
+ProblemPoint pointOf(const Contact& c, const ContactGeometry& g, int i, const StepContext& context, double dt) {
   const BodyMotion &a = context.bodies->motion[c.bodyA], &b = context.bodies->motion[c.bodyB];
   Mat3 axes = toMatrix(a.rotation);
   std::size_t lane = std::size_t(i);
@@ -49,7 +49,7 @@ ProblemPoint pointOf(const Contact& c, const ContactGeometry& g, int i, const St
   p.carriedNothing = c.points.forceN[lane] == 0;
   Vec3 approach =
       b.linearVelocity + cross(b.angularVelocity, p.armB) - a.linearVelocity - cross(a.angularVelocity, p.armA);
-  p.newBound = c.effectiveMass * (std::max(0.0, -dot(p.n, approach)) + kWeightUnit * context.dt) / context.dt;
+  p.newBound = c.effectiveMass * (std::max(0.0, -dot(p.n, approach)) + kWeightUnit * dt) / dt;
   return p;
 }
 
@@ -63,23 +63,24 @@ double Problem::mass() const {
 
 Problem problemOf(const Island& island, const StepContext& context) {
   Problem out;
-  out.dt = context.dt;
+  const double dt = island.dt;
+  out.dt = dt;
   std::map<BodyIndex, int> number;
   for (BodyIndex body : island.bodies) {
     number[body] = int(number.size());
-    out.bodies.push_back(bodyOf(body, context));
+    out.bodies.push_back(bodyOf(body, context, dt));
     out.bodies.back().position =
         context.bodies->motion[body].position - context.bodies->motion[island.bodies.front()].position;
   }
   for (BodyIndex body : island.partners) {
     number[body] = int(number.size());
     const BodyMotion& m = context.bodies->motion[body];
-    out.partners.push_back({m.linearVelocity * context.dt, m.angularVelocity * context.dt});
+    out.partners.push_back({m.linearVelocity * dt, m.angularVelocity * dt});
   }
   for (ContactIndex index : island.rows.contacts.contactOf) {
     const Contact& c = context.contacts->contacts[index];
     for (int i = 0; i < c.count; i++) {
-      ProblemPoint p = pointOf(c, context.contacts->geometry[index], i, context);
+      ProblemPoint p = pointOf(c, context.contacts->geometry[index], i, context, dt);
       p.a = number.at(c.bodyA);
       p.b = number.at(c.bodyB);
       p.contact = index;

@@ -19,7 +19,6 @@
 #include "solver/finish/flight.h"
 #include "solver/finish/lone_body.h"
 #include "solver/finish/motion.h"
-#include "solver/finish/rebound.h"
 #include "solver/free_motion.h"
 #include "solver/island_builder.h"
 #include "solver/prepare.h"
@@ -142,10 +141,12 @@ class TestIsland {
   }
   void prepare() {
     Island& all = island();
+    all.dt = context.dt;
     all.facts = findFacts(all, bodies);
-    all.plan = planFor(all.facts, context.settings, context.dt);
+    keepEnergies(all, bodies);
+    all.plan = planFor(all.facts, context.settings, all.dt);
     dampSlowIsland(all, context, bodies);
-    for (BodyIndex body : all.bodies) predictFreeMotion(context, bodies, body, 1.2, true);
+    for (BodyIndex body : all.bodies) predictFreeMotion(context, bodies, body, all.dt, 1.2, true);
     prepareBodies(all, context);
     prepareRows(all, ties(), context);
   }
@@ -166,7 +167,7 @@ class TestIsland {
     restInPlace(island(), context);
     storeMotion(island(), context);
     correctFlight(island(), context);
-    correctLoneBody(island(), context);
+    correctLoneBody(island(), ties(), context);
     return changed;
   }
   // Velocities, poses, gaps.

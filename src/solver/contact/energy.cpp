@@ -52,8 +52,13 @@ ContactWork contactWork(const Island& island, const StepContext& context) {
     kernel::store(m.t1, way[1]);
     kernel::store(m.t2, way[2]);
     for (int i = 0; i < c.count; i++) {
-      out.work += double(c.points.forceN[i]) * double(way[0][i]) + double(c.points.force1[i]) * double(way[1][i]) +
-                  double(c.points.force2[i]) * double(way[2][i]);
+      auto work = [&](const float* normal, const float* along1, const float* along2) {
+        return double(normal[i]) * double(way[0][i]) + double(along1[i]) * double(way[1][i]) +
+               double(along2[i]) * double(way[2][i]);
+      };
+      const ContactStart& start = island.rows.contacts.starts[n];
+      out.work += work(c.points.forceN, c.points.force1, c.points.force2);
+      out.rebound += work(start.back, start.back1, start.back2);
       c.points.gap[i] += way[0][i];
       c.points.drift1[i] += way[1][i];
       c.points.drift2[i] += way[2][i];

@@ -15,6 +15,7 @@ double elasticEnergy(const Contact& contact, const StepContext& context);
 // Of all contacts of an island, by the motion that the solve found: between forces and new poses.
 struct ContactWork {
   double work = 0;     // J, done on the bodies and on kinematic partners
+  double rebound = 0;  // J, done by what rebounds gave: not part of `work`
   double elastic = 0;  // J, held after it
 };
 ContactWork contactWork(const Island& island, const StepContext& context);

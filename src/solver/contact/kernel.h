@@ -92,10 +92,16 @@ inline M needsLineSearch(const ContactRecord& r, const PointForces& f) {
   return (f.slides & (load(r.limit) > zero)) | ((cap > zero) & (f.trialN <= -cap));
 }
 
+// N: points count as closed up to this tension, open ones that are nearer than `near` m among them. What a rebound pushes
+// apart does not.
+inline V closedReach(const ContactRecord& r, float near) {
+  V cap = load(r.tensionCap);
+  return wide::select(set(0) > cap, cap, wide::max(cap, load(r.k) * set(near)));
+}
+
 // Open points nearer than `near` m.
 inline M mayClose(const ContactRecord& r, const PointForces& f, float near) {
-  V cap = load(r.tensionCap), reach = wide::max(cap, load(r.k) * set(near));
-  return (f.trialN <= -cap) & (f.trialN > -reach);
+  return (f.trialN <= -load(r.tensionCap)) & (f.trialN > -closedReach(r, near));
 }
 
 // Bits of the points that slide.
@@ -104,7 +110,7 @@ inline std::uint32_t slidingPoints(const ContactRecord& r, const PointForces& f)
 }
 // Bits of what resists as `stiffness` counts it: 0 to 3 points along the normal, 4 to 7 points that stick.
 inline std::uint32_t grip(const ContactRecord& r, const PointForces& f, float near) {
-  M closed = f.trialN > -wide::max(load(r.tensionCap), load(r.k) * set(near));
+  M closed = f.trialN > -closedReach(r, near);
   M sticks = ~f.slides & (load(r.limit) > set(0));
   return wide::bits(closed) | wide::bits(sticks) << 4;
 }
@@ -113,7 +119,7 @@ inline std::uint32_t grip(const ContactRecord& r, const PointForces& f, float ne
 // through them. Sticking points resist tangentially; sliding ones only across their slip.
 inline Stiffness stiffness(const ContactRecord& r, const Frame& frame, const PointForces& f, float near) {
   V s1 = load(r.s1), s2 = load(r.s2), k = load(r.k), zero = set(0);
-  M normalOn = f.trialN > -wide::max(load(r.tensionCap), k * set(near));
+  M normalOn = f.trialN > -closedReach(r, near);
   V kn = wide::keepIf(normalOn, k);
   M frictional = load(r.limit) > zero;
   V kt = wide::keepIf(frictional, k);

@@ -43,6 +43,16 @@ void findApproach(const ContactRecord& r, const Contact& c, const BodySet& bodie
   }
 }
 
+// A partner's surface goes on turning while the body goes along with it: over a step its way is an arc. Of what touches it the
+// way is th x arm + th x (way of the body) / 2; the solve knows the first part.
+Vec3f bendOf(const Contact& c, const BodySet& bodies, double dt) {
+  auto half = [&](BodyIndex partner, BodyIndex body) {
+    if (bodies.mass[partner].invMass > 0) return Vec3{};
+    return cross(bodies.motion[partner].angularVelocity, bodies.motion[body].linearVelocity) * (0.5 * dt * dt);
+  };
+  return toFloat(half(c.bodyB, c.bodyA) - half(c.bodyA, c.bodyB));
+}
+
 // Of the full stiffness of an island: what is as stiff as this counts as at it, whatever the rounding.
 //! - | too small: what is nearly at its full stiffness stays softer | too large: rounding takes points through the end of an impact
 constexpr float kFullShare = 0.99f;
@@ -54,6 +64,7 @@ struct StiffnessScale {
   float cap;         // N
   float deepest;     // m: overlap that an impact may reach
   float dt;          // s
+  float kept;        // of the plastic offset
 };
 
 // Half of what separates the middles of the two bodies: past all of it the contact would turn round and let the bodies
@@ -78,6 +89,12 @@ bool mustStiffen(const PointMemory& m, int i, float approach, const StiffnessSca
 }
 void stiffen(PointMemory& m, int i, const StiffnessScale& scale) {
   if (m.forceN[i] > scale.cap) scaleForces(m, i, scale.cap / m.forceN[i]);
+  if (m.phase[i] == PointPhase::resting &&
+      m.sticks(i)) {  // friction, too: its spring has grown stiffer under its drift
+    m.slip1[i] = -m.force1[i] / scale.full;
+    m.slip2[i] = -m.force2[i] / scale.full;
+    m.stickingMask &= ~(1u << i);
+  }
   m.phase[i] = PointPhase::resting;
   m.stiffness[i] = scale.full;
   m.offset[i] = std::min(0.0f, m.gap[i] + m.forceN[i] / scale.full);
@@ -96,7 +113,7 @@ float mapNormalOffset(PointMemory& m, int i, float approach, const StiffnessScal
   if (m.stiffness[i] > (2 - kFullShare) * scale.full) m.stiffness[i] = scale.full;
   if (m.phase[i] == PointPhase::fresh) m.offset[i] = std::min(0.0f, m.gap[i]);
   if (mustStiffen(m, i, approach, scale)) stiffen(m, i, scale);
-  float offset = kOffsetKept * std::min(0.0f, std::max(m.offset[i], m.gap[i]));
+  float offset = scale.kept * std::min(0.0f, std::max(m.offset[i], m.gap[i]));
   m.offset[i] = offset > -1e-12f ? 0 : offset;  // no denormals: they would never come to a fixed point
   if (m.phase[i] == PointPhase::fresh) startPhase(m, i, approach, scale);
   return m.gap[i] - m.offset[i];
@@ -133,7 +150,7 @@ bool isDebris(const Island& island, const ContactRecord& r) {
 void ContactRows::prepare(const Island& island, Ties ties, const StepContext& context) {
   const BodySet& bodies = *context.bodies;
   ContactSet& set = ties.contacts;
-  double perDt2 = 1 / (context.dt * context.dt);
+  double perDt2 = 1 / (island.dt * island.dt);
   double resting = context.settings.restingStiffness * island.plan.stiffening;
   for (std::size_t k = 0; k < size(); k++) {
     Contact& c = set.contacts[contactOf[k]];
@@ -144,17 +161,19 @@ void ContactRows::prepare(const Island& island, Ties ties, const StepContext& co
     c.fresh = false;
     findApproach(r, c, bodies, start);
     double unit = c.effectiveMass * perDt2;
-    StiffnessScale scale{float(unit),
-                         float((isDebris(island, r) ? context.settings.impactStiffness : resting) * unit),
-                         float(context.settings.impactStiffness * unit),
-                         float(context.settings.restingApproachSpeed),
+    StiffnessScale scale{float(unit), float((isDebris(island, r) ? context.settings.impactStiffness : resting) * unit),
+                         float(context.settings.impactStiffness * unit), float(context.settings.restingApproachSpeed),
                          kMultiplierWeights * float(kReferenceGravity) * c.effectiveMass,
-                         float(deepestOverlap(bodies.mass[c.bodyA], bodies.mass[c.bodyB])),
-                         float(context.dt)};
+                         float(deepestOverlap(bodies.mass[c.bodyA], bodies.mass[c.bodyB])), float(island.dt),
+                         // A part of a step lets go of a part.
+                         1 - (1 - kOffsetKept) * float(island.dt / context.dt)};
     r.newPoints = 0;
     start.points = c.count;
     start.friction = c.friction;
+    start.bend = bendOf(c, bodies, island.dt);
+    float bendN = dot(r.n, start.bend), bend1 = dot(r.t1, start.bend), bend2 = dot(cross(r.n, r.t1), start.bend);
     for (int i = 0; i < 4; i++) {
+      start.taken[i] = start.back[i] = start.back1[i] = start.back2[i] = 0;
       if (i >= c.count) {
         r.trialN[i] = r.trial1[i] = r.trial2[i] = r.k[i] = r.limit[i] = r.tensionCap[i] = 0;
         continue;
@@ -163,12 +182,12 @@ void ContactRows::prepare(const Island& island, Ties ties, const StepContext& co
       mapFrictionAnchor(c, i, set.geometry[contactOf[k]], r, bodies);
       float stiffness = c.points.stiffness[i];
       r.k[i] = stiffness;
-      r.trialN[i] = kMultiplierShare * c.points.multiplierN[i] - stiffness * (gap > 0 ? gap : kCorrect * gap);
-      r.trial1[i] = kMultiplierShare * c.points.multiplier1[i] - stiffness * kCorrect * c.points.drift1[i];
-      r.trial2[i] = kMultiplierShare * c.points.multiplier2[i] - stiffness * kCorrect * c.points.drift2[i];
+      r.trialN[i] = kMultiplierShare * c.points.multiplierN[i] - stiffness * ((gap > 0 ? gap : kCorrect * gap) + bendN);
+      r.trial1[i] = kMultiplierShare * c.points.multiplier1[i] - stiffness * (kCorrect * c.points.drift1[i] + bend1);
+      r.trial2[i] = kMultiplierShare * c.points.multiplier2[i] - stiffness * (kCorrect * c.points.drift2[i] + bend2);
       start.stopping[i] = c.effectiveMass *
-                          (std::max(0.0f, -start.approach[i]) + float(kReferenceGravity * context.dt)) /
-                          float(context.dt);
+                          (std::max(0.0f, -start.approach[i]) + float(kReferenceGravity * island.dt)) /
+                          float(island.dt);
       r.limit[i] = c.friction * std::max(0.0f, c.points.forceN[i]);
       r.tensionCap[i] = 0;
       if (c.points.forceN[i] == 0) r.newPoints |= 1u << i;

@@ -25,7 +25,7 @@ struct alignas(64) ContactRecord {
   float trial1[4] = {}, trial2[4] = {};
   float k[4] = {};           // N/m; 0 in unused lanes
   float limit[4] = {};       // N, friction cone
-  float tensionCap[4] = {};  // N, tension carried; 0 = dry
+  float tensionCap[4] = {};  // N, tension carried; 0 = dry; negative = the pressure of a rebound, at least
 };
 static_assert(sizeof(ContactRecord) == 192);
 

@@ -16,9 +16,13 @@ struct Island;
 
 // What the start of a step says of a contact, and the records don't hold: for rebounds, hits and the friction of new points.
 struct ContactStart {
-  float approach[4] = {};   // m/s, normal relative velocity; negative = closing
-  float gap[4] = {};        // m
-  float stopping[4] = {};   // N, stops the approach and carries the pair's weight
+  float approach[4] = {};  // m/s, normal relative velocity; negative = closing
+  float gap[4] = {};       // m
+  float stopping[4] = {};  // N, stops the approach and carries the pair's weight
+  float taken[4] = {};     // N s, of an impact that will rebound, in this step
+  float back[4] = {}, back1[4] = {},
+        back2[4] = {};      // N, that a rebound gives in this step, beside what the point remembers
+  Vec3f bend;               // m, of B against A: what a turning partner's arc adds to the ways along its tangent
   float friction = 0;       // coefficient
   std::int32_t points = 0;  // 0 .. 4
 };
@@ -66,6 +70,9 @@ struct ContactRows {
   bool renewBounds(std::size_t k, const SolveMotion* motion, float slack = 0) {
     return records[k].newPoints && renewNewPoints(k, motion, slack);
   }
+  // After a solve: impacts that are over give back their share of what they took, in a solve that goes on from there. True if
+  // any does. Adds to `credit` (J) what they took in earlier steps.
+  bool startRebounds(const Island& island, const StepContext& context, double& credit);
   // Forces at the final motion into the contacts. True if any bit of what they remember changed.
   bool store(Island& island, Ties ties, StepContext& context);
   // Gaps and drifts go on by the motion that was finally made.

@@ -12,17 +12,42 @@ namespace {
 
 struct StoredForces {
   alignas(16) float n[4], t1[4], t2[4];
+  alignas(16) float trialN[4];
   std::uint32_t sliding = 0;
+  alignas(16) float slipWork[4];  // J, taken where a point slides
 };
 
 StoredForces forcesAt(const ContactRecord& r, const SolveMotion* motion) {
-  kernel::PointForces f = kernel::pointForces(r, kernel::pointMotion(r, kernel::frame(r), motion));
+  kernel::PointMotion moved = kernel::pointMotion(r, kernel::frame(r), motion);
+  kernel::PointForces f = kernel::pointForces(r, moved);
   StoredForces out;
+  kernel::store(wide::keepIf(f.slides, -((f.t1 * moved.t1) + (f.t2 * moved.t2))), out.slipWork);
   kernel::store(f.n, out.n);
+  kernel::store(f.trialN, out.trialN);
   kernel::store(f.t1, out.t1);
   kernel::store(f.t2, out.t2);
   out.sliding = wide::bits(f.slides);
   return out;
+}
+
+// A rebound gives what the spring of the point does not: that is told, but not remembered, so that the smallest restitution
+// changes the least. Of an impact that goes on, what it took is remembered.
+void keepImpact(Contact& c, int i, ContactStart& start, StoredForces& f) {
+  float taken = start.back[i] > 0 ? 0 : start.taken[i];
+  c.points.impulse[i] = taken > 0 ? c.points.impulse[i] + taken : 0;
+  if (!(taken > 0))
+    c.points.impactSpeed[i] = 0;
+  else if (c.points.impactSpeed[i] == 0)
+    c.points.impactSpeed[i] = -start.approach[i];
+  if (!(start.back[i] > 0)) return;
+  float given = 1 - std::max(0.0f, f.trialN[i]) / f.n[i];
+  start.back[i] = f.n[i] * given;
+  start.back1[i] = f.t1[i] * given;
+  start.back2[i] = f.t2[i] * given;
+  addHit(c.points, i, start.back[i], start.back1[i], start.back2[i]);
+  f.n[i] -= start.back[i];
+  f.t1[i] -= start.back1[i];
+  f.t2[i] -= start.back2[i];
 }
 
 // Multiplier for the next step: the force, but an impact's force must not act again, explicitly.
@@ -69,6 +94,7 @@ bool updateWeak(Contact& c, int loaded, int slidingLoaded) {
 
 bool ContactRows::store(Island& island, Ties ties, StepContext& context) {
   bool changed = false;
+  island.slipWork = 0;
   for (std::size_t k = 0; k < size(); k++) {
     Contact& c = ties.contacts.contacts[contactOf[k]];
     Contact before = c;
@@ -77,8 +103,13 @@ bool ContactRows::store(Island& island, Ties ties, StepContext& context) {
     c.points.stickingMask = 0;
     for (int i = 0; i < c.count; i++) {
       bool sliding = f.sliding >> i & 1;
+      island.slipWork += double(f.slipWork[i]);
       loaded += f.n[i] > 0;
       slidingLoaded += sliding && f.n[i] > 0;
+      bool rebounds = starts[k].back[i] > 0;
+      keepImpact(c, i, starts[k], f);
+      if (rebounds) ties.contacts.strike(contactOf[k]);
+      records[k].tensionCap[i] = 0;
       holdForce(c, i, f);
       if (f.n[i] > 0 && !sliding) c.points.stickingMask |= 1u << i;
       placeSlip(c, i, sliding);
@@ -101,10 +132,12 @@ void ContactRows::advance(const Island& island, Ties ties) const {
     kernel::store(m.n, n);
     kernel::store(m.t1, t1);
     kernel::store(m.t2, u2);
+    const Vec3f bend = starts[k].bend;
+    float bendN = dot(r.n, bend), bend1 = dot(r.t1, bend), bend2 = dot(cross(r.n, r.t1), bend);
     for (int i = 0; i < c.count; i++) {
-      c.points.gap[i] += n[i];
-      c.points.drift1[i] += t1[i];
-      c.points.drift2[i] += u2[i];
+      c.points.gap[i] += n[i] + bendN;
+      c.points.drift1[i] += t1[i] + bend1;
+      c.points.drift2[i] += u2[i] + bend2;
     }
   }
 }

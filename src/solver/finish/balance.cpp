@@ -16,6 +16,9 @@ constexpr double kRelativeSlack = 1e-7;  // of the kinetic energy: rounding of t
 //! J/kg | with kRelativeSlack
 constexpr double kSlackPerMass = 1e-7;  // J/kg: a lift of 0.01 micrometres
 
+//! m/s | too small: what leans under a great load falls | too large: what rocks in a small island is braked
+constexpr double kSwaySpeed = 0.1;
+
 // Orientation at the end of the step: the momentum stays, the body turns under it, and its inertia with it.
 Mat3 orientationAtEnd(const StepContext& context, BodyIndex body) {
   const SolvedMotion& s = context.solved[body];
@@ -34,7 +37,7 @@ RigidSum endOfStep(const Island& island, const StepContext& context, bool free) 
   for (BodyIndex body : island.bodies) {
     const FreeMotion& f = context.free[body];
     const SolvedMotion& s = context.solved[body];
-    Vec3 velocity = free ? f.d * (1 / context.dt) : s.velocity;
+    Vec3 velocity = free ? f.d * (1 / island.dt) : s.velocity;
     double m = bodies.mass[body].mass;
     sum.add(m, bodies.motion[body].position + (free ? f.d : s.d), bodies.worldInertia(body), velocity * m,
             free ? f.angularMomentum : s.angularMomentum);
@@ -64,13 +67,14 @@ double kineticEnergy(const StepContext& context, BodyIndex body) {
 
 struct IslandEnergy {
   double start = 0, end = 0;  // J, kinetic
-  double work = 0;            // J, of gravity and outside forces
+  double work = 0;            // J, of gravity and outside forces, and what earlier steps of an impact took
   double mass = 0;
   double excess() const { return end - start - work; }  // at the end, over what it was given
   double slack() const { return kRelativeSlack * start + kSlackPerMass * mass; }
 };
 IslandEnergy energyOf(const Island& island, const StepContext& context) {
   IslandEnergy sum;
+  sum.work = island.credit;
   for (BodyIndex body : island.bodies) {
     const FreeMotion& free = context.free[body];
     const SolvedMotion& s = context.solved[body];
@@ -92,7 +96,7 @@ double takeResidual(const Island& island, StepContext& context, double excess) {
   if (island.residual.size() != island.bodies.size()) return excess;
   auto impulse = [&](std::size_t i) {
     const Wrench& r = island.residual[i];
-    return std::pair{toDouble(r.force) * context.dt, toDouble(r.torque) * context.dt};
+    return std::pair{toDouble(r.force) * island.dt, toDouble(r.torque) * island.dt};
   };
   // Of a share x of all impulses: energy changes by linear x + square x^2.
   double linear = 0, square = 0;
@@ -117,12 +121,13 @@ double takeResidual(const Island& island, StepContext& context, double excess) {
 }
 
 // What elastic joints give back is no gain, but makes what stands sway: it is taken from what firm joints hold to the ground,
-// and from nothing else. Large islands sway little enough without it.
+// and from nothing else; while nothing moves fast, any joint that presses is firm (a tower that leans stands on edges). Large islands sway little enough without it.
 void dampSway(const Island& island, StepContext& context, double excess) {
   if (island.plan.byLoad) return;
+  const bool sways = island.facts.fastest <= kSwaySpeed;
   std::pmr::vector<char> held(island.memory);
   findSupported(island, held, [&](const auto& kind, std::size_t k) {
-    return kind.carriesForce(k, context) && !kind.tie(k, context).weak;
+    return kind.carriesForce(k, context) && (sways || !kind.tie(k, context).weak);
   });
   double energy = 0;
   for (std::size_t i = 0; i < island.bodies.size(); i++)
@@ -173,7 +178,7 @@ void takeRelativeMotion(const Island& island, StepContext& context, double exces
 // Takes back from the velocities of an island what kinetic plus potential energy gained in the step beyond the work of
 // outside forces. Islands that something kinematic moves are left alone.
 void guardEnergy(const Island& island, StepContext& context) {
-  if (island.facts.partnersMove) return;
+  if (island.facts.partnersMove || island.leapt) return;
   IslandEnergy energy = energyOf(island, context);
   if (!(energy.excess() > energy.slack())) return;
   if (!island.grounded()) return takeRelativeMotion(island, context, energy.excess());

@@ -9,7 +9,7 @@ void correctFlight(Island& island, StepContext& context) {
     for (BodyIndex body : island.bodies) context.solved[body].flying = false;
     return;
   }
-  Vec3 correction = context.gravity * (-0.5 * context.dt * context.dt);
+  Vec3 correction = context.gravity * (-0.5 * island.dt * island.dt);
   std::pmr::vector<char> supported(island.memory), near(island.memory);
   findSupported(island, supported, [&](const auto& kind, std::size_t k) { return kind.carriesForce(k, context); });
   findSupported(island, near, [&](const auto& kind, std::size_t k) {
@@ -18,7 +18,9 @@ void correctFlight(Island& island, StepContext& context) {
   for (std::size_t i = 0; i < island.bodies.size(); i++) {
     SolvedMotion& s = context.solved[island.bodies[i]];
     s.flying = !supported[i];
-    if (!near[i]) s.d += correction * context.bodies->data[island.bodies[i]].gravityScale;
+    if (near[i]) continue;
+    s.d += correction * context.bodies->data[island.bodies[i]].gravityScale;
+    s.lag = 0;
   }
 }
 

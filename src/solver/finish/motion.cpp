@@ -21,7 +21,7 @@ Vec3 effectiveTurn(Vec3 turned, Vec3 end, const FreeMotion& free, const Mat3& in
 
 void storeMotion(const Island& island, StepContext& context) {
   const BodySet& bodies = *context.bodies;
-  double perDt = 1 / context.dt;
+  double perDt = 1 / island.dt;
   for (std::size_t i = 0; i < island.bodies.size(); i++) {
     BodyIndex body = island.bodies[i];
     SolvedMotion& out = context.solved[body];
@@ -40,10 +40,10 @@ void storeMotion(const Island& island, StepContext& context) {
     out.d = untouched ? free.d : island.travel + toDouble(m.d);
     out.th = out.freeTurn ? free.th : toDouble(m.th);
     out.velocity = out.d * perDt;
+    out.lag = kUnknownLag;
     // Torque impulses are added to the angular momentum, so that it is kept to rounding.
     Vec3 turned = toDouble(m.th) - toDouble(island.masses[i].thFree);
-    if (free.turnsFaster)
-      turned = effectiveTurn(turned, toDouble(m.th), free, bodies.worldInvInertia(body), context.dt);
+    if (free.turnsFaster) turned = effectiveTurn(turned, toDouble(m.th), free, bodies.worldInvInertia(body), island.dt);
     out.angularMomentum = free.angularMomentum + bodies.worldInertia(body) * turned * perDt;
   }
 }
@@ -56,16 +56,17 @@ bool solvedWell(const Island& island, const StepContext& context) {
   return true;
 }
 
-void storeFreeBody(BodyIndex body, StepContext& context) {
+void storeFreeBody(BodyIndex body, double dt, StepContext& context) {
   const FreeMotion& free = context.free[body];
   SolvedMotion& out = context.solved[body];
-  out.velocity = free.d * (1 / context.dt);
+  out.velocity = free.d * (1 / dt);
   out.d = free.way;
   out.th = free.th;
   out.angularMomentum = free.angularMomentum;
   out.freeTurn = true;
   out.rest = false;
   out.lost = {};
+  out.lag = 0;
   out.flying = true;
 }
 

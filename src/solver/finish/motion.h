@@ -10,7 +10,7 @@ void storeMotion(const Island& island, StepContext& context);
 // Whether what was found is finite, of every body.
 bool solvedWell(const Island& island, const StepContext& context);
 
-// Bodies that nothing ties: free motion, moved by the mean of old and new velocity.
-void storeFreeBody(BodyIndex body, StepContext& context);
+// Bodies that nothing ties: free motion over `dt` s, moved by the mean of old and new velocity.
+void storeFreeBody(BodyIndex body, double dt, StepContext& context);
 
 }  // namespace brickfall

@@ -2,6 +2,7 @@
 // only, and from the recording `brickfall replay` makes the results up to the last whole frame.
 #include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
 #include <memory>
 #include <random>
@@ -78,7 +79,8 @@ class Kill : public Command {
 };
 
 TEST_F(Kill, atAHundredMomentsLeavesWholeFilesAndATakeThatReplays) {
-  const double whole = processorSecondsOfRun();
+  // The least of three: what another job takes of the caches makes a run dearer, and moments would lie after its end.
+  const double whole = std::min({processorSecondsOfRun(), processorSecondsOfRun(), processorSecondsOfRun()});
   ASSERT_GT(whole, 0);
   std::mt19937 random(4);
   std::uniform_real_distribution<double> moment(0, 1.1 * whole);

@@ -25,8 +25,8 @@ std::vector<BrickPlacement> bricksOf(const SceneDescription& scene) {
 
 TEST(ShippedScenes, AreAllSoundTitledAndFoundByName) {
   std::vector<ShippedScene> scenes = shippedScenes();
-  std::vector<std::string> wanted = {"cube",    "hole", "house",    "mass_ratio", "pile",
-                                     "pyramid", "wall", "wall_hit", "wall_stand", "wall_stand_tall"};
+  std::vector<std::string> wanted = {"cube",  "hole", "house",    "mass_ratio", "pile",           "pyramid",
+                                     "tower", "wall", "wall_hit", "wall_stand", "wall_stand_tall"};
   for (const std::string& name : wanted)
     EXPECT_TRUE(std::any_of(scenes.begin(), scenes.end(), [&](auto& scene) { return scene.name == name; })) << name;
   for (const ShippedScene& scene : scenes) {

@@ -1,4 +1,4 @@
-// What follows the solve: flight, rebound, and the balance of spin and energy.
+// What follows the solve: flight, and the balance of spin and energy.
 #include <cmath>
 
 #include "math/random.h"
@@ -143,10 +143,10 @@ TEST(Balance, WhatElasticJointsGiveBackIsTakenFromWhatStandsFirmly) {
   BodyIndex ground = lab.ground();
   std::vector<BodyIndex> pile = lab.pile(ground, 3);
   for (int i = 0; i < 5; i++) lab.step();
-  lab.at(pile[2]).linearVelocity = {0.05, 0, 0};  // nothing rests
+  lab.at(pile[2]).linearVelocity = {0.15, 0, 0};  // nothing rests
   solveAndStore(lab);
   for (Wrench& r : lab.island().residual) r = {};
-  double start = 0.5 * kBrickMass * 0.05 * 0.05;
+  double start = 0.5 * kBrickMass * 0.15 * 0.15;
   for (BodyIndex body : pile) lab.context.solved[body].velocity += Vec3{0.2, 0, 0};
   for (int i = 0; i < 3; i++) lab.contact(ContactIndex(i)).weak = i == 2;  // the uppermost is not held firmly
   Vec3 loose = lab.context.solved[pile[2]].velocity;
@@ -182,34 +182,6 @@ TEST(Balance, AWayCutOffAtAnObstacleIsNoGain) {
   s.d = s.d * 0.1;
   balance(lab.island(), lab.context);
   EXPECT_LT(length(lab.context.solved[high].velocity - velocity), 1e-9);
-}
-
-TEST(Rebound, ABallRisesWithItsShareOfTheSpeed) {
-  for (double e : {0.2, 0.5, 0.9}) {
-    TestIsland lab;
-    BodyIndex ground = lab.ground(), brick = lab.brick({0, kBrick.y + 1e-3, 0});
-    lab.at(brick).linearVelocity = {0, -3, 0};
-    lab.contact(lab.touch(ground, brick)).restitution = float(e);
-    solveAndStore(lab);
-    rebound(lab.island(), lab.ties(), lab.context);
-    const double closing = std::sqrt(9 + 2 * kG * 1e-3), h = lab.context.dt, met = (closing - 3) / kG;
-    // Gravity is not flight's while the contact holds: what is left of the step goes on at the speed after the impact.
-    EXPECT_NEAR(lab.context.solved[brick].velocity.y, e * closing, 0.02 * e * closing + kG * (h - met));
-    EXPECT_GT(lab.context.solved[brick].d.y, -1e-3 - 1e-6) << "not into the ground";
-    EXPECT_LT(length(lab.context.solved[brick].angularMomentum), 1e-6) << "all four corners alike";
-  }
-}
-
-TEST(Rebound, SlowImpactsDoNot) {
-  TestIsland lab;
-  BodyIndex ground = lab.ground();
-  std::vector<BodyIndex> pile = lab.pile(ground, 2);
-  lab.at(pile[1]).linearVelocity = {0, -0.5, 0};  // under restitutionSpeed, and not alone
-  for (Contact& c : lab.contacts.contacts) c.restitution = 0.9f;
-  solveAndStore(lab);
-  SolvedMotion before = lab.context.solved[pile[1]];
-  rebound(lab.island(), lab.ties(), lab.context);
-  EXPECT_EQ(lab.context.solved[pile[1]].velocity, before.velocity);
 }
 
 }  // namespace

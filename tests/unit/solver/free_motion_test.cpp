@@ -21,7 +21,7 @@ struct Alone : TestIsland {
     context.gravity = {};
   }
   const FreeMotion& predict(bool hasContacts = false) {
-    predictFreeMotion(context, bodies, body, 1.2, hasContacts);
+    predictFreeMotion(context, bodies, body, context.dt, 1.2, hasContacts);
     return context.free[body];
   }
   BodyIndex body;

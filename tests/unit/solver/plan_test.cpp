@@ -35,11 +35,10 @@ TEST(Plan, EveryRowOfTheTableIsReached) {
     double speed;
     std::size_t row;
   };
-  const Case cases[] = {{1, true, 0, 0},      {1, false, 50, 0},    {2, true, 0, 1},     {12, false, 50, 1},
-                        {13, true, 0.99, 2},  {24, true, 0, 2},     {13, true, 1, 3},    {24, true, 50, 3},
-                        {13, false, 0, 3},    {24, false, 0, 3},    {25, true, 0.99, 4}, {80, true, 0, 4},
-                        {25, true, 1, 5},     {25, false, 0, 5},    {80, false, 0, 5},   {81, true, 0, 5},
-                        {100000, true, 0, 5}, {100000, false, 9, 5}};
+  const Case cases[] = {{1, true, 0, 0},      {1, false, 50, 0},    {2, true, 0, 1},     {24, false, 50, 1},
+                        {13, true, 0.99, 1},  {24, true, 50, 1},    {25, true, 0.99, 2}, {80, true, 0, 2},
+                        {25, true, 1, 3},     {25, false, 0, 3},    {80, false, 0, 3},   {81, true, 0, 3},
+                        {100000, true, 0, 3}, {100000, false, 9, 3}};
   std::set<std::size_t> reached;
   for (const Case& c : cases) {
     SCOPED_TRACE(std::to_string(c.bodies) + (c.grounded ? " grounded, " : " floating, ") + std::to_string(c.speed));
@@ -81,7 +80,7 @@ TEST(Plan, CyclesBySize) {
     return planOf(factsOf(bodies, grounded, speed)).maxCycles;
   };
   EXPECT_EQ(most(1, false, 5), 64);
-  EXPECT_EQ(most(13, false, 5), 49) << "640 / bodies";
+  EXPECT_EQ(most(26, false, 5), 24) << "640 / bodies";
   EXPECT_EQ(most(40, false, 5), 16);
   EXPECT_EQ(most(80, false, 5), 10);
   EXPECT_EQ(most(1000, false, 5), 10);
@@ -92,7 +91,7 @@ TEST(Plan, CyclesBySize) {
   rubble.quick = 101;
   EXPECT_EQ(planOf(rubble).maxCycles, 20) << "more than a tenth is quick";
   EXPECT_EQ(most(1000, true, 0), 16) << "slow";
-  for (std::size_t bodies : {2u, 12u}) EXPECT_EQ(most(bodies, false, 5), 4) << "the direct solve goes on from there";
+  for (std::size_t bodies : {2u, 24u}) EXPECT_EQ(most(bodies, false, 5), 4) << "the direct solve goes on from there";
   for (std::size_t bodies : {13u, 80u}) EXPECT_EQ(most(bodies, true, 0), 4) << "the direct solve goes on from there";
   SolverSettings many;
   many.maxCycles = 100;
@@ -160,6 +159,7 @@ TEST(Plan, FactsAreThoseOfTheBodies) {
   EXPECT_DOUBLE_EQ(facts.fastest, 0.1 + 20 * kBrick.y) << "spin counts at the inner radius";
   EXPECT_NEAR(facts.energy, 0.5 * test::kBrickMass * (0.25 + 0.01) + 0.5 * inertia * 400, 1e-12);
   EXPECT_EQ(facts.energyBefore, 0);
+  keepEnergies(lab.island(), lab.bodies);
   for (BodyIndex body : pile) lab.at(body).angularVelocity = {};
   IslandFacts next = findFacts(lab.island(), lab.bodies);
   EXPECT_DOUBLE_EQ(next.energyBefore, facts.energy);

@@ -241,8 +241,8 @@ TEST(Store, ABodyWithoutContactsFliesItsParabola) {
   lab.at(body).linearVelocity = {3, 4, 0};
   lab.at(body).angularVelocity = {0, 2, 0};
   lab.link();
-  predictFreeMotion(lab.context, lab.bodies, body, 1.2, false);
-  storeFreeBody(body, lab.context);
+  predictFreeMotion(lab.context, lab.bodies, body, lab.context.dt, 1.2, false);
+  storeFreeBody(body, lab.context.dt, lab.context);
   const SolvedMotion& s = lab.context.solved[body];
   double h = lab.context.dt;
   EXPECT_NEAR(length(s.d - Vec3{3 * h, 4 * h - 0.5 * kG * h * h, 0}), 0, 1e-15);

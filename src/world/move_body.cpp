@@ -1,0 +1,25 @@
+#include "world/move_body.h"
+
+#include "world/quarantine.h"
+
+namespace brickfall {
+
+bool moveBody(BodyIndex body, BodySet& bodies, const StepContext& context) {
+  const SolvedMotion& s = context.solved[body];
+  const FreeMotion& free = context.free[body];
+  BodyMotion& m = bodies.motion[body];
+  BodyMotion next = m;
+  next.position = m.position + s.d;
+  next.rotation = s.freeTurn ? free.rotation : normalized(quatFromRotationVector(s.th) * m.rotation);
+  next.linearVelocity = s.velocity;
+  next.orientation = toMatrix(next.rotation);
+  // Angular momentum carries over exactly; the spin follows from the new orientation.
+  next.angularVelocity =
+      next.orientation * (bodies.mass[body].invInertia * transposeTimes(next.orientation, s.angularMomentum));
+  if (!isSane(next)) return false;
+  m = next;
+  bodies.data[body].lag = s.lag;
+  return true;
+}
+
+}  // namespace brickfall

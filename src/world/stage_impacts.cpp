@@ -1,0 +1,277 @@
+// Impacts of small islands, each at its moment: a step over an impact is right to first order in its length only. An island
+// in which a point closes in this step goes on to there, its open points left out; it is collided anew, its velocities
+// change, and so on; what is left of the step is its step for the stages that follow. A body alone that turns fast in contact
+// goes on in parts, too, since arms are frozen in each: a top would fall over. Large islands, what moves far beyond its own size, and
+// what something kinematic moves are left whole.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "solver/cycles.h"
+#include "solver/finish/balance.h"
+#include "solver/finish/flight.h"
+#include "solver/finish/lone_body.h"
+#include "solver/finish/motion.h"
+#include "solver/free_motion.h"
+#include "solver/impact.h"
+#include "solver/island_builder.h"
+#include "solver/prepare.h"
+#include "solver/store.h"
+#include "world/activity.h"
+#include "world/diary.h"
+#include "world/hits.h"
+#include "world/move_body.h"
+#include "world/narrow_phase.h"
+#include "world/stage_hash.h"
+#include "world/stages.h"
+
+namespace brickfall {
+
+namespace {
+
+//! - | too small: impacts of larger islands are first order in the time step | too large: cost, impacts that are not solved well
+constexpr std::size_t kMostBodies = 5;
+//! - | too small: quick series of impacts end first order | too large: cost
+constexpr int kMostImpacts = 8;  // of an island in a step
+//! of the step | too small: what is left after an impact is too short for floats | too large: impacts are met early
+constexpr double kBlink = 1e-3;
+//! - | too small: fast bodies are left whole | too large: contacts found from so far say little about what is met
+constexpr double kFarWay = 2, kFarWayAlone = 4;  // outer radii, in a step; of a body that touches fixed things only
+//! rad | too small: cost of what tumbles | too large: tops precess too slowly, then fall
+constexpr double kMostTurn = 0.2;  // visible, of a body in contact, in a part
+//! - | too small: the fastest tops fall | too large: cost
+constexpr int kMostTurnParts = 24;  // of a step
+//! of what is left of a step | too small: what accelerates towards an impact is held up before it | too large: cost
+constexpr double kAhead = 1.3;
+//! not of the method: a mark
+constexpr double kNever = std::numeric_limits<double>::infinity();
+
+class ImpactWalk {
+ public:
+  ImpactWalk(const WorldDef& def, Registry& registry, Proximity& proximity, StepContext& context, StepReport& report,
+             Events& events)
+      : def_(def),
+        registry_(registry),
+        bodies_(registry.bodies),
+        proximity_(proximity),
+        ties_{proximity.contacts},
+        context_(context),
+        report_(report),
+        events_(events) {}
+
+  void run(Island& island);
+
+ private:
+  struct Memory {
+    explicit Memory(std::pmr::memory_resource* memory) : motions(memory), contacts(memory), geometry(memory) {}
+    std::pmr::vector<BodyMotion> motions;
+    std::pmr::vector<Contact> contacts;
+    std::pmr::vector<ContactGeometry> geometry;
+  };
+
+  bool mayBeParted(const Island& island) const;
+  bool mayMeet(const Island& island) const;
+  bool touchesNothing(const Island& island) const;
+  double longestPart(const Island& island) const;
+  double lookAhead(Island& island, double left);
+  void solve(Island& island, double dt, bool toImpact);
+  bool goTo(Island& island, double dt, bool toImpact);
+  bool impact(Island& island);
+  Memory remember(const Island& island) const;
+  void restore(const Island& island, const Memory& memory);
+
+  const WorldDef& def_;
+  Registry& registry_;
+  BodySet& bodies_;
+  Proximity& proximity_;
+  Ties ties_;
+  StepContext& context_;
+  StepReport& report_;
+  Events& events_;
+};
+
+bool ImpactWalk::mayBeParted(const Island& island) const {
+  if (island.bodies.size() > kMostBodies) return false;
+  const double far = island.bodies.size() == 1 ? kFarWayAlone : kFarWay;
+  for (BodyIndex body : island.bodies) {
+    double way = length(bodies_.motion[body].linearVelocity) * context_.dt;
+    if (!(way <= far * bodies_.mass[body].outerRadius)) return false;
+  }
+  return std::none_of(island.partners.begin(), island.partners.end(),
+                      [&](BodyIndex body) { return bodies_.isDriven(body); });
+}
+
+// Without a solve: an open point may be reached.
+bool ImpactWalk::mayMeet(const Island& island) const {
+  const double fall = length(context_.gravity) * context_.dt * context_.dt;
+  for (ContactIndex contact : island.rows.contacts.contactOf) {
+    const Contact& c = ties_.contacts.contacts[contact];
+    const BodyMotion &a = bodies_.motion[c.bodyA], &b = bodies_.motion[c.bodyB];
+    double most = length(b.linearVelocity - a.linearVelocity) +
+                  length(a.angularVelocity) * bodies_.mass[c.bodyA].outerRadius +
+                  length(b.angularVelocity) * bodies_.mass[c.bodyB].outerRadius;
+    for (int i = 0; i < c.count; i++)
+      if (c.points.forceN[i] == 0 && double(c.points.gap[i]) < kAhead * (most * context_.dt + fall)) return true;
+  }
+  return false;
+}
+
+bool ImpactWalk::touchesNothing(const Island& island) const {
+  for (ContactIndex contact : island.rows.contacts.contactOf) {
+    const Contact& c = ties_.contacts.contacts[contact];
+    if (c.touching) return false;
+    for (int i = 0; i < c.count; i++)
+      if (!isOpen(c.points, i)) return false;
+  }
+  return true;
+}
+
+// s: nothing in contact turns visibly by more than kMostTurn.
+double ImpactWalk::longestPart(const Island& island) const {
+  if (island.bodies.size() > 1 || touchesNothing(island)) return context_.dt;
+  double fastest = 0;
+  for (BodyIndex body : island.bodies) {
+    const BodyMotion& m = bodies_.motion[body];
+    fastest = std::max(fastest, length(visibleTurn(bodies_.mass[body], m.orientation, m.angularVelocity)));
+  }
+  return std::max(context_.dt / kMostTurnParts, kMostTurn / std::max(fastest, 1e-9));
+}
+
+ImpactWalk::Memory ImpactWalk::remember(const Island& island) const {
+  Memory out(island.memory);
+  for (BodyIndex body : island.bodies) out.motions.push_back(bodies_.motion[body]);
+  for (ContactIndex contact : island.rows.contacts.contactOf) {
+    out.contacts.push_back(ties_.contacts.contacts[contact]);
+    out.geometry.push_back(ties_.contacts.geometry[contact]);
+  }
+  return out;
+}
+void ImpactWalk::restore(const Island& island, const Memory& memory) {
+  for (std::size_t i = 0; i < island.bodies.size(); i++) bodies_.motion[island.bodies[i]] = memory.motions[i];
+  for (std::size_t k = 0; k < memory.contacts.size(); k++) {
+    ties_.contacts.contacts[island.rows.contacts.contactOf[k]] = memory.contacts[k];
+    ties_.contacts.geometry[island.rows.contacts.contactOf[k]] = memory.geometry[k];
+  }
+}
+
+// StepContext::solved of its bodies: `dt` s further; to an impact: as if its open points were not there.
+void ImpactWalk::solve(Island& island, double dt, bool toImpact) {
+  bool flies = toImpact && touchesNothing(island);
+  island.dt = dt;
+  island.toImpact = toImpact;
+  island.ending = IslandEnding::unsolved;
+  island.facts = findFacts(island, bodies_);
+  island.plan = planFor(island.facts, context_.settings, dt);
+  for (BodyIndex body : island.bodies) predictFreeMotion(context_, bodies_, body, dt, def_.airDensity, !flies);
+  prepareBodies(island, context_);
+  prepareRows(island, ties_, context_);
+  if (toImpact) leaveOut(island, ties_);
+  if (flies) {
+    for (BodyIndex body : island.bodies) storeFreeBody(body, dt, context_);
+  } else {
+    updateHierarchies(island, context_);
+    runCycles(island, context_, context_.statistics);
+    correctMomentum(island, context_);
+    storeRows(island, ties_, context_);
+    tellMean(island, ties_, context_.dt, true);
+    storeMotion(island, context_);
+    correctFlight(island, context_);
+    correctLoneBody(island, ties_, context_);
+    if (solvedWell(island, context_)) balance(island, context_);
+  }
+  island.toImpact = false;
+}
+
+// When, in s from now, the next point closes; none: infinity. Leaves the island as it is.
+double ImpactWalk::lookAhead(Island& island, double left) {
+  Memory before = remember(island);
+  solve(island, left, true);
+  restore(island, before);
+  return firstClosing(island, context_);
+}
+
+// False if it can't, and then it stays where it is.
+bool ImpactWalk::goTo(Island& island, double dt, bool toImpact) {
+  Memory before = remember(island);
+  solve(island, dt, toImpact);
+  bool fine = solvedWell(island, context_);
+  if (fine) advanceRows(island, ties_, context_);
+  for (BodyIndex body : island.bodies) fine = fine && moveBody(body, bodies_, context_);
+  if (!fine) {
+    restore(island, before);
+    return false;
+  }
+  NarrowPhase narrow(registry_, context_.dt, proximity_);
+  for (ContactIndex contact : island.rows.contacts.contactOf) narrow.renew(contact);
+  report_.manifoldsComputed += narrow.computed();
+  return true;
+}
+
+bool ImpactWalk::impact(Island& island) {
+  std::pmr::vector<ContactImpact> impacts(island.memory);
+  island.dt = context_.dt;
+  updateHierarchies(island, context_);
+  if (!solveImpact(island, ties_, bodies_, context_, kBlink * context_.dt, context_.statistics, impacts)) return false;
+  for (BodyIndex body : island.bodies) bodies_.data[body].lag = 0;
+  const ContactRows& rows = island.rows.contacts;
+  for (const ContactImpact& hit : impacts) {
+    ties_.contacts.strike(rows.contactOf[hit.row]);
+    tellHit(def_, registry_, ties_.contacts.contacts[rows.contactOf[hit.row]], rows.records[hit.row], hit.speed,
+            hit.impulse, events_.hits);
+  }
+  report_.impacts++;
+  return true;
+}
+
+void ImpactWalk::run(Island& island) {
+  if (!mayBeParted(island)) return;
+  double left = context_.dt;
+  const double blink = kBlink * context_.dt;
+  for (int parts = 0, impacts = 0; parts < kMostTurnParts + kMostImpacts && impacts < kMostImpacts && left > blink;
+       parts++) {
+    double part = std::min(left, longestPart(island));
+    double next = mayMeet(island) ? lookAhead(island, part) : kNever;
+    bool ahead = next <= kAhead * part;  // what comes a little later is not to be held up before it
+    if (!ahead && part == left) break;
+    double way = std::min({part, next, left - blink});
+    if (way > blink) {
+      if (!goTo(island, way, ahead)) break;
+      left -= way;
+    }
+    if (!(next <= part)) continue;
+    if (!impact(island)) break;
+    impacts++;
+  }
+  island.dt = left;
+}
+
+}  // namespace
+
+void meetImpacts(const WorldDef& def, Registry& registry, IslandSet& islands, Proximity& proximity,
+                 StepContext& context, StepReport& report, Events& events) {
+  context.free.resize(registry.bodies.slots());
+  context.solved.resize(registry.bodies.slots());
+  proximity.contacts.endStrikes();
+  ImpactWalk walk(def, registry, proximity, context, report, events);
+  for (IslandPointer& island : islands.awake) {
+    island->dt = context.dt;
+    if (!island->settled()) walk.run(*island);
+  }
+}
+
+void hashImpacts(const Registry& registry, const IslandSet& islands, const ContactSet& contacts, HashItems& out) {
+  for (const IslandPointer& island : islands.awake) {
+    if (island->settled()) continue;
+    out.bodies(island->bodies, [&](Mix& h, BodyIndex body) { mix(h, registry.bodies.motion[body]); });
+  }
+  out.contacts(islands, contacts);
+}
+
+// Places and contacts changed, too: what is booked is all of it.
+void bookImpacts(const Registry& registry, const ContactSet& contacts, const StepContext& context, Diary& diary) {
+  Balance now = balanceNow(registry.bodies, contacts, context);
+  diary.ledgerState.bookElastic(diary.report.ledger->impacts, now.elastic);
+  diary.ledgerState.book(diary.report.ledger->impacts, now);
+}
+
+}  // namespace brickfall
