@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "narrowphase/mesh_collide.h"
 #include "solver/cycles.h"
 #include "solver/finish/balance.h"
 #include "solver/finish/flight.h"
@@ -72,6 +73,7 @@ class ImpactWalk {
   bool mayBeParted(const Island& island) const;
   bool mayMeet(const Island& island) const;
   bool touchesNothing(const Island& island) const;
+  bool onMesh(const Island& island) const;
   double longestPart(const Island& island) const;
   double lookAhead(Island& island, double left);
   void solve(Island& island, double dt, bool toImpact);
@@ -126,9 +128,18 @@ bool ImpactWalk::touchesNothing(const Island& island) const {
   return true;
 }
 
+// In the hollows of a mesh contacts come and go with each part: what spins there would sink deeper in parts than as a whole.
+bool ImpactWalk::onMesh(const Island& island) const {
+  return std::any_of(
+      island.rows.contacts.contactOf.begin(), island.rows.contacts.contactOf.end(), [&](ContactIndex contact) {
+        const Contact& c = ties_.contacts.contacts[contact];
+        return isMeshPair(registry_.shapes.data[c.shapeA].geometry, registry_.shapes.data[c.shapeB].geometry);
+      });
+}
+
 // s: nothing in contact turns visibly by more than kMostTurn.
 double ImpactWalk::longestPart(const Island& island) const {
-  if (island.bodies.size() > 1 || touchesNothing(island)) return context_.dt;
+  if (island.bodies.size() > 1 || touchesNothing(island) || onMesh(island)) return context_.dt;
   double fastest = 0;
   for (BodyIndex body : island.bodies) {
     const BodyMotion& m = bodies_.motion[body];
