@@ -31,7 +31,7 @@ struct SolverSettings {
   int minCycles = 4;  // 1 .. 64: fewer glue bodies in place (they hang in the air)
   //! - | too small: slow collapses come late | too large: cost of hits
   int maxCycles = 10;  // minCycles .. 256, islands of 64 bodies and more; rubble gets at least 20
-  //! - | too small: debris of 13 to 80 bodies, fast or in flight, stays unbalanced | too large: its cost
+  //! - | too small: debris of 25 to 80 bodies, fast or in flight, stays unbalanced | too large: its cost
   int maxCyclesSmall = 64;  // the same for the smallest islands (640 / bodies, clamped)
 };
 

@@ -57,9 +57,8 @@ struct BodyData {
   Vec3 lastLinearVelocity, lastAngularVelocity;  // at the start of the last step, for accelerations
   Vec3 linearAcceleration, angularAcceleration;
   double lastKineticEnergy = 0;  // J, at the start of the last step (kinetic damping)
-  double lag =
-      kUnknownLag;      // s: by how much its velocities are late against its pose, of one alone on something fixed;
-                        // negative: unknown
+  // s: by how much the velocities of a body alone on something fixed are late against its pose; negative: unknown.
+  double lag = kUnknownLag;
   bool flying = false;  // no chain of forces led to anything fixed or kinematic, in the last step
   std::uint64_t userData = 0;
   std::uint64_t order = 0;       // grows with creation

@@ -5,8 +5,7 @@
 namespace brickfall {
 
 // Relaxation by cycles, and the direct solve where the plan has it, until every body is in balance; then what impacts that are
-// over give back. Leaves motion, residuals
-// and loads, and the island's ending.
+// over give back. Leaves motion, residuals and loads, and the island's ending.
 // Touches nothing but the island, so that islands may be solved side by side; counts into `statistics`.
 void runCycles(Island& island, const StepContext& context, SolveStatistics& statistics);
 

@@ -4,8 +4,9 @@
 
 namespace brickfall {
 
-// Over `dt` s: applies the step's forces, damping and drag to the body's velocities and predicts its free motion: the exact turn. For a
-// body with contacts the solve sees at most kLargestTurn of it, since arms are frozen during a step; its momentum stays.
+// Over `dt` s: applies the step's forces, damping and drag to the body's velocities and predicts its free motion: the exact
+// turn. For a body with contacts the solve sees at most kLargestTurn of it, since arms are frozen during a step; its momentum
+// stays.
 void predictFreeMotion(StepContext& context, BodySet& bodies, BodyIndex body, double dt, double airDensity,
                        bool hasContacts);
 

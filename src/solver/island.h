@@ -34,10 +34,10 @@ struct Island {
 
   double credit = 0;  // J: what impacts took in earlier steps that rebound in this one
 
-  bool toImpact =
-      false;  // its step ends where a point closes: open points are left out, velocities are those of that moment
-  bool leapt =
-      false;  // its velocities are late or early against its ways, so its energy says nothing (finish/lone_body.cpp)
+  // Its step ends where a point closes: open points are left out, velocities are those of that moment.
+  bool toImpact = false;
+  // Its velocities are late or early against its ways, so its energy says nothing (finish/lone_body.cpp).
+  bool leapt = false;
 
   IslandFacts facts;  // of this step, or of the last in which it was not passed over
   SolvePlan plan;

@@ -13,7 +13,7 @@ namespace {
 //! - | too small: bodies that hang by one corner take all cycles | too large: cost
 constexpr int kRounds = 2;  // sweeps over the single bodies in each cycle, forwards and backwards
 //! - | too small: what flips open and shut is left to the next round | too large: cost
-constexpr int kExactSteps = 4, kExactStepsSmall = 4;  // of one body in a row; the latter in islands of exact steps
+constexpr int kExactSteps = 4;  // of one body in a row
 //! - | too small: cost | too large: bodies are taken up again and again; what slides alone is a little off
 constexpr float kGoal = 0.3f, kGoalExact = 0.01f;  // x what a body may be left with: its own steps end there
 //! - | too small: standing walls are searched through: cost | too large: what hangs is not found
@@ -183,8 +183,7 @@ class Relaxation {
       if (balanced(body, 0.5f) || squareOf(body) < kBarely * before) return;
     }
     float goal = island_.plan.exactSteps ? kGoalExact : kGoal;
-    int most = island_.plan.exactSteps ? kExactStepsSmall : kExactSteps;
-    for (int k = 0; k < most && !balanced(body, goal); k++) {
+    for (int k = 0; k < kExactSteps && !balanced(body, goal); k++) {
       ClusterFactor exact;
       if (!step(level, cluster, exact, island_.residual[body], true)) break;
     }

@@ -1,8 +1,8 @@
-// Impacts of small islands, each at its moment: a step over an impact is right to first order in its length only. An island
-// in which a point closes in this step goes on to there, its open points left out; it is collided anew, its velocities
-// change, and so on; what is left of the step is its step for the stages that follow. A body alone that turns fast in contact
-// goes on in parts, too, since arms are frozen in each: a top would fall over. Large islands, what moves far beyond its own size, and
-// what something kinematic moves are left whole.
+// Impacts of small islands, each at its moment: a step over an impact is right to first order in its length only. An island in
+// which a point closes in this step goes on to there, its open points left out; it is collided anew, its velocities change, and
+// so on; what is left of the step is its step for the stages that follow. A body alone that turns fast in contact goes on in
+// parts, too, since arms are frozen in each: a top would fall over. Left whole are large islands, what moves far beyond its own
+// size, and what something kinematic moves.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -76,7 +76,7 @@ class ImpactWalk {
   bool onMesh(const Island& island) const;
   double longestPart(const Island& island) const;
   double lookAhead(Island& island, double left);
-  void solve(Island& island, double dt, bool toImpact);
+  void solve(Island& island, double dt, bool toImpact, SolveStatistics& statistics);
   bool goTo(Island& island, double dt, bool toImpact);
   bool impact(Island& island);
   Memory remember(const Island& island) const;
@@ -140,12 +140,10 @@ bool ImpactWalk::onMesh(const Island& island) const {
 // s: nothing in contact turns visibly by more than kMostTurn.
 double ImpactWalk::longestPart(const Island& island) const {
   if (island.bodies.size() > 1 || touchesNothing(island) || onMesh(island)) return context_.dt;
-  double fastest = 0;
-  for (BodyIndex body : island.bodies) {
-    const BodyMotion& m = bodies_.motion[body];
-    fastest = std::max(fastest, length(visibleTurn(bodies_.mass[body], m.orientation, m.angularVelocity)));
-  }
-  return std::max(context_.dt / kMostTurnParts, kMostTurn / std::max(fastest, 1e-9));
+  const BodyIndex body = island.bodies[0];
+  const BodyMotion& m = bodies_.motion[body];
+  double turn = length(visibleTurn(bodies_.mass[body], m.orientation, m.angularVelocity));
+  return std::max(context_.dt / kMostTurnParts, kMostTurn / std::max(turn, 1e-9));
 }
 
 ImpactWalk::Memory ImpactWalk::remember(const Island& island) const {
@@ -166,7 +164,7 @@ void ImpactWalk::restore(const Island& island, const Memory& memory) {
 }
 
 // StepContext::solved of its bodies: `dt` s further; to an impact: as if its open points were not there.
-void ImpactWalk::solve(Island& island, double dt, bool toImpact) {
+void ImpactWalk::solve(Island& island, double dt, bool toImpact, SolveStatistics& statistics) {
   bool flies = toImpact && touchesNothing(island);
   island.dt = dt;
   island.toImpact = toImpact;
@@ -181,7 +179,7 @@ void ImpactWalk::solve(Island& island, double dt, bool toImpact) {
     for (BodyIndex body : island.bodies) storeFreeBody(body, dt, context_);
   } else {
     updateHierarchies(island, context_);
-    runCycles(island, context_, context_.statistics);
+    runCycles(island, context_, statistics);
     correctMomentum(island, context_);
     storeRows(island, ties_, context_);
     tellMean(island, ties_, context_.dt, true);
@@ -196,15 +194,19 @@ void ImpactWalk::solve(Island& island, double dt, bool toImpact) {
 // When, in s from now, the next point closes; none: infinity. Leaves the island as it is.
 double ImpactWalk::lookAhead(Island& island, double left) {
   Memory before = remember(island);
-  solve(island, left, true);
+  SolveStatistics tried;  // of a motion that nothing makes: its cost counts, what it left over does not
+  solve(island, left, true, tried);
   restore(island, before);
+  context_.statistics.cycles += tried.cycles;
+  context_.statistics.solveSides += tried.solveSides;
+  context_.statistics.lightVisits += tried.lightVisits;
   return firstClosing(island, context_);
 }
 
 // False if it can't, and then it stays where it is.
 bool ImpactWalk::goTo(Island& island, double dt, bool toImpact) {
   Memory before = remember(island);
-  solve(island, dt, toImpact);
+  solve(island, dt, toImpact, context_.statistics);
   bool fine = solvedWell(island, context_);
   if (fine) advanceRows(island, ties_, context_);
   for (BodyIndex body : island.bodies) fine = fine && moveBody(body, bodies_, context_);

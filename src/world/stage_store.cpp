@@ -36,11 +36,11 @@ ContactImpact impactOf(const Contact& c, const ContactStart& start, double dt) {
 }
 
 void collectHits(const WorldDef& def, const Registry& registry, const Island& island, const ContactSet& contacts,
-                 double dt, std::vector<HitEvent>& out) {
+                 std::vector<HitEvent>& out) {
   for (std::size_t k = 0; k < island.rows.contacts.contactOf.size(); k++) {
     const Contact& c = contacts.contacts[island.rows.contacts.contactOf[k]];
     if (!c.touching) continue;
-    ContactImpact impact = impactOf(c, island.rows.contacts.starts[k], dt);
+    ContactImpact impact = impactOf(c, island.rows.contacts.starts[k], island.dt);
     tellHit(def, registry, c, island.rows.contacts.records[k], impact.speed, impact.impulse, out);
   }
 }
@@ -54,7 +54,7 @@ void storeSolution(const WorldDef& def, const Registry& registry, IslandSet& isl
     if (island->settled()) continue;
     bool changed = storeRows(*island, Ties{contacts}, context);
     if (island->dt < context.dt) tellMean(*island, Ties{contacts}, context.dt);
-    if (!island->resting()) collectHits(def, registry, *island, contacts, context.dt, events.hits);
+    if (!island->resting()) collectHits(def, registry, *island, contacts, events.hits);
     if (island->resting() && !changed) island->ending = IslandEnding::settled;
     restInPlace(*island, context);
     storeMotion(*island, context);

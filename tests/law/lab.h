@@ -41,6 +41,7 @@ inline std::string LabSetup::text() const {
 class Lab {
  public:
   World world;
+  StepReport report;  // of the last step
 
   // Gravity tilted by so much about -z: down a slope along +x.
   explicit Lab(const LabSetup& setup, double tiltDegrees = 0, double gravity = kG, double airDensity = 1.204)
@@ -83,9 +84,11 @@ class Lab {
   }
   // False when anything is wrong with the step; the caller stops then.
   bool step() {
-    Result<StepReport> report = world.step(setup_.dt, setup_.substeps);
-    EXPECT_TRUE(report.ok() && report->quarantined.empty()) << setup_.text() << ", step " << world.stepCount();
-    return report.ok() && report->quarantined.empty();
+    Result<StepReport> made = world.step(setup_.dt, setup_.substeps);
+    bool good = made.ok() && made->quarantined.empty();
+    EXPECT_TRUE(good) << setup_.text() << ", step " << world.stepCount();
+    if (made.ok()) report = *made;
+    return good;
   }
   void run(double seconds) {
     for (long n = std::lround(seconds / setup_.dt); n > 0 && step(); n--) {

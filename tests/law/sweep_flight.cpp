@@ -134,13 +134,16 @@ void sweepTumbling(int cases) {
 void sweepCrashes(int cases) {
   Sweep linear("2 to 13 bodies thrown at each other: linear momentum", 1e-6, ""),
       angular("2 to 13 bodies thrown at each other: angular momentum", 1e-5, ""),
-      energy("2 to 13 bodies thrown at each other: rise of energy in a step", 1e-3, "");
+      energy("2 to 13 bodies thrown at each other: rise of energy in a step, rebounds left out", 1e-3, ""),
+      above("2 to 13 bodies thrown at each other: energy above the start", 1e-6, "");
+  int turned = 0;
   for (int i = 0; i < cases; i++) {
     Draw draw(i + 90000);
     LabSetup setup = draw.setup();
     setup.origin = {};
     double speed = draw.scale(.1, 100), e = std::array{0.0, 0.5, 1.0, draw.unit()}[std::size_t(draw.below(4))];
     Lab lab(setup, 0, 0);
+    lab.world.trace({.ledger = true});
     double largest = 0;
     int count = 2 + draw.below(12);
     for (int k = 0; k < count; k++) {
@@ -157,22 +160,31 @@ void sweepCrashes(int cases) {
       largest = std::max(largest, lab.world.state(lab.add(d))->mass * speed);
     }
     Vec3 p = lab.world.linearMomentum(), l = lab.world.angularMomentum();
-    double start = lab.world.energy().kinetic, before = start, dp = 0, dl = 0, rise = 0;
+    double start = lab.world.energy().kinetic, before = start, dp = 0, dl = 0, rise = 0, most = 0;
     while (lab.world.time() < std::min(20.0, 4 / speed) && lab.step()) {
       dp = std::max(dp, length(lab.world.linearMomentum() - p) / largest);
       dl = std::max(dl, length(lab.world.angularMomentum() - l) / largest);
       double now = lab.world.energy().kinetic;
-      rise = std::max(rise, (now - before) / start);
+      // In islands of many bodies, and of what flies beyond its own size in a step, an impact gives back in the next step what
+      // it took in this one.
+      const StepLedger& ledger = *lab.report.ledger;
+      double back = std::max(0.0, ledger.rebound.energy) + std::max(0.0, ledger.impacts.energy);
+      rise = std::max(rise, (now - before - back) / start);
+      most = std::max(most, now / start - 1);
       before = now;
     }
     std::string which = setup.text() + label(", %g bodies", count) + label(", %.3g m/s", speed) + label(", e %.2f", e);
     linear.add(setup.part(), dp, which);
-    // Known to be off where bodies that were stopped before they met could not be moved on without going through others:
-    // 0.00086 here, above 0.01 in 3 of 1000 such crashes, 0.095 in the worst (36 m/s). Energy rises where a crash draws bodies
-    // that spin together (arms are frozen in a step): 0.01 here, 0.026 in the worst of 1000.
-    angular.add(setup.part(), dl, which, 0.002);
-    energy.add(setup.part(), rise, which, 0.015);
+    // Known to be off where bodies that were stopped before they met could not be moved on without going through others: the
+    // centre of mass is then not where its momentum says. Above 0.002 in 12 of 1000 such crashes, above 0.01 in 5, 0.032 in
+    // the worst. Energy rises where a crash draws bodies that spin together (arms are frozen in a step): 0.001 of 1000.
+    angular.add(setup.part(), dl, which, 0.1);
+    turned += dl > 0.002;
+    energy.add(setup.part(), rise, which, 0.005);
+    above.add(setup.part(), most, which);
   }
+  EXPECT_LE(turned, std::max(1, cases / 40))
+      << "of " << cases << " crashes with angular momentum off by more than 0.002";
 }
 
 void sweepDrag(int cases) {

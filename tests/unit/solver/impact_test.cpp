@@ -135,7 +135,7 @@ TEST(Impact, StopsWhatComesAndReturnsItsShare) {
 }
 
 TEST(Impact, RubsByFrictionTimesAllOfItsImpulse) {
-  // A ball's worth of friction: too little to stop the slide.
+  // Too little friction to stop the slide.
   for (double e : {0.0, 0.5}) {
     Knock k = knock({3, -2, 0}, 0.05, e);
     ASSERT_TRUE(k.solved);

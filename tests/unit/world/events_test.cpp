@@ -52,6 +52,58 @@ TEST(Events, AFallingBoxBeginsRestsAndSleeps) {
   EXPECT_NEAR(hitImpulse, 64 * speed, 64 * speed * 0.3);
 }
 
+// A ball that comes and is gone again within one step: all of it is told, and forces as means over the step.
+TEST(Events, ABounceWithinAStepIsTold) {
+  const double speed = 4, e = 0.5;
+  WorldDef def;
+  def.gravity = {};
+  World world = makeWorld(def);
+  ShapeDef floor = boxOf({5, 0.5, 5}), sphere = sphereOf(0.1, 1000);
+  floor.material.restitution = sphere.material.restitution = e;
+  add(world, bodyOf(floor, {0, -0.5, 0}, BodyType::fixed));
+  BodyDef falling = bodyOf(sphere, {0, 0.1 + 1.5 * speed * kDt, 0});
+  falling.linearVelocity = {0, -speed, 0};
+  BodyId ball = add(world, falling);
+  const double mass = world.state(ball)->mass;
+  stepSound(world);
+  ASSERT_TRUE(world.events().begin.empty());
+  stepSound(world);
+  EXPECT_NEAR(world.state(ball)->linearVelocity.y, e * speed, 0.01) << "it has bounced";
+  ASSERT_EQ(world.events().begin.size(), 1u);
+  ASSERT_EQ(world.events().hits.size(), 1u);
+  EXPECT_NEAR(world.events().hits[0].approachSpeed, speed, 0.01);
+  EXPECT_NEAR(world.events().hits[0].impulse, mass * speed, 0.01 * mass * speed) << "what stopped it";
+  double force = 0;
+  world.forEachContact([&](const ContactView& c) {
+    for (int i = 0; i < c.pointCount; i++) force += c.points[i].normalForce;
+  });
+  EXPECT_NEAR(force * kDt, (1 + e) * mass * speed, 0.01 * mass * speed) << "and what threw it back";
+  int ends = 0, later = 0;
+  for (int i = 0; i < 10; i++) {
+    stepSound(world);
+    ends += int(world.events().end.size());
+    later += int(world.events().begin.size() + world.events().hits.size());
+  }
+  EXPECT_EQ(ends, 1);
+  EXPECT_EQ(later, 0);
+}
+
+// An impact late in a step and another soon after it: impulses add up to the momentum, whatever part of a step they fall in.
+TEST(Events, HitsInPartsOfStepsCarryTheirImpulse) {
+  for (double height : {0.3, 0.31, 0.32, 0.33}) {
+    World world = makeWorld();
+    add(world, bodyOf(boxOf({5, 0.5, 5}), {0, -0.5, 0}, BodyType::fixed));
+    BodyId box = addBox(world, {0.2, 0.1, 0.2}, {0, height, 0});
+    double told = 0;
+    for (int i = 0; i < 30; i++) {
+      stepSound(world);
+      for (const HitEvent& h : world.events().hits) told += h.impulse;
+    }
+    const double momentum = world.state(box)->mass * std::sqrt(2 * kG * (height - 0.1));
+    EXPECT_NEAR(told, momentum, 0.05 * momentum) << height;
+  }
+}
+
 TEST(Events, SlowOrWeakImpactsMakeNoHit) {
   for (auto [speed, impulse] : {std::pair{100.0, 0.0}, std::pair{0.0, 1e6}}) {
     WorldDef def;
