@@ -26,6 +26,8 @@ constexpr int kBoundSteps = 6;  // friction bounds of new points follow for so m
 //! - | too small: steps end short of their minimum: more of them
 //! | too large: cost where float rounding hides the minimum
 constexpr int kSearchSteps = 30;  // evaluations along a step
+//! - | too small: cost of searches that change little | too large: steps end far beyond their minimum
+constexpr double kEnough = 0.8;  // of the slope at the start: a search ends below it
 
 using Block = double[6][6];
 
@@ -250,7 +252,7 @@ class Newton {
 
   // Bracketed secant search (Illinois rule), every third time halving.
   void search() {
-    double start = slope(), enough = 0.1 * start;
+    double start = slope(), enough = kEnough * start;
     double low = 0, slopeLow = start, high = 1, slopeHigh = moveTo(1), s = slopeHigh;
     for (int k = 0; s > enough && k < 4; k++) {
       low = high;

@@ -38,7 +38,7 @@ double worstResidual(const Island& island, const BodySet& bodies) {
   double worst = 0;
   for (std::size_t i = 0; i < island.bodies.size(); i++) {
     const BodyMass& m = bodies.mass[island.bodies[i]];
-    double weight = m.mass * kReferenceGravity;
+    double weight = std::max(m.mass * kReferenceGravity, kHeavyLoad * double(island.loads[i]));
     takeLarger(worst, double(length(island.residual[i].force)) / weight);
     takeLarger(worst, double(length(island.residual[i].torque)) / (weight * m.innerRadius));
   }

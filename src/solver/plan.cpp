@@ -20,6 +20,10 @@ constexpr double kQuickSpeed = 0.1;  // m/s
 constexpr double kRubbleShare = 0.1;  // of the bodies quick: then it is rubble ...
 //! - | too small: rubble is left unbalanced and rests late | too large: cost
 constexpr int kMaxCyclesRubble = 20;  // ... and gets so many cycles
+//! of its heaviest body | too small: light blocks under a great load tilt and slip out | too large: floats round away balance
+constexpr double kHeavyShare = 0.01;  // effective mass of the softest joint of a small island
+//! - | too small: Newton's method starts far off | too large: cost of what it does better
+constexpr int kCyclesBeforeDirect = 1;  // of exact steps
 //! weights | too small: cost | too large: large walls creep before they rest
 constexpr double kStandingTolerance = 1e-2;  // weights: of a body in a large slow island
 
@@ -61,6 +65,7 @@ IslandFacts findFacts(const Island& island, const BodySet& bodies) {
     const BodyMotion& m = bodies.motion[body];
     facts.energyBefore += bodies.data[body].lastKineticEnergy;
     facts.energy += bodies.kineticEnergy(body);
+    facts.heaviest = std::max(facts.heaviest, bodies.mass[body].mass);
     double speed = length(m.linearVelocity);  // what is not a number is not slow
     takeLarger(facts.fastestCentre, speed);
     double withSpin = speed + length(m.angularVelocity) * bodies.mass[body].innerRadius;
@@ -88,12 +93,13 @@ SolvePlan planFor(const IslandFacts& facts, const SolverSettings& settings, doub
   plan.exactSteps = row.exactSteps;
   plan.direct = row.direct;
   plan.stiffening = calm ? double(row.calmStiffening) : 1;
+  plan.leastMass = row.direct ? kHeavyShare * facts.heaviest : 0;
   plan.byLoad = row.byLoad;
   plan.startsFree = !row.byLoad || !facts.grounded || facts.fastest > kDebrisSpeed;
   plan.softDebris = row.byLoad && facts.fastest > kDebrisSpeed;
   plan.tolerance = !row.byLoad ? kSlowTolerance : plan.slow ? kStandingTolerance : settings.cycleTolerance;
-  plan.minCycles = settings.minCycles;
-  plan.maxCycles = row.direct ? settings.minCycles : cycleBudget(facts, plan.slow, settings);
+  plan.minCycles = row.direct && row.exactSteps ? kCyclesBeforeDirect : settings.minCycles;
+  plan.maxCycles = row.direct ? plan.minCycles : cycleBudget(facts, plan.slow, settings);
   return plan;
 }
 

@@ -24,6 +24,7 @@ struct IslandFacts {
   double fastest = 0;         // m/s, largest |v| + |w| inner radius of a body
   double fastestCentre = 0;   // m/s, largest |v|
   std::size_t quick = 0;      // bodies faster than kQuickSpeed
+  double heaviest = 0;        // kg
   double energy = 0;          // J, kinetic
   double energyBefore = 0;    // J, at the start of the last step
 };
@@ -48,6 +49,7 @@ struct SolvePlan {
   bool startsFree = true;   // from free motion; else from the motion it had
   bool softDebris = false;  // contacts of what moves in it have impactStiffness
   double stiffening = 1;    // x restingStiffness
+  double leastMass = 0;     // kg: joints are as firm as between bodies of that effective mass
   double tolerance = 0;     // weights: residual under which a body is left alone
   int minCycles = 0, maxCycles = 0;
 };

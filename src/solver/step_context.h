@@ -55,6 +55,8 @@ constexpr double kRestByLoad = 1e-2;  // of max(weight, kLoadShare x load): resi
 constexpr double kRestByLoadSpeed = 1e-3;  // m/s: if no body of it is faster
 //! - | too small: what carries much is solved too finely: cost | too large: what lies under much is held up
 constexpr double kLoadShare = 0.3;  // of a body's load, that counts like its weight
+//! - | too small: floats leave what lies under a great load out of balance: cost | too large: it is solved badly
+constexpr double kHeavyLoad = 0.02;  // of a body's load, that counts like its weight where an island is solved directly
 
 // Motion of a body in this step if nothing touched it.
 struct FreeMotion {

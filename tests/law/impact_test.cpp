@@ -229,6 +229,37 @@ TEST(Law, Row18lShortSlides) {
   }
 }
 
+// A cube of up to 2.5 t on a column of blocks of 250 g, off its axis: it stands if it is within the column's width, and comes
+// down if it is not.
+TEST(Law, Row18nAGreatLoadOnLightBlocks) {
+  struct Case {
+    int blocks;
+    double block, load, off;  // kg, kg, m
+    bool stands = true;
+  };
+  const double height = 0.05, half = 0.05, cube = 0.25;
+  for (const Case& c : {Case{20, 0.25, 1000, 0.01}, Case{20, 0.25, 1000, 0.02}, Case{20, 0.25, 2500, 0.01},
+                        Case{5, 0.1, 1000, 0.02}, Case{30, 0.25, 1000, 0.01}, Case{40, 0.25, 1000, 0.01},
+                        Case{20, 0.25, 100, 0.005}, Case{20, 0.25, 1000, 0.06, false}})
+    for (double dt : kMotionSteps) {
+      World world = worldOnFloor(0.6);
+      for (int i = 0; i < c.blocks; i++)
+        add(world, bodyOf(boxOf({half, height / 2, half}, c.block / (4 * half * half * height), 0.6),
+                          {0, height * (i + 0.5), 0}));
+      const double right = c.blocks * height + cube;
+      BodyId top =
+          add(world, bodyOf(boxOf({cube, cube, cube}, c.load / (8 * cube * cube * cube), 0.6), {c.off, right, 0}));
+      run(world, 3, dt);
+      const double sunk = right - world.state(top)->position.y;
+      std::string name = text(c.load, 0) + " kg on " + std::to_string(c.blocks) + " blocks of " + text(c.block, 2) +
+                         " kg, " + text(c.off * 1e3, 0) + " mm off: ";
+      if (c.stands)
+        atMost(name + "sunk", dt, sunk * 1e3, 5, "mm");
+      else
+        EXPECT_GT(sunk, 0.5) << name << 1 / dt;
+    }
+}
+
 // Dominoes of 48 mm, 20 mm apart, the first of them tapped.
 TEST(Law, Row18mDominoesAllFall) {
   for (double dt : kMotionSteps) {

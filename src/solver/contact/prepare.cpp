@@ -160,8 +160,9 @@ void ContactRows::prepare(const Island& island, Ties ties, const StepContext& co
     if (c.fresh || !still) updateFrame(r, c, set.geometry[contactOf[k]], bodies);
     c.fresh = false;
     findApproach(r, c, bodies, start);
-    double unit = c.effectiveMass * perDt2;
-    StiffnessScale scale{float(unit), float((isDebris(island, r) ? context.settings.impactStiffness : resting) * unit),
+    double unit = c.effectiveMass * perDt2, firm = std::max(double(c.effectiveMass), island.plan.leastMass) * perDt2;
+    StiffnessScale scale{float(unit),
+                         float(isDebris(island, r) ? context.settings.impactStiffness * unit : resting * firm),
                          float(context.settings.impactStiffness * unit), float(context.settings.restingApproachSpeed),
                          kMultiplierWeights * float(kReferenceGravity) * c.effectiveMass,
                          float(deepestOverlap(bodies.mass[c.bodyA], bodies.mass[c.bodyB])), float(island.dt),

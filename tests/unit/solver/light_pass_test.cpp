@@ -54,9 +54,11 @@ TEST(LightPass, ResidualIsTheLawPointByPoint) {
     std::vector<oracle::Load> wanted =
         oracle::residuals(oracle::problemOf(lab.island(), lab.context), oracle::engineMotion(lab.island()));
     double most = 0, worst = 0, squares = 0;
-    for (const oracle::Load& load : wanted) {
+    for (std::size_t i = 0; i < wanted.size(); i++) {
+      const oracle::Load& load = wanted[i];
+      const double scale = std::max(kBrickWeight, kHeavyLoad * double(lab.island().loads[i]));
       most = std::max({most, length(load.force), length(load.torque) / kBrick.y});
-      worst = std::max({worst, length(load.force) / kBrickWeight, length(load.torque) / (kBrickWeight * kBrick.y)});
+      worst = std::max({worst, length(load.force) / scale, length(load.torque) / (scale * kBrick.y)});
       squares += lengthSquared(load.force) / (kBrickWeight * kBrickWeight);
     }
     // Terms: M / h^2 times 2e-5 m, k times the same: some 200 N of which floats keep 6e-8.
@@ -75,7 +77,8 @@ TEST(LightPass, OneOfItsBodiesIsNotANumber) {
     lab.pile(lab.ground(), 3);
     lab.prepare();
     for (bool torque : {false, true}) {
-      lab.island().residual.assign(3, {});
+      double visits = 0;
+      lightPass(lab.island(), false, visits);
       Wrench& of = lab.island().residual[which];
       (torque ? of.torque : of.force).y = std::nanf("");
       EXPECT_FALSE(worstResidual(lab.island(), lab.bodies) < 1e9) << "body " << which << " counts as balanced";

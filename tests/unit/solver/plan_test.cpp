@@ -53,6 +53,19 @@ TEST(Plan, EveryRowOfTheTableIsReached) {
   EXPECT_EQ(reached.size(), planRows().size());
 }
 
+TEST(Plan, SmallIslandsAreFirmForTheirHeaviestBody) {
+  for (std::size_t bodies : {1u, 2u, 24u, 80u, 81u, 1000u}) {
+    IslandFacts facts = factsOf(bodies, true, 0);
+    facts.heaviest = 500;
+    EXPECT_EQ(planOf(facts).leastMass, bodies > 1 && bodies <= 80 ? 5 : 0) << bodies;
+  }
+  TestIsland lab;
+  BodyIndex brick = lab.brick({}), other = lab.brick({0, 2 * kBrick.y, 0});
+  lab.touch(brick, other);
+  lab.prepare();
+  EXPECT_EQ(lab.island().facts.heaviest, lab.bodies.mass[brick].mass);
+}
+
 TEST(Plan, SlowIsGroundedStillAndUnderTheRestSpeed) {
   for (std::size_t bodies : {1u, 12u, 24u, 80u, 1000u}) {
     EXPECT_TRUE(planOf(factsOf(bodies, true, 0.01)).slow) << bodies;
@@ -91,13 +104,14 @@ TEST(Plan, CyclesBySize) {
   rubble.quick = 101;
   EXPECT_EQ(planOf(rubble).maxCycles, 20) << "more than a tenth is quick";
   EXPECT_EQ(most(1000, true, 0), 16) << "slow";
-  for (std::size_t bodies : {2u, 24u}) EXPECT_EQ(most(bodies, false, 5), 4) << "the direct solve goes on from there";
-  for (std::size_t bodies : {13u, 80u}) EXPECT_EQ(most(bodies, true, 0), 4) << "the direct solve goes on from there";
+  for (std::size_t bodies : {2u, 24u}) EXPECT_EQ(most(bodies, false, 5), 1) << "the direct solve goes on from there";
+  for (std::size_t bodies : {25u, 80u}) EXPECT_EQ(most(bodies, true, 0), 4) << "the direct solve goes on from there";
   SolverSettings many;
   many.maxCycles = 100;
   EXPECT_EQ(planFor(factsOf(1000, false, 5), many, kDt).maxCycles, 100);
   EXPECT_EQ(planFor(factsOf(1, false, 5), many, kDt).maxCycles, 100) << "small islands never get fewer";
-  for (std::size_t bodies : {1u, 5u, 1000u}) EXPECT_EQ(planOf(factsOf(bodies, true, 0)).minCycles, 4);
+  for (std::size_t bodies : {1u, 80u, 1000u}) EXPECT_EQ(planOf(factsOf(bodies, true, 0)).minCycles, 4);
+  for (std::size_t bodies : {2u, 24u}) EXPECT_EQ(planOf(factsOf(bodies, true, 0)).minCycles, 1);
 }
 
 TEST(Plan, LargeIslandsAreJudgedByLoadAndStandingOnesMoreFinely) {
