@@ -38,6 +38,9 @@ constexpr int kMostImpacts = 8;  // of an island in a step
 constexpr double kBlink = 1e-3;
 //! - | too small: fast bodies are left whole | too large: contacts found from so far say little about what is met
 constexpr double kFarWay = 2, kFarWayAlone = 4;  // outer radii, in a step; of a body that touches fixed things only
+//! rad | too small: what falls fast without a spin rebounds late | too large: as kFarWay
+constexpr double kNoTurn =
+    0.01;  // visible, in a step, of a body that touches fixed things only: then any way may be parted
 //! rad | too small: cost of what tumbles | too large: tops precess too slowly, then fall
 constexpr double kMostTurn = 0.2;  // visible, of a body in contact, in a part
 //! - | too small: the fastest tops fall | too large: cost
@@ -71,6 +74,9 @@ class ImpactWalk {
   };
 
   bool mayBeParted(const Island& island) const;
+  bool foundExactly(const Island& island) const;
+  bool touchesDriven(const Island& island) const;
+  Vec3 turnOf(BodyIndex body) const;
   bool mayMeet(const Island& island) const;
   bool touchesNothing(const Island& island) const;
   bool onMesh(const Island& island) const;
@@ -94,13 +100,38 @@ class ImpactWalk {
 
 bool ImpactWalk::mayBeParted(const Island& island) const {
   if (island.bodies.size() > kMostBodies) return false;
-  const double far = island.bodies.size() == 1 ? kFarWayAlone : kFarWay;
+  const BodyIndex first = island.bodies[0];
+  const bool alone = island.bodies.size() == 1;
+  if (alone && length(turnOf(first)) < kNoTurn && foundExactly(island)) return !touchesDriven(island);
+  const double far = alone ? kFarWayAlone : kFarWay;
   for (BodyIndex body : island.bodies) {
     double way = length(bodies_.motion[body].linearVelocity) * context_.dt;
     if (!(way <= far * bodies_.mass[body].outerRadius)) return false;
   }
-  return std::none_of(island.partners.begin(), island.partners.end(),
-                      [&](BodyIndex body) { return bodies_.isDriven(body); });
+  return !touchesDriven(island);
+}
+
+// Its contacts are true from afar: what moves without a turn cannot get past them unseen.
+bool ImpactWalk::foundExactly(const Island& island) const {
+  auto round = [](ShapeType type) { return type == ShapeType::sphere || type == ShapeType::capsule; };
+  return std::all_of(
+      island.rows.contacts.contactOf.begin(), island.rows.contacts.contactOf.end(), [&](ContactIndex contact) {
+        const Contact& c = ties_.contacts.contacts[contact];
+        ShapeType a = registry_.shapes.data[c.shapeA].geometry.type, b = registry_.shapes.data[c.shapeB].geometry.type;
+        if (a == ShapeType::plane || b == ShapeType::plane) return true;
+        return (round(a) && (round(b) || b == ShapeType::box)) || (round(b) && a == ShapeType::box);
+      });
+}
+
+bool ImpactWalk::touchesDriven(const Island& island) const {
+  return std::any_of(island.partners.begin(), island.partners.end(),
+                     [&](BodyIndex body) { return bodies_.isDriven(body); });
+}
+
+// rad, visible, in a step at the present spin.
+Vec3 ImpactWalk::turnOf(BodyIndex body) const {
+  const BodyMotion& m = bodies_.motion[body];
+  return visibleTurn(bodies_.mass[body], m.orientation, m.angularVelocity) * context_.dt;
 }
 
 // Without a solve: an open point may be reached.
@@ -140,10 +171,8 @@ bool ImpactWalk::onMesh(const Island& island) const {
 // s: nothing in contact turns visibly by more than kMostTurn.
 double ImpactWalk::longestPart(const Island& island) const {
   if (island.bodies.size() > 1 || touchesNothing(island) || onMesh(island)) return context_.dt;
-  const BodyIndex body = island.bodies[0];
-  const BodyMotion& m = bodies_.motion[body];
-  double turn = length(visibleTurn(bodies_.mass[body], m.orientation, m.angularVelocity));
-  return std::max(context_.dt / kMostTurnParts, kMostTurn / std::max(turn, 1e-9));
+  double speed = length(turnOf(island.bodies[0])) / context_.dt;
+  return std::max(context_.dt / kMostTurnParts, kMostTurn / std::max(speed, 1e-9));
 }
 
 ImpactWalk::Memory ImpactWalk::remember(const Island& island) const {

@@ -411,11 +411,11 @@ TEST(MeshWorld, NothingSinksIntoHills) {
       }
     }
     EXPECT_GT(measured, 700);
-    // Measured: 12 mm; one capsule of 100 mm that spins in a hollow at 68 rad/s, its turn seen only in part, 28 mm for half
-    // a second.
+    // Measured: 12 mm; three capsules of 160 mm that spin in a hollow, their turn seen only in part, 18 to 26 mm for a while.
     std::sort(deepest.begin(), deepest.end());
     EXPECT_LT(deepest.back(), 0.03) << triangles;
-    EXPECT_LT(deepest[deepest.size() - 2], 0.015) << triangles;
+    EXPECT_LT(deepest[deepest.size() - 2], 0.02) << triangles;
+    EXPECT_LT(deepest[deepest.size() - 3], 0.015) << triangles;
   }
 }
 
