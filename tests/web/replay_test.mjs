@@ -88,6 +88,78 @@ try {
     assert.ok(await page.evaluate(() => window.brickfall.decodeMilliseconds) < 10_000);
   });
 
+  await check('begins at the first camera of the scene', async () => {
+    assert.equal(await page.evaluate(() => window.brickfall.views[window.brickfall.view]), 'front');
+    await drawn(() => window.brickfall.setView(0));
+  });
+
+  await check('the overview has the whole wall between title and bar', async () => {
+    for (const [width, height] of [[640, 360], [390, 700]]) {
+      await page.setViewportSize({ width, height });
+      await page.waitForFunction((w) => document.getElementById('view').width >= w && document.getElementById('view').clientWidth === w, width, patience);
+      await seek(kHitFrame - 5);
+      const seen = await page.evaluate(() => {
+        const { brickfall: b } = window;
+        const points = b.names.map((name, k) => (name.startsWith('brick ') ? b.project(k) : null)).filter((p) => p);
+        return { points, top: document.getElementById('head').getBoundingClientRect().bottom, bottom: document.getElementById('bar').getBoundingClientRect().top };
+      });
+      for (const [x, y] of seen.points) assert.ok(x > 0 && x < width && y > seen.top && y < seen.bottom, `${x} ${y} at ${width} x ${height}`);
+    }
+    await page.setViewportSize({ width: 640, height: 360 });
+  });
+
+  await check('title, card, bar and window edges keep apart', async () => {
+    for (const [width, height] of [[844, 390], [390, 700], [640, 360]]) {
+      await page.setViewportSize({ width, height });
+      await page.waitForFunction((w) => document.getElementById('view').clientWidth === w, width, patience);
+      await drawn(() => window.brickfall.select(3));
+      const rects = await page.evaluate(() => [...['head', 'card', 'bar'].map((id) => document.getElementById(id)),
+        ...document.querySelectorAll('#bar button, #bar select')].filter((e) => e.offsetParent !== null || e.id)
+        .map((e) => ({ id: e.id, ...e.getBoundingClientRect().toJSON() })).filter((r) => r.width > 0));
+      const by = Object.fromEntries(rects.map((r) => [r.id, r]));
+      const apart = (p, q) => p.right <= q.left || q.right <= p.left || p.bottom <= q.top || q.bottom <= p.top;
+      for (const [p, q] of [['head', 'card'], ['card', 'bar'], ['head', 'bar']])
+        assert.ok(apart(by[p], by[q]), `${p} and ${q} at ${width} x ${height}`);
+      for (const r of rects.slice(3))
+        assert.ok(r.left >= by.bar.left && r.right <= by.bar.right && r.bottom <= by.bar.bottom, `${r.id} at ${width} x ${height}`);
+      await drawn(() => window.brickfall.select(-1));
+    }
+  });
+
+  await check('the address opens at a time and a camera', async () => {
+    await drawn(() => (location.hash = '#paused&t=1.5&camera=side'));
+    const state = await page.evaluate(() => ({ time: window.brickfall.time, view: window.brickfall.views[window.brickfall.view] }));
+    assert.ok(Math.abs(state.time - 1.5) < 0.02, `${state.time} s`);
+    assert.equal(state.view, 'side');
+    await drawn(() => window.brickfall.setView(0));
+  });
+
+  await check('saves the picture', async () => {
+    const [download] = await Promise.all([page.waitForEvent('download', patience), page.click('#save')]);
+    assert.match(download.suggestedFilename(), /\.png$/);
+    const { readFile } = await import('node:fs/promises');
+    const bytes = await readFile(await download.path());
+    assert.deepEqual([...bytes.subarray(0, 4)], [0x89, 0x50, 0x4e, 0x47]);
+    assert.deepEqual([bytes.readUInt32BE(16), bytes.readUInt32BE(20)], [640, 360]);
+  });
+
+  await check('space presses the button that has the focus, and else plays', async () => {
+    await seek(10);
+    await page.focus('#forward');
+    await page.keyboard.press(' ');
+    assert.equal(await frame(), 11);
+    assert.equal(await page.evaluate(() => window.brickfall.playing), false);
+    await page.focus('#loop');
+    await page.keyboard.press(' ');
+    assert.equal(await page.getAttribute('#loop', 'aria-pressed'), 'true');
+    assert.equal(await page.evaluate(() => window.brickfall.playing), false);
+    await page.keyboard.press(' ');
+    await page.evaluate(() => document.activeElement.blur());
+    await page.keyboard.press(' ');
+    assert.equal(await page.evaluate(() => window.brickfall.playing), true);
+    await page.keyboard.press(' ');
+  });
+
   await check('the wall stands before the hit', async () => {
     await seek(kHitFrame - 5);
     standing = { heights: await heights(), picture: await picture() };

@@ -106,7 +106,7 @@ export class Bodies {
     if (!geometry) return;
     let material: MeshStandardMaterial;
     if (role === 'ground') material = groundMaterial();
-    else if (role === 'ball') material = new MeshStandardMaterial({ roughness: 0.34, metalness: 0.35, envMapIntensity: 1.8 });
+    else if (role === 'ball') material = new MeshStandardMaterial({ roughness: 0.24, metalness: 0.8, envMap: this.scene.environment, envMapIntensity: 1.5 }); // steel: the sky in it
     else material = clayMaterial(shape.half);
     geometry.setAttribute('seed', new InstancedBufferAttribute(new Float32Array(list.map(({ body }) => chance(body, 9))), 1));
     const mesh = new InstancedMesh(geometry, material, list.length);

@@ -7,7 +7,7 @@ import type { Take } from './tracks';
 const kSpeeds = [0.1, 0.25, 0.5, 1, 2, 4];
 const kKeys: [string, string][] = [
   ['space', 'play or pause'], [', \u2190 and . \u2192', 'one frame back or on (with shift: ten)'], ['home, end', 'first or last frame'],
-  ['- and +', 'slower or faster'], ['c', 'colour: material, speed, contact force'], ['v', 'next camera'], ['l', 'loop'],
+  ['- and +', 'slower or faster'], ['c', 'colour: material, speed, contact force'], ['v', 'next camera'], ['l', 'loop'], ['p', 'save the picture'], ['f', 'full screen'],
   ['esc', 'let go of the selected brick'], ['h', 'this list'],
 ];
 
@@ -22,6 +22,7 @@ function fill(select: HTMLSelectElement, names: string[], chosen: number): void 
 export interface Actions {
   setColour(mode: ColourMode): void;
   setView(index: number): void;
+  savePicture(): void;
   deselect(): void;
 }
 
@@ -44,6 +45,9 @@ export class Controls {
     byId('back').innerHTML = icons.back;
     byId('forward').innerHTML = icons.forward;
     byId('help').innerHTML = icons.help;
+    byId('save').innerHTML = icons.save;
+    byId('full').innerHTML = icons.full;
+    byId('full').hidden = !document.fullscreenEnabled;
     this.loop.innerHTML = icons.loop;
     const rows = kKeys.map(([key, what]) => `<tr><td><kbd>${key}</kbd></td><td>${what}</td></tr>`).join('');
     this.keys.innerHTML = `<table>${rows}</table>`;
@@ -65,6 +69,8 @@ export class Controls {
     this.camera.onchange = () => this.actions.setView(Number(this.camera.value));
     this.loop.onclick = () => this.setLoop(!player.loop);
     byId('help').onclick = () => this.keys.showModal();
+    byId('save').onclick = () => this.actions.savePicture();
+    byId('full').onclick = () => this.fullScreen();
     this.keys.onclick = () => this.keys.close();
     window.addEventListener('keydown', (event) => this.onKey(event));
     window.addEventListener('resize', () => this.drawActivity());
@@ -83,15 +89,23 @@ export class Controls {
       '-': () => this.changeSpeed(-1), '+': () => this.changeSpeed(1), '=': () => this.changeSpeed(1),
       c: () => this.next(this.colour), v: () => this.next(this.camera),
       l: () => this.setLoop(!player.loop),
+      p: () => this.actions.savePicture(),
+      f: () => this.fullScreen(),
       h: () => (this.keys.open ? this.keys.close() : this.keys.showModal()),
       Escape: () => this.actions.deselect(),
     };
     const action = doIt[event.key];
-    if (!action || (event.target instanceof HTMLSelectElement && event.key.startsWith('Arrow'))) return;
+    if (!action || (event.target instanceof HTMLSelectElement && (event.key === ' ' || event.key.startsWith('Arrow')))) return;
+    // What has the focus is pressed by it.
+    if (event.key === ' ' && event.target instanceof HTMLElement && event.target.closest('button, a')) return;
     event.preventDefault();
     action();
   }
 
+  private fullScreen(): void {
+    if (document.fullscreenElement) void document.exitFullscreen();
+    else if (document.fullscreenEnabled) void document.documentElement.requestFullscreen();
+  }
   private next(select: HTMLSelectElement): void {
     select.selectedIndex = (select.selectedIndex + 1) % select.length;
     select.dispatchEvent(new Event('change'));

@@ -10,7 +10,7 @@ const kParticles = 7; // per puff
 export class Dust {
   private readonly points: Points<BufferGeometry, ShaderMaterial>;
   private readonly places = new Float32Array(kMostPuffs * kParticles * 3);
-  private readonly looks = new Float32Array(kMostPuffs * kParticles * 2); // size in m, opacity
+  private readonly looks = new Float32Array(kMostPuffs * kParticles * 3); // size in m, opacity, what tells it from others
   private readonly hits: Hit[];
   private readonly strength: number; // N s: impulses below a share of it raise no dust
 
@@ -20,24 +20,33 @@ export class Dust {
     this.hits = take.hits.filter((hit) => hit.impulse > this.strength * 0.08);
     const geometry = new BufferGeometry();
     geometry.setAttribute('position', new BufferAttribute(this.places, 3).setUsage(DynamicDrawUsage));
-    geometry.setAttribute('look', new BufferAttribute(this.looks, 2).setUsage(DynamicDrawUsage));
+    geometry.setAttribute('look', new BufferAttribute(this.looks, 3).setUsage(DynamicDrawUsage));
     const material = new ShaderMaterial({
       transparent: true,
       depthWrite: false,
       blending: NormalBlending,
       uniforms: { scale: { value: 500 } },
-      vertexShader: `attribute vec2 look; varying float vAlpha; uniform float scale;
+      vertexShader: `attribute vec3 look; varying float vAlpha; varying float vSeed; uniform float scale;
         void main() {
           vec4 p = modelViewMatrix * vec4(position, 1.0);
           gl_Position = projectionMatrix * p;
           gl_PointSize = min(look.x * scale / -p.z, 400.0);
           vAlpha = look.y;
+          vSeed = look.z;
         }`,
-      fragmentShader: `varying float vAlpha;
+      fragmentShader: `varying float vAlpha; varying float vSeed;
+        float dustHash(vec2 p) { vec3 q = fract(vec3(p.xyx) * 0.1031); q += dot(q, q.yzx + 33.33); return fract((q.x + q.y) * q.z); }
+        float dustNoise(vec2 p) {
+          vec2 i = floor(p), f = fract(p); f = f * f * (3.0 - 2.0 * f);
+          return mix(mix(dustHash(i), dustHash(i + vec2(1, 0)), f.x), mix(dustHash(i + vec2(0, 1)), dustHash(i + vec2(1, 1)), f.x), f.y);
+        }
         void main() {
           vec2 d = gl_PointCoord * 2.0 - 1.0;
-          float a = max(0.0, 1.0 - dot(d, d));
-          gl_FragColor = vec4(vec3(0.5, 0.42, 0.34), vAlpha * a * a);
+          float a = max(0.0, 1.0 - dot(d, d)), billow = dustNoise(d * 2.3 + vSeed * 17.0) * 0.65 + dustNoise(d * 5.1 + vSeed * 31.0) * 0.35;
+          a = a * a * smoothstep(0.25, 0.85, billow + 0.25 * a);
+          // Lit from above: brighter on top, warm in its own shade.
+          vec3 colour = mix(vec3(0.42, 0.36, 0.31), vec3(0.78, 0.73, 0.66), clamp(0.5 - 0.45 * d.y + 0.2 * billow, 0.0, 1.0));
+          gl_FragColor = vec4(colour, vAlpha * a);
           #include <colorspace_fragment>
         }`,
     });
@@ -81,8 +90,9 @@ export class Dust {
       this.places[at * 3] = hit.point[0] + Math.cos(angle) * reach;
       this.places[at * 3 + 1] = hit.point[1] + (0.03 + 0.2 * chance(hitIndex, n + 40)) * spread * force;
       this.places[at * 3 + 2] = hit.point[2] + Math.sin(angle) * reach;
-      this.looks[at * 2] = (0.12 + 0.34 * spread) * (0.5 + 0.7 * chance(hitIndex, n + 60)) * (0.4 + 0.6 * force);
-      this.looks[at * 2 + 1] = 0.3 * (1 - share) ** 1.5 * Math.min(1, age * 14 + 0.1) * (0.35 + 0.65 * force);
+      this.looks[at * 3] = (0.12 + 0.34 * spread) * (0.5 + 0.7 * chance(hitIndex, n + 60)) * (0.4 + 0.6 * force);
+      this.looks[at * 3 + 2] = chance(hitIndex, n + 80);
+      this.looks[at * 3 + 1] = 0.24 * (1 - share) ** 1.5 * Math.min(1, age * 14 + 0.1) * (0.35 + 0.65 * force);
     }
   }
 }

@@ -1,6 +1,6 @@
 // The replay page: reads the take that is in the page, shows it, and answers to window.brickfall (which the tests drive).
-// In the address, #frame=120 opens at a frame, #paused does not start playing, #view=1 takes another camera, #picture shows
-// the scene alone; joined with &.
+// In the address, #t=2.5 opens at a time (or #frame=120 at a frame), #camera=side at a camera (or #view=1, by its number), #paused
+// does not start playing, #picture shows the scene alone; joined with &.
 import { Vector2, Vector3 } from 'three';
 import { Bodies } from './bodies';
 import { Card, amount } from './card';
@@ -45,11 +45,18 @@ function main(): void {
   stage.resize();
   stage.fitShadows(bounds.all);
   const plane = meta.bodies.findIndex((body) => body.parts.some((part) => meta.shapes[part.shape].type === 'plane'));
-  const floor = plane >= 0 ? take.position(0, plane)[1] : meta.bodies.some((body) => body.role === 'ground') ? null : bounds.all.min.y;
-  if (floor !== null) stage.addGround(floor);
+  if (plane >= 0) stage.addGround(take.position(0, plane)[1]);
 
-  const views = viewsOf(take, bounds, stage.camera.aspect);
+  // In shares of the picture: what the title and the bar leave.
+  const freeHeight = () => {
+    const height = Math.max(1, window.innerHeight);
+    return { top: 1 - (2 * byId('head').getBoundingClientRect().bottom) / height, bottom: 1 - (2 * byId('bar').getBoundingClientRect().top) / height };
+  };
+  const picture = new URLSearchParams(location.hash.slice(1)).has('picture');
+  const free = () => (picture ? { top: 1, bottom: -1 } : freeHeight());
+  const views = viewsOf(take, bounds, stage.camera.aspect, free());
   let view = views[0];
+  let untouched = true; // since the view was chosen
   let dirty = true;
   const followed = { last: new Vector3(), now: new Vector3() };
 
@@ -60,7 +67,8 @@ function main(): void {
   };
   const setView = (index: number): void => {
     view = views[index] ?? views[0];
-    applyView(stage, view);
+    applyView(stage, view, view === views[0] || view.follows >= 0);
+    untouched = true;
     if (view.follows >= 0) {
       followed.last.copy(view.target);
       followed.now.copy(view.target);
@@ -75,7 +83,11 @@ function main(): void {
     dirty = true;
   };
   byId('legend-bar').style.background = scaleGradient();
-  const controls = new Controls(take, player, { setColour, setView, deselect: () => select(-1) }, views.map((v) => v.name));
+  const savePicture = (): void => {
+    draw();
+    stage.renderer.domElement.toBlob((blob) => blob && offer(blob, `${meta.scene}_${take.times[player.frame].toFixed(2)}s.png`), 'image/png');
+  };
+  const controls = new Controls(take, player, { setColour, setView, savePicture, deselect: () => select(-1) }, views.map((v) => v.name));
   player.onChange = () => (dirty = true);
   card.onSeek = (frame) => {
     player.pause();
@@ -83,7 +95,9 @@ function main(): void {
   };
   card.onClose = () => select(-1);
   stage.controls.addEventListener('change', () => (dirty = true));
-  setView(0);
+  stage.controls.addEventListener('start', () => (untouched = false));
+  setView(meta.cameras.length > 0 ? 1 : 0);
+  controls.setView(views.indexOf(view));
   listenForClicks(stage.renderer.domElement, (x, y) => select(bodies.pick(new Vector2(x, y), stage.camera)));
 
   const draw = (): void => {
@@ -98,7 +112,11 @@ function main(): void {
   const tick = (now: number): void => {
     player.advance(Math.min(0.25, (now - last) / 1000));
     last = now;
-    if (stage.resize()) dirty = true;
+    if (stage.resize()) {
+      dirty = true;
+      Object.assign(views[0], viewsOf(take, bounds, stage.camera.aspect, free())[0]);
+      if (untouched && view.follows < 0) applyView(stage, view, view === views[0]);
+    }
     if (view.follows >= 0 && dirty) {
       followed.now.set(...take.position(player.frame, view.follows));
       const shift = followed.now.clone().sub(followed.last);
@@ -126,6 +144,7 @@ function main(): void {
     get time() { return take.times[player.frame]; },
     get playing() { return player.playing; },
     get selected() { return bodies.selected; },
+    get view() { return views.indexOf(view); },
     names: meta.bodies.map((body) => body.name),
     views: views.map((v) => v.name),
     play: () => player.play(),
@@ -136,7 +155,7 @@ function main(): void {
     setColour: (mode: ColourMode) => { controls.setColour(mode); setColour(mode); },
     setView: (index: number) => { controls.setView(index); setView(index); },
     lookFrom: (position: [number, number, number], target: [number, number, number]) => {
-      applyView(stage, { ...view, position: new Vector3(...position), target: new Vector3(...target), follows: -1 });
+      applyView(stage, { ...view, position: new Vector3(...position), target: new Vector3(...target), follows: -1 }, true);
       dirty = true;
     },
     select,
@@ -153,10 +172,20 @@ function main(): void {
   };
   Object.assign(window, { brickfall: api });
 
-  const wishes = new URLSearchParams(location.hash.slice(1));
-  if (wishes.has('picture')) document.body.classList.add('picture');
-  if (wishes.has('view')) api.setView(Number(wishes.get('view')));
-  player.seek(Number(wishes.get('frame') ?? 0));
+  const takeWishes = (): URLSearchParams => {
+    const wishes = new URLSearchParams(location.hash.slice(1));
+    document.body.classList.toggle('picture', wishes.has('picture'));
+    const camera = wishes.get('camera');
+    const named = views.findIndex((v) => v.name.toLowerCase() === camera?.toLowerCase());
+    if (wishes.has('view')) api.setView(Number(wishes.get('view')));
+    else if (named >= 0) api.setView(named);
+    if (wishes.has('t')) player.seek(take.frameAt(Number(wishes.get('t'))));
+    else if (wishes.has('frame')) player.seek(Number(wishes.get('frame')));
+    if (wishes.has('paused')) player.pause();
+    return wishes;
+  };
+  const wishes = takeWishes();
+  window.addEventListener('hashchange', takeWishes);
   draw();
   api.ready = true;
   if (!wishes.has('paused') && !window.matchMedia('(prefers-reduced-motion: reduce)').matches) player.play();
@@ -164,6 +193,15 @@ function main(): void {
     last = now;
     tick(now);
   });
+}
+
+// A file for the visitor to keep.
+function offer(blob: Blob, name: string): void {
+  const link = document.createElement('a');
+  link.href = URL.createObjectURL(blob);
+  link.download = name;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
 }
 
 // A press that stays where it is and ends soon: a drag turns the camera instead.

@@ -6,18 +6,19 @@ import {
 } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 
-const kHorizon = new Color('#dbe3ea');
-const kZenith = new Color('#6f9bc9');
+const kHorizon = new Color('#e3e6e8');
+const kZenith = new Color('#86a7c8');
+const kOvercast = new Color('#a9b1b8'); // of the light that comes from the sky: what lies in the shade is grey, not blue
 const kSunElevation = 0.72; // rad
 const kSunAside = 1.05; // rad, to the left of where the overview looks from: light that grazes shows the relief
 
-function makeSky(sun: Vector3): Mesh {
+function makeSky(sun: Vector3, zenith: Color): Mesh {
   const material = new ShaderMaterial({
     side: BackSide,
     depthWrite: false,
     fog: false,
     toneMapped: false,
-    uniforms: { horizon: { value: kHorizon }, zenith: { value: kZenith }, sun: { value: sun } },
+    uniforms: { horizon: { value: kHorizon }, zenith: { value: zenith }, sun: { value: sun } },
     vertexShader: `varying vec3 vDirection;
       void main() { vDirection = position; gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0); }`,
     fragmentShader: `uniform vec3 horizon, zenith, sun; varying vec3 vDirection;
@@ -75,7 +76,7 @@ export class Stage {
   readonly controls: OrbitControls;
   private readonly sun = new DirectionalLight('#fff3e2', 2.7);
   private readonly sunDirection = new Vector3();
-  private readonly sky = makeSky(this.sunDirection);
+  private readonly sky = makeSky(this.sunDirection, kZenith);
 
   // lookFrom: the side from which the scene is seen first, horizontal.
   constructor(canvas: HTMLCanvasElement, lookFrom: Vector3) {
@@ -89,7 +90,7 @@ export class Stage {
     this.scene.fog = new Fog(kHorizon, 30, 160);
 
     const small = new Scene();
-    small.add(makeSky(this.sunDirection));
+    small.add(makeSky(this.sunDirection, kOvercast));
     const generator = new PMREMGenerator(this.renderer);
     this.scene.environment = generator.fromScene(small, 0, 0.1, 10).texture;
     this.scene.environmentIntensity = 0.55;
@@ -99,8 +100,8 @@ export class Stage {
     const size = Math.min(this.renderer.capabilities.maxTextureSize, 2048);
     this.sun.shadow.mapSize.set(size, size);
     this.sun.shadow.bias = -0.0004;
-    this.sun.shadow.radius = 2.2;
-    this.scene.add(this.sky, this.sun, this.sun.target, new HemisphereLight('#d5e3f2', '#a89a8a', 0.75));
+    this.sun.shadow.radius = 4;
+    this.scene.add(this.sky, this.sun, this.sun.target, new HemisphereLight('#e6e6e2', '#a89a8a', 0.75));
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.enableDamping = true;
     this.controls.dampingFactor = 0.12;

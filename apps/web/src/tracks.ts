@@ -152,6 +152,12 @@ export class Take {
     this.measure();
   }
 
+  // The frame nearest to a time, s.
+  frameAt(time: number): number {
+    let best = 0;
+    for (let f = 1; f < this.frames; f++) if (Math.abs(this.times[f] - time) < Math.abs(this.times[best] - time)) best = f;
+    return best;
+  }
   isThere(frame: number, body: number): boolean {
     return frame >= this.births[body] && frame < this.ends[body];
   }

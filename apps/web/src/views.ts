@@ -1,5 +1,5 @@
-// From where one looks: an overview that fits the scene, the cameras of the take, and one that goes along with the ball.
-import { Box3, MathUtils, Vector3 } from 'three';
+// From where one looks: an overview that fits the whole run, the cameras of the take, and one that goes along with the ball.
+import { Box3, PerspectiveCamera, Vector3 } from 'three';
 import type { Stage } from './stage';
 import type { Take } from './tracks';
 
@@ -57,32 +57,65 @@ export function overviewSide(take: Take, bounds: { start: Box3 }): Vector3 {
   return towards.normalize().applyAxisAngle(new Vector3(0, 1, 0), 0.56);
 }
 
-export function viewsOf(take: Take, bounds: { start: Box3; all: Box3 }, aspect: number): View[] {
-  const ball = take.meta.bodies.findIndex((body) => body.role === 'ball');
-  const centre = bounds.start.getCenter(new Vector3());
-  const towards = overviewSide(take, bounds);
-  const size = bounds.start.getSize(new Vector3()).length() / 2;
-  const radius = size + 0.14 * (bounds.all.getSize(new Vector3()).length() / 2 - size);
+// What page and bar leave of the picture's height: from 1 (its top) to -1.
+export interface FreeHeight {
+  top: number;
+  bottom: number;
+}
+
+// From that side and a little above, just so far that the whole box is in the free part of the picture.
+function fitted(box: Box3, towards: Vector3, aspect: number, free: FreeHeight): View {
   const fieldOfView = 36;
-  const opening = Math.atan(Math.tan(MathUtils.degToRad(fieldOfView / 2)) * Math.min(1.45, aspect));
-  const distance = (radius * 1.15) / Math.sin(opening);
-  // A little below the middle of the picture, where the bar does not reach.
-  const target = new Vector3(centre.x, centre.y - 0.1 * size, centre.z);
-  const position = target.clone().addScaledVector(towards, distance * 0.97).add(new Vector3(0, distance * 0.235, 0));
-  const views: View[] = [{ name: 'Overview', position, target, fieldOfView, follows: -1 }];
+  const camera = new PerspectiveCamera(fieldOfView, aspect, 0.01, 1e5);
+  const target = box.getCenter(new Vector3());
+  const direction = towards.clone().add(new Vector3(0, 0.24, 0)).normalize();
+  let distance = Math.max(0.5, box.getSize(new Vector3()).length() * 2);
+  const corner = new Vector3();
+  for (let round = 0; round < 24; round++) {
+    camera.position.copy(target).addScaledVector(direction, distance);
+    camera.lookAt(target);
+    camera.updateMatrixWorld();
+    const seen = { left: 1e9, right: -1e9, low: 1e9, high: -1e9 };
+    for (let k = 0; k < 8; k++) {
+      corner.set(k & 1 ? box.max.x : box.min.x, k & 2 ? box.max.y : box.min.y, k & 4 ? box.max.z : box.min.z).project(camera);
+      seen.left = Math.min(seen.left, corner.x);
+      seen.right = Math.max(seen.right, corner.x);
+      seen.low = Math.min(seen.low, corner.y);
+      seen.high = Math.max(seen.high, corner.y);
+    }
+    // Up or down until it lies in the middle of the free part, nearer or farther until it fills nine tenths of it.
+    const half = Math.tan((fieldOfView * Math.PI) / 360);
+    const off = (seen.low + seen.high - free.top - free.bottom) / 2;
+    target.y += off * half * distance * 0.8;
+    const fill = Math.max((seen.right - seen.left) / 1.8, Math.max(Math.abs(seen.left), Math.abs(seen.right)) / 0.9,
+      (seen.high - seen.low) / (0.9 * (free.top - free.bottom)));
+    distance *= Math.min(1.5, Math.max(0.6, fill)) ** 0.8;
+  }
+  return { name: 'Overview', position: target.clone().addScaledVector(direction, distance), target, fieldOfView, follows: -1 };
+}
+
+export function viewsOf(take: Take, bounds: { start: Box3; all: Box3 }, aspect: number, free: FreeHeight): View[] {
+  const ball = take.meta.bodies.findIndex((body) => body.role === 'ball');
+  const towards = overviewSide(take, bounds);
+  const views: View[] = [fitted(bounds.all, towards, aspect, free)];
   for (const camera of take.meta.cameras) {
     views.push({ name: camera.name, position: new Vector3(...camera.position), target: new Vector3(...camera.target), fieldOfView: camera.fieldOfView, follows: -1 });
   }
   if (ball >= 0) {
     const from = new Vector3(...take.position(0, ball));
-    const behind = from.clone().addScaledVector(towards, 0.9).add(new Vector3(0, 0.45, 0));
+    const far = Math.max(0.3, 7 * sizeOf(take, ball));
+    const behind = from.clone().addScaledVector(towards, far).add(new Vector3(0, 0.5 * far, 0));
     views.push({ name: 'Follow the ball', position: behind, target: from, fieldOfView: 48, follows: ball });
   }
   return views;
 }
 
-export function applyView(stage: Stage, view: View): void {
-  stage.camera.position.copy(view.position);
+const kUsualAspect = 1.6;
+
+// Cameras of a scene are set up for a picture as wide as a screen: in a narrower one they step back.
+export function applyView(stage: Stage, view: View, fits: boolean): void {
+  const back = fits ? 1 : Math.max(1, kUsualAspect / stage.camera.aspect) ** 0.75;
+  stage.camera.position.copy(view.position).sub(view.target).multiplyScalar(back).add(view.target);
   stage.camera.fov = view.fieldOfView;
   stage.camera.updateProjectionMatrix();
   stage.controls.target.copy(view.target);

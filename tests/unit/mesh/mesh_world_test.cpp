@@ -411,7 +411,7 @@ TEST(MeshWorld, NothingSinksIntoHills) {
       }
     }
     EXPECT_GT(measured, 700);
-    // Measured: 12 mm; three capsules of 160 mm that spin in a hollow, their turn seen only in part, 18 to 26 mm for a while.
+    // Measured: 12 mm; three capsules 100 mm thick that spin in a hollow, their turn seen only in part, 18 to 26 mm for a while.
     std::sort(deepest.begin(), deepest.end());
     EXPECT_LT(deepest.back(), 0.03) << triangles;
     EXPECT_LT(deepest[deepest.size() - 2], 0.02) << triangles;
