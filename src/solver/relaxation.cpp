@@ -27,6 +27,8 @@ constexpr float kMovingWeights = 2.5f;  // x tolerance: what a body that moves f
 //! - | too small: cost | too large: walls lean
 constexpr float kClusterShare = 1.0f;  // x tolerance: of clusters
 
+//! - | too small: what stands is thrown out of balance at its foot | too large: momentum on smooth ground drifts
+constexpr float kFree = 0.2f;  // of the way that a force would move it with nothing there: then it counts as free
 //! - | too small: cycles of rounding are taken for progress: cost | too large: slow ways to balance are given up
 constexpr float kBetter = 0.8f;  // of the least square of residuals
 //! - | too small: a body whose points open and close is given up | too large: cost
@@ -189,13 +191,22 @@ class Relaxation {
     }
   }
 
-  // The momentum of what slides on smooth ground is the whole island's: one exact step of it.
+  // The momentum of what slides on smooth ground is the whole island's: one exact step of it. Where the ground holds it, that
+  // would only be pressed on the bodies that stand there.
   void moveAsOne() {
     const Level& top = hierarchies_[0]->levels.back();
     for (const Cluster& cluster : top.clusters) {
-      ClusterFactor exact;
-      if (cluster.sideBegin != cluster.sideEnd) step(top, cluster, exact, residualOf(island_, top, cluster), true);
+      if (cluster.sideBegin == cluster.sideEnd) continue;
+      ClusterFactor exact{clusterMatrix(forces_, top, cluster, true)};
+      if (!(exact.valid = exact.matrix.factor())) continue;
+      if (freest(exact.matrix) * cluster.mass > kFree)
+        step(top, cluster, exact, residualOf(island_, top, cluster), true);
     }
+  }
+  // m/N: how far a force along x, y or z moves it at most.
+  static float freest(const Symmetric6& factor) {
+    return std::max({factor.solve({{1, 0, 0}, {}}).force.x, factor.solve({{0, 1, 0}, {}}).force.y,
+                     factor.solve({{0, 0, 1}, {}}).force.z});
   }
 
   Island& island_;

@@ -19,6 +19,7 @@
 #include "solver/prepare.h"
 #include "solver/store.h"
 #include "world/activity.h"
+#include "world/core_sweep.h"
 #include "world/diary.h"
 #include "world/hits.h"
 #include "world/move_body.h"
@@ -84,6 +85,7 @@ class ImpactWalk {
   double lookAhead(Island& island, double left);
   void solve(Island& island, double dt, bool toImpact, SolveStatistics& statistics);
   bool goTo(Island& island, double dt, bool toImpact);
+  bool runsThrough(const Island& island, double dt) const;
   bool impact(Island& island);
   Memory remember(const Island& island) const;
   void restore(const Island& island, const Memory& memory);
@@ -236,7 +238,7 @@ double ImpactWalk::lookAhead(Island& island, double left) {
 bool ImpactWalk::goTo(Island& island, double dt, bool toImpact) {
   Memory before = remember(island);
   solve(island, dt, toImpact, context_.statistics);
-  bool fine = solvedWell(island, context_);
+  bool fine = solvedWell(island, context_) && !runsThrough(island, dt);
   if (fine) advanceRows(island, ties_, context_);
   for (BodyIndex body : island.bodies) fine = fine && moveBody(body, bodies_, context_);
   if (!fine) {
@@ -247,6 +249,44 @@ bool ImpactWalk::goTo(Island& island, double dt, bool toImpact) {
   for (ContactIndex contact : island.rows.contacts.contactOf) narrow.renew(contact);
   report_.manifoldsComputed += narrow.computed();
   return true;
+}
+
+// Contacts of what is still far, or turns, may lie: on the way that the solve found for `dt` s the core of a body would pass
+// into something.
+bool ImpactWalk::runsThrough(const Island& island, double dt) const {
+  auto sweepOf = [&](BodyIndex body) {
+    const BodyMotion& m = bodies_.motion[body];
+    const BodyMass& mass = bodies_.mass[body];
+    bool here = std::binary_search(island.bodies.begin(), island.bodies.end(), body);
+    Sweep out{bodies_.pose(body)};
+    out.way = here ? context_.solved[body].d : m.linearVelocity * dt;
+    out.turn = here ? context_.solved[body].th : m.angularVelocity * dt;
+    out.turns = length(visibleTurn(mass, m.orientation, out.turn)) * mass.outerRadius > mass.innerRadius;
+    return out;
+  };
+  auto isDynamic = [&](BodyIndex body) { return bodies_.data[body].type == BodyType::dynamic; };
+  auto meets = [&](ShapeIndex shape, const Sweep& own) {
+    const ShapeData& s = registry_.shapes.data[shape];
+    bool met = false;
+    Aabb here = bounds(s.geometry, own.start * s.inCentreFrame);
+    if (own.turns) here = merged(here, bounds(s.geometry, own.at(1) * s.inCentreFrame));
+    proximity_.broadPhase->query(
+        {here.lower + min(own.way, Vec3{}), here.upper + max(own.way, Vec3{})}, [&](std::uint32_t other) {
+          const ShapeData& o = registry_.shapes.data[other];
+          if (o.body == s.body || !filtersAllow(s.def.filter, o.def.filter)) return true;
+          Sweep of = sweepOf(o.body);
+          met = coreWay(s, own, o, of) < 1 || (isDynamic(o.body) && coreWay(o, of, s, own) < 1);
+          return !met;
+        });
+    return met;
+  };
+  for (BodyIndex body : island.bodies) {
+    Sweep own = sweepOf(body);
+    if (!own.turns && length(own.way) < kCoreShare * bodies_.mass[body].innerRadius) continue;
+    for (ShapeIndex shape : bodies_.shapes[body])
+      if (meets(shape, own)) return true;
+  }
+  return false;
 }
 
 bool ImpactWalk::impact(Island& island) {

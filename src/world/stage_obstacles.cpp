@@ -9,10 +9,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/queries.h"
 #include "solver/finish/motion.h"
 #include "solver/free_motion.h"
 #include "world/activity.h"
+#include "world/core_sweep.h"
 #include "world/diary.h"
 #include "world/proximity.h"
 #include "world/stage_hash.h"
@@ -25,79 +25,6 @@ namespace {
 //! times the mass | too small: a body goes on through what is only a little lighter
 //! | too large: bricks pressed into a wrecking ball hold it in the air
 constexpr double kFarHeavier = 30;  // times the mass
-//! inner radii | too small: cores slip through what is thinner than they
-//! | too large: bodies in contact stop each other in their ordinary overlap
-constexpr double kCoreShare = 0.25;  // of a shape's inner radius
-//! - | too small: a turning body stops earlier than it need | too large: cost
-constexpr int kHalvings = 6;  // of a way that turned out to end inside
-//! rad | too small: cost | too large: an arc passes over a thin corner between two chords
-constexpr double kChord = 0.1;  // rad: arcs are looked at as straight in parts of this
-//! - | too small: chords of fast spins get long | too large: cost of fast spins
-constexpr int kMostChords = 32;
-
-struct Sweep {
-  Transform start;     // of a body's centre frame
-  Vec3 way, turn;      // m, rad
-  bool turns = false;  // so far that its surface moves by more than it is thick
-
-  Transform at(double share) const {
-    Quat turned = turns ? normalized(quatFromRotationVector(turn * share) * start.rotation) : start.rotation;
-    return {start.position + way * share, turned};
-  }
-
-  // How much further what is at `place` after that share gets, if it stays where it then is on this body.
-  Vec3 carry(Vec3 place, double share) const {
-    Sweep exact = *this;
-    exact.turns = true;
-    return transformPoint(exact.at(1), transformPoint(inverse(exact.at(share)), place)) - place;
-  }
-};
-
-// How far the core of `moving` gets on its way past `still`, as a share. What turns is seen from its own frame: the way
-// then is where the core ends up in it.
-double coreWay(const ShapeData& moving, const Sweep& way, const ShapeData& still, const Sweep& of) {
-  Transform pose = of.start * still.inCentreFrame, back = inverse(pose);
-  Vec3 from = transformPoint(way.start, moving.middle);
-  bool turns = way.turns || of.turns;
-  auto placeAt = [&](double share) {
-    return transformPoint(inverse(of.at(share) * still.inCentreFrame), transformPoint(way.at(share), moving.middle));
-  };
-  Transform coreInOther{transformPoint(back, from), {}};
-  Shape core;
-  core.type = ShapeType::sphere;
-  core.radius = kCoreShare * moving.innerRadius;
-  // However often it is stopped there, it never gets all the way.
-  double apart = shapeDistance(still.geometry, core, coreInOther).distance, target = core.radius;
-  if (!(apart > 0)) {  // pressed in: at least its centre must stay outside
-    core.radius = 0;
-    apart = shapeDistance(still.geometry, core, coreInOther).distance;
-    if (!(apart > 0)) return 1;  // inside: the contacts push it out
-  }
-  target = std::min(target, 0.5 * apart);
-  if (!turns) {
-    Vec3 motion = rotate(back.rotation, way.way - of.way);
-    return timeOfImpact(still.geometry, core, coreInOther, motion, target).value_or(1);
-  }
-  double angle = std::max(length(way.turn), length(of.turn));
-  int parts = angle < kChord * kMostChords ? 1 + int(angle / kChord) : kMostChords;
-  for (int part = 0; part < parts; part++) {
-    double begin = double(part) / parts, step = 1.0 / parts;
-    coreInOther.position = placeAt(begin);
-    Vec3 motion = placeAt(begin + step) - coreInOther.position;
-    std::optional<double> met = timeOfImpact(still.geometry, core, coreInOther, motion, target);
-    // The part was taken as straight: where it really gets to on the arc must be outside, too.
-    double share = begin + step * met.value_or(1);
-    bool outside = false;
-    for (int halving = 0; halving < kHalvings && !outside; halving++) {
-      outside = shapeDistance(still.geometry, core, {placeAt(share), {}}).distance > 0.5 * target;
-      if (outside && (met || halving > 0)) return share;
-      share = begin + 0.5 * (share - begin);
-    }
-    if (!outside) return begin;
-  }
-  return 1;
-}
-
 bool exceeds(Vec3 way, double limit) { return lengthSquared(way) > limit * limit; }
 
 struct Motion {

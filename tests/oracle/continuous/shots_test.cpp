@@ -86,6 +86,17 @@ TEST(Shots, ThoseThatOnceCreptInside) {
   }
 }
 
+// Bodies that went on to an impact within the step past a corner, or through what a contact found from afar had not shown.
+TEST(Shots, ThoseThatWentThroughOnTheWayToAnImpact) {
+  for (std::uint64_t seed : {2815, 3525, 5460, 6761, 7058, 11172, 15254, 15466, 19287, 19923}) {
+    Shot shot = randomShot(seed);
+    Flight flight = fly(shot);
+    ASSERT_TRUE(flight.fired) << describe(shot);
+    EXPECT_FALSE(flight.through) << describe(shot);
+    EXPECT_FALSE(flight.within) << describe(shot);
+  }
+}
+
 TEST(Shots, NothingGoesThrough) {
   Tally tally;
   std::uint64_t first = std::max<std::uint64_t>(seedFrom("BRICKFALL_SHOTS_FROM"), 1);
