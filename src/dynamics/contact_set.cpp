@@ -62,8 +62,8 @@ void ContactSet::mergeInto(std::vector<CandidatePair>& sorted, const std::vector
 }
 
 void ContactSet::keepRoom(std::size_t shapes) {
-  // A shape in a heap has some eight neighbours within the margins (twelve in one on hills), a brick in a wall six.
-  constexpr std::size_t kPairs = 16, kContacts = 8;
+  // A shape in a heap has some eight neighbours within the margins (twelve and more in one on hills), a brick in a wall six.
+  constexpr std::size_t kPairs = 24, kContacts = 8;
   brickfall::keepRoom(pairs, kPairs * shapes);
   std::size_t all = std::max(pairs.capacity(), asleep.capacity());  // all of them may fall asleep or wake at once
   for (auto* list : {&pairs, &asleep, &moved_}) list->reserve(all);

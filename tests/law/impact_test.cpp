@@ -38,7 +38,7 @@ TEST(Law, Row18eFrictionInImpacts) {
 
 // Restitution that goes to nothing does what none does: a ball into a wall, bricks that moved by more than 50 mm.
 TEST(Law, Row18fTheSmallestRestitutionChangesTheLeast) {
-  for (double speed : {10.0, 20.0}) {
+  for (double speed : atFullLength() ? std::vector{10.0, 20.0} : std::vector{20.0}) {
     auto moved = [&](double e) {
       WallOf w;
       w.courses = w.bricks = 20;
