@@ -77,9 +77,9 @@ void addSolverKeys(std::vector<KeySpec>& keys) {
   keys.push_back({"solver", "restitution_speed", K::number, "m/s", 0, 100, "1", "", "slower impacts do not rebound; a body alone on something fixed bounces on until gravity x time_step"});
   keys.push_back({"solver", "contact_margin", K::number, "m", 1e-5, 1, "0.01", "", "contacts are made this early"});
   keys.push_back({"solver", "rest_speed", K::number, "m/s", 0, 1, "0.01", "", "only slower islands are put to rest"});
-  keys.push_back({"solver", "rest_tolerance", K::number, "", 0, 1, "0.001", "", "force residual / weight taken as: nothing moves"});
+  keys.push_back({"solver", "rest_tolerance", K::number, "", 0, 1, "0.001", "", "force residual / max(weight, 0.02 load) taken as: nothing moves"});
   keys.push_back({"solver", "cycle_tolerance", K::number, "", 1e-6, 1, "0.02", "", "residual / max(weight, 0.3 load) under which a body of a large moving island is left alone"});
-  keys.push_back({"solver", "min_cycles", K::integer, "", 1, 64, "4", "", "cycles of every step; at most max_cycles"});
+  keys.push_back({"solver", "min_cycles", K::integer, "", 1, 64, "4", "", "cycles of every step, but one before a direct solve of 2 to 24 bodies; at most max_cycles"});
   keys.push_back({"solver", "max_cycles", K::integer, "", 1, 256, "10", "", "cycles of large islands"});
   keys.push_back({"solver", "max_cycles_small", K::integer, "", 1, 256, "64", "", "cycles of the smallest islands"});
 }

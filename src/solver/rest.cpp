@@ -17,7 +17,8 @@ constexpr double kSlide = 0.5;  // of the loss of kinetic energy, that sliding f
 void dampSlowIsland(const Island& island, const StepContext& context, BodySet& bodies) {
   const double lost = island.facts.energyBefore - island.facts.energy;
   if (!island.plan.slow || lost <= 0) return;
-  // What friction takes from the slide of a body alone is no vibration: it ends by itself. Towers rub somewhere whenever they sway.
+  // What friction takes from the slide of a body alone is no vibration: it ends by itself. Towers rub somewhere whenever they
+  // sway.
   if (island.bodies.size() == 1 && island.slipWork >= kSlide * lost) return;
   // What nothing presses on has no part in a vibration: it falls.
   std::pmr::vector<char> touched(island.bodies.size(), 0, island.memory);

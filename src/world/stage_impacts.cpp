@@ -40,8 +40,7 @@ constexpr double kBlink = 1e-3;
 //! - | too small: fast bodies are left whole | too large: contacts found from so far say little about what is met
 constexpr double kFarWay = 2, kFarWayAlone = 4;  // outer radii, in a step; of a body that touches fixed things only
 //! rad | too small: what falls fast without a spin rebounds late | too large: as kFarWay
-constexpr double kNoTurn =
-    0.01;  // visible, in a step, of a body that touches fixed things only: then any way may be parted
+constexpr double kNoTurn = 0.01;  // visible, in a step, of a body alone: then any way may be parted
 //! rad | too small: cost of what tumbles | too large: tops precess too slowly, then fall
 constexpr double kMostTurn = 0.2;  // visible, of a body in contact, in a part
 //! - | too small: the fastest tops fall | too large: cost

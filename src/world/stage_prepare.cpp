@@ -1,4 +1,4 @@
-// Kinetic damping; where each body would go if nothing touched it; contacts to records. From here to restitution a settled
+// Kinetic damping; where each body would go if nothing touched it; contacts to records. From here to the balance a settled
 // island, of which nothing can change, is passed over.
 #include "solver/free_motion.h"
 #include "solver/prepare.h"

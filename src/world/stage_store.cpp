@@ -1,5 +1,5 @@
-// What the solve found is kept: forces for the next step, motions for the stages to come. Hits are told here, before
-// restitution forgets the forces of the impacts that it answers.
+// What the solve found is kept: forces for the next step, motions for the stages to come. Hits are told here, by the forces of
+// the solve.
 #include "solver/store.h"
 
 #include <algorithm>

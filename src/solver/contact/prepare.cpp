@@ -1,5 +1,5 @@
-// The start of a step for the contacts of an island. They remember forces, plastic offsets and friction anchors; here these become
-// the trial force of each point at zero motion.
+// The start of a step for the contacts of an island. They remember forces, plastic offsets and friction anchors; here these
+// become the trial force of each point at zero motion.
 //
 // Normal return map: a point is born with all its overlap plastic (it causes no force). When an impact is over (a soft
 // point no longer closing) the point becomes stiff and its offset is chosen so that it goes on with the force it has;

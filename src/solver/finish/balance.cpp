@@ -121,7 +121,8 @@ double takeResidual(const Island& island, StepContext& context, double excess) {
 }
 
 // What elastic joints give back is no gain, but makes what stands sway: it is taken from what firm joints hold to the ground,
-// and from nothing else; while nothing moves fast, any joint that presses is firm (a tower that leans stands on edges). Large islands sway little enough without it.
+// and from nothing else; while nothing moves fast, any joint that presses is firm (a tower that leans stands on edges). Large
+// islands sway little enough without it.
 void dampSway(const Island& island, StepContext& context, double excess) {
   if (island.plan.byLoad) return;
   const bool sways = island.facts.fastest <= kSwaySpeed;
