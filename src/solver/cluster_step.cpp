@@ -10,6 +10,9 @@
 // Open points nearer than kNearContact are in the matrix, so that no step runs through them; but what turns away from them, or
 // towards one that is still far, then gets a step that can be a hundred times too short and seems to hang in the air. Exact
 // steps leave them out and search instead.
+//
+// Making the matrix costs as much as two readings of the boundary, so its factor is kept while its steps end well: one that is too
+// long is tried again with a new factor before anything is searched, and after one that is too short the next is made anew.
 #include "solver/cluster_step.h"
 
 #include <algorithm>
@@ -40,6 +43,66 @@ void moveCluster(Island& island, const Level& level, const Cluster& cluster, con
   }
 }
 
+// A step and how far along it the cluster is. The slope is that of the energy, downwards.
+class Way {
+ public:
+  Way(RowForces& forces, const Level& level, const Cluster& cluster, Wrench step, const Wrench& residual, bool exact)
+      : forces_(forces), level_(level), cluster_(cluster), step_(step), exact_(exact) {
+    float turn = length(step_.torque), most = float(kLargestTurn);
+    if (turn > most) step_ = {step_.force * (most / turn), step_.torque * (most / turn)};
+    start_ = power(residual, step_);
+    resist_ = power({step_.force * cluster.mass, timesInertia(cluster.inertia, step_.torque)}, step_);
+  }
+  // Returns the slope there.
+  float moveTo(float part) {
+    moveCluster(forces_.island(), level_, cluster_, step_, part - at_);
+    at_ = part;
+    return start_ + power(forces_.readBoundary(level_, cluster_, exact_, nullptr), step_) - part * resist_;
+  }
+  const Wrench& whole() const { return step_; }
+  float at() const { return at_; }
+  float start() const { return start_; }
+  // Slopes between which a step ends near enough to its minimum.
+  float lowest() const { return -(exact_ ? kOvershootExact : kOvershoot) * start_; }
+  float highest() const { return (exact_ ? kUndershootExact : kUndershoot) * start_; }
+
+ private:
+  RowForces& forces_;
+  const Level& level_;
+  const Cluster& cluster_;
+  Wrench step_;
+  bool exact_;
+  float start_, resist_, at_ = 0;
+};
+
+// For the zero of the slope, from the whole step, which is too long.
+void search(Way& way, float slope, int evaluations) {
+  float low = 0, slopeLow = way.start(), high = 1, slopeHigh = slope;
+  for (int k = 0; k < evaluations; k++) {
+    float fall = slopeLow - slopeHigh, width = high - low;
+    if (!(fall > 0)) return;  // both have underflowed: forces that a float hardly knows are balanced
+    float next = k % 3 == 2 ? 0.5f * (low + high) : low + width * slopeLow / fall;
+    if (k >= 1) next = std::min(std::max(next, low + 0.05f * width), high - 0.05f * width);
+    slope = way.moveTo(next);
+    if (slope >= way.lowest() && slope <= way.highest()) return;
+    // Otherwise one end of the bracket might never move.
+    if (slope > 0) {
+      low = next;
+      slopeLow = slope;
+      slopeHigh *= 0.5f;
+    } else {
+      high = next;
+      slopeHigh = slope;
+      slopeLow *= 0.5f;
+    }
+  }
+}
+
+bool makeFactor(RowForces& forces, const Level& level, const Cluster& cluster, bool exact, ClusterFactor& factor) {
+  factor.matrix = clusterMatrix(forces, level, cluster, exact);
+  return factor.valid = factor.matrix.factor();
+}
+
 }  // namespace
 
 Symmetric6 clusterMatrix(RowForces& forces, const Level& level, const Cluster& cluster, bool exact) {
@@ -53,46 +116,22 @@ Symmetric6 clusterMatrix(RowForces& forces, const Level& level, const Cluster& c
 
 ClusterStep tryStep(RowForces& forces, const Level& level, const Cluster& cluster, ClusterFactor& factor,
                     const Wrench& residual, bool exact) {
-  if (!factor.valid) {
-    factor.matrix = clusterMatrix(forces, level, cluster, exact);
-    if (!factor.matrix.factor()) return {};
-    factor.valid = true;
-  }
-  Wrench x = factor.matrix.solve(residual);
-  float turn = length(x.torque), most = float(kLargestTurn);
-  if (turn > most) x = {x.force * (most / turn), x.torque * (most / turn)};
-  float start = power(residual, x),
-        resist = power({x.force * cluster.mass, timesInertia(cluster.inertia, x.torque)}, x);
-  if (!(start > 0)) return {};
-  float at = 0;
-  auto slopeAt = [&](float t) {
-    moveCluster(forces.island(), level, cluster, x, t - at);
-    at = t;
-    return start + power(forces.readBoundary(level, cluster, exact, nullptr), x) - t * resist;
-  };
-  float slope = slopeAt(1), lowest = -(exact ? kOvershootExact : kOvershoot) * start,
-        highest = (exact ? kUndershootExact : kUndershoot) * start;
-  if (slope >= lowest) return {x, at};
-  float low = 0, slopeLow = start, high = 1, slopeHigh = slope;
-  for (int k = 0; k < (exact ? kLineSearchStepsExact : kLineSearchSteps); k++) {
-    float fall = slopeLow - slopeHigh, width = high - low;
-    if (!(fall > 0)) break;  // both have underflowed: forces that a float hardly knows are balanced
-    float next = k % 3 == 2 ? 0.5f * (low + high) : low + width * slopeLow / fall;
-    if (k >= 1) next = std::min(std::max(next, low + 0.05f * width), high - 0.05f * width);
-    slope = slopeAt(next);
-    if (slope >= lowest && slope <= highest) break;
-    // Otherwise one end of the bracket might never move.
-    if (slope > 0) {
-      low = next;
-      slopeLow = slope;
-      slopeHigh *= 0.5f;
-    } else {
-      high = next;
-      slopeHigh = slope;
-      slopeLow *= 0.5f;
+  bool kept = factor.valid;
+  for (;; kept = false) {
+    if (!kept && !makeFactor(forces, level, cluster, exact, factor)) return {};
+    Way way(forces, level, cluster, factor.matrix.solve(residual), residual, exact);
+    if (!(way.start() > 0)) return {};
+    float slope = way.moveTo(1);
+    if (slope >= way.lowest()) {
+      factor.valid = slope <= way.highest();
+      return {way.whole(), 1};
     }
+    if (!kept) {
+      search(way, slope, exact ? kLineSearchStepsExact : kLineSearchSteps);
+      return {way.whole(), way.at()};
+    }
+    way.moveTo(0);
   }
-  return {x, at};
 }
 
 void addInertiaOfStep(Island& island, const Level& level, const Cluster& cluster, const ClusterStep& step) {

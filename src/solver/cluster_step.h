@@ -5,8 +5,8 @@
 
 namespace brickfall {
 
-// The factor of a cluster's Newton matrix: inertia and the stiffness of its boundary. Good until a row of the boundary gets
-// stiffer.
+// The factor of a cluster's Newton matrix: inertia and the stiffness of its boundary, as it was when the factor was made. Kept
+// from step to step until one shows that it is off.
 struct ClusterFactor {
   Symmetric6 matrix;
   bool valid = false;

@@ -203,7 +203,7 @@ class Newton {
       matrix_.add(place_[i], place_[i], b);
     }
     std::as_const(island_.rows).each([&](const auto& kind, std::size_t k) {
-      addRow(kind.ends(k), kind.template reactStiff<true>(k, island_.motion.data(), true));
+      addRow(kind.ends(k), kind.reactStiff(k, island_.motion.data(), true));
     });
   }
 

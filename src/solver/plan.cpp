@@ -24,6 +24,10 @@ constexpr int kMaxCyclesRubble = 20;  // ... and gets so many cycles
 constexpr double kHeavyShare = 0.01;  // effective mass of the softest joint of a small island
 //! - | too small: Newton's method starts far off | too large: cost of what it does better
 constexpr int kCyclesBeforeDirect = 1;  // of exact steps
+//! s | too small: walls sag | too large: what sways does not converge at short steps, and stops a ball that goes through at longer
+constexpr double kFirmStep = 1.0 / 60;  // at shorter steps joints of large islands have a part of restingStiffness
+//! - | too small: what rests is softer than what is hit | too large: with kFirmStep
+constexpr double kLeastFirm = 2;  // x impactStiffness: what they are at least
 //! weights | too small: cost | too large: large walls creep before they rest
 constexpr double kStandingTolerance = 1e-2;  // weights: of a body in a large slow island
 
@@ -45,6 +49,13 @@ int cycleBudget(const IslandFacts& facts, bool slow, const SolverSettings& setti
   int budget = std::clamp(bySize, settings.maxCycles, std::max(settings.maxCycles, settings.maxCyclesSmall));
   bool rubble = double(facts.quick) > kRubbleShare * double(facts.bodies);
   return std::max({budget, slow ? kMaxCyclesSlow : 0, rubble ? kMaxCyclesRubble : 0});
+}
+
+// x restingStiffness. That is in units of inertia over the time step squared, and so without bound as the step gets shorter;
+// bricks are not. Small islands are solved to the end at any stiffness.
+double firmness(const SolverSettings& settings, double dt) {
+  double share = dt / kFirmStep;
+  return std::min(1.0, std::max(share, kLeastFirm * settings.impactStiffness / settings.restingStiffness));
 }
 
 const PlanRow& rowOf(const IslandFacts& facts) {
@@ -92,7 +103,7 @@ SolvePlan planFor(const IslandFacts& facts, const SolverSettings& settings, doub
   plan.slow = supported && facts.fastest <= settings.restSpeed;
   plan.exactSteps = row.exactSteps;
   plan.direct = row.direct;
-  plan.stiffening = calm ? double(row.calmStiffening) : 1;
+  plan.stiffening = (calm ? double(row.calmStiffening) : 1) * (row.byLoad ? firmness(settings, dt) : 1);
   plan.leastMass = row.direct ? kHeavyShare * facts.heaviest : 0;
   plan.byLoad = row.byLoad;
   plan.startsFree = !row.byLoad || !facts.grounded || facts.fastest > kDebrisSpeed;

@@ -26,10 +26,7 @@ struct Stiffness {
 
 // A reaction for a Newton step.
 struct StiffReaction : Reaction {
-  Stiffness stiffness;     // as asked for
-  wide::M nonlinear{};     // any bit: the force has a kink nearby, the step wants a line search
-  std::uint32_t grip = 0;  // bits: the ways in which it resists; a new one makes it stiffer
-  bool yields = false;     // its stiffness follows the force: it slides
+  Stiffness stiffness;
 };
 
 }  // namespace brickfall

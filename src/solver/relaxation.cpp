@@ -16,10 +16,14 @@ constexpr int kRounds = 2;  // sweeps over the single bodies in each cycle, forw
 constexpr int kExactSteps = 4;  // of one body in a row
 //! - | too small: cost | too large: bodies are taken up again and again; what slides alone is a little off
 constexpr float kGoal = 0.3f, kGoalExact = 0.01f;  // x what a body may be left with: its own steps end there
+//! - | too small: bodies are polished while all around them still moves: cost | too large: more cycles
+constexpr float kLessened = 0.25f;  // of the residual's square: exact steps in a large island end there, too
 //! - | too small: standing walls are searched through: cost | too large: what hangs is not found
 constexpr float kBarely = 0.5f;  // a step that leaves so much of the residual's square has not found the way
 //! - | too small: new points slide under bounds that are not theirs | too large: bounds and forces chase each other
 constexpr int kBoundCycles = 2;  // in which the friction bounds of new points follow
+//! - | too small: what is dropped is left unbalanced | too large: friction of what opens for a moment is lost
+constexpr int kDropCycles = 3;  // the last ones, in which new points that have opened lose theirs
 //! m/s | too small: standing walls take the steps of rubble: cost | too large: rubble takes those of walls
 constexpr float kMovingSpeed = 0.03f;
 //! weights | too small: cost | too large: what is flung about is left unbalanced
@@ -43,7 +47,8 @@ class Relaxation {
         forces_(island, statistics),
         allowed_(island.bodies.size(), 0, island.memory),
         hierarchies_{&island.byStrength, &island.byMechanism},
-        factors_{std::pmr::vector<ClusterFactor>(island.memory), std::pmr::vector<ClusterFactor>(island.memory)} {
+        factors_{std::pmr::vector<ClusterFactor>(island.memory), std::pmr::vector<ClusterFactor>(island.memory)},
+        exactFactors_(island.bodies.size(), island.memory) {
     for (int h = 0; h < 2; h++) {
       std::size_t clusters = 0;
       for (const Level& level : hierarchies_[h]->levels) clusters += level.clusters.size();
@@ -64,9 +69,11 @@ class Relaxation {
       if (!island_.plan.byLoad)
         forces_.readAll();
       else if (cycle < kBoundCycles)
-        forces_.renewBounds([this](RowEnds ends) { invalidate(ends); });
+        forces_.renewBounds();
       findAllowed();
       done = cycle + 1 >= island_.plan.minCycles && allBalanced();
+      bool ends = done || cycle + kDropCycles >= island_.plan.maxCycles;
+      if (island_.plan.byLoad && ends && cycle >= kBoundCycles && dropBounds()) done = false;
       if (stalls()) break;
     }
     if (island_.grounded() && !island_.plan.exactSteps) moveAsOne();
@@ -88,6 +95,11 @@ class Relaxation {
       else
         allowed_[i] = tolerance * std::max(weight, float(kLoadShare) * load);
     }
+  }
+  // Where a wall sways, points open for a moment, and their friction holds it.
+  bool dropBounds() {
+    auto flies = [this](std::uint32_t body) { return body < allowed_.size() && moves(body); };
+    return forces_.dropBounds([&](RowEnds ends) { return flies(ends.a) || flies(ends.b); });
   }
   bool moves(std::size_t i) const { return !island_.plan.slow && island_.speeds[i] > kMovingSpeed; }
 
@@ -117,26 +129,10 @@ class Relaxation {
     return dot(g.force, g.force) + dot(g.torque, g.torque) / (r * r);
   }
 
-  // The factors of the clusters that a row bounds are no good any more.
-  void invalidate(RowEnds ends) {
-    std::uint32_t bodies = std::uint32_t(allowed_.size());
-    for (int h = 0; h < 2; h++) {
-      std::size_t begin = 0;
-      for (const Level& level : hierarchies_[h]->levels) {
-        std::uint32_t none = Cluster::kNone, a = ends.a < bodies ? level.clusterOf[ends.a] : none,
-                      b = ends.b < bodies ? level.clusterOf[ends.b] : none;
-        if (a == b) break;
-        if (a != none) factors_[h][begin + a].valid = false;
-        if (b != none) factors_[h][begin + b].valid = false;
-        begin += level.clusters.size();
-      }
-    }
-  }
-
   bool step(const Level& level, const Cluster& cluster, ClusterFactor& factor, const Wrench& residual, bool exact) {
     ClusterStep made = tryStep(forces_, level, cluster, factor, residual, exact);
     if (made.part == 0) return false;
-    if (!forces_.acceptBoundary(level, cluster, [this](RowEnds ends) { invalidate(ends); })) factor.valid = false;
+    forces_.acceptBoundary(level, cluster);
     addInertiaOfStep(island_, level, cluster, made);
     return true;
   }
@@ -185,9 +181,11 @@ class Relaxation {
       if (balanced(body, 0.5f) || squareOf(body) < kBarely * before) return;
     }
     float goal = island_.plan.exactSteps ? kGoalExact : kGoal;
-    for (int k = 0; k < kExactSteps && !balanced(body, goal); k++) {
-      ClusterFactor exact;
-      if (!step(level, cluster, exact, island_.residual[body], true)) break;
+    float enough = island_.plan.exactSteps ? 0 : kLessened * squareOf(body);
+    for (int k = 0; k < kExactSteps && !balanced(body, goal) && (k == 0 || squareOf(body) > enough); k++) {
+      // Where the direct solve follows on few bodies, it starts from as far down as a body can go.
+      if (island_.plan.exactSteps) exactFactors_[body].valid = false;
+      if (!step(level, cluster, exactFactors_[body], island_.residual[body], true)) break;
     }
   }
 
@@ -217,7 +215,8 @@ class Relaxation {
   float least_ = std::numeric_limits<float>::infinity();  // N2, of a body alone: what a cycle left at best
   int stalled_ = 0;                                       // cycles since
   const Hierarchy* hierarchies_[2];
-  std::pmr::vector<ClusterFactor> factors_[2];  // by cluster, finest level first
+  std::pmr::vector<ClusterFactor> factors_[2];    // by cluster, finest level first
+  std::pmr::vector<ClusterFactor> exactFactors_;  // by body, of exact steps
 };
 
 }  // namespace

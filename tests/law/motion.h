@@ -39,7 +39,10 @@ struct BuiltWall {
 // Running bond of whole bricks in the plane z = 0, its foot at y = 0 on a box.
 inline BuiltWall buildWall(const WallOf& w) {
   BuiltWall out;
-  out.world = awakeWorld();
+  WorldDef def;
+  def.enableSleep = false;
+  def.hitEventSpeed = def.hitEventImpulse = 0;  // every impact is told, also one that is over before its step is
+  out.world = makeWorld(def);
   ShapeDef slab = boxOf({20, 0.5, 5}, 1000, w.groundFriction);
   slab.material.restitution = w.groundRestitution;
   add(out.world, bodyOf(slab, {0, -0.5, 0}, BodyType::fixed));
@@ -94,6 +97,10 @@ struct Untouched {
       pressed.insert(c.bodyA);
       pressed.insert(c.bodyB);
     });
+    for (const HitEvent& hit : world.events().hits) {
+      pressed.insert(hit.bodyA);
+      pressed.insert(hit.bodyB);
+    }
     for (BodyId body : bodies) {
       bool now = pressed.count(body) > 0, was = before_.count(body) > 0;
       if (now || was || first_) continue;

@@ -103,7 +103,9 @@ TEST_P(LedgerOfScene, everyChangeHasItsCause) {
     ASSERT_LT(length(l.after.linear - world.linearMomentum()), 1e-9 * sums.mass) << "step " << i;
     slack += 1e-7 * (l.before.kinetic + sums.mass);               // the energy guard's own, in every step
     const bool allAwake = report->awakeBodies == report->bodies;  // contacts of sleeping bodies are told, not booked
-    if (i % 5 == 0 && allAwake && report->impacts == 0 && l.rebound.energy == 0 && run->scene().substeps == 1) {
+    // What islands took on their way to a moment within the step is not in the forces that they end with.
+    const bool wholeStep = length(l.impacts.linear) == 0;
+    if (i % 5 == 0 && allAwake && wholeStep && l.rebound.energy == 0 && run->scene().substeps == 1) {
       const SupportImpulse told = supportImpulse(world, dt);
       supportsGap =
           std::max(supportsGap, (length(told.sum - l.supports.linear) - told.turned) / (sums.mass * 9.81 * dt));

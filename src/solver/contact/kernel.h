@@ -86,33 +86,11 @@ inline WideWrench wrench(const ContactRecord& r, const Frame& frame, const Point
           frame.n * wide::spread<3>(force) + frame.t1 * wide::spread<0>(tilt) - frame.t2 * wide::spread<1>(tilt)};
 }
 
-// Points whose force has a kink nearby: sliding ones and bonds that yield.
-inline M needsLineSearch(const ContactRecord& r, const PointForces& f) {
-  V cap = load(r.tensionCap), zero = set(0);
-  return (f.slides & (load(r.limit) > zero)) | ((cap > zero) & (f.trialN <= -cap));
-}
-
 // N: points count as closed up to this tension, open ones that are nearer than `near` m among them. What a rebound pushes
 // apart does not.
 inline V closedReach(const ContactRecord& r, float near) {
   V cap = load(r.tensionCap);
   return wide::select(set(0) > cap, cap, wide::max(cap, load(r.k) * set(near)));
-}
-
-// Open points nearer than `near` m.
-inline M mayClose(const ContactRecord& r, const PointForces& f, float near) {
-  return (f.trialN <= -load(r.tensionCap)) & (f.trialN > -closedReach(r, near));
-}
-
-// Bits of the points that slide.
-inline std::uint32_t slidingPoints(const ContactRecord& r, const PointForces& f) {
-  return wide::bits(f.slides & (load(r.limit) > set(0)));
-}
-// Bits of what resists as `stiffness` counts it: 0 to 3 points along the normal, 4 to 7 points that stick.
-inline std::uint32_t grip(const ContactRecord& r, const PointForces& f, float near) {
-  M closed = f.trialN > -closedReach(r, near);
-  M sticks = ~f.slides & (load(r.limit) > set(0));
-  return wide::bits(closed) | wide::bits(sticks) << 4;
 }
 
 // Loaded points resist along the normal, and so do open ones that are nearer than `near` m: a Newton step must not run

@@ -51,4 +51,17 @@ bool ContactRows::renewNewPoints(std::size_t k, const SolveMotion* motion, float
   return changed;
 }
 
+bool ContactRows::dropBounds(std::size_t k, const SolveMotion* motion) {
+  ContactRecord& r = records[k];
+  alignas(16) float fn[4];
+  kernel::store(kernel::pointForces(r, kernel::pointMotion(r, kernel::frame(r), motion)).n, fn);
+  bool changed = false;
+  for (int i = 0; i < starts[k].points; i++) {
+    if (!(r.newPoints >> i & 1) || fn[i] > 0 || r.limit[i] == 0) continue;
+    r.limit[i] = 0;
+    changed = true;
+  }
+  return changed;
+}
+
 }  // namespace brickfall

@@ -70,6 +70,8 @@ struct ContactRows {
   bool renewBounds(std::size_t k, const SolveMotion* motion, float slack = 0) {
     return records[k].newPoints && renewNewPoints(k, motion, slack);
   }
+  // Where the solve has followed long enough: what has opened since holds nothing more. True if any bound changed.
+  bool dropBounds(std::size_t k, const SolveMotion* motion);
   // After a solve: impacts that are over give back their share of what they took, in a solve that goes on from there. True if
   // any does. Adds to `credit` (J) what they took in earlier steps.
   bool startRebounds(const Island& island, const StepContext& context, double& credit);
@@ -89,22 +91,12 @@ struct ContactRows {
     return {w.force, w.torque, frame.armA, frame.armB};
   }
   // Exact: open points are searched for, not counted as closed when they are near.
-  template <bool withStiffness> StiffReaction reactStiff(std::size_t k, const SolveMotion* motion, bool exact) const {
+  StiffReaction reactStiff(std::size_t k, const SolveMotion* motion, bool exact) const {
     const ContactRecord& r = records[k];
     kernel::Frame frame = kernel::frame(r);
     kernel::PointForces f = kernel::pointForces(r, kernel::pointMotion(r, frame, motion));
     kernel::WideWrench w = kernel::wrench(r, frame, f);
-    StiffReaction out;
-    out.force = w.force;
-    out.torque = w.torque;
-    out.armA = frame.armA;
-    out.armB = frame.armB;
-    out.nonlinear = kernel::needsLineSearch(r, f);
-    out.grip = kernel::grip(r, f, exact ? 0.0f : kNearContact);
-    out.yields = kernel::slidingPoints(r, f) != 0;
-    if (exact) out.nonlinear |= kernel::mayClose(r, f, kNearContact);
-    if constexpr (withStiffness) out.stiffness = kernel::stiffness(r, frame, f, exact ? 0.0f : kNearContact);
-    return out;
+    return {{w.force, w.torque, frame.armA, frame.armB}, kernel::stiffness(r, frame, f, exact ? 0.0f : kNearContact)};
   }
 
  private:

@@ -92,14 +92,17 @@ struct Scene {
   }
   // One Newton step, taken.
   void step() {
+    ClusterFactor factor;
+    step(factor);
+  }
+  void step(ClusterFactor& factor) {
     RowForces forces(island, counts);
     forces.readAll();
-    ClusterFactor factor;
     const Cluster& cluster = level.clusters[0];
     ClusterStep made =
         tryStep(forces, level, cluster, factor, residualOf(island, level, cluster), island.plan.exactSteps);
     if (made.part == 0) return;
-    forces.acceptBoundary(level, cluster, [](RowEnds) {});
+    forces.acceptBoundary(level, cluster);
     addInertiaOfStep(island, level, cluster, made);
     followed = residualOf(island, level, cluster);
   }
@@ -239,6 +242,67 @@ TEST(Cluster, ForcesTooSmallForTheirProductLeaveTheMotionFinite) {
         ASSERT_TRUE(std::isfinite(length(end.d)) && std::isfinite(length(end.th))) << "2^" << exponent;
       }
   EXPECT_GT(underflown, 100);
+}
+
+// A linear cluster of one body, its residual and what a step has read of its boundary.
+struct LinearScene : Scene {
+  explicit LinearScene(Random& random) : Scene(random, Regime::sticks, false) {
+    for (ContactRecord& r : island.rows.contacts.records)
+      for (float& cap : r.tensionCap) cap = 1e9f;  // nothing opens
+  }
+  double force() { return double(length(residual().force)); }
+  double readings() { return counts.solveSides / (4.0 * level.sides.size()); }
+};
+
+TEST(Cluster, AFactorServesAsLongAsItsStepsEndWell) {
+  Random random(25);
+  for (int n = 0; n < 50; n++) {
+    LinearScene s(random);
+    ClusterFactor factor;
+    double before = s.force();
+    s.step(factor);
+    EXPECT_TRUE(factor.valid);
+    EXPECT_EQ(s.readings(), 2) << "matrix and step";
+    for (int i = 0; i < 3; i++) s.island.motion[0].d[i] += 1e-4f;
+    s.step(factor);
+    EXPECT_EQ(s.readings(), 3) << "only the step";
+    EXPECT_LT(s.force(), 1e-3 * before);
+  }
+}
+
+TEST(Cluster, AFactorThatIsOffIsMadeAnew) {
+  Random random(26);
+  for (int n = 0; n < 50; n++) {
+    LinearScene s(random);
+    double before = s.force();
+    // Of a boundary a tenth as stiff: steps go too far, and are tried again.
+    ClusterFactor soft, firm;
+    auto scaled = [&](float by, ClusterFactor& factor) {
+      for (ContactRecord& r : s.island.rows.contacts.records)
+        for (float& k : r.k) k *= by;
+      s.residual(&factor.matrix);
+      ASSERT_TRUE(factor.matrix.factor());
+      factor.valid = true;
+      for (ContactRecord& r : s.island.rows.contacts.records)
+        for (float& k : r.k) k /= by;
+    };
+    scaled(0.1f, soft);
+    scaled(10, firm);
+    double was = s.readings();
+    s.step(soft);
+    EXPECT_EQ(s.readings() - was, 4) << "the step, back, matrix and step";
+    EXPECT_TRUE(soft.valid);
+    EXPECT_LT(s.force(), 1e-3 * before);
+    // Ten times as stiff: the step falls short, and holds, but the next has a factor of its own.
+    for (int i = 0; i < 3; i++) s.island.motion[0].d[i] += 1e-4f;
+    double apart = s.force();
+    s.step(firm);
+    EXPECT_FALSE(firm.valid);
+    EXPECT_LT(s.force(), apart);
+    s.step(firm);
+    EXPECT_TRUE(firm.valid);
+    EXPECT_LT(s.force(), 1e-3 * before);
+  }
 }
 
 TEST(Cluster, StepBringsTheResidualOfALinearClusterToZero) {

@@ -88,6 +88,20 @@ TEST(Plan, CalmIsATenthOfGravitysStepBeyondSlow) {
   }
 }
 
+TEST(Plan, JointsOfLargeIslandsHoldAPartAtShortSteps) {
+  auto share = [](std::size_t bodies, double dt) { return planFor(factsOf(bodies, true, 5), {}, dt).stiffening; };
+  for (std::size_t bodies : {25u, 1000u}) {
+    EXPECT_EQ(share(bodies, 1.0 / 30), 1) << bodies;
+    EXPECT_EQ(share(bodies, 1.0 / 60), 1) << bodies;
+    EXPECT_DOUBLE_EQ(share(bodies, 1.0 / 240), 0.25) << bodies;
+    EXPECT_EQ(share(bodies, 1e-5), 0.06) << bodies << ", twice that of an impact";
+  }
+  SolverSettings soft;
+  soft.restingStiffness = 50;
+  EXPECT_EQ(planFor(factsOf(1000, true, 5), soft, 1e-5).stiffening, 1) << "never beyond what was asked";
+  for (std::size_t bodies : {1u, 12u}) EXPECT_EQ(share(bodies, 1.0 / 960), 1) << bodies;
+}
+
 TEST(Plan, CyclesBySize) {
   auto most = [](std::size_t bodies, bool grounded, double speed) {
     return planOf(factsOf(bodies, grounded, speed)).maxCycles;
