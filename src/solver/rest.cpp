@@ -11,12 +11,14 @@ namespace {
 
 //! - | too small: what rubs a little sways for longer | too large: slow slides stop short
 constexpr double kSlide = 0.5;  // of the loss of kinetic energy, that sliding friction took
+//! - | too small: what rolls on a wall is stopped | too large: walls sway for longer
+constexpr double kSwing = 0.01;  // of the kinetic energy: loses it more in a step, a wall has swung through its middle
 
 }  // namespace
 
 void dampSlowIsland(const Island& island, const StepContext& context, BodySet& bodies) {
   const double lost = island.facts.energyBefore - island.facts.energy;
-  if (!island.plan.slow || lost <= 0) return;
+  if (!(island.plan.slow && lost > 0) && !(island.plan.sways && lost > kSwing * island.facts.energyBefore)) return;
   // What friction takes from the slide of a body alone is no vibration: it ends by itself. Towers rub somewhere whenever they
   // sway.
   if (island.bodies.size() == 1 && island.slipWork >= kSlide * lost) return;

@@ -102,6 +102,17 @@ TEST(Plan, JointsOfLargeIslandsHoldAPartAtShortSteps) {
   for (std::size_t bodies : {1u, 12u}) EXPECT_EQ(share(bodies, 1.0 / 960), 1) << bodies;
 }
 
+TEST(Plan, LargeSupportedIslandsSwayBetweenTheRestSpeedAndThirtyMillimetresASecond) {
+  for (std::size_t bodies : {12u, 80u, 81u, 1000u}) {
+    auto sways = [&](bool grounded, double speed) { return planOf(factsOf(bodies, grounded, speed)).sways; };
+    EXPECT_EQ(sways(true, 0.02), bodies > 80) << bodies;
+    EXPECT_EQ(sways(true, 0.03), bodies > 80) << bodies;
+    EXPECT_FALSE(sways(true, 0.0301)) << bodies;
+    EXPECT_FALSE(sways(true, 0.01)) << bodies << ", slow";
+    EXPECT_FALSE(sways(false, 0.02)) << bodies << ", nothing holds it";
+  }
+}
+
 TEST(Plan, CyclesBySize) {
   auto most = [](std::size_t bodies, bool grounded, double speed) {
     return planOf(factsOf(bodies, grounded, speed)).maxCycles;

@@ -96,6 +96,31 @@ TEST(Rest, KineticDampingLeavesWhatGainsEnergyOrIsFastOrFloats) {
   }
 }
 
+TEST(Rest, ALargeIslandThatSwaysIsStoppedWhenItHasSwungThroughItsMiddle) {
+  for (int bricks : {60, 90}) {
+    TestIsland row;
+    BodyIndex under = row.ground();
+    std::vector<BodyIndex> bodies;
+    for (int i = 0; i < bricks; i++) {
+      bodies.push_back(row.brick({2 * kBrick.x * i, kBrick.y, 0}));
+      row.touch(under, bodies.back());
+      if (i > 0) row.touch(bodies[bodies.size() - 2], bodies.back());
+    }
+    struct Step {
+      double speed;  // m/s
+      bool stops;
+    };
+    for (Step step :
+         {Step{0.020, false}, {0.025, false}, {0.0249, false}, {0.0245, true}, {0.05, false}, {0.04, false}}) {
+      for (BodyIndex body : bodies) row.at(body).linearVelocity = {0, 0, step.speed};
+      for (std::size_t k = 0; k < row.island().rows.size(); k++) row.contact(ContactIndex(k)).touching = true;
+      row.prepare();
+      EXPECT_EQ(row.at(bodies[3]).linearVelocity.z, step.stops && bricks > 80 ? 0 : step.speed)
+          << bricks << " bricks at " << step.speed << " m/s";
+    }
+  }
+}
+
 // Steps of restInPlace alone, for an island that its solve leaves unbalanced; `place`: where the brick is in that step.
 template <class Place> int stepsUntilInPlace(OnGround& lab, int most, Place place) {
   Vec3 start = lab.at(lab.body).position;
