@@ -8,7 +8,7 @@
 
 #include "base/hash.h"
 #include "brickfall/geometry/mesh_tree.h"
-#include "world/archive.h"
+#include "base/archive.h"
 #include "world/solver_fields.h"
 #include "world/world_impl.h"
 
