@@ -112,6 +112,7 @@ Result<SceneRun> SceneRun::create(const SceneDescription& scene) {
   Result<World> world = World::create(def);
   if (!world) return world.error();
   SceneRun run(scene, std::move(*world));
+  run.scene_.world = def;
   if (scene.method == SceneMethod::report) {
     Result<ReportRun> reported = ReportRun::create(scene.report);
     if (!reported) return reported.error();
