@@ -145,7 +145,7 @@ TEST(Rewind, ReachesBackAsFarAsAskedAndNoFurther) {
 TEST(Rewind, MemoryIsBounded) {
   HistoryLimits limits;
   limits.interval = 0.1;
-  limits.mostBytes = 100'000;
+  limits.mostBytes = 150'000;
   Lone lone(kWall, limits);
   for (int i = 0; i < 200; i++) {
     if (i % 10 == 0) lone.does(ShootBall{{{0.4, 3.0 + i, 1}, {0, 1, 0}}, 0.05, 1, "steel"});
