@@ -114,7 +114,9 @@ struct PlacedBody {
   std::string name;
   BodyRole role = BodyRole::body;
   std::uint32_t colour = 0;
-  BodyDef def;  // as created, with shapes and materials
+  std::string material;
+  std::vector<std::string> shapeMaterials;  // one per shape; empty: `material` for all
+  BodyDef def;                              // as created, with shapes and materials
   double launchTime = 0;
   int course = -1;  // of a brick
   SourcePlace place;

@@ -72,6 +72,8 @@ TakeRecorder::Describe descriptionsOf(const SceneRun& run) {
     body.name = placed->name;
     body.role = placed->role;
     body.colour = placed->colour;
+    body.material = placed->material;
+    body.shapeMaterials = placed->shapeMaterials;
     return body;
   };
 }

@@ -40,6 +40,15 @@ class Placer {
     return Error{ErrorCode::invalidArgument, "material: found \"" + name + "\", expected the name of a material"};
   }
 
+  // One for each shape, none where all are the body's.
+  static std::vector<std::string> materialsOf(const SceneBody& body) {
+    std::vector<std::string> names = body.shapeMaterials;
+    names.resize(body.def.shapes.size(), body.material);
+    const bool differ =
+        std::any_of(names.begin(), names.end(), [&](const auto& name) { return name != body.material; });
+    return differ ? names : std::vector<std::string>();
+  }
+
   Status add(const SceneBody& body) {
     PlacedBody placed;
     placed.name = body.name;
@@ -50,6 +59,8 @@ class Placer {
     Result<MaterialDef> own = material(body.material);
     if (!own) return inBody(body.name, own.error());
     placed.colour = own->colour;
+    placed.material = own->name;
+    placed.shapeMaterials = materialsOf(body);
     for (std::size_t i = 0; i < placed.def.shapes.size(); i++) {
       Result<MaterialDef> other = i < body.shapeMaterials.size() ? material(body.shapeMaterials[i]) : own;
       if (!other) return inBody(body.name, other.error());
@@ -73,6 +84,7 @@ class Placer {
       placed.name = brick.name;
       placed.role = BodyRole::brick;
       placed.colour = from.colour;
+      placed.material = from.name;
       placed.course = brick.course;
       placed.place = wall.place;
       placed.def.position = brick.centre;
