@@ -1,11 +1,10 @@
 #include "viewer_window/body_drawer.h"
 
+#include <OgreRoot.h>
 #include <OgreSceneManager.h>
 #include <OgreSceneNode.h>
 
 #include <algorithm>
-
-#include "viewer_window/sun.h"
 
 namespace brickfall::viewer {
 namespace {
@@ -21,34 +20,43 @@ constexpr double kShadowReach = 3;  // sizes of the scene
 
 BodyDrawer::BodyDrawer(Renderer& renderer)
     : renderer_(renderer), node_(renderer.scene().getRootSceneNode()->createChildSceneNode()), depth_(renderer.scene()) {
-  node_->attachObject(&volumes_);
-  renderer_.scene().injectMovableObject(&volumes_);  // Ogre looks for casters among those it knows by name
-  volumes_.setVisible(false);
+  Ogre::Root::getSingleton().addMovableObjectFactory(&volumesFactory_);
+  volumes_ = static_cast<ShadowVolumes*>(renderer_.scene().createMovableObject("volumes", ShadowVolumesFactory::kType));
+  node_->attachObject(volumes_);
+  volumes_->setVisible(false);
 }
 
-BodyDrawer::~BodyDrawer() { renderer_.scene().extractMovableObject(&volumes_); }
+BodyDrawer::~BodyDrawer() {
+  renderer_.scene().destroyMovableObject(volumes_);
+  Ogre::Root::getSingleton().removeMovableObjectFactory(&volumesFactory_);
+}
 
 BodyDrawer::Batch& BodyDrawer::batchFor(const ShapeDef& shape, const ListedBody& body) {
-  const BodyLook look = lookOf(body);
-  const std::string surface = shape.type == ShapeType::plane ? "plane" : look.surface;
-  Batch& batch = batches_[surface + ":" + meshKey(shape)];
+  const SurfaceKey surface = surfaceOf(body, shape);
+  Batch& batch = batches_[{surface, meshKey(shape)}];
   if (batch.drawn) return batch;
-  const DrawMesh mesh = drawMeshOf(shape);
-  batch.look = surface;
+  const DrawMesh mesh = drawMeshOf(shape, surface);
+  batch.surface = surface;
   batch.drawn = std::make_unique<InstanceBatch>(mesh);
-  batch.drawn->setCastShadows(shape.type != ShapeType::plane);
-  if (shape.type != ShapeType::plane) batch.shadow = std::make_unique<ShadowShape>(mesh);
+  batch.drawn->setCastShadows(!surface.plane);
+  if (!surface.plane) batch.shadow = std::make_unique<ShadowShape>(mesh);
   useMaterial(batch);
   node_->attachObject(batch.drawn.get());
   return batch;
 }
 
-void BodyDrawer::useMaterial(Batch& batch) { batch.drawn->setMaterial(looks_.material(batch.look, shadows_)); }
+void BodyDrawer::useMaterial(Batch& batch) { batch.drawn->setMaterial(looks_.material(batch.surface, shadows_)); }
+
+void BodyDrawer::setSun(Vec3 towardsSun) {
+  sun_ = towardsSun;
+  looks_.setSun(towardsSun);
+  renderer_.setSun(towardsSun);
+}
 
 void BodyDrawer::setShadows(ShadowMode mode) {
   shadows_ = mode;
   renderer_.setShadows(mode);
-  volumes_.setVisible(mode == ShadowMode::stencil);
+  volumes_->setVisible(mode == ShadowMode::stencil);
   for (auto& [key, batch] : batches_) useMaterial(batch);
 }
 
@@ -56,26 +64,25 @@ void BodyDrawer::list(const BodyList& bodies) {
   pieces_.clear();
   for (std::size_t i = 0; i < bodies.bodies.size(); i++) {
     const ListedBody& body = bodies.bodies[i];
-    const BodyLook look = lookOf(body);
     for (const ShapeDef& shape : body.shapes) {
       Piece piece;
       piece.body = int(i);
       piece.batch = &batchFor(shape, body);
       piece.local = shape.local;
       if (isScaled(shape)) piece.scale = Vec3{1, 1, 1} * shape.radius;
-      piece.usual = look.usual;
+      piece.usual = instanceOf(body, piece.batch->surface);
       piece.casts = piece.batch->shadow != nullptr;
       pieces_.push_back(std::move(piece));
     }
   }
 }
 
-void BodyDrawer::tint(Instance& instance, const BodyTint& tint, bool wireframe) const {
+void BodyDrawer::tint(Instance& instance, const BodyTint& tint, bool flat) {
   if (tint.strength <= 0) return;
   const auto colour = parts(tint.colour);
-  const float strength = wireframe ? 1 : tint.strength;
-  for (int k = 0; k < 3; k++) instance.colour[k] += (colour[k] - instance.colour[k]) * strength;
-  instance.textured *= 1 - 0.75f * strength;
+  // The polygon view shows the tint alone, so there it must hold the body's own colour as well.
+  for (int k = 0; k < 3; k++) instance.tint[k] = flat ? instance.tint[k] + (colour[k] - instance.tint[k]) * tint.strength : colour[k];
+  instance.tinted = tint.strength;
 }
 
 void BodyDrawer::draw(const Frame& frame, double blend, const ViewOptions& options, Serial glowing) {
@@ -116,13 +123,15 @@ void BodyDrawer::castShadows(const Frame& frame, double blend) {
       casters = merged(casters, grown({pose.position, pose.position}, radius));
     }
     if (shadows_ == ShadowMode::stencil) {
-      geometry_.add(*piece.batch->shadow, pose * piece.local, piece.scale, towardsSun());
+      // A ball's volume is a little thinner than the ball: its rim would else show every corner where light ends.
+      const Vec3 scale = piece.scale == Vec3{1, 1, 1} ? piece.scale : piece.scale * 0.96;
+      geometry_.add(*piece.batch->shadow, pose * piece.local, scale, sun_);
     }
   }
   if (shadows_ == ShadowMode::stencil) {
-    volumes_.set(geometry_, casters);
+    volumes_->set(geometry_, casters);
   } else {
-    depth_.fit(casters);
+    depth_.fit(casters, sun_);
   }
 }
 

@@ -23,6 +23,7 @@ class BodyDrawer {
   ~BodyDrawer();
   // Materials and casters for another kind of shadow.
   void setShadows(ShadowMode mode);
+  void setSun(Vec3 towardsSun);
   void draw(const Frame& frame, double blend, const ViewOptions& options, Serial glowing);
   int batches() const { return int(batches_.size()); }
 
@@ -30,7 +31,7 @@ class BodyDrawer {
   struct Batch {
     std::unique_ptr<InstanceBatch> drawn;
     std::unique_ptr<ShadowShape> shadow;
-    std::string look;  // name of its surface
+    SurfaceKey surface;
     std::vector<Instance> instances;
   };
   // A shape of a body.
@@ -45,19 +46,21 @@ class BodyDrawer {
   void list(const BodyList& bodies);
   Batch& batchFor(const ShapeDef& shape, const ListedBody& body);
   void useMaterial(Batch& batch);
-  void tint(Instance& instance, const BodyTint& tint, bool wireframe) const;
+  static void tint(Instance& instance, const BodyTint& tint, bool flat);
   void castShadows(const Frame& frame, double blend);
 
   Renderer& renderer_;
   Ogre::SceneNode* node_ = nullptr;
   Looks looks_;
   DepthShadows depth_;
-  ShadowVolumes volumes_;
+  ShadowVolumesFactory volumesFactory_;
+  ShadowVolumes* volumes_ = nullptr;
   ShadowGeometry geometry_;
   std::shared_ptr<const BodyList> listed_;
-  std::map<std::string, Batch> batches_;  // by shape and surface
+  std::map<std::pair<SurfaceKey, std::string>, Batch> batches_;  // by surface and shape
   std::vector<Piece> pieces_;
   ShadowMode shadows_ = ShadowMode::none;
+  Vec3 sun_{0, 1, 0};
   bool flat_ = false;
 };
 

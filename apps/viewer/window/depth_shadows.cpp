@@ -7,14 +7,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "viewer_window/sun.h"
-
 namespace brickfall::viewer {
 
 // A square straight along the sun's rays that holds a ball around all casters.
 class DepthShadows::Setup : public Ogre::ShadowCameraSetup {
  public:
-  void fit(const Aabb& casters) {
+  void fit(const Aabb& casters, Vec3 towardsSun) {
+    sun_ = towardsSun;
     const double reach = length(casters.upper - casters.lower) / 2 + 0.1;
     // Sizes by quarters of an octave, and the middle by whole texels.
     radius_ = std::pow(2.0, std::ceil(std::log2(reach) * 4) / 4);
@@ -23,7 +22,7 @@ class DepthShadows::Setup : public Ogre::ShadowCameraSetup {
 
   void getShadowCamera(const Ogre::SceneManager*, const Ogre::Camera*, const Ogre::Viewport*, const Ogre::Light*,
                        Ogre::Camera* eye, std::size_t) const override {
-    const Vec3 back = towardsSun(), right = normalized(cross(Vec3{0, 1, 0}, back)), up = cross(back, right);
+    const Vec3 back = sun_, right = normalized(cross(Vec3{0, 1, 0}, back)), up = cross(back, right);
     const double texel = 2 * radius_ / kMapSize;
     const auto snapped = [texel](double at) { return std::floor(at / texel) * texel; };
     const double x = snapped(dot(right, middle_)), y = snapped(dot(up, middle_)), z = dot(back, middle_) + 2 * radius_;
@@ -43,7 +42,7 @@ class DepthShadows::Setup : public Ogre::ShadowCameraSetup {
   }
 
  private:
-  Vec3 middle_;
+  Vec3 middle_, sun_{0, 1, 0};
   double radius_ = 10;
 };
 
@@ -55,6 +54,6 @@ DepthShadows::DepthShadows(Ogre::SceneManager& scene) : setup_(std::make_shared<
   scene.setShadowTextureSelfShadow(true);
 }
 
-void DepthShadows::fit(const Aabb& casters) { setup_->fit(casters); }
+void DepthShadows::fit(const Aabb& casters, Vec3 towardsSun) { setup_->fit(casters, towardsSun); }
 
 }  // namespace brickfall::viewer

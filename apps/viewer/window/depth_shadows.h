@@ -14,7 +14,7 @@ class DepthShadows {
 
   explicit DepthShadows(Ogre::SceneManager& scene);
   // All that casts lies in it, m. Moves in coarse steps, so that edges do not crawl while bodies fly.
-  void fit(const Aabb& casters);
+  void fit(const Aabb& casters, Vec3 towardsSun);
 
  private:
   class Setup;

@@ -8,7 +8,7 @@ namespace brickfall::viewer {
 
 struct DrawMesh {
   std::vector<std::array<float, 3>> positions, normals;  // m; unit
-  std::vector<std::array<float, 2>> uvs;                 // m along the surface
+  std::vector<std::array<float, 3>> uvs;                 // place in the texture, 1 = once over it, and which layer
   std::vector<std::uint32_t> indices;                    // counter-clockwise seen from outside
 };
 

@@ -8,10 +8,10 @@ namespace brickfall::viewer {
 namespace {
 
 constexpr int kMeshSource = 0, kInstanceSource = 1;
+constexpr int kInstanceRows = int(sizeof(Instance) / (4 * sizeof(float)));
 
 struct MeshVertex {
-  std::array<float, 3> position, normal;
-  std::array<float, 2> uv;
+  std::array<float, 3> position, normal, uv;
 };
 
 }  // namespace
@@ -46,8 +46,8 @@ void InstanceBatch::makeVertices(const DrawMesh& mesh) {
   Ogre::VertexDeclaration& form = *mRenderOp.vertexData->vertexDeclaration;
   form.addElement(kMeshSource, 0, Ogre::VET_FLOAT3, Ogre::VES_POSITION);
   form.addElement(kMeshSource, offsetof(MeshVertex, normal), Ogre::VET_FLOAT3, Ogre::VES_NORMAL);
-  form.addElement(kMeshSource, offsetof(MeshVertex, uv), Ogre::VET_FLOAT2, Ogre::VES_TEXTURE_COORDINATES, 0);
-  for (int i = 0; i < 5; i++) {
+  form.addElement(kMeshSource, offsetof(MeshVertex, uv), Ogre::VET_FLOAT3, Ogre::VES_TEXTURE_COORDINATES, 0);
+  for (int i = 0; i < kInstanceRows; i++) {
     form.addElement(kInstanceSource, i * 4 * sizeof(float), Ogre::VET_FLOAT4, Ogre::VES_TEXTURE_COORDINATES, 1 + i);
   }
 

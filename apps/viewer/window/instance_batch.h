@@ -13,15 +13,17 @@ namespace brickfall::viewer {
 
 // In the order in which body.vert reads it.
 struct Instance {
-  std::array<float, 12> rows{};                    // of the matrix from the mesh to the world
-  std::array<float, 3> colour{1, 1, 1};            // 0 .. 1
-  float textured = 1;                              // 0: the colour alone
-  std::array<float, 2> texturePlace{};             // m, added to the mesh's own
-  float brightness = 1;                            // of the texture
-  float glow = 0;                                  // added light, for what is selected
+  std::array<float, 12> rows{};          // of the matrix from the mesh to the world
+  std::array<float, 3> colour{1, 1, 1};  // linear: times what the texture has
+  float layer = 0;                       // of the texture, added to the mesh's own
+  std::array<float, 3> tint{1, 1, 1};    // as pixels, 0 .. 1: what a view colours the body with
+  float tinted = 0;                      // how much of that, 0 .. 1
+  std::array<float, 2> texturePlace{};   // added to the mesh's own
+  float glow = 0;                        // added light, for what is selected
+  float unused = 0;
   void setPose(const Transform& pose, Vec3 scale = {1, 1, 1});
 };
-static_assert(sizeof(Instance) == 20 * sizeof(float));
+static_assert(sizeof(Instance) == 24 * sizeof(float));
 
 class InstanceBatch : public Ogre::SimpleRenderable {
  public:

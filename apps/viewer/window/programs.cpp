@@ -8,8 +8,6 @@
 
 #include <cmath>
 
-#include "viewer_window/sun.h"
-
 namespace brickfall::viewer {
 namespace {
 
@@ -37,8 +35,6 @@ void bindNames(Ogre::GpuProgramParameters& parameters) {
   parameters.setNamedAutoConstant("projection", Auto::ACT_WORLDVIEWPROJ_MATRIX);
   parameters.setNamedAutoConstant("shadowMatrix", Auto::ACT_TEXTURE_VIEWPROJ_MATRIX, 0);
   parameters.setNamedAutoConstant("eye", Auto::ACT_CAMERA_POSITION);
-  const Vec3 sun = towardsSun();
-  parameters.setNamedConstant("sun", Ogre::Vector3(Ogre::Real(sun.x), Ogre::Real(sun.y), Ogre::Real(sun.z)));
   parameters.setNamedConstant("flatColour", Ogre::Real(0));
 }
 
@@ -63,5 +59,11 @@ Ogre::MaterialPtr makeMaterial(const ProgramUse& use) {
 }
 
 Ogre::Pass& passOf(const Ogre::MaterialPtr& material) { return *material->getTechnique(0)->getPass(0); }
+
+void setSunOf(Ogre::GpuProgramParameters& parameters, Vec3 towardsSun) {
+  parameters.setIgnoreMissingParams(true);
+  parameters.setNamedConstant(
+      "sun", Ogre::Vector3(Ogre::Real(towardsSun.x), Ogre::Real(towardsSun.y), Ogre::Real(towardsSun.z)));
+}
 
 }  // namespace brickfall::viewer

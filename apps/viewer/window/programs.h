@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "brickfall/math.h"
+
 namespace brickfall::viewer {
 
 // By file name, "body.vert"; made by CMake. Ends the program with an assert for a name that is not there.
@@ -23,6 +25,8 @@ struct ProgramUse {
 // name (viewProjection, eye, sun ...) are kept by Ogre or set here.
 Ogre::MaterialPtr makeMaterial(const ProgramUse& use);
 Ogre::Pass& passOf(const Ogre::MaterialPtr& material);
+// For programs that light; others leave it.
+void setSunOf(Ogre::GpuProgramParameters& parameters, Vec3 towardsSun);
 
 // Of the finished pixel, what modulative shadows leave; and the same as light.
 constexpr float kStencilShade = 0.55f;

@@ -12,8 +12,9 @@
 #include <OgreSceneNode.h>
 #include <OgreViewport.h>
 
+#include <filesystem>
+
 #include "viewer_window/programs.h"
-#include "viewer_window/sun.h"
 
 namespace brickfall::viewer {
 namespace {
@@ -22,6 +23,12 @@ constexpr const char* kRenderSystem = "OpenGL 3+ Rendering Subsystem";
 constexpr float kNear = 0.05f;  // m
 
 }  // namespace
+
+int usualSamples() {
+  std::error_code problem;
+  const bool card = std::filesystem::exists("/dev/dri", problem) || std::filesystem::exists("/dev/nvidiactl", problem);
+  return card ? 4 : 0;
+}
 
 // In the order in which they are made; gone in the other.
 struct Renderer::Parts {
@@ -77,7 +84,7 @@ void Renderer::start(const NativeWindow& window, const RendererOptions& options)
   eye_->attachObject(camera_);
   port_ = parts_->window->addViewport(camera_);
   port_->setBackgroundColour(Ogre::ColourValue(0.12f, 0.13f, 0.15f));
-  lightTheScene();
+  setSun({0, 1, 0});
 }
 
 void Renderer::findMedia() {
@@ -86,15 +93,17 @@ void Renderer::findMedia() {
   groups.initialiseAllResourceGroups();
 }
 
-void Renderer::lightTheScene() {
-  // Our programs know the sun themselves; this light is what Ogre casts shadows by.
-  Ogre::Light* sun = scene_->createLight("sun");
-  sun->setType(Ogre::Light::LT_DIRECTIONAL);
-  const Vec3 down = -towardsSun();
-  Ogre::SceneNode* place = scene_->getRootSceneNode()->createChildSceneNode();
-  place->setDirection(Ogre::Real(down.x), Ogre::Real(down.y), Ogre::Real(down.z), Ogre::Node::TS_WORLD);
-  place->attachObject(sun);
-  scene_->setShadowColour(Ogre::ColourValue(kStencilShade, kStencilShade, kStencilShade));
+void Renderer::setSun(Vec3 towardsSun) {
+  if (!sun_) {
+    // Our programs know the sun themselves; this light is what Ogre casts shadows by.
+    Ogre::Light* light = scene_->createLight("sun");
+    light->setType(Ogre::Light::LT_DIRECTIONAL);
+    sun_ = scene_->getRootSceneNode()->createChildSceneNode();
+    sun_->attachObject(light);
+    scene_->setShadowColour(Ogre::ColourValue(kStencilShade, kStencilShade, kStencilShade));
+  }
+  sun_->setDirection(Ogre::Real(-towardsSun.x), Ogre::Real(-towardsSun.y), Ogre::Real(-towardsSun.z),
+                     Ogre::Node::TS_WORLD);
 }
 
 Renderer::~Renderer() {

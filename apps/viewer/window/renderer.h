@@ -15,10 +15,13 @@ namespace brickfall::viewer {
 enum class ShadowMode : std::uint8_t { none, stencil, depth };
 
 struct RendererOptions {
-  std::string log;      // Ogre's own log goes to this file; empty: nowhere
-  int samples = 0;      // of antialiasing, 0, 2, 4 or 8
+  std::string log;  // Ogre's own log goes to this file; empty: nowhere
+  int samples = 0;  // of antialiasing, 0, 2, 4 or 8
   bool vsync = true;
 };
+
+// 4 where there is a graphics card, 0 where the processor has to draw.
+int usualSamples();
 
 // A picture as pixels, from the upper left corner, three bytes each.
 struct Picture {
@@ -37,6 +40,7 @@ class Renderer {
   Ogre::SceneManager& scene() const { return *scene_; }
   Ogre::Viewport& port() const { return *port_; }
   void setView(const View& view);
+  void setSun(Vec3 towardsSun);
   void setWireframe(bool on);
   // What bodies are drawn with follows: BodyDrawer::setShadows.
   void setShadows(ShadowMode mode);
@@ -52,14 +56,13 @@ class Renderer {
   Renderer();
   void start(const NativeWindow& window, const RendererOptions& options);
   void findMedia();
-  void lightTheScene();
 
   struct Parts;
   std::unique_ptr<Parts> parts_;
   Ogre::SceneManager* scene_ = nullptr;
   Ogre::Viewport* port_ = nullptr;
   Ogre::Camera* camera_ = nullptr;
-  Ogre::SceneNode* eye_ = nullptr;
+  Ogre::SceneNode *eye_ = nullptr, *sun_ = nullptr;
   ShadowMode shadows_ = ShadowMode::none;
 };
 

@@ -45,15 +45,17 @@ class ShadowVolumes::Part : public Ogre::ShadowRenderable {
   void rebindIndexBuffer(const Ogre::HardwareIndexBufferSharedPtr&) override {}  // its indices are its own
 };
 
-ShadowVolumes::ShadowVolumes() : edges_(std::make_unique<Ogre::EdgeData>()), sides_(std::make_unique<Part>()) {
+const Ogre::String ShadowVolumesFactory::kType = "ShadowVolumes";
+
+ShadowVolumes::ShadowVolumes(const Ogre::String& name)
+    : Ogre::MovableObject(name), edges_(std::make_unique<Ogre::EdgeData>()), sides_(std::make_unique<Part>()) {
   sides_->addCaps();
   setCastShadows(true);
 }
 ShadowVolumes::~ShadowVolumes() = default;
 
 const Ogre::String& ShadowVolumes::getMovableType() const {
-  static const Ogre::String kType = "ShadowVolumes";
-  return kType;
+  return ShadowVolumesFactory::kType;
 }
 
 void ShadowVolumes::set(const ShadowGeometry& geometry, const Aabb& bounds) {

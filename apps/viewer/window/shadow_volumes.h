@@ -11,7 +11,7 @@ namespace brickfall::viewer {
 
 class ShadowVolumes : public Ogre::MovableObject {
  public:
-  ShadowVolumes();
+  explicit ShadowVolumes(const Ogre::String& name);
   ~ShadowVolumes() override;
   // Copies it to the graphics card. bounds: of the bodies that cast, m.
   void set(const ShadowGeometry& geometry, const Aabb& bounds);
@@ -36,6 +36,18 @@ class ShadowVolumes : public Ogre::MovableObject {
   std::unique_ptr<Ogre::EdgeData> edges_;
   ShadowRenderableList volumes_;  // one, or none while nothing casts
   std::unique_ptr<Part> sides_;
+};
+
+// Ogre looks for casters only among objects of kinds that have a factory.
+class ShadowVolumesFactory : public Ogre::MovableObjectFactory {
+ public:
+  static const Ogre::String kType;
+  const Ogre::String& getType() const override { return kType; }
+
+ private:
+  Ogre::MovableObject* createInstanceImpl(const Ogre::String& name, const Ogre::NameValuePairList*) override {
+    return new ShadowVolumes(name);
+  }
 };
 
 }  // namespace brickfall::viewer

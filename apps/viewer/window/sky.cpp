@@ -47,6 +47,10 @@ Sky::Sky(Ogre::SceneManager& scene) : screen_(std::make_unique<Screen>()) {
 
 Sky::~Sky() = default;
 
+void Sky::setSun(Vec3 towardsSun) {
+  setSunOf(*passOf(screen_->getMaterial()).getFragmentProgramParameters(), towardsSun);
+}
+
 void Sky::setVisible(bool visible) { screen_->setVisible(visible); }
 
 }  // namespace brickfall::viewer

@@ -4,6 +4,8 @@
 
 #include <memory>
 
+#include "brickfall/math.h"
+
 namespace brickfall::viewer {
 
 class Sky {
@@ -11,6 +13,7 @@ class Sky {
   explicit Sky(Ogre::SceneManager& scene);
   ~Sky();
   void setVisible(bool visible);
+  void setSun(Vec3 towardsSun);
 
  private:
   class Screen;

@@ -6,22 +6,25 @@ out vec4 shadowPlace;
 #endif
 in vec4 vertex;
 in vec3 normal;
-in vec2 uv0;
+in vec3 uv0;            // place in the texture, layer
 in vec4 uv1, uv2, uv3;  // rows of the matrix
-in vec4 uv4;            // colour; how much of it shows through the texture
-in vec4 uv5;            // where in the texture, brightness, glow
-out vec3 worldPoint, worldNormal;
+in vec4 uv4;            // colour; layer
+in vec4 uv5;            // tint of the view; how much of it
+in vec4 uv6;            // place in the texture; glow
+out vec3 worldPoint, worldNormal, base;
 out vec2 place;
 out vec4 tint;
-out vec2 shade;
+flat out float layer, glow;
 
 void main() {
   vec4 local = vec4(vertex.xyz, 1.0);
   worldPoint = vec3(dot(uv1, local), dot(uv2, local), dot(uv3, local));
   worldNormal = vec3(dot(uv1.xyz, normal), dot(uv2.xyz, normal), dot(uv3.xyz, normal));
-  place = uv0 + uv5.xy;
-  tint = uv4;
-  shade = uv5.zw;
+  place = uv0.xy + uv6.xy;
+  base = uv4.rgb;
+  layer = uv0.z + uv4.a;
+  tint = uv5;
+  glow = uv6.z;
 #ifdef DEPTH_SHADOWS
   // A little out of the surface, so that it does not shadow itself.
   shadowPlace = shadowMatrix * vec4(worldPoint + normalize(worldNormal) * 0.004, 1.0);
