@@ -34,7 +34,7 @@ struct Restart {
 // --- Time.
 struct Run {};
 struct Pause {};
-// Pauses, and makes this many steps (take: frames; there, negative ones go back).
+// Pauses, and makes this many steps (take: frames). Negative: back, as Rewind.
 struct Step {
   int count = 1;
 };
@@ -61,7 +61,7 @@ struct ShootBall {
 // One at a time; it lets go when the body is removed.
 struct DragBegin {
   Serial body = 0;
-  Vec3 point;            // m, world, at the frame's pose
+  Vec3 local;            // m, in the body's frame: where it is held (PickHit::local)
   double strength = 20;  // largest pull, in weights of the body (at 9.81 m/s2)
 };
 struct DragMove {

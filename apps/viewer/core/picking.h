@@ -13,6 +13,7 @@ struct PickHit {
   Serial serial = 0;
   int place = 0;        // in the frame's list
   Vec3 point;           // m, world
+  Vec3 local;           // m, the same in the body's frame
   Vec3 normal;          // unit, out of the body
   double distance = 0;  // m, along the ray
 };

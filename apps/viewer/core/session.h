@@ -37,7 +37,7 @@ class Session {
   std::vector<CommandResult> takeResults();
   // Never null; the same object until there is a newer one.
   std::shared_ptr<const Frame> latest() const;
-  // What frames are to hold besides; from the next frame on, which is made at once if the run is paused.
+  // What frames are to hold besides, from the next frame on, which is made at once.
   void ask(const FrameNeeds& needs);
   double now() const;  // of its clock: for blendAt
 

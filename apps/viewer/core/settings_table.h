@@ -1,5 +1,6 @@
 // Every setting of a run, as a table: the panel is made of it, and so is its page of docs/viewer.md.
 #pragma once
+#include <cstdint>
 #include <span>
 #include <string_view>
 #include <vector>

@@ -36,7 +36,7 @@ class Hand {
   std::vector<Command> press(const Ray& ray, const View& view, const std::optional<PickHit>& picked);
   std::vector<Command> move(const Ray& ray, const View& view);
   std::vector<Command> release();
-  // While dragging: nearer (> 0 away) by the wheel.
+  // While dragging: further away (> 0) or nearer by the wheel.
   std::vector<Command> wheel(double notches, const Ray& ray, const View& view);
   bool dragging() const { return dragging_; }
   // The frame no longer has the drag (the body went, the run was rewound).
