@@ -87,7 +87,8 @@ int view(const Options& options) {
   session.send(Open{options.opening, options.overrides, !options.paused});
   RendererOptions drawing;
   drawing.log = options.log;
-  drawing.samples = options.samples >= 0 ? options.samples : usualSamples();
+  drawing.fine = NativeWindow::hasGraphicsCard();
+  drawing.samples = options.samples >= 0 ? options.samples : drawing.fine ? 4 : 0;
   drawing.vsync = options.frames == 0;
   Result<std::unique_ptr<Renderer>> renderer = Renderer::create(*window, drawing);
   if (!renderer) return complain(renderer.error().message), kNoDisplay;

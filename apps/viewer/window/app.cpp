@@ -119,7 +119,7 @@ void App::draw(double seconds) {
   const Frame& frame = *frame_;
   const double began = session_.now();
   const View view = desk_.rig.view();
-  renderer_.setView(view);
+  renderer_.setView(view, shift());
   const bool any = frame.list && !frame.bodies.empty() && frame.info;
   ShadowMode wanted = ShadowMode::none;
   switch (desk_.view.shadows) {

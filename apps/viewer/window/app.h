@@ -38,7 +38,8 @@ class App {
   void takeKey(const SDL_Event& event);
   void takeMouse(const SDL_Event& event);
   void moveCamera(double seconds);
-  Ray rayAt(double x, double y) const;
+  Ray rayAt(double x, double y) const;  // pixels of the window
+  PixelPlace shift() const;             // of the view's middle: the panel covers a part of the window
   // --- app_actions.cpp
   void act(Action action);
   bool actOnTime(Action action);

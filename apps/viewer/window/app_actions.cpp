@@ -78,7 +78,7 @@ bool App::actOnHands(Action action) {
       desk_.hand.tool = Tool::remove;
       return true;
     case Action::shootCentre:
-      desk_.send(desk_.hand.shot(rayAt(desk_.size.width / 2.0, desk_.size.height / 2.0)));
+      desk_.send(desk_.hand.shot(rayAt(desk_.size.width / 2.0 + shift().x, desk_.size.height / 2.0 + shift().y)));
       return true;
     case Action::removeSelected:
       if (desk_.selected != 0) desk_.send(RemoveBody{desk_.selected});

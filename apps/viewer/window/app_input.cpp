@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "viewer_window/app.h"
+#include "viewer_window/panels/panels.h"
 
 namespace brickfall::viewer {
 namespace {
@@ -101,7 +102,14 @@ void App::takeKey(const SDL_Event& event) {
 }
 
 Ray App::rayAt(double x, double y) const {
-  return rayThrough(desk_.rig.view(), {desk_.size.width, desk_.size.height}, x, y);
+  const PixelPlace by = shift();
+  return rayThrough(desk_.rig.view(), {desk_.size.width, desk_.size.height}, x - by.x, y - by.y);
+}
+
+PixelPlace App::shift() const {
+  // Where the panel takes most of the window there is no room to move to.
+  if (!desk_.panelShown || desk_.size.width < 2.2 * kPanelWidth) return {};
+  return {kPanelWidth / 2, -kBarHeight / 2};
 }
 
 void App::takeMouse(const SDL_Event& event) {
@@ -141,7 +149,7 @@ void App::moveCamera(double seconds) {
     return double(heldKeys_.count(plus)) - double(heldKeys_.count(minus));
   };
   const Vec3 keys{axis(Action::right, Action::left), axis(Action::up, Action::down), axis(Action::forward, Action::back)};
-  if (keys != Vec3{}) desk_.rig.move(keys * (fast_ ? 3 : 1), seconds);
+  if (keys != Vec3{}) desk_.rig.move(keys * (fast_ ? 3.0 : 1.0), seconds);
   const double right = axis(Action::turnRight, Action::turnLeft), up = axis(Action::turnUp, Action::turnDown);
   if (right != 0 || up != 0) desk_.rig.turn(right * kTurnPerSecond * seconds, up * kTurnPerSecond * seconds);
   std::optional<Vec3> target;

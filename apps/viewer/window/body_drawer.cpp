@@ -19,7 +19,8 @@ constexpr double kShadowReach = 3;  // sizes of the scene
 }  // namespace
 
 BodyDrawer::BodyDrawer(Renderer& renderer)
-    : renderer_(renderer), node_(renderer.scene().getRootSceneNode()->createChildSceneNode()), depth_(renderer.scene()) {
+    : renderer_(renderer), node_(renderer.scene().getRootSceneNode()->createChildSceneNode()), looks_(renderer.fine()),
+      depth_(renderer.scene()) {
   Ogre::Root::getSingleton().addMovableObjectFactory(&volumesFactory_);
   volumes_ = static_cast<ShadowVolumes*>(renderer_.scene().createMovableObject("volumes", ShadowVolumesFactory::kType));
   node_->attachObject(volumes_);

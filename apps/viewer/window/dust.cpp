@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t kMostPuffs = 400;
 constexpr double kLife = 1.6;         // s, simulated
-constexpr double kSlowest = 0.8;      // m/s: what is slower raises none
+constexpr double kLeastSpeed = 0.8;      // m/s: what is slower raises none
 constexpr double kLeastRest = 0.15;   // s between two puffs of a body that goes on being hit
 
 struct Vertex {
@@ -92,7 +92,7 @@ void Dust::findHits(const Frame& frame) {
   for (std::size_t i = 0; i < frame.bodies.size(); i++) {
     const FrameBody& body = frame.bodies[i];
     if (frame.list->bodies[i].role != BodyRole::brick || body.activity == Activity::fixed) continue;
-    if (body.sinceHit > frame.status.time - lastTime_ || length(body.linearVelocity) < kSlowest) continue;
+    if (body.sinceHit > frame.status.time - lastTime_ || length(body.linearVelocity) < kLeastSpeed) continue;
     for (std::uint32_t k = 0; k < 2; k++) puff(frame, i, std::uint32_t(frame.number) * 2 + k);
   }
   // The oldest go where there are too many.

@@ -152,11 +152,10 @@ Instance instanceOf(const ListedBody& body, const SurfaceKey& surface) {
   Instance out;
   const appearance::Rgb usual = appearance::linearFromHex(surface.colour);
   for (int k = 0; k < 3; k++) {
-    // The ground's program has no texture: it takes the colour as it is.
-    out.colour[k] = surface.plane ? look.colour[k] : look.colour[k] / std::max(usual[k], 1e-3f);
+    out.colour[k] = look.colour[k] / std::max(usual[k], 1e-3f);
     out.tint[k] = appearance::srgbFromLinear(appearance::clampUnit(look.colour[k]));
   }
-  if (surface.plane) return out;
+  if (surface.plane) return out;  // its texture stays where it is
   const auto pattern = int(appearance::chance(body.serial, 101) * float(patternsOf(surface)));
   out.layer = float(pattern * (surface.faces ? 3 : 1));
   // Bricks are seen whole, with their worn edges; what is cut from a larger pattern may lie anywhere in it.
@@ -164,7 +163,7 @@ Instance instanceOf(const ListedBody& body, const SurfaceKey& surface) {
   return out;
 }
 
-Looks::Looks() {
+Looks::Looks(bool fine) : fine_(fine) {
   caster_ = makeMaterial({"caster", "caster.vert", "caster.frag", {}});
   passOf(caster_).setDepthBias(1, 2);
 }
@@ -201,8 +200,10 @@ Ogre::MaterialPtr Looks::makeSurface(const SurfaceKey& surface, bool depth) {
   parameters->setNamedConstant("flatColour", Ogre::Real(flat_ ? 1 : 0));
   setSunOf(*parameters, sun_);
   int unit = 0;
-  if (!surface.plane) {
+  {
     const appearance::Look look = appearance::lookOf({surface.material, surface.role, surface.colour, 0});
+    const appearance::Rgb usual = appearance::linearFromHex(surface.colour);
+    parameters->setNamedConstant("usual", Ogre::Vector3(usual.x, usual.y, usual.z));
     parameters->setNamedConstant("surface", Ogre::Vector2(look.metalness, look.relief > 0 ? 1.0f : 0.0f));
     const Textures& textures = texturesOf(surface);
     for (const auto& [name, texture] : {std::pair{"look", textures.look}, {"relief", textures.relief}}) {
@@ -210,7 +211,8 @@ Ogre::MaterialPtr Looks::makeSurface(const SurfaceKey& surface, bool depth) {
       Ogre::TextureUnitState& state = *pass.createTextureUnitState();
       state.setTexture(texture);
       state.setTextureAddressingMode(Ogre::TextureUnitState::TAM_MIRROR);
-      state.setTextureFiltering(Ogre::TFO_TRILINEAR);
+      state.setTextureFiltering(fine_ ? Ogre::TFO_ANISOTROPIC : Ogre::TFO_BILINEAR);
+      state.setTextureAnisotropy(fine_ ? 8 : 1);
     }
   }
   if (depth) {

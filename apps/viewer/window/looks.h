@@ -37,7 +37,8 @@ Instance instanceOf(const ListedBody& body, const SurfaceKey& surface);
 
 class Looks {
  public:
-  Looks();
+  // fine: textures are filtered as a graphics card does without noticing.
+  explicit Looks(bool fine);
   // Made when it is first asked for.
   Ogre::MaterialPtr material(const SurfaceKey& surface, ShadowMode shadows);
   // The polygon view: colours without light.
@@ -54,7 +55,7 @@ class Looks {
   std::map<std::pair<SurfaceKey, bool>, Ogre::MaterialPtr> made_;
   std::map<SurfaceKey, Textures> textures_;
   Ogre::MaterialPtr caster_;
-  bool flat_ = false;
+  bool fine_ = true, flat_ = false;
   Vec3 sun_{0, 1, 0};
 };
 

@@ -33,6 +33,22 @@ Result<NativeWindow> NativeWindow::open(const std::string& title, WindowSize siz
   return made;
 }
 
+bool NativeWindow::hasGraphicsCard() {
+  SDL_Window* window = SDL_CreateWindow("", 0, 0, 16, 16, SDL_WINDOW_OPENGL | SDL_WINDOW_HIDDEN);
+  if (!window) return false;
+  std::string name;
+  if (SDL_GLContext context = SDL_GL_CreateContext(window)) {
+    using GetString = const unsigned char* (*)(unsigned);
+    constexpr unsigned kRendererName = 0x1F01;  // GL_RENDERER
+    const auto getString = reinterpret_cast<GetString>(SDL_GL_GetProcAddress("glGetString"));
+    if (getString && getString(kRendererName)) name = reinterpret_cast<const char*>(getString(kRendererName));
+    SDL_GL_DeleteContext(context);
+  }
+  SDL_DestroyWindow(window);
+  const auto names = [&](const char* word) { return name.find(word) != std::string::npos; };
+  return !name.empty() && !names("llvmpipe") && !names("softpipe") && !names("swrast") && !names("Software");
+}
+
 std::uint64_t NativeWindow::handle() const {
   SDL_SysWMinfo info;
   SDL_VERSION(&info.version);

@@ -21,6 +21,10 @@ class NativeWindow {
   static Result<NativeWindow> open(const std::string& title, WindowSize size);
   NativeWindow(NativeWindow&&) noexcept = default;
 
+  // Whether a graphics card draws, or the processor has to: then what a card does for nothing is better left out. Asked of
+  // OpenGL, in a window that is not seen.
+  static bool hasGraphicsCard();
+
   SDL_Window* get() const { return window_.get(); }
   std::uint64_t handle() const;  // of the X window, as Ogre takes it
   WindowSize size() const;

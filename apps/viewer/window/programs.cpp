@@ -6,15 +6,13 @@
 #include <OgrePass.h>
 #include <OgreTechnique.h>
 
-#include <cmath>
-
 namespace brickfall::viewer {
 namespace {
 
 std::string headOf(const ProgramUse& use) {
   std::string head = "#version 330 core\n";
   if (use.depthShadows) head += "#define DEPTH_SHADOWS\n";
-  head += "const float kStencilLight = " + std::to_string(std::pow(kStencilShade, 2.2f)) + ";\n";
+  head += "const float kStencilLight = " + std::to_string(kStencilShade * kStencilShade) + ";\n";
   return head;
 }
 

@@ -5,6 +5,8 @@
 #include <OgreLight.h>
 #include <OgreLogManager.h>
 #include <OgreOverlaySystem.h>
+#include <OgreRenderQueue.h>
+#include <OgreRenderQueueSortingGrouping.h>
 #include <OgreRenderWindow.h>
 #include <OgreResourceGroupManager.h>
 #include <OgreRoot.h>
@@ -12,7 +14,8 @@
 #include <OgreSceneNode.h>
 #include <OgreViewport.h>
 
-#include <filesystem>
+#include <algorithm>
+#include <cmath>
 
 #include "viewer_window/programs.h"
 
@@ -23,12 +26,6 @@ constexpr const char* kRenderSystem = "OpenGL 3+ Rendering Subsystem";
 constexpr float kNear = 0.05f;  // m
 
 }  // namespace
-
-int usualSamples() {
-  std::error_code problem;
-  const bool card = std::filesystem::exists("/dev/dri", problem) || std::filesystem::exists("/dev/nvidiactl", problem);
-  return card ? 4 : 0;
-}
 
 // In the order in which they are made; gone in the other.
 struct Renderer::Parts {
@@ -55,6 +52,7 @@ Result<std::unique_ptr<Renderer>> Renderer::create(const NativeWindow& window, c
 }
 
 void Renderer::start(const NativeWindow& window, const RendererOptions& options) {
+  fine_ = options.fine;
   parts_->log.createLog(options.log.empty() ? "none" : options.log, true, false, options.log.empty());
   parts_->root = std::make_unique<Ogre::Root>("", "", "");
   Ogre::Root& root = *parts_->root;
@@ -85,6 +83,15 @@ void Renderer::start(const NativeWindow& window, const RendererOptions& options)
   port_ = parts_->window->addViewport(camera_);
   port_->setBackgroundColour(Ogre::ColourValue(0.12f, 0.13f, 0.15f));
   setSun({0, 1, 0});
+  keepShadowsToTheScene();
+}
+
+// Modulative shadows are drawn once for each group of the render queue that lets them: sky, lines and panel must not, or the
+// scene behind them is darkened again.
+void Renderer::keepShadowsToTheScene() {
+  for (const int group : {int(Ogre::RENDER_QUEUE_SKIES_EARLY), int(Ogre::RENDER_QUEUE_8), int(Ogre::RENDER_QUEUE_OVERLAY)}) {
+    scene_->getRenderQueue()->getQueueGroup(Ogre::uint8(group))->setShadowsEnabled(false);
+  }
 }
 
 void Renderer::findMedia() {
@@ -115,11 +122,14 @@ Renderer::~Renderer() {
   parts_->overlays.reset();
 }
 
-void Renderer::setView(const View& view) {
+void Renderer::setView(const View& view, PixelPlace shift) {
   eye_->setPosition(Ogre::Real(view.position.x), Ogre::Real(view.position.y), Ogre::Real(view.position.z));
   eye_->setOrientation(Ogre::Real(view.rotation.w), Ogre::Real(view.rotation.x), Ogre::Real(view.rotation.y),
                        Ogre::Real(view.rotation.z));
   camera_->setFOVy(Ogre::Degree(Ogre::Real(view.fieldOfViewDegrees)));
+  // At one metre from the eye, where Ogre takes the offset.
+  const double pixel = 2 * std::tan(view.fieldOfViewDegrees * 3.14159265358979 / 360) / std::max(port_->getActualHeight(), 1);
+  camera_->setFrustumOffset(Ogre::Real(-shift.x * pixel), Ogre::Real(shift.y * pixel));
 }
 
 void Renderer::setWireframe(bool on) { camera_->setPolygonMode(on ? Ogre::PM_WIREFRAME : Ogre::PM_SOLID); }

@@ -15,13 +15,11 @@ namespace brickfall::viewer {
 enum class ShadowMode : std::uint8_t { none, stencil, depth };
 
 struct RendererOptions {
-  std::string log;  // Ogre's own log goes to this file; empty: nowhere
-  int samples = 0;  // of antialiasing, 0, 2, 4 or 8
+  std::string log;   // Ogre's own log goes to this file; empty: nowhere
+  int samples = 0;   // of antialiasing, 0, 2, 4 or 8
+  bool fine = true;  // textures are filtered as a graphics card does without noticing
   bool vsync = true;
 };
-
-// 4 where there is a graphics card, 0 where the processor has to draw.
-int usualSamples();
 
 // A picture as pixels, from the upper left corner, three bytes each.
 struct Picture {
@@ -39,7 +37,8 @@ class Renderer {
 
   Ogre::SceneManager& scene() const { return *scene_; }
   Ogre::Viewport& port() const { return *port_; }
-  void setView(const View& view);
+  // shift: pixels by which the middle of the view lies right of and below that of the window, for a panel that covers a part.
+  void setView(const View& view, PixelPlace shift = {});
   void setSun(Vec3 towardsSun);
   void setWireframe(bool on);
   // What bodies are drawn with follows: BodyDrawer::setShadows.
@@ -51,11 +50,13 @@ class Renderer {
   void render();
   Picture picture() const;
   std::string card() const;  // who draws: "llvmpipe ..."
+  bool fine() const { return fine_; }
 
  private:
   Renderer();
   void start(const NativeWindow& window, const RendererOptions& options);
   void findMedia();
+  void keepShadowsToTheScene();
 
   struct Parts;
   std::unique_ptr<Parts> parts_;
@@ -64,6 +65,7 @@ class Renderer {
   Ogre::Camera* camera_ = nullptr;
   Ogre::SceneNode *eye_ = nullptr, *sun_ = nullptr;
   ShadowMode shadows_ = ShadowMode::none;
+  bool fine_ = true;
 };
 
 }  // namespace brickfall::viewer

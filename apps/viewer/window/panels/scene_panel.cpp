@@ -7,20 +7,27 @@
 namespace brickfall::viewer {
 namespace {
 
+std::string shortened(const std::string& text, float room) {
+  if (ImGui::CalcTextSize(text.c_str()).x <= room) return text;
+  std::string out = text;
+  while (out.size() > 4 && ImGui::CalcTextSize((out + "...").c_str()).x > room) out.pop_back();
+  return out + "...";
+}
+
 void showEntry(Desk& desk, const Frame& frame, const MenuEntry& entry) {
   const bool open = frame.info && frame.info->name == entry.scene;
   ImGui::PushID(entry.label.c_str());
+  if (open) ImGui::PushStyleColor(ImGuiCol_Header, ImGui::GetStyleColorVec4(ImGuiCol_HeaderHovered));
   if (ImGui::Selectable("##entry", open, 0, ImVec2(0, 40))) desk.send(Open{entry.scene, {}, true});
+  if (open) ImGui::PopStyleColor();
   note(desk, ("scene:" + entry.scene).c_str());
   const ImVec2 at = ImGui::GetItemRectMin();
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddText(ImVec2(at.x + 8, at.y + 3), ImGui::GetColorU32(ImGuiCol_Text), entry.label.c_str());
   const float room = ImGui::GetItemRectSize().x - 16;
-  std::string title = entry.hint;
-  while (title.size() > 4 && ImGui::CalcTextSize((title + "...").c_str()).x > room) title.pop_back();
-  if (title != entry.hint) title += "...";
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const std::string label = shortened(entry.label, room), title = shortened(entry.hint, room);
+  list.AddText(ImVec2(at.x + 8, at.y + 3), ImGui::GetColorU32(ImGuiCol_Text), label.c_str());
   list.AddText(ImVec2(at.x + 8, at.y + 21), ImGui::GetColorU32(ImGuiCol_TextDisabled), title.c_str());
-  if (title != entry.hint) hint(entry.hint);
+  if (label != entry.label || title != entry.hint) hint(entry.label + "\n" + entry.hint);
   ImGui::PopID();
 }
 

@@ -31,6 +31,7 @@ void showButtons(Desk& desk, const RunStatus& status) {
 
 void showState(const Frame& frame) {
   const RunStatus& status = frame.status;
+  ImGui::AlignTextToFramePadding();
   if (!status.loading.empty()) {
     ImGui::TextDisabled("loading %s ...", status.loading.c_str());
   } else if (!status.recording.empty()) {
@@ -38,6 +39,8 @@ void showState(const Frame& frame) {
   } else if (status.running && status.reachedSpeed > 0 && status.reachedSpeed < 0.9 * status.speed) {
     ImGui::TextDisabled("x %.2f reached", status.reachedSpeed);
     hint("The simulation takes longer than the time that it simulates: it is slower, not coarser");
+  } else {
+    ImGui::TextDisabled("%s", status.running ? "" : "paused");
   }
 }
 

@@ -37,17 +37,20 @@ void main() {
 #else
   float reaching = 1.0;
 #endif
-  vec3 towards = normalize(eye - worldPoint);
   vec3 ambient = ambientLight(normal);
   vec3 light = albedo * (ambient + kSunLight * max(facing, 0.0) * reaching) * (1.0 - 0.9 * metal);
-  // What is mirrored: the sky and the ground in metal, the sun's spot on all.
-  vec3 mirrored = reflect(-towards, normal);
-  float rim = pow(1.0 - max(dot(normal, towards), 0.0), 5.0);
-  vec3 strength = mix(vec3(0.04), albedo, metal);
-  strength += (1.0 - strength) * rim * (1.0 - rough) * 0.6;
-  light += strength * mix(skyLight(mirrored, vec3(0.0, -1.0, 0.0)), ambient, rough) * mix(0.5, 1.6, metal);
-  float shine = mix(220.0, 5.0, sqrt(rough));
-  light += strength * kSunLight * pow(max(dot(mirrored, sun), 0.0), shine) * (shine + 8.0) * 0.02 * step(0.0, facing) * reaching;
+  if (metal > 0.0 || rough < 0.7) {
+    // What is mirrored: the sky and the ground, and the sun's spot. Fired clay shows nothing of it.
+    vec3 towards = normalize(eye - worldPoint);
+    vec3 mirrored = reflect(-towards, normal);
+    float edge = 1.0 - max(dot(normal, towards), 0.0), rim = edge * edge * edge * edge * edge;
+    vec3 strength = mix(vec3(0.04), albedo, metal);
+    strength += (1.0 - strength) * rim * (1.0 - rough) * 0.6;
+    light += strength * mix(skyLight(mirrored, vec3(0.0, -1.0, 0.0)), ambient, rough) * mix(0.5, 1.6, metal);
+    float shine = mix(220.0, 5.0, sqrt(rough));
+    float spot = pow(max(dot(mirrored, sun), 0.0), shine) * (shine + 8.0) * 0.02;
+    light += strength * kSunLight * spot * step(0.0, facing) * reaching;
+  }
 #ifndef DEPTH_SHADOWS
   // Modulative shadows darken the finished pixel, that of turned-away sides too: those are lit so that they come out right.
   light = max(light, albedo * ambient / kStencilLight);
