@@ -58,7 +58,7 @@ Rgb variedColour(Kind kind, Rgb colour, std::uint32_t body) {
 }
 
 // The colour of screed, so that a ground of "brick" is no red plain. Trodden ground is darker than its stuff freshly cast.
-Rgb groundColour(Rgb colour, bool ofClay) { return (ofClay ? linearFromHex(0xA9A69F) : colour) * 0.8f; }
+Rgb groundColour(Rgb colour, bool ofClay) { return (ofClay ? linearFromHex(0xA9A69F) : colour) * 0.72f; }
 
 }  // namespace
 

@@ -164,9 +164,8 @@ Surface paintGround(const Look& look, const SurfacePoint& point) {
                       0.05f * grain(p, 0.06f, s + 2, f) + 0.06f * grain(p, 0.013f, s + 3, f) +
                       0.08f * grain(p, 0.0035f, s + 4, f) + 0.07f * grain(p, 0.0012f, s + 5, f);
   out.colour = out.colour * std::max(light, 0.2f);
-  // Lone bits of gravel, light and dark.
-  out.colour = out.colour * (1 - 0.35f * pits(p, 0.009f, s + 6, f, 0.66f));
-  out.colour = mix(out.colour, Rgb{0.5f, 0.47f, 0.43f}, 0.4f * pits(p, 0.012f, s + 7, f, 0.68f));
+  // Lone bits of gravel.
+  out.colour = mix(out.colour, Rgb{0.42f, 0.40f, 0.37f}, 0.35f * pits(p, 0.012f, s + 7, f, 0.7f));
   return out;
 }
 

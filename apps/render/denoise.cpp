@@ -13,6 +13,8 @@ using appearance::brightness;
 
 constexpr int kRounds = 4;        // neighbours 1, 2, 4 and 8 pixels away: a mean over some 30 x 30
 constexpr float kLightRange = 3;  // standard deviations of noise that two neighbours may differ by; more blurs shade
+constexpr float kLeastRange =
+    0.04f;  // share of its light that may always differ: less keeps grains of pixels that are sure and wrong
 constexpr float kPlaneRange = 2;  // pixels' widths that a neighbour may lie off the surface
 
 struct Guide {
@@ -21,12 +23,13 @@ struct Guide {
   float covered = 0;
 };
 
+// Four at a time: red, green, blue and variance.
+using Four = float __attribute__((vector_size(16)));
 struct Light {
-  Rgb sky;
-  float variance = 0, brightness = 0;
+  Four value{0, 0, 0, 0};
+  float brightness = 0;
 };
-
-float falling(float x) { return 1 / (1 + x * x * x * x); }
+Light lightOf(Four value) { return {value, brightness({value[0], value[1], value[2]})}; }
 
 class Filter {
  public:
@@ -38,7 +41,7 @@ class Filter {
         const Ray ray = rays.through(float(x) + 0.5f, float(y) + 0.5f, 0.5f);
         guides_[index(x, y)] = {ray.origin + ray.direction * texel.depth, texel.normal, texel.depth * rays.pixelAngle(),
                                 texel.covered};
-        from_[index(x, y)] = {texel.sky, texel.variance, brightness(texel.sky)};
+        from_[index(x, y)] = lightOf(Four{texel.sky.x, texel.sky.y, texel.sky.z, texel.variance});
       }
     });
   }
@@ -50,7 +53,8 @@ class Filter {
       });
       std::swap(from_, to_);
     }
-    for (std::size_t k = 0; k < from_.size(); k++) picture_.texels[k].sky = from_[k].sky;
+    for (std::size_t k = 0; k < from_.size(); k++)
+      picture_.texels[k].sky = {from_[k].value[0], from_[k].value[1], from_[k].value[2]};
   }
 
  private:
@@ -73,7 +77,7 @@ float Filter::smoothVariance(int x, int y) const {
     for (int i = std::max(x - 1, 0); i <= std::min(x + 1, picture_.width - 1); i++) {
       const std::size_t k = index(i, j);
       const float weight = kWeights[std::abs(i - x)] * kWeights[std::abs(j - y)] * guides_[k].covered;
-      sum += weight * from_[k].variance;
+      sum += weight * from_[k].value[3];
       weights += weight;
     }
   return weights > 0 ? sum / weights : 0;
@@ -84,29 +88,31 @@ Light Filter::mean(int x, int y, int step) const {
   const Guide& guide = guides_[here];
   const Light& own = from_[here];
   if (guide.covered <= 0) return own;
-  const float range = 1 / (kLightRange * std::sqrt(step == 1 ? smoothVariance(x, y) : own.variance) + 1e-4f);
+  const float deviation = std::sqrt(step == 1 ? smoothVariance(x, y) : own.value[3]);
+  const float range = 1 / (kLightRange * deviation + kLeastRange * own.brightness + 1e-4f);
   const float plane = 1 / (kPlaneRange * guide.width + 1e-5f);
-  const float centre = kWeights[0] * kWeights[0] * guide.covered;
-  Light sum{own.sky * centre, own.variance * centre * centre, 0};
-  float weights = centre;
-  for (int j = -1; j <= 1; j++)
+  float weights = kWeights[0] * kWeights[0] * guide.covered;
+  Four sum = own.value * Four{weights, weights, weights, weights * weights};
+  for (int j = -1; j <= 1; j++) {
+    const int v = y + j * step;
+    if (v < 0 || v >= picture_.height) continue;
     for (int i = -1; i <= 1; i++) {
-      const int u = x + i * step, v = y + j * step;
-      if ((i == 0 && j == 0) || u < 0 || v < 0 || u >= picture_.width || v >= picture_.height) continue;
+      const int u = x + i * step;
+      if ((i == 0 && j == 0) || u < 0 || u >= picture_.width) continue;
       const std::size_t k = index(u, v);
       const Guide& other = guides_[k];
-      if (other.covered <= 0) continue;
       const float turned = std::max(dot(guide.normal, other.normal), 0.0f), t2 = turned * turned,
                   t8 = t2 * t2 * t2 * t2;
-      const float off = dot(guide.normal, other.position - guide.position) * plane;
-      const float weight = kWeights[std::abs(i)] * kWeights[std::abs(j)] * other.covered * t8 * t8 * falling(off) *
-                           falling((from_[k].brightness - own.brightness) * range);
-      sum.sky += from_[k].sky * weight;
-      sum.variance += from_[k].variance * weight * weight;
+      const float off = dot(guide.normal, other.position - guide.position) * plane, off2 = off * off;
+      const float apart = (from_[k].brightness - own.brightness) * range, apart2 = apart * apart;
+      const float weight = kWeights[std::abs(i)] * kWeights[std::abs(j)] * other.covered * t8 * t8 /
+                           ((1 + off2 * off2) * (1 + apart2 * apart2));
+      sum += from_[k].value * Four{weight, weight, weight, weight * weight};
       weights += weight;
     }
-  const Rgb sky = sum.sky * (1 / weights);
-  return {sky, sum.variance / (weights * weights), brightness(sky)};
+  }
+  const float share = 1 / weights;
+  return lightOf(sum * Four{share, share, share, share * share});
 }
 
 }  // namespace

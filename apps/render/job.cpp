@@ -257,7 +257,7 @@ Sky skyFor(const Camera& camera, double time, const std::optional<Sun>& sun) {
   }
   const Camera at = cameraAt(camera, time);
   const Vec3 back = at.position - at.target;
-  sky.sun = sunDirection(std::atan2(back.x, back.z) * 180 / std::numbers::pi - 52, 40);
+  sky.sun = sunDirection(std::atan2(back.x, back.z) * 180 / std::numbers::pi - 40, 42);
   return sky;
 }
 

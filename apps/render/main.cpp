@@ -1,4 +1,6 @@
 // The arguments of brickfall-render. The only file of it that sees CLI11.
+#include <malloc.h>
+
 #include <CLI/CLI.hpp>
 #include <exception>
 #include <new>
@@ -45,7 +47,7 @@ void define(CLI::App& app, RenderOptions& options, Words& words) {
   app.add_option("--from", words.from, "Begin at this simulated time (default: 0)")->type_name("S");
   app.add_option("--to", words.to, "End there (default: the end)")->type_name("S");
   app.add_option("--frame", words.frame, "One picture: of this frame of the take, from 0")->type_name("N");
-  app.add_option("--fps", words.fps, "Pictures a second of film (default: 30)")->type_name("N");
+  app.add_option("--fps", words.fps, "Pictures a second of film (default: 25)")->type_name("N");
   app.add_option("--speed", words.speed, "Simulated seconds a second of film; below 1 slow motion (default: 1)")
       ->type_name("X");
   app.add_option("--shutter", words.shutter, "Share of a picture's time that blurs what moves (default: 0.5)")
@@ -53,7 +55,7 @@ void define(CLI::App& app, RenderOptions& options, Words& words) {
   app.add_option("--size", words.size, "Pixels (default: 960x540)")->type_name("WxH");
   app.add_option("--samples", words.samples, "Rays a pixel, at most (default: 4 for films, 64 for pictures)")
       ->type_name("N");
-  app.add_option("--bounces", words.bounces, "How often light is followed from body to body (default: 2)")
+  app.add_option("--bounces", words.bounces, "How often light is followed on from body to body (default: 1)")
       ->type_name("N");
   app.add_option("--threads", words.threads, "Threads (default: one a core); the pictures do not depend on it")
       ->type_name("N");
@@ -149,6 +151,9 @@ int main(int argc, char** argv) {
   using namespace brickfall;
   int exitCode = cli::kInternalError;
   try {
+    // The memory of one picture serves for the next; given back in between, it would have to be cleared each time.
+    mallopt(M_MMAP_THRESHOLD, 1 << 30);
+    mallopt(M_TRIM_THRESHOLD, 1 << 30);
     cli::openMissingStreams();
     cli::makeFailedWritesErrors();
     exitCode = render::run(argc, argv);

@@ -21,12 +21,12 @@ struct RenderOptions {
   std::string camera;                // name, or number from 1; empty: the first
   std::optional<double> from, to;    // s, simulated
   std::optional<std::size_t> frame;  // of the take: one picture
-  double framesPerSecond = 30;       // of the film
+  double framesPerSecond = 25;       // of the film
   double speed = 1;                  // simulated seconds a second of film
   double shutter = 0.5;              // share of a frame's time that it is open
   int width = 960, height = 540;
   std::optional<int> samples;  // of a pixel, at most; default: kFilmSamples, kStillSamples
-  int bounces = 2;
+  int bounces = 1;
   int threads = 1;
   double exposure = 0;     // in powers of 2
   std::optional<Sun> sun;  // none: over the camera's left shoulder

@@ -8,7 +8,7 @@ namespace brickfall::render {
 
 namespace {
 
-constexpr Rgb kZenith{0.42f, 0.58f, 0.86f}, kHorizon{0.92f, 0.96f, 1.0f}, kBelow{0.46f, 0.46f, 0.45f};
+constexpr Rgb kZenith{0.34f, 0.53f, 0.85f}, kHorizon{0.90f, 0.94f, 0.97f}, kBelow{0.46f, 0.45f, 0.43f};
 constexpr Rgb kGlow{1.0f, 0.90f, 0.74f};
 
 }  // namespace

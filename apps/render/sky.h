@@ -9,9 +9,9 @@ using appearance::Rgb;
 using appearance::Vec3f;
 
 struct Sky {
-  Vec3f sun{0.5f, 0.7f, 0.5f};      // unit, towards it
-  Rgb sunLight{4.3f, 3.9f, 3.35f};  // irradiance of a surface that faces it
-  float sunRadius = 0.011f;         // rad; the real one's is 0.0047: some haze
+  Vec3f sun{0.5f, 0.7f, 0.5f};     // unit, towards it
+  Rgb sunLight{4.6f, 4.0f, 3.2f};  // irradiance of a surface that faces it
+  float sunRadius = 0.011f;        // rad; the real one's is 0.0047: some haze
 
   // Radiance from a direction (unit) without the sun's disc. From below the horizon: what bare ground sends back.
   Rgb radiance(Vec3f direction) const;

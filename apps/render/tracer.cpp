@@ -24,6 +24,7 @@ constexpr int kSunDisc = 0, kOnward = 1, kPerBounce = 2;
 constexpr int kBlurredTimes =
     4;  // more samples of a pixel in which something moves: fewer leave steps instead of a blur
 constexpr float kBrightest = 12;  // of light that comes by way of other things: more makes lone bright pixels
+constexpr float kMatt = 0.78f;    // roughness from which on no shine is seen
 constexpr float kHazeReach = 90;  // m: at that distance a third of a plane's colour is left, the rest is the horizon's
 constexpr float kPlainAfter = 0.02f;  // m, footprint on surfaces that are only seen by way of others
 
@@ -86,6 +87,24 @@ struct Place {
   bool blurred = false;
 };
 
+// What a ray from the camera met.
+struct Face {
+  int part = -1;
+  bool sunlit = false, blurred = false;
+  Vec3f normal;  // in the shape's frame, without relief
+};
+
+// The sum of a pixel's samples.
+struct Gathered {
+  Rgb colour, sky, direct;
+  Vec3f normal;
+  float depth = 0, light = 0, squares = 0;  // light: brightness of `sky`
+  int samples = 0, covered = 0;
+  Face first;
+  bool edge = false, shade = false,
+       blurred = false;  // its samples met several faces; sun and shade; something that moves
+};
+
 class PixelTracer {
  public:
   PixelTracer(const Stage& stage, const CameraRays& rays, const Sky& sky, const TraceSettings& settings)
@@ -94,19 +113,18 @@ class PixelTracer {
     for (const Part& part : stage.parts()) anyMotion_ = anyMotion_ || part.moves;
   }
 
-  Texel pixel(int x, int y);
+  void add(Gathered& pixel, int x, int y, int from, int to);
+  bool anyMotion() const { return anyMotion_; }
 
  private:
   struct Sample {
     Rgb colour{1, 1, 1}, sky, direct;
     Vec3f normal;
     float depth = 0;
-    bool covered = false, blurred = false, sunlit = false;
-    int part = -1;
-    Vec3f localNormal;  // without relief
+    bool covered = false;
+    Face face;
   };
   Sample sample(const Sampler& numbers, int index, int x, int y);
-  int wanted(const Sample& first, const Sample& now, int before) const;
   Place placeAt(const Ray& ray, const Hit& hit, float pixelAngle);
   void shadeMetal(const Sampler& numbers, int index, const Ray& ray, const Place& place, Sample& out) const;
   Rgb sunOn(const Place& place, Vec3f towardsEye, float time, Pair u) const;
@@ -163,13 +181,14 @@ Rgb PixelTracer::sunOn(const Place& place, Vec3f towardsEye, float time, Pair u)
   const float cosine = dot(place.normal, sun);
   if (cosine <= 0 || dot(place.flat, sun) <= 0 || stage_.isBlocked(from(place, sun, time))) return {};
   const Surface& s = place.surface;
+  const Rgb matt = s.colour * ((1 - s.metalness) / std::numbers::pi_v<float>);
+  if (s.roughness > kMatt) return scaled(matt, sky_.sunLight) * cosine;
   const Vec3f half = normalized(sun + towardsEye);
   const float alpha = std::max(s.roughness * s.roughness, 0.02f), edge = fresnel(dot(half, sun));
   const Rgb mirrored = appearance::mix(Rgb{0.04f, 0.04f, 0.04f}, s.colour, s.metalness);
   const float view = std::max(dot(place.normal, towardsEye), 0.1f);
   const Rgb shine = (mirrored + (Rgb{1, 1, 1} - mirrored) * edge) *
                     std::min(mirrors(dot(half, place.normal), alpha) / (4 * view * std::max(cosine, 0.1f)), 40.0f);
-  const Rgb matt = s.colour * ((1 - s.metalness) / std::numbers::pi_v<float>);
   return scaled(matt + shine, sky_.sunLight) * cosine;
 }
 
@@ -192,9 +211,9 @@ Rgb PixelTracer::comingFrom(Ray ray, const Sampler& numbers, int index, int boun
     const int purposes = kFirst + bounce * kPerBounce;
     light += scaled(share, sunOn(place, -ray.direction, ray.time, numbers.pair(index, purposes + kSunDisc)));
     share = scaled(share, place.surface.colour);
-    if (bounce + 1 >= settings_.bounces) {
+    if (bounce >= settings_.bounces) {
       // What is still to come, as if half of the sky were hidden.
-      light += scaled(share, mean_ * (0.25f + 0.25f * place.normal.y));
+      light += scaled(share, mean_ * (0.3f + 0.2f * place.normal.y));
       break;
     }
     ray = from(place, mattDirection(place.normal, numbers.pair(index, purposes + kOnward)), ray.time);
@@ -233,9 +252,7 @@ PixelTracer::Sample PixelTracer::sample(const Sampler& numbers, int index, int x
   const float clear = 1 - place.haze;
   out.normal = place.normal;
   out.depth = hit.distance;
-  out.blurred = place.blurred;
-  out.part = hit.part;
-  out.localNormal = hit.localNormal;
+  out.face = {hit.part, false, place.blurred, hit.localNormal};
   if (place.surface.metalness > 0.5f) {
     shadeMetal(numbers, index, ray, place, out);
     return out;
@@ -243,80 +260,139 @@ PixelTracer::Sample PixelTracer::sample(const Sampler& numbers, int index, int x
   out.covered = true;
   out.colour = place.surface.colour * clear;
   out.direct = sunOn(place, -ray.direction, ray.time, numbers.pair(index, kFirst + kSunDisc)) * clear;
-  out.sunlit = out.direct.x > 0;
+  out.face.sunlit = out.direct.x > 0;
   if (place.haze > 0) {
     const Vec3f level = normalized(Vec3f{ray.direction.x, 0.004f, ray.direction.z});
     out.direct += sky_.radiance(level) * place.haze;
   }
-  const Vec3f onward = mattDirection(place.normal, numbers.pair(index, kFirst + kOnward));
-  if (dot(onward, place.flat) > 0) out.sky = comingFrom(from(place, onward, ray.time), numbers, index, 1);
+  Vec3f onward = mattDirection(place.normal, numbers.pair(index, kFirst + kOnward));
+  if (const float below = dot(onward, place.flat); below < 0)
+    onward = onward - place.flat * (2 * below);  // a bump's far side
+  out.sky = comingFrom(from(place, onward, ray.time), numbers, index, 1);
   return out;
 }
 
-// How many samples a pixel takes after those that it has: half of what was asked for where all of them meet one face at rest, equally
-// lit, more where something moves.
-int PixelTracer::wanted(const Sample& first, const Sample& now, int before) const {
-  if (now.blurred) return std::max(before, settings_.samples * kBlurredTimes);
-  if (anyMotion_ && now.sunlit != first.sunlit)
-    return std::max(before, 2 * settings_.samples);  // a shadow's edge, which may move
-  const bool calm = now.part == first.part && now.sunlit == first.sunlit &&
-                    (now.part < 0 || dot(now.localNormal, first.localNormal) > 0.999f);
-  return calm ? before : std::max(before, settings_.samples);
-}
-
-Texel PixelTracer::pixel(int x, int y) {
+// Takes the samples of a pixel from the one to before the other.
+void PixelTracer::add(Gathered& pixel, int x, int y, int from, int to) {
   const Sampler numbers(x, y, settings_.samples * kBlurredTimes);
   lastPart_ = -1;
-  Texel texel;
-  texel.colour = {};
-  float squares = 0, light = 0;
-  int covered = 0, samples = (settings_.samples + 1) / 2;
-  Sample first;
-  for (int index = 0; index < samples; index++) {
+  for (int index = from; index < to; index++) {
     const Sample one = sample(numbers, index, x, y);
-    if (index == 0) first = one;
-    samples = wanted(first, one, samples);
-    texel.direct += one.direct;
-    texel.normal += one.normal;
-    texel.depth += one.depth;
+    if (index == 0) pixel.first = one.face;
+    const Face &face = one.face, &first = pixel.first;
+    pixel.edge = pixel.edge || face.part != first.part || (face.part >= 0 && dot(face.normal, first.normal) < 0.999f);
+    pixel.shade = pixel.shade || face.sunlit != first.sunlit;
+    pixel.blurred = pixel.blurred || face.blurred;
+    pixel.samples++;
+    pixel.direct += one.direct;
+    pixel.normal += one.normal;
+    pixel.depth += one.depth;
     if (!one.covered) continue;
-    covered++;
-    texel.colour += one.colour;
-    texel.sky += one.sky;
+    pixel.covered++;
+    pixel.colour += one.colour;
+    pixel.sky += one.sky;
     const float b = brightness(one.sky);
-    light += b;
-    squares += b * b;
+    pixel.light += b;
+    pixel.squares += b * b;
   }
-  const float share = 1 / float(samples);
-  texel.direct = texel.direct * share;
-  texel.normal = texel.normal * share;
-  texel.depth *= share;
-  texel.covered = float(covered) * share;
-  if (covered == 0) return texel;
+}
+
+Texel texelOf(const Gathered& pixel) {
+  Texel texel;
+  const float share = 1 / float(pixel.samples);
+  texel.direct = pixel.direct * share;
+  texel.normal = pixel.normal * share;
+  texel.depth = pixel.depth * share;
+  texel.covered = float(pixel.covered) * share;
+  if (pixel.covered == 0) return texel;
   // Colour keeps the share of the pixel that it covers; light is that of what is covered.
-  texel.colour = texel.colour * share;
-  texel.sky = texel.sky * (1 / float(covered));
-  const float mean = light / float(covered);
-  texel.variance = covered > 1 ? std::max(squares / float(covered) - mean * mean, 0.0f) / float(covered - 1) : 1.0f;
+  const float ofCovered = 1 / float(pixel.covered), mean = pixel.light * ofCovered;
+  texel.colour = pixel.colour * share;
+  texel.sky = pixel.sky * ofCovered;
+  texel.variance =
+      pixel.covered > 1 ? std::max(pixel.squares * ofCovered - mean * mean, 0.0f) / float(pixel.covered - 1) : 1.0f;
   return texel;
 }
+
+// A picture is made twice over: first every pixel takes half of its samples, then those take more that need them.
+class PictureTracer {
+ public:
+  PictureTracer(const Stage& stage, const CameraRays& rays, const Sky& sky, int width, int height,
+                const TraceSettings& settings)
+      : stage_(stage),
+        rays_(rays),
+        sky_(sky),
+        settings_(settings),
+        width_(width),
+        height_(height),
+        half_((settings.samples + 1) / 2),
+        pixels_(std::size_t(width) * std::size_t(height)),
+        notes_(pixels_.size()) {}
+
+  Picture run() {
+    forPixels([&](PixelTracer& tracer, int x, int y) {
+      Gathered& pixel = pixels_[index(x, y)];
+      tracer.add(pixel, x, y, 0, half_);
+      notes_[index(x, y)] = {pixel.first.part, pixel.first.sunlit, pixel.shade, pixel.blurred};
+    });
+    Picture picture{width_, height_, std::vector<Texel>(pixels_.size())};
+    forPixels([&](PixelTracer& tracer, int x, int y) {
+      Gathered& pixel = pixels_[index(x, y)];
+      tracer.add(pixel, x, y, half_, wanted(pixel, x, y, tracer.anyMotion()));
+      if (pixel.samples > 0) picture.at(x, y) = texelOf(pixel);
+    });
+    return picture;
+  }
+
+ private:
+  struct Note {  // what neighbours ask of a pixel
+    int part = -1;
+    bool sunlit = false, shade = false, blurred = false;
+  };
+  std::size_t index(int x, int y) const { return std::size_t(y) * std::size_t(width_) + std::size_t(x); }
+
+  // Half will do where a pixel and those around it see one face at rest, equally lit. Where something moves, or the edge of a shadow
+  // may move, it takes many, or the eye sees grains.
+  int wanted(const Gathered& pixel, int x, int y, bool anyMotion) const {
+    bool edge = pixel.edge, shade = pixel.shade, blurred = pixel.blurred;
+    for (int j = std::max(y - 1, 0); j <= std::min(y + 1, height_ - 1); j++)
+      for (int i = std::max(x - 1, 0); i <= std::min(x + 1, width_ - 1); i++) {
+        const Note& note = notes_[index(i, j)];
+        edge = edge || note.part != pixel.first.part;
+        shade = shade || note.shade || (note.part == pixel.first.part && note.sunlit != pixel.first.sunlit);
+        blurred = blurred || note.blurred;
+      }
+    if (blurred || (shade && anyMotion)) return settings_.samples * kBlurredTimes;
+    return edge || shade ? settings_.samples : half_;
+  }
+
+  // In squares of pixels, so that rays near each other follow each other.
+  template <class Work> void forPixels(const Work& work) {
+    constexpr int kTile = 16;
+    const int columns = (width_ + kTile - 1) / kTile, tiles = columns * ((height_ + kTile - 1) / kTile);
+    forRows(tiles, settings_.threads, [&](int tile) {
+      if (settings_.stop && settings_.stop()) return;
+      PixelTracer tracer(stage_, rays_, sky_, settings_);
+      const int left = tile % columns * kTile, top = tile / columns * kTile;
+      for (int y = top; y < std::min(top + kTile, height_); y++)
+        for (int x = left; x < std::min(left + kTile, width_); x++) work(tracer, x, y);
+    });
+  }
+
+  const Stage& stage_;
+  const CameraRays& rays_;
+  const Sky& sky_;
+  const TraceSettings& settings_;
+  int width_, height_, half_;
+  std::vector<Gathered> pixels_;
+  std::vector<Note> notes_;
+};
 
 }  // namespace
 
 Picture trace(const Stage& stage, const CameraRays& rays, const Sky& sky, int width, int height,
               const TraceSettings& settings) {
-  Picture picture{width, height, std::vector<Texel>(std::size_t(width) * std::size_t(height))};
-  // Squares of pixels, so that rays near each other follow each other.
-  constexpr int kTile = 16;
-  const int columns = (width + kTile - 1) / kTile, tiles = columns * ((height + kTile - 1) / kTile);
-  forRows(tiles, settings.threads, [&](int tile) {
-    if (settings.stop && settings.stop()) return;
-    PixelTracer tracer(stage, rays, sky, settings);
-    const int left = tile % columns * kTile, top = tile / columns * kTile;
-    for (int y = top; y < std::min(top + kTile, height); y++)
-      for (int x = left; x < std::min(left + kTile, width); x++) picture.at(x, y) = tracer.pixel(x, y);
-  });
-  return picture;
+  return PictureTracer(stage, rays, sky, width, height, settings).run();
 }
 
 }  // namespace brickfall::render

@@ -11,7 +11,7 @@ namespace brickfall::render {
 
 struct TraceSettings {
   int samples = 4;  // of a pixel
-  int bounces = 2;  // how often light is followed on from what it met; after that the sky's mean stands for the rest
+  int bounces = 1;  // how often light is followed on from what is seen; after that the sky's mean stands for the rest
   int threads = 1;
   std::function<bool()> stop;  // asked now and then: true leaves the picture unfinished
 };
