@@ -42,6 +42,8 @@ constexpr KindValues kValues[kKindCount] = {
 
 // As fired clay differs: mostly in lightness, a little in hue (towards yellow or blue-red); one in nine burnt darker.
 Rgb firedColour(Rgb colour, std::uint32_t body) {
+  const float grey = brightness(colour);
+  colour = mix(colour, Rgb{grey, grey, grey}, 0.2f);  // dust and weather
   const float light = 1 + 0.20f * (chance(body, 1) + chance(body, 2) - 1);
   const float hue = 0.10f * (chance(body, 3) - 0.5f);
   Rgb out{colour.x * light, colour.y * light * (1 + 1.6f * hue), colour.z * light * (1 - hue)};
@@ -55,8 +57,8 @@ Rgb variedColour(Kind kind, Rgb colour, std::uint32_t body) {
   return colour * (1 + spread * (chance(body, 1) - 0.5f));
 }
 
-// Half way to the colour of screed, so that a ground of "brick" is no red plain.
-Rgb groundColour(Rgb colour, bool ofClay) { return ofClay ? linearFromHex(0xA39E94) : colour; }
+// The colour of screed, so that a ground of "brick" is no red plain. Trodden ground is darker than its stuff freshly cast.
+Rgb groundColour(Rgb colour, bool ofClay) { return (ofClay ? linearFromHex(0xA9A69F) : colour) * 0.72f; }
 
 }  // namespace
 

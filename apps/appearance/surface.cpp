@@ -9,11 +9,13 @@ namespace brickfall::appearance {
 
 namespace {
 
-inline float cornerValue(std::int32_t x, std::int32_t y, std::int32_t z, std::uint64_t seed) {
-  const std::uint64_t key = std::uint64_t(std::uint32_t(x)) * 0x9e3779b1ull +
-                            std::uint64_t(std::uint32_t(y)) * 0x85ebca77c2b2ull +
-                            std::uint64_t(std::uint32_t(z)) * 0xc2b2ae3d27d4eb4full + seed;
-  return float(std::int32_t(hashOf(key))) * 0x1p-31f;
+// Odd and large: what is far apart in space must not be near in the hash.
+constexpr std::uint64_t kAlongX = 0x9e3779b97f4a7c15ull, kAlongY = 0xc2b2ae3d27d4eb4full,
+                        kAlongZ = 0x165667b19e3779f9ull;
+
+inline float cornerValue(std::uint64_t key) {
+  key = (key ^ key >> 32) * 0xd6e8feb86659fd93ull;
+  return float(std::int32_t((key ^ key >> 32) >> 8 & 0xffffff) - 0x800000) * 0x1p-23f;
 }
 
 inline std::int32_t floorOf(float v) {
@@ -27,11 +29,10 @@ float valueNoise(Vec3f p, std::uint32_t seed) {
   const std::int32_t x = floorOf(p.x), y = floorOf(p.y), z = floorOf(p.z);
   const auto smooth = [](float t) { return t * t * (3 - 2 * t); };
   const float u = smooth(p.x - float(x)), v = smooth(p.y - float(y)), w = smooth(p.z - float(z));
-  const std::uint64_t s = std::uint64_t(seed) << 20;
-  const auto row = [&](std::int32_t j, std::int32_t k) {
-    return mix(cornerValue(x, y + j, z + k, s), cornerValue(x + 1, y + j, z + k, s), u);
-  };
-  return mix(mix(row(0, 0), row(1, 0), v), mix(row(0, 1), row(1, 1), v), w);
+  const std::uint64_t key = std::uint64_t(x) * kAlongX + std::uint64_t(y) * kAlongY + std::uint64_t(z) * kAlongZ +
+                            std::uint64_t(seed) * 0x2545f4914f6cdd1dull;
+  const auto row = [&](std::uint64_t from) { return mix(cornerValue(from), cornerValue(from + kAlongX), u); };
+  return mix(mix(row(key), row(key + kAlongY), v), mix(row(key + kAlongZ), row(key + kAlongY + kAlongZ), v), w);
 }
 
 namespace {
@@ -44,6 +45,11 @@ float edgeDistance(const SurfacePoint& point) {
                 h.z - std::fabs(point.position.z)};
   std::sort(d, d + 3);
   return d[1];
+}
+
+// The bumps of the noise lie in rows; turned like this no row lies along a face.
+Vec3f slanted(Vec3f p) {
+  return {0.36f * p.x + 0.48f * p.y - 0.80f * p.z, -0.80f * p.x + 0.60f * p.y, 0.48f * p.x + 0.64f * p.y + 0.60f * p.z};
 }
 
 int mainAxis(Vec3f n) {
@@ -65,38 +71,37 @@ float wearAt(const SurfacePoint& point, std::uint32_t seed) {
   return ramp(width, 0, d) * seenShare(0.006f, point.footprint);
 }
 
-constexpr float kPoreSize = 0.0055f, kPoreFrom = 0.42f;
+constexpr float kPoreSize = 0.0042f, kPoreFrom = 0.5f;
 
 Surface paintBrick(const Look& look, const SurfacePoint& point) {
-  const Vec3f p = point.position;
+  const Vec3f p = slanted(point.position);
   const float f = point.footprint;
   const std::uint32_t s = look.seed;
   Surface out{look.colour, look.roughness, 0, point.normal};
   const int axis = mainAxis(point.normal);
   // Fire: clouds over the whole brick, darker towards the ends that lay in the flame.
-  const float cloud = grain(p, 0.07f, s, f), patch = grain(p, 0.028f, s + 1, f);
-  float light = 1 + 0.13f * cloud + 0.09f * patch;
-  out.colour = scaled(out.colour, Rgb{1 - 0.05f * cloud, 1 + 0.04f * cloud, 1 + 0.10f * cloud});
-  if (axis == 0) light *= 0.86f + 0.06f * cloud;
+  const float cloud = grain(p, 0.07f, s, f), patch = grain(p, 0.024f, s + 1, f);
+  float light = 1 + 0.16f * cloud + 0.11f * patch;
+  out.colour = scaled(out.colour, Rgb{1 - 0.04f * cloud, 1 + 0.05f * cloud, 1 + 0.12f * cloud});
+  if (axis == 0) light *= 0.84f + 0.08f * cloud;
   // The long sides were cut by a wire: lines along the brick.
-  if (axis == 2) light *= 1 + 0.07f * grain({p.x * 0.06f, p.y, p.z}, 0.0045f, s + 2, f);
-  light *= 1 + 0.09f * grain(p, 0.0075f, s + 3, f) + 0.08f * grain(p, 0.0028f, s + 4, f) +
-           0.06f * grain(p, 0.0011f, s + 5, f);
+  if (axis == 2) light *= 1 + 0.06f * grain(scaled(point.position, Vec3f{0.05f, 1, 1}), 0.004f, s + 2, f);
+  light *= 1 + 0.10f * grain(p, 0.008f, s + 3, f) + 0.09f * grain(p, 0.0024f, s + 4, f) +
+           0.08f * grain(p, 0.0009f, s + 5, f);
   out.colour = out.colour * std::max(light, 0.2f);
-  // Grains of sand and lime.
-  out.colour = mix(out.colour, Rgb{0.62f, 0.50f, 0.38f}, 0.55f * pits(p, 0.0042f, s + 6, f, 0.55f));
-  // Lime that rose or stuck: thick on beds, a veil on faces.
-  const float lime = ramp(axis == 1 ? -0.25f : 0.4f, axis == 1 ? 0.5f : 0.9f,
-                          grain(p, 0.045f, s + 7, f) + 0.35f * grain(p, 0.009f, s + 8, f));
-  out.colour = mix(out.colour, Rgb{0.56f, 0.50f, 0.43f}, (axis == 1 ? 0.6f : 0.35f) * lime);
-  out.colour = out.colour * (1 - 0.62f * pits(p, kPoreSize, s + 9, f, kPoreFrom));
+  // Grains of sand, and lime that rose or stuck: thick on beds, a veil on faces.
+  out.colour = mix(out.colour, Rgb{0.47f, 0.34f, 0.24f}, 0.35f * pits(p, 0.0026f, s + 6, f, 0.5f));
+  const float from = axis == 1 ? -0.2f : 0.3f;
+  const float lime = ramp(from, from + 0.8f, grain(p, 0.05f, s + 7, f) + 0.4f * patch);
+  if (lime > 0) out.colour = mix(out.colour, Rgb{0.50f, 0.44f, 0.38f}, (axis == 1 ? 0.5f : 0.16f) * lime);
+  out.colour = out.colour * (1 - 0.45f * pits(p, kPoreSize, s + 9, f, kPoreFrom));
   const float wear = wearAt(point, s);
-  out.colour = mix(out.colour, mix(look.colour * 1.25f, Rgb{0.55f, 0.42f, 0.33f}, 0.35f), 0.6f * wear);
+  if (wear > 0) out.colour = mix(out.colour, mix(look.colour * 1.2f, Rgb{0.5f, 0.38f, 0.30f}, 0.35f), 0.5f * wear);
   return out;
 }
 
 Surface paintConcrete(const Look& look, const SurfacePoint& point) {
-  const Vec3f p = point.position;
+  const Vec3f p = slanted(point.position);
   const float f = point.footprint;
   const std::uint32_t s = look.seed;
   Surface out{look.colour, look.roughness, 0, point.normal};
@@ -108,7 +113,7 @@ Surface paintConcrete(const Look& look, const SurfacePoint& point) {
 }
 
 Surface paintStone(const Look& look, const SurfacePoint& point) {
-  const Vec3f p = point.position;
+  const Vec3f p = slanted(point.position);
   const float f = point.footprint;
   const std::uint32_t s = look.seed;
   Surface out{look.colour, look.roughness, 0, point.normal};
@@ -151,16 +156,16 @@ Surface paintSteel(const Look& look, const SurfacePoint& point) {
 
 // A floor of fine gravel and dust: clouds, then grains, light and dark.
 Surface paintGround(const Look& look, const SurfacePoint& point) {
-  const Vec3f p = point.position;
+  const Vec3f p = slanted(point.position);
   const float f = point.footprint;
   const std::uint32_t s = look.seed;
   Surface out{look.colour, look.roughness, 0, point.normal};
-  float light = 1 + 0.07f * grain(p, 1.7f, s, f) + 0.06f * grain(p, 0.42f, s + 1, f) +
-                0.05f * grain(p, 0.09f, s + 2, f) + 0.07f * grain(p, 0.021f, s + 3, f) +
-                0.09f * grain(p, 0.006f, s + 4, f) + 0.08f * grain(p, 0.002f, s + 5, f);
-  light *= 1 - 0.4f * pits(p, 0.011f, s + 6, f, 0.6f);
-  out.colour =
-      mix(out.colour * std::max(light, 0.2f), Rgb{0.55f, 0.52f, 0.48f}, 0.35f * pits(p, 0.016f, s + 7, f, 0.62f));
+  const float light = 1 + 0.07f * grain(p, 1.9f, s, f) + 0.05f * grain(p, 0.35f, s + 1, f) +
+                      0.05f * grain(p, 0.06f, s + 2, f) + 0.06f * grain(p, 0.013f, s + 3, f) +
+                      0.08f * grain(p, 0.0035f, s + 4, f) + 0.07f * grain(p, 0.0012f, s + 5, f);
+  out.colour = out.colour * std::max(light, 0.2f);
+  // Lone bits of gravel.
+  out.colour = mix(out.colour, Rgb{0.42f, 0.40f, 0.37f}, 0.35f * pits(p, 0.012f, s + 7, f, 0.7f));
   return out;
 }
 
@@ -195,7 +200,7 @@ Surface paintAt(const Look& look, const SurfacePoint& point) {
 
 float heightAt(const Look& look, const SurfacePoint& point) {
   if (look.relief <= 0) return 0;
-  const Vec3f p = point.position;
+  const Vec3f p = slanted(point.position);
   const float f = point.footprint;
   const std::uint32_t s = look.seed;
   float height = look.relief * (0.8f * grain(p, 0.018f, s + 21, f) + 0.55f * grain(p, 0.006f, s + 22, f) +
@@ -205,9 +210,11 @@ float heightAt(const Look& look, const SurfacePoint& point) {
   return height;
 }
 
+constexpr float kReliefEnd = 0.006f;  // m, footprint from which on bumps are too small to be seen
+
 Surface surfaceAt(const Look& look, const SurfacePoint& point) {
   Surface out = paintAt(look, point);
-  if (look.relief <= 0 || point.footprint > 0.009f) return out;  // no wave of the relief is seen from there
+  if (look.relief <= 0 || point.footprint >= kReliefEnd) return out;
   const Vec3f n = point.normal;
   const Vec3f side = normalized(std::fabs(n.y) < 0.9f ? cross(Vec3f{0, 1, 0}, n) : cross(Vec3f{1, 0, 0}, n));
   const Vec3f up = cross(n, side);
@@ -216,7 +223,8 @@ Surface surfaceAt(const Look& look, const SurfacePoint& point) {
   beside.position += side * step;
   above.position += up * step;
   const float here = heightAt(look, point);
-  const float slopeSide = (heightAt(look, beside) - here) / step, slopeUp = (heightAt(look, above) - here) / step;
+  const float seen = (1 - ramp(0.5f * kReliefEnd, kReliefEnd, point.footprint)) / step;
+  const float slopeSide = (heightAt(look, beside) - here) * seen, slopeUp = (heightAt(look, above) - here) * seen;
   out.normal = normalized(n - side * slopeSide - up * slopeUp);
   return out;
 }
