@@ -10,6 +10,7 @@ constexpr double kRate = 14;                // 1/s, of the spring: slower feels 
 constexpr double kTurnDamping = 4;          // 1/s: what hangs from the mouse stops swinging
 constexpr double kReferenceGravity = 9.81;  // m/s2, of the limit
 
+double trace(const Mat3& m) { return m.row[0].x + m.row[1].y + m.row[2].z; }
 Mat3 crossMatrix(Vec3 v) { return {{{0, -v.z, v.y}, {v.z, 0, -v.x}, {-v.y, v.x, 0}}}; }
 
 }  // namespace
@@ -42,12 +43,18 @@ Status pull(World& world, DragSpring& spring, double dt) {
   const Mat3 across = crossMatrix(arm);
   const double lightness = 1 / s.mass;
   const Mat3 response = diagonal(Vec3{lightness, lightness, lightness}) + transpose(across) * inverse(inertia) * across;
-  Vec3 force = inverse(response) * wanted;
+  // Damps turns about the held point, about which it swings; what that does to the point the force makes good.
+  const double spread = s.mass * dot(arm, arm);
+  const Vec3 swing =
+      inertia * s.angularVelocity + s.angularVelocity * spread - arm * (s.mass * dot(arm, s.angularVelocity));
+  const double heavier = 1 + 2 * spread / trace(inertia);
+  const Vec3 torque = swing * -(kTurnDamping / (1 + kTurnDamping * heavier * dt));
+  Vec3 force = inverse(response) * (wanted - cross(inverse(inertia) * torque, arm));
   const double most = spring.strength * s.mass * kReferenceGravity;
   force *= std::min(1.0, most / std::max(length(force), 1e-300));
   spring.force = length(force);
   if (Status pushed = world.applyForceAtPoint(spring.body, force, point); !pushed) return pushed;
-  return world.applyTorque(spring.body, inertia * s.angularVelocity * -(kTurnDamping / (1 + kTurnDamping * dt)));
+  return world.applyTorque(spring.body, torque);
 }
 
 }  // namespace brickfall::viewer

@@ -120,8 +120,9 @@ void FrameMaker::fill(Frame& frame, const LiveRun& run, const FrameNeeds& needs,
   }
   fillBodies(frame, run);
   const World& world = run.run().world();
-  const int place = frame.list->find(selected);
+  int place = frame.list->find(selected);
   if (place >= 0) select(frame, run, place);
+  if (!frame.selected) place = -1;
   if (needs.contacts || needs.collisions || place >= 0) fillContacts(frame, run, needs, place);
   if (needs.collisions && run.run().reported()) fillCollisions(frame, *run.run().reported());
   if (needs.islands) fillIslands(frame, world);

@@ -3,6 +3,7 @@
 #include <zstd.h>
 
 #include <algorithm>
+#include <chrono>
 
 namespace brickfall::viewer {
 
@@ -34,6 +35,23 @@ Result<std::vector<std::byte>> decompressed(std::span<const std::byte> bytes) {
   return out;
 }
 
+PackedBytes::PackedBytes(std::vector<std::byte> bytes) : before_(bytes.size()) {
+  packed_ = std::async(std::launch::async, [raw = std::move(bytes)] { return compressed(raw); }).share();
+}
+
+Result<std::vector<std::byte>> PackedBytes::unpacked() const { return decompressed(packed_.get()); }
+
+std::size_t PackedBytes::size() const {
+  const bool done = packed_.valid() && packed_.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+  return done ? packed_.get().size() : before_;
+}
+
+std::size_t History::bytes() const {
+  std::size_t sum = 0;
+  for (const Kept& kept : kept_) sum += kept.bytes.size();
+  return sum;
+}
+
 void History::begin(std::uint64_t step, double time) {
   kept_.clear();
   log_.clear();
@@ -41,7 +59,6 @@ void History::begin(std::uint64_t step, double time) {
   times_.assign(1, time);
   firstStep_ = step;
   window_ = {step, 0};
-  bytes_ = 0;
 }
 
 Moment History::end() const { return {firstStep_ + times_.size() - 1, firstCommand_ + log_.size()}; }
@@ -62,7 +79,6 @@ bool History::keptAt(const Moment& moment, const std::string& change) {
 
 void History::keep(Kept kept) {
   if (kept_.empty()) window_ = kept.moment;
-  bytes_ += kept.bytes.size();
   kept_.push_back(std::move(kept));
   trim();
 }
@@ -73,7 +89,6 @@ void History::did(Command command, Serial made) { log_.push_back({end().step, st
 
 void History::cutAfter(const Moment& moment) {
   while (!kept_.empty() && kept_.back().moment > moment) {
-    bytes_ -= kept_.back().bytes.size();
     kept_.pop_back();
   }
   if (moment >= window_) {
@@ -129,13 +144,8 @@ void History::trim() {
     changes += !kept->change.empty();
     if (changes > limits_.mostUndos) kept->change.clear();
   }
-  std::erase_if(kept_, [&](const Kept& kept) {
-    const bool goes = kept.moment < window_ && kept.change.empty();
-    if (goes) bytes_ -= kept.bytes.size();
-    return goes;
-  });
-  while (bytes_ > limits_.mostBytes && kept_.size() > 1) {
-    bytes_ -= kept_.front().bytes.size();
+  std::erase_if(kept_, [&](const Kept& kept) { return kept.moment < window_ && kept.change.empty(); });
+  while (kept_.size() > 1 && bytes() > limits_.mostBytes) {
     kept_.pop_front();
     window_ = std::max(window_, kept_.front().moment);
   }

@@ -4,6 +4,7 @@
 #pragma once
 #include <cstdint>
 #include <deque>
+#include <future>
 #include <memory>
 #include <optional>
 #include <span>
@@ -23,11 +24,24 @@ struct Moment {
   auto operator<=>(const Moment&) const = default;
 };
 
+// A snapshot, compressed on a thread of its own: that takes longer than a step may.
+class PackedBytes {
+ public:
+  PackedBytes() = default;
+  explicit PackedBytes(std::vector<std::byte> bytes);
+  Result<std::vector<std::byte>> unpacked() const;
+  std::size_t size() const;  // of what is held now: less once it is compressed
+
+ private:
+  std::shared_future<std::vector<std::byte>> packed_;
+  std::size_t before_ = 0;
+};
+
 // A run as it was.
 struct Kept {
   Moment moment;
-  double time = 0;               // s
-  std::vector<std::byte> bytes;  // of SceneRun::snapshot, compressed
+  double time = 0;    // s
+  PackedBytes bytes;  // of SceneRun::snapshot
   std::shared_ptr<const BodyList> list;
   std::optional<DragSpring> drag;
   std::string change;  // that was about to be made: what Undo takes back; empty: kept because it was time
@@ -71,7 +85,7 @@ class History {
   const Kept* lastChange(const Moment& from) const;
   // The last snapshot is no longer that of a change: it was taken back, or came to nothing.
   void forgetChange() { kept_.back().change.clear(); }
-  std::size_t bytes() const { return bytes_; }
+  std::size_t bytes() const;
 
  private:
   void trim();
@@ -84,7 +98,6 @@ class History {
   std::deque<double> times_;        // s, after each step
   std::uint64_t firstStep_ = 0;     // of times_.front()
   Moment window_;                   // the oldest snapshot from which every step is known
-  std::size_t bytes_ = 0;
 };
 
 // Bytes of a snapshot, smaller by a fifth to a half or more, and back.

@@ -10,6 +10,7 @@ namespace {
 
 constexpr std::size_t kMostHitLines = 3;  // of a step: the strongest
 constexpr double kNever = -1e9;           // s
+constexpr double kMostWork = 400;  // ms: costly steps get snapshots sooner, so that rewinding makes few of them again
 
 // Of a ball around its shapes but planes.
 double radiusOf(const std::vector<ShapeDef>& shapes) {
@@ -98,7 +99,7 @@ void LiveRun::keep(const std::string& change) {
   Kept kept;
   kept.moment = now();
   kept.time = run_.time();
-  kept.bytes = compressed(run_.snapshot());
+  kept.bytes = PackedBytes(run_.snapshot());
   kept.list = list_;
   kept.drag = drag_;
   kept.change = change;
@@ -136,7 +137,11 @@ Status LiveRun::step() {
       log_->add(run_.time(), LogKind::error, "recording ended: " + written.error().message);
       recorder_.reset();
     }
-  if (history_.due(run_.time())) keep({});
+  workSinceKept_ += report->milliseconds;
+  if (history_.due(run_.time()) || workSinceKept_ > kMostWork) {
+    keep({});
+    workSinceKept_ = 0;
+  }
   return {};
 }
 
@@ -202,7 +207,7 @@ std::string LiveRun::undoLabel() const {
 }
 
 Status LiveRun::put(const Kept& kept) {
-  Result<std::vector<std::byte>> bytes = decompressed(kept.bytes);
+  const Result<std::vector<std::byte>> bytes = kept.bytes.unpacked();
   if (!bytes) return bytes.error();
   if (Status read = run_.restore(*bytes); !read) return read;
   list_ = kept.list;

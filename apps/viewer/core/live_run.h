@@ -93,7 +93,8 @@ class LiveRun {
   std::shared_ptr<const BodyList> list_;
   std::uint64_t commandsDone_ = 0;
   std::uint64_t changes_ = 1;
-  bool quiet_ = false;  // steps are made again: nothing new happens
+  double workSinceKept_ = 0;  // ms
+  bool quiet_ = false;        // steps are made again: nothing new happens
   std::optional<DragSpring> drag_;
   std::optional<StepReport> report_;
   std::deque<StepSample> samples_;

@@ -15,7 +15,7 @@ struct HistoryLimits {
   double seconds = 30;                 // how far back rewinding reaches, simulated time
   double interval = 1;                 // s, simulated, between snapshots: the longest that rewinding makes again
   std::size_t mostUndos = 50;          // changes that can be taken back
-  std::size_t mostBytes = 512u << 20;  // of snapshots together: beyond it the oldest go first
+  std::size_t mostBytes = 512u << 20;  // of snapshots together: beyond it the oldest go first, the last one never
 };
 
 struct SessionOptions {
