@@ -25,7 +25,7 @@ struct ListedBody {
   BodyId id;  // in the world; null in a take
   std::string name;
   BodyRole role = BodyRole::body;
-  std::string material;             // of its first shape, as the scene names it; empty in a take
+  std::string material;             // of its first shape, as the scene names it; empty: not known
   std::uint32_t colour = 0xB5543A;  // 0xRRGGBB
   double mass = 0;                  // kg; 0 = fixed
   double radius = 0;                // m, about its origin: of a ball around all its shapes but planes

@@ -96,6 +96,7 @@ void TakePlayer::list() {
     body.name = from.name;
     body.role = from.role;
     body.colour = from.colour;
+    body.material = from.shapeMaterials.empty() ? from.material : from.shapeMaterials.front();
     body.mass = from.mass;
     body.shapes = from.shapes;
     for (const ShapeDef& shape : from.shapes) {

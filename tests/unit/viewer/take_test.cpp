@@ -26,6 +26,7 @@ TEST_F(Recorded, PlaysToItsEndAndStartsAgain) {
   EXPECT_EQ(t.frame()->info->kind, RunKind::take);
   EXPECT_EQ(t.frame()->info->title, "A small wall");
   EXPECT_EQ(t.serialOf("shot 1"), 0u);
+  EXPECT_EQ(t.frame()->list->bodies.back().material, "brick");
   t.pass(1);
   EXPECT_NEAR(t.frame()->status.time, 1, 0.03);
   EXPECT_NE(t.serialOf("shot 1"), 0u);
