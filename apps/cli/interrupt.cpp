@@ -33,6 +33,11 @@ void makeFailedWritesErrors() {
   std::signal(SIGXFSZ, SIG_IGN);
 }
 
+void restoreFailedWrites() {
+  std::signal(SIGPIPE, SIG_DFL);
+  std::signal(SIGXFSZ, SIG_DFL);
+}
+
 int interruptCount() { return count; }
 int interruptExitCode() { return 128 + firstSignal; }
 

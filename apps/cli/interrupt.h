@@ -8,6 +8,8 @@ void watchInterrupts();
 // A reader of standard output that leaves, or a file that may not grow, makes a write fail instead of ending the process
 // in the middle of a run.
 void makeFailedWritesErrors();
+// The other way round, for a program that this process becomes.
+void restoreFailedWrites();
 int interruptCount();
 // What the process answers after being interrupted: 128 + the number of the first signal.
 int interruptExitCode();

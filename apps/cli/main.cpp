@@ -9,6 +9,7 @@
 #include "brickfall/world.h"
 #include "cli/arguments.h"
 #include "cli/commands.h"
+#include "cli/companion.h"
 #include "cli/console.h"
 #include "cli/interrupt.h"
 #include "cli/outputs.h"
@@ -116,6 +117,8 @@ void defineCommands(CLI::App& app, Arguments& arguments) {
                             "  brickfall replay wall.take -o again --no-html\n\n") +
                 kExitCodes);
   defineTrace(app, arguments);
+  // Only so that they are in the list: what follows their word is for them alone (dispatch).
+  for (const Companion& companion : companions()) app.add_subcommand(companion.word, companion.purpose);
 }
 
 // False after a complaint: a value that cannot be used.
@@ -175,6 +178,8 @@ int refuse(const CLI::App& app, const CLI::ParseError& error, const std::vector<
 }
 
 int dispatch(int argc, char** argv) {
+  if (const Companion* companion = argc > 1 ? findCompanion(argv[1]) : nullptr)
+    return startCompanion(*companion, programFolder(), {argv + 2, argv + argc});
   CLI::App app("Knocks down brick walls, for real.");
   Arguments arguments;
   defineCommands(app, arguments);

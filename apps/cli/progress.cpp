@@ -21,6 +21,8 @@ double shareDone(const ProgressState& s) {
   return s.totalSeconds > 0 ? std::clamp(s.simulatedSeconds / s.totalSeconds, 0.0, 1.0) : 0;
 }
 
+double shareDone(const WorkState& s) { return s.total > 0 ? double(s.done) / double(s.total) : 0; }
+
 std::string bar(double share, int width) {
   const int full = int(share * width);
   std::string text(std::size_t(width), ' ');
@@ -58,16 +60,34 @@ std::string progressText(const ProgressState& s) {
   return text;
 }
 
-std::string progressLine(const ProgressState& s, int columns) {
+std::string workText(const WorkState& s) {
+  std::string text = fmt::format("{} {} of {}", s.unit, s.done, s.total);
+  if (!(s.wallSeconds > 0) || s.done <= s.doneBefore) return text;
+  const double each = s.wallSeconds / double(s.done - s.doneBefore);
+  text += fmt::format("  {:.{}f} s each", each, each < 9.95 ? 2 : 0);
+  if (s.done < s.total) text += "  " + durationText(each * double(s.total - s.done)) + " left";
+  return text;
+}
+
+namespace {
+
+std::string textOf(const ProgressState& s) { return progressText(s); }
+std::string textOf(const WorkState& s) { return workText(s); }
+
+std::string lineOf(double share, const std::string& text, int columns) {
   constexpr int kLongestBar = 30, kShortestBar = 8;
-  const std::string text = progressText(s);
-  std::string line = fmt::format("{:3.0f} % ", std::floor(shareDone(s) * 100));
+  std::string line = fmt::format("{:3.0f} % ", std::floor(share * 100));
   const int room = columns - int(line.size() + text.size()) - 3;
-  if (room >= kShortestBar) line += bar(shareDone(s), std::min(room, kLongestBar)) + ' ';
+  if (room >= kShortestBar) line += bar(share, std::min(room, kLongestBar)) + ' ';
   line += text;
   if (int(line.size()) > columns) line.resize(std::size_t(std::max(columns, 0)));
   return line;
 }
+
+}  // namespace
+
+std::string progressLine(const ProgressState& s, int columns) { return lineOf(shareDone(s), progressText(s), columns); }
+std::string workLine(const WorkState& s, int columns) { return lineOf(shareDone(s), workText(s), columns); }
 
 ProgressDisplay::Mode ProgressDisplay::modeForOutput(bool quiet) {
   if (quiet) return Mode::silent;
@@ -82,20 +102,22 @@ void ProgressDisplay::draw(const std::string& line) {
   drawn_ = true;
 }
 
-void ProgressDisplay::update(const ProgressState& state) {
+template <class State> void ProgressDisplay::show(const State& state, bool end) {
   if (mode_ == Mode::live) {
-    const bool end = state.simulatedSeconds >= state.totalSeconds;
     if (lastDraw_ >= 0 && state.wallSeconds - lastDraw_ < kRedrawSeconds && !end) return;
     lastDraw_ = state.wallSeconds;
-    draw(progressLine(state, terminalColumns() - 1));
+    draw(lineOf(shareDone(state), textOf(state), terminalColumns() - 1));
   } else if (mode_ == Mode::plain) {
     // A little slack: ten tenths of a sum of time steps may end a hair short of the whole.
     const int tenth = int(std::floor(shareDone(state) * 10 + 1e-6));
     if (tenth < nextTenth_) return;
     nextTenth_ = tenth + 1;
-    sayf("{:3} % {}", tenth * 10, progressText(state));
+    sayf("{:3} % {}", tenth * 10, textOf(state));
   }
 }
+
+void ProgressDisplay::update(const ProgressState& state) { show(state, state.simulatedSeconds >= state.totalSeconds); }
+void ProgressDisplay::updateWork(const WorkState& state) { show(state, state.done >= state.total); }
 
 void ProgressDisplay::update(const std::string& what, double share) {
   if (mode_ != Mode::live) return;

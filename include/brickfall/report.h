@@ -2,7 +2,11 @@
 // switched on one by one: for seeing why its wall of 100 bricks fell. A rival of the engine, on top of the engine's public
 // API; docs/report.md tells what it does. Library: brickfall::report.
 #pragma once
+#include <cstddef>
 #include <memory>
+#include <span>
+#include <utility>
+#include <vector>
 
 #include "brickfall/integrators.h"
 #include "brickfall/world.h"
@@ -27,7 +31,7 @@ struct ReportSettings {
 // back through the World's own calls, so that everything but its step goes on working: setters, queries, energies, hashes.
 // To the system every body is the box around its shapes, a body with a plane a large box. What the world's step would do
 // besides does not happen: the world's time stands still, nothing sleeps, there are no events and no contacts to ask for.
-// A snapshot of the world holds none of what the run remembers of pairs.
+// A snapshot of the world holds none of what the run remembers of pairs; its own does.
 class ReportRun {
  public:
   static Result<ReportRun> create(const ReportSettings& settings);  // names the setting that is out of range
@@ -39,6 +43,15 @@ class ReportRun {
   // the world refuses (not finite, absurdly fast) stays where it was, at rest, is named in `quarantined` and left out from
   // then on.
   Result<StepReport> step(World& world, double dt, int substeps = 1);
+  // Pairs that collided in the last step.
+  const std::vector<std::pair<BodyId, BodyId>>& collisions() const;
+  // Masses, sizes and materials of bodies are read once: to be called when they changed.
+  void rereadBodies();
+
+  // What it remembers of pairs, and its time: with a snapshot of the world taken at the same moment it goes on bit for bit.
+  // `world`: the one that has been restored. On an error nothing changes.
+  std::vector<std::byte> snapshot() const;
+  Status restore(std::span<const std::byte> snapshot, const World& world);
 
  private:
   struct Impl;

@@ -1,8 +1,10 @@
 // Scene files: TOML in, a World out. docs/scene-file.md documents every key.
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -114,7 +116,8 @@ struct PlacedBody {
   std::string name;
   BodyRole role = BodyRole::body;
   std::uint32_t colour = 0;
-  BodyDef def;  // as created, with shapes and materials
+  BodyDef def;                         // as created, with shapes and materials
+  std::vector<std::string> materials;  // of its shapes, by name; none for bodies that were given without
   double launchTime = 0;
   int course = -1;  // of a brick
   SourcePlace place;
@@ -139,7 +142,25 @@ class SceneRun {
   double time() const { return time_; }  // s, simulated so far
   std::uint64_t stepCount() const { return stepsDone_; }
 
+  // --- Changes while it runs; scene() shows them. On an error nothing changes.
+  Status setTimeStep(double timeStep, int substeps);  // as World::step takes them
+  Status setWorld(const WorldDef& def);               // as World::setDefinition
+  // Another density, friction or restitution of all that is made of it; where densities are scattered they stay so. A name of
+  // predefinedMaterials() that the scene does not define becomes the scene's own.
+  Status setMaterial(const std::string& name, const Material& material);
+  // The scene's own, or a predefined one; none: there is none of that name.
+  std::optional<MaterialDef> material(const std::string& name) const;
+
+  // --- State as a whole: the world, who is in it and under what name, launches to come, what the changes above changed. Goes on
+  // bit for bit in a run of the same scene, this one or another.
+  std::vector<std::byte> snapshot() const;
+  Status restore(std::span<const std::byte> snapshot);  // on any error the run stays as it was
+  // SceneMethod::report: who collided in the last step; else null.
+  const ReportRun* reported() const { return reported_ ? &*reported_ : nullptr; }
+
  private:
+  friend class RunArchive;
+  void list(std::vector<PlacedBody> bodies);
   SceneRun(SceneDescription scene, World world);
   SceneDescription scene_;
   World world_;

@@ -17,9 +17,11 @@ namespace brickfall {
 struct TakeBody {
   std::string name;
   BodyRole role = BodyRole::body;
-  std::uint32_t colour = 0xB5543A;  // 0xRRGGBB
-  double mass = 0;                  // kg, 0 = fixed
-  std::vector<ShapeDef> shapes;     // geometry and local pose; materials are not kept
+  std::uint32_t colour = 0xB5543A;          // 0xRRGGBB
+  double mass = 0;                          // kg, 0 = fixed
+  std::vector<ShapeDef> shapes;             // geometry and local pose; of their materials only the names, below
+  std::string material;                     // its name in the scene; empty: not known
+  std::vector<std::string> shapeMaterials;  // one per shape; empty: `material` for all
 };
 
 struct TakeHeader {

@@ -15,6 +15,7 @@
 #include "brickfall/events.h"
 #include "brickfall/ids.h"
 #include "brickfall/integrators.h"
+#include "brickfall/island_ending.h"
 #include "brickfall/math.h"
 #include "brickfall/result.h"
 #include "brickfall/shapes.h"
@@ -50,6 +51,13 @@ struct ContactView {
   Vec3 normalWorld;  // unit, from A to B
   int pointCount = 0;
   ContactPointView points[4];
+};
+
+// Bodies that hang together by contacts, not through anything fixed, as the last step found them.
+struct IslandView {
+  std::span<const BodyId> bodies;  // dynamic; valid until the callback returns
+  bool awake = true;
+  IslandEnding ending = IslandEnding::unsolved;  // of its last solve
 };
 
 struct RayHit {
@@ -101,6 +109,15 @@ class World {
   Status setGravity(Vec3 gravity);
   Vec3 gravity() const;
   Status wake(BodyId body);
+  // Another friction, restitution or density of a shape that is there. Contacts go on, with the new values; velocities stay as
+  // they are. Where a new density moves the body's centre of mass, its contacts are made anew.
+  Status setMaterial(ShapeId shape, const Material& material);
+
+  // --- Settings, as the world has them now. All are changed at once, or none on an error. maxBodies, broadPhase and
+  // solver.contactMargin are for the life of a world: what differs there is refused. New loads or solver settings wake who
+  // sleeps and end all rest; so does enableSleep = false.
+  const WorldDef& definition() const;
+  Status setDefinition(const WorldDef& def);
 
   // --- Forces act during the next step and are then forgotten; impulses act at once. Both wake the body.
   Status applyForce(BodyId body, Vec3 force);                              // N, at the centre of mass
@@ -124,9 +141,11 @@ class World {
                                          std::uint32_t mask = 0xffffffffu) const;  // bounds, exact shape
   Result<std::vector<BodyId>> overlapSphere(Vec3 centre, double radius, std::uint32_t mask = 0xffffffffu) const;
   Result<std::optional<ClosestResult>> closest(Vec3 point, double maxDistance, std::uint32_t mask = 0xffffffffu) const;
-  // While forEachContact or draw runs its callbacks, calls that change the world answer wrongState; reading is fine. The
+  // While forEachContact, forEachIsland or draw runs its callbacks, calls that change the world answer wrongState; reading is fine. The
   // callbacks must not throw.
   void forEachContact(const std::function<void(const ContactView&)>& visit) const;
+  // Awake islands, then those that sleep, each in the order of their lowest body. Bodies without contacts are in none.
+  void forEachIsland(const std::function<void(const IslandView&)>& visit) const;
   // Exact overlap depth of two shapes, m: 0 when apart. What is really there, not what the solver believes.
   Result<double> penetration(ShapeId a, ShapeId b) const;
   Energy energy() const;         // of dynamic bodies

@@ -65,6 +65,8 @@ std::string replayMeta(const TakeReader& take, double positionStep) {
                       {"colour", body.colour},
                       {"mass", body.mass},
                       {"parts", std::move(parts)}});
+    if (!body.material.empty()) bodies.back()["material"] = body.material;
+    if (!body.shapeMaterials.empty()) bodies.back()["partMaterials"] = body.shapeMaterials;
     if (life.birth > 0) bodies.back()["birth"] = life.birth;
     if (life.end < frames) bodies.back()["end"] = life.end;
   }
@@ -73,6 +75,11 @@ std::string replayMeta(const TakeReader& take, double positionStep) {
                        {"position", toJson(camera.position)},
                        {"target", toJson(camera.target)},
                        {"fieldOfView", camera.fieldOfViewDegrees}});
+    for (const CameraKey& key : camera.path)
+      cameras.back()["path"].push_back({{"time", key.time},
+                                        {"position", toJson(key.position)},
+                                        {"target", toJson(key.target)},
+                                        {"fieldOfView", key.fieldOfViewDegrees}});
   }
   json meta = {{"format", 2},
                {"scene", header.scene},

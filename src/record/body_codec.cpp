@@ -132,6 +132,9 @@ std::string bodyFault(const TakeBody& body) {
   if (!(body.mass >= 0 && body.mass <= 1e15)) return "mass is not 0 or a positive number";
   for (const ShapeDef& shape : body.shapes)
     if (std::string fault = shapeFault(shape); !fault.empty()) return fault;
+  if (!body.shapeMaterials.empty() && body.shapeMaterials.size() != body.shapes.size())
+    return std::to_string(body.shapeMaterials.size()) + " shapeMaterials, expected none or one for each of its " +
+           std::to_string(body.shapes.size()) + " shapes";
   return {};
 }
 
@@ -142,9 +145,12 @@ void put(ByteWriter& out, const TakeBody& body) {
   out.f64(body.mass);
   out.varint(body.shapes.size());
   for (const ShapeDef& shape : body.shapes) put(out, shape);
+  out.text(body.material);
+  out.varint(body.shapeMaterials.size());
+  for (const std::string& material : body.shapeMaterials) out.text(material);
 }
 
-TakeBody getBody(ByteReader& in, bool& sound) {
+TakeBody getBody(ByteReader& in, std::uint32_t version, bool& sound) {
   TakeBody body;
   body.name = in.text();
   body.role = BodyRole(in.u8());
@@ -155,6 +161,11 @@ TakeBody getBody(ByteReader& in, bool& sound) {
   std::uint64_t shapes = in.varint();
   sound = sound && in.canHold(shapes, kLeastShapeBytes);
   for (std::uint64_t k = 0; sound && k < shapes; k++) body.shapes.push_back(getShape(in, sound));
+  if (!sound || version < kFirstVersionWithMaterials) return body;
+  body.material = in.text();
+  std::uint64_t materials = in.varint();
+  sound = in.canHold(materials, 1);
+  for (std::uint64_t k = 0; sound && k < materials; k++) body.shapeMaterials.push_back(in.text());
   return body;
 }
 
@@ -171,14 +182,14 @@ Bytes encodeChange(const TakeChange& change) {
   return out.bytes();
 }
 
-Result<TakeChange> decodeChange(std::span<const std::uint8_t> bytes) {
+Result<TakeChange> decodeChange(std::span<const std::uint8_t> bytes, std::uint32_t version) {
   ByteReader in(bytes);
   TakeChange change;
   bool sound = true;
   std::uint64_t births = in.varint();
   if (!in.canHold(births, kLeastBodyBytes)) return bad(std::to_string(births) + " bodies announced, which cannot fit");
   for (std::uint64_t k = 0; sound && !in.failed() && k < births; k++) {
-    change.births.push_back(getBody(in, sound));
+    change.births.push_back(getBody(in, version, sound));
     if (!sound || in.failed()) break;
     if (std::string fault = bodyFault(change.births.back()); !fault.empty())
       return bad("body \"" + change.births.back().name + "\": " + fault);

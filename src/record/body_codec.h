@@ -13,6 +13,8 @@ namespace brickfall {
 constexpr double kMostTakeSize = 1e9;  // m, of shapes and of where they and cameras are
 // The least bytes a body takes, so that a count can be checked before room is made for it.
 constexpr std::size_t kLeastBodyBytes = 1 + 1 + 3 + 8 + 1;
+// Versions of the take format below this know no names of materials, and no paths of cameras.
+constexpr std::uint32_t kFirstVersionWithMaterials = 3;
 
 bool withinTakeSize(Vec3 v);
 void put(ByteWriter& out, Vec3 v);
@@ -21,10 +23,10 @@ Vec3 getVec3(ByteReader& in);
 std::string bodyFault(const TakeBody& body);  // empty: fine
 void put(ByteWriter& out, const TakeBody& body);
 // `sound` becomes false where a count cannot be true.
-TakeBody getBody(ByteReader& in, bool& sound);
+TakeBody getBody(ByteReader& in, std::uint32_t version, bool& sound);
 
 // The content of a record LIFE. What is decoded is sound in itself; whether the numbers fit is for the reader to see.
 Bytes encodeChange(const TakeChange& change);
-Result<TakeChange> decodeChange(std::span<const std::uint8_t> bytes);
+Result<TakeChange> decodeChange(std::span<const std::uint8_t> bytes, std::uint32_t version);
 
 }  // namespace brickfall

@@ -5,7 +5,7 @@
 namespace brickfall {
 namespace {
 
-constexpr std::size_t kLeastCameraBytes = 1 + 7 * 8;
+constexpr std::size_t kLeastCameraBytes = 1 + 7 * 8, kCameraKeyBytes = 8 * 8;
 
 Error bad(ErrorCode code, const std::string& what) { return {code, what}; }
 
@@ -20,6 +20,10 @@ std::string headerFault(const TakeHeader& header) {
     if (!(camera.fieldOfViewDegrees > 0 && camera.fieldOfViewDegrees < 180)) {
       return "camera \"" + camera.name + "\": fieldOfViewDegrees is not between 0 and 180";
     }
+    std::string fault = cameraPathFault(camera.path);
+    for (const CameraKey& key : camera.path)
+      if (!withinTakeSize(key.position) || !withinTakeSize(key.target)) fault = "a position or target is not finite";
+    if (!fault.empty()) return "camera \"" + camera.name + "\": path: " + fault;
   }
   return {};
 }
@@ -51,9 +55,39 @@ Bytes encodeHeader(const TakeHeader& header) {
     put(out, camera.position);
     put(out, camera.target);
     out.f64(camera.fieldOfViewDegrees);
+    out.varint(camera.path.size());
+    for (const CameraKey& key : camera.path) {
+      out.f64(key.time);
+      put(out, key.position);
+      put(out, key.target);
+      out.f64(key.fieldOfViewDegrees);
+    }
   }
   return out.bytes();
 }
+
+namespace {
+
+Camera getCamera(ByteReader& in, std::uint32_t version, bool& sound) {
+  Camera camera;
+  camera.name = in.text();
+  camera.position = getVec3(in);
+  camera.target = getVec3(in);
+  camera.fieldOfViewDegrees = in.f64();
+  std::uint64_t keys = version < kFirstVersionWithMaterials ? 0 : in.varint();
+  sound = in.canHold(keys, kCameraKeyBytes);
+  for (std::uint64_t k = 0; sound && k < keys; k++) {
+    CameraKey key;
+    key.time = in.f64();
+    key.position = getVec3(in);
+    key.target = getVec3(in);
+    key.fieldOfViewDegrees = in.f64();
+    camera.path.push_back(key);
+  }
+  return camera;
+}
+
+}  // namespace
 
 Result<DecodedHeader> decodeHeader(std::span<const std::uint8_t> bytes, std::uint32_t version) {
   ByteReader in(bytes);
@@ -69,17 +103,10 @@ Result<DecodedHeader> decodeHeader(std::span<const std::uint8_t> bytes, std::uin
   if (!in.canHold(bodies, kLeastBodyBytes)) {
     return bad(ErrorCode::badFormat, "header: " + std::to_string(bodies) + " bodies announced, which cannot fit");
   }
-  for (std::uint64_t k = 0; sound && !in.failed() && k < bodies; k++) out.bodies.push_back(getBody(in, sound));
+  for (std::uint64_t k = 0; sound && !in.failed() && k < bodies; k++) out.bodies.push_back(getBody(in, version, sound));
   std::uint64_t cameras = sound ? in.varint() : 0;
   sound = sound && in.canHold(cameras, kLeastCameraBytes);
-  for (std::uint64_t k = 0; sound && k < cameras; k++) {
-    Camera camera;
-    camera.name = in.text();
-    camera.position = getVec3(in);
-    camera.target = getVec3(in);
-    camera.fieldOfViewDegrees = in.f64();
-    header.cameras.push_back(std::move(camera));
-  }
+  for (std::uint64_t k = 0; sound && k < cameras; k++) header.cameras.push_back(getCamera(in, version, sound));
   if (!sound || in.failed() || in.left() != 0) {
     return bad(ErrorCode::badFormat, "header: its lengths do not add up");
   }

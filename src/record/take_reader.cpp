@@ -158,7 +158,7 @@ void TakeReader::Impl::scan(std::size_t firstFrame) {
 bool TakeReader::Impl::addChange(std::size_t frame, const Record& record) {
   Result<Bytes> raw = unpack(record);
   if (!raw) return false;
-  Result<TakeChange> change = decodeChange(*raw);
+  Result<TakeChange> change = decodeChange(*raw, version);
   if (!change || change->births.size() > UINT32_MAX - bodies.size()) return false;
   for (std::uint32_t body : change->ends)
     if (body >= bodies.size() || lives[body].end != kStays) return false;

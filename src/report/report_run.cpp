@@ -4,6 +4,7 @@
 #include <set>
 #include <string>
 
+#include "base/archive.h"
 #include "report/report_system.h"
 
 namespace brickfall {
@@ -76,7 +77,8 @@ struct ReportRun::Impl {
   ReportSystem system;
   std::map<BodyId, Form> forms;
   std::set<BodyId> lost;  // whose motion the world refused
-  double time = 0;        // s
+  std::vector<std::pair<BodyId, BodyId>> collisions;
+  double time = 0;  // s
   std::uint64_t steps = 0;
 
   explicit Impl(const ReportSettings& settings) : system(settings) {}
@@ -127,6 +129,8 @@ void ReportRun::Impl::advance(World& world, double dt, StepReport& report) {
   report.awakeBodies = report.bodies;
   system.step(boxes, world.gravity(), dt);
   report.manifolds = report.touchingPoints = system.collisions();
+  collisions.clear();
+  for (const auto& [a, b] : system.collided()) collisions.push_back({ids[a], ids[b]});
   for (std::size_t i = 0; i < boxes.size(); i++) {
     if (states[i].type == BodyType::fixed || put(world, ids[i], states[i], boxes[i], dt)) continue;
     lost.insert(ids[i]);
@@ -164,6 +168,51 @@ Result<StepReport> ReportRun::step(World& world, double dt, int substeps) {
   report.time = run.time;
   report.milliseconds = report.stageMilliseconds[std::size_t(Stage::integrate)] = millisecondsNow() - start;
   return report;
+}
+
+const std::vector<std::pair<BodyId, BodyId>>& ReportRun::collisions() const { return impl_->collisions; }
+
+void ReportRun::rereadBodies() { impl_->forms.clear(); }
+
+std::vector<std::byte> ReportRun::snapshot() const {
+  WriteArchive archive;
+  archive.value(impl_->time);
+  archive.value(impl_->steps);
+  archive.value(std::uint64_t(impl_->lost.size()));
+  for (BodyId body : impl_->lost) {
+    archive.value(body.index);
+    archive.value(body.generation);
+  }
+  impl_->system.write(archive);
+  return archive.take();
+}
+
+Status ReportRun::restore(std::span<const std::byte> snapshot, const World& world) {
+  const Error bad{ErrorCode::badFormat, "snapshot: what the report's system remembers does not fit its length"};
+  ReadArchive archive(snapshot);
+  double time = 0;
+  std::uint64_t steps = 0;
+  archive.value(time);
+  archive.value(steps);
+  std::set<std::pair<std::uint32_t, std::uint16_t>> lost;
+  const std::uint64_t count = archive.count(0, sizeof(std::uint32_t) + sizeof(std::uint16_t));
+  for (std::uint64_t i = 0; i < count; i++) {
+    std::pair<std::uint32_t, std::uint16_t> body;
+    archive.value(body.first);
+    archive.value(body.second);
+    lost.insert(body);
+  }
+  ReportSystem system = impl_->system;
+  if (!system.read(archive) || !archive.atEnd() || !(time >= 0)) return bad;
+  impl_->system = std::move(system);
+  impl_->time = time;
+  impl_->steps = steps;
+  impl_->forms.clear();
+  impl_->collisions.clear();
+  impl_->lost.clear();
+  for (BodyId body : world.bodies())
+    if (lost.count({body.index, body.generation}) > 0) impl_->lost.insert(body);
+  return {};
 }
 
 }  // namespace brickfall

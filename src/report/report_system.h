@@ -11,6 +11,9 @@
 
 namespace brickfall {
 
+class ReadArchive;
+class WriteArchive;
+
 // A box as the system sees it. Not dynamic: mass 0.
 struct ReportBody {
   std::uint64_t id = 0;  // unique, stays with the body
@@ -27,8 +30,13 @@ class ReportSystem {
   // Moves all bodies by dt under gravity, then tests all pairs and lets colliding ones push each other off.
   void step(std::vector<ReportBody>& bodies, Vec3 gravity, double dt);
 
-  int pairsTested() const { return pairsTested_; }  // in the last step: pairs whose bounding spheres met
-  int collisions() const { return collisions_; }    // pairs that overlapped
+  int pairsTested() const { return pairsTested_; }          // in the last step: pairs whose bounding spheres met
+  int collisions() const { return int(collided_.size()); }  // pairs that overlapped
+  const std::vector<std::pair<std::size_t, std::size_t>>& collided() const { return collided_; }  // places in `bodies`
+
+  // What it remembers, as bytes and back.
+  void write(WriteArchive& archive) const;
+  bool read(ReadArchive& archive);  // false: these are none; it is as before then
 
  private:
   struct Point {
@@ -37,6 +45,7 @@ class ReportSystem {
     double normal = 0, tangent1 = 0, tangent2 = 0;  // impulses so far, N s
     double wantedSpeed = 0;                         // m/s, along the normal
   };
+  using Key = std::pair<std::uint64_t, std::uint64_t>;  // ids of bodies
   struct Memory {
     int row = -1;  // that separated the two when they were last apart
     std::vector<Point> points;
@@ -64,8 +73,9 @@ class ReportSystem {
   void holdBack(ReportBody& a, ReportBody& b, const Collision& collision, Point& point) const;
 
   ReportSettings settings_;
-  std::map<std::pair<std::uint64_t, std::uint64_t>, Memory> memory_;
-  int pairsTested_ = 0, collisions_ = 0;
+  std::map<Key, Memory> memory_;
+  int pairsTested_ = 0;
+  std::vector<std::pair<std::size_t, std::size_t>> collided_;
 };
 
 }  // namespace brickfall

@@ -117,7 +117,8 @@ void ReportSystem::findCollisions(const std::vector<ReportBody>& bodies, double 
   std::sort(out.begin(), out.end(), [](const Collision& x, const Collision& y) {
     return std::pair{x.a, x.b} < std::pair{y.a, y.b};
   });
-  collisions_ = int(out.size());
+  collided_.clear();
+  for (const Collision& c : out) collided_.push_back({c.a, c.b});
 }
 
 void ReportSystem::rememberGap(const ObbMotion& now, Memory& memory) const {

@@ -198,6 +198,14 @@ void addCameraKeys(std::vector<KeySpec>& keys) {
   keys.push_back({"camera", "position", K::vector, "m", -kFar, kFar, "[3, 2, 5]", "", "where it stands"});
   keys.push_back({"camera", "target", K::vector, "m", -kFar, kFar, "[0, 0.5, 0]", "", "what it looks at"});
   keys.push_back({"camera", "field_of_view_degrees", K::number, "degrees", 1, 170, "45", "", "vertical"});
+  keys.push_back({"camera", "key", K::tables, "", 0, 0, "-", "", "poses that it passes through in a film (brickfall render)"});
+}
+
+void addCameraKeyKeys(std::vector<KeySpec>& keys) {
+  keys.push_back({"camera.key", "time", K::number, "s", 0, 86400, "", "", "simulated; later than the key before"});
+  keys.push_back({"camera.key", "position", K::vector, "m", -kFar, kFar, "-", "", "where it then stands; default: the camera's position"});
+  keys.push_back({"camera.key", "target", K::vector, "m", -kFar, kFar, "-", "", "what it then looks at; default: the camera's target"});
+  keys.push_back({"camera.key", "field_of_view_degrees", K::number, "degrees", 1, 170, "-", "", "vertical; default: the camera's"});
 }
 
 std::vector<KeySpec> makeKeys() {
@@ -215,6 +223,7 @@ std::vector<KeySpec> makeKeys() {
   addBallKeys(keys);
   addArrayKeys(keys);
   addCameraKeys(keys);
+  addCameraKeyKeys(keys);
   return keys;
 }
 // clang-format on

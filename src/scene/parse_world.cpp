@@ -135,6 +135,28 @@ void readMaterials(SceneBuild& build, TableReader& top) {
   for (const MaterialDef& material : materials) build.context.materialNames.push_back(material.name);
 }
 
+namespace {
+
+void readCameraPath(TableReader& reader, Camera& camera) {
+  for (TableReader& at : reader.tables("key")) {
+    CameraKey key{0, camera.position, camera.target, camera.fieldOfViewDegrees};
+    if (!at.number("time", key.time)) continue;
+    at.vector("position", key.position);
+    at.vector("target", key.target);
+    at.number("field_of_view_degrees", key.fieldOfViewDegrees);
+    if (!camera.path.empty() && !(key.time > camera.path.back().time)) {
+      at.error("time", "found " + numberText(key.time) + " s after a key at " + numberText(camera.path.back().time) +
+                           " s, expected times that ascend");
+      continue;
+    }
+    if (!(length(key.position - key.target) > 1e-6))
+      at.error("target", "found the camera's own position, expected a point that it looks at");
+    camera.path.push_back(key);
+  }
+}
+
+}  // namespace
+
 void readCameras(SceneBuild& build, TableReader& top) {
   std::set<std::string> names;
   for (TableReader& reader : top.tables("camera")) {
@@ -147,6 +169,7 @@ void readCameras(SceneBuild& build, TableReader& top) {
     reader.number("field_of_view_degrees", camera.fieldOfViewDegrees);
     if (!(length(camera.position - camera.target) > 1e-6))
       reader.error("target", "found the camera's own position, expected a point that it looks at");
+    readCameraPath(reader, camera);
     build.scene.cameras.push_back(camera);
   }
 }

@@ -1,6 +1,7 @@
 // A description becomes a World: the ground, then the bricks course by course, then everything else.
 #include <algorithm>
 
+#include "brickfall/limits.h"
 #include "brickfall/scene.h"
 #include "masonry/named_seed.h"
 #include "math/random.h"
@@ -11,6 +12,13 @@ namespace {
 
 Error inBody(const std::string& name, const Error& error) {
   return {error.code, "body \"" + name + "\": " + error.message};
+}
+
+const MaterialDef* findMaterial(const SceneDescription& scene, const std::string& name) {
+  for (const auto* list : {&scene.materials, &predefinedMaterials()})
+    for (const MaterialDef& def : *list)
+      if (def.name == name) return &def;
+  return nullptr;
 }
 
 // Collects what will be placed; errors stop it.
@@ -33,10 +41,7 @@ class Placer {
 
  private:
   Result<MaterialDef> material(const std::string& name) const {
-    for (const MaterialDef& def : scene_.materials)
-      if (def.name == name) return def;
-    for (const MaterialDef& def : predefinedMaterials())
-      if (def.name == name) return def;
+    if (const MaterialDef* def = findMaterial(scene_, name)) return *def;
     return Error{ErrorCode::invalidArgument, "material: found \"" + name + "\", expected the name of a material"};
   }
 
@@ -54,6 +59,7 @@ class Placer {
       Result<MaterialDef> other = i < body.shapeMaterials.size() ? material(body.shapeMaterials[i]) : own;
       if (!other) return inBody(body.name, other.error());
       placed.def.shapes[i].material = other->material;
+      placed.materials.push_back(other->name);
     }
     bodies.push_back(std::move(placed));
     return {};
@@ -73,6 +79,7 @@ class Placer {
       placed.name = brick.name;
       placed.role = BodyRole::brick;
       placed.colour = from.colour;
+      placed.materials = {from.name};
       placed.course = brick.course;
       placed.place = wall.place;
       placed.def.position = brick.centre;
@@ -105,6 +112,7 @@ Result<SceneRun> SceneRun::create(const SceneDescription& scene) {
   Result<World> world = World::create(def);
   if (!world) return world.error();
   SceneRun run(scene, std::move(*world));
+  run.scene_.world = def;
   if (scene.method == SceneMethod::report) {
     Result<ReportRun> reported = ReportRun::create(scene.report);
     if (!reported) return reported.error();
@@ -132,6 +140,15 @@ Result<BodyId> SceneRun::createBody(PlacedBody body) {
   return id;
 }
 
+void SceneRun::list(std::vector<PlacedBody> bodies) {
+  bodies_ = std::move(bodies);
+  for (std::size_t k = 0; k < bodies_.size(); k++) {
+    const std::size_t index = bodies_[k].id.index;
+    if (index >= placeByIndex_.size()) placeByIndex_.resize(index + 1);
+    placeByIndex_[index] = k;
+  }
+}
+
 Status SceneRun::destroyBody(BodyId id) {
   if (Status destroyed = world_.destroyBody(id); !destroyed) return destroyed;
   const PlacedBody* body = find(id);
@@ -147,12 +164,11 @@ const PlacedBody* SceneRun::find(BodyId id) const {
 }
 
 Result<StepReport> SceneRun::step() {
-  double now = double(stepsDone_) * scene_.timeStep;
   std::vector<BodyId> stillWaiting;
   for (BodyId id : waiting_) {
     const PlacedBody* body = find(id);
     if (!body || !world_.isValid(id)) continue;  // destroyed meanwhile
-    if (now < body->launchTime - 1e-9) {
+    if (time_ < body->launchTime - 1e-9) {
       stillWaiting.push_back(id);
       continue;
     }
@@ -168,6 +184,58 @@ Result<StepReport> SceneRun::step() {
   stepsDone_++;
   time_ = report->time;
   return report;
+}
+
+Status SceneRun::setTimeStep(double timeStep, int substeps) {
+  const auto refused = [](const char* field, const std::string& found, const std::string& expected) {
+    return Error{ErrorCode::invalidArgument, std::string(field) + ": found " + found + ", expected " + expected};
+  };
+  if (!(timeStep >= limits::kShortestTimeStep && timeStep <= limits::kLongestTimeStep))
+    return refused("timeStep", std::to_string(timeStep),
+                   std::to_string(limits::kShortestTimeStep) + " .. " + std::to_string(limits::kLongestTimeStep));
+  if (!(substeps >= 1 && substeps <= limits::kMostSubsteps))
+    return refused("substeps", std::to_string(substeps), "1 .. " + std::to_string(limits::kMostSubsteps));
+  scene_.timeStep = timeStep;
+  scene_.substeps = substeps;
+  return {};
+}
+
+Status SceneRun::setWorld(const WorldDef& def) {
+  if (Status changed = world_.setDefinition(def); !changed) return changed;
+  scene_.world = def;
+  return {};
+}
+
+std::optional<MaterialDef> SceneRun::material(const std::string& name) const {
+  const MaterialDef* def = findMaterial(scene_, name);
+  return def ? std::optional(*def) : std::nullopt;
+}
+
+Status SceneRun::setMaterial(const std::string& name, const Material& material) {
+  std::optional<MaterialDef> def = this->material(name);
+  if (!def)
+    return Error{ErrorCode::invalidArgument, "material: found \"" + name + "\", expected the name of a material"};
+  const double heavier = material.density / def->material.density;
+  std::vector<std::pair<ShapeId, Material>> before;
+  for (const PlacedBody& body : bodies_) {
+    const std::vector<ShapeId> shapes = world_.shapes(body.id);
+    for (std::size_t i = 0; i < shapes.size() && i < body.materials.size(); i++) {
+      if (body.materials[i] != name) continue;
+      const Material old = world_.shape(shapes[i])->material;
+      Material now = material;
+      if (old.density != def->material.density) now.density = old.density * heavier;
+      if (Status changed = world_.setMaterial(shapes[i], now); !changed) {
+        for (const auto& [shape, was] : before) (void)world_.setMaterial(shape, was).ok();
+        return inBody(body.name, changed.error());
+      }
+      before.push_back({shapes[i], old});
+    }
+  }
+  def->material = material;
+  std::erase_if(scene_.materials, [&](const MaterialDef& own) { return own.name == name; });
+  scene_.materials.push_back(*def);
+  if (reported_) reported_->rereadBodies();
+  return {};
 }
 
 }  // namespace brickfall

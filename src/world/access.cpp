@@ -2,6 +2,7 @@
 #include <string>
 
 #include "world/checks.h"
+#include "world/solver_fields.h"
 #include "world/world_impl.h"
 
 namespace brickfall {
@@ -168,8 +169,7 @@ Status World::setGravity(Vec3 gravity) {
   if (Status open = impl_->openForChange("setGravity"); !open) return open;
   if (check.failed()) return check.error();
   impl_->def.gravity = gravity;
-  impl_->upkeep().wakeAll();
-  for (BodyIndex body : impl_->activity.awake) impl_->registry.bodies.still[body] = 0;
+  impl_->loadsChanged();
   return {};
 }
 
@@ -179,6 +179,72 @@ Status World::wake(BodyId id) {
   Result<BodyIndex> body = impl_->openForChange(id, {});
   if (!body) return body.error();
   impl_->upkeep().disturb(*body);
+  return {};
+}
+
+// What the balance of bodies depends on changed: nobody rests by what was found before.
+void World::Impl::loadsChanged() {
+  upkeep().wakeAll();
+  for (BodyIndex body : activity.awake) registry.bodies.still[body] = 0;
+}
+
+const WorldDef& World::definition() const { return impl_->def; }
+
+namespace {
+
+bool sameSolver(const SolverSettings& a, const SolverSettings& b) {
+  std::vector<double> first, second;
+  eachSetting(a, [&](auto, auto value, auto, auto) { first.push_back(double(value)); });
+  eachSetting(b, [&](auto, auto value, auto, auto) { second.push_back(double(value)); });
+  return first == second;
+}
+
+// What was settled when the world was made.
+void checkKept(Checks& check, const WorldDef& now, const WorldDef& wanted) {
+  const std::string end = ", as the world was made";
+  check.condition(wanted.maxBodies == now.maxBodies, "maxBodies: found " + std::to_string(wanted.maxBodies) +
+                                                         ", expected " + std::to_string(now.maxBodies) + end);
+  check.condition(wanted.broadPhase == now.broadPhase,
+                  "broadPhase: found " + std::string(broadPhaseName(wanted.broadPhase)) + ", expected " +
+                      std::string(broadPhaseName(now.broadPhase)) + end);
+  check.condition(wanted.solver.contactMargin == now.solver.contactMargin,
+                  "solver.contactMargin: found " + numberText(wanted.solver.contactMargin) + ", expected " +
+                      numberText(now.solver.contactMargin) + end);
+}
+
+}  // namespace
+
+Status World::setDefinition(const WorldDef& def) {
+  Impl& w = *impl_;
+  if (Status open = w.openForChange("setDefinition"); !open) return open;
+  if (Status fine = checkWorld(def); !fine) return fine;
+  Checks check;
+  checkKept(check, w.def, def);
+  if (check.failed()) return check.error();
+  const bool loads = def.gravity != w.def.gravity || def.airDensity != w.def.airDensity ||
+                     def.integrator != w.def.integrator || !sameSolver(def.solver, w.def.solver);
+  const bool sleepEnds = w.def.enableSleep && !def.enableSleep;
+  if (def.threads != w.def.threads) w.solve.workers = std::make_unique<WorkerPool>(def.threads);
+  w.def = def;
+  if (loads || sleepEnds) w.loadsChanged();
+  return {};
+}
+
+Status World::setMaterial(ShapeId id, const Material& material) {
+  Impl& w = *impl_;
+  if (Status open = w.openForChange("setMaterial"); !open) return open;
+  Result<ShapeIndex> found = w.registry.find(id);
+  if (!found) return found.error();
+  const ShapeData& shape = w.registry.shapes.data[*found];
+  Checks check;
+  checkMaterial(check, "material", material);
+  Result<BodyIndex> body = w.openForChange(w.registry.idOf(shape.body), check.error());
+  if (!body) return body.error();
+  if (w.registry.bodies.data[*body].type != BodyType::fixed && !w.registry.hasMesh(*body)) {
+    checkMass(check, w.registry.massWith(*found, material.density));
+    if (check.failed()) return check.error();
+  }
+  w.upkeep().setMaterial(*found, material);
   return {};
 }
 

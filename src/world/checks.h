@@ -64,7 +64,8 @@ class Checks {
   Error error_;
 };
 
-// create.cpp. What createBody asks of a shape ("shapes[0]" is `at`) and of a body's constants.
+// create.cpp. What createBody asks of a material ("shapes[0].material" is `at`), a shape ("shapes[0]" is `at`) and of a body's constants.
+void checkMaterial(Checks& check, const std::string& at, const Material& material);
 void checkShape(Checks& check, const std::string& at, const ShapeDef& shape, BodyType type);
 void checkMotionSettings(Checks& check, double gravityScale, double linearDamping, double angularDamping,
                          double dragArea);

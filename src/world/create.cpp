@@ -11,8 +11,6 @@
 
 namespace brickfall {
 
-namespace {
-
 void checkMaterial(Checks& check, const std::string& at, const Material& m) {
   check.above(at + ".density", m.density, 0, limits::kLargestDensity);
   check.range(at + ".friction", m.friction, 0, limits::kLargestFriction);
@@ -23,6 +21,8 @@ void checkMaterial(Checks& check, const std::string& at, const Material& m) {
       m.restitutionRule <= CombineRule::maximum,
       at + ".restitutionRule: found " + std::to_string(int(m.restitutionRule)) + ", expected a CombineRule");
 }
+
+namespace {
 
 void checkMesh(Checks& check, const std::string& at, const ShapeDef& s, BodyType type) {
   check.condition(type != BodyType::dynamic,

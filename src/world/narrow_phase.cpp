@@ -277,6 +277,13 @@ int NarrowPhase::takeParts(CandidatePair* parts, int count, const MeshManifolds&
   return left;
 }
 
+void takeConstants(Contact& c, const ShapeSet& shapes, const BodySet& bodies) {
+  const Material &a = shapes.data[c.shapeA].def.material, &b = shapes.data[c.shapeB].def.material;
+  c.friction = float(mixFriction(a, b));
+  c.restitution = float(mixRestitution(a, b));
+  c.effectiveMass = float(1 / (bodies.mass[c.bodyA].invMass + bodies.mass[c.bodyB].invMass));
+}
+
 // The contact of a pair from a new manifold (shape frame of A), with the memory of the old points.
 void NarrowPhase::makeContact(CandidatePair& pair, const Manifold& m, const Transform& relative) {
   if (m.count == 0) {
@@ -297,9 +304,7 @@ void NarrowPhase::makeContact(CandidatePair& pair, const Manifold& m, const Tran
   c.bodyB = pair.bodyB;
   c.count = m.count;
   c.rolls = isRound(a.geometry.type) || isRound(b.geometry.type);
-  c.friction = float(mixFriction(a.def.material, b.def.material));
-  c.restitution = float(mixRestitution(a.def.material, b.def.material));
-  c.effectiveMass = float(1 / (bodies_.mass[pair.bodyA].invMass + bodies_.mass[pair.bodyB].invMass));
+  takeConstants(c, shapes_, bodies_);
   c.born = old.born;
   if (had) {
     c.weak = old.weak;

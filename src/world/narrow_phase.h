@@ -54,6 +54,9 @@ class NarrowPhase {
   int reused_ = 0, computed_ = 0;
 };
 
+// What a contact has of its shapes and bodies: friction, restitution, effective mass.
+void takeConstants(Contact& c, const ShapeSet& shapes, const BodySet& bodies);
+
 // Gaps and drifts from the anchors, in double; the points' places about their middle. `relative`: the centre frame of B in
 // that of A.
 void measurePoints(Contact& c, ContactGeometry& g, const Transform& relative);

@@ -149,6 +149,19 @@ void World::forEachContact(const std::function<void(const ContactView&)>& visit)
   while (i < p.size() || j < q.size()) show(j == q.size() || (i < p.size() && p[i] < q[j]) ? p[i++] : q[j++]);
 }
 
+void World::forEachIsland(const std::function<void(const IslandView&)>& visit) const {
+  const Impl& w = *impl_;
+  if (!visit) return;
+  Visit here(w.visiting);
+  std::vector<BodyId> ids;
+  for (const auto* list : {&w.activity.islands.awake, &w.activity.islands.asleep})
+    for (const auto& island : *list) {
+      ids.clear();
+      for (BodyIndex body : island->bodies) ids.push_back(w.registry.idOf(body));
+      visit({ids, list == &w.activity.islands.awake, island->ending});
+    }
+}
+
 Result<double> World::penetration(ShapeId a, ShapeId b) const {
   const Impl& w = *impl_;
   Result<ShapeIndex> shapeA = w.registry.find(a);

@@ -99,6 +99,28 @@ void Registry::setPose(BodyIndex body, Vec3 position, Quat rotation) {
   bodies.motion[body].position = position + bodies.motion[body].orientation * bodies.data[body].localCentre;
 }
 
+bool Registry::setMaterial(ShapeIndex shape, const Material& material) {
+  ShapeData& s = shapes.data[shape];
+  const bool heavier = s.def.material.density != material.density;
+  s.def.material = material;
+  if (!heavier) return false;
+  const Vec3 centre = bodies.data[s.body].localCentre;
+  const Vec3 place = bodies.motion[s.body].position;
+  updateMass(s.body, bodies.origin(s.body));
+  if (bodies.data[s.body].localCentre != centre) return true;
+  bodies.motion[s.body].position = place;  // bit for bit
+  return false;
+}
+
+double Registry::massWith(ShapeIndex shape, double density) const {
+  double mass = 0;
+  for (ShapeIndex part : bodies.shapes[shapes.data[shape].body]) {
+    const ShapeData& s = shapes.data[part];
+    mass += shapeMass(s.geometry, part == shape ? density : s.def.material.density).mass;
+  }
+  return mass;
+}
+
 bool Registry::hasMesh(BodyIndex body) const {
   return std::any_of(bodies.shapes[body].begin(), bodies.shapes[body].end(),
                      [&](ShapeIndex shape) { return shapes.data[shape].geometry.type == ShapeType::mesh; });

@@ -37,6 +37,9 @@ class Registry {
   // A fixed body loses its velocities.
   void setType(BodyIndex body, BodyType type);
   void setPose(BodyIndex body, Vec3 position, Quat rotation);  // of the body's frame
+  // True if the body's centre of mass is elsewhere in it than before; its frame stays where it is.
+  bool setMaterial(ShapeIndex shape, const Material& material);
+  double massWith(ShapeIndex shape, double density) const;  // kg, of its body if the shape had that density
   bool hasMesh(BodyIndex body) const;
   bool mayMeet(ShapeIndex a, ShapeIndex b) const;  // of two bodies of which one is dynamic, and their filters allow it
 

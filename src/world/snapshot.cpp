@@ -6,9 +6,9 @@
 // hash finds damage, not intent: nothing that is read is trusted (snapshot_check.cpp).
 #include <algorithm>
 
+#include "base/archive.h"
 #include "base/hash.h"
 #include "brickfall/geometry/mesh_tree.h"
-#include "world/archive.h"
 #include "world/solver_fields.h"
 #include "world/world_impl.h"
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "world/narrow_phase.h"
 #include "world/succession.h"
 
 namespace brickfall {
@@ -48,6 +49,25 @@ void Upkeep::setPose(BodyIndex body, Vec3 position, Quat rotation) {
   removeContactsOf(body);
   registry_.setPose(body, position, rotation);
   renewProxies(body);
+}
+
+void Upkeep::setMaterial(ShapeIndex shape, const Material& material) {
+  const BodyIndex body = registry_.shapes.data[shape].body;
+  const bool heavier = registry_.shapes.data[shape].def.material.density != material.density;
+  disturb(body);
+  wakeTouching(body);  // of something fixed, too
+  // Anchors of contacts are measured from the centre of mass.
+  if (registry_.setMaterial(shape, material)) {
+    removeContactsOf(body);
+    renewProxies(body);
+  }
+  ContactSet& contacts = proximity_.contacts;
+  for (auto* list : {&contacts.pairs, &contacts.asleep})
+    for (const CandidatePair& pair : *list)
+      if ((pair.bodyA == body || pair.bodyB == body) && pair.contact != kNoIndex)
+        takeConstants(contacts.contacts[pair.contact], registry_.shapes, registry_.bodies);
+  if (heavier) activity_.forgetIslandsOf(body);
+  activity_.unsettlePartnersOf(body);
 }
 
 // A kinematic body joins or leaves the moving ones with its velocity.

@@ -19,6 +19,7 @@ class Upkeep {
   std::vector<BodyIndex> replace(BodyIndex body, std::vector<BodyPlan>&& pieces);
   void setType(BodyIndex body, BodyType type);
   void setPose(BodyIndex body, Vec3 position, Quat rotation);
+  void setMaterial(ShapeIndex shape, const Material& material);
   void relist(BodyIndex body);   // its velocity was set
   void isolate(BodyIndex body);  // a quarantined one: out of all contacts and of every list that the step walks
 

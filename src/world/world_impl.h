@@ -44,6 +44,7 @@ struct World::Impl {
   Status openForChange(const std::string& call) const;
   Result<BodyIndex> openForChange(BodyId id, const Error& bad) const;
   Status push(BodyId id, Vec3 linear, Vec3 angular, Vec3* pointWorld, bool impulse);
+  void loadsChanged();
   Status setVelocity(BodyId id, Vec3 velocity, Vec3 BodyMotion::*which, Vec3 BodyData::*last);
   Status rebuild();  // of a world that was read: what follows from the rest; an error if it is none
   void checkStructure(Findings& f) const;  // what must hold before anything may be followed

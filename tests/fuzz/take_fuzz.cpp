@@ -77,7 +77,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (mode == 0) {
     readAll({bytes.begin(), bytes.end()});
   } else if (mode == 1) {
-    Result<DecodedHeader> header = decodeHeader(bytes, 1 + bodies % 2);
+    Result<DecodedHeader> header = decodeHeader(bytes, 1 + bodies % 3);
     require(header.ok() || !header.error().message.empty(), "an error without a reason");
   } else if (mode == 2) {
     // Two frames; with the second a body goes and two come.
@@ -92,14 +92,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (Result<TakeFrame> next = codec.decode(bytes.subspan(half), false))
       checkFrame(*next, bodies + (bodies > 0 ? 1 : 2), bodies + 2);
   } else if (mode == 3) {
-    Result<TakeChange> change = decodeChange(bytes);
+    Result<TakeChange> change = decodeChange(bytes, 2 + bodies % 2);
     require(change.ok() || !change.error().message.empty(), "an error without a reason");
     if (!change) return 0;
-    Result<TakeChange> again = decodeChange(encodeChange(*change));
+    Result<TakeChange> again = decodeChange(encodeChange(*change), kTakeVersion);
     require(again.ok() && again->ends == change->ends && again->births.size() == change->births.size(),
             "a change is not what it was");
   } else {
-    readAll(sealed({bytes.data(), bytes.size()}, mode < 6 ? 2 : 1, mode % 2 == 0));
+    readAll(sealed({bytes.data(), bytes.size()}, mode < 6 ? 2 + std::uint32_t(bodies % 2) : 1, mode % 2 == 0));
   }
   return 0;
 }

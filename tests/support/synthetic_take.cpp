@@ -84,6 +84,7 @@ TakeBody brickBody(const std::string& name, std::uint32_t colour) {
   body.role = BodyRole::brick;
   body.colour = colour;
   body.mass = 3.4;
+  body.material = "brick";
   ShapeDef box;
   box.halfExtents = kHalf;
   body.shapes = {box};
@@ -104,6 +105,7 @@ void addOtherShapes(std::vector<TakeBody>& bodies, std::vector<Mover>& movers) {
   pair.shapes[1].type = ShapeType::sphere;
   pair.shapes[1].radius = 0.06;
   pair.shapes[1].local.position = {0, 0.02, 0.08};
+  pair.shapeMaterials = {"brick", "steel"};
   double x = -0.4;
   for (TakeBody* body : {&capsule, &hull, &pair}) {
     bodies.push_back(*body);
@@ -190,6 +192,7 @@ SyntheticTake makeSyntheticTake(const SyntheticOptions& options) {
   if (options.otherShapes) addOtherShapes(out.bodies, movers);
   out.header.cameras = {{"front", {1.2, height * 0.9 + 0.5, 3.2}, {0, height * 0.4, 0}, 45},
                         {"side", {-3.5, 1.0, 0.8}, {0, height * 0.3, 0}, 40}};
+  out.header.cameras[1].path = {{0, {-3.5, 1.0, 0.8}, {0, height * 0.3, 0}, 40}, {2.5, {-2, 1.2, 2}, {0, 0, 0}, 35}};
 
   out.lives.assign(movers.size(), {0, SIZE_MAX});
   for (int f = 0; f < options.frames; f++) {

@@ -26,6 +26,20 @@ TEST(Progress, textTellsSpeedAndWhatIsLeft) {
   EXPECT_NE(text.find("2.0 s left"), std::string::npos) << text;
 }
 
+TEST(Progress, countedWorkTellsWhatIsLeft) {
+  EXPECT_EQ(workText({"picture", 0, 300, 0, 0}), "picture 0 of 300");
+  EXPECT_EQ(workText({"picture", 100, 300, 0, 50}), "picture 100 of 300  0.50 s each  1 min 40 s left");
+  EXPECT_EQ(workText({"picture", 100, 300, 90, 20}), "picture 100 of 300  2.00 s each  6 min 40 s left")
+      << "those of an earlier run say nothing of the speed";
+  EXPECT_EQ(workText({"picture", 300, 300, 300, 1}), "picture 300 of 300");
+  EXPECT_NE(workLine({"picture", 150, 300, 0, 50}, 200).find("[###############               ]"), std::string::npos);
+  testing::internal::CaptureStdout();
+  ProgressDisplay display(ProgressDisplay::Mode::plain);
+  for (std::uint64_t i = 1; i <= 40; i++) display.updateWork({"picture", i, 40, 0, double(i)});
+  const std::string said = testing::internal::GetCapturedStdout();
+  EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 10) << said;
+}
+
 TEST(Progress, nothingIsDividedByZero) {
   EXPECT_EQ(progressText({0, 10, 0, 0}), "  0.00 of 10 s");
   EXPECT_EQ(progressText({0, 0, 0, 0}), "  0.00 of 0 s");

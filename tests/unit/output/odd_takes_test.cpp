@@ -23,7 +23,7 @@ TEST(OddTakes, GiveAFileOrAnError) {
       return bytes;
     };
     Result<DecodedHeader> odd = decodeHeader(damaged(header), kTakeVersion);
-    Result<TakeChange> others = decodeChange(damaged(bodies));
+    Result<TakeChange> others = decodeChange(damaged(bodies), kTakeVersion);
     if (odd) take.header = odd->header;
     if (others && others->births.size() == take.bodies.size()) take.bodies = others->births;
     if (!odd && !others) continue;

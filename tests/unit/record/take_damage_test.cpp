@@ -183,7 +183,8 @@ template <class Decode> void expectDistrust(const Bytes& whole, const Decode& de
 TEST(DamagedTake, RandomHeaderBytesNeverCrash) {
   TakeHeader header = test::makeSyntheticTake({.courses = 1, .bricksPerCourse = 3, .frames = 1}).header;
   header.cameras.resize(8);
-  expectDistrust(encodeHeader(header), [](const Bytes& bytes) { return decodeHeader(bytes, 2).ok(); });
+  header.cameras[3].path = {{0, {1, 1, 1}, {}, 40}, {2, {1, 1, 2}, {}, 50}};
+  expectDistrust(encodeHeader(header), [](const Bytes& bytes) { return decodeHeader(bytes, kTakeVersion).ok(); });
 }
 
 TEST(DamagedTake, RandomHeaderBytesOfVersionOneNeverCrash) {
@@ -196,13 +197,15 @@ TEST(DamagedTake, RandomHeaderBytesOfVersionOneNeverCrash) {
 TEST(DamagedTake, RandomChangesNeverCrash) {
   TakeChange change;
   change.births = test::makeSyntheticTake({.courses = 1, .bricksPerCourse = 3, .frames = 1}).bodies;
+  change.births[1].material = "steel";
+  change.births.back().shapeMaterials.assign(change.births.back().shapes.size(), "brick");
   change.ends = {0, 1, 300};
   Bytes whole = encodeChange(change);
-  Result<TakeChange> back = decodeChange(whole);
+  Result<TakeChange> back = decodeChange(whole, kTakeVersion);
   ASSERT_TRUE(back);
   EXPECT_EQ(back->ends, change.ends);
   EXPECT_EQ(back->births.size(), change.births.size());
-  expectDistrust(whole, [](const Bytes& bytes) { return decodeChange(bytes).ok(); });
+  expectDistrust(whole, [](const Bytes& bytes) { return decodeChange(bytes, kTakeVersion).ok(); });
 }
 
 Bytes sealedRecord(std::uint32_t type, std::uint32_t stored, std::uint32_t unpacked, const Bytes& payload) {
@@ -234,10 +237,10 @@ TEST(DamagedTake, LengthsOutOfProportionAreRefusedBeforeMemoryIsTaken) {
   EXPECT_NE(decoded.error().message.find("bodies announced"), std::string::npos);
   ByteWriter births, ends;
   births.varint(std::uint64_t(1) << 60);
-  EXPECT_NE(decodeChange(births.bytes()).error().message.find("bodies announced"), std::string::npos);
+  EXPECT_NE(decodeChange(births.bytes(), kTakeVersion).error().message.find("bodies announced"), std::string::npos);
   ends.varint(0);
   ends.varint(std::uint64_t(1) << 60);
-  EXPECT_NE(decodeChange(ends.bytes()).error().message.find("ends announced"), std::string::npos);
+  EXPECT_NE(decodeChange(ends.bytes(), kTakeVersion).error().message.find("ends announced"), std::string::npos);
 
   FrameCodec codec;
   ByteWriter frame;

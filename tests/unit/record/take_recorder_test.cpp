@@ -40,6 +40,7 @@ SceneDescription smallScene() {
   ball.launchTime = 0.1;
   scene.bodies = {ground, cube, ball};
   scene.cameras.resize(1);
+  scene.cameras[0].path = {{0, {3, 2, 5}, {}, 45}, {1, {2, 2, 5}, {}, 45}};
   return scene;
 }
 
@@ -81,8 +82,24 @@ TEST_F(TakeRecording, headerTellsTheScene) {
   EXPECT_GT(take->bodies()[1].mass, 0);
   EXPECT_EQ(take->bodies()[2].role, BodyRole::ball);
   EXPECT_GT(take->bodies()[2].mass, 0) << "of a body that is held at first, too";
-  EXPECT_EQ(header.cameras.size(), 1u);
+  ASSERT_EQ(header.cameras.size(), 1u);
+  EXPECT_EQ(header.cameras[0].path.size(), 2u);
   EXPECT_EQ(take->summaryJson(), "{}");
+}
+
+TEST_F(TakeRecording, bodiesKeepTheNamesOfTheirMaterials) {
+  SceneDescription scene = smallScene();
+  scene.bodies[1].def.shapes.resize(3, scene.bodies[1].def.shapes[0]);
+  scene.bodies[1].shapeMaterials = {"dull", "steel"};
+  scene.bodies[2].shapeMaterials = {"dull"};  // as the body: nothing to tell apart
+  record(scene, 1);
+  const Result<TakeReader> take = TakeReader::open(path_);
+  ASSERT_TRUE(take) << take.error().message;
+  EXPECT_EQ(take->bodies()[0].material, "dull");
+  EXPECT_EQ(take->bodies()[1].material, "dull");
+  EXPECT_EQ(take->bodies()[1].shapeMaterials, (std::vector<std::string>{"dull", "steel", "dull"}));
+  EXPECT_EQ(take->bodies()[2].material, "dull");
+  EXPECT_TRUE(take->bodies()[2].shapeMaterials.empty());
 }
 
 TEST_F(TakeRecording, framesStartBeforeTheFirstStepAndFollowTheirRate) {

@@ -91,6 +91,8 @@ TEST(Take, HeaderComesBackAsWritten) {
     EXPECT_EQ(a.role, b.role);
     EXPECT_EQ(a.colour, b.colour);
     EXPECT_EQ(a.mass, b.mass);
+    EXPECT_EQ(a.material, b.material);
+    EXPECT_EQ(a.shapeMaterials, b.shapeMaterials);
     ASSERT_EQ(a.shapes.size(), b.shapes.size());
     for (std::size_t s = 0; s < a.shapes.size(); s++) {
       EXPECT_EQ(a.shapes[s].type, b.shapes[s].type);
@@ -109,6 +111,14 @@ TEST(Take, HeaderComesBackAsWritten) {
   EXPECT_EQ(got.cameras[1].name, "side");
   EXPECT_EQ(got.cameras[1].position, want.cameras[1].position);
   EXPECT_EQ(got.cameras[1].fieldOfViewDegrees, 40);
+  EXPECT_TRUE(got.cameras[0].path.empty());
+  ASSERT_EQ(got.cameras[1].path.size(), 2u);
+  EXPECT_EQ(got.cameras[1].path[1].time, 2.5);
+  EXPECT_EQ(got.cameras[1].path[1].position, want.cameras[1].path[1].position);
+  EXPECT_EQ(got.cameras[1].path[1].target, want.cameras[1].path[1].target);
+  EXPECT_EQ(got.cameras[1].path[1].fieldOfViewDegrees, 35);
+  EXPECT_EQ(bodies[2].material, "brick");
+  EXPECT_EQ(bodies.back().shapeMaterials, (std::vector<std::string>{"brick", "steel"}));
 }
 
 TEST(Take, AnyOrderGivesTheSameFrames) {
@@ -171,6 +181,7 @@ TEST(Take, WrongChangesAreRefusedAndSpoilNothing) {
   refused([&](TakeChange& c) { c.births[2].mass = nan; }, "body 2 \"brick 0\": mass");
   refused([&](TakeChange& c) { c.births[2].shapes[0].halfExtents.x = 0; }, "halfExtents");
   refused([&](TakeChange& c) { c.births[1].shapes[0].radius = -1; }, "radius");
+  refused([&](TakeChange& c) { c.births[1].shapeMaterials = {"steel", "brick"}; }, "2 shapeMaterials, expected none");
   refused([&](TakeChange& c) { c.births.pop_back(); }, "4 poses, expected one for each of the 3");
   refused([&](TakeChange& c) { c.ends = {0}; }, "body 0 ends, but is not there");
   ASSERT_TRUE(writer->write(take.frames[0], take.change(0)));
@@ -204,6 +215,27 @@ TEST(Take, VersionOneStillOpens) {
     EXPECT_EQ(reader->bodies()[k].mass, take.bodies[k].mass);
     EXPECT_EQ(reader->lives()[k].birth, 0u);
     EXPECT_EQ(reader->lives()[k].end, 70u);
+  }
+  ASSERT_EQ(reader->frameCount(), 70u);
+  for (std::size_t f : {69, 0, 63, 64, 30}) expectSame(take.frames[f], *reader->frame(f), "frame " + std::to_string(f));
+}
+
+// So was version2.take: no materials, no paths of cameras.
+TEST(Take, VersionTwoStillOpens) {
+  SyntheticTake take =
+      makeSyntheticTake({.courses = 2, .bricksPerCourse = 2, .frames = 70, .hitFrame = 2, .breaking = true});
+  Result<TakeReader> reader = TakeReader::open(BRICKFALL_SOURCE_DIR "/tests/unit/record/version2.take");
+  ASSERT_TRUE(reader) << reader.error().message;
+  EXPECT_TRUE(reader->complete());
+  ASSERT_EQ(reader->header().cameras.size(), 2u);
+  EXPECT_EQ(reader->header().cameras[1].name, "side");
+  EXPECT_TRUE(reader->header().cameras[1].path.empty());
+  ASSERT_EQ(reader->bodies().size(), take.bodies.size());
+  for (std::size_t k = 0; k < take.bodies.size(); k++) {
+    EXPECT_EQ(reader->bodies()[k].name, take.bodies[k].name);
+    EXPECT_EQ(reader->bodies()[k].shapes.size(), take.bodies[k].shapes.size());
+    EXPECT_EQ(reader->bodies()[k].material, "");
+    EXPECT_EQ(reader->lives()[k].birth, take.lives[k].birth);
   }
   ASSERT_EQ(reader->frameCount(), 70u);
   for (std::size_t f : {69, 0, 63, 64, 30}) expectSame(take.frames[f], *reader->frame(f), "frame " + std::to_string(f));
@@ -282,6 +314,8 @@ TEST(Take, WrongHeadersAreRefusedByName) {
   refused([&](TakeHeader& h) { h.framesPerSecond = 0; }, "framesPerSecond");
   refused([&](TakeHeader& h) { h.framesPerSecond = nan; }, "framesPerSecond");
   refused([&](TakeHeader& h) { h.cameras[0].target.x = nan; }, "camera \"front\"");
+  refused([&](TakeHeader& h) { h.cameras[1].path[1].time = 0; }, "camera \"side\": path: its times do not ascend");
+  refused([&](TakeHeader& h) { h.cameras[1].path[1].position.y = nan; }, "path: a position");
   EXPECT_FALSE(std::filesystem::exists(file.path));
 }
 

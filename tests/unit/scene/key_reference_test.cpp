@@ -171,6 +171,7 @@ TEST(KeyReference, DocumentedDefaultsAreTheRealOnes) {
   EXPECT_EQ(a.cameras[0].position, b.cameras[0].position);
   EXPECT_EQ(a.cameras[0].target, b.cameras[0].target);
   EXPECT_EQ(a.cameras[0].fieldOfViewDegrees, b.cameras[0].fieldOfViewDegrees);
+  EXPECT_TRUE(a.cameras[0].path.empty());
 }
 
 }  // namespace

@@ -13,7 +13,8 @@ namespace brickfall {
 
 // Numbers, or a structure of nothing but numbers: any bits are a value of it.
 template <class T> constexpr bool isPlain() {
-  return std::is_trivially_copyable_v<T> && !std::is_same_v<T, bool> && !std::is_enum_v<T> && !std::is_pointer_v<T>;
+  return std::is_same_v<T, std::byte> ||
+         (std::is_trivially_copyable_v<T> && !std::is_same_v<T, bool> && !std::is_enum_v<T> && !std::is_pointer_v<T>);
 }
 
 class WriteArchive {

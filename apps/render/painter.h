@@ -1,0 +1,20 @@
+// One picture of a take: from poses to pixels.
+#pragma once
+#include "render/picture.h"
+#include "render/sky.h"
+#include "render/stage.h"
+#include "render/tracer.h"
+
+namespace brickfall::render {
+
+struct PaintSettings {
+  int width = 960, height = 540;
+  TraceSettings trace;
+  bool denoise = true;
+  float exposure = 0.92f;
+};
+
+// The bodies are where `stage` has them.
+Image paint(const Stage& stage, const Camera& open, const Camera& close, const Sky& sky, const PaintSettings& settings);
+
+}  // namespace brickfall::render

@@ -1,0 +1,186 @@
+#include "viewer_window/app.h"
+
+#include <SDL.h>
+
+#include <algorithm>
+#include <cstdio>
+
+#include "viewer_window/debug_layers.h"
+#include "viewer_window/panels/panels.h"
+#include "viewer_window/still.h"
+#include "viewer_window/sun.h"
+
+namespace brickfall::viewer {
+namespace {
+
+constexpr double kFrameSeconds = 1.0 / 60;  // where the display does not set the pace
+constexpr double kIdleSeconds = 0.1;        // between pictures while nothing changes
+
+}  // namespace
+
+App::App(const Options& options, Session& session, NativeWindow& window, Renderer& renderer, StatusFile& status)
+    : options_(options), session_(session), window_(window), renderer_(renderer), status_(status), sky_(renderer.scene()),
+      bodies_(renderer), lines_(renderer.scene()), dust_(renderer.scene()), gui_(renderer.port(), window.size()),
+      frame_(session.latest()) {
+  desk_.view.shadows = options.shadows;
+  desk_.panelShown = options.panel;
+  desk_.size = window.size();
+  desk_.card = renderer.card();
+  desk_.menu = sceneMenu();
+  started_ = lastReport_ = countFrom_ = session_.now();
+}
+
+App::~App() = default;
+
+int App::run() {
+  double last = session_.now();
+  while (!quit_ && !finished()) {
+    const double began = session_.now(), seconds = std::min(began - last, 0.25);
+    last = began;
+    bool busy = takeEvents(0);
+    const std::uint64_t before = frame_->number;
+    takeFrame();
+    takeResults();
+    const Vec3 eye = desk_.rig.view().position, target = desk_.rig.target();
+    moveCamera(seconds);
+    busy = busy || frame_->number != before || length(desk_.rig.view().position - eye) > 1e-5 ||
+           length(desk_.rig.target() - target) > 1e-5 || blend_ < 1 || dust_.count() > 0 || !desk_.messages.empty();
+    if (!hidden_) draw(seconds);
+    sendCommands();
+    keepCount(session_.now() - began);
+    waitForNext(began, busy);
+  }
+  if (!options_.screenshot.empty()) {
+    if (const Status saved = saveStill(renderer_.picture(), options_.screenshot); !saved) {
+      std::fprintf(stderr, "brickfall-view: --screenshot: %s\n", saved.error().message.c_str());
+      return 3;
+    }
+  }
+  report("quit");
+  return 0;
+}
+
+bool App::finished() const {
+  if (options_.frames > 0 && pictures_ >= options_.frames) return true;
+  return options_.seconds > 0 && session_.now() - started_ >= options_.seconds;
+}
+
+void App::takeFrame() {
+  frame_ = session_.latest();
+  blend_ = blendAt(*frame_, session_.now());
+  if (frame_->info != run_) {
+    run_ = frame_->info;
+    if (run_ && run_->kind != RunKind::nothing) startOf(*run_);
+  }
+  if (desk_.selected != 0 && (!frame_->list || frame_->list->find(desk_.selected) < 0)) desk_.selected = 0;
+  if (!frame_->drag) desk_.hand.letGo();
+  FrameNeeds needs = desk_.view.needs(desk_.panelShown && desk_.figuresShown);
+  session_.ask(needs);
+}
+
+void App::startOf(const RunInfo& info) {
+  desk_.rig.setGround(info.ground);
+  if (!info.cameras.empty()) {
+    desk_.rig.goTo(info.cameras.front(), true);
+    const Vec3 sun = towardsSun(info.cameras.front().position - info.cameras.front().target);
+    sky_.setSun(sun);
+    bodies_.setSun(sun);
+    dust_.setSun(sun);
+  }
+  nextCamera_ = 1;
+  desk_.statePath = info.name + ".state";
+  desk_.takePath = info.name + ".take";
+  window_.setTitle((info.title.empty() ? info.name : info.title) + " - Brickfall");
+}
+
+void App::takeResults() {
+  for (CommandResult& result : session_.takeResults()) {
+    const auto sent = sent_.find(result.ticket);
+    const std::string what = sent != sent_.end() ? sent->second : "";
+    if (sent != sent_.end()) sent_.erase(sent);
+    if (!result.message.empty() || !result.ok) {
+      desk_.say(result.message.empty() ? what + " failed" : result.message, !result.ok, session_.now(),
+                std::move(result.details));
+    }
+    report((result.ok ? "done: " : "refused: ") + what);
+  }
+}
+
+void App::sendCommands() {
+  for (const Action action : std::exchange(desk_.actions, {})) act(action);
+  for (Command& command : std::exchange(desk_.commands, {})) {
+    if (const auto* select = std::get_if<Select>(&command)) desk_.selected = select->body;
+    const std::string name = nameOf(command);
+    sent_[session_.send(std::move(command))] = name;
+  }
+}
+
+void App::draw(double seconds) {
+  const Frame& frame = *frame_;
+  const double began = session_.now();
+  const View view = desk_.rig.view();
+  renderer_.setView(view, shift());
+  const bool any = frame.list && !frame.bodies.empty() && frame.info;
+  ShadowMode wanted = ShadowMode::none;
+  switch (desk_.view.shadows) {
+    case ShadowChoice::automatic:
+      wanted = int(frame.bodies.size()) <= kMostStencilBodies ? ShadowMode::stencil : ShadowMode::depth;
+      break;
+    case ShadowChoice::stencil:
+      wanted = ShadowMode::stencil;
+      break;
+    case ShadowChoice::depth:
+      wanted = ShadowMode::depth;
+      break;
+    case ShadowChoice::none:
+      break;
+  }
+  if (desk_.view.wireframe) wanted = ShadowMode::none;  // lines have no shadows
+  if (wanted != desk_.shadows) bodies_.setShadows(desk_.shadows = wanted);
+  renderer_.setWireframe(desk_.view.wireframe);
+  sky_.setVisible(!desk_.view.wireframe);
+  lines_.clear();
+  if (any) {
+    bodies_.draw(frame, blend_, desk_.view, desk_.selected);
+    addLayers(lines_, frame, blend_, desk_.view);
+    addHands(lines_, frame, blend_, desk_.selected);
+    dust_.update(frame, view, desk_.view.dust && !desk_.view.wireframe);
+  }
+  lines_.show();
+  gui_.begin(seconds);
+  showPanel(desk_, frame, session_.now());
+  gui_.end();
+  renderer_.render();
+  pictures_++;
+  desk_.drawMilliseconds += 0.1 * (1000 * (session_.now() - began) - desk_.drawMilliseconds);
+}
+
+void App::keepCount(double) {
+  const double now = session_.now();
+  countPictures_++;
+  if (now - countFrom_ >= 0.5) {
+    desk_.framesPerSecond = double(countPictures_) / (now - countFrom_);
+    countFrom_ = now;
+    countPictures_ = 0;
+  }
+  if (now - lastReport_ >= 1) {
+    report("second");
+    lastReport_ = now;
+  }
+}
+
+void App::waitForNext(double began, bool busy) {
+  if (options_.frames > 0 && !hidden_) return;  // as fast as it goes
+  const double wanted = hidden_ || !busy ? kIdleSeconds : kFrameSeconds;
+  const double left = wanted - (session_.now() - began);
+  if (left <= 0) return;
+  if (busy) {
+    SDL_Delay(Uint32(left * 1000));
+  } else {
+    SDL_WaitEventTimeout(nullptr, int(left * 1000));  // what comes ends the wait, and stays in the queue
+  }
+}
+
+void App::report(const std::string& why) { status_.write(why, desk_, *frame_, pictures_, lines_.count()); }
+
+}  // namespace brickfall::viewer

@@ -1,0 +1,88 @@
+// The viewer as a whole: events go in, commands to the run and pictures come out.
+#pragma once
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+
+#include "viewer_core/picking.h"
+#include "viewer_core/session.h"
+#include "viewer_window/body_drawer.h"
+#include "viewer_window/desk.h"
+#include "viewer_window/dust.h"
+#include "viewer_window/gui.h"
+#include "viewer_window/lines.h"
+#include "viewer_window/native_window.h"
+#include "viewer_window/options.h"
+#include "viewer_window/renderer.h"
+#include "viewer_window/sky.h"
+#include "viewer_window/status_file.h"
+
+union SDL_Event;
+
+namespace brickfall::viewer {
+
+class App {
+ public:
+  // The session is there before the window, so that the scene is read while the window opens.
+  App(const Options& options, Session& session, NativeWindow& window, Renderer& renderer, StatusFile& status);
+  ~App();
+  // Until the user quits, or as long as the options say. An exit code of docs/command-line.md.
+  int run();
+
+ private:
+  // --- app_input.cpp
+  bool takeEvents(double wait);  // true: something happened
+  void takeEvent(const SDL_Event& event);
+  void takeWindowEvent(const SDL_Event& event);
+  void takeKey(const SDL_Event& event);
+  void takeMouse(const SDL_Event& event);
+  void moveCamera(double seconds);
+  Ray rayAt(double x, double y) const;  // pixels of the window
+  PixelPlace shift() const;             // of the view's middle: the panel covers a part of the window
+  // --- app_actions.cpp
+  void act(Action action);
+  bool actOnTime(Action action);
+  bool actOnHands(Action action);
+  bool actOnCamera(Action action);
+  bool actOnView(Action action);
+  void actOnFiles(Action action);
+  void saveScene();
+  // --- app.cpp
+  void takeFrame();
+  void startOf(const RunInfo& info);
+  void takeResults();
+  void sendCommands();
+  void draw(double seconds);
+  void keepCount(double seconds);
+  void waitForNext(double began, bool busy);
+  bool finished() const;
+  void report(const std::string& why);
+
+  const Options& options_;
+  Session& session_;
+  NativeWindow& window_;
+  Renderer& renderer_;
+  StatusFile& status_;
+  Sky sky_;
+  BodyDrawer bodies_;
+  Lines lines_;
+  Dust dust_;
+  Gui gui_;
+  Picker picker_;
+  Desk desk_;
+  std::shared_ptr<const Frame> frame_;
+  std::shared_ptr<const RunInfo> run_;
+  double blend_ = 1;
+  std::map<std::uint64_t, std::string> sent_;  // what each ticket was for
+  std::set<Action> heldKeys_;
+  bool fast_ = false;  // Shift, for held keys
+  int turning_ = 0;    // mouse button that turns (3) or moves (2) the camera
+  Vec3 lastView_;
+  std::size_t nextCamera_ = 0;
+  bool quit_ = false, hidden_ = false;
+  double started_ = 0, lastReport_ = 0, countFrom_ = 0;
+  std::uint64_t pictures_ = 0, countPictures_ = 0;
+};
+
+}  // namespace brickfall::viewer

@@ -1,0 +1,223 @@
+// What each action of the table of keys does.
+#include <SDL.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "viewer_window/app.h"
+#include "viewer_window/still.h"
+
+namespace brickfall::viewer {
+
+void App::act(Action action) {
+  if (!actOnTime(action) && !actOnHands(action) && !actOnCamera(action) && !actOnView(action)) actOnFiles(action);
+  report("action");
+}
+
+bool App::actOnTime(Action action) {
+  const RunStatus& status = frame_->status;
+  switch (action) {
+    case Action::runOrPause:
+      if (status.running) {
+        desk_.send(Pause{});
+      } else {
+        desk_.send(Run{});
+      }
+      return true;
+    case Action::step:
+      desk_.send(Step{1});
+      return true;
+    case Action::stepBack:
+      if (run_ && run_->kind == RunKind::live && status.step > 0) {
+        // A live run has no steps back; it goes to the moment before, which is remembered to the bit.
+        desk_.send(Rewind{std::max(status.earliest, status.time * (1 - 1.0 / double(status.step)))});
+      } else {
+        desk_.send(Step{-1});
+      }
+      return true;
+    case Action::slower:
+      desk_.send(SetSpeed{std::max(kSlowest, status.speed / 2)});
+      return true;
+    case Action::faster:
+      desk_.send(SetSpeed{std::min(kFastest, status.speed * 2)});
+      return true;
+    case Action::normalSpeed:
+      desk_.send(SetSpeed{1});
+      return true;
+    case Action::restart:
+      desk_.send(Restart{});
+      return true;
+    case Action::undo:
+      desk_.send(Undo{});
+      return true;
+    case Action::rewindSecond:
+      desk_.send(Rewind{std::max(status.earliest, status.time - 1)});
+      return true;
+    case Action::forwardSecond:
+      desk_.send(Rewind{std::min(status.latest, status.time + 1)});
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool App::actOnHands(Action action) {
+  ToolSettings& settings = desk_.hand.settings;
+  switch (action) {
+    case Action::selectTool:
+      desk_.hand.tool = Tool::select;
+      return true;
+    case Action::shootTool:
+      desk_.hand.tool = Tool::shoot;
+      return true;
+    case Action::dragTool:
+      desk_.hand.tool = Tool::drag;
+      return true;
+    case Action::removeTool:
+      desk_.hand.tool = Tool::remove;
+      return true;
+    case Action::shootCentre:
+      desk_.send(desk_.hand.shot(rayAt(desk_.size.width / 2.0 + shift().x, desk_.size.height / 2.0 + shift().y)));
+      return true;
+    case Action::removeSelected:
+      if (desk_.selected != 0) desk_.send(RemoveBody{desk_.selected});
+      return true;
+    case Action::wakeAll:
+      desk_.send(WakeBody{0});
+      return true;
+    case Action::smallerBall:
+    case Action::largerBall:
+      growBall(settings, action == Action::largerBall ? 1.25 : 0.8);
+      return true;
+    case Action::slowerBall:
+    case Action::fasterBall:
+      hastenBall(settings, action == Action::fasterBall ? 1.25 : 0.8);
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool App::actOnCamera(Action action) {
+  switch (action) {
+    case Action::orbitCamera:
+      desk_.rig.setMode(CameraMode::orbit);
+      return true;
+    case Action::flyCamera:
+      desk_.rig.setMode(CameraMode::fly);
+      return true;
+    case Action::followSelected: {
+      const int place = frame_->list ? frame_->list->find(desk_.selected) : -1;
+      if (place >= 0) {
+        desk_.rig.follow(desk_.selected, frame_->list->bodies[std::size_t(place)].radius);
+      } else {
+        desk_.say("Select a body first: the camera then follows it", false, session_.now());
+      }
+      return true;
+    }
+    case Action::frameAll:
+      if (run_) desk_.rig.frame(run_->extent, {desk_.size.width, desk_.size.height});
+      return true;
+    case Action::nextView:
+      if (run_ && !run_->cameras.empty()) desk_.rig.goTo(run_->cameras[nextCamera_++ % run_->cameras.size()]);
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool App::actOnView(Action action) {
+  ViewOptions& view = desk_.view;
+  const auto flip = [](bool& value) { value = !value; };
+  switch (action) {
+    case Action::collisions:
+      flip(view.collisions);
+      return true;
+    case Action::wireframe:
+      flip(view.wireframe);
+      return true;
+    case Action::colliders:
+      flip(view.colliders);
+      return true;
+    case Action::boundsTree:
+      flip(view.bounds);
+      return true;
+    case Action::contactPoints:
+      flip(view.contacts);
+      return true;
+    case Action::islands:
+      flip(view.islands);
+      return true;
+    case Action::asleep:
+      flip(view.asleep);
+      return true;
+    case Action::shadows:
+      view.shadows = ShadowChoice((int(view.shadows) + 1) % kShadowChoiceCount);
+      desk_.say(fmt::format("Shadows: {}", nameOf(view.shadows)), false, session_.now());
+      return true;
+    case Action::panel:
+      flip(desk_.panelShown);
+      return true;
+    case Action::help:
+      flip(desk_.helpShown);
+      return true;
+    case Action::fullScreen:
+      window_.setFullScreen(!window_.fullScreen());
+      return true;
+    default:
+      return false;
+  }
+}
+
+void App::actOnFiles(Action action) {
+  switch (action) {
+    case Action::openScene:
+      if (!desk_.filePath.empty()) desk_.send(Open{desk_.filePath, {}, true});
+      desk_.panelShown = true;
+      break;
+    case Action::saveState:
+      desk_.send(SaveState{desk_.statePath});
+      break;
+    case Action::loadState:
+      desk_.send(Open{desk_.statePath, {}, false});
+      break;
+    case Action::record:
+      if (frame_->status.recording.empty()) {
+        desk_.send(StartRecording{desk_.takePath});
+      } else {
+        desk_.send(StopRecording{});
+      }
+      break;
+    case Action::saveStill:
+      saveScene();
+      break;
+    case Action::copyView: {
+      const Camera camera = desk_.rig.asCamera();
+      const std::string text = fmt::format(
+          "[[camera]]\nname = \"view\"\nposition = [{:.3f}, {:.3f}, {:.3f}]\ntarget = [{:.3f}, {:.3f}, {:.3f}]\n",
+          camera.position.x, camera.position.y, camera.position.z, camera.target.x, camera.target.y, camera.target.z);
+      SDL_SetClipboardText(text.c_str());
+      desk_.say("This view is in the clipboard, as a scene file has it", false, session_.now());
+      break;
+    }
+    case Action::quit:
+      quit_ = true;
+      break;
+    default:
+      break;
+  }
+}
+
+// The scene alone: a picture is drawn without the panel for it.
+void App::saveScene() {
+  gui_.setVisible(false);
+  renderer_.render();
+  const Picture picture = renderer_.picture();
+  gui_.setVisible(true);
+  const std::string path = freeStillName(run_ ? run_->name : "");
+  const Status saved = saveStill(picture, path);
+  desk_.say(saved ? "Saved " + path : saved.error().message, !saved, session_.now());
+}
+
+}  // namespace brickfall::viewer

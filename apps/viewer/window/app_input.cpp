@@ -1,0 +1,163 @@
+// Events of the window: who is to act on each, and what the mouse means.
+#include <SDL.h>
+
+#include <cmath>
+
+#include "viewer_window/app.h"
+#include "viewer_window/panels/panels.h"
+
+namespace brickfall::viewer {
+namespace {
+
+constexpr double kTurnPerPixel = 0.006;   // rad
+constexpr double kTurnPerSecond = 1.2;    // rad, by keys
+
+}  // namespace
+
+bool App::takeEvents(double) {
+  SDL_Event event;
+  bool any = false;
+  while (SDL_PollEvent(&event)) {
+    takeEvent(event);
+    any = true;
+  }
+  return any;
+}
+
+void App::takeEvent(const SDL_Event& event) {
+  gui_.take(event);
+  switch (event.type) {
+    case SDL_QUIT:
+      quit_ = true;
+      break;
+    case SDL_WINDOWEVENT:
+      takeWindowEvent(event);
+      break;
+    case SDL_KEYDOWN:
+    case SDL_KEYUP:
+      takeKey(event);
+      break;
+    case SDL_MOUSEBUTTONDOWN:
+    case SDL_MOUSEBUTTONUP:
+    case SDL_MOUSEMOTION:
+    case SDL_MOUSEWHEEL:
+      takeMouse(event);
+      break;
+    case SDL_DROPFILE:
+      desk_.send(Open{event.drop.file, {}, true});
+      SDL_free(event.drop.file);
+      break;
+    default:
+      break;
+  }
+}
+
+void App::takeWindowEvent(const SDL_Event& event) {
+  switch (event.window.event) {
+    case SDL_WINDOWEVENT_SIZE_CHANGED:
+      desk_.size = {event.window.data1, event.window.data2};
+      renderer_.resize(desk_.size);
+      gui_.resize(desk_.size);
+      report("resized");
+      break;
+    case SDL_WINDOWEVENT_MINIMIZED:
+    case SDL_WINDOWEVENT_HIDDEN:
+      hidden_ = true;
+      renderer_.setHidden(true);
+      report("hidden");
+      break;
+    case SDL_WINDOWEVENT_RESTORED:
+    case SDL_WINDOWEVENT_SHOWN:
+    case SDL_WINDOWEVENT_EXPOSED:
+      if (hidden_) report("shown");
+      hidden_ = false;
+      renderer_.setHidden(false);
+      break;
+    case SDL_WINDOWEVENT_FOCUS_LOST:
+      // What was held when the focus went would else be held for ever.
+      heldKeys_.clear();
+      turning_ = 0;
+      for (Command& command : desk_.hand.release()) desk_.send(std::move(command));
+      break;
+    default:
+      break;
+  }
+}
+
+void App::takeKey(const SDL_Event& event) {
+  const bool down = event.type == SDL_KEYDOWN;
+  const SDL_Keysym& key = event.key.keysym;
+  fast_ = (key.mod & KMOD_SHIFT) != 0;
+  const Action action = actionFor(SDL_GetKeyName(key.sym), (key.mod & KMOD_CTRL) != 0, fast_);
+  if (action == Action::count) return;
+  if (bindingOf(action).held) {
+    if (!down || gui_.wantsKeys()) {
+      heldKeys_.erase(action);
+    } else {
+      heldKeys_.insert(action);
+    }
+    return;
+  }
+  if (down && event.key.repeat == 0 && !gui_.wantsKeys()) act(action);
+}
+
+Ray App::rayAt(double x, double y) const {
+  const PixelPlace by = shift();
+  return rayThrough(desk_.rig.view(), {desk_.size.width, desk_.size.height}, x - by.x, y - by.y);
+}
+
+PixelPlace App::shift() const {
+  // Where the panel takes most of the window there is no room to move to.
+  if (!desk_.panelShown || desk_.size.width < 2.2 * kPanelWidth) return {};
+  return {kPanelWidth / 2, -kBarHeight / 2};
+}
+
+void App::takeMouse(const SDL_Event& event) {
+  const auto sendAll = [this](std::vector<Command> commands) {
+    for (Command& command : commands) desk_.send(std::move(command));
+  };
+  if (event.type == SDL_MOUSEBUTTONDOWN && !gui_.wantsMouse()) {
+    if (event.button.button == SDL_BUTTON_LEFT) {
+      const Ray ray = rayAt(event.button.x, event.button.y);
+      sendAll(desk_.hand.press(ray, desk_.rig.view(), picker_.pick(*frame_, ray, blend_)));
+    } else {
+      turning_ = event.button.button;
+    }
+  } else if (event.type == SDL_MOUSEBUTTONUP) {
+    if (event.button.button == SDL_BUTTON_LEFT) sendAll(desk_.hand.release());
+    if (int(event.button.button) == turning_) turning_ = 0;
+  } else if (event.type == SDL_MOUSEMOTION) {
+    if (desk_.hand.dragging()) sendAll(desk_.hand.move(rayAt(event.motion.x, event.motion.y), desk_.rig.view()));
+    if (turning_ == SDL_BUTTON_RIGHT) {
+      desk_.rig.turn(event.motion.xrel * kTurnPerPixel, -event.motion.yrel * kTurnPerPixel);
+    } else if (turning_ == SDL_BUTTON_MIDDLE) {
+      desk_.rig.drag(event.motion.xrel, event.motion.yrel, {desk_.size.width, desk_.size.height});
+    }
+  } else if (event.type == SDL_MOUSEWHEEL && !gui_.wantsMouse()) {
+    int x = 0, y = 0;
+    SDL_GetMouseState(&x, &y);
+    if (desk_.hand.dragging()) {
+      sendAll(desk_.hand.wheel(event.wheel.y, rayAt(x, y), desk_.rig.view()));
+    } else {
+      desk_.rig.zoom(event.wheel.y);
+    }
+  }
+}
+
+void App::moveCamera(double seconds) {
+  const auto axis = [this](Action plus, Action minus) {
+    return double(heldKeys_.count(plus)) - double(heldKeys_.count(minus));
+  };
+  const Vec3 keys{axis(Action::right, Action::left), axis(Action::up, Action::down), axis(Action::forward, Action::back)};
+  if (keys != Vec3{}) desk_.rig.move(keys * (fast_ ? 3.0 : 1.0), seconds);
+  const double right = axis(Action::turnRight, Action::turnLeft), up = axis(Action::turnUp, Action::turnDown);
+  if (right != 0 || up != 0) desk_.rig.turn(right * kTurnPerSecond * seconds, up * kTurnPerSecond * seconds);
+  std::optional<Vec3> target;
+  if (desk_.rig.mode() == CameraMode::follow && frame_->list) {
+    const int place = frame_->list->find(desk_.rig.followed());
+    if (place >= 0) target = poseAt(frame_->bodies[std::size_t(place)], blend_).position;
+  }
+  desk_.rig.update(seconds, target);
+}
+
+}  // namespace brickfall::viewer

@@ -1,0 +1,10 @@
+# Writes a source file that holds the texts of the shaders: cmake -DOUT=... -DFROM=folder -P embed.cmake
+file(GLOB files ${FROM}/*)
+set(text "// Made from shaders/ by embed.cmake.\n#include <cstdlib>\n\n#include \"viewer_window/programs.h\"\n\nnamespace brickfall::viewer {\n\nstd::string_view shaderText(std::string_view name) {\n")
+foreach(file IN LISTS files)
+  get_filename_component(name ${file} NAME)
+  file(READ ${file} content)
+  string(APPEND text "  if (name == \"${name}\") return R\"glsl(${content})glsl\";\n")
+endforeach()
+string(APPEND text "  std::abort();  // a name that no file of ours has\n}\n\n}  // namespace brickfall::viewer\n")
+file(WRITE ${OUT} "${text}")

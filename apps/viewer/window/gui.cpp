@@ -1,0 +1,132 @@
+#include "viewer_window/gui.h"
+
+#include <OgreImGuiOverlay.h>
+#include <OgreMaterialManager.h>
+#include <OgreOverlayManager.h>
+#include <OgrePass.h>
+#include <OgreTechnique.h>
+#include <OgreViewport.h>
+#include <SDL.h>
+
+#include <algorithm>
+#include <cstring>
+#include <filesystem>
+
+#include "viewer_window/gui_style.h"
+#include "viewer_window/programs.h"
+
+namespace brickfall::viewer {
+namespace {
+
+// ImGui's own names for keys that mean something in a text.
+void nameKeys(ImGuiIO& io) {
+  const std::pair<int, SDL_Scancode> kKeys[] = {
+      {ImGuiKey_Tab, SDL_SCANCODE_TAB},         {ImGuiKey_LeftArrow, SDL_SCANCODE_LEFT},
+      {ImGuiKey_RightArrow, SDL_SCANCODE_RIGHT}, {ImGuiKey_UpArrow, SDL_SCANCODE_UP},
+      {ImGuiKey_DownArrow, SDL_SCANCODE_DOWN},   {ImGuiKey_Home, SDL_SCANCODE_HOME},
+      {ImGuiKey_End, SDL_SCANCODE_END},          {ImGuiKey_Delete, SDL_SCANCODE_DELETE},
+      {ImGuiKey_Backspace, SDL_SCANCODE_BACKSPACE}, {ImGuiKey_Enter, SDL_SCANCODE_RETURN},
+      {ImGuiKey_KeyPadEnter, SDL_SCANCODE_KP_ENTER}, {ImGuiKey_Escape, SDL_SCANCODE_ESCAPE},
+      {ImGuiKey_A, SDL_SCANCODE_A},              {ImGuiKey_C, SDL_SCANCODE_C},
+      {ImGuiKey_V, SDL_SCANCODE_V},              {ImGuiKey_X, SDL_SCANCODE_X},
+      {ImGuiKey_Y, SDL_SCANCODE_Y},              {ImGuiKey_Z, SDL_SCANCODE_Z}};
+  for (const auto& [name, code] : kKeys) io.KeyMap[name] = code;
+}
+
+}  // namespace
+
+class Gui::Overlay {
+ public:
+  Overlay() : overlay_(new Ogre::ImGuiOverlay) {
+    Ogre::OverlayManager::getSingleton().addOverlay(overlay_);  // which owns it from now on
+    overlay_->setZOrder(300);
+  }
+  Ogre::ImGuiOverlay& operator*() { return *overlay_; }
+
+ private:
+  Ogre::ImGuiOverlay* overlay_;
+};
+
+Gui::Gui(Ogre::Viewport& port, WindowSize size) : overlay_(std::make_unique<Overlay>()) {
+  ImGuiIO& io = ImGui::GetIO();
+  io.IniFilename = nullptr;  // the layout is ours
+  io.LogFilename = nullptr;
+  nameKeys(io);
+  useStyle();
+  port.setOverlaysEnabled(true);
+  resize(size);
+  (**overlay_).show();
+  // Ogre's material has no program: with a renderer that knows nothing else it would not be seen.
+  const auto drawn = Ogre::MaterialManager::getSingleton().getByName("ImGui/material", Ogre::RGN_INTERNAL);
+  const auto ours = makeMaterial({"gui", "gui.vert", "gui.frag", {}});
+  for (auto* pass : drawn->getTechnique(0)->getPasses()) {
+    pass->setVertexProgram("gui.vert");
+    pass->setFragmentProgram("gui.frag");
+    pass->setVertexProgramParameters(passOf(ours).getVertexProgramParameters());
+    pass->setFragmentProgramParameters(passOf(ours).getFragmentProgramParameters());
+  }
+  drawn->setReceiveShadows(false);
+  drawn->load();
+}
+
+Gui::~Gui() = default;
+
+void Gui::resize(WindowSize size) { ImGui::GetIO().DisplaySize = ImVec2(float(size.width), float(size.height)); }
+
+void Gui::take(const SDL_Event& event) {
+  ImGuiIO& io = ImGui::GetIO();
+  switch (event.type) {
+    case SDL_MOUSEMOTION:
+      io.MousePos = ImVec2(float(event.motion.x), float(event.motion.y));
+      break;
+    case SDL_MOUSEBUTTONDOWN:
+    case SDL_MOUSEBUTTONUP: {
+      const int button = event.button.button == SDL_BUTTON_LEFT ? 0 : event.button.button == SDL_BUTTON_RIGHT ? 1 : 2;
+      io.MousePos = ImVec2(float(event.button.x), float(event.button.y));
+      if (event.button.button <= 3) io.MouseDown[button] = event.type == SDL_MOUSEBUTTONDOWN;
+      break;
+    }
+    case SDL_MOUSEWHEEL:
+      io.MouseWheel += float(event.wheel.y);
+      break;
+    case SDL_TEXTINPUT:
+      io.AddInputCharactersUTF8(event.text.text);
+      break;
+    case SDL_KEYDOWN:
+    case SDL_KEYUP:
+      if (event.key.keysym.scancode < int(std::size(io.KeysDown))) {
+        io.KeysDown[event.key.keysym.scancode] = event.type == SDL_KEYDOWN;
+      }
+      io.KeyCtrl = (event.key.keysym.mod & KMOD_CTRL) != 0;
+      io.KeyShift = (event.key.keysym.mod & KMOD_SHIFT) != 0;
+      break;
+    case SDL_WINDOWEVENT:
+      if (event.window.event == SDL_WINDOWEVENT_LEAVE) io.MousePos = ImVec2(-1e9f, -1e9f);
+      if (event.window.event == SDL_WINDOWEVENT_FOCUS_LOST) std::fill(std::begin(io.KeysDown), std::end(io.KeysDown), false);
+      break;
+    default:
+      break;
+  }
+}
+
+bool Gui::wantsMouse() const { return ImGui::GetIO().WantCaptureMouse; }
+bool Gui::wantsKeys() const { return ImGui::GetIO().WantTextInput; }
+
+void Gui::begin(double seconds) {
+  // Ogre's own NewFrame takes the time from Ogre's clock; what matters is that it is never 0.
+  ImGui::GetIO().DeltaTime = float(std::max(seconds, 1e-4));
+  ImGui::NewFrame();
+}
+
+// Ogre calls ImGui::Render while it draws; a window that draws nothing must still end what was begun.
+void Gui::end() { ImGui::EndFrame(); }
+
+void Gui::setVisible(bool visible) {
+  if (visible) {
+    (**overlay_).show();
+  } else {
+    (**overlay_).hide();
+  }
+}
+
+}  // namespace brickfall::viewer

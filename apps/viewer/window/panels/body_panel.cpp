@@ -1,0 +1,69 @@
+// The selected body's numbers.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "viewer_window/panels/panels.h"
+#include "viewer_window/panels/parts.h"
+
+namespace brickfall::viewer {
+namespace {
+
+std::string forceText(double newton) {
+  return newton >= 1e6   ? fmt::format("{:.1f} MN", newton / 1e6)
+         : newton >= 1e3 ? fmt::format("{:.2f} kN", newton / 1e3)
+                         : fmt::format("{:.1f} N", newton);
+}
+
+std::string placeText(Vec3 at) { return fmt::format("{:.2f}  {:.2f}  {:.2f} m", at.x, at.y, at.z); }
+
+void showContacts(const SelectedBody& body) {
+  heading(fmt::format("Contacts: {}", body.contacts.size()).c_str());
+  if (body.contacts.empty() || !ImGui::BeginTable("contacts", 3, ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg)) return;
+  ImGui::TableSetupScrollFreeze(0, 1);
+  ImGui::TableSetupColumn("on", ImGuiTableColumnFlags_WidthStretch);
+  ImGui::TableSetupColumn("normal", ImGuiTableColumnFlags_WidthFixed, 78);
+  ImGui::TableSetupColumn("friction", ImGuiTableColumnFlags_WidthFixed, 78);
+  ImGui::TableHeadersRow();
+  for (const SelectedContact& contact : body.contacts) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(contact.otherName.c_str());
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(forceText(contact.normalForce).c_str());
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(forceText(length(contact.frictionForce)).c_str());
+  }
+  ImGui::EndTable();
+}
+
+}  // namespace
+
+void showBody(Desk& desk, const Frame& frame) {
+  const SelectedBody& body = *frame.selected;
+  const float width = 310, room = float(desk.size.height) - kBarHeight - 30;
+  ImGui::SetNextWindowPos(ImVec2(float(desk.size.width) - width - 10, 10));
+  ImGui::SetNextWindowSize(ImVec2(width, std::min(room, body.contacts.empty() ? 300.0f : 470.0f)));
+  bool open = true;
+  constexpr ImGuiWindowFlags kFlags =
+      ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings;
+  if (ImGui::Begin((body.name + "###body").c_str(), &open, kFlags)) {
+    note(desk, "body");
+    if (!body.material.empty()) row("Material", body.material);
+    row("Mass", body.mass > 0 ? numberText(body.mass, "kg") : "fixed");
+    row("Speed", fmt::format("{:.3f} m/s", body.speed));
+    row("Spin", fmt::format("{:.2f} rad/s", body.spin));
+    row("Kinetic energy", numberText(body.kineticEnergy, "J"));
+    row("Centre of mass", placeText(body.centreOfMass));
+    row("Acceleration", fmt::format("{:.2f} m/s2", length(body.acceleration)));
+    const float half = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2;
+    actionButton(desk, Action::followSelected, "Follow it", ImVec2(half, 0));
+    ImGui::SameLine();
+    actionButton(desk, Action::removeSelected, "Remove it", ImVec2(half, 0));
+    showContacts(body);
+  }
+  ImGui::End();
+  if (!open) desk.send(Select{0});
+}
+
+}  // namespace brickfall::viewer

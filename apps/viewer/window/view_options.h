@@ -1,0 +1,42 @@
+// What is shown and how: what the keys and the panel switch, and the drawing reads.
+#pragma once
+#include <cstdint>
+
+#include "viewer_core/frame.h"
+
+namespace brickfall::viewer {
+
+enum class ShadowChoice : std::uint8_t { automatic, stencil, depth, none };
+constexpr int kShadowChoiceCount = 4;
+const char* nameOf(ShadowChoice choice);  // "stencil"; as --shadows takes it
+
+// Bodies beyond which automatic shadows are of the depth kind: what a volume of each costs in pixels grows with them, the map's
+// cost hardly does.
+constexpr int kMostStencilBodies = 300;
+
+struct ViewOptions {
+  // Views of the bodies; where several are on, the first of these that has something to say about a body gives its colour.
+  bool collisions = false;  // colliding bodies red
+  bool asleep = false;      // by activity
+  bool islands = false;     // a colour for each island
+  // How they are drawn.
+  bool wireframe = false;  // unshaded polygons
+  ShadowChoice shadows = ShadowChoice::automatic;
+  bool dust = true;
+  // Layers over them.
+  bool colliders = false, bounds = false, contacts = false;
+
+  FrameNeeds needs(bool plots) const;
+};
+
+// 0xRRGGBB and how much of it replaces the material's own look, 0 .. 1.
+struct BodyTint {
+  std::uint32_t colour = 0;
+  float strength = 0;
+};
+// What the views say about a body.
+BodyTint tintOf(const ListedBody& listed, const FrameBody& body, const ViewOptions& options);
+// A colour for each island, neighbours in number far apart in hue.
+std::uint32_t islandColour(int island);
+
+}  // namespace brickfall::viewer

@@ -1,0 +1,211 @@
+// A scene's run as bytes, and back: its world's snapshot, and what the run itself knows. Shapes of bodies are those that the
+// world has; names, roles and what they were made with stand here.
+//
+// Layout: magic, layout number, hash of what follows but the world's own bytes (they have their own); those bytes; the rest.
+#include "base/archive.h"
+#include "base/hash.h"
+#include "brickfall/limits.h"
+#include "brickfall/scene.h"
+
+namespace brickfall {
+
+namespace {
+
+constexpr std::uint64_t kMagic = 0x314e5552464b5242ull;
+constexpr std::uint32_t kLayout = 1;
+constexpr std::size_t kLeastBody = 100, kLeastMaterial = 20;  // bytes: a forged count can't claim much more memory
+
+struct Header {
+  std::uint64_t magic = kMagic;
+  std::uint32_t layout = kLayout;
+  std::uint32_t unused = 0;
+  std::uint64_t worldBytes = 0;
+  std::uint64_t hash = 0;
+};
+
+std::uint64_t hashOf(std::span<const std::byte> bytes) {
+  Hash hash;
+  for (std::byte b : bytes) hash.addByte(std::uint8_t(b));
+  return hash.value();
+}
+
+Error badSnapshot(const std::string& why) { return {ErrorCode::badFormat, "snapshot of a run: " + why}; }
+
+template <class Archive, class Text> void text(Archive& a, Text& s) {
+  std::vector<char> letters(s.begin(), s.end());
+  a.list(letters);
+  if constexpr (Archive::kReading) s.assign(letters.begin(), letters.end());
+}
+
+template <class Archive, class List> void length(Archive& a, List& list, std::size_t leastSize) {
+  const std::uint64_t n = a.count(list.size(), leastSize);
+  if constexpr (Archive::kReading) list.resize(std::size_t(n));
+}
+
+}  // namespace
+
+// What a run has besides its world, read before anything of it is changed.
+struct RunState {
+  double time = 0, timeStep = 0;
+  std::int32_t substeps = 1;
+  std::uint64_t stepsDone = 0;
+  std::vector<MaterialDef> materials;
+  std::vector<PlacedBody> bodies;
+  std::vector<std::uint32_t> waiting;  // places in bodies
+  std::vector<std::byte> reported;
+};
+
+class RunArchive {
+ public:
+  template <class Archive, class State> static void state(Archive& a, State& s) {
+    a.value(s.time);
+    a.value(s.timeStep);
+    a.value(s.substeps);
+    a.value(s.stepsDone);
+    length(a, s.materials, kLeastMaterial);
+    for (auto& def : s.materials) material(a, def);
+    length(a, s.bodies, kLeastBody);
+    for (auto& placed : s.bodies) body(a, placed);
+    a.list(s.waiting);
+    a.list(s.reported);
+  }
+
+  static RunState stateOf(const SceneRun& run) {
+    RunState s;
+    s.time = run.time_;
+    s.timeStep = run.scene_.timeStep;
+    s.substeps = run.scene_.substeps;
+    s.stepsDone = run.stepsDone_;
+    s.materials = run.scene_.materials;
+    for (const PlacedBody& body : run.bodies_) {
+      if (!run.world_.isValid(body.id)) continue;
+      for (BodyId id : run.waiting_)
+        if (id == body.id) s.waiting.push_back(std::uint32_t(s.bodies.size()));
+      s.bodies.push_back(body);
+    }
+    if (run.reported_) s.reported = run.reported_->snapshot();
+    return s;
+  }
+
+  static Status put(RunState&& s, std::span<const std::byte> world, SceneRun& run);
+
+ private:
+  template <class Archive, class Def> static void material(Archive& a, Def& d) {
+    text(a, d.name);
+    a.value(d.material.density);
+    a.value(d.material.friction);
+    a.value(d.material.restitution);
+    a.choice(d.material.frictionRule, CombineRule::maximum);
+    a.choice(d.material.restitutionRule, CombineRule::maximum);
+    a.value(d.colour);
+  }
+
+  template <class Archive, class Placed> static void body(Archive& a, Placed& b) {
+    a.value(b.id.index);
+    a.value(b.id.generation);
+    text(a, b.name);
+    a.choice(b.role, BodyRole(kBodyRoleCount - 1));
+    a.value(b.colour);
+    a.value(b.launchTime);
+    a.value(b.course);
+    a.value(b.place);
+    length(a, b.materials, sizeof(std::uint64_t));
+    for (auto& name : b.materials) text(a, name);
+    auto& d = b.def;
+    a.choice(d.type, BodyType::dynamic);
+    a.value(d.position);
+    a.value(d.rotation);
+    a.value(d.linearVelocity);
+    a.value(d.angularVelocity);
+    for (auto* number : {&d.gravityScale, &d.linearDamping, &d.angularDamping, &d.dragArea}) a.value(*number);
+    a.flag(d.allowSleep);
+    a.value(d.userData);
+  }
+};
+
+// The world is the last that can fail.
+Status RunArchive::put(RunState&& s, std::span<const std::byte> world, SceneRun& run) {
+  for (std::uint32_t place : s.waiting)
+    if (place >= s.bodies.size()) return badSnapshot("a launch of a body that it does not have");
+  if (run.reported_.has_value() == s.reported.empty()) return badSnapshot("made of a scene with another method");
+  std::vector<std::byte> before;
+  if (run.reported_) {
+    before = run.reported_->snapshot();
+    if (Status read = run.reported_->restore(s.reported, run.world_); !read) return read;
+  }
+  if (Status read = run.world_.restore(world); !read) {
+    if (run.reported_) (void)run.reported_->restore(before, run.world_).ok();
+    return read;
+  }
+  // Whom it has lost is told by the world as it is now.
+  if (run.reported_) (void)run.reported_->restore(s.reported, run.world_).ok();
+  std::vector<BodyId> byIndex;
+  for (BodyId id : run.world_.bodies()) {
+    if (id.index >= byIndex.size()) byIndex.resize(id.index + 1);
+    byIndex[id.index] = id;
+  }
+  run.waiting_.clear();
+  std::vector<PlacedBody> there;
+  for (std::size_t k = 0; k < s.bodies.size(); k++) {
+    PlacedBody& body = s.bodies[k];
+    const BodyId id = body.id.index < byIndex.size() ? byIndex[body.id.index] : BodyId{};
+    if (!id || id.generation != body.id.generation) continue;
+    body.id = id;
+    for (ShapeId shape : run.world_.shapes(id)) body.def.shapes.push_back(*run.world_.shape(shape));
+    for (std::uint32_t place : s.waiting)
+      if (place == k) run.waiting_.push_back(id);
+    there.push_back(std::move(body));
+  }
+  run.list(std::move(there));
+  run.scene_.world = run.world_.definition();
+  run.scene_.timeStep = s.timeStep;
+  run.scene_.substeps = s.substeps;
+  run.scene_.materials = std::move(s.materials);
+  run.stepsDone_ = s.stepsDone;
+  run.time_ = s.time;
+  return {};
+}
+
+std::vector<std::byte> SceneRun::snapshot() const {
+  WriteArchive rest;
+  RunState state = RunArchive::stateOf(*this);
+  RunArchive::state(rest, state);
+  const std::vector<std::byte> world = world_.snapshot(), own = rest.take();
+  Header header;
+  header.worldBytes = world.size();
+  header.hash = hashOf(own);
+  WriteArchive head;
+  head.value(header);
+  std::vector<std::byte> out = head.take();
+  out.reserve(out.size() + world.size() + own.size());
+  out.insert(out.end(), world.begin(), world.end());
+  out.insert(out.end(), own.begin(), own.end());
+  return out;
+}
+
+Status SceneRun::restore(std::span<const std::byte> snapshot) {
+  Header header;
+  if (snapshot.size() < sizeof header)
+    return badSnapshot("found " + std::to_string(snapshot.size()) + " bytes, expected at least " +
+                       std::to_string(sizeof header));
+  std::memcpy(&header, snapshot.data(), sizeof header);
+  if (header.magic != kMagic) return badSnapshot("these bytes are not one");
+  if (header.layout != kLayout)
+    return badSnapshot("made by another version (layout " + std::to_string(header.layout) + ", expected " +
+                       std::to_string(kLayout) + ")");
+  const std::span<const std::byte> rest = snapshot.subspan(sizeof header);
+  if (header.worldBytes > rest.size()) return badSnapshot("cut off");
+  const std::span<const std::byte> own = rest.subspan(std::size_t(header.worldBytes));
+  if (header.hash != hashOf(own)) return badSnapshot("damaged or cut off (its checksum differs)");
+  ReadArchive archive(own);
+  RunState state;
+  RunArchive::state(archive, state);
+  if (archive.failed() || !archive.atEnd()) return badSnapshot("its lists do not fit its length");
+  if (!(state.time >= 0) ||
+      !(state.timeStep >= limits::kShortestTimeStep && state.timeStep <= limits::kLongestTimeStep) ||
+      !(state.substeps >= 1 && state.substeps <= limits::kMostSubsteps))
+    return badSnapshot("its time is out of range");
+  return RunArchive::put(std::move(state), rest.first(std::size_t(header.worldBytes)), *this);
+}
+
+}  // namespace brickfall

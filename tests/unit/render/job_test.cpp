@@ -1,0 +1,103 @@
+// What is decided before anything is drawn: cameras, moments, settings; and the folder of pictures.
+#include "render/job.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "render/frame_store.h"
+#include "support/synthetic_take.h"
+
+namespace brickfall::render {
+namespace {
+
+TakeReader smallTake(bool cameras) {
+  const std::string path = testing::TempDir() + "brickfall_job_" + std::to_string(getpid()) + ".take";
+  test::SyntheticTake made = test::makeSyntheticTake({.courses = 2, .bricksPerCourse = 2, .frames = 61});
+  if (!cameras) made.header.cameras.clear();
+  EXPECT_EQ(test::writeTake(made, path), "");
+  Result<TakeReader> take = TakeReader::open(path);
+  std::filesystem::remove(path);
+  return std::move(take).value();
+}
+
+TEST(Job, CamerasGoByNameAndNumber) {
+  const TakeReader take = smallTake(true);
+  EXPECT_EQ(chooseCamera(take, "")->name, "front");
+  EXPECT_EQ(chooseCamera(take, "side")->name, "side");
+  EXPECT_EQ(chooseCamera(take, "2")->name, "side");
+  const Result<Camera> none = chooseCamera(take, "sied");
+  ASSERT_FALSE(none);
+  EXPECT_EQ(none.error().message, "--camera: found \"sied\", expected one of: front, side (did you mean \"side\"?)");
+  EXPECT_FALSE(chooseCamera(take, "3"));
+  const Result<Camera> made = chooseCamera(smallTake(false), "");
+  ASSERT_TRUE(made);
+  EXPECT_GT(length(made->position - made->target), 0.5);
+}
+
+TEST(Job, MomentsFollowRateSpeedAndRange) {
+  const TakeReader take = smallTake(true);  // 1 s
+  RenderOptions options;
+  EXPECT_EQ(momentsOf(take, options, OutputKind::film)->size(), 25u);
+  options.speed = 0.5;
+  EXPECT_EQ(momentsOf(take, options, OutputKind::film)->size(), 50u);
+  options.from = 0.5;
+  options.to = 0.6;
+  const std::vector<double> moments = *momentsOf(take, options, OutputKind::film);
+  ASSERT_EQ(moments.size(), 5u);
+  EXPECT_EQ(moments[0], 0.5);
+  EXPECT_NEAR(moments[4], 0.58, 1e-12);
+  EXPECT_EQ(*momentsOf(take, options, OutputKind::still), std::vector<double>{0.5});
+  options = {};
+  options.frame = 30;
+  EXPECT_NEAR(momentsOf(take, options, OutputKind::still)->at(0), 0.5, 1e-9);
+  options.frame = 61;
+  EXPECT_NE(momentsOf(take, options, OutputKind::still).error().message.find("--frame: found 61, expected 0 .. 60"),
+            std::string::npos);
+  options = {};
+  options.from = 1.5;
+  EXPECT_NE(momentsOf(take, options, OutputKind::film).error().message.find("--from: found 1.5"), std::string::npos);
+}
+
+TEST(Job, SunStandsOverTheLeftShoulderUnlessToldOtherwise) {
+  Camera camera;
+  camera.position = {0, 1, 5};
+  camera.target = {0, 1, 0};
+  const Sky sky = skyFor(camera, 0, {});
+  EXPECT_LT(sky.sun.x, -0.2f);
+  EXPECT_GT(sky.sun.z, 0.2f);
+  EXPECT_NEAR(skyFor(camera, 0, Sun{90, 30}).sun.x, std::sqrt(0.75), 1e-6);
+}
+
+TEST(FrameStore, GoesOnWithEqualSettingsOnly) {
+  const std::string folder = testing::TempDir() + "brickfall_store_" + std::to_string(getpid());
+  RenderOptions options;
+  const std::string settings = settingsText(options, "wall", 7, 4), others = settingsText(options, "wall", 7, 8);
+  options.threads = 9;  // changes no picture
+  EXPECT_EQ(settingsText(options, "wall", 7, 4), settings);
+  EXPECT_EQ(settingsDifference(settings, others), "found samples 4, expected samples 8");
+  EXPECT_NE(settingsDifference(settings, settingsText(options, "wall", 8, 4)).find("source"), std::string::npos);
+  {
+    const Result<FrameStore> store = FrameStore::open(folder, settings);
+    ASSERT_TRUE(store) << store.error().message;
+    EXPECT_FALSE(store->has(0));
+    std::ofstream(store->frame(0)) << "x";
+    EXPECT_TRUE(store->has(0));
+  }
+  ASSERT_TRUE(FrameStore::open(folder, settings));
+  const Result<FrameStore> refused = FrameStore::open(folder, others);
+  ASSERT_FALSE(refused);
+  EXPECT_NE(refused.error().message.find("samples 4, expected samples 8"), std::string::npos)
+      << refused.error().message;
+  FrameStore::open(folder, settings)->forgetSettings();
+  EXPECT_FALSE(FrameStore::open(folder, settings)) << "pictures of nobody knows what";
+  std::filesystem::remove(FrameStore::open(folder + "2", settings)->frame(0));
+  FrameStore::open(folder + "2", settings)->remove(1);
+  EXPECT_FALSE(std::filesystem::exists(folder + "2"));
+  std::filesystem::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace brickfall::render

@@ -1,0 +1,146 @@
+// Opening, saving and recording: mistakes with their line, files whole or not at all.
+#include "brickfall/take.h"
+#include "unit/viewer/viewer_support.h"
+#include "viewer_core/opening.h"
+#include "viewer_core/scene_menu.h"
+
+namespace brickfall::viewer {
+namespace {
+
+TEST(Files, AMistakeIsToldWithItsLineAndTheSceneStays) {
+  TestSession t(kWall, true);
+  t.pass(0.1);
+  TempFile bad("bad.toml", "[[wall]]\ncourses = 3\nbricks = -2\n");
+  EXPECT_FALSE(t.does(Open{bad.path(), {}, true}));
+  ASSERT_EQ(t.result.details.size(), 1u);
+  EXPECT_NE(t.result.details[0].find("bad.toml:3:"), std::string::npos) << t.result.details[0];
+  EXPECT_NE(t.serialOf("w/0/0"), 0u);
+  EXPECT_TRUE(t.frame()->status.running);
+  EXPECT_EQ(t.frame()->status.loading, "");
+  EXPECT_FALSE(t.does(Open{"wal", {}, true}));
+  EXPECT_NE(t.result.message.find("did you mean \"wall\""), std::string::npos) << t.result.message;
+  EXPECT_FALSE(t.does(Open{"no/such/file.toml", {}, true}));
+  EXPECT_NE(t.result.message.find("No such file"), std::string::npos) << t.result.message;
+}
+
+TEST(Files, AreToldApartBeforeAWindowOpens) {
+  TempFile bad("bad.toml", "[[wall]]\nbricks = -2\n"), noise("noise.take", std::string("\x89"
+                                                                                       "BFTAKE\nrest"));
+  EXPECT_EQ(lookAtOpening("wall", {}).exitCode, 0);
+  EXPECT_EQ(lookAtOpening("wall", {{"speed", "3"}}).exitCode, 0);
+  EXPECT_EQ(lookAtOpening("wall", {{"world.nonsense", "3"}}).exitCode, 2);
+  EXPECT_EQ(lookAtOpening("cheese", {}).exitCode, 2);
+  EXPECT_EQ(lookAtOpening("no/such.toml", {}).exitCode, 3);
+  EXPECT_EQ(lookAtOpening("/", {}).exitCode, 3);
+  EXPECT_EQ(lookAtOpening(bad.path(), {}).exitCode, 2);
+  EXPECT_EQ(lookAtOpening(bad.path(), {}).diagnostics.size(), 1u);
+  const Opening take = lookAtOpening(noise.path(), {});
+  EXPECT_EQ(take.kind, OpeningKind::take);
+  EXPECT_NE(take.exitCode, 0);
+  EXPECT_FALSE(take.problem.empty());
+  EXPECT_EQ(lookAtOpening(noise.path(), {{"a", "1"}}).exitCode, 2);
+}
+
+TEST(Files, ASavedStateGoesOnBitForBit) {
+  TempFile state("saved.state");
+  TestSession first(kWall, true);
+  first.pass(0.3);
+  first.does(ShootBall{{{0.4, 0.2, 1}, {0, 0, -1}}, 0.06, 7, "steel"});
+  first.does(ChangeSetting{"gravity.y", -7});
+  first.pass(0.2);
+  first.does(Pause{});
+  const std::uint64_t step = first.frame()->status.step;
+  ASSERT_TRUE(first.does(SaveState{state.path()})) << first.result.message;
+  EXPECT_NE(first.result.message.find("MB"), std::string::npos);
+  first.does(Step{40});
+
+  TestSession second;
+  ASSERT_TRUE(second.does(Open{state.path(), {}, false})) << second.result.message;
+  EXPECT_EQ(second.frame()->status.step, step);
+  EXPECT_EQ(second.frame()->info->title, "A small wall");
+  EXPECT_NE(second.serialOf("shot 1"), 0u);
+  second.does(Step{40});
+  EXPECT_EQ(stateOf(*second.frame()), stateOf(*first.frame()));
+  // From its beginning the scene needs no file.
+  ASSERT_TRUE(second.does(Restart{})) << second.result.message;
+  EXPECT_EQ(second.frame()->status.step, 0u);
+}
+
+TEST(Files, ADamagedStateIsRefused) {
+  TempFile state("saved.state");
+  TestSession t(kWall, true);
+  t.pass(0.1);
+  ASSERT_TRUE(t.does(SaveState{state.path()}));
+  const std::string good = state.read();
+  const std::string before = stateOf(*t.frame());
+  t.does(Pause{});
+  for (std::size_t length = 10; length < good.size(); length += 1 + good.size() / 25) {
+    state.write(good.substr(0, length));
+    EXPECT_FALSE(t.does(Open{state.path(), {}, false})) << length;
+    EXPECT_NE(t.result.message.find("saved.state"), std::string::npos) << t.result.message;
+  }
+  for (std::size_t at = 10; at < good.size(); at += 1 + good.size() / 25) {
+    std::string bad = good;
+    bad[at] = char(bad[at] ^ 0x5a);
+    state.write(bad);
+    EXPECT_FALSE(t.does(Open{state.path(), {}, false})) << at;
+  }
+  EXPECT_EQ(stateOf(*t.frame()), before);
+}
+
+TEST(Files, WhatCanNotBeWrittenIsSaidAndLeavesNothing) {
+  TestSession t(kWall, true);
+  EXPECT_FALSE(t.does(SaveState{"no/such/folder/x.state"}));
+  EXPECT_NE(t.result.message.find("no/such/folder/x.state"), std::string::npos) << t.result.message;
+  EXPECT_FALSE(t.does(StartRecording{"no/such/folder/x.take"}));
+  EXPECT_EQ(t.frame()->status.recording, "");
+  EXPECT_FALSE(t.does(StopRecording{}));
+}
+
+TEST(Files, RecordsFromNowOnUntilStopped) {
+  TempFile take("recorded.take");
+  TestSession t(kWall, true);
+  t.pass(0.5);
+  ASSERT_TRUE(t.does(StartRecording{take.path()})) << t.result.message;
+  t.pass(0.02);
+  EXPECT_EQ(t.frame()->status.recording, take.path());
+  EXPECT_FALSE(t.does(StartRecording{take.path()}));
+  t.does(ShootBall{{{0.4, 0.2, 1}, {0, 0, -1}}, 0.06, 7, "steel"});
+  t.pass(0.5);
+  EXPECT_FALSE(take.exists());
+  ASSERT_TRUE(t.does(StopRecording{})) << t.result.message;
+  const Result<TakeReader> read = TakeReader::open(take.path());
+  ASSERT_TRUE(read.ok()) << read.error().message;
+  EXPECT_TRUE(read->complete());
+  EXPECT_NEAR(double(read->frameCount()), 32, 3);
+  EXPECT_NEAR(read->frame(0)->time, 0.5, 0.02);
+  EXPECT_EQ(read->bodies().back().name, "shot 1");
+}
+
+TEST(Files, RewindingEndsARecordingWhole) {
+  TempFile take("rewound.take");
+  TestSession t(kWall, true);
+  t.pass(0.2);
+  ASSERT_TRUE(t.does(StartRecording{take.path()}));
+  t.pass(0.4);
+  ASSERT_TRUE(t.does(Rewind{0.3}));
+  EXPECT_EQ(t.frame()->status.recording, "");
+  EXPECT_TRUE(TakeReader::open(take.path())->complete());
+}
+
+TEST(Files, TheMenuHasTheReportsTestsAndAllShippedScenes) {
+  const std::vector<MenuGroup> menu = sceneMenu();
+  ASSERT_EQ(menu.size(), 2u);
+  ASSERT_EQ(menu[0].entries.size(), 4u);
+  EXPECT_EQ(menu[0].entries[0].scene, "cube");
+  EXPECT_EQ(menu[1].entries.size(), shippedScenes().size());
+  TestSession t;
+  for (const MenuEntry& entry : menu[0].entries) {
+    EXPECT_TRUE(t.does(Open{entry.scene, {}, false})) << t.result.message;
+    EXPECT_EQ(t.frame()->info->name, entry.scene);
+    EXPECT_FALSE(t.frame()->info->cameras.empty());
+  }
+}
+
+}  // namespace
+}  // namespace brickfall::viewer

@@ -1,0 +1,88 @@
+// A take played: the same frames as a live run's, scrubbed to any place.
+#include "unit/viewer/viewer_support.h"
+
+namespace brickfall::viewer {
+namespace {
+
+// Two seconds of the wall with a ball that comes after half a second.
+class Recorded : public testing::Test {
+ protected:
+  void SetUp() override {
+    TestSession t(kWall, true);
+    ASSERT_TRUE(t.does(StartRecording{take.path()}));
+    t.pass(0.5);
+    t.does(ShootBall{{{0.4, 0.2, 0.6}, {0, 0, -1}}, 0.06, 7, "steel"});
+    t.pass(1.5);
+    ASSERT_TRUE(t.does(StopRecording{}));
+    brick = t.body("w/4/1").pose;
+  }
+  TempFile take{"played.take"};
+  Transform brick;
+};
+
+TEST_F(Recorded, PlaysToItsEndAndStartsAgain) {
+  TestSession t;
+  ASSERT_TRUE(t.does(Open{take.path(), {}, true})) << t.result.message;
+  EXPECT_EQ(t.frame()->info->kind, RunKind::take);
+  EXPECT_EQ(t.frame()->info->title, "A small wall");
+  EXPECT_EQ(t.serialOf("shot 1"), 0u);
+  EXPECT_EQ(t.frame()->list->bodies.back().material, "brick");
+  t.pass(1);
+  EXPECT_NEAR(t.frame()->status.time, 1, 0.03);
+  EXPECT_NE(t.serialOf("shot 1"), 0u);
+  t.pass(2);
+  EXPECT_FALSE(t.frame()->status.running);
+  EXPECT_EQ(t.frame()->status.time, t.frame()->status.latest);
+  EXPECT_NEAR(length(t.body("w/4/1").pose.position - brick.position), 0, 1e-3);
+  ASSERT_TRUE(t.does(viewer::Run{}));
+  t.pass(0.1);
+  EXPECT_LT(t.frame()->status.time, 0.2);
+}
+
+TEST_F(Recorded, SeeksAndStepsEitherWay) {
+  TestSession t;
+  ASSERT_TRUE(t.does(Open{take.path(), {}, false}));
+  ASSERT_TRUE(t.does(Rewind{1}));
+  const std::string there = stateOf(*t.frame());
+  const std::uint64_t at = t.frame()->status.step;
+  EXPECT_NEAR(t.frame()->status.time, 1, 0.02);
+  ASSERT_TRUE(t.does(Step{10}));
+  EXPECT_EQ(t.frame()->status.step, at + 10);
+  ASSERT_TRUE(t.does(Step{-10}));
+  EXPECT_EQ(t.frame()->status.step, at);
+  EXPECT_EQ(stateOf(*t.frame()), there);
+  ASSERT_TRUE(t.does(Step{-900}));
+  EXPECT_EQ(t.frame()->status.step, 0u);
+  ASSERT_TRUE(t.does(Rewind{1e6}));
+  EXPECT_EQ(t.frame()->status.time, t.frame()->status.latest);
+  EXPECT_FALSE(t.does(Rewind{std::nan("")}));
+}
+
+TEST_F(Recorded, KnowsSpeedsForcesAndHits) {
+  TestSession t;
+  ASSERT_TRUE(t.does(Open{take.path(), {}, false}));
+  t.session.ask({false, true, false, false, false});
+  ASSERT_TRUE(t.does(Rewind{0.5}));
+  while (t.serialOf("shot 1") == 0 && t.frame()->status.step < 60) t.does(Step{1});
+  t.does(Step{1});
+  EXPECT_NEAR(t.body("shot 1").linearVelocity.z, -7, 0.1);
+  EXPECT_GT(t.body("w/0/1").contactForce, 10);
+  EXPECT_TRUE(t.body("w/0/1").touching);
+  ASSERT_TRUE(t.does(Step{12}));
+  EXPECT_LT(t.body("shot 1").sinceHit, 0.3f);
+  ASSERT_TRUE(t.does(Select{t.serialOf("shot 1")}));
+  EXPECT_EQ(t.frame()->selected->name, "shot 1");
+}
+
+TEST_F(Recorded, RefusesWhatNeedsAScene) {
+  TestSession t;
+  ASSERT_TRUE(t.does(Open{take.path(), {}, false}));
+  EXPECT_FALSE(t.does(ShootBall{{{0, 1, 1}, {0, 0, -1}}, 0.1, 5, "steel"}));
+  EXPECT_NE(t.result.message.find("take"), std::string::npos) << t.result.message;
+  EXPECT_FALSE(t.does(Undo{}));
+  EXPECT_FALSE(t.does(ChangeSetting{"gravity.y", 0}));
+  EXPECT_TRUE(t.does(Restart{}));
+}
+
+}  // namespace
+}  // namespace brickfall::viewer
