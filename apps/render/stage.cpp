@@ -199,13 +199,14 @@ bool same(const Transform& a, const Transform& b) { return a.position == b.posit
 }  // namespace
 
 // What did not change since the last picture stays as it is; if nothing did, nothing is built.
-void Stage::place(const Motion::Shutter& shutter) {
+bool Stage::place(const Motion::Shutter& shutter) {
   Impl& s = *impl_;
-  bool changed = false;
+  bool changed = false, elsewhere = !s.built;
   for (std::size_t k = 0; k < s.parts.size(); k++) {
     Part& part = s.parts[k];
     Placed& one = s.placed[k];
     const bool there = shutter.open.there[part.body];
+    elsewhere = elsewhere || there != one.shown;
     if (!there) {
       if (one.shown && one.instance) {
         rtcDetachGeometry(s.scene, unsigned(k));
@@ -217,6 +218,7 @@ void Stage::place(const Motion::Shutter& shutter) {
     const Transform open = shutter.open.poses[part.body] * one.local,
                     close = shutter.close.poses[part.body] * one.local;
     if (one.shown && same(open, one.open) && same(close, one.close)) continue;
+    elsewhere = true;
     one.open = open;
     one.close = close;
     part.sweep = sweepOf(open, close, one.radius);
@@ -239,10 +241,12 @@ void Stage::place(const Motion::Shutter& shutter) {
     plane.height = dot(s.parts[plane.part].origin, plane.normal);
     plane.shown = s.placed[plane.part].shown;
   }
-  if (!changed && s.built) return;
-  s.findBounds();
-  rtcCommitScene(s.scene);
+  if (changed || !s.built) {
+    s.findBounds();
+    rtcCommitScene(s.scene);
+  }
   s.built = true;
+  return elsewhere;
 }
 
 void Stage::Impl::findBounds() {
