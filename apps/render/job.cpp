@@ -213,14 +213,20 @@ int openAndPlan(Job& job, const std::string& takePath, cli::ProgressDisplay& dis
   return cli::kOk;
 }
 
+// Also one that an interrupt left unfinished.
+void removeTake(const std::string& path) {
+  std::error_code ignored;
+  fs::remove(path, ignored);
+  fs::remove(path + ".part", ignored);
+}
+
 int renderStill(Job& job, cli::ProgressDisplay& display) {
   const std::string takePath = job.options.output + ".take";
   int exitCode = openAndPlan(job, takePath, display);
   if (exitCode == cli::kOk)
     exitCode = paintAll(
         job, [&](std::size_t) { return job.options.output; }, display);
-  std::error_code ignored;
-  if (job.source.isScene) fs::remove(takePath, ignored);
+  if (job.source.isScene) removeTake(takePath);
   return exitCode;
 }
 
@@ -237,15 +243,17 @@ int renderMany(Job& job, cli::ProgressDisplay& display) {
   if (!store) return complainOf(store.error());
   const std::string takePath = cli::joinPath(job.folder, "scene.take");
   if (const int code = openAndPlan(job, takePath, display); code != cli::kOk) {
-    store->remove(0);  // unless pictures are there
+    if (!store->has(0)) {  // pictures of an earlier start stay
+      if (job.source.isScene) removeTake(takePath);
+      store->remove(0);
+    }
     return code;
   }
   int exitCode = paintAll(
       job, [&](std::size_t k) { return store->frame(k); }, display);
   if (exitCode == cli::kOk && job.kind == OutputKind::film) exitCode = encode(job, *store, program, display);
   if (exitCode != cli::kOk) return exitCode;
-  std::error_code ignored;
-  if (job.source.isScene) fs::remove(takePath, ignored);
+  if (job.source.isScene) removeTake(takePath);
   if (job.kind == OutputKind::folder || job.options.keepFrames)
     store->forgetSettings();
   else

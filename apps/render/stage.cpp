@@ -23,6 +23,7 @@ Vec3f toFloat(Vec3 v) { return {float(v.x), float(v.y), float(v.z)}; }
 Mat3f toFloat(const Mat3& m) { return {{toFloat(m.row[0]), toFloat(m.row[1]), toFloat(m.row[2])}}; }
 
 // Equal shapes have equal keys.
+static_assert(kShapeTypeCount == 6, "a new shape: what tells two of its kind apart");
 std::string keyOf(const ShapeDef& shape) {
   std::string key(1, char(shape.type));
   const auto add = [&](const void* bytes, std::size_t size) { key.append(static_cast<const char*>(bytes), size); };
