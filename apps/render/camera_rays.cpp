@@ -9,11 +9,11 @@ namespace {
 
 Vec3f toFloat(Vec3 v) { return {float(v.x), float(v.y), float(v.z)}; }
 
+}  // namespace
+
 bool samePose(const Camera& a, const Camera& b) {
   return a.position == b.position && a.target == b.target && a.fieldOfViewDegrees == b.fieldOfViewDegrees;
 }
-
-}  // namespace
 
 View viewOf(const Camera& camera) {
   const Vec3 forward = normalized(camera.target - camera.position);

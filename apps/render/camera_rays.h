@@ -9,6 +9,7 @@ struct View {
   Vec3f position, right, up, forward;  // right and up reach half the picture's height at distance 1
 };
 View viewOf(const Camera& camera);
+bool samePose(const Camera& a, const Camera& b);
 
 class CameraRays {
  public:

@@ -13,6 +13,8 @@ using appearance::brightness;
 
 constexpr int kRounds = 4;        // neighbours 1, 2, 4 and 8 pixels away: a mean over some 30 x 30
 constexpr float kLightRange = 3;  // standard deviations of noise that two neighbours may differ by; more blurs shade
+constexpr float kAroundShare =
+    0.5f;  // of the spread among neighbours that counts as noise: more blurs where shade ends
 constexpr float kLeastRange =
     0.04f;  // share of its light that may always differ: less keeps grains of pixels that are sure and wrong
 constexpr float kPlaneRange = 2;  // pixels' widths that a neighbour may lie off the surface
@@ -71,16 +73,21 @@ class Filter {
 constexpr float kWeights[2] = {0.5f, 0.25f};  // by distance, along each axis
 
 // That of one pixel, from few samples, is itself little to be trusted. After the first round it is a mean anyway.
+// Pixels that are sure and wrong, since both of their samples met the same, are found by how much they differ from those around them.
 float Filter::smoothVariance(int x, int y) const {
-  float sum = 0, weights = 0;
+  float variance = 0, light = 0, squares = 0, weights = 0;
   for (int j = std::max(y - 1, 0); j <= std::min(y + 1, picture_.height - 1); j++)
     for (int i = std::max(x - 1, 0); i <= std::min(x + 1, picture_.width - 1); i++) {
       const std::size_t k = index(i, j);
       const float weight = kWeights[std::abs(i - x)] * kWeights[std::abs(j - y)] * guides_[k].covered;
-      sum += weight * from_[k].value[3];
+      variance += weight * from_[k].value[3];
+      light += weight * from_[k].brightness;
+      squares += weight * from_[k].brightness * from_[k].brightness;
       weights += weight;
     }
-  return weights > 0 ? sum / weights : 0;
+  if (weights <= 0) return 0;
+  const float mean = light / weights, around = squares / weights - mean * mean;
+  return std::max(variance / weights, kAroundShare * around);
 }
 
 Light Filter::mean(int x, int y, int step) const {

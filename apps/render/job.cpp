@@ -75,16 +75,39 @@ int complainOf(const Error& error) {
   return error.code == ErrorCode::inputOutput || error.code == ErrorCode::badFormat ? cli::kFileError : cli::kBadInput;
 }
 
-// One picture; false where an interrupt came in between.
-Result<std::optional<Image>> paintMoment(const Job& job, Motion& motion, Stage& stage, const Sky& sky, double open) {
-  const double close = open + job.options.shutter * job.options.speed / job.options.framesPerSecond;
-  Result<Motion::Shutter> shutter = motion.between(open, close);
-  if (!shutter) return shutter.error();
-  stage.place(*shutter);
-  Image image = paint(stage, cameraAt(job.camera, open), cameraAt(job.camera, close), sky, job.paint);
-  if (cli::interruptCount() > 0) return std::optional<Image>();
-  return std::optional<Image>(std::move(image));
-}
+// Makes the pictures of a job, one after the other.
+class Painter {
+ public:
+  Painter(const Job& job, Stage stage)
+      : job_(job),
+        stage_(std::move(stage)),
+        motion_(*job.take),
+        sky_(skyFor(job.camera, job.moments[0], job.options.sun)) {}
+
+  // Null where an interrupt came in between.
+  Result<const Image*> at(double open) {
+    const double close = open + job_.options.shutter * job_.options.speed / job_.options.framesPerSecond;
+    Result<Motion::Shutter> shutter = motion_.between(open, close);
+    if (!shutter) return shutter.error();
+    const Camera first = cameraAt(job_.camera, open), last = cameraAt(job_.camera, close);
+    const bool elsewhere = stage_.place(*shutter);
+    // While all rests and the camera stands, one picture is as the other: it need not be drawn again.
+    if (elsewhere || job_.paint.width != image_.width || !samePose(first, first_) || !samePose(last, last_)) {
+      image_ = paint(stage_, first, last, sky_, job_.paint);
+      first_ = first;
+      last_ = last;
+    }
+    return cli::interruptCount() > 0 ? nullptr : &image_;
+  }
+
+ private:
+  const Job& job_;
+  Stage stage_;
+  Motion motion_;
+  Sky sky_;
+  Image image_;  // the last one
+  Camera first_, last_;
+};
 
 int interrupted(const Job& job, std::size_t done) {
   if (job.kind == OutputKind::still)
@@ -99,8 +122,7 @@ int interrupted(const Job& job, std::size_t done) {
 int paintAll(const Job& job, const std::function<std::string(std::size_t)>& fileOf, cli::ProgressDisplay& display) {
   Result<Stage> stage = Stage::create(*job.take);
   if (!stage) return complainOf(stage.error());
-  Motion motion(*job.take);
-  const Sky sky = skyFor(job.camera, job.moments[0], job.options.sun);
+  Painter painter(job, std::move(stage).value());
   const auto there = [&](std::size_t k) {
     std::error_code ignored;
     return job.kind != OutputKind::still && fs::exists(fileOf(k), ignored);
@@ -112,7 +134,7 @@ int paintAll(const Job& job, const std::function<std::string(std::size_t)>& file
   const Clock::time_point start = Clock::now();
   for (std::size_t k = 0; k < job.moments.size(); k++) {
     if (there(k)) continue;
-    Result<std::optional<Image>> image = paintMoment(job, motion, *stage, sky, job.moments[k]);
+    const Result<const Image*> image = painter.at(job.moments[k]);
     if (!image || !*image) display.finish();
     if (!image) return complainOf(image.error());
     if (!*image) return interrupted(job, work.done);
@@ -191,14 +213,20 @@ int openAndPlan(Job& job, const std::string& takePath, cli::ProgressDisplay& dis
   return cli::kOk;
 }
 
+// Also one that an interrupt left unfinished.
+void removeTake(const std::string& path) {
+  std::error_code ignored;
+  fs::remove(path, ignored);
+  fs::remove(path + ".part", ignored);
+}
+
 int renderStill(Job& job, cli::ProgressDisplay& display) {
   const std::string takePath = job.options.output + ".take";
   int exitCode = openAndPlan(job, takePath, display);
   if (exitCode == cli::kOk)
     exitCode = paintAll(
         job, [&](std::size_t) { return job.options.output; }, display);
-  std::error_code ignored;
-  if (job.source.isScene) fs::remove(takePath, ignored);
+  if (job.source.isScene) removeTake(takePath);
   return exitCode;
 }
 
@@ -215,15 +243,17 @@ int renderMany(Job& job, cli::ProgressDisplay& display) {
   if (!store) return complainOf(store.error());
   const std::string takePath = cli::joinPath(job.folder, "scene.take");
   if (const int code = openAndPlan(job, takePath, display); code != cli::kOk) {
-    store->remove(0);  // unless pictures are there
+    if (!store->has(0)) {  // pictures of an earlier start stay
+      if (job.source.isScene) removeTake(takePath);
+      store->remove(0);
+    }
     return code;
   }
   int exitCode = paintAll(
       job, [&](std::size_t k) { return store->frame(k); }, display);
   if (exitCode == cli::kOk && job.kind == OutputKind::film) exitCode = encode(job, *store, program, display);
   if (exitCode != cli::kOk) return exitCode;
-  std::error_code ignored;
-  if (job.source.isScene) fs::remove(takePath, ignored);
+  if (job.source.isScene) removeTake(takePath);
   if (job.kind == OutputKind::folder || job.options.keepFrames)
     store->forgetSettings();
   else

@@ -45,7 +45,9 @@ OpenedTake simulate(SceneRun& run, const std::string& takePath, cli::ProgressDis
   if (!recorder) return cli::complain(recorder.error().message), failed(cli::kFileError);
   const auto steps = std::uint64_t(std::max(1.0, std::round(run.scene().seconds / run.scene().timeStep)));
   for (std::uint64_t i = 0; i < steps; i++) {
-    if (cli::interruptCount() > 0) return failed(cli::interruptExitCode());
+    if (cli::interruptCount() > 0)
+      return display.finish(), cli::complain("interrupted while the scene was simulated: no picture was made"),
+             failed(cli::interruptExitCode());
     const Result<StepReport> report = run.step();
     if (!report) return cli::complainf("step {}: {}", i + 1, report.error().message), failed(cli::kInternalError);
     if (const Status written = recorder->afterStep(run, *report); !written)

@@ -23,6 +23,7 @@ Vec3f toFloat(Vec3 v) { return {float(v.x), float(v.y), float(v.z)}; }
 Mat3f toFloat(const Mat3& m) { return {{toFloat(m.row[0]), toFloat(m.row[1]), toFloat(m.row[2])}}; }
 
 // Equal shapes have equal keys.
+static_assert(kShapeTypeCount == 6, "a new shape: what tells two of its kind apart");
 std::string keyOf(const ShapeDef& shape) {
   std::string key(1, char(shape.type));
   const auto add = [&](const void* bytes, std::size_t size) { key.append(static_cast<const char*>(bytes), size); };
@@ -199,13 +200,14 @@ bool same(const Transform& a, const Transform& b) { return a.position == b.posit
 }  // namespace
 
 // What did not change since the last picture stays as it is; if nothing did, nothing is built.
-void Stage::place(const Motion::Shutter& shutter) {
+bool Stage::place(const Motion::Shutter& shutter) {
   Impl& s = *impl_;
-  bool changed = false;
+  bool changed = false, elsewhere = !s.built;
   for (std::size_t k = 0; k < s.parts.size(); k++) {
     Part& part = s.parts[k];
     Placed& one = s.placed[k];
     const bool there = shutter.open.there[part.body];
+    elsewhere = elsewhere || there != one.shown;
     if (!there) {
       if (one.shown && one.instance) {
         rtcDetachGeometry(s.scene, unsigned(k));
@@ -217,6 +219,7 @@ void Stage::place(const Motion::Shutter& shutter) {
     const Transform open = shutter.open.poses[part.body] * one.local,
                     close = shutter.close.poses[part.body] * one.local;
     if (one.shown && same(open, one.open) && same(close, one.close)) continue;
+    elsewhere = true;
     one.open = open;
     one.close = close;
     part.sweep = sweepOf(open, close, one.radius);
@@ -239,10 +242,12 @@ void Stage::place(const Motion::Shutter& shutter) {
     plane.height = dot(s.parts[plane.part].origin, plane.normal);
     plane.shown = s.placed[plane.part].shown;
   }
-  if (!changed && s.built) return;
-  s.findBounds();
-  rtcCommitScene(s.scene);
+  if (changed || !s.built) {
+    s.findBounds();
+    rtcCommitScene(s.scene);
+  }
   s.built = true;
+  return elsewhere;
 }
 
 void Stage::Impl::findBounds() {

@@ -48,7 +48,8 @@ class Stage {
   Stage& operator=(Stage&&) noexcept;
   ~Stage();
 
-  void place(const Motion::Shutter& shutter);
+  // False: nothing is elsewhere than it was, so that a picture from the same place would be the same.
+  bool place(const Motion::Shutter& shutter);
   // The nearest of what the ray meets. Any number of threads at once.
   Hit firstHit(const Ray& ray) const;
   bool isBlocked(const Ray& ray) const;

@@ -45,6 +45,7 @@ TEST_F(Render, badArgumentsAreOneLineAndLeaveNothing) {
       {{"--from", "soon"}, "--from: found \"soon\""},
       {{"--threads", "0"}, "--threads: found \"0\", expected a whole number from 1 to 64"},
       {{"--camera", "nobody", "-o", "x.png"}, "--camera: found \"nobody\", expected one of: main"},
+      {{"--camera", "nobody", "-o", "pictures/"}, "--camera: found \"nobody\""},
       {{"--frame", "999", "-o", "x.png"}, "--frame: found 999, expected 0 .. 36"},
       {{"--from", "9", "-o", "x.png"}, "--from: found 9, expected at most 0.6 s"},
       {{"-o", "film.avi"}, "--output: found \"film.avi\""},
@@ -57,7 +58,7 @@ TEST_F(Render, badArgumentsAreOneLineAndLeaveNothing) {
     const Finished refused = arguments.empty() ? run({}) : run(small(arguments));
     EXPECT_EQ(refused.exitCode, 2) << expected << refused.errors;
     EXPECT_TRUE(isOneComplaint(refused.errors, {expected}));
-    for (const char* left : {"x.png", "x.png.take", "film.mp4", "film.mp4.frames", "out"})
+    for (const char* left : {"x.png", "x.png.take", "film.mp4", "film.mp4.frames", "pictures", "out"})
       EXPECT_FALSE(exists(left)) << left << " after " << expected;
   }
 }

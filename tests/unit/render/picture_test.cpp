@@ -109,7 +109,8 @@ TEST_F(Pictures, DoNotDependOnThoseBefore) {
     stage->place(*motion.between(time, time + 0.02));
     EXPECT_FALSE(paint(*stage, view, view, skyFor(view, 0, {}), settings).bytes.empty());
   }
-  stage->place(*motion.between(0.38, 0.4));
+  EXPECT_TRUE(stage->place(*motion.between(0.38, 0.4)));
+  EXPECT_FALSE(stage->place(*motion.between(0.38, 0.4))) << "all is where it was";
   EXPECT_EQ(paint(*stage, view, view, skyFor(view, 0, {}), settings).bytes, still(0.38, 0, 4, 1, 0.02).bytes);
 }
 
