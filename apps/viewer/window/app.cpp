@@ -46,6 +46,7 @@ int App::run() {
     busy = busy || frame_->number != before || length(desk_.rig.view().position - eye) > 1e-5 ||
            length(desk_.rig.target() - target) > 1e-5 || blend_ < 1 || dust_.count() > 0 || !desk_.messages.empty();
     if (!hidden_) draw(seconds);
+    writeReports();
     sendCommands();
     keepCount(session_.now() - began);
     waitForNext(began, busy);
@@ -57,6 +58,7 @@ int App::run() {
     }
   }
   report("quit");
+  writeReports();
   return 0;
 }
 
@@ -181,6 +183,12 @@ void App::waitForNext(double began, bool busy) {
   }
 }
 
-void App::report(const std::string& why) { status_.write(why, desk_, *frame_, pictures_, lines_.count()); }
+void App::report(const std::string& why) { reports_.push_back(why); }
+
+void App::writeReports() {
+  for (const std::string& why : std::exchange(reports_, {})) {
+    status_.write(why, desk_, *frame_, pictures_, lines_.count());
+  }
+}
 
 }  // namespace brickfall::viewer

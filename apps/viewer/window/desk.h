@@ -42,6 +42,7 @@ struct Desk {
   std::vector<Command> commands;   // to be sent
   std::vector<Action> actions;     // pressed in the panel; done as if their key had been pressed
   std::map<std::string, Place> places;
+  std::vector<Place> covers;  // what the panel's windows cover
 
   // About the drawing, for the panel.
   WindowSize size;

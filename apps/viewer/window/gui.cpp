@@ -109,7 +109,9 @@ void Gui::take(const SDL_Event& event) {
   }
 }
 
-bool Gui::wantsMouse() const { return ImGui::GetIO().WantCaptureMouse; }
+bool Gui::wantsMouse() const {
+  return ImGui::IsAnyItemActive() || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+}
 bool Gui::wantsKeys() const { return ImGui::GetIO().WantTextInput; }
 
 void Gui::begin(double seconds) {

@@ -48,6 +48,7 @@ void showBody(Desk& desk, const Frame& frame) {
   constexpr ImGuiWindowFlags kFlags =
       ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings;
   if (ImGui::Begin((body.name + "###body").c_str(), &open, kFlags)) {
+    cover(desk);
     note(desk, "body");
     if (!body.material.empty()) row("Material", body.material);
     row("Mass", body.mass > 0 ? numberText(body.mass, "kg") : "fixed");

@@ -22,6 +22,7 @@ void showHelp(Desk& desk) {
   ImGui::SetNextWindowPos(ImVec2(float(desk.size.width) / 2, float(desk.size.height) / 2), 0, ImVec2(0.5f, 0.5f));
   ImGui::SetNextWindowSize(size);
   if (ImGui::Begin("Help", &desk.helpShown, ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoResize)) {
+    cover(desk);
     ImGui::Columns(size.x > 700 ? 3 : 1, nullptr, false);
     heading("Mouse");
     for (const MouseBinding& binding : mouseBindings()) {

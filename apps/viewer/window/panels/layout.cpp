@@ -24,6 +24,7 @@ void showTabs(Desk& desk, const Frame& frame) {
   ImGui::SetNextWindowSize(ImVec2(std::min(kPanelWidth, float(desk.size.width) - 2 * margin),
                                   float(desk.size.height) - kBarHeight - 3 * margin));
   if (ImGui::Begin("panel", nullptr, kFixed)) {
+    cover(desk);
     // Two rows of three: six names do not fit beside each other.
     static int open = 0;
     const float width = (ImGui::GetContentRegionAvail().x - 2 * ImGui::GetStyle().ItemSpacing.x) / 3;
@@ -47,6 +48,7 @@ void showTabs(Desk& desk, const Frame& frame) {
 
 void showPanel(Desk& desk, const Frame& frame, double now) {
   desk.places.clear();
+  desk.covers.clear();
   desk.figuresShown = false;
   if (desk.panelShown) {
     showTabs(desk, frame);

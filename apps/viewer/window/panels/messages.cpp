@@ -22,6 +22,7 @@ void showMessages(Desk& desk, const Frame& frame, double now) {
                                         ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings |
                                         ImGuiWindowFlags_NoFocusOnAppearing;
     if (ImGui::Begin(name.c_str(), nullptr, kFlags)) {
+      cover(desk);
       ImGui::PushTextWrapPos(width - 30);
       ImGui::TextUnformatted(message.text.c_str());
       for (const std::string& detail : message.details) ImGui::BulletText("%s", detail.c_str());

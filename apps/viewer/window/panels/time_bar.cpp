@@ -53,6 +53,7 @@ void showTimeBar(Desk& desk, const Frame& frame) {
   constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
                                       ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoSavedSettings;
   if (ImGui::Begin("time", nullptr, kFlags)) {
+    cover(desk);
     showButtons(desk, status);
     ImGui::SameLine();
     showState(frame);
