@@ -25,7 +25,7 @@ App::App(const Options& options, Session& session, NativeWindow& window, Rendere
   desk_.view.shadows = options.shadows;
   desk_.panelShown = options.panel;
   desk_.size = window.size();
-  desk_.card = renderer.card();
+  desk_.card = renderer.card().substr(0, renderer.card().find(" ("));
   desk_.menu = sceneMenu();
   started_ = lastReport_ = countFrom_ = session_.now();
 }

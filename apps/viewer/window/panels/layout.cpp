@@ -31,10 +31,12 @@ void showTabs(Desk& desk, const Frame& frame) {
     for (int i = 0; i < int(std::size(kTabs)); i++) {
       if (i % 3 != 0) ImGui::SameLine();
       const bool chosen = open == i;
-      if (chosen) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_TabActive));
+      const ImVec4 accent = ImGui::GetStyleColorVec4(ImGuiCol_TabActive);
+      if (chosen) ImGui::PushStyleColor(ImGuiCol_Button, accent);
+      if (chosen) ImGui::PushStyleColor(ImGuiCol_ButtonHovered, accent);
       if (ImGui::Button(kTabs[i].name, ImVec2(width, 0))) open = i;
       note(desk, kTabs[i].name);
-      if (chosen) ImGui::PopStyleColor();
+      if (chosen) ImGui::PopStyleColor(2);
     }
     ImGui::Separator();
     ImGui::BeginChild("content", ImVec2(0, 0), false, ImGuiWindowFlags_NoBackground);
