@@ -67,7 +67,7 @@ double History::earliest() const { return timeAt(window_); }
 
 bool History::due(double time) const {
   for (auto kept = kept_.rbegin(); kept != kept_.rend(); ++kept)
-    if (kept->change.empty()) return time >= kept->time + limits_.interval - kSlack;
+    if (kept->regular) return time >= kept->time + limits_.interval - kSlack;
   return true;
 }
 
@@ -145,6 +145,14 @@ void History::trim() {
     if (changes > limits_.mostUndos) kept->change.clear();
   }
   std::erase_if(kept_, [&](const Kept& kept) { return kept.moment < window_ && kept.change.empty(); });
+  // Those that only save time have half of the room.
+  const auto spare = [](const Kept& kept) { return !kept.regular && kept.change.empty(); };
+  while (bytes() > limits_.mostBytes / 2) {
+    const auto first = std::find_if(kept_.begin(), kept_.end(), spare);
+    if (first == kept_.end() || first + 1 == kept_.end()) break;
+    if (first->moment == window_) window_ = (first + 1)->moment;
+    kept_.erase(first);
+  }
   while (kept_.size() > 1 && bytes() > limits_.mostBytes) {
     kept_.pop_front();
     window_ = std::max(window_, kept_.front().moment);

@@ -44,7 +44,8 @@ struct Kept {
   PackedBytes bytes;  // of SceneRun::snapshot
   std::shared_ptr<const BodyList> list;
   std::optional<DragSpring> drag;
-  std::string change;  // that was about to be made: what Undo takes back; empty: kept because it was time
+  std::string change;    // that was about to be made: what Undo takes back; empty: none
+  bool regular = false;  // kept because it was time; without that and a change it only makes rewinding quicker
 };
 
 struct Logged {

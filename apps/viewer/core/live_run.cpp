@@ -75,7 +75,7 @@ void LiveRun::begin() {
   for (BodyId id : run_.world().bodies()) list->bodies.push_back(listed(run_, id, (*nextSerial_)++));
   list_ = std::move(list);
   history_.begin(run_.stepCount(), run_.time());
-  keep({});
+  keep({}, true);
 }
 
 // Those of the panel follow the run; what waits for a restart stays.
@@ -94,8 +94,9 @@ std::uint64_t LiveRun::settingsWait() const {
   return count;
 }
 
-void LiveRun::keep(const std::string& change) {
+void LiveRun::keep(const std::string& change, bool regular) {
   if (history_.keptAt(now(), change)) return;
+  workSinceKept_ = 0;
   Kept kept;
   kept.moment = now();
   kept.time = run_.time();
@@ -103,6 +104,7 @@ void LiveRun::keep(const std::string& change) {
   kept.list = list_;
   kept.drag = drag_;
   kept.change = change;
+  kept.regular = regular;
   history_.keep(std::move(kept));
 }
 
@@ -138,10 +140,8 @@ Status LiveRun::step() {
       recorder_.reset();
     }
   workSinceKept_ += report->milliseconds;
-  if (history_.due(run_.time()) || workSinceKept_ > kMostWork) {
-    keep({});
-    workSinceKept_ = 0;
-  }
+  const bool due = history_.due(run_.time());
+  if (due || workSinceKept_ > kMostWork) keep({}, due);
   return {};
 }
 

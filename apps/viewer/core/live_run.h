@@ -58,7 +58,7 @@ class LiveRun {
   Result<StepReport> advance();  // a step with the spring's force
   void hear(const StepReport& report);
   void sample(const StepReport& report);
-  void keep(const std::string& change);
+  void keep(const std::string& change, bool regular = false);
   void takeSettings();  // the run's into what is wanted
   void goOn();          // what lay ahead after a rewind is forgotten
   Status goTo(const Moment& moment);

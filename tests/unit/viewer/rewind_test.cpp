@@ -1,5 +1,5 @@
 // Undoing and rewinding: bit for bit, with commands in between; bounded in time and memory.
-#include <map>
+#include <thread>
 
 #include "unit/viewer/viewer_support.h"
 #include "viewer_core/live_run.h"
@@ -154,6 +154,37 @@ TEST(Rewind, MemoryIsBounded) {
   }
   EXPECT_GT(lone.run->history().earliest(), 0.5);
   ASSERT_TRUE(lone.run->rewind(lone.run->history().earliest()).ok());
+}
+
+Kept keptAt(std::uint64_t step, bool regular, std::string change = {}) {
+  Kept kept;
+  kept.moment.step = step;
+  kept.time = double(step);
+  kept.bytes = PackedBytes(std::vector<std::byte>(1000));
+  while (kept.bytes.size() == 1000) std::this_thread::yield();  // until it is compressed
+  kept.regular = regular;
+  kept.change = std::move(change);
+  return kept;
+}
+
+// Those that only save time go before any that rewinding needs.
+TEST(Rewind, SpareSnapshotsMakeRoomFirst) {
+  HistoryLimits limits;
+  limits.mostBytes = 24 * keptAt(0, true).bytes.size();
+  History history(limits);
+  history.begin(0, 0);
+  history.keep(keptAt(0, true));
+  for (std::uint64_t step = 1; step < 29; step++) {
+    history.stepped(double(step));
+    history.keep(keptAt(step, step % 4 == 0));
+  }
+  EXPECT_LE(history.bytes(), limits.mostBytes / 2 + keptAt(0, true).bytes.size());
+  EXPECT_EQ(history.earliest(), 0);
+  for (std::uint64_t step = 0; step < 29; step++) {
+    ASSERT_NE(history.before({step, 0}), nullptr);
+    EXPECT_LE(step - history.before({step, 0})->moment.step, 3u);
+  }
+  EXPECT_EQ(history.before({27, 0})->moment.step, 27u);
 }
 
 TEST(Rewind, BodiesKeepTheirSerialsAndNewOnesGetNewOnes) {
