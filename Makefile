@@ -10,7 +10,7 @@ SCENE ?= wall
 
 CONFIGURE = cmake -S . -B $(BUILD) $$(test -f $(BUILD)/CMakeCache.txt || echo -G Ninja -DCMAKE_BUILD_TYPE=$(BUILD_TYPE))
 
-.PHONY: help demo build test validate fuzz golden same-bits check bench install clean
+.PHONY: help demo build render test validate fuzz golden same-bits check bench install clean
 .DEFAULT_GOAL := help
 
 help:
@@ -21,6 +21,7 @@ help:
 	@echo "make golden             write the state hashes of the shipped scenes anew, after results were meant to change"
 	@echo "make same-bits          the same bits from every compiler, level of optimisation and instruction set at hand"
 	@echo "make build              build only: the command is then $(BUILD)/bin/brickfall"
+	@echo "make render             also brickfall render (pictures and films), with the packages that it needs"
 	@echo "make check              the tests and the rules of the source (tools/check)"
 	@echo "make bench              figures of the shipped scenes, as a table (tools/bench)"
 	@echo "make install PREFIX=... install command, library, scenes and CMake package (default /usr/local)"
@@ -36,6 +37,13 @@ build:
 
 demo: build
 	@$(BUILD)/bin/brickfall run $(SCENE) -o out/$(SCENE)
+
+# CMake looks again for what was missing before.
+render:
+	@tools/install-dependencies build render
+	@test -f $(BUILD)/build.ninja || { $(CONFIGURE) -DBRICKFALL_TESTS=OFF; }
+	@cmake -S . -B $(BUILD) -DBRICKFALL_RENDER=ON >/dev/null
+	@cmake --build $(BUILD) -j $(JOBS) --target brickfall_cli brickfall_render
 
 test:
 	@tools/install-dependencies build test

@@ -18,7 +18,7 @@ Error refused(const char* flag, std::string_view found, const std::string& expec
   return {ErrorCode::invalidArgument, fmt::format("{}: found \"{}\", expected {}", flag, found, expected)};
 }
 
-constexpr int kLeastSide = 16, kMostSide = 8192;
+constexpr int kLeastSide = 16, kMostSide = 4096;
 
 }  // namespace
 

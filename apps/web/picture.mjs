@@ -1,5 +1,5 @@
 // node apps/web/picture.mjs REPLAY.html OUT.png [frame=76] [view=0] [size=1280x640] [scale=1] [web=build/web]
-// A still of a replay page, drawn by a browser without a screen: how the pictures in the README are made. Needs chromium
+// A still of a replay page, drawn by a browser without a screen: to see what a change of the page looks like. Needs chromium
 // (or CHROMIUM=path) and the packages that building the page has put into build/web.
 import { createRequire } from 'node:module';
 import { resolve } from 'node:path';

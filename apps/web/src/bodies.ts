@@ -6,6 +6,7 @@ import {
 import type { Camera } from 'three';
 import { chance, forceShare, materialColour, scaleColour, speedShare, type ColourMode } from './colours';
 import { geometryOf } from './geometry';
+import { kindOf, type Kind } from './materials';
 import { groundMaterial } from './stage';
 import type { PartMeta, ShapeMeta, Take } from './tracks';
 
@@ -16,17 +17,19 @@ interface Group {
   locals: (Matrix4 | null)[]; // per instance: the part's place in its body
 }
 
-// Fired clay, close up: grain, dark inclusions, a little relief, and edges that are darker than faces.
-function clayMaterial(half: [number, number, number] | undefined): MeshStandardMaterial {
+// Fired clay, close up (concrete and stone are like it, but `fired` less): grain, dark inclusions, a little relief, and edges that are darker than faces.
+function clayMaterial(half: [number, number, number] | undefined, fired: number): MeshStandardMaterial {
   const material = new MeshStandardMaterial({ color: '#ffffff', roughness: 0.93, metalness: 0 });
   material.onBeforeCompile = (shader) => {
     shader.uniforms.uHalf = { value: new Vector3(...(half ?? [0, 0, 0])) };
+    shader.uniforms.uFired = { value: fired };
     shader.vertexShader = shader.vertexShader
       .replace('#include <common>', '#include <common>\nattribute float seed;\nvarying vec3 vLocal;\nvarying float vSeed;')
       .replace('#include <begin_vertex>', '#include <begin_vertex>\nvLocal = position;\nvSeed = seed;');
     shader.fragmentShader = shader.fragmentShader
       .replace('#include <common>', `#include <common>
         uniform vec3 uHalf;
+        uniform float uFired;
         varying vec3 vLocal;
         varying float vSeed;
         float clayHash(vec3 p) { p = fract(p * 0.1031); p += dot(p, p.zyx + 31.32); return fract((p.x + p.y) * p.z); }
@@ -45,9 +48,10 @@ function clayMaterial(half: [number, number, number] | undefined): MeshStandardM
           clayRelief = fineShown * (fine * 0.6 + smoothstep(0.6, 0.94, pit) * -0.9);
           float bloom = smoothstep(0.35, 0.9, clayNoise(q * 9.0 + 11.0)); // salts and lime that came to the face
           float bed = clayNoise(q * vec3(14.0, 60.0, 60.0));
-          diffuseColor.rgb *= 0.84 + 0.22 * coarse + 0.1 * bed + fineShown * 0.2 * (fine - 0.5) - fineShown * 0.26 * smoothstep(0.58, 0.92, pit);
+          float shade = 0.84 + 0.22 * coarse + 0.1 * bed + fineShown * 0.2 * (fine - 0.5) - fineShown * 0.26 * smoothstep(0.58, 0.92, pit);
+          diffuseColor.rgb *= mix(1.0, shade, 0.5 + 0.5 * uFired);
           float grey = dot(diffuseColor.rgb, vec3(0.3, 0.5, 0.2));
-          diffuseColor.rgb = mix(diffuseColor.rgb, vec3(grey) * vec3(1.12, 1.0, 0.9), 0.2 + 0.22 * bloom) * (1.0 + 0.12 * bloom);
+          diffuseColor.rgb = mix(diffuseColor.rgb, vec3(grey) * vec3(1.12, 1.0, 0.9), uFired * (0.2 + 0.22 * bloom)) * (1.0 + 0.12 * bloom * uFired);
           if (uHalf.x > 0.0) {
             vec3 d = uHalf - abs(vLocal);
             float edge = max(min(d.x, d.y), min(max(d.x, d.y), d.z)); // the middle one of the three
@@ -85,32 +89,40 @@ export class Bodies {
     this.materialColours = take.meta.bodies.map((_, body) => materialColour(take, body, new Color()));
     const members = new Map<string, { body: number; part: PartMeta }[]>();
     take.meta.bodies.forEach((meta, body) => {
-      for (const part of meta.parts) {
+      for (const [k, part] of meta.parts.entries()) {
         if (take.meta.shapes[part.shape].type === 'plane') continue;
-        const key = `${part.shape} ${meta.role}`;
+        const key = `${part.shape} ${kindOf(meta, k)} ${meta.role === 'ground'}`;
         const list = members.get(key) ?? [];
         list.push({ body, part });
         members.set(key, list);
       }
     });
-    for (const [key, list] of members) this.addGroup(Number(key.split(' ')[0]), key.split(' ')[1], list);
+    for (const [key, list] of members) this.addGroup(Number(key.split(' ')[0]), key.split(' ')[1] as Kind, list);
     this.outline = new LineSegments(new BufferGeometry(), new LineBasicMaterial({ color: '#ffe27a', depthTest: false, transparent: true }));
     this.outline.visible = false;
     this.outline.renderOrder = 5;
     scene.add(this.outline);
   }
 
-  private addGroup(shapeIndex: number, role: string, list: { body: number; part: PartMeta }[]): void {
+  private materialOf(kind: Kind, shape: ShapeMeta): MeshStandardMaterial {
+    switch (kind) {
+      case 'steel': return new MeshStandardMaterial({ roughness: 0.24, metalness: 0.8, envMap: this.scene.environment, envMapIntensity: 1.5 }); // the sky in it
+      case 'plain': return new MeshStandardMaterial({ roughness: 0.62, metalness: 0 });
+      case 'rubber': return new MeshStandardMaterial({ roughness: 0.5, metalness: 0 });
+      case 'concrete': case 'stone': case 'wood': case 'ground': return clayMaterial(shape.half, 0); // earth that is no floor, too
+      case 'brick': return clayMaterial(shape.half, 1);
+    }
+  }
+
+  private addGroup(shapeIndex: number, kind: Kind, list: { body: number; part: PartMeta }[]): void {
     const shape = this.take.meta.shapes[shapeIndex];
     const geometry = geometryOf(shape);
     if (!geometry) return;
-    let material: MeshStandardMaterial;
-    if (role === 'ground') material = groundMaterial();
-    else if (role === 'ball') material = new MeshStandardMaterial({ roughness: 0.24, metalness: 0.8, envMap: this.scene.environment, envMapIntensity: 1.5 }); // steel: the sky in it
-    else material = clayMaterial(shape.half);
+    const isFloor = this.take.meta.bodies[list[0].body].role === 'ground';
+    const material = isFloor ? groundMaterial() : this.materialOf(kind, shape);
     geometry.setAttribute('seed', new InstancedBufferAttribute(new Float32Array(list.map(({ body }) => chance(body, 9))), 1));
     const mesh = new InstancedMesh(geometry, material, list.length);
-    mesh.castShadow = role !== 'ground';
+    mesh.castShadow = !isFloor;
     mesh.receiveShadow = true;
     mesh.frustumCulled = false;
     const group = { mesh, shape, bodies: list.map(({ body }) => body), locals: list.map(({ part }) => localMatrix(part)) };

@@ -1,5 +1,6 @@
 // Colours of bodies: their material with a touch of difference from brick to brick, or a scale for speed and force.
 import { Color } from 'three';
+import { kindOf } from './materials';
 import type { Take } from './tracks';
 
 export type ColourMode = 'material' | 'speed' | 'force';
@@ -28,7 +29,9 @@ export function chance(body: number, salt: number): number {
 export function materialColour(take: Take, body: number, out: Color): Color {
   const meta = take.meta.bodies[body];
   out.setHex(meta.colour);
-  if (meta.role !== 'brick') return out;
+  const kind = kindOf(meta);
+  const spread = kind === 'wood' ? 0.1 : kind === 'stone' || kind === 'concrete' ? 0.05 : 0;
+  if (kind !== 'brick') return out.offsetHSL(0, 0, spread * (chance(body, 4) - 0.5));
   // As fired clay differs: mostly in lightness, a little in hue; one in nine burnt darker.
   const dark = chance(body, 3) < 0.11 ? -0.09 : 0;
   return out.offsetHSL((chance(body, 1) - 0.5) * 0.02, (chance(body, 2) - 0.5) * 0.1 - 0.06, (chance(body, 4) - 0.5) * 0.09 + dark);

@@ -20,6 +20,8 @@ export interface BodyMeta {
   role: 'ground' | 'brick' | 'ball' | 'body';
   colour: number;
   mass: number;
+  material?: string; // its name in the scene; left out: not known
+  partMaterials?: string[]; // one for each part, where they differ
   parts: PartMeta[];
   birth?: number; // the first frame in which it is there; left out: 0
   end?: number; // the first in which it no longer is; left out: it stays
@@ -29,6 +31,7 @@ export interface CameraMeta {
   position: [number, number, number];
   target: [number, number, number];
   fieldOfView: number;
+  path?: { time: number; position: [number, number, number]; target: [number, number, number]; fieldOfView: number }[]; // in a film
 }
 export interface TakeMeta {
   format: number;
