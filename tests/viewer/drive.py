@@ -40,7 +40,7 @@ def start_display(width, height):
 class Viewer:
     def __init__(self, program, arguments, folder, size=(640, 360), environment=None):
         self.folder, self.size = folder, size
-        self.server, self.display = start_display(size[0] + 260, size[1] + 240)
+        self.server, self.display = start_display(2 * size[0], 2 * size[1])
         self.environment = dict(os.environ, DISPLAY=self.display, **(environment or {}))
         self.status_path = os.path.join(folder, "status.jsonl")
         self.seen = 0

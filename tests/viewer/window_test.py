@@ -103,10 +103,10 @@ def select_and_drag(viewer):
 
 def turn_camera(viewer):
     before = viewer.now()["camera"]
-    viewer.point(450, 60)
+    viewer.point(600, 240)  # below what the viewer says
     viewer.mark()
     viewer.tool("mousedown", 3)
-    viewer.point(520, 90)
+    viewer.point(540, 200)
     viewer.pause_pictures()
     viewer.tool("mouseup", 3)
     viewer.wait(lambda s: sum(abs(a - b) for a, b in zip(s["camera"], before)) > 0.05, "dragging turns the camera")

@@ -75,9 +75,10 @@ void App::takeFrame() {
     if (run_ && run_->kind != RunKind::nothing) startOf(*run_);
   }
   if (desk_.selected != 0 && (!frame_->list || frame_->list->find(desk_.selected) < 0)) desk_.selected = 0;
-  if (!frame_->drag) desk_.hand.letGo();
-  FrameNeeds needs = desk_.view.needs(desk_.panelShown && desk_.figuresShown);
-  session_.ask(needs);
+  // Not yet is not no longer: the drag is in a frame only some time after it began.
+  if (wasDragged_ && !frame_->drag) desk_.hand.letGo();
+  wasDragged_ = frame_->drag.has_value();
+  session_.ask(desk_.view.needs(desk_.panelShown && desk_.figuresShown));
 }
 
 void App::startOf(const RunInfo& info) {

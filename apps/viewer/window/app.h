@@ -84,7 +84,7 @@ class App {
   Vec3 lastView_;
   std::size_t nextCamera_ = 0;
   std::vector<std::string> reports_;
-  bool quit_ = false, hidden_ = false;
+  bool quit_ = false, hidden_ = false, wasDragged_ = false;
   double started_ = 0, lastReport_ = 0, countFrom_ = 0;
   std::uint64_t pictures_ = 0, countPictures_ = 0;
 };
