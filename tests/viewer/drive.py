@@ -43,6 +43,9 @@ class Viewer:
         self.server, self.display = start_display(2 * size[0], 2 * size[1])
         self.environment = dict(os.environ, DISPLAY=self.display, **(environment or {}))
         self.status_path = os.path.join(folder, "status.jsonl")
+        preload = os.environ.get("BRICKFALL_VIEWER_PRELOAD")  # for the viewer alone, not for what drives it
+        if preload:
+            self.environment["LD_PRELOAD"] = preload
         self.seen = 0
         self.window = None
         self.errors = open(os.path.join(folder, "stderr.txt"), "w+")

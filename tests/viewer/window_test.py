@@ -145,6 +145,7 @@ def resize(viewer):
     viewer.mark()
     viewer.tool("windowmap", viewer.window_at())
     viewer.wait(lambda s: s["why"] == "shown", "notices that it is shown again")
+    viewer.tool("windowfocus", "--sync", viewer.window_at())  # which a window manager would do
 
 
 def tests(program):

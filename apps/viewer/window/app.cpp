@@ -19,8 +19,16 @@ constexpr double kIdleSeconds = 0.1;        // between pictures while nothing ch
 }  // namespace
 
 App::App(const Options& options, Session& session, NativeWindow& window, Renderer& renderer, StatusFile& status)
-    : options_(options), session_(session), window_(window), renderer_(renderer), status_(status), sky_(renderer.scene()),
-      bodies_(renderer), lines_(renderer.scene()), dust_(renderer.scene()), gui_(renderer.port(), window.size()),
+    : options_(options),
+      session_(session),
+      window_(window),
+      renderer_(renderer),
+      status_(status),
+      sky_(renderer.scene()),
+      bodies_(renderer),
+      lines_(renderer.scene()),
+      dust_(renderer.scene()),
+      gui_(renderer.port(), window.size()),
       frame_(session.latest()) {
   desk_.view.shadows = options.shadows;
   desk_.panelShown = options.panel;

@@ -10,8 +10,8 @@
 namespace brickfall::viewer {
 namespace {
 
-constexpr double kTurnPerPixel = 0.006;   // rad
-constexpr double kTurnPerSecond = 1.2;    // rad, by keys
+constexpr double kTurnPerPixel = 0.006;  // rad
+constexpr double kTurnPerSecond = 1.2;   // rad, by keys
 
 }  // namespace
 
@@ -116,7 +116,8 @@ PixelPlace App::shift() const {
 // By where the panel lay in the last picture: what ImGui itself says is of where the mouse was then.
 bool App::overPanel(int x, int y) const {
   const auto holds = [&](const Place& place) {
-    return float(x) >= place.x && float(x) < place.x + place.width && float(y) >= place.y && float(y) < place.y + place.height;
+    return float(x) >= place.x && float(x) < place.x + place.width && float(y) >= place.y &&
+           float(y) < place.y + place.height;
   };
   return gui_.wantsMouse() || std::any_of(desk_.covers.begin(), desk_.covers.end(), holds);
 }
@@ -165,7 +166,8 @@ void App::moveCamera(double seconds) {
   const auto axis = [this](Action plus, Action minus) {
     return double(heldKeys_.count(plus)) - double(heldKeys_.count(minus));
   };
-  const Vec3 keys{axis(Action::right, Action::left), axis(Action::up, Action::down), axis(Action::forward, Action::back)};
+  const Vec3 keys{axis(Action::right, Action::left), axis(Action::up, Action::down),
+                  axis(Action::forward, Action::back)};
   if (keys != Vec3{}) desk_.rig.move(keys * (fast_ ? 3.0 : 1.0), seconds);
   const double right = axis(Action::turnRight, Action::turnLeft), up = axis(Action::turnUp, Action::turnDown);
   if (right != 0 || up != 0) desk_.rig.turn(right * kTurnPerSecond * seconds, up * kTurnPerSecond * seconds);

@@ -10,7 +10,8 @@ TEST(ViewerOptions, sizesArePixelsByPixels) {
   ASSERT_TRUE(size);
   EXPECT_EQ(size->width, 800);
   EXPECT_EQ(size->height, 600);
-  for (const char* wrong : {"", "800", "x", "800x", "x600", "800x600x", "8e2x600", "319x200", "320x199", "9000x600", "-800x600", " 800x600"}) {
+  for (const char* wrong : {"", "800", "x", "800x", "x600", "800x600x", "8e2x600", "319x200", "320x199", "9000x600",
+                            "-800x600", " 800x600"}) {
     const Result<WindowSize> refused = parseSize(wrong);
     ASSERT_FALSE(refused) << wrong;
     EXPECT_NE(refused.error().message.find("--size: found '" + std::string(wrong) + "'"), std::string::npos);

@@ -23,7 +23,8 @@ Vec3 placeOf(const VolumeVertex& vertex) { return {vertex.x, vertex.y, vertex.z}
 double shadowArea(const ShadowGeometry& geometry, Vec3 sun) {
   double area = 0;
   for (std::size_t i = 0; i < geometry.caps().size(); i += 3) {
-    const Vec3 a = placeOf(geometry.vertices()[geometry.caps()[i]]), b = placeOf(geometry.vertices()[geometry.caps()[i + 1]]),
+    const Vec3 a = placeOf(geometry.vertices()[geometry.caps()[i]]),
+               b = placeOf(geometry.vertices()[geometry.caps()[i + 1]]),
                c = placeOf(geometry.vertices()[geometry.caps()[i + 2]]);
     area += 0.5 * dot(cross(b - a, c - a), sun);
   }
