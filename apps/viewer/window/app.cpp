@@ -52,7 +52,7 @@ int App::run() {
     const Vec3 eye = desk_.rig.view().position, target = desk_.rig.target();
     moveCamera(seconds);
     busy = busy || frame_->number != before || length(desk_.rig.view().position - eye) > 1e-5 ||
-           length(desk_.rig.target() - target) > 1e-5 || blend_ < 1 || dust_.count() > 0 || !desk_.messages.empty();
+           length(desk_.rig.target() - target) > 1e-5 || blend_ < 1;
     if (!hidden_) draw(seconds);
     writeReports();
     sendCommands();
