@@ -10,11 +10,12 @@ SCENE ?= wall
 
 CONFIGURE = cmake -S . -B $(BUILD) $$(test -f $(BUILD)/CMakeCache.txt || echo -G Ninja -DCMAKE_BUILD_TYPE=$(BUILD_TYPE))
 
-.PHONY: help demo build render test validate fuzz golden same-bits check bench install clean
+.PHONY: help demo build view render test validate fuzz golden same-bits check bench install clean
 .DEFAULT_GOAL := help
 
 help:
 	@echo "make demo               build, knock the wall down, leave out/wall/replay.html to watch (SCENE=hole for another)"
+	@echo "make view               build brickfall-view and open its window (SCENE=hole for another)"
 	@echo "make test               build everything and run every test"
 	@echo "make validate           the laws at full length: minutes of simulated time, many seeds, small steps"
 	@echo "make fuzz               made-up files thrown at every reader, five minutes each (needs clang)"
@@ -44,6 +45,13 @@ render:
 	@test -f $(BUILD)/build.ninja || { $(CONFIGURE) -DBRICKFALL_TESTS=OFF; }
 	@cmake -S . -B $(BUILD) -DBRICKFALL_RENDER=ON >/dev/null
 	@cmake --build $(BUILD) -j $(JOBS) --target brickfall_cli brickfall_render
+
+view:
+	@tools/install-dependencies build view
+	@test -f $(BUILD)/build.ninja || { $(CONFIGURE) -DBRICKFALL_TESTS=OFF; }
+	@cmake -S . -B $(BUILD) -DBRICKFALL_VIEWER=ON >/dev/null
+	@cmake --build $(BUILD) -j $(JOBS) --target brickfall_cli brickfall_view
+	@$(BUILD)/bin/brickfall view $(SCENE)
 
 test:
 	@tools/install-dependencies build test

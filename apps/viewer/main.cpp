@@ -23,7 +23,8 @@ void complain(const std::string& message) { std::fprintf(stderr, "brickfall-view
 
 void define(CLI::App& app, Options& options, Texts& texts) {
   app.name("brickfall-view");
-  app.description("Opens a window on a scene that runs live, or on a recorded take. Shoot at the wall, drag bricks, rewind.");
+  app.description(
+      "Opens a window on a scene that runs live, or on a recorded take. Shoot at the wall, drag bricks, rewind.");
   app.set_version_flag("--version", std::string("brickfall ") + versionString());
   app.add_option("opening", options.opening, "A shipped scene, a scene file, a take or a saved state (default: wall)")
       ->type_name("SCENE|TAKE");
@@ -33,11 +34,14 @@ void define(CLI::App& app, Options& options, Texts& texts) {
       ->take_all()
       ->expected(1)
       ->allow_extra_args(false);
-  app.add_option("--shadows", texts.shadows, "automatic (by the number of bodies), stencil, depth or none")->type_name("KIND");
+  app.add_option("--shadows", texts.shadows, "automatic (by the number of bodies), stencil, depth or none")
+      ->type_name("KIND");
   app.add_option("--size", texts.size, "Of the window in pixels (default: 1280x720)")->type_name("WIDTHxHEIGHT");
-  app.add_option("--samples", texts.samples, "Smooth edges: 0, 2, 4 or 8 samples a pixel (default: 4, without a graphics card 0)")
+  app.add_option("--samples", texts.samples,
+                 "Smooth edges: 0, 2, 4 or 8 samples a pixel (default: 4, without a graphics card 0)")
       ->type_name("N");
-  app.add_flag_callback("--no-panel", [&options] { options.panel = false; }, "Start without the panel (Tab shows it)");
+  app.add_flag_callback(
+      "--no-panel", [&options] { options.panel = false; }, "Start without the panel (Tab shows it)");
   app.add_option("--time", texts.seconds, "Quit after so many seconds")->type_name("S");
   app.add_option("--frames", texts.frames, "Draw so many pictures as fast as it goes, then quit")->type_name("N");
   app.add_option("--screenshot", options.screenshot, "Save the last picture before quitting")->type_name("PNG");

@@ -74,7 +74,8 @@ TakeRecorder::Describe descriptionsOf(const SceneRun& run) {
     body.colour = placed->colour;
     const std::vector<std::string>& materials = placed->materials;
     if (!materials.empty()) body.material = materials.front();
-    const bool differ = std::any_of(materials.begin(), materials.end(), [&](const auto& name) { return name != materials[0]; });
+    const bool differ =
+        std::any_of(materials.begin(), materials.end(), [&](const auto& name) { return name != materials[0]; });
     if (differ) body.shapeMaterials = materials;
     return body;
   };

@@ -79,7 +79,7 @@ constexpr MouseBinding kMouse[] = {
     {"Right button, drag", "Turn the camera"},
     {"Middle button, drag", "Move the camera across the picture"},
     {"Wheel", "Nearer and further; while dragging a body, bring it nearer or push it away"},
-    {"Double click", "Look at that point"},
+    {"Double click", "With the tool to select: look at that point"},
 };
 
 bool same(std::string_view a, std::string_view b) {

@@ -19,13 +19,21 @@ constexpr double kIdleSeconds = 0.1;        // between pictures while nothing ch
 }  // namespace
 
 App::App(const Options& options, Session& session, NativeWindow& window, Renderer& renderer, StatusFile& status)
-    : options_(options), session_(session), window_(window), renderer_(renderer), status_(status), sky_(renderer.scene()),
-      bodies_(renderer), lines_(renderer.scene()), dust_(renderer.scene()), gui_(renderer.port(), window.size()),
+    : options_(options),
+      session_(session),
+      window_(window),
+      renderer_(renderer),
+      status_(status),
+      sky_(renderer.scene()),
+      bodies_(renderer),
+      lines_(renderer.scene()),
+      dust_(renderer.scene()),
+      gui_(renderer.port(), window.size()),
       frame_(session.latest()) {
   desk_.view.shadows = options.shadows;
   desk_.panelShown = options.panel;
   desk_.size = window.size();
-  desk_.card = renderer.card();
+  desk_.card = renderer.card().substr(0, renderer.card().find(" ("));
   desk_.menu = sceneMenu();
   started_ = lastReport_ = countFrom_ = session_.now();
 }
@@ -44,8 +52,9 @@ int App::run() {
     const Vec3 eye = desk_.rig.view().position, target = desk_.rig.target();
     moveCamera(seconds);
     busy = busy || frame_->number != before || length(desk_.rig.view().position - eye) > 1e-5 ||
-           length(desk_.rig.target() - target) > 1e-5 || blend_ < 1 || dust_.count() > 0 || !desk_.messages.empty();
+           length(desk_.rig.target() - target) > 1e-5 || blend_ < 1;
     if (!hidden_) draw(seconds);
+    writeReports();
     sendCommands();
     keepCount(session_.now() - began);
     waitForNext(began, busy);
@@ -57,6 +66,7 @@ int App::run() {
     }
   }
   report("quit");
+  writeReports();
   return 0;
 }
 
@@ -73,9 +83,10 @@ void App::takeFrame() {
     if (run_ && run_->kind != RunKind::nothing) startOf(*run_);
   }
   if (desk_.selected != 0 && (!frame_->list || frame_->list->find(desk_.selected) < 0)) desk_.selected = 0;
-  if (!frame_->drag) desk_.hand.letGo();
-  FrameNeeds needs = desk_.view.needs(desk_.panelShown && desk_.figuresShown);
-  session_.ask(needs);
+  // Not yet is not no longer: the drag is in a frame only some time after it began.
+  if (wasDragged_ && !frame_->drag) desk_.hand.letGo();
+  wasDragged_ = frame_->drag.has_value();
+  session_.ask(desk_.view.needs(desk_.panelShown && desk_.figuresShown));
 }
 
 void App::startOf(const RunInfo& info) {
@@ -181,6 +192,12 @@ void App::waitForNext(double began, bool busy) {
   }
 }
 
-void App::report(const std::string& why) { status_.write(why, desk_, *frame_, pictures_, lines_.count()); }
+void App::report(const std::string& why) { reports_.push_back(why); }
+
+void App::writeReports() {
+  for (const std::string& why : std::exchange(reports_, {})) {
+    status_.write(why, desk_, *frame_, pictures_, lines_.count());
+  }
+}
 
 }  // namespace brickfall::viewer

@@ -4,6 +4,7 @@
 #include <memory>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "viewer_core/picking.h"
 #include "viewer_core/session.h"
@@ -37,6 +38,7 @@ class App {
   void takeWindowEvent(const SDL_Event& event);
   void takeKey(const SDL_Event& event);
   void takeMouse(const SDL_Event& event);
+  bool overPanel(int x, int y) const;
   void moveCamera(double seconds);
   Ray rayAt(double x, double y) const;  // pixels of the window
   PixelPlace shift() const;             // of the view's middle: the panel covers a part of the window
@@ -57,7 +59,8 @@ class App {
   void keepCount(double seconds);
   void waitForNext(double began, bool busy);
   bool finished() const;
-  void report(const std::string& why);
+  void report(const std::string& why);  // once the next picture shows it
+  void writeReports();
 
   const Options& options_;
   Session& session_;
@@ -80,7 +83,8 @@ class App {
   int turning_ = 0;    // mouse button that turns (3) or moves (2) the camera
   Vec3 lastView_;
   std::size_t nextCamera_ = 0;
-  bool quit_ = false, hidden_ = false;
+  std::vector<std::string> reports_;
+  bool quit_ = false, hidden_ = false, wasDragged_ = false;
   double started_ = 0, lastReport_ = 0, countFrom_ = 0;
   std::uint64_t pictures_ = 0, countPictures_ = 0;
 };

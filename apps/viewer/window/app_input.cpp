@@ -1,6 +1,7 @@
 // Events of the window: who is to act on each, and what the mouse means.
 #include <SDL.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "viewer_window/app.h"
@@ -9,8 +10,8 @@
 namespace brickfall::viewer {
 namespace {
 
-constexpr double kTurnPerPixel = 0.006;   // rad
-constexpr double kTurnPerSecond = 1.2;    // rad, by keys
+constexpr double kTurnPerPixel = 0.006;  // rad
+constexpr double kTurnPerSecond = 1.2;   // rad, by keys
 
 }  // namespace
 
@@ -112,14 +113,30 @@ PixelPlace App::shift() const {
   return {kPanelWidth / 2, -kBarHeight / 2};
 }
 
+// By where the panel lay in the last picture: what ImGui itself says is of where the mouse was then.
+bool App::overPanel(int x, int y) const {
+  const auto holds = [&](const Place& place) {
+    return float(x) >= place.x && float(x) < place.x + place.width && float(y) >= place.y &&
+           float(y) < place.y + place.height;
+  };
+  return gui_.wantsMouse() || std::any_of(desk_.covers.begin(), desk_.covers.end(), holds);
+}
+
 void App::takeMouse(const SDL_Event& event) {
   const auto sendAll = [this](std::vector<Command> commands) {
     for (Command& command : commands) desk_.send(std::move(command));
   };
-  if (event.type == SDL_MOUSEBUTTONDOWN && !gui_.wantsMouse()) {
+  if (event.type == SDL_MOUSEBUTTONDOWN) {
+    if (overPanel(event.button.x, event.button.y)) return;
     if (event.button.button == SDL_BUTTON_LEFT) {
       const Ray ray = rayAt(event.button.x, event.button.y);
-      sendAll(desk_.hand.press(ray, desk_.rig.view(), picker_.pick(*frame_, ray, blend_)));
+      const std::optional<PickHit> hit = picker_.pick(*frame_, ray, blend_);
+      sendAll(desk_.hand.press(ray, desk_.rig.view(), hit));
+      if (event.button.clicks == 2 && hit && desk_.hand.tool == Tool::select) {
+        Camera there = desk_.rig.asCamera();
+        there.target = hit->point;
+        desk_.rig.goTo(there);
+      }
     } else {
       turning_ = event.button.button;
     }
@@ -133,9 +150,10 @@ void App::takeMouse(const SDL_Event& event) {
     } else if (turning_ == SDL_BUTTON_MIDDLE) {
       desk_.rig.drag(event.motion.xrel, event.motion.yrel, {desk_.size.width, desk_.size.height});
     }
-  } else if (event.type == SDL_MOUSEWHEEL && !gui_.wantsMouse()) {
+  } else if (event.type == SDL_MOUSEWHEEL) {
     int x = 0, y = 0;
     SDL_GetMouseState(&x, &y);
+    if (overPanel(x, y)) return;
     if (desk_.hand.dragging()) {
       sendAll(desk_.hand.wheel(event.wheel.y, rayAt(x, y), desk_.rig.view()));
     } else {
@@ -148,7 +166,8 @@ void App::moveCamera(double seconds) {
   const auto axis = [this](Action plus, Action minus) {
     return double(heldKeys_.count(plus)) - double(heldKeys_.count(minus));
   };
-  const Vec3 keys{axis(Action::right, Action::left), axis(Action::up, Action::down), axis(Action::forward, Action::back)};
+  const Vec3 keys{axis(Action::right, Action::left), axis(Action::up, Action::down),
+                  axis(Action::forward, Action::back)};
   if (keys != Vec3{}) desk_.rig.move(keys * (fast_ ? 3.0 : 1.0), seconds);
   const double right = axis(Action::turnRight, Action::turnLeft), up = axis(Action::turnUp, Action::turnDown);
   if (right != 0 || up != 0) desk_.rig.turn(right * kTurnPerSecond * seconds, up * kTurnPerSecond * seconds);

@@ -19,7 +19,9 @@ constexpr double kShadowReach = 3;  // sizes of the scene
 }  // namespace
 
 BodyDrawer::BodyDrawer(Renderer& renderer)
-    : renderer_(renderer), node_(renderer.scene().getRootSceneNode()->createChildSceneNode()), looks_(renderer.fine()),
+    : renderer_(renderer),
+      node_(renderer.scene().getRootSceneNode()->createChildSceneNode()),
+      looks_(renderer.fine()),
       depth_(renderer.scene()) {
   Ogre::Root::getSingleton().addMovableObjectFactory(&volumesFactory_);
   volumes_ = static_cast<ShadowVolumes*>(renderer_.scene().createMovableObject("volumes", ShadowVolumesFactory::kType));
@@ -82,7 +84,8 @@ void BodyDrawer::tint(Instance& instance, const BodyTint& tint, bool flat) {
   if (tint.strength <= 0) return;
   const auto colour = parts(tint.colour);
   // The polygon view shows the tint alone, so there it must hold the body's own colour as well.
-  for (int k = 0; k < 3; k++) instance.tint[k] = flat ? instance.tint[k] + (colour[k] - instance.tint[k]) * tint.strength : colour[k];
+  for (int k = 0; k < 3; k++)
+    instance.tint[k] = flat ? instance.tint[k] + (colour[k] - instance.tint[k]) * tint.strength : colour[k];
   instance.tinted = tint.strength;
 }
 

@@ -11,8 +11,8 @@
 #include "viewer_window/depth_shadows.h"
 #include "viewer_window/instance_batch.h"
 #include "viewer_window/looks.h"
-#include "viewer_window/shadow_volumes.h"
 #include "viewer_window/renderer.h"
+#include "viewer_window/shadow_volumes.h"
 #include "viewer_window/view_options.h"
 
 namespace brickfall::viewer {

@@ -9,8 +9,8 @@ namespace {
 constexpr std::uint32_t kMoving = 0x38E070, kSleeping = 0x5A8CE8, kFixed = 0xB8B8B8, kLost = 0xE040E0;
 constexpr std::uint32_t kBounds = 0xF0C030, kPressing = 0xFF5030, kNear = 0x60D0FF, kFriction = 0xFFE060;
 constexpr std::uint32_t kSpring = 0xFF40C0, kSelected = 0xFFFFFF;
-constexpr double kNormalLength = 0.04;   // m, of a contact that does not press
-constexpr double kLongestForce = 0.6;    // m
+constexpr double kNormalLength = 0.04;     // m, of a contact that does not press
+constexpr double kLongestForce = 0.6;      // m
 constexpr std::size_t kMostBounds = 6000;  // a picture of more boxes is a blot, and slow
 
 std::uint32_t colourOf(Activity activity) {
@@ -28,7 +28,8 @@ std::uint32_t colourOf(Activity activity) {
 
 void addShape(Lines& lines, const ShapeDef& shape, const Transform& body, std::uint32_t colour) {
   const Transform pose = body * shape.local;
-  const Vec3 x = rotate(pose.rotation, {1, 0, 0}), y = rotate(pose.rotation, {0, 1, 0}), z = rotate(pose.rotation, {0, 0, 1});
+  const Vec3 x = rotate(pose.rotation, {1, 0, 0}), y = rotate(pose.rotation, {0, 1, 0}),
+             z = rotate(pose.rotation, {0, 0, 1});
   const double r = shape.radius;
   switch (shape.type) {
     case ShapeType::box:
@@ -41,7 +42,8 @@ void addShape(Lines& lines, const ShapeDef& shape, const Transform& body, std::u
       break;
     case ShapeType::capsule: {
       const Vec3 end = y * shape.halfHeight;
-      for (const Vec3 middle : {pose.position - end, pose.position + end}) lines.addCircle(middle, x * r, z * r, colour);
+      for (const Vec3 middle : {pose.position - end, pose.position + end})
+        lines.addCircle(middle, x * r, z * r, colour);
       for (const Vec3 side : {x * r, z * r, x * -r, z * -r}) {
         lines.add(pose.position - end + side, pose.position + end + side, colour);
       }
@@ -75,7 +77,8 @@ void addContacts(Lines& lines, const Frame& frame) {
     lines.add(contact.point - Vec3{0, 0, cross}, contact.point + Vec3{0, 0, cross}, colour);
     const double friction = length(contact.frictionForce);
     if (friction > 1e-3) {
-      lines.add(contact.point, contact.point + contact.frictionForce * (lengthOf(friction, unit) / friction), kFriction);
+      lines.add(contact.point, contact.point + contact.frictionForce * (lengthOf(friction, unit) / friction),
+                kFriction);
     }
   }
 }

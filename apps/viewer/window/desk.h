@@ -35,13 +35,15 @@ struct Desk {
   Hand hand;
   CameraRig rig;
   Serial selected = 0;
-  bool panelShown = true, helpShown = false, figuresShown = false;  // figuresShown: the tab is open, so plots are gathered
-  std::string filePath, statePath, takePath;                        // what is typed into the fields
+  bool panelShown = true, helpShown = false,
+       figuresShown = false;                  // figuresShown: the tab is open, so plots are gathered
+  std::string filePath, statePath, takePath;  // what is typed into the fields
   std::vector<MenuGroup> menu;
   std::vector<Message> messages;
-  std::vector<Command> commands;   // to be sent
-  std::vector<Action> actions;     // pressed in the panel; done as if their key had been pressed
+  std::vector<Command> commands;  // to be sent
+  std::vector<Action> actions;    // pressed in the panel; done as if their key had been pressed
   std::map<std::string, Place> places;
+  std::vector<Place> covers;  // what the panel's windows cover
 
   // About the drawing, for the panel.
   WindowSize size;

@@ -17,9 +17,9 @@ namespace brickfall::viewer {
 namespace {
 
 constexpr std::size_t kMostPuffs = 400;
-constexpr double kLife = 1.6;         // s, simulated
-constexpr double kLeastSpeed = 0.8;      // m/s: what is slower raises none
-constexpr double kLeastRest = 0.15;   // s between two puffs of a body that goes on being hit
+constexpr double kLife = 1.6;        // s, simulated
+constexpr double kLeastSpeed = 0.8;  // m/s: what is slower raises none
+constexpr double kLeastRest = 0.15;  // s between two puffs of a body that goes on being hit
 
 struct Vertex {
   float place[3];
@@ -77,7 +77,9 @@ void Dust::setSun(Vec3 towardsSun) {
 void Dust::puff(const Frame& frame, std::size_t body, std::uint32_t salt) {
   const ListedBody& listed = frame.list->bodies[body];
   const FrameBody& state = frame.bodies[body];
-  const auto any = [&](std::uint32_t which) { return double(appearance::chance(listed.serial * 31 + which, salt)) * 2 - 1; };
+  const auto any = [&](std::uint32_t which) {
+    return double(appearance::chance(listed.serial * 31 + which, salt)) * 2 - 1;
+  };
   Puff made;
   made.born = frame.status.time;
   const double size = std::min(listed.radius, 0.25);

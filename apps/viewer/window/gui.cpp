@@ -20,16 +20,24 @@ namespace {
 
 // ImGui's own names for keys that mean something in a text.
 void nameKeys(ImGuiIO& io) {
-  const std::pair<int, SDL_Scancode> kKeys[] = {
-      {ImGuiKey_Tab, SDL_SCANCODE_TAB},         {ImGuiKey_LeftArrow, SDL_SCANCODE_LEFT},
-      {ImGuiKey_RightArrow, SDL_SCANCODE_RIGHT}, {ImGuiKey_UpArrow, SDL_SCANCODE_UP},
-      {ImGuiKey_DownArrow, SDL_SCANCODE_DOWN},   {ImGuiKey_Home, SDL_SCANCODE_HOME},
-      {ImGuiKey_End, SDL_SCANCODE_END},          {ImGuiKey_Delete, SDL_SCANCODE_DELETE},
-      {ImGuiKey_Backspace, SDL_SCANCODE_BACKSPACE}, {ImGuiKey_Enter, SDL_SCANCODE_RETURN},
-      {ImGuiKey_KeyPadEnter, SDL_SCANCODE_KP_ENTER}, {ImGuiKey_Escape, SDL_SCANCODE_ESCAPE},
-      {ImGuiKey_A, SDL_SCANCODE_A},              {ImGuiKey_C, SDL_SCANCODE_C},
-      {ImGuiKey_V, SDL_SCANCODE_V},              {ImGuiKey_X, SDL_SCANCODE_X},
-      {ImGuiKey_Y, SDL_SCANCODE_Y},              {ImGuiKey_Z, SDL_SCANCODE_Z}};
+  const std::pair<int, SDL_Scancode> kKeys[] = {{ImGuiKey_Tab, SDL_SCANCODE_TAB},
+                                                {ImGuiKey_LeftArrow, SDL_SCANCODE_LEFT},
+                                                {ImGuiKey_RightArrow, SDL_SCANCODE_RIGHT},
+                                                {ImGuiKey_UpArrow, SDL_SCANCODE_UP},
+                                                {ImGuiKey_DownArrow, SDL_SCANCODE_DOWN},
+                                                {ImGuiKey_Home, SDL_SCANCODE_HOME},
+                                                {ImGuiKey_End, SDL_SCANCODE_END},
+                                                {ImGuiKey_Delete, SDL_SCANCODE_DELETE},
+                                                {ImGuiKey_Backspace, SDL_SCANCODE_BACKSPACE},
+                                                {ImGuiKey_Enter, SDL_SCANCODE_RETURN},
+                                                {ImGuiKey_KeyPadEnter, SDL_SCANCODE_KP_ENTER},
+                                                {ImGuiKey_Escape, SDL_SCANCODE_ESCAPE},
+                                                {ImGuiKey_A, SDL_SCANCODE_A},
+                                                {ImGuiKey_C, SDL_SCANCODE_C},
+                                                {ImGuiKey_V, SDL_SCANCODE_V},
+                                                {ImGuiKey_X, SDL_SCANCODE_X},
+                                                {ImGuiKey_Y, SDL_SCANCODE_Y},
+                                                {ImGuiKey_Z, SDL_SCANCODE_Z}};
   for (const auto& [name, code] : kKeys) io.KeyMap[name] = code;
 }
 
@@ -102,14 +110,17 @@ void Gui::take(const SDL_Event& event) {
       break;
     case SDL_WINDOWEVENT:
       if (event.window.event == SDL_WINDOWEVENT_LEAVE) io.MousePos = ImVec2(-1e9f, -1e9f);
-      if (event.window.event == SDL_WINDOWEVENT_FOCUS_LOST) std::fill(std::begin(io.KeysDown), std::end(io.KeysDown), false);
+      if (event.window.event == SDL_WINDOWEVENT_FOCUS_LOST)
+        std::fill(std::begin(io.KeysDown), std::end(io.KeysDown), false);
       break;
     default:
       break;
   }
 }
 
-bool Gui::wantsMouse() const { return ImGui::GetIO().WantCaptureMouse; }
+bool Gui::wantsMouse() const {
+  return ImGui::IsAnyItemActive() || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+}
 bool Gui::wantsKeys() const { return ImGui::GetIO().WantTextInput; }
 
 void Gui::begin(double seconds) {

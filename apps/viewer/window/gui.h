@@ -15,10 +15,10 @@ class Gui {
   Gui(Ogre::Viewport& port, WindowSize size);
   ~Gui();
   void resize(WindowSize size);
-  // What ImGui needs of it. wantsMouse and wantsKeys then say who is to act on it.
+  // What ImGui needs of it.
   void take(const SDL_Event& event);
-  bool wantsMouse() const;
-  bool wantsKeys() const;  // a text is being typed
+  bool wantsMouse() const;  // something of the panel is held, or a list is open
+  bool wantsKeys() const;   // a text is being typed
   // Between these the panel is laid out; the picture that follows shows it.
   void begin(double seconds);
   void end();

@@ -38,7 +38,7 @@ void useStyle() {
   style.FramePadding = ImVec2(8, 4);
   style.ItemSpacing = ImVec2(8, 6);
   style.ScrollbarSize = 12;
-  const int kBack = 0x1B1E23, kFrame = 0x2B3038, kHover = 0x39404B, kAccent = 0xC8623F, kAccentLight = 0xE07A54;
+  const int kBack = 0x1B1E23, kFrame = 0x343A44, kHover = 0x434B58, kAccent = 0xC8623F, kAccentLight = 0xE07A54;
   auto* colours = style.Colors;
   colours[ImGuiCol_WindowBg] = shade(kBack, 0.93f);
   colours[ImGuiCol_PopupBg] = shade(kBack, 0.98f);
@@ -49,7 +49,9 @@ void useStyle() {
   colours[ImGuiCol_FrameBgHovered] = colours[ImGuiCol_ButtonHovered] = shade(kHover);
   colours[ImGuiCol_FrameBgActive] = shade(kHover);
   colours[ImGuiCol_ButtonActive] = colours[ImGuiCol_SliderGrabActive] = shade(kAccentLight);
-  colours[ImGuiCol_SliderGrab] = colours[ImGuiCol_CheckMark] = shade(kAccent);
+  colours[ImGuiCol_SliderGrab] = shade(kAccent, 0.75f);  // the number shows through
+  colours[ImGuiCol_CheckMark] = shade(kAccentLight);
+  colours[ImGuiCol_TitleBg] = colours[ImGuiCol_TitleBgActive] = colours[ImGuiCol_TitleBgCollapsed] = shade(kFrame);
   colours[ImGuiCol_Header] = shade(kFrame);
   colours[ImGuiCol_HeaderHovered] = colours[ImGuiCol_TabHovered] = shade(kHover);
   colours[ImGuiCol_HeaderActive] = shade(kAccent);

@@ -41,6 +41,12 @@ Ogre::TexturePtr upload(const std::string& name, LayerSize size, const std::vect
   return texture;
 }
 
+// Of what is baked. Bodies differ from it, but for the ground, whose colour may be another than its material's.
+appearance::Rgb usualColour(const SurfaceKey& surface) {
+  if (surface.role != BodyRole::ground) return appearance::linearFromHex(surface.colour);
+  return appearance::lookOf({surface.material, surface.role, surface.colour, 0}).colour;
+}
+
 int patternsOf(const SurfaceKey& surface) {
   return appearance::lookOf({surface.material, surface.role, surface.colour, 0}).relief > 0 ? kPatterns : 1;
 }
@@ -60,7 +66,7 @@ Layers bakeLayers(const SurfaceKey& surface) {
     for (std::size_t i = first; i < images.size(); i += 2) {
       appearance::Look look =
           appearance::lookOf({surface.material, surface.role, surface.colour, std::uint32_t(i / std::size_t(faces))});
-      look.colour = appearance::linearFromHex(surface.colour);
+      look.colour = usualColour(surface);
       const appearance::Vec3f half{kBrickHalf[0], kBrickHalf[1], kBrickHalf[2]};
       const auto area = surface.faces ? appearance::boxFace(half, int(i) % 3) : appearance::groundPatch(kTile);
       images[i] = appearance::bake(look, area, int(out.size.width), int(out.size.height));
@@ -150,7 +156,7 @@ DrawMesh drawMeshOf(const ShapeDef& shape, const SurfaceKey& surface) {
 Instance instanceOf(const ListedBody& body, const SurfaceKey& surface) {
   const appearance::Look look = appearance::lookOf({body.material, body.role, body.colour, body.serial});
   Instance out;
-  const appearance::Rgb usual = appearance::linearFromHex(surface.colour);
+  const appearance::Rgb usual = usualColour(surface);
   for (int k = 0; k < 3; k++) {
     out.colour[k] = look.colour[k] / std::max(usual[k], 1e-3f);
     out.tint[k] = appearance::srgbFromLinear(appearance::clampUnit(look.colour[k]));
@@ -202,7 +208,7 @@ Ogre::MaterialPtr Looks::makeSurface(const SurfaceKey& surface, bool depth) {
   int unit = 0;
   {
     const appearance::Look look = appearance::lookOf({surface.material, surface.role, surface.colour, 0});
-    const appearance::Rgb usual = appearance::linearFromHex(surface.colour);
+    const appearance::Rgb usual = usualColour(surface);
     parameters->setNamedConstant("usual", Ogre::Vector3(usual.x, usual.y, usual.z));
     parameters->setNamedConstant("surface", Ogre::Vector2(look.metalness, look.relief > 0 ? 1.0f : 0.0f));
     const Textures& textures = texturesOf(surface);

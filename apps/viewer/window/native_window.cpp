@@ -19,7 +19,8 @@ Result<NativeWindow> NativeWindow::open(const std::string& title, WindowSize siz
   SDL_SetHint(SDL_HINT_VIDEO_MINIMIZE_ON_FOCUS_LOSS, "0");
   if (SDL_Init(SDL_INIT_VIDEO) != 0) {
     const char* display = SDL_getenv("DISPLAY");
-    return Error{ErrorCode::wrongState, std::string("no display: ") +
+    return Error{ErrorCode::wrongState,
+                 std::string("no display: ") +
                      (display && *display ? "the X server at DISPLAY=" + std::string(display) + " does not answer"
                                           : std::string("DISPLAY is not set")) +
                      "; expected a desktop, or run it under xvfb-run (pictures without a window: brickfall render)"};

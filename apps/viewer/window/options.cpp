@@ -34,7 +34,8 @@ Result<ShadowChoice> parseShadows(const std::string& text) {
   for (int i = 0; i < kShadowChoiceCount; i++) {
     if (text == nameOf(ShadowChoice(i))) return ShadowChoice(i);
   }
-  return wrong("--shadows", text, "automatic, stencil, depth or none" + didYouMean(text, {"automatic", "stencil", "depth", "none"}));
+  return wrong("--shadows", text,
+               "automatic, stencil, depth or none" + didYouMean(text, {"automatic", "stencil", "depth", "none"}));
 }
 
 Result<int> parseSamples(const std::string& text) {
@@ -47,13 +48,15 @@ Result<int> parseSamples(const std::string& text) {
 
 Result<double> parseTime(const std::string& text) {
   const auto seconds = numberIn<double>(text);
-  if (!seconds || !(*seconds > 0) || !(*seconds <= 1e6)) return wrong("--time", text, "seconds above 0, at most 1000000");
+  if (!seconds || !(*seconds > 0) || !(*seconds <= 1e6))
+    return wrong("--time", text, "seconds above 0, at most 1000000");
   return *seconds;
 }
 
 Result<std::uint64_t> parseFrames(const std::string& text) {
   const auto frames = numberIn<std::uint64_t>(text);
-  if (!frames || *frames == 0 || *frames > 1'000'000'000) return wrong("--frames", text, "a whole number, 1 to 1000000000");
+  if (!frames || *frames == 0 || *frames > 1'000'000'000)
+    return wrong("--frames", text, "a whole number, 1 to 1000000000");
   return *frames;
 }
 

@@ -16,12 +16,12 @@ struct Options {
   bool paused = false;
   ShadowChoice shadows = ShadowChoice::automatic;
   WindowSize size;
-  int samples = -1;           // of antialiasing; -1: by who draws
+  int samples = -1;  // of antialiasing; -1: by who draws
   bool panel = true;
-  double seconds = 0;         // s of the window's clock, then it quits; 0: stays
-  std::uint64_t frames = 0;   // pictures, as fast as they come, then it quits; 0: stays
-  std::string screenshot;     // PNG of the last picture
-  std::string log, status;    // files; empty: none
+  double seconds = 0;        // s of the window's clock, then it quits; 0: stays
+  std::uint64_t frames = 0;  // pictures, as fast as they come, then it quits; 0: stays
+  std::string screenshot;    // PNG of the last picture
+  std::string log, status;   // files; empty: none
 };
 
 // Each says which flag, what was found and what was expected.

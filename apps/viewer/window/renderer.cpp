@@ -89,7 +89,8 @@ void Renderer::start(const NativeWindow& window, const RendererOptions& options)
 // Modulative shadows are drawn once for each group of the render queue that lets them: sky, lines and panel must not, or the
 // scene behind them is darkened again.
 void Renderer::keepShadowsToTheScene() {
-  for (const int group : {int(Ogre::RENDER_QUEUE_SKIES_EARLY), int(Ogre::RENDER_QUEUE_8), int(Ogre::RENDER_QUEUE_OVERLAY)}) {
+  for (const int group :
+       {int(Ogre::RENDER_QUEUE_SKIES_EARLY), int(Ogre::RENDER_QUEUE_8), int(Ogre::RENDER_QUEUE_OVERLAY)}) {
     scene_->getRenderQueue()->getQueueGroup(Ogre::uint8(group))->setShadowsEnabled(false);
   }
 }
@@ -128,7 +129,8 @@ void Renderer::setView(const View& view, PixelPlace shift) {
                        Ogre::Real(view.rotation.z));
   camera_->setFOVy(Ogre::Degree(Ogre::Real(view.fieldOfViewDegrees)));
   // At one metre from the eye, where Ogre takes the offset.
-  const double pixel = 2 * std::tan(view.fieldOfViewDegrees * 3.14159265358979 / 360) / std::max(port_->getActualHeight(), 1);
+  const double pixel =
+      2 * std::tan(view.fieldOfViewDegrees * 3.14159265358979 / 360) / std::max(port_->getActualHeight(), 1);
   camera_->setFrustumOffset(Ogre::Real(-shift.x * pixel), Ogre::Real(shift.y * pixel));
 }
 
@@ -168,8 +170,6 @@ Picture Renderer::picture() const {
   return picture;
 }
 
-std::string Renderer::card() const {
-  return parts_->root->getRenderSystem()->getCapabilities()->getDeviceName();
-}
+std::string Renderer::card() const { return parts_->root->getRenderSystem()->getCapabilities()->getDeviceName(); }
 
 }  // namespace brickfall::viewer

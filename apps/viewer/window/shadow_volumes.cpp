@@ -28,7 +28,8 @@ class ShadowVolumes::Part : public Ogre::ShadowRenderable {
   void addCaps() { mLightCap = OGRE_NEW Part(); }
   Part& caps() { return static_cast<Part&>(*mLightCap); }
 
-  void set(const Ogre::HardwareVertexBufferSharedPtr& vertices, std::size_t count, std::span<const std::uint32_t> indices) {
+  void set(const Ogre::HardwareVertexBufferSharedPtr& vertices, std::size_t count,
+           std::span<const std::uint32_t> indices) {
     mRenderOp.vertexData->vertexBufferBinding->setBinding(0, vertices);
     mRenderOp.vertexData->vertexCount = count;
     auto& data = *mRenderOp.indexData;
@@ -54,9 +55,7 @@ ShadowVolumes::ShadowVolumes(const Ogre::String& name)
 }
 ShadowVolumes::~ShadowVolumes() = default;
 
-const Ogre::String& ShadowVolumes::getMovableType() const {
-  return ShadowVolumesFactory::kType;
-}
+const Ogre::String& ShadowVolumes::getMovableType() const { return ShadowVolumesFactory::kType; }
 
 void ShadowVolumes::set(const ShadowGeometry& geometry, const Aabb& bounds) {
   volumes_.clear();

@@ -24,7 +24,8 @@ void ShadowShape::addFaces(const DrawMesh& mesh, const std::vector<std::uint32_t
     const Vec3 a = corners_[face.corners[0]];
     face.normal = cross(corners_[face.corners[1]] - a, corners_[face.corners[2]] - a);
     // At the poles of round shapes triangles shrink to lines: their neighbours touch without them.
-    if (face.corners[0] == face.corners[1] || face.corners[1] == face.corners[2] || face.corners[2] == face.corners[0]) {
+    if (face.corners[0] == face.corners[1] || face.corners[1] == face.corners[2] ||
+        face.corners[2] == face.corners[0]) {
       continue;
     }
     faces_.push_back(face);

@@ -28,9 +28,13 @@ std::string placesText(const Desk& desk) {
 
 std::string viewsText(const ViewOptions& view) {
   std::string out;
-  for (const auto& [on, name] : {std::pair{view.collisions, "collisions"}, {view.wireframe, "wireframe"},
-                                 {view.colliders, "colliders"}, {view.bounds, "bounds"}, {view.contacts, "contacts"},
-                                 {view.islands, "islands"}, {view.asleep, "asleep"}}) {
+  for (const auto& [on, name] : {std::pair{view.collisions, "collisions"},
+                                 {view.wireframe, "wireframe"},
+                                 {view.colliders, "colliders"},
+                                 {view.bounds, "bounds"},
+                                 {view.contacts, "contacts"},
+                                 {view.islands, "islands"},
+                                 {view.asleep, "asleep"}}) {
     if (on) out += (out.empty() ? "" : ",") + quoted(name);
   }
   return "[" + out + "]";
@@ -58,7 +62,9 @@ void StatusFile::write(const std::string& why, const Desk& desk, const Frame& fr
                        std::size_t lines) {
   if (!file_) return;
   const RunStatus& run = frame.status;
-  const auto shadows = desk.shadows == ShadowMode::stencil ? "stencil" : desk.shadows == ShadowMode::depth ? "depth" : "none";
+  const auto shadows = desk.shadows == ShadowMode::stencil ? "stencil"
+                       : desk.shadows == ShadowMode::depth ? "depth"
+                                                           : "none";
   std::string text = fmt::format(
       R"({{"why":{},"pictures":{},"scene":{},"step":{},"time":{:.6f},"earliest":{:.6f},"latest":{:.6f},)", quoted(why),
       pictures, quoted(frame.info ? frame.info->name : ""), run.step, run.time, run.earliest, run.latest);
@@ -66,11 +72,13 @@ void StatusFile::write(const std::string& why, const Desk& desk, const Frame& fr
                       run.running, run.speed, quoted(run.loading), quoted(run.recording), quoted(run.undo),
                       frame.bodies.size(), desk.selected);
   const Vec3 eye = desk.rig.view().position;
-  text += fmt::format(R"("tool":{},"dragging":{},"camera":[{:.4f},{:.4f},{:.4f}],"shadows":"{}","views":{},"lines":{},)",
-                      quoted(nameOf(desk.hand.tool)), frame.drag.has_value(), eye.x, eye.y, eye.z, shadows,
-                      viewsText(desk.view), lines);
-  text += fmt::format(R"("size":[{},{}],"fps":{:.1f},"draw_ms":{:.2f},"messages":{},"places":{}}})", desk.size.width,
-                      desk.size.height, desk.framesPerSecond, desk.drawMilliseconds, messagesText(desk), placesText(desk));
+  text +=
+      fmt::format(R"("tool":{},"dragging":{},"camera":[{:.4f},{:.4f},{:.4f}],"shadows":"{}","views":{},"lines":{},)",
+                  quoted(nameOf(desk.hand.tool)), frame.drag.has_value(), eye.x, eye.y, eye.z, shadows,
+                  viewsText(desk.view), lines);
+  text +=
+      fmt::format(R"("size":[{},{}],"fps":{:.1f},"draw_ms":{:.2f},"messages":{},"places":{}}})", desk.size.width,
+                  desk.size.height, desk.framesPerSecond, desk.drawMilliseconds, messagesText(desk), placesText(desk));
   std::fprintf(file_.get(), "%s\n", text.c_str());
   std::fflush(file_.get());
 }

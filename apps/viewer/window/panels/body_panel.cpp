@@ -19,7 +19,8 @@ std::string placeText(Vec3 at) { return fmt::format("{:.2f}  {:.2f}  {:.2f} m", 
 
 void showContacts(const SelectedBody& body) {
   heading(fmt::format("Contacts: {}", body.contacts.size()).c_str());
-  if (body.contacts.empty() || !ImGui::BeginTable("contacts", 3, ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg)) return;
+  if (body.contacts.empty() || !ImGui::BeginTable("contacts", 3, ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg))
+    return;
   ImGui::TableSetupScrollFreeze(0, 1);
   ImGui::TableSetupColumn("on", ImGuiTableColumnFlags_WidthStretch);
   ImGui::TableSetupColumn("normal", ImGuiTableColumnFlags_WidthFixed, 78);
@@ -45,9 +46,10 @@ void showBody(Desk& desk, const Frame& frame) {
   ImGui::SetNextWindowPos(ImVec2(float(desk.size.width) - width - 10, 10));
   ImGui::SetNextWindowSize(ImVec2(width, std::min(room, body.contacts.empty() ? 300.0f : 470.0f)));
   bool open = true;
-  constexpr ImGuiWindowFlags kFlags =
-      ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings;
+  constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
+                                      ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings;
   if (ImGui::Begin((body.name + "###body").c_str(), &open, kFlags)) {
+    cover(desk);
     note(desk, "body");
     if (!body.material.empty()) row("Material", body.material);
     row("Mass", body.mass > 0 ? numberText(body.mass, "kg") : "fixed");

@@ -9,8 +9,7 @@
 namespace brickfall::viewer {
 namespace {
 
-template <class Value>
-void plot(const Frame& frame, const char* name, const char* unit, Value value) {
+template <class Value> void plot(const Frame& frame, const char* name, const char* unit, Value value) {
   std::vector<float> values;
   for (const StepSample& sample : frame.samples) values.push_back(float(value(sample)));
   const float most = values.empty() ? 0 : *std::max_element(values.begin(), values.end());
@@ -44,8 +43,9 @@ void showStages(const Frame& frame) {
 void showFigures(Desk& desk, const Frame& frame) {
   desk.figuresShown = true;
   if (!frame.report) {
-    ImGui::TextWrapped(frame.info && frame.info->kind == RunKind::take ? "A take has poses and forces, no figures of the step."
-                                                                       : "Nothing has been simulated yet.");
+    ImGui::TextWrapped(frame.info && frame.info->kind == RunKind::take
+                           ? "A take has poses and forces, no figures of the step."
+                           : "Nothing has been simulated yet.");
     return;
   }
   const StepReport& report = *frame.report;

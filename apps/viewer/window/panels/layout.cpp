@@ -24,16 +24,19 @@ void showTabs(Desk& desk, const Frame& frame) {
   ImGui::SetNextWindowSize(ImVec2(std::min(kPanelWidth, float(desk.size.width) - 2 * margin),
                                   float(desk.size.height) - kBarHeight - 3 * margin));
   if (ImGui::Begin("panel", nullptr, kFixed)) {
+    cover(desk);
     // Two rows of three: six names do not fit beside each other.
     static int open = 0;
     const float width = (ImGui::GetContentRegionAvail().x - 2 * ImGui::GetStyle().ItemSpacing.x) / 3;
     for (int i = 0; i < int(std::size(kTabs)); i++) {
       if (i % 3 != 0) ImGui::SameLine();
       const bool chosen = open == i;
-      if (chosen) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_TabActive));
+      const ImVec4 accent = ImGui::GetStyleColorVec4(ImGuiCol_TabActive);
+      if (chosen) ImGui::PushStyleColor(ImGuiCol_Button, accent);
+      if (chosen) ImGui::PushStyleColor(ImGuiCol_ButtonHovered, accent);
       if (ImGui::Button(kTabs[i].name, ImVec2(width, 0))) open = i;
       note(desk, kTabs[i].name);
-      if (chosen) ImGui::PopStyleColor();
+      if (chosen) ImGui::PopStyleColor(2);
     }
     ImGui::Separator();
     ImGui::BeginChild("content", ImVec2(0, 0), false, ImGuiWindowFlags_NoBackground);
@@ -47,6 +50,7 @@ void showTabs(Desk& desk, const Frame& frame) {
 
 void showPanel(Desk& desk, const Frame& frame, double now) {
   desk.places.clear();
+  desk.covers.clear();
   desk.figuresShown = false;
   if (desk.panelShown) {
     showTabs(desk, frame);

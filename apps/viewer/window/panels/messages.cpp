@@ -16,12 +16,14 @@ void showMessages(Desk& desk, const Frame& frame, double now) {
   for (Message& message : desk.messages) {
     ImGui::SetNextWindowPos(ImVec2(from + width / 2, top), 0, ImVec2(0.5f, 0));
     ImGui::SetNextWindowSizeConstraints(ImVec2(0, 0), ImVec2(width, 400));
-    ImGui::PushStyleColor(ImGuiCol_WindowBg, message.error ? ImVec4(0.42f, 0.11f, 0.09f, 0.96f) : ImVec4(0.11f, 0.16f, 0.13f, 0.92f));
+    ImGui::PushStyleColor(ImGuiCol_WindowBg,
+                          message.error ? ImVec4(0.42f, 0.11f, 0.09f, 0.96f) : ImVec4(0.11f, 0.16f, 0.13f, 0.92f));
     const std::string name = "message" + std::to_string(number++);
     constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
                                         ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings |
                                         ImGuiWindowFlags_NoFocusOnAppearing;
     if (ImGui::Begin(name.c_str(), nullptr, kFlags)) {
+      cover(desk);
       ImGui::PushTextWrapPos(width - 30);
       ImGui::TextUnformatted(message.text.c_str());
       for (const std::string& detail : message.details) ImGui::BulletText("%s", detail.c_str());

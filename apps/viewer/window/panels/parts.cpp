@@ -31,6 +31,11 @@ void row(const char* name, const std::string& value) {
   ImGui::TextUnformatted(value.c_str());
 }
 
+void cover(Desk& desk) {
+  const ImVec2 from = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+  desk.covers.push_back({from.x, from.y, size.x, size.y});
+}
+
 void note(Desk& desk, const char* name) {
   const ImVec2 from = ImGui::GetItemRectMin(), size = ImGui::GetItemRectSize();
   desk.places[name] = {from.x, from.y, size.x, size.y};

@@ -14,6 +14,8 @@ void heading(const char* text);
 void hint(const std::string& text);
 // "name   value", the values below each other.
 void row(const char* name, const std::string& value);
+// The mouse is the panel's where the window that is being laid out lies.
+void cover(Desk& desk);
 // The item before is known to tests by this name.
 void note(Desk& desk, const char* name);
 // A button that does what a key does; the hint names the key.

@@ -15,7 +15,8 @@ namespace {
 std::map<std::string, float> held;
 
 // True when it was let go at another value.
-bool heldSlider(const std::string& key, double& value, double least, double most, const std::string& format, bool logarithmic) {
+bool heldSlider(const std::string& key, double& value, double least, double most, const std::string& format,
+                bool logarithmic) {
   const auto at = held.find(key);
   float shown = at != held.end() ? at->second : float(value);
   const bool moved = ImGui::SliderFloat(("##" + key).c_str(), &shown, float(least), float(most), format.c_str(),
@@ -111,7 +112,8 @@ void showSettings(Desk& desk, const Frame& frame) {
     if (rows[i].group != group) {
       group = rows[i].group;
       // The solver's are for those who know what they look for.
-      open = ImGui::CollapsingHeader(std::string(group).c_str(), group == "Solver" ? 0 : ImGuiTreeNodeFlags_DefaultOpen);
+      open =
+          ImGui::CollapsingHeader(std::string(group).c_str(), group == "Solver" ? 0 : ImGuiTreeNodeFlags_DefaultOpen);
       note(desk, ("group:" + std::string(group)).c_str());
     }
     if (open) showSetting(desk, rows[i], frame.settings[i]);

@@ -20,7 +20,8 @@ void showButtons(Desk& desk, const RunStatus& status) {
   ImGui::SameLine();
   ImGui::SetNextItemWidth(130);
   auto speed = float(status.speed);
-  if (ImGui::SliderFloat("##speed", &speed, float(kSlowest), float(kFastest), "speed x %.2f", ImGuiSliderFlags_Logarithmic)) {
+  if (ImGui::SliderFloat("##speed", &speed, float(kSlowest), float(kFastest), "speed x %.2f",
+                         ImGuiSliderFlags_Logarithmic)) {
     // The middle of a slider is hard to meet.
     if (std::fabs(speed - 1) < 0.06f) speed = 1;
     desk.send(SetSpeed{speed});
@@ -50,9 +51,11 @@ void showTimeBar(Desk& desk, const Frame& frame) {
   const RunStatus& status = frame.status;
   ImGui::SetNextWindowPos(ImVec2(10, float(desk.size.height) - kBarHeight - 10));
   ImGui::SetNextWindowSize(ImVec2(float(desk.size.width) - 20, kBarHeight));
-  constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
-                                      ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoSavedSettings;
+  constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
+                                      ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoScrollbar |
+                                      ImGuiWindowFlags_NoSavedSettings;
   if (ImGui::Begin("time", nullptr, kFlags)) {
+    cover(desk);
     showButtons(desk, status);
     ImGui::SameLine();
     showState(frame);

@@ -17,7 +17,8 @@ void swatch(std::uint32_t colour, const char* text) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float size = ImGui::GetTextLineHeight();
   const ImU32 shown = IM_COL32(colour >> 16 & 255, colour >> 8 & 255, colour & 255, 255);
-  ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(at.x + 24, at.y + 2), ImVec2(at.x + 24 + size - 4, at.y + size - 2), shown, 3);
+  ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(at.x + 24, at.y + 2), ImVec2(at.x + 24 + size - 4, at.y + size - 2),
+                                            shown, 3);
   ImGui::Dummy(ImVec2(24 + size, size));
   ImGui::SameLine();
   ImGui::TextDisabled("%s", text);
@@ -32,7 +33,8 @@ const char* nameOf(ShadowMode mode) {
 void showViews(Desk& desk, const Frame& frame) {
   ViewOptions& view = desk.view;
   heading("Colours");
-  check(desk, "Colliding bodies red", view.collisions, Action::collisions, "As in the report: red while it is in contact");
+  check(desk, "Colliding bodies red", view.collisions, Action::collisions,
+        "As in the report: red while it is in contact");
   if (view.collisions) {
     swatch(0xE0261C, "bright: was hit; paler: touches");
   }
@@ -58,7 +60,8 @@ void showViews(Desk& desk, const Frame& frame) {
     ImGui::TextDisabled("now: %s (stencil up to %d bodies)", nameOf(desk.shadows), kMostStencilBodies);
   }
   heading("Layers");
-  check(desk, "Collider shapes", view.colliders, Action::colliders, "What collides: green awake, blue asleep, grey fixed");
+  check(desk, "Collider shapes", view.colliders, Action::colliders,
+        "What collides: green awake, blue asleep, grey fixed");
   check(desk, "Bounds", view.bounds, Action::boundsTree, "Boxes that the broad phase keeps for each shape");
   check(desk, "Contact points", view.contacts, Action::contactPoints, "Normals by force, and friction");
   if (view.contacts) {

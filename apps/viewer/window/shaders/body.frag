@@ -53,7 +53,8 @@ void main() {
   }
 #ifndef DEPTH_SHADOWS
   // Modulative shadows darken the finished pixel, that of turned-away sides too: those are lit so that they come out right.
-  light = max(light, albedo * ambient / kStencilLight);
+  vec3 unshadowed = max(light, albedo * ambient / kStencilLight);
+  light = mix(unshadowed, light, smoothstep(0.0, 0.2, facing));
 #endif
   light += albedo * glow;
   pixel = vec4(toPixel(withHaze(light, distance(eye, worldPoint))), 1.0);

@@ -1,0 +1,174 @@
+#!/usr/bin/env python3
+"""One window, used as a person would: window_test.py BRICKFALL_VIEW FOLDER
+
+One process for all of it, because starting costs more than the rest.
+"""
+import os
+import subprocess
+import sys
+import time
+
+sys.dont_write_bytecode = True
+from drive import Viewer, check, colours, differing, main_of
+
+VIEWS = {"c": "collisions", "x": "wireframe", "F2": "colliders", "F3": "bounds", "F4": "contacts", "F5": "islands", "F6": "asleep"}
+PICTURED = {"collisions", "wireframe", "colliders", "contacts"}  # the others depend on what the run has come to, or cost time
+
+
+def shoot_and_step(viewer):
+    start = viewer.now()
+    check(not start["running"] and start["step"] == 0, f"--paused does not wait: {start}")
+    viewer.key("period", lambda s: s["step"] == 1, "makes one step")
+    viewer.key("2", lambda s: s["tool"] == "Shoot", "takes the tool")
+    viewer.mark()
+    viewer.click(500, 150)
+    shot = viewer.wait(lambda s: s["bodies"] == start["bodies"] + 1, "a click shoots a ball")
+    check(shot["undo"] != "", "a shot can be undone")
+    viewer.key("space", lambda s: s["running"], "runs")
+    viewer.wait(lambda s: s["step"] > 20, "steps are made")
+    viewer.key("space", lambda s: not s["running"], "pauses")
+    paused = viewer.now()["step"]
+    viewer.key("comma", lambda s: s["step"] == paused - 1, "goes one step back")
+    viewer.key("ctrl+z", lambda s: s["bodies"] == start["bodies"], "takes the ball back")
+    viewer.key("f", lambda s: s["bodies"] == start["bodies"] + 1, "shoots at the middle")
+    viewer.key("space", lambda s: s["running"], "runs")
+    viewer.wait(lambda s: s["step"] > 40, "steps are made")
+    viewer.key("space", lambda s: not s["running"], "pauses")
+
+
+def switch_views(viewer):
+    viewer.key("Tab", lambda s: not s["places"], "hides the panel")
+    plain = viewer.picture("plain")
+    check(colours(plain) > 500, f"the picture is blank: {colours(plain)} colours")
+    for key, name in VIEWS.items():
+        viewer.key(key, lambda s: name in s["views"], f"view {name} on")
+        if name in PICTURED:
+            shown = viewer.picture(name)
+            check(differing(plain, shown) > 0.001, f"view {name} shows nothing of its own")
+        viewer.key(key, lambda s: name not in s["views"], f"view {name} off")
+    kinds = set()
+    for _ in range(4):
+        before = viewer.now()["shadows"]
+        viewer.key("F7", lambda s: s["why"] == "action", "shadows change")
+        kinds.add(viewer.now()["shadows"])
+        if viewer.now()["shadows"] == "depth" and before != "depth":
+            check(differing(plain, viewer.picture("depth")) < 0.6, "the other kind of shadow shows another scene")
+    check(kinds == {"none", "stencil", "depth"}, f"kinds of shadow: {kinds}")
+    viewer.key("Tab", lambda s: "speed" in s["places"], "shows the panel")
+
+
+def use_panel(viewer):
+    x, y, width, height = viewer.wait_place("speed")
+    viewer.point(x + width * 0.62, y + height / 2)
+    viewer.pause_pictures()
+    viewer.mark()
+    viewer.tool("mousedown", 1)
+    viewer.pause_pictures()
+    for share in (0.5, 0.35, 0.2):
+        viewer.point(x + width * share, y + height / 2)
+    viewer.pause_pictures()
+    viewer.tool("mouseup", 1)
+    viewer.wait(lambda s: s["speed"] < 0.5, "dragging the slider slows the run down")
+    viewer.key("backslash", lambda s: s["speed"] == 1, "speed as in life")
+    viewer.press("Views", lambda s: "Polygons" in s["places"], "opens the tab")
+    viewer.press("Settings", lambda s: "group:World" in s["places"] or "group:Time" in s["places"], "opens the tab")
+    viewer.press("Scenes", lambda s: "scene:wall" in s["places"], "opens the tab")
+
+
+def select_and_drag(viewer):
+    viewer.key("r", lambda s: s["step"] == 0 and s["why"].startswith("done"), "restarts")
+    if viewer.now()["running"]:
+        viewer.key("space", lambda s: not s["running"], "pauses")
+    viewer.key("1", lambda s: s["tool"] == "Select", "takes the tool")
+    viewer.key("Tab", lambda s: not s["places"], "hides the panel")
+    viewer.mark()
+    viewer.click(290, 190)
+    viewer.wait(lambda s: s["selected"] != 0, "a click selects")
+    bodies = viewer.now()["bodies"]
+    viewer.key("3", lambda s: s["tool"] == "Drag", "takes the tool")
+    viewer.key("space", lambda s: s["running"], "runs")
+    viewer.mark()
+    viewer.point(290, 190)
+    viewer.pause_pictures()
+    viewer.tool("mousedown", 1)
+    viewer.wait(lambda s: s["dragging"], "the spring takes hold")
+    viewer.point(360, 120)
+    viewer.mark()
+    viewer.tool("mouseup", 1)
+    viewer.wait(lambda s: not s["dragging"], "the spring lets go")
+    viewer.key("space", lambda s: not s["running"], "pauses")
+    viewer.key("Delete", lambda s: s["bodies"] == bodies - 1, "removes what is selected")
+    viewer.key("Tab", lambda s: "speed" in s["places"], "shows the panel")
+
+
+def turn_camera(viewer):
+    before = viewer.now()["camera"]
+    viewer.point(600, 240)  # below what the viewer says
+    viewer.mark()
+    viewer.tool("mousedown", 3)
+    viewer.point(540, 200)
+    viewer.pause_pictures()
+    viewer.tool("mouseup", 3)
+    viewer.wait(lambda s: sum(abs(a - b) for a, b in zip(s["camera"], before)) > 0.05, "dragging turns the camera")
+
+
+def keep_files(viewer, folder):
+    take, state = os.path.join(folder, "wall.take"), os.path.join(folder, "wall.state")
+    viewer.key("ctrl+r", lambda s: s["recording"] != "", "records")
+    viewer.key("space", lambda s: s["running"], "runs")
+    first = viewer.now()["step"]
+    viewer.wait(lambda s: s["step"] > first + 10, "steps are recorded")
+    viewer.key("space", lambda s: not s["running"], "pauses")
+    viewer.key("ctrl+r", lambda s: s["recording"] == "", "stops recording")
+    check(os.path.getsize(take) > 1000, "the take is empty")
+    kept = viewer.now()
+    viewer.key("ctrl+s", lambda s: s["why"].startswith("done: save"), "saves the state")
+    check(os.path.getsize(state) > 1000, "the state is empty")
+    viewer.key("r", lambda s: s["step"] == 0, "restarts")
+    viewer.key("ctrl+l", lambda s: s["step"] == kept["step"] and s["bodies"] == kept["bodies"], "loads the state")
+    viewer.key("F12", lambda s: s["why"] == "action", "saves a picture")
+    stills = [name for name in os.listdir(folder) if name.startswith("wall-") and name.endswith(".png")]
+    check(len(stills) == 1 and colours(os.path.join(folder, stills[0])) > 500, f"stills: {stills}")
+
+
+def resize(viewer):
+    viewer.mark()
+    viewer.tool("windowsize", viewer.window_at(), 800, 500)
+    viewer.wait(lambda s: s["size"] == [800, 500], "the window takes its new size")
+    shown = viewer.picture("resized")
+    size = subprocess.run(["identify", "-format", "%w %h", shown], capture_output=True, text=True, check=True).stdout
+    check(size == "800 500" and colours(shown) > 500, f"the picture after resizing: {size}, {colours(shown)} colours")
+    # Unmapping is what minimising does where there is no window manager.
+    viewer.mark()
+    viewer.tool("windowunmap", viewer.window_at())
+    viewer.wait(lambda s: s["why"] == "hidden", "notices that it is hidden")
+    viewer.mark()
+    viewer.tool("windowmap", viewer.window_at())
+    viewer.wait(lambda s: s["why"] == "shown", "notices that it is shown again")
+    viewer.tool("windowfocus", "--sync", viewer.window_at())  # which a window manager would do
+
+
+def tests(program):
+    folder = sys.argv[2]
+    os.makedirs(folder, exist_ok=True)
+    for name in os.listdir(folder):
+        os.remove(os.path.join(folder, name))
+    viewer = Viewer(program, ["wall", "--paused"], folder)
+    try:
+        for part in (shoot_and_step, switch_views, use_panel, select_and_drag, turn_camera):
+            began = time.monotonic()
+            part(viewer)
+            print(f"{part.__name__}: {time.monotonic() - began:.1f} s")
+        keep_files(viewer, folder)
+        resize(viewer)
+        viewer.mark()
+        viewer.tool("key", "ctrl+q")
+        viewer.wait(lambda s: s["why"] == "quit", "quits", running=False)
+        viewer.process.wait(timeout=60)
+        check(viewer.process.returncode == 0, f"exit code {viewer.process.returncode}: {viewer.said()}")
+        check(viewer.said() == "", f"it said: {viewer.said()}")
+    finally:
+        viewer.end()
+
+
+main_of(tests, sys.argv[1])
