@@ -25,7 +25,7 @@ constexpr double kHeavyShare = 0.01;  // effective mass of the softest joint of 
 //! - | too small: Newton's method starts far off | too large: cost of what it does better
 constexpr int kCyclesBeforeDirect = 1;  // of exact steps
 //! m/s | too small: a hit wall sways for seconds on its joints | too large: what begins to fall slowly may be stopped
-constexpr double kSwaySpeed = 0.03;  // what no body of a large island may exceed to be stopped at the end of a swing
+constexpr double kSwingSpeed = 0.03;  // what no body of a large island may exceed to be stopped at the end of a swing
 //! s | too small: walls sag | too large: what sways does not converge at short steps, and stops a ball that goes through at longer
 constexpr double kFirmStep = 1.0 / 60;  // at shorter steps joints of large islands have a part of restingStiffness
 //! - | too small: what rests is softer than what is hit | too large: with kFirmStep
@@ -103,7 +103,7 @@ SolvePlan planFor(const IslandFacts& facts, const SolverSettings& settings, doub
   bool calm = supported && facts.fastest <= settings.restSpeed + kCalmShare * kReferenceGravity * dt;
   SolvePlan plan;
   plan.slow = supported && facts.fastest <= settings.restSpeed;
-  plan.sways = supported && row.byLoad && !plan.slow && facts.fastest <= kSwaySpeed;
+  plan.sways = supported && row.byLoad && !plan.slow && facts.fastest <= kSwingSpeed;
   plan.exactSteps = row.exactSteps;
   plan.direct = row.direct;
   plan.stiffening = (calm ? double(row.calmStiffening) : 1) * (row.byLoad ? firmness(settings, dt) : 1);

@@ -44,7 +44,7 @@ std::span<const PlanRow> planRows();
 struct SolvePlan {
   bool slow = false;  // grounded, partners still, no body faster than restSpeed: it may be stopped and put to rest
   bool sways =
-      false;  // large, supported, faster than that and no body faster than kSwaySpeed: a vibration of it is ended
+      false;  // large, supported, faster than that and no body faster than kSwingSpeed: a vibration of it is ended
   bool exactSteps = false;  // see PlanRow
   bool direct = false;      // see PlanRow
   bool byLoad = false;      // see PlanRow
