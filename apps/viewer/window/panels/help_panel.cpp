@@ -10,7 +10,7 @@ void showKeys(std::string_view group) {
   for (const KeyBinding& binding : keyBindings()) {
     if (binding.group != group) continue;
     ImGui::TextColored(ImVec4(0.93f, 0.66f, 0.52f, 1), "%s", std::string(binding.key).c_str());
-    ImGui::SameLine(ImGui::GetColumnOffset() + 100);
+    ImGui::SameLine(96);
     ImGui::PushTextWrapPos(0);
     ImGui::TextUnformatted(std::string(binding.help).c_str());
     ImGui::PopTextWrapPos();
