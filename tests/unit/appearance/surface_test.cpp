@@ -64,7 +64,7 @@ TEST(Surface, StaysAMaterial) {
         EXPECT_LE(s.colour[k], 1) << name;
       }
       EXPECT_NEAR(length(s.normal), 1, 1e-5f) << name;
-      EXPECT_GT(dot(s.normal, point.normal), 0.3f) << name;
+      EXPECT_GT(dot(s.normal, point.normal), 0.2f) << name << ", never from behind";
       EXPECT_GE(s.roughness, 0);
       EXPECT_LE(s.roughness, 1);
       EXPECT_EQ(surfaceAt(look, point).colour, s.colour);
