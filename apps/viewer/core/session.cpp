@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <condition_variable>
+#include <filesystem>
 #include <mutex>
 #include <thread>
 
@@ -310,8 +311,9 @@ Result<std::string> Session::Impl::show(OpenedFile& file) {
   maker_ = FrameMaker();
   selected_ = 0;
   jump();
-  log_.add(simulated(), LogKind::note, "opened " + file.opening.path);
-  return "opened " + file.opening.path;
+  std::string told = "opened " + std::filesystem::path(file.opening.path).filename().string();
+  log_.add(simulated(), LogKind::note, told);
+  return told;
 }
 
 Result<std::string> Session::Impl::restart(const Restart& restart, std::vector<std::string>& details) {
