@@ -26,6 +26,9 @@ constexpr float kOvershoot = 0.3f, kOvershootExact = 0.15f;  // of the slope at 
 //! - | too small: searches that change little | too large: steps end short of their minimum
 constexpr float kUndershoot = 0.5f, kUndershootExact = 0.3f;  // of the slope at the start: a search ends below it
 
+//! - | too small: factors are made that change little: cost | too large: walls out of true lean
+constexpr float kStale = 0.1f;  // of the slope at the start, left either way: then a kept factor is off
+
 float power(const Wrench& a, const Wrench& b) { return dot(a.force, b.force) + dot(a.torque, b.torque); }
 
 Vec3f timesInertia(const float* i, Vec3f w) {
@@ -121,9 +124,9 @@ ClusterStep tryStep(RowForces& forces, const Level& level, const Cluster& cluste
     if (!kept && !makeFactor(forces, level, cluster, exact, factor)) return {};
     Way way(forces, level, cluster, factor.matrix.solve(residual), residual, exact);
     if (!(way.start() > 0)) return {};
-    float slope = way.moveTo(1);
-    if (slope >= way.lowest()) {
-      factor.valid = slope <= way.highest();
+    float slope = way.moveTo(1), off = kStale * way.start();
+    if (slope >= (kept ? -off : way.lowest())) {
+      factor.valid = slope <= off;
       return {way.whole(), 1};
     }
     if (!kept) {
