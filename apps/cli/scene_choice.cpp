@@ -18,17 +18,6 @@ namespace {
 
 bool looksLikePath(const std::string& text) { return text.find('/') != std::string::npos || text.ends_with(".toml"); }
 
-std::string unknownScene(const std::string& name) {
-  std::vector<std::string> names;
-  std::string list;
-  for (const ShippedScene& scene : shippedScenes()) {
-    names.push_back(scene.name);
-    list += (list.empty() ? "" : ", ") + scene.name;
-  }
-  return fmt::format("scene: found \"{}\", expected a scene file or one of: {}{}", name, list.empty() ? "(none)" : list,
-                     didYouMean(name, names));
-}
-
 constexpr std::size_t kMostBytes = 16u << 20;  // of a scene file
 
 // The whole file, or a little more than a scene file may have (a device never ends; parseScene refuses that). Read here, since
@@ -63,7 +52,7 @@ SceneChoice chooseScene(const std::string& nameOrPath, const Overrides& override
   choice.path = findScene(nameOrPath);
   if (choice.path.empty() && !looksLikePath(nameOrPath)) {
     choice.exitCode = kBadInput;
-    choice.problem = unknownScene(nameOrPath);
+    choice.problem = unknownSceneMessage(nameOrPath, "a scene file");
     return choice;
   }
   if (choice.path.empty()) choice.path = nameOrPath;

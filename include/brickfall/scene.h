@@ -106,6 +106,9 @@ struct ShippedScene {
 std::vector<ShippedScene> shippedScenes();
 // The path of a scene file, given a path or a shipped scene's name; empty if there is no such file.
 std::string findScene(const std::string& nameOrPath);
+// For who typed a name that findScene does not know: what was found, what could have been meant. `expected`: what is taken
+// besides the names of shipped scenes ("a scene file").
+std::string unknownSceneMessage(const std::string& name, const std::string& expected);
 
 // Overlapping bodies at the start and the like, as warnings at the tables that they come from.
 std::vector<Diagnostic> checkScene(const SceneDescription& scene);

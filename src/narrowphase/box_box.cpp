@@ -22,11 +22,16 @@ constexpr int kNext[3] = {1, 2, 0}, kLast[3] = {2, 0, 1};
 constexpr double kParallel2 = 1e-8;
 // Face axes that are parallel to this cosine compete for the same contact.
 constexpr double kSameFace = 0.98;
+//! half extents, at most `kRoundEdge` | too small: leaning edges slip on each other's faces | too large: what slides past an edge tilts early
+constexpr double kRoundShare = 0.01;
+//! m | with kRoundShare
+constexpr double kRoundEdge = 5e-4;  // radius of an edge, where two meet side by side
 
 struct BoxPair {
   double a[3], b[3];
   double c[3][3], q[3][3];
   double t[3], s[3];
+  double smallest;  // of all half extents
   ContactTolerances tolerance;
 };
 
@@ -34,20 +39,20 @@ BoxPair makePair(const Shape& shapeA, const Shape& shapeB, const Transform& bInA
   BoxPair p;
   Mat3 r = toMatrix(bInA.rotation);
   Vec3 s = transposeTimes(r, bInA.position);
-  double smallest = 1e30;
+  p.smallest = 1e30;
   for (int i = 0; i < 3; i++) {
     p.a[i] = shapeA.halfExtents[i];
     p.b[i] = shapeB.halfExtents[i];
     p.t[i] = bInA.position[i];
     p.s[i] = s[i];
-    smallest = p.a[i] < smallest ? p.a[i] : smallest;
-    smallest = p.b[i] < smallest ? p.b[i] : smallest;
+    p.smallest = p.a[i] < p.smallest ? p.a[i] : p.smallest;
+    p.smallest = p.b[i] < p.smallest ? p.b[i] : p.smallest;
     for (int j = 0; j < 3; j++) {
       p.c[i][j] = r.row[i][j];
       p.q[i][j] = std::fabs(p.c[i][j]);
     }
   }
-  p.tolerance = contactTolerances(smallest);
+  p.tolerance = contactTolerances(p.smallest);
   return p;
 }
 
@@ -145,6 +150,50 @@ bool edgeContact(const BoxPair& p, const EdgeAxis& axis, Manifold& out) {
   out.points[0] = {onA, onA + n * axis.separation, axis.separation,
                    edgeCrossing(boxEdge(i, a1, a2), boxEdge(j, b1, b2))};
   return true;
+}
+
+// Two edges side by side, as where plates lean against each other: between the normals of the faces that end there any is as
+// good, and that of a face would hold or let go by its own tilt. As if both were a little round: in the middle where edge
+// lies on edge, turning towards a face's normal as the other edge gets over that face.
+bool lineContact(const BoxPair& p, const FaceAxis& ofA, const FaceAxis& ofB, double margin, Manifold& out) {
+  int fa = ofA.index, fb = ofB.index - 3;
+  if (p.q[fa][fb] > kSameFace) return false;
+  int i = kNext[fa], j = kNext[fb];  // the edges' directions
+  for (int x : {kNext[fa], kLast[fa]})
+    for (int y : {kNext[fb], kLast[fb]})
+      if (p.q[x][y] > p.q[i][j]) i = x, j = y;
+  double sine2 = 1 - p.q[i][j] * p.q[i][j], along = p.a[i] < p.b[j] ? p.a[i] : p.b[j];
+  if (sine2 * along * along > p.tolerance.same * p.tolerance.same) return false;
+  int ka = 3 - fa - i, kb = 3 - fb - j;
+  Vec3 unitA[3], unitB[3];
+  for (int k = 0; k < 3; k++) {
+    unitA[k][k] = 1;
+    unitB[k] = {p.c[0][k], p.c[1][k], p.c[2][k]};
+  }
+  double signA = p.t[fa] < 0 ? -1 : 1, signB = p.s[fb] < 0 ? -1 : 1;
+  Vec3 nA = unitA[fa] * signA, nB = unitB[fb] * signB;  // from a to b
+  if (dot(nA, nB) < 0) return false;
+  bool upA = dot(unitA[ka], nB) > 0, upB = dot(unitB[kb], nA) < 0;
+  Vec3 onA = nA * p.a[fa] + unitA[ka] * (upA ? p.a[ka] : -p.a[ka]);
+  Vec3 onB = Vec3{p.t[0], p.t[1], p.t[2]} - nB * p.b[fb] + unitB[kb] * (upB ? p.b[kb] : -p.b[kb]);
+  Vec3 between = onB - onA, across = nB - nA;
+  double round = kRoundShare * p.smallest < kRoundEdge ? kRoundShare * p.smallest : kRoundEdge;
+  double tilt = dot(between, normalized(across)) / (2 * round);
+  if (std::fabs(tilt) >= 0.5 * length(across)) return false;
+  Vec3 n = normalized(nA + nB) * std::sqrt(1 - tilt * tilt) + normalized(across) * tilt;
+  double separation = dot(between, n);
+  if (separation > margin) return false;
+  out.normal = n;
+  out.count = 2;
+  for (int end : {0, 1}) {
+    double sign = end ? 1 : -1, ofAEnd = sign * p.a[i], ofBEnd = p.t[i] + sign * p.b[j];
+    bool atB = sign * ofBEnd < sign * ofAEnd, positiveB = (p.c[i][j] > 0) == (end == 1);
+    int corner = atB ? (positiveB ? 1 << j : 0) | (signB < 0 ? 1 << fb : 0) | (upB ? 1 << kb : 0)
+                     : (end ? 1 << i : 0) | (signA > 0 ? 1 << fa : 0) | (upA ? 1 << ka : 0);
+    onA[i] = atB ? ofBEnd : ofAEnd;
+    out.points[end] = {onA, onA + n * separation, separation, atB ? cornerOfB(corner) : cornerOfA(corner)};
+  }
+  return out.points[1].onA[i] - out.points[0].onA[i] > p.tolerance.same;
 }
 
 // A corner of the polygon while it is cut. It is where two lines meet: edges of the incident face (0..3) or sides of
@@ -340,6 +389,8 @@ void collideBoxBox(const Shape& a, const Shape& b, const Transform& bInA, double
   EdgeAxis edge;
   if (!testEdges(p, margin, face.separation + p.tolerance.edge, edge)) return;
   if (edge.edgeA >= 0 && edgeContact(p, edge, out)) return;
+  const bool refIsA = face.index < 3;
+  if (lineContact(p, refIsA ? face : otherFace, refIsA ? otherFace : face, margin, out)) return;
   faceContact(p, face.index, margin, bInA, out);
   double deepest = deepestOf(out);
   if (face.separation >= 0 || deepest <= face.separation + p.tolerance.edge) return;

@@ -62,4 +62,15 @@ std::string findScene(const std::string& nameOrPath) {
   return {};
 }
 
+std::string unknownSceneMessage(const std::string& name, const std::string& expected) {
+  std::vector<std::string> names;
+  std::string list;
+  for (const ShippedScene& scene : shippedScenes()) {
+    names.push_back(scene.name);
+    list += (list.empty() ? "" : ", ") + scene.name;
+  }
+  return "scene: found \"" + name + "\", expected " + expected + " or one of: " + (list.empty() ? "(none)" : list) +
+         didYouMean(name, names);
+}
+
 }  // namespace brickfall

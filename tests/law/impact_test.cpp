@@ -260,6 +260,37 @@ TEST(Law, Row18nAGreatLoadOnLightBlocks) {
     }
 }
 
+// Two plates that lean on each other: by symmetry the force between their top edges is level, so they stand until their feet
+// slip, however steep their faces are.
+TEST(Law, Row18pEdgeOnEdge) {
+  const double length = 0.4, thick = 0.02, wide = 0.2;
+  for (double friction : {0.3, 0.5}) {
+    const double limit = std::atan(2 * (friction + 0.5 * thick / length));
+    for (double beyond : {-15.0, -6.0, -1.5, 1.5})
+      for (double dt : kMotionSteps) {
+        const double lean = limit + beyond * kPi / 180;
+        World world = worldOnFloor(friction);
+        BodyId plates[2];
+        for (int side : {-1, 1}) {  // the inner face goes from the foot to the ridge above the origin
+          Vec3 centre{0.5 * length * std::sin(lean) + 0.5 * thick * std::cos(lean),
+                      0.5 * length * std::cos(lean) + 0.5 * thick * std::sin(lean), 0};
+          BodyDef plate =
+              bodyOf(boxOf({thick / 2, length / 2, wide / 2}, 1000, friction), {side * centre.x, centre.y, centre.z});
+          plate.rotation = turn({0, 0, 1}, side * lean * 180 / kPi);
+          plates[side > 0] = add(world, plate);
+        }
+        double ridge = world.state(plates[0])->position.y;
+        run(world, 1.5, dt);
+        double sunk = ridge - world.state(plates[0])->position.y;
+        std::string name = "plates, friction " + text(friction, 1) + ", " + text(std::fabs(beyond), 1) + " degrees ";
+        if (beyond < 0)
+          atMost(name + "steeper than they need: sunk", dt, sunk * 1e3, 1, "mm");
+        else
+          EXPECT_GT(sunk, 0.05) << name << "flatter: they slip, " << 1 / dt;
+      }
+  }
+}
+
 // Dominoes of 48 mm, 20 mm apart, the first of them tapped.
 TEST(Law, Row18mDominoesAllFall) {
   for (double dt : kMotionSteps) {

@@ -183,12 +183,9 @@ TEST(Law, Row18oTheSameHoleAtAnyStep) {
     }
     double mean = double(sum) / shots;
     std::printf("    bricks moved at 1/%ld s: %.1f, %d to %d\n", std::lround(1 / dt), mean, fewest, largest);
-    record({.section = section(),
-            .name = "hole10: bricks moved over 50 mm, mean of shots within 9 mm",
-            .dt = dt,
-            .expected = 5,
-            .found = mean,
-            .cases = shots});
+    // More than the ball's own hole: the wall came down.
+    atMost("hole10: bricks moved over 50 mm, mean of " + std::to_string(shots) + " shots within 9 mm", dt, mean, 60,
+           "");
     least = std::min(least, mean);
     most = std::max(most, mean);
   }

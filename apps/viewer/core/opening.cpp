@@ -18,17 +18,6 @@ constexpr std::size_t kMagicBytes = 16;
 
 bool looksLikePath(const std::string& text) { return text.find_first_of("/.") != std::string::npos; }
 
-std::string unknownScene(const std::string& name) {
-  std::vector<std::string> names;
-  std::string list;
-  for (const ShippedScene& scene : shippedScenes()) {
-    names.push_back(scene.name);
-    list += (list.empty() ? "" : ", ") + scene.name;
-  }
-  return "scene: found \"" + name + "\", expected a scene file, a take, a saved state or one of: " + list +
-         didYouMean(name, names);
-}
-
 std::string absolute(const std::string& path) {
   std::error_code error;
   const std::filesystem::path whole = std::filesystem::absolute(path, error);
@@ -69,7 +58,7 @@ OpenedFile readOpening(const std::string& nameOrPath, const Overrides& overrides
   Opening& opening = file.opening;
   opening.path = findScene(nameOrPath);
   if (opening.path.empty() && !looksLikePath(nameOrPath)) {
-    refuse(file, {ErrorCode::invalidArgument, unknownScene(nameOrPath)});
+    refuse(file, {ErrorCode::invalidArgument, unknownSceneMessage(nameOrPath, "a scene file, a take, a saved state")});
     return file;
   }
   if (opening.path.empty()) opening.path = nameOrPath;

@@ -39,6 +39,63 @@ TEST(BoxBox, HeadJointTouchesSideways) {
   }
 }
 
+// Two plates that lean on each other along their top edges, `up` m apart in height.
+Manifold ridge(double lean, double up, double along = 0) {
+  const Shape plate = boxShape({0.01, 0.2, 0.1});
+  auto at = [&](int side) {
+    Transform pose;
+    pose.rotation = quatFromAxisAngle({0, 0, 1}, side * lean);
+    pose.position = Vec3{0, side * up / 2, side * along / 2} - rotate(pose.rotation, Vec3{-side * 0.01, 0.2, 0});
+    return pose;
+  };
+  Manifold m;
+  collide(plate, plate, inverse(at(-1)) * at(1), 0.01, m);
+  m.normal = rotate(at(-1).rotation, m.normal);
+  for (ManifoldPoint& p : m.points) p.onA = transformPoint(at(-1), p.onA);
+  return m;
+}
+
+TEST(BoxBox, EdgeOnEdgeTakesNeitherFacesNormal) {
+  for (double lean : {0.2, 0.5, 0.7}) {
+    Manifold m = ridge(lean, 0, 0.03);
+    ASSERT_EQ(m.count, 2) << lean;
+    EXPECT_NEAR(length(m.normal - Vec3{1, 0, 0}), 0, 1e-9) << "by symmetry";
+    std::set<double> ends;
+    for (int i = 0; i < 2; i++) {
+      EXPECT_NEAR(m.points[i].onA.x, 0, 1e-9);
+      EXPECT_NEAR(m.points[i].onA.y, 0, 1e-9);
+      EXPECT_NEAR(m.points[i].separation, 0, 1e-9);
+      ends.insert(std::round(m.points[i].onA.z * 1e9) * 1e-9);
+    }
+    EXPECT_NEAR(*ends.begin(), -0.085, 1e-8) << "where the edges lie side by side";
+    EXPECT_NEAR(*ends.rbegin(), 0.085, 1e-8);
+    EXPECT_NE(m.points[0].feature, m.points[1].feature);
+  }
+}
+
+TEST(BoxBox, EdgeOnEdgeTurnsSmoothlyIntoEdgeOnFace) {
+  const double lean = 0.5;
+  double before = 0, largest = 0, smallest = 1;
+  for (double up = -2e-3; up <= 2e-3; up += 1e-5) {
+    Manifold m = ridge(lean, up);
+    ASSERT_GE(m.count, 2) << up;
+    double angle = std::atan2(m.normal.y, m.normal.x);
+    EXPECT_NEAR(m.normal.z, 0, 1e-12);
+    if (up > -2e-3) {
+      EXPECT_LT(std::fabs(angle - before), 0.08) << up;
+    }
+    // The right plate higher: its edge is over nothing, the left one's lies on its face.
+    if (std::fabs(up) > 1e-3) {
+      EXPECT_NEAR(std::fabs(angle), lean, 1e-6) << up;
+    }
+    before = angle;
+    largest = std::max(largest, angle);
+    smallest = std::min(smallest, angle);
+  }
+  EXPECT_NEAR(largest, lean, 1e-6);
+  EXPECT_NEAR(smallest, -lean, 1e-6);
+}
+
 TEST(BoxBox, DiagonalNeighboursThatShareALineDoNotTouch) {
   for (double dx : {-1e-6, -1e-9, 0.0, 1e-9, 1e-6})
     for (double dy : {-1e-6, -1e-9, 0.0, 1e-9, 1e-6}) {

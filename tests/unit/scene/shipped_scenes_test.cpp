@@ -35,6 +35,9 @@ TEST(ShippedScenes, AreAllSoundTitledAndFoundByName) {
     EXPECT_EQ(findScene(scene.path), scene.path);
     EXPECT_FALSE(shipped(scene.name).cameras.empty());
   }
+  std::string message = unknownSceneMessage("piramid", "a scene file");
+  EXPECT_TRUE(message.starts_with("scene: found \"piramid\", expected a scene file or one of: cube, ")) << message;
+  EXPECT_TRUE(message.ends_with("(did you mean \"pyramid\"?)")) << message;
   EXPECT_EQ(findScene("no such scene"), "");
   EXPECT_EQ(findScene(""), "");
   EXPECT_EQ(findScene("../scenes/wall"), "");
