@@ -16,6 +16,7 @@
 #include "solver/cluster_step.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace brickfall {
 
@@ -103,6 +104,7 @@ void search(Way& way, float slope, int evaluations) {
 
 bool makeFactor(RowForces& forces, const Level& level, const Cluster& cluster, bool exact, ClusterFactor& factor) {
   factor.matrix = clusterMatrix(forces, level, cluster, exact);
+  factor.kept = false;
   return factor.valid = factor.matrix.factor();
 }
 
@@ -119,9 +121,9 @@ Symmetric6 clusterMatrix(RowForces& forces, const Level& level, const Cluster& c
 
 ClusterStep tryStep(RowForces& forces, const Level& level, const Cluster& cluster, ClusterFactor& factor,
                     const Wrench& residual, bool exact) {
-  bool kept = factor.valid;
-  for (;; kept = false) {
-    if (!kept && !makeFactor(forces, level, cluster, exact, factor)) return {};
+  for (;; factor.valid = false) {
+    if (!factor.valid && !makeFactor(forces, level, cluster, exact, factor)) return {};
+    const bool kept = std::exchange(factor.kept, true);
     Way way(forces, level, cluster, factor.matrix.solve(residual), residual, exact);
     if (!(way.start() > 0)) return {};
     float slope = way.moveTo(1), off = kStale * way.start();

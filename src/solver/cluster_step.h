@@ -10,6 +10,7 @@ namespace brickfall {
 struct ClusterFactor {
   Symmetric6 matrix;
   bool valid = false;
+  bool kept = false;  // a step has been made with it
 };
 
 // Exact: open points are left out of the matrix and searched for. Else those nearer than kNearContact are in it.

@@ -53,13 +53,6 @@ int cycleBudget(const IslandFacts& facts, bool slow, const SolverSettings& setti
   return std::max({budget, slow ? kMaxCyclesSlow : 0, rubble ? kMaxCyclesRubble : 0});
 }
 
-// x restingStiffness. That is in units of inertia over the time step squared, and so without bound as the step gets shorter;
-// bricks are not. Small islands are solved to the end at any stiffness.
-double firmness(const SolverSettings& settings, double dt) {
-  double share = dt / kFirmStep;
-  return std::min(1.0, std::max(share, kLeastFirm * settings.impactStiffness / settings.restingStiffness));
-}
-
 const PlanRow& rowOf(const IslandFacts& facts) {
   bool slow = facts.grounded && facts.fastestCentre < kDirectSpeed;
   return *std::find_if(std::begin(kRows), std::end(kRows),
@@ -97,6 +90,13 @@ void keepEnergies(const Island& island, BodySet& bodies) {
   for (BodyIndex body : island.bodies) bodies.data[body].lastKineticEnergy = bodies.kineticEnergy(body);
 }
 
+// That is in units of inertia over the time step squared, and so without bound as the step gets shorter; bricks are not. Small
+// islands are solved to the end at any stiffness.
+double leastStiffening(const SolverSettings& settings, double dt) {
+  double share = dt / kFirmStep;
+  return std::min(1.0, std::max(share, kLeastFirm * settings.impactStiffness / settings.restingStiffness));
+}
+
 SolvePlan planFor(const IslandFacts& facts, const SolverSettings& settings, double dt) {
   const PlanRow& row = rowOf(facts);
   bool supported = facts.grounded && !facts.partnersMove;
@@ -106,7 +106,7 @@ SolvePlan planFor(const IslandFacts& facts, const SolverSettings& settings, doub
   plan.sways = supported && row.byLoad && !plan.slow && facts.fastest <= kSwingSpeed;
   plan.exactSteps = row.exactSteps;
   plan.direct = row.direct;
-  plan.stiffening = (calm ? double(row.calmStiffening) : 1) * (row.byLoad ? firmness(settings, dt) : 1);
+  plan.stiffening = (calm ? double(row.calmStiffening) : 1) * (row.byLoad ? leastStiffening(settings, dt) : 1);
   plan.leastMass = row.direct ? kHeavyShare * facts.heaviest : 0;
   plan.byLoad = row.byLoad;
   plan.startsFree = !row.byLoad || !facts.grounded || facts.fastest > kDebrisSpeed;

@@ -59,6 +59,8 @@ struct SolvePlan {
 IslandFacts findFacts(const Island& island, const BodySet& bodies);
 // Each body's kinetic energy, for the facts of the next step.
 void keepEnergies(const Island& island, BodySet& bodies);
+// x restingStiffness: the least that a plan's stiffening may be.
+double leastStiffening(const SolverSettings& settings, double dt);
 SolvePlan planFor(const IslandFacts& facts, const SolverSettings& settings, double dt);
 
 // It stays where it is in this step.

@@ -9,7 +9,7 @@ namespace brickfall {
 // half in every step whatever the motion (kCorrect = kMultiplierShare = 0.5), and with U = k g^2 / 2 + m^2 / (6 k) the work that
 // the contact does in a step is at most what U falls by: docs/step.md has the proof. Overlap that is plastic holds nothing,
 // nor does an open point. A point in an impact is softer than a resting one and turns plastic when the impact is over: it
-// holds what a resting one does under the force that is then left.
+// holds what a resting one does under the force that is then left, in the softest island (plan.h).
 double elasticEnergy(const Contact& contact, const StepContext& context);
 
 // Of all contacts of an island, by the motion that the solve found: between forces and new poses.

@@ -100,6 +100,13 @@ void stiffen(PointMemory& m, int i, const StiffnessScale& scale) {
   m.offset[i] = std::min(0.0f, m.gap[i] + m.forceN[i] / scale.full);
 }
 
+// A resting point goes on with the force that it has here, too, as far as there is overlap for it: else debris would sink each time
+// that it is stirred and be lifted when it lies again, and never come to lie.
+void soften(PointMemory& m, int i, const StiffnessScale& scale) {
+  m.stiffness[i] = scale.full;
+  if (m.forceN[i] > 0) m.offset[i] = std::min(0.0f, m.gap[i] + m.forceN[i] / scale.full);
+}
+
 // Slow surfaces rest from the start; so do impacts that have to be as stiff.
 void startPhase(PointMemory& m, int i, float approach, const StiffnessScale& scale) {
   m.stiffness[i] = approach > -scale.quietSpeed ? scale.full : impactStiffness(approach, scale);
@@ -109,8 +116,8 @@ void startPhase(PointMemory& m, int i, float approach, const StiffnessScale& sca
 // Returns the gap that causes force.
 float mapNormalOffset(PointMemory& m, int i, float approach, const StiffnessScale& scale) {
   if (m.stiffness[i] >= kFullShare * scale.full) m.phase[i] = PointPhase::resting;
-  // The time step has grown, or the island is calm no longer.
-  if (m.stiffness[i] > (2 - kFullShare) * scale.full) m.stiffness[i] = scale.full;
+  // The time step has grown, the island is calm no longer, or it has become debris.
+  if (m.stiffness[i] > (2 - kFullShare) * scale.full) soften(m, i, scale);
   if (m.phase[i] == PointPhase::fresh) m.offset[i] = std::min(0.0f, m.gap[i]);
   if (mustStiffen(m, i, approach, scale)) stiffen(m, i, scale);
   float offset = scale.kept * std::min(0.0f, std::max(m.offset[i], m.gap[i]));

@@ -282,7 +282,7 @@ TEST(Cluster, AFactorThatIsOffIsMadeAnew) {
         for (float& k : r.k) k *= by;
       s.residual(&factor.matrix);
       ASSERT_TRUE(factor.matrix.factor());
-      factor.valid = true;
+      factor.valid = factor.kept = true;
       for (ContactRecord& r : s.island.rows.contacts.records)
         for (float& k : r.k) k /= by;
     };

@@ -219,11 +219,16 @@ TEST(Prepare, ShorterStepsMakeAPointStiffAtOnce) {
 }
 
 TEST(Prepare, LongerStepsMakeAPointSofterAtOnce) {
-  OnGround lab({0, -0.1, 0}, 0, 1.0 / 60);
-  lab.remember(PointPhase::resting, 4000 * lab.unit(lab.face), -1e-6, 0, 20);
-  lab.prepare();
-  EXPECT_NEAR(lab.stiffness(), 1000, 1e-3);
-  EXPECT_FLOAT_EQ(lab.points(lab.face).forceN[0], 20);
+  for (double gap : {-1e-6, -1e-3}) {  // less overlap than the softer point needs for its force, and more
+    OnGround lab({0, -0.1, 0}, 0, 1.0 / 60);
+    double old = 4000 * lab.unit(lab.face), k = 1000 * lab.unit(lab.face);
+    lab.remember(PointPhase::resting, old, gap, std::min(0.0, gap + 20 / old), 20);
+    lab.prepare();
+    EXPECT_NEAR(lab.stiffness(), 1000, 1e-3);
+    EXPECT_FLOAT_EQ(lab.points(lab.face).forceN[0], 20);
+    EXPECT_NEAR(double(lab.points(lab.face).offset[0]), 0.9 * std::min(0.0, gap + 20 / k), 1e-9)
+        << "it carries on with 20 N as far as it overlaps";
+  }
 }
 
 TEST(Prepare, UnusedLanesDoNothing) {
