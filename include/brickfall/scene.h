@@ -139,7 +139,7 @@ class SceneRun {
   // As they were placed, those of the scene first. One that was destroyed through world() is still listed.
   const std::vector<PlacedBody>& bodies() const { return bodies_; }
   const PlacedBody* find(BodyId id) const;  // null for a body that is not listed
-  // `id` of what is given is not read; with a launchTime to come the body is held until then.
+  // `id` of what is given is not read; with a launchTime to come a body that can move is held until then.
   Result<BodyId> createBody(PlacedBody body);
   Status destroyBody(BodyId id);
   double time() const { return time_; }  // s, simulated so far
@@ -149,7 +149,7 @@ class SceneRun {
   Status setTimeStep(double timeStep, int substeps);  // as World::step takes them
   Status setWorld(const WorldDef& def);               // as World::setDefinition
   // Another density, friction or restitution of all that is made of it; where densities are scattered they stay so. A name of
-  // predefinedMaterials() that the scene does not define becomes the scene's own.
+  // predefinedMaterials() that the scene does not define becomes the scene's own. Bodies in quarantine keep what they had.
   Status setMaterial(const std::string& name, const Material& material);
   // The scene's own, or a predefined one; none: there is none of that name.
   std::optional<MaterialDef> material(const std::string& name) const;

@@ -8,7 +8,9 @@ namespace brickfall {
 struct SolverSettings {
   //! u | too small: walls sag (40 courses: 0.6 mm, proportional to 1 / this)
   //! | too large: disturbed walls converge later: more visits
-  double restingStiffness = 1000;  // u, 10 .. 1e5: elastic sag ~ 1/this; stiffer converges later when disturbed
+  double restingStiffness = 1000;  // u, 10 .. 1e5: elastic sag ~ 1/this; stiffer converges later when disturbed.
+                                   // Islands of 25 bodies and more that are not solved directly take a part of it at
+                                   // steps under 1/60 s
   //! u | too small: deep overlap in hits | too large: a hit is one hard blow; more of the wall is shaken
   double impactStiffness = 30;  // u, 1 .. restingStiffness: of a point born in an impact
   //! m/s | too small: settling bricks count as impacts: soft, plastic
@@ -21,14 +23,16 @@ struct SolverSettings {
   double restitutionSpeed = 1;  // m/s, >= 0: slower impacts do not rebound; for a body alone on something fixed at most
                                 // gravity x dt. Smaller: heaps chatter longer before they rest
   //! m/s | too small: walls sway for seconds after a hit | too large: what begins to fall slowly may be stopped
-  double restSpeed = 1e-2;  // m/s: only islands slower than this may be stopped or put to rest
+  double restSpeed = 1e-2;  // m/s: only islands slower than this may be stopped or put to rest; large ones of up to
+                            // 30 mm/s are stopped too, where a swing ends
   //! weights | too small: float noise keeps walls awake | too large: slow topples are held
-  double restTolerance = 1e-3;  // residual / weight accepted as "nothing moves"
+  double restTolerance = 1e-3;  // residual / max(weight, 0.02 load) accepted as "nothing moves"
   //! of load | too small: more cycles | too large: the left-over error moves bodies
   double cycleTolerance = 2e-2;  // residual / max(weight, 0.3 load) under which a body of a large moving island is left
                                  // alone; load: half the sum of the forces on it
   //! - | too small: 2 hang bodies in the air (`topple` stays up) | too large: cost
-  int minCycles = 4;  // 1 .. 64: fewer glue bodies in place (they hang in the air)
+  int minCycles = 4;  // 1 .. 64: fewer glue bodies in place (they hang in the air). Before a direct solve of 2 to 24
+                      // bodies there is one
   //! - | too small: slow collapses come late | too large: cost of hits
   int maxCycles = 10;  // minCycles .. 256, islands of 64 bodies and more; rubble gets at least 20
   //! - | too small: debris of 25 to 80 bodies, fast or in flight, stays unbalanced | too large: its cost

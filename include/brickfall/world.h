@@ -112,6 +112,9 @@ class World {
   // Another friction, restitution or density of a shape that is there. Contacts go on, with the new values; velocities stay as
   // they are. Where a new density moves the body's centre of mass, its contacts are made anew.
   Status setMaterial(ShapeId shape, const Material& material);
+  // Whether setMaterial would take all of these for the body's shapes, one for each in the order of shapes(body), whichever comes
+  // first; if not, why. Nothing changes: for who changes many bodies, all or none.
+  Status checkMaterials(BodyId body, std::span<const Material> materials) const;
 
   // --- Settings, as the world has them now. All are changed at once, or none on an error. maxBodies, broadPhase and
   // solver.contactMargin are for the life of a world: what differs there is refused. New loads or solver settings wake who
@@ -141,8 +144,8 @@ class World {
                                          std::uint32_t mask = 0xffffffffu) const;  // bounds, exact shape
   Result<std::vector<BodyId>> overlapSphere(Vec3 centre, double radius, std::uint32_t mask = 0xffffffffu) const;
   Result<std::optional<ClosestResult>> closest(Vec3 point, double maxDistance, std::uint32_t mask = 0xffffffffu) const;
-  // While forEachContact, forEachIsland or draw runs its callbacks, calls that change the world answer wrongState; reading is fine. The
-  // callbacks must not throw.
+  // While forEachContact, forEachIsland or draw runs its callbacks, calls that change the world answer wrongState; reading is
+  // fine. The callbacks must not throw.
   void forEachContact(const std::function<void(const ContactView&)>& visit) const;
   // Awake islands, then those that sleep, each in the order of their lowest body. Bodies without contacts are in none.
   void forEachIsland(const std::function<void(const IslandView&)>& visit) const;
@@ -165,6 +168,9 @@ class World {
   explicit World(std::unique_ptr<Impl> impl);
   std::unique_ptr<Impl> impl_;
 };
+
+// What every call that takes a material asks of it by itself; the error names the field.
+Status checkMaterial(const Material& material);
 
 // "0.1.0"
 const char* versionString();

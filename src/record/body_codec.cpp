@@ -161,7 +161,7 @@ TakeBody getBody(ByteReader& in, std::uint32_t version, bool& sound) {
   std::uint64_t shapes = in.varint();
   sound = sound && in.canHold(shapes, kLeastShapeBytes);
   for (std::uint64_t k = 0; sound && k < shapes; k++) body.shapes.push_back(getShape(in, sound));
-  if (!sound || version < kFirstVersionWithMaterials) return body;
+  if (!sound || version < kVersion3) return body;
   body.material = in.text();
   std::uint64_t materials = in.varint();
   sound = in.canHold(materials, 1);

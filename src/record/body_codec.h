@@ -13,8 +13,8 @@ namespace brickfall {
 constexpr double kMostTakeSize = 1e9;  // m, of shapes and of where they and cameras are
 // The least bytes a body takes, so that a count can be checked before room is made for it.
 constexpr std::size_t kLeastBodyBytes = 1 + 1 + 3 + 8 + 1;
-// Versions of the take format below this know no names of materials, and no paths of cameras.
-constexpr std::uint32_t kFirstVersionWithMaterials = 3;
+// Of the take format: from here on it has names of materials and paths of cameras.
+constexpr std::uint32_t kVersion3 = 3;
 
 bool withinTakeSize(Vec3 v);
 void put(ByteWriter& out, Vec3 v);

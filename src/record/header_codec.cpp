@@ -74,7 +74,7 @@ Camera getCamera(ByteReader& in, std::uint32_t version, bool& sound) {
   camera.position = getVec3(in);
   camera.target = getVec3(in);
   camera.fieldOfViewDegrees = in.f64();
-  std::uint64_t keys = version < kFirstVersionWithMaterials ? 0 : in.varint();
+  std::uint64_t keys = version < kVersion3 ? 0 : in.varint();
   sound = in.canHold(keys, kCameraKeyBytes);
   for (std::uint64_t k = 0; sound && k < keys; k++) {
     CameraKey key;

@@ -1,6 +1,7 @@
 // The bodies of a world are handed to the report's system as boxes, and their motion is handed back.
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <set>
 #include <string>
 
@@ -203,7 +204,7 @@ Status ReportRun::restore(std::span<const std::byte> snapshot, const World& worl
     lost.insert(body);
   }
   ReportSystem system = impl_->system;
-  if (!system.read(archive) || !archive.atEnd() || !(time >= 0)) return bad;
+  if (!system.read(archive) || !archive.atEnd() || !(time >= 0 && std::isfinite(time))) return bad;
   impl_->system = std::move(system);
   impl_->time = time;
   impl_->steps = steps;

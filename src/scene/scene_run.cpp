@@ -1,5 +1,6 @@
 // A description becomes a World: the ground, then the bricks course by course, then everything else.
 #include <algorithm>
+#include <cmath>
 
 #include "brickfall/limits.h"
 #include "brickfall/scene.h"
@@ -105,6 +106,9 @@ class Placer {
 SceneRun::SceneRun(SceneDescription scene, World world) : scene_(std::move(scene)), world_(std::move(world)) {}
 
 Result<SceneRun> SceneRun::create(const SceneDescription& scene) {
+  for (const MaterialDef& def : scene.materials)
+    if (Status fine = checkMaterial(def.material); !fine)
+      return Error{fine.error().code, "material \"" + def.name + "\": " + fine.error().message};
   Placer placer(scene);
   if (Status status = placer.place(); !status) return status.error();
   WorldDef def = scene.world;
@@ -124,16 +128,17 @@ Result<SceneRun> SceneRun::create(const SceneDescription& scene) {
 }
 
 Result<BodyId> SceneRun::createBody(PlacedBody body) {
-  BodyDef made = body.def;
-  const bool held = body.launchTime > time_;
-  if (held) {  // until then; everything else already feels it
-    made.type = BodyType::fixed;
-    made.linearVelocity = made.angularVelocity = {};
-  }
-  Result<BodyId> id = world_.createBody(made);
+  if (std::isnan(body.launchTime))
+    return inBody(body.name, {ErrorCode::invalidArgument, "launchTime: found nan, expected a time in s"});
+  // Made as it will be, so that what could not be launched is refused now.
+  Result<BodyId> id = world_.createBody(body.def);
   if (!id) return inBody(body.name, id.error());
   body.id = *id;
-  if (held) waiting_.push_back(*id);
+  if (body.launchTime > time_ && body.def.type != BodyType::fixed) {
+    // Held until then; everything else already feels it.
+    if (Status held = world_.setType(*id, BodyType::fixed); !held) return inBody(body.name, held.error());
+    waiting_.push_back(*id);
+  }
   if (id->index >= placeByIndex_.size()) placeByIndex_.resize(id->index + 1);
   placeByIndex_[id->index] = bodies_.size();
   bodies_.push_back(std::move(body));
@@ -211,29 +216,54 @@ std::optional<MaterialDef> SceneRun::material(const std::string& name) const {
   return def ? std::optional(*def) : std::nullopt;
 }
 
+namespace {
+
+using MaterialChange = std::pair<ShapeId, Material>;
+
+// What changes of a body if `old` becomes `material`: checked, all of it together. Where densities are scattered they stay so.
+Result<std::vector<MaterialChange>> changesOf(const World& world, const PlacedBody& body, const MaterialDef& old,
+                                              const Material& material) {
+  const double densityRatio = material.density / old.material.density;
+  const std::vector<ShapeId> shapes = world.shapes(body.id);
+  std::vector<Material> all;
+  std::vector<MaterialChange> changes;
+  for (std::size_t i = 0; i < shapes.size(); i++) {
+    all.push_back(world.shape(shapes[i])->material);
+    if (i >= body.materials.size() || body.materials[i] != old.name) continue;
+    const double before = all[i].density;
+    all[i] = material;
+    if (before != old.material.density) all[i].density = before * densityRatio;
+    changes.push_back({shapes[i], all[i]});
+  }
+  if (changes.empty()) return changes;
+  if (Status fine = world.checkMaterials(body.id, all); !fine) return inBody(body.name, fine.error());
+  return changes;
+}
+
+}  // namespace
+
 Status SceneRun::setMaterial(const std::string& name, const Material& material) {
   std::optional<MaterialDef> def = this->material(name);
   if (!def)
     return Error{ErrorCode::invalidArgument, "material: found \"" + name + "\", expected the name of a material"};
-  const double heavier = material.density / def->material.density;
-  std::vector<std::pair<ShapeId, Material>> before;
+  if (Status fine = checkMaterial(material); !fine) return fine;  // though nothing may be made of it
+  std::vector<MaterialChange> all;
   for (const PlacedBody& body : bodies_) {
-    const std::vector<ShapeId> shapes = world_.shapes(body.id);
-    for (std::size_t i = 0; i < shapes.size() && i < body.materials.size(); i++) {
-      if (body.materials[i] != name) continue;
-      const Material old = world_.shape(shapes[i])->material;
-      Material now = material;
-      if (old.density != def->material.density) now.density = old.density * heavier;
-      if (Status changed = world_.setMaterial(shapes[i], now); !changed) {
-        for (const auto& [shape, was] : before) (void)world_.setMaterial(shape, was).ok();
-        return inBody(body.name, changed.error());
-      }
-      before.push_back({shapes[i], old});
-    }
+    const Result<BodyState> state = world_.state(body.id);
+    if (!state || state->quarantined) continue;  // it can't change any more, nor matter
+    Result<std::vector<MaterialChange>> changes = changesOf(world_, body, *def, material);
+    if (!changes) return changes.error();
+    all.insert(all.end(), changes->begin(), changes->end());
   }
+  for (const auto& [shape, now] : all)
+    if (Status changed = world_.setMaterial(shape, now); !changed) return changed;  // it was checked: does not happen
   def->material = material;
-  std::erase_if(scene_.materials, [&](const MaterialDef& own) { return own.name == name; });
-  scene_.materials.push_back(*def);
+  auto own = std::find_if(scene_.materials.begin(), scene_.materials.end(),
+                          [&](const MaterialDef& defined) { return defined.name == name; });
+  if (own == scene_.materials.end())
+    scene_.materials.push_back(*def);
+  else
+    *own = *def;
   if (reported_) reported_->rereadBodies();
   return {};
 }

@@ -2,6 +2,10 @@
 // world has; names, roles and what they were made with stand here.
 //
 // Layout: magic, layout number, hash of what follows but the world's own bytes (they have their own); those bytes; the rest.
+// The hash finds damage, not intent: what is read is checked as the calls check what they are given.
+#include <algorithm>
+#include <cmath>
+
 #include "base/archive.h"
 #include "base/hash.h"
 #include "brickfall/limits.h"
@@ -12,7 +16,7 @@ namespace brickfall {
 namespace {
 
 constexpr std::uint64_t kMagic = 0x314e5552464b5242ull;
-constexpr std::uint32_t kLayout = 1;
+constexpr std::uint32_t kLayout = 2;
 constexpr std::size_t kLeastBody = 100, kLeastMaterial = 20;  // bytes: a forged count can't claim much more memory
 
 struct Header {
@@ -46,12 +50,15 @@ template <class Archive, class List> void length(Archive& a, List& list, std::si
 
 // What a run has besides its world, read before anything of it is changed.
 struct RunState {
+  struct Body {
+    PlacedBody placed;
+    bool waits = false;  // for its launch
+  };
   double time = 0, timeStep = 0;
   std::int32_t substeps = 1;
   std::uint64_t stepsDone = 0;
   std::vector<MaterialDef> materials;
-  std::vector<PlacedBody> bodies;
-  std::vector<std::uint32_t> waiting;  // places in bodies
+  std::vector<Body> bodies;
   std::vector<std::byte> reported;
 };
 
@@ -65,8 +72,10 @@ class RunArchive {
     length(a, s.materials, kLeastMaterial);
     for (auto& def : s.materials) material(a, def);
     length(a, s.bodies, kLeastBody);
-    for (auto& placed : s.bodies) body(a, placed);
-    a.list(s.waiting);
+    for (auto& listed : s.bodies) {
+      body(a, listed.placed);
+      a.flag(listed.waits);
+    }
     a.list(s.reported);
   }
 
@@ -77,12 +86,11 @@ class RunArchive {
     s.substeps = run.scene_.substeps;
     s.stepsDone = run.stepsDone_;
     s.materials = run.scene_.materials;
-    for (const PlacedBody& body : run.bodies_) {
-      if (!run.world_.isValid(body.id)) continue;
-      for (BodyId id : run.waiting_)
-        if (id == body.id) s.waiting.push_back(std::uint32_t(s.bodies.size()));
-      s.bodies.push_back(body);
-    }
+    std::vector<bool> waits(run.bodies_.size(), false);
+    for (BodyId id : run.waiting_)
+      if (const PlacedBody* body = run.find(id)) waits[std::size_t(body - run.bodies_.data())] = true;
+    for (std::size_t k = 0; k < run.bodies_.size(); k++)
+      if (run.world_.isValid(run.bodies_[k].id)) s.bodies.push_back({run.bodies_[k], waits[k]});
     if (run.reported_) s.reported = run.reported_->snapshot();
     return s;
   }
@@ -123,22 +131,59 @@ class RunArchive {
   }
 };
 
-// The world is the last that can fail.
+namespace {
+
+bool inRange(Vec3 v, double limit) {  // in the positive form: NaN is not
+  return std::fabs(v.x) <= limit && std::fabs(v.y) <= limit && std::fabs(v.z) <= limit;
+}
+
+// What a body was made with: its launch takes type and velocities from there.
+bool soundMaking(const PlacedBody& body) {
+  const BodyDef& d = body.def;
+  return inRange(d.position, limits::kLargestCoordinate) && isFinite(d.rotation) &&
+         inRange(d.linearVelocity, limits::kLargestSpeed) && inRange(d.angularVelocity, limits::kLargestSpeed) &&
+         std::fabs(d.gravityScale) <= limits::kLargestGravityScale && d.linearDamping >= 0 &&
+         d.linearDamping <= limits::kLargestDamping && d.angularDamping >= 0 &&
+         d.angularDamping <= limits::kLargestDamping && d.dragArea >= 0 && d.dragArea <= limits::kLargestDragArea &&
+         !std::isnan(body.launchTime);
+}
+
+Status checkState(const RunState& s) {
+  if (!(s.time >= 0 && std::isfinite(s.time)) ||
+      !(s.timeStep >= limits::kShortestTimeStep && s.timeStep <= limits::kLongestTimeStep) ||
+      !(s.substeps >= 1 && s.substeps <= limits::kMostSubsteps))
+    return badSnapshot("its time is out of range");
+  for (const MaterialDef& def : s.materials)
+    if (Status fine = checkMaterial(def.material); !fine)
+      return badSnapshot("material \"" + def.name + "\": " + fine.error().message);
+  std::vector<std::uint32_t> slots;
+  for (const RunState::Body& body : s.bodies) {
+    if (!soundMaking(body.placed)) return badSnapshot("body \"" + body.placed.name + "\": a number is out of range");
+    slots.push_back(body.placed.id.index);
+  }
+  std::sort(slots.begin(), slots.end());
+  if (std::adjacent_find(slots.begin(), slots.end()) != slots.end()) return badSnapshot("it has a body twice");
+  return {};
+}
+
+}  // namespace
+
+// All is checked and read before anything changes; the world is the last that can fail.
 Status RunArchive::put(RunState&& s, std::span<const std::byte> world, SceneRun& run) {
-  for (std::uint32_t place : s.waiting)
-    if (place >= s.bodies.size()) return badSnapshot("a launch of a body that it does not have");
+  if (Status fine = checkState(s); !fine) return fine;
   if (run.reported_.has_value() == s.reported.empty()) return badSnapshot("made of a scene with another method");
-  std::vector<std::byte> before;
+  std::optional<ReportRun> reported;
   if (run.reported_) {
-    before = run.reported_->snapshot();
-    if (Status read = run.reported_->restore(s.reported, run.world_); !read) return read;
+    Result<ReportRun> made = ReportRun::create(run.scene_.report);
+    if (!made) return made.error();
+    if (Status read = made->restore(s.reported, run.world_); !read) return read;
+    reported = std::move(made).value();
   }
-  if (Status read = run.world_.restore(world); !read) {
-    if (run.reported_) (void)run.reported_->restore(before, run.world_).ok();
-    return read;
+  if (Status read = run.world_.restore(world); !read) return read;
+  if (reported) {  // once more: whom it has lost is told by the world as it is now
+    (void)reported->restore(s.reported, run.world_).ok();
+    run.reported_ = std::move(reported);
   }
-  // Whom it has lost is told by the world as it is now.
-  if (run.reported_) (void)run.reported_->restore(s.reported, run.world_).ok();
   std::vector<BodyId> byIndex;
   for (BodyId id : run.world_.bodies()) {
     if (id.index >= byIndex.size()) byIndex.resize(id.index + 1);
@@ -146,14 +191,13 @@ Status RunArchive::put(RunState&& s, std::span<const std::byte> world, SceneRun&
   }
   run.waiting_.clear();
   std::vector<PlacedBody> there;
-  for (std::size_t k = 0; k < s.bodies.size(); k++) {
-    PlacedBody& body = s.bodies[k];
+  for (RunState::Body& listed : s.bodies) {
+    PlacedBody& body = listed.placed;
     const BodyId id = body.id.index < byIndex.size() ? byIndex[body.id.index] : BodyId{};
     if (!id || id.generation != body.id.generation) continue;
     body.id = id;
     for (ShapeId shape : run.world_.shapes(id)) body.def.shapes.push_back(*run.world_.shape(shape));
-    for (std::uint32_t place : s.waiting)
-      if (place == k) run.waiting_.push_back(id);
+    if (listed.waits) run.waiting_.push_back(id);
     there.push_back(std::move(body));
   }
   run.list(std::move(there));
@@ -201,10 +245,6 @@ Status SceneRun::restore(std::span<const std::byte> snapshot) {
   RunState state;
   RunArchive::state(archive, state);
   if (archive.failed() || !archive.atEnd()) return badSnapshot("its lists do not fit its length");
-  if (!(state.time >= 0) ||
-      !(state.timeStep >= limits::kShortestTimeStep && state.timeStep <= limits::kLongestTimeStep) ||
-      !(state.substeps >= 1 && state.substeps <= limits::kMostSubsteps))
-    return badSnapshot("its time is out of range");
   return RunArchive::put(std::move(state), rest.first(std::size_t(header.worldBytes)), *this);
 }
 

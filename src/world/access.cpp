@@ -60,8 +60,8 @@ Result<ShapeDef> World::shape(ShapeId id) const {
 Status World::Impl::openForChange(const std::string& call) const {
   if (diary.inStep) return Error{ErrorCode::wrongState, call + ": the world is stepping"};
   if (visiting > 0)
-    return Error{ErrorCode::wrongState,
-                 call + ": called from inside a callback of forEachContact or draw, expected after it has returned"};
+    return Error{ErrorCode::wrongState, call + ": called from inside a callback of forEachContact, forEachIsland or " +
+                                            "draw, expected after it has returned"};
   return {};
 }
 
@@ -230,6 +230,16 @@ Status World::setDefinition(const WorldDef& def) {
   return {};
 }
 
+namespace {
+
+// A body that never becomes dynamic may weigh what it likes.
+void checkMassWith(Checks& check, const Registry& registry, BodyIndex body, std::span<const Material> materials) {
+  if (registry.bodies.data[body].type != BodyType::fixed && !registry.hasMesh(body))
+    checkMass(check, registry.massWith(body, materials));
+}
+
+}  // namespace
+
 Status World::setMaterial(ShapeId id, const Material& material) {
   Impl& w = *impl_;
   if (Status open = w.openForChange("setMaterial"); !open) return open;
@@ -240,12 +250,27 @@ Status World::setMaterial(ShapeId id, const Material& material) {
   checkMaterial(check, "material", material);
   Result<BodyIndex> body = w.openForChange(w.registry.idOf(shape.body), check.error());
   if (!body) return body.error();
-  if (w.registry.bodies.data[*body].type != BodyType::fixed && !w.registry.hasMesh(*body)) {
-    checkMass(check, w.registry.massWith(*found, material.density));
-    if (check.failed()) return check.error();
-  }
+  std::vector<Material> materials;
+  for (ShapeIndex part : w.registry.bodies.shapes[*body])
+    materials.push_back(part == *found ? material : w.registry.shapes.data[part].def.material);
+  checkMassWith(check, w.registry, *body, materials);
+  if (check.failed()) return check.error();
   w.upkeep().setMaterial(*found, material);
   return {};
+}
+
+Status World::checkMaterials(BodyId id, std::span<const Material> materials) const {
+  const Impl& w = *impl_;
+  Checks check;
+  for (std::size_t i = 0; i < materials.size() && !check.failed(); i++)
+    checkMaterial(check, "materials[" + std::to_string(i) + "]", materials[i]);
+  Result<BodyIndex> body = w.openForChange(id, check.error());
+  if (!body) return body.error();
+  const std::size_t shapes = w.registry.bodies.shapes[*body].size();
+  check.condition(materials.size() == shapes, "materials: found " + std::to_string(materials.size()) + ", expected " +
+                                                  std::to_string(shapes) + ", one for each shape");
+  if (!check.failed()) checkMassWith(check, w.registry, *body, materials);
+  return check.failed() ? Status(check.error()) : Status();
 }
 
 namespace {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "geometry/queries.h"
+#include "solver/free_motion.h"
 
 namespace brickfall {
 
@@ -16,6 +17,22 @@ constexpr double kChord = 0.1;  // rad: arcs are looked at as straight in parts 
 constexpr int kMostChords = 32;
 
 }  // namespace
+
+bool turnsFar(const BodySet& bodies, BodyIndex body, Vec3 turn) {
+  const BodyMass& mass = bodies.mass[body];
+  const Vec3 visible = visibleTurn(mass, bodies.motion[body].orientation, turn);
+  return lengthSquared(visible * mass.outerRadius) > mass.innerRadius * mass.innerRadius;
+}
+
+Sweep sweepOf(const BodySet& bodies, BodyIndex body, Vec3 way, Vec3 turn) {
+  return {bodies.pose(body), way, turn, turnsFar(bodies, body, turn)};
+}
+
+Aabb sweptBounds(const ShapeData& shape, const Sweep& own) {
+  Aabb here = bounds(shape.geometry, own.start * shape.inCentreFrame);
+  if (own.turns) here = merged(here, bounds(shape.geometry, own.at(1) * shape.inCentreFrame));
+  return {here.lower + min(own.way, Vec3{}), here.upper + max(own.way, Vec3{})};
+}
 
 double coreWay(const ShapeData& moving, const Sweep& way, const ShapeData& still, const Sweep& of) {
   Transform pose = of.start * still.inCentreFrame, back = inverse(pose);

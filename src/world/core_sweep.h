@@ -1,5 +1,6 @@
 // The core of a shape, a ball a fourth as thick as the shape, on its way through a step: what it may not pass through.
 #pragma once
+#include "dynamics/body_set.h"
 #include "dynamics/shape_set.h"
 
 namespace brickfall {
@@ -25,6 +26,15 @@ struct Sweep {
     return transformPoint(exact.at(1), transformPoint(inverse(exact.at(share)), place)) - place;
   }
 };
+
+// Whether it turns so far that its surface moves by more than it is thick, as far as that can be seen.
+bool turnsFar(const BodySet& bodies, BodyIndex body, Vec3 turn);
+
+// Of a body, from where it is now.
+Sweep sweepOf(const BodySet& bodies, BodyIndex body, Vec3 way, Vec3 turn);
+
+// The box around a shape all along the way of its body.
+Aabb sweptBounds(const ShapeData& shape, const Sweep& own);
 
 // How far the core of `moving` gets on its way past `still`, as a share. What turns is seen from its own frame: the way
 // then is where the core ends up in it.

@@ -22,6 +22,12 @@ void checkMaterial(Checks& check, const std::string& at, const Material& m) {
       at + ".restitutionRule: found " + std::to_string(int(m.restitutionRule)) + ", expected a CombineRule");
 }
 
+Status checkMaterial(const Material& material) {
+  Checks check;
+  checkMaterial(check, "material", material);
+  return check.failed() ? Status(check.error()) : Status();
+}
+
 namespace {
 
 void checkMesh(Checks& check, const std::string& at, const ShapeDef& s, BodyType type) {

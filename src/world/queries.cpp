@@ -154,12 +154,17 @@ void World::forEachIsland(const std::function<void(const IslandView&)>& visit) c
   if (!visit) return;
   Visit here(w.visiting);
   std::vector<BodyId> ids;
-  for (const auto* list : {&w.activity.islands.awake, &w.activity.islands.asleep})
-    for (const auto& island : *list) {
-      ids.clear();
-      for (BodyIndex body : island->bodies) ids.push_back(w.registry.idOf(body));
-      visit({ids, list == &w.activity.islands.awake, island->ending});
-    }
+  const auto show = [&](const Island& island, bool awake) {
+    ids.clear();
+    for (BodyIndex body : island.bodies) ids.push_back(w.registry.idOf(body));
+    visit({ids, awake, island.ending});
+  };
+  for (const auto& island : w.activity.islands.awake) show(*island, true);
+  // The world keeps these in the order in which they fell asleep.
+  std::vector<const Island*> asleep;
+  for (const auto& island : w.activity.islands.asleep) asleep.push_back(island.get());
+  std::sort(asleep.begin(), asleep.end(), [](const Island* a, const Island* b) { return a->key() < b->key(); });
+  for (const Island* island : asleep) show(*island, false);
 }
 
 Result<double> World::penetration(ShapeId a, ShapeId b) const {

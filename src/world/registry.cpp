@@ -101,9 +101,9 @@ void Registry::setPose(BodyIndex body, Vec3 position, Quat rotation) {
 
 bool Registry::setMaterial(ShapeIndex shape, const Material& material) {
   ShapeData& s = shapes.data[shape];
-  const bool heavier = s.def.material.density != material.density;
+  const bool densityChanged = s.def.material.density != material.density;
   s.def.material = material;
-  if (!heavier) return false;
+  if (!densityChanged) return false;
   const Vec3 centre = bodies.data[s.body].localCentre;
   const Vec3 place = bodies.motion[s.body].position;
   updateMass(s.body, bodies.origin(s.body));
@@ -112,12 +112,10 @@ bool Registry::setMaterial(ShapeIndex shape, const Material& material) {
   return false;
 }
 
-double Registry::massWith(ShapeIndex shape, double density) const {
+double Registry::massWith(BodyIndex body, std::span<const Material> materials) const {
   double mass = 0;
-  for (ShapeIndex part : bodies.shapes[shapes.data[shape].body]) {
-    const ShapeData& s = shapes.data[part];
-    mass += shapeMass(s.geometry, part == shape ? density : s.def.material.density).mass;
-  }
+  for (std::size_t i = 0; i < materials.size(); i++)
+    mass += shapeMass(shapes.data[bodies.shapes[body][i]].geometry, materials[i].density).mass;
   return mass;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "brickfall/body.h"
@@ -39,7 +40,7 @@ class Registry {
   void setPose(BodyIndex body, Vec3 position, Quat rotation);  // of the body's frame
   // True if the body's centre of mass is elsewhere in it than before; its frame stays where it is.
   bool setMaterial(ShapeIndex shape, const Material& material);
-  double massWith(ShapeIndex shape, double density) const;  // kg, of its body if the shape had that density
+  double massWith(BodyIndex body, std::span<const Material> materials) const;  // kg, if its shapes were of these
   bool hasMesh(BodyIndex body) const;
   bool mayMeet(ShapeIndex a, ShapeIndex b) const;  // of two bodies of which one is dynamic, and their filters allow it
 

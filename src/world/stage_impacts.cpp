@@ -253,34 +253,27 @@ bool ImpactWalk::goTo(Island& island, double dt, bool toImpact) {
 // Contacts of what is still far, or turns, may lie: on the way that the solve found for `dt` s the core of a body would pass
 // into something.
 bool ImpactWalk::runsThrough(const Island& island, double dt) const {
-  auto sweepOf = [&](BodyIndex body) {
+  auto wayOf = [&](BodyIndex body) {
+    if (std::binary_search(island.bodies.begin(), island.bodies.end(), body))
+      return sweepOf(bodies_, body, context_.solved[body].d, context_.solved[body].th);
     const BodyMotion& m = bodies_.motion[body];
-    const BodyMass& mass = bodies_.mass[body];
-    bool here = std::binary_search(island.bodies.begin(), island.bodies.end(), body);
-    Sweep out{bodies_.pose(body)};
-    out.way = here ? context_.solved[body].d : m.linearVelocity * dt;
-    out.turn = here ? context_.solved[body].th : m.angularVelocity * dt;
-    out.turns = length(visibleTurn(mass, m.orientation, out.turn)) * mass.outerRadius > mass.innerRadius;
-    return out;
+    return sweepOf(bodies_, body, m.linearVelocity * dt, m.angularVelocity * dt);
   };
   auto isDynamic = [&](BodyIndex body) { return bodies_.data[body].type == BodyType::dynamic; };
   auto meets = [&](ShapeIndex shape, const Sweep& own) {
     const ShapeData& s = registry_.shapes.data[shape];
     bool met = false;
-    Aabb here = bounds(s.geometry, own.start * s.inCentreFrame);
-    if (own.turns) here = merged(here, bounds(s.geometry, own.at(1) * s.inCentreFrame));
-    proximity_.broadPhase->query(
-        {here.lower + min(own.way, Vec3{}), here.upper + max(own.way, Vec3{})}, [&](std::uint32_t other) {
-          const ShapeData& o = registry_.shapes.data[other];
-          if (o.body == s.body || !filtersAllow(s.def.filter, o.def.filter)) return true;
-          Sweep of = sweepOf(o.body);
-          met = coreWay(s, own, o, of) < 1 || (isDynamic(o.body) && coreWay(o, of, s, own) < 1);
-          return !met;
-        });
+    proximity_.broadPhase->query(sweptBounds(s, own), [&](std::uint32_t other) {
+      const ShapeData& o = registry_.shapes.data[other];
+      if (o.body == s.body || !filtersAllow(s.def.filter, o.def.filter)) return true;
+      Sweep of = wayOf(o.body);
+      met = coreWay(s, own, o, of) < 1 || (isDynamic(o.body) && coreWay(o, of, s, own) < 1);
+      return !met;
+    });
     return met;
   };
   for (BodyIndex body : island.bodies) {
-    Sweep own = sweepOf(body);
+    Sweep own = wayOf(body);
     if (!own.turns && length(own.way) < kCoreShare * bodies_.mass[body].innerRadius) continue;
     for (ShapeIndex shape : bodies_.shapes[body])
       if (meets(shape, own)) return true;

@@ -53,7 +53,6 @@ struct Obstacles {
   const Island* islandWith(BodyIndex body) const;
   Motion motionOf(BodyIndex body) const;
   void shorten(BodyIndex body, double share, double turnShare, Vec3 carried = {});
-  bool turnsFar(BodyIndex body, Vec3 turn) const;
   bool farHeavier(BodyIndex body, BodyIndex other) const;
 };
 
@@ -82,12 +81,6 @@ void Obstacles::shorten(BodyIndex body, double share, double turnShare, Vec3 car
   }
 }
 
-bool Obstacles::turnsFar(BodyIndex body, Vec3 turn) const {
-  const BodyMass& mass = bodies.mass[body];
-  Vec3 visible = visibleTurn(mass, bodies.motion[body].orientation, turn);
-  return exceeds(visible * mass.outerRadius, mass.innerRadius);
-}
-
 // What is far lighter is carried along and stops nothing: bricks pressed into a wrecking ball must not hold it in the air.
 bool Obstacles::farHeavier(BodyIndex body, BodyIndex other) const {
   return bodies.mass[body].mass > kFarHeavier * bodies.mass[other].mass;
@@ -101,7 +94,7 @@ void Obstacles::stop(BodyIndex body) {
   bool spins = turn > kLargestTurn && !s.freeTurn;
   if (spins) shorten(body, kLargestTurn / turn, kLargestTurn / turn);
   // What it was left behind by its turn, and kinematic bodies, may run over it, however slow it is itself.
-  bool everything = spins || turnsFar(body, s.th);
+  bool everything = spins || turnsFar(bodies, body, s.th);
   if (!(everything || !activity.moving.empty() || exceeds(s.d, thickness))) return;
   Obstruction first;
   for (ShapeIndex shape : bodies.shapes[body]) obstruct(shape, everything, thickness, nullptr, first);
@@ -112,7 +105,7 @@ void Obstacles::stop(BodyIndex body) {
   }
   shorten(body, first.share, first.turnShare);
   Motion other = motionOf(first.body);
-  bool turns = turnsFar(first.body, other.turn);
+  bool turns = turnsFar(bodies, first.body, other.turn);
   if (turns || exceeds(other.way, thickness)) shorten(first.body, first.share, turns ? first.share : 1);
 }
 
@@ -154,24 +147,22 @@ void Obstacles::catchUp(const Island& island) {
 // `without`: what is in this island is passed over.
 void Obstacles::obstruct(ShapeIndex shape, bool everything, double thickness, const Island* without,
                          Obstruction& first) const {
-  auto sweepOf = [&](BodyIndex body) {
+  auto wayOf = [&](BodyIndex body) {
     Motion m = motionOf(body);
-    return Sweep{bodies.pose(body), m.way, m.turn, turnsFar(body, m.turn)};
+    return sweepOf(bodies, body, m.way, m.turn);
   };
   const ShapeData& s = shapes.data[shape];
-  Sweep own = sweepOf(s.body);
-  Aabb here = bounds(s.geometry, own.start * s.inCentreFrame);
-  if (own.turns) here = merged(here, bounds(s.geometry, own.at(1) * s.inCentreFrame));
+  Sweep own = wayOf(s.body);
   Vec3 d = own.way;
   // A turn moves no core that is at the centre. Where the end of a body is pressed in, the turn gets it out.
   bool centred = length(s.middle) < 0.5 * kCoreShare * s.innerRadius;
-  broadPhase.query({here.lower + min(d, Vec3{}), here.upper + max(d, Vec3{})}, [&](std::uint32_t other) {
+  broadPhase.query(sweptBounds(s, own), [&](std::uint32_t other) {
     const ShapeData& o = shapes.data[other];
     if (o.body == s.body || !filtersAllow(s.def.filter, o.def.filter)) return true;
     if (without && islandWith(o.body) == without) return true;
     BodyType type = bodies.data[o.body].type;
     if (type == BodyType::dynamic && farHeavier(s.body, o.body)) return true;
-    Sweep way = sweepOf(o.body);
+    Sweep way = wayOf(o.body);
     Vec3 motion = d - way.way;
     bool turns = own.turns || way.turns;
     if (!turns && !exceeds(everything || type == BodyType::kinematic ? motion : d, thickness)) return true;

@@ -53,7 +53,7 @@ void Upkeep::setPose(BodyIndex body, Vec3 position, Quat rotation) {
 
 void Upkeep::setMaterial(ShapeIndex shape, const Material& material) {
   const BodyIndex body = registry_.shapes.data[shape].body;
-  const bool heavier = registry_.shapes.data[shape].def.material.density != material.density;
+  const bool densityChanged = registry_.shapes.data[shape].def.material.density != material.density;
   disturb(body);
   wakeTouching(body);  // of something fixed, too
   // Anchors of contacts are measured from the centre of mass.
@@ -66,7 +66,7 @@ void Upkeep::setMaterial(ShapeIndex shape, const Material& material) {
     for (const CandidatePair& pair : *list)
       if ((pair.bodyA == body || pair.bodyB == body) && pair.contact != kNoIndex)
         takeConstants(contacts.contacts[pair.contact], registry_.shapes, registry_.bodies);
-  if (heavier) activity_.forgetIslandsOf(body);
+  if (densityChanged) activity_.forgetIslandsOf(body);
   activity_.unsettlePartnersOf(body);
 }
 

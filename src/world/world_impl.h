@@ -29,7 +29,7 @@ struct World::Impl {
   Activity activity;
   Diary diary;
   Clock clock;
-  mutable int visiting = 0;  // callbacks of forEachContact and draw under way
+  mutable int visiting = 0;  // callbacks of forEachContact, forEachIsland and draw under way
 
   // step.cpp. A step is made of parts, one for each substep: begin, all stages, end.
   void keepRoom();  // for all that the step may need

@@ -26,6 +26,7 @@ std::vector<std::pair<const char*, BodyCall>> bodyCalls() {
       {"setGravityScale", [](World& w, BodyId b) { return errorOf(w.setGravityScale(b, 2)); }},
       {"setDamping", [](World& w, BodyId b) { return errorOf(w.setDamping(b, 1, 1)); }},
       {"setDragArea", [](World& w, BodyId b) { return errorOf(w.setDragArea(b, 1)); }},
+      {"checkMaterials", [](World& w, BodyId b) { return errorOf(w.checkMaterials(b, std::vector(1, Material{}))); }},
       {"wake", [](World& w, BodyId b) { return errorOf(w.wake(b)); }},
       {"applyForce", [=](World& w, BodyId b) { return errorOf(w.applyForce(b, v)); }},
       {"applyForceAtPoint", [=](World& w, BodyId b) { return errorOf(w.applyForceAtPoint(b, v, v)); }},
@@ -63,10 +64,11 @@ TEST(WorldCalls, EveryKindOfBadBodyIdIsRefusedByEveryCall) {
   later.generation++;
   for (ShapeId id : {ShapeId{}, foreign, destroyedShape, later, ShapeId{0xffffffffu, 1, good.world}}) {
     unchanged.refuses(s.world.shape(id), ErrorCode::staleId, "shape");
+    unchanged.refuses(s.world.setMaterial(id, {}), ErrorCode::staleId, "shape");
     unchanged.refuses(s.world.penetration(id, good), ErrorCode::staleId, "shape");
     unchanged.refuses(s.world.penetration(good, id), ErrorCode::staleId, "shape");
   }
-  EXPECT_EQ(unchanged.calls(), int(6 * bodyCalls().size()) + 15);
+  EXPECT_EQ(unchanged.calls(), int(6 * bodyCalls().size()) + 20);
   stepSound(s.world);
 }
 

@@ -205,6 +205,29 @@ TEST(Settings, OfAMaterialAreRefusedAndNameTheField) {
   EXPECT_EQ(world.setMaterial(shape, materialOf(1000, 0.5)).error().code, ErrorCode::staleId);
 }
 
+// Each alone it may have, not both: 2 x 5.12e8 m3.
+TEST(Settings, MaterialsOfABodyAreCheckedTogether) {
+  World world = emptySpace();
+  BodyDef two = bodyOf(boxOf({400, 400, 400}), {});
+  two.shapes.push_back(boxOf({400, 400, 400}));
+  const BodyId body = add(world, two);
+  const Material light = materialOf(1000, 0.5), heavy = materialOf(1e6, 0.5);
+  const std::uint64_t before = world.stateHash();
+  const auto answer = [&](const std::vector<Material>& materials) {
+    const Status status = world.checkMaterials(body, materials);
+    return status.ok() ? std::string() : status.error().message;
+  };
+  EXPECT_EQ(answer({light, heavy}), "");
+  EXPECT_EQ(answer({heavy, light}), "");
+  EXPECT_NE(answer({heavy, heavy}).find("mass"), std::string::npos);
+  EXPECT_NE(answer({light}).find("materials: found 1, expected 2"), std::string::npos);
+  EXPECT_NE(answer({light, materialOf(1000, -1)}).find("materials[1].friction"), std::string::npos);
+  EXPECT_EQ(world.stateHash(), before);
+  EXPECT_EQ(world.shape(world.shapes(body)[0])->material.density, 1000);
+  EXPECT_NE(checkMaterial(materialOf(std::nan(""), 0.5)).error().message.find("material.density"), std::string::npos);
+  EXPECT_TRUE(checkMaterial(light).ok());
+}
+
 TEST(Settings, AllBricksOfAStandingWallMayBecomeHeavier) {
   lab::Scene s = sleepingWall();
   for (BodyId box : s.boxes) ASSERT_TRUE(s.world.setMaterial(s.world.shapes(box)[0], materialOf(2500, 0.7)).ok());
@@ -237,6 +260,29 @@ TEST(Islands, AreSeenAwakeAndAsleep) {
   run(world, 1.2);
   ASSERT_FALSE(world.state(stack[0])->awake);
   EXPECT_EQ(islandOfStack(false), 1);
+}
+
+// Those of the lowest bodies first, whichever fell asleep first.
+TEST(Islands, ThatSleepAreSeenInTheOrderOfTheirLowestBody) {
+  World world = makeWorld();
+  addGround(world);
+  std::vector<BodyId> lowest;
+  for (int column = 0; column < 3; column++)
+    for (int i = 0; i < 2; i++) {  // the first falls the furthest
+      const BodyId box = addBox(world, {0.1, 0.1, 0.1}, {3.0 * column, 0.1 + 0.2 * i + 0.5 * (2 - column), 0});
+      if (i == 0) lowest.push_back(box);
+    }
+  std::vector<BodyId> order;
+  for (int i = 0; i < 300; i++) {
+    stepSound(world);
+    for (BodyId body : world.events().fellAsleep)
+      if (std::count(lowest.begin(), lowest.end(), body)) order.push_back(body);
+  }
+  ASSERT_EQ(order.size(), lowest.size());
+  ASSERT_NE(order, lowest) << "so says nothing";
+  std::vector<BodyId> seen;
+  world.forEachIsland([&](const IslandView& island) { seen.push_back(island.bodies.front()); });
+  EXPECT_EQ(seen, lowest);
 }
 
 }  // namespace
