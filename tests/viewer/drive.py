@@ -8,7 +8,7 @@ import subprocess
 import sys
 import time
 
-NEEDED = {"Xvfb": "xvfb", "xdotool": "xdotool", "import": "imagemagick", "compare": "imagemagick", "identify": "imagemagick"}
+NEEDED = {"Xvfb": "xvfb", "openbox": "openbox", "xdotool": "xdotool", "import": "imagemagick", "compare": "imagemagick", "identify": "imagemagick"}
 PATIENCE = 120  # s: for a fact that must come; only a broken viewer waits so long
 
 
@@ -111,6 +111,14 @@ class Viewer:
     def find_window(self):
         out = subprocess.run(["xdotool", "search", "--name", "Brickfall"], env=self.environment, capture_output=True, text=True)
         return out.stdout.split()[0]
+
+    def await_manager(self):
+        """Until a window manager has the window: only then it can be made the active one."""
+        end = time.monotonic() + PATIENCE
+        while subprocess.run(["xdotool", "windowactivate", "--sync", self.window_at()], env=self.environment,
+                             stderr=subprocess.DEVNULL).returncode != 0:
+            check(time.monotonic() < end, "no window manager takes the window")
+            time.sleep(0.03)
 
     def corner(self):
         out = subprocess.run(["xdotool", "getwindowgeometry", "--shell", self.window_at()], env=self.environment,

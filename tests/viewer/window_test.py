@@ -167,15 +167,27 @@ def resize(viewer):
     viewer.tool("windowfocus", "--sync", viewer.window_at())  # which a window manager would do
 
 
-def full_screen(viewer):
-    width, height = viewer.size
-    viewer.tool("windowsize", viewer.window_at(), width, height)
-    viewer.wait(lambda s: s["size"] == [width, height], "the window takes its first size again")
-    viewer.key("F11", lambda s: s["size"] == [2 * width, 2 * height], "fills the screen")
-    shown = viewer.picture("full")
-    size = subprocess.run(["identify", "-format", "%w %h", shown], capture_output=True, text=True, check=True).stdout
-    check(size == f"{2 * width} {2 * height}" and colours(shown) > 500, f"the picture that fills the screen: {size}")
-    viewer.key("F11", lambda s: s["size"] == [width, height], "is a window again")
+def be_managed(viewer):
+    """Minimising and full screen are what a window manager does."""
+    manager = subprocess.Popen(["openbox"], env=viewer.environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    try:
+        viewer.await_manager()
+        viewer.mark()
+        viewer.tool("windowminimize", viewer.window_at())
+        viewer.wait(lambda s: s["why"] == "hidden", "notices that it is minimised")
+        viewer.mark()
+        viewer.tool("windowactivate", viewer.window_at())
+        viewer.wait(lambda s: s["why"] == "shown", "notices that it is shown again")
+        before = viewer.now()["size"]
+        width, height = 2 * viewer.size[0], 2 * viewer.size[1]
+        viewer.key("F11", lambda s: s["size"] == [width, height], "fills the screen")
+        shown = viewer.picture("full")
+        size = subprocess.run(["identify", "-format", "%w %h", shown], capture_output=True, text=True, check=True).stdout
+        check(size == f"{width} {height}" and colours(shown) > 500, f"the picture that fills the screen: {size}")
+        viewer.key("F11", lambda s: s["size"] == before, "is a window again")
+    finally:
+        manager.terminate()
+        manager.wait()
     viewer.tool("windowfocus", "--sync", viewer.window_at())
 
 
@@ -221,6 +233,7 @@ def quit_at_once(viewer, program, folder):
 
 def quit_while_recording(viewer, folder):
     """Where the take should get its name there is a folder by then."""
+    viewer.tool("windowfocus", "--sync", viewer.window_at())  # the windows that came and went had it
     viewer.key("ctrl+r", lambda s: s["recording"] != "", "records")
     os.mkdir(os.path.join(folder, "dropped one.take"))
     viewer.mark()
@@ -246,7 +259,7 @@ def tests(program):
             print(f"{part.__name__}: {time.monotonic() - began:.1f} s")
         keep_files(viewer, folder)
         resize(viewer)
-        full_screen(viewer)
+        be_managed(viewer)
         drop_files(viewer, folder)
         quit_at_once(viewer, program, folder)
         quit_while_recording(viewer, folder)

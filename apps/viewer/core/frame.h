@@ -90,10 +90,10 @@ struct SelectedContact {
 struct SelectedBody {
   Serial serial = 0;
   std::string name, material;
-  double mass = 0;  // kg
-  double speed = 0;              // m/s
-  double spin = 0;               // rad/s
-  Vec3 centreOfMass;             // m (take: the body's origin)
+  double mass = 0;    // kg
+  double speed = 0;   // m/s
+  double spin = 0;    // rad/s
+  Vec3 centreOfMass;  // m (take: the body's origin)
   // What is not known is not there: in a take none but the sum of normal forces, under the report's system no contacts.
   std::optional<double> kineticEnergy;  // J
   std::optional<Vec3> acceleration;     // m/s2, mean over the last step

@@ -9,9 +9,10 @@ namespace brickfall::viewer {
 
 namespace {
 
-constexpr int kLevel = 1;                             // of zstd: higher ones take longer than a step may
-constexpr double kSlack = 1e-9;                       // s: times are sums
-constexpr std::size_t kLargestSnapshot = 1u << 30;  // bytes: a quarter of a million bodies; a forged state claims no more
+constexpr int kLevel = 1;        // of zstd: higher ones take longer than a step may
+constexpr double kSlack = 1e-9;  // s: times are sums
+constexpr std::size_t kLargestSnapshot = 1u
+                                         << 30;  // bytes: a quarter of a million bodies; a forged state claims no more
 
 }  // namespace
 

@@ -187,8 +187,8 @@ bool Session::Impl::goOn() {
   try {
     return makeSteps(options.clock());
   } catch (const std::exception& error) {
-    stopped({ErrorCode::wrongState, std::string("a step: ") + error.what() +
-                                        "; the run is paused, rewind it or start it again"});
+    stopped({ErrorCode::wrongState,
+             std::string("a step: ") + error.what() + "; the run is paused, rewind it or start it again"});
     return true;
   }
 }
@@ -342,8 +342,7 @@ Result<std::string> Session::Impl::show(OpenedFile& file) {
                  file.opening.diagnostics.empty() ? "the scene is wrong" : format(file.opening.diagnostics.front())};
   if (file.opening.exitCode != 0) return Error{ErrorCode::badFormat, file.opening.problem};
   if (file.take) {
-    Result<std::unique_ptr<TakePlayer>> take =
-        TakePlayer::start(std::move(*file.take), file.opening.path, nextSerial_);
+    Result<std::unique_ptr<TakePlayer>> take = TakePlayer::start(std::move(*file.take), file.opening.path, nextSerial_);
     if (!take) return take.error();
     endRun();
     take_ = std::move(*take);
@@ -351,9 +350,9 @@ Result<std::string> Session::Impl::show(OpenedFile& file) {
   } else {
     const bool saved = file.opening.kind == OpeningKind::state;
     Result<std::unique_ptr<LiveRun>> run =
-        saved
-            ? LiveRun::resume({file.source, file.settings, std::move(file.snapshot)}, *file.scene, options.history, nextSerial_, log_)
-            : LiveRun::start(file.source, *file.scene, options.history, nextSerial_, log_);
+        saved ? LiveRun::resume({file.source, file.settings, std::move(file.snapshot)}, *file.scene, options.history,
+                                nextSerial_, log_)
+              : LiveRun::start(file.source, *file.scene, options.history, nextSerial_, log_);
     if (!run) return run.error();
     endRun();
     take_.reset();

@@ -21,7 +21,8 @@ using SavedSettings = std::vector<std::pair<std::string, double>>;
 
 struct SavedState {
   SceneSource source;
-  SavedSettings settings;  // which a run has from its start on, where the panel can change them: the snapshot fits no others
+  SavedSettings
+      settings;  // which a run has from its start on, where the panel can change them: the snapshot fits no others
   std::vector<std::byte> snapshot;  // of SceneRun
 };
 

@@ -47,7 +47,7 @@ class TakePlayer {
   Serial firstSerial_;  // of body 0
   std::shared_ptr<const RunInfo> info_;
   std::size_t at_ = 0;
-  TakeFrame now_, next_;  // next_: the one after it, read ahead for its time
+  TakeFrame now_, next_;                // next_: the one after it, read ahead for its time
   std::vector<std::uint32_t> numbers_;  // of the bodies that are there
   std::shared_ptr<const BodyList> list_;
   std::vector<std::uint32_t> beforeNumbers_;

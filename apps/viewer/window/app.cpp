@@ -12,8 +12,8 @@
 namespace brickfall::viewer {
 namespace {
 
-constexpr double kFrameSeconds = 1.0 / 60;  // where the display does not set the pace
-constexpr double kIdleSeconds = 0.1;        // between pictures while nothing changes
+constexpr double kFrameSeconds = 1.0 / 60;    // where the display does not set the pace
+constexpr double kIdleSeconds = 0.1;          // between pictures while nothing changes
 constexpr int kBadInput = 2, kFileError = 3;  // of docs/command-line.md
 
 }  // namespace

@@ -24,8 +24,7 @@ std::vector<std::pair<Vec3, Vec3>> outlineOf(const ShapeMesh& mesh) {
   for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
     Corner corners[3];
     for (std::size_t k = 0; k < 3; k++) corners[k] = mesh.positions[mesh.indices[i + k]];
-    const Vec3 across =
-        cross(vecOf(corners[1]) - vecOf(corners[0]), vecOf(corners[2]) - vecOf(corners[0]));
+    const Vec3 across = cross(vecOf(corners[1]) - vecOf(corners[0]), vecOf(corners[2]) - vecOf(corners[0]));
     if (!(length(across) > 0)) continue;
     const Vec3 normal = across * (1 / length(across));
     for (int k = 0; k < 3; k++) {

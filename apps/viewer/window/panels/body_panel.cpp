@@ -19,8 +19,7 @@ std::string placeText(Vec3 at) { return fmt::format("{:.2f}  {:.2f}  {:.2f} m", 
 
 void showContacts(const std::vector<SelectedContact>& contacts) {
   heading(fmt::format("Contacts: {}", contacts.size()).c_str());
-  if (contacts.empty() || !ImGui::BeginTable("contacts", 3, ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg))
-    return;
+  if (contacts.empty() || !ImGui::BeginTable("contacts", 3, ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg)) return;
   ImGui::TableSetupScrollFreeze(0, 1);
   ImGui::TableSetupColumn("on", ImGuiTableColumnFlags_WidthStretch);
   ImGui::TableSetupColumn("normal", ImGuiTableColumnFlags_WidthFixed, 78);
