@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "viewer_window/near_plane.h"
 #include "viewer_window/panels/panels.h"
 #include "viewer_window/still.h"
 #include "viewer_window/sun.h"
@@ -148,8 +149,8 @@ void App::draw(double seconds) {
   const Frame& frame = *frame_;
   const double began = session_.now();
   const View view = desk_.rig.view();
-  renderer_.setView(view, shift());
   const bool any = frame.list && !frame.bodies.empty() && frame.info;
+  renderer_.setView(view, any ? nearPlaneOf(frame, blend_, view.position) : kLeastNear, shift());
   ShadowMode wanted = ShadowMode::none;
   switch (desk_.view.shadows) {
     case ShadowChoice::automatic:

@@ -51,11 +51,13 @@ void DustCloud::findHits(const Frame& frame) {
 
 void DustCloud::update(const Frame& frame) {
   const double time = frame.status.time;
-  if (frame.info != run_) clear();
+  if (frame.info != run_) {
+    clear();
+    run_ = frame.info;
+    lastTime_ = -kLife;
+  }
   if (time < lastTime_) std::erase_if(lastOf_, [&](const auto& last) { return last.second > time; });
-  if (frame.info == run_ && frame.number != lastFrame_ && time > lastTime_) findHits(frame);
-  run_ = frame.info;
-  lastFrame_ = frame.number;
+  if (time > lastTime_) findHits(frame);
   lastTime_ = time;
   std::erase_if(puffs_, [&](const Puff& puff) { return time < puff.born || time > puff.born + kLife; });
 }

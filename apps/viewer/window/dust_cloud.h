@@ -33,7 +33,6 @@ class DustCloud {
   std::vector<Puff> puffs_;
   std::unordered_map<Serial, double> lastOf_;  // s: when a body's last was born
   std::shared_ptr<const RunInfo> run_;
-  std::uint64_t lastFrame_ = 0;
   double lastTime_ = 0;
 };
 

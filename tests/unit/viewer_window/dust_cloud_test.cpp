@@ -70,7 +70,9 @@ TEST_F(Dust, goesWhenTimeGoesBackAndWithTheRun) {
   EXPECT_EQ(after(1.05, 1e9, 0), 0u);
   EXPECT_EQ(after(1.1, 0, 3), 2u) << "it is hit again";
   run = std::make_shared<RunInfo>();
-  EXPECT_EQ(after(1.2, 0, 3), 0u) << "nobody knows what was before its first frame";
+  EXPECT_EQ(after(1.2, 1e9, 0), 0u);
+  run = std::make_shared<RunInfo>();
+  EXPECT_EQ(after(1.2, 0.1, 3), 2u) << "before the first frame that is seen of a run";
 }
 
 TEST_F(Dust, hasAnEnd) {
