@@ -43,6 +43,8 @@ class Viewer:
         self.server, self.display = start_display(2 * size[0], 2 * size[1])
         self.environment = dict(os.environ, DISPLAY=self.display, **(environment or {}))
         self.status_path = os.path.join(folder, "status.jsonl")
+        if os.path.exists(self.status_path):
+            os.remove(self.status_path)
         preload = os.environ.get("BRICKFALL_VIEWER_PRELOAD")  # for the viewer alone, not for what drives it
         if preload:
             self.environment["LD_PRELOAD"] = preload

@@ -43,7 +43,9 @@ void showBody(Desk& desk, const Frame& frame) {
   const SelectedBody& body = *frame.selected;
   const float width = 310, room = float(desk.size.height) - kBarHeight - 30;
   ImGui::SetNextWindowPos(ImVec2(float(desk.size.width) - width - 10, 10));
-  ImGui::SetNextWindowSize(ImVec2(width, std::min(room, body.contacts && !body.contacts->empty() ? 470.0f : 300.0f)));
+  ImGui::SetNextWindowSize(ImVec2(width, std::min(room, !body.contacts           ? 215.0f
+                                                        : body.contacts->empty() ? 300.0f
+                                                                                 : 470.0f)));
   bool open = true;
   constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
                                       ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings;
@@ -60,8 +62,10 @@ void showBody(Desk& desk, const Frame& frame) {
     if (body.contactForce) row("Pressed with", forceText(*body.contactForce));
     const float half = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2;
     actionButton(desk, Action::followSelected, "Follow it", ImVec2(half, 0));
-    ImGui::SameLine();
-    actionButton(desk, Action::removeSelected, "Remove it", ImVec2(half, 0));
+    if (frame.info->kind == RunKind::live) {
+      ImGui::SameLine();
+      actionButton(desk, Action::removeSelected, "Remove it", ImVec2(half, 0));
+    }
     if (body.contacts) showContacts(*body.contacts);
   }
   ImGui::End();
