@@ -54,8 +54,14 @@ class Session::Impl {
     wake_.notify_all();
     if (thread_.joinable()) thread_.join();
     if (!live_) return {};
+    Status done;
+    std::vector<Sent> late;
+    takeSent(late);
+    for (const Sent& sent : late)
+      if (std::holds_alternative<SaveState>(sent.command))
+        if (const CommandResult saved = perform(sent); !saved.ok) done = Error{saved.code, saved.message};
     const Result<std::string> stopped = live_->stopRecording();
-    return stopped ? Status() : Status(stopped.error());
+    return stopped ? done : Status(stopped.error());
   }
 
   std::uint64_t send(Command command) {
@@ -340,7 +346,8 @@ Result<std::string> Session::Impl::show(OpenedFile& file) {
   if (file.opening.exitCode != 0 && file.opening.problem.empty())
     return Error{ErrorCode::badFormat,
                  file.opening.diagnostics.empty() ? "the scene is wrong" : format(file.opening.diagnostics.front())};
-  if (file.opening.exitCode != 0) return Error{ErrorCode::badFormat, file.opening.problem};
+  if (file.opening.exitCode != 0)
+    return Error{file.opening.exitCode == 3 ? ErrorCode::inputOutput : ErrorCode::badFormat, file.opening.problem};
   if (file.take) {
     Result<std::unique_ptr<TakePlayer>> take = TakePlayer::start(std::move(*file.take), file.opening.path, nextSerial_);
     if (!take) return take.error();

@@ -41,8 +41,8 @@ class Session {
   // What frames are to hold besides, from the next frame on, which is made at once.
   void ask(const FrameNeeds& needs);
   double now() const;  // of its clock: for blendAt
-  // Stops the thread at the end of its step and makes a recording whole: the error is that of the recording. Commands sent from
-  // then on are not carried out.
+  // Stops the thread at the end of its step; saves states that were still to be saved and makes a recording whole: the error is
+  // theirs. Other commands that wait are not carried out.
   Status finish();
 
   // Without a thread of its own: carries out what was sent, makes the steps that are due by the clock, makes a frame if
