@@ -27,7 +27,7 @@ help:
 	@echo "make bench              figures of the shipped scenes, as a table (tools/bench)"
 	@echo "make install PREFIX=... install command, library, scenes and CMake package (default /usr/local)"
 	@echo "make clean              remove $(BUILD)/ and out/"
-	@echo "demo, test and build first install what is missing (Debian packages: apt-get, as root or with sudo)."
+	@echo "All but check and clean first install what is missing (Debian packages: apt-get, as root or with sudo)."
 
 # The configuring step is quiet unless it fails; the tests need more packages than the demo, so they are left out of a
 # fresh tree until `make test` turns them on.
@@ -39,17 +39,20 @@ build:
 demo: build
 	@$(BUILD)/bin/brickfall run $(SCENE) -o out/$(SCENE)
 
-# CMake looks again for what was missing before.
+# CMake looks again for what was missing before: quietly, unless it fails or still has to leave the program out.
+look_again = cmake -S . -B $(BUILD) -D$(1)=ON >$(BUILD)/look-again.log || { cat $(BUILD)/look-again.log; exit 1; }; \
+  ! grep -F '$(2) is left out' $(BUILD)/look-again.log >&2
+
 render:
 	@tools/install-dependencies build render
 	@test -f $(BUILD)/build.ninja || { $(CONFIGURE) -DBRICKFALL_TESTS=OFF; }
-	@cmake -S . -B $(BUILD) -DBRICKFALL_RENDER=ON >/dev/null
+	@$(call look_again,BRICKFALL_RENDER,brickfall-render)
 	@cmake --build $(BUILD) -j $(JOBS) --target brickfall_cli brickfall_render
 
 view:
 	@tools/install-dependencies build view
 	@test -f $(BUILD)/build.ninja || { $(CONFIGURE) -DBRICKFALL_TESTS=OFF; }
-	@cmake -S . -B $(BUILD) -DBRICKFALL_VIEWER=ON >/dev/null
+	@$(call look_again,BRICKFALL_VIEWER,brickfall-view)
 	@cmake --build $(BUILD) -j $(JOBS) --target brickfall_cli brickfall_view
 	@$(BUILD)/bin/brickfall view $(SCENE)
 

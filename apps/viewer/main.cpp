@@ -1,11 +1,15 @@
 // The arguments of `brickfall-view`, and from there to a window. The only file of the viewer that sees CLI11.
 #include <CLI/CLI.hpp>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <exception>
+#include <fstream>
 #include <memory>
 
 #include "brickfall/world.h"
-#include "viewer_core/scene_menu.h"
+#include "cli/arguments.h"
+#include "viewer_core/opening.h"
 #include "viewer_window/app.h"
 
 namespace brickfall::viewer {
@@ -14,8 +18,13 @@ namespace {
 // Of docs/command-line.md.
 constexpr int kInternalError = 1, kBadInput = 2, kCannotReadOrWrite = 3, kNoDisplay = 5;
 
+// An option's text, and whether it was there at all: an empty one is a mistake.
+struct Text {
+  std::string text;
+  CLI::Option* option = nullptr;
+};
 struct Texts {
-  std::string shadows, size, samples, seconds, frames;
+  Text shadows, size, samples, seconds, frames, screenshot, log, status;
   std::vector<std::string> overrides;
 };
 
@@ -34,19 +43,20 @@ void define(CLI::App& app, Options& options, Texts& texts) {
       ->take_all()
       ->expected(1)
       ->allow_extra_args(false);
-  app.add_option("--shadows", texts.shadows, "automatic (by the number of bodies), stencil, depth or none")
-      ->type_name("KIND");
-  app.add_option("--size", texts.size, "Of the window in pixels (default: 1280x720)")->type_name("WIDTHxHEIGHT");
-  app.add_option("--samples", texts.samples,
-                 "Smooth edges: 0, 2, 4 or 8 samples a pixel (default: 4, without a graphics card 0)")
-      ->type_name("N");
+  const auto add = [&app](Text& into, const char* name, const char* type, const char* help) {
+    into.option = app.add_option(name, into.text, help)->type_name(type);
+  };
+  add(texts.shadows, "--shadows", "KIND", "automatic (by the number of bodies), stencil, depth or none");
+  add(texts.size, "--size", "WIDTHxHEIGHT", "Of the window in pixels (default: 1280x720)");
+  add(texts.samples, "--samples", "N",
+      "Smooth edges: 0, 2, 4 or 8 samples a pixel (default: 4, without a graphics card 0)");
   app.add_flag_callback(
       "--no-panel", [&options] { options.panel = false; }, "Start without the panel (Tab shows it)");
-  app.add_option("--time", texts.seconds, "Quit after so many seconds")->type_name("S");
-  app.add_option("--frames", texts.frames, "Draw so many pictures as fast as it goes, then quit")->type_name("N");
-  app.add_option("--screenshot", options.screenshot, "Save the last picture before quitting")->type_name("PNG");
-  app.add_option("--log", options.log, "What the renderer says, for bug reports")->type_name("FILE");
-  app.add_option("--status", options.status, "A line of JSON each second and after each action")->type_name("FILE");
+  add(texts.seconds, "--time", "S", "Quit after so many seconds");
+  add(texts.frames, "--frames", "N", "Draw so many pictures of what was opened as fast as it goes, then quit");
+  add(texts.screenshot, "--screenshot", "PNG", "Save the last picture before quitting");
+  add(texts.log, "--log", "FILE", "What the renderer says, for bug reports");
+  add(texts.status, "--status", "FILE", "A line of JSON for each picture and after each action");
   app.footer(
       "Examples:\n"
       "  brickfall-view                         the wall of 100 bricks, live\n"
@@ -58,37 +68,52 @@ void define(CLI::App& app, Options& options, Texts& texts) {
       "5 no display, or none that can draw.");
 }
 
-template <class Value> bool read(const std::string& text, Result<Value> (*parse)(const std::string&), Value& into) {
-  if (text.empty()) return true;
-  Result<Value> value = parse(text);
+template <class Value> bool read(const Text& text, Result<Value> (*parse)(const std::string&), Value& into) {
+  if (text.option->count() == 0) return true;
+  Result<Value> value = parse(text.text);
   if (!value) return complain(value.error().message), false;
   into = std::move(value).value();
   return true;
 }
 
+bool readName(const Text& text, std::string& into) {
+  into = text.text;
+  if (text.option->count() == 0 || !into.empty()) return true;
+  return complain(text.option->get_name() + ": found '', expected the name of a file"), false;
+}
+
 bool readTexts(const Texts& texts, Options& options) {
   for (const std::string& text : texts.overrides) {
-    std::pair<std::string, std::string> pair;
-    if (!read(text, parseSet, pair)) return false;
-    options.overrides.push_back(std::move(pair));
+    Result<std::pair<std::string, std::string>> pair = cli::parseOverride(text);
+    if (!pair) return complain(pair.error().message), false;
+    options.overrides.push_back(std::move(pair).value());
   }
   return read(texts.shadows, parseShadows, options.shadows) && read(texts.size, parseSize, options.size) &&
          read(texts.samples, parseSamples, options.samples) && read(texts.seconds, parseTime, options.seconds) &&
-         read(texts.frames, parseFrames, options.frames);
+         read(texts.frames, parseFrames, options.frames) && readName(texts.screenshot, options.screenshot) &&
+         readName(texts.log, options.log) && readName(texts.status, options.status);
+}
+
+// Ogre does not say when its log cannot be written.
+Status tryLog(const std::string& path) {
+  if (path.empty() || std::ofstream(path)) return {};
+  return Error{ErrorCode::inputOutput, "--log: " + path + ": cannot be written: " + std::strerror(errno)};
 }
 
 int view(const Options& options) {
-  const Opening opening = lookAtOpening(options.opening, options.overrides);
+  const auto file = std::make_shared<OpenedFile>(readOpening(options.opening, options.overrides));
+  const Opening& opening = file->opening;
   for (const Diagnostic& diagnostic : opening.diagnostics) std::fprintf(stderr, "%s\n", format(diagnostic).c_str());
   if (!opening.problem.empty()) complain(opening.problem);
   if (opening.exitCode != 0) return opening.exitCode;
   Result<StatusFile> status = StatusFile::open(options.status);
   if (!status) return complain("--status: " + status.error().message), kCannotReadOrWrite;
+  if (const Status log = tryLog(options.log); !log) return complain(log.error().message), kCannotReadOrWrite;
 
   Result<NativeWindow> window = NativeWindow::open("Brickfall", options.size);
   if (!window) return complain(window.error().message), kNoDisplay;
   Session session;
-  session.send(Open{options.opening, options.overrides, !options.paused});
+  const std::uint64_t opens = session.send(Open{options.opening, options.overrides, !options.paused, file});
   RendererOptions drawing;
   drawing.log = options.log;
   drawing.fine = NativeWindow::hasGraphicsCard();
@@ -96,7 +121,7 @@ int view(const Options& options) {
   drawing.vsync = options.frames == 0;
   Result<std::unique_ptr<Renderer>> renderer = Renderer::create(*window, drawing);
   if (!renderer) return complain(renderer.error().message), kNoDisplay;
-  App app(options, session, *window, **renderer, *status);
+  App app(options, session, *window, **renderer, *status, opens);
   return app.run();
 }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "brickfall/math.h"
@@ -63,6 +64,9 @@ struct TakeChange {
   std::vector<TakeBody> births;     // there from this frame on; their numbers follow those of all bodies before
   std::vector<std::uint32_t> ends;  // numbers of bodies that were there in the last frame and no longer are, ascending
 };
+
+// Whether bytes that begin like this are a take's (at least the first 8 are needed): tells takes from other files.
+bool isTake(std::string_view start);
 
 class TakeWriter {
  public:

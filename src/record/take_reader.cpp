@@ -55,8 +55,14 @@ struct TakeReader::Impl {
 
 constexpr std::size_t kStays = SIZE_MAX;
 
+bool isTake(std::string_view start) {
+  return start.size() >= std::size(kTakeMagic) &&
+         std::equal(std::begin(kTakeMagic), std::end(kTakeMagic), start.begin(),
+                    [](std::uint8_t magic, char found) { return magic == std::uint8_t(found); });
+}
+
 Status TakeReader::Impl::readStart(std::size_t& firstFrame) {
-  if (file.size() < kTakeStartBytes || !std::equal(std::begin(kTakeMagic), std::end(kTakeMagic), file.begin())) {
+  if (file.size() < kTakeStartBytes || !isTake({reinterpret_cast<const char*>(file.data()), file.size()})) {
     return bad("not a Brickfall take (its first bytes are not a take's)");
   }
   ByteReader in(std::span<const std::uint8_t>(file).subspan(8, 4));

@@ -8,7 +8,7 @@ import subprocess
 import sys
 import time
 
-NEEDED = {"Xvfb": "xvfb", "xdotool": "xdotool", "import": "imagemagick", "compare": "imagemagick", "identify": "imagemagick"}
+NEEDED = {"Xvfb": "xvfb", "openbox": "openbox", "xdotool": "xdotool", "import": "imagemagick", "compare": "imagemagick", "identify": "imagemagick"}
 PATIENCE = 120  # s: for a fact that must come; only a broken viewer waits so long
 
 
@@ -43,10 +43,13 @@ class Viewer:
         self.server, self.display = start_display(2 * size[0], 2 * size[1])
         self.environment = dict(os.environ, DISPLAY=self.display, **(environment or {}))
         self.status_path = os.path.join(folder, "status.jsonl")
+        if os.path.exists(self.status_path):
+            os.remove(self.status_path)
         preload = os.environ.get("BRICKFALL_VIEWER_PRELOAD")  # for the viewer alone, not for what drives it
         if preload:
             self.environment["LD_PRELOAD"] = preload
         self.seen = 0
+        self.known, self.read_to = [], 0
         self.window = None
         self.errors = open(os.path.join(folder, "stderr.txt"), "w+")
         self.process = subprocess.Popen([program, *arguments, "--status", self.status_path, "--size", f"{size[0]}x{size[1]}"],
@@ -59,10 +62,14 @@ class Viewer:
 
     # --- Facts
     def lines(self):
-        if not os.path.exists(self.status_path):
-            return []
-        with open(self.status_path) as file:
-            return [json.loads(line) for line in file.read().splitlines(keepends=True) if line.endswith("\n")]
+        """All so far; read on from where they ended, for there is one for each picture."""
+        if os.path.exists(self.status_path):
+            with open(self.status_path, "rb") as file:
+                file.seek(self.read_to)
+                whole = file.read().rpartition(b"\n")[0]
+            self.read_to += len(whole) + 1 if whole else 0
+            self.known += [json.loads(line) for line in whole.splitlines()]
+        return self.known
 
     def wait(self, holds, what, running=True):
         """The newest line, once one that was not there before fulfils it."""
@@ -107,6 +114,14 @@ class Viewer:
         out = subprocess.run(["xdotool", "search", "--name", "Brickfall"], env=self.environment, capture_output=True, text=True)
         return out.stdout.split()[0]
 
+    def await_manager(self):
+        """Until a window manager has the window: only then it can be made the active one."""
+        end = time.monotonic() + PATIENCE
+        while subprocess.run(["xdotool", "windowactivate", "--sync", self.window_at()], env=self.environment,
+                             stderr=subprocess.DEVNULL).returncode != 0:
+            check(time.monotonic() < end, "no window manager takes the window")
+            time.sleep(0.03)
+
     def corner(self):
         out = subprocess.run(["xdotool", "getwindowgeometry", "--shell", self.window_at()], env=self.environment,
                              capture_output=True, text=True).stdout
@@ -125,7 +140,11 @@ class Viewer:
         self.tool("mouseup", 1)
 
     def pause_pictures(self):
-        time.sleep(2.5 * self.now()["draw_ms"] / 1000)
+        """Until two pictures were begun and drawn after what was just done."""
+        before, seen = self.now()["pictures"], self.seen
+        self.mark()
+        self.wait(lambda s: s["pictures"] >= before + 3, "two more pictures")  # the first may have been begun before
+        self.seen = seen
 
     def middle_of(self, place):
         at = self.wait_place(place)
@@ -173,12 +192,12 @@ def differing(a, b):
     return float(out.stderr.split()[0]) / (int(size[0]) * int(size[1]))
 
 
-def main_of(tests, program_of):
-    """Runs the tests; exit code 77 (skipped) where a tool is not installed."""
+def main_of(tests, program_of, skipped=77):
+    """Runs the tests; exit code `skipped` where a tool is not installed."""
     missing = missing_tools()
     if missing:
         print("skipped: no window can be driven here, install the Debian packages " + " ".join(missing))
-        sys.exit(77)
+        sys.exit(skipped)
     try:
         tests(program_of)
     except Failed as problem:

@@ -42,4 +42,4 @@ def tests(program):
         print("fine:", scene, flush=True)
 
 
-main_of(tests, sys.argv[1])
+main_of(tests, sys.argv[1], skipped=0)

@@ -4,12 +4,14 @@
 One process for all of it, because starting costs more than the rest.
 """
 import os
+import struct
 import subprocess
 import sys
 import time
 
 sys.dont_write_bytecode = True
 from drive import Viewer, check, colours, differing, main_of
+from drop import drop
 
 VIEWS = {"c": "collisions", "x": "wireframe", "F2": "colliders", "F3": "bounds", "F4": "contacts", "F5": "islands", "F6": "asleep"}
 PICTURED = {"collisions", "wireframe", "colliders", "contacts"}  # the others depend on what the run has come to, or cost time
@@ -98,6 +100,9 @@ def select_and_drag(viewer):
     viewer.wait(lambda s: not s["dragging"], "the spring lets go")
     viewer.key("space", lambda s: not s["running"], "pauses")
     viewer.key("Delete", lambda s: s["bodies"] == bodies - 1, "removes what is selected")
+    check(viewer.now()["selected"] == 0, "what is gone is not selected")
+    viewer.key("ctrl+z", lambda s: s["bodies"] == bodies and s["selected"] != 0, "it comes back, and is selected")
+    viewer.key("Delete", lambda s: s["bodies"] == bodies - 1, "removes it again")
     viewer.key("Tab", lambda s: "speed" in s["places"], "shows the panel")
 
 
@@ -110,6 +115,20 @@ def turn_camera(viewer):
     viewer.pause_pictures()
     viewer.tool("mouseup", 3)
     viewer.wait(lambda s: sum(abs(a - b) for a, b in zip(s["camera"], before)) > 0.05, "dragging turns the camera")
+    # A key that goes up while Ctrl is down is up all the same.
+    viewer.mark()
+    viewer.tool("keydown", "w")
+    viewer.wait(lambda s: sum(abs(a - b) for a, b in zip(s["camera"], before)) > 0.1, "a held key moves the camera")
+    viewer.tool("keydown", "ctrl")
+    viewer.tool("keyup", "w")
+    viewer.tool("keyup", "ctrl")
+    for _ in range(40):
+        viewer.pause_pictures()
+        last = viewer.now()["camera"]
+        viewer.pause_pictures()
+        if viewer.now()["camera"] == last:
+            break
+    check(viewer.now()["camera"] == last, "the camera stands when its key is up")
 
 
 def keep_files(viewer, folder):
@@ -148,11 +167,90 @@ def resize(viewer):
     viewer.tool("windowfocus", "--sync", viewer.window_at())  # which a window manager would do
 
 
+def be_managed(viewer):
+    """Minimising and full screen are what a window manager does."""
+    manager = subprocess.Popen(["openbox"], env=viewer.environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    try:
+        viewer.await_manager()
+        viewer.mark()
+        viewer.tool("windowminimize", viewer.window_at())
+        viewer.wait(lambda s: s["why"] == "hidden", "notices that it is minimised")
+        viewer.mark()
+        viewer.tool("windowactivate", viewer.window_at())
+        viewer.wait(lambda s: s["why"] == "shown", "notices that it is shown again")
+        before = viewer.now()["size"]
+        width, height = 2 * viewer.size[0], 2 * viewer.size[1]
+        viewer.key("F11", lambda s: s["size"] == [width, height], "fills the screen")
+        shown = viewer.picture("full")
+        size = subprocess.run(["identify", "-format", "%w %h", shown], capture_output=True, text=True, check=True).stdout
+        check(size == f"{width} {height}" and colours(shown) > 500, f"the picture that fills the screen: {size}")
+        viewer.key("F11", lambda s: s["size"] == before, "is a window again")
+    finally:
+        manager.terminate()
+        manager.wait()
+    viewer.tool("windowfocus", "--sync", viewer.window_at())
+
+
+def drop_files(viewer, folder):
+    scene, wrong = os.path.join(folder, "dropped one.toml"), os.path.join(folder, "wrong.toml")
+    with open(scene, "w") as file:
+        file.write('title = "Dropped"\n[[wall]]\nname = "w"\ncourses = 2\nbricks = 3\n')
+    with open(wrong, "w") as file:
+        file.write("[[wall]]\ncourses = -2\n")
+    viewer.mark()
+    drop(viewer.display, int(viewer.window_at()), scene)
+    dropped = viewer.wait(lambda s: s["scene"] == "dropped one" and s["why"].startswith("done: open"), "opens what is dropped")
+    check(dropped["bodies"] < 12, f"bodies of the scene that was dropped: {dropped['bodies']}")
+    viewer.mark()
+    drop(viewer.display, int(viewer.window_at()), wrong)
+    told = viewer.wait(lambda s: s["why"] == "refused: open", "refuses a scene with mistakes")
+    check(told["scene"] == "dropped one" and told["messages"], f"the scene before stays, and a message: {told}")
+
+
+def quit_at_once(viewer, program, folder):
+    """What cannot be opened ends a run that nobody attends, by its exit code: a state that fits another scene."""
+    with open(os.path.join(folder, "wall.state"), "rb") as file:
+        state = bytearray(file.read())
+    at = state.index(b"method") + len("method")
+    state[at:at + 8] = struct.pack("<d", 1)
+    total = 14695981039346656037
+    for byte in state[:-8]:
+        total = (total ^ byte) * 1099511628211 % 2**64
+    state[-8:] = struct.pack("<Q", total)
+    path, picture = os.path.join(folder, "other.state"), os.path.join(folder, "never.png")
+    with open(path, "wb") as file:
+        file.write(state)
+    ran = subprocess.run([program, path, "--frames", "2", "--screenshot", picture], env=viewer.environment, cwd=folder,
+                         capture_output=True, text=True, timeout=120)
+    check(ran.returncode == 2 and "another method" in ran.stderr and ran.stderr.count("\n") == 1,
+          f"a state that fits another scene: exit code {ran.returncode}: {ran.stderr!r}")
+    check(not os.path.exists(picture), "a picture of nothing was saved")
+    ran = subprocess.run([program, "cube", "--frames", "2", "--screenshot", picture], env=viewer.environment, cwd=folder,
+                         capture_output=True, text=True, timeout=120)
+    check(ran.returncode == 0 and ran.stderr == "" and colours(picture) > 300,
+          f"two pictures: exit code {ran.returncode}: {ran.stderr!r}")
+
+
+def quit_while_recording(viewer, folder):
+    """Where the take should get its name there is a folder by then."""
+    viewer.tool("windowfocus", "--sync", viewer.window_at())  # the windows that came and went had it
+    viewer.key("ctrl+r", lambda s: s["recording"] != "", "records")
+    os.mkdir(os.path.join(folder, "dropped one.take"))
+    viewer.mark()
+    viewer.tool("key", "ctrl+q")
+    viewer.wait(lambda s: s["why"] == "quit", "quits", running=False)
+    viewer.process.wait(timeout=60)
+    said = viewer.said()
+    check(viewer.process.returncode == 3 and "dropped one.take" in said and said.count("\n") == 0,
+          f"a recording that cannot end: exit code {viewer.process.returncode}: {said}")
+
+
 def tests(program):
     folder = sys.argv[2]
     os.makedirs(folder, exist_ok=True)
     for name in os.listdir(folder):
-        os.remove(os.path.join(folder, name))
+        path = os.path.join(folder, name)
+        os.rmdir(path) if os.path.isdir(path) else os.remove(path)
     viewer = Viewer(program, ["wall", "--paused"], folder)
     try:
         for part in (shoot_and_step, switch_views, use_panel, select_and_drag, turn_camera):
@@ -161,12 +259,10 @@ def tests(program):
             print(f"{part.__name__}: {time.monotonic() - began:.1f} s")
         keep_files(viewer, folder)
         resize(viewer)
-        viewer.mark()
-        viewer.tool("key", "ctrl+q")
-        viewer.wait(lambda s: s["why"] == "quit", "quits", running=False)
-        viewer.process.wait(timeout=60)
-        check(viewer.process.returncode == 0, f"exit code {viewer.process.returncode}: {viewer.said()}")
-        check(viewer.said() == "", f"it said: {viewer.said()}")
+        be_managed(viewer)
+        drop_files(viewer, folder)
+        quit_at_once(viewer, program, folder)
+        quit_while_recording(viewer, folder)
     finally:
         viewer.end()
 

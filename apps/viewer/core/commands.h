@@ -2,11 +2,13 @@
 // steps, and answers each one. Bodies are named by serial, so that a command never means another body than the one seen.
 #pragma once
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "brickfall/math.h"
+#include "brickfall/result.h"
 #include "brickfall/scene.h"
 #include "viewer_core/frame.h"
 
@@ -20,10 +22,12 @@ struct Ray {
 // --- What is shown.
 // A scene file, a shipped scene's name, a take or a saved state: told apart by what is in it. It begins paused or running as
 // `run` says. What was shown before goes on being shown if it can't be opened.
+struct OpenedFile;  // opening.h
 struct Open {
   std::string nameOrPath;
   Overrides overrides;  // of a scene, as --set
   bool run = true;
+  std::shared_ptr<OpenedFile> read;  // what was read of it before, used up by this; null: it is read now
 };
 // The scene from its beginning. Settings of the panel stay, also those that waited for this; `asInFile` forgets them all.
 // A take: its first frame.
@@ -107,8 +111,9 @@ using Command =
 const char* nameOf(const Command& command);
 
 struct CommandResult {
-  std::uint64_t ticket = 0;  // as Session::send gave it
+  std::uint64_t ticket = 0;  // as Session::send gave it; 0: of no command
   bool ok = true;
+  ErrorCode code = ErrorCode::none;
   std::string message;  // what was wrong, found and expected; or what was done ("saved wall.state, 1.2 MB")
   std::vector<std::string> details;  // of Open: each diagnostic of the scene file, with line and column
 };

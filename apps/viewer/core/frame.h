@@ -49,6 +49,7 @@ struct FrameBody {
   Activity activity = Activity::awake;   // (take: awake or fixed)
   bool touching = false;                 // presses on another now; with FrameNeeds::collisions, else false
   float sinceHit = 1e9f;     // s, simulated, since it last was in a hit: colliding bodies fade from red by it
+  float hitSpeed = 0;        // m/s, at which the two met (take: guessed from impulse and mass)
   float contactForce = 0;    // N, sum of normal forces; with FrameNeeds::collisions (take: always)
   std::int32_t island = -1;  // number within the frame, -1: none; with FrameNeeds::islands (take: -1)
 };
@@ -77,7 +78,7 @@ struct StepSample {
   int awakeBodies = 0, contactPoints = 0, touchingPoints = 0, islands = 0, restingIslands = 0, impacts = 0, cycles = 0;
 };
 
-// The selected body's numbers.
+// The selected body's numbers. The session alone knows which body that is (Select); it stays so while the body is away.
 struct SelectedContact {
   Serial other = 0;
   std::string otherName;
@@ -89,13 +90,15 @@ struct SelectedContact {
 struct SelectedBody {
   Serial serial = 0;
   std::string name, material;
-  double mass = 0;           // kg
-  double speed = 0;          // m/s
-  double spin = 0;           // rad/s
-  double kineticEnergy = 0;  // J
-  Vec3 centreOfMass;         // m
-  Vec3 acceleration;         // m/s2, mean over the last step
-  std::vector<SelectedContact> contacts;
+  double mass = 0;    // kg
+  double speed = 0;   // m/s
+  double spin = 0;    // rad/s
+  Vec3 centreOfMass;  // m (take: the body's origin)
+  // What is not known is not there: in a take none but the sum of normal forces, under the report's system no contacts.
+  std::optional<double> kineticEnergy;  // J
+  std::optional<Vec3> acceleration;     // m/s2, mean over the last step
+  std::optional<double> contactForce;   // N, sum of normal forces, where the contacts are not known
+  std::optional<std::vector<SelectedContact>> contacts;
 };
 
 // While a body is dragged: the spring as it is drawn.
@@ -129,7 +132,7 @@ struct RunInfo {
   std::string file, name, title, description;
   std::vector<Camera> cameras;  // at least one, but for RunKind::nothing
   Aabb extent;                  // m, of all that can move at the start (of everything if nothing can)
-  double ground = 0;            // m: height of the highest plane that faces up; -1e30 without one
+  double ground = 0;            // m: highest top of the ground's planes and boxes; kNoGround (-1e30) without one
   double seconds = 0;           // s: length of the take; how long the scene is meant to run
   bool reportMethod = false;    // moved by the report's system: no contacts, islands, bounds or stages
 };

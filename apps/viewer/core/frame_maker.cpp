@@ -4,12 +4,11 @@
 #include <map>
 
 #include "viewer_core/settings_table.h"
+#include "viewer_core/shape_facts.h"
 
 namespace brickfall::viewer {
 
 namespace {
-
-constexpr double kNoGround = -1e30;  // m
 
 bool isFinite(const Aabb& box) { return box.lower.y > -1e20 && box.upper.y < 1e20; }
 
@@ -26,19 +25,11 @@ bool boundsOf(const World& world, BodyId id, Aabb& box) {
   return any;
 }
 
-// Height of what the ground's planes and boxes have on top; a mesh has no one height.
-double topOf(const World& world, BodyId id) {
+double topOfBody(const World& world, BodyId id) {
   const BodyState state = *world.state(id);
-  double top = kNoGround;
-  for (ShapeId shapeId : world.shapes(id)) {
-    const ShapeDef shape = *world.shape(shapeId);
-    const Transform pose = Transform{state.position, state.rotation} * shape.local;
-    if (shape.type == ShapeType::plane && rotate(pose.rotation, Vec3{0, 1, 0}).y > 0.99)
-      top = std::max(top, pose.position.y);
-    if (shape.type == ShapeType::box)
-      top = std::max(top, bounds(shape, Transform{state.position, state.rotation}).upper.y);
-  }
-  return top;
+  std::vector<ShapeDef> shapes;
+  for (ShapeId shape : world.shapes(id)) shapes.push_back(*world.shape(shape));
+  return topOf(shapes, Transform{state.position, state.rotation});
 }
 
 // Those that bodies are made of, by name.
@@ -76,7 +67,7 @@ std::shared_ptr<const RunInfo> infoOf(const SceneRun& run) {
   for (const PlacedBody& body : run.bodies()) {
     Aabb one;
     if (!run.world().isValid(body.id)) continue;
-    if (body.role == BodyRole::ground) info->ground = std::max(info->ground, topOf(run.world(), body.id));
+    if (body.role == BodyRole::ground) info->ground = std::max(info->ground, topOfBody(run.world(), body.id));
     if (!boundsOf(run.world(), body.id, one)) continue;
     const int which = body.def.type == BodyType::dynamic;
     box[which] = any[which] ? merged(box[which], one) : one;
@@ -123,6 +114,7 @@ void FrameMaker::fill(Frame& frame, const LiveRun& run, const FrameNeeds& needs,
   int place = frame.list->find(selected);
   if (place >= 0) select(frame, run, place);
   if (!frame.selected) place = -1;
+  if (place >= 0 && !run.run().reported()) frame.selected->contacts.emplace();
   if (needs.contacts || needs.collisions || place >= 0) fillContacts(frame, run, needs, place);
   if (needs.collisions && run.run().reported()) fillCollisions(frame, *run.run().reported());
   if (needs.islands) fillIslands(frame, world);
@@ -164,6 +156,7 @@ void FrameMaker::fillBodies(Frame& frame, const LiveRun& run) {
     body.angularVelocity = state->angularVelocity;
     body.activity = activityOf(*state, list[i]);
     body.sinceHit = float(run.sinceHit(list[i].id));
+    body.hitSpeed = float(run.hitSpeed(list[i].id));
     if (!last_) continue;
     while (old < last_->bodies.size() && last_->bodies[old].serial < list[i].serial) old++;
     if (old < last_->bodies.size() && last_->bodies[old].serial == list[i].serial) body.before = poses_[old];
@@ -186,10 +179,10 @@ void FrameMaker::fillContacts(Frame& frame, const LiveRun& run, const FrameNeeds
       if (needs.contacts)
         frame.contacts.push_back(
             {a, b, p.pointWorld, c.normalWorld, float(p.separation), float(p.normalForce), p.frictionForce});
-      if ((a != selected && b != selected) || !(p.normalForce > 0)) continue;
+      if ((a != selected && b != selected) || !(p.normalForce > 0) || !frame.selected->contacts) continue;
       const double sign = b == selected ? 1 : -1;
       const ListedBody& other = frame.list->bodies[std::size_t(b == selected ? a : b)];
-      frame.selected->contacts.push_back(
+      frame.selected->contacts->push_back(
           {other.serial, other.name, p.pointWorld, c.normalWorld * sign, p.normalForce, p.frictionForce * sign});
     }
     if (!needs.collisions || !(force > 0)) return;

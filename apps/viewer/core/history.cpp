@@ -9,9 +9,10 @@ namespace brickfall::viewer {
 
 namespace {
 
-constexpr int kLevel = 1;                             // of zstd: higher ones take longer than a step may
-constexpr double kSlack = 1e-9;                       // s: times are sums
-constexpr std::size_t kLargestSnapshot = 1ull << 32;  // bytes: more is no snapshot of ours
+constexpr int kLevel = 1;        // of zstd: higher ones take longer than a step may
+constexpr double kSlack = 1e-9;  // s: times are sums
+constexpr std::size_t kLargestSnapshot = 1u
+                                         << 30;  // bytes: a quarter of a million bodies; a forged state claims no more
 
 }  // namespace
 
@@ -36,7 +37,9 @@ Result<std::vector<std::byte>> decompressed(std::span<const std::byte> bytes) {
 }
 
 PackedBytes::PackedBytes(std::vector<std::byte> bytes) : before_(bytes.size()) {
-  packed_ = std::async(std::launch::async, [raw = std::move(bytes)] { return compressed(raw); }).share();
+  // Where there is no thread to be had it is done when it is asked for.
+  constexpr auto kEither = std::launch::async | std::launch::deferred;
+  packed_ = std::async(kEither, [raw = std::move(bytes)] { return compressed(raw); }).share();
 }
 
 Result<std::vector<std::byte>> PackedBytes::unpacked() const { return decompressed(packed_.get()); }
@@ -71,10 +74,8 @@ bool History::due(double time) const {
   return true;
 }
 
-bool History::keptAt(const Moment& moment, const std::string& change) {
-  if (kept_.empty() || kept_.back().moment != moment) return false;
-  if (!change.empty()) kept_.back().change = change;
-  return true;
+bool History::keptAt(const Moment& moment) const {
+  return std::any_of(kept_.begin(), kept_.end(), [&](const Kept& kept) { return kept.moment == moment; });
 }
 
 void History::keep(Kept kept) {
@@ -88,9 +89,9 @@ void History::stepped(double time) { times_.push_back(time); }
 void History::did(Command command, Serial made) { log_.push_back({end().step, std::move(command), made}); }
 
 void History::cutAfter(const Moment& moment) {
-  while (!kept_.empty() && kept_.back().moment > moment) {
-    kept_.pop_back();
-  }
+  while (!kept_.empty() && kept_.back().moment > moment) kept_.pop_back();
+  // Taken before a change that is cut off with all that came after it.
+  if (!kept_.empty() && kept_.back().moment == moment) kept_.back().change.clear();
   if (moment >= window_) {
     times_.resize(std::size_t(moment.step - firstStep_ + 1));
     log_.resize(std::size_t(moment.commands - firstCommand_));

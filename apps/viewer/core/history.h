@@ -63,11 +63,13 @@ class History {
   // --- As the run goes.
   bool due(double time) const;  // a snapshot, because it is time
   void keep(Kept kept);
-  // The last snapshot is of this very moment: it is named after the change to come, and none needs to be taken.
-  bool keptAt(const Moment& moment, const std::string& change);
+  // The last snapshot up to a moment is of this very one: none needs to be taken.
+  bool keptAt(const Moment& moment) const;
+  // The last snapshot is that of a change to come.
+  void nameChange(const std::string& change) { kept_.back().change = change; }
   void stepped(double time);
   void did(Command command, Serial made);
-  // Forgets what lies after a moment.
+  // Forgets what lies after a moment, and that a change was to follow at it.
   void cutAfter(const Moment& moment);
 
   // --- Going back.
@@ -84,8 +86,6 @@ class History {
   const Logged* command(std::uint64_t number) const;
   // What Undo goes back to from a moment; null: nothing.
   const Kept* lastChange(const Moment& from) const;
-  // The last snapshot is no longer that of a change: it was taken back, or came to nothing.
-  void forgetChange() { kept_.back().change.clear(); }
   std::size_t bytes() const;
 
  private:

@@ -54,14 +54,16 @@ Result<std::string> LiveRun::makeChange(const Command& command) {
     return std::string(row->label) + " waits for a restart";
   }
   const std::string label = setting && continuesLast(*setting) ? std::string() : changeOf(command);
-  goOn();
-  if (!label.empty()) keep(label);
+  // What is refused changes nothing, so the history hears only of what was carried out.
+  const Moment before = now();
+  std::optional<Kept> kept;
+  if (!label.empty() && !history_.keptAt(before)) kept = asItIs();
   Serial made = 0;
   const Result<std::string> answer = carryOut(command, made);
-  if (!answer) {
-    if (!label.empty()) history_.forgetChange();
-    return answer;
-  }
+  if (!answer) return answer;
+  goOn();
+  if (kept) keep(std::move(*kept));
+  if (!label.empty()) history_.nameChange(label);
   history_.did(command, made);
   commandsDone_++;
   if (setting) {
@@ -106,7 +108,7 @@ void LiveRun::listBody(BodyId id, Serial serial) {
   auto list = std::make_shared<BodyList>(*list_);
   list->bodies.push_back(listed(run_, id, serial));
   list_ = std::move(list);
-  if (id.index < hitAt_.size()) hitAt_[id.index] = -1e9;
+  if (id.index < lastHit_.size()) lastHit_[id.index] = {};
 }
 
 Result<std::string> LiveRun::carryOut(const ShootBall& shot, Serial& made) {
@@ -244,16 +246,19 @@ Result<std::string> LiveRun::carryOut(const ChangeMaterial& change) {
 // --- Files.
 
 Result<std::string> LiveRun::save(const std::string& path) const {
-  const Result<std::size_t> size = writeState(path, {source_, run_.snapshot()});
+  SavedSettings settings;
+  for (const SettingRow& row : settingRows())
+    if (!row.live) settings.push_back({std::string(row.key), settingOf(run_.scene(), row)});
+  const Result<std::size_t> size = writeState(path, {source_, settings, run_.snapshot()});
   if (!size) return size.error();
   return "saved " + path + ", " + shortNumber(double(*size) * 1e-6) + " MB";
 }
 
 Result<std::string> LiveRun::startRecording(const std::string& path) {
   if (recorder_) return Error{ErrorCode::wrongState, "record: " + recordingPath_ + " is being recorded"};
-  goOn();
   Result<TakeRecorder> recorder = TakeRecorder::create(path, run_);
   if (!recorder) return recorder.error();
+  goOn();
   recorder_ = std::move(*recorder);
   recordingPath_ = path;
   log_->add(run_.time(), LogKind::note, "recording to " + path);
@@ -264,12 +269,13 @@ Result<std::string> LiveRun::stopRecording() {
   if (!recorder_) return std::string();
   const Status finished = recorder_->finish({});
   recorder_.reset();
-  if (!finished) {
-    log_->add(run_.time(), LogKind::error, "recording: " + finished.error().message);
-    return finished.error();
-  }
+  if (!finished) return Error{finished.error().code, "recording: " + finished.error().message};
   log_->add(run_.time(), LogKind::note, "recorded " + recordingPath_);
   return "recorded " + recordingPath_;
+}
+
+void LiveRun::endRecording() {
+  if (const Result<std::string> stopped = stopRecording(); !stopped) problems_.push_back(stopped.error().message);
 }
 
 }  // namespace brickfall::viewer

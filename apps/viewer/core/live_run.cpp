@@ -3,25 +3,15 @@
 #include <algorithm>
 
 #include "viewer_core/settings_table.h"
+#include "viewer_core/shape_facts.h"
 
 namespace brickfall::viewer {
 
 namespace {
 
 constexpr std::size_t kMostHitLines = 3;  // of a step: the strongest
-constexpr double kNever = -1e9;           // s
+constexpr double kRewindSlack = 0.25;     // steps
 constexpr double kMostWork = 400;  // ms: costly steps get snapshots sooner, so that rewinding makes few of them again
-
-// Of a ball around its shapes but planes.
-double radiusOf(const std::vector<ShapeDef>& shapes) {
-  double radius = 0;
-  for (const ShapeDef& shape : shapes) {
-    if (shape.type == ShapeType::plane) continue;
-    const Aabb box = bounds(shape, Transform{});
-    radius = std::max(radius, length(max(abs(box.lower), abs(box.upper))));
-  }
-  return radius;
-}
 
 }  // namespace
 
@@ -75,16 +65,17 @@ void LiveRun::begin() {
   for (BodyId id : run_.world().bodies()) list->bodies.push_back(listed(run_, id, (*nextSerial_)++));
   list_ = std::move(list);
   history_.begin(run_.stepCount(), run_.time());
-  keep({}, true);
+  Kept first = asItIs();
+  first.regular = true;
+  keep(std::move(first));
 }
 
-// Those of the panel follow the run; what waits for a restart stays.
+// Those that act at once follow the run; what waits for a restart stays.
 void LiveRun::takeSettings() {
   for (const SettingRow& row : settingRows())
     if (row.live) setSetting(wanted_, row, settingOf(run_.scene(), row));
   changes_++;
   wanted_.materials = run_.scene().materials;
-  wanted_.world.maxBodies = std::max(wanted_.world.maxBodies, run_.scene().world.maxBodies);
 }
 
 std::uint64_t LiveRun::settingsWait() const {
@@ -94,17 +85,18 @@ std::uint64_t LiveRun::settingsWait() const {
   return count;
 }
 
-void LiveRun::keep(const std::string& change, bool regular) {
-  if (history_.keptAt(now(), change)) return;
-  workSinceKept_ = 0;
+Kept LiveRun::asItIs() const {
   Kept kept;
   kept.moment = now();
   kept.time = run_.time();
   kept.bytes = PackedBytes(run_.snapshot());
   kept.list = list_;
   kept.drag = drag_;
-  kept.change = change;
-  kept.regular = regular;
+  return kept;
+}
+
+void LiveRun::keep(Kept kept) {
+  workSinceKept_ = 0;
   history_.keep(std::move(kept));
 }
 
@@ -126,22 +118,22 @@ Result<StepReport> LiveRun::advance() {
 Status LiveRun::step() {
   goOn();
   const Result<StepReport> report = advance();
-  if (!report) {
-    log_->add(run_.time(), LogKind::error, report.error().message);
-    return report.error();
-  }
+  if (!report) return report.error();
   hear(*report);
   sample(*report);
   report_ = *report;
   history_.stepped(run_.time());
   if (recorder_)
     if (Status written = recorder_->afterStep(run_, *report); !written) {
-      log_->add(run_.time(), LogKind::error, "recording ended: " + written.error().message);
+      problems_.push_back("the recording ended: " + written.error().message);
       recorder_.reset();
     }
   workSinceKept_ += report->milliseconds;
   const bool due = history_.due(run_.time());
-  if (due || workSinceKept_ > kMostWork) keep({}, due);
+  if (!due && workSinceKept_ <= kMostWork) return {};
+  Kept kept = asItIs();
+  kept.regular = due;
+  keep(std::move(kept));
   return {};
 }
 
@@ -150,8 +142,9 @@ void LiveRun::hear(const StepReport& report) {
   const double time = run_.time();
   for (const HitEvent& hit : events.hits)
     for (BodyId id : {hit.bodyA, hit.bodyB}) {
-      if (id.index >= hitAt_.size()) hitAt_.resize(id.index + 1, kNever);
-      hitAt_[id.index] = time;
+      if (id.index >= lastHit_.size()) lastHit_.resize(id.index + 1);
+      Hit& last = lastHit_[id.index];
+      last = {time, last.time == time ? std::max(last.speed, float(hit.approachSpeed)) : float(hit.approachSpeed)};
     }
   if (quiet_) return;
   std::vector<const HitEvent*> strongest;
@@ -196,8 +189,10 @@ void LiveRun::sample(const StepReport& report) {
 }
 
 double LiveRun::sinceHit(BodyId id) const {
-  return id.index < hitAt_.size() ? run_.time() - hitAt_[id.index] : run_.time() - kNever;
+  return run_.time() - (id.index < lastHit_.size() ? lastHit_[id.index] : Hit{}).time;
 }
+
+double LiveRun::hitSpeed(BodyId id) const { return id.index < lastHit_.size() ? lastHit_[id.index].speed : 0; }
 
 // --- Back and forth.
 
@@ -215,15 +210,21 @@ Status LiveRun::put(const Kept& kept) {
   commandsDone_ = kept.moment.commands;
   report_.reset();
   std::erase_if(samples_, [&](const StepSample& s) { return s.time > run_.time(); });
-  for (double& at : hitAt_)
-    if (at > run_.time()) at = kNever;
+  for (Hit& hit : lastHit_)
+    if (hit.time > run_.time()) hit = {};
+  lastSetting_.clear();
   takeSettings();
   return {};
 }
 
 // The steps and commands from here to a moment that the history knows, as they were.
 Status LiveRun::doAgain(const Moment& moment) {
+  struct Quiet {
+    bool& on;
+    ~Quiet() { on = false; }
+  };
   quiet_ = true;
+  const Quiet until{quiet_};
   Status fine;
   while (fine && now() < moment) {
     const Logged* next = commandsDone_ < moment.commands ? history_.command(commandsDone_) : nullptr;
@@ -246,7 +247,6 @@ Status LiveRun::doAgain(const Moment& moment) {
     hear(*report);
     report_ = *report;
   }
-  quiet_ = false;
   return fine;
 }
 
@@ -256,15 +256,18 @@ Status LiveRun::goTo(const Moment& moment) {
   // Forward from here is nearer than from a snapshot before it.
   if (!(now() <= moment && now() >= from->moment))
     if (Status read = put(*from); !read) return read;
+  lastSetting_.clear();
   return doAgain(moment);
 }
 
 Result<std::string> LiveRun::rewind(double time) {
-  if (!(time >= history_.earliest() - 1e-6 && time <= history_.latest() + 1e-6))
+  // A slider knows times less exactly than they are.
+  const double slack = kRewindSlack * run_.scene().timeStep;
+  if (!(time >= history_.earliest() - slack && time <= history_.latest() + slack))
     return Error{ErrorCode::invalidArgument, "rewind: found " + shortNumber(time) + " s, expected " +
                                                  shortNumber(history_.earliest()) + " .. " +
                                                  shortNumber(history_.latest()) + " s"};
-  (void)stopRecording();
+  endRecording();
   if (Status there = goTo(history_.at(time)); !there) return there.error();
   return "at " + shortNumber(run_.time()) + " s";
 }
@@ -279,12 +282,10 @@ Result<std::string> LiveRun::stepBack(int steps) {
 Result<std::string> LiveRun::undo() {
   const Kept* last = history_.lastChange(now());
   if (!last) return Error{ErrorCode::wrongState, "undo: there is nothing to take back"};
-  (void)stopRecording();
+  endRecording();
   if (Status read = put(*last); !read) return read.error();
   const std::string what = last->change;
   history_.cutAfter(last->moment);
-  history_.forgetChange();
-  lastSetting_.clear();
   log_->add(run_.time(), LogKind::note, "taken back: " + what);
   return "taken back: " + what;
 }

@@ -4,6 +4,7 @@
 #include <deque>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "brickfall/take_recorder.h"
@@ -18,11 +19,11 @@ class LiveRun {
   // `nextSerial` and `log` are the session's: they outlive runs.
   static Result<std::unique_ptr<LiveRun>> start(const SceneSource& source, const SceneDescription& scene,
                                                 const HistoryLimits& limits, Serial& nextSerial, EventLog& log);
-  // As it was saved.
+  // As it was saved; `scene` with the settings that were saved.
   static Result<std::unique_ptr<LiveRun>> resume(const SavedState& saved, const SceneDescription& scene,
                                                  const HistoryLimits& limits, Serial& nextSerial, EventLog& log);
 
-  // One step. An error: the run can't go on (it says so in the log, too).
+  // One step. An error: the run can't go on.
   Status step();
   // A command that is about a run: hands, settings, saving, recording, rewinding. The answer's message says what was done.
   Result<std::string> execute(const Command& command);
@@ -34,6 +35,10 @@ class LiveRun {
   const SceneSource& source() const { return source_; }
   // The take is whole then; nothing happens if there is none. What it says is in the log, too.
   Result<std::string> stopRecording();
+  // Stops it because of something else that happens; what went wrong then is one of the problems.
+  void endRecording();
+  // What went wrong and no command answers for, since the last call: a recording that died.
+  std::vector<std::string> takeProblems() { return std::exchange(problems_, {}); }
 
   // --- What frames are made of.
   const SceneRun& run() const { return run_; }
@@ -42,6 +47,7 @@ class LiveRun {
   const std::optional<StepReport>& report() const { return report_; }
   const std::deque<StepSample>& samples() const { return samples_; }
   double sinceHit(BodyId id) const;  // s
+  double hitSpeed(BodyId id) const;  // m/s, of that hit
   std::string recording() const { return recorder_ ? recordingPath_ : std::string(); }
   std::uint64_t settingsWait() const;
   std::uint64_t changes() const { return changes_; }  // grows when settings or materials may have changed
@@ -58,7 +64,8 @@ class LiveRun {
   Result<StepReport> advance();  // a step with the spring's force
   void hear(const StepReport& report);
   void sample(const StepReport& report);
-  void keep(const std::string& change, bool regular = false);
+  Kept asItIs() const;
+  void keep(Kept kept);
   void takeSettings();  // the run's into what is wanted
   void goOn();          // what lay ahead after a rewind is forgotten
   Status goTo(const Moment& moment);
@@ -98,9 +105,14 @@ class LiveRun {
   std::optional<DragSpring> drag_;
   std::optional<StepReport> report_;
   std::deque<StepSample> samples_;
-  std::vector<double> hitAt_;  // by BodyId::index: s, when it last was in a hit
+  struct Hit {
+    double time = -1e9;  // s
+    float speed = 0;     // m/s
+  };
+  std::vector<Hit> lastHit_;  // by BodyId::index
   std::optional<TakeRecorder> recorder_;
   std::string recordingPath_;
+  std::vector<std::string> problems_;
   // The last change of a setting: those of one setting in a row are one to undo.
   std::string lastSetting_;
   double lastSettingTime_ = 0;

@@ -2,7 +2,8 @@
 
 #include <filesystem>
 
-#include "brickfall/take.h"
+#include "viewer_core/event_log.h"
+#include "viewer_core/settings_table.h"
 
 namespace brickfall::viewer {
 
@@ -11,9 +12,6 @@ namespace {
 // As docs/command-line.md has them.
 constexpr int kBadInput = 2, kFileError = 3;
 constexpr std::size_t kMostSceneBytes = 16u << 20, kMostStateBytes = 1u << 30;
-constexpr std::string_view kTakeMagic =
-    "\x89"
-    "BFTAKE\n";
 constexpr std::size_t kMagicBytes = 16;
 
 bool looksLikePath(const std::string& text) { return text.find_first_of("/.") != std::string::npos; }
@@ -40,15 +38,22 @@ void refuse(OpenedFile& file, const Error& error) {
   file.opening.problem = error.message;
 }
 
-void readSaved(OpenedFile& file) {
+void readSaved(OpenedFile& file, InputFile& input) {
   const std::string& path = file.opening.path;
-  const Result<std::string> bytes = readFile(path, kMostStateBytes);
-  if (!bytes) return refuse(file, bytes.error());
-  Result<SavedState> state = readState(path, *bytes);
+  if (const Status read = input.readAll(kMostStateBytes); !read) return refuse(file, read.error());
+  Result<SavedState> state = readState(path, input.text());
   if (!state) return refuse(file, state.error());
   file.source = std::move(state->source);
+  file.settings = std::move(state->settings);
   file.snapshot = std::move(state->snapshot);
   parse(file, file.source.file);
+  if (!file.scene) return;
+  for (const auto& [key, value] : file.settings) {
+    const SettingRow* row = findSetting(key);
+    if (!row || !setSetting(*file.scene, *row, value))
+      return refuse(file, {ErrorCode::badFormat, path + ": found the setting " + key + " = " + shortNumber(value) +
+                                                     ", expected one that this version knows"});
+  }
 }
 
 }  // namespace
@@ -62,25 +67,30 @@ OpenedFile readOpening(const std::string& nameOrPath, const Overrides& overrides
     return file;
   }
   if (opening.path.empty()) opening.path = nameOrPath;
-  const Result<std::string> start = readStart(opening.path, kMagicBytes);
-  if (!start) {
-    refuse(file, start.error());
+  Result<InputFile> input = InputFile::open(opening.path);
+  const Status started = input ? input->readUpTo(kMagicBytes) : Status(input.error());
+  if (!started) {
+    refuse(file, started.error());
     return file;
   }
-  if (start->starts_with(kTakeMagic) || isState(*start)) {
-    opening.kind = isState(*start) ? OpeningKind::state : OpeningKind::take;
+  const bool state = isState(input->text());
+  if (state || isTake(input->text())) {
+    opening.kind = state ? OpeningKind::state : OpeningKind::take;
     if (!overrides.empty())
       refuse(file, {ErrorCode::invalidArgument, "--set: found with " + opening.path + ", expected with a scene file"});
-    else if (opening.kind == OpeningKind::state)
-      readSaved(file);
+    else if (state)
+      readSaved(file, *input);
+    else if (Result<TakeReader> take = TakeReader::open(opening.path); take)
+      file.take = std::move(*take);
+    else
+      refuse(file, take.error());
     return file;
   }
-  Result<std::string> text = readFile(opening.path, kMostSceneBytes);
-  if (!text) {
-    refuse(file, text.error());
+  if (const Status read = input->readAll(kMostSceneBytes); !read) {
+    refuse(file, read.error());
     return file;
   }
-  file.source = {absolute(opening.path), std::move(*text), overrides};
+  file.source = {absolute(opening.path), std::move(input->text()), overrides};
   parse(file, opening.path);
   return file;
 }
@@ -89,17 +99,13 @@ OpenedFile readAgain(const SceneSource& source) {
   OpenedFile file;
   file.opening.path = source.file;
   file.source = source;
-  // As it is now, if it is still there.
-  if (Result<std::string> text = readFile(source.file, kMostSceneBytes); text) file.source.text = std::move(*text);
+  // As it is now, if it is still there; a pipe was read to its end.
+  std::error_code problem;
+  if (std::filesystem::is_regular_file(source.file, problem))
+    if (Result<InputFile> input = InputFile::open(source.file); input && input->readAll(kMostSceneBytes))
+      file.source.text = std::move(input->text());
   parse(file, source.file);
   return file;
-}
-
-Opening lookAtOpening(const std::string& nameOrPath, const Overrides& overrides) {
-  OpenedFile file = readOpening(nameOrPath, overrides);
-  if (file.opening.exitCode == 0 && file.opening.kind == OpeningKind::take)
-    if (const Result<TakeReader> take = TakeReader::open(file.opening.path); !take) refuse(file, take.error());
-  return std::move(file.opening);
 }
 
 }  // namespace brickfall::viewer

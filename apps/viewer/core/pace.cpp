@@ -1,7 +1,6 @@
 #include "viewer_core/pace.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace brickfall::viewer {
 
@@ -26,18 +25,22 @@ void Pace::pause() {
   made_.clear();
 }
 
-int Pace::due(double now, double dt) {
-  if (!running_) return 0;
+void Pace::goOn(double now) {
+  if (!running_) return;
   owed_ += std::clamp(now - last_, 0.0, kLongestGap) * speed_;
   last_ = now;
-  return int(std::floor(owed_ / dt + kSlack));
 }
 
-void Pace::made(int steps, double now, double dt) {
-  owed_ = std::max(0.0, owed_ - steps * dt);
+bool Pace::due(double dt) const { return running_ && owed_ >= dt * (1 - kSlack); }
+
+void Pace::made(double dt, double now) {
+  owed_ = std::max(0.0, owed_ - dt);
+  made_.push_back({now, dt});
+}
+
+void Pace::letGo(double now, double dt) {
   // One is made at once, so that a scene that is too slow is made step after step.
   owed_ = std::min(owed_, dt);
-  if (steps > 0) made_.push_back({now, steps * dt});
   while (!made_.empty() && made_.front().first < now - kWindow) made_.pop_front();
 }
 

@@ -15,10 +15,12 @@ class Pace {
   void setSpeed(double factor) { speed_ = factor; }
   double speed() const { return speed_; }
 
-  // Steps of dt simulated seconds that are due.
-  int due(double now, double dt);
-  // Steps that were made, of dt each, until now. Those that are still due then are let go if they come too late.
-  void made(int steps, double now, double dt);
+  // The clock goes on. Then steps are made, of dt simulated seconds each, as long as one is due.
+  void goOn(double now);
+  bool due(double dt) const;
+  void made(double dt, double now);
+  // No more are made until the next time: what is still due, but for a step of dt, comes too late and is let go.
+  void letGo(double now, double dt);
   // s until the next step is due; 1e9 when paused.
   double wait(double now, double dt) const;
   // Simulated seconds a second over the last second.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <condition_variable>
+#include <exception>
 #include <filesystem>
 #include <mutex>
 #include <thread>
@@ -43,14 +44,24 @@ class Session::Impl {
     if (options.ownThread) thread_ = std::thread([this] { work(); });
   }
 
-  ~Impl() {
+  ~Impl() { (void)finish().ok(); }
+
+  Status finish() {
     {
       std::lock_guard lock(mutex_);
       stop_ = true;
     }
     wake_.notify_all();
     if (thread_.joinable()) thread_.join();
-    if (live_) (void)live_->stopRecording();
+    if (!live_) return {};
+    Status done;
+    std::vector<Sent> late;
+    takeSent(late);
+    for (const Sent& sent : late)
+      if (std::holds_alternative<SaveState>(sent.command))
+        if (const CommandResult saved = perform(sent); !saved.ok) done = Error{saved.code, saved.message};
+    const Result<std::string> stopped = live_->stopRecording();
+    return stopped ? done : Status(stopped.error());
   }
 
   std::uint64_t send(Command command) {
@@ -97,14 +108,19 @@ class Session::Impl {
   void work();
   bool takeSent(std::vector<Sent>& sent);
   CommandResult perform(const Sent& sent);
+  Result<std::string> tryOut(const Command& command, std::vector<std::string>& details);
   Result<std::string> carryOut(const Command& command, std::vector<std::string>& details);
   Result<std::string> open(const Open& open, std::vector<std::string>& details);
   Result<std::string> show(OpenedFile& file);
   Result<std::string> restart(const Restart& restart, std::vector<std::string>& details);
+  void endRun();
   Result<std::string> step(int count);
   void setRunning(bool running);
   bool makeSteps(double now);
+  bool goOn();
   void stopped(const Error& error);
+  void tell(const Error& error);
+  void tellProblems();
   double dt() const { return live_ ? live_->run().scene().timeStep : take_ ? take_->dt() : 1; }
   double simulated() const { return live_ ? live_->run().time() : take_ ? take_->time() : 0; }
   void publish();
@@ -157,36 +173,68 @@ double Session::Impl::pump() {
   bool changed = takeSent(sent);
   for (const Sent& one : sent) {
     CommandResult result = perform(one);
-    std::lock_guard lock(mutex_);
-    results_.push_back(std::move(result));
+    {
+      std::lock_guard lock(mutex_);
+      results_.push_back(std::move(result));
+    }
+    tellProblems();
   }
   changed = changed || !sent.empty();
-  const bool stepped = makeSteps(options.clock());
+  const bool stepped = goOn();
+  tellProblems();
   // While it runs a change is shown with the next step: a frame between would cut short the way there.
   if (stepped || jumped_ || (changed && !pace_.running())) publish();
   if (!pace_.running()) return 1e9;
   return pace_.wait(options.clock(), dt());
 }
 
+// Memory that runs out must not end the program: what is unsaved elsewhere would go with it.
+bool Session::Impl::goOn() {
+  try {
+    return makeSteps(options.clock());
+  } catch (const std::exception& error) {
+    stopped({ErrorCode::wrongState,
+             std::string("a step: ") + error.what() + "; the run is paused, rewind it or start it again"});
+    return true;
+  }
+}
+
 bool Session::Impl::makeSteps(double now) {
   if (!live_ && !take_) return false;
-  const int due = pace_.due(now, dt());
-  int made = 0;
-  const double step = dt();
-  while (made < due && pace_.running()) {
+  bool any = false;
+  pace_.goOn(now);
+  while (pace_.due(dt())) {
+    const double step = dt();
     const Status fine = live_ ? live_->step() : take_->step(1, &log_);
-    made++;
+    any = true;
+    pace_.made(step, options.clock());
     if (!fine) stopped(fine.error());
     if (take_ && take_->atEnd()) setRunning(false);
     if (options.clock() - now > kLongestBatch) break;
   }
-  pace_.made(made, options.clock(), step);
-  return made > 0;
+  pace_.letGo(options.clock(), dt());
+  return any;
 }
 
 void Session::Impl::stopped(const Error& error) {
   setRunning(false);
-  if (take_) log_.add(take_->time(), LogKind::error, error.message);
+  tell(error);
+}
+
+// A mistake that no command answers for.
+void Session::Impl::tell(const Error& error) {
+  log_.add(simulated(), LogKind::error, error.message);
+  CommandResult result;
+  result.ok = false;
+  result.code = error.code;
+  result.message = error.message;
+  std::lock_guard lock(mutex_);
+  results_.push_back(std::move(result));
+}
+
+void Session::Impl::tellProblems() {
+  if (!live_) return;
+  for (std::string& problem : live_->takeProblems()) tell({ErrorCode::inputOutput, std::move(problem)});
 }
 
 void Session::Impl::setRunning(bool running) {
@@ -208,11 +256,21 @@ void Session::Impl::jump() {
 CommandResult Session::Impl::perform(const Sent& sent) {
   CommandResult result;
   result.ticket = sent.ticket;
-  const Result<std::string> answer = carryOut(sent.command, result.details);
+  const Result<std::string> answer = tryOut(sent.command, result.details);
   result.ok = answer.ok();
+  result.code = answer ? ErrorCode::none : answer.error().code;
   result.message = answer ? *answer : answer.error().message;
   if (!answer) log_.add(simulated(), LogKind::error, result.message);
   return result;
+}
+
+Result<std::string> Session::Impl::tryOut(const Command& command, std::vector<std::string>& details) {
+  try {
+    return carryOut(command, details);
+  } catch (const std::exception& error) {
+    loading_.clear();
+    return Error{ErrorCode::wrongState, std::string(nameOf(command)) + ": " + error.what()};
+  }
 }
 
 Result<std::string> Session::Impl::carryOut(const Command& command, std::vector<std::string>& details) {
@@ -273,7 +331,7 @@ Result<std::string> Session::Impl::step(int count) {
 Result<std::string> Session::Impl::open(const Open& open, std::vector<std::string>& details) {
   loading_ = open.nameOrPath;
   publish();
-  OpenedFile file = readOpening(open.nameOrPath, open.overrides);
+  OpenedFile file = open.read ? std::move(*open.read) : readOpening(open.nameOrPath, open.overrides);
   for (const Diagnostic& diagnostic : file.opening.diagnostics) details.push_back(format(diagnostic));
   Result<std::string> answer = show(file);
   loading_.clear();
@@ -288,22 +346,22 @@ Result<std::string> Session::Impl::show(OpenedFile& file) {
   if (file.opening.exitCode != 0 && file.opening.problem.empty())
     return Error{ErrorCode::badFormat,
                  file.opening.diagnostics.empty() ? "the scene is wrong" : format(file.opening.diagnostics.front())};
-  if (file.opening.exitCode != 0) return Error{ErrorCode::badFormat, file.opening.problem};
-  if (file.opening.kind == OpeningKind::take) {
-    Result<std::unique_ptr<TakePlayer>> take = TakePlayer::open(file.opening.path, nextSerial_);
+  if (file.opening.exitCode != 0)
+    return Error{file.opening.exitCode == 3 ? ErrorCode::inputOutput : ErrorCode::badFormat, file.opening.problem};
+  if (file.take) {
+    Result<std::unique_ptr<TakePlayer>> take = TakePlayer::start(std::move(*file.take), file.opening.path, nextSerial_);
     if (!take) return take.error();
-    if (live_) (void)live_->stopRecording();
-    live_.reset();
+    endRun();
     take_ = std::move(*take);
     info_ = take_->info();
   } else {
     const bool saved = file.opening.kind == OpeningKind::state;
     Result<std::unique_ptr<LiveRun>> run =
-        saved
-            ? LiveRun::resume({file.source, std::move(file.snapshot)}, *file.scene, options.history, nextSerial_, log_)
-            : LiveRun::start(file.source, *file.scene, options.history, nextSerial_, log_);
+        saved ? LiveRun::resume({file.source, file.settings, std::move(file.snapshot)}, *file.scene, options.history,
+                                nextSerial_, log_)
+              : LiveRun::start(file.source, *file.scene, options.history, nextSerial_, log_);
     if (!run) return run.error();
-    if (live_) (void)live_->stopRecording();
+    endRun();
     take_.reset();
     live_ = std::move(*run);
     info_ = infoOf(live_->run());
@@ -314,6 +372,12 @@ Result<std::string> Session::Impl::show(OpenedFile& file) {
   std::string told = "opened " + std::filesystem::path(file.opening.path).filename().string();
   log_.add(simulated(), LogKind::note, told);
   return told;
+}
+
+void Session::Impl::endRun() {
+  if (live_) live_->endRecording();
+  tellProblems();
+  live_.reset();
 }
 
 Result<std::string> Session::Impl::restart(const Restart& restart, std::vector<std::string>& details) {
@@ -333,7 +397,7 @@ Result<std::string> Session::Impl::restart(const Restart& restart, std::vector<s
   }
   Result<std::unique_ptr<LiveRun>> run = LiveRun::start(source, scene, options.history, nextSerial_, log_);
   if (!run) return run.error();
-  (void)live_->stopRecording();
+  endRun();
   live_ = std::move(*run);
   // The window looks on from where it was, unless it is another scene now.
   if (restart.asInFile || info_->reportMethod != (scene.method == SceneMethod::report)) info_ = infoOf(live_->run());
@@ -402,6 +466,7 @@ std::vector<CommandResult> Session::takeResults() { return impl_->takeResults();
 std::shared_ptr<const Frame> Session::latest() const { return impl_->latest(); }
 void Session::ask(const FrameNeeds& needs) { impl_->ask(needs); }
 double Session::now() const { return impl_->options.clock(); }
+Status Session::finish() { return impl_->finish(); }
 double Session::pump() { return impl_->pump(); }
 
 }  // namespace brickfall::viewer

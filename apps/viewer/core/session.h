@@ -27,19 +27,23 @@ struct SessionOptions {
 class Session {
  public:
   explicit Session(SessionOptions options = {});
-  ~Session();  // stops the thread at the end of its step; a recording is finished first
+  ~Session();  // finish()
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
   // Number of the command, found again in its result.
   std::uint64_t send(Command command);
-  // Results since the last call, in the order of the commands.
+  // Results since the last call, in the order of the commands; among them, with ticket 0, mistakes that no command answers for (a
+  // recording that died, a step that could not be made).
   std::vector<CommandResult> takeResults();
   // Never null; the same object until there is a newer one.
   std::shared_ptr<const Frame> latest() const;
   // What frames are to hold besides, from the next frame on, which is made at once.
   void ask(const FrameNeeds& needs);
   double now() const;  // of its clock: for blendAt
+  // Stops the thread at the end of its step; saves states that were still to be saved and makes a recording whole: the error is
+  // theirs. Other commands that wait are not carried out.
+  Status finish();
 
   // Without a thread of its own: carries out what was sent, makes the steps that are due by the clock, makes a frame if
   // anything changed. The time in s until something is due again (1e9: not before the next command).

@@ -3,6 +3,8 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <bit>
 #include <cerrno>
 #include <cstdint>
 #include <cstring>
@@ -14,11 +16,12 @@ namespace brickfall::viewer {
 
 namespace {
 
-// magic (with the version's number), then texts and bytes, each with its length (8 bytes, little end first), then a sum of all
-// before it.
+// magic, version, end of line, then texts and bytes, each with its length (8 bytes, little end first), lists with their count,
+// then a sum of all before it.
 constexpr std::string_view kMagic =
     "\x89"
-    "BFSTATE1\n";
+    "BFSTATE";
+constexpr std::string_view kVersion = "2\n";
 
 void put(std::string& out, std::uint64_t number) {
   for (int k = 0; k < 8; k++) out.push_back(char(number >> (8 * k)));
@@ -71,13 +74,18 @@ Error refused(const std::string& path) {
 }  // namespace
 
 Result<std::size_t> writeState(const std::string& path, const SavedState& state) {
-  std::string out(kMagic);
+  std::string out = std::string(kMagic) + std::string(kVersion);
   put(out, state.source.file);
   put(out, state.source.text);
   put(out, std::uint64_t(state.source.overrides.size()));
   for (const auto& [key, value] : state.source.overrides) {
     put(out, key);
     put(out, value);
+  }
+  put(out, std::uint64_t(state.settings.size()));
+  for (const auto& [key, value] : state.settings) {
+    put(out, key);
+    put(out, std::bit_cast<std::uint64_t>(value));
   }
   const std::vector<std::byte> bytes = compressed(state.snapshot);
   put(out, std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
@@ -86,23 +94,35 @@ Result<std::size_t> writeState(const std::string& path, const SavedState& state)
   return out.size();
 }
 
-bool isState(const std::string& bytes) { return bytes.starts_with(kMagic); }
+bool isState(std::string_view bytes) { return bytes.starts_with(kMagic); }
 
 Result<SavedState> readState(const std::string& path, const std::string& bytes) {
   const Error bad{ErrorCode::badFormat, path + ": found a damaged or cut-off state, expected a whole one"};
   if (!isState(bytes)) return Error{ErrorCode::badFormat, path + ": found other bytes, expected a saved state"};
-  if (bytes.size() < kMagic.size() + 8) return bad;
-  const std::string_view all = bytes, content = all.substr(0, all.size() - 8);
+  const std::string_view all = bytes, version = all.substr(kMagic.size(), kVersion.size());
+  if (bytes.size() < kMagic.size() + kVersion.size() + 8) return bad;
+  if (version != kVersion && version[0] >= '1' && version[0] <= '9')
+    return Error{ErrorCode::badFormat, path + ": found a state of format " + std::string(1, version[0]) +
+                                           ", saved by another version of the viewer; expected format " +
+                                           std::string(1, kVersion[0])};
+  const std::string_view content = all.substr(0, all.size() - 8);
   if (numberAt(all.substr(content.size())) != sumOf(content)) return bad;
-  Reader reader(content.substr(kMagic.size()));
+  Reader reader(content.substr(kMagic.size() + kVersion.size()));
   SavedState state;
-  std::uint64_t overrides = 0;
+  std::uint64_t overrides = 0, settings = 0;
   std::string packed;
   if (!reader.take(state.source.file) || !reader.take(state.source.text) || !reader.take(overrides)) return bad;
   for (std::uint64_t i = 0; i < overrides; i++) {
     std::pair<std::string, std::string> pair;
     if (!reader.take(pair.first) || !reader.take(pair.second)) return bad;
     state.source.overrides.push_back(std::move(pair));
+  }
+  if (!reader.take(settings)) return bad;
+  for (std::uint64_t i = 0; i < settings; i++) {
+    std::string key;
+    std::uint64_t bits = 0;
+    if (!reader.take(key) || !reader.take(bits)) return bad;
+    state.settings.push_back({std::move(key), std::bit_cast<double>(bits)});
   }
   if (!reader.take(packed) || !reader.atEnd()) return bad;
   Result<std::vector<std::byte>> snapshot = decompressed(std::as_bytes(std::span(packed)));
@@ -112,32 +132,36 @@ Result<SavedState> readState(const std::string& path, const std::string& bytes) 
 }
 
 // Read here, since streams do not tell why reading failed.
-Result<std::string> readStart(const std::string& path, std::size_t bytes) {
+Result<InputFile> InputFile::open(const std::string& path) {
   const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (file < 0) return refused(path);
-  std::string text;
-  std::vector<char> block(1 << 16);
-  while (text.size() < bytes) {
-    const ssize_t count = ::read(file, block.data(), std::min(block.size(), bytes - text.size()));
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) {
-      const Error error = refused(path);
-      ::close(file);
-      return error;
-    }
-    if (count == 0) break;
-    text.append(block.data(), std::size_t(count));
-  }
-  ::close(file);
-  return text;
+  return InputFile(path, file);
 }
 
-Result<std::string> readFile(const std::string& path, std::size_t mostBytes) {
-  Result<std::string> text = readStart(path, mostBytes + 1);
-  if (text && text->size() > mostBytes)
-    return Error{ErrorCode::limitExceeded,
-                 path + ": found more than " + std::to_string(mostBytes >> 20) + " MB, expected a smaller file"};
-  return text;
+InputFile::InputFile(InputFile&& other) noexcept
+    : path_(std::move(other.path_)), text_(std::move(other.text_)), file_(std::exchange(other.file_, -1)) {}
+
+InputFile::~InputFile() {
+  if (file_ >= 0) ::close(file_);
+}
+
+Status InputFile::readUpTo(std::size_t bytes) {
+  std::vector<char> block(1 << 16);
+  while (text_.size() < bytes) {
+    const ssize_t count = ::read(file_, block.data(), std::min(block.size(), bytes - text_.size()));
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) return refused(path_);
+    if (count == 0) break;
+    text_.append(block.data(), std::size_t(count));
+  }
+  return {};
+}
+
+Status InputFile::readAll(std::size_t mostBytes) {
+  if (Status read = readUpTo(mostBytes + 1); !read) return read;
+  if (text_.size() <= mostBytes) return {};
+  return Error{ErrorCode::limitExceeded,
+               path_ + ": found more than " + std::to_string(mostBytes >> 20) + " MB, expected a smaller file"};
 }
 
 }  // namespace brickfall::viewer

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "viewer_core/shape_facts.h"
+
 namespace brickfall::viewer {
 
 namespace {
 
-constexpr double kNever = -1e9;           // s
+constexpr double kSlack = 1e-6;           // s: times are sums
 constexpr std::size_t kMostHitLines = 3;  // of a frame
 
 // Places of a number in an ascending list, or -1.
@@ -28,19 +30,17 @@ TakePlayer::TakePlayer(TakeReader take, std::string path, Serial firstSerial)
   info->title = header.title;
   info->cameras = header.cameras;
   if (info->cameras.empty()) info->cameras.push_back({});
-  info->ground = -1e30;
-  hitAt_.assign(take_.bodies().size(), kNever);
+  info->ground = kNoGround;
+  lastHit_.resize(take_.bodies().size());
   info_ = std::move(info);
 }
 
-Result<std::unique_ptr<TakePlayer>> TakePlayer::open(const std::string& path, Serial& nextSerial) {
-  Result<TakeReader> take = TakeReader::open(path);
-  if (!take) return take.error();
-  if (take->frameCount() == 0)
+Result<std::unique_ptr<TakePlayer>> TakePlayer::start(TakeReader take, const std::string& path, Serial& nextSerial) {
+  if (take.frameCount() == 0)
     return Error{ErrorCode::badFormat, path + ": found a take without frames, expected at least one"};
   const Serial first = nextSerial;
-  nextSerial += Serial(take->bodies().size());
-  std::unique_ptr<TakePlayer> player(new TakePlayer(std::move(*take), path, first));
+  nextSerial += Serial(take.bodies().size());
+  std::unique_ptr<TakePlayer> player(new TakePlayer(std::move(take), path, first));
   if (Status there = player->go(player->last()); !there) return there.error();
   player->lastTime_ = player->now_.time;
   if (Status there = player->go(0); !there) return there.error();
@@ -52,9 +52,7 @@ Result<std::unique_ptr<TakePlayer>> TakePlayer::open(const std::string& path, Se
     const TakeBody& body = player->take_.bodies()[player->numbers_[i]];
     if (body.role != BodyRole::ground) continue;
     const TakePose& pose = player->now_.poses[i];
-    for (const ShapeDef& shape : body.shapes)
-      if (shape.type == ShapeType::plane)
-        info->ground = std::max(info->ground, pose.position.y + shape.local.position.y);
+    info->ground = std::max(info->ground, topOf(body.shapes, Transform{pose.position, pose.rotation}));
   }
   player->info_ = std::move(info);
   return player;
@@ -75,10 +73,17 @@ Aabb TakePlayer::extent() const {
 }
 
 Status TakePlayer::go(std::size_t frame) {
-  Result<TakeFrame> found = take_.frame(frame);
+  const bool readAhead = frame == at_ + 1 && next_.time > now_.time;
+  Result<TakeFrame> found = readAhead ? Result<TakeFrame>(std::move(next_)) : take_.frame(frame);
   if (!found) return found.error();
   now_ = std::move(*found);
   at_ = frame;
+  next_ = {};
+  if (frame < last()) {
+    Result<TakeFrame> after = take_.frame(frame + 1);
+    if (!after) return after.error();
+    next_ = std::move(*after);
+  }
   std::vector<std::uint32_t> there = take_.bodiesAt(frame);
   if (!list_ || there != numbers_) {
     numbers_ = std::move(there);
@@ -99,11 +104,7 @@ void TakePlayer::list() {
     body.material = from.shapeMaterials.empty() ? from.material : from.shapeMaterials.front();
     body.mass = from.mass;
     body.shapes = from.shapes;
-    for (const ShapeDef& shape : from.shapes) {
-      if (shape.type == ShapeType::plane) continue;
-      const Aabb box = bounds(shape, Transform{});
-      body.radius = std::max(body.radius, length(max(abs(box.lower), abs(box.upper))));
-    }
+    body.radius = radiusOf(from.shapes);
     made->bodies.push_back(std::move(body));
   }
   list_ = std::move(made);
@@ -114,7 +115,12 @@ void TakePlayer::hear(EventLog* log) {
   const auto name = [&](std::uint32_t number) { return take_.bodies()[number].name; };
   for (const TakeEvent& event : now_.events) {
     if (event.type == TakeEventType::hit) {
-      hitAt_[event.bodyA] = hitAt_[event.bodyB] = now_.time;
+      for (const std::uint32_t number : {event.bodyA, event.bodyB}) {
+        const double mass = take_.bodies()[number].mass;
+        const float speed = mass > 0 ? float(event.impulse / mass) : 0;
+        Hit& hit = lastHit_[number];
+        hit = {now_.time, hit.time == now_.time ? std::max(hit.speed, speed) : speed};
+      }
       if (log && ++hits <= kMostHitLines)
         log->add(now_.time, LogKind::hit,
                  name(event.bodyA) + " and " + name(event.bodyB) + ": " + shortNumber(event.impulse) + " N s");
@@ -140,16 +146,41 @@ Status TakePlayer::step(int frames, EventLog* log) {
     hear(log);
   }
   if (frames >= 0) return {};
-  const std::size_t back = std::min<std::size_t>(at_, std::size_t(-std::int64_t(frames)));
-  return seek(firstTime_ + double(at_ - back) * dt());
+  return jumpTo(at_ - std::min<std::size_t>(at_, std::size_t(-std::int64_t(frames))));
 }
 
-// Frames come at a steady rate; the last may be late.
+double TakePlayer::dt() const {
+  const double usual = 1 / take_.header().framesPerSecond, step = next_.time - now_.time;
+  return at_ < last() && step > 0 ? step : usual;
+}
+
 Status TakePlayer::seek(double time) {
   if (!(time >= -1e9 && time <= 1e9)) return Error{ErrorCode::invalidArgument, "seek: found no time"};
-  double place = std::floor((time - firstTime_) / dt() + 1e-6);
-  if (time >= lastTime_ - 1e-9) place = double(last());
-  const std::size_t frame = std::size_t(std::clamp(place, 0.0, double(last())));
+  const Result<std::size_t> frame = frameAt(time);
+  return frame ? jumpTo(*frame) : Status(frame.error());
+}
+
+// The last frame that is not later. Mostly they come at a steady rate, so the two where it should be are looked at first.
+Result<std::size_t> TakePlayer::frameAt(double time) const {
+  if (time >= lastTime_ - kSlack) return last();
+  std::size_t from = 0, to = last();
+  const auto narrow = [&](std::size_t frame) -> Status {
+    const Result<TakeFrame> found = take_.frame(frame);
+    if (!found) return found.error();
+    (found->time <= time + kSlack ? from : to) = frame;
+    return {};
+  };
+  const double place = (time - firstTime_) * take_.header().framesPerSecond + kSlack;
+  const auto guess = std::size_t(std::clamp(place, 0.0, double(to)));
+  for (const std::size_t near : {guess, guess + 1})
+    if (near > from && near < to)
+      if (Status read = narrow(near); !read) return read.error();
+  while (to - from > 1)
+    if (Status read = narrow(from + (to - from) / 2); !read) return read.error();
+  return from;
+}
+
+Status TakePlayer::jumpTo(std::size_t frame) {
   previous_ = {};
   previousNumbers_.clear();
   if (frame > 0) {
@@ -158,7 +189,7 @@ Status TakePlayer::seek(double time) {
     previousNumbers_ = numbers_;
   }
   if (Status there = go(frame); !there) return there;
-  std::fill(hitAt_.begin(), hitAt_.end(), kNever);
+  std::fill(lastHit_.begin(), lastHit_.end(), Hit{});
   hear(nullptr);
   jump();
   return {};
@@ -176,7 +207,8 @@ void TakePlayer::fill(Frame& frame, const FrameNeeds& needs, Serial selected) {
     body.activity = take_.bodies()[numbers_[i]].mass > 0 ? Activity::awake : Activity::fixed;
     body.contactForce = pose.contactForce;
     body.touching = needs.collisions && pose.contactForce > 0;
-    body.sinceHit = float(now_.time - hitAt_[numbers_[i]]);
+    body.sinceHit = float(now_.time - lastHit_[numbers_[i]].time);
+    body.hitSpeed = lastHit_[numbers_[i]].speed;
     if (const int was = before_.empty() ? -1 : placeOf(beforeNumbers_, numbers_[i]); was >= 0)
       body.before = before_[std::size_t(was)];
     if (const int was = placeOf(previousNumbers_, numbers_[i]); was >= 0 && span > 0) {
@@ -188,10 +220,12 @@ void TakePlayer::fill(Frame& frame, const FrameNeeds& needs, Serial selected) {
     SelectedBody s;
     s.serial = selected;
     s.name = list_->bodies[i].name;
+    s.material = list_->bodies[i].material;
     s.mass = list_->bodies[i].mass;
     s.speed = pose.speed;
     s.spin = length(body.angularVelocity);
     s.centreOfMass = pose.position;
+    s.contactForce = pose.contactForce;
     frame.selected = std::move(s);
   }
   beforeNumbers_ = numbers_;

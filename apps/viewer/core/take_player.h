@@ -1,4 +1,5 @@
-// A take played: frames as they were recorded, at any place and speed.
+// A take played: frames as they were recorded, at any place and speed. Each is shown for as long as it lasted: a run whose time step
+// was changed has frames that lie further apart than its header says, or nearer.
 #pragma once
 #include <memory>
 #include <optional>
@@ -13,10 +14,11 @@ namespace brickfall::viewer {
 
 class TakePlayer {
  public:
-  static Result<std::unique_ptr<TakePlayer>> open(const std::string& path, Serial& nextSerial);
+  // At its first frame. `path` is where it came from.
+  static Result<std::unique_ptr<TakePlayer>> start(TakeReader take, const std::string& path, Serial& nextSerial);
 
   const std::shared_ptr<const RunInfo>& info() const { return info_; }
-  double dt() const { return 1 / take_.header().framesPerSecond; }  // s, from frame to frame
+  double dt() const;  // s, to the next frame
   std::size_t frame() const { return at_; }
   std::size_t last() const { return take_.frameCount() - 1; }
   double time() const { return now_.time; }  // s
@@ -35,6 +37,8 @@ class TakePlayer {
  private:
   TakePlayer(TakeReader take, std::string path, Serial firstSerial);
   Status go(std::size_t frame);
+  Status jumpTo(std::size_t frame);
+  Result<std::size_t> frameAt(double time) const;
   void list();
   void hear(EventLog* log);
   Aabb extent() const;
@@ -43,14 +47,18 @@ class TakePlayer {
   Serial firstSerial_;  // of body 0
   std::shared_ptr<const RunInfo> info_;
   std::size_t at_ = 0;
-  TakeFrame now_;
+  TakeFrame now_, next_;                // next_: the one after it, read ahead for its time
   std::vector<std::uint32_t> numbers_;  // of the bodies that are there
   std::shared_ptr<const BodyList> list_;
   std::vector<std::uint32_t> beforeNumbers_;
   std::vector<Transform> before_;  // where they were in the frame made before
   TakeFrame previous_;             // the frame before this one in the take, for velocities
   std::vector<std::uint32_t> previousNumbers_;
-  std::vector<double> hitAt_;  // s, by number
+  struct Hit {
+    double time = -1e9;  // s
+    float speed = 0;     // m/s
+  };
+  std::vector<Hit> lastHit_;  // by number
   double firstTime_ = 0, lastTime_ = 0;
 };
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "viewer_window/debug_layers.h"
+#include "viewer_window/near_plane.h"
 #include "viewer_window/panels/panels.h"
 #include "viewer_window/still.h"
 #include "viewer_window/sun.h"
@@ -13,12 +13,14 @@
 namespace brickfall::viewer {
 namespace {
 
-constexpr double kFrameSeconds = 1.0 / 60;  // where the display does not set the pace
-constexpr double kIdleSeconds = 0.1;        // between pictures while nothing changes
+constexpr double kFrameSeconds = 1.0 / 60;    // where the display does not set the pace
+constexpr double kIdleSeconds = 0.1;          // between pictures while nothing changes
+constexpr int kBadInput = 2, kFileError = 3;  // of docs/command-line.md
 
 }  // namespace
 
-App::App(const Options& options, Session& session, NativeWindow& window, Renderer& renderer, StatusFile& status)
+App::App(const Options& options, Session& session, NativeWindow& window, Renderer& renderer, StatusFile& status,
+         std::uint64_t opens)
     : options_(options),
       session_(session),
       window_(window),
@@ -29,7 +31,8 @@ App::App(const Options& options, Session& session, NativeWindow& window, Rendere
       lines_(renderer.scene()),
       dust_(renderer.scene()),
       gui_(renderer.port(), window.size()),
-      frame_(session.latest()) {
+      frame_(session.latest()),
+      opens_(opens) {
   desk_.view.shadows = options.shadows;
   desk_.panelShown = options.panel;
   desk_.size = window.size();
@@ -45,7 +48,7 @@ int App::run() {
   while (!quit_ && !finished()) {
     const double began = session_.now(), seconds = std::min(began - last, 0.25);
     last = began;
-    bool busy = takeEvents(0);
+    bool busy = takeEvents();
     const std::uint64_t before = frame_->number;
     takeFrame();
     takeResults();
@@ -56,22 +59,33 @@ int App::run() {
     if (!hidden_) draw(seconds);
     writeReports();
     sendCommands();
-    keepCount(session_.now() - began);
+    keepCount();
     waitForNext(began, busy);
   }
-  if (!options_.screenshot.empty()) {
-    if (const Status saved = saveStill(renderer_.picture(), options_.screenshot); !saved) {
-      std::fprintf(stderr, "brickfall-view: --screenshot: %s\n", saved.error().message.c_str());
-      return 3;
-    }
-  }
+  const int code = end();
   report("quit");
   writeReports();
-  return 0;
+  return code;
+}
+
+// What fails now has no window left to be told in.
+int App::end() {
+  if (openingFailed_ != 0) return openingFailed_;
+  int code = 0;
+  const auto check = [&code](const char* what, const Status& done) {
+    if (done) return;
+    std::fprintf(stderr, "brickfall-view: %s%s\n", what, done.error().message.c_str());
+    code = kFileError;
+  };
+  check("", session_.finish());
+  if (!options_.screenshot.empty()) check("--screenshot: ", saveStill(renderer_.picture(), options_.screenshot));
+  return code;
 }
 
 bool App::finished() const {
-  if (options_.frames > 0 && pictures_ >= options_.frames) return true;
+  const bool unattended = options_.frames > 0 || options_.seconds > 0;
+  if (unattended && openingFailed_ != 0) return true;
+  if (options_.frames > 0 && shown_ >= options_.frames) return true;
   return options_.seconds > 0 && session_.now() - started_ >= options_.seconds;
 }
 
@@ -80,9 +94,11 @@ void App::takeFrame() {
   blend_ = blendAt(*frame_, session_.now());
   if (frame_->info != run_) {
     run_ = frame_->info;
-    if (run_ && run_->kind != RunKind::nothing) startOf(*run_);
+    if (run_ && run_->kind != RunKind::nothing) {
+      openingFailed_ = 0;
+      startOf(*run_);
+    }
   }
-  if (desk_.selected != 0 && (!frame_->list || frame_->list->find(desk_.selected) < 0)) desk_.selected = 0;
   // Not yet is not no longer: the drag is in a frame only some time after it began.
   if (wasDragged_ && !frame_->drag) desk_.hand.letGo();
   wasDragged_ = frame_->drag.has_value();
@@ -109,6 +125,10 @@ void App::takeResults() {
     const auto sent = sent_.find(result.ticket);
     const std::string what = sent != sent_.end() ? sent->second : "";
     if (sent != sent_.end()) sent_.erase(sent);
+    if (result.ticket == opens_ && !result.ok) {
+      openingFailed_ = result.code == ErrorCode::inputOutput ? kFileError : kBadInput;
+      std::fprintf(stderr, "brickfall-view: %s\n", result.message.c_str());
+    }
     if (!result.message.empty() || !result.ok) {
       desk_.say(result.message.empty() ? what + " failed" : result.message, !result.ok, session_.now(),
                 std::move(result.details));
@@ -120,7 +140,6 @@ void App::takeResults() {
 void App::sendCommands() {
   for (const Action action : std::exchange(desk_.actions, {})) act(action);
   for (Command& command : std::exchange(desk_.commands, {})) {
-    if (const auto* select = std::get_if<Select>(&command)) desk_.selected = select->body;
     const std::string name = nameOf(command);
     sent_[session_.send(std::move(command))] = name;
   }
@@ -130,8 +149,8 @@ void App::draw(double seconds) {
   const Frame& frame = *frame_;
   const double began = session_.now();
   const View view = desk_.rig.view();
-  renderer_.setView(view, shift());
   const bool any = frame.list && !frame.bodies.empty() && frame.info;
+  renderer_.setView(view, any ? nearPlaneOf(frame, blend_, view.position) : kLeastNear, shift());
   ShadowMode wanted = ShadowMode::none;
   switch (desk_.view.shadows) {
     case ShadowChoice::automatic:
@@ -152,9 +171,9 @@ void App::draw(double seconds) {
   sky_.setVisible(!desk_.view.wireframe);
   lines_.clear();
   if (any) {
-    bodies_.draw(frame, blend_, desk_.view, desk_.selected);
-    addLayers(lines_, frame, blend_, desk_.view);
-    addHands(lines_, frame, blend_, desk_.selected);
+    bodies_.draw(frame, blend_, desk_.view, selected());
+    layers_.addLayers(lines_, frame, blend_, desk_.view);
+    layers_.addHands(lines_, frame, blend_, selected());
     dust_.update(frame, view, desk_.view.dust && !desk_.view.wireframe);
   }
   lines_.show();
@@ -163,10 +182,12 @@ void App::draw(double seconds) {
   gui_.end();
   renderer_.render();
   pictures_++;
+  shown_ += run_ && run_->kind != RunKind::nothing;
+  report("picture");
   desk_.drawMilliseconds += 0.1 * (1000 * (session_.now() - began) - desk_.drawMilliseconds);
 }
 
-void App::keepCount(double) {
+void App::keepCount() {
   const double now = session_.now();
   countPictures_++;
   if (now - countFrom_ >= 0.5) {
@@ -181,7 +202,7 @@ void App::keepCount(double) {
 }
 
 void App::waitForNext(double began, bool busy) {
-  if (options_.frames > 0 && !hidden_) return;  // as fast as it goes
+  if (shown_ > 0 && options_.frames > 0 && !hidden_) return;  // as fast as it goes
   const double wanted = hidden_ || !busy ? kIdleSeconds : kFrameSeconds;
   const double left = wanted - (session_.now() - began);
   if (left <= 0) return;

@@ -9,6 +9,7 @@
 #include "viewer_core/picking.h"
 #include "viewer_core/session.h"
 #include "viewer_window/body_drawer.h"
+#include "viewer_window/debug_layers.h"
 #include "viewer_window/desk.h"
 #include "viewer_window/dust.h"
 #include "viewer_window/gui.h"
@@ -26,14 +27,16 @@ namespace brickfall::viewer {
 class App {
  public:
   // The session is there before the window, so that the scene is read while the window opens.
-  App(const Options& options, Session& session, NativeWindow& window, Renderer& renderer, StatusFile& status);
+  // `opens`: ticket of what the command line asked to open.
+  App(const Options& options, Session& session, NativeWindow& window, Renderer& renderer, StatusFile& status,
+      std::uint64_t opens);
   ~App();
   // Until the user quits, or as long as the options say. An exit code of docs/command-line.md.
   int run();
 
  private:
   // --- app_input.cpp
-  bool takeEvents(double wait);  // true: something happened
+  bool takeEvents();  // true: something happened
   void takeEvent(const SDL_Event& event);
   void takeWindowEvent(const SDL_Event& event);
   void takeKey(const SDL_Event& event);
@@ -56,9 +59,11 @@ class App {
   void takeResults();
   void sendCommands();
   void draw(double seconds);
-  void keepCount(double seconds);
+  void keepCount();
   void waitForNext(double began, bool busy);
   bool finished() const;
+  int end();
+  Serial selected() const { return frame_->selected ? frame_->selected->serial : 0; }
   void report(const std::string& why);  // once the next picture shows it
   void writeReports();
 
@@ -70,6 +75,7 @@ class App {
   Sky sky_;
   BodyDrawer bodies_;
   Lines lines_;
+  DebugLayers layers_;
   Dust dust_;
   Gui gui_;
   Picker picker_;
@@ -87,6 +93,9 @@ class App {
   bool quit_ = false, hidden_ = false, wasDragged_ = false;
   double started_ = 0, lastReport_ = 0, countFrom_ = 0;
   std::uint64_t pictures_ = 0, countPictures_ = 0;
+  std::uint64_t shown_ = 0;  // pictures of a run
+  std::uint64_t opens_ = 0;
+  int openingFailed_ = 0;  // exit code, as long as nothing is open; 0: it did not
 };
 
 }  // namespace brickfall::viewer

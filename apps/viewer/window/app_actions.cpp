@@ -29,12 +29,7 @@ bool App::actOnTime(Action action) {
       desk_.send(Step{1});
       return true;
     case Action::stepBack:
-      if (run_ && run_->kind == RunKind::live && status.step > 0) {
-        // A live run has no steps back; it goes to the moment before, which is remembered to the bit.
-        desk_.send(Rewind{std::max(status.earliest, status.time * (1 - 1.0 / double(status.step)))});
-      } else {
-        desk_.send(Step{-1});
-      }
+      desk_.send(Step{-1});
       return true;
     case Action::slower:
       desk_.send(SetSpeed{std::max(kSlowest, status.speed / 2)});
@@ -81,7 +76,7 @@ bool App::actOnHands(Action action) {
       desk_.send(desk_.hand.shot(rayAt(desk_.size.width / 2.0 + shift().x, desk_.size.height / 2.0 + shift().y)));
       return true;
     case Action::removeSelected:
-      if (desk_.selected != 0) desk_.send(RemoveBody{desk_.selected});
+      if (selected() != 0) desk_.send(RemoveBody{selected()});
       return true;
     case Action::wakeAll:
       desk_.send(WakeBody{0});
@@ -108,9 +103,9 @@ bool App::actOnCamera(Action action) {
       desk_.rig.setMode(CameraMode::fly);
       return true;
     case Action::followSelected: {
-      const int place = frame_->list ? frame_->list->find(desk_.selected) : -1;
+      const int place = frame_->list->find(selected());
       if (place >= 0) {
-        desk_.rig.follow(desk_.selected, frame_->list->bodies[std::size_t(place)].radius);
+        desk_.rig.follow(selected(), frame_->list->bodies[std::size_t(place)].radius);
       } else {
         desk_.say("Select a body first: the camera then follows it", false, session_.now());
       }
@@ -195,8 +190,10 @@ void App::actOnFiles(Action action) {
     case Action::copyView: {
       const Camera camera = desk_.rig.asCamera();
       const std::string text = fmt::format(
-          "[[camera]]\nname = \"view\"\nposition = [{:.3f}, {:.3f}, {:.3f}]\ntarget = [{:.3f}, {:.3f}, {:.3f}]\n",
-          camera.position.x, camera.position.y, camera.position.z, camera.target.x, camera.target.y, camera.target.z);
+          "[[camera]]\nname = \"view\"\nposition = [{:.3f}, {:.3f}, {:.3f}]\ntarget = [{:.3f}, {:.3f}, {:.3f}]\n"
+          "field_of_view_degrees = {:g}\n",
+          camera.position.x, camera.position.y, camera.position.z, camera.target.x, camera.target.y, camera.target.z,
+          camera.fieldOfViewDegrees);
       SDL_SetClipboardText(text.c_str());
       desk_.say("This view is in the clipboard, as a scene file has it", false, session_.now());
       break;

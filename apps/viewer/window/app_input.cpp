@@ -15,7 +15,7 @@ constexpr double kTurnPerSecond = 1.2;   // rad, by keys
 
 }  // namespace
 
-bool App::takeEvents(double) {
+bool App::takeEvents() {
   SDL_Event event;
   bool any = false;
   while (SDL_PollEvent(&event)) {
@@ -89,7 +89,10 @@ void App::takeKey(const SDL_Event& event) {
   const bool down = event.type == SDL_KEYDOWN;
   const SDL_Keysym& key = event.key.keysym;
   fast_ = (key.mod & KMOD_SHIFT) != 0;
-  const Action action = actionFor(SDL_GetKeyName(key.sym), (key.mod & KMOD_CTRL) != 0, fast_);
+  const char* name = SDL_GetKeyName(key.sym);
+  // It may go up with other modifiers than it went down with.
+  if (!down) heldKeys_.erase(actionFor(name, false, true));
+  const Action action = actionFor(name, (key.mod & KMOD_CTRL) != 0, fast_);
   if (action == Action::count) return;
   if (bindingOf(action).held) {
     if (!down || gui_.wantsKeys()) {
@@ -130,7 +133,8 @@ void App::takeMouse(const SDL_Event& event) {
     if (overPanel(event.button.x, event.button.y)) return;
     if (event.button.button == SDL_BUTTON_LEFT) {
       const Ray ray = rayAt(event.button.x, event.button.y);
-      const std::optional<PickHit> hit = picker_.pick(*frame_, ray, blend_);
+      std::optional<PickHit> hit;  // shooting needs none
+      if (desk_.hand.tool != Tool::shoot) hit = picker_.pick(*frame_, ray, blend_);
       sendAll(desk_.hand.press(ray, desk_.rig.view(), hit));
       if (event.button.clicks == 2 && hit && desk_.hand.tool == Tool::select) {
         Camera there = desk_.rig.asCamera();

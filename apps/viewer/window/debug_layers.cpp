@@ -3,15 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "viewer_window/outline.h"
+
 namespace brickfall::viewer {
 namespace {
 
 constexpr std::uint32_t kMoving = 0x38E070, kSleeping = 0x5A8CE8, kFixed = 0xB8B8B8, kLost = 0xE040E0;
 constexpr std::uint32_t kBounds = 0xF0C030, kPressing = 0xFF5030, kNear = 0x60D0FF, kFriction = 0xFFE060;
 constexpr std::uint32_t kSpring = 0xFF40C0, kSelected = 0xFFFFFF;
-constexpr double kNormalLength = 0.04;     // m, of a contact that does not press
-constexpr double kLongestForce = 0.6;      // m
-constexpr std::size_t kMostBounds = 6000;  // a picture of more boxes is a blot, and slow
+constexpr double kNormalLength = 0.04;  // m, of a contact that does not press
+constexpr double kLongestForce = 0.6;   // m
 
 std::uint32_t colourOf(Activity activity) {
   switch (activity) {
@@ -51,8 +52,7 @@ void addShape(Lines& lines, const ShapeDef& shape, const Transform& body, std::u
     }
     case ShapeType::hull:
     case ShapeType::mesh:
-      lines.addBox(bounds(shape, body), colour, 0.6f);
-      break;
+      break;  // by their edges
     case ShapeType::plane:
       break;  // without end: it is what is seen as the ground
   }
@@ -85,12 +85,31 @@ void addContacts(Lines& lines, const Frame& frame) {
 
 }  // namespace
 
-void addLayers(Lines& lines, const Frame& frame, double blend, const ViewOptions& options) {
+const std::vector<std::pair<Vec3, Vec3>>& DebugLayers::edgesOf(const ListedBody& body, std::size_t shape) {
+  const auto [known, isNew] = edges_.try_emplace({body.serial, shape});
+  if (!isNew) return known->second;
+  if (const Result<ShapeMesh> mesh = makeShapeMesh(body.shapes[shape]); mesh) known->second = outlineOf(*mesh);
+  return known->second;
+}
+
+void DebugLayers::addShapes(Lines& lines, const ListedBody& body, const Transform& pose, std::uint32_t colour) {
+  for (std::size_t i = 0; i < body.shapes.size(); i++) {
+    const ShapeDef& shape = body.shapes[i];
+    addShape(lines, shape, pose, colour);
+    if (shape.type != ShapeType::hull && shape.type != ShapeType::mesh) continue;
+    const Transform place = pose * shape.local;
+    for (const auto& [from, to] : edgesOf(body, i))
+      lines.add(transformPoint(place, from), transformPoint(place, to), colour, 0.9f);
+  }
+}
+
+void DebugLayers::addLayers(Lines& lines, const Frame& frame, double blend, const ViewOptions& options) {
+  if (frame.info != run_) edges_.clear();
+  run_ = frame.info;
   if (options.colliders) {
     for (std::size_t i = 0; i < frame.bodies.size(); i++) {
       const FrameBody& body = frame.bodies[i];
-      const Transform pose = poseAt(body, blend);
-      for (const ShapeDef& shape : frame.list->bodies[i].shapes) addShape(lines, shape, pose, colourOf(body.activity));
+      addShapes(lines, frame.list->bodies[i], poseAt(body, blend), colourOf(body.activity));
     }
   }
   if (options.bounds) {
@@ -102,16 +121,14 @@ void addLayers(Lines& lines, const Frame& frame, double blend, const ViewOptions
   if (options.contacts) addContacts(lines, frame);
 }
 
-void addHands(Lines& lines, const Frame& frame, double blend, Serial selected) {
+void DebugLayers::addHands(Lines& lines, const Frame& frame, double blend, Serial selected) {
   if (frame.drag) {
     lines.add(frame.drag->grabbed, frame.drag->target, kSpring);
     lines.addBox(grown({frame.drag->target, frame.drag->target}, 0.015), kSpring);
   }
   const int place = selected != 0 ? frame.list->find(selected) : -1;
   if (place < 0) return;
-  const ListedBody& body = frame.list->bodies[std::size_t(place)];
-  const Transform pose = poseAt(frame.bodies[std::size_t(place)], blend);
-  for (const ShapeDef& shape : body.shapes) addShape(lines, shape, pose, kSelected);
+  addShapes(lines, frame.list->bodies[std::size_t(place)], poseAt(frame.bodies[std::size_t(place)], blend), kSelected);
 }
 
 }  // namespace brickfall::viewer

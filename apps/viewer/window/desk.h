@@ -34,7 +34,6 @@ struct Desk {
   ViewOptions view;
   Hand hand;
   CameraRig rig;
-  Serial selected = 0;
   bool panelShown = true, helpShown = false,
        figuresShown = false;                  // figuresShown: the tab is open, so plots are gathered
   std::string filePath, statePath, takePath;  // what is typed into the fields

@@ -7,19 +7,12 @@
 #include <OgreSceneNode.h>
 #include <OgreSimpleRenderable.h>
 
-#include <algorithm>
 #include <cmath>
 
-#include "appearance/noise.h"
 #include "viewer_window/programs.h"
 
 namespace brickfall::viewer {
 namespace {
-
-constexpr std::size_t kMostPuffs = 400;
-constexpr double kLife = 1.6;        // s, simulated
-constexpr double kLeastSpeed = 0.8;  // m/s: what is slower raises none
-constexpr double kLeastRest = 0.15;  // s between two puffs of a body that goes on being hit
 
 struct Vertex {
   float place[3];
@@ -39,7 +32,7 @@ class Dust::Drawn : public Ogre::SimpleRenderable {
     form.addElement(0, 3 * sizeof(float), Ogre::VET_FLOAT4, Ogre::VES_TEXTURE_COORDINATES, 0);
     mRenderOp.vertexData->vertexBufferBinding->setBinding(
         0, Ogre::HardwareBufferManager::getSingleton().createVertexBuffer(
-               sizeof(Vertex), kMostPuffs * 6, Ogre::HardwareBuffer::HBU_DYNAMIC_WRITE_ONLY_DISCARDABLE));
+               sizeof(Vertex), DustCloud::kMostPuffs * 6, Ogre::HardwareBuffer::HBU_DYNAMIC_WRITE_ONLY_DISCARDABLE));
     setBoundingBox(Ogre::AxisAlignedBox::BOX_INFINITE);
     setCastShadows(false);
   }
@@ -74,45 +67,12 @@ void Dust::setSun(Vec3 towardsSun) {
   setSunOf(*passOf(drawn_->getMaterial()).getFragmentProgramParameters(), towardsSun);
 }
 
-void Dust::puff(const Frame& frame, std::size_t body, std::uint32_t salt) {
-  const ListedBody& listed = frame.list->bodies[body];
-  const FrameBody& state = frame.bodies[body];
-  const auto any = [&](std::uint32_t which) {
-    return double(appearance::chance(listed.serial * 31 + which, salt)) * 2 - 1;
-  };
-  Puff made;
-  made.born = frame.status.time;
-  const double size = std::min(listed.radius, 0.25);
-  made.place = state.pose.position + Vec3{any(1), any(2), any(3)} * (0.7 * size);
-  made.drift = state.linearVelocity * 0.12 + Vec3{any(4), 0.6 + 0.5 * any(5), any(6)} * 0.25;
-  made.radius = float(size * (0.45 + 0.2 * any(7)));
-  made.strength = float(std::clamp(length(state.linearVelocity) / 6, 0.15, 0.8));
-  puffs_.push_back(made);
-}
-
-void Dust::findHits(const Frame& frame) {
-  for (std::size_t i = 0; i < frame.bodies.size(); i++) {
-    const FrameBody& body = frame.bodies[i];
-    if (frame.list->bodies[i].role != BodyRole::brick || body.activity == Activity::fixed) continue;
-    if (body.sinceHit > frame.status.time - lastTime_ || length(body.linearVelocity) < kLeastSpeed) continue;
-    for (std::uint32_t k = 0; k < 2; k++) puff(frame, i, std::uint32_t(frame.number) * 2 + k);
-  }
-  // The oldest go where there are too many.
-  if (puffs_.size() > kMostPuffs) puffs_.erase(puffs_.begin(), puffs_.end() - std::ptrdiff_t(kMostPuffs));
-}
-
 void Dust::update(const Frame& frame, const View& view, bool shown) {
-  const double time = frame.status.time;
-  if (frame.info != run_) puffs_.clear();
-  run_ = frame.info;
-  if (shown && frame.number != lastFrame_ && time > lastTime_ && time - lastTime_ < kLeastRest) findHits(frame);
-  lastFrame_ = frame.number;
-  lastTime_ = time;
-  std::erase_if(puffs_, [&](const Puff& puff) { return !shown || time < puff.born || time > puff.born + kLife; });
-
+  cloud_.update(frame);
+  if (!shown) cloud_.clear();
   std::vector<Vertex> vertices;
-  for (const Puff& puff : puffs_) {
-    const double age = time - puff.born, share = age / kLife;
+  for (const DustCloud::Puff& puff : cloud_.puffs()) {
+    const double age = frame.status.time - puff.born, share = age / DustCloud::kLife;
     const Vec3 at = puff.place + puff.drift * (age * (1 - 0.4 * share));
     const auto radius = float(puff.radius * (0.5 + 1.6 * std::sqrt(share)));
     const auto left = float(0.5 * puff.strength * (1 - share) * (1 - share));

@@ -202,6 +202,7 @@ Ogre::MaterialPtr Looks::makeSurface(const SurfaceKey& surface, bool depth) {
   const auto material = makeMaterial(use);
   material->getTechnique(0)->setShadowCasterMaterial(caster_);
   Ogre::Pass& pass = passOf(material);
+  pass.getVertexProgramParameters()->setNamedConstant("faces", Ogre::Real(surface.faces ? 1 : 0));
   const auto parameters = pass.getFragmentProgramParameters();
   parameters->setNamedConstant("flatColour", Ogre::Real(flat_ ? 1 : 0));
   setSunOf(*parameters, sun_);

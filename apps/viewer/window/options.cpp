@@ -60,10 +60,4 @@ Result<std::uint64_t> parseFrames(const std::string& text) {
   return *frames;
 }
 
-Result<std::pair<std::string, std::string>> parseSet(const std::string& text) {
-  const std::size_t equals = text.find('=');
-  if (equals == 0 || equals == std::string::npos) return wrong("--set", text, "KEY=VALUE, such as speed=6");
-  return std::pair{text.substr(0, equals), text.substr(equals + 1)};
-}
-
 }  // namespace brickfall::viewer

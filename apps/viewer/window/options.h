@@ -30,6 +30,5 @@ Result<ShadowChoice> parseShadows(const std::string& text);
 Result<int> parseSamples(const std::string& text);
 Result<double> parseTime(const std::string& text);
 Result<std::uint64_t> parseFrames(const std::string& text);
-Result<std::pair<std::string, std::string>> parseSet(const std::string& text);
 
 }  // namespace brickfall::viewer

@@ -23,7 +23,6 @@ namespace brickfall::viewer {
 namespace {
 
 constexpr const char* kRenderSystem = "OpenGL 3+ Rendering Subsystem";
-constexpr float kNear = 0.05f;  // m
 
 }  // namespace
 
@@ -75,7 +74,6 @@ void Renderer::start(const NativeWindow& window, const RendererOptions& options)
   parts_->overlays = std::make_unique<Ogre::OverlaySystem>();
   scene_->addRenderQueueListener(parts_->overlays.get());
   camera_ = scene_->createCamera("eye");
-  camera_->setNearClipDistance(kNear);
   camera_->setFarClipDistance(0);  // infinite: stencil shadows ask for it
   camera_->setAutoAspectRatio(true);
   eye_ = scene_->getRootSceneNode()->createChildSceneNode();
@@ -123,7 +121,8 @@ Renderer::~Renderer() {
   parts_->overlays.reset();
 }
 
-void Renderer::setView(const View& view, PixelPlace shift) {
+void Renderer::setView(const View& view, double near, PixelPlace shift) {
+  camera_->setNearClipDistance(Ogre::Real(near));
   eye_->setPosition(Ogre::Real(view.position.x), Ogre::Real(view.position.y), Ogre::Real(view.position.z));
   eye_->setOrientation(Ogre::Real(view.rotation.w), Ogre::Real(view.rotation.x), Ogre::Real(view.rotation.y),
                        Ogre::Real(view.rotation.z));

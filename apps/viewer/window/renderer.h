@@ -38,7 +38,8 @@ class Renderer {
   Ogre::SceneManager& scene() const { return *scene_; }
   Ogre::Viewport& port() const { return *port_; }
   // shift: pixels by which the middle of the view lies right of and below that of the window, for a panel that covers a part.
-  void setView(const View& view, PixelPlace shift = {});
+  // near: m, what is closer to the eye is not drawn.
+  void setView(const View& view, double near, PixelPlace shift = {});
   void setSun(Vec3 towardsSun);
   void setWireframe(bool on);
   // What bodies are drawn with follows: BodyDrawer::setShadows.

@@ -70,7 +70,7 @@ void StatusFile::write(const std::string& why, const Desk& desk, const Frame& fr
       pictures, quoted(frame.info ? frame.info->name : ""), run.step, run.time, run.earliest, run.latest);
   text += fmt::format(R"("running":{},"speed":{:.4g},"loading":{},"recording":{},"undo":{},"bodies":{},"selected":{},)",
                       run.running, run.speed, quoted(run.loading), quoted(run.recording), quoted(run.undo),
-                      frame.bodies.size(), desk.selected);
+                      frame.bodies.size(), frame.selected ? frame.selected->serial : 0);
   const Vec3 eye = desk.rig.view().position;
   text +=
       fmt::format(R"("tool":{},"dragging":{},"camera":[{:.4f},{:.4f},{:.4f}],"shadows":"{}","views":{},"lines":{},)",

@@ -8,7 +8,7 @@
 namespace brickfall::viewer {
 
 Status saveStill(const Picture& picture, const std::string& path);
-// "<folder>/wall-001.png": the first number that is free.
+// "wall-001.png" in the folder that the program runs in: the first number that is free.
 std::string freeStillName(const std::string& scene);
 
 }  // namespace brickfall::viewer

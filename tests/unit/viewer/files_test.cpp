@@ -1,6 +1,11 @@
 // Opening, saving and recording: mistakes with their line, files whole or not at all.
+#include <unistd.h>
+
+#include <cstring>
+
 #include "brickfall/take.h"
 #include "unit/viewer/viewer_support.h"
+#include "viewer_core/history.h"
 #include "viewer_core/opening.h"
 #include "viewer_core/scene_menu.h"
 
@@ -26,19 +31,19 @@ TEST(Files, AMistakeIsToldWithItsLineAndTheSceneStays) {
 TEST(Files, AreToldApartBeforeAWindowOpens) {
   TempFile bad("bad.toml", "[[wall]]\nbricks = -2\n"), noise("noise.take", std::string("\x89"
                                                                                        "BFTAKE\nrest"));
-  EXPECT_EQ(lookAtOpening("wall", {}).exitCode, 0);
-  EXPECT_EQ(lookAtOpening("wall", {{"speed", "3"}}).exitCode, 0);
-  EXPECT_EQ(lookAtOpening("wall", {{"world.nonsense", "3"}}).exitCode, 2);
-  EXPECT_EQ(lookAtOpening("cheese", {}).exitCode, 2);
-  EXPECT_EQ(lookAtOpening("no/such.toml", {}).exitCode, 3);
-  EXPECT_EQ(lookAtOpening("/", {}).exitCode, 3);
-  EXPECT_EQ(lookAtOpening(bad.path(), {}).exitCode, 2);
-  EXPECT_EQ(lookAtOpening(bad.path(), {}).diagnostics.size(), 1u);
-  const Opening take = lookAtOpening(noise.path(), {});
+  EXPECT_EQ(readOpening("wall", {}).opening.exitCode, 0);
+  EXPECT_EQ(readOpening("wall", {{"speed", "3"}}).opening.exitCode, 0);
+  EXPECT_EQ(readOpening("wall", {{"world.nonsense", "3"}}).opening.exitCode, 2);
+  EXPECT_EQ(readOpening("cheese", {}).opening.exitCode, 2);
+  EXPECT_EQ(readOpening("no/such.toml", {}).opening.exitCode, 3);
+  EXPECT_EQ(readOpening("/", {}).opening.exitCode, 3);
+  EXPECT_EQ(readOpening(bad.path(), {}).opening.exitCode, 2);
+  EXPECT_EQ(readOpening(bad.path(), {}).opening.diagnostics.size(), 1u);
+  const Opening take = readOpening(noise.path(), {}).opening;
   EXPECT_EQ(take.kind, OpeningKind::take);
   EXPECT_NE(take.exitCode, 0);
   EXPECT_FALSE(take.problem.empty());
-  EXPECT_EQ(lookAtOpening(noise.path(), {{"a", "1"}}).exitCode, 2);
+  EXPECT_EQ(readOpening(noise.path(), {{"a", "1"}}).opening.exitCode, 2);
 }
 
 TEST(Files, ASavedStateGoesOnBitForBit) {
@@ -64,6 +69,87 @@ TEST(Files, ASavedStateGoesOnBitForBit) {
   // From its beginning the scene needs no file.
   ASSERT_TRUE(second.does(Restart{})) << second.result.message;
   EXPECT_EQ(second.frame()->status.step, 0u);
+}
+
+// The report's system was chosen in the panel, not in the file: the snapshot fits no other.
+TEST(Files, ASavedStateHasTheSettingsThatTheRunBeganWith) {
+  TempFile state("settings.state");
+  TestSession first(kWall, false);
+  ASSERT_TRUE(first.does(ChangeSetting{"method", 1}));
+  ASSERT_TRUE(first.does(ChangeSetting{"report.warmStarting", 1}));
+  ASSERT_TRUE(first.does(ChangeSetting{"report.impulseFactor", 0.1 + 0.2}));
+  ASSERT_TRUE(first.does(Restart{}));
+  ASSERT_TRUE(first.frame()->info->reportMethod);
+  first.does(Step{20});
+  ASSERT_TRUE(first.does(ChangeSetting{"maxBodies", 500}));  // waits, and is not saved
+  ASSERT_TRUE(first.does(SaveState{state.path()})) << first.result.message;
+  first.does(Step{20});
+
+  TestSession second;
+  ASSERT_TRUE(second.does(Open{state.path(), {}, false})) << second.result.message;
+  EXPECT_TRUE(second.frame()->info->reportMethod);
+  EXPECT_EQ(second.frame()->status.settingsWait, 0u);
+  second.does(Step{20});
+  EXPECT_EQ(stateOf(*second.frame()), stateOf(*first.frame()));
+  ASSERT_TRUE(second.does(Restart{})) << second.result.message;
+  EXPECT_TRUE(second.frame()->info->reportMethod);
+  ASSERT_TRUE(second.does(Restart{true})) << second.result.message;
+  EXPECT_FALSE(second.frame()->info->reportMethod) << "as in the file";
+}
+
+TEST(Files, AStateOfAnotherVersionIsNamedSo) {
+  TempFile state("old.state", std::string("\x89") + "BFSTATE1\nand so on");
+  const OpenedFile file = readOpening(state.path(), {});
+  EXPECT_EQ(file.opening.kind, OpeningKind::state);
+  EXPECT_EQ(file.opening.exitCode, 2);
+  EXPECT_NE(file.opening.problem.find("format 1"), std::string::npos) << file.opening.problem;
+}
+
+TEST(Files, AForgedStateClaimsNoMemory) {
+  std::vector<std::byte> zeros(std::size_t(64) << 20);
+  std::vector<std::byte> packed = compressed(zeros);
+  ASSERT_LT(packed.size(), 10'000u);
+  EXPECT_TRUE(decompressed(packed).ok());
+  // Its frame header tells the size in 4 bytes after magic and descriptor: 3 GiB.
+  ASSERT_EQ(std::to_integer<int>(packed[4]) >> 6, 2);
+  packed[4 + 4] = std::byte(0xc0);
+  const auto refused = decompressed(packed);
+  ASSERT_FALSE(refused.ok());
+}
+
+TEST(Files, ASceneMayComeFromAPipe) {
+  int ends[2];
+  ASSERT_EQ(::pipe(ends), 0);
+  ASSERT_GT(::write(ends[1], kWall, std::strlen(kWall)), 0);
+  ::close(ends[1]);
+  const std::string path = "/dev/fd/" + std::to_string(ends[0]);
+  TestSession t;
+  const auto file = std::make_shared<OpenedFile>(readOpening(path, {}));
+  EXPECT_EQ(file->opening.exitCode, 0) << file->opening.problem;
+  ASSERT_TRUE(t.does(Open{path, {}, false, file})) << t.result.message;
+  ::close(ends[0]);
+  EXPECT_EQ(t.frame()->info->title, "A small wall");
+  ASSERT_TRUE(t.does(Restart{true})) << t.result.message;
+  EXPECT_EQ(t.frame()->info->title, "A small wall");
+}
+
+// The disk is full when the recording ends: no command answers for it, so it is told by itself.
+TEST(Files, ARecordingThatDiesIsTold) {
+  TempFile take("dies.take");
+  TestSession t(kWall, true);
+  ASSERT_TRUE(t.does(StartRecording{take.path()}));
+  t.pass(0.1);
+  // Where its file should get its name stands a folder.
+  std::filesystem::create_directory(take.path());
+  t.session.send(Rewind{0});
+  t.session.pump();
+  const std::vector<CommandResult> results = t.session.takeResults();
+  ASSERT_EQ(results.size(), 2u);
+  EXPECT_TRUE(results[0].ok) << results[0].message;
+  EXPECT_EQ(results[1].ticket, 0u);
+  EXPECT_FALSE(results[1].ok);
+  EXPECT_NE(results[1].message.find(take.path()), std::string::npos) << results[1].message;
+  ASSERT_FALSE(t.does(StartRecording{take.path()}) && t.session.finish().ok());
 }
 
 TEST(Files, ADamagedStateIsRefused) {

@@ -239,6 +239,79 @@ TEST(Undo, OfASliderIsOneAndAFailedChangeIsNone) {
   EXPECT_FALSE(lone.run->undo().ok());
 }
 
+// Going back to where a ball was shot and on from there: the ball was not shot, and there is nothing to take back.
+TEST(Undo, KnowsNoChangeThatWasCutOff) {
+  Lone lone(kWall);
+  for (int i = 0; i < 20; i++) ASSERT_TRUE(lone.run->step().ok());
+  lone.does(ShootBall{{{0.4, 0.2, 1}, {0, 0, -1}}, 0.06, 7, "steel"});
+  for (int i = 0; i < 20; i++) ASSERT_TRUE(lone.run->step().ok());
+  ASSERT_TRUE(lone.run->stepBack(20).ok());
+  ASSERT_EQ(lone.serialOf("shot 1"), 0u);
+  ASSERT_TRUE(lone.run->step().ok());
+  EXPECT_EQ(lone.run->undoLabel(), "");
+  EXPECT_FALSE(lone.run->undo().ok());
+  EXPECT_EQ(lone.step(), 21u);
+  // A change at the same step as before is one again.
+  ASSERT_TRUE(lone.run->stepBack(1).ok());
+  const std::uint64_t before = lone.hash();
+  lone.does(RemoveBody{lone.serialOf("w/0/1")});
+  ASSERT_TRUE(lone.run->step().ok());
+  EXPECT_EQ(lone.run->undoLabel(), "the removal");
+  ASSERT_TRUE(lone.run->undo().ok());
+  EXPECT_EQ(lone.hash(), before);
+}
+
+// A slider that is moved on after going back is a change of its own: what it did before lies ahead and is forgotten.
+TEST(Undo, OfASliderBeginsAnewAfterGoingBack) {
+  Lone lone(kWall);
+  for (int i = 0; i < 10; i++) ASSERT_TRUE(lone.run->step().ok());
+  lone.does(ChangeSetting{"gravity.y", -8});
+  ASSERT_TRUE(lone.run->step().ok());
+  ASSERT_TRUE(lone.run->stepBack(1).ok());
+  lone.does(WakeBody{0});
+  lone.does(ChangeSetting{"gravity.y", -7});
+  EXPECT_EQ(lone.run->undoLabel(), "gravity.y");
+  ASSERT_TRUE(lone.run->undo().ok());
+  EXPECT_EQ(lone.run->run().world().gravity().y, -9.81);
+}
+
+// What is refused changes nothing, so what lies ahead after a rewind stays within reach.
+TEST(Rewind, WhatIsRefusedForgetsNothing) {
+  Lone lone(kWall);
+  for (int i = 0; i < 60; i++) ASSERT_TRUE(lone.run->step().ok());
+  const std::uint64_t last = lone.hash();
+  ASSERT_TRUE(lone.run->rewind(0.5).ok());
+  for (const Command& command :
+       {Command(ShootBall{{{0, 1, 0}, {0, 0, 1}}, 0.1, 5, "cheese"}), Command(RemoveBody{12345}),
+        Command(ChangeSetting{"gravity.y", 1e9}), Command(ChangeMaterial{"cheese", 1, 1, 1}),
+        Command(StartRecording{"no/such/folder/x.take"})}) {
+    EXPECT_FALSE(lone.run->execute(command).ok());
+    EXPECT_EQ(lone.run->undoLabel(), "");
+  }
+  ASSERT_TRUE(lone.run->rewind(1).ok());
+  EXPECT_EQ(lone.hash(), last);
+}
+
+TEST(Rewind, KeepsWhatWaitsForARestart) {
+  Lone lone(kWall);
+  lone.does(ChangeSetting{"maxBodies", 100});
+  lone.does(ChangeSetting{"method", 1});
+  for (int i = 0; i < 10; i++) ASSERT_TRUE(lone.run->step().ok());
+  ASSERT_TRUE(lone.run->rewind(0).ok());
+  EXPECT_EQ(lone.run->wanted().world.maxBodies, 100);
+  EXPECT_EQ(lone.run->settingsWait(), 2u);
+}
+
+// A slider knows times as floats: half a minute on they are some microseconds off.
+TEST(Rewind, TakesTimesThatAreALittleOff) {
+  Lone lone(kWall);
+  for (int i = 0; i < 30; i++) ASSERT_TRUE(lone.run->step().ok());
+  ASSERT_TRUE(lone.run->rewind(lone.run->history().latest() + 1e-4).ok());
+  EXPECT_EQ(lone.step(), 30u);
+  ASSERT_TRUE(lone.run->rewind(lone.run->history().earliest() - 1e-4).ok());
+  EXPECT_EQ(lone.step(), 0u);
+}
+
 // Longer ago than rewinding reaches.
 TEST(Undo, ReachesBackFurtherThanRewinding) {
   HistoryLimits limits;

@@ -133,7 +133,8 @@ TEST(Session, TellsTheNumbersOfTheSelectedBody) {
   EXPECT_EQ(low.material, "wood");
   EXPECT_NEAR(low.mass, 600 * 0.008, 1e-9);
   double up = 0;
-  for (const SelectedContact& c : low.contacts) {
+  ASSERT_TRUE(low.contacts && low.kineticEnergy && low.acceleration);
+  for (const SelectedContact& c : *low.contacts) {
     EXPECT_EQ(c.otherName, "ground");
     EXPECT_NEAR(c.normal.y, 1, 1e-9);
     up += c.normalForce;
@@ -141,16 +142,29 @@ TEST(Session, TellsTheNumbersOfTheSelectedBody) {
   EXPECT_NEAR(up, low.mass * 9.81, 0.01 * low.mass * 9.81);
   ASSERT_TRUE(t.does(Select{t.serialOf("high")}));
   t.does(Pause{});
-  EXPECT_NEAR(t.frame()->selected->acceleration.y, -9.81, 1e-6);
-  EXPECT_NEAR(t.frame()->selected->kineticEnergy, 0.5 * 4.8 * std::pow(t.frame()->selected->speed, 2), 1e-6);
+  EXPECT_NEAR(t.frame()->selected->acceleration->y, -9.81, 1e-6);
+  EXPECT_NEAR(*t.frame()->selected->kineticEnergy, 0.5 * 4.8 * std::pow(t.frame()->selected->speed, 2), 1e-6);
   ASSERT_TRUE(t.does(Select{0}));
   EXPECT_FALSE(t.frame()->selected.has_value());
+}
+
+// The session alone knows who is selected: a body that comes back is still it.
+TEST(Session, WhatIsSelectedStaysSoWhileItIsAway) {
+  TestSession t(kCubes, false);
+  const Serial low = t.serialOf("low");
+  ASSERT_TRUE(t.does(Select{low}));
+  ASSERT_TRUE(t.does(RemoveBody{low}));
+  EXPECT_FALSE(t.frame()->selected.has_value());
+  ASSERT_TRUE(t.does(Undo{}));
+  ASSERT_TRUE(t.frame()->selected.has_value());
+  EXPECT_EQ(t.frame()->selected->serial, low);
 }
 
 TEST(Session, FallenBodiesAreHitAndSleepAndTheLogSaysSo) {
   TestSession t(kCubes, true);
   t.pass(0.7);
   EXPECT_LT(t.body("high").sinceHit, 0.2f);
+  EXPECT_NEAR(t.body("high").hitSpeed, std::sqrt(2 * 9.81 * 1.9), 0.3);
   EXPECT_GT(t.body("low").sinceHit, 100.f);
   t.pass(2.5);
   EXPECT_EQ(t.body("high").activity, Activity::asleep);

@@ -1,4 +1,5 @@
 // A take played: the same frames as a live run's, scrubbed to any place.
+#include "brickfall/take.h"
 #include "unit/viewer/viewer_support.h"
 
 namespace brickfall::viewer {
@@ -72,6 +73,52 @@ TEST_F(Recorded, KnowsSpeedsForcesAndHits) {
   EXPECT_LT(t.body("shot 1").sinceHit, 0.3f);
   ASSERT_TRUE(t.does(Select{t.serialOf("shot 1")}));
   EXPECT_EQ(t.frame()->selected->name, "shot 1");
+}
+
+TEST_F(Recorded, ShowsNothingThatItDoesNotKnow) {
+  TestSession t;
+  ASSERT_TRUE(t.does(Open{take.path(), {}, false}));
+  ASSERT_TRUE(t.does(Rewind{1.9}));
+  ASSERT_TRUE(t.does(Select{t.serialOf("w/0/1")}));
+  ASSERT_TRUE(t.frame()->selected.has_value());
+  const SelectedBody shown = *t.frame()->selected;
+  EXPECT_FALSE(shown.kineticEnergy || shown.acceleration || shown.contacts);
+  EXPECT_EQ(shown.material, "brick");
+  ASSERT_TRUE(shown.contactForce.has_value());
+  EXPECT_GT(*shown.contactForce, 10);
+}
+
+// Frames that lie nearer to each other than the header says: each counts by its own time.
+TEST(Take, OfAChangedTimeStepGoesByItsFrames) {
+  TempFile take("changed.take");
+  TestSession live(kWall, false);
+  ASSERT_TRUE(live.does(StartRecording{take.path()}));
+  live.does(Step{30});
+  ASSERT_TRUE(live.does(ChangeSetting{"timeStep", 1.0 / 20}));
+  live.does(Step{20});
+  ASSERT_TRUE(live.does(StopRecording{})) << live.result.message;
+  const Result<TakeReader> read = TakeReader::open(take.path());
+  ASSERT_TRUE(read.ok());
+  ASSERT_EQ(read->frameCount(), 51u);
+  ASSERT_NEAR(read->frame(50)->time, 1.5, 1e-9);
+
+  TestSession t;
+  ASSERT_TRUE(t.does(Open{take.path(), {}, false}));
+  for (const std::size_t frame : {3u, 29u, 30u, 31u, 44u, 49u}) {
+    ASSERT_TRUE(t.does(Rewind{read->frame(frame)->time}));
+    EXPECT_EQ(t.frame()->status.step, frame);
+    ASSERT_TRUE(t.does(Rewind{read->frame(frame)->time + 0.01}));
+    EXPECT_EQ(t.frame()->status.step, frame);
+    ASSERT_TRUE(t.does(Step{-1}));
+    EXPECT_EQ(t.frame()->status.step, frame - 1);
+    ASSERT_TRUE(t.does(Step{1}));
+    EXPECT_EQ(t.frame()->status.step, frame);
+  }
+  // A second of the clock is a second of the take.
+  ASSERT_TRUE(t.does(Rewind{0}));
+  ASSERT_TRUE(t.does(viewer::Run{}));
+  t.pass(1);
+  EXPECT_NEAR(t.frame()->status.time, 1, 0.06);
 }
 
 TEST_F(Recorded, RefusesWhatNeedsAScene) {

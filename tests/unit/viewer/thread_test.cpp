@@ -1,6 +1,7 @@
 // With a thread of its own: a window that reads frames and sends commands all the while. Runs under the thread sanitizer, too.
 #include <thread>
 
+#include "brickfall/take.h"
 #include "unit/viewer/viewer_support.h"
 #include "viewer_core/picking.h"
 
@@ -23,7 +24,12 @@ TEST(Thread, AWindowReadsAndSendsWhileItRuns) {
   session.send(Open{scene.path(), {}, true});
   ASSERT_TRUE(becomes([&] { return session.latest()->info->kind == RunKind::live; }));
   Picker picker;
-  std::uint64_t last = 0, answered = 0;
+  std::uint64_t last = 0, answered = 0, sent = 1;
+  const auto send = [&](Command command) { EXPECT_EQ(session.send(std::move(command)), ++sent); };
+  const auto answers = [&] {
+    for (const CommandResult& result : session.takeResults()) EXPECT_EQ(result.ticket, ++answered);
+    return answered;
+  };
   std::size_t found = 0;
   for (int i = 0; i < 120; i++) {
     const std::shared_ptr<const Frame> frame = session.latest();
@@ -35,23 +41,33 @@ TEST(Thread, AWindowReadsAndSendsWhileItRuns) {
     EXPECT_TRUE(std::isfinite(sum));
     const auto hit = picker.pick(*frame, {{0.4, 0.2, 3}, {0, 0, -1}}, blendAt(*frame, session.now()));
     found += hit.has_value();
-    if (i % 10 == 0) session.send(ShootBall{{{0.4, 0.2, 2}, {0, 0, -1}}, 0.05, 6, "steel"});
-    if (i % 10 == 2 && hit) session.send(DragBegin{hit->serial, hit->local, 20});
-    if (i % 10 == 4) session.send(DragMove{{0, 1, 1}});
-    if (i % 10 == 6) session.send(DragEnd{});
-    if (i % 30 == 8) session.send(Undo{});
-    if (i % 40 == 9) session.send(Restart{});
+    if (i % 10 == 0) send(ShootBall{{{0.4, 0.2, 2}, {0, 0, -1}}, 0.05, 6, "steel"});
+    if (i % 10 == 2 && hit) send(DragBegin{hit->serial, hit->local, 20});
+    if (i % 10 == 4) send(DragMove{{0, 1, 1}});
+    if (i % 10 == 6) send(DragEnd{});
+    if (i % 30 == 8) send(Undo{});
+    if (i % 40 == 9) send(Restart{});
     if (i % 7 == 0) session.ask({i % 2 == 0, true, true, true, true});
-    answered += session.takeResults().size();
+    answers();
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
   }
   EXPECT_GT(found, 0u);
-  const std::uint64_t ticket = session.send(Pause{});
-  ASSERT_TRUE(becomes([&] {
-    for (const CommandResult& result : session.takeResults())
-      if (result.ticket == ticket) return true;
-    return false;
-  }));
+  send(Pause{});
+  // Each was answered, once and in order.
+  ASSERT_TRUE(becomes([&] { return answers() == sent; }));
+}
+
+// Ctrl+S and Ctrl+Q in one go.
+TEST(Thread, SavesWhatWasToBeSavedBeforeItEnds) {
+  TempFile scene("threaded.toml", kWall), state("threaded.state");
+  Session session;
+  session.send(Open{scene.path(), {}, true});
+  ASSERT_TRUE(becomes([&] { return session.latest()->info->kind == RunKind::live; }));
+  session.send(SaveState{state.path()});
+  EXPECT_TRUE(session.finish().ok());
+  EXPECT_TRUE(state.exists());
+  session.send(SaveState{"no/such/folder/x.state"});
+  EXPECT_FALSE(session.finish().ok());
 }
 
 TEST(Thread, EndsAtOnceWithARecordingWhole) {
@@ -61,8 +77,16 @@ TEST(Thread, EndsAtOnceWithARecordingWhole) {
     session.send(Open{scene.path(), {}, true});
     session.send(StartRecording{take.path()});
     ASSERT_TRUE(becomes([&] { return session.latest()->status.step > 3; }));
+    EXPECT_TRUE(session.finish().ok());
+    const std::uint64_t last = session.latest()->number;
+    const Result<TakeReader> read = TakeReader::open(take.path());
+    ASSERT_TRUE(read.ok()) << read.error().message;
+    EXPECT_TRUE(read->complete());
+    EXPECT_GT(read->frameCount(), 3u);
+    session.send(Undo{});  // nobody carries it out
+    EXPECT_EQ(session.latest()->number, last);
   }
-  EXPECT_TRUE(take.exists());
+  EXPECT_TRUE(TakeReader::open(take.path())->complete());
 }
 
 }  // namespace

@@ -39,14 +39,5 @@ TEST(ViewerOptions, numbersAreWholeTexts) {
   for (const char* wrong : {"", "0", "-1", "1.5", "99999999999999999999"}) EXPECT_FALSE(parseFrames(wrong)) << wrong;
 }
 
-TEST(ViewerOptions, overridesAreKeysWithValues) {
-  const auto pair = parseSet("world.gravity=[0, -1, 0]=x");
-  ASSERT_TRUE(pair);
-  EXPECT_EQ(pair->first, "world.gravity");
-  EXPECT_EQ(pair->second, "[0, -1, 0]=x");
-  EXPECT_FALSE(parseSet("speed"));
-  EXPECT_FALSE(parseSet("=6"));
-}
-
 }  // namespace
 }  // namespace brickfall::viewer

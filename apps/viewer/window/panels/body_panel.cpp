@@ -17,16 +17,15 @@ std::string forceText(double newton) {
 
 std::string placeText(Vec3 at) { return fmt::format("{:.2f}  {:.2f}  {:.2f} m", at.x, at.y, at.z); }
 
-void showContacts(const SelectedBody& body) {
-  heading(fmt::format("Contacts: {}", body.contacts.size()).c_str());
-  if (body.contacts.empty() || !ImGui::BeginTable("contacts", 3, ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg))
-    return;
+void showContacts(const std::vector<SelectedContact>& contacts) {
+  heading(fmt::format("Contacts: {}", contacts.size()).c_str());
+  if (contacts.empty() || !ImGui::BeginTable("contacts", 3, ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg)) return;
   ImGui::TableSetupScrollFreeze(0, 1);
   ImGui::TableSetupColumn("on", ImGuiTableColumnFlags_WidthStretch);
   ImGui::TableSetupColumn("normal", ImGuiTableColumnFlags_WidthFixed, 78);
   ImGui::TableSetupColumn("friction", ImGuiTableColumnFlags_WidthFixed, 78);
   ImGui::TableHeadersRow();
-  for (const SelectedContact& contact : body.contacts) {
+  for (const SelectedContact& contact : contacts) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::TextUnformatted(contact.otherName.c_str());
@@ -44,7 +43,9 @@ void showBody(Desk& desk, const Frame& frame) {
   const SelectedBody& body = *frame.selected;
   const float width = 310, room = float(desk.size.height) - kBarHeight - 30;
   ImGui::SetNextWindowPos(ImVec2(float(desk.size.width) - width - 10, 10));
-  ImGui::SetNextWindowSize(ImVec2(width, std::min(room, body.contacts.empty() ? 300.0f : 470.0f)));
+  ImGui::SetNextWindowSize(ImVec2(width, std::min(room, !body.contacts           ? 215.0f
+                                                        : body.contacts->empty() ? 300.0f
+                                                                                 : 470.0f)));
   bool open = true;
   constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
                                       ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings;
@@ -55,14 +56,17 @@ void showBody(Desk& desk, const Frame& frame) {
     row("Mass", body.mass > 0 ? numberText(body.mass, "kg") : "fixed");
     row("Speed", fmt::format("{:.3f} m/s", body.speed));
     row("Spin", fmt::format("{:.2f} rad/s", body.spin));
-    row("Kinetic energy", numberText(body.kineticEnergy, "J"));
-    row("Centre of mass", placeText(body.centreOfMass));
-    row("Acceleration", fmt::format("{:.2f} m/s2", length(body.acceleration)));
+    if (body.kineticEnergy) row("Kinetic energy", numberText(*body.kineticEnergy, "J"));
+    row(body.kineticEnergy ? "Centre of mass" : "Position", placeText(body.centreOfMass));
+    if (body.acceleration) row("Acceleration", fmt::format("{:.2f} m/s2", length(*body.acceleration)));
+    if (body.contactForce) row("Pressed with", forceText(*body.contactForce));
     const float half = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2;
     actionButton(desk, Action::followSelected, "Follow it", ImVec2(half, 0));
-    ImGui::SameLine();
-    actionButton(desk, Action::removeSelected, "Remove it", ImVec2(half, 0));
-    showContacts(body);
+    if (frame.info->kind == RunKind::live) {
+      ImGui::SameLine();
+      actionButton(desk, Action::removeSelected, "Remove it", ImVec2(half, 0));
+    }
+    if (body.contacts) showContacts(*body.contacts);
   }
   ImGui::End();
   if (!open) desk.send(Select{0});

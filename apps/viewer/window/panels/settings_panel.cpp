@@ -49,7 +49,7 @@ void showSetting(Desk& desk, const SettingRow& row, double value) {
     bool on = value != 0;
     if (ImGui::Checkbox(label.c_str(), &on)) changed(desk, row, on ? 1 : 0);
   } else {
-    ImGui::TextDisabled("%s%s%s", label.c_str(), row.live ? "" : "  *", "");
+    ImGui::TextDisabled("%s%s", label.c_str(), row.live ? "" : "  *");
     hint(std::string(row.help));
     ImGui::SetNextItemWidth(-1);
     if (row.kind == SettingKind::choice) {
@@ -106,9 +106,11 @@ void showSettings(Desk& desk, const Frame& frame) {
     actionButton(desk, Action::restart, "Restart now", ImVec2(-1, 0));
   }
   std::string_view group;
-  bool open = false;
+  bool open = false, report = false;
   for (std::size_t i = 0; i < rows.size(); i++) {
-    if (rows[i].group == "Report" && !(frame.info && frame.info->reportMethod)) continue;
+    // Of the report's system only whether it is wanted, until it is.
+    if (rows[i].key == "method") report = frame.settings[i] != 0;
+    if (rows[i].group == "Report" && rows[i].key != "method" && !report) continue;
     if (rows[i].group != group) {
       group = rows[i].group;
       // The solver's are for those who know what they look for.

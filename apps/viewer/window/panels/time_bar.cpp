@@ -1,6 +1,7 @@
 // The bar at the bottom: running, stepping, the speed, and the line of time.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "viewer_window/panels/panels.h"
@@ -61,12 +62,14 @@ void showTimeBar(Desk& desk, const Frame& frame) {
     showState(frame);
     const bool take = frame.info && frame.info->kind == RunKind::take;
     const double latest = std::max(status.latest, status.time);
+    const double end = std::max(latest, status.earliest + 1e-3);
     auto time = float(status.time);
     ImGui::SetNextItemWidth(-1);
     const std::string text = fmt::format("{:.2f} s{}", status.time, take ? fmt::format(" of {:.2f} s", latest) : "");
-    if (ImGui::SliderFloat("##time", &time, float(status.earliest), float(std::max(latest, status.earliest + 1e-3)),
-                           text.c_str())) {
-      desk.send(Rewind{time});
+    if (ImGui::SliderFloat("##time", &time, float(status.earliest), float(end), text.c_str())) {
+      // A float is coarser than the times: its ends are what they stand for.
+      const double wanted = time >= float(end) ? latest : time <= float(status.earliest) ? status.earliest : time;
+      desk.send(Rewind{std::clamp(wanted, status.earliest, latest)});
     }
     note(desk, "time");
     hint(take ? "Any moment of the take" : "Back to any of the last 30 s; it goes on from there exactly as it did");

@@ -1,6 +1,7 @@
 // How the scene is shown.
 #include <fmt/format.h>
 
+#include "viewer_window/debug_layers.h"
 #include "viewer_window/panels/panels.h"
 #include "viewer_window/panels/parts.h"
 
@@ -63,6 +64,8 @@ void showViews(Desk& desk, const Frame& frame) {
   check(desk, "Collider shapes", view.colliders, Action::colliders,
         "What collides: green awake, blue asleep, grey fixed");
   check(desk, "Bounds", view.bounds, Action::boundsTree, "Boxes that the broad phase keeps for each shape");
+  if (frame.bounds.size() > kMostBounds)
+    ImGui::TextDisabled("      the first %d of %d", int(kMostBounds), int(frame.bounds.size()));
   check(desk, "Contact points", view.contacts, Action::contactPoints, "Normals by force, and friction");
   if (view.contacts) {
     swatch(0xFF5030, "normal force");

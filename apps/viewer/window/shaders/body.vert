@@ -1,5 +1,6 @@
 // A mesh at the place of each body: rows of its matrix, colour and what varies from body to body come once per instance.
 uniform mat4 viewProjection;
+uniform float faces;  // 1: a brick, whose edges are cut
 #ifdef DEPTH_SHADOWS
 uniform mat4 shadowMatrix;
 out vec4 shadowPlace;
@@ -16,8 +17,14 @@ out vec2 place;
 out vec4 tint;
 flat out float layer, glow;
 
+const float kChamfer = 0.0022;  // m, of the mesh
+
 void main() {
   vec4 local = vec4(vertex.xyz, 1.0);
+  // From afar a cut edge is narrower than a pixel and glitters: it goes over into a sharp one.
+  float far = dot(vec4(viewProjection[0].w, viewProjection[1].w, viewProjection[2].w, viewProjection[3].w),
+                  vec4(uv1.w, uv2.w, uv3.w, 1.0));
+  local.xyz += sign(vertex.xyz) * (1.0 - abs(normal)) * (kChamfer * faces * smoothstep(2.5, 6.0, far));
   worldPoint = vec3(dot(uv1, local), dot(uv2, local), dot(uv3, local));
   worldNormal = vec3(dot(uv1.xyz, normal), dot(uv2.xyz, normal), dot(uv3.xyz, normal));
   place = uv0.xy + uv6.xy;
