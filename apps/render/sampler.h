@@ -40,7 +40,7 @@ inline std::uint32_t zOrder(std::uint32_t x, std::uint32_t y) {
 
 class Sampler {
  public:
-  // `samples`: the most that a pixel takes.
+  // `samples`: the most that a pixel takes, those for motion included.
   Sampler(int x, int y, int samples) : first_(zOrder(std::uint32_t(x), std::uint32_t(y)) * std::uint32_t(samples)) {}
 
   // The pair of numbers for a purpose (0, 1, 2 ...) of a sample.

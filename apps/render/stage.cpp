@@ -214,6 +214,8 @@ bool Stage::place(const Motion::Shutter& shutter) {
         changed = true;
       }
       one.shown = false;
+      part.moves = false;  // or it would count as motion in all pictures to come
+      part.sweep = 0;
       continue;
     }
     const Transform open = shutter.open.poses[part.body] * one.local,
@@ -268,8 +270,8 @@ void Stage::Impl::findBounds() {
 bool Stage::Impl::passesBounds(const Ray& ray) const {
   float from = 0, to = ray.far;
   for (int k = 0; k < 3; k++) {
-    const float inverse =
-        1 / ray.direction[k];  // infinite is fine: 0 times it, on the bound itself, is no number and passes
+    // Not infinite, or on the bound itself 0 times it would be no number.
+    const float inverse = std::fabs(ray.direction[k]) > 1e-30f ? 1 / ray.direction[k] : 1e30f;
     const float a = (low[k] - ray.origin[k]) * inverse, b = (high[k] - ray.origin[k]) * inverse;
     from = std::max(from, std::min(a, b));
     to = std::min(to, std::max(a, b));
