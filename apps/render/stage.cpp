@@ -156,6 +156,7 @@ Status Stage::Impl::add(const TakeBody& body, std::size_t shape, std::uint32_t n
   Placed one;
   one.local = def.local;
   if (def.type == ShapeType::plane) {
+    part.radius = 1e9f;
     planes.push_back({parts.size(), {}, 0, false});
   } else {
     Result<std::size_t> known = shapeOf(def);
@@ -163,6 +164,7 @@ Status Stage::Impl::add(const TakeBody& body, std::size_t shape, std::uint32_t n
     one.shape = *known;
     for (const auto& p : shapes[*known].mesh.positions)
       one.radius = std::max(one.radius, double(std::hypot(p[0], p[1], p[2])));
+    part.radius = float(one.radius);
     one.instance = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE);
     rtcSetGeometryInstancedScene(one.instance, shapes[one.shape].scene);
   }

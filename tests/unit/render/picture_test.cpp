@@ -10,6 +10,7 @@
 
 #include "render/denoise.h"
 #include "render/job.h"
+#include "render/moving_shade.h"
 #include "render/painter.h"
 #include "render/png_file.h"
 #include "support/synthetic_take.h"
@@ -154,6 +155,28 @@ TEST(Stage, WhatIsGoneLeavesNoTrace) {
   view.target = {0, 0.12, 0.05};
   const Sky sky = skyFor(view, {});
   EXPECT_EQ(paint(*travelled, view, view, sky, settings).bytes, paint(*fresh, view, view, sky, settings).bytes);
+}
+
+TEST_F(Pictures, ShadowsMoveDownSunOfWhatMovesAlone) {
+  Result<Stage> stage = Stage::create(*take_);
+  ASSERT_TRUE(stage);
+  Motion motion(*take_);
+  Sky sky;
+  sky.sun = sunDirection(90, 45);
+  stage->place(*motion.between(0.3, 0.3));  // a shutter that is open for no time
+  EXPECT_FALSE(MovingShade(*stage, sky, false).anyMotion());
+  EXPECT_TRUE(MovingShade(*stage, sky, true).reaches({}, 1));
+  stage->place(*motion.between(0.1, 0.12));  // only the ball flies
+  const MovingShade shade(*stage, sky, false);
+  ASSERT_TRUE(shade.anyMotion());
+  const auto ball = std::max_element(stage->parts().begin(), stage->parts().end(),
+                                     [](const Part& a, const Part& b) { return a.sweep < b.sweep; });
+  ASSERT_GT(ball->sweep, 0.01f);
+  EXPECT_TRUE(shade.reaches(ball->origin, 0.001f));
+  EXPECT_TRUE(shade.reaches(ball->origin - sky.sun * 2.0f, 0.001f)) << "where its shadow falls";
+  EXPECT_FALSE(shade.reaches(ball->origin + sky.sun * 2.0f, 0.001f)) << "between it and the sun";
+  EXPECT_FALSE(shade.reaches(ball->origin - sky.sun * 2.0f + Vec3f{0, 0, 5}, 0.001f)) << "beside it";
+  EXPECT_FALSE(shade.reaches(ball->origin, 10)) << "seen from so far away nothing moves";
 }
 
 TEST_F(Pictures, MotionIsBlurredByTheShutter) {
