@@ -14,8 +14,9 @@ using appearance::brightness;
 
 constexpr int kRounds = 4;        // neighbours 1, 2, 4 and 8 pixels away: a mean over some 30 x 30
 constexpr float kLightRange = 3;  // standard deviations of noise that two neighbours may differ by; more blurs shade
-constexpr float kAroundShare =
-    0.5f;  // of the spread among neighbours that counts as noise: more blurs where shade ends
+// Of the spread among neighbours that counts as noise: more blurs where shade ends, less leaves specks.
+constexpr float kAroundShare = 2;
+constexpr int kUnsureRounds = 2;  // so many rounds what a pixel says of its own noise is not believed
 constexpr float kLeastRange =
     0.04f;  // share of its light that may always differ: less keeps grains of pixels that are sure and wrong
 constexpr float kPlaneRange = 2;  // pixels' widths that a neighbour may lie off the surface
@@ -97,7 +98,7 @@ void Filter::take(int x, int y, const CameraRays& rays) {
 
 constexpr float kWeights[2] = {0.5f, 0.25f};  // by distance, along each axis
 
-// That of one pixel, from few samples, is itself little to be trusted. After the first round it is a mean anyway.
+// That of one pixel, from few samples, is itself little to be trusted. After some rounds it is a mean anyway.
 // Pixels that are sure and wrong, since both of their samples met the same, are found by how much they differ from those around them.
 Four Filter::smoothVariance(std::size_t here) const {
   Four variance{}, light_{}, squares{}, weights{};
@@ -119,7 +120,7 @@ void Filter::mean(std::size_t here, std::ptrdiff_t step) {
   const auto own = [&](Plane plane) { return load(guide(plane, here)); };
   const Four x = own(kX), y = own(kY), z = own(kZ), nx = own(kNormalX), ny = own(kNormalY), nz = own(kNormalZ);
   const Four covered = own(kCovered), bright = load(light(kBrightness, here));
-  const Four deviation = root(step == 1 ? smoothVariance(here) : load(light(kVariance, here)));
+  const Four deviation = root(step < 1 << kUnsureRounds ? smoothVariance(here) : load(light(kVariance, here)));
   const Four range = 1 / (kLightRange * deviation + kLeastRange * bright + 1e-4f);
   const Four plane = 1 / (kPlaneRange * own(kWidth) + 1e-5f);
   Four weights = kWeights[0] * kWeights[0] * covered, sums[kVariance + 1];
