@@ -51,8 +51,8 @@ Pair onCircle(float turn) {
   const float t = turn * 4;
   const int quarter = int(t);  // turn >= 0: without SSE 4, std::floor is a call
   const float s = (t - float(quarter) - 0.5f) * (std::numbers::pi_v<float> / 2), s2 = s * s;
-  const float sine = s * (1 - s2 * (1 / 6.0f - s2 * (1 / 120.0f - s2 / 5040)));
-  const float cosine = 1 - s2 * (0.5f - s2 * (1 / 24.0f - s2 * (1 / 720.0f - s2 / 40320)));
+  const float sine = s * (1 - s2 * (1 / 6.0f - s2 * (1 / 120.0f - s2 * (1 / 5040.0f))));
+  const float cosine = 1 - s2 * (0.5f - s2 * (1 / 24.0f - s2 * (1 / 720.0f - s2 * (1 / 40320.0f))));
   constexpr float kHalf = 0.70710678f;  // the middle of the quarter lies at an eighth of a turn
   const float x = kHalf * (cosine - sine), y = kHalf * (cosine + sine);
   // Turned by whole quarters, without a branch: which it is cannot be guessed.
