@@ -1,7 +1,8 @@
 #include "render/denoise.h"
 
-#include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <cstring>
 
 #include "render/parallel.h"
 
@@ -13,113 +14,141 @@ using appearance::brightness;
 
 constexpr int kRounds = 4;        // neighbours 1, 2, 4 and 8 pixels away: a mean over some 30 x 30
 constexpr float kLightRange = 3;  // standard deviations of noise that two neighbours may differ by; more blurs shade
-constexpr float kAroundShare =
-    0.5f;  // of the spread among neighbours that counts as noise: more blurs where shade ends
+// Of the spread among neighbours that counts as noise: more blurs where shade ends, less leaves specks.
+constexpr float kAroundShare = 2;
+constexpr int kUnsureRounds = 2;  // so many rounds what a pixel says of its own noise is not believed
 constexpr float kLeastRange =
     0.04f;  // share of its light that may always differ: less keeps grains of pixels that are sure and wrong
 constexpr float kPlaneRange = 2;  // pixels' widths that a neighbour may lie off the surface
 
-struct Guide {
-  Vec3f position, normal;
-  float width = 0;  // m, of a pixel there
-  float covered = 0;
-};
-
-// Four at a time: red, green, blue and variance.
+// Four pixels beside each other.
 using Four = float __attribute__((vector_size(16)));
-struct Light {
-  Four value{0, 0, 0, 0};
-  float brightness = 0;
-};
-Light lightOf(Four value) { return {value, brightness({value[0], value[1], value[2]})}; }
+Four load(const float* from) {
+  Four v;
+  std::memcpy(&v, from, sizeof v);
+  return v;
+}
+void store(float* to, Four v) { std::memcpy(to, &v, sizeof v); }
+Four larger(Four a, Four b) { return a > b ? a : b; }
+Four root(Four v) { return Four{std::sqrt(v[0]), std::sqrt(v[1]), std::sqrt(v[2]), std::sqrt(v[3])}; }
+
+constexpr int kLanes = 4;
+constexpr int kMargin =
+    1 << (kRounds - 1);  // as far as neighbours reach; what lies there is not covered and counts nothing
+
+enum Plane { kX, kY, kZ, kNormalX, kNormalY, kNormalZ, kWidth, kCovered, kGuidePlanes };
+enum LightPlane { kRed, kGreen, kBlue, kVariance, kBrightness, kLightPlanes };
 
 class Filter {
  public:
   Filter(Picture& picture, const CameraRays& rays, int threads)
-      : picture_(picture), threads_(threads), guides_(picture.texels.size()), from_(picture.texels.size()), to_(from_) {
+      : picture_(picture),
+        threads_(threads),
+        stride_(std::size_t((picture.width + kLanes - 1) / kLanes * kLanes + 2 * kMargin)),
+        size_(stride_ * std::size_t(picture.height + 2 * kMargin)),
+        guides_(kGuidePlanes * size_),
+        from_(kLightPlanes * size_),
+        to_(from_.size()) {
     forRows(picture.height, threads, [&](int y) {
-      for (int x = 0; x < picture.width; x++) {
-        const Texel& texel = picture.at(x, y);
-        const Ray ray = rays.through(float(x) + 0.5f, float(y) + 0.5f, 0.5f);
-        guides_[index(x, y)] = {ray.origin + ray.direction * texel.depth, texel.normal, texel.depth * rays.pixelAngle(),
-                                texel.covered};
-        from_[index(x, y)] = lightOf(Four{texel.sky.x, texel.sky.y, texel.sky.z, texel.variance});
-      }
+      for (int x = 0; x < picture.width; x++) take(x, y, rays);
     });
   }
 
   void run() {
     for (int round = 0; round < kRounds; round++) {
       forRows(picture_.height, threads_, [&](int y) {
-        for (int x = 0; x < picture_.width; x++) to_[index(x, y)] = mean(x, y, 1 << round);
+        for (int x = 0; x < picture_.width; x += kLanes) mean(index(x, y), std::ptrdiff_t(1) << round);
       });
       std::swap(from_, to_);
     }
-    for (std::size_t k = 0; k < from_.size(); k++)
-      picture_.texels[k].sky = {from_[k].value[0], from_[k].value[1], from_[k].value[2]};
+    for (int y = 0; y < picture_.height; y++)
+      for (int x = 0; x < picture_.width; x++) {
+        const std::size_t k = index(x, y);
+        picture_.at(x, y).sky = {*light(kRed, k), *light(kGreen, k), *light(kBlue, k)};
+      }
   }
 
  private:
-  std::size_t index(int x, int y) const { return std::size_t(y) * std::size_t(picture_.width) + std::size_t(x); }
-  float smoothVariance(int x, int y) const;
-  Light mean(int x, int y, int step) const;
+  std::size_t index(int x, int y) const {
+    return std::size_t(y + kMargin) * stride_ + std::size_t(x) + std::size_t(kMargin);
+  }
+  const float* guide(Plane plane, std::size_t k) const { return &guides_[plane * size_ + k]; }
+  const float* light(LightPlane plane, std::size_t k) const { return &from_[plane * size_ + k]; }
+  void take(int x, int y, const CameraRays& rays);
+  Four smoothVariance(std::size_t here) const;
+  void mean(std::size_t here, std::ptrdiff_t step);
 
   Picture& picture_;
   int threads_;
-  std::vector<Guide> guides_;
-  std::vector<Light> from_, to_;
+  std::size_t stride_, size_;  // of a row, of a plane, with the margin
+  std::vector<float> guides_, from_, to_;
 };
+
+void Filter::take(int x, int y, const CameraRays& rays) {
+  const Texel& texel = picture_.at(x, y);
+  const Ray ray = rays.through(float(x) + 0.5f, float(y) + 0.5f, 0.5f);
+  const Vec3f position = ray.origin + ray.direction * texel.depth, normal = texel.normal;
+  const float guide[kGuidePlanes] = {
+      position.x, position.y, position.z, normal.x, normal.y, normal.z, texel.depth * rays.pixelAngle(), texel.covered};
+  const float light[kLightPlanes] = {texel.sky.x, texel.sky.y, texel.sky.z, texel.variance, brightness(texel.sky)};
+  const std::size_t k = index(x, y);
+  for (std::size_t plane = 0; plane < kGuidePlanes; plane++) guides_[plane * size_ + k] = guide[plane];
+  for (std::size_t plane = 0; plane < kLightPlanes; plane++) from_[plane * size_ + k] = light[plane];
+}
 
 constexpr float kWeights[2] = {0.5f, 0.25f};  // by distance, along each axis
 
-// That of one pixel, from few samples, is itself little to be trusted. After the first round it is a mean anyway.
+// That of one pixel, from few samples, is itself little to be trusted. After some rounds it is a mean anyway.
 // Pixels that are sure and wrong, since both of their samples met the same, are found by how much they differ from those around them.
-float Filter::smoothVariance(int x, int y) const {
-  float variance = 0, light = 0, squares = 0, weights = 0;
-  for (int j = std::max(y - 1, 0); j <= std::min(y + 1, picture_.height - 1); j++)
-    for (int i = std::max(x - 1, 0); i <= std::min(x + 1, picture_.width - 1); i++) {
-      const std::size_t k = index(i, j);
-      const float weight = kWeights[std::abs(i - x)] * kWeights[std::abs(j - y)] * guides_[k].covered;
-      variance += weight * from_[k].value[3];
-      light += weight * from_[k].brightness;
-      squares += weight * from_[k].brightness * from_[k].brightness;
+Four Filter::smoothVariance(std::size_t here) const {
+  Four variance{}, light_{}, squares{}, weights{};
+  for (int j = -1; j <= 1; j++)
+    for (int i = -1; i <= 1; i++) {
+      const std::size_t k = here + std::size_t(j * std::ptrdiff_t(stride_) + i);
+      const Four weight = kWeights[std::abs(i)] * kWeights[std::abs(j)] * load(guide(kCovered, k));
+      const Four bright = load(light(kBrightness, k));
+      variance += weight * load(light(kVariance, k));
+      light_ += weight * bright;
+      squares += weight * bright * bright;
       weights += weight;
     }
-  if (weights <= 0) return 0;
-  const float mean = light / weights, around = squares / weights - mean * mean;
-  return std::max(variance / weights, kAroundShare * around);
+  const Four share = 1 / larger(weights, Four{} + 1e-9f), mean = light_ * share;
+  return larger(variance * share, kAroundShare * (squares * share - mean * mean));
 }
 
-Light Filter::mean(int x, int y, int step) const {
-  const std::size_t here = index(x, y);
-  const Guide& guide = guides_[here];
-  const Light& own = from_[here];
-  if (guide.covered <= 0) return own;
-  const float deviation = std::sqrt(step == 1 ? smoothVariance(x, y) : own.value[3]);
-  const float range = 1 / (kLightRange * deviation + kLeastRange * own.brightness + 1e-4f);
-  const float plane = 1 / (kPlaneRange * guide.width + 1e-5f);
-  float weights = kWeights[0] * kWeights[0] * guide.covered;
-  Four sum = own.value * Four{weights, weights, weights, weights * weights};
-  for (int j = -1; j <= 1; j++) {
-    const int v = y + j * step;
-    if (v < 0 || v >= picture_.height) continue;
+void Filter::mean(std::size_t here, std::ptrdiff_t step) {
+  const auto own = [&](Plane plane) { return load(guide(plane, here)); };
+  const Four x = own(kX), y = own(kY), z = own(kZ), nx = own(kNormalX), ny = own(kNormalY), nz = own(kNormalZ);
+  const Four covered = own(kCovered), bright = load(light(kBrightness, here));
+  const Four deviation = root(step < 1 << kUnsureRounds ? smoothVariance(here) : load(light(kVariance, here)));
+  const Four range = 1 / (kLightRange * deviation + kLeastRange * bright + 1e-4f);
+  const Four plane = 1 / (kPlaneRange * own(kWidth) + 1e-5f);
+  Four weights = kWeights[0] * kWeights[0] * covered, sums[kVariance + 1];
+  for (int k = 0; k < kVariance; k++) sums[k] = weights * load(light(LightPlane(k), here));
+  sums[kVariance] = weights * weights * load(light(kVariance, here));
+  for (int j = -1; j <= 1; j++)
     for (int i = -1; i <= 1; i++) {
-      const int u = x + i * step;
-      if ((i == 0 && j == 0) || u < 0 || u >= picture_.width) continue;
-      const std::size_t k = index(u, v);
-      const Guide& other = guides_[k];
-      const float turned = std::max(dot(guide.normal, other.normal), 0.0f), t2 = turned * turned,
-                  t8 = t2 * t2 * t2 * t2;
-      const float off = dot(guide.normal, other.position - guide.position) * plane, off2 = off * off;
-      const float apart = (from_[k].brightness - own.brightness) * range, apart2 = apart * apart;
-      const float weight = kWeights[std::abs(i)] * kWeights[std::abs(j)] * other.covered * t8 * t8 /
-                           ((1 + off2 * off2) * (1 + apart2 * apart2));
-      sum += from_[k].value * Four{weight, weight, weight, weight * weight};
+      if (i == 0 && j == 0) continue;
+      const std::size_t at = here + std::size_t(step * (j * std::ptrdiff_t(stride_) + i));
+      const auto its = [&](Plane p) { return load(guide(p, at)); };
+      const Four turned = larger(nx * its(kNormalX) + ny * its(kNormalY) + nz * its(kNormalZ), Four{});
+      const Four t2 = turned * turned, t4 = t2 * t2, t8 = t4 * t4;
+      const Four off = (nx * (its(kX) - x) + ny * (its(kY) - y) + nz * (its(kZ) - z)) * plane, off2 = off * off;
+      const Four apart = (load(light(kBrightness, at)) - bright) * range, apart2 = apart * apart;
+      const Four weight = kWeights[std::abs(i)] * kWeights[std::abs(j)] * its(kCovered) * t8 * t8 /
+                          ((1 + off2 * off2) * (1 + apart2 * apart2));
+      for (int k = 0; k < kVariance; k++) sums[k] += weight * load(light(LightPlane(k), at));
+      sums[kVariance] += weight * weight * load(light(kVariance, at));
       weights += weight;
     }
+  const Four share = 1 / larger(weights, Four{} + 1e-9f);
+  sums[kVariance] *= share;
+  for (int k = 0; k <= kVariance; k++) {  // what is not covered stays as it is
+    const Four result = covered > 0 ? sums[k] * share : load(light(LightPlane(k), here));
+    sums[k] = result;
+    store(&to_[std::size_t(k) * size_ + here], result);
   }
-  const float share = 1 / weights;
-  return lightOf(sum * Four{share, share, share, share * share});
+  store(&to_[kBrightness * size_ + here], 0.2126f * sums[kRed] + 0.7152f * sums[kGreen] + 0.0722f * sums[kBlue]);
 }
 
 }  // namespace

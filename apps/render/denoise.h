@@ -1,5 +1,5 @@
 // Takes the noise out of the light from the sky: a mean over neighbours that lie on the same surface and are, within what their noise
-// allows, equally lit. The more samples there were, the less is changed: with very many nothing is.
+// allows, equally lit. The more samples there were, the less is changed: with very many little.
 #pragma once
 #include "render/camera_rays.h"
 #include "render/picture.h"

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <fmt/core.h>
 #include <spawn.h>
+#include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -10,7 +11,6 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <sstream>
 #include <vector>
 
@@ -21,10 +21,15 @@ namespace {
 
 Error refused(const std::string& what) { return {ErrorCode::inputOutput, what}; }
 
-std::string lastLine(const std::string& path) {
-  std::ifstream file(path);
+// Of a file without a name.
+std::string lastLine(int file) {
+  std::string text;
+  char block[4096];
+  for (ssize_t count; (count = pread(file, block, sizeof block, off_t(text.size()))) > 0;)
+    text.append(block, std::size_t(count));
+  std::istringstream lines(text);
   std::string line, last;
-  while (std::getline(file, line))
+  while (std::getline(lines, line))
     if (!line.empty()) last = line;
   return last;
 }
@@ -32,34 +37,29 @@ std::string lastLine(const std::string& path) {
 // The running program, to which pictures are written.
 class Encoder {
  public:
-  Encoder(const FilmSettings& settings) : part_(settings.path + ".part"), log_(settings.path + ".log") {
-    words_ = {"ffmpeg",    "-hide_banner",
-              "-loglevel", "error",
-              "-nostdin",  "-y",
-              "-f",        "rawvideo",
-              "-pix_fmt",  "rgb24",
-              "-s",        fmt::format("{}x{}", settings.width, settings.height),
-              "-r",        fmt::format("{}", settings.framesPerSecond),
-              "-i",        "pipe:0",
-              "-c:v",      "libx264",
-              "-preset",   "medium",
-              "-crf",      "17",
-              "-pix_fmt",  "yuv420p",
-              "-movflags", "+faststart",
-              "-f",        "mp4",
-              part_};
-    program_ = settings.program;
+  explicit Encoder(const FilmSettings& settings) : part_(settings.path + ".part"), program_(settings.program) {
+    // A write that fails must end it with an error (-xerror): of a disk that filled up while it wrote the film's end it else says so
+    // and calls that a success. A name with a colon is a file all the same ("file:").
+    std::istringstream list(fmt::format(
+        "ffmpeg -hide_banner -loglevel error -xerror -nostdin -y -f rawvideo -pix_fmt rgb24 -s {}x{} -r {} -i pipe:0 "
+        "-c:v libx264 -preset medium -crf 17 -pix_fmt yuv420p -movflags +faststart -f mp4",
+        settings.width, settings.height, settings.framesPerSecond));
+    for (std::string word; list >> word;) words_.push_back(word);
+    words_.push_back("file:" + part_);
   }
   ~Encoder() {
     (void)finish();
-    std::error_code ignored;
-    std::filesystem::remove(part_, ignored);
-    std::filesystem::remove(log_, ignored);
+    if (log_ >= 0) close(log_);
+    removePart();
   }
   Encoder(const Encoder&) = delete;
   Encoder& operator=(const Encoder&) = delete;
 
   Status start() {
+    removePart();  // of a start that was killed
+    // What it says goes to memory: a disk that is full would keep nothing of it.
+    log_ = memfd_create("ffmpeg", MFD_CLOEXEC);
+    if (log_ < 0) return refused(fmt::format("cannot keep what '{}' says: {}", program_, std::strerror(errno)));
     int ends[2];
     if (pipe2(ends, O_CLOEXEC) != 0) return refused(fmt::format("cannot make a pipe: {}", std::strerror(errno)));
     std::vector<char*> pointers;
@@ -69,7 +69,7 @@ class Encoder {
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_adddup2(&actions, ends[0], 0);
     posix_spawn_file_actions_addopen(&actions, 1, "/dev/null", O_WRONLY, 0);
-    posix_spawn_file_actions_addopen(&actions, 2, log_.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
+    posix_spawn_file_actions_adddup2(&actions, log_, 2);
     const int failure = posix_spawn(&process_, program_.c_str(), &actions, nullptr, pointers.data(), environ);
     posix_spawn_file_actions_destroy(&actions);
     close(ends[0]);
@@ -87,12 +87,13 @@ class Encoder {
     for (std::size_t done = 0; done < bytes.size();) {
       const ssize_t count = ::write(pipe_, bytes.data() + done, bytes.size() - done);
       if (count < 0 && errno == EINTR) continue;
-      if (count <= 0) return false;
+      if (count <= 0) return readAll_ = false;
       done += std::size_t(count);
     }
     return true;
   }
 
+  // Good only if it ended well, had nothing to complain of and read every picture: a film that lacks something is none.
   Status finish() {
     if (pipe_ >= 0) close(pipe_);
     pipe_ = -1;
@@ -101,8 +102,11 @@ class Encoder {
     while (waitpid(process_, &status, 0) < 0 && errno == EINTR) {
     }
     process_ = -1;
-    if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return {};
-    const std::string said = lastLine(log_);
+    std::string said = lastLine(log_);
+    if (WIFEXITED(status) && WEXITSTATUS(status) == 0) {
+      if (said.empty() && readAll_) return {};
+      if (said.empty()) said = "it ended before it had read all pictures";
+    }
     return refused(fmt::format("'{}' could not make the film{}{}", program_, said.empty() ? "" : ": ", said));
   }
 
@@ -114,10 +118,16 @@ class Encoder {
   }
 
  private:
-  std::string part_, log_, program_;
+  void removePart() const {
+    std::error_code ignored;
+    std::filesystem::remove(part_, ignored);
+  }
+
+  std::string part_, program_;
   std::vector<std::string> words_;
   pid_t process_ = -1;
-  int pipe_ = -1;
+  int pipe_ = -1, log_ = -1;
+  bool readAll_ = true;
 };
 
 }  // namespace

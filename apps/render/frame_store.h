@@ -15,8 +15,13 @@ class FrameStore {
 
   std::string frame(std::size_t index) const;  // its file
   bool has(std::size_t index) const;
+  // The take of a scene that the pictures are of: under a name that no recording of a user's has.
+  std::string sceneTake() const;
+  // Settings lay there already, and they are the same: what else of our names lies there was made by them.
+  bool goesOn() const { return goesOn_; }
+  bool hasAny() const;
   const std::string& folder() const { return folder_; }
-  // Nothing is left of it, but for files that are none of its own.
+  // Nothing is left of it, but for files that are none of its own and a folder that was there before them.
   void remove(std::size_t frames) const;
   // The text that says what they are, once the pictures are for good.
   void forgetSettings() const;
@@ -24,6 +29,7 @@ class FrameStore {
  private:
   explicit FrameStore(std::string folder) : folder_(std::move(folder)) {}
   std::string folder_;
+  bool goesOn_ = false, folderIsOurs_ = false;
 };
 
 // The first line in which two texts of settings differ: "found samples 4, expected samples 8". Empty: none does.

@@ -79,10 +79,7 @@ int complainOf(const Error& error) {
 class Painter {
  public:
   Painter(const Job& job, Stage stage)
-      : job_(job),
-        stage_(std::move(stage)),
-        motion_(*job.take),
-        sky_(skyFor(job.camera, job.moments[0], job.options.sun)) {}
+      : job_(job), stage_(std::move(stage)), motion_(*job.take), sky_(skyFor(job.camera, job.options.sun)) {}
 
   // Null where an interrupt came in between.
   Result<const Image*> at(double open) {
@@ -185,7 +182,7 @@ int prepare(Job& job) {
   job.kind = *kind;
   if (const Status possible = checkTogether(job.options, job.kind); !possible) return complainOf(possible.error());
   const std::string parent = fs::path(job.options.output).parent_path().string();
-  if (!parent.empty())
+  if (!parent.empty() && job.kind != OutputKind::folder)  // that of pictures is made with its settings
     if (const Status made = cli::makeFolder(parent); !made) return complainOf(made.error());
   job.folder = job.kind == OutputKind::folder ? job.options.output : job.options.output + ".frames";
   job.paint.width = job.options.width;
@@ -199,9 +196,11 @@ int prepare(Job& job) {
   return cli::kOk;
 }
 
-int openAndPlan(Job& job, const std::string& takePath, cli::ProgressDisplay& display) {
-  OpenedTake opened =
-      job.source.isScene ? runScene(job.source, job.options, takePath, display) : openTake(job.source.path);
+// `takePath`: of a scene; `isThere`: a whole take of this very job lies there.
+int openAndPlan(Job& job, const std::string& takePath, bool isThere, cli::ProgressDisplay& display) {
+  OpenedTake opened = !job.source.isScene ? openTake(job.source.path)
+                      : isThere           ? openTake(takePath)
+                                          : runScene(job.source, job.options, takePath, display);
   if (!opened.take) return opened.exitCode;
   job.take = std::move(opened.take);
   const Result<Camera> camera = chooseCamera(*job.take, job.options.camera);
@@ -221,8 +220,11 @@ void removeTake(const std::string& path) {
 }
 
 int renderStill(Job& job, cli::ProgressDisplay& display) {
-  const std::string takePath = job.options.output + ".take";
-  int exitCode = openAndPlan(job, takePath, display);
+  // What an earlier start may have left there is of no use: nothing says what it is a take of.
+  const fs::path output(job.options.output);
+  const std::string takePath = cli::joinPath(output.parent_path().string(),
+                                             fmt::format(".{}.brickfall-render.take", output.filename().string()));
+  int exitCode = openAndPlan(job, takePath, false, display);
   if (exitCode == cli::kOk)
     exitCode = paintAll(
         job, [&](std::size_t) { return job.options.output; }, display);
@@ -238,12 +240,16 @@ int renderMany(Job& job, cli::ProgressDisplay& display) {
         "pictures/)");
     return cli::kFileError;
   }
-  Result<FrameStore> store = FrameStore::open(
-      job.folder, settingsText(job.options, job.source.name, job.source.fingerprint, job.paint.trace.samples));
+  const Result<std::uint64_t> fingerprint = fingerprintOf(job.source, job.options);
+  if (!fingerprint) return complainOf(fingerprint.error());
+  Result<FrameStore> store =
+      FrameStore::open(job.folder, settingsText(job.options, job.source.name, *fingerprint, job.paint.trace.samples));
   if (!store) return complainOf(store.error());
-  const std::string takePath = cli::joinPath(job.folder, "scene.take");
-  if (const int code = openAndPlan(job, takePath, display); code != cli::kOk) {
-    if (!store->has(0)) {  // pictures of an earlier start stay
+  const std::string takePath = store->sceneTake();
+  std::error_code ignored;
+  const bool isThere = store->goesOn() && fs::exists(takePath, ignored);
+  if (const int code = openAndPlan(job, takePath, isThere, display); code != cli::kOk) {
+    if (!store->hasAny()) {  // pictures of an earlier start stay
       if (job.source.isScene) removeTake(takePath);
       store->remove(0);
     }
@@ -279,13 +285,13 @@ Result<Camera> chooseCamera(const TakeReader& take, const std::string& wanted) {
                                                        list.empty() ? "(none)" : list, didYouMean(wanted, names))};
 }
 
-Sky skyFor(const Camera& camera, double time, const std::optional<Sun>& sun) {
+Sky skyFor(const Camera& camera, const std::optional<Sun>& sun) {
   Sky sky;
   if (sun) {
     sky.sun = sunDirection(sun->azimuthDegrees, sun->elevationDegrees);
     return sky;
   }
-  const Camera at = cameraAt(camera, time);
+  const Camera at = camera.path.empty() ? camera : cameraAt(camera, camera.path.front().time);
   const Vec3 back = at.position - at.target;
   sky.sun = sunDirection(std::atan2(back.x, back.z) * 180 / std::numbers::pi - 40, 42);
   return sky;
@@ -302,12 +308,17 @@ Result<std::vector<double>> momentsOf(const TakeReader& take, const RenderOption
     if (!time) return time.error();
     return std::vector<double>{*time};
   }
-  Result<double> end = motion.timeOf(last);
+  Result<double> start = motion.timeOf(0), end = motion.timeOf(last);
+  if (!start) return start.error();
   if (!end) return end.error();
-  const double from = options.from.value_or(0), to = std::min(options.to.value_or(*end), *end);
+  const double from = std::max(options.from.value_or(*start), *start), to = std::min(options.to.value_or(*end), *end);
   if (from > *end + 1e-9)
     return Error{ErrorCode::invalidArgument,
                  fmt::format("--from: found {:g}, expected at most {:g} s, where the take ends", from, *end)};
+  if (options.to && !(*options.to > *start))
+    return Error{
+        ErrorCode::invalidArgument,
+        fmt::format("--to: found {:g}, expected more than {:g} s, where the take begins", *options.to, *start)};
   if (kind == OutputKind::still) return std::vector<double>{from};
   const double count = std::round((to - from) * options.framesPerSecond / options.speed);
   if (count > kMostFrames)

@@ -44,7 +44,7 @@ void define(CLI::App& app, RenderOptions& options, Words& words) {
       ->type_name("FILE");
   app.add_option("--camera", options.camera, "Name or number of a camera of the scene (default: the first)")
       ->type_name("NAME");
-  app.add_option("--from", words.from, "Begin at this simulated time (default: 0)")->type_name("S");
+  app.add_option("--from", words.from, "Begin at this simulated time (default: where the take begins)")->type_name("S");
   app.add_option("--to", words.to, "End there (default: the end)")->type_name("S");
   app.add_option("--frame", words.frame, "One picture: of this frame of the take, from 0")->type_name("N");
   app.add_option("--fps", words.fps, "Pictures a second of film (default: 25)")->type_name("N");
@@ -53,7 +53,8 @@ void define(CLI::App& app, RenderOptions& options, Words& words) {
   app.add_option("--shutter", words.shutter, "Share of a picture's time that blurs what moves (default: 0.5)")
       ->type_name("X");
   app.add_option("--size", words.size, "Pixels (default: 960x540)")->type_name("WxH");
-  app.add_option("--samples", words.samples, "Rays a pixel, at most (default: 4 for films, 64 for pictures)")
+  app.add_option("--samples", words.samples,
+                 "Rays a pixel: half in plain parts, 4 times as many in motion (default: 4 for films, 64 for pictures)")
       ->type_name("N");
   app.add_option("--bounces", words.bounces, "How often light is followed on from body to body (default: 1)")
       ->type_name("N");

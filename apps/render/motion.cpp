@@ -24,9 +24,15 @@ Result<double> Motion::timeOf(std::size_t index) {
   return (*known)->poses.time;
 }
 
-// The last frame that is not after the moment. Frames come at the take's rate, but each at the end of a time step.
+// The last frame that is not after the moment. Frames come at the take's rate, but each at the end of a time step; the first may be
+// late, where recording began in the middle of a run.
 Result<std::size_t> Motion::frameBefore(double time) {
-  const double guess = std::floor(time * take_->header().framesPerSecond + 1e-6);
+  if (!start_) {
+    Result<double> start = timeOf(0);
+    if (!start) return start.error();
+    start_ = *start;
+  }
+  const double guess = std::floor((time - *start_) * take_->header().framesPerSecond + 1e-6);
   std::size_t index = std::size_t(std::clamp(guess, 0.0, double(take_->frameCount() - 1)));
   for (;;) {
     Result<double> here = timeOf(index);
@@ -44,12 +50,14 @@ Result<std::size_t> Motion::frameBefore(double time) {
 }
 
 Result<const Motion::Known*> Motion::frame(std::size_t index) {
-  for (const Known& known : known_)
-    if (known.frame == index) return &known;
+  const auto known = std::find_if(known_.begin(), known_.end(), [&](const Known& k) { return k.frame == index; });
+  if (known != known_.end()) {
+    known_.splice(known_.end(), known_, known);
+    return &known_.back();
+  }
   Result<TakeFrame> read = take_->frame(index);
   if (!read) return read.error();
-  if (known_.size() >= kKeptFrames) known_.erase(known_.begin());
-  known_.reserve(kKeptFrames);  // those handed out stay where they are
+  if (known_.size() >= kKeptFrames) known_.pop_front();
   known_.push_back({index, std::move(read).value(), take_->bodiesAt(index)});
   return &known_.back();
 }

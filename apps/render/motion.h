@@ -1,5 +1,7 @@
 // Where the bodies of a take are at any moment, also between its frames.
 #pragma once
+#include <list>
+#include <optional>
 #include <vector>
 
 #include "brickfall/take.h"
@@ -31,10 +33,12 @@ class Motion {
     TakeFrame poses;
     std::vector<std::uint32_t> bodies;
   };
+  // Stays where it is until kKeptFrames others were asked for.
   Result<const Known*> frame(std::size_t index);
   Result<std::size_t> frameBefore(double time);
   const TakeReader* take_;
-  std::vector<Known> known_;  // the last few that were read
+  std::list<Known> known_;       // the last few that were asked for, the latest at the end
+  std::optional<double> start_;  // s, of the first frame
 };
 
 }  // namespace brickfall::render

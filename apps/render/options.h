@@ -25,7 +25,7 @@ struct RenderOptions {
   double speed = 1;                  // simulated seconds a second of film
   double shutter = 0.5;              // share of a frame's time that it is open
   int width = 960, height = 540;
-  std::optional<int> samples;  // of a pixel, at most; default: kFilmSamples, kStillSamples
+  std::optional<int> samples;  // of a pixel (TraceSettings); default: kFilmSamples, kStillSamples
   int bounces = 1;
   int threads = 1;
   double exposure = 0;     // in powers of 2

@@ -17,7 +17,7 @@ Image paint(const Stage& stage, const Camera& open, const Camera& close, const S
   forRows(settings.height, settings.trace.threads, [&](int y) {
     for (int x = 0; x < settings.width; x++) {
       const std::size_t at = std::size_t(y) * std::size_t(settings.width) + std::size_t(x);
-      const auto pixel = pixelOf(light[at], settings.exposure, Sampler(x, y, 1).pair(0, 0).x);
+      const auto pixel = pixelOf(light[at], settings.exposure, Sampler(x, y, 1, 1).pair(0, 0).x);
       std::copy(pixel.begin(), pixel.end(), image.bytes.begin() + std::ptrdiff_t(3 * at));
     }
   });

@@ -1,11 +1,12 @@
 #include "render/source.h"
 
-#include <chrono>
+#include <cerrno>
 #include <cmath>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 
+#include "brickfall/geometry/mesh_tree.h"
 #include "brickfall/take_recorder.h"
 #include "cli/commands.h"
 #include "cli/console.h"
@@ -16,15 +17,15 @@
 namespace brickfall::render {
 namespace {
 
-std::string contentOf(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
 // FNV-1a, 64 bits.
 std::uint64_t mixed(std::uint64_t hash, std::string_view bytes) {
   for (unsigned char c : bytes) hash = (hash ^ c) * 0x100000001b3ull;
   return hash;
+}
+constexpr std::uint64_t kNothingMixed = 0xcbf29ce484222325ull;
+
+template <class Item> std::uint64_t mixed(std::uint64_t hash, const std::vector<Item>& items) {
+  return mixed(hash, std::string_view(reinterpret_cast<const char*>(items.data()), items.size() * sizeof(Item)));
 }
 
 bool isTake(const std::string& path) {
@@ -73,6 +74,9 @@ SourceChoice chooseSource(const RenderOptions& options) {
     if (!choice.scene) return {choice.exitCode, {}};
     source.path = choice.path;
     source.name = cli::safeFileName(choice.scene->name);
+    for (const SceneBody& body : choice.scene->bodies)
+      for (const ShapeDef& shape : body.def.shapes)
+        if (shape.mesh) source.meshes.push_back(shape.mesh);
   } else {
     source.name = cli::safeFileName(std::filesystem::path(source.path).stem().string());
     if (options.seconds || !options.overrides.empty()) {
@@ -81,11 +85,23 @@ SourceChoice chooseSource(const RenderOptions& options) {
       return {cli::kBadInput, {}};
     }
   }
-  source.fingerprint = mixed(0xcbf29ce484222325ull, contentOf(source.path));
-  for (const auto& [key, value] : options.overrides)
-    source.fingerprint = mixed(source.fingerprint, key + "=" + value + "\n");
-  if (options.seconds) source.fingerprint = mixed(source.fingerprint, fmt::format("{}", *options.seconds));
   return {cli::kOk, source};
+}
+
+Result<std::uint64_t> fingerprintOf(const Source& source, const RenderOptions& options) {
+  std::uint64_t hash = kNothingMixed;
+  std::ifstream file(source.path, std::ios::binary);
+  std::vector<char> block(1 << 16);  // a take may be larger than memory
+  while (file) {
+    file.read(block.data(), std::streamsize(block.size()));
+    hash = mixed(hash, std::string_view(block.data(), std::size_t(file.gcount())));
+  }
+  if (!file.eof())
+    return Error{ErrorCode::inputOutput, fmt::format("cannot read '{}': {}", source.path, std::strerror(errno))};
+  for (const auto& mesh : source.meshes) hash = mixed(mixed(hash, mesh->mesh().vertices()), mesh->mesh().faces());
+  for (const auto& [key, value] : options.overrides) hash = mixed(hash, key + "=" + value + "\n");
+  if (options.seconds) hash = mixed(hash, fmt::format("{}", *options.seconds));
+  return hash;
 }
 
 OpenedTake openTake(const std::string& path) {
@@ -99,8 +115,6 @@ OpenedTake openTake(const std::string& path) {
 
 OpenedTake runScene(const Source& source, const RenderOptions& options, const std::string& takePath,
                     cli::ProgressDisplay& display) {
-  std::error_code ignored;
-  if (std::filesystem::exists(takePath, ignored)) return openTake(takePath);
   cli::SceneChoice choice = cli::chooseScene(source.path, options.overrides);
   if (!choice.scene) return failed(choice.exitCode);  // it was there a moment ago, and what is wrong has been said
   if (options.seconds) choice.scene->seconds = *options.seconds;

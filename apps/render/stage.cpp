@@ -156,6 +156,7 @@ Status Stage::Impl::add(const TakeBody& body, std::size_t shape, std::uint32_t n
   Placed one;
   one.local = def.local;
   if (def.type == ShapeType::plane) {
+    part.radius = 1e9f;
     planes.push_back({parts.size(), {}, 0, false});
   } else {
     Result<std::size_t> known = shapeOf(def);
@@ -163,6 +164,7 @@ Status Stage::Impl::add(const TakeBody& body, std::size_t shape, std::uint32_t n
     one.shape = *known;
     for (const auto& p : shapes[*known].mesh.positions)
       one.radius = std::max(one.radius, double(std::hypot(p[0], p[1], p[2])));
+    part.radius = float(one.radius);
     one.instance = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE);
     rtcSetGeometryInstancedScene(one.instance, shapes[one.shape].scene);
   }
@@ -214,6 +216,8 @@ bool Stage::place(const Motion::Shutter& shutter) {
         changed = true;
       }
       one.shown = false;
+      part.moves = false;  // or it would count as motion in all pictures to come
+      part.sweep = 0;
       continue;
     }
     const Transform open = shutter.open.poses[part.body] * one.local,
@@ -268,8 +272,8 @@ void Stage::Impl::findBounds() {
 bool Stage::Impl::passesBounds(const Ray& ray) const {
   float from = 0, to = ray.far;
   for (int k = 0; k < 3; k++) {
-    const float inverse =
-        1 / ray.direction[k];  // infinite is fine: 0 times it, on the bound itself, is no number and passes
+    // Not infinite, or on the bound itself 0 times it would be no number.
+    const float inverse = std::fabs(ray.direction[k]) > 1e-30f ? 1 / ray.direction[k] : 1e30f;
     const float a = (low[k] - ray.origin[k]) * inverse, b = (high[k] - ray.origin[k]) * inverse;
     from = std::max(from, std::min(a, b));
     to = std::min(to, std::max(a, b));

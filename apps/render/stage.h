@@ -25,6 +25,7 @@ struct Part {
   Vec3f halfExtents;  // of a box; else 0
   Mat3f open, close;  // the shape's frame to the world, when the shutter opens and closes
   Vec3f origin;       // m, of the shape's frame when the shutter opens
+  float radius = 0;   // m, about its origin; of a plane without end
   float sweep = 0;    // m: how far its surface moves while the shutter is open, about
   bool moves = false;
 

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "appearance/surface.h"
+#include "render/moving_shade.h"
 #include "render/parallel.h"
 #include "render/sampler.h"
 
@@ -23,10 +24,15 @@ constexpr int kSunDisc = 0, kOnward = 1, kPerBounce = 2;
 
 constexpr int kBlurredTimes =
     4;  // more samples of a pixel in which something moves: fewer leave steps instead of a blur
+// The same of one at the edge of a shadow that stands: sunlight is not filtered, fewer show as grains.
+constexpr int kShadeTimes = 2;
 constexpr float kBrightest = 12;  // of light that comes by way of other things: more makes lone bright pixels
 constexpr float kMatt = 0.78f;    // roughness from which on no shine is seen
 constexpr float kHazeReach = 90;  // m: at that distance a third of a plane's colour is left, the rest is the horizon's
-constexpr float kPlainAfter = 0.02f;  // m, footprint on surfaces that are only seen by way of others
+// m, footprint on surfaces that are only seen by way of others; less costs time for what nobody sees.
+constexpr float kPlainAfter = 0.08f;
+// Of the way that a surface moves: what of its pattern is finer is smeared anyway. More blurs too much, less shows as grains.
+constexpr float kSmear = 0.06f;
 
 // Directions about an axis (Duff et al. 2017: without a root, without a branch that a ray would guess wrong).
 struct Frame {
@@ -42,22 +48,17 @@ struct Frame {
 // A point of the unit circle, by its share of a turn: x the cosine, y the sine. The same everywhere, unlike those of the C library.
 Pair onCircle(float turn) {
   // Sine of a quarter turn either way by its series, then put into place.
-  const float t = turn * 4, quarter = std::floor(t), s = (t - quarter - 0.5f) * (std::numbers::pi_v<float> / 2),
-              s2 = s * s;
-  const float sine = s * (1 - s2 * (1 / 6.0f - s2 * (1 / 120.0f - s2 / 5040)));
-  const float cosine = 1 - s2 * (0.5f - s2 * (1 / 24.0f - s2 * (1 / 720.0f - s2 / 40320)));
+  const float t = turn * 4;
+  const int quarter = int(t);  // turn >= 0: without SSE 4, std::floor is a call
+  const float s = (t - float(quarter) - 0.5f) * (std::numbers::pi_v<float> / 2), s2 = s * s;
+  const float sine = s * (1 - s2 * (1 / 6.0f - s2 * (1 / 120.0f - s2 * (1 / 5040.0f))));
+  const float cosine = 1 - s2 * (0.5f - s2 * (1 / 24.0f - s2 * (1 / 720.0f - s2 * (1 / 40320.0f))));
   constexpr float kHalf = 0.70710678f;  // the middle of the quarter lies at an eighth of a turn
   const float x = kHalf * (cosine - sine), y = kHalf * (cosine + sine);
-  switch (int(quarter) & 3) {
-    case 0:
-      return {x, y};
-    case 1:
-      return {-y, x};
-    case 2:
-      return {-x, -y};
-    default:
-      return {y, -x};
-  }
+  // Turned by whole quarters, without a branch: which it is cannot be guessed.
+  constexpr float kCosine[4] = {1, 0, -1, 0}, kSine[4] = {0, 1, 0, -1};
+  const int turns = quarter & 3;
+  return {x * kCosine[turns] - y * kSine[turns], x * kSine[turns] + y * kCosine[turns]};
 }
 
 // As much towards each direction as its light counts on a matt surface.
@@ -91,7 +92,8 @@ struct Place {
 struct Face {
   int part = -1;
   bool sunlit = false, blurred = false;
-  Vec3f normal;  // in the shape's frame, without relief
+  float depth = 0;  // m
+  Vec3f normal;     // in the shape's frame, without relief
 };
 
 // The sum of a pixel's samples.
@@ -105,16 +107,21 @@ struct Gathered {
        blurred = false;  // its samples met several faces; sun and shade; something that moves
 };
 
+// Those that every pixel takes.
+int firstSamples(const TraceSettings& settings) { return (settings.samples + 1) / 2; }
+
 class PixelTracer {
  public:
-  PixelTracer(const Stage& stage, const CameraRays& rays, const Sky& sky, const TraceSettings& settings)
-      : stage_(stage), rays_(rays), sky_(sky), settings_(settings), sunFrame_(sky.sun), mean_(sky.mean()) {
-    anyMotion_ = rays.moves();
-    for (const Part& part : stage.parts()) anyMotion_ = anyMotion_ || part.moves;
-  }
+  PixelTracer(const Stage& stage, const CameraRays& rays, const Sky& sky, const TraceSettings& settings, bool anyMotion)
+      : stage_(stage),
+        rays_(rays),
+        sky_(sky),
+        settings_(settings),
+        sunFrame_(sky.sun),
+        anyMotion_(anyMotion),
+        mean_(sky.mean()) {}
 
   void add(Gathered& pixel, int x, int y, int from, int to);
-  bool anyMotion() const { return anyMotion_; }
 
  private:
   struct Sample {
@@ -138,7 +145,7 @@ class PixelTracer {
   const Sky& sky_;
   const TraceSettings& settings_;
   Frame sunFrame_;
-  bool anyMotion_ = false;
+  bool anyMotion_;
   Rgb mean_;
   // The last surface that was looked at, of the pixel at hand: its samples mostly meet the same one.
   Surface last_;
@@ -157,8 +164,9 @@ Place PixelTracer::placeAt(const Ray& ray, const Hit& hit, float pixelAngle) {
   place.blurred = part.sweep > 1.5f * hit.distance * pixelAngle;
   const bool same = !place.blurred && lastPart_ == hit.part && dot(lastLocalNormal_, hit.localNormal) > 0.9999f;
   if (!same) {
-    const SurfacePoint point{hit.local, hit.localNormal, part.halfExtents,
-                             hit.distance * pixelAngle / std::sqrt(slant)};
+    float footprint = hit.distance * pixelAngle / std::sqrt(slant);
+    if (place.blurred) footprint = std::max(footprint, kSmear * part.sweep);
+    const SurfacePoint point{hit.local, hit.localNormal, part.halfExtents, footprint};
     last_ = appearance::surfaceAt(part.look, point);
     lastPart_ = hit.part;
     lastLocalNormal_ = hit.localNormal;
@@ -252,7 +260,7 @@ PixelTracer::Sample PixelTracer::sample(const Sampler& numbers, int index, int x
   const float clear = 1 - place.haze;
   out.normal = place.normal;
   out.depth = hit.distance;
-  out.face = {hit.part, false, place.blurred, hit.localNormal};
+  out.face = {hit.part, false, place.blurred, hit.distance, hit.localNormal};
   if (place.surface.metalness > 0.5f) {
     shadeMetal(numbers, index, ray, place, out);
     return out;
@@ -274,7 +282,7 @@ PixelTracer::Sample PixelTracer::sample(const Sampler& numbers, int index, int x
 
 // Takes the samples of a pixel from the one to before the other.
 void PixelTracer::add(Gathered& pixel, int x, int y, int from, int to) {
-  const Sampler numbers(x, y, settings_.samples * kBlurredTimes);
+  const Sampler numbers(x, y, firstSamples(settings_), settings_.samples * kBlurredTimes);
   lastPart_ = -1;
   for (int index = from; index < to; index++) {
     const Sample one = sample(numbers, index, x, y);
@@ -325,7 +333,8 @@ class PictureTracer {
         settings_(settings),
         width_(width),
         height_(height),
-        half_((settings.samples + 1) / 2),
+        half_(firstSamples(settings)),
+        movingShade_(stage, sky, rays.moves()),
         pixels_(std::size_t(width) * std::size_t(height)),
         notes_(pixels_.size()) {}
 
@@ -338,7 +347,7 @@ class PictureTracer {
     Picture picture{width_, height_, std::vector<Texel>(pixels_.size())};
     forPixels([&](PixelTracer& tracer, int x, int y) {
       Gathered& pixel = pixels_[index(x, y)];
-      tracer.add(pixel, x, y, half_, wanted(pixel, x, y, tracer.anyMotion()));
+      tracer.add(pixel, x, y, half_, wanted(pixel, x, y));
       if (pixel.samples > 0) picture.at(x, y) = texelOf(pixel);
     });
     return picture;
@@ -351,9 +360,17 @@ class PictureTracer {
   };
   std::size_t index(int x, int y) const { return std::size_t(y) * std::size_t(width_) + std::size_t(x); }
 
+  // Whether a shadow that falls where a pixel looks may move.
+  bool shadeMoves(const Gathered& pixel, int x, int y) const {
+    if (!movingShade_.anyMotion() || pixel.first.part < 0) return movingShade_.anyMotion();
+    const Ray ray = rays_.through(float(x) + 0.5f, float(y) + 0.5f, 0.5f);
+    const float depth = pixel.first.depth;
+    return movingShade_.reaches(ray.origin + ray.direction * depth, depth * rays_.pixelAngle());
+  }
+
   // Half will do where a pixel and those around it see one face at rest, equally lit. Where something moves, or the edge of a shadow
   // may move, it takes many, or the eye sees grains.
-  int wanted(const Gathered& pixel, int x, int y, bool anyMotion) const {
+  int wanted(const Gathered& pixel, int x, int y) const {
     bool edge = pixel.edge, shade = pixel.shade, blurred = pixel.blurred;
     for (int j = std::max(y - 1, 0); j <= std::min(y + 1, height_ - 1); j++)
       for (int i = std::max(x - 1, 0); i <= std::min(x + 1, width_ - 1); i++) {
@@ -362,8 +379,8 @@ class PictureTracer {
         shade = shade || note.shade || (note.part == pixel.first.part && note.sunlit != pixel.first.sunlit);
         blurred = blurred || note.blurred;
       }
-    if (blurred || (shade && anyMotion)) return settings_.samples * kBlurredTimes;
-    return edge || shade ? settings_.samples : half_;
+    if (blurred || (shade && shadeMoves(pixel, x, y))) return settings_.samples * kBlurredTimes;
+    return shade ? settings_.samples * kShadeTimes : edge ? settings_.samples : half_;
   }
 
   // In squares of pixels, so that rays near each other follow each other.
@@ -372,7 +389,7 @@ class PictureTracer {
     const int columns = (width_ + kTile - 1) / kTile, tiles = columns * ((height_ + kTile - 1) / kTile);
     forRows(tiles, settings_.threads, [&](int tile) {
       if (settings_.stop && settings_.stop()) return;
-      PixelTracer tracer(stage_, rays_, sky_, settings_);
+      PixelTracer tracer(stage_, rays_, sky_, settings_, movingShade_.anyMotion());
       const int left = tile % columns * kTile, top = tile / columns * kTile;
       for (int y = top; y < std::min(top + kTile, height_); y++)
         for (int x = left; x < std::min(left + kTile, width_); x++) work(tracer, x, y);
@@ -384,6 +401,7 @@ class PictureTracer {
   const Sky& sky_;
   const TraceSettings& settings_;
   int width_, height_, half_;
+  MovingShade movingShade_;
   std::vector<Gathered> pixels_;
   std::vector<Note> notes_;
 };

@@ -10,7 +10,8 @@
 namespace brickfall::render {
 
 struct TraceSettings {
-  int samples = 4;  // of a pixel
+  // Of a pixel; half of them where one thing at rest is seen, twice as many at the edge of a shadow, four times where something moves.
+  int samples = 4;
   int bounces = 1;  // how often light is followed on from what is seen; after that the sky's mean stands for the rest
   int threads = 1;
   std::function<bool()> stop;  // asked now and then: true leaves the picture unfinished

@@ -8,15 +8,18 @@
 #include <fstream>
 
 #include "render/frame_store.h"
+#include "render/source.h"
 #include "support/synthetic_take.h"
 
 namespace brickfall::render {
 namespace {
 
-TakeReader smallTake(bool cameras) {
+// `start`: s, of its first frame: later where recording began in the middle of a run.
+TakeReader smallTake(bool cameras, double start = 0) {
   const std::string path = testing::TempDir() + "brickfall_job_" + std::to_string(getpid()) + ".take";
   test::SyntheticTake made = test::makeSyntheticTake({.courses = 2, .bricksPerCourse = 2, .frames = 61});
   if (!cameras) made.header.cameras.clear();
+  for (TakeFrame& frame : made.frames) frame.time += start;
   EXPECT_EQ(test::writeTake(made, path), "");
   Result<TakeReader> take = TakeReader::open(path);
   std::filesystem::remove(path);
@@ -61,14 +64,70 @@ TEST(Job, MomentsFollowRateSpeedAndRange) {
   EXPECT_NE(momentsOf(take, options, OutputKind::film).error().message.find("--from: found 1.5"), std::string::npos);
 }
 
+TEST(Job, ATakeThatBeginsLateIsShownFromItsFirstFrame) {
+  const TakeReader take = smallTake(true, 7);  // 7 .. 8 s
+  RenderOptions options;
+  const std::vector<double> whole = *momentsOf(take, options, OutputKind::film);
+  ASSERT_EQ(whole.size(), 25u);
+  EXPECT_NEAR(whole[0], 7, 1e-9);
+  EXPECT_NEAR(momentsOf(take, options, OutputKind::still)->at(0), 7, 1e-9);
+  options.from = 2;  // nothing was recorded there
+  EXPECT_EQ(*momentsOf(take, options, OutputKind::film), whole);
+  options.from = 7.8;
+  EXPECT_EQ(momentsOf(take, options, OutputKind::film)->size(), 5u);
+  options.from = {};
+  options.to = 7.2;
+  EXPECT_EQ(momentsOf(take, options, OutputKind::film)->size(), 5u);
+  options.to = 3;
+  EXPECT_EQ(momentsOf(take, options, OutputKind::film).error().message,
+            "--to: found 3, expected more than 7 s, where the take begins");
+}
+
 TEST(Job, SunStandsOverTheLeftShoulderUnlessToldOtherwise) {
   Camera camera;
   camera.position = {0, 1, 5};
   camera.target = {0, 1, 0};
-  const Sky sky = skyFor(camera, 0, {});
+  const Sky sky = skyFor(camera, {});
   EXPECT_LT(sky.sun.x, -0.2f);
   EXPECT_GT(sky.sun.z, 0.2f);
-  EXPECT_NEAR(skyFor(camera, 0, Sun{90, 30}).sun.x, std::sqrt(0.75), 1e-6);
+  EXPECT_NEAR(skyFor(camera, Sun{90, 30}).sun.x, std::sqrt(0.75), 1e-6);
+  // Of one that moves: where its path begins, whatever part of it is filmed.
+  camera.path = {{1, {5, 1, 0}, {0, 1, 0}, 45}, {3, {0, 1, -5}, {0, 1, 0}, 45}};
+  Camera start;
+  start.position = {5, 1, 0};
+  start.target = {0, 1, 0};
+  EXPECT_EQ(skyFor(camera, {}).sun, skyFor(start, {}).sun);
+}
+
+// What the pictures are of: also the meshes of a scene, which lie in files of their own.
+TEST(Source, FingerprintTellsWhatIsShown) {
+  const std::string folder = testing::TempDir() + "brickfall_source_" + std::to_string(getpid());
+  std::filesystem::create_directories(folder);
+  RenderOptions options;
+  options.source = folder + "/scene.toml";
+  const auto write = [&](const char* name, const std::string& text) { std::ofstream(folder + name) << text; };
+  const auto fingerprint = [&] {
+    const SourceChoice choice = chooseSource(options);
+    EXPECT_EQ(choice.exitCode, 0);
+    return *fingerprintOf(choice.source, options);
+  };
+  write("/scene.toml", "[[body]]\ntype = \"fixed\"\nshape = \"mesh\"\nfile = \"hill.obj\"\n");
+  write("/hill.obj", "v 0 0 0\nv 0 0 1\nv 1 0 0\nv 1 0 1\nf 1 2 3\n");
+  const std::uint64_t first = fingerprint();
+  EXPECT_EQ(fingerprint(), first);
+  write("/hill.obj", "v 0 0 0\nv 0 0 1\nv 2 0 0\nv 1 0 1\nf 1 2 3\n");
+  const std::uint64_t moved = fingerprint();
+  EXPECT_NE(moved, first) << "a corner elsewhere";
+  write("/hill.obj", "v 0 0 0\nv 0 0 1\nv 2 0 0\nv 1 0 1\nf 1 2 3\nf 3 2 4\n");
+  EXPECT_NE(fingerprint(), moved) << "one more triangle";
+  const std::uint64_t last = fingerprint();
+  options.seconds = 3;
+  EXPECT_NE(fingerprint(), last);
+  options = {};
+  options.source = folder + "/none.take";
+  const SourceChoice none = chooseSource(options);
+  EXPECT_EQ(fingerprintOf(none.source, options).error().code, ErrorCode::inputOutput);
+  std::filesystem::remove_all(folder);
 }
 
 TEST(FrameStore, GoesOnWithEqualSettingsOnly) {
@@ -83,16 +142,23 @@ TEST(FrameStore, GoesOnWithEqualSettingsOnly) {
     const Result<FrameStore> store = FrameStore::open(folder, settings);
     ASSERT_TRUE(store) << store.error().message;
     EXPECT_FALSE(store->has(0));
+    EXPECT_FALSE(store->goesOn()) << "what of a take lies there is not of these settings";
     std::ofstream(store->frame(0)) << "x";
     EXPECT_TRUE(store->has(0));
   }
   ASSERT_TRUE(FrameStore::open(folder, settings));
+  EXPECT_TRUE(FrameStore::open(folder, settings)->goesOn());
   const Result<FrameStore> refused = FrameStore::open(folder, others);
   ASSERT_FALSE(refused);
   EXPECT_NE(refused.error().message.find("samples 4, expected samples 8"), std::string::npos)
       << refused.error().message;
   FrameStore::open(folder, settings)->forgetSettings();
   EXPECT_FALSE(FrameStore::open(folder, settings)) << "pictures of nobody knows what";
+  std::filesystem::rename(folder + "/frame_00000.png", folder + "/frame_00003.png");
+  EXPECT_FALSE(FrameStore::open(folder, settings)) << "also if the first is not among them";
+  std::filesystem::remove(folder + "/frame_00003.png");
+  FrameStore::open(folder, settings)->remove(1);
+  EXPECT_TRUE(std::filesystem::is_empty(folder)) << "a folder that was there before stays";
   std::filesystem::remove(FrameStore::open(folder + "2", settings)->frame(0));
   FrameStore::open(folder + "2", settings)->remove(1);
   EXPECT_FALSE(std::filesystem::exists(folder + "2"));

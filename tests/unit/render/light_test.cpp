@@ -17,31 +17,40 @@ namespace {
 TEST(Sampler, NumbersOfAPixelAreSpreadEvenly) {
   for (int pixel = 0; pixel < 20; pixel++)
     for (int purpose = 0; purpose < 6; purpose++) {
-      const Sampler numbers(pixel * 7, pixel * 3, 16);
-      for (int cut = 0; cut <= 4; cut++) {
-        std::set<int> cells;
-        for (int k = 0; k < 16; k++) {
-          const Pair pair = numbers.pair(k, purpose);
-          ASSERT_TRUE(pair.x >= 0 && pair.x < 1 && pair.y >= 0 && pair.y < 1);
-          cells.insert(int(pair.x * float(1 << cut)) * 100 + int(pair.y * float(1 << (4 - cut))));
+      const Sampler numbers(pixel * 7, pixel * 3, 2, 16);
+      for (int bits : {1, 2, 3, 4})  // also its first 2, 4, 8
+        for (int cut = 0; cut <= bits; cut++) {
+          std::set<int> cells;
+          for (int k = 0; k < 1 << bits; k++) {
+            const Pair pair = numbers.pair(k, purpose);
+            ASSERT_TRUE(pair.x >= 0 && pair.x < 1 && pair.y >= 0 && pair.y < 1);
+            cells.insert(int(pair.x * float(1 << cut)) * 100 + int(pair.y * float(1 << (bits - cut))));
+          }
+          EXPECT_EQ(cells.size(), 1u << bits) << pixel << " " << purpose << " " << cut;
         }
-        EXPECT_EQ(cells.size(), 16u) << pixel << " " << purpose << " " << cut;
-      }
     }
 }
 
-// So are those of a square of four pixels together, and purposes do not follow each other.
+// So are those that every pixel takes of a square of pixels together: 4 of 4, 2 of 8. Purposes do not follow each other.
 TEST(Sampler, NeighboursShareTheWorkAndPurposesDiffer) {
-  std::set<int> cells;
   double product = 0;
-  for (int k = 0; k < 16; k++) {
-    const Sampler numbers(10 + k / 4 % 2, 20 + k / 8, 4);
-    const Pair pair = numbers.pair(k % 4, 3);
-    cells.insert(int(pair.x * 4) * 4 + int(pair.y * 4));
-  }
-  EXPECT_EQ(cells.size(), 16u);
+  for (int all : {4, 2})
+    for (int purpose = 0; purpose < 6; purpose++) {
+      std::set<int> cells;
+      for (int k = 0; k < 16; k++) {
+        const int pixel = k / all;
+        const Sampler numbers(12 + pixel % 2 + pixel / 4 * 2, 20 + pixel / 2 % 2, all, 4 * all);
+        const Pair pair = numbers.pair(k % all, purpose);
+        cells.insert(int(pair.x * 4) * 4 + int(pair.y * 4));
+      }
+      EXPECT_EQ(cells.size(), 16u) << all << " " << purpose;
+    }
+  // What more they take is not the same in each.
+  std::set<float> further;
+  for (int x = 0; x < 4; x++) further.insert(Sampler(x, 0, 2, 16).pair(9, 1).x);
+  EXPECT_EQ(further.size(), 4u);
   const int many = 4096;
-  const Sampler numbers(3, 5, many);
+  const Sampler numbers(3, 5, many / 2, many);
   for (int k = 0; k < many; k++) product += (numbers.pair(k, 0).x - 0.5) * (numbers.pair(k, 1).x - 0.5) / many;
   EXPECT_NEAR(product, 0, 0.004) << "variance of each is 1/12";
 }

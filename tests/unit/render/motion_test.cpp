@@ -46,6 +46,23 @@ TEST(Motion, BodiesMoveFromFrameToFrame) {
   EXPECT_EQ(motion.at(99)->poses[2].position, motion.at(made.frames[89].time)->poses[2].position);
 }
 
+// Recorded from the middle of a run on.
+TEST(Motion, FirstFrameMayBeLate) {
+  test::SyntheticTake made = test::makeSyntheticTake({.courses = 2, .bricksPerCourse = 2, .frames = 90});
+  for (TakeFrame& frame : made.frames) frame.time += 100;
+  const RecordedTake file(made);
+  const Result<TakeReader> take = TakeReader::open(file.path);
+  ASSERT_TRUE(take);
+  Motion motion(*take);
+  for (std::size_t frame : {0, 62, 63, 89, 5}) {
+    const Result<Instant> at = motion.at(made.frames[frame].time);
+    ASSERT_TRUE(at);
+    for (std::size_t k = 0; k < made.bodies.size(); k++)
+      EXPECT_LE(length(at->poses[k].position - made.frames[frame].poses[k].position), 1e-4) << frame << " " << k;
+  }
+  EXPECT_EQ(motion.at(3)->poses[2].position, motion.at(100)->poses[2].position);
+}
+
 TEST(Motion, WhoIsThereIsToldByTheOpeningShutter) {
   const test::SyntheticTake made =
       test::makeSyntheticTake({.courses = 1, .bricksPerCourse = 2, .frames = 70, .hitFrame = 20, .breaking = true});

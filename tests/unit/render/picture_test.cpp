@@ -10,6 +10,7 @@
 
 #include "render/denoise.h"
 #include "render/job.h"
+#include "render/moving_shade.h"
 #include "render/painter.h"
 #include "render/png_file.h"
 #include "support/synthetic_take.h"
@@ -47,7 +48,7 @@ class Pictures : public testing::Test {
     settings.trace.samples = samples;
     settings.trace.threads = threads;
     const Camera view = viewOf(camera);
-    return paint(*stage, cameraAt(view, time), cameraAt(view, time + shutter), skyFor(view, 0, {}), settings);
+    return paint(*stage, cameraAt(view, time), cameraAt(view, time + shutter), skyFor(view, {}), settings);
   }
   // Near enough that most of the picture is bricks.
   static Camera viewOf(int camera) {
@@ -107,11 +108,75 @@ TEST_F(Pictures, DoNotDependOnThoseBefore) {
   const Camera view = viewOf(0);
   for (double time : {0.0, 0.3, 0.36}) {
     stage->place(*motion.between(time, time + 0.02));
-    EXPECT_FALSE(paint(*stage, view, view, skyFor(view, 0, {}), settings).bytes.empty());
+    EXPECT_FALSE(paint(*stage, view, view, skyFor(view, {}), settings).bytes.empty());
   }
   EXPECT_TRUE(stage->place(*motion.between(0.38, 0.4)));
   EXPECT_FALSE(stage->place(*motion.between(0.38, 0.4))) << "all is where it was";
-  EXPECT_EQ(paint(*stage, view, view, skyFor(view, 0, {}), settings).bytes, still(0.38, 0, 4, 1, 0.02).bytes);
+  EXPECT_EQ(paint(*stage, view, view, skyFor(view, {}), settings).bytes, still(0.38, 0, 4, 1, 0.02).bytes);
+}
+
+// One that is gone moves no more: or all pictures after it would be drawn as if something did, and those of a run that was gone on with
+// would differ.
+TEST(Stage, WhatIsGoneLeavesNoTrace) {
+  const std::string path = testing::TempDir() + "brickfall_gone_" + std::to_string(getpid()) + ".take";
+  const test::SyntheticTake made =
+      test::makeSyntheticTake({.courses = 1, .bricksPerCourse = 2, .frames = 95, .hitFrame = 4, .breaking = true});
+  ASSERT_EQ(test::writeTake(made, path), "");
+  const Result<TakeReader> take = TakeReader::open(path);
+  std::filesystem::remove(path);
+  ASSERT_TRUE(take);
+  Motion motion(*take);
+  std::uint32_t gone = 0;
+  while (made.bodies[gone].name != "piece 1") gone++;
+  const std::size_t last = take->lives()[gone].end - 1;
+  const auto timeOf = [&](std::size_t frame) { return made.frames[frame].time; };
+  Result<Stage> travelled = Stage::create(*take), fresh = Stage::create(*take);
+  ASSERT_TRUE(travelled && fresh);
+  const auto partOf = [&](const Stage& stage) {
+    return *std::find_if(stage.parts().begin(), stage.parts().end(), [&](const Part& p) { return p.body == gone; });
+  };
+  std::size_t moving = take->lives()[gone].birth;  // a frame from which on it moves
+  for (; moving < last; moving++) {
+    travelled->place(*motion.between(timeOf(moving), timeOf(moving + 1)));
+    if (partOf(*travelled).moves) break;
+  }
+  ASSERT_LT(moving, last);
+  const Motion::Shutter after = *motion.between(timeOf(94), timeOf(94));
+  ASSERT_FALSE(after.open.there[gone]);
+  EXPECT_TRUE(travelled->place(after));
+  fresh->place(after);
+  EXPECT_FALSE(partOf(*travelled).moves);
+  EXPECT_EQ(partOf(*travelled).sweep, 0);
+  PaintSettings settings;
+  settings.width = 96;
+  settings.height = 54;
+  Camera view;
+  view.position = {0.4, 0.45, 0.95};
+  view.target = {0, 0.12, 0.05};
+  const Sky sky = skyFor(view, {});
+  EXPECT_EQ(paint(*travelled, view, view, sky, settings).bytes, paint(*fresh, view, view, sky, settings).bytes);
+}
+
+TEST_F(Pictures, ShadowsMoveDownSunOfWhatMovesAlone) {
+  Result<Stage> stage = Stage::create(*take_);
+  ASSERT_TRUE(stage);
+  Motion motion(*take_);
+  Sky sky;
+  sky.sun = sunDirection(90, 45);
+  stage->place(*motion.between(0.3, 0.3));  // a shutter that is open for no time
+  EXPECT_FALSE(MovingShade(*stage, sky, false).anyMotion());
+  EXPECT_TRUE(MovingShade(*stage, sky, true).reaches({}, 1));
+  stage->place(*motion.between(0.1, 0.12));  // only the ball flies
+  const MovingShade shade(*stage, sky, false);
+  ASSERT_TRUE(shade.anyMotion());
+  const auto ball = std::max_element(stage->parts().begin(), stage->parts().end(),
+                                     [](const Part& a, const Part& b) { return a.sweep < b.sweep; });
+  ASSERT_GT(ball->sweep, 0.01f);
+  EXPECT_TRUE(shade.reaches(ball->origin, 0.001f));
+  EXPECT_TRUE(shade.reaches(ball->origin - sky.sun * 2.0f, 0.001f)) << "where its shadow falls";
+  EXPECT_FALSE(shade.reaches(ball->origin + sky.sun * 2.0f, 0.001f)) << "between it and the sun";
+  EXPECT_FALSE(shade.reaches(ball->origin - sky.sun * 2.0f + Vec3f{0, 0, 5}, 0.001f)) << "beside it";
+  EXPECT_FALSE(shade.reaches(ball->origin, 10)) << "seen from so far away nothing moves";
 }
 
 TEST_F(Pictures, MotionIsBlurredByTheShutter) {
