@@ -17,7 +17,7 @@ using nlohmann::json;
 // Where the moving camera is in some frames, by the rule that films go by.
 json writeMoves(const TakeReader& take) {
   json out = json::array();
-  for (int f : {0, 20, 45, 75, 90, 100, 119, 135, 160, 190, 230}) {
+  for (int f : {0, 30, 75, 100, 110, 135, 170, 230}) {
     const Camera at = cameraAt(take.header().cameras[1], f / 60.0);
     out.push_back({{"frame", f},
                    {"position", {at.position.x, at.position.y, at.position.z}},
@@ -99,7 +99,9 @@ std::string makeSlope(const std::string& folder) {
   for (int f = 0; f < 120; f++) {
     TakeFrame frame;
     frame.time = f / 60.0;
-    const Vec3 places[] = {{}, along * (f * 0.15) + up * 0.25, along * 2.0 + up * 0.1 + Vec3{0, 0, 0.8},
+    const Vec3 places[] = {{},
+                           along * (f * 0.15) + up * 0.25,
+                           along * 2.0 + up * 0.1 + Vec3{0, 0, 0.8},
                            along * 3.0 + up * 0.1 + Vec3{0, 0, 0.8}};
     for (const Vec3& place : places) {
       TakePose pose;

@@ -29,9 +29,9 @@ export function chance(body: number, salt: number): number {
 // As fired clay differs: mostly in lightness, a little in hue (towards yellow or blue-red); one in nine burnt darker.
 function fire(colour: Color, body: number): Color {
   const grey = 0.2126 * colour.r + 0.7152 * colour.g + 0.0722 * colour.b;
-  colour.lerp(scratch.setRGB(grey, grey, grey), 0.2); // dust and weather
+  colour.lerp(scratch.setRGB(grey, grey, grey), 0.26); // dust and weather
   const light = 1 + 0.2 * (chance(body, 1) + chance(body, 2) - 1);
-  const hue = 0.1 * (chance(body, 3) - 0.5);
+  const hue = 0.14 * (chance(body, 3) - 0.5);
   const burnt = chance(body, 4) < 0.11 ? [0.6, 0.6, 0.7] : [1, 1, 1];
   return colour.setRGB(colour.r * light * burnt[0], colour.g * light * (1 + 1.6 * hue) * burnt[1], colour.b * light * (1 - hue) * burnt[2]);
 }

@@ -62,7 +62,7 @@ export class Shade {
   // milliseconds: from the frame before to this one, while frames follow each other.
   judge(milliseconds: number): void {
     if (this.isHeld || this.level === 0) return;
-    this.spent += Math.min(milliseconds, 1000); // a tab that slept says nothing
+    this.spent += Math.min(milliseconds, 120); // one picture that took long says nothing: a shader was made, a tab had slept
     if (++this.judged < kFramesToJudge) return;
     if (this.spent / this.judged > kSlowMilliseconds) this.level--;
     this.spent = this.judged = 0;

@@ -95,7 +95,7 @@ export class Stage {
     eye.updateProjectionMatrix();
     // Against shadow acne: about one texel of the map.
     this.sun.shadow.normalBias = Math.max(0.001, (2 * radius / this.sun.shadow.mapSize.x) * 0.9);
-    this.scene.fog = new Fog(kHorizon, radius * 6 + 10, radius * 30 + 90);
+    this.scene.fog = new Fog(kHorizon, radius * 4 + 6, radius * 18 + 50);
     this.mostDistance = radius * 14 + 10;
   }
 
@@ -117,6 +117,9 @@ export class Stage {
   look(position: Vector3, target: Vector3, fieldOfView: number): void {
     const away = position.clone().sub(target);
     const { controls, camera } = this;
+    controls.enableDamping = false; // what the mouse set swinging ends here
+    controls.update();
+    controls.enableDamping = true;
     controls.maxPolarAngle = Math.max(kLowest, Math.acos(away.y / Math.max(1e-9, away.length())));
     controls.minDistance = Math.min(kNearest, away.length());
     controls.maxDistance = Math.max(this.mostDistance, away.length());
