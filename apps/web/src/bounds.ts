@@ -1,8 +1,9 @@
 // How much room a run takes: what the overview has to show.
-import { Box3, Vector3 } from 'three';
+import { Box3, Quaternion, Vector3 } from 'three';
 import type { Take } from './tracks';
 
 const kMostSamples = 48; // frames that are looked at, besides the first and the last
+const kFallen = 0.3; // m below the lowest that is fixed
 const kStraying = 0.03; // of the bodies may stray: they do not say how large the scene is
 const kStrayReach = 0.6; // of that size: as far outside of it a stray is still followed
 
@@ -18,15 +19,39 @@ export function sizeOf(take: Take, body: number): number {
   return most;
 }
 
+// m, below all that is fixed: who has fallen so far has left the scene. None where a plane or nothing is there to fall from.
+function bottomOf(take: Take): number {
+  let lowest = Infinity;
+  const point = new Vector3();
+  for (const [body, meta] of take.meta.bodies.entries()) {
+    if (meta.mass > 0) continue;
+    const turn = new Quaternion(...take.rotation(0, body));
+    for (const part of meta.parts) {
+      const shape = take.meta.shapes[part.shape];
+      if (shape.type === 'plane') return -Infinity;
+      const partTurn = part.rotation ? new Quaternion(...part.rotation) : new Quaternion();
+      const corners = shape.positions ?? [];
+      const round = corners.length === 0 ? Math.hypot(...(shape.half ?? [shape.radius ?? 0, shape.halfHeight ?? 0])) : 0;
+      for (let k = 0; k < Math.max(3, corners.length); k += 3) {
+        point.set(corners[k] ?? 0, corners[k + 1] ?? 0, corners[k + 2] ?? 0).applyQuaternion(partTurn);
+        if (part.position) point.add(new Vector3(...part.position));
+        lowest = Math.min(lowest, point.applyQuaternion(turn).y + take.position(0, body)[1] - round);
+      }
+    }
+  }
+  return lowest === Infinity ? -Infinity : lowest - kFallen;
+}
+
 // Of one body from start to end.
-function roomOf(take: Take, body: number): Box3 {
+function roomOf(take: Take, body: number, bottom: number): Box3 {
   const first = take.births[body];
   const last = take.ends[body] - 1;
   const samples = Math.min(kMostSamples, last - first) + 1;
   const box = new Box3();
   const point = new Vector3();
   for (let k = 0; k < samples; k++) {
-    box.expandByPoint(point.set(...take.position(first + Math.round((k * (last - first)) / Math.max(1, samples - 1)), body)));
+    point.set(...take.position(first + Math.round((k * (last - first)) / Math.max(1, samples - 1)), body));
+    if (k === 0 || point.y > bottom) box.expandByPoint(point);
   }
   return box.expandByScalar(sizeOf(take, body));
 }
@@ -51,7 +76,9 @@ export interface Bounds {
 // Every body counts with all of its way; only who leaves far behind what the others need, as a ball that rolls away, is followed
 // for a part of it.
 export function boundsOf(take: Take): Bounds {
-  const movable = take.meta.bodies.map((_, k) => k).filter((k) => take.meta.bodies[k].role !== 'ground' && take.ends[k] > take.births[k]);
+  const shown = take.meta.bodies.map((_, k) => k).filter((k) => take.meta.bodies[k].role !== 'ground' && take.ends[k] > take.births[k]);
+  const moving = shown.filter((k) => take.meta.bodies[k].mass > 0);
+  const movable = moving.length > 0 ? moving : shown; // what is fixed may be a whole landscape
   const start = new Box3();
   if (movable.length === 0) {
     start.set(new Vector3(-1, 0, -1), new Vector3(1, 1, 1));
@@ -64,9 +91,10 @@ export function boundsOf(take: Take): Bounds {
   for (const k of early.length > 0 ? early : counted) {
     start.union(new Box3().setFromCenterAndSize(point.set(...take.position(0, k)), new Vector3().setScalar(2 * sizeOf(take, k))));
   }
-  const most = roomOfMost(counted.map((k) => roomOf(take, k))).union(start);
+  const bottom = bottomOf(take);
+  const most = roomOfMost(counted.map((k) => roomOf(take, k, bottom))).union(start);
   const all = most.clone();
   const limit = most.clone().expandByScalar(kStrayReach * most.getSize(point).length());
-  for (const k of movable) all.union(roomOf(take, k).intersect(limit));
+  for (const k of movable) all.union(roomOf(take, k, bottom).intersect(limit));
   return { start, most, all };
 }

@@ -46,7 +46,7 @@ function main(): void {
   const dust = new Dust(take, stage.scene);
   const card = new Card(byId('card'), take);
   stage.resize();
-  stage.fitShadows(bounds.most);
+  stage.fitShadows(bounds.most.clone().expandByScalar(0.1 * bounds.most.getSize(new Vector3()).length()));
   stage.shade.setReach(usualSize(take));
 
   // In shares of the picture: what the title and the bar leave. The style sheet is told, too.

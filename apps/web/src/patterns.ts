@@ -63,7 +63,7 @@ const kPaints: Record<string, string> = {
   concrete: `
     float light = 1.0 + 0.10 * grain(q, 0.16, 0.0, pixel) + 0.07 * grain(q, 0.035, 1.0, pixel) + 0.06 * grain(q, 0.005, 2.0, pixel)
       + 0.05 * grain(q, 0.0015, 3.0, pixel);
-    colour *= light * (1.0 - 0.55 * pits(q, 0.013, 4.0, pixel, 0.62));
+    colour *= light * (1.0 - 0.4 * pits(q, 0.010, 4.0, pixel, 0.66));
     colour = mix(colour, vec3(0.5, 0.48, 0.44), 0.3 * wear);`,
   stone: `
     float warp = grain(q, 0.12, 0.0, pixel);
@@ -80,7 +80,7 @@ const kPaints: Record<string, string> = {
     float ring = fract(radius / 0.008), seen = seenShare(0.008, pixel);
     float late = smoothstep(0.3, 0.9, ring) * (1.0 - smoothstep(0.92, 1.0, ring)) * seen + 0.4 * (1.0 - seen);
     float fibre = grain(vec3(along.x * 0.05, along.yz), 0.0022, 1.0, pixel);
-    colour *= mix(vec3(1.12, 1.10, 1.08), vec3(0.62, 0.55, 0.48), late) * (1.0 + 0.12 * fibre);`,
+    colour *= mix(vec3(1.08, 1.12, 1.2), vec3(0.68, 0.66, 0.66), late) * (1.0 + 0.12 * fibre);`,
   steel: `
     float smear = grain(p, 0.05, 0.0, pixel);
     colour = mix(colour, vec3(0.56, 0.55, 0.53), 0.45) * (1.0 + 0.05 * smear); // bare steel reflects more than a painter's colour for it says
@@ -103,7 +103,7 @@ const kPaints: Record<string, string> = {
 // m, height of the bumps; and how deep the holes of the kind are, in that height, how wide (m) and from which place in the noise.
 const kReliefs: Record<string, { height: number; pits?: [number, number, number] }> = {
   brick: { height: 0.0006, pits: [1.2, 0.0036, 9] },
-  concrete: { height: 0.0005, pits: [2, 0.013, 4] },
+  concrete: { height: 0.0005, pits: [2, 0.010, 4] },
   stone: { height: 0.001 },
   wood: { height: 0.0003 },
   rubber: { height: 0.0002 },
@@ -120,7 +120,7 @@ function reliefOf(kind: string): string {
   const bump = (share: number, wavelength: number, salt: number): string =>
     `if (seenShare(${real(wavelength)}, pixel) > 0.0) slope += noiseSlope(q / ${real(wavelength)} + placeOf(${real(salt)})).xyz
       * (seenShare(${real(wavelength)}, pixel) * ${real((share * relief.height) / wavelength)});\n`;
-  const from = kind === 'concrete' ? 0.62 : 0.6;
+  const from = kind === 'concrete' ? 0.66 : 0.6;
   const holes = relief.pits
     ? `if (seenShare(${real(relief.pits[1])}, pixel) > 0.0) {
         vec4 hole = noiseSlope(q / ${real(relief.pits[1])} + placeOf(${real(relief.pits[2])}));

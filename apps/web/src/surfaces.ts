@@ -5,18 +5,15 @@ import type { Kind } from './materials';
 import { patternsOf } from './patterns';
 import { kJointFunction, type Shade } from './shade';
 
-interface Stuff {
-  roughness: number;
-  metalness: number;
-}
 type Half = [number, number, number] | undefined;
 // As in apps/appearance/look.cpp.
-const kStuff: Record<Kind, Stuff> = {
+const kStuff: Record<Kind, { roughness: number; metalness: number }> = {
   brick: { roughness: 0.85, metalness: 0 }, concrete: { roughness: 0.8, metalness: 0 }, stone: { roughness: 0.75, metalness: 0 },
   wood: { roughness: 0.6, metalness: 0 }, steel: { roughness: 0.24, metalness: 1 }, rubber: { roughness: 0.55, metalness: 0 },
   ground: { roughness: 0.95, metalness: 0 }, plain: { roughness: 0.6, metalness: 0 },
 };
 const kArris = 0.0035; // m, of an edge that is rubbed off
+const kWearing: Partial<Record<Kind, number>> = { brick: 1, concrete: 1, stone: 1, wood: 0.35 }; // how much; others not at all
 const kJoint = 0.1; // of the least half extent, as half of the crack that shows between two bricks; m:
 const kLeastJoint = 0.002;
 const kMostJoint = 0.012;
@@ -46,13 +43,13 @@ const kBoxWork = `
   vec3 others = depth + face * 1e3;
   vec3 next = others.x <= others.y && others.x <= others.z ? vec3(1, 0, 0) : others.y <= others.z ? vec3(0, 1, 0) : vec3(0, 0, 1);
   float toEdge = max(0.0, dot(depth, next));
-  if (toEdge < 0.02) {
+  if (toEdge < 0.02 && uWearing > 0.0) {
     float uneven = noiseAt(vLocal * 45.0 + placeOf(11.0)), rough = noiseAt(vLocal * 160.0 + placeOf(12.0));
     // Here and there a piece of the edge is gone.
     float chipped = smoothstep(0.35, 0.75, noiseAt(vLocal * 28.0 + placeOf(13.0))) * (0.7 + 0.3 * rough);
     float worn = ${kArris} * (1.0 + 0.8 * uneven + 0.4 * rough + 1.6 * chipped);
     wear = (1.0 - smoothstep(0.2 * worn, worn, toEdge)) * seenShare(0.006, pixel);
-    edgeSlope = next * side * wear * (0.55 + 0.35 * rough + 0.3 * chipped);
+    edgeSlope = next * side * wear * uWearing * (0.55 + 0.35 * rough + 0.3 * chipped);
   }
   // Along an edge the shade is that of the face beside it: on the edge itself it would be torn by the pixels of its map.
   float inset = max(0.0, 0.0025 + 1.2 * pixel * shadeSize.x * shadeScale.x - toEdge);
@@ -70,6 +67,7 @@ const kBoxWork = `
 function withSurface(material: MeshStandardMaterial, kind: Kind, half: Half, isFloor: boolean, shade: Shade): MeshStandardMaterial {
   material.customProgramCacheKey = () => `${kind} ${half !== undefined} ${isFloor}`;
   material.onBeforeCompile = (shader) => {
+    shader.uniforms.uWearing = { value: kWearing[kind] ?? 0 };
     shader.uniforms.uHalf = { value: new Vector3(...(half ?? [0, 0, 0])) };
     shader.vertexShader = shader.vertexShader
       .replace('#include <common>', `#include <common>\n${kVertexInputs}`)
@@ -77,6 +75,7 @@ function withSurface(material: MeshStandardMaterial, kind: Kind, half: Half, isF
     shader.fragmentShader = shader.fragmentShader
       .replace('#include <common>', `#include <common>
         uniform vec3 uHalf;
+        uniform float uWearing;
         varying vec3 vLocal, vFacing;
         varying float vSeed;
         flat varying mat3 vTurn;
