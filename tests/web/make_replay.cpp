@@ -1,6 +1,6 @@
 // make_replay FOLDER: the synthetic wall as wall.take, replay.html, wall.glb, and poses.json with what the take says of
-// some frames; and two bricks of which one breaks as breaking.html and breaking.glb: for the tests that open these in other
-// programs.
+// some frames and of where its moving camera is; two bricks of which one breaks as breaking.html and breaking.glb; and a ball that
+// rolls far down a tilted plane, past bodies of odd materials, as slope.html: for the tests that open these in other programs.
 #include <cstdio>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -13,6 +13,19 @@ namespace {
 
 using namespace brickfall;
 using nlohmann::json;
+
+// Where the moving camera is in some frames, by the rule that films go by.
+json writeMoves(const TakeReader& take) {
+  json out = json::array();
+  for (int f : {0, 30, 75, 100, 110, 135, 170, 230}) {
+    const Camera at = cameraAt(take.header().cameras[1], f / 60.0);
+    out.push_back({{"frame", f},
+                   {"position", {at.position.x, at.position.y, at.position.z}},
+                   {"target", {at.target.x, at.target.y, at.target.z}},
+                   {"fieldOfView", at.fieldOfViewDegrees}});
+  }
+  return out;
+}
 
 std::string writePoses(const TakeReader& take, const std::string& path) {
   json bodies = json::array(), samples = json::array();
@@ -30,9 +43,15 @@ std::string writePoses(const TakeReader& take, const std::string& path) {
   std::ofstream(path) << json{{"framesPerSecond", int(take.header().framesPerSecond)},
                               {"bodies", bodies},
                               {"cameras", take.header().cameras.size()},
+                              {"moving", writeMoves(take)},
                               {"samples", samples}};
   return {};
 }
+
+// The second camera moves: with a key to pass, a rest, and an end before the take's.
+const std::vector<CameraKey> kMoves = {{0.25, {-3.5, 1, 0.8}, {0, 0.3, 0}, 40},  {1, {-3, 1.4, 2}, {0, 0.4, 0}, 45},
+                                       {1.5, {-1.5, 1.2, 2.8}, {0, 0.3, 0}, 38}, {2, {-1.5, 1.2, 2.8}, {0, 0.3, 0}, 38},
+                                       {2.5, {0.4, 0.9, 3}, {0.1, 0.2, 0}, 35},  {3.25, {2, 1.2, 2}, {0, 0, 0}, 35}};
 
 std::string makeBreaking(const std::string& folder) {
   const test::SyntheticOptions options{
@@ -46,8 +65,64 @@ std::string makeBreaking(const std::string& folder) {
   return glb ? std::string() : glb.error().message;
 }
 
+constexpr double kSlope = 0.2;  // rad
+
+TakeBody slopeBody(const std::string& name, BodyRole role, const std::string& material) {
+  TakeBody body;
+  body.name = name;
+  body.role = role;
+  body.material = material;
+  body.colour = 0xB5543A;
+  body.mass = role == BodyRole::ground ? 0 : 1;
+  body.shapes.resize(1);
+  body.shapes[0].halfExtents = {0.1, 0.1, 0.1};
+  return body;
+}
+
+// Down along x; beside the way a body without a material, and one of wood with a head of steel.
+std::string makeSlope(const std::string& folder) {
+  TakeBody ground = slopeBody("ground", BodyRole::ground, ""), ball = slopeBody("ball", BodyRole::ball, ""),
+           plain = slopeBody("plain", BodyRole::body, ""), hammer = slopeBody("hammer", BodyRole::body, "oak");
+  ground.shapes[0].type = ShapeType::plane;
+  ball.shapes[0].type = ShapeType::sphere;
+  ball.shapes[0].radius = 0.25;
+  hammer.shapes.push_back(hammer.shapes[0]);
+  hammer.shapes[1].local.position = {0, 0.2, 0};
+  hammer.shapeMaterials = {"oak", "steel"};
+  test::SyntheticTake out;
+  out.header.scene = out.header.title = "slope";
+  out.header.engineVersion = "test";
+  out.bodies = {ground, ball, plain, hammer};
+  out.lives.assign(4, {0, SIZE_MAX});
+  const Quat tilt = quatFromAxisAngle({0, 0, 1}, -kSlope);
+  const Vec3 along = rotate(tilt, {1, 0, 0}), up = rotate(tilt, {0, 1, 0});
+  for (int f = 0; f < 120; f++) {
+    TakeFrame frame;
+    frame.time = f / 60.0;
+    const Vec3 places[] = {{},
+                           along * (f * 0.15) + up * 0.25,
+                           along * 2.0 + up * 0.1 + Vec3{0, 0, 0.8},
+                           along * 3.0 + up * 0.1 + Vec3{0, 0, 0.8}};
+    for (const Vec3& place : places) {
+      TakePose pose;
+      pose.position = place;
+      pose.rotation = tilt;
+      frame.poses.push_back(pose);
+    }
+    out.frames.push_back(std::move(frame));
+  }
+  std::string fault = test::writeTake(out, folder + "/slope.take");
+  if (!fault.empty()) return fault;
+  Result<TakeReader> take = TakeReader::open(folder + "/slope.take");
+  if (!take) return take.error().message;
+  Status page = writeReplayHtml(*take, folder + "/slope.html");
+  return page ? std::string() : page.error().message;
+}
+
 std::string makeAll(const std::string& folder) {
-  std::string fault = test::writeTake(test::makeSyntheticTake({}), folder + "/wall.take");
+  test::SyntheticTake wall = test::makeSyntheticTake({});
+  wall.header.cameras[1].path = kMoves;
+  std::string fault = test::writeTake(wall, folder + "/wall.take");
   if (!fault.empty()) return fault;
   Result<TakeReader> take = TakeReader::open(folder + "/wall.take");
   if (!take) return take.error().message;
@@ -65,6 +140,7 @@ int main(int argc, char** argv) {
   }
   std::string fault = makeAll(argv[1]);
   if (fault.empty()) fault = makeBreaking(argv[1]);
+  if (fault.empty()) fault = makeSlope(argv[1]);
   if (!fault.empty()) std::fprintf(stderr, "%s\n", fault.c_str());
   return fault.empty() ? 0 : 1;
 }

@@ -1,9 +1,10 @@
-// replay_test.mjs WEB_FOLDER CHROMIUM PAGE BREAKING OUT_FOLDER: the replay page as a visitor has it, from disk, without a network,
+// replay_test.mjs WEB_FOLDER CHROMIUM PAGE BREAKING SLOPE OUT_FOLDER: the replay page as a visitor has it, from disk, without a network,
 // drawn in software. What the page says of itself is checked against what its picture shows.
 import assert from 'node:assert/strict';
+import { readFile } from 'node:fs/promises';
 import { createRequire } from 'node:module';
 
-const [webFolder, executablePath, file, breaking, outFolder] = process.argv.slice(2);
+const [webFolder, executablePath, file, breaking, slope, outFolder] = process.argv.slice(2);
 const { chromium } = createRequire(`${webFolder}/package.json`)('playwright-core');
 const patience = { timeout: 180_000 };
 const kHitFrame = 60; // of the synthetic take
@@ -68,6 +69,22 @@ async function picture() {
     };
   });
 }
+// Lightness, 0 .. 255, of the picture around points of the scene.
+const lightAt = (points) => page.evaluate((list) => {
+  const view = document.getElementById('view');
+  const copy = document.createElement('canvas');
+  copy.width = view.width;
+  copy.height = view.height;
+  const context = copy.getContext('2d', { willReadFrequently: true });
+  context.drawImage(view, 0, 0);
+  return list.map((point) => {
+    const [x, y] = window.brickfall.project(point).map((v) => (v * view.width) / view.clientWidth);
+    const { data } = context.getImageData(Math.round(x) - 1, Math.round(y) - 1, 3, 3);
+    let sum = 0;
+    for (let k = 0; k < data.length; k++) sum += k % 4 < 3 ? data[k] : 0;
+    return sum / 27;
+  });
+}, points);
 const heights = () => page.evaluate(() => {
   const { brickfall: b } = window;
   return b.names.map((name, k) => (name.startsWith('brick ') ? b.position(k)[1] : -1)).filter((y) => y >= 0);
@@ -76,7 +93,8 @@ const mean = (list) => list.reduce((a, b) => a + b, 0) / list.length;
 const frame = () => page.evaluate(() => window.brickfall.frame);
 
 try {
-  await page.goto(`file://${file}#paused`, patience);
+  // At one level of shade, whatever this machine keeps up with: the same pictures everywhere.
+  await page.goto(`file://${file}#paused&shade=0`, patience);
   await page.waitForFunction(() => window.brickfall?.ready, null, patience);
   let standing;
 
@@ -93,26 +111,31 @@ try {
     await drawn(() => window.brickfall.setView(0));
   });
 
-  await check('the overview has the whole wall between title and bar', async () => {
+  await check('the overview has all bricks between title and bar, from start to end', async () => {
     for (const [width, height] of [[640, 360], [390, 700]]) {
       await page.setViewportSize({ width, height });
       await page.waitForFunction((w) => document.getElementById('view').width >= w && document.getElementById('view').clientWidth === w, width, patience);
-      await seek(kHitFrame - 5);
-      const seen = await page.evaluate(() => {
-        const { brickfall: b } = window;
-        const points = b.names.map((name, k) => (name.startsWith('brick ') ? b.project(k) : null)).filter((p) => p);
-        return { points, top: document.getElementById('head').getBoundingClientRect().bottom, bottom: document.getElementById('bar').getBoundingClientRect().top };
-      });
-      for (const [x, y] of seen.points) assert.ok(x > 0 && x < width && y > seen.top && y < seen.bottom, `${x} ${y} at ${width} x ${height}`);
+      for (const f of [0, kHitFrame + 40, 239]) {
+        await seek(f);
+        const seen = await page.evaluate(() => {
+          const { brickfall: b } = window;
+          const points = b.names.map((name, k) => (name.startsWith('brick ') ? b.project(k) : null)).filter((p) => p);
+          return { points, top: document.getElementById('head').getBoundingClientRect().bottom, bottom: document.getElementById('bar').getBoundingClientRect().top };
+        });
+        const outside = seen.points.filter(([x, y]) => !(x > 0 && x < width && y > seen.top && y < seen.bottom));
+        assert.equal(outside.length, 0, `${outside[0]} at ${width} x ${height} in frame ${f}`);
+      }
     }
     await page.setViewportSize({ width: 640, height: 360 });
   });
 
   await check('title, card, bar and window edges keep apart', async () => {
-    for (const [width, height] of [[844, 390], [390, 700], [640, 360]]) {
+    // The first: the ground, which takes more hits than the card has room for.
+    for (const [width, height, body] of [[667, 375, 0], [844, 390, 0], [568, 320, 0], [390, 700, 0], [800, 500, 3], [640, 360, 3]]) {
       await page.setViewportSize({ width, height });
       await page.waitForFunction((w) => document.getElementById('view').clientWidth === w, width, patience);
-      await drawn(() => window.brickfall.select(3));
+      await drawn((k) => window.brickfall.select(k), body);
+      if (body === 0) assert.equal(await page.locator('#card li').count(), 8);
       const rects = await page.evaluate(() => [...['head', 'card', 'bar'].map((id) => document.getElementById(id)),
         ...document.querySelectorAll('#bar button, #bar select')].filter((e) => e.offsetParent !== null || e.id)
         .map((e) => ({ id: e.id, ...e.getBoundingClientRect().toJSON() })).filter((r) => r.width > 0));
@@ -120,6 +143,7 @@ try {
       const apart = (p, q) => p.right <= q.left || q.right <= p.left || p.bottom <= q.top || q.bottom <= p.top;
       for (const [p, q] of [['head', 'card'], ['card', 'bar'], ['head', 'bar']])
         assert.ok(apart(by[p], by[q]), `${p} and ${q} at ${width} x ${height}`);
+      assert.ok(by.card.top >= 0 && by.card.height > 60, `card from ${by.card.top}, ${by.card.height} high at ${width} x ${height}`);
       for (const r of rects.slice(3))
         assert.ok(r.left >= by.bar.left && r.right <= by.bar.right && r.bottom <= by.bar.bottom, `${r.id} at ${width} x ${height}`);
       await drawn(() => window.brickfall.select(-1));
@@ -127,17 +151,104 @@ try {
   });
 
   await check('the address opens at a time and a camera', async () => {
-    await drawn(() => (location.hash = '#paused&t=1.5&camera=side'));
+    await drawn(() => (location.hash = '#paused&shade=0&t=1.5&camera=side'));
     const state = await page.evaluate(() => ({ time: window.brickfall.time, view: window.brickfall.views[window.brickfall.view] }));
     assert.ok(Math.abs(state.time - 1.5) < 0.02, `${state.time} s`);
     assert.equal(state.view, 'side');
     await drawn(() => window.brickfall.setView(0));
   });
 
+  await check('a camera with a path goes along it, as in films, until the mouse takes it', async () => {
+    const { moving } = JSON.parse(await readFile(`${outFolder}/poses.json`, 'utf8'));
+    assert.equal(moving.length, 8);
+    await drawn(() => window.brickfall.setView(window.brickfall.views.indexOf('side')));
+    const camera = () => page.evaluate(() => window.brickfall.camera);
+    const far = (a, b) => Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+    for (const want of moving) {
+      await seek(want.frame);
+      const found = await camera();
+      assert.ok(far(found.position, want.position) < 1e-3 && far(found.target, want.target) < 1e-3
+        && Math.abs(found.fieldOfView - want.fieldOfView) < 1e-3, `frame ${want.frame}: ${JSON.stringify(found)}, in films ${JSON.stringify(want)}`);
+    }
+    await page.mouse.move(320, 150);
+    await page.mouse.down();
+    await page.mouse.move(380, 160, { steps: 3 });
+    await page.mouse.up();
+    await seek(moving[4].frame);
+    const away = far((await camera()).position, moving[4].position);
+    assert.ok(away > 0.5, `taken by the mouse it is still ${away} m from its path`);
+    await drawn(() => window.brickfall.setView(window.brickfall.views.indexOf('side')));
+    assert.ok(far((await camera()).position, moving[4].position) < 1e-3, 'chosen again it goes along again');
+    await drawn(() => window.brickfall.setView(0));
+  });
+
+  await check('it is darker where bricks meet, and nowhere else', async () => {
+    await seek(0);
+    const at = await page.evaluate(() => window.brickfall.position(window.brickfall.names.indexOf('brick 4')));
+    const front = at[2] + 0.0575;
+    await drawn(([x, y, z]) => window.brickfall.lookFrom([x, y + 0.12, z + 0.6], [x, y + 0.02, z]), at);
+    const mean = (list) => list.reduce((a, b) => a + b, 0) / list.length;
+    // Along the middle of the brick, along the joint above it, and on the ground a little and far before its foot.
+    const row = (y, z) => Array.from({ length: 15 }, (_, k) => [at[0] - 0.07 + 0.01 * k, y, z]);
+    const rows = { face: row(at[1] + 0.01, front), joint: row(at[1] + 0.0355, front), foot: row(0, front + 0.012), ground: row(0, front + 0.22) };
+    const lights = async () => Object.fromEntries(await Promise.all(Object.entries(rows).map(async ([name, list]) => [name, mean(await lightAt(list))])));
+    const held = async (level) => {
+      await drawn((n) => window.brickfall.setShade(n), level);
+      return lights();
+    };
+    const [without, coarse, fine] = [await held(0), await held(1), await held(2)];
+    for (const found of [without, coarse, fine]) assert.ok(found.joint < 0.75 * found.face, `joint ${found.joint}, face ${found.face}`);
+    for (const found of [coarse, fine]) {
+      assert.ok(found.foot < 0.9 * without.foot, `at the foot ${found.foot}, without shade ${without.foot}`);
+      assert.ok(found.ground > 0.96 * without.ground, `on open ground ${found.ground}, without shade ${without.ground}`);
+    }
+    await page.screenshot({ path: `${outFolder}/joints.png`, ...patience });
+    // A brick alone in the air: as light at its edges as between them, at every level.
+    await drawn(() => window.brickfall.setView(0));
+    const alone = await page.evaluate(() => {
+      const { brickfall: b } = window;
+      const far = (p, q) => Math.hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+      let best = { room: 0 };
+      for (let f = 70; f < 140; f += 5) {
+        b.seek(f);
+        b.names.forEach((name, k) => {
+          const p = b.position(k);
+          if (!name.startsWith('brick ') || p[1] < 0.5) return;
+          const room = Math.min(...b.names.map((_, j) => (j === k || j === 0 ? 9 : far(p, b.position(j)))));
+          if (room > best.room) best = { room, frame: f, body: k };
+        });
+      }
+      return best;
+    });
+    assert.ok(alone.room > 0.2, `the loneliest brick is ${alone.room} m from the next`);
+    await seek(alone.frame);
+    for (const level of [0, 2]) {
+      await drawn(([n, body]) => {
+        const { brickfall: b } = window;
+        b.setShade(n);
+        const [x, y, z] = b.position(body);
+        const q = b.rotation(body);
+        const turned = (v) => { // by the quaternion
+          const t = [2 * (q[1] * v[2] - q[2] * v[1]), 2 * (q[2] * v[0] - q[0] * v[2]), 2 * (q[0] * v[1] - q[1] * v[0])];
+          return [v[0] + q[3] * t[0] + q[1] * t[2] - q[2] * t[1], v[1] + q[3] * t[1] + q[2] * t[0] - q[0] * t[2], v[2] + q[3] * t[2] + q[0] * t[1] - q[1] * t[0]];
+        };
+        window.onBrick = (v) => { const t = turned(v); return [x + t[0], y + t[1], z + t[2]]; };
+        b.lookFrom(window.onBrick([0, 0.02, 0.36]), [x, y, z]);
+      }, [level, alone.body]);
+      const points = await page.evaluate(() => {
+        const list = (y) => Array.from({ length: 19 }, (_, k) => window.onBrick([-0.09 + 0.01 * k, y, 0.0575]));
+        return { edges: [...list(0.032), ...list(-0.032)], middle: [...list(0.012), ...list(-0.012)] };
+      });
+      const [edges, middle] = [mean(await lightAt(points.edges)), mean(await lightAt(points.middle))];
+      assert.ok(edges > 0.92 * middle, `edges ${edges}, between them ${middle}, at level ${level}`);
+      await page.screenshot({ path: `${outFolder}/alone${level}.png`, ...patience });
+    }
+    await drawn(() => { window.brickfall.setShade(0); window.brickfall.setView(0); });
+  });
+
   await check('saves the picture', async () => {
     const [download] = await Promise.all([page.waitForEvent('download', patience), page.click('#save')]);
     assert.match(download.suggestedFilename(), /\.png$/);
-    const { readFile } = await import('node:fs/promises');
     const bytes = await readFile(await download.path());
     assert.deepEqual([...bytes.subarray(0, 4)], [0x89, 0x50, 0x4e, 0x47]);
     assert.deepEqual([bytes.readUInt32BE(16), bytes.readUInt32BE(20)], [640, 360]);
@@ -313,7 +424,7 @@ try {
 
   await check('bodies are shown only while they are there', async () => {
     await page.setViewportSize({ width: 640, height: 360 });
-    await page.goto(`file://${breaking}#paused`, patience);
+    await page.goto(`file://${breaking}#paused&shade=0`, patience);
     await page.waitForFunction(() => window.brickfall?.ready, null, patience);
     const names = await page.evaluate(() => window.brickfall.names);
     const [brick, piece, passing] = ['brick 0', 'piece 0', 'piece 1'].map((name) => names.indexOf(name));
@@ -356,6 +467,28 @@ try {
     assert.match(await page.textContent('#card'), /not there yet/);
     await seek(kHitFrame + 5);
     assert.doesNotMatch(await page.textContent('#card'), /there/);
+  });
+
+  await check('a tilted plane is drawn as it lies, and the overview has all of a lone ball\'s way', async () => {
+    await page.goto(`file://${slope}#paused&shade=0&view=0`, patience);
+    await page.waitForFunction(() => window.brickfall?.ready, null, patience);
+    const { names, kinds } = await page.evaluate(() => ({ names: window.brickfall.names, kinds: window.brickfall.kinds }));
+    assert.deepEqual(names, ['ground', 'ball', 'plain', 'hammer']);
+    assert.deepEqual(kinds, [['ground'], ['steel'], ['plain'], ['wood', 'steel']]); // as kindOf in apps/appearance/look.cpp has it
+    for (const f of [0, 60, 119]) {
+      await seek(f);
+      const [x, y, top, bottom] = await page.evaluate(() => [...window.brickfall.project(1),
+        document.getElementById('head').getBoundingClientRect().bottom, document.getElementById('bar').getBoundingClientRect().top]);
+      assert.ok(x > 0 && x < 640 && y > top && y < bottom, `the ball at ${x} ${y} in frame ${f}`);
+    }
+    // Seen along z, the horizon of the plane falls as the plane does: ground below it, sky above.
+    await drawn(() => window.brickfall.lookFrom([5, 0, 12], [5, 0, 0]));
+    const height = (x) => -x * Math.tan(0.2);
+    for (const x of [1, 5, 9]) {
+      const [below, above] = await lightAt([[x, height(x) - 0.5, 0], [x, height(x) + 1.2, 0]]);
+      assert.ok(below < 0.88 * above, `at x ${x} ${below} below the plane's line, ${above} above it`);
+    }
+    await page.screenshot({ path: `${outFolder}/slope.png`, ...patience });
   });
 
   await check('nothing went wrong on the way', async () => {

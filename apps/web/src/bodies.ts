@@ -1,73 +1,29 @@
 // The bodies: one instanced mesh for each shape and look, whose instances are set from the take's frames.
 import {
-  Box3, BufferGeometry, Color, InstancedBufferAttribute, InstancedMesh, LineBasicMaterial, LineSegments, EdgesGeometry, Matrix4,
+  Box3, BufferGeometry, CircleGeometry, Color, InstancedBufferAttribute, InstancedMesh, LineBasicMaterial, LineSegments, EdgesGeometry, Matrix4,
   Mesh, MeshStandardMaterial, Quaternion, Raycaster, Scene, Vector2, Vector3,
 } from 'three';
 import type { Camera } from 'three';
 import { chance, forceShare, materialColour, scaleColour, speedShare, type ColourMode } from './colours';
 import { geometryOf } from './geometry';
-import { kindOf, type Kind } from './materials';
-import { groundMaterial } from './stage';
-import type { PartMeta, ShapeMeta, Take } from './tracks';
+import { kindOf } from './materials';
+import type { Shade } from './shade';
+import { surfaceOf } from './surfaces';
+import type { BodyMeta, PartMeta, ShapeMeta, Take } from './tracks';
 
 interface Group {
   mesh: InstancedMesh;
   shape: ShapeMeta;
   bodies: number[]; // per instance
   locals: (Matrix4 | null)[]; // per instance: the part's place in its body
+  colours: Color[]; // per instance, of its material
 }
-
-// Fired clay, close up (concrete and stone are like it, but `fired` less): grain, dark inclusions, a little relief, and edges that are darker than faces.
-function clayMaterial(half: [number, number, number] | undefined, fired: number): MeshStandardMaterial {
-  const material = new MeshStandardMaterial({ color: '#ffffff', roughness: 0.93, metalness: 0 });
-  material.onBeforeCompile = (shader) => {
-    shader.uniforms.uHalf = { value: new Vector3(...(half ?? [0, 0, 0])) };
-    shader.uniforms.uFired = { value: fired };
-    shader.vertexShader = shader.vertexShader
-      .replace('#include <common>', '#include <common>\nattribute float seed;\nvarying vec3 vLocal;\nvarying float vSeed;')
-      .replace('#include <begin_vertex>', '#include <begin_vertex>\nvLocal = position;\nvSeed = seed;');
-    shader.fragmentShader = shader.fragmentShader
-      .replace('#include <common>', `#include <common>
-        uniform vec3 uHalf;
-        uniform float uFired;
-        varying vec3 vLocal;
-        varying float vSeed;
-        float clayHash(vec3 p) { p = fract(p * 0.1031); p += dot(p, p.zyx + 31.32); return fract((p.x + p.y) * p.z); }
-        float clayNoise(vec3 p) {
-          vec3 i = floor(p), f = fract(p); f = f * f * (3.0 - 2.0 * f);
-          return mix(mix(mix(clayHash(i), clayHash(i + vec3(1, 0, 0)), f.x), mix(clayHash(i + vec3(0, 1, 0)), clayHash(i + vec3(1, 1, 0)), f.x), f.y),
-                     mix(mix(clayHash(i + vec3(0, 0, 1)), clayHash(i + vec3(1, 0, 1)), f.x), mix(clayHash(i + vec3(0, 1, 1)), clayHash(i + vec3(1, 1, 1)), f.x), f.y), f.z);
-        }
-        float clayRelief = 0.0;`)
-      .replace('#include <color_fragment>', `#include <color_fragment>
-        {
-          vec3 q = vLocal + vec3(13.7, 5.1, 9.3) * vSeed;
-          float pixel = length(fwidth(vLocal));
-          float fineShown = 1.0 - smoothstep(0.0015, 0.006, pixel);
-          float coarse = clayNoise(q * 26.0), fine = clayNoise(q * 240.0), pit = clayNoise(q * 170.0 + 3.0);
-          clayRelief = fineShown * (fine * 0.6 + smoothstep(0.6, 0.94, pit) * -0.9);
-          float bloom = smoothstep(0.35, 0.9, clayNoise(q * 9.0 + 11.0)); // salts and lime that came to the face
-          float bed = clayNoise(q * vec3(14.0, 60.0, 60.0));
-          float shade = 0.84 + 0.22 * coarse + 0.1 * bed + fineShown * 0.2 * (fine - 0.5) - fineShown * 0.26 * smoothstep(0.58, 0.92, pit);
-          diffuseColor.rgb *= mix(1.0, shade, 0.5 + 0.5 * uFired);
-          float grey = dot(diffuseColor.rgb, vec3(0.3, 0.5, 0.2));
-          diffuseColor.rgb = mix(diffuseColor.rgb, vec3(grey) * vec3(1.12, 1.0, 0.9), uFired * (0.2 + 0.22 * bloom)) * (1.0 + 0.12 * bloom * uFired);
-          if (uHalf.x > 0.0) {
-            vec3 d = uHalf - abs(vLocal);
-            float edge = max(min(d.x, d.y), min(max(d.x, d.y), d.z)); // the middle one of the three
-            diffuseColor.rgb *= mix(0.55, 1.0, smoothstep(0.0, 0.0045 + pixel, edge + 0.0008));
-          }
-        }`)
-      .replace('#include <normal_fragment_maps>', `#include <normal_fragment_maps>
-        {
-          vec3 sx = dFdx(-vViewPosition), sy = dFdy(-vViewPosition);
-          vec3 r1 = cross(sy, normal), r2 = cross(normal, sx);
-          float det = dot(sx, r1), h = clayRelief * 0.0007;
-          normal = normalize(abs(det) * normal - sign(det) * (dFdx(h) * r1 + dFdy(h) * r2));
-        }`);
-  };
-  return material;
+interface PlaneSheet {
+  mesh: Mesh;
+  body: number;
+  local: Matrix4 | null;
 }
+const kPlaneReach = 400; // m: of a plane, which has no end, as much is drawn around its body
 
 function localMatrix(part: PartMeta): Matrix4 | null {
   if (!part.position || !part.rotation) return null;
@@ -81,51 +37,63 @@ export class Bodies {
   private readonly raycaster = new Raycaster();
   private mode: ColourMode = 'material';
   private coloursStale = true; // those of the materials do not change from frame to frame
-  private readonly materialColours: Color[];
+  private readonly sheets: PlaneSheet[] = [];
   private shownFrame = 0;
   selected = -1;
 
-  constructor(private readonly take: Take, private readonly scene: Scene) {
-    this.materialColours = take.meta.bodies.map((_, body) => materialColour(take, body, new Color()));
-    const members = new Map<string, { body: number; part: PartMeta }[]>();
+  constructor(private readonly take: Take, private readonly scene: Scene, private readonly shade: Shade) {
+    const members = new Map<string, { body: number; part: number }[]>();
     take.meta.bodies.forEach((meta, body) => {
       for (const [k, part] of meta.parts.entries()) {
-        if (take.meta.shapes[part.shape].type === 'plane') continue;
+        if (take.meta.shapes[part.shape].type === 'plane') {
+          this.addPlane(body, k);
+          continue;
+        }
         const key = `${part.shape} ${kindOf(meta, k)} ${meta.role === 'ground'}`;
         const list = members.get(key) ?? [];
-        list.push({ body, part });
+        list.push({ body, part: k });
         members.set(key, list);
       }
     });
-    for (const [key, list] of members) this.addGroup(Number(key.split(' ')[0]), key.split(' ')[1] as Kind, list);
+    for (const [key, list] of members) this.addGroup(Number(key.split(' ')[0]), list);
     this.outline = new LineSegments(new BufferGeometry(), new LineBasicMaterial({ color: '#ffe27a', depthTest: false, transparent: true }));
     this.outline.visible = false;
     this.outline.renderOrder = 5;
     scene.add(this.outline);
   }
 
-  private materialOf(kind: Kind, shape: ShapeMeta): MeshStandardMaterial {
-    switch (kind) {
-      case 'steel': return new MeshStandardMaterial({ roughness: 0.24, metalness: 0.8, envMap: this.scene.environment, envMapIntensity: 1.5 }); // the sky in it
-      case 'plain': return new MeshStandardMaterial({ roughness: 0.62, metalness: 0 });
-      case 'rubber': return new MeshStandardMaterial({ roughness: 0.5, metalness: 0 });
-      case 'concrete': case 'stone': case 'wood': case 'ground': return clayMaterial(shape.half, 0); // earth that is no floor, too
-      case 'brick': return clayMaterial(shape.half, 1);
-    }
+  private addPlane(body: number, k: number): void {
+    const meta = this.take.meta.bodies[body];
+    const material = this.materialOf(meta, k, undefined, true);
+    materialColour(this.take, body, k, material.color);
+    const mesh = new Mesh(new CircleGeometry(kPlaneReach, 64).rotateX(-Math.PI / 2), material);
+    mesh.receiveShadow = true;
+    mesh.matrixAutoUpdate = false;
+    this.sheets.push({ mesh, body, local: localMatrix(meta.parts[k]) });
+    this.scene.add(mesh);
   }
 
-  private addGroup(shapeIndex: number, kind: Kind, list: { body: number; part: PartMeta }[]): void {
+  private materialOf(meta: BodyMeta, k: number, half: [number, number, number] | undefined, isPlane: boolean): MeshStandardMaterial {
+    const kind = kindOf(meta, k);
+    return surfaceOf(kind, kind === 'ground' ? undefined : half, isPlane && kind === 'ground', this.shade, this.scene.environment);
+  }
+
+  private addGroup(shapeIndex: number, list: { body: number; part: number }[]): void {
     const shape = this.take.meta.shapes[shapeIndex];
     const geometry = geometryOf(shape);
     if (!geometry) return;
-    const isFloor = this.take.meta.bodies[list[0].body].role === 'ground';
-    const material = isFloor ? groundMaterial() : this.materialOf(kind, shape);
+    const first = this.take.meta.bodies[list[0].body];
+    const material = this.materialOf(first, list[0].part, shape.half, false);
     geometry.setAttribute('seed', new InstancedBufferAttribute(new Float32Array(list.map(({ body }) => chance(body, 9))), 1));
     const mesh = new InstancedMesh(geometry, material, list.length);
-    mesh.castShadow = !isFloor;
+    mesh.castShadow = first.role !== 'ground';
     mesh.receiveShadow = true;
     mesh.frustumCulled = false;
-    const group = { mesh, shape, bodies: list.map(({ body }) => body), locals: list.map(({ part }) => localMatrix(part)) };
+    const group = {
+      mesh, shape, bodies: list.map(({ body }) => body),
+      locals: list.map(({ body, part }) => localMatrix(this.take.meta.bodies[body].parts[part])),
+      colours: list.map(({ body, part }) => materialColour(this.take, body, part, new Color())),
+    };
     this.groups.push(group);
     this.byMesh.set(mesh, group);
     this.scene.add(mesh);
@@ -163,7 +131,12 @@ export class Bodies {
     this.shownFrame = Math.min(this.take.frames - 1, Math.floor(position));
     const recolour = this.coloursStale || this.mode !== 'material';
     this.coloursStale = false;
-    for (const { mesh, bodies, locals } of this.groups) {
+    for (const { mesh, body, local } of this.sheets) {
+      this.pose(body, position, mesh.matrix);
+      if (local) mesh.matrix.multiply(local);
+      mesh.visible = this.isShown(body);
+    }
+    for (const { mesh, bodies, locals, colours } of this.groups) {
       for (let k = 0; k < bodies.length; k++) {
         if (this.isShown(bodies[k])) {
           this.pose(bodies[k], position, scratch.matrix);
@@ -173,7 +146,7 @@ export class Bodies {
           scratch.matrix.makeScale(0, 0, 0);
         }
         scratch.matrix.toArray(mesh.instanceMatrix.array, k * 16);
-        if (recolour) mesh.setColorAt(k, this.colourOf(bodies[k], frame));
+        if (recolour) mesh.setColorAt(k, this.colourOf(bodies[k], frame) ?? colours[k]);
       }
       mesh.instanceMatrix.needsUpdate = true;
       if (recolour && mesh.instanceColor) mesh.instanceColor.needsUpdate = true;
@@ -186,9 +159,10 @@ export class Bodies {
     }
   }
 
-  private colourOf(body: number, frame: number): Color {
+  // Of the scale that is chosen; null: that of the material.
+  private colourOf(body: number, frame: number): Color | null {
     const { take } = this;
-    if (this.mode === 'material' || take.meta.bodies[body].role === 'ground') return this.materialColours[body];
+    if (this.mode === 'material' || take.meta.bodies[body].role === 'ground') return null;
     if (this.mode === 'speed') return scaleColour(speedShare(take, take.speed(frame, body)), scratch.colour);
     return scaleColour(forceShare(take, take.force(frame, body)), scratch.colour);
   }

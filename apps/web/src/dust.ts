@@ -60,9 +60,7 @@ export class Dust {
   show(position: number, pixelsPerRadian: number): void {
     const { take } = this;
     this.points.material.uniforms.scale.value = pixelsPerRadian;
-    const f = Math.min(take.frames - 1, Math.floor(position));
-    const next = Math.min(take.frames - 1, f + 1);
-    const now = take.times[f] + (take.times[next] - take.times[f]) * (position - f);
+    const now = take.timeAt(position);
     // The latest hits first: they are the ones to show when there are more than fit.
     let k = this.hits.length - 1;
     while (k >= 0 && take.times[this.hits[k].frame] > now) k--;

@@ -6,17 +6,19 @@ import type { ShapeMeta } from './tracks';
 const kBevel = 0.0022; // m
 
 // Each corner of the box becomes three points, one on each face that meets there; faces, edges and corners are filled
-// between them. Normals of the faces stay flat, those of the bevels lie between.
+// between them. Each point has the normal of its face, so that faces are flat and the bevels between them round.
 export function bevelledBox(half: [number, number, number]): BufferGeometry {
   const bevel = Math.min(kBevel, Math.min(...half) * 0.12);
   const positions: number[] = [];
   const normals: number[] = [];
-  const quad = (points: Vector3[], normal: Vector3): void => {
-    const turned = new Vector3().crossVectors(points[1].clone().sub(points[0]), points[2].clone().sub(points[0])).dot(normal) < 0;
-    const order = turned ? [0, 2, 1, 0, 3, 2] : [0, 1, 2, 0, 2, 3];
-    for (const k of order.filter((k) => k < points.length)) {
+  // Three or four points, with a normal for each.
+  const fill = (points: Vector3[], facing: Vector3[]): void => {
+    const outward = facing.reduce((sum, n) => sum.add(n), new Vector3());
+    const turned = new Vector3().crossVectors(points[1].clone().sub(points[0]), points[2].clone().sub(points[0])).dot(outward) < 0;
+    const triangles = points.length === 3 ? [0, 1, 2] : [0, 1, 2, 0, 2, 3];
+    for (const k of turned ? triangles.reverse() : triangles) {
       positions.push(points[k].x, points[k].y, points[k].z);
-      normals.push(normal.x, normal.y, normal.z);
+      normals.push(facing[k].x, facing[k].y, facing[k].z);
     }
   };
   // The corner of signs s as it lies on the face of `axis`.
@@ -35,25 +37,20 @@ export function bevelledBox(half: [number, number, number]): BufferGeometry {
     const v = (axis + 2) % 3;
     for (const a of [1, -1]) {
       const corners = [[-1, -1], [1, -1], [1, 1], [-1, 1]].map(([b, c]) => onFace(signs(axis, a, u, b, v, c), axis));
-      quad(corners, axisVector(axis, a));
+      const facing = axisVector(axis, a);
+      fill(corners, [facing, facing, facing, facing]);
       for (const b of [1, -1]) { // the edge between the faces of axis and u, along v
         const points = [
           onFace(signs(axis, a, u, b, v, -1), axis), onFace(signs(axis, a, u, b, v, 1), axis),
           onFace(signs(axis, a, u, b, v, 1), u), onFace(signs(axis, a, u, b, v, -1), u),
         ];
-        quad(points, axisVector(axis, a).add(axisVector(u, b)).normalize());
+        fill(points, [facing, facing, axisVector(u, b), axisVector(u, b)]);
       }
     }
   }
   for (const x of [1, -1]) for (const y of [1, -1]) for (const z of [1, -1]) {
     const s = [x, y, z];
-    const points = [onFace(s, 0), onFace(s, 1), onFace(s, 2)];
-    const normal = new Vector3(x, y, z).normalize();
-    const turned = new Vector3().crossVectors(points[1].clone().sub(points[0]), points[2].clone().sub(points[0])).dot(normal) < 0;
-    for (const p of turned ? [points[0], points[2], points[1]] : points) {
-      positions.push(p.x, p.y, p.z);
-      normals.push(normal.x, normal.y, normal.z);
-    }
+    fill([0, 1, 2].map((axis) => onFace(s, axis)), [0, 1, 2].map((axis) => axisVector(axis, s[axis])));
   }
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new BufferAttribute(new Float32Array(positions), 3));
@@ -77,6 +74,6 @@ export function geometryOf(shape: ShapeMeta): BufferGeometry | null {
       return geometry;
     }
     case 'plane':
-      return null; // the stage draws it
+      return null; // without end: the stage draws as much of it as can be seen
   }
 }

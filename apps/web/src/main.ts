@@ -1,16 +1,19 @@
 // The replay page: reads the take that is in the page, shows it, and answers to window.brickfall (which the tests drive).
 // In the address, #t=2.5 opens at a time (or #frame=120 at a frame), #camera=side at a camera (or #view=1, by its number), #paused
-// does not start playing, #picture shows the scene alone; joined with &.
+// does not start playing, #picture shows the scene alone, #shade=2 (1, 0) holds the shade where bodies meet at a level; joined with &.
 import { Vector2, Vector3 } from 'three';
 import { Bodies } from './bodies';
+import { boundsOf, sizeOf } from './bounds';
 import { Card, amount } from './card';
 import { scaleGradient, type ColourMode } from './colours';
 import { byId, Controls } from './controls';
 import { Dust } from './dust';
+import { kindOf } from './materials';
 import { Player } from './player';
+import { kMostShade } from './shade';
 import { Stage } from './stage';
 import { Take, type TakeMeta } from './tracks';
-import { applyView, interestingBounds, overviewSide, viewsOf } from './views';
+import { applyView, overviewSide, viewsOf } from './views';
 
 function fail(message: string): void {
   const box = byId('message');
@@ -25,7 +28,7 @@ function main(): void {
   byId('data').textContent = '';
   const decodeMilliseconds = performance.now() - started;
 
-  const bounds = interestingBounds(take);
+  const bounds = boundsOf(take);
   let stage: Stage;
   try {
     stage = new Stage(byId<HTMLCanvasElement>('view'), overviewSide(take, bounds));
@@ -39,19 +42,23 @@ function main(): void {
   byId('subtitle').textContent = `${bricks > 0 ? `${bricks} bricks` : `${take.bodies} bodies`} \u00b7 ${take.times[take.frames - 1].toFixed(1)} s \u00b7 Brickfall ${meta.engineVersion}`;
 
   const player = new Player(take.frames, meta.framesPerSecond);
-  const bodies = new Bodies(take, stage.scene);
+  const bodies = new Bodies(take, stage.scene, stage.shade);
   const dust = new Dust(take, stage.scene);
   const card = new Card(byId('card'), take);
   stage.resize();
-  stage.fitShadows(bounds.all);
-  const plane = meta.bodies.findIndex((body) => body.parts.some((part) => meta.shapes[part.shape].type === 'plane'));
-  if (plane >= 0) stage.addGround(take.position(0, plane)[1]);
+  stage.fitShadows(bounds.most.clone().expandByScalar(0.1 * bounds.most.getSize(new Vector3()).length()));
+  stage.shade.setReach(usualSize(take));
 
-  // In shares of the picture: what the title and the bar leave.
+  // In shares of the picture: what the title and the bar leave. The style sheet is told, too.
   const freeHeight = () => {
     const height = Math.max(1, window.innerHeight);
-    return { top: 1 - (2 * byId('head').getBoundingClientRect().bottom) / height, bottom: 1 - (2 * byId('bar').getBoundingClientRect().top) / height };
+    const head = byId('head').getBoundingClientRect().bottom;
+    const bar = byId('bar').getBoundingClientRect().top;
+    document.documentElement.style.setProperty('--head', `${head}px`);
+    document.documentElement.style.setProperty('--bar', `${height - bar}px`);
+    return { top: 1 - (2 * head) / height, bottom: 1 - (2 * bar) / height };
   };
+  for (const id of ['head', 'bar']) new ResizeObserver(freeHeight).observe(byId(id));
   const picture = new URLSearchParams(location.hash.slice(1)).has('picture');
   const free = () => (picture ? { top: 1, bottom: -1 } : freeHeight());
   const views = viewsOf(take, bounds, stage.camera.aspect, free());
@@ -65,9 +72,10 @@ function main(): void {
     card.select(body);
     dirty = true;
   };
+  const placeCamera = (): void => applyView(stage, view, view === views[0] || view.follows >= 0, take.timeAt(player.position));
   const setView = (index: number): void => {
     view = views[index] ?? views[0];
-    applyView(stage, view, view === views[0] || view.follows >= 0);
+    placeCamera();
     untouched = true;
     if (view.follows >= 0) {
       followed.last.copy(view.target);
@@ -106,17 +114,22 @@ function main(): void {
     dust.show(player.position, stage.renderer.domElement.height / (2 * half));
     controls.show();
     card.show(player.frame);
-    stage.render();
+    stage.render(shown !== player.position);
+    shown = player.position;
   };
+  let shown = -1; // the place in time that the picture has
   let last = performance.now();
+  let inRow = 0; // pictures that were drawn one after the other
   const tick = (now: number): void => {
     player.advance(Math.min(0.25, (now - last) / 1000));
+    if (inRow > 1) stage.shade.judge(now - last);
     last = now;
     if (stage.resize()) {
       dirty = true;
       Object.assign(views[0], viewsOf(take, bounds, stage.camera.aspect, free())[0]);
-      if (untouched && view.follows < 0) applyView(stage, view, view === views[0]);
+      if (untouched && view.follows < 0) placeCamera();
     }
+    if (dirty && untouched && view.path) placeCamera();
     if (view.follows >= 0 && dirty) {
       followed.now.set(...take.position(player.frame, view.follows));
       const shift = followed.now.clone().sub(followed.last);
@@ -125,6 +138,7 @@ function main(): void {
       followed.last.copy(followed.now);
     }
     stage.controls.update();
+    inRow = dirty ? inRow + 1 : 0;
     if (dirty) {
       dirty = false;
       draw();
@@ -133,8 +147,8 @@ function main(): void {
     requestAnimationFrame(tick);
   };
 
-  const project = (body: number): [number, number] => {
-    const p = new Vector3(...take.position(player.frame, body)).project(stage.camera);
+  const project = (body: number | [number, number, number]): [number, number] => {
+    const p = new Vector3(...(typeof body === 'number' ? take.position(player.frame, body) : body)).project(stage.camera);
     const canvas = stage.renderer.domElement;
     return [((p.x + 1) / 2) * canvas.clientWidth, ((1 - p.y) / 2) * canvas.clientHeight];
   };
@@ -146,6 +160,7 @@ function main(): void {
     get selected() { return bodies.selected; },
     get view() { return views.indexOf(view); },
     names: meta.bodies.map((body) => body.name),
+    kinds: meta.bodies.map((body) => body.parts.map((_, part) => kindOf(body, part))),
     views: views.map((v) => v.name),
     play: () => player.play(),
     pause: () => player.pause(),
@@ -154,8 +169,10 @@ function main(): void {
     setLoop: (on: boolean) => controls.setLoop(on),
     setColour: (mode: ColourMode) => { controls.setColour(mode); setColour(mode); },
     setView: (index: number) => { controls.setView(index); setView(index); },
+    setShade: (level: number) => { stage.shade.hold(level); dirty = true; },
     lookFrom: (position: [number, number, number], target: [number, number, number]) => {
-      applyView(stage, { ...view, position: new Vector3(...position), target: new Vector3(...target), follows: -1 }, true);
+      stage.look(new Vector3(...position), new Vector3(...target), view.fieldOfView);
+      untouched = false;
       dirty = true;
     },
     select,
@@ -168,6 +185,9 @@ function main(): void {
     rotation: (body: number, frame = player.frame) => take.rotation(frame, body),
     speed: (body: number, frame = player.frame) => take.speed(frame, body),
     contactForce: (body: number, frame = player.frame) => take.force(frame, body),
+    get camera() {
+      return { position: stage.camera.position.toArray(), target: stage.controls.target.toArray(), fieldOfView: stage.camera.fov };
+    },
     project,
   };
   Object.assign(window, { brickfall: api });
@@ -175,6 +195,8 @@ function main(): void {
   const takeWishes = (): URLSearchParams => {
     const wishes = new URLSearchParams(location.hash.slice(1));
     document.body.classList.toggle('picture', wishes.has('picture'));
+    if (wishes.has('shade')) api.setShade(Number(wishes.get('shade')));
+    else if (wishes.has('picture')) api.setShade(kMostShade);
     const camera = wishes.get('camera');
     const named = views.findIndex((v) => v.name.toLowerCase() === camera?.toLowerCase());
     if (wishes.has('view')) api.setView(Number(wishes.get('view')));
@@ -193,6 +215,12 @@ function main(): void {
     last = now;
     tick(now);
   });
+}
+
+// m: half of the bodies are larger.
+function usualSize(take: Take): number {
+  const sizes = take.meta.bodies.map((body, k) => (body.role === 'ground' ? 0 : sizeOf(take, k))).filter((size) => size > 0);
+  return sizes.sort((a, b) => a - b)[Math.floor(sizes.length / 2)] ?? 0.15;
 }
 
 // A file for the visitor to keep.

@@ -19,6 +19,5 @@ export function kindOf(body: BodyMeta, part?: number): Kind {
   if (body.role === 'ground') return 'ground';
   const name = ((part === undefined ? undefined : body.partMaterials?.[part]) ?? body.material ?? '').toLowerCase();
   for (const [kind, words] of kWords) if (words.some((word) => name.includes(word))) return kind;
-  if (name === '' && body.role === 'body') return 'brick'; // as the page has always shown them
   return body.role === 'brick' ? 'brick' : body.role === 'ball' && name === '' ? 'steel' : 'plain';
 }

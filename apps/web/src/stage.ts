@@ -1,14 +1,16 @@
-// What is there besides the bodies: sky, sun and its shadows, ground, camera.
+// What is there besides the bodies: sky, sun and its shadows, camera.
 import {
-  BackSide, Box3, CircleGeometry, Color, DirectionalLight, Fog, HemisphereLight, Mesh,
-  MeshStandardMaterial, NeutralToneMapping, PCFShadowMap, PerspectiveCamera, PMREMGenerator, Scene, ShaderMaterial, SphereGeometry, Vector3,
+  BackSide, Box3, Color, DirectionalLight, Fog, HemisphereLight, Mesh, NeutralToneMapping, PCFShadowMap, PerspectiveCamera, PMREMGenerator, Scene, ShaderMaterial, SphereGeometry, Vector3,
   WebGLRenderer,
 } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
+import { Shade } from './shade';
 
 const kHorizon = new Color('#e3e6e8');
 const kZenith = new Color('#86a7c8');
 const kOvercast = new Color('#a9b1b8'); // of the light that comes from the sky: what lies in the shade is grey, not blue
+const kLowest = Math.PI * 0.495; // of a camera, from straight up: it stays above level ground
+const kNearest = 0.1; // m
 const kSunElevation = 0.72; // rad
 const kSunAside = 1.05; // rad, to the left of where the overview looks from: light that grazes shows the relief
 
@@ -37,46 +39,16 @@ function makeSky(sun: Vector3, zenith: Color): Mesh {
   return sky;
 }
 
-// Screeded concrete: soft blotches, fine grain, and joints every metre that fade out before they could shimmer.
-export function groundMaterial(): MeshStandardMaterial {
-  const material = new MeshStandardMaterial({ color: '#b9b4ab', roughness: 0.96, metalness: 0 });
-  material.onBeforeCompile = (shader) => {
-    shader.vertexShader = shader.vertexShader
-      .replace('#include <common>', '#include <common>\nvarying vec3 vGround;')
-      .replace('#include <begin_vertex>', '#include <begin_vertex>\nvGround = (modelMatrix * vec4(position, 1.0)).xyz;');
-    shader.fragmentShader = shader.fragmentShader
-      .replace('#include <common>', `#include <common>
-        varying vec3 vGround;
-        float groundHash(vec2 p) { vec3 q = fract(vec3(p.xyx) * 0.1031); q += dot(q, q.yzx + 33.33); return fract((q.x + q.y) * q.z); }
-        float groundNoise(vec2 p) {
-          vec2 i = floor(p), f = fract(p); f = f * f * (3.0 - 2.0 * f);
-          return mix(mix(groundHash(i), groundHash(i + vec2(1, 0)), f.x), mix(groundHash(i + vec2(0, 1)), groundHash(i + vec2(1, 1)), f.x), f.y);
-        }
-        float groundLines(vec2 p, float width) {
-          vec2 w = fwidth(p), d = abs(fract(p - 0.5) - 0.5);
-          vec2 line = 1.0 - smoothstep(vec2(width) , vec2(width) + w * 1.5, d);
-          line *= clamp(1.0 - w * 3.0, 0.0, 1.0);
-          return max(line.x, line.y);
-        }`)
-      .replace('#include <color_fragment>', `#include <color_fragment>
-        vec2 g = vGround.xz;
-        float pixel = length(fwidth(g));
-        float blotch = groundNoise(g * 0.7) * 0.6 + groundNoise(g * 2.3 + 7.0) * 0.4;
-        float grain = mix(groundNoise(g * 90.0) * 0.5 + groundNoise(g * 310.0) * 0.5, 0.5, smoothstep(0.002, 0.02, pixel));
-        diffuseColor.rgb *= 0.86 + 0.16 * blotch + 0.14 * grain;
-        diffuseColor.rgb *= 1.0 - 0.2 * groundLines(g, 0.0022);`);
-  };
-  return material;
-}
-
 export class Stage {
   readonly scene = new Scene();
   readonly camera = new PerspectiveCamera(42, 1, 0.02, 2000);
   readonly renderer: WebGLRenderer;
   readonly controls: OrbitControls;
+  readonly shade: Shade;
   private readonly sun = new DirectionalLight('#fff3e2', 2.7);
   private readonly sunDirection = new Vector3();
   private readonly sky = makeSky(this.sunDirection, kZenith);
+  private mostDistance = 100; // m, of the camera from what it turns about
 
   // lookFrom: the side from which the scene is seen first, horizontal.
   constructor(canvas: HTMLCanvasElement, lookFrom: Vector3) {
@@ -102,19 +74,11 @@ export class Stage {
     this.sun.shadow.bias = -0.0004;
     this.sun.shadow.radius = 4;
     this.scene.add(this.sky, this.sun, this.sun.target, new HemisphereLight('#e6e6e2', '#a89a8a', 0.75));
+    this.renderer.shadowMap.autoUpdate = false; // they change with the bodies, not with the camera
+    this.shade = new Shade(this.renderer, this.scene, this.camera);
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.enableDamping = true;
     this.controls.dampingFactor = 0.12;
-    this.controls.maxPolarAngle = Math.PI * 0.495;
-    this.controls.minDistance = 0.15;
-  }
-
-  addGround(height: number): Mesh {
-    const ground = new Mesh(new CircleGeometry(400, 64).rotateX(-Math.PI / 2), groundMaterial());
-    ground.position.y = height;
-    ground.receiveShadow = true;
-    this.scene.add(ground);
-    return ground;
   }
 
   // Shadows are drawn for this box and what surrounds it.
@@ -131,8 +95,8 @@ export class Stage {
     eye.updateProjectionMatrix();
     // Against shadow acne: about one texel of the map.
     this.sun.shadow.normalBias = Math.max(0.001, (2 * radius / this.sun.shadow.mapSize.x) * 0.9);
-    this.scene.fog = new Fog(kHorizon, radius * 6 + 10, radius * 30 + 90);
-    this.controls.maxDistance = radius * 14 + 10;
+    this.scene.fog = new Fog(kHorizon, radius * 4 + 6, radius * 18 + 50);
+    this.mostDistance = radius * 14 + 10;
   }
 
   // True if the size changed.
@@ -149,7 +113,31 @@ export class Stage {
     return true;
   }
 
-  render(): void {
+  // A scene's camera may be lower, nearer or farther than a visitor can go: it is taken as it is, and is the limit from there on.
+  look(position: Vector3, target: Vector3, fieldOfView: number): void {
+    const away = position.clone().sub(target);
+    const { controls, camera } = this;
+    controls.enableDamping = false; // what the mouse set swinging ends here
+    controls.update();
+    controls.enableDamping = true;
+    controls.maxPolarAngle = Math.max(kLowest, Math.acos(away.y / Math.max(1e-9, away.length())));
+    controls.minDistance = Math.min(kNearest, away.length());
+    controls.maxDistance = Math.max(this.mostDistance, away.length());
+    controls.target.copy(target);
+    camera.position.copy(position);
+    camera.fov = fieldOfView;
+    camera.updateProjectionMatrix();
+    controls.update();
+  }
+
+  // haveMoved: bodies, since the picture before.
+  render(haveMoved: boolean): void {
+    this.renderer.shadowMap.needsUpdate ||= haveMoved;
+    // Nothing is looked at from so near, and the farther the nearest, the finer the depth.
+    this.camera.near = Math.min(1, Math.max(0.008, 0.03 * this.controls.getDistance()));
+    this.camera.updateProjectionMatrix();
+    this.camera.updateMatrixWorld();
+    this.shade.render();
     this.sky.position.copy(this.camera.position);
     this.sky.scale.setScalar(this.camera.far * 0.5);
     this.renderer.render(this.scene, this.camera);

@@ -26,12 +26,18 @@ export interface BodyMeta {
   birth?: number; // the first frame in which it is there; left out: 0
   end?: number; // the first in which it no longer is; left out: it stays
 }
+export interface CameraKey {
+  time: number; // s
+  position: [number, number, number];
+  target: [number, number, number];
+  fieldOfView: number;
+}
 export interface CameraMeta {
   name: string;
   position: [number, number, number];
   target: [number, number, number];
   fieldOfView: number;
-  path?: { time: number; position: [number, number, number]; target: [number, number, number]; fieldOfView: number }[]; // in a film
+  path?: CameraKey[]; // along which it moves while the run plays; left out: it stays
 }
 export interface TakeMeta {
   format: number;
@@ -160,6 +166,11 @@ export class Take {
     let best = 0;
     for (let f = 1; f < this.frames; f++) if (Math.abs(this.times[f] - time) < Math.abs(this.times[best] - time)) best = f;
     return best;
+  }
+  // s, at a place between two frames.
+  timeAt(position: number): number {
+    const f = Math.max(0, Math.min(this.frames - 1, Math.floor(position)));
+    return this.times[f] + (this.times[Math.min(this.frames - 1, f + 1)] - this.times[f]) * (position - f);
   }
   isThere(frame: number, body: number): boolean {
     return frame >= this.births[body] && frame < this.ends[body];

@@ -1,7 +1,9 @@
 // From where one looks: an overview that fits the whole run, the cameras of the take, and one that goes along with the ball.
 import { Box3, PerspectiveCamera, Vector3 } from 'three';
+import { sizeOf, type Bounds } from './bounds';
+import { poseAt } from './camera_path';
 import type { Stage } from './stage';
-import type { Take } from './tracks';
+import type { CameraKey, Take } from './tracks';
 
 export interface View {
   name: string;
@@ -9,48 +11,11 @@ export interface View {
   target: Vector3;
   fieldOfView: number;
   follows: number; // body, -1 = none
-}
-
-function sizeOf(take: Take, body: number): number {
-  let most = 0.05;
-  for (const part of take.meta.bodies[body].parts) {
-    const shape = take.meta.shapes[part.shape];
-    const far = shape.half ? Math.hypot(...shape.half) : (shape.radius ?? 0) + (shape.halfHeight ?? 0);
-    most = Math.max(most, far);
-  }
-  return most;
-}
-
-// What to look at: all bricks and other bodies as they stand at the start, and those that lie near at the end.
-export function interestingBounds(take: Take): { start: Box3; all: Box3 } {
-  const start = new Box3();
-  const movable = take.meta.bodies.map((_, k) => k).filter((k) => take.meta.bodies[k].role !== 'ground');
-  const bricks = movable.filter((k) => take.meta.bodies[k].role !== 'ball');
-  const point = new Vector3();
-  // Those of the start; where nothing is there yet, all where they come.
-  const first = (bricks.length > 0 ? bricks : movable).filter((k) => take.isThere(0, k));
-  for (const k of first.length > 0 ? first : movable) {
-    const size = sizeOf(take, k);
-    start.expandByPoint(point.set(...take.position(0, k)).addScalar(size));
-    start.expandByPoint(point.set(...take.position(0, k)).addScalar(-size));
-  }
-  if (start.isEmpty()) start.set(new Vector3(-1, 0, -1), new Vector3(1, 1, 1));
-  const all = start.clone();
-  const last = take.frames - 1;
-  for (let axis = 0; axis < 3; axis++) {
-    const ends = bricks.filter((k) => take.isThere(last, k)).map((k) => take.position(last, k)[axis]).sort((a, b) => a - b);
-    if (ends.length === 0) continue;
-    const low = ends[Math.floor(ends.length * 0.04)];
-    const high = ends[Math.ceil(ends.length * 0.96) - 1];
-    const reach = start.getSize(point).length() * 2;
-    all.min.setComponent(axis, Math.min(all.min.getComponent(axis), Math.max(low - 0.15, all.min.getComponent(axis) - reach)));
-    all.max.setComponent(axis, Math.max(all.max.getComponent(axis), Math.min(high + 0.15, all.max.getComponent(axis) + reach)));
-  }
-  return { start, all };
+  path?: CameraKey[]; // along which it moves while the run plays
 }
 
 // From the ball's side, a third of a right angle off its line, so that both the flight and the breach are seen.
-export function overviewSide(take: Take, bounds: { start: Box3 }): Vector3 {
+export function overviewSide(take: Take, bounds: Bounds): Vector3 {
   const ball = take.meta.bodies.findIndex((body) => body.role === 'ball');
   const towards = ball >= 0 ? new Vector3(...take.position(0, ball)).sub(bounds.start.getCenter(new Vector3())).setY(0) : new Vector3(0, 0, 1);
   if (towards.length() < 0.2) towards.set(0, 0, 1);
@@ -94,12 +59,13 @@ function fitted(box: Box3, towards: Vector3, aspect: number, free: FreeHeight): 
   return { name: 'Overview', position: target.clone().addScaledVector(direction, distance), target, fieldOfView, follows: -1 };
 }
 
-export function viewsOf(take: Take, bounds: { start: Box3; all: Box3 }, aspect: number, free: FreeHeight): View[] {
+export function viewsOf(take: Take, bounds: Bounds, aspect: number, free: FreeHeight): View[] {
   const ball = take.meta.bodies.findIndex((body) => body.role === 'ball');
   const towards = overviewSide(take, bounds);
   const views: View[] = [fitted(bounds.all, towards, aspect, free)];
   for (const camera of take.meta.cameras) {
-    views.push({ name: camera.name, position: new Vector3(...camera.position), target: new Vector3(...camera.target), fieldOfView: camera.fieldOfView, follows: -1 });
+    const path = camera.path?.length ? camera.path : undefined;
+    views.push({ name: camera.name, position: new Vector3(...camera.position), target: new Vector3(...camera.target), fieldOfView: camera.fieldOfView, follows: -1, path });
   }
   if (ball >= 0) {
     const from = new Vector3(...take.position(0, ball));
@@ -112,12 +78,11 @@ export function viewsOf(take: Take, bounds: { start: Box3; all: Box3 }, aspect: 
 
 const kUsualAspect = 1.6;
 
-// Cameras of a scene are set up for a picture as wide as a screen: in a narrower one they step back.
-export function applyView(stage: Stage, view: View, fits: boolean): void {
+// time: s, for a camera that moves. Cameras of a scene are set up for a picture as wide as a screen: in a narrower one they step back.
+export function applyView(stage: Stage, view: View, fits: boolean, time: number): void {
+  const pose = view.path ? poseAt(view.path, time) : null;
+  const target = pose ? new Vector3(...pose.target) : view.target;
+  const position = pose ? new Vector3(...pose.position) : view.position.clone();
   const back = fits ? 1 : Math.max(1, kUsualAspect / stage.camera.aspect) ** 0.75;
-  stage.camera.position.copy(view.position).sub(view.target).multiplyScalar(back).add(view.target);
-  stage.camera.fov = view.fieldOfView;
-  stage.camera.updateProjectionMatrix();
-  stage.controls.target.copy(view.target);
-  stage.controls.update();
+  stage.look(position.sub(target).multiplyScalar(back).add(target), target, pose ? pose.fieldOfView : view.fieldOfView);
 }

@@ -1,0 +1,117 @@
+// The materials of bodies and ground: how rough, how much metal, and shaders with the patterns of their stuff, worn edges, and
+// joints where bricks meet.
+import { MeshStandardMaterial, Vector3, type Texture } from 'three';
+import type { Kind } from './materials';
+import { patternsOf } from './patterns';
+import { kJointFunction, type Shade } from './shade';
+
+type Half = [number, number, number] | undefined;
+// As in apps/appearance/look.cpp.
+const kStuff: Record<Kind, { roughness: number; metalness: number }> = {
+  brick: { roughness: 0.85, metalness: 0 }, concrete: { roughness: 0.8, metalness: 0 }, stone: { roughness: 0.75, metalness: 0 },
+  wood: { roughness: 0.6, metalness: 0 }, steel: { roughness: 0.24, metalness: 1 }, rubber: { roughness: 0.55, metalness: 0 },
+  ground: { roughness: 0.95, metalness: 0 }, plain: { roughness: 0.6, metalness: 0 },
+};
+const kArris = 0.0035; // m, of an edge that is rubbed off
+const kWearing: Partial<Record<Kind, number>> = { brick: 1, concrete: 1, stone: 1, wood: 0.35 }; // how much; others not at all
+const kJoint = 0.1; // of the least half extent, as half of the crack that shows between two bricks; m:
+const kLeastJoint = 0.002;
+const kMostJoint = 0.012;
+const kJointFromAfar = 0.4; // of its darkness stays as long as single bricks can be told
+
+const kVertexInputs = `
+  attribute float seed;
+  varying vec3 vLocal, vFacing;
+  varying float vSeed;
+  flat varying mat3 vTurn;`;
+
+const kVertexWork = `
+  vLocal = position;
+  vFacing = normal;
+  vSeed = seed;
+  #ifdef USE_INSTANCING
+    vTurn = mat3(modelViewMatrix) * mat3(instanceMatrix);
+  #else
+    vTurn = mat3(modelViewMatrix);
+  #endif`;
+
+// What a box has besides: where its edges are worn, and which of them are joints. Its faces are told by how deep a point lies below
+// each; the nearest edge is where the second of them is.
+const kBoxWork = `
+  vec3 depth = uHalf - abs(vLocal), side = vec3(vLocal.x < 0.0 ? -1.0 : 1.0, vLocal.y < 0.0 ? -1.0 : 1.0, vLocal.z < 0.0 ? -1.0 : 1.0);
+  vec3 face = depth.x <= depth.y && depth.x <= depth.z ? vec3(1, 0, 0) : depth.y <= depth.z ? vec3(0, 1, 0) : vec3(0, 0, 1);
+  vec3 others = depth + face * 1e3;
+  vec3 next = others.x <= others.y && others.x <= others.z ? vec3(1, 0, 0) : others.y <= others.z ? vec3(0, 1, 0) : vec3(0, 0, 1);
+  float toEdge = max(0.0, dot(depth, next));
+  if (toEdge < 0.02 && uWearing > 0.0) {
+    float uneven = noiseAt(vLocal * 45.0 + placeOf(11.0)), rough = noiseAt(vLocal * 160.0 + placeOf(12.0));
+    // Here and there a piece of the edge is gone.
+    float chipped = smoothstep(0.35, 0.75, noiseAt(vLocal * 28.0 + placeOf(13.0))) * (0.7 + 0.3 * rough);
+    float worn = ${kArris} * (1.0 + 0.8 * uneven + 0.4 * rough + 1.6 * chipped);
+    wear = (1.0 - smoothstep(0.2 * worn, worn, toEdge)) * seenShare(0.006, pixel);
+    edgeSlope = next * side * wear * uWearing * (0.55 + 0.35 * rough + 0.3 * chipped);
+  }
+  // Along an edge the shade is that of the face beside it: on the edge itself it would be torn by the pixels of its map.
+  float inset = max(0.0, 0.0025 + 1.2 * pixel * shadeSize.x * shadeScale.x - toEdge);
+  shadeAt = shadePixel(-vViewPosition - vTurn * (next * side) * inset) / shadeSize;
+  float least = min(uHalf.x, min(uHalf.y, uHalf.z)), width = clamp(${kJoint} * least, ${kLeastJoint}, ${kMostJoint});
+  float crack = width + 0.7 * pixel, dark = max(width / crack, ${kJointFromAfar} * (1.0 - smoothstep(0.2, 0.45, pixel / least)));
+  if (toEdge < crack * 1.5) {
+    // As a point of the one face and of the other: on the rounded edge, or where one looks into the crack, only one of them is seen.
+    float below = max(0.0, dot(depth, face));
+    joint = max(jointShare(-vViewPosition, vTurn * (face * side), vTurn * (next * side), toEdge, below, least),
+                jointShare(-vViewPosition, vTurn * (next * side), vTurn * (face * side), below, toEdge, least));
+    joint *= (below > 1e-4 ? 1.0 : 1.0 - smoothstep(0.25 * crack, 1.5 * crack, toEdge)) * dark;
+  }`;
+
+function withSurface(material: MeshStandardMaterial, kind: Kind, half: Half, isFloor: boolean, shade: Shade): MeshStandardMaterial {
+  material.customProgramCacheKey = () => `${kind} ${half !== undefined} ${isFloor}`;
+  material.onBeforeCompile = (shader) => {
+    shader.uniforms.uWearing = { value: kWearing[kind] ?? 0 };
+    shader.uniforms.uHalf = { value: new Vector3(...(half ?? [0, 0, 0])) };
+    shader.vertexShader = shader.vertexShader
+      .replace('#include <common>', `#include <common>\n${kVertexInputs}`)
+      .replace('#include <begin_vertex>', `#include <begin_vertex>\n${kVertexWork}`);
+    shader.fragmentShader = shader.fragmentShader
+      .replace('#include <common>', `#include <common>
+        uniform vec3 uHalf;
+        uniform float uWearing;
+        varying vec3 vLocal, vFacing;
+        varying float vSeed;
+        flat varying mat3 vTurn;
+        ${patternsOf(kind, isFloor)}
+        ${half ? kJointFunction : ''}`)
+      .replace('#include <color_fragment>', `#include <color_fragment>
+        float pixel = max(length(dFdx(vLocal)), length(dFdy(vLocal)));
+        float wear = 0.0, joint = 0.0, roughnessHere = 0.0;
+        vec3 edgeSlope = vec3(0.0);
+        vec2 shadeAt = gl_FragCoord.xy * shadeScale;
+        {
+          ${half ? kBoxWork : ''}
+          diffuseColor.rgb = paintAt(diffuseColor.rgb, vLocal, vFacing, wear, pixel, roughnessHere) * (1.0 - 0.4 * joint);
+        }`)
+      .replace('#include <roughnessmap_fragment>', '#include <roughnessmap_fragment>\nroughnessFactor = clamp(roughnessFactor + roughnessHere, 0.05, 1.0);')
+      .replace('#include <normal_fragment_maps>', `#include <normal_fragment_maps>
+        {
+          vec3 slope = vTurn * (reliefAt(vLocal, pixel) - edgeSlope);
+          normal = normalize(normal - (slope - normal * dot(slope, normal)));
+        }`);
+    if (half) {
+      // No light falls into a joint: shadows are not so fine.
+      shader.fragmentShader = shader.fragmentShader.replace('#include <aomap_fragment>', `#include <aomap_fragment>
+        reflectedLight.directDiffuse *= 1.0 - 0.92 * joint;
+        reflectedLight.directSpecular *= 1.0 - joint;
+        reflectedLight.indirectDiffuse *= 1.0 - 0.75 * joint;
+        reflectedLight.indirectSpecular *= 1.0 - joint;`);
+    }
+    shade.receive(shader);
+  };
+  return material;
+}
+
+// `half`: of a box, whose edges are worn; `isFloor`: of ground without end; `sky`: what steel mirrors.
+export function surfaceOf(kind: Kind, half: Half, isFloor: boolean, shade: Shade, sky: Texture | null): MeshStandardMaterial {
+  const material = new MeshStandardMaterial(kStuff[kind]);
+  if (kind === 'steel') Object.assign(material, { envMap: sky, envMapIntensity: 1 });
+  return withSurface(material, kind, half, isFloor, shade);
+}
