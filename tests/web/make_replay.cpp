@@ -17,7 +17,7 @@ using nlohmann::json;
 // Where the moving camera is in some frames, by the rule that films go by.
 json writeMoves(const TakeReader& take) {
   json out = json::array();
-  for (int f : {0, 30, 75, 100, 110, 135, 170, 230}) {
+  for (int f : {30, 75, 110, 135, 230}) {
     const Camera at = cameraAt(take.header().cameras[1], f / 60.0);
     out.push_back({{"frame", f},
                    {"position", {at.position.x, at.position.y, at.position.z}},

@@ -115,13 +115,14 @@ try {
     for (const [width, height] of [[640, 360], [390, 700]]) {
       await page.setViewportSize({ width, height });
       await page.waitForFunction((w) => document.getElementById('view').width >= w && document.getElementById('view').clientWidth === w, width, patience);
-      for (const f of [0, kHitFrame + 40, 239]) {
-        await seek(f);
-        const seen = await page.evaluate(() => {
+      await seek(kHitFrame - 5);
+      for (const f of [0, kHitFrame, 100, 140, 239]) {
+        const seen = await page.evaluate((at) => {
           const { brickfall: b } = window;
+          b.seek(at);
           const points = b.names.map((name, k) => (name.startsWith('brick ') ? b.project(k) : null)).filter((p) => p);
           return { points, top: document.getElementById('head').getBoundingClientRect().bottom, bottom: document.getElementById('bar').getBoundingClientRect().top };
-        });
+        }, f);
         const outside = seen.points.filter(([x, y]) => !(x > 0 && x < width && y > seen.top && y < seen.bottom));
         assert.equal(outside.length, 0, `${outside[0]} at ${width} x ${height} in frame ${f}`);
       }
@@ -134,7 +135,7 @@ try {
     for (const [width, height, body] of [[667, 375, 0], [844, 390, 0], [568, 320, 0], [390, 700, 0], [800, 500, 3], [640, 360, 3]]) {
       await page.setViewportSize({ width, height });
       await page.waitForFunction((w) => document.getElementById('view').clientWidth === w, width, patience);
-      await drawn((k) => window.brickfall.select(k), body);
+      await page.evaluate((k) => window.brickfall.select(k), body);
       if (body === 0) assert.equal(await page.locator('#card li').count(), 8);
       const rects = await page.evaluate(() => [...['head', 'card', 'bar'].map((id) => document.getElementById(id)),
         ...document.querySelectorAll('#bar button, #bar select')].filter((e) => e.offsetParent !== null || e.id)
@@ -146,7 +147,7 @@ try {
       assert.ok(by.card.top >= 0 && by.card.height > 60, `card from ${by.card.top}, ${by.card.height} high at ${width} x ${height}`);
       for (const r of rects.slice(3))
         assert.ok(r.left >= by.bar.left && r.right <= by.bar.right && r.bottom <= by.bar.bottom, `${r.id} at ${width} x ${height}`);
-      await drawn(() => window.brickfall.select(-1));
+      await page.evaluate(() => window.brickfall.select(-1));
     }
   });
 
@@ -159,8 +160,10 @@ try {
   });
 
   await check('a camera with a path goes along it, as in films, until the mouse takes it', async () => {
+    await page.setViewportSize({ width: 480, height: 300 }); // as wide as cameras are set up for: in a narrower one they step back
+    await page.waitForFunction(() => document.getElementById('view').clientWidth === 480, null, patience);
     const { moving } = JSON.parse(await readFile(`${outFolder}/poses.json`, 'utf8'));
-    assert.equal(moving.length, 8);
+    assert.equal(moving.length, 5);
     await drawn(() => window.brickfall.setView(window.brickfall.views.indexOf('side')));
     const camera = () => page.evaluate(() => window.brickfall.camera);
     const far = (a, b) => Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
@@ -170,15 +173,17 @@ try {
       assert.ok(far(found.position, want.position) < 1e-3 && far(found.target, want.target) < 1e-3
         && Math.abs(found.fieldOfView - want.fieldOfView) < 1e-3, `frame ${want.frame}: ${JSON.stringify(found)}, in films ${JSON.stringify(want)}`);
     }
-    await page.mouse.move(320, 150);
+    await page.mouse.move(240, 110);
     await page.mouse.down();
-    await page.mouse.move(380, 160, { steps: 3 });
+    await page.mouse.move(300, 115, { steps: 3 });
     await page.mouse.up();
-    await seek(moving[4].frame);
-    const away = far((await camera()).position, moving[4].position);
+    await seek(moving[1].frame);
+    const away = far((await camera()).position, moving[1].position);
     assert.ok(away > 0.5, `taken by the mouse it is still ${away} m from its path`);
     await drawn(() => window.brickfall.setView(window.brickfall.views.indexOf('side')));
-    assert.ok(far((await camera()).position, moving[4].position) < 1e-3, 'chosen again it goes along again');
+    assert.ok(far((await camera()).position, moving[1].position) < 1e-3, 'chosen again it goes along again');
+    await page.setViewportSize({ width: 640, height: 360 });
+    await page.waitForFunction(() => document.getElementById('view').clientWidth === 640, null, patience);
     await drawn(() => window.brickfall.setView(0));
   });
 
@@ -196,13 +201,10 @@ try {
       await drawn((n) => window.brickfall.setShade(n), level);
       return lights();
     };
-    const [without, coarse, fine] = [await held(0), await held(1), await held(2)];
-    for (const found of [without, coarse, fine]) assert.ok(found.joint < 0.75 * found.face, `joint ${found.joint}, face ${found.face}`);
-    for (const found of [coarse, fine]) {
-      assert.ok(found.foot < 0.9 * without.foot, `at the foot ${found.foot}, without shade ${without.foot}`);
-      assert.ok(found.ground > 0.96 * without.ground, `on open ground ${found.ground}, without shade ${without.ground}`);
-    }
-    await page.screenshot({ path: `${outFolder}/joints.png`, ...patience });
+    const [without, fine] = [await held(0), await held(2)];
+    for (const found of [without, fine]) assert.ok(found.joint < 0.75 * found.face, `joint ${found.joint}, face ${found.face}`);
+    assert.ok(fine.foot < 0.9 * without.foot, `at the foot ${fine.foot}, without shade ${without.foot}`);
+    assert.ok(fine.ground > 0.96 * without.ground, `on open ground ${fine.ground}, without shade ${without.ground}`);
     // A brick alone in the air: as light at its edges as between them, at every level.
     await drawn(() => window.brickfall.setView(0));
     const alone = await page.evaluate(() => {
@@ -241,7 +243,6 @@ try {
       });
       const [edges, middle] = [mean(await lightAt(points.edges)), mean(await lightAt(points.middle))];
       assert.ok(edges > 0.92 * middle, `edges ${edges}, between them ${middle}, at level ${level}`);
-      await page.screenshot({ path: `${outFolder}/alone${level}.png`, ...patience });
     }
     await drawn(() => { window.brickfall.setShade(0); window.brickfall.setView(0); });
   });
@@ -488,7 +489,6 @@ try {
       const [below, above] = await lightAt([[x, height(x) - 0.5, 0], [x, height(x) + 1.2, 0]]);
       assert.ok(below < 0.88 * above, `at x ${x} ${below} below the plane's line, ${above} above it`);
     }
-    await page.screenshot({ path: `${outFolder}/slope.png`, ...patience });
   });
 
   await check('nothing went wrong on the way', async () => {
