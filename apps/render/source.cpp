@@ -28,14 +28,12 @@ template <class Item> std::uint64_t mixed(std::uint64_t hash, const std::vector<
   return mixed(hash, std::string_view(reinterpret_cast<const char*>(items.data()), items.size() * sizeof(Item)));
 }
 
-bool isTake(const std::string& path) {
+bool isTakeFile(const std::string& path) {
   if (path.ends_with(".take") || path.ends_with(".take.part")) return true;
   std::ifstream file(path, std::ios::binary);
-  char magic[7] = {};
-  file.read(magic, 7);
-  return file.gcount() == 7 && std::string_view(magic, 7) ==
-                                   "\x89"
-                                   "BFTAKE";
+  char start[8] = {};
+  file.read(start, sizeof start);
+  return isTake({start, std::size_t(file.gcount())});
 }
 
 OpenedTake failed(int exitCode) { return {exitCode, nullptr}; }
@@ -66,7 +64,7 @@ OpenedTake simulate(SceneRun& run, const std::string& takePath, cli::ProgressDis
 SourceChoice chooseSource(const RenderOptions& options) {
   Source source;
   source.path = options.source;
-  source.isScene = !isTake(options.source);
+  source.isScene = !isTakeFile(options.source);
   if (source.isScene) {
     cli::SceneChoice choice = cli::chooseScene(options.source, options.overrides);
     if (!choice.problem.empty()) cli::complain(choice.problem);

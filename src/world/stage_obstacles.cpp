@@ -25,6 +25,10 @@ namespace {
 //! times the mass | too small: a body goes on through what is only a little lighter
 //! | too large: bricks pressed into a wrecking ball hold it in the air
 constexpr double kFarHeavier = 30;  // times the mass
+//! of a way | too small: bricks that hit each other deep hold each other there | too large: cores pass that have not met
+constexpr double kHeld = 1e-3;
+//! of the outer radius | too small: thin plates are crept through | too large: with kHeld
+constexpr double kThick = 0.2;
 bool exceeds(Vec3 way, double limit) { return lengthSquared(way) > limit * limit; }
 
 struct Motion {
@@ -54,6 +58,7 @@ struct Obstacles {
   Motion motionOf(BodyIndex body) const;
   void shorten(BodyIndex body, double share, double turnShare, Vec3 carried = {});
   bool farHeavier(BodyIndex body, BodyIndex other) const;
+  bool isThick(BodyIndex body) const;
 };
 
 const Island* Obstacles::islandWith(BodyIndex body) const {
@@ -84,6 +89,11 @@ void Obstacles::shorten(BodyIndex body, double share, double turnShare, Vec3 car
 // What is far lighter is carried along and stops nothing: bricks pressed into a wrecking ball must not hold it in the air.
 bool Obstacles::farHeavier(BodyIndex body, BodyIndex other) const {
   return bodies.mass[body].mass > kFarHeavier * bodies.mass[other].mass;
+}
+
+// Contacts see what is in it: a thin plate may be crept through from one step to the next.
+bool Obstacles::isThick(BodyIndex body) const {
+  return bodies.mass[body].innerRadius > kThick * bodies.mass[body].outerRadius;
 }
 
 void Obstacles::stop(BodyIndex body) {
@@ -172,6 +182,8 @@ void Obstacles::obstruct(ShapeIndex shape, bool everything, double thickness, co
       double over = coreWay(o, way, s, own);
       share = std::min(share, over), turnShare = std::min(turnShare, over);
     }
+    // Bricks that have pressed into each other would stay so for ever: their contacts part them.
+    if (type == BodyType::dynamic && share < kHeld && isThick(s.body) && isThick(o.body)) return true;
     if (own.turns) first.turnShare = std::min(first.turnShare, turnShare);
     if (!(share < first.share)) return true;
     first.share = share, first.body = o.body;
