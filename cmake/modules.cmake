@@ -37,7 +37,7 @@ endif()
 # brickfall_module(NAME [ENGINE] SOURCES ... [ALONE source ...] USES module ... LINK library ...)
 # ENGINE: neither throws nor needs exceptions.
 # ALONE: of SOURCES, those that cannot share a file with the others (mostly, names that another has for something else): left
-# alone where the module is compiled as one file (CMAKE_UNITY_BUILD, as in tests/fuzz and the variants of tests/determinism).
+# alone where the module is compiled as one file (BRICKFALL_UNITY, tests/fuzz, the variants of tests/determinism).
 function(brickfall_module name)
   cmake_parse_arguments(ARG "ENGINE" "" "SOURCES;ALONE;USES;LINK" ${ARGN})
   set_source_files_properties(${ARG_ALONE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
@@ -55,6 +55,9 @@ function(brickfall_module name)
   target_include_directories(bf_${name} ${scope} $<BUILD_INTERFACE:${links}>)
   if(ARG_ENGINE AND ARG_SOURCES)
     target_compile_options(bf_${name} PRIVATE -fno-exceptions -fno-rtti)
+    if(BRICKFALL_UNITY)
+      set_target_properties(bf_${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
+    endif()
   endif()
   foreach(used IN LISTS ARG_USES)
     # Headers only, and not passed on: each module names all that it includes.
