@@ -182,18 +182,20 @@ bool lineContact(const BoxPair& p, const FaceAxis& ofA, const FaceAxis& ofB, dou
   if (std::fabs(tilt) >= 0.5 * length(across)) return false;
   Vec3 n = normalized(nA + nB) * std::sqrt(1 - tilt * tilt) + normalized(across) * tilt;
   double separation = dot(between, n);
-  if (separation > margin) return false;
+  double low = p.t[i] - p.b[j] > -p.a[i] ? p.t[i] - p.b[j] : -p.a[i];
+  double high = p.t[i] + p.b[j] < p.a[i] ? p.t[i] + p.b[j] : p.a[i];
+  if (separation > margin || high - low <= p.tolerance.same) return false;
   out.normal = n;
   out.count = 2;
   for (int end : {0, 1}) {
-    double sign = end ? 1 : -1, ofAEnd = sign * p.a[i], ofBEnd = p.t[i] + sign * p.b[j];
-    bool atB = sign * ofBEnd < sign * ofAEnd, positiveB = (p.c[i][j] > 0) == (end == 1);
+    double at = end ? high : low;
+    bool atB = at != (end ? p.a[i] : -p.a[i]), positiveB = (p.c[i][j] > 0) == (end == 1);
     int corner = atB ? (positiveB ? 1 << j : 0) | (signB < 0 ? 1 << fb : 0) | (upB ? 1 << kb : 0)
                      : (end ? 1 << i : 0) | (signA > 0 ? 1 << fa : 0) | (upA ? 1 << ka : 0);
-    onA[i] = atB ? ofBEnd : ofAEnd;
+    onA[i] = at;
     out.points[end] = {onA, onA + n * separation, separation, atB ? cornerOfB(corner) : cornerOfA(corner)};
   }
-  return out.points[1].onA[i] - out.points[0].onA[i] > p.tolerance.same;
+  return true;
 }
 
 // A corner of the polygon while it is cut. It is where two lines meet: edges of the incident face (0..3) or sides of

@@ -73,6 +73,18 @@ TEST(BoxBox, EdgeOnEdgeTakesNeitherFacesNormal) {
   }
 }
 
+TEST(BoxBox, EdgesTouchAsFarAsTheyLieSideBySide) {
+  Manifold ends = ridge(0.5, 0, 0.195);
+  ASSERT_EQ(ends.count, 2);
+  EXPECT_NEAR(std::fabs(ends.points[1].onA.z - ends.points[0].onA.z), 0.005, 1e-9);
+  for (double apart : {-1e-5, 1e-4, 5e-3}) {  // m, along the ridge: they no longer do, but are within the margin
+    Manifold m = ridge(0.5, 0, 0.2 + apart);
+    int touching = 0;
+    for (int i = 0; i < m.count; i++) touching += m.points[i].separation < apart - 1e-9;
+    EXPECT_EQ(touching, 0) << apart;
+  }
+}
+
 TEST(BoxBox, EdgeOnEdgeTurnsSmoothlyIntoEdgeOnFace) {
   const double lean = 0.5;
   double before = 0, largest = 0, smallest = 1;
