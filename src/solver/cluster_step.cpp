@@ -28,7 +28,7 @@ constexpr float kOvershoot = 0.3f, kOvershootExact = 0.15f;  // of the slope at 
 constexpr float kUndershoot = 0.5f, kUndershootExact = 0.3f;  // of the slope at the start: a search ends below it
 
 //! - | too small: factors are made that change little: cost | too large: walls out of true lean
-constexpr float kStale = 0.1f;  // of the slope at the start, left either way: then a kept factor is off
+constexpr float kStale = 0.3f;  // of the slope at the start, left either way: then a kept factor is off
 
 float power(const Wrench& a, const Wrench& b) { return dot(a.force, b.force) + dot(a.torque, b.torque); }
 

@@ -1,5 +1,7 @@
 #include "solver/cycles.h"
 
+#include <algorithm>
+
 #include "base/take_larger.h"
 #include "solver/direct_solve.h"
 #include "solver/light_pass.h"
@@ -10,14 +12,30 @@ namespace brickfall {
 
 namespace {
 
-// Free motion is the honest start: whatever cycles leave undone falls. Large islands on the ground go on as they moved instead:
-// what cycles leave undone in a wall would fall through it a little in every step, and make it lean; and no brick hangs by it,
-// since each that is out of balance by itself is moved until it is not.
+// How much of its free fall a body had in the step before: 1 in flight, 0 on firm ground.
+float fallShare(const Island& island, std::size_t i, const StepContext& context) {
+  BodyIndex body = island.bodies[i];
+  const FreeMotion& free = context.free[body];
+  Vec3 fall = (free.d * (1 / island.dt) - free.startVelocity) * (1 / island.dt);
+  double most = lengthSquared(fall), had = dot(context.bodies->data[body].linearAcceleration, fall);
+  return most > 0 ? float(std::clamp(had / most, 0.0, 1.0)) : 0;
+}
+
+// Free motion is the honest start: whatever cycles leave undone falls. In large islands on the ground each body goes on with as
+// much of its fall as it had: what cycles leave undone in a wall or a heap would fall through it a little in every step, and no
+// brick hangs by it, since each that is out of balance by itself is moved until it is not.
 void startMotion(Island& island, const StepContext& context) {
   for (std::size_t i = 0; i < island.bodies.size(); i++) {
     const BodyMotion& m = context.bodies->motion[island.bodies[i]];
-    island.motion[i].d = island.plan.startsFree ? island.masses[i].dFree : toFloat(m.linearVelocity * island.dt);
-    island.motion[i].th = island.plan.startsFree ? island.masses[i].thFree : toFloat(m.angularVelocity * island.dt);
+    const SolveMass& free = island.masses[i];
+    SolveMotion& out = island.motion[i];
+    out.d = free.dFree;
+    out.th = free.thFree;
+    if (island.plan.startsFree) continue;
+    float share = fallShare(island, i, context);
+    Vec3f way = toFloat(m.linearVelocity * island.dt), turn = toFloat(m.angularVelocity * island.dt);
+    out.d = way + (out.d - way) * share;
+    out.th = turn + (out.th - turn) * share;
   }
 }
 

@@ -109,7 +109,7 @@ SolvePlan planFor(const IslandFacts& facts, const SolverSettings& settings, doub
   plan.stiffening = (calm ? double(row.calmStiffening) : 1) * (row.byLoad ? leastStiffening(settings, dt) : 1);
   plan.leastMass = row.direct ? kHeavyShare * facts.heaviest : 0;
   plan.byLoad = row.byLoad;
-  plan.startsFree = !row.byLoad || !facts.grounded || facts.fastest > kDebrisSpeed;
+  plan.startsFree = !row.byLoad || !facts.grounded;
   plan.softDebris = row.byLoad && facts.fastest > kDebrisSpeed;
   plan.tolerance = !row.byLoad ? kSlowTolerance : plan.slow ? kStandingTolerance : settings.cycleTolerance;
   plan.minCycles = row.direct && row.exactSteps ? kCyclesBeforeDirect : settings.minCycles;

@@ -48,7 +48,7 @@ struct SolvePlan {
   bool exactSteps = false;  // see PlanRow
   bool direct = false;      // see PlanRow
   bool byLoad = false;      // see PlanRow
-  bool startsFree = true;   // from free motion; else from the motion it had
+  bool startsFree = true;   // from free motion; else with as much of its fall as each body had
   bool softDebris = false;  // contacts of what moves in it have impactStiffness
   double stiffening = 1;    // x restingStiffness
   double leastMass = 0;     // kg: joints are as firm as between bodies of that effective mass

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "solver/acceleration.h"
 #include "solver/cluster_step.h"
 
 namespace brickfall {
@@ -38,6 +39,10 @@ constexpr float kBetter = 0.8f;  // of the least square of residuals
 //! - | too small: a body whose points open and close is given up | too large: cost
 constexpr int kMostStalled = 4;  // cycles of a body alone that are no better
 
+//! - | too small: cost of what moves only a few bodies | too large: slow settling is not seen through
+constexpr double kWorthReading =
+    1;  // of all rows, read in a cycle: then reading them all once more for an acceleration pays
+
 class Relaxation {
  public:
   Relaxation(Island& island, const StepContext& context, SolveStatistics& statistics)
@@ -45,6 +50,7 @@ class Relaxation {
         context_(context),
         statistics_(statistics),
         forces_(island, statistics),
+        acceleration_(island),
         allowed_(island.bodies.size(), 0, island.memory),
         hierarchies_{&island.byStrength, &island.byMechanism},
         factors_{std::pmr::vector<ClusterFactor>(island.memory), std::pmr::vector<ClusterFactor>(island.memory)},
@@ -62,9 +68,7 @@ class Relaxation {
     bool done = false;
     for (int cycle = 0; cycle < island_.plan.maxCycles && !done; cycle++) {
       statistics_.cycles++;
-      coarseSweep(cycle % 2);
-      for (int round = 0; round < kRounds && singleSweep(round % 2 != 0); round++) {
-      }
+      sweep(cycle);
       // Small islands are read anew, which costs little: under large forces what is followed is off by their rounding.
       if (!island_.plan.byLoad)
         forces_.readAll();
@@ -135,6 +139,19 @@ class Relaxation {
     forces_.acceptBoundary(level, cluster);
     addInertiaOfStep(island_, level, cluster, made);
     return true;
+  }
+
+  // Small islands have the direct solve.
+  void sweep(int cycle) {
+    bool accelerated = island_.plan.byLoad;
+    if (accelerated && worthReading_) acceleration_.apply(forces_);
+    if (accelerated) acceleration_.begin();
+    double sides = statistics_.solveSides;
+    coarseSweep(cycle % 2);
+    for (int round = 0; round < kRounds && singleSweep(round % 2 != 0); round++) {
+    }
+    if (accelerated) acceleration_.end();
+    worthReading_ = statistics_.solveSides - sides > kWorthReading * 4.0 * double(island_.rows.size());
   }
 
   void coarseSweep(int h) {
@@ -211,9 +228,11 @@ class Relaxation {
   const StepContext& context_;
   SolveStatistics& statistics_;
   RowForces forces_;
+  Acceleration acceleration_;
   std::pmr::vector<float> allowed_;                       // N, by body
   float least_ = std::numeric_limits<float>::infinity();  // N2, of a body alone: what a cycle left at best
   int stalled_ = 0;                                       // cycles since
+  bool worthReading_ = false;                             // the last cycle moved so much
   const Hierarchy* hierarchies_[2];
   std::pmr::vector<ClusterFactor> factors_[2];    // by cluster, finest level first
   std::pmr::vector<ClusterFactor> exactFactors_;  // by body, of exact steps

@@ -23,14 +23,22 @@ void RowForces::take(std::uint32_t row, RowEnds ends, const Reaction& now) {
 }
 
 void RowForces::readAll() {
-  island_.residual.resize(bodies_);
-  for (std::uint32_t i = 0; i < bodies_; i++)
-    island_.residual[i] = inertiaResidual(island_.masses[i], island_.motion[i]);
   following_.clear();
   std::uint32_t row = 0;
   island_.rows.each([&](auto& kind, std::size_t k) {
     kind.renewBounds(k, island_.motion.data(), 0);
     if (kind.boundsFollow(k)) following_.push_back(row);
+    row++;
+  });
+  readAgain();
+}
+
+void RowForces::readAgain() {
+  island_.residual.resize(bodies_);
+  for (std::uint32_t i = 0; i < bodies_; i++)
+    island_.residual[i] = inertiaResidual(island_.masses[i], island_.motion[i]);
+  std::uint32_t row = 0;
+  island_.rows.each([&](const auto& kind, std::size_t k) {
     Reaction now = kind.react(k, island_.motion.data());
     add(kind.ends(k), now, now.force, now.torque);
     readings_[row++] = {now.force, now.torque};

@@ -23,6 +23,8 @@ class RowForces {
 
   // All rows at the present motion: Island::residual. Bounds that follow the solve are renewed first.
   void readAll();
+  // The same with the bounds as they are.
+  void readAgain();
   // Bounds that have changed by more than a hundredth follow.
   void renewBounds();
   // Those of what has opened are dropped where `wanted(ends)`. True if any was.

@@ -1,0 +1,58 @@
+// Goes on from what cycles have found: of all motions that the changes of the last ones add up to, the one of least energy.
+//
+// A cycle moves bodies and clusters one at a time. What they must do together (a wall that sways on stiff joints, a heap that
+// settles) comes along by a little in each cycle, in much the same way. So the island is moved by
+//
+//   P = sum of x_j s_j,   x such that   s_i . (residual - sum of x_j y_j) = 0   for all i,
+//
+// with s_j the change of the motion in one of the last cycles, and y_j by how much the residual fell: what the energy's
+// curvature did along s_j is known already, and the forces are read once, where P ends. The newest change is then made
+// whole by P, so that the next ones stand across it, as in conjugate gradients. After nonlinear Krylov acceleration (Carlson and
+// Miller, SIAM J. Sci. Comput. 19, 1998) and its form for minima (De Sterck, SIAM J. Sci. Comput. 34, 2012).
+#pragma once
+#include <memory_resource>
+#include <vector>
+
+#include "solver/row_forces.h"
+
+namespace brickfall {
+
+class Acceleration {
+ public:
+  explicit Acceleration(Island& island)
+      : island_(island), startMotion_(island.memory), startResidual_(island.memory), changes_(island.memory) {}
+
+  // Moves the island by P and reads its forces there. Nothing happens before the first change, or if P is no way down.
+  void apply(RowForces& forces);
+  // A cycle between these two is a change. (Bounds that follow the solve do so outside.)
+  void begin();
+  void end();
+
+ private:
+  //! - | too small: slow settling is not seen through | too large: cost, for changes made elsewhere
+  static constexpr int kChanges = 3;
+
+  // Of one body, in one cycle.
+  struct Change {
+    SolveMotion way;
+    SolveMotion fell;  // the residual: d is force, th torque
+  };
+  struct Products {
+    double curvature[kChanges][kChanges] = {};  // s_i . y_j
+    double slope[kChanges] = {};                // s_i . residual
+  };
+  Products products() const;
+  const Change* change(int age) const;  // 0: the newest
+  Change* newest();
+  void moveBy(const double* shares, double part);
+  double slopeAlong(const double* shares) const;
+  void makeNewestWhole(const double* shares, double part);
+
+  Island& island_;
+  std::pmr::vector<SolveMotion> startMotion_;  // by body
+  std::pmr::vector<Wrench> startResidual_;     // by body
+  std::pmr::vector<Change> changes_;           // kChanges lists by body, used in turn
+  int count_ = 0, made_ = 0;
+};
+
+}  // namespace brickfall

@@ -1,0 +1,133 @@
+// Where the changes of the last cycles lead, against the law that defines it.
+#include "solver/acceleration.h"
+
+#include <optional>
+
+#include "math/random.h"
+#include "support/test_island.h"
+
+namespace brickfall::test {
+namespace {
+
+// A pile that has long stood under its load: near where it is, all its forces are linear.
+struct Standing : TestIsland {
+  explicit Standing(int bricks) {
+    BodyIndex under = ground();
+    pile(under, bricks);
+    island();
+    int above = bricks;
+    for (ContactIndex k : island().rows.contacts.contactOf) load(k, above-- * kBrickWeight, 1000 * unit(k));
+    prepare();
+    for (SolveMotion& m : island().motion) m = {};
+    forces.emplace(island(), counts);
+    forces->readAll();
+  }
+  // A change of all bodies by up to `size` m and as many rad/m of turn.
+  std::vector<SolveMotion> change(Acceleration& acceleration, Random& random, double size) {
+    std::vector<SolveMotion> way(island().bodies.size());
+    auto number = [&] { return float(random.between(-size, size)); };
+    acceleration.begin();
+    for (std::size_t i = 0; i < way.size(); i++) {
+      way[i].d = {number(), number(), number()};
+      way[i].th = {number(), number(), number()};
+      island().motion[i].d += way[i].d;
+      island().motion[i].th += way[i].th;
+    }
+    forces->readAgain();
+    acceleration.end();
+    return way;
+  }
+  double slope(const std::vector<SolveMotion>& way) {
+    double sum = 0;
+    for (std::size_t i = 0; i < way.size(); i++)
+      sum += double(dot(way[i].d, island().residual[i].force)) + double(dot(way[i].th, island().residual[i].torque));
+    return sum;
+  }
+  SolveStatistics counts;
+  std::optional<RowForces> forces;
+};
+
+TEST(Acceleration, EndsAcrossAllChangesWhereForcesAreLinear) {
+  Random random(5);
+  for (int bricks : {2, 20, 150})
+    for (int changes : {1, 2, 3}) {
+      Standing lab(bricks);
+      Acceleration acceleration(lab.island());
+      std::vector<std::vector<SolveMotion>> ways;
+      for (int k = 0; k < changes; k++) ways.push_back(lab.change(acceleration, random, 2e-8));
+      double before = 0;
+      for (auto& way : ways) before = std::max(before, std::fabs(lab.slope(way)));
+      acceleration.apply(*lab.forces);
+      for (auto& way : ways) EXPECT_LT(std::fabs(lab.slope(way)), 1e-3 * before) << bricks << ", " << changes;
+    }
+}
+
+// The first is made whole by what it led to, the second stands across that: both are needed to end across four.
+TEST(Acceleration, KeepsWhatEarlierOnesFound) {
+  Random random(6);
+  Standing lab(40);
+  Acceleration other(lab.island()), acceleration(lab.island());
+  lab.change(other, random, 2e-8);  // what is to be found
+  std::vector<SolveMotion> first = lab.change(acceleration, random, 2e-8);
+  double before = std::fabs(lab.slope(first));
+  acceleration.apply(*lab.forces);
+  std::vector<SolveMotion> second = lab.change(acceleration, random, 2e-8);
+  acceleration.apply(*lab.forces);
+  EXPECT_LT(std::fabs(lab.slope(first)), 2e-3 * before);
+  EXPECT_LT(std::fabs(lab.slope(second)), 2e-3 * before);
+}
+
+TEST(Acceleration, AChangeMadeTwiceCountsOnce) {
+  Random random(7);
+  Standing lab(10);
+  Acceleration acceleration(lab.island());
+  std::vector<SolveMotion> way = lab.change(acceleration, random, 2e-8);
+  acceleration.begin();
+  for (std::size_t i = 0; i < way.size(); i++) {
+    lab.island().motion[i].d += way[i].d;
+    lab.island().motion[i].th += way[i].th;
+  }
+  lab.forces->readAgain();
+  acceleration.end();
+  double before = std::fabs(lab.slope(way));
+  acceleration.apply(*lab.forces);
+  EXPECT_LT(std::fabs(lab.slope(way)), 1e-3 * before);
+}
+
+// A brick in the air knows of no ground: its changes would take it a whole step's fall down, through 0.1 mm of air and far on.
+TEST(Acceleration, DoesNotEndFarBeyondWhatItMeets) {
+  OnGround lab({}, 1e-4);
+  lab.prepare();
+  Island& island = lab.island();
+  for (SolveMotion& m : island.motion) m = {};
+  SolveStatistics counts;
+  RowForces forces(island, counts);
+  forces.readAll();
+  Acceleration acceleration(island);
+  acceleration.begin();
+  island.motion[0].d.y = -1e-5f;
+  forces.readAgain();
+  acceleration.end();
+  const float weight = island.residual[0].force.y;
+  ASSERT_LT(weight, 0);
+  acceleration.apply(forces);
+  EXPECT_LT(island.motion[0].d.y, -1e-5f) << "it goes on";
+  EXPECT_GT(island.motion[0].d.y, -2e-4f) << "and is met by the ground; free fall is 2.7 mm";
+  EXPECT_LT(island.residual[0].force.y, -0.5f * weight) << "and not thrown back by it";
+}
+
+TEST(Acceleration, NothingHappensBeforeTheFirstChangeNorByNone) {
+  Standing lab(3);
+  Acceleration acceleration(lab.island());
+  for (SolveMotion& m : lab.island().motion) m.d.x = 1e-6f;
+  lab.forces->readAgain();
+  acceleration.apply(*lab.forces);
+  EXPECT_EQ(lab.island().motion[0].d.x, 1e-6f);
+  acceleration.begin();
+  acceleration.end();
+  acceleration.apply(*lab.forces);
+  for (std::size_t i = 0; i < 3; i++) EXPECT_EQ(lab.island().motion[i].d.x, 1e-6f);
+}
+
+}  // namespace
+}  // namespace brickfall::test
