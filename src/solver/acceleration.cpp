@@ -21,36 +21,50 @@ V wayOf(const SolveMotion& m) { return wide::load(&m.d.x); }
 V turnOf(const SolveMotion& m) { return wide::load(&m.th.x); }
 double total(V v) { return (double(v[0]) + double(v[2])) + (double(v[1]) + double(v[3])); }
 
-// The minimum along the changes, newest first; those that are like newer ones are left out.
-template <int most>
-void sharesOf(int count, const double (&curvature)[most][most], const double* slope, double* shares) {
+// Sums over bodies: add(body, sums) a run as floats, then as doubles.
+template <std::size_t n, class Add> std::array<double, n> sumOver(std::size_t bodies, Add add) {
+  std::array<double, n> out{};
+  for (std::size_t from = 0; from < bodies; from += kRun) {
+    V run[n] = {};
+    for (std::size_t k = from; k < std::min(bodies, from + kRun); k++) add(k, run);
+    for (std::size_t i = 0; i < n; i++) out[i] += total(run[i]);
+  }
+  return out;
+}
+
+// The minimum along the changes, newest first; those that are like newer ones are left out. Of the matrix, the entries right of
+// the diagonal are read.
+template <std::size_t most>
+std::array<double, most> minimum(int count, const double (&matrix)[most][most], const std::array<double, most>& slope) {
   double lower[most][most] = {}, pivot[most] = {}, right[most] = {};
-  auto symmetric = [&](int i, int j) { return 0.5 * (curvature[i][j] + curvature[j][i]); };
   for (int j = 0; j < count; j++) {
-    pivot[j] = symmetric(j, j);
-    right[j] = slope[j];
+    pivot[j] = matrix[j][j];
+    right[j] = slope[std::size_t(j)];
     for (int k = 0; k < j; k++) {
       if (!(pivot[k] > 0)) continue;
-      double s = symmetric(j, k);
+      double s = matrix[k][j];
       for (int l = 0; l < k; l++) s -= lower[j][l] * lower[k][l] * pivot[l];
       lower[j][k] = s / pivot[k];
       pivot[j] -= lower[j][k] * s;
       right[j] -= lower[j][k] * right[k];
     }
-    if (!(pivot[j] > kAlike * symmetric(j, j))) pivot[j] = 0;
+    if (!(pivot[j] > kAlike * matrix[j][j])) pivot[j] = 0;
   }
+  std::array<double, most> out{};
   for (int j = count - 1; j >= 0; j--) {
-    shares[j] = pivot[j] > 0 ? right[j] / pivot[j] : 0;
-    for (int i = j + 1; i < count && pivot[j] > 0; i++) shares[j] -= lower[i][j] * shares[i];
+    if (!(pivot[j] > 0)) continue;
+    double x = right[j] / pivot[j];
+    for (int i = j + 1; i < count; i++) x -= lower[i][j] * out[std::size_t(i)];
+    out[std::size_t(j)] = x;
   }
+  return out;
 }
 
 }  // namespace
 
-const Acceleration::Change* Acceleration::change(int age) const {
+Acceleration::Change* Acceleration::change(int age) {
   return changes_.data() + std::size_t((made_ - 1 - age) % kChanges) * island_.bodies.size();
 }
-Acceleration::Change* Acceleration::newest() { return const_cast<Change*>(change(0)); }
 
 void Acceleration::begin() {
   startMotion_.assign(island_.motion.begin(), island_.motion.begin() + std::ptrdiff_t(island_.bodies.size()));
@@ -62,7 +76,7 @@ void Acceleration::end() {
   changes_.resize(kChanges * bodies);
   made_++;
   count_ = std::min(count_ + 1, kChanges);
-  Change* out = newest();
+  Change* out = change(0);
   for (std::size_t i = 0; i < bodies; i++) {
     const SolveMotion &now = island_.motion[i], &was = startMotion_[i];
     out[i].way.d = now.d - was.d;
@@ -72,31 +86,39 @@ void Acceleration::end() {
   }
 }
 
-Acceleration::Products Acceleration::products() const {
-  Products out;
-  std::size_t bodies = island_.bodies.size();
-  for (std::size_t from = 0; from < bodies; from += kRun) {
-    V curvature[kChanges][kChanges] = {}, slope[kChanges] = {};
-    for (std::size_t k = from; k < std::min(bodies, from + kRun); k++) {
-      V force = forceOf(island_.residual[k]), torque = torqueOf(island_.residual[k]);
-      for (int i = 0; i < count_; i++) {
-        V way = wayOf(change(i)[k].way), turn = turnOf(change(i)[k].way);
-        slope[i] += way * force + turn * torque;
-        for (int j = 0; j < count_; j++)
-          curvature[i][j] += way * wayOf(change(j)[k].fell) + turn * turnOf(change(j)[k].fell);
-      }
-    }
-    for (int i = 0; i < count_; i++) {
-      out.slope[i] += total(slope[i]);
-      for (int j = 0; j < count_; j++) out.curvature[i][j] += total(curvature[i][j]);
-    }
+Acceleration::Curvature Acceleration::curvature() {
+  Curvature out;
+  for (int i = 0; i < count_; i++) {
+    const Change *ways = change(i), *older[kChanges] = {};
+    for (int j = i; j < count_; j++) older[j] = change(j);
+    auto sums = sumOver<kChanges>(island_.bodies.size(), [&](std::size_t k, V* run) {
+      V way = wayOf(ways[k].way), turn = turnOf(ways[k].way);
+      for (int j = i; j < count_; j++) run[j] += way * wayOf(older[j][k].fell) + turn * turnOf(older[j][k].fell);
+    });
+    for (int j = i; j < count_; j++) out.of[i][j] = sums[std::size_t(j)];
   }
   return out;
 }
 
-void Acceleration::moveBy(const double* shares, double part) {
+Acceleration::Shares Acceleration::slopes() {
+  const Change* ways[kChanges] = {};
+  for (int i = 0; i < count_; i++) ways[i] = change(i);
+  return sumOver<kChanges>(island_.bodies.size(), [&](std::size_t k, V* run) {
+    V force = forceOf(island_.residual[k]), torque = torqueOf(island_.residual[k]);
+    for (int i = 0; i < count_; i++) run[i] += wayOf(ways[i][k].way) * force + turnOf(ways[i][k].way) * torque;
+  });
+}
+
+double Acceleration::slopeAlong(const Shares& shares) {
+  Shares now = slopes();
+  double sum = 0;
+  for (int j = 0; j < count_; j++) sum += shares[std::size_t(j)] * now[std::size_t(j)];
+  return sum;
+}
+
+void Acceleration::moveBy(const Shares& shares, double part) {
   for (int j = 0; j < count_; j++) {
-    float share = float(shares[j] * part);
+    float share = float(shares[std::size_t(j)] * part);
     const Change* c = change(j);
     for (std::size_t k = 0; k < island_.bodies.size(); k++) {
       island_.motion[k].d += c[k].way.d * share;
@@ -105,24 +127,17 @@ void Acceleration::moveBy(const double* shares, double part) {
   }
 }
 
-double Acceleration::slopeAlong(const double* shares) const {
-  Products now = products();
-  double sum = 0;
-  for (int j = 0; j < count_; j++) sum += shares[j] * now.slope[j];
-  return sum;
-}
-
-void Acceleration::makeNewestWhole(const double* shares, double part) {
-  Change* whole = newest();
-  for (std::size_t k = 0; k < island_.bodies.size(); k++) {
-    Vec3f way, turn;
-    for (int j = 0; j < count_; j++) {
-      float share = float(shares[j] * part);
-      way += change(j)[k].way.d * share;
-      turn += change(j)[k].way.th * share;
+void Acceleration::makeNewestWhole(const Shares& shares, double part) {
+  Change* whole = change(0);
+  for (int j = 0; j < count_; j++) {
+    float share = float(shares[std::size_t(j)] * part);
+    const Change* c = change(j);
+    for (std::size_t k = 0; k < island_.bodies.size(); k++) {
+      whole[k].way.d += c[k].way.d * share;
+      whole[k].way.th += c[k].way.th * share;
     }
-    whole[k].way.d += way;
-    whole[k].way.th += turn;
+  }
+  for (std::size_t k = 0; k < island_.bodies.size(); k++) {
     whole[k].fell.d += startResidual_[k].force - island_.residual[k].force;
     whole[k].fell.th += startResidual_[k].torque - island_.residual[k].torque;
   }
@@ -130,10 +145,8 @@ void Acceleration::makeNewestWhole(const double* shares, double part) {
 
 void Acceleration::apply(RowForces& forces) {
   if (count_ == 0) return;
-  Products now = products();
-  double shares[kChanges] = {}, start = 0, part = 1;
-  sharesOf(count_, now.curvature, now.slope, shares);
-  for (int j = 0; j < count_; j++) start += shares[j] * now.slope[j];
+  Shares shares = minimum(count_, curvature().of, slopes());
+  double start = slopeAlong(shares), part = 1;
   if (!(start > 0)) return;
   startResidual_.assign(island_.residual.begin(), island_.residual.end());
   moveBy(shares, part);

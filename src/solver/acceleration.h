@@ -10,6 +10,7 @@
 // whole by P, so that the next ones stand across it, as in conjugate gradients. After nonlinear Krylov acceleration (Carlson and
 // Miller, SIAM J. Sci. Comput. 19, 1998) and its form for minima (De Sterck, SIAM J. Sci. Comput. 34, 2012).
 #pragma once
+#include <array>
 #include <memory_resource>
 #include <vector>
 
@@ -37,16 +38,16 @@ class Acceleration {
     SolveMotion way;
     SolveMotion fell;  // the residual: d is force, th torque
   };
-  struct Products {
-    double curvature[kChanges][kChanges] = {};  // s_i . y_j
-    double slope[kChanges] = {};                // s_i . residual
+  using Shares = std::array<double, kChanges>;  // x, the newest first
+  struct Curvature {
+    double of[kChanges][kChanges] = {};  // s_i . y_j, j not newer than i
   };
-  Products products() const;
-  const Change* change(int age) const;  // 0: the newest
-  Change* newest();
-  void moveBy(const double* shares, double part);
-  double slopeAlong(const double* shares) const;
-  void makeNewestWhole(const double* shares, double part);
+  Change* change(int age);  // of all bodies; 0: the newest
+  Curvature curvature();
+  Shares slopes();  // s_i . residual
+  double slopeAlong(const Shares& shares);
+  void moveBy(const Shares& shares, double part);
+  void makeNewestWhole(const Shares& shares, double part);
 
   Island& island_;
   std::pmr::vector<SolveMotion> startMotion_;  // by body

@@ -23,15 +23,18 @@ float fallShare(const Island& island, std::size_t i, const StepContext& context)
 
 // Free motion is the honest start: whatever cycles leave undone falls. In large islands on the ground each body goes on with as
 // much of its fall as it had: what cycles leave undone in a wall or a heap would fall through it a little in every step, and no
-// brick hangs by it, since each that is out of balance by itself is moved until it is not.
+// brick hangs by it, since each that is out of balance by itself is moved until it is not. What is slow there starts from where it is:
+// on stiff joints even micrometres a second of the last step are forces to be solved away.
 void startMotion(Island& island, const StepContext& context) {
   for (std::size_t i = 0; i < island.bodies.size(); i++) {
-    const BodyMotion& m = context.bodies->motion[island.bodies[i]];
     const SolveMass& free = island.masses[i];
     SolveMotion& out = island.motion[i];
+    out = {};
+    if (!island.plan.startsFree && island.plan.slow) continue;
     out.d = free.dFree;
     out.th = free.thFree;
     if (island.plan.startsFree) continue;
+    const BodyMotion& m = context.bodies->motion[island.bodies[i]];
     float share = fallShare(island, i, context);
     Vec3f way = toFloat(m.linearVelocity * island.dt), turn = toFloat(m.angularVelocity * island.dt);
     out.d = way + (out.d - way) * share;

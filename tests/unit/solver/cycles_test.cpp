@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "math/random.h"
@@ -65,6 +66,38 @@ TEST(Cycles, StartFromFreeMotion) {
     EXPECT_EQ(island.motion[i].th, island.masses[i].thFree);
   }
   EXPECT_EQ(island.motion[6].d, Vec3f{}) << "the ground stays where it is";
+}
+
+// In a large island on the ground each body goes on with as much of its fall as it had in the step before.
+TEST(Cycles, BodiesOfALargeIslandStartWithAsMuchOfTheirFallAsTheyHad) {
+  TestIsland lab;
+  std::vector<BodyIndex> pile = lab.pile(lab.ground(), 100);
+  const double fell[] = {0, 0.25, 1, 3, -1};
+  for (std::size_t i = 0; i < pile.size(); i++) {
+    lab.at(pile[i]).linearVelocity = {0.02, 0, 0};
+    lab.bodies.data[pile[i]].linearAcceleration = {5, -fell[i % 5] * kG, 0};
+  }
+  lab.prepare();
+  Island& island = lab.island();
+  ASSERT_FALSE(island.plan.startsFree);
+  ASSERT_FALSE(island.plan.slow);
+  startCycles(island, lab.context);
+  for (std::size_t i = 0; i < pile.size(); i++) {
+    float share = float(std::clamp(fell[i % 5], 0.0, 1.0)), h = float(lab.context.dt);
+    EXPECT_NEAR(island.motion[i].d.y, -share * float(kG) * h * h, 1e-8f) << i;
+    EXPECT_NEAR(island.motion[i].d.x, 0.02f * h, 1e-8f) << i;
+  }
+}
+
+// One that may be stopped starts from where it is: the motion that it had is forces on its stiff joints.
+TEST(Cycles, ALargeSlowIslandStartsFromWhereItIs) {
+  TestIsland lab;
+  std::vector<BodyIndex> pile = lab.pile(lab.ground(), 100);
+  for (BodyIndex body : pile) lab.at(body).linearVelocity = {0.005, 0, 0};
+  lab.prepare();
+  ASSERT_TRUE(lab.island().plan.slow);
+  startCycles(lab.island(), lab.context);
+  for (std::size_t i = 0; i < pile.size(); i++) EXPECT_EQ(lab.island().motion[i].d, Vec3f{}) << i;
 }
 
 TEST(Cycles, LeaveAloneWhatDoesNotReachEachOther) {
