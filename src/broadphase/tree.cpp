@@ -24,18 +24,21 @@ ProxyIndex BoxTree::add(const Aabb& tight, double grow, std::uint32_t user) {
   ProxyIndex leaf = allocateNode();
   nodes_[leaf].box = grown(tight, grow);
   nodes_[leaf].user = user;
+  rebuilt_ = false;
   insertLeaf(leaf);
   markMoved(leaf);
   count_++;
   if (moved_.capacity() < std::size_t(count_)) {  // all may move in one step
     moved_.reserve(nodes_.capacity());
     leaves_.reserve(nodes_.capacity());
+    leaving_.reserve(nodes_.capacity());
   }
   return leaf;
 }
 
 void BoxTree::remove(ProxyIndex proxy) {
   BRICKFALL_ASSERT(proxy >= 0 && proxy < ProxyIndex(nodes_.size()) && nodes_[proxy].height == 0, "not a live proxy");
+  rebuilt_ = false;
   removeLeaf(proxy);
   freeNode(proxy);
   count_--;
@@ -45,19 +48,48 @@ bool BoxTree::update(ProxyIndex proxy, const Aabb& tight, double grow) {
   BRICKFALL_ASSERT(proxy >= 0 && proxy < ProxyIndex(nodes_.size()) && nodes_[proxy].height == 0, "not a live proxy");
   Aabb fresh = grown(tight, grow);
   if (!mustMove(nodes_[proxy].box, tight, fresh)) return false;
-  removeLeaf(proxy);
-  nodes_[proxy].box = fresh;
-  insertLeaf(proxy);
+  placeAgain(proxy, fresh);
   markMoved(proxy);
   return true;
+}
+
+void BoxTree::placeAgain(ProxyIndex leaf, const Aabb& box) {
+  rebuilt_ = false;
+  removeLeaf(leaf);
+  nodes_[leaf].box = box;
+  insertLeaf(leaf);
+}
+
+// Where so many move that newPairs() is to build the whole tree, no leaf is taken to a place of its own first: that costs more
+// than all else of a step in which everything falls.
+void BoxTree::updateAll(std::span<const BoundsUpdate> updates) {
+  leaving_.clear();
+  for (const BoundsUpdate& u : updates) {
+    Aabb fresh = grown(u.tight, u.grow);
+    if (!mustMove(nodes_[u.proxy].box, u.tight, fresh)) continue;
+    leaving_.push_back({u.proxy, fresh});
+    markMoved(u.proxy);
+  }
+  if (leaving_.empty()) return;
+  if (!mostMoved()) {
+    for (const auto& [leaf, box] : leaving_) placeAgain(leaf, box);
+    return;
+  }
+  for (const auto& [leaf, box] : leaving_) nodes_[leaf].box = box;
+  rebuild();
+}
+
+// Also brings the list of what moved in order.
+bool BoxTree::mostMoved() {
+  std::sort(moved_.begin(), moved_.end());
+  moved_.erase(std::unique(moved_.begin(), moved_.end()), moved_.end());
+  return count_ >= kLeastRebuilt && 2 * moved_.size() > std::size_t(count_);
 }
 
 void BoxTree::newPairs(PairFilter wanted, Pairs& out) {
   out.clear();
   ProxyIndex stack[kStackSize];
-  std::sort(moved_.begin(), moved_.end());
-  moved_.erase(std::unique(moved_.begin(), moved_.end()), moved_.end());
-  if (count_ >= kLeastRebuilt && 2 * moved_.size() > std::size_t(count_)) rebuild();
+  if (mostMoved() && !rebuilt_) rebuild();
   for (ProxyIndex leaf : moved_) {
     const Node& self = nodes_[leaf];
     if (!self.moved) continue;  // removed since

@@ -9,6 +9,7 @@ class BoxTree final : public BroadPhase {
   ProxyIndex add(const Aabb& tight, double grow, std::uint32_t user) override;
   void remove(ProxyIndex proxy) override;
   bool update(ProxyIndex proxy, const Aabb& tight, double grow) override;
+  void updateAll(std::span<const BoundsUpdate> updates) override;
   const Aabb& kept(ProxyIndex proxy) const override { return nodes_[proxy].box; }
   void newPairs(PairFilter wanted, Pairs& out) override;
   void query(const Aabb& box, FunctionRef<bool(std::uint32_t)> visit) const override;
@@ -31,6 +32,7 @@ class BoxTree final : public BroadPhase {
 
   ProxyIndex allocateNode();
   void freeNode(ProxyIndex index);
+  bool mostMoved();
   void rebuild();
   ProxyIndex build(std::size_t from, std::size_t to);
   void insertLeaf(ProxyIndex leaf);
@@ -42,11 +44,14 @@ class BoxTree final : public BroadPhase {
   void improve(ProxyIndex index);
   void swapWithNephew(ProxyIndex index, int side, int nephew);
   void markMoved(ProxyIndex leaf);
+  void placeAgain(ProxyIndex leaf, const Aabb& box);
   void validateNode(ProxyIndex index, std::vector<std::string>& faults, int& leaves, int& inner) const;
 
   std::vector<Node> nodes_;
   std::vector<ProxyIndex> moved_;   // may hold removed or repeated entries; newPairs sorts that out
   std::vector<ProxyIndex> leaves_;  // scratch
+  std::vector<std::pair<ProxyIndex, Aabb>> leaving_;  // scratch: leaves with their next boxes
+  bool rebuilt_ = false;            // nothing changed since the whole tree was built
   ProxyIndex root_ = kNoProxy;
   ProxyIndex free_ = kNoProxy;
   int count_ = 0;

@@ -184,6 +184,7 @@ void BoxTree::rebuild() {
     if (nodes_[i].height == 0) leaves_.push_back(i);
     if (nodes_[i].height > 0) freeNode(i);
   }
+  rebuilt_ = true;
   root_ = leaves_.empty() ? kNoProxy : build(0, leaves_.size());
   if (root_ != kNoProxy) nodes_[root_].parent = kNoProxy;
 }

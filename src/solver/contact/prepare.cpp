@@ -159,6 +159,7 @@ void ContactRows::prepare(const Island& island, Ties ties, const StepContext& co
   ContactSet& set = ties.contacts;
   double perDt2 = 1 / (island.dt * island.dt);
   double resting = context.settings.restingStiffness * island.plan.stiffening;
+  fastestApproach = 0;
   for (std::size_t k = 0; k < size(); k++) {
     Contact& c = set.contacts[contactOf[k]];
     ContactRecord& r = records[k];
@@ -186,6 +187,7 @@ void ContactRows::prepare(const Island& island, Ties ties, const StepContext& co
         r.trialN[i] = r.trial1[i] = r.trial2[i] = r.k[i] = r.limit[i] = r.tensionCap[i] = 0;
         continue;
       }
+      if (-start.approach[i] > fastestApproach) fastestApproach = -start.approach[i];
       float gap = mapNormalOffset(c.points, i, start.approach[i], scale);
       mapFrictionAnchor(c, i, set.geometry[contactOf[k]], r, bodies);
       float stiffness = c.points.stiffness[i];
