@@ -43,6 +43,8 @@ class BoxTree final : public BroadPhase {
   void restoreBalance(ProxyIndex index);
   void improve(ProxyIndex index);
   void swapWithNephew(ProxyIndex index, int side, int nephew);
+  template <class Found> void eachOverlapOf(ProxyIndex leaf, Found&& found) const;
+  template <class Found> void eachOverlap(Found&& found) const;  // of which one leaf moved
   void markMoved(ProxyIndex leaf);
   void placeAgain(ProxyIndex leaf, const Aabb& box);
   void validateNode(ProxyIndex index, std::vector<std::string>& faults, int& leaves, int& inner) const;

@@ -26,6 +26,7 @@ double decay(double x) {
 
 Vec3 visibleTurn(const BodyMass& mass, const Mat3& orientation, Vec3 th) {
   if (mass.round) return {};
+  if (mass.symmetryAxis == Vec3{}) return th;
   Vec3 axis = orientation * mass.symmetryAxis;
   return th - axis * dot(axis, th);
 }

@@ -53,6 +53,7 @@ void Proximity::enter(const Registry& registry, BodyIndex body) {
 }
 
 void Proximity::enter(const Registry& registry, ShapeIndex shape, const Aabb& swept) {
+  around[shape].mesh = registry.shapes.data[shape].geometry.type == ShapeType::mesh;
   around[shape].proxy = broadPhase->add(swept, slackOf(registry.shapes.data[shape]), shape);
 }
 

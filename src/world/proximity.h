@@ -15,6 +15,7 @@ namespace brickfall {
 // Of a shape.
 struct Surroundings {
   ProxyIndex proxy = kNoProxy;  // none: its body is quarantined
+  bool mesh = false;            // a triangle mesh
   Aabb swept;                   // m: bounds over the coming step at the present velocity, grown by the contact margin
 };
 
