@@ -11,6 +11,8 @@ namespace {
 // A balanced tree of 2^31 leaves is 45 levels high, and a depth-first walk keeps one node a level.
 constexpr int kStackSize = 64;
 constexpr int kLeastRebuilt = 64;  // leaves: smaller trees are fine as they grew
+// 1 / share of the leaves that moved: to take a leaf out and in again costs about four times its part of building the tree.
+constexpr std::size_t kRebuildShare = 4;
 
 }  // namespace
 
@@ -83,7 +85,7 @@ void BoxTree::updateAll(std::span<const BoundsUpdate> updates) {
 bool BoxTree::mostMoved() {
   std::sort(moved_.begin(), moved_.end());
   moved_.erase(std::unique(moved_.begin(), moved_.end()), moved_.end());
-  return count_ >= kLeastRebuilt && 2 * moved_.size() > std::size_t(count_);
+  return count_ >= kLeastRebuilt && kRebuildShare * moved_.size() > std::size_t(count_);
 }
 
 void BoxTree::newPairs(PairFilter wanted, Pairs& out) {
