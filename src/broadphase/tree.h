@@ -30,6 +30,13 @@ class BoxTree final : public BroadPhase {
     bool moved = false;
   };
 
+  // What building asks of a leaf, in one place: it is compared some log n times.
+  struct BuildLeaf {
+    Vec3 middle2;  // m, twice the middle of its box
+    ProxyIndex index = kNoProxy;
+    bool endless = false;
+  };
+
   ProxyIndex allocateNode();
   void freeNode(ProxyIndex index);
   bool mostMoved();
@@ -51,7 +58,7 @@ class BoxTree final : public BroadPhase {
 
   std::vector<Node> nodes_;
   std::vector<ProxyIndex> moved_;   // may hold removed or repeated entries; newPairs sorts that out
-  std::vector<ProxyIndex> leaves_;  // scratch
+  std::vector<BuildLeaf> leaves_;   // scratch
   std::vector<std::pair<ProxyIndex, Aabb>> leaving_;  // scratch: leaves with their next boxes
   bool rebuilt_ = false;            // nothing changed since the whole tree was built
   ProxyIndex root_ = kNoProxy;
