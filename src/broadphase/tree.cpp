@@ -30,11 +30,12 @@ ProxyIndex BoxTree::add(const Aabb& tight, double grow, std::uint32_t user) {
   insertLeaf(leaf);
   markMoved(leaf);
   count_++;
-  if (moved_.capacity() < std::size_t(count_)) {  // all may move in one step
-    moved_.reserve(nodes_.capacity());
-    leaves_.reserve(nodes_.capacity());
-    leaving_.reserve(nodes_.capacity());
-  }
+  auto keepRoom = [&](auto& list) {  // all may move in one step
+    if (list.capacity() < std::size_t(count_)) list.reserve(nodes_.capacity());
+  };
+  keepRoom(moved_);
+  keepRoom(leaves_);
+  keepRoom(leaving_);
   return leaf;
 }
 
