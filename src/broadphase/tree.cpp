@@ -128,7 +128,8 @@ template <class Found> void BoxTree::eachOverlapOf(ProxyIndex leaf, Found&& foun
 // The tree against itself: branches that do not meet are parted once for all their leaves, a third of the time of asking for each
 // leaf by itself.
 template <class Found> void BoxTree::eachOverlap(Found&& found) const {
-  std::pair<ProxyIndex, ProxyIndex> stack[4 * kStackSize];  // two branches, of each one entry a level; and a level of pairs
+  std::pair<ProxyIndex, ProxyIndex>
+      stack[4 * kStackSize];  // two branches, of each one entry a level; and a level of pairs
   int depth = 0;
   stack[depth++] = {root_, root_};
   while (depth > 0) {

@@ -57,10 +57,10 @@ class BoxTree final : public BroadPhase {
   void validateNode(ProxyIndex index, std::vector<std::string>& faults, int& leaves, int& inner) const;
 
   std::vector<Node> nodes_;
-  std::vector<ProxyIndex> moved_;   // may hold removed or repeated entries; newPairs sorts that out
-  std::vector<BuildLeaf> leaves_;   // scratch
+  std::vector<ProxyIndex> moved_;                     // may hold removed or repeated entries; newPairs sorts that out
+  std::vector<BuildLeaf> leaves_;                     // scratch
   std::vector<std::pair<ProxyIndex, Aabb>> leaving_;  // scratch: leaves with their next boxes
-  bool rebuilt_ = false;            // nothing changed since the whole tree was built
+  bool rebuilt_ = false;                              // nothing changed since the whole tree was built
   ProxyIndex root_ = kNoProxy;
   ProxyIndex free_ = kNoProxy;
   int count_ = 0;

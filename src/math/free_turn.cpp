@@ -72,10 +72,11 @@ namespace {
 
 using wide::D;
 
-//! rad | not of the method: lanes and single bodies give the same bits
+//! not of the method: lanes and single bodies give the same bits
 constexpr double kSeriesAngle = 1e-4;  // as in quatFromRotationVector
-//! rad | as kSeriesAngle
-constexpr double kLeastSpin = 1e-60;  // about each axis, in a step: no product of a turn vanishes in the smallest numbers
+//! not of the method: as kSeriesAngle
+constexpr double kLeastSpin =
+    1e-60;  // about each axis, in a step: no product of a turn vanishes in the smallest numbers
 
 // One substep for each lane. What turns about one axis alone leaves out all that quatFromRotationVector, rotate() and the product
 // of quaternions multiply by zero; every other operation is theirs, in their order.

@@ -19,8 +19,8 @@ double arcTangentUnit(double x) {
   x = x / (1 + std::sqrt(1 + x * x));
   x = x / (1 + std::sqrt(1 + x * x));
   // Divided by the compiler, which would not at the step's level of optimisation: 1/27, ... 1/3, 1.
-  constexpr double kSeries[] = {-1.0 / 27, 1.0 / 25, -1.0 / 23, 1.0 / 21, -1.0 / 19, 1.0 / 17, -1.0 / 15,
-                                1.0 / 13,  -1.0 / 11, 1.0 / 9,  -1.0 / 7, 1.0 / 5,   -1.0 / 3, 1.0};
+  constexpr double kSeries[] = {-1.0 / 27, 1.0 / 25,  -1.0 / 23, 1.0 / 21, -1.0 / 19, 1.0 / 17, -1.0 / 15,
+                                1.0 / 13,  -1.0 / 11, 1.0 / 9,   -1.0 / 7, 1.0 / 5,   -1.0 / 3, 1.0};
   double z = x * x, p = 0;
   for (double term : kSeries) p = term + z * p;
   return 8 * x * p;

@@ -63,7 +63,8 @@ void integrateFreely(StepContext& context, BodyIndex body, Vec3 acceleration, do
 namespace {
 
 // Forces, damping and drag; where the body's centre goes.
-void predictWay(StepContext& context, BodySet& bodies, BodyIndex body, double dt, double airDensity, Vec3 acceleration) {
+void predictWay(StepContext& context, BodySet& bodies, BodyIndex body, double dt, double airDensity,
+                Vec3 acceleration) {
   BodyMotion& m = bodies.motion[body];
   const BodyData& data = bodies.data[body];
   FreeMotion& free = context.free[body];
@@ -90,7 +91,8 @@ class WaitingTurns {
 
   void add(BodyIndex body, Vec3 spin) {
     const BodyMass& mass = bodies_.mass[body];
-    turns_[count_] = {bodies_.motion[body].rotation, context_.free[body].angularMomentum,
+    turns_[count_] = {bodies_.motion[body].rotation,
+                      context_.free[body].angularMomentum,
                       {mass.principalAxes, mass.principalInvInertia}};
     body_[count_] = body;
     spin_[count_++] = spin;

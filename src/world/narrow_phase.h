@@ -42,7 +42,7 @@ class NarrowPhase {
   bool haveParted(const CandidatePair& pair) const;
   Approach approachOf(const CandidatePair& pair) const;
   double reachOf(const CandidatePair& pair, const Approach& approach) const;  // m
-  double marginOf(const CandidatePair& pair) const;  // m
+  double marginOf(const CandidatePair& pair) const;                           // m
   bool meetsMesh(const CandidatePair& pair) const;
   bool mayReuse(const CandidatePair& pair, const Approach& approach) const;
   void makeContact(CandidatePair& pair, const Manifold& m, const Transform& relative);

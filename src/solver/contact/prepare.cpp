@@ -178,8 +178,7 @@ void ContactRows::prepare(const Island& island, Ties ties, const StepContext& co
     StiffnessScale scale{float(unit),
                          float(isDebris(island, r) ? context.settings.impactStiffness * unit : resting * firm),
                          float(context.settings.impactStiffness * unit), float(context.settings.restingApproachSpeed),
-                         kMultiplierWeights * float(kReferenceGravity) * c.effectiveMass,
-                         float(island.dt),
+                         kMultiplierWeights * float(kReferenceGravity) * c.effectiveMass, float(island.dt),
                          // A part of a step lets go of a part.
                          1 - (1 - kOffsetKept) * float(island.dt / context.dt)};
     r.newPoints = 0;
