@@ -3,6 +3,7 @@
 #pragma once
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,6 +16,13 @@ namespace brickfall {
 
 using ProxyIndex = std::int32_t;
 constexpr ProxyIndex kNoProxy = -1;
+
+// New bounds of a proxy: `tight`, and by how much more it may keep.
+struct BoundsUpdate {
+  ProxyIndex proxy = kNoProxy;
+  Aabb tight;
+  double grow = 0;  // m
+};
 
 class BroadPhase {
  public:
@@ -29,6 +37,10 @@ class BroadPhase {
   // New bounds; the proxy is re-inserted, and its pairs searched, only if they left the kept ones (or shrank to under a
   // fourth of their size: `mustMove`). Returns true if it was.
   virtual bool update(ProxyIndex proxy, const Aabb& tight, double grow) = 0;
+  // Many at once, before newPairs(): as if one by one.
+  virtual void updateAll(std::span<const BoundsUpdate> updates) {
+    for (const BoundsUpdate& u : updates) update(u.proxy, u.tight, u.grow);
+  }
   virtual const Aabb& kept(ProxyIndex proxy) const = 0;
 
   // All pairs (user a < user b) whose kept bounds overlap and of which one was added or re-inserted since the last

@@ -11,6 +11,8 @@ namespace {
 // A balanced tree of 2^31 leaves is 45 levels high, and a depth-first walk keeps one node a level.
 constexpr int kStackSize = 64;
 constexpr int kLeastRebuilt = 64;  // leaves: smaller trees are fine as they grew
+// 1 / share of the leaves that moved: to take a leaf out and in again costs about four times its part of building the tree.
+constexpr std::size_t kRebuildShare = 4;
 
 }  // namespace
 
@@ -24,18 +26,22 @@ ProxyIndex BoxTree::add(const Aabb& tight, double grow, std::uint32_t user) {
   ProxyIndex leaf = allocateNode();
   nodes_[leaf].box = grown(tight, grow);
   nodes_[leaf].user = user;
+  rebuilt_ = false;
   insertLeaf(leaf);
   markMoved(leaf);
   count_++;
-  if (moved_.capacity() < std::size_t(count_)) {  // all may move in one step
-    moved_.reserve(nodes_.capacity());
-    leaves_.reserve(nodes_.capacity());
-  }
+  auto keepRoom = [&](auto& list) {  // all may move in one step
+    if (list.capacity() < std::size_t(count_)) list.reserve(nodes_.capacity());
+  };
+  keepRoom(moved_);
+  keepRoom(leaves_);
+  keepRoom(leaving_);
   return leaf;
 }
 
 void BoxTree::remove(ProxyIndex proxy) {
   BRICKFALL_ASSERT(proxy >= 0 && proxy < ProxyIndex(nodes_.size()) && nodes_[proxy].height == 0, "not a live proxy");
+  rebuilt_ = false;
   removeLeaf(proxy);
   freeNode(proxy);
   count_--;
@@ -45,40 +51,104 @@ bool BoxTree::update(ProxyIndex proxy, const Aabb& tight, double grow) {
   BRICKFALL_ASSERT(proxy >= 0 && proxy < ProxyIndex(nodes_.size()) && nodes_[proxy].height == 0, "not a live proxy");
   Aabb fresh = grown(tight, grow);
   if (!mustMove(nodes_[proxy].box, tight, fresh)) return false;
-  removeLeaf(proxy);
-  nodes_[proxy].box = fresh;
-  insertLeaf(proxy);
+  placeAgain(proxy, fresh);
   markMoved(proxy);
   return true;
 }
 
-void BoxTree::newPairs(PairFilter wanted, Pairs& out) {
-  out.clear();
-  ProxyIndex stack[kStackSize];
+void BoxTree::placeAgain(ProxyIndex leaf, const Aabb& box) {
+  rebuilt_ = false;
+  removeLeaf(leaf);
+  nodes_[leaf].box = box;
+  insertLeaf(leaf);
+}
+
+// Where so many move that newPairs() is to build the whole tree, no leaf is taken to a place of its own first: that costs more
+// than all else of a step in which everything falls.
+void BoxTree::updateAll(std::span<const BoundsUpdate> updates) {
+  leaving_.clear();
+  for (const BoundsUpdate& u : updates) {
+    Aabb fresh = grown(u.tight, u.grow);
+    if (!mustMove(nodes_[u.proxy].box, u.tight, fresh)) continue;
+    leaving_.push_back({u.proxy, fresh});
+    markMoved(u.proxy);
+  }
+  if (leaving_.empty()) return;
+  if (!mostMoved()) {
+    for (const auto& [leaf, box] : leaving_) placeAgain(leaf, box);
+    return;
+  }
+  for (const auto& [leaf, box] : leaving_) nodes_[leaf].box = box;
+  rebuild();
+}
+
+// Also brings the list of what moved in order.
+bool BoxTree::mostMoved() {
   std::sort(moved_.begin(), moved_.end());
   moved_.erase(std::unique(moved_.begin(), moved_.end()), moved_.end());
-  if (count_ >= kLeastRebuilt && 2 * moved_.size() > std::size_t(count_)) rebuild();
-  for (ProxyIndex leaf : moved_) {
-    const Node& self = nodes_[leaf];
-    if (!self.moved) continue;  // removed since
-    int depth = 0;
-    stack[depth++] = root_;
-    while (depth > 0) {
-      ProxyIndex index = stack[--depth];
-      const Node& node = nodes_[index];
-      if (!overlaps(node.box, self.box)) continue;
-      if (node.height > 0) {
-        stack[depth++] = node.child[0];
-        stack[depth++] = node.child[1];
-      } else if (index != leaf && !(node.moved && index < leaf)) {  // of two moved ones, the lower reports
-        std::uint32_t a = std::min(self.user, node.user), b = std::max(self.user, node.user);
-        if (wanted(a, b)) out.emplace_back(a, b);
-      }
-    }
+  return count_ >= kLeastRebuilt && kRebuildShare * moved_.size() > std::size_t(count_);
+}
+
+void BoxTree::newPairs(PairFilter wanted, Pairs& out) {
+  out.clear();
+  auto found = [&](const Node& first, const Node& second) {
+    std::uint32_t a = std::min(first.user, second.user), b = std::max(first.user, second.user);
+    if (wanted(a, b)) out.emplace_back(a, b);
+  };
+  if (mostMoved()) {
+    if (!rebuilt_) rebuild();
+    eachOverlap(found);
+  } else {
+    for (ProxyIndex leaf : moved_)
+      if (nodes_[leaf].moved) eachOverlapOf(leaf, found);  // else it was removed since
   }
   for (ProxyIndex leaf : moved_) nodes_[leaf].moved = false;
   moved_.clear();
   std::sort(out.begin(), out.end());
+}
+
+template <class Found> void BoxTree::eachOverlapOf(ProxyIndex leaf, Found&& found) const {
+  ProxyIndex stack[kStackSize];
+  const Node& self = nodes_[leaf];
+  int depth = 0;
+  stack[depth++] = root_;
+  while (depth > 0) {
+    ProxyIndex index = stack[--depth];
+    const Node& node = nodes_[index];
+    if (!overlaps(node.box, self.box)) continue;
+    if (node.height > 0) {
+      stack[depth++] = node.child[0];
+      stack[depth++] = node.child[1];
+    } else if (index != leaf && !(node.moved && index < leaf)) {  // of two moved ones, the lower reports
+      found(self, node);
+    }
+  }
+}
+
+// The tree against itself: branches that do not meet are parted once for all their leaves, a third of the time of asking for each
+// leaf by itself.
+template <class Found> void BoxTree::eachOverlap(Found&& found) const {
+  std::pair<ProxyIndex, ProxyIndex>
+      stack[4 * kStackSize];  // two branches, of each one entry a level; and a level of pairs
+  int depth = 0;
+  stack[depth++] = {root_, root_};
+  while (depth > 0) {
+    auto [a, b] = stack[--depth];
+    const Node &first = nodes_[a], &second = nodes_[b];
+    if (a == b) {
+      if (first.height == 0) continue;
+      for (ProxyIndex child : first.child) stack[depth++] = {child, child};
+      stack[depth++] = {first.child[0], first.child[1]};
+    } else if (!overlaps(first.box, second.box)) {
+      continue;
+    } else if (first.height == 0 && second.height == 0) {
+      if (first.moved || second.moved) found(first, second);
+    } else if (first.height >= second.height) {
+      for (ProxyIndex child : first.child) stack[depth++] = {child, b};
+    } else {
+      for (ProxyIndex child : second.child) stack[depth++] = {a, child};
+    }
+  }
 }
 
 void BoxTree::query(const Aabb& box, FunctionRef<bool(std::uint32_t)> visit) const {

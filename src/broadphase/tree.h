@@ -9,6 +9,7 @@ class BoxTree final : public BroadPhase {
   ProxyIndex add(const Aabb& tight, double grow, std::uint32_t user) override;
   void remove(ProxyIndex proxy) override;
   bool update(ProxyIndex proxy, const Aabb& tight, double grow) override;
+  void updateAll(std::span<const BoundsUpdate> updates) override;
   const Aabb& kept(ProxyIndex proxy) const override { return nodes_[proxy].box; }
   void newPairs(PairFilter wanted, Pairs& out) override;
   void query(const Aabb& box, FunctionRef<bool(std::uint32_t)> visit) const override;
@@ -29,8 +30,16 @@ class BoxTree final : public BroadPhase {
     bool moved = false;
   };
 
+  // What building asks of a leaf, in one place: it is compared some log n times.
+  struct BuildLeaf {
+    Vec3 middle2;  // m, twice the middle of its box
+    ProxyIndex index = kNoProxy;
+    bool endless = false;
+  };
+
   ProxyIndex allocateNode();
   void freeNode(ProxyIndex index);
+  bool mostMoved();
   void rebuild();
   ProxyIndex build(std::size_t from, std::size_t to);
   void insertLeaf(ProxyIndex leaf);
@@ -41,12 +50,17 @@ class BoxTree final : public BroadPhase {
   void restoreBalance(ProxyIndex index);
   void improve(ProxyIndex index);
   void swapWithNephew(ProxyIndex index, int side, int nephew);
+  template <class Found> void eachOverlapOf(ProxyIndex leaf, Found&& found) const;
+  template <class Found> void eachOverlap(Found&& found) const;  // of which one leaf moved
   void markMoved(ProxyIndex leaf);
+  void placeAgain(ProxyIndex leaf, const Aabb& box);
   void validateNode(ProxyIndex index, std::vector<std::string>& faults, int& leaves, int& inner) const;
 
   std::vector<Node> nodes_;
-  std::vector<ProxyIndex> moved_;   // may hold removed or repeated entries; newPairs sorts that out
-  std::vector<ProxyIndex> leaves_;  // scratch
+  std::vector<ProxyIndex> moved_;                     // may hold removed or repeated entries; newPairs sorts that out
+  std::vector<BuildLeaf> leaves_;                     // scratch
+  std::vector<std::pair<ProxyIndex, Aabb>> leaving_;  // scratch: leaves with their next boxes
+  bool rebuilt_ = false;                              // nothing changed since the whole tree was built
   ProxyIndex root_ = kNoProxy;
   ProxyIndex free_ = kNoProxy;
   int count_ = 0;

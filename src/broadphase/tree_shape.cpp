@@ -7,7 +7,7 @@
 // swap a child with a nephew. Surface is a wish: a swap that shrinks a box is made if it leaves the height as it is.
 //
 // Leaves that come in random order from all over a large space make balance and surface pull against each other: branches
-// end up overlapping. So when most leaves are new or have moved, the whole tree is built anew from above.
+// end up overlapping. So when many leaves are new or have moved, the whole tree is built anew from above.
 #include <algorithm>
 
 #include "base/assert.h"
@@ -15,6 +15,8 @@
 
 namespace brickfall {
 namespace {
+
+constexpr double kFar = 1e8;  // m: beyond lie only the middles of endless bounds
 
 double halfSurface(const Aabb& box) {
   Vec3 d = box.upper - box.lower;
@@ -181,21 +183,24 @@ void BoxTree::improve(ProxyIndex index) {
 void BoxTree::rebuild() {
   leaves_.clear();
   for (ProxyIndex i = 0; i < ProxyIndex(nodes_.size()); i++) {
-    if (nodes_[i].height == 0) leaves_.push_back(i);
+    if (nodes_[i].height == 0) {
+      Vec3 middle2 = nodes_[i].box.lower + nodes_[i].box.upper;
+      leaves_.push_back({middle2, i, !(length(middle2 * 0.5) < kFar)});
+    }
     if (nodes_[i].height > 0) freeNode(i);
   }
+  rebuilt_ = true;
   root_ = leaves_.empty() ? kNoProxy : build(0, leaves_.size());
   if (root_ != kNoProxy) nodes_[root_].parent = kNoProxy;
 }
 
 // Of some leaves: halved by number, so that it is in balance, along the axis on which their middles lie furthest apart.
 ProxyIndex BoxTree::build(std::size_t from, std::size_t to) {
-  if (to - from == 1) return leaves_[from];
-  constexpr double kFar = 1e8;  // m: beyond lie only the middles of endless bounds
+  if (to - from == 1) return leaves_[from].index;
   Vec3 low{kFar, kFar, kFar}, high{-kFar, -kFar, -kFar};
   for (std::size_t i = from; i < to; i++) {
-    Vec3 middle = (nodes_[leaves_[i]].box.lower + nodes_[leaves_[i]].box.upper) * 0.5;
-    if (!(length(middle) < kFar)) continue;
+    if (leaves_[i].endless) continue;
+    Vec3 middle = leaves_[i].middle2 * 0.5;
     low = min(low, middle);
     high = max(high, middle);
   }
@@ -204,10 +209,9 @@ ProxyIndex BoxTree::build(std::size_t from, std::size_t to) {
   if (spread.z > spread[axis]) axis = 2;
   std::size_t half = from + (to - from) / 2;
   auto at = [&](std::size_t i) { return leaves_.begin() + std::ptrdiff_t(i); };
-  std::nth_element(at(from), at(half), at(to), [&](ProxyIndex a, ProxyIndex b) {
-    const Aabb &boxA = nodes_[a].box, &boxB = nodes_[b].box;
-    double sumA = boxA.lower[axis] + boxA.upper[axis], sumB = boxB.lower[axis] + boxB.upper[axis];
-    return sumA != sumB ? sumA < sumB : a < b;
+  std::nth_element(at(from), at(half), at(to), [axis](const BuildLeaf& a, const BuildLeaf& b) {
+    double ofA = a.middle2[axis], ofB = b.middle2[axis];
+    return ofA != ofB ? ofA < ofB : a.index < b.index;
   });
   ProxyIndex children[2] = {build(from, half), build(half, to)}, parent = allocateNode();
   for (int k = 0; k < 2; k++) {

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/small_angle.h"
 #include "math/symmetric_eigen.h"
+#include "math/wide_double.h"
 
 namespace brickfall {
 
@@ -21,12 +23,40 @@ PrincipalInertia principalInertia(const Mat3& inertia) {
   return {e.axes, {1 / e.values.x, 1 / e.values.y, 1 / e.values.z}};
 }
 
-Quat turnFreely(Quat rotation, Vec3 angularMomentum, const PrincipalInertia& inertia, double dt) {
-  // In principal axes; the length of the momentum is kept by every part.
-  Vec3 momentum = inertia.axes * rotate(conjugate(rotation), angularMomentum);
+namespace {
+
+// In principal axes; its length is kept by every part of a turn.
+Vec3 principalMomentum(Quat rotation, Vec3 angularMomentum, const PrincipalInertia& inertia) {
+  return inertia.axes * rotate(conjugate(rotation), angularMomentum);
+}
+int substepsFor(Vec3 momentum, const PrincipalInertia& inertia, double dt) {
   double spin = length(scaled(inertia.inverse, momentum));
-  int substeps = int(std::min(4096.0, std::floor(spin * dt / kTurnPerSubstep) + 1));
-  Quat turned;  // since the start, in principal axes
+  return int(std::min(4096.0, std::floor(spin * dt / kTurnPerSubstep) + 1));
+}
+// `turned`: since the start, in principal axes.
+Quat afterTurn(Quat rotation, Quat turned, const PrincipalInertia& inertia) {
+  Vec3 axis = transposeTimes(inertia.axes, Vec3{turned.x, turned.y, turned.z});
+  return normalized(rotation * Quat{axis.x, axis.y, axis.z, turned.w});
+}
+
+// One substep, as a sequence of turns about one axis each: turn(axis, time).
+template <class Turn> void splitTurn(double dt, int substeps, Turn&& turn) {
+  for (double share : kSuzuki) {
+    double h = share * dt / substeps;
+    turn(0, 0.5 * h);
+    turn(1, 0.5 * h);
+    turn(2, h);
+    turn(1, 0.5 * h);
+    turn(0, 0.5 * h);
+  }
+}
+
+}  // namespace
+
+Quat turnFreely(Quat rotation, Vec3 angularMomentum, const PrincipalInertia& inertia, double dt) {
+  Vec3 momentum = principalMomentum(rotation, angularMomentum, inertia);
+  int substeps = substepsFor(momentum, inertia, dt);
+  Quat turned;
   auto turn = [&](int axis, double t) {
     Vec3 w;
     w[axis] = inertia.inverse[axis] * momentum[axis] * t;
@@ -34,18 +64,87 @@ Quat turnFreely(Quat rotation, Vec3 angularMomentum, const PrincipalInertia& ine
     momentum = rotate(conjugate(q), momentum);
     turned = turned * q;
   };
-  for (int s = 0; s < substeps; s++) {
-    for (double share : kSuzuki) {
-      double h = share * dt / substeps;
-      turn(0, 0.5 * h);
-      turn(1, 0.5 * h);
-      turn(2, h);
-      turn(1, 0.5 * h);
-      turn(0, 0.5 * h);
+  for (int s = 0; s < substeps; s++) splitTurn(dt, substeps, turn);
+  return afterTurn(rotation, turned, inertia);
+}
+
+namespace {
+
+using wide::D;
+
+//! not of the method: lanes and single bodies give the same bits
+constexpr double kSeriesAngle = 1e-4;  // as in quatFromRotationVector
+//! not of the method: as kSeriesAngle
+constexpr double kLeastSpin =
+    1e-60;  // about each axis, in a step: no product of a turn vanishes in the smallest numbers
+
+// One substep for each lane. What turns about one axis alone leaves out all that quatFromRotationVector, rotate() and the product
+// of quaternions multiply by zero; every other operation is theirs, in their order.
+struct TurningLanes {
+  D inverse[3], momentum[3];
+  D turned[4] = {D(0), D(0), D(0), D(1)};
+  bool bySeries = true;  // all angles are under kSeriesAngle
+
+  void turn(int i, double time) {
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    D w = inverse[i] * momentum[i] * D(time), angle = wide::abs(w), square = angle * angle;
+    D s = D(0.5) - square / D(48), c = D(1) - square / D(8);
+    if (!bySeries) {
+      D half = D(0.5) * angle, far = D(kSeriesAngle);
+      s = wide::selectLess(angle, far, s, sineSmall(half) / angle);
+      c = wide::selectLess(angle, far, c, cosineSmall(half));
     }
+    D p = w * s, unit = D(1) / wide::sqrt(p * p + c * c), r = c * unit;
+    p = p * unit;
+    D tj = p * momentum[k] * D(2), tk = -(p * momentum[j]) * D(2);
+    momentum[j] = momentum[j] + tj * r + p * tk;
+    momentum[k] = momentum[k] + tk * r - p * tj;
+    D a = turned[i], b = turned[j], d = turned[k], e = turned[3];
+    turned[i] = e * p + a * r;
+    turned[j] = b * r + d * p;
+    turned[k] = d * r - b * p;
+    turned[3] = e * r - a * p;
   }
-  Vec3 axis = transposeTimes(inertia.axes, Vec3{turned.x, turned.y, turned.z});
-  return normalized(rotation * Quat{axis.x, axis.y, axis.z, turned.w});
+};
+
+// Its turn is one substep, and no zero but such as arise on the way is among its numbers: their signs would tell.
+bool fitsLane(Vec3 momentum, const PrincipalInertia& inertia, double dt) {
+  Vec3 spin = abs(scaled(inertia.inverse, momentum)) * dt, size = abs(momentum);
+  bool seen = spin.x > kLeastSpin && spin.y > kLeastSpin && spin.z > kLeastSpin && size.x > kLeastSpin &&
+              size.y > kLeastSpin && size.z > kLeastSpin;
+  return seen && substepsFor(momentum, inertia, dt) == 1;
+}
+
+}  // namespace
+
+void turnFreely(FreeTurn* turns, int count, double dt) {
+  TurningLanes lanes;
+  int laneOf[kTurnsAtOnce], used = 0;
+  for (int n = 0; n < count; n++) {
+    FreeTurn& t = turns[n];
+    Vec3 momentum = principalMomentum(t.rotation, t.angularMomentum, t.inertia);
+    laneOf[n] = fitsLane(momentum, t.inertia, dt) ? used++ : -1;
+    if (laneOf[n] < 0) {
+      t.rotation = turnFreely(t.rotation, t.angularMomentum, t.inertia, dt);
+      continue;
+    }
+    const Vec3& inverse = t.inertia.inverse;
+    double most = std::max({inverse.x, inverse.y, inverse.z}) * length(momentum) * dt;
+    lanes.bySeries = lanes.bySeries && most < kSeriesAngle;
+    for (int lane = laneOf[n]; lane < (used == 1 ? kTurnsAtOnce : used); lane++)  // the first one fills what stays free
+      for (int i = 0; i < 3; i++) {
+        lanes.inverse[i].set(lane, inverse[i]);
+        lanes.momentum[i].set(lane, momentum[i]);
+      }
+  }
+  if (used == 0) return;
+  splitTurn(dt, 1, [&](int axis, double time) { lanes.turn(axis, time); });
+  for (int n = 0; n < count; n++) {
+    if (laneOf[n] < 0) continue;
+    const int lane = laneOf[n];
+    auto at = [&](int i) { return lanes.turned[i][lane]; };
+    turns[n].rotation = afterTurn(turns[n].rotation, {at(0), at(1), at(2), at(3)}, turns[n].inertia);
+  }
 }
 
 }  // namespace brickfall

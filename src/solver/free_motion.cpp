@@ -26,6 +26,7 @@ double decay(double x) {
 
 Vec3 visibleTurn(const BodyMass& mass, const Mat3& orientation, Vec3 th) {
   if (mass.round) return {};
+  if (mass.symmetryAxis == Vec3{}) return th;
   Vec3 axis = orientation * mass.symmetryAxis;
   return th - axis * dot(axis, th);
 }
@@ -59,45 +60,100 @@ void integrateFreely(StepContext& context, BodyIndex body, Vec3 acceleration, do
 
 }  // namespace
 
-void predictFreeMotion(StepContext& context, BodySet& bodies, BodyIndex body, double dt, double airDensity,
-                       bool hasContacts) {
-  BodyMotion& m = bodies.motion[body];
-  const BodyMass& mass = bodies.mass[body];
-  BodyData& data = bodies.data[body];
-  FreeMotion& free = context.free[body];
-  free.turnTime = dt;
-  free.turnsFaster = false;
-  free.startVelocity = m.linearVelocity;
-  free.startSpin = m.angularVelocity;
+namespace {
 
+// Forces, damping and drag; where the body's centre goes.
+void predictWay(StepContext& context, BodySet& bodies, BodyIndex body, double dt, double airDensity,
+                Vec3 acceleration) {
+  BodyMotion& m = bodies.motion[body];
+  const BodyData& data = bodies.data[body];
+  FreeMotion& free = context.free[body];
   if (data.linearDamping > 0) m.linearVelocity *= decay(data.linearDamping * dt);
   if (data.angularDamping > 0) m.angularVelocity *= decay(data.angularDamping * dt);
   if (data.dragArea > 0) {  // dv/dt = -c |v| v solved exactly: v / (1 + c |v| t); gravity is split off (second order)
-    double c = 0.5 * airDensity * data.dragArea * mass.invMass;
+    double c = 0.5 * airDensity * data.dragArea * bodies.mass[body].invMass;
     Vec3 half = context.gravity * (0.5 * dt * data.gravityScale);
     Vec3 v = m.linearVelocity + half;
     m.linearVelocity = v * (1 / (1 + c * length(v) * dt)) - half;
   }
-  Vec3 acceleration = context.gravity * data.gravityScale + data.force * mass.invMass;
-  if (!hasContacts && context.integrator != Integrator::splitting) {
-    integrateFreely(context, body, acceleration, dt);
-    return;
-  }
   free.d = (m.linearVelocity + acceleration * dt) * dt;
   free.way = (free.startVelocity * dt + free.d) * 0.5;
+}
 
-  Vec3 spin = m.angularVelocity;
-  Vec3 momentum = bodies.worldInertia(body) * spin + data.torque * dt;
-  free.angularMomentum = momentum;
-  spin = bodies.worldInvInertia(body) * momentum;
-  if (mass.isotropic || lengthSquared(spin) * dt * dt < 1e-12) {
+// Bodies whose turn is to be found, until there are enough of them to do it side by side.
+class WaitingTurns {
+ public:
+  WaitingTurns(StepContext& context, const BodySet& bodies, double dt, bool hasContacts)
+      : context_(context), bodies_(bodies), dt_(dt), hasContacts_(hasContacts) {}
+  ~WaitingTurns() { turnAll(); }
+  WaitingTurns(const WaitingTurns&) = delete;
+  WaitingTurns& operator=(const WaitingTurns&) = delete;
+
+  void add(BodyIndex body, Vec3 spin) {
+    const BodyMass& mass = bodies_.mass[body];
+    turns_[count_] = {bodies_.motion[body].rotation,
+                      context_.free[body].angularMomentum,
+                      {mass.principalAxes, mass.principalInvInertia}};
+    body_[count_] = body;
+    spin_[count_++] = spin;
+    if (count_ == kTurnsAtOnce) turnAll();
+  }
+
+ private:
+  void turnAll() {
+    turnFreely(turns_, count_, dt_);
+    for (int i = 0; i < count_; i++) {
+      const BodyMotion& m = bodies_.motion[body_[i]];
+      FreeMotion& free = context_.free[body_[i]];
+      free.rotation = turns_[i].rotation;
+      free.th = rotationVector(normalized(free.rotation * conjugate(m.rotation)));
+      bool fast = hasContacts_ && lengthSquared(spin_[i]) * dt_ * dt_ > kLargestTurn * kLargestTurn;
+      if (fast) limitTurn(free, bodies_.mass[body_[i]], m, spin_[i] * dt_);
+    }
+    count_ = 0;
+  }
+
+  StepContext& context_;
+  const BodySet& bodies_;
+  double dt_;
+  bool hasContacts_;
+  int count_ = 0;
+  FreeTurn turns_[kTurnsAtOnce];
+  BodyIndex body_[kTurnsAtOnce];
+  Vec3 spin_[kTurnsAtOnce];
+};
+
+}  // namespace
+
+void predictFreeMotions(StepContext& context, BodySet& bodies, std::span<const BodyIndex> list, double dt,
+                        double airDensity, bool hasContacts) {
+  WaitingTurns waiting(context, bodies, dt, hasContacts);
+  for (BodyIndex body : list) {
+    const BodyMotion& m = bodies.motion[body];
+    const BodyMass& mass = bodies.mass[body];
+    const BodyData& data = bodies.data[body];
+    FreeMotion& free = context.free[body];
+    free.turnTime = dt;
+    free.turnsFaster = false;
+    free.startVelocity = m.linearVelocity;
+    free.startSpin = m.angularVelocity;
+    Vec3 acceleration = context.gravity * data.gravityScale + data.force * mass.invMass;
+    predictWay(context, bodies, body, dt, airDensity, acceleration);
+    if (!hasContacts && context.integrator != Integrator::splitting) {
+      integrateFreely(context, body, acceleration, dt);
+      continue;
+    }
+    Vec3 momentum = bodies.worldInertia(body) * m.angularVelocity + data.torque * dt;
+    free.angularMomentum = momentum;
+    Vec3 spin = bodies.worldInvInertia(body) * momentum;
+    if (!mass.isotropic && !(lengthSquared(spin) * dt * dt < 1e-12)) {
+      waiting.add(body, spin);
+      continue;
+    }
     free.th = spin * dt;
     free.rotation = normalized(quatFromRotationVector(free.th) * m.rotation);
-  } else {
-    free.rotation = turnFreely(m.rotation, momentum, {mass.principalAxes, mass.principalInvInertia}, dt);
-    free.th = rotationVector(normalized(free.rotation * conjugate(m.rotation)));
+    if (hasContacts && lengthSquared(spin) * dt * dt > kLargestTurn * kLargestTurn) limitTurn(free, mass, m, spin * dt);
   }
-  if (hasContacts && lengthSquared(spin) * dt * dt > kLargestTurn * kLargestTurn) limitTurn(free, mass, m, spin * dt);
 }
 
 void shortenFreeTurn(StepContext& context, BodyIndex body, double share) {

@@ -1,14 +1,20 @@
 // Where a body goes in a step if nothing touches it: forces, damping, drag, and the exact torque-free turn.
 #pragma once
+#include <span>
+
 #include "solver/step_context.h"
 
 namespace brickfall {
 
-// Over `dt` s: applies the step's forces, damping and drag to the body's velocities and predicts its free motion: the exact
-// turn. For a body with contacts the solve sees at most kLargestTurn of it, since arms are frozen during a step; its momentum
-// stays.
-void predictFreeMotion(StepContext& context, BodySet& bodies, BodyIndex body, double dt, double airDensity,
-                       bool hasContacts);
+// Over `dt` s: applies the step's forces, damping and drag to the bodies' velocities and predicts their free motion: the exact
+// turn. For bodies with contacts the solve sees at most kLargestTurn of it, since arms are frozen during a step; their momentum
+// stays. Each body's result is its own, whatever the others in the list.
+void predictFreeMotions(StepContext& context, BodySet& bodies, std::span<const BodyIndex> list, double dt,
+                        double airDensity, bool hasContacts);
+inline void predictFreeMotion(StepContext& context, BodySet& bodies, BodyIndex body, double dt, double airDensity,
+                              bool hasContacts) {
+  predictFreeMotions(context, bodies, {&body, 1}, dt, airDensity, hasContacts);
+}
 
 // Leaves the body a share of its free turn, on the way that the whole one takes: energy and momentum stay what they are.
 void shortenFreeTurn(StepContext& context, BodyIndex body, double share);

@@ -34,17 +34,37 @@ Aabb sweptBounds(const ShapeData& shape, const Sweep& own) {
   return {here.lower + min(own.way, Vec3{}), here.upper + max(own.way, Vec3{})};
 }
 
+namespace {
+
+//! not of the method: above what timeOfImpact calls met, so that the answer is the same
+constexpr double kSurelyApart = 1e-5, kSurelyApartShare = 1e-8;  // m, of the other's extent
+
+// By no more than this gets the core nearer to the other on its way: m. In the frame of what turns, the core goes round it.
+double mostApproach(const ShapeData& moving, const Sweep& way, const Sweep& of, Vec3 from) {
+  double most = length(way.way - of.way);
+  if (way.turns) most += length(way.turn) * length(moving.middle);
+  if (of.turns) most += length(of.turn) * length(from - of.start.position);
+  return most;
+}
+
+}  // namespace
+
 double coreWay(const ShapeData& moving, const Sweep& way, const ShapeData& still, const Sweep& of) {
   Transform pose = of.start * still.inCentreFrame, back = inverse(pose);
   Vec3 from = transformPoint(way.start, moving.middle);
   bool turns = way.turns || of.turns;
+  // Most of what is near, among debris that flies along together, is not reached: by its extent, then by its distance.
+  const bool hasExtent = still.geometry.type != ShapeType::mesh && still.geometry.type != ShapeType::plane;
+  const double extent = hasExtent ? outerRadius(still.geometry, {}) : 0, radius = kCoreShare * moving.innerRadius;
+  const double safe = mostApproach(moving, way, of, from) + kSurelyApart + kSurelyApartShare * extent;
+  if (hasExtent && length(from - pose.position) - extent > 2 * radius + safe) return 1;
   auto placeAt = [&](double share) {
     return transformPoint(inverse(of.at(share) * still.inCentreFrame), transformPoint(way.at(share), moving.middle));
   };
   Transform coreInOther{transformPoint(back, from), {}};
   Shape core;
   core.type = ShapeType::sphere;
-  core.radius = kCoreShare * moving.innerRadius;
+  core.radius = radius;
   // However often it is stopped there, it never gets all the way.
   double apart = shapeDistance(still.geometry, core, coreInOther).distance, target = core.radius;
   if (!(apart > 0)) {  // pressed in: at least its centre must stay outside
@@ -53,6 +73,7 @@ double coreWay(const ShapeData& moving, const Sweep& way, const ShapeData& still
     if (!(apart > 0)) return 1;  // inside: the contacts push it out
   }
   target = std::min(target, 0.5 * apart);
+  if (hasExtent && apart - target > safe) return 1;
   if (!turns) {
     Vec3 motion = rotate(back.rotation, way.way - of.way);
     return timeOfImpact(still.geometry, core, coreInOther, motion, target).value_or(1);

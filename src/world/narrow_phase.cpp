@@ -102,7 +102,12 @@ void NarrowPhase::run() {
   proximity_.newParts.clear();
   for (std::size_t n = 0; n < contacts_.pairs.size(); n++) {
     CandidatePair pair = contacts_.pairs[n];
-    if (!isMeshPair(shapes_.data[pair.shapeA].geometry, shapes_.data[pair.shapeB].geometry)) {
+    if (isStill(pair)) {  // whatever its shapes are
+      reused_ += pair.contact != kNoIndex;
+      contacts_.pairs[kept++] = pair;
+      continue;
+    }
+    if (!meetsMesh(pair)) {
       if (updatePair(pair)) contacts_.pairs[kept++] = pair;
       continue;
     }
@@ -117,7 +122,7 @@ void NarrowPhase::run() {
 }
 
 void NarrowPhase::meet(CandidatePair pair, std::vector<CandidatePair>& out) {
-  if (!isMeshPair(shapes_.data[pair.shapeA].geometry, shapes_.data[pair.shapeB].geometry)) {
+  if (!meetsMesh(pair)) {
     if (updatePair(pair)) out.push_back(pair);
     return;
   }
@@ -157,14 +162,20 @@ bool NarrowPhase::haveParted(const CandidatePair& pair) const {
 
 // Kept bounds depend on the history of the tree; only the swept ones may decide about a contact.
 NarrowPhase::Approach NarrowPhase::approachOf(const CandidatePair& pair) const {
-  const ShapeData &a = shapes_.data[pair.shapeA], &b = shapes_.data[pair.shapeB];
   const BodyMotion &ma = bodies_.motion[pair.bodyA], &mb = bodies_.motion[pair.bodyB];
   Approach out;
   out.near = overlaps(proximity_.around[pair.shapeA].swept, proximity_.around[pair.shapeB].swept);
   out.relative = inverse(bodies_.pose(pair.bodyA)) * bodies_.pose(pair.bodyB);
   out.velocity = mb.linearVelocity - ma.linearVelocity;
-  out.margin = std::min(proximity_.marginOf(a), proximity_.marginOf(b));
   return out;
+}
+
+double NarrowPhase::marginOf(const CandidatePair& pair) const {
+  return std::min(proximity_.marginOf(shapes_.data[pair.shapeA]), proximity_.marginOf(shapes_.data[pair.shapeB]));
+}
+
+bool NarrowPhase::meetsMesh(const CandidatePair& pair) const {
+  return proximity_.around[pair.shapeA].mesh || proximity_.around[pair.shapeB].mesh;
 }
 
 double NarrowPhase::reachOf(const CandidatePair& pair, const Approach& approach) const {
@@ -172,7 +183,7 @@ double NarrowPhase::reachOf(const CandidatePair& pair, const Approach& approach)
     return std::min(0.5, length(bodies_.motion[body].angularVelocity) * dt_) * bodies_.mass[body].outerRadius;
   };
   double spin = turn(pair.bodyA) + turn(pair.bodyB);
-  return approach.margin + length(approach.velocity) * dt_ + (std::isfinite(spin) ? spin : 0.0);
+  return marginOf(pair) + length(approach.velocity) * dt_ + (std::isfinite(spin) ? spin : 0.0);
 }
 
 bool NarrowPhase::mayReuse(const CandidatePair& pair, const Approach& approach) const {
@@ -187,7 +198,7 @@ void NarrowPhase::collidePair(const CandidatePair& pair, const Approach& approac
   computed_++;
   if (m.count > 0)
     dropFarPoints(m, bodies_.motion[pair.bodyA], bodies_.motion[pair.bodyB], bodies_.pose(pair.bodyA) * a.inCentreFrame,
-                  approach.margin, dt_);
+                  marginOf(pair), dt_);
 }
 
 bool NarrowPhase::updatePair(CandidatePair& pair) {
@@ -248,7 +259,7 @@ void NarrowPhase::findParts(const CandidatePair& pair, const Approach& approach,
               reachOf(pair, approach), proximity_.meshScratch, found);
   Transform poseA = bodies_.pose(pair.bodyA) * a.inCentreFrame;
   for (int i = 0; i < found.count; i++) {
-    dropFarPoints(found.list[i], bodies_.motion[pair.bodyA], bodies_.motion[pair.bodyB], poseA, approach.margin, dt_);
+    dropFarPoints(found.list[i], bodies_.motion[pair.bodyA], bodies_.motion[pair.bodyB], poseA, marginOf(pair), dt_);
     computed_ += found.list[i].count > 0;
   }
 }

@@ -30,7 +30,6 @@ class NarrowPhase {
     bool near = false;   // they may touch in the coming step
     Transform relative;  // B's centre frame in A's
     Vec3 velocity;       // m/s, of B against A
-    double margin = 0;   // m
   };
 
   bool updatePair(CandidatePair& pair);  // false: it is forgotten
@@ -43,6 +42,8 @@ class NarrowPhase {
   bool haveParted(const CandidatePair& pair) const;
   Approach approachOf(const CandidatePair& pair) const;
   double reachOf(const CandidatePair& pair, const Approach& approach) const;  // m
+  double marginOf(const CandidatePair& pair) const;                           // m
+  bool meetsMesh(const CandidatePair& pair) const;
   bool mayReuse(const CandidatePair& pair, const Approach& approach) const;
   void makeContact(CandidatePair& pair, const Manifold& m, const Transform& relative);
 

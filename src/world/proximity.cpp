@@ -53,6 +53,7 @@ void Proximity::enter(const Registry& registry, BodyIndex body) {
 }
 
 void Proximity::enter(const Registry& registry, ShapeIndex shape, const Aabb& swept) {
+  around[shape].mesh = registry.shapes.data[shape].geometry.type == ShapeType::mesh;
   around[shape].proxy = broadPhase->add(swept, slackOf(registry.shapes.data[shape]), shape);
 }
 
@@ -66,7 +67,7 @@ void Proximity::leave(const Registry& registry, BodyIndex body) {
 
 void Proximity::follow(const Registry& registry, ShapeIndex shape) {
   const Surroundings& s = around[shape];
-  broadPhase->update(s.proxy, s.swept, slackOf(registry.shapes.data[shape]));
+  following.push_back({s.proxy, s.swept, slackOf(registry.shapes.data[shape])});
 }
 
 // The tree must hold a body where it is now: queries between steps rely on it. A collision may throw it out of the bounds
@@ -94,6 +95,7 @@ void Proximity::keepRoom(std::size_t shapes, std::size_t touching) {
   foundPairs.reserve(contacts.pairs.capacity());
   newPairs.reserve(contacts.pairs.capacity());
   brickfall::keepRoom(newParts, touching);
+  keepRoomFor(following, shapes);
   brickfall::keepRoom(meshScratch.faces, kMeshScratch);
   brickfall::keepRoom(meshScratch.points, kMeshScratch);
   keepMeshRoom();

@@ -15,6 +15,7 @@ namespace brickfall {
 // Of a shape.
 struct Surroundings {
   ProxyIndex proxy = kNoProxy;  // none: its body is quarantined
+  bool mesh = false;            // a triangle mesh
   Aabb swept;                   // m: bounds over the coming step at the present velocity, grown by the contact margin
 };
 
@@ -31,6 +32,7 @@ class Proximity {
   BroadPhase::Pairs foundPairs;
   std::vector<CandidatePair> newPairs;
   std::vector<CandidatePair> newParts;  // of pairs with a mesh
+  std::vector<BoundsUpdate> following;  // what the broad phase is to be told
   MeshScratch meshScratch;
 
   double marginOf(const ShapeData& shape) const;
@@ -39,7 +41,7 @@ class Proximity {
   void enter(const Registry& registry, BodyIndex body);  // all its shapes, where they are
   void enter(const Registry& registry, ShapeIndex shape, const Aabb& swept);
   void leave(const Registry& registry, BodyIndex body);
-  void follow(const Registry& registry, ShapeIndex shape);    // the swept bounds, before the step
+  void follow(const Registry& registry, ShapeIndex shape);    // adds the swept bounds to `following`, before the step
   void keepBounds(const Registry& registry, BodyIndex body);  // where it is, after the step
   const Aabb& kept(ShapeIndex shape) const { return broadPhase->kept(around[shape].proxy); }
   void dropPairsOf(BodyIndex body);  // with their contacts

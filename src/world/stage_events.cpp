@@ -12,8 +12,9 @@ namespace brickfall {
 
 namespace {
 
+// Rows lie in the order of their pairs: mostly there is nothing to sort.
 template <class T> void makeSet(std::vector<T>& list) {
-  std::sort(list.begin(), list.end());
+  if (!std::is_sorted(list.begin(), list.end())) std::sort(list.begin(), list.end());
   list.erase(std::unique(list.begin(), list.end()), list.end());
 }
 
@@ -40,8 +41,11 @@ void collectTouching(const Registry& registry, const Activity& activity, const C
   makeSet(now);
   makeSet(slept);
   auto tell = [&](const BodyPairs& in, const BodyPairs& notIn, std::vector<ContactEvent>& out) {
-    for (const BodyPair& pair : in)
-      if (!std::binary_search(notIn.begin(), notIn.end(), pair)) out.push_back(byCreation(pair, registry));
+    auto other = notIn.begin();
+    for (const BodyPair& pair : in) {
+      while (other != notIn.end() && *other < pair) ++other;
+      if (other == notIn.end() || *other != pair) out.push_back(byCreation(pair, registry));
+    }
   };
   tell(now, before, diary.events.begin);
   tell(before, now, diary.events.end);

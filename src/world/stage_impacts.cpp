@@ -201,7 +201,7 @@ void ImpactWalk::solve(Island& island, double dt, bool toImpact, SolveStatistics
   island.ending = IslandEnding::unsolved;
   island.facts = findFacts(island, bodies_);
   island.plan = planFor(island.facts, context_.settings, dt);
-  for (BodyIndex body : island.bodies) predictFreeMotion(context_, bodies_, body, dt, def_.airDensity, !flies);
+  predictFreeMotions(context_, bodies_, island.bodies, dt, def_.airDensity, !flies);
   prepareBodies(island, context_);
   prepareRows(island, ties_, context_);
   if (toImpact) leaveOut(island, ties_);

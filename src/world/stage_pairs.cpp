@@ -11,6 +11,7 @@ namespace brickfall {
 void findPairs(const Registry& registry, const Activity& activity, double dt, Proximity& proximity) {
   const BodySet& bodies = registry.bodies;
   const ShapeSet& shapes = registry.shapes;
+  proximity.following.clear();
   for (const auto* list : {&activity.awake, &activity.moving})
     for (BodyIndex body : *list) {
       if (bodies.still[body]) continue;
@@ -19,6 +20,7 @@ void findPairs(const Registry& registry, const Activity& activity, double dt, Pr
         proximity.follow(registry, shape);
       }
     }
+  proximity.broadPhase->updateAll(proximity.following);
 
   auto wanted = [&](std::uint32_t a, std::uint32_t b) { return registry.mayMeet(a, b); };
   ContactSet& contacts = proximity.contacts;

@@ -15,7 +15,7 @@ void prepare(const WorldDef& def, Registry& registry, IslandSet& islands, Contac
   BodySet& bodies = registry.bodies;
   context.free.resize(bodies.slots());
   context.solved.resize(bodies.slots());
-  for (BodyIndex body : islands.single) predictFreeMotion(context, bodies, body, context.dt, def.airDensity, false);
+  predictFreeMotions(context, bodies, islands.single, context.dt, def.airDensity, false);
   for (IslandPointer& island : islands.awake) {
     if (island->settled()) {
       island->ending = IslandEnding::settled;
@@ -25,7 +25,7 @@ void prepare(const WorldDef& def, Registry& registry, IslandSet& islands, Contac
     keepEnergies(*island, bodies);
     island->plan = planFor(island->facts, context.settings, island->dt);
     dampSlowIsland(*island, context, bodies);
-    for (BodyIndex body : island->bodies) predictFreeMotion(context, bodies, body, island->dt, def.airDensity, true);
+    predictFreeMotions(context, bodies, island->bodies, island->dt, def.airDensity, true);
     prepareBodies(*island, context);
     prepareRows(*island, Ties{contacts}, context);
   }

@@ -35,13 +35,23 @@ ContactImpact impactOf(const Contact& c, const ContactStart& start, double dt) {
   return out;
 }
 
+// Whether any point comes on at the speed that a hit has: read first, since in a wall that only sways none does.
+bool anyFast(const ContactStart& start, double speed) {
+  for (int i = 0; i < start.points; i++)
+    if (double(-start.approach[i]) >= speed) return true;
+  return !(speed > 0);
+}
+
 void collectHits(const WorldDef& def, const Registry& registry, const Island& island, const ContactSet& contacts,
                  std::vector<HitEvent>& out) {
-  for (std::size_t k = 0; k < island.rows.contacts.contactOf.size(); k++) {
-    const Contact& c = contacts.contacts[island.rows.contacts.contactOf[k]];
+  const ContactRows& rows = island.rows.contacts;
+  if (double(rows.fastestApproach) < def.hitEventSpeed) return;
+  for (std::size_t k = 0; k < rows.contactOf.size(); k++) {
+    if (!anyFast(rows.starts[k], def.hitEventSpeed)) continue;
+    const Contact& c = contacts.contacts[rows.contactOf[k]];
     if (!c.touching) continue;
-    ContactImpact impact = impactOf(c, island.rows.contacts.starts[k], island.dt);
-    tellHit(def, registry, c, island.rows.contacts.records[k], impact.speed, impact.impulse, out);
+    ContactImpact impact = impactOf(c, rows.starts[k], island.dt);
+    tellHit(def, registry, c, rows.records[k], impact.speed, impact.impulse, out);
   }
 }
 

@@ -45,7 +45,9 @@ void findApproach(const ContactRecord& r, const Contact& c, const BodySet& bodie
 
 // A partner's surface goes on turning while the body goes along with it: over a step its way is an arc. Of what touches it the
 // way is th x arm + th x (way of the body) / 2; the solve knows the first part.
-Vec3f bendOf(const Contact& c, const BodySet& bodies, double dt) {
+Vec3f bendOf(const Island& island, const ContactRecord& r, const Contact& c, const BodySet& bodies, double dt) {
+  const std::size_t own = island.bodies.size();
+  if (r.bodyA < own && r.bodyB < own) return {};
   auto half = [&](BodyIndex partner, BodyIndex body) {
     if (bodies.mass[partner].invMass > 0) return Vec3{};
     return cross(bodies.motion[partner].angularVelocity, bodies.motion[body].linearVelocity) * (0.5 * dt * dt);
@@ -62,7 +64,6 @@ struct StiffnessScale {
   float full, soft;  // N/m
   float quietSpeed;  // m/s
   float cap;         // N
-  float deepest;     // m: overlap that an impact may reach
   float dt;          // s
   float kept;        // of the plastic offset
 };
@@ -76,8 +77,8 @@ double deepestOverlap(const BodyMass& a, const BodyMass& b) {
 
 // An impact at k units of stiffness stops after approach dt / (1 + k): as soft as may be, but no softer than the bodies
 // are thick.
-float impactStiffness(float approach, const StiffnessScale& scale) {
-  float needed = scale.unit * -approach * scale.dt / scale.deepest;
+float impactStiffness(float approach, float deepest, const StiffnessScale& scale) {
+  float needed = scale.unit * -approach * scale.dt / deepest;
   return std::min(scale.full, std::max(scale.soft, needed));
 }
 
@@ -108,13 +109,18 @@ void soften(PointMemory& m, int i, const StiffnessScale& scale) {
 }
 
 // Slow surfaces rest from the start; so do impacts that have to be as stiff.
-void startPhase(PointMemory& m, int i, float approach, const StiffnessScale& scale) {
-  m.stiffness[i] = approach > -scale.quietSpeed ? scale.full : impactStiffness(approach, scale);
+void startPhase(Contact& c, int i, float approach, const StiffnessScale& scale, const BodySet& bodies) {
+  PointMemory& m = c.points;
+  m.stiffness[i] = scale.full;
+  if (!(approach > -scale.quietSpeed))
+    m.stiffness[i] =
+        impactStiffness(approach, float(deepestOverlap(bodies.mass[c.bodyA], bodies.mass[c.bodyB])), scale);
   m.phase[i] = m.stiffness[i] < kFullShare * scale.full ? PointPhase::impact : PointPhase::resting;
 }
 
 // Returns the gap that causes force.
-float mapNormalOffset(PointMemory& m, int i, float approach, const StiffnessScale& scale) {
+float mapNormalOffset(Contact& c, int i, float approach, const StiffnessScale& scale, const BodySet& bodies) {
+  PointMemory& m = c.points;
   if (m.stiffness[i] >= kFullShare * scale.full) m.phase[i] = PointPhase::resting;
   // The time step has grown, the island is calm no longer, or it has become debris.
   if (m.stiffness[i] > (2 - kFullShare) * scale.full) soften(m, i, scale);
@@ -122,7 +128,7 @@ float mapNormalOffset(PointMemory& m, int i, float approach, const StiffnessScal
   if (mustStiffen(m, i, approach, scale)) stiffen(m, i, scale);
   float offset = scale.kept * std::min(0.0f, std::max(m.offset[i], m.gap[i]));
   m.offset[i] = offset > -1e-12f ? 0 : offset;  // no denormals: they would never come to a fixed point
-  if (m.phase[i] == PointPhase::fresh) startPhase(m, i, approach, scale);
+  if (m.phase[i] == PointPhase::fresh) startPhase(c, i, approach, scale, bodies);
   return m.gap[i] - m.offset[i];
 }
 
@@ -159,6 +165,7 @@ void ContactRows::prepare(const Island& island, Ties ties, const StepContext& co
   ContactSet& set = ties.contacts;
   double perDt2 = 1 / (island.dt * island.dt);
   double resting = context.settings.restingStiffness * island.plan.stiffening;
+  fastestApproach = 0;
   for (std::size_t k = 0; k < size(); k++) {
     Contact& c = set.contacts[contactOf[k]];
     ContactRecord& r = records[k];
@@ -171,14 +178,13 @@ void ContactRows::prepare(const Island& island, Ties ties, const StepContext& co
     StiffnessScale scale{float(unit),
                          float(isDebris(island, r) ? context.settings.impactStiffness * unit : resting * firm),
                          float(context.settings.impactStiffness * unit), float(context.settings.restingApproachSpeed),
-                         kMultiplierWeights * float(kReferenceGravity) * c.effectiveMass,
-                         float(deepestOverlap(bodies.mass[c.bodyA], bodies.mass[c.bodyB])), float(island.dt),
+                         kMultiplierWeights * float(kReferenceGravity) * c.effectiveMass, float(island.dt),
                          // A part of a step lets go of a part.
                          1 - (1 - kOffsetKept) * float(island.dt / context.dt)};
     r.newPoints = 0;
     start.points = c.count;
     start.friction = c.friction;
-    start.bend = bendOf(c, bodies, island.dt);
+    start.bend = bendOf(island, r, c, bodies, island.dt);
     float bendN = dot(r.n, start.bend), bend1 = dot(r.t1, start.bend), bend2 = dot(cross(r.n, r.t1), start.bend);
     for (int i = 0; i < 4; i++) {
       start.taken[i] = start.back[i] = start.back1[i] = start.back2[i] = 0;
@@ -186,7 +192,8 @@ void ContactRows::prepare(const Island& island, Ties ties, const StepContext& co
         r.trialN[i] = r.trial1[i] = r.trial2[i] = r.k[i] = r.limit[i] = r.tensionCap[i] = 0;
         continue;
       }
-      float gap = mapNormalOffset(c.points, i, start.approach[i], scale);
+      if (-start.approach[i] > fastestApproach) fastestApproach = -start.approach[i];
+      float gap = mapNormalOffset(c, i, start.approach[i], scale, bodies);
       mapFrictionAnchor(c, i, set.geometry[contactOf[k]], r, bodies);
       float stiffness = c.points.stiffness[i];
       r.k[i] = stiffness;

@@ -32,6 +32,7 @@ struct ContactRows {
   std::pmr::vector<ContactIndex> contactOf;  // by row, in pair order
   std::pmr::vector<ContactRecord> records;   // by row
   std::pmr::vector<ContactStart> starts;     // by row
+  float fastestApproach = 0;                 // m/s, of any point at the start of the step
 
   // --- what every kind of row has (rows.h)
   static constexpr double kPoints = 4;  // visits that a row counts as
@@ -75,7 +76,8 @@ struct ContactRows {
   // After a solve: impacts that are over give back their share of what they took, in a solve that goes on from there. True if
   // any does. Adds to `credit` (J) what they took in earlier steps.
   bool startRebounds(const Island& island, const StepContext& context, double& credit);
-  // Forces at the final motion into the contacts. True if any bit of what they remember changed.
+  // Forces at the final motion into the contacts. True if any bit of what they remember changed; of an island that does not
+  // rest that is not looked for, and true.
   bool store(Island& island, Ties ties, StepContext& context);
   // Gaps and drifts go on by the motion that was finally made.
   void advance(const Island& island, Ties ties) const;

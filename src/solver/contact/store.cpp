@@ -1,6 +1,7 @@
 // The end of a solve for the contacts of an island: what their points remember.
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstring>
 
 #include "solver/contact/kernel.h"
@@ -93,11 +94,14 @@ bool updateWeak(Contact& c, int loaded, int slidingLoaded) {
 }  // namespace
 
 bool ContactRows::store(Island& island, Ties ties, StepContext& context) {
-  bool changed = false;
+  const bool compare = island.resting();
+  bool changed = !compare;
+  alignas(Contact) std::byte before[sizeof(Contact)];
   island.slipWork = 0;
   for (std::size_t k = 0; k < size(); k++) {
     Contact& c = ties.contacts.contacts[contactOf[k]];
-    Contact before = c;
+    if (!changed) std::memcpy(before, &c, sizeof c);
+    const bool touched = c.touching;
     StoredForces f = forcesAt(records[k], island.motion.data());
     int loaded = 0, slidingLoaded = 0;
     c.points.stickingMask = 0;
@@ -115,9 +119,9 @@ bool ContactRows::store(Island& island, Ties ties, StepContext& context) {
       placeSlip(c, i, sliding);
     }
     c.touching = loaded > 0;
-    if (c.touching != before.touching) ties.contacts.touchingChanged = true;
+    if (c.touching != touched) ties.contacts.touchingChanged = true;
     if (updateWeak(c, loaded, slidingLoaded)) island.byMechanism.valid = false;
-    changed = changed || std::memcmp(&before, &c, sizeof c) != 0;
+    changed = changed || std::memcmp(before, &c, sizeof c) != 0;
   }
   context.statistics.lightVisits += 4.0 * double(size());
   return changed;

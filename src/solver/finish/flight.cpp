@@ -12,7 +12,8 @@ void correctFlight(Island& island, StepContext& context) {
   Vec3 correction = context.gravity * (-0.5 * island.dt * island.dt);
   std::pmr::vector<char> supported(island.memory), near(island.memory);
   findSupported(island, supported, [&](const auto& kind, std::size_t k) { return kind.carriesForce(k, context); });
-  findSupported(island, near, [&](const auto& kind, std::size_t k) {
+  near = supported;  // what carries force meets
+  growSupported(island, near, [&](const auto& kind, std::size_t k) {
     return kind.meetsWithin(k, toFloat(correction), island.motion.data(), context);
   });
   for (std::size_t i = 0; i < island.bodies.size(); i++) {

@@ -134,6 +134,62 @@ TEST_P(EveryBroadPhase, AllMoveAtOnce) {
   EXPECT_GT(pairsSeen, 1000u);
 }
 
+// Told at once or one by one, few or most of them, with what goes and comes between: the same pairs and bounds kept, and in a
+// tree the same answers in the same order.
+TEST_P(EveryBroadPhase, ManyUpdatesAtOnceAreAsOneByOne) {
+  Random random(5);
+  std::unique_ptr<BroadPhase> single = made(), many = made();
+  std::vector<ProxyIndex> proxies;
+  std::vector<Aabb> tight;
+  for (std::uint32_t i = 0; i < 200; i++) {
+    tight.push_back(randomBox(random, 5, 0.5));
+    proxies.push_back(single->add(tight[i], 0.05, i));
+    ASSERT_EQ(many->add(tight[i], 0.05, i), proxies[i]);
+  }
+  auto asked = [](const BroadPhase& phase, const Aabb& where) {
+    std::vector<std::uint32_t> out;
+    phase.query(where, [&](std::uint32_t user) {
+      out.push_back(user);
+      return true;
+    });
+    return out;
+  };
+  int mostMoved = 0;
+  std::size_t pairsSeen = 0;
+  for (int round = 0; round < 60; round++) {
+    const double share = round % 3 == 0 ? 0.9 : round % 3 == 1 ? 0.5 : 0.05;
+    std::vector<BoundsUpdate> updates;
+    int moved = 0;
+    for (std::size_t i = 0; i < proxies.size(); i++) {
+      if (random.unit() > share) continue;
+      tight[i] = randomBox(random, 5, 0.5);
+      updates.push_back({proxies[i], tight[i], 0.05});
+      moved += single->update(proxies[i], tight[i], 0.05);
+    }
+    many->updateAll(updates);
+    mostMoved += 2 * moved > int(proxies.size());
+    if (round % 4 == 0)  // between the update and the search
+      for (BroadPhase* phase : {single.get(), many.get()}) {
+        phase->remove(proxies[std::size_t(round)]);
+        ASSERT_EQ(phase->add(tight[std::size_t(round)], 0.05, std::uint32_t(round)), proxies[std::size_t(round)]);
+      }
+    Pairs expected, found;
+    single->newPairs(kAll, expected);
+    many->newPairs(kAll, found);
+    ASSERT_EQ(found, expected) << round;
+    pairsSeen += found.size();
+    ASSERT_EQ(many->validate(), std::vector<std::string>{});
+    Aabb where = randomBox(random, 5, 2);
+    ASSERT_EQ(asked(*many, where), asked(*single, where)) << round;
+    for (ProxyIndex proxy : proxies)
+      ASSERT_TRUE(many->kept(proxy).lower == single->kept(proxy).lower &&
+                  many->kept(proxy).upper == single->kept(proxy).upper);
+  }
+  EXPECT_GT(mostMoved, 15);
+  EXPECT_LT(mostMoved, 45);
+  EXPECT_GT(pairsSeen, 1000u);
+}
+
 TEST_P(EveryBroadPhase, StopsAQueryWhenAsked) {
   std::unique_ptr<BroadPhase> tree = made();
   for (std::uint32_t i = 0; i < 20; i++) tree->add({{0, 0, 0}, {1, 1, 1}}, 0, i);

@@ -4,6 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstring>
+#include <vector>
+
+#include "math/random.h"
 
 namespace brickfall {
 namespace {
@@ -83,6 +87,38 @@ TEST(TurnFreely, AnySpeedStaysAUnitQuaternion) {
     for (int i = 0; i < 20; i++) q = turnFreely(q, {speed, speed * 0.5, -speed}, mass, 0.1);
     EXPECT_NEAR(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w, 1, 1e-12) << speed;
   }
+}
+
+// Whatever is beside what: slow and fast, about one axis, not at all, too fast for a substep, not finite.
+TEST(TurnFreely, SideBySideGivesTheSameBitsAsAlone) {
+  Random random(7);
+  auto any = [&](double size) { return (2 * random.unit() - 1) * size; };
+  int slow = 0, fast = 0;
+  for (int trial = 0; trial < 20000; trial++) {
+    FreeTurn turns[kTurnsAtOnce];
+    const int count = 1 + trial % kTurnsAtOnce;
+    const double dt = trial % 3 ? 1.0 / 60 : 1.0 / 240;
+    Quat alone[kTurnsAtOnce];
+    for (int n = 0; n < count; n++) {
+      FreeTurn& t = turns[n];
+      const int kind = int(random.unit() * 10);
+      const double speed = kind < 4 ? 1e-3 : kind < 7 ? 1 : kind == 7 ? 100 : kind == 8 ? 1e-70 : 5;
+      slow += speed == 1e-3;
+      fast += speed == 1;
+      t.rotation = kind == 9 ? Quat{} : normalized(Quat{any(1), any(1), any(1), any(1)});
+      t.inertia = {kind == 9 ? Mat3{} : toMatrix(normalized(Quat{any(1), any(1), any(1), any(1)})),
+                   {1 + random.unit(), 1 + 3 * random.unit(), 2 + random.unit()}};
+      t.angularMomentum = {any(speed), any(speed), any(speed)};
+      if (kind == 9) t.angularMomentum[trial % 3] = trial % 2 ? 0.0 : -0.0;
+      if (kind == 9 && trial % 100 == 0) t.angularMomentum.x = INFINITY;
+      alone[n] = turnFreely(t.rotation, t.angularMomentum, t.inertia, dt);
+    }
+    turnFreely(turns, count, dt);
+    for (int n = 0; n < count; n++)
+      ASSERT_EQ(std::memcmp(&turns[n].rotation, &alone[n], sizeof alone[n]), 0) << "trial " << trial << " lane " << n;
+  }
+  EXPECT_GT(slow, 1000);
+  EXPECT_GT(fast, 1000);
 }
 
 }  // namespace
