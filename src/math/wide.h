@@ -19,12 +19,31 @@ typedef std::int32_t M __attribute__((vector_size(16)));  // lanes all ones or a
 typedef float Stored __attribute__((vector_size(16), may_alias));
 
 inline V load(const float* aligned16) { return *reinterpret_cast<const Stored*>(aligned16); }
+inline V loadAnywhere(const float* from) {
+  V v;
+  std::memcpy(&v, from, sizeof v);
+  return v;
+}
 inline void store(V v, float* aligned16) { *reinterpret_cast<Stored*>(aligned16) = v; }
 inline V set(float v) { return V{v, v, v, v}; }
 inline V select(M mask, V yes, V no) { return V((mask & M(yes)) | (~mask & M(no))); }
 inline V keepIf(M mask, V yes) { return V(mask & M(yes)); }
-inline V max(V a, V b) { return select(a > b, a, b); }
-inline V min(V a, V b) { return select(a < b, a, b); }
+
+// b where they are equal or not numbers.
+inline V max(V a, V b) {
+#if defined(__SSE2__)
+  return reinterpret_cast<V>(_mm_max_ps(reinterpret_cast<__m128>(a), reinterpret_cast<__m128>(b)));
+#else
+  return select(a > b, a, b);
+#endif
+}
+inline V min(V a, V b) {
+#if defined(__SSE2__)
+  return reinterpret_cast<V>(_mm_min_ps(reinterpret_cast<__m128>(a), reinterpret_cast<__m128>(b)));
+#else
+  return select(a < b, a, b);
+#endif
+}
 
 // Bit i = lane i.
 inline std::uint32_t bits(M mask) {

@@ -5,14 +5,15 @@ namespace brickfall {
 using wide::V;
 
 void RowForces::add(RowEnds ends, const Reaction& at, V force, V torque) {
-  Vec3f f = wide::store3(force);
   if (ends.a < bodies_) {
-    island_.residual[ends.a].force -= f;
-    island_.residual[ends.a].torque -= wide::store3(wide::cross3(at.armA, force) + torque);
+    Wrench& r = island_.residual[ends.a];
+    wide::store(wide::load(&r.force.x) - force, &r.force.x);
+    wide::store(wide::load(&r.torque.x) - (wide::cross3(at.armA, force) + torque), &r.torque.x);
   }
   if (ends.b < bodies_) {
-    island_.residual[ends.b].force += f;
-    island_.residual[ends.b].torque += wide::store3(wide::cross3(at.armB, force) + torque);
+    Wrench& r = island_.residual[ends.b];
+    wide::store(wide::load(&r.force.x) + force, &r.force.x);
+    wide::store(wide::load(&r.torque.x) + (wide::cross3(at.armB, force) + torque), &r.torque.x);
   }
 }
 
