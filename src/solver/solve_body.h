@@ -23,7 +23,7 @@ struct alignas(64) SolveMass {
 };
 static_assert(sizeof(SolveMass) == 64);
 
-struct alignas(32) Wrench {
+struct alignas(16) Wrench {
   Vec3f force;
   float pad0 = 0;
   Vec3f torque;
