@@ -22,6 +22,8 @@ namespace brickfall {
 
 namespace {
 
+using wide::V;
+
 //! - | too small: searches that change little | too large: steps end beyond their minimum
 constexpr float kOvershoot = 0.3f, kOvershootExact = 0.15f;  // of the slope at the start: less is no reason to search
 //! - | too small: searches that change little | too large: steps end short of their minimum
@@ -32,18 +34,16 @@ constexpr float kStale = 0.3f;  // of the slope at the start, left either way: t
 
 float power(const Wrench& a, const Wrench& b) { return dot(a.force, b.force) + dot(a.torque, b.torque); }
 
-Vec3f timesInertia(const float* i, Vec3f w) {
-  return {i[0] * w.x + i[1] * w.y + i[3] * w.z, i[1] * w.x + i[2] * w.y + i[4] * w.z,
-          i[3] * w.x + i[4] * w.y + i[5] * w.z};
-}
-
+// One arithmetic with the loads of the solve: a body's lanes are stored as they will be read.
 void moveCluster(Island& island, const Level& level, const Cluster& cluster, const Wrench& step, float part) {
-  Vec3f way = step.force * part, turn = step.torque * part;
+  V way = wide::load(&step.force.x) * part, turn = wide::load(&step.torque.x) * part;
+  V centre = wide::loadAnywhere(&cluster.centre.x);
   for (std::uint32_t k = cluster.bodyBegin; k < cluster.bodyEnd; k++) {
     std::uint32_t body = level.bodies[k];
     SolveMotion& m = island.motion[body];
-    m.d += way + cross(turn, island.masses[body].position - cluster.centre);
-    m.th += turn;
+    V arm = wide::load(&island.masses[body].position.x) - centre;
+    wide::store(wide::load(&m.d.x) + (way + wide::cross3(turn, arm)), &m.d.x);
+    wide::store(wide::load(&m.th.x) + turn, &m.th.x);
   }
 }
 
@@ -55,7 +55,8 @@ class Way {
     float turn = length(step_.torque), most = float(kLargestTurn);
     if (turn > most) step_ = {step_.force * (most / turn), step_.torque * (most / turn)};
     start_ = power(residual, step_);
-    resist_ = power({step_.force * cluster.mass, timesInertia(cluster.inertia, step_.torque)}, step_);
+    V turning = timesSymmetric(cluster.inertia, wide::load(&step_.torque.x));
+    resist_ = power({step_.force * cluster.mass, wide::store3(turning)}, step_);
   }
   // Returns the slope there.
   float moveTo(float part) {
@@ -140,12 +141,15 @@ ClusterStep tryStep(RowForces& forces, const Level& level, const Cluster& cluste
 }
 
 void addInertiaOfStep(Island& island, const Level& level, const Cluster& cluster, const ClusterStep& step) {
-  Vec3f way = step.whole.force * step.part, turn = step.whole.torque * step.part;
+  V way = wide::load(&step.whole.force.x) * step.part, turn = wide::load(&step.whole.torque.x) * step.part;
+  V centre = wide::loadAnywhere(&cluster.centre.x);
   for (std::uint32_t k = cluster.bodyBegin; k < cluster.bodyEnd; k++) {
     std::uint32_t body = level.bodies[k];
     const SolveMass& m = island.masses[body];
-    island.residual[body].force -= (way + cross(turn, m.position - cluster.centre)) * m.mass;
-    island.residual[body].torque -= timesInertia(m.inertia, turn);
+    Wrench& residual = island.residual[body];
+    V moved = way + wide::cross3(turn, wide::load(&m.position.x) - centre);
+    wide::store(wide::load(&residual.force.x) - moved * m.mass, &residual.force.x);
+    wide::store(wide::load(&residual.torque.x) - timesSymmetric(m.inertia, turn), &residual.torque.x);
   }
 }
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <utility>
 
 #include "solver/light_pass.h"
@@ -34,19 +35,23 @@ using Block = double[6][6];
 // Symmetric matrix by rows, each from its first column that can be other than 0 to the diagonal.
 class Envelope {
  public:
-  explicit Envelope(std::pmr::memory_resource* memory) : first_(memory), begin_(memory), a_(memory) {}
+  explicit Envelope(std::pmr::memory_resource* memory)
+      : first_(memory), begin_(memory), lastBlock_(memory), a_(memory) {}
 
   // lowest: for each block row, the first block column.
   void shape(const std::pmr::vector<std::uint32_t>& lowest) {
     rows_ = 6 * lowest.size();
     first_.resize(rows_);
     begin_.resize(rows_);
+    lastBlock_.resize(lowest.size());
     std::size_t size = 0;
     for (std::size_t i = 0; i < rows_; i++) {
       first_[i] = 6 * lowest[i / 6];
       begin_[i] = size;
       size += i - first_[i] + 1;
     }
+    for (std::size_t block = 0; block < lowest.size(); block++)
+      std::fill(lastBlock_.begin() + lowest[block], lastBlock_.begin() + std::ptrdiff_t(block) + 1, block);
     a_.resize(size);
   }
   void clear() { std::fill(a_.begin(), a_.end(), 0.0); }
@@ -56,17 +61,20 @@ class Envelope {
       for (std::size_t j = 0; j < 6 && 6 * column + j <= 6 * row + i; j++) at(6 * row + i)[6 * column + j] += b[i][j];
   }
 
-  // Cholesky in place, inverse on the diagonal. False if not positive definite.
+  // Cholesky in place, inverse on the diagonal. False if not positive definite. By columns of blocks: the rows under a block
+  // don't wait for each other.
   bool factor() {
-    for (std::size_t i = 0; i < rows_; i++) {
-      double* row = at(i);
-      for (std::size_t j = first_[i]; j < i; j++) {
-        std::size_t from = std::max(first_[i], first_[j]);
-        row[j] = (row[j] - dot(row + from, at(j) + from, j - from)) * at(j)[j];
+    for (std::size_t block = 0; block < lastBlock_.size(); block++) {
+      const std::size_t begin = 6 * block, end = begin + 6;
+      for (std::size_t i = begin; i < end; i++) {
+        factorRow(i, begin, i);
+        double* row = at(i);
+        double pivot = row[i] - dot(row + first_[i], row + first_[i], i - first_[i]);
+        if (!(pivot > 0)) return false;
+        row[i] = 1 / std::sqrt(pivot);
       }
-      double pivot = row[i] - dot(row + first_[i], row + first_[i], i - first_[i]);
-      if (!(pivot > 0)) return false;
-      row[i] = 1 / std::sqrt(pivot);
+      for (std::size_t i = end; i < 6 * (lastBlock_[block] + 1); i++)
+        if (first_[i] <= begin) factorRow(i, begin, end);
     }
     return true;
   }
@@ -75,28 +83,53 @@ class Envelope {
       x[i] = (x[i] - dot(at(i) + first_[i], x + first_[i], i - first_[i])) * at(i)[i];
     for (std::size_t i = rows_; i-- > 0;) {
       x[i] *= at(i)[i];
-      for (std::size_t j = first_[i]; j < i; j++) x[j] -= at(i)[j] * x[i];
+      takeOff(x[i], at(i) + first_[i], i - first_[i], x + first_[i]);
     }
   }
 
  private:
   double* at(std::size_t row) { return a_.data() + begin_[row] - first_[row]; }  // indexed by column
+  // Columns begin to end of a row under the diagonal.
+  void factorRow(std::size_t i, std::size_t begin, std::size_t end) {
+    double* row = at(i);
+    for (std::size_t j = begin; j < end; j++) {
+      const double* other = at(j);
+      std::size_t from = std::max(first_[i], first_[j]);
+      row[j] = (row[j] - dot(row + from, other + from, j - from)) * other[j];
+    }
+  }
+
+  typedef double Two __attribute__((vector_size(16)));
+  static Two load(const double* from) {
+    Two v;
+    std::memcpy(&v, from, sizeof v);
+    return v;
+  }
   // Four sums side by side, in one fixed order.
   static double dot(const double* x, const double* y, std::size_t n) {
-    double s0 = 0, s1 = 0, s2 = 0, s3 = 0;
+    Two s01 = {}, s23 = {};
     std::size_t k = 0;
     for (; k + 4 <= n; k += 4) {
-      s0 += x[k] * y[k];
-      s1 += x[k + 1] * y[k + 1];
-      s2 += x[k + 2] * y[k + 2];
-      s3 += x[k + 3] * y[k + 3];
+      s01 += load(x + k) * load(y + k);
+      s23 += load(x + k + 2) * load(y + k + 2);
     }
+    double s0 = s01[0];
     for (; k < n; k++) s0 += x[k] * y[k];
-    return (s0 + s1) + (s2 + s3);
+    return (s0 + s01[1]) + (s23[0] + s23[1]);
+  }
+  // y -= f x
+  static void takeOff(double f, const double* x, std::size_t n, double* y) {
+    std::size_t k = 0;
+    for (; k + 2 <= n; k += 2) {
+      Two v = load(y + k) - load(x + k) * f;
+      std::memcpy(y + k, &v, sizeof v);
+    }
+    if (k < n) y[k] -= x[k] * f;
   }
 
   std::size_t rows_ = 0;
   std::pmr::vector<std::size_t> first_, begin_;
+  std::pmr::vector<std::size_t> lastBlock_;  // by block column: the last block row that reaches it
   std::pmr::vector<double> a_;
 };
 

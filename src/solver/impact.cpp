@@ -103,8 +103,8 @@ struct Forces {
   alignas(16) float way[4];              // m, normal
 };
 Forces forcesOf(const ContactRecord& r, const Island& island) {
-  kernel::PointMotion moved = kernel::pointMotion(r, kernel::frame(r), island.motion.data());
-  kernel::PointForces f = kernel::pointForces(r, moved);
+  auto moved = kernel::pointMotion(r, kernel::frame(r), island.motion.data());
+  auto f = kernel::pointForces(r, moved);
   Forces out;
   kernel::store(moved.n, out.way);
   kernel::store(f.n, out.n);

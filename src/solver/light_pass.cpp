@@ -5,33 +5,37 @@
 #include <cmath>
 
 #include "base/take_larger.h"
+#include "solver/residual_sum.h"
 
 namespace brickfall {
 
+//! not of the method: what lies in the nearest cache
+constexpr std::size_t kRowsAtATime = 32;
+
 void lightPass(Island& island, bool renewBounds, double& visits) {
-  std::size_t bodies = island.bodies.size();
+  const std::uint32_t bodies = std::uint32_t(island.bodies.size());
   island.residual.resize(bodies);
   island.loads.assign(bodies, 0);
   for (std::size_t i = 0; i < bodies; i++) island.residual[i] = inertiaResidual(island.masses[i], island.motion[i]);
   const SolveMotion* motion = island.motion.data();
-  island.rows.each([&](auto& kind, std::size_t k) {
-    if (renewBounds) kind.renewBounds(k, motion);
-    Reaction x = kind.react(k, motion);
-    RowEnds ends = kind.ends(k);
-    Vec3f force = wide::store3(x.force);
-    float half = 0.5f * length(force);
-    if (ends.a < bodies) {
-      island.loads[ends.a] += half;
-      island.residual[ends.a].force -= force;
-      island.residual[ends.a].torque -= wide::store3(wide::cross3(x.armA, x.force) + x.torque);
+  Reading readings[kRowsAtATime];
+  island.rows.eachKind([&](auto& kind) {
+    if (renewBounds)
+      for (std::size_t k = 0; k < kind.size(); k++) kind.renewBounds(k, motion);
+    for (std::size_t begin = 0; begin < kind.size(); begin += kRowsAtATime) {
+      const std::size_t end = std::min(begin + kRowsAtATime, kind.size());
+      kind.read(begin, end - begin, motion, readings);
+      for (std::size_t k = begin; k < end; k++) {
+        const Reading& x = readings[k - begin];
+        RowEnds ends = kind.ends(k);
+        addTo(island.residual.data(), bodies, ends, kind.arms(k), x.force, x.torque);
+        float half = 0.5f * length(wide::store3(x.force));
+        if (ends.a < bodies) island.loads[ends.a] += half;
+        if (ends.b < bodies) island.loads[ends.b] += half;
+      }
     }
-    if (ends.b < bodies) {
-      island.loads[ends.b] += half;
-      island.residual[ends.b].force += force;
-      island.residual[ends.b].torque += wide::store3(wide::cross3(x.armB, x.force) + x.torque);
-    }
+    visits += kind.kPoints * double(kind.size());
   });
-  island.rows.eachKind([&](const auto& kind) { visits += kind.kPoints * double(kind.size()); });
 }
 
 double worstResidual(const Island& island, const BodySet& bodies) {

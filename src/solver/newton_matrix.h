@@ -15,23 +15,30 @@ struct MatrixSums {
   V dd[3] = {}, thd[3] = {}, B[3] = {}, thth[3] = {}, rB[3] = {};
 
   // [r] M by rows
-  static void crossRows(V r, const V* m, V* out) {
-    V x = wide::spread<0>(r), y = wide::spread<1>(r), z = wide::spread<2>(r);
+  template <class L> static BRICKFALL_LANES void crossRows(L r, const L* m, L* out) {
+    using wide::spread;
+    L x = spread<0>(r), y = spread<1>(r), z = spread<2>(r);
     out[0] = y * m[2] - z * m[1];
     out[1] = z * m[0] - x * m[2];
     out[2] = x * m[1] - y * m[0];
   }
+  // The row in the low half first.
+  template <class L> static BRICKFALL_LANES void addHalves(V& sum, L pair, bool two) {
+    sum += lowOf(pair);
+    if (two) sum += highOf(pair);
+  }
 
-  void add(const Stiffness& k, V r) {
-    V rA[3], rBk[3];
+  // Of two rows side by side (math/wide_pair.h), or only of that in the low half.
+  template <class L> BRICKFALL_LANES void add(const StiffnessOf<L>& k, L r, bool two) {
+    L rA[3], rBk[3];
     crossRows(r, k.A, rA);
     crossRows(r, k.B, rBk);
     for (int i = 0; i < 3; i++) {
-      dd[i] += k.A[i];
-      thd[i] += rA[i];
-      B[i] += k.B[i];
-      thth[i] += wide::cross3(r, rA[i]) + k.C[i];
-      rB[i] += rBk[i];
+      addHalves(dd[i], k.A[i], two);
+      addHalves(thd[i], rA[i], two);
+      addHalves(B[i], k.B[i], two);
+      addHalves(thth[i], cross3(r, rA[i]) + k.C[i], two);
+      addHalves(rB[i], rBk[i], two);
     }
   }
 

@@ -1,25 +1,17 @@
 #include "solver/row_forces.h"
 
+#include <algorithm>
+
+#include "solver/residual_sum.h"
+
 namespace brickfall {
 
 using wide::V;
 
-void RowForces::add(RowEnds ends, const Reaction& at, V force, V torque) {
-  Vec3f f = wide::store3(force);
-  if (ends.a < bodies_) {
-    island_.residual[ends.a].force -= f;
-    island_.residual[ends.a].torque -= wide::store3(wide::cross3(at.armA, force) + torque);
-  }
-  if (ends.b < bodies_) {
-    island_.residual[ends.b].force += f;
-    island_.residual[ends.b].torque += wide::store3(wide::cross3(at.armB, force) + torque);
-  }
-}
-
-void RowForces::take(std::uint32_t row, RowEnds ends, const Reaction& now) {
+void RowForces::take(std::uint32_t row, RowEnds ends, Arms arms, Reading now) {
   Reading& old = readings_[row];
-  add(ends, now, now.force - old.force, now.torque - old.torque);
-  old = {now.force, now.torque};
+  addTo(island_.residual.data(), bodies_, ends, arms, now.force - old.force, now.torque - old.torque);
+  old = now;
 }
 
 void RowForces::readAll() {
@@ -37,12 +29,12 @@ void RowForces::readAgain() {
   island_.residual.resize(bodies_);
   for (std::uint32_t i = 0; i < bodies_; i++)
     island_.residual[i] = inertiaResidual(island_.masses[i], island_.motion[i]);
-  std::uint32_t row = 0;
-  island_.rows.each([&](const auto& kind, std::size_t k) {
-    Reaction now = kind.react(k, island_.motion.data());
-    add(kind.ends(k), now, now.force, now.torque);
-    readings_[row++] = {now.force, now.torque};
-    statistics_.lightVisits += kind.kPoints;
+  Reading* now = readings_.data();
+  island_.rows.eachKind([&](const auto& kind) {
+    kind.read(0, kind.size(), island_.motion.data(), now);
+    for (std::size_t k = 0; k < kind.size(); k++, now++)
+      addTo(island_.residual.data(), bodies_, kind.ends(k), kind.arms(k), now->force, now->torque);
+    statistics_.lightVisits += kind.kPoints * double(kind.size());
   });
 }
 
@@ -52,11 +44,17 @@ void RowForces::renewBounds() {
 }
 
 void RowForces::acceptBoundary(const Level& level, const Cluster& cluster) {
-  for (std::uint32_t k = cluster.sideBegin; k < cluster.sideEnd; k++) {
+  const Reading* trial = trial_.data();
+  Reading* readings = readings_.data();
+  Wrench* residual = island_.residual.data();
+  for (std::uint32_t k = cluster.sideBegin; k < cluster.sideEnd; k++, trial++) {
     std::uint32_t row = level.sides[k] / 2;
+    Reading& old = readings[row];
     island_.rows.at(row, [&](const auto& kind, std::uint32_t index) {
-      take(row, kind.ends(index), trial_[k - cluster.sideBegin]);
+      addTo(residual, bodies_, kind.ends(index), kind.arms(index), trial->force - old.force,
+            trial->torque - old.torque);
     });
+    old = *trial;
   }
 }
 
@@ -71,44 +69,32 @@ void RowForces::findLoads() {
   });
 }
 
-template <bool withMatrix>
-Wrench RowForces::sumBoundary(const Level& level, const Cluster& cluster, bool exact, MatrixSums* sums) {
-  bool single = cluster.bodyEnd - cluster.bodyBegin == 1;
-  V centre = wide::load3(cluster.centre), force = wide::set(0), torque = wide::set(0);
-  for (std::uint32_t k = cluster.sideBegin; k < cluster.sideEnd; k++) {
-    std::uint32_t side = level.sides[k], row = side / 2;
-    // Rows lie in the order of their pairs, clusters jump about in it.
-    if (k + 2 < cluster.sideEnd)
-      island_.rows.at(level.sides[k + 2] / 2, [](const auto& kind, std::uint32_t index) { kind.prefetch(index); });
-    island_.rows.at(row, [&](const auto& kind, std::uint32_t index) {
-      Reaction& x = trial_[k - cluster.sideBegin];
-      [[maybe_unused]] Stiffness stiffness;
-      if constexpr (withMatrix) {
-        StiffReaction stiff = kind.reactStiff(index, island_.motion.data(), exact);
-        x = stiff;
-        stiffness = stiff.stiffness;
-      } else {
-        x = kind.react(index, island_.motion.data());
-      }
-      V arm = (side & 1) ? x.armB : x.armA;
-      if (!single) {
-        RowEnds ends = kind.ends(index);
-        arm += wide::load3(island_.masses[(side & 1) ? ends.b : ends.a].position) - centre;
-      }
-      V sign = wide::set((side & 1) ? 1.0f : -1.0f);
-      V changed = x.force - readings_[row].force;
-      force += sign * changed;
-      torque += sign * (wide::cross3(arm, changed) + (x.torque - readings_[row].torque));
-      if constexpr (withMatrix) sums->add(stiffness, arm);
-    });
-  }
-  statistics_.solveSides += 4.0 * (cluster.sideEnd - cluster.sideBegin);
-  return {wide::store3(force), wide::store3(torque)};
-}
-
-Wrench RowForces::readBoundary(const Level& level, const Cluster& cluster, bool exact, MatrixSums* sums) {
+// Sides are in the order of their rows, so those of a kind follow each other.
+Wrench RowForces::readBoundary(const Level& level, const Cluster& cluster, bool exact, MatrixSums* matrix) {
   trial_.resize(cluster.sideEnd - cluster.sideBegin);
-  return sums ? sumBoundary<true>(level, cluster, exact, sums) : sumBoundary<false>(level, cluster, exact, nullptr);
+  Boundary part;
+  part.sides = level.sides.data() + cluster.sideBegin;
+  part.motion = island_.motion.data();
+  part.masses = island_.masses.data();
+  part.readings = readings_.data();
+  part.trial = trial_.data();
+  part.centre = wide::load3(cluster.centre);
+  part.single = cluster.bodyEnd - cluster.bodyBegin == 1;
+  part.exact = exact;
+  const std::uint32_t* end = level.sides.data() + cluster.sideEnd;
+  BoundarySums sums;
+  sums.matrix = matrix;
+  island_.rows.eachKind([&](const auto& kind) {
+    const std::uint32_t endRow = part.firstRow + std::uint32_t(kind.size());
+    const std::uint32_t* stop = Rows::kKinds == 1 ? end : std::lower_bound(part.sides, end, 2 * endRow);
+    part.count = std::uint32_t(stop - part.sides);
+    if (part.count > 0) kind.sumBoundary(part, sums);
+    part.sides = stop;
+    part.trial += part.count;
+    part.firstRow = endRow;
+  });
+  statistics_.solveSides += 4.0 * (cluster.sideEnd - cluster.sideBegin);
+  return {wide::store3(sums.force), wide::store3(sums.torque)};
 }
 
 }  // namespace brickfall

@@ -5,8 +5,8 @@
 #include <memory_resource>
 #include <vector>
 
+#include "solver/boundary.h"
 #include "solver/island.h"
-#include "solver/newton_matrix.h"
 #include "solver/rigid_cluster.h"
 
 namespace brickfall {
@@ -36,9 +36,9 @@ class RowForces {
   // Half the sum of the forces on each body: Island::loads.
   void findLoads();
 
-  // By what the forces on a cluster's boundary have changed at the present motion, about its centre. With `sums`, their
-  // stiffness there too. Kept until acceptBoundary. Exact: open points are not counted as closed when they are near.
-  Wrench readBoundary(const Level& level, const Cluster& cluster, bool exact, MatrixSums* sums);
+  // By what the forces on a cluster's boundary have changed at the present motion, about its centre. With `matrix`,
+  // their stiffness there too. Kept until acceptBoundary. Exact: open points are not counted as closed when they are near.
+  Wrench readBoundary(const Level& level, const Cluster& cluster, bool exact, MatrixSums* matrix);
   // What readBoundary found last holds from now on.
   void acceptBoundary(const Level& level, const Cluster& cluster);
   Island& island() const { return island_; }
@@ -47,14 +47,7 @@ class RowForces {
   //! - | too small: cost | too large: new points slide under bounds that are not theirs
   static constexpr float kBoundSlack = 0.01f;  // of a bound: smaller changes are left
 
-  struct Reading {
-    wide::V force, torque;
-  };
-
-  template <bool withMatrix>
-  Wrench sumBoundary(const Level& level, const Cluster& cluster, bool exact, MatrixSums* sums);
-  void add(RowEnds ends, const Reaction& at, wide::V force, wide::V torque);
-  void take(std::uint32_t row, RowEnds ends, const Reaction& now);
+  void take(std::uint32_t row, RowEnds ends, Arms arms, Reading now);
   // change(kind, index): true if the row's bounds are others now. True if any were changed.
   template <class Change> bool changeBounds(Change change) {
     bool any = false;
@@ -63,7 +56,8 @@ class RowForces {
         if (!change(kind, index)) return;
         any = true;
         statistics_.lightVisits += kind.kPoints;
-        take(row, kind.ends(index), kind.react(index, island_.motion.data()));
+        Reaction now = kind.react(index, island_.motion.data());
+        take(row, kind.ends(index), {now.armA, now.armB}, {now.force, now.torque});
       });
     return any;
   }
@@ -72,7 +66,7 @@ class RowForces {
   SolveStatistics& statistics_;
   std::uint32_t bodies_;
   std::pmr::vector<Reading> readings_;         // by row
-  std::pmr::vector<Reaction> trial_;           // of the boundary read last
+  std::pmr::vector<Reading> trial_;            // of the boundary read last
   std::pmr::vector<std::uint32_t> following_;  // rows with bounds that follow the solve
 };
 

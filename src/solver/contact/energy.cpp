@@ -47,8 +47,8 @@ ContactWork contactWork(const Island& island, const StepContext& context) {
   for (std::size_t n = 0; n < island.rows.contacts.records.size(); n++) {
     Contact c =
         context.contacts->contacts[island.rows.contacts.contactOf[n]];  // as if its multiplier were all of its force
-    kernel::PointMotion m = kernel::pointMotion(island.rows.contacts.records[n],
-                                                kernel::frame(island.rows.contacts.records[n]), island.motion.data());
+    auto m = kernel::pointMotion(island.rows.contacts.records[n], kernel::frame(island.rows.contacts.records[n]),
+                                 island.motion.data());
     alignas(16) float way[3][4];
     kernel::store(m.n, way[0]);
     kernel::store(m.t1, way[1]);

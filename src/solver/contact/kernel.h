@@ -1,4 +1,4 @@
-// The contact law and its derivatives, four points at a time.
+// The contact law and its derivatives, four points at a time, or the points of two contacts side by side.
 //
 //   fn = max(trialN - k Cn, -cap)
 //   ft = (trial1 - k C1, trial2 - k C2), scaled back onto |ft| <= limit: scaled back = slides
@@ -11,119 +11,137 @@
 
 namespace brickfall::kernel {
 
+using wide::cross3;
+using wide::keepIf;
 using wide::load;
 using wide::M;
+using wide::max;
+using wide::select;
 using wide::set;
+using wide::spread;
+using wide::sqrt;
 using wide::store;
 using wide::sums;
 using wide::V;
 
+// Two contacts, in lanes of two halves: L is one of math/wide_pair.h.
+template <class L> struct RecordPair { const ContactRecord &first, &second; };
+
+// What `read` gives for a record, in its lanes; for a pair of them in its halves.
+template <class Read> BRICKFALL_LANES V lanesOf(const ContactRecord& r, Read read) { return read(r); }
+template <class L, class Read> BRICKFALL_LANES L lanesOf(const RecordPair<L>& r, Read read) {
+  return L(read(r.first), read(r.second));
+}
+// A number of each point; a vector.
+using PointField = float (ContactRecord::*)[4];
+template <class R> BRICKFALL_LANES auto pointsOf(const R& r, PointField field) {
+  return lanesOf(r, [field](const ContactRecord& one) { return load(one.*field); });
+}
+template <class R> BRICKFALL_LANES auto vectorOf(const R& r, Vec3f ContactRecord::*field) {
+  return lanesOf(r, [field](const ContactRecord& one) { return wide::load3Padded(one.*field); });
+}
+
 // The manifold's frame and arms, unpacked.
-struct Frame {
-  V n, t1, t2, armA, armB;
-};
-inline Frame frame(const ContactRecord& r) {
-  Frame f;
-  f.n = wide::load3Padded(r.n);
-  f.t1 = wide::load3Padded(r.t1);
-  f.t2 = wide::cross3(f.n, f.t1);
-  f.armA = wide::load3Padded(r.armA);
-  f.armB = wide::load3Padded(r.armB);
-  return f;
+template <class L> struct Frame { L n, t1, t2, armA, armB; };
+template <class R> BRICKFALL_LANES auto frame(const R& r) {
+  auto n = vectorOf(r, &ContactRecord::n), t1 = vectorOf(r, &ContactRecord::t1);
+  return Frame<decltype(n)>{n, t1, cross3(n, t1), vectorOf(r, &ContactRecord::armA), vectorOf(r, &ContactRecord::armB)};
 }
 
 // Displacements of the four points.
-struct PointMotion {
-  V n, t1, t2;
-};
-inline PointMotion pointMotion(const ContactRecord& r, const Frame& f, const SolveMotion* motion) {
-  const SolveMotion &a = motion[r.bodyA], &b = motion[r.bodyB];
-  V thA = load(&a.th.x), thB = load(&b.th.x);
-  V u = (load(&b.d.x) + wide::cross3(thB, f.armB)) - (load(&a.d.x) + wide::cross3(thA, f.armA));
-  V w = thB - thA;
-  V along = sums(u * f.n, u * f.t1, u * f.t2, w * f.n);  // un u1 u2 wn
-  V tilt = sums(w * f.t1, w * f.t2, set(0), set(0));     // w1 w2
-  V s1 = load(r.s1), s2 = load(r.s2);
-  V wn = wide::spread<3>(along);
-  return {wide::spread<0>(along) + wide::spread<0>(tilt) * s2 - wide::spread<1>(tilt) * s1,
-          wide::spread<1>(along) - wn * s2, wide::spread<2>(along) + wn * s1};
+template <class L> struct PointMotion { L n, t1, t2; };
+template <class R, class L>
+BRICKFALL_LANES PointMotion<L> pointMotion(const R& r, const Frame<L>& f, const SolveMotion* motion) {
+  L dA = lanesOf(r, [motion](const ContactRecord& one) { return load(&motion[one.bodyA].d.x); });
+  L dB = lanesOf(r, [motion](const ContactRecord& one) { return load(&motion[one.bodyB].d.x); });
+  L thA = lanesOf(r, [motion](const ContactRecord& one) { return load(&motion[one.bodyA].th.x); });
+  L thB = lanesOf(r, [motion](const ContactRecord& one) { return load(&motion[one.bodyB].th.x); });
+  L u = (dB + cross3(thB, f.armB)) - (dA + cross3(thA, f.armA));
+  L w = thB - thA;
+  L along = sums(u * f.n, u * f.t1, u * f.t2, w * f.n);  // un u1 u2 wn
+  L tilt = sums(w * f.t1, w * f.t2, L{}, L{});           // w1 w2
+  L s1 = pointsOf(r, &ContactRecord::s1), s2 = pointsOf(r, &ContactRecord::s2);
+  L wn = spread<3>(along);
+  return {spread<0>(along) + spread<0>(tilt) * s2 - spread<1>(tilt) * s1, spread<1>(along) - wn * s2,
+          spread<2>(along) + wn * s1};
 }
 
-struct PointForces {
-  V trialN, n;  // N
-  V trial1, trial2, t1, t2;
-  V trialSquared, root;  // of the tangential trial force; its length where it slides, else 1
-  M slides;              // out of the friction cone
+template <class L> struct PointForces {
+  L trialN, n;  // N
+  L trial1, trial2, t1, t2;
+  L trialSquared, root;        // of the tangential trial force; its length
+  decltype(L{} > L{}) slides;  // out of the friction cone
 };
 
-inline PointForces pointForces(const ContactRecord& r, const PointMotion& moved) {
-  PointForces f;
-  V k = load(r.k);
-  f.trialN = load(r.trialN) - (k * moved.n);
-  f.n = wide::max(f.trialN, -load(r.tensionCap));
-  f.trial1 = load(r.trial1) - (k * moved.t1);
-  f.trial2 = load(r.trial2) - (k * moved.t2);
-  V limit = load(r.limit);
+template <class R, class L> BRICKFALL_LANES PointForces<L> pointForces(const R& r, const PointMotion<L>& moved) {
+  PointForces<L> f;
+  L k = pointsOf(r, &ContactRecord::k);
+  f.trialN = pointsOf(r, &ContactRecord::trialN) - (k * moved.n);
+  f.n = max(f.trialN, -pointsOf(r, &ContactRecord::tensionCap));
+  f.trial1 = pointsOf(r, &ContactRecord::trial1) - (k * moved.t1);
+  f.trial2 = pointsOf(r, &ContactRecord::trial2) - (k * moved.t2);
+  L limit = pointsOf(r, &ContactRecord::limit);
   f.trialSquared = (f.trial1 * f.trial1) + (f.trial2 * f.trial2);
   f.slides = f.trialSquared > (limit * limit);
-  V one = set(1);  // no branch: which points slide is hard to foresee, a root and a division are not dear
-  f.root = wide::sqrt(wide::select(f.slides, f.trialSquared, one));
-  V scale = wide::select(f.slides, limit / f.root, one);
+  // No branch: which points slide is hard to foresee, a root and a division are not dear. Of those that stick they may give
+  // anything.
+  f.root = sqrt(f.trialSquared);
+  L scale = select(f.slides, limit / f.root, wide::all<L>(1));
   f.t1 = f.trial1 * scale;
   f.t2 = f.trial2 * scale;
   return f;
 }
 
 // Force and torque on B about the manifold's centre, world axes.
-struct WideWrench {
-  V force, torque;
-};
-inline WideWrench wrench(const ContactRecord& r, const Frame& frame, const PointForces& f) {
-  V s1 = load(r.s1), s2 = load(r.s2);
-  V force = sums(f.n, f.t1, f.t2, s1 * f.t2 - s2 * f.t1);  // Fn F1 F2 Mn
-  V tilt = sums(s2 * f.n, s1 * f.n, set(0), set(0));       // M1 -M2
-  return {frame.n * wide::spread<0>(force) + frame.t1 * wide::spread<1>(force) + frame.t2 * wide::spread<2>(force),
-          frame.n * wide::spread<3>(force) + frame.t1 * wide::spread<0>(tilt) - frame.t2 * wide::spread<1>(tilt)};
+template <class L> struct WideWrench { L force, torque; };
+template <class R, class L>
+BRICKFALL_LANES WideWrench<L> wrench(const R& r, const Frame<L>& frame, const PointForces<L>& f) {
+  L s1 = pointsOf(r, &ContactRecord::s1), s2 = pointsOf(r, &ContactRecord::s2);
+  L force = sums(f.n, f.t1, f.t2, s1 * f.t2 - s2 * f.t1);  // Fn F1 F2 Mn
+  L tilt = sums(s2 * f.n, s1 * f.n, L{}, L{});             // M1 -M2
+  return {frame.n * spread<0>(force) + frame.t1 * spread<1>(force) + frame.t2 * spread<2>(force),
+          frame.n * spread<3>(force) + frame.t1 * spread<0>(tilt) - frame.t2 * spread<1>(tilt)};
 }
 
 // N: points count as closed up to this tension, open ones that are nearer than `near` m among them. What a rebound pushes
 // apart does not.
-inline V closedReach(const ContactRecord& r, float near) {
-  V cap = load(r.tensionCap);
-  return wide::select(set(0) > cap, cap, wide::max(cap, load(r.k) * set(near)));
+template <class R> BRICKFALL_LANES auto closedReach(const R& r, float near) {
+  auto cap = pointsOf(r, &ContactRecord::tensionCap);
+  using L = decltype(cap);
+  return select(L{} > cap, cap, max(cap, pointsOf(r, &ContactRecord::k) * wide::all<L>(near)));
 }
 
 // Loaded points resist along the normal, and so do open ones that are nearer than `near` m: a Newton step must not run
 // through them. Sticking points resist tangentially; sliding ones only across their slip.
-inline Stiffness stiffness(const ContactRecord& r, const Frame& frame, const PointForces& f, float near) {
-  V s1 = load(r.s1), s2 = load(r.s2), k = load(r.k), zero = set(0);
-  M normalOn = f.trialN > -closedReach(r, near);
-  V kn = wide::keepIf(normalOn, k);
-  M frictional = load(r.limit) > zero;
-  V kt = wide::keepIf(frictional, k);
-  V t11 = kt, t22 = kt, t12 = zero;
-  M sliding = f.slides & frictional;
+template <class R, class L>
+BRICKFALL_LANES StiffnessOf<L> stiffness(const R& r, const Frame<L>& frame, const PointForces<L>& f, float near) {
+  L s1 = pointsOf(r, &ContactRecord::s1), s2 = pointsOf(r, &ContactRecord::s2), k = pointsOf(r, &ContactRecord::k);
+  L limit = pointsOf(r, &ContactRecord::limit), zero{};
+  auto normalOn = f.trialN > -closedReach(r, near);
+  L kn = keepIf(normalOn, k);
+  auto frictional = limit > zero;
+  L kt = keepIf(frictional, k);
+  auto sliding = f.slides & frictional;
   // Sliding: k |f| / |trial| on the direction across the trial force.
-  V share = (kt * load(r.limit)) / (wide::select(sliding, f.trialSquared, set(1)) * f.root);
-  t11 = wide::select(sliding, share * (f.trial2 * f.trial2), t11);
-  t22 = wide::select(sliding, share * (f.trial1 * f.trial1), t22);
-  t12 = wide::select(sliding, -(share * (f.trial1 * f.trial2)), t12);
-  V kn1 = kn * s1, kn2 = kn * s2;
-  V ta = s1 * t12 - s2 * t11;  // turning about n couples to t1 ...
-  V tb = s1 * t22 - s2 * t12;  // ... and t2
-  V n = sums(kn, kn1, kn2, s1 * tb - s2 * ta);
-  V q = sums(kn1 * s1, kn1 * s2, kn2 * s2, ta);
-  V t = sums(t11, t12, t22, tb);
+  L share = (kt * limit) / (f.trialSquared * f.root);
+  L t11 = select(sliding, share * (f.trial2 * f.trial2), kt);
+  L t22 = select(sliding, share * (f.trial1 * f.trial1), kt);
+  L t12 = select(sliding, -(share * (f.trial1 * f.trial2)), zero);
+  L kn1 = kn * s1, kn2 = kn * s2;
+  L ta = s1 * t12 - s2 * t11;  // turning about n couples to t1 ...
+  L tb = s1 * t22 - s2 * t12;  // ... and t2
+  L n = sums(kn, kn1, kn2, s1 * tb - s2 * ta);
+  L q = sums(kn1 * s1, kn1 * s2, kn2 * s2, ta);
+  L t = sums(t11, t12, t22, tb);
 
-  Stiffness out;
-  using wide::spread;
-  V an = frame.n * spread<0>(n), a1 = frame.t1 * spread<0>(t) + frame.t2 * spread<1>(t),
+  StiffnessOf<L> out;
+  L an = frame.n * spread<0>(n), a1 = frame.t1 * spread<0>(t) + frame.t2 * spread<1>(t),
     a2 = frame.t1 * spread<1>(t) + frame.t2 * spread<2>(t);
-  V bn = frame.t1 * spread<2>(n) - frame.t2 * spread<1>(n);  // normal force against tilt
-  V bt = frame.t1 * spread<3>(q) + frame.t2 * spread<3>(t);  // tangential force against the turn about n
-  V cn = frame.n * spread<3>(n), c1 = frame.t1 * spread<2>(q) - frame.t2 * spread<1>(q),
+  L bn = frame.t1 * spread<2>(n) - frame.t2 * spread<1>(n);  // normal force against tilt
+  L bt = frame.t1 * spread<3>(q) + frame.t2 * spread<3>(t);  // tangential force against the turn about n
+  L cn = frame.n * spread<3>(n), c1 = frame.t1 * spread<2>(q) - frame.t2 * spread<1>(q),
     c2 = frame.t2 * spread<0>(q) - frame.t1 * spread<1>(q);
-  auto row = [&](V ni, V t1i, V t2i, V bti, int i) {
+  auto row = [&](L ni, L t1i, L t2i, L bti, int i) {
     out.A[i] = an * ni + a1 * t1i + a2 * t2i;
     out.B[i] = bn * ni + frame.n * bti;
     out.C[i] = cn * ni + c1 * t1i + c2 * t2i;

@@ -18,7 +18,7 @@ struct PointsNow {
   alignas(16) float force[4], way[4];  // N, m: along the normal
 };
 PointsNow pointsAt(const ContactRecord& r, const SolveMotion* motion) {
-  kernel::PointMotion moved = kernel::pointMotion(r, kernel::frame(r), motion);
+  auto moved = kernel::pointMotion(r, kernel::frame(r), motion);
   PointsNow out;
   kernel::store(kernel::pointForces(r, moved).n, out.force);
   kernel::store(moved.n, out.way);

@@ -6,6 +6,7 @@
 
 #include "dynamics/contact_set.h"
 #include "solver/contact/kernel.h"
+#include "solver/contact/pairs.h"
 #include "solver/contact/record.h"
 #include "solver/hierarchy.h"
 #include "solver/step_context.h"
@@ -82,22 +83,25 @@ struct ContactRows {
   // Gaps and drifts go on by the motion that was finally made.
   void advance(const Island& island, Ties ties) const;
 
-  void prefetch(std::size_t k) const {
-    const char* line = reinterpret_cast<const char*>(&records[k]);
-    for (int i = 0; i < 3; i++) __builtin_prefetch(line + 64 * i);
+  Arms arms(std::size_t k) const { return {wide::load3Padded(records[k].armA), wide::load3Padded(records[k].armB)}; }
+  // Of `count` rows from k on.
+  void read(std::size_t k, std::size_t count, const SolveMotion* motion, Reading* out) const {
+    readContacts(records.data() + k, count, motion, out);
   }
+  // Of a cluster's boundary, rows of this kind.
+  void sumBoundary(const Boundary& boundary, BoundarySums& sums) const { sumContacts(boundary, records.data(), sums); }
   Reaction react(std::size_t k, const SolveMotion* motion) const {
     const ContactRecord& r = records[k];
-    kernel::Frame frame = kernel::frame(r);
-    kernel::WideWrench w = kernel::wrench(r, frame, kernel::pointForces(r, kernel::pointMotion(r, frame, motion)));
+    auto frame = kernel::frame(r);
+    auto w = kernel::wrench(r, frame, kernel::pointForces(r, kernel::pointMotion(r, frame, motion)));
     return {w.force, w.torque, frame.armA, frame.armB};
   }
   // Exact: open points are searched for, not counted as closed when they are near.
   StiffReaction reactStiff(std::size_t k, const SolveMotion* motion, bool exact) const {
     const ContactRecord& r = records[k];
-    kernel::Frame frame = kernel::frame(r);
-    kernel::PointForces f = kernel::pointForces(r, kernel::pointMotion(r, frame, motion));
-    kernel::WideWrench w = kernel::wrench(r, frame, f);
+    auto frame = kernel::frame(r);
+    auto f = kernel::pointForces(r, kernel::pointMotion(r, frame, motion));
+    auto w = kernel::wrench(r, frame, f);
     return {{w.force, w.torque, frame.armA, frame.armB}, kernel::stiffness(r, frame, f, exact ? 0.0f : kNearContact)};
   }
 

@@ -19,8 +19,8 @@ struct StoredForces {
 };
 
 StoredForces forcesAt(const ContactRecord& r, const SolveMotion* motion) {
-  kernel::PointMotion moved = kernel::pointMotion(r, kernel::frame(r), motion);
-  kernel::PointForces f = kernel::pointForces(r, moved);
+  auto moved = kernel::pointMotion(r, kernel::frame(r), motion);
+  auto f = kernel::pointForces(r, moved);
   StoredForces out;
   kernel::store(wide::keepIf(f.slides, -((f.t1 * moved.t1) + (f.t2 * moved.t2))), out.slipWork);
   kernel::store(f.n, out.n);
@@ -131,7 +131,7 @@ void ContactRows::advance(const Island& island, Ties ties) const {
   for (std::size_t k = 0; k < size(); k++) {
     Contact& c = ties.contacts.contacts[contactOf[k]];
     const ContactRecord& r = records[k];
-    kernel::PointMotion m = kernel::pointMotion(r, kernel::frame(r), island.motion.data());
+    auto m = kernel::pointMotion(r, kernel::frame(r), island.motion.data());
     alignas(16) float n[4], t1[4], u2[4];
     kernel::store(m.n, n);
     kernel::store(m.t1, t1);
