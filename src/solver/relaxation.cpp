@@ -80,7 +80,7 @@ class Relaxation {
       if (island_.plan.byLoad && ends && cycle >= kBoundCycles && dropBounds()) done = false;
       if (stalls()) break;
     }
-    if (island_.grounded() && !island_.plan.exactSteps) moveAsOne();
+    if (island_.grounded() && !island_.plan.exactSteps && !island_.plan.slow) moveAsOne();
     return done;
   }
 
@@ -207,7 +207,7 @@ class Relaxation {
   }
 
   // The momentum of what slides on smooth ground is the whole island's: one exact step of it. Where the ground holds it, that
-  // would only be pressed on the bodies that stand there.
+  // would only be pressed on the bodies that stand there; so it would where the whole is slow, and may be stopped.
   void moveAsOne() {
     const Level& top = hierarchies_[0]->levels.back();
     for (const Cluster& cluster : top.clusters) {

@@ -42,7 +42,7 @@ void dampSlowIsland(const Island& island, const StepContext& context, BodySet& b
 namespace {
 
 // As the rest check, but each body by what it carries, and clusters by their weight: what leans or slides as a whole is out of
-// balance as a whole, however little each of its bodies is.
+// balance as a whole, however little each of its bodies is. What few bodies that carry much may have left adds up like chance.
 bool balancedByLoad(const Island& island, const StepContext& context) {
   const BodySet& bodies = *context.bodies;
   for (std::size_t i = 0; i < island.bodies.size(); i++) {
@@ -58,7 +58,9 @@ bool balancedByLoad(const Island& island, const StepContext& context) {
     for (const Cluster& c : level.clusters) {
       if (c.bodyEnd - c.bodyBegin == 1) continue;
       Wrench g = residualOf(island, level, c);
-      float most = float(kRestByLoad) * clusterScale(c, perDt2);
+      float load = 0, count = float(c.bodyEnd - c.bodyBegin);
+      for (std::uint32_t k = c.bodyBegin; k < c.bodyEnd; k++) load += island.loads[level.bodies[k]];
+      float most = float(kRestByLoad) * std::max(clusterScale(c, perDt2), float(kLoadShare) * load / std::sqrt(count));
       if (!(dot(g.force, g.force) < most * most && dot(g.torque, g.torque) < most * most * gyrationSquared(c)))
         return false;
     }

@@ -50,7 +50,7 @@ constexpr double kLargestTurn = 0.5;  // rad per step of a body in contact: arms
 constexpr double kLeftOver = 0.05;  // of max(weight, load): bodies that a solve leaves with more are counted
 
 //! - | too small: large walls stay awake over the last of their residual | too large: slow topples are held
-constexpr double kRestByLoad = 1e-2;  // of max(weight, kLoadShare x load): residual at which a large slow island rests
+constexpr double kRestByLoad = 1.5e-2;  // of max(weight, kLoadShare x load): a large slow island with less rests
 //! m/s | with kRestByLoad
 constexpr double kRestByLoadSpeed = 1e-3;  // m/s: if no body of it is faster
 //! - | too small: what carries much is solved too finely: cost | too large: what lies under much is held up

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::uint32_t kBodies = 4, kFirstRow = 5;
 
-struct Scene {
+struct PairScene {
   ContactRows rows{std::pmr::get_default_resource()};
   std::vector<SolveMotion> motion{kBodies};
   std::vector<SolveMass> masses{kBodies};
@@ -21,7 +21,7 @@ struct Scene {
   std::vector<std::uint32_t> sides;
 
   // Points that stick, slide, are open or near, are missing, or push apart.
-  Scene(Random& random, std::uint32_t count) {
+  PairScene(Random& random, std::uint32_t count) {
     auto vector = [&](double size) {
       return Vec3f{float(random.between(-size, size)), float(random.between(-size, size)),
                    float(random.between(-size, size))};
@@ -84,7 +84,7 @@ void crossRows(wide::V r, const wide::V* m, wide::V* out) {
 }
 
 // Side by side.
-Sums oneByOne(const Scene& s, const Boundary& b) {
+Sums oneByOne(const PairScene& s, const Boundary& b) {
   Sums sums;
   for (std::uint32_t i = 0; i < b.count; i++) {
     std::uint32_t row = b.sides[i] / 2, k = row - b.firstRow;
@@ -120,7 +120,7 @@ Sums oneByOne(const Scene& s, const Boundary& b) {
 void compare(const PairFunctions& pairs) {
   Random random(7);
   for (int n = 0; n < 600; n++) {
-    Scene s(random, std::uint32_t(n % 12));
+    PairScene s(random, std::uint32_t(n % 12));
     const bool single = n % 2, exact = n % 3 == 0;
     std::vector<Reading> wantedTrial(s.sides.size()), trial(s.sides.size() + 1), read(s.sides.size() + 1);
     const Reading mark{wide::set(17), wide::set(19)};
