@@ -59,9 +59,6 @@ Vec3f bendOf(const Island& island, const ContactRecord& r, const Contact& c, con
 //! - | too small: what is nearly at its full stiffness stays softer | too large: rounding takes points through the end of an impact
 constexpr float kFullShare = 0.99f;
 
-//! m | too small: what has landed takes a second longer to rest | too large: walls with gaps lean (10 um: twice as far)
-constexpr float kLeastOffset = 3e-6f;  // of plastic overlap: less stays as it is
-
 struct StiffnessScale {
   float unit;        // N/m
   float full, soft;  // N/m
@@ -129,8 +126,8 @@ float mapNormalOffset(Contact& c, int i, float approach, const StiffnessScale& s
   if (m.stiffness[i] > (2 - kFullShare) * scale.full) soften(m, i, scale);
   if (m.phase[i] == PointPhase::fresh) m.offset[i] = std::min(0.0f, m.gap[i]);
   if (mustStiffen(m, i, approach, scale)) stiffen(m, i, scale);
-  m.offset[i] = std::min(0.0f, std::max(m.offset[i], m.gap[i]));
-  if (m.offset[i] < -kLeastOffset) m.offset[i] *= scale.kept;
+  float offset = scale.kept * std::min(0.0f, std::max(m.offset[i], m.gap[i]));
+  m.offset[i] = offset > -1e-12f ? 0 : offset;  // no denormals: they would never come to a fixed point
   if (m.phase[i] == PointPhase::fresh) startPhase(c, i, approach, scale, bodies);
   return m.gap[i] - m.offset[i];
 }

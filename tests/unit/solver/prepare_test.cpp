@@ -123,12 +123,9 @@ TEST(Prepare, OverlapAtBirthIsPlasticAndReleasedByATenthAStep) {
   for (float& gap : lab.points(lab.face).gap) gap = 1e-5f;
   lab.prepare();
   EXPECT_EQ(lab.points(lab.face).offset[0], 0);
-  for (double offset : {-3.1e-6, -2.9e-6}) {  // less than 3 um stays
-
-    lab.remember(PointPhase::resting, 1000 * lab.unit(lab.face), -1e-3, offset, 1);
-    lab.prepare();
-    EXPECT_FLOAT_EQ(lab.points(lab.face).offset[0], float(offset > -3e-6 ? offset : 0.9 * offset));
-  }
+  lab.remember(PointPhase::resting, 1000 * lab.unit(lab.face), -1e-3, -1.1e-12, 1);
+  lab.prepare();
+  EXPECT_EQ(lab.points(lab.face).offset[0], 0) << "no denormals";
 }
 
 TEST(Prepare, TheEndOfAnImpactGoesOnWithItsForceUpToFiveWeights) {
@@ -214,7 +211,7 @@ TEST(Prepare, ShorterStepsMakeAPointStiffAtOnce) {
   lab.prepare();
   EXPECT_NEAR(lab.stiffness(), 1000, 1e-3);
   EXPECT_EQ(lab.phase(), PointPhase::resting);
-  EXPECT_NEAR(double(lab.points(lab.face).offset[0]), -20 / old + 20 / k, 1e-9) << "it carries on with 20 N";
+  EXPECT_NEAR(double(lab.points(lab.face).offset[0]), 0.9 * (-20 / old + 20 / k), 1e-9) << "it carries on with 20 N";
   OnGround idle({0, -0.1, 0}, 0, 1.0 / 120);
   idle.remember(PointPhase::resting, old, 1e-4, 0, 0);
   idle.prepare();
