@@ -81,8 +81,8 @@ void Acceleration::end() {
     const SolveMotion &now = island_.motion[i], &was = startMotion_[i];
     out[i].way.d = now.d - was.d;
     out[i].way.th = now.th - was.th;
-    out[i].fell.d = startResidual_[i].force - island_.residual[i].force;
-    out[i].fell.th = startResidual_[i].torque - island_.residual[i].torque;
+    out[i].fell.force = startResidual_[i].force - island_.residual[i].force;
+    out[i].fell.torque = startResidual_[i].torque - island_.residual[i].torque;
   }
 }
 
@@ -93,7 +93,7 @@ Acceleration::Curvature Acceleration::curvature() {
     for (int j = i; j < count_; j++) older[j] = change(j);
     auto sums = sumOver<kChanges>(island_.bodies.size(), [&](std::size_t k, V* run) {
       V way = wayOf(ways[k].way), turn = turnOf(ways[k].way);
-      for (int j = i; j < count_; j++) run[j] += way * wayOf(older[j][k].fell) + turn * turnOf(older[j][k].fell);
+      for (int j = i; j < count_; j++) run[j] += way * forceOf(older[j][k].fell) + turn * torqueOf(older[j][k].fell);
     });
     for (int j = i; j < count_; j++) out.of[i][j] = sums[std::size_t(j)];
   }
@@ -138,8 +138,8 @@ void Acceleration::makeNewestWhole(const Shares& shares, double part) {
     }
   }
   for (std::size_t k = 0; k < island_.bodies.size(); k++) {
-    whole[k].fell.d += startResidual_[k].force - island_.residual[k].force;
-    whole[k].fell.th += startResidual_[k].torque - island_.residual[k].torque;
+    whole[k].fell.force += startResidual_[k].force - island_.residual[k].force;
+    whole[k].fell.torque += startResidual_[k].torque - island_.residual[k].torque;
   }
 }
 
@@ -148,7 +148,7 @@ void Acceleration::apply(RowForces& forces) {
   Shares shares = minimum(count_, curvature().of, slopes());
   double start = slopeAlong(shares), part = 1;
   if (!(start > 0)) return;
-  startResidual_.assign(island_.residual.begin(), island_.residual.end());
+  begin();
   moveBy(shares, part);
   forces.readAgain();
   double slope = slopeAlong(shares);
@@ -157,8 +157,8 @@ void Acceleration::apply(RowForces& forces) {
     moveBy(shares, shorter - part);
     part = shorter;
     forces.readAgain();
-    if (!(slopeAlong(shares) > -kTooFar * start)) {
-      moveBy(shares, -part);
+    if (!(slopeAlong(shares) > -kTooFar * start)) {  // or not a number
+      std::copy(startMotion_.begin(), startMotion_.end(), island_.motion.begin());
       forces.readAgain();
       return;
     }

@@ -23,7 +23,8 @@ class Acceleration {
   explicit Acceleration(Island& island)
       : island_(island), startMotion_(island.memory), startResidual_(island.memory), changes_(island.memory) {}
 
-  // Moves the island by P and reads its forces there. Nothing happens before the first change, or if P is no way down.
+  // Moves the island by P and reads its forces there. Nothing happens before the first change, or if P is no way down; where P
+  // ends too far beyond its minimum, even when it has been made shorter, all is as it was.
   void apply(RowForces& forces);
   // A cycle between these two is a change. (Bounds that follow the solve do so outside.)
   void begin();
@@ -36,7 +37,7 @@ class Acceleration {
   // Of one body, in one cycle.
   struct Change {
     SolveMotion way;
-    SolveMotion fell;  // the residual: d is force, th torque
+    Wrench fell;  // by how much its residual fell
   };
   using Shares = std::array<double, kChanges>;  // x, the newest first
   struct Curvature {
@@ -50,7 +51,7 @@ class Acceleration {
   void makeNewestWhole(const Shares& shares, double part);
 
   Island& island_;
-  std::pmr::vector<SolveMotion> startMotion_;  // by body
+  std::pmr::vector<SolveMotion> startMotion_;  // by body: where a cycle, or P, begins
   std::pmr::vector<Wrench> startResidual_;     // by body
   std::pmr::vector<Change> changes_;           // kChanges lists by body, used in turn
   int count_ = 0, made_ = 0;

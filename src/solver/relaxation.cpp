@@ -39,9 +39,8 @@ constexpr float kBetter = 0.8f;  // of the least square of residuals
 //! - | too small: a body whose points open and close is given up | too large: cost
 constexpr int kMostStalled = 4;  // cycles of a body alone that are no better
 
-//! - | too small: cost of what moves only a few bodies | too large: slow settling is not seen through
-constexpr double kWorthReading =
-    1;  // of all rows, read in a cycle: then reading them all once more for an acceleration pays
+//! of all rows, read in a cycle | too small: cost where few bodies move | too large: slow settling is not seen through
+constexpr double kWorthReading = 1;  // then reading all of them once more, for an acceleration, pays
 
 class Relaxation {
  public:
@@ -81,6 +80,8 @@ class Relaxation {
       if (stalls()) break;
     }
     if (island_.grounded() && !island_.plan.exactSteps && !island_.plan.slow) moveAsOne();
+    for (int round = 0; round < kRounds && island_.plan.byLoad && letFall(); round++) {
+    }
     return done;
   }
 
@@ -204,6 +205,21 @@ class Relaxation {
       if (island_.plan.exactSteps) exactFactors_[body].valid = false;
       if (!step(level, cluster, exactFactors_[body], island_.residual[body], true)) break;
     }
+  }
+
+  // What carries nothing falls: whatever cycles left of its weight, no other body bears. True if any was held.
+  bool letFall() {
+    forces_.findLoads();
+    const Level& level = hierarchies_[0]->levels[0];
+    bool any = false;
+    for (std::size_t c = 0; c < level.clusters.size(); c++) {
+      const Cluster& cluster = level.clusters[c];
+      std::uint32_t body = level.bodies[cluster.bodyBegin];
+      if (island_.loads[body] > 0 || cluster.sideBegin == cluster.sideEnd) continue;
+      allowed_[body] = float(kSlowTolerance * context_.bodies->mass[island_.bodies[body]].mass * kReferenceGravity);
+      any = (!balanced(body) && step(level, cluster, exactFactors_[body], island_.residual[body], true)) || any;
+    }
+    return any;
   }
 
   // The momentum of what slides on smooth ground is the whole island's: one exact step of it. Where the ground holds it, that

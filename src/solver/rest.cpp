@@ -4,6 +4,7 @@
 
 #include "solver/light_pass.h"
 #include "solver/rigid_cluster.h"
+#include "solver/support.h"
 
 namespace brickfall {
 
@@ -23,13 +24,8 @@ void dampSlowIsland(const Island& island, const StepContext& context, BodySet& b
   // sway.
   if (island.bodies.size() == 1 && island.slipWork >= kSlide * lost) return;
   // What nothing presses on has no part in a vibration: it falls.
-  std::pmr::vector<char> touched(island.bodies.size(), 0, island.memory);
-  island.rows.each([&](const auto& kind, std::size_t k) {
-    if (!kind.carriesForce(k, context)) return;
-    RowEnds ends = kind.ends(k);
-    if (ends.a < touched.size()) touched[ends.a] = 1;
-    if (ends.b < touched.size()) touched[ends.b] = 1;
-  });
+  std::pmr::vector<char> touched(island.memory);
+  findTouched(island, context, touched);
   for (std::size_t i = 0; i < island.bodies.size(); i++) {
     if (!touched[i]) continue;
     BodyIndex body = island.bodies[i];

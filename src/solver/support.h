@@ -1,10 +1,20 @@
-// What holds a body up: chains of rows to something fixed or kinematic.
+// What rows do for a body: whether any carries force at it, and chains of them that hold it up, to something fixed or kinematic.
 #pragma once
 #include <algorithm>
 
 #include "solver/island.h"
 
 namespace brickfall {
+
+// Marks the bodies (and partners) at which any row carries force.
+inline void findTouched(const Island& island, const StepContext& context, std::pmr::vector<char>& touched) {
+  touched.assign(island.bodies.size() + island.partners.size(), 0);
+  island.rows.each([&](const auto& kind, std::size_t k) {
+    if (!kind.carriesForce(k, context)) return;
+    RowEnds ends = kind.ends(k);
+    touched[ends.a] = touched[ends.b] = 1;
+  });
+}
 
 // Marks what a chain of rows that `counts(kind, k)` leads to from what is marked already. Rows are asked only where that may tell
 // anything; in a wall they lie from the ground up, so that hardly any has to be kept for a second look.

@@ -149,31 +149,37 @@ Mat3 inertiaAtEnd(const StepContext& context, BodyIndex body) {
 }
 
 // What a floating island has gained (also by compression in one step that rebounds in the next) is taken from what moves
-// against its rigid motion: linear and angular momentum are kept.
+// against the rigid motion of all that is pressed on: linear and angular momentum are kept, and what nothing touches flies on.
 void takeRelativeMotion(const Island& island, StepContext& context, double excess) {
   const BodySet& bodies = *context.bodies;
+  std::pmr::vector<char> touched(island.memory);
+  findTouched(island, context, touched);
+  auto eachTouched = [&](auto&& act) {
+    for (std::size_t i = 0; i < island.bodies.size(); i++)
+      if (touched[i]) act(island.bodies[i]);
+  };
   RigidSum sum(island.origin);
   auto endOf = [&](BodyIndex body) { return bodies.motion[body].position + context.solved[body].d; };
-  for (BodyIndex body : island.bodies) {
+  eachTouched([&](BodyIndex body) {
     const SolvedMotion& s = context.solved[body];
     double m = bodies.mass[body].mass;
     sum.add(m, endOf(body), inertiaAtEnd(context, body), s.velocity * m, s.angularMomentum);
-  }
+  });
   Vec3 centre = sum.centre(), velocity = sum.velocity(), spin = sum.spin();
   double relative = 0;
-  for (BodyIndex body : island.bodies) {
+  eachTouched([&](BodyIndex body) {
     Vec3 v = context.solved[body].velocity - velocity - cross(spin, endOf(body) - centre);
     Vec3 l = context.solved[body].angularMomentum - inertiaAtEnd(context, body) * spin;
     relative += 0.5 * bodies.mass[body].mass * lengthSquared(v) + 0.5 * dot(l, spinOf(context, body, l));
-  }
+  });
   if (!(relative > 0)) return;
   double share = std::sqrt(std::max(0.0, 1 - excess / relative));
-  for (BodyIndex body : island.bodies) {
+  eachTouched([&](BodyIndex body) {
     SolvedMotion& s = context.solved[body];
     Vec3 v = velocity + cross(spin, endOf(body) - centre), momentum = inertiaAtEnd(context, body) * spin;
     s.velocity = v + (s.velocity - v) * share;
     s.angularMomentum = momentum + (s.angularMomentum - momentum) * share;
-  }
+  });
 }
 
 // Takes back from the velocities of an island what kinetic plus potential energy gained in the step beyond the work of

@@ -116,6 +116,29 @@ TEST(Acceleration, DoesNotEndFarBeyondWhatItMeets) {
   EXPECT_LT(island.residual[0].force.y, -0.5f * weight) << "and not thrown back by it";
 }
 
+// Forces that a float cannot hold: the island stays where it was, to the last bit.
+TEST(Acceleration, WhatEndsNowhereIsTakenBack) {
+  OnGround lab({}, 1e-4);
+  lab.prepare();
+  Island& island = lab.island();
+  for (SolveMotion& m : island.motion) m = {};
+  SolveStatistics counts;
+  RowForces forces(island, counts);
+  forces.readAll();
+  Acceleration acceleration(island);
+  acceleration.begin();
+  island.motion[0].d = {3e-6f, -1e-5f, 0};
+  forces.readAgain();
+  acceleration.end();
+  const Vec3f place = island.motion[0].d, left = island.residual[0].force;
+  island.residual[0].force.y = -1e37f;
+  acceleration.apply(forces);
+  EXPECT_EQ(island.motion[0].d, place);
+  EXPECT_EQ(island.motion[0].th, Vec3f{});
+  EXPECT_EQ(island.residual[0].force, left);
+  EXPECT_EQ(counts.lightVisits, 4.0 * 5) << "it was tried: twice, and read again where it was";
+}
+
 TEST(Acceleration, NothingHappensBeforeTheFirstChangeNorByNone) {
   Standing lab(3);
   Acceleration acceleration(lab.island());
