@@ -1,6 +1,7 @@
 // make_replay FOLDER: the synthetic wall as wall.take, replay.html, wall.glb, and poses.json with what the take says of
 // some frames and of where its moving camera is; two bricks of which one breaks as breaking.html and breaking.glb; and a ball that
-// rolls far down a tilted plane, past bodies of odd materials, as slope.html: for the tests that open these in other programs.
+// rolls far down a tilted plane, past bodies of odd materials, as slope.html; and one that rolls over the edge of a slab, away from
+// two bodies that stay on it, as slab.html: for the tests that open these in other programs.
 #include <cstdio>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -65,9 +66,19 @@ std::string makeBreaking(const std::string& folder) {
   return glb ? std::string() : glb.error().message;
 }
 
+// `path`: without what the names of take and page end with.
+std::string writePage(const test::SyntheticTake& out, const std::string& path) {
+  std::string fault = test::writeTake(out, path + ".take");
+  if (!fault.empty()) return fault;
+  Result<TakeReader> take = TakeReader::open(path + ".take");
+  if (!take) return take.error().message;
+  Status page = writeReplayHtml(*take, path + ".html");
+  return page ? std::string() : page.error().message;
+}
+
 constexpr double kSlope = 0.2;  // rad
 
-TakeBody slopeBody(const std::string& name, BodyRole role, const std::string& material) {
+TakeBody smallBody(const std::string& name, BodyRole role, const std::string& material) {
   TakeBody body;
   body.name = name;
   body.role = role;
@@ -81,8 +92,8 @@ TakeBody slopeBody(const std::string& name, BodyRole role, const std::string& ma
 
 // Down along x; beside the way a body without a material, and one of wood with a head of steel.
 std::string makeSlope(const std::string& folder) {
-  TakeBody ground = slopeBody("ground", BodyRole::ground, ""), ball = slopeBody("ball", BodyRole::ball, ""),
-           plain = slopeBody("plain", BodyRole::body, ""), hammer = slopeBody("hammer", BodyRole::body, "oak");
+  TakeBody ground = smallBody("ground", BodyRole::ground, ""), ball = smallBody("ball", BodyRole::ball, ""),
+           plain = smallBody("plain", BodyRole::body, ""), hammer = smallBody("hammer", BodyRole::body, "oak");
   ground.shapes[0].type = ShapeType::plane;
   ball.shapes[0].type = ShapeType::sphere;
   ball.shapes[0].radius = 0.25;
@@ -111,12 +122,37 @@ std::string makeSlope(const std::string& folder) {
     }
     out.frames.push_back(std::move(frame));
   }
-  std::string fault = test::writeTake(out, folder + "/slope.take");
-  if (!fault.empty()) return fault;
-  Result<TakeReader> take = TakeReader::open(folder + "/slope.take");
-  if (!take) return take.error().message;
-  Status page = writeReplayHtml(*take, folder + "/slope.html");
-  return page ? std::string() : page.error().message;
+  return writePage(out, folder + "/slope");
+}
+
+// 40 m wide. One body slides nearly to its edge; the ball leaves it after a second and falls 50 m.
+std::string makeSlab(const std::string& folder) {
+  TakeBody ground = smallBody("ground", BodyRole::ground, ""), ball = smallBody("ball", BodyRole::ball, ""),
+           left = smallBody("left", BodyRole::body, ""), right = smallBody("right", BodyRole::body, "");
+  ground.shapes[0].halfExtents = {20, 0.5, 20};
+  ball.shapes[0].type = ShapeType::sphere;
+  ball.shapes[0].radius = 0.25;
+  test::SyntheticTake out;
+  out.header.scene = out.header.title = "slab";
+  out.header.engineVersion = "test";
+  out.bodies = {ground, ball, left, right};
+  out.lives.assign(4, {0, SIZE_MAX});
+  for (int f = 0; f < 240; f++) {
+    TakeFrame frame;
+    frame.time = f / 60.0;
+    const double falling = std::max(0.0, frame.time - 1);
+    const Vec3 places[] = {{0, -0.5, 0},
+                           {0, 0.25 - 5.5 * falling * falling, 1 - 21 * frame.time},
+                           {-1, 0.1, -4 * frame.time},
+                           {1, 0.1, 0}};
+    for (const Vec3& place : places) {
+      TakePose pose;
+      pose.position = place;
+      frame.poses.push_back(pose);
+    }
+    out.frames.push_back(std::move(frame));
+  }
+  return writePage(out, folder + "/slab");
 }
 
 std::string makeAll(const std::string& folder) {
@@ -141,6 +177,7 @@ int main(int argc, char** argv) {
   std::string fault = makeAll(argv[1]);
   if (fault.empty()) fault = makeBreaking(argv[1]);
   if (fault.empty()) fault = makeSlope(argv[1]);
+  if (fault.empty()) fault = makeSlab(argv[1]);
   if (!fault.empty()) std::fprintf(stderr, "%s\n", fault.c_str());
   return fault.empty() ? 0 : 1;
 }

@@ -1,10 +1,10 @@
-// replay_test.mjs WEB_FOLDER CHROMIUM PAGE BREAKING SLOPE OUT_FOLDER: the replay page as a visitor has it, from disk, without a network,
+// replay_test.mjs WEB_FOLDER CHROMIUM PAGE BREAKING SLOPE SLAB OUT_FOLDER: the replay page as a visitor has it, from disk, without a network,
 // drawn in software. What the page says of itself is checked against what its picture shows.
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { createRequire } from 'node:module';
 
-const [webFolder, executablePath, file, breaking, slope, outFolder] = process.argv.slice(2);
+const [webFolder, executablePath, file, breaking, slope, slab, outFolder] = process.argv.slice(2);
 const { chromium } = createRequire(`${webFolder}/package.json`)('playwright-core');
 const patience = { timeout: 180_000 };
 const kHitFrame = 60; // of the synthetic take
@@ -489,6 +489,15 @@ try {
       const [below, above] = await lightAt([[x, height(x) - 0.5, 0], [x, height(x) + 1.2, 0]]);
       assert.ok(below < 0.88 * above, `at x ${x} ${below} below the plane's line, ${above} above it`);
     }
+  });
+
+  await check('the overview is not led away by what falls from a slab', async () => {
+    await page.goto(`file://${slab}#paused&shade=0&view=0`, patience);
+    await page.waitForFunction(() => window.brickfall?.ready, null, patience);
+    assert.match(await page.textContent('#subtitle'), /^3 bodies/); // the slab is none of them
+    // How far a body slides on it, in the picture.
+    const [from, to] = await page.evaluate(() => [0, 239].map((f) => { window.brickfall.seek(f); return window.brickfall.project(2)[0]; }));
+    assert.ok(to - from > 0.4 * 640, `its way is ${to - from} points long`);
   });
 
   await check('nothing went wrong on the way', async () => {

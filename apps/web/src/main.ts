@@ -38,8 +38,9 @@ function main(): void {
   }
   const { meta } = take;
   const bricks = meta.bodies.filter((body) => body.role === 'brick').length;
+  const movable = meta.bodies.filter((body) => body.mass > 0).length;
   byId('title').textContent = meta.title || meta.scene;
-  byId('subtitle').textContent = `${bricks > 0 ? `${bricks} bricks` : `${take.bodies} bodies`} \u00b7 ${take.times[take.frames - 1].toFixed(1)} s \u00b7 Brickfall ${meta.engineVersion}`;
+  byId('subtitle').textContent = `${bricks > 0 ? counted(bricks, 'brick', 'bricks') : counted(movable, 'body', 'bodies')} \u00b7 ${take.times[take.frames - 1].toFixed(1)} s \u00b7 Brickfall ${meta.engineVersion}`;
 
   const player = new Player(take.frames, meta.framesPerSecond);
   const bodies = new Bodies(take, stage.scene, stage.shade);
@@ -215,6 +216,10 @@ function main(): void {
     last = now;
     tick(now);
   });
+}
+
+function counted(count: number, one: string, many: string): string {
+  return `${count} ${count === 1 ? one : many}`;
 }
 
 // m: half of the bodies are larger.

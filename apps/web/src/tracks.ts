@@ -65,6 +65,7 @@ export interface Hit {
 
 const kEscape = 255;
 const kQuatScale = 32767;
+const kSeenSpeed = 0.05; // m/s: what is slower hardly shows, and may be no more than a step of the positions' grid
 
 class ByteReader {
   private at = 0;
@@ -129,7 +130,7 @@ export class Take {
   readonly rotations: Int16Array; // [at(frame, body) * 4], 1 = 32767
   readonly forces: Uint8Array; // [at(frame, body)], code
   readonly hits: Hit[] = []; // in the order of time
-  readonly activity: Float32Array; // per frame: root of the summed squares of all speeds but the balls'
+  readonly activity: Float32Array; // per frame: root of the summed squares of all speeds that are seen, but the balls'
   topSpeed = 1; // m/s: 95 % of the moving bodies' frames are below it
   topForce = 1; // N
 
@@ -291,10 +292,9 @@ export class Take {
       for (let body = 0; body < this.bodies; body++) {
         if (!counts[body] || !this.isThere(f, body)) continue;
         const speed = this.speed(f, body);
-        if (speed > 0.05) {
-          speeds[Math.min(511, Math.floor(speed * 10))]++;
-          moving++;
-        }
+        if (speed <= kSeenSpeed) continue;
+        speeds[Math.min(511, Math.floor(speed * 10))]++;
+        moving++;
         sum += Math.min(speed, 100) ** 2;
       }
       this.activity[f] = Math.sqrt(sum);

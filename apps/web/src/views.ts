@@ -28,32 +28,29 @@ export interface FreeHeight {
   bottom: number;
 }
 
-// From that side and a little above, just so far that the whole box is in the free part of the picture.
-function fitted(box: Box3, towards: Vector3, aspect: number, free: FreeHeight): View {
+// From that side and a little above, just so far that all points are in the free part of the picture.
+function fitted(points: Vector3[], towards: Vector3, aspect: number, free: FreeHeight): View {
   const fieldOfView = 36;
   const camera = new PerspectiveCamera(fieldOfView, aspect, 0.01, 1e5);
+  const box = new Box3().setFromPoints(points);
   const target = box.getCenter(new Vector3());
   const direction = towards.clone().add(new Vector3(0, 0.24, 0)).normalize();
+  const right = new Vector3(direction.z, 0, -direction.x).normalize();
   let distance = Math.max(0.5, box.getSize(new Vector3()).length() * 2);
-  const corner = new Vector3();
+  const seen = new Vector3();
   for (let round = 0; round < 24; round++) {
     camera.position.copy(target).addScaledVector(direction, distance);
     camera.lookAt(target);
     camera.updateMatrixWorld();
-    const seen = { left: 1e9, right: -1e9, low: 1e9, high: -1e9 };
-    for (let k = 0; k < 8; k++) {
-      corner.set(k & 1 ? box.max.x : box.min.x, k & 2 ? box.max.y : box.min.y, k & 4 ? box.max.z : box.min.z).project(camera);
-      seen.left = Math.min(seen.left, corner.x);
-      seen.right = Math.max(seen.right, corner.x);
-      seen.low = Math.min(seen.low, corner.y);
-      seen.high = Math.max(seen.high, corner.y);
-    }
-    // Up or down until it lies in the middle of the free part, nearer or farther until it fills nine tenths of it.
+    const around = new Box3();
+    for (const point of points) around.expandByPoint(seen.copy(point).project(camera));
+    // Aside, up or down until they lie in the middle of the free part, nearer or farther until they fill nine tenths of it.
     const half = Math.tan((fieldOfView * Math.PI) / 360);
-    const off = (seen.low + seen.high - free.top - free.bottom) / 2;
-    target.y += off * half * distance * 0.8;
-    const fill = Math.max((seen.right - seen.left) / 1.8, Math.max(Math.abs(seen.left), Math.abs(seen.right)) / 0.9,
-      (seen.high - seen.low) / (0.9 * (free.top - free.bottom)));
+    const off = around.getCenter(seen);
+    target.addScaledVector(right, off.x * half * aspect * distance * 0.8);
+    target.y += (off.y - (free.top + free.bottom) / 2) * half * distance * 0.8;
+    const size = around.getSize(seen);
+    const fill = Math.max(size.x / 1.8, size.y / (0.9 * (free.top - free.bottom)));
     distance *= Math.min(1.5, Math.max(0.6, fill)) ** 0.8;
   }
   return { name: 'Overview', position: target.clone().addScaledVector(direction, distance), target, fieldOfView, follows: -1 };
@@ -62,7 +59,7 @@ function fitted(box: Box3, towards: Vector3, aspect: number, free: FreeHeight): 
 export function viewsOf(take: Take, bounds: Bounds, aspect: number, free: FreeHeight): View[] {
   const ball = take.meta.bodies.findIndex((body) => body.role === 'ball');
   const towards = overviewSide(take, bounds);
-  const views: View[] = [fitted(bounds.all, towards, aspect, free)];
+  const views: View[] = [fitted(bounds.outermost, towards, aspect, free)];
   for (const camera of take.meta.cameras) {
     const path = camera.path?.length ? camera.path : undefined;
     views.push({ name: camera.name, position: new Vector3(...camera.position), target: new Vector3(...camera.target), fieldOfView: camera.fieldOfView, follows: -1, path });
