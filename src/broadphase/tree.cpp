@@ -11,7 +11,8 @@ namespace {
 // A balanced tree of 2^31 leaves is 45 levels high, and a depth-first walk keeps one node a level.
 constexpr int kStackSize = 64;
 constexpr int kLeastRebuilt = 64;  // leaves: smaller trees are fine as they grew
-// 1 / share of the leaves that moved: to take a leaf out and in again costs about four times its part of building the tree.
+// 1 / share of the leaves that have moved, beyond which the tree is built anew: to take a leaf out and in again costs about four
+// times its part of that.
 constexpr std::size_t kRebuildShare = 4;
 
 }  // namespace
@@ -74,7 +75,7 @@ void BoxTree::updateAll(std::span<const BoundsUpdate> updates) {
     markMoved(u.proxy);
   }
   if (leaving_.empty()) return;
-  if (!mostMoved()) {
+  if (!manyMoved()) {
     for (const auto& [leaf, box] : leaving_) placeAgain(leaf, box);
     return;
   }
@@ -82,8 +83,8 @@ void BoxTree::updateAll(std::span<const BoundsUpdate> updates) {
   rebuild();
 }
 
-// Also brings the list of what moved in order.
-bool BoxTree::mostMoved() {
+// So many that the tree is to be built anew. Also brings the list of what moved in order, each leaf once.
+bool BoxTree::manyMoved() {
   std::sort(moved_.begin(), moved_.end());
   moved_.erase(std::unique(moved_.begin(), moved_.end()), moved_.end());
   return count_ >= kLeastRebuilt && kRebuildShare * moved_.size() > std::size_t(count_);
@@ -95,7 +96,7 @@ void BoxTree::newPairs(PairFilter wanted, Pairs& out) {
     std::uint32_t a = std::min(first.user, second.user), b = std::max(first.user, second.user);
     if (wanted(a, b)) out.emplace_back(a, b);
   };
-  if (mostMoved()) {
+  if (manyMoved()) {
     if (!rebuilt_) rebuild();
     eachOverlap(found);
   } else {
@@ -128,8 +129,8 @@ template <class Found> void BoxTree::eachOverlapOf(ProxyIndex leaf, Found&& foun
 // The tree against itself: branches that do not meet are parted once for all their leaves, a third of the time of asking for each
 // leaf by itself.
 template <class Found> void BoxTree::eachOverlap(Found&& found) const {
-  std::pair<ProxyIndex, ProxyIndex>
-      stack[4 * kStackSize];  // two branches, of each one entry a level; and a level of pairs
+  // A branch against itself leaves two entries a level, two branches one for each level of either.
+  std::pair<ProxyIndex, ProxyIndex> stack[4 * kStackSize];
   int depth = 0;
   stack[depth++] = {root_, root_};
   while (depth > 0) {

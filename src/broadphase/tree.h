@@ -39,7 +39,7 @@ class BoxTree final : public BroadPhase {
 
   ProxyIndex allocateNode();
   void freeNode(ProxyIndex index);
-  bool mostMoved();
+  bool manyMoved();
   void rebuild();
   ProxyIndex build(std::size_t from, std::size_t to);
   void insertLeaf(ProxyIndex leaf);

@@ -73,13 +73,12 @@ namespace {
 using wide::D;
 
 //! not of the method: lanes and single bodies give the same bits
-constexpr double kSeriesAngle = 1e-4;  // as in quatFromRotationVector
-//! not of the method: as kSeriesAngle
-constexpr double kLeastSpin =
-    1e-60;  // about each axis, in a step: no product of a turn vanishes in the smallest numbers
+constexpr double kSeriesAngle = 1e-4;  // rad, as in quatFromRotationVector
+//! not of the method: likewise
+constexpr double kLeastSpin = 1e-60;  // rad in a step, kg m2/s: above, no product vanishes among the smallest numbers
 
 // One substep for each lane. What turns about one axis alone leaves out all that quatFromRotationVector, rotate() and the product
-// of quaternions multiply by zero; every other operation is theirs, in their order.
+// of quaternions multiply by zero; every other operation is theirs, in their order. Half of an angle is far under what sinCos() would take quarter turns off.
 struct TurningLanes {
   D inverse[3], momentum[3];
   D turned[4] = {D(0), D(0), D(0), D(1)};

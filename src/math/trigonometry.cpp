@@ -11,9 +11,9 @@ constexpr double kHalfPi = 1.57079632679489655800e+00;
 constexpr double kHalfPiHigh = 0x1.921fb54400000p+0;
 constexpr double kHalfPiLow = 0x1.0b4611a626331p-34;
 constexpr double kLargestAngle = 1e5;
-constexpr double kFirstTurn = 0.78;  // rad, under pi/4: nothing to take off
+constexpr double kSmallAngle = 0.78;  // rad, under pi/4: no quarter turns to take off
 
-// atan of 0 <= x <= 1, by halving the angle twice, then the series.
+// atan of 0 <= x <= 1, by halving the angle three times, then the series.
 double arcTangentUnit(double x) {
   x = x / (1 + std::sqrt(1 + x * x));
   x = x / (1 + std::sqrt(1 + x * x));
@@ -29,7 +29,7 @@ double arcTangentUnit(double x) {
 }  // namespace
 
 void sinCos(double radians, double& sine, double& cosine) {
-  if (std::fabs(radians) < kFirstTurn) {  // most of what a step asks for: the same bits without the division
+  if (std::fabs(radians) < kSmallAngle) {  // most of what a step asks for: the same bits without the division
     sine = sineSmall(radians);
     cosine = cosineSmall(radians);
     return;

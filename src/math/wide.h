@@ -1,6 +1,6 @@
 // Four float lanes, by the compilers' vector extensions (GCC, clang): SSE2 on plain x86-64, NEON on ARM, SIMD128 in
 // WebAssembly, from one source. Only operations that IEEE 754 defines exactly, so every target gives the same bits; no
-// reciprocal estimates, no fused multiply-add. Why not Highway yet: docs/decisions/0003-four-lanes.md.
+// reciprocal estimates, no fused multiply-add. Why not Highway: docs/decisions/0003-four-lanes.md.
 #pragma once
 #include <cmath>
 #include <cstdint>
@@ -30,8 +30,8 @@ BRICKFALL_LANES V loadAnywhere(const float* from) {
 }
 BRICKFALL_LANES void store(V v, float* aligned16) { *reinterpret_cast<Stored*>(aligned16) = v; }
 BRICKFALL_LANES V set(float v) { return V{v, v, v, v}; }
-template <class L> L all(float v);  // in all lanes of L
-template <> BRICKFALL_LANES V all<V>(float v) { return V{v, v, v, v}; }
+template <class L> L all(float v);  // the same for whatever lanes L are (wide_pair.h)
+template <> BRICKFALL_LANES V all<V>(float v) { return set(v); }
 BRICKFALL_LANES V select(M mask, V yes, V no) { return V((mask & M(yes)) | (~mask & M(no))); }
 BRICKFALL_LANES V keepIf(M mask, V yes) { return V(mask & M(yes)); }
 
@@ -41,13 +41,6 @@ BRICKFALL_LANES V max(V a, V b) {
   return reinterpret_cast<V>(_mm_max_ps(reinterpret_cast<__m128>(a), reinterpret_cast<__m128>(b)));
 #else
   return select(a > b, a, b);
-#endif
-}
-BRICKFALL_LANES V min(V a, V b) {
-#if defined(__SSE2__)
-  return reinterpret_cast<V>(_mm_min_ps(reinterpret_cast<__m128>(a), reinterpret_cast<__m128>(b)));
-#else
-  return select(a < b, a, b);
 #endif
 }
 

@@ -33,8 +33,10 @@ Vec3 visibleTurn(const BodyMass& mass, const Mat3& orientation, Vec3 th) {
 
 namespace {
 
-// `turn`: without the wrap that a rotation vector has at half a turn.
-void limitTurn(FreeMotion& free, const BodyMass& mass, const BodyMotion& m, Vec3 turn) {
+// Of a body with contacts: what the solve sees of a fast turn. By its spin, which has no wrap at half a turn as a rotation vector has.
+void limitTurn(FreeMotion& free, const BodyMass& mass, const BodyMotion& m, Vec3 spin, double dt) {
+  if (!(lengthSquared(spin) * dt * dt > kLargestTurn * kLargestTurn)) return;
+  Vec3 turn = spin * dt;
   Vec3 visible = visibleTurn(mass, m.orientation, turn);
   double size = length(visible);
   free.turnsFaster = size > kLargestTurn;
@@ -57,10 +59,6 @@ void integrateFreely(StepContext& context, BodyIndex body, Vec3 acceleration, do
   free.th = rotationVector(normalized(end.rotation * conjugate(start.rotation)));
   free.angularMomentum = spinMomentum(end, mass);
 }
-
-}  // namespace
-
-namespace {
 
 // Forces, damping and drag; where the body's centre goes.
 void predictWay(StepContext& context, BodySet& bodies, BodyIndex body, double dt, double airDensity,
@@ -107,8 +105,7 @@ class WaitingTurns {
       FreeMotion& free = context_.free[body_[i]];
       free.rotation = turns_[i].rotation;
       free.th = rotationVector(normalized(free.rotation * conjugate(m.rotation)));
-      bool fast = hasContacts_ && lengthSquared(spin_[i]) * dt_ * dt_ > kLargestTurn * kLargestTurn;
-      if (fast) limitTurn(free, bodies_.mass[body_[i]], m, spin_[i] * dt_);
+      if (hasContacts_) limitTurn(free, bodies_.mass[body_[i]], m, spin_[i], dt_);
     }
     count_ = 0;
   }
@@ -152,7 +149,7 @@ void predictFreeMotions(StepContext& context, BodySet& bodies, std::span<const B
     }
     free.th = spin * dt;
     free.rotation = normalized(quatFromRotationVector(free.th) * m.rotation);
-    if (hasContacts && lengthSquared(spin) * dt * dt > kLargestTurn * kLargestTurn) limitTurn(free, mass, m, spin * dt);
+    if (hasContacts) limitTurn(free, mass, m, spin, dt);
   }
 }
 

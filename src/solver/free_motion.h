@@ -6,8 +6,8 @@
 
 namespace brickfall {
 
-// Over `dt` s: applies the step's forces, damping and drag to the bodies' velocities and predicts their free motion: the exact
-// turn. For bodies with contacts the solve sees at most kLargestTurn of it, since arms are frozen during a step; their momentum
+// Over `dt` s: applies damping and drag to the bodies' velocities and predicts their free motion under the step's forces, with the
+// exact turn. For bodies with contacts the solve sees at most kLargestTurn of it, since arms are frozen during a step; their momentum
 // stays. Each body's result is its own, whatever the others in the list.
 void predictFreeMotions(StepContext& context, BodySet& bodies, std::span<const BodyIndex> list, double dt,
                         double airDensity, bool hasContacts);

@@ -18,20 +18,18 @@ struct Arms {
   wide::V a, b;
 };
 
-// On B (the opposite on A), with the arms from the bodies' centres of mass to the row's centre. World axes, N and N m. Of one
-// row, or of two side by side (math/wide_pair.h).
-template <class L> struct ReactionOf {
-  L force, torque;
-  L armA, armB;
+// On B (the opposite on A), with the arms from the bodies' centres of mass to the row's centre. World axes, N and N m.
+struct Reaction {
+  wide::V force, torque;
+  wide::V armA, armB;
 };
-using Reaction = ReactionOf<wide::V>;
 
 // What a row was read to do: on B, about the row's centre.
 struct Reading {
   wide::V force, torque;
 };
 
-// By rows: [A B; B^T C], A and C symmetric.
+// By rows: [A B; B^T C], A and C symmetric. Of one row, or of two side by side (math/wide_pair.h).
 template <class L> struct StiffnessOf { L A[3], B[3], C[3]; };
 using Stiffness = StiffnessOf<wide::V>;
 

@@ -47,42 +47,17 @@ double mostApproach(const ShapeData& moving, const Sweep& way, const Sweep& of, 
   return most;
 }
 
-}  // namespace
-
-double coreWay(const ShapeData& moving, const Sweep& way, const ShapeData& still, const Sweep& of) {
-  Transform pose = of.start * still.inCentreFrame, back = inverse(pose);
-  Vec3 from = transformPoint(way.start, moving.middle);
-  bool turns = way.turns || of.turns;
-  // Most of what is near, among debris that flies along together, is not reached: by its extent, then by its distance.
-  const bool hasExtent = still.geometry.type != ShapeType::mesh && still.geometry.type != ShapeType::plane;
-  const double extent = hasExtent ? outerRadius(still.geometry, {}) : 0, radius = kCoreShare * moving.innerRadius;
-  const double safe = mostApproach(moving, way, of, from) + kSurelyApart + kSurelyApartShare * extent;
-  if (hasExtent && length(from - pose.position) - extent > 2 * radius + safe) return 1;
+// Where one of both turns: the core's way in the other's frame, in parts that are taken as straight.
+double coreWayOnArc(const ShapeData& moving, const Sweep& way, const ShapeData& still, const Sweep& of,
+                    const Shape& core, double target) {
   auto placeAt = [&](double share) {
     return transformPoint(inverse(of.at(share) * still.inCentreFrame), transformPoint(way.at(share), moving.middle));
   };
-  Transform coreInOther{transformPoint(back, from), {}};
-  Shape core;
-  core.type = ShapeType::sphere;
-  core.radius = radius;
-  // However often it is stopped there, it never gets all the way.
-  double apart = shapeDistance(still.geometry, core, coreInOther).distance, target = core.radius;
-  if (!(apart > 0)) {  // pressed in: at least its centre must stay outside
-    core.radius = 0;
-    apart = shapeDistance(still.geometry, core, coreInOther).distance;
-    if (!(apart > 0)) return 1;  // inside: the contacts push it out
-  }
-  target = std::min(target, 0.5 * apart);
-  if (hasExtent && apart - target > safe) return 1;
-  if (!turns) {
-    Vec3 motion = rotate(back.rotation, way.way - of.way);
-    return timeOfImpact(still.geometry, core, coreInOther, motion, target).value_or(1);
-  }
   double angle = std::max(length(way.turn), length(of.turn));
   int parts = angle < kChord * kMostChords ? 1 + int(angle / kChord) : kMostChords;
   for (int part = 0; part < parts; part++) {
     double begin = double(part) / parts, step = 1.0 / parts;
-    coreInOther.position = placeAt(begin);
+    Transform coreInOther{placeAt(begin), {}};
     Vec3 motion = placeAt(begin + step) - coreInOther.position;
     std::optional<double> met = timeOfImpact(still.geometry, core, coreInOther, motion, target);
     // The part was taken as straight: where it really gets to on the arc must be outside, too.
@@ -96,6 +71,34 @@ double coreWay(const ShapeData& moving, const Sweep& way, const ShapeData& still
     if (!outside) return begin;
   }
   return 1;
+}
+
+}  // namespace
+
+double coreWay(const ShapeData& moving, const Sweep& way, const ShapeData& still, const Sweep& of) {
+  Transform pose = of.start * still.inCentreFrame, back = inverse(pose);
+  Vec3 from = transformPoint(way.start, moving.middle);
+  // Most of what is near, among debris that flies along together, is not reached: by its extent, then by its distance.
+  const bool hasExtent = still.geometry.type != ShapeType::mesh && still.geometry.type != ShapeType::plane;
+  const double extent = hasExtent ? outerRadius(still.geometry, {}) : 0, radius = kCoreShare * moving.innerRadius;
+  const double safe = mostApproach(moving, way, of, from) + kSurelyApart + kSurelyApartShare * extent;
+  if (hasExtent && length(from - pose.position) - extent > 2 * radius + safe) return 1;
+  Transform coreInOther{transformPoint(back, from), {}};
+  Shape core;
+  core.type = ShapeType::sphere;
+  core.radius = radius;
+  // However often it is stopped there, it never gets all the way.
+  double apart = shapeDistance(still.geometry, core, coreInOther).distance, target = core.radius;
+  if (!(apart > 0)) {  // pressed in: at least its centre must stay outside
+    core.radius = 0;
+    apart = shapeDistance(still.geometry, core, coreInOther).distance;
+    if (!(apart > 0)) return 1;  // inside: the contacts push it out
+  }
+  target = std::min(target, 0.5 * apart);
+  if (hasExtent && apart - target > safe) return 1;
+  if (way.turns || of.turns) return coreWayOnArc(moving, way, still, of, core, target);
+  Vec3 motion = rotate(back.rotation, way.way - of.way);
+  return timeOfImpact(still.geometry, core, coreInOther, motion, target).value_or(1);
 }
 
 }  // namespace brickfall

@@ -122,6 +122,7 @@ void NarrowPhase::run() {
 }
 
 void NarrowPhase::meet(CandidatePair pair, std::vector<CandidatePair>& out) {
+  if (isStill(pair)) return;
   if (!meetsMesh(pair)) {
     if (updatePair(pair)) out.push_back(pair);
     return;
@@ -134,16 +135,16 @@ void NarrowPhase::meet(CandidatePair pair, std::vector<CandidatePair>& out) {
 void NarrowPhase::renew(ContactIndex contact) {
   const Contact& old = contacts_.contacts[contact];
   CandidatePair pair{old.shapeA, old.shapeB, old.bodyA, old.bodyB, contact, 0};
-  const ShapeData &a = shapes_.data[pair.shapeA], &b = shapes_.data[pair.shapeB];
   Approach approach = approachOf(pair);
   if (mayReuse(pair, approach)) return;
   Manifold now;
-  if (isMeshPair(a.geometry, b.geometry)) {
+  if (meetsMesh(pair)) {
     MeshManifolds found;
     findParts(pair, approach, found);
+    const Quat aInBody = shapes_.data[pair.shapeA].inCentreFrame.rotation;
     double most = kSamePart;
     for (int i = 0; i < found.count; i++) {
-      double alike = dot(contacts_.geometry[contact].normal, rotate(a.inCentreFrame.rotation, found.list[i].normal));
+      double alike = dot(contacts_.geometry[contact].normal, rotate(aInBody, found.list[i].normal));
       if (found.list[i].count > 0 && alike > most) most = alike, now = found.list[i];
     }
   } else {
@@ -202,10 +203,6 @@ void NarrowPhase::collidePair(const CandidatePair& pair, const Approach& approac
 }
 
 bool NarrowPhase::updatePair(CandidatePair& pair) {
-  if (isStill(pair)) {
-    reused_ += pair.contact != kNoIndex;
-    return true;
-  }
   if (haveParted(pair)) {
     if (pair.contact != kNoIndex) contacts_.destroy(pair.contact);
     return false;
@@ -234,17 +231,13 @@ int NarrowPhase::updateParts(CandidatePair* parts, int count) {
     }
     return any && fine;
   };
-  Approach approach;
-  bool still = isStill(first);
-  if (!still) {
-    if (haveParted(first)) {
-      for (int i = 0; i < count; i++)
-        if (parts[i].contact != kNoIndex) contacts_.destroy(parts[i].contact);
-      return 0;
-    }
-    approach = approachOf(first);
+  if (haveParted(first)) {
+    for (int i = 0; i < count; i++)
+      if (parts[i].contact != kNoIndex) contacts_.destroy(parts[i].contact);
+    return 0;
   }
-  if (still || (approach.near && all([&](const CandidatePair& part) { return mayReuse(part, approach); }))) {
+  Approach approach = approachOf(first);
+  if (approach.near && all([&](const CandidatePair& part) { return mayReuse(part, approach); })) {
     for (int i = 0; i < count; i++) reused_ += parts[i].contact != kNoIndex;
     return count;
   }

@@ -32,6 +32,7 @@ class NarrowPhase {
     Vec3 velocity;       // m/s, of B against A
   };
 
+  // Of bodies of which one has moved.
   bool updatePair(CandidatePair& pair);  // false: it is forgotten
   void collidePair(const CandidatePair& pair, const Approach& approach, Manifold& m);
   // All parts of a shape and a mesh; the first ones, as many as it returns, are kept.

@@ -17,7 +17,6 @@ using wide::load;
 using wide::M;
 using wide::max;
 using wide::select;
-using wide::set;
 using wide::spread;
 using wide::sqrt;
 using wide::store;

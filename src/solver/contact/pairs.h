@@ -7,12 +7,12 @@
 
 namespace brickfall {
 
-// Of a boundary's contacts.
+// What a boundary's contacts do now, into Boundary::trial, and added to `sums` in the order of its sides.
 void sumContacts(const Boundary& boundary, const ContactRecord* records, BoundarySums& sums);
-// One after the other.
+// What `count` contacts do, each by itself.
 void readContacts(const ContactRecord* records, std::size_t count, const SolveMotion* motion, Reading* out);
 
-// The same in lanes of one kind.
+// These functions in lanes of one kind: what the two above choose from.
 struct PairFunctions {
   void (*sum)(const Boundary&, const ContactRecord*, BoundarySums&) = nullptr;
   void (*sumWithMatrix)(const Boundary&, const ContactRecord*, BoundarySums&) = nullptr;

@@ -41,7 +41,8 @@ struct PairScene {
       r.armB = vector(0.1);
       r.bodyA = std::uint32_t(random.between(0, kBodies - 1));
       r.bodyB = (r.bodyA + 1) % kBodies;
-      for (int i = 0; i < int(random.between(1, 5)); i++) {
+      const int points = int(random.between(1, 5));
+      for (int i = 0; i < points; i++) {
         r.s1[i] = float(random.between(-0.1, 0.1));
         r.s2[i] = float(random.between(-0.1, 0.1));
         r.k[i] = float(random.between(0.5e6, 1e6));
@@ -83,7 +84,7 @@ void crossRows(wide::V r, const wide::V* m, wide::V* out) {
   out[2] = r[0] * m[1] - r[1] * m[0];
 }
 
-// Side by side.
+// The same without pairs: four lanes, one side after the other.
 Sums oneByOne(const PairScene& s, const Boundary& b) {
   Sums sums;
   for (std::uint32_t i = 0; i < b.count; i++) {
