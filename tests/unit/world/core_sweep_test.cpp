@@ -43,6 +43,20 @@ TEST(CoreWay, DependsOnTheWayAgainstEachOtherOnly) {
   }
 }
 
+// Neither goes anywhere: a head at the end of a handle swings against a post, and a bar that turns against what stays.
+TEST(CoreWay, TurningAloneReachesIt) {
+  const Vec3 turn{0, 0, 1};
+  ShapeData head = brick({0.05, 0.05, 0.05});
+  head.middle = {0.5, 0, 0};
+  double swung = coreWay(head, {{}, {}, turn, true}, brick({0.05, 0.05, 1}), straight({0.35, 0.35, 0}, {}));
+  EXPECT_GT(swung, 0.5);
+  EXPECT_LT(swung, 0.785);  // rad, of the post's middle
+  const ShapeData ball = brick({0.05, 0.05, 0.05}), bar = brick({1, 0.05, 0.05});
+  double turned = coreWay(ball, straight({0.5, 0.4, 0}, {}), bar, {{}, {}, turn, true});
+  EXPECT_GT(turned, 0.4);
+  EXPECT_LT(turned, 0.675);  // rad, of the ball's middle
+}
+
 // A way that is told to be free is free: looked at every part of it, whatever turns.
 TEST(CoreWay, AFreeWayMeetsNothing) {
   Random random(3);
