@@ -16,6 +16,7 @@
 #include "solver/cluster_step.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace brickfall {
@@ -26,6 +27,9 @@ using wide::V;
 
 //! - | too small: searches that change little | too large: steps end beyond their minimum
 constexpr float kOvershoot = 0.3f, kOvershootExact = 0.15f;  // of the slope at the start: less is no reason to search
+//! weights | too small: searches that change little
+//! | too large: what overlaps by a micrometre is thrown by millimetres, and little holds it there
+constexpr float kOvershootWeights = 0.3f;  // of the cluster: nor may it end further beyond by that force
 //! - | too small: searches that change little | too large: steps end short of their minimum
 constexpr float kUndershoot = 0.5f, kUndershootExact = 0.3f;  // of the slope at the start: a search ends below it
 
@@ -57,6 +61,8 @@ class Way {
     start_ = power(residual, step_);
     V turning = timesSymmetric(cluster.inertia, wide::load(&step_.torque.x));
     resist_ = power({step_.force * cluster.mass, wide::store3(turning)}, step_);
+    float weight = cluster.mass * float(forces.island().dt * forces.island().dt * kReferenceGravity);
+    byWeight_ = weight * (length(step_.force) + std::sqrt(gyrationSquared(cluster)) * length(step_.torque));
   }
   // Returns the slope there.
   float moveTo(float part) {
@@ -68,7 +74,8 @@ class Way {
   float at() const { return at_; }
   float start() const { return start_; }
   // Slopes between which a step ends near enough to its minimum.
-  float lowest() const { return -(exact_ ? kOvershootExact : kOvershoot) * start_; }
+  float lowest() const { return lowest(exact_ ? kOvershootExact : kOvershoot); }
+  float lowest(float share) const { return -std::min(share * start_, kOvershootWeights * byWeight_); }
   float highest() const { return (exact_ ? kUndershootExact : kUndershoot) * start_; }
 
  private:
@@ -78,6 +85,7 @@ class Way {
   Wrench step_;
   bool exact_;
   float start_, resist_, at_ = 0;
+  float byWeight_;  // slope of the cluster's weight, all against the step
 };
 
 // For the zero of the slope, from the whole step, which is too long.
@@ -127,9 +135,9 @@ ClusterStep tryStep(RowForces& forces, const Level& level, const Cluster& cluste
     const bool kept = std::exchange(factor.kept, true);
     Way way(forces, level, cluster, factor.matrix.solve(residual), residual, exact);
     if (!(way.start() > 0)) return {};
-    float slope = way.moveTo(1), off = kStale * way.start();
-    if (slope >= (kept ? -off : way.lowest())) {
-      factor.valid = slope <= off;
+    float slope = way.moveTo(1);
+    if (slope >= (kept ? way.lowest(kStale) : way.lowest())) {
+      factor.valid = slope <= kStale * way.start();
       return {way.whole(), 1};
     }
     if (!kept) {

@@ -14,12 +14,8 @@ namespace {
 constexpr double kDirectSpeed = 1;  // m/s: grounded islands of dozens of bodies are solved directly if none is faster
 //! m/s | too small: walls that sway are softened, and sag | too large: debris does not converge
 constexpr double kDebrisSpeed = 0.5;  // m/s: in a large island with a faster body, contacts of what moves are soft
-//! m/s | too small: hit walls are solved like rubble: cost | too large: rubble is left unbalanced and rests late
-constexpr double kQuickSpeed = 0.1;  // m/s
-//! - | with kQuickSpeed
-constexpr double kRubbleShare = 0.1;  // of the bodies quick: then it is rubble ...
-//! - | too small: rubble is left unbalanced and rests late | too large: cost
-constexpr int kMaxCyclesRubble = 20;  // ... and gets so many cycles
+//! x `maxCycles` | too small: what many bodies are out of balance in stays so: it is shaken on, and rests late | too large: cost
+constexpr int kMostCycles = 3;  // while many bodies of a large island are out of balance
 //! of its heaviest body | too small: light blocks under a great load tilt and slip out | too large: floats round away balance
 constexpr double kHeavyShare = 0.01;  // effective mass of the softest joint of a small island
 //! - | too small: Newton's method starts far off | too large: cost of what it does better
@@ -49,8 +45,7 @@ constexpr PlanRow kRows[] = {
 int cycleBudget(const IslandFacts& facts, bool slow, const SolverSettings& settings) {
   int bySize = int(640 / facts.bodies);
   int budget = std::clamp(bySize, settings.maxCycles, std::max(settings.maxCycles, settings.maxCyclesSmall));
-  bool rubble = double(facts.quick) > kRubbleShare * double(facts.bodies);
-  return std::max({budget, slow ? kMaxCyclesSlow : 0, rubble ? kMaxCyclesRubble : 0});
+  return std::max(budget, slow ? kMaxCyclesSlow : 0);
 }
 
 const PlanRow& rowOf(const IslandFacts& facts) {
@@ -76,7 +71,6 @@ IslandFacts findFacts(const Island& island, const BodySet& bodies) {
     takeLarger(facts.fastestCentre, speed);
     double withSpin = speed + length(m.angularVelocity) * bodies.mass[body].innerRadius;
     takeLarger(facts.fastest, withSpin);
-    facts.quick += !(withSpin <= kQuickSpeed);
   }
   for (BodyIndex body : island.partners) {
     const BodyMotion& m = bodies.motion[body];
@@ -114,6 +108,7 @@ SolvePlan planFor(const IslandFacts& facts, const SolverSettings& settings, doub
   plan.tolerance = !row.byLoad ? kSlowTolerance : plan.slow ? kStandingTolerance : settings.cycleTolerance;
   plan.minCycles = row.direct && row.exactSteps ? kCyclesBeforeDirect : settings.minCycles;
   plan.maxCycles = row.direct ? plan.minCycles : cycleBudget(facts, plan.slow, settings);
+  plan.mostCycles = row.byLoad ? std::max(plan.maxCycles, kMostCycles * settings.maxCycles) : plan.maxCycles;
   return plan;
 }
 

@@ -23,7 +23,6 @@ struct IslandFacts {
   bool partnersMove = false;  // a kinematic partner moves
   double fastest = 0;         // m/s, largest |v| + |w| inner radius of a body
   double fastestCentre = 0;   // m/s, largest |v|
-  std::size_t quick = 0;      // bodies faster than kQuickSpeed
   double heaviest = 0;        // kg
   double energy = 0;          // J, kinetic
   double energyBefore = 0;    // J, at the start of the last step
@@ -54,6 +53,7 @@ struct SolvePlan {
   double leastMass = 0;     // kg: joints are as firm as between bodies of that effective mass
   double tolerance = 0;     // weights: residual under which a body is left alone
   int minCycles = 0, maxCycles = 0;
+  int mostCycles = 0;  // while many of its bodies are out of balance
 };
 
 IslandFacts findFacts(const Island& island, const BodySet& bodies);

@@ -13,6 +13,12 @@ struct RowEnds {
   std::uint32_t a = 0, b = 0;
 };
 
+// N: what a row pressed B with in the last step, and by how much it could hold it along its surface.
+struct RowGrip {
+  Vec3 force;
+  double friction = 0;
+};
+
 // From the bodies' centres of mass to the row's centre.
 struct Arms {
   wide::V a, b;

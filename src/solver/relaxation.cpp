@@ -39,6 +39,9 @@ constexpr float kBetter = 0.8f;  // of the least square of residuals
 //! - | too small: a body whose points open and close is given up | too large: cost
 constexpr int kMostStalled = 4;  // cycles of a body alone that are no better
 
+//! of the bodies | too small: cost | too large: what few are out of balance in is left so
+constexpr double kManyOut = 0.05;  // more of them than that are worth cycles beyond maxCycles
+
 //! of all rows, read in a cycle | too small: cost where few bodies move | too large: slow settling is not seen through
 constexpr double kWorthReading = 1;  // then reading all of them once more, for an acceleration, pays
 
@@ -65,7 +68,7 @@ class Relaxation {
     forces_.readAll();
     findAllowed();
     bool done = false;
-    for (int cycle = 0; cycle < island_.plan.maxCycles && !done; cycle++) {
+    for (int cycle = 0; goesOn(cycle) && !done; cycle++) {
       statistics_.cycles++;
       sweep(cycle);
       // Small islands are read anew, which costs little: under large forces what is followed is off by their rounding.
@@ -74,14 +77,15 @@ class Relaxation {
       else if (cycle < kBoundCycles)
         forces_.renewBounds();
       findAllowed();
-      done = cycle + 1 >= island_.plan.minCycles && allBalanced();
+      countOut();
+      done = cycle + 1 >= island_.plan.minCycles && out_ == 0;
       bool ends = done || cycle + kDropCycles >= island_.plan.maxCycles;
       if (island_.plan.byLoad && ends && cycle >= kBoundCycles && dropBounds()) done = false;
       if (stalls()) break;
     }
-    if (island_.grounded() && !island_.plan.exactSteps && !island_.plan.slow) moveAsOne();
     for (int round = 0; round < kRounds && island_.plan.byLoad && letFall(); round++) {
     }
+    if (island_.grounded() && !island_.plan.exactSteps && !island_.plan.slow) moveAsOne();
     return done;
   }
 
@@ -114,10 +118,14 @@ class Relaxation {
     float most = share * allowed_[i], arm = most * innerRadius(i);
     return dot(g.force, g.force) <= most * most && dot(g.torque, g.torque) <= arm * arm;
   }
-  bool allBalanced() const {
-    for (std::size_t i = 0; i < allowed_.size(); i++)
-      if (!balanced(i)) return false;
-    return true;
+  void countOut() {
+    out_ = 0;
+    for (std::size_t i = 0; i < allowed_.size(); i++) out_ += !balanced(i);
+  }
+  // Where many bodies are out of balance, what a step leaves undone shakes them in the next ones: more cycles now are fewer then.
+  bool goesOn(int cycle) const {
+    if (cycle < island_.plan.maxCycles) return true;
+    return cycle<island_.plan.mostCycles&& double(out_)> kManyOut * double(allowed_.size());
   }
   // A cycle of a body alone is all of Newton's method: where rounding leaves it out of balance, more of them change nothing.
   bool stalls() {
@@ -248,6 +256,7 @@ class Relaxation {
   std::pmr::vector<float> allowed_;                       // N, by body
   float least_ = std::numeric_limits<float>::infinity();  // N2, of a body alone: what a cycle left at best
   int stalled_ = 0;                                       // cycles since
+  std::size_t out_ = 0;                                   // bodies out of balance
   bool worthReading_ = false;                             // the last cycle moved so much
   const Hierarchy* hierarchies_[2];
   std::pmr::vector<ClusterFactor> factors_[2];    // by cluster, finest level first

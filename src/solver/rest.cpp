@@ -15,6 +15,32 @@ constexpr double kSlide = 0.5;  // of the loss of kinetic energy, that sliding f
 //! - | too small: what rolls on a wall is stopped | too large: walls sway for longer
 constexpr double kSwing = 0.01;  // of the kinetic energy: loses it more in a step, a wall has swung through its middle
 
+// m/s: of the velocity that bodies have in common, what their supports could not take within the step. On smooth ground that is all
+// of it along the ground.
+Vec3 slideLeft(const Island& island, const std::pmr::vector<char>& touched, const StepContext& context) {
+  const std::size_t count = island.bodies.size();
+  Vec3 support, momentum;  // N, kg m/s
+  double friction = 0, mass = 0;
+  island.rows.each([&](const auto& kind, std::size_t k) {
+    RowEnds ends = kind.ends(k);
+    if (ends.a < count && ends.b < count) return;
+    RowGrip grip = kind.grip(k, context);
+    support += grip.force * (ends.a < count ? -1.0 : 1.0);
+    friction += grip.friction;
+  });
+  for (std::size_t i = 0; i < count; i++) {
+    if (!touched[i]) continue;
+    double m = context.bodies->mass[island.bodies[i]].mass;
+    mass += m;
+    momentum += context.bodies->motion[island.bodies[i]].linearVelocity * m;
+  }
+  double most = length(support);
+  if (!(most > 0)) return mass > 0 ? momentum * (1 / mass) : Vec3{};
+  Vec3 normal = support * (1 / most), along = momentum - normal * dot(momentum, normal);
+  double slides = length(along), held = friction * island.dt;
+  return slides > held ? along * ((1 - held / slides) / mass) : Vec3{};
+}
+
 }  // namespace
 
 void dampSlowIsland(const Island& island, const StepContext& context, BodySet& bodies) {
@@ -26,12 +52,13 @@ void dampSlowIsland(const Island& island, const StepContext& context, BodySet& b
   // What nothing presses on has no part in a vibration: it falls.
   std::pmr::vector<char> touched(island.memory);
   findTouched(island, context, touched);
+  const Vec3 left = slideLeft(island, touched, context);
   for (std::size_t i = 0; i < island.bodies.size(); i++) {
     if (!touched[i]) continue;
     BodyIndex body = island.bodies[i];
-    bodies.motion[body].linearVelocity = {};
+    bodies.motion[body].linearVelocity = left;
     bodies.motion[body].angularVelocity = {};
-    bodies.data[body].lastKineticEnergy = 0;
+    bodies.data[body].lastKineticEnergy = bodies.kineticEnergy(body);
   }
 }
 

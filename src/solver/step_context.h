@@ -24,6 +24,8 @@ constexpr float kMultiplierGrowth = 2;  // a held force grows to at most this x 
 constexpr float kMultiplierWeights = 5;  // ... plus this many effective weights per step
 //! - | too small: overlap from a landing is released at once, as a rebound | too large: it stays for long
 constexpr float kOffsetKept = 0.9f;  // of the plastic offset, per step
+//! m/s | too small: what lies on parted overlap rests late | too large: with kOffsetKept
+constexpr float kLeastRelease = 1e-4f;  // m/s: so fast it goes at least, until nothing is left of it
 //! m | too small: anchors are placed anew while they stick: creep | too large: old forces come back after a slide
 constexpr float kLargestDrift = 1e-3f;  // m: an anchor further away is placed anew
 //! m | too small: steps run through open points | too large: short steps: late collapses

@@ -160,7 +160,7 @@ class TestIsland {
     correctMomentum(island(), context);
     return statistics;
   }
-  // True if any bit of what the contacts remember changed.
+  // True if any force of the contacts changed.
   bool store() {
     bool changed = storeRows(island(), ties(), context);
     if (island().resting() && !changed) island().ending = IslandEnding::settled;

@@ -66,6 +66,7 @@ struct StiffnessScale {
   float cap;         // N
   float dt;          // s
   float kept;        // of the plastic offset
+  float release;     // m, of the plastic offset at least
 };
 
 // Half of what separates the middles of the two bodies: past all of it the contact would turn round and let the bodies
@@ -126,8 +127,8 @@ float mapNormalOffset(Contact& c, int i, float approach, const StiffnessScale& s
   if (m.stiffness[i] > (2 - kFullShare) * scale.full) soften(m, i, scale);
   if (m.phase[i] == PointPhase::fresh) m.offset[i] = std::min(0.0f, m.gap[i]);
   if (mustStiffen(m, i, approach, scale)) stiffen(m, i, scale);
-  float offset = scale.kept * std::min(0.0f, std::max(m.offset[i], m.gap[i]));
-  m.offset[i] = offset > -1e-12f ? 0 : offset;  // no denormals: they would never come to a fixed point
+  float offset = std::min(0.0f, std::max(m.offset[i], m.gap[i]));
+  m.offset[i] = std::min(0.0f, std::max(scale.kept * offset, offset + scale.release));
   if (m.phase[i] == PointPhase::fresh) startPhase(c, i, approach, scale, bodies);
   return m.gap[i] - m.offset[i];
 }
@@ -147,11 +148,14 @@ void mapFrictionAnchor(Contact& c, int i, ContactGeometry& g, const ContactRecor
 }
 
 // Joints a thousand times as stiff as inertia couple what flies apart so firmly that no solve converges; debris is soft, as in
-// an impact, until it has come to lie.
-bool isDebris(const Island& island, const ContactRecord& r) {
+// an impact, until it has come to lie. What bears more than a sudden load can do still stands, though it shakes: storeys would sink
+// into it like into rubber.
+bool isDebris(const Island& island, const ContactRecord& r, const Contact& c, float cap) {
   //! m/s | too small: walls that sway are softened, and sag | too large: debris does not converge
   constexpr float kDebrisBodySpeed = 0.03f;
   if (!island.plan.softDebris) return false;
+  for (int i = 0; i < c.count; i++)
+    if (c.points.multiplierN[i] > cap) return false;
   auto moves = [&](std::uint32_t body) {
     return body < island.bodies.size() && island.speeds[body] > kDebrisBodySpeed;
   };
@@ -175,12 +179,12 @@ void ContactRows::prepare(const Island& island, Ties ties, const StepContext& co
     c.fresh = false;
     findApproach(r, c, bodies, start);
     double unit = c.effectiveMass * perDt2, firm = std::max(double(c.effectiveMass), island.plan.leastMass) * perDt2;
-    StiffnessScale scale{float(unit),
-                         float(isDebris(island, r) ? context.settings.impactStiffness * unit : resting * firm),
-                         float(context.settings.impactStiffness * unit), float(context.settings.restingApproachSpeed),
-                         kMultiplierWeights * float(kReferenceGravity) * c.effectiveMass, float(island.dt),
+    const float cap = kMultiplierWeights * float(kReferenceGravity) * c.effectiveMass;
+    double full = isDebris(island, r, c, cap) ? context.settings.impactStiffness * unit : resting * firm;
+    StiffnessScale scale{float(unit), float(full), float(context.settings.impactStiffness * unit),
+                         float(context.settings.restingApproachSpeed), cap, float(island.dt),
                          // A part of a step lets go of a part.
-                         1 - (1 - kOffsetKept) * float(island.dt / context.dt)};
+                         1 - (1 - kOffsetKept) * float(island.dt / context.dt), kLeastRelease * float(island.dt)};
     r.newPoints = 0;
     start.points = c.count;
     start.friction = c.friction;

@@ -22,6 +22,13 @@ RowTie ContactRows::tie(std::size_t k, const StepContext& context) const {
   return tie;
 }
 
+RowGrip ContactRows::grip(std::size_t k, const StepContext& context) const {
+  const Contact& c = context.contacts->contacts[contactOf[k]];
+  double force = 0;
+  for (int i = 0; i < c.count; i++) force += double(c.points.forceN[i]);
+  return {toDouble(records[k].n) * force, double(c.friction) * force};
+}
+
 bool ContactRows::meetsWithin(std::size_t k, Vec3f way, const SolveMotion* motion, const StepContext& context) const {
   const Contact& c = context.contacts->contacts[contactOf[k]];
   if (c.touching) return true;

@@ -62,6 +62,8 @@ struct ContactRows {
   bool carriesForce(std::size_t k, const StepContext& context) const {
     return context.contacts->contacts[contactOf[k]].touching;
   }
+  // N: the force from A on B in the last step, along the normal, and the friction that this allows.
+  RowGrip grip(std::size_t k, const StepContext& context) const;
   // It carries force, or would at the present motion if one of its bodies went by `way` (m) besides.
   bool meetsWithin(std::size_t k, Vec3f way, const SolveMotion* motion, const StepContext& context) const;
 
@@ -77,8 +79,8 @@ struct ContactRows {
   // After a solve: impacts that are over give back their share of what they took, in a solve that goes on from there. True if
   // any does. Adds to `credit` (J) what they took in earlier steps.
   bool startRebounds(const Island& island, const StepContext& context, double& credit);
-  // Forces at the final motion into the contacts. True if any bit of what they remember changed; of an island that does not
-  // rest that is not looked for, and true.
+  // Forces at the final motion into the contacts. True if any changed by more than rounding; of an island that does not rest
+  // that is not looked for, and true.
   bool store(Island& island, Ties ties, StepContext& context);
   // Gaps and drifts go on by the motion that was finally made.
   void advance(const Island& island, Ties ties) const;

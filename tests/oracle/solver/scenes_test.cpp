@@ -25,7 +25,7 @@ TEST(ConvergedStep, Walls) {
 }
 
 TEST(ConvergedStep, Pyramids) {
-  Ledger l = look("pyramid of 12 rows", pyramid(12), 0.5, 2);
+  Ledger l = look("pyramid of 12 rows", pyramid(12), 0.5, 1);
   l.add(look("pyramid of 4 rows", pyramid(4), 0.5, 1));
   EXPECT_GE(l.of(Ending::rested).islands, 2);
 }

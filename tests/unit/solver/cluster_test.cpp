@@ -25,6 +25,7 @@ struct Scene {
       return Vec3f{float(random.between(-size, size)), float(random.between(-size, size)),
                    float(random.between(-size, size))};
     };
+    island.dt = 1.0 / 60;
     island.bodies = {0, 1};
     island.partners = {2};
     island.motion.resize(3);

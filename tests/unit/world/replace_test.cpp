@@ -48,15 +48,15 @@ void destroyAndCreate(World& world, BodyId body) {
   for (const BodyDef& half : halves) add(world, half);
 }
 
-// m: how far any of them is ever below its place during a second.
-double deepest(World& world, const std::vector<BodyId>& bodies, int substeps = 1) {
+// m: how far any of them is ever above or below its place during a second.
+double farthest(World& world, const std::vector<BodyId>& bodies, int substeps = 1) {
   std::vector<double> before;
   for (BodyId body : bodies) before.push_back(world.state(body)->position.y);
   double most = 0;
   for (int i = 0; i < 60; i++) {
     stepSound(world, kDt, substeps);
     for (std::size_t k = 0; k < bodies.size(); k++)
-      most = std::max(most, before[k] - world.state(bodies[k])->position.y);
+      most = std::max(most, std::fabs(before[k] - world.state(bodies[k])->position.y));
   }
   return most;
 }
@@ -67,15 +67,10 @@ std::vector<BodyId> above(const std::vector<BodyId>& bricks, std::size_t one) {
 
 TEST(Replace, AColumnStandsOnTheHalvesOfABrick) {
   for (int substeps : {1, 4}) {
-    World world = awakeWorld(), other = awakeWorld();
-    std::vector<BodyId> bricks = column(world, 12, substeps), same = column(other, 12, substeps);
+    World world = awakeWorld();
+    std::vector<BodyId> bricks = column(world, 12, substeps);
     replace(world, bricks[2]);
-    destroyAndCreate(other, same[2]);
-    double replaced = deepest(world, above(bricks, 2), substeps), anew = deepest(other, above(same, 2), substeps);
-    EXPECT_LT(replaced, 1e-4) << "substeps " << substeps;
-    EXPECT_GT(anew, 2 * replaced) << "substeps " << substeps;
-    RecordProperty("sunk_um_" + std::to_string(substeps), std::to_string(replaced * 1e6));
-    RecordProperty("sunk_anew_um_" + std::to_string(substeps), std::to_string(anew * 1e6));
+    EXPECT_LT(farthest(world, above(bricks, 2), substeps), 5e-6) << "substeps " << substeps;
   }
 }
 
@@ -96,7 +91,7 @@ TEST(Replace, AWallStandsOnTheHalvesOfABrick) {
   replace(world, bricks[7]);  // in the second course
   destroyAndCreate(other, same[7]);
   std::vector<BodyId> upper(bricks.begin() + 10, bricks.end()), upperSame(same.begin() + 10, same.end());
-  double replaced = deepest(world, upper), anew = deepest(other, upperSame);
+  double replaced = farthest(world, upper), anew = farthest(other, upperSame);
   EXPECT_LT(replaced, 1e-4);
   EXPECT_GT(anew, replaced);
   RecordProperty("sunk_um", std::to_string(replaced * 1e6));
@@ -155,7 +150,7 @@ TEST(Replace, WhileAsleepItWakesWhatTouchesIt) {
   std::vector<BodyId> pieces = replace(world, bricks[2]);
   for (BodyId piece : pieces) EXPECT_TRUE(world.state(piece)->awake);
   for (BodyId brick : above(bricks, 2)) EXPECT_TRUE(world.state(brick)->awake);
-  EXPECT_LT(deepest(world, above(bricks, 2)), 1e-4);
+  EXPECT_LT(farthest(world, above(bricks, 2)), 1e-4);
   EXPECT_EQ(std::count(world.events().woke.begin(), world.events().woke.end(), bricks[3]), 0);  // once, long ago
 }
 
@@ -226,7 +221,7 @@ TEST(Replace, WhatLiesOnAFixedBodyStaysOnItsPieces) {
   }
   ASSERT_TRUE(world.replaceBody(ground, halves).ok());
   expectSound(world);
-  EXPECT_LT(deepest(world, {box, ball}), 1e-5);
+  EXPECT_LT(farthest(world, {box, ball}), 1e-5);
 }
 
 }  // namespace
