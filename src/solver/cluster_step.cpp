@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace brickfall {
@@ -29,7 +30,7 @@ using wide::V;
 constexpr float kOvershoot = 0.3f, kOvershootExact = 0.15f;  // of the slope at the start: less is no reason to search
 //! weights | too small: searches that change little
 //! | too large: what overlaps by a micrometre is thrown by millimetres, and little holds it there
-constexpr float kOvershootWeights = 0.3f;  // of the cluster: nor may it end further beyond by that force
+constexpr float kOvershootWeights = 0.3f;  // of a cluster of a large island: nor may it end beyond by more of force
 //! - | too small: searches that change little | too large: steps end short of their minimum
 constexpr float kUndershoot = 0.5f, kUndershootExact = 0.3f;  // of the slope at the start: a search ends below it
 
@@ -61,8 +62,10 @@ class Way {
     start_ = power(residual, step_);
     V turning = timesSymmetric(cluster.inertia, wide::load(&step_.torque.x));
     resist_ = power({step_.force * cluster.mass, wide::store3(turning)}, step_);
+    if (!forces.island().plan.byLoad) return;
     float weight = cluster.mass * float(forces.island().dt * forces.island().dt * kReferenceGravity);
-    byWeight_ = weight * (length(step_.force) + std::sqrt(gyrationSquared(cluster)) * length(step_.torque));
+    most_ =
+        kOvershootWeights * weight * (length(step_.force) + std::sqrt(gyrationSquared(cluster)) * length(step_.torque));
   }
   // Returns the slope there.
   float moveTo(float part) {
@@ -75,7 +78,7 @@ class Way {
   float start() const { return start_; }
   // Slopes between which a step ends near enough to its minimum.
   float lowest() const { return lowest(exact_ ? kOvershootExact : kOvershoot); }
-  float lowest(float share) const { return -std::min(share * start_, kOvershootWeights * byWeight_); }
+  float lowest(float share) const { return -std::min(share * start_, most_); }
   float highest() const { return (exact_ ? kUndershootExact : kUndershoot) * start_; }
 
  private:
@@ -85,7 +88,8 @@ class Way {
   Wrench step_;
   bool exact_;
   float start_, resist_, at_ = 0;
-  float byWeight_;  // slope of the cluster's weight, all against the step
+  // Slope that is too far beyond the minimum, by weight. Small islands are solved to the end.
+  float most_ = std::numeric_limits<float>::infinity();
 };
 
 // For the zero of the slope, from the whole step, which is too long.

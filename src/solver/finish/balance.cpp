@@ -148,38 +148,47 @@ Mat3 inertiaAtEnd(const StepContext& context, BodyIndex body) {
   return end * context.bodies->mass[body].inertia * transpose(end);
 }
 
-// What a floating island has gained (also by compression in one step that rebounds in the next) is taken from what moves
-// against the rigid motion of all that is pressed on: linear and angular momentum are kept, and what nothing touches flies on.
-void takeRelativeMotion(const Island& island, StepContext& context, double excess) {
+// What a floating island has gained (also by compression in one step that rebounds in the next) is taken from what the bodies `of` it
+// move against their rigid motion: linear and angular momentum are kept. False if that is not enough.
+bool takeRelativeMotion(const Island& island, StepContext& context, double excess, const std::pmr::vector<char>& of) {
   const BodySet& bodies = *context.bodies;
-  std::pmr::vector<char> touched(island.memory);
-  findTouched(island, context, touched);
-  auto eachTouched = [&](auto&& act) {
+  auto each = [&](auto&& act) {
     for (std::size_t i = 0; i < island.bodies.size(); i++)
-      if (touched[i]) act(island.bodies[i]);
+      if (of[i]) act(island.bodies[i]);
   };
   RigidSum sum(island.origin);
   auto endOf = [&](BodyIndex body) { return bodies.motion[body].position + context.solved[body].d; };
-  eachTouched([&](BodyIndex body) {
+  each([&](BodyIndex body) {
     const SolvedMotion& s = context.solved[body];
     double m = bodies.mass[body].mass;
     sum.add(m, endOf(body), inertiaAtEnd(context, body), s.velocity * m, s.angularMomentum);
   });
   Vec3 centre = sum.centre(), velocity = sum.velocity(), spin = sum.spin();
   double relative = 0;
-  eachTouched([&](BodyIndex body) {
+  each([&](BodyIndex body) {
     Vec3 v = context.solved[body].velocity - velocity - cross(spin, endOf(body) - centre);
     Vec3 l = context.solved[body].angularMomentum - inertiaAtEnd(context, body) * spin;
     relative += 0.5 * bodies.mass[body].mass * lengthSquared(v) + 0.5 * dot(l, spinOf(context, body, l));
   });
-  if (!(relative > 0)) return;
+  if (!(relative > 0)) return false;
   double share = std::sqrt(std::max(0.0, 1 - excess / relative));
-  eachTouched([&](BodyIndex body) {
+  each([&](BodyIndex body) {
     SolvedMotion& s = context.solved[body];
     Vec3 v = velocity + cross(spin, endOf(body) - centre), momentum = inertiaAtEnd(context, body) * spin;
     s.velocity = v + (s.velocity - v) * share;
     s.angularMomentum = momentum + (s.angularMomentum - momentum) * share;
   });
+  return relative >= excess;
+}
+
+// Where it can be, from what is pressed on alone: what nothing touches flies on.
+void guardFloating(const Island& island, StepContext& context, const IslandEnergy& energy) {
+  std::pmr::vector<char> touched(island.memory);
+  findTouched(island, context, touched);
+  if (takeRelativeMotion(island, context, energy.excess(), touched)) return;
+  IslandEnergy left = energyOf(island, context);
+  touched.assign(touched.size(), 1);
+  if (left.excess() > left.slack()) takeRelativeMotion(island, context, left.excess(), touched);
 }
 
 // Takes back from the velocities of an island what kinetic plus potential energy gained in the step beyond the work of
@@ -188,7 +197,7 @@ void guardEnergy(const Island& island, StepContext& context) {
   if (island.facts.partnersMove || island.leapt) return;
   IslandEnergy energy = energyOf(island, context);
   if (!(energy.excess() > energy.slack())) return;
-  if (!island.grounded()) return takeRelativeMotion(island, context, energy.excess());
+  if (!island.grounded()) return guardFloating(island, context, energy);
   double left = takeResidual(island, context, energy.excess());
   if (left > energy.slack()) dampSway(island, context, left);
 }
