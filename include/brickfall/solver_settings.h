@@ -34,8 +34,8 @@ struct SolverSettings {
   int minCycles = 4;  // 1 .. 64: fewer glue bodies in place (they hang in the air). Before a direct solve of 2 to 24
                       // bodies there is one
   //! - | too small: slow collapses come late | too large: cost of hits
-  int maxCycles =
-      10;  // minCycles .. 256, islands of 64 bodies and more. Three times as many while a twentieth is unbalanced
+  int maxCycles = 10;  // minCycles .. 256, islands of 64 bodies and more. Three times as many while a twentieth of
+                       // the bodies is out of balance
   //! - | too small: debris of 25 to 80 bodies, fast or in flight, stays unbalanced | too large: its cost
   int maxCyclesSmall = 64;  // the same for the smallest islands (640 / bodies, clamped)
 };

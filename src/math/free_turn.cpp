@@ -78,7 +78,8 @@ constexpr double kSeriesAngle = 1e-4;  // rad, as in quatFromRotationVector
 constexpr double kLeastSpin = 1e-60;  // rad in a step, kg m2/s: above, no product vanishes among the smallest numbers
 
 // One substep for each lane. What turns about one axis alone leaves out all that quatFromRotationVector, rotate() and the product
-// of quaternions multiply by zero; every other operation is theirs, in their order. Half of an angle is far under what sinCos() would take quarter turns off.
+// of quaternions multiply by zero; every other operation is theirs, in their order. Half of an angle is far under what sinCos()
+// would take quarter turns off.
 struct TurningLanes {
   D inverse[3], momentum[3];
   D turned[4] = {D(0), D(0), D(0), D(1)};

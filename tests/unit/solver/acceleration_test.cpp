@@ -47,6 +47,24 @@ struct Standing : TestIsland {
   std::optional<RowForces> forces;
 };
 
+// A brick 0.1 mm over the ground of which a cycle has made one change.
+struct OverGround : OnGround {
+  explicit OverGround(Vec3f change) : OnGround({}, 1e-4) {
+    prepare();
+    for (SolveMotion& m : island().motion) m = {};
+    forces.emplace(island(), counts);
+    forces->readAll();
+    acceleration.emplace(island());
+    acceleration->begin();
+    island().motion[0].d = change;
+    forces->readAgain();
+    acceleration->end();
+  }
+  SolveStatistics counts;
+  std::optional<RowForces> forces;
+  std::optional<Acceleration> acceleration;
+};
+
 TEST(Acceleration, EndsAcrossAllChangesWhereForcesAreLinear) {
   Random random(5);
   for (int bricks : {25, 60, 150})
@@ -96,21 +114,11 @@ TEST(Acceleration, AChangeMadeTwiceCountsOnce) {
 
 // A brick in the air knows of no ground: its changes would take it a whole step's fall down, through 0.1 mm of air and far on.
 TEST(Acceleration, DoesNotEndFarBeyondWhatItMeets) {
-  OnGround lab({}, 1e-4);
-  lab.prepare();
+  OverGround lab({0, -1e-5f, 0});
   Island& island = lab.island();
-  for (SolveMotion& m : island.motion) m = {};
-  SolveStatistics counts;
-  RowForces forces(island, counts);
-  forces.readAll();
-  Acceleration acceleration(island);
-  acceleration.begin();
-  island.motion[0].d.y = -1e-5f;
-  forces.readAgain();
-  acceleration.end();
   const float weight = island.residual[0].force.y;
   ASSERT_LT(weight, 0);
-  acceleration.apply(forces);
+  lab.acceleration->apply(*lab.forces);
   EXPECT_LT(island.motion[0].d.y, -1e-5f) << "it goes on";
   EXPECT_GT(island.motion[0].d.y, -2e-4f) << "and is met by the ground; free fall is 2.7 mm";
   EXPECT_LT(island.residual[0].force.y, -0.5f * weight) << "and not thrown back by it";
@@ -118,25 +126,15 @@ TEST(Acceleration, DoesNotEndFarBeyondWhatItMeets) {
 
 // Forces that a float cannot hold: the island stays where it was, to the last bit.
 TEST(Acceleration, WhatEndsNowhereIsTakenBack) {
-  OnGround lab({}, 1e-4);
-  lab.prepare();
+  OverGround lab({3e-6f, -1e-5f, 0});
   Island& island = lab.island();
-  for (SolveMotion& m : island.motion) m = {};
-  SolveStatistics counts;
-  RowForces forces(island, counts);
-  forces.readAll();
-  Acceleration acceleration(island);
-  acceleration.begin();
-  island.motion[0].d = {3e-6f, -1e-5f, 0};
-  forces.readAgain();
-  acceleration.end();
   const Vec3f place = island.motion[0].d, left = island.residual[0].force;
   island.residual[0].force.y = -1e37f;
-  acceleration.apply(forces);
+  lab.acceleration->apply(*lab.forces);
   EXPECT_EQ(island.motion[0].d, place);
   EXPECT_EQ(island.motion[0].th, Vec3f{});
   EXPECT_EQ(island.residual[0].force, left);
-  EXPECT_EQ(counts.lightVisits, 4.0 * 5) << "it was tried: twice, and read again where it was";
+  EXPECT_EQ(lab.counts.lightVisits, 4.0 * 5) << "it was tried: twice, and read again where it was";
 }
 
 TEST(Acceleration, NothingHappensBeforeTheFirstChangeNorByNone) {
