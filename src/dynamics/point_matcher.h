@@ -9,6 +9,9 @@ namespace brickfall {
 //! m | too small: a sliding or rocking contact forgets its force: bodies sink for a step
 //! | too large: a point takes over the force of another one
 constexpr double kMatchDistance = 0.02;  // m: an old point this near may hand its memory to a new one
+//! m | too small: points that stick creep where the polygon of a contact is cut anew
+//! | too large: what rolls on short faces stands on a corner that it has left, and sinks in at the next
+constexpr double kSamePlace = 1e-3;  // m: a point this near is the same one, whatever its feature
 // Cosines between two normals.
 //! - | too small: a contact takes over the force that it had on another face
 //! | too large: a rocking brick forgets its force: it sinks for a step
@@ -18,23 +21,21 @@ constexpr double kKeptFace = 0.999;  // anchors go on, too
 
 class PointMatcher {
  public:
-  // `fresh`, `now`: the new contact, with its frame; its points are matched one after the other.
+  // `fresh`, `now`: the new contact with the features of its points, its frame and anchors. Of all pairs of an old and a new point
+  // the nearest come first; the same feature counts as twice as near.
   PointMatcher(const Contact& old, const ContactGeometry& geometry, const Contact& fresh, const ContactGeometry& now);
 
-  // The nearest unused old point; the same feature counts as twice as near. -1: none, or another face, whose forces say
-  // nothing.
-  int match(Vec3 anchorB, std::uint32_t feature);
-  // A sticking point may keep its anchors: the face is the same, and nothing rolls on it.
-  bool keepsAnchors() const { return normals_ > kKeptFace && !rolls_; }
+  // The old point that new point i goes on with. -1: none, or another face, whose forces say nothing.
+  int from(int i) const { return from_[i]; }
+  // If it sticks it may keep its anchors: the face is the same, nothing rolls on it, and both are one place of the body. A corner
+  // that only is the nearest one would leave its own without support.
+  bool keepsAnchors(int i) const { return keeps_ >> i & 1; }
   const TangentTurn& turn() const { return turn_; }
 
  private:
-  const Contact& old_;
-  const ContactGeometry& geometry_;
-  double normals_;  // cosine of the angle between old and new normal
   TangentTurn turn_;
-  bool rolls_;
-  std::uint32_t used_ = 0;  // bit per old point
+  int from_[4] = {-1, -1, -1, -1};
+  std::uint32_t keeps_ = 0;  // bit per new point
 };
 
 }  // namespace brickfall

@@ -7,9 +7,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <utility>
 
+#include "solver/block_envelope.h"
 #include "solver/light_pass.h"
 
 namespace brickfall {
@@ -31,107 +31,6 @@ constexpr int kSearchSteps = 30;  // evaluations along a step
 constexpr double kEnough = 0.8;  // of the slope at the start: a search ends below it
 
 using Block = double[6][6];
-
-// Symmetric matrix by rows, each from its first column that can be other than 0 to the diagonal.
-class Envelope {
- public:
-  explicit Envelope(std::pmr::memory_resource* memory)
-      : first_(memory), begin_(memory), lastBlock_(memory), a_(memory) {}
-
-  // lowest: for each block row, the first block column.
-  void shape(const std::pmr::vector<std::uint32_t>& lowest) {
-    rows_ = 6 * lowest.size();
-    first_.resize(rows_);
-    begin_.resize(rows_);
-    lastBlock_.resize(lowest.size());
-    std::size_t size = 0;
-    for (std::size_t i = 0; i < rows_; i++) {
-      first_[i] = 6 * lowest[i / 6];
-      begin_[i] = size;
-      size += i - first_[i] + 1;
-    }
-    for (std::size_t block = 0; block < lowest.size(); block++)
-      std::fill(lastBlock_.begin() + lowest[block], lastBlock_.begin() + std::ptrdiff_t(block) + 1, block);
-    a_.resize(size);
-  }
-  void clear() { std::fill(a_.begin(), a_.end(), 0.0); }
-  // A block on or under the diagonal.
-  void add(std::size_t row, std::size_t column, const Block& b) {
-    for (std::size_t i = 0; i < 6; i++)
-      for (std::size_t j = 0; j < 6 && 6 * column + j <= 6 * row + i; j++) at(6 * row + i)[6 * column + j] += b[i][j];
-  }
-
-  // Cholesky in place, inverse on the diagonal. False if not positive definite. By columns of blocks: the rows under a block
-  // don't wait for each other.
-  bool factor() {
-    for (std::size_t block = 0; block < lastBlock_.size(); block++) {
-      const std::size_t begin = 6 * block, end = begin + 6;
-      for (std::size_t i = begin; i < end; i++) {
-        factorRow(i, begin, i);
-        double* row = at(i);
-        double pivot = row[i] - dot(row + first_[i], row + first_[i], i - first_[i]);
-        if (!(pivot > 0)) return false;
-        row[i] = 1 / std::sqrt(pivot);
-      }
-      for (std::size_t i = end; i < 6 * (lastBlock_[block] + 1); i++)
-        if (first_[i] <= begin) factorRow(i, begin, end);
-    }
-    return true;
-  }
-  void solve(double* x) {
-    for (std::size_t i = 0; i < rows_; i++)
-      x[i] = (x[i] - dot(at(i) + first_[i], x + first_[i], i - first_[i])) * at(i)[i];
-    for (std::size_t i = rows_; i-- > 0;) {
-      x[i] *= at(i)[i];
-      takeOff(x[i], at(i) + first_[i], i - first_[i], x + first_[i]);
-    }
-  }
-
- private:
-  double* at(std::size_t row) { return a_.data() + begin_[row] - first_[row]; }  // indexed by column
-  // Columns begin to end of a row under the diagonal.
-  void factorRow(std::size_t i, std::size_t begin, std::size_t end) {
-    double* row = at(i);
-    for (std::size_t j = begin; j < end; j++) {
-      const double* other = at(j);
-      std::size_t from = std::max(first_[i], first_[j]);
-      row[j] = (row[j] - dot(row + from, other + from, j - from)) * other[j];
-    }
-  }
-
-  typedef double Two __attribute__((vector_size(16)));
-  static Two load(const double* from) {
-    Two v;
-    std::memcpy(&v, from, sizeof v);
-    return v;
-  }
-  // Four sums side by side, in one fixed order.
-  static double dot(const double* x, const double* y, std::size_t n) {
-    Two s01 = {}, s23 = {};
-    std::size_t k = 0;
-    for (; k + 4 <= n; k += 4) {
-      s01 += load(x + k) * load(y + k);
-      s23 += load(x + k + 2) * load(y + k + 2);
-    }
-    double s0 = s01[0];
-    for (; k < n; k++) s0 += x[k] * y[k];
-    return (s0 + s01[1]) + (s23[0] + s23[1]);
-  }
-  // y -= f x
-  static void takeOff(double f, const double* x, std::size_t n, double* y) {
-    std::size_t k = 0;
-    for (; k + 2 <= n; k += 2) {
-      Two v = load(y + k) - load(x + k) * f;
-      std::memcpy(y + k, &v, sizeof v);
-    }
-    if (k < n) y[k] -= x[k] * f;
-  }
-
-  std::size_t rows_ = 0;
-  std::pmr::vector<std::size_t> first_, begin_;
-  std::pmr::vector<std::size_t> lastBlock_;  // by block column: the last block row that reaches it
-  std::pmr::vector<double> a_;
-};
 
 class Newton {
  public:
@@ -166,6 +65,16 @@ class Newton {
     search();
     readForces(boundsFollow);
     return true;
+  }
+
+  // Of points whose friction follows, those that have opened hold nothing more. True if any did.
+  bool dropBounds() {
+    bool any = false;
+    island_.rows.each([&](auto& kind, std::size_t k) {
+      any = (kind.boundsFollow(k) && kind.dropBounds(k, island_.motion.data())) || any;
+    });
+    if (any) readForces(false);
+    return any;
   }
 
  private:
@@ -307,7 +216,7 @@ class Newton {
   std::pmr::vector<std::uint32_t> place_;  // of a body in the matrix
   std::pmr::vector<double> step_;          // by place
   std::pmr::vector<SolveMotion> from_;
-  Envelope matrix_;
+  BlockEnvelope matrix_;
 };
 
 }  // namespace
@@ -315,7 +224,8 @@ class Newton {
 void solveDirectly(Island& island, const StepContext& context, double tolerance, SolveStatistics& statistics) {
   Newton newton(island, statistics);
   for (int k = 0; k < kDirectSteps; k++) {
-    if (worstResidual(island, *context.bodies) < (k < kTightSteps ? tolerance : 10 * tolerance)) return;
+    bool done = worstResidual(island, *context.bodies) < (k < kTightSteps ? tolerance : 10 * tolerance);
+    if (done && !newton.dropBounds()) return;
     if (!newton.step(k < kBoundSteps)) return;
     statistics.cycles++;
   }

@@ -69,7 +69,7 @@ IslandFacts findFacts(const Island& island, const BodySet& bodies) {
     facts.heaviest = std::max(facts.heaviest, bodies.mass[body].mass);
     double speed = length(m.linearVelocity);  // what is not a number is not slow
     takeLarger(facts.fastestCentre, speed);
-    double withSpin = speed + length(m.angularVelocity) * bodies.mass[body].innerRadius;
+    double withSpin = speed + length(m.angularVelocity) * bodies.mass[body].outerRadius;
     takeLarger(facts.fastest, withSpin);
   }
   for (BodyIndex body : island.partners) {

@@ -21,7 +21,7 @@ struct IslandFacts {
   std::size_t bodies = 0;
   bool grounded = false;      // touches something fixed or kinematic
   bool partnersMove = false;  // a kinematic partner moves
-  double fastest = 0;         // m/s, largest |v| + |w| inner radius of a body
+  double fastest = 0;         // m/s, largest |v| + |w| outer radius of a body
   double fastestCentre = 0;   // m/s, largest |v|
   double heaviest = 0;        // kg
   double energy = 0;          // J, kinetic

@@ -85,7 +85,7 @@ class Relaxation {
     }
     for (int round = 0; round < kRounds && island_.plan.byLoad && letFall(); round++) {
     }
-    if (island_.grounded() && !island_.plan.exactSteps && !island_.plan.slow) moveAsOne();
+    if (island_.grounded() && !island_.plan.exactSteps) moveAsOne();
     return done;
   }
 
@@ -124,8 +124,8 @@ class Relaxation {
   }
   // Where many bodies are out of balance, what a step leaves undone shakes them in the next ones: more cycles now are fewer then.
   bool goesOn(int cycle) const {
-    if (cycle < island_.plan.maxCycles) return true;
-    return cycle<island_.plan.mostCycles&& double(out_)> kManyOut * double(allowed_.size());
+    bool many = double(out_) > kManyOut * double(allowed_.size());
+    return cycle < island_.plan.maxCycles || (many && cycle < island_.plan.mostCycles);
   }
   // A cycle of a body alone is all of Newton's method: where rounding leaves it out of balance, more of them change nothing.
   bool stalls() {
@@ -215,8 +215,10 @@ class Relaxation {
     }
   }
 
-  // What carries nothing falls: whatever cycles left of its weight, no other body bears. True if any was held.
+  // What carries nothing falls: whatever cycles left of its weight, no other body bears, nor does the friction of what has opened
+  // since. True if any was held.
   bool letFall() {
+    dropBounds();
     forces_.findLoads();
     const Level& level = hierarchies_[0]->levels[0];
     bool any = false;

@@ -15,44 +15,24 @@ constexpr double kSlide = 0.5;  // of the loss of kinetic energy, that sliding f
 //! - | too small: what rolls on a wall is stopped | too large: walls sway for longer
 constexpr double kSwing = 0.01;  // of the kinetic energy: loses it more in a step, a wall has swung through its middle
 
-// m/s: of the velocity that bodies have in common, what their supports could not take within the step. On smooth ground that is all
-// of it along the ground.
-Vec3 slideLeft(const Island& island, const std::pmr::vector<char>& touched, const StepContext& context) {
-  const std::size_t count = island.bodies.size();
-  Vec3 support, momentum;  // N, kg m/s
-  double friction = 0, mass = 0;
-  island.rows.each([&](const auto& kind, std::size_t k) {
-    RowEnds ends = kind.ends(k);
-    if (ends.a < count && ends.b < count) return;
-    RowGrip grip = kind.grip(k, context);
-    support += grip.force * (ends.a < count ? -1.0 : 1.0);
-    friction += grip.friction;
-  });
-  for (std::size_t i = 0; i < count; i++) {
-    if (!touched[i]) continue;
-    double m = context.bodies->mass[island.bodies[i]].mass;
-    mass += m;
-    momentum += context.bodies->motion[island.bodies[i]].linearVelocity * m;
-  }
-  double most = length(support);
-  if (!(most > 0)) return mass > 0 ? momentum * (1 / mass) : Vec3{};
-  Vec3 normal = support * (1 / most), along = momentum - normal * dot(momentum, normal);
-  double slides = length(along), held = friction * island.dt;
-  return slides > held ? along * ((1 - held / slides) / mass) : Vec3{};
-}
+//! m/s | too small: floats that round keep what stands on smooth ground from rest | too large: what slides on it slowly is stopped
+constexpr double kLeastSlide = 1e-6;
+//! m/s | too small: what rocks by itself rests late | too large: what rolls up a slope turns back too early
+constexpr double kAloneSpeed = 1e-3;  // of a body alone, which may be stopped
 
 }  // namespace
 
 void dampSlowIsland(const Island& island, const StepContext& context, BodySet& bodies) {
   const double lost = island.facts.energyBefore - island.facts.energy;
   if (!(island.plan.slow && lost > 0) && !(island.plan.sways && lost > kSwing * island.facts.energyBefore)) return;
-  // What friction takes from the slide of a body alone is no vibration: it ends by itself. Towers rub somewhere whenever they
-  // sway.
-  if (island.bodies.size() == 1 && island.slipWork >= kSlide * lost) return;
+  // What friction takes from the slide of a body alone is no vibration, nor what its height takes when it rolls up a slope: both end
+  // by themselves. Towers rub somewhere whenever they sway.
+  if (island.bodies.size() == 1 && (island.slipWork >= kSlide * lost || island.facts.fastest > kAloneSpeed)) return;
   // What nothing presses on has no part in a vibration: it falls.
   std::pmr::vector<char> touched(island.memory);
   findTouched(island, context, touched);
-  const Vec3 left = slideLeft(island, touched, context);
+  const Vec3 left =
+      slideLeft(island, touched, context, [&](BodyIndex body) { return bodies.motion[body].linearVelocity; });
   for (std::size_t i = 0; i < island.bodies.size(); i++) {
     if (!touched[i]) continue;
     BodyIndex body = island.bodies[i];
@@ -63,6 +43,14 @@ void dampSlowIsland(const Island& island, const StepContext& context, BodySet& b
 }
 
 namespace {
+
+// All of it, along ground that does not hold it: however slow, that goes on.
+bool slides(const Island& island, const StepContext& context) {
+  std::pmr::vector<char> all(island.bodies.size() + island.partners.size(), 1, island.memory);
+  Vec3 left =
+      slideLeft(island, all, context, [&](BodyIndex body) { return context.bodies->motion[body].linearVelocity; });
+  return length(left) > kLeastSlide;
+}
 
 // As the rest check, but each body by what it carries, and clusters by their weight: what leans or slides as a whole is out of
 // balance as a whole, however little each of its bodies is. What few bodies that carry much may have left adds up like chance.
@@ -99,7 +87,7 @@ void restCheck(Island& island, StepContext& context) {
   lightPass(island, false, context.statistics.lightVisits);
   bool balanced = worstResidual(island, *context.bodies) < context.settings.restTolerance ||
                   (island.plan.byLoad && balancedByLoad(island, context));
-  if (!balanced) return;
+  if (!balanced || (island.facts.energy > 0 && slides(island, context))) return;
   island.ending = IslandEnding::rested;
   context.statistics.restingIslands++;
 }

@@ -1,4 +1,5 @@
-// What rows do for a body: whether any carries force at it, and chains of them that hold it up, to something fixed or kinematic.
+// What rows do for a body: whether any carries force at it, chains of them that hold it up, to something fixed or kinematic, and
+// how far what holds it up holds it back.
 #pragma once
 #include <algorithm>
 
@@ -50,6 +51,34 @@ template <class Counts> void findSupported(const Island& island, std::pmr::vecto
   supported.assign(bodies + island.partners.size(), 0);
   std::fill(supported.begin() + std::ptrdiff_t(bodies), supported.end(), 1);
   growSupported(island, supported, counts);
+}
+
+// m/s: of the velocity that the bodies `of` an island have in common, what its supports could not take within the step. On smooth
+// ground that is all of it along the ground.
+template <class VelocityOf>
+Vec3 slideLeft(const Island& island, const std::pmr::vector<char>& of, const StepContext& context,
+               VelocityOf&& velocityOf) {
+  const std::size_t count = island.bodies.size();
+  Vec3 support, momentum;  // N, kg m/s
+  double friction = 0, mass = 0;
+  island.rows.each([&](const auto& kind, std::size_t k) {
+    RowEnds ends = kind.ends(k);
+    if (ends.a < count && ends.b < count) return;
+    RowGrip grip = kind.grip(k, context);
+    support += grip.force * (ends.a < count ? -1.0 : 1.0);
+    friction += grip.friction;
+  });
+  for (std::size_t i = 0; i < count; i++) {
+    if (!of[i]) continue;
+    double m = context.bodies->mass[island.bodies[i]].mass;
+    mass += m;
+    momentum += velocityOf(island.bodies[i]) * m;
+  }
+  double most = length(support);
+  if (!(most > 0)) return mass > 0 ? momentum * (1 / mass) : Vec3{};
+  Vec3 normal = support * (1 / most), along = momentum - normal * dot(momentum, normal);
+  double slides = length(along), held = friction * island.dt;
+  return slides > held ? along * ((1 - held / slides) / mass) : Vec3{};
 }
 
 }  // namespace brickfall

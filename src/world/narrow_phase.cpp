@@ -320,18 +320,20 @@ void NarrowPhase::makeContact(CandidatePair& pair, const Manifold& m, const Tran
   g.relativeRotation = relative.rotation;
   g.normal = rotate(a.inCentreFrame.rotation, m.normal);
   g.tangent1 = anyPerpendicular(g.normal);
-  PointMatcher matcher(old, oldGeometry, c, g);
   Transform centreOfAInB = inverse(relative);
-  std::uint32_t goesOn = 0;
   for (int i = 0; i < m.count; i++) {
     c.points.feature[i] = m.points[i].feature;
     g.anchorA[i] = transformPoint(a.inCentreFrame, m.points[i].onA);
     g.anchorB[i] = transformPoint(centreOfAInB, transformPoint(a.inCentreFrame, m.points[i].onB));
-    int from = had ? matcher.match(g.anchorB[i], c.points.feature[i]) : -1;
+  }
+  PointMatcher matcher(old, oldGeometry, c, g);
+  std::uint32_t goesOn = 0;
+  for (int i = 0; had && i < m.count; i++) {
+    int from = matcher.from(i);
     if (from < 0) continue;
     carryOver(c.points, i, old.points, from, matcher.turn());
     goesOn |= 1u << from;
-    if (old.points.sticks(from) && matcher.keepsAnchors()) {
+    if (old.points.sticks(from) && matcher.keepsAnchors(i)) {
       g.anchorA[i] = oldGeometry.anchorA[from];
       g.anchorB[i] = oldGeometry.anchorB[from];
     }

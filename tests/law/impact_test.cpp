@@ -36,6 +36,37 @@ TEST(Law, Row18eFrictionInImpacts) {
   }
 }
 
+// The same onto a heavy plate that carries blocks: an island of 6 bodies and one of 92. What friction has taken a moment after.
+TEST(Law, Row18eFrictionInImpactsOfLargerIslands) {
+  for (double dt : kMotionSteps)
+    for (int blocks : {4, 90}) {
+      Sweep taken("onto a plate that carries " + std::to_string(blocks) + " blocks: impulse along", 2, "%");
+      for (double friction : {0.1, 0.2})
+        for (double e : {0.0, 0.5}) {
+          World world = worldOnFloor(1);
+          ShapeDef slab = boxOf({1.5, 0.2, 1.5}, 8000, friction), ball = sphereOf(0.1, 500, friction);
+          slab.material.restitution = ball.material.restitution = e;
+          add(world, bodyOf(slab, {0, 0.2, 0}));
+          for (int i = 0; i < blocks; i++)
+            add(world, bodyOf(boxOf({.03, .03, .03}, 1900), {-.6 + .1 * (i % 15), .43, .3 + .1 * (i / 15)}));
+          run(world, 0.3, dt);
+          BodyDef def = bodyOf(ball, {-0.8, 0.7, 0});
+          def.linearVelocity = {6, -4, 0};
+          BodyId body = add(world, def);
+          const double met = std::sqrt(16 + 2 * kG * 0.2), when = (met - 4) / kG;
+          double time = 0;
+          for (; world.state(body)->linearVelocity.y < -0.5; time += dt) {
+            ASSERT_LT(time, 1) << "it must land";
+            stepSound(world, dt);
+          }
+          run(world, 2 * dt, dt);
+          const double right = friction * (1 + e) * met + (e > 0 ? 0 : friction * kG * (time + 2 * dt - when));
+          taken.add(dt, 100 * ((6 - world.state(body)->linearVelocity.x) / right - 1),
+                    "mu " + text(friction, 1) + ", e " + text(e, 1), blocks > 80 ? 20 * dt * 60 : 5);
+        }
+    }
+}
+
 // Restitution that goes to nothing does what none does: a ball into a wall, bricks that moved by more than 50 mm.
 TEST(Law, Row18fTheSmallestRestitutionChangesTheLeast) {
   for (double speed : atFullLength() ? std::vector{10.0, 20.0} : std::vector{20.0}) {

@@ -147,6 +147,13 @@ void mapFrictionAnchor(Contact& c, int i, ContactGeometry& g, const ContactRecor
   g.anchorA[i] = transposeTimes(a.orientation, anchor - a.position);
 }
 
+// The last force of a point says what friction it has now, but if it had none, or if that was an impact's: then one step's friction
+// would be bounded by the force of another, and the two would not add up to mu times the impulse.
+bool boundFollows(const PointMemory& m, int i, float approach, const StiffnessScale& scale, bool debris) {
+  bool held = m.multiplierN[i] >= m.forceN[i];
+  return m.forceN[i] == 0 || m.phase[i] == PointPhase::impact || approach < -scale.quietSpeed || (debris && !held);
+}
+
 // Joints a thousand times as stiff as inertia couple what flies apart so firmly that no solve converges; debris is soft, as in
 // an impact, until it has come to lie. What bears more than a sudden load can do still stands, though it shakes: storeys would sink
 // into it like into rubber.
@@ -180,7 +187,8 @@ void ContactRows::prepare(const Island& island, Ties ties, const StepContext& co
     findApproach(r, c, bodies, start);
     double unit = c.effectiveMass * perDt2, firm = std::max(double(c.effectiveMass), island.plan.leastMass) * perDt2;
     const float cap = kMultiplierWeights * float(kReferenceGravity) * c.effectiveMass;
-    double full = isDebris(island, r, c, cap) ? context.settings.impactStiffness * unit : resting * firm;
+    const bool debris = isDebris(island, r, c, cap);
+    double full = debris ? context.settings.impactStiffness * unit : resting * firm;
     StiffnessScale scale{float(unit), float(full), float(context.settings.impactStiffness * unit),
                          float(context.settings.restingApproachSpeed), cap, float(island.dt),
                          // A part of a step lets go of a part.
@@ -197,6 +205,7 @@ void ContactRows::prepare(const Island& island, Ties ties, const StepContext& co
         continue;
       }
       if (-start.approach[i] > fastestApproach) fastestApproach = -start.approach[i];
+      if (boundFollows(c.points, i, start.approach[i], scale, debris)) r.newPoints |= 1u << i;
       float gap = mapNormalOffset(c, i, start.approach[i], scale, bodies);
       mapFrictionAnchor(c, i, set.geometry[contactOf[k]], r, bodies);
       float stiffness = c.points.stiffness[i];
@@ -209,7 +218,6 @@ void ContactRows::prepare(const Island& island, Ties ties, const StepContext& co
                           float(island.dt);
       r.limit[i] = c.friction * std::max(0.0f, c.points.forceN[i]);
       r.tensionCap[i] = 0;
-      if (c.points.forceN[i] == 0) r.newPoints |= 1u << i;
     }
   }
 }

@@ -121,8 +121,8 @@ double takeResidual(const Island& island, StepContext& context, double excess) {
 }
 
 // What elastic joints give back is no gain, but makes what stands sway: it is taken from what firm joints hold to the ground,
-// and from nothing else; while nothing moves fast, any joint that presses is firm (a tower that leans stands on edges). Large
-// islands sway little enough without it.
+// and from nothing else, nor from what that slides by as a whole, where friction can't hold it; while nothing moves fast, any joint
+// that presses is firm (a tower that leans stands on edges). Large islands sway little enough without it.
 void dampSway(const Island& island, StepContext& context, double excess) {
   if (island.plan.byLoad) return;
   const bool sways = island.facts.fastest <= kSwaySpeed;
@@ -130,15 +130,21 @@ void dampSway(const Island& island, StepContext& context, double excess) {
   findSupported(island, held, [&](const auto& kind, std::size_t k) {
     return kind.carriesForce(k, context) && (sways || !kind.tie(k, context).weak);
   });
+  const Vec3 slide = slideLeft(island, held, context, [&](BodyIndex body) { return context.solved[body].velocity; });
   double energy = 0;
-  for (std::size_t i = 0; i < island.bodies.size(); i++)
-    if (held[i]) energy += kineticEnergy(context, island.bodies[i]);
+  for (std::size_t i = 0; i < island.bodies.size(); i++) {
+    if (!held[i]) continue;
+    const BodyIndex body = island.bodies[i];
+    const Vec3 spin = context.solved[body].angularMomentum;
+    energy += 0.5 * context.bodies->mass[body].mass * lengthSquared(context.solved[body].velocity - slide) +
+              0.5 * dot(spin, spinOf(context, body, spin));
+  }
   if (!(energy > 0)) return;
   double share = std::sqrt(std::max(0.0, 1 - excess / energy));
   for (std::size_t i = 0; i < island.bodies.size(); i++) {
     if (!held[i]) continue;
     SolvedMotion& s = context.solved[island.bodies[i]];
-    s.velocity = s.velocity * share;
+    s.velocity = slide + (s.velocity - slide) * share;
     s.angularMomentum = s.angularMomentum * share;
   }
 }
@@ -181,10 +187,12 @@ bool takeRelativeMotion(const Island& island, StepContext& context, double exces
   return relative >= excess;
 }
 
-// Where it can be, from what is pressed on alone: what nothing touches flies on.
+// Where it can be, from what is pressed on alone: what nothing touches flies on. Where nothing presses nothing can have gained, but by
+// the spin of what turns further than the solve sees.
 void guardFloating(const Island& island, StepContext& context, const IslandEnergy& energy) {
   std::pmr::vector<char> touched(island.memory);
   findTouched(island, context, touched);
+  if (std::find(touched.begin(), touched.end(), 1) == touched.end()) return;
   if (takeRelativeMotion(island, context, energy.excess(), touched)) return;
   IslandEnergy left = energyOf(island, context);
   touched.assign(touched.size(), 1);

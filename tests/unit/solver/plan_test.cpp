@@ -194,7 +194,7 @@ TEST(Plan, FactsAreThoseOfTheBodies) {
   EXPECT_TRUE(facts.grounded);
   EXPECT_FALSE(facts.partnersMove);
   EXPECT_DOUBLE_EQ(facts.fastestCentre, 0.5);
-  EXPECT_DOUBLE_EQ(facts.fastest, 0.1 + 20 * kBrick.y) << "spin counts at the inner radius";
+  EXPECT_DOUBLE_EQ(facts.fastest, 0.1 + 20 * length(kBrick)) << "spin counts at the outer radius";
   EXPECT_NEAR(facts.energy, 0.5 * test::kBrickMass * (0.25 + 0.01) + 0.5 * inertia * 400, 1e-12);
   EXPECT_EQ(facts.energyBefore, 0);
   keepEnergies(lab.island(), lab.bodies);

@@ -1,0 +1,42 @@
+// A symmetric matrix of blocks of 6 x 6, each row of blocks from its first one that can be other than 0 to the diagonal, and its
+// Cholesky factor in place. In doubles; the same bits on any machine.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <memory_resource>
+#include <vector>
+
+namespace brickfall {
+
+class BlockEnvelope {
+ public:
+  explicit BlockEnvelope(std::pmr::memory_resource* memory) : lowest_(memory), begin_(memory), blocks_(memory) {}
+
+  // lowest: for each row of blocks, the first column. All entries are 0 then.
+  void shape(const std::pmr::vector<std::uint32_t>& lowest);
+  void clear();
+  // A block on or under the diagonal, by rows; on the diagonal all of it.
+  void add(std::size_t row, std::size_t column, const double (&b)[6][6]);
+  // False if not positive definite.
+  bool factor();
+  // After factor: x, 6 numbers a row of blocks, becomes the solution for the right side x.
+  void solve(double* x) const;
+
+ private:
+  // By columns, so that no sum runs along a vector. Of a factored block on the diagonal: inverses of the diagonal's entries there.
+  struct Block {
+    double column[6][6];
+  };
+  static void takeProduct(Block& from, const Block& left, const Block& right);
+  static void divideBy(Block& b, const Block& diagonal);
+  static bool factorDiagonal(Block& b);
+
+  const Block& at(std::size_t row, std::size_t column) const { return blocks_[begin_[row] + column - lowest_[row]]; }
+  Block& at(std::size_t row, std::size_t column) { return blocks_[begin_[row] + column - lowest_[row]]; }
+
+  std::pmr::vector<std::uint32_t> lowest_;
+  std::pmr::vector<std::size_t> begin_;  // by row, in blocks_
+  std::pmr::vector<Block> blocks_;
+};
+
+}  // namespace brickfall
