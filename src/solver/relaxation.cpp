@@ -6,6 +6,7 @@
 
 #include "solver/acceleration.h"
 #include "solver/cluster_step.h"
+#include "solver/support.h"
 
 namespace brickfall {
 
@@ -85,7 +86,8 @@ class Relaxation {
     }
     for (int round = 0; round < kRounds && island_.plan.byLoad && letFall(); round++) {
     }
-    if (island_.grounded() && !island_.plan.exactSteps) moveAsOne();
+    if (island_.grounded() && !island_.plan.exactSteps && (!island_.plan.slow || slides(island_, context_)))
+      moveAsOne();
     return done;
   }
 
@@ -233,7 +235,7 @@ class Relaxation {
   }
 
   // The momentum of what slides on smooth ground is the whole island's: one exact step of it. Where the ground holds it, that
-  // would only be pressed on the bodies that stand there; so it would where the whole is slow, and may be stopped.
+  // would only be pressed on the bodies that stand there; so it would where the whole is slow, and does not slide.
   void moveAsOne() {
     const Level& top = hierarchies_[0]->levels.back();
     for (const Cluster& cluster : top.clusters) {

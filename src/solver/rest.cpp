@@ -15,8 +15,6 @@ constexpr double kSlide = 0.5;  // of the loss of kinetic energy, that sliding f
 //! - | too small: what rolls on a wall is stopped | too large: walls sway for longer
 constexpr double kSwing = 0.01;  // of the kinetic energy: loses it more in a step, a wall has swung through its middle
 
-//! m/s | too small: floats that round keep what stands on smooth ground from rest | too large: what slides on it slowly is stopped
-constexpr double kLeastSlide = 1e-6;
 //! m/s | too small: what rocks by itself rests late | too large: what rolls up a slope turns back too early
 constexpr double kAloneSpeed = 1e-3;  // of a body alone, which may be stopped
 
@@ -43,14 +41,6 @@ void dampSlowIsland(const Island& island, const StepContext& context, BodySet& b
 }
 
 namespace {
-
-// All of it, along ground that does not hold it: however slow, that goes on.
-bool slides(const Island& island, const StepContext& context) {
-  std::pmr::vector<char> all(island.bodies.size() + island.partners.size(), 1, island.memory);
-  Vec3 left =
-      slideLeft(island, all, context, [&](BodyIndex body) { return context.bodies->motion[body].linearVelocity; });
-  return length(left) > kLeastSlide;
-}
 
 // As the rest check, but each body by what it carries, and clusters by their weight: what leans or slides as a whole is out of
 // balance as a whole, however little each of its bodies is. What few bodies that carry much may have left adds up like chance.

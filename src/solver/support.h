@@ -81,4 +81,14 @@ Vec3 slideLeft(const Island& island, const std::pmr::vector<char>& of, const Ste
   return slides > held ? along * ((1 - held / slides) / mass) : Vec3{};
 }
 
+//! m/s | too small: floats that round keep what stands on smooth ground from rest | too large: what slides on it slowly is stopped
+inline constexpr double kLeastSlide = 1e-6;
+
+// All of it slides, along ground that does not hold it: however slow, that goes on.
+inline bool slides(const Island& island, const StepContext& context) {
+  std::pmr::vector<char> all(island.bodies.size() + island.partners.size(), 1, island.memory);
+  return length(slideLeft(island, all, context,
+                          [&](BodyIndex body) { return context.bodies->motion[body].linearVelocity; })) > kLeastSlide;
+}
+
 }  // namespace brickfall

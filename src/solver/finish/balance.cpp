@@ -187,12 +187,10 @@ bool takeRelativeMotion(const Island& island, StepContext& context, double exces
   return relative >= excess;
 }
 
-// Where it can be, from what is pressed on alone: what nothing touches flies on. Where nothing presses nothing can have gained, but by
-// the spin of what turns further than the solve sees.
+// Where it can be, from what is pressed on alone: what nothing touches flies on.
 void guardFloating(const Island& island, StepContext& context, const IslandEnergy& energy) {
   std::pmr::vector<char> touched(island.memory);
   findTouched(island, context, touched);
-  if (std::find(touched.begin(), touched.end(), 1) == touched.end()) return;
   if (takeRelativeMotion(island, context, energy.excess(), touched)) return;
   IslandEnergy left = energyOf(island, context);
   touched.assign(touched.size(), 1);

@@ -17,11 +17,19 @@ Vec3 effectiveTurn(Vec3 turned, Vec3 end, const FreeMotion& free, const Mat3& in
   return along * std::min(size, std::max(0.0, ends - had));
 }
 
+// Bodies that are near each other in flight: each goes its own way, whatever rounding the island's momentum had to be freed of.
+bool fliesApart(const Island& island, const StepContext& context) {
+  bool presses = island.grounded();
+  island.rows.each([&](const auto& kind, std::size_t k) { presses = presses || kind.carriesForce(k, context); });
+  return !presses;
+}
+
 }  // namespace
 
 void storeMotion(const Island& island, StepContext& context) {
   const BodySet& bodies = *context.bodies;
   double perDt = 1 / island.dt;
+  const bool apart = fliesApart(island, context);
   for (std::size_t i = 0; i < island.bodies.size(); i++) {
     BodyIndex body = island.bodies[i];
     SolvedMotion& out = context.solved[body];
@@ -35,14 +43,14 @@ void storeMotion(const Island& island, StepContext& context) {
     }
     out.rest = false;
     out.lost = {};
-    bool untouched = m.d == island.masses[i].dFree && m.th == island.masses[i].thFree;
-    out.freeTurn = m.th == island.masses[i].thFree;
+    out.freeTurn = apart || m.th == island.masses[i].thFree;
+    bool untouched = apart || (m.d == island.masses[i].dFree && out.freeTurn);
     out.d = untouched ? free.d : island.travel + toDouble(m.d);
     out.th = out.freeTurn ? free.th : toDouble(m.th);
     out.velocity = out.d * perDt;
     out.lag = kUnknownLag;
     // Torque impulses are added to the angular momentum, so that it is kept to rounding.
-    Vec3 turned = toDouble(m.th) - toDouble(island.masses[i].thFree);
+    Vec3 turned = out.freeTurn ? Vec3{} : toDouble(m.th) - toDouble(island.masses[i].thFree);
     if (free.turnsFaster) turned = effectiveTurn(turned, toDouble(m.th), free, bodies.worldInvInertia(body), island.dt);
     out.angularMomentum = free.angularMomentum + bodies.worldInertia(body) * turned * perDt;
   }
