@@ -18,7 +18,7 @@ struct alignas(64) ContactRecord {
   Vec3f armA, armB;                    // m, from the centres of mass to the manifold's centre
   std::uint32_t bodyA = 0, bodyB = 0;  // in Island::motion
   std::uint32_t contact = 0;           // ContactIndex
-  std::uint32_t newPoints = 0;         // bit per point that carried nothing in the last step
+  std::uint32_t newPoints = 0;         // bit per point whose friction limit follows: it carried nothing, or an impact
 
   float s1[4] = {}, s2[4] = {};  // m
   float trialN[4] = {};          // N, force at zero motion: share of the multiplier - k (correctable gap)

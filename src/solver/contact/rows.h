@@ -68,7 +68,7 @@ struct ContactRows {
   bool meetsWithin(std::size_t k, Vec3f way, const SolveMotion* motion, const StepContext& context) const;
 
   void prepare(const Island& island, Ties ties, const StepContext& context);
-  // Bounds that follow the solve: friction of points that carried nothing in the last step.
+  // Bounds that follow the solve: friction of points that carried nothing in the last step, or an impact.
   // Changes of less than `slack` of a bound are left. True if any changed.
   bool boundsFollow(std::size_t k) const { return records[k].newPoints != 0; }
   bool renewBounds(std::size_t k, const SolveMotion* motion, float slack = 0) {
