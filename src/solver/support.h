@@ -7,11 +7,11 @@
 
 namespace brickfall {
 
-// Marks the bodies (and partners) at which any row carries force.
-inline void findTouched(const Island& island, const StepContext& context, std::pmr::vector<char>& touched) {
+// Marks the bodies (and partners) at which any row is that `counts(kind, k)`.
+template <class Counts> void findTouched(const Island& island, std::pmr::vector<char>& touched, Counts&& counts) {
   touched.assign(island.bodies.size() + island.partners.size(), 0);
   island.rows.each([&](const auto& kind, std::size_t k) {
-    if (!kind.carriesForce(k, context)) return;
+    if (!counts(kind, k)) return;
     RowEnds ends = kind.ends(k);
     touched[ends.a] = touched[ends.b] = 1;
   });

@@ -151,7 +151,8 @@ void mapFrictionAnchor(Contact& c, int i, ContactGeometry& g, const ContactRecor
 // would be bounded by the force of another, and the two would not add up to mu times the impulse.
 bool boundFollows(const PointMemory& m, int i, float approach, const StiffnessScale& scale, bool debris) {
   bool held = m.multiplierN[i] >= m.forceN[i];
-  return m.forceN[i] == 0 || m.phase[i] == PointPhase::impact || approach < -scale.quietSpeed || (debris && !held);
+  return m.forceN[i] == 0 || m.phase[i] == PointPhase::impact || approach < -scale.quietSpeed ||
+         (!held && (debris || mustStiffen(m, i, approach, scale)));
 }
 
 // Joints a thousand times as stiff as inertia couple what flies apart so firmly that no solve converges; debris is soft, as in

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/support.h"
+
 namespace brickfall {
 
 namespace {
@@ -25,20 +27,36 @@ PointsNow pointsAt(const ContactRecord& r, const SolveMotion* motion) {
   return out;
 }
 
-// Normal ways if nothing touched.
-PointsNow freePoints(const Island& island, ContactRecord r) {
+// Normal ways if this impact were not: what others hold up does not fall with what lands on it.
+PointsNow waysWithout(const Island& island, const ContactRecord& record, const std::pmr::vector<char>& held,
+                      const StepContext& context) {
   SolveMotion pair[2];
   auto take = [&](std::uint32_t body, SolveMotion& out) {
     out = island.motion[body];
     if (body >= island.masses.size()) return;
-    out.d = island.masses[body].dFree;
+    const Vec3 velocity = context.bodies->motion[island.bodies[body]].linearVelocity;
+    out.d = held[body] ? toFloat(velocity * island.dt - island.travel) : island.masses[body].dFree;
     out.th = island.masses[body].thFree;
   };
-  take(r.bodyA, pair[0]);
-  take(r.bodyB, pair[1]);
+  take(record.bodyA, pair[0]);
+  take(record.bodyB, pair[1]);
+  ContactRecord r = record;
   r.bodyA = 0;
   r.bodyB = 1;
   return pointsAt(r, pair);
+}
+
+// Bodies that something held in the last step; impacts hold nothing.
+void findHeld(const Island& island, const StepContext& context, std::pmr::vector<char>& held) {
+  findTouched(island, held, [&](const auto& kind, std::size_t k) { return kind.holds(k, context); });
+}
+
+// Of a force that brings what would close at `without` to `closing` (m/s): the share of the impact, which began the step at
+// `approach`. What weights and others add in the step is no part of it. Where it is over, it is all that was left of it.
+float impactShare(float approach, float without, float closing, bool over) {
+  if (!(approach > 0)) return 0;
+  float all = std::max(without, approach);
+  return approach / (over ? std::max(all - closing, (1 - kOverShare) * approach) : all);
 }
 
 // Bits of the points of an impact that will rebound.
@@ -61,6 +79,7 @@ double slowestRebound(const Island& island, const StepContext& context) {
 bool ContactRows::startRebounds(const Island& island, const StepContext& context, double& credit) {
   const double slowest = slowestRebound(island, context);
   const float dt = float(island.dt);
+  std::pmr::vector<char> held(island.memory);  // bodies; found where there is an impact
   bool any = false;
   for (std::size_t k = 0; k < size(); k++) {
     const Contact& c = context.contacts->contacts[contactOf[k]];
@@ -69,21 +88,21 @@ bool ContactRows::startRebounds(const Island& island, const StepContext& context
     ContactRecord& r = records[k];
     const std::uint32_t impacts = impactsOf(c, start, slowest);
     if (impacts == 0) continue;
-    const PointsNow now = pointsAt(r, island.motion.data()), free = freePoints(island, r);
+    if (held.empty()) findHeld(island, context, held);
+    const PointsNow now = pointsAt(r, island.motion.data()), without = waysWithout(island, r, held, context);
     for (int i = 0; i < c.count; i++) {
       if (!(impacts >> i & 1) || !(now.force[i] > 0)) continue;
       float approach = std::max(0.0f, -start.approach[i]), closing = -now.way[i] / dt;
-      // What weights and others add in the step is no part of the impact.
-      float share = free.way[i] < -approach * dt ? approach * dt / -free.way[i] : 1;
-      start.taken[i] = share * now.force[i] * dt;
       bool wentOn = c.points.impulse[i] > 0;
       float born = wentOn ? c.points.impactSpeed[i] : approach;
-      if (closing > kOverShare * born) continue;
-      // A soft spring leaves 1 / (1 + k) of the approach to later steps.
-      float rest = c.effectiveMass / (dt * dt * r.k[i]);
-      start.back[i] = c.restitution * (c.points.impulse[i] + start.taken[i] * (1 + rest)) / dt;
+      bool over = closing <= kOverShare * born;
+      start.taken[i] = impactShare(approach, -without.way[i] / dt, closing, over) * now.force[i] * dt;
+      if (!over) continue;
+      // What still closes is stopped, too, as far as it rebounds.
+      const float found = std::min(start.taken[i], now.force[i] * dt), left = start.taken[i] - found;
+      start.back[i] = c.restitution * (c.points.impulse[i] + start.taken[i] + left) / dt;
       if (!(start.back[i] > 0)) continue;
-      r.tensionCap[i] = -(share * now.force[i] + start.back[i]);
+      r.tensionCap[i] = -(found / dt + start.back[i]);
       if (r.newPoints >> i & 1)
         start.stopping[i] += start.back[i];
       else

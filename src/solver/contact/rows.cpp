@@ -22,6 +22,13 @@ RowTie ContactRows::tie(std::size_t k, const StepContext& context) const {
   return tie;
 }
 
+bool ContactRows::holds(std::size_t k, const StepContext& context) const {
+  const Contact& c = context.contacts->contacts[contactOf[k]];
+  bool any = false;
+  for (int i = 0; i < c.count; i++) any = any || (c.points.forceN[i] > 0 && c.points.impulse[i] == 0);
+  return any;
+}
+
 RowGrip ContactRows::grip(std::size_t k, const StepContext& context) const {
   const Contact& c = context.contacts->contacts[contactOf[k]];
   double force = 0;

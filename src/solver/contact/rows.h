@@ -62,6 +62,8 @@ struct ContactRows {
   bool carriesForce(std::size_t k, const StepContext& context) const {
     return context.contacts->contacts[contactOf[k]].touching;
   }
+  // It carries force that is no impact's.
+  bool holds(std::size_t k, const StepContext& context) const;
   // N: the force from A on B in the last step, along the normal, and the friction that this allows.
   RowGrip grip(std::size_t k, const StepContext& context) const;
   // It carries force, or would at the present motion if one of its bodies went by `way` (m) besides.

@@ -190,7 +190,7 @@ bool takeRelativeMotion(const Island& island, StepContext& context, double exces
 // Where it can be, from what is pressed on alone: what nothing touches flies on.
 void guardFloating(const Island& island, StepContext& context, const IslandEnergy& energy) {
   std::pmr::vector<char> touched(island.memory);
-  findTouched(island, context, touched);
+  findTouched(island, touched, [&](const auto& kind, std::size_t k) { return kind.carriesForce(k, context); });
   if (takeRelativeMotion(island, context, energy.excess(), touched)) return;
   IslandEnergy left = energyOf(island, context);
   touched.assign(touched.size(), 1);
