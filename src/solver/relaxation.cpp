@@ -18,6 +18,8 @@ constexpr int kRounds = 2;  // sweeps over the single bodies in each cycle, forw
 constexpr int kExactSteps = 4;  // of one body in a row
 //! - | too small: cost | too large: bodies are taken up again and again; what slides alone is a little off
 constexpr float kGoal = 0.3f, kGoalExact = 0.01f;  // x what a body may be left with: its own steps end there
+//! - | too small: steps and searches among the rounding of forces: cost | too large: small islands start the direct solve far off
+constexpr float kFloatsTell = 0x1p-21f;  // of the forces on a body: floats tell its residual no better
 //! - | too small: bodies are polished while all around them still moves: cost | too large: more cycles
 constexpr float kLessened = 0.25f;  // of the residual's square: exact steps in a large island end there, too
 //! - | too small: standing walls are searched through: cost | too large: what hangs is not found
@@ -117,7 +119,7 @@ class Relaxation {
   float innerRadius(std::size_t i) const { return float(context_.bodies->mass[island_.bodies[i]].innerRadius); }
   bool balanced(std::size_t i, float share = 1) const {
     const Wrench& g = island_.residual[i];
-    float most = share * allowed_[i], arm = most * innerRadius(i);
+    float most = std::max(share * allowed_[i], kFloatsTell * island_.loads[i]), arm = most * innerRadius(i);
     return dot(g.force, g.force) <= most * most && dot(g.torque, g.torque) <= arm * arm;
   }
   void countOut() {

@@ -46,9 +46,9 @@ PointsNow waysWithout(const Island& island, const ContactRecord& record, const s
   return pointsAt(r, pair);
 }
 
-// Bodies that something held in the last step; impacts hold nothing.
+// Bodies that chains of contacts held in the last step; impacts hold nothing.
 void findHeld(const Island& island, const StepContext& context, std::pmr::vector<char>& held) {
-  findTouched(island, held, [&](const auto& kind, std::size_t k) { return kind.holds(k, context); });
+  findSupported(island, held, [&](const auto& kind, std::size_t k) { return kind.holds(k, context); });
 }
 
 // Of a force that brings what would close at `without` to `closing` (m/s): the share of the impact, which began the step at

@@ -24,8 +24,10 @@ RowTie ContactRows::tie(std::size_t k, const StepContext& context) const {
 
 bool ContactRows::holds(std::size_t k, const StepContext& context) const {
   const Contact& c = context.contacts->contacts[contactOf[k]];
+  const float leaves = float(context.settings.restingApproachSpeed);
   bool any = false;
-  for (int i = 0; i < c.count; i++) any = any || (c.points.forceN[i] > 0 && c.points.impulse[i] == 0);
+  for (int i = 0; i < c.count; i++)
+    any = any || (c.points.forceN[i] > 0 && c.points.impulse[i] == 0 && starts[k].approach[i] < leaves);
   return any;
 }
 

@@ -62,7 +62,7 @@ struct ContactRows {
   bool carriesForce(std::size_t k, const StepContext& context) const {
     return context.contacts->contacts[contactOf[k]].touching;
   }
-  // It carries force that is no impact's.
+  // In the last step it carried force that was no impact's, and its bodies do not part.
   bool holds(std::size_t k, const StepContext& context) const;
   // N: the force from A on B in the last step, along the normal, and the friction that this allows.
   RowGrip grip(std::size_t k, const StepContext& context) const;

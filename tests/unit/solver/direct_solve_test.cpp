@@ -103,8 +103,8 @@ TEST(DirectSolve, EndsUnderItsToleranceAndInTheMinimumOfTheEnergy) {
         ASSERT_TRUE(lab->island().plan.direct);
         SolveStatistics counts = lab->solve();
         Solved solved = now(*lab);
-        // After so many steps ten times that will do, and is told as unbalanced.
-        bool tenfold = counts.cycles >= 1 + 24 && solved.residual >= 5e-4;
+        // Where floats round ten times that will do, once four steps have bettered nothing, and is told as unbalanced.
+        bool tenfold = counts.cycles >= 1 + 4 && solved.residual >= 5e-4;
         EXPECT_EQ(lab->island().ending, tenfold ? IslandEnding::unbalanced : IslandEnding::balanced) << counts.cycles;
         EXPECT_LT(solved.residual, tenfold ? 5e-3 : 5e-4) << counts.cycles;
         EXPECT_TRUE(!tenfold || bricks == 12) << counts.cycles;
@@ -114,7 +114,7 @@ TEST(DirectSolve, EndsUnderItsToleranceAndInTheMinimumOfTheEnergy) {
         oracle::Problem problem = oracle::problemOf(lab->island(), lab->context);
         oracle::takeLimits(problem, lab->island());
         double least = oracle::stepEnergy(problem, solved.motion);
-        EXPECT_NEAR(oracle::imbalanceAt(problem, solved.motion).worst(), solved.residual, 2e-3)
+        EXPECT_NEAR(oracle::imbalanceAt(problem, solved.motion).worst(), solved.residual, tenfold ? 5e-3 : 2e-3)
             << "the law in double agrees";
         for (int n = 0; n < 30; n++) {
           std::vector<oracle::Motion> other = solved.motion;
