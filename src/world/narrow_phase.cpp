@@ -7,6 +7,7 @@
 #include "geometry/queries.h"
 #include "narrowphase/collide.h"
 #include "narrowphase/mesh_collide.h"
+#include "world/look_ahead.h"
 
 namespace brickfall {
 
@@ -197,9 +198,14 @@ void NarrowPhase::collidePair(const CandidatePair& pair, const Approach& approac
   Transform bInA = inverse(a.inCentreFrame) * approach.relative * b.inCentreFrame;
   collide(a.geometry, b.geometry, bInA, reachOf(pair, approach), m);
   computed_++;
-  if (m.count > 0)
-    dropFarPoints(m, bodies_.motion[pair.bodyA], bodies_.motion[pair.bodyB], bodies_.pose(pair.bodyA) * a.inCentreFrame,
-                  marginOf(pair), dt_);
+  if (m.count == 0) return;
+  const BodyMotion &ma = bodies_.motion[pair.bodyA], &mb = bodies_.motion[pair.bodyB];
+  const Mat3& frame = ma.orientation;
+  lookAhead(a, b,
+            {approach.relative, transposeTimes(frame, approach.velocity), transposeTimes(frame, ma.angularVelocity),
+             transposeTimes(frame, mb.angularVelocity)},
+            dt_, reachOf(pair, approach), marginOf(pair), m);
+  if (m.count > 0) dropFarPoints(m, ma, mb, bodies_.pose(pair.bodyA) * a.inCentreFrame, marginOf(pair), dt_);
 }
 
 bool NarrowPhase::updatePair(CandidatePair& pair) {

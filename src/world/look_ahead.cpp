@@ -1,0 +1,161 @@
+#include "world/look_ahead.h"
+
+#include <algorithm>
+
+#include "geometry/core.h"
+#include "narrowphase/collide.h"
+
+namespace brickfall {
+
+namespace {
+
+//! m | too small: cost of what hardly moves | too large: slow balls catch on edges that they pass
+constexpr double kLeastAhead = 1e-3;  // of way in the step: what moves less meets what it is nearest to now
+//! m | too small: cost of what glances | too large: round bodies are turned aside before they touch
+constexpr double kTouches = 1e-5;  // so near is a touch
+//! m | too small: balls lose speed at the seams that they roll over | too large: what glances off an edge passes it
+constexpr double kGrazes = 2e-4;  // by which a round body may overlap what it goes past
+//! m | too small: what slides over seams stops at them | too large: what hits an edge goes over it
+constexpr double kOverlapAhead = 2e-3;  // in which a hit is told from an edge that slides over a face
+//! - | too small: glancing hits keep the normal of the start | too large: cost
+constexpr int kMostAdvances = 12, kMostHalvings = 6;
+//! - | too small: what slides over seams stops at them | too large: hits whose normal turns a little are left out
+constexpr double kSameNormal = 0.9;  // cosine
+
+// The shapes at a moment of the step.
+struct Moment {
+  double time = 0;     // s
+  Manifold manifold;   // frame of shape A
+  Transform place;     // centre frame of B in that of A, both then
+  double apart = 0;    // m, least separation
+  double closing = 0;  // m/s, of the point there
+};
+
+class LookAhead {
+ public:
+  LookAhead(const ShapeData& a, const ShapeData& b, const RelativeMotion& motion, double reach)
+      : a_(a), b_(b), motion_(motion), reach_(reach) {}
+
+  Moment start(const Manifold& m) const { return measured(0, m); }
+  // No points: the shapes are out of reach.
+  Moment at(double time) const {
+    Manifold m;
+    collide(a_.geometry, b_.geometry, inverse(a_.inCentreFrame) * placeAt(time) * b_.inCentreFrame, reach_, m);
+    return measured(time, m);
+  }
+  // Where it lies at the start of the step, seen from the round body. What is round touches with whatever side it has there: its core
+  // goes back, the side does not turn; faces turn back with their body.
+  Manifold atStart(const Moment& then) const {
+    const bool roundA = isRound(a_.geometry.type), roundB = isRound(b_.geometry.type);
+    const Transform back = inverse(a_.inCentreFrame) * motion_.pose * inverse(then.place) * a_.inCentreFrame;
+    const Quat turnedA =
+        quatFromRotationVector(rotate(conjugate(a_.inCentreFrame.rotation), motion_.spinA * then.time));
+    Manifold out = then.manifold;
+    if (roundA) out.normal = rotate(roundB ? turnedA : back.rotation, out.normal);
+    const double radiusA = coreRadius(a_.geometry), radiusB = coreRadius(b_.geometry);
+    for (int i = 0; i < out.count; i++) {
+      ManifoldPoint& p = out.points[i];
+      const Vec3 normal = then.manifold.normal;
+      p.onA = (p.onA - normal * radiusA) + out.normal * radiusA;
+      p.onB = transformPoint(back, p.onB + normal * radiusB) - out.normal * radiusB;
+      p.separation = dot(out.normal, p.onB - p.onA);
+      if (roundB)
+        p.onA = p.onB - out.normal * p.separation;
+      else
+        p.onB = p.onA + out.normal * p.separation;
+    }
+    return out;
+  }
+
+ private:
+  Transform placeAt(double time) const {
+    Quat back = conjugate(quatFromRotationVector(motion_.spinA * time));
+    return {rotate(back, motion_.pose.position + motion_.velocity * time),
+            back * (quatFromRotationVector(motion_.spinB * time) * motion_.pose.rotation)};
+  }
+  Moment measured(double time, const Manifold& m) const {
+    Moment out{time, m, placeAt(time)};
+    if (m.count == 0) return out;
+    const ManifoldPoint* nearest = std::min_element(
+        m.points, m.points + m.count, [](const auto& p, const auto& q) { return p.separation < q.separation; });
+    out.apart = nearest->separation;
+    Quat back = conjugate(quatFromRotationVector(motion_.spinA * time));
+    Vec3 onA = transformPoint(a_.inCentreFrame, nearest->onA), onB = transformPoint(a_.inCentreFrame, nearest->onB);
+    Vec3 v = rotate(back, motion_.velocity) + cross(rotate(back, motion_.spinB), onB - out.place.position) -
+             cross(motion_.spinA, onA);
+    out.closing = -dot(rotate(a_.inCentreFrame.rotation, m.normal), v);
+    return out;
+  }
+
+  const ShapeData &a_, &b_;
+  const RelativeMotion& motion_;
+  double reach_;
+};
+
+// The plane between two convex shapes keeps them apart until the nearest points would have met along its normal: by steps of that
+// length nothing is passed over. Ends where they touch, where they are nearest, or with the step.
+Moment advance(const LookAhead& ahead, Moment now, double dt) {
+  Moment before = now;
+  for (int k = 0; k < kMostAdvances; k++) {
+    if (now.manifold.count == 0 || now.apart <= kTouches || now.time >= dt) return now;
+    if (!(now.closing > 0)) break;
+    before = now;
+    now = ahead.at(std::min(dt, now.time + now.apart / now.closing));
+  }
+  for (int k = 0; k < kMostHalvings && now.manifold.count > 0 && now.apart > kTouches && !(now.closing > 0); k++) {
+    Moment middle = ahead.at(0.5 * (before.time + now.time));
+    if (middle.closing > 0)
+      before = middle;
+    else
+      now = middle;
+  }
+  return now;
+}
+
+// What touches overlaps by no more than kGrazes before it is past.
+bool grazes(const LookAhead& ahead, Moment now, double dt) {
+  for (int k = 0; k < kMostAdvances && now.closing > 0 && now.apart > -kGrazes; k++) {
+    const double until = now.time + (now.apart + 1.1 * kGrazes) / now.closing;
+    if (until >= dt) return false;
+    now = ahead.at(until);
+  }
+  return now.manifold.count > 0 && now.apart > -kGrazes;
+}
+
+bool lookAheadRound(const LookAhead& ahead, const Moment& now, double dt, double margin, Manifold& m) {
+  if (!(now.closing > 0) || now.apart < -kGrazes) return false;
+  const Moment then = advance(ahead, now, dt);
+  if (then.manifold.count == 0 || then.apart > margin || (then.apart <= kTouches && grazes(ahead, then, dt))) {
+    m.count = 0;
+    return true;
+  }
+  if (then.time == 0) return false;
+  m = ahead.atStart(then);
+  return true;
+}
+
+// An edge that has come over a face by no more than it has sunk into it, and does not come nearer, slides over it.
+bool slidesOver(const LookAhead& ahead, const Moment& now, double dt) {
+  const double until = now.time + (now.apart + kOverlapAhead) / now.closing;
+  if (until >= dt) return false;
+  const Moment then = ahead.at(until);
+  return then.manifold.count > 0 && dot(then.manifold.normal, now.manifold.normal) < kSameNormal &&
+         then.apart > -0.5 * kOverlapAhead && then.closing * dt < kOverlapAhead;
+}
+
+}  // namespace
+
+bool lookAhead(const ShapeData& a, const ShapeData& b, const RelativeMotion& motion, double dt, double reach,
+               double margin, Manifold& m) {
+  const double most = kLeastAhead / dt;
+  if (a.geometry.type == ShapeType::plane || b.geometry.type == ShapeType::plane) return false;  // it has one normal
+  if (lengthSquared(motion.velocity) < most * most) return false;
+  const LookAhead ahead(a, b, motion, reach);
+  const Moment now = ahead.start(m);
+  if (isRound(a.geometry.type) || isRound(b.geometry.type)) return lookAheadRound(ahead, now, dt, margin, m);
+  if (!(now.closing > most) || now.apart < -kOverlapAhead || !slidesOver(ahead, now, dt)) return false;
+  m.count = 0;
+  return true;
+}
+
+}  // namespace brickfall

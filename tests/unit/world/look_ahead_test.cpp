@@ -1,0 +1,118 @@
+// What shapes will meet: against where they really first touch, found by small steps.
+#include "world/look_ahead.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "geometry/queries.h"
+#include "math/random.h"
+#include "narrowphase/collide.h"
+
+namespace brickfall {
+namespace {
+
+constexpr double kStep = 1.0 / 60, kMargin = 0.005, kReach = 5;
+
+ShapeData box(Vec3 halfExtents) {
+  ShapeData s;
+  s.geometry.type = ShapeType::box;
+  s.geometry.halfExtents = halfExtents;
+  return s;
+}
+ShapeData ball(double radius) {
+  ShapeData s;
+  s.geometry.type = ShapeType::sphere;
+  s.geometry.radius = radius;
+  return s;
+}
+struct Ahead {
+  bool changed = false;
+  Manifold before, after;
+};
+Ahead ahead(const ShapeData& a, const ShapeData& b, const RelativeMotion& motion) {
+  Ahead out;
+  collide(a.geometry, b.geometry, motion.pose, kReach, out.before);
+  out.after = out.before;
+  out.changed = lookAhead(a, b, motion, kStep, kReach, kMargin, out.after);
+  return out;
+}
+
+TEST(LookAhead, BallThatFliesPastAnEdgeMeetsNothing) {
+  const ShapeData block = box({0.1, 0.3, 0.1});
+  for (double speed : {2.0, 10.0, 60.0})
+    for (double clearance : {0.006, 0.02})
+      for (double spin : {0.0, 30.0}) {
+        const double along = 0.3 + 0.4 * speed * kStep;  // m, it is beside the edge within the step
+        RelativeMotion motion{{{0.2 + clearance, along, 0}, {}}, {0, -speed, 0}, {}, {0, 0, spin}};
+        Ahead found = ahead(block, ball(0.1), motion);
+        EXPECT_EQ(found.before.count, 1);
+        EXPECT_EQ(found.after.count, 0) << speed << " m/s, " << clearance << " m beside it, spin " << spin;
+      }
+  RelativeMotion both{{{0.206, 0.2, 0}, {}}, {0, -30, 0}, {}, {}};
+  EXPECT_EQ(ahead(ball(0.1), ball(0.1), both).after.count, 0);
+}
+
+// The plane that keeps a ball from a box is met when they touch, and stands as the box's surface does there.
+TEST(LookAhead, BallMeetsWhatItReallyTouches) {
+  Random random(7);
+  const ShapeData block = box({0.3, 0.2, 0.25}), sphere = ball(0.08);
+  int hits = 0, turned = 0;
+  for (int k = 0; k < 400; k++) {
+    RelativeMotion motion;
+    motion.pose.position = {random.between(-0.7, 0.7), random.between(0.3, 0.6), random.between(-0.7, 0.7)};
+    Vec3 aim{random.between(-0.3, 0.3), random.between(-0.2, 0.2), random.between(-0.25, 0.25)};
+    motion.velocity = normalized(aim - motion.pose.position) * random.between(5, 50);
+    motion.spinB = {random.between(-20, 20), random.between(-20, 20), random.between(-20, 20)};
+    const double least = 1e-3;
+    double when = 0;  // s, of the first touch
+    Manifold now;
+    auto apart = [&](double time) {
+      collide(block.geometry, sphere.geometry, {motion.pose.position + motion.velocity * time, {}}, kReach, now);
+      return now.points[0].separation;
+    };
+    if (apart(0) < least) continue;
+    while (when < kStep && apart(when) > 0) when += kStep / 4000;
+    if (when >= kStep || apart(std::min(kStep, when + 5e-3 / length(motion.velocity))) > -least)
+      continue;  // it only grazes
+    apart(when);
+    Ahead found = ahead(block, sphere, motion);
+    ASSERT_EQ(found.after.count, 1) << k;
+    hits++;
+    turned += dot(found.before.normal, now.normal) < 0.95;
+    const ManifoldPoint& p = found.after.points[0];
+    EXPECT_GT(dot(found.after.normal, now.normal), 0.9999) << k;
+    EXPECT_NEAR(p.separation, -dot(now.normal, motion.velocity) * when, 2e-3) << k << ": closed when it is there";
+    EXPECT_NEAR(length(p.onB - (motion.pose.position - found.after.normal * 0.08)), 0, 1e-9)
+        << "on the ball, where it is now";
+    EXPECT_NEAR(length(p.onB - p.onA - found.after.normal * p.separation), 0, 1e-12);
+  }
+  EXPECT_GT(hits, 60);
+  EXPECT_GT(turned, 15) << "of them the nearest point at the start says something else";
+}
+
+TEST(LookAhead, BoxSlidesOverASeam) {
+  const ShapeData tile = box({0.1, 0.03, 0.1}), slider = box({0.05, 0.05, 0.05});
+  for (double sunk : {0.0, 2e-5, 5e-4}) {
+    RelativeMotion motion{{{-0.17, 0.08 - sunk, 0}, {}}, {3, 0, 0}, {}, {}};  // 20 mm before the tile's edge
+    Ahead found = ahead(tile, slider, motion);
+    EXPECT_TRUE(sunk == 0 || found.before.count > 0) << "the side of the tile is nearest";
+    EXPECT_TRUE(found.after.count == 0 || std::fabs(found.after.normal.y) > 0.9) << sunk;
+  }
+  for (double step : {0.005, 0.02}) {  // m, the tile stands higher by so much
+    RelativeMotion motion{{{-0.17, 0.08 - step, 0}, {}}, {3, 0, 0}, {}, {}};
+    Ahead found = ahead(tile, slider, motion);
+    EXPECT_FALSE(found.changed) << step;
+    EXPECT_LT(found.after.normal.x, -0.9) << "it hits the side";
+  }
+}
+
+TEST(LookAhead, WhatHardlyMovesStaysAsItIs) {
+  for (double speed : {0.0, 0.05}) {
+    RelativeMotion motion{{{0.15, 0.4, 0}, {}}, {0, -speed, 0}, {}, {}};
+    EXPECT_FALSE(ahead(box({0.1, 0.3, 0.1}), ball(0.1), motion).changed);
+  }
+}
+
+}  // namespace
+}  // namespace brickfall
