@@ -15,12 +15,19 @@ constexpr double kLeastAhead = 1e-3;  // of way in the step: what moves less mee
 constexpr double kTouches = 1e-5;  // so near is a touch
 //! m | too small: balls lose speed at the seams that they roll over | too large: what glances off an edge passes it
 constexpr double kGrazes = 2e-4;  // by which a round body may overlap what it goes past
-//! m | too small: what slides over seams stops at them | too large: what hits an edge goes over it
-constexpr double kOverlapAhead = 2e-3;  // in which a hit is told from an edge that slides over a face
+//! m, inner radii | too small: what slides over seams stops at them | too large: what hits an edge goes over it
+constexpr double kOverlapAhead = 2e-3,
+                 kOverlapShare = 0.1;  // in which a hit is told from an edge that slides over a face
 //! - | too small: glancing hits keep the normal of the start | too large: cost
 constexpr int kMostAdvances = 12, kMostHalvings = 6;
 //! - | too small: what slides over seams stops at them | too large: hits whose normal turns a little are left out
 constexpr double kSameNormal = 0.9;  // cosine
+//! - | too small: hits on edges are left out | too large: thin plates that meet face on go through each other
+constexpr double kTurnedOver = -0.5;  // cosine: a normal that says that they have passed through each other
+
+//! rad | too small: what spins bounces off what it passes | too large: the ends of what spins pass through
+constexpr double kMostTurnAhead =
+    0.2;  // of a body in the step: what turns further sweeps over more than its points show
 
 // The shapes at a moment of the step.
 struct Moment {
@@ -119,43 +126,62 @@ bool grazes(const LookAhead& ahead, Moment now, double dt) {
     if (until >= dt) return false;
     now = ahead.at(until);
   }
-  return now.manifold.count > 0 && now.apart > -kGrazes;
+  return now.manifold.count > 0 && now.apart > -kGrazes && !(now.closing > 0);
 }
 
-bool lookAheadRound(const LookAhead& ahead, const Moment& now, double dt, double margin, Manifold& m) {
-  if (!(now.closing > 0) || now.apart < -kGrazes) return false;
+// Turns bring nearer what planes keep apart: nothing is passed that the step would end in.
+bool endsIn(const LookAhead& ahead, double dt, double deep) {
+  const Moment end = ahead.at(dt);
+  return end.manifold.count > 0 && end.apart < -deep;
+}
+
+Ahead lookAheadRound(const LookAhead& ahead, const Moment& now, double dt, double margin, Manifold& m) {
+  if (!(now.closing > 0) || now.apart < -kGrazes) return {};
   const Moment then = advance(ahead, now, dt);
-  if (then.manifold.count == 0 || then.apart > margin || (then.apart <= kTouches && grazes(ahead, then, dt))) {
-    m.count = 0;
-    return true;
-  }
-  if (then.time == 0) return false;
+  const bool far = then.manifold.count == 0 || (then.apart > margin && (then.time >= dt || !(then.closing > 0)));
+  if (far || (then.apart <= kTouches && grazes(ahead, then, dt)))
+    return endsIn(ahead, dt, kGrazes) ? Ahead{} : Ahead{AheadFound::passes, far ? then.time : 0};
+  if (then.time == 0) return {};
   m = ahead.atStart(then);
-  return true;
+  return {AheadFound::meets, then.time};
 }
 
-// An edge that has come over a face by no more than it has sunk into it, and does not come nearer, slides over it.
-bool slidesOver(const LookAhead& ahead, const Moment& now, double dt) {
-  const double until = now.time + (now.apart + kOverlapAhead) / now.closing;
+// An edge that is `overlap` further on overlaps another face, by less than half of that, and comes no nearer: it slides over it.
+bool slidesOver(const LookAhead& ahead, const Moment& now, double dt, double overlap) {
+  const double until = now.time + (now.apart + overlap) / now.closing;
   if (until >= dt) return false;
   const Moment then = ahead.at(until);
-  return then.manifold.count > 0 && dot(then.manifold.normal, now.manifold.normal) < kSameNormal &&
-         then.apart > -0.5 * kOverlapAhead && then.closing * dt < kOverlapAhead;
+  const double turned = dot(then.manifold.normal, now.manifold.normal);
+  return then.manifold.count > 0 && turned < kSameNormal && turned > kTurnedOver && then.apart > -0.5 * overlap &&
+         then.closing * dt < overlap && !endsIn(ahead, dt, overlap);
+}
+
+// Spin in the body's own frame. What is round about an axis through its centre turns into itself.
+bool turnsTooFar(const ShapeData& shape, Vec3 spin, double dt) {
+  const bool centred = lengthSquared(shape.inCentreFrame.position) == 0;
+  if (centred && shape.geometry.type == ShapeType::sphere) return false;
+  if (centred && shape.geometry.type == ShapeType::capsule) {
+    const Vec3 axis = rotate(shape.inCentreFrame.rotation, Vec3{0, 1, 0});
+    spin -= axis * dot(axis, spin);
+  }
+  return !(length(spin) * dt < kMostTurnAhead);
 }
 
 }  // namespace
 
-bool lookAhead(const ShapeData& a, const ShapeData& b, const RelativeMotion& motion, double dt, double reach,
-               double margin, Manifold& m) {
+Ahead lookAhead(const ShapeData& a, const ShapeData& b, const RelativeMotion& motion, double dt, double reach,
+                double margin, Manifold& m) {
   const double most = kLeastAhead / dt;
-  if (a.geometry.type == ShapeType::plane || b.geometry.type == ShapeType::plane) return false;  // it has one normal
-  if (lengthSquared(motion.velocity) < most * most) return false;
+  if (a.geometry.type == ShapeType::plane || b.geometry.type == ShapeType::plane) return {};  // it has one normal
+  if (lengthSquared(motion.velocity) < most * most) return {};
+  const Vec3 spinB = rotate(conjugate(motion.pose.rotation), motion.spinB);
+  if (turnsTooFar(a, motion.spinA, dt) || turnsTooFar(b, spinB, dt)) return {};
   const LookAhead ahead(a, b, motion, reach);
   const Moment now = ahead.start(m);
   if (isRound(a.geometry.type) || isRound(b.geometry.type)) return lookAheadRound(ahead, now, dt, margin, m);
-  if (!(now.closing > most) || now.apart < -kOverlapAhead || !slidesOver(ahead, now, dt)) return false;
-  m.count = 0;
-  return true;
+  const double overlap = std::min(kOverlapAhead, kOverlapShare * std::min(a.innerRadius, b.innerRadius));
+  if (!(now.closing > most) || now.apart < -overlap || !slidesOver(ahead, now, dt, overlap)) return {};
+  return {AheadFound::passes, 0};
 }
 
 }  // namespace brickfall

@@ -14,10 +14,20 @@ struct RelativeMotion {
   Vec3 spinA, spinB;  // rad/s
 };
 
-// Of the manifold `m` of two shapes as they are now, for the coming dt: where they meet only later, the points and the normal with
-// which they do (round shapes), as they lie now; no points where they pass each other at more than `margin` (m), or where one's edge
-// slides over the other's face. Convex shapes; `reach` (m): of the manifold. True if anything was changed.
-bool lookAhead(const ShapeData& a, const ShapeData& b, const RelativeMotion& motion, double dt, double reach,
-               double margin, Manifold& m);
+enum class AheadFound {
+  asNow,   // what is nearest now
+  meets,   // the manifold of a later moment
+  passes,  // nothing, if both go on straight until then
+};
+struct Ahead {
+  AheadFound found = AheadFound::asNow;
+  double time = 0;  // s, of that moment
+};
+
+// What two shapes with the manifold `m` will meet in the coming dt. Round shapes that meet only later: `m` becomes that of the touch, as it
+// lies now. Those that pass each other at more than `margin` (m), and what slides over a face whose side it would have hit, pass: `m` stays.
+// Convex shapes; `reach` (m): of the manifold.
+Ahead lookAhead(const ShapeData& a, const ShapeData& b, const RelativeMotion& motion, double dt, double reach,
+                double margin, Manifold& m);
 
 }  // namespace brickfall

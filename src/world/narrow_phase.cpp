@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "dynamics/point_matcher.h"
 #include "geometry/queries.h"
@@ -22,6 +23,9 @@ constexpr double kReuseStep = 1e-3;  // m, and relative motion expected in the c
 
 //! - | too small: memory goes to another face | too large: memory is lost where a mesh is curved
 constexpr double kSamePart = 0.9;  // cosine between the normals of a part of a mesh contact and of its successor
+
+//! m | too small: what rolls bounces off what it passes | too large: what bounces goes into what it then meets
+constexpr double kAside = 1e-3;  // by which a touch turns a body aside from what it would have passed
 
 bool canReuse(const Contact& c, const ContactGeometry& g, const Transform& relative, Vec3 relativeVelocity, double dt) {
   if (c.rolls) return false;
@@ -101,6 +105,7 @@ void measurePoints(Contact& c, ContactGeometry& g, const Transform& relative) {
 void NarrowPhase::run() {
   std::size_t kept = 0;
   proximity_.newParts.clear();
+  proximity_.passed.clear();
   for (std::size_t n = 0; n < contacts_.pairs.size(); n++) {
     CandidatePair pair = contacts_.pairs[n];
     if (isStill(pair)) {  // whatever its shapes are
@@ -109,7 +114,10 @@ void NarrowPhase::run() {
       continue;
     }
     if (!meetsMesh(pair)) {
-      if (updatePair(pair)) contacts_.pairs[kept++] = pair;
+      const std::size_t passed = proximity_.passed.size();
+      if (!updatePair(pair, true)) continue;
+      if (proximity_.passed.size() > passed) proximity_.passed.back().pair = std::uint32_t(kept);
+      contacts_.pairs[kept++] = pair;
       continue;
     }
     CandidatePair parts[kMaxMeshManifolds] = {pair};
@@ -119,13 +127,14 @@ void NarrowPhase::run() {
     for (int i = 0; i < left; i++) contacts_.pairs[kept++] = parts[i];
   }
   contacts_.pairs.resize(kept);
+  restorePassed();
   contacts_.insert(proximity_.newParts);
 }
 
 void NarrowPhase::meet(CandidatePair pair, std::vector<CandidatePair>& out) {
   if (isStill(pair)) return;
   if (!meetsMesh(pair)) {
-    if (updatePair(pair)) out.push_back(pair);
+    if (updatePair(pair, false)) out.push_back(pair);
     return;
   }
   proximity_.newParts.clear();
@@ -149,7 +158,7 @@ void NarrowPhase::renew(ContactIndex contact) {
       if (found.list[i].count > 0 && alike > most) most = alike, now = found.list[i];
     }
   } else {
-    collidePair(pair, approach, now);
+    collidePair(pair, approach, false, now);
   }
   if (now.count > 0) makeContact(pair, now, approach.relative);
 }
@@ -193,22 +202,71 @@ bool NarrowPhase::mayReuse(const CandidatePair& pair, const Approach& approach) 
                   approach.velocity, dt_);
 }
 
-void NarrowPhase::collidePair(const CandidatePair& pair, const Approach& approach, Manifold& m) {
+void NarrowPhase::collidePair(const CandidatePair& pair, const Approach& approach, bool ahead, Manifold& m) {
   const ShapeData &a = shapes_.data[pair.shapeA], &b = shapes_.data[pair.shapeB];
   Transform bInA = inverse(a.inCentreFrame) * approach.relative * b.inCentreFrame;
   collide(a.geometry, b.geometry, bInA, reachOf(pair, approach), m);
   computed_++;
-  if (m.count == 0) return;
-  const BodyMotion &ma = bodies_.motion[pair.bodyA], &mb = bodies_.motion[pair.bodyB];
-  const Mat3& frame = ma.orientation;
-  lookAhead(a, b,
-            {approach.relative, transposeTimes(frame, approach.velocity), transposeTimes(frame, ma.angularVelocity),
-             transposeTimes(frame, mb.angularVelocity)},
-            dt_, reachOf(pair, approach), marginOf(pair), m);
-  if (m.count > 0) dropFarPoints(m, ma, mb, bodies_.pose(pair.bodyA) * a.inCentreFrame, marginOf(pair), dt_);
+  // What rolls, and carries a load, is where it is.
+  const Contact* had = pair.contact != kNoIndex ? &contacts_.contacts[pair.contact] : nullptr;
+  const bool touches = had && had->touching && had->rolls;
+  if (m.count > 0 && ahead && !touches) lookAheadOf(pair, approach, m);
+  if (m.count > 0)
+    dropFarPoints(m, bodies_.motion[pair.bodyA], bodies_.motion[pair.bodyB], bodies_.pose(pair.bodyA) * a.inCentreFrame,
+                  marginOf(pair), dt_);
 }
 
-bool NarrowPhase::updatePair(CandidatePair& pair) {
+void NarrowPhase::lookAheadOf(const CandidatePair& pair, const Approach& approach, Manifold& m) {
+  const BodyMotion &a = bodies_.motion[pair.bodyA], &b = bodies_.motion[pair.bodyB];
+  const RelativeMotion motion{approach.relative, transposeTimes(a.orientation, approach.velocity),
+                              transposeTimes(a.orientation, a.angularVelocity),
+                              transposeTimes(a.orientation, b.angularVelocity)};
+  const Ahead ahead = lookAhead(shapes_.data[pair.shapeA], shapes_.data[pair.shapeB], motion, dt_,
+                                reachOf(pair, approach), marginOf(pair), m);
+  if (ahead.found != AheadFound::passes) return;
+  proximity_.passed.push_back({kNoIndex, ahead.time});
+  m.count = 0;
+}
+
+// Of the bodies that pass something: until when what they touch before turns none of them aside by more than kAside.
+void NarrowPhase::findStraight() {
+  std::vector<double>& until = proximity_.straightUntil;
+  constexpr double kNot = -1;  // passes nothing
+  until.assign(bodies_.slots(), kNot);
+  for (const PassedPair& passed : proximity_.passed) {
+    const CandidatePair& pair = contacts_.pairs[passed.pair];
+    until[pair.bodyA] = until[pair.bodyB] = std::numeric_limits<double>::infinity();
+  }
+  for (const CandidatePair& pair : contacts_.pairs) {
+    if (pair.contact == kNoIndex || (until[pair.bodyA] < 0 && until[pair.bodyB] < 0)) continue;
+    const Contact& c = contacts_.contacts[pair.contact];
+    const BodyMotion &a = bodies_.motion[pair.bodyA], &b = bodies_.motion[pair.bodyB];
+    const Vec3 n = a.orientation * contacts_.geometry[pair.contact].normal;
+    const Vec3 at = a.position + a.orientation * contacts_.geometry[pair.contact].centre;
+    const double closing = dot(n, a.linearVelocity + cross(a.angularVelocity, at - a.position) - b.linearVelocity -
+                                      cross(b.angularVelocity, at - b.position));
+    if (!(closing > 0)) continue;
+    const double gap = double(*std::min_element(c.points.gap, c.points.gap + c.count));
+    const double aside = (std::max(0.0, gap) + kAside) / closing;
+    for (BodyIndex body : {pair.bodyA, pair.bodyB})
+      if (bodies_.mass[body].invMass > 0) until[body] = std::min(until[body], aside);
+  }
+}
+
+void NarrowPhase::restorePassed() {
+  if (proximity_.passed.empty()) return;
+  findStraight();
+  for (const PassedPair& passed : proximity_.passed) {
+    CandidatePair& pair = contacts_.pairs[passed.pair];
+    if (std::min(proximity_.straightUntil[pair.bodyA], proximity_.straightUntil[pair.bodyB]) >= passed.time) continue;
+    Approach approach = approachOf(pair);
+    Manifold now;
+    collidePair(pair, approach, false, now);
+    makeContact(pair, now, approach.relative);
+  }
+}
+
+bool NarrowPhase::updatePair(CandidatePair& pair, bool ahead) {
   if (haveParted(pair)) {
     if (pair.contact != kNoIndex) contacts_.destroy(pair.contact);
     return false;
@@ -219,7 +277,7 @@ bool NarrowPhase::updatePair(CandidatePair& pair) {
     return true;
   }
   Manifold m;
-  if (approach.near) collidePair(pair, approach, m);
+  if (approach.near) collidePair(pair, approach, ahead, m);
   makeContact(pair, m, approach.relative);
   return true;
 }

@@ -33,8 +33,12 @@ class NarrowPhase {
   };
 
   // Of bodies of which one has moved.
-  bool updatePair(CandidatePair& pair);  // false: it is forgotten
-  void collidePair(const CandidatePair& pair, const Approach& approach, Manifold& m);
+  bool updatePair(CandidatePair& pair, bool ahead);  // false: it is forgotten
+  void collidePair(const CandidatePair& pair, const Approach& approach, bool ahead, Manifold& m);
+  void lookAheadOf(const CandidatePair& pair, const Approach& approach, Manifold& m);
+  void findStraight();
+  // What passes only if it goes on straight, and does not, keeps what is nearest now.
+  void restorePassed();
   // All parts of a shape and a mesh; the first ones, as many as it returns, are kept.
   int updateParts(CandidatePair* parts, int count);
   void findParts(const CandidatePair& pair, const Approach& approach, MeshManifolds& found);

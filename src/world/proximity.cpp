@@ -95,6 +95,8 @@ void Proximity::keepRoom(std::size_t shapes, std::size_t touching) {
   foundPairs.reserve(contacts.pairs.capacity());
   newPairs.reserve(contacts.pairs.capacity());
   brickfall::keepRoom(newParts, touching);
+  brickfall::keepRoom(passed, touching);
+  keepRoomFor(straightUntil, shapes);
   keepRoomFor(following, shapes);
   brickfall::keepRoom(meshScratch.faces, kMeshScratch);
   brickfall::keepRoom(meshScratch.points, kMeshScratch);

@@ -19,6 +19,12 @@ struct Surroundings {
   Aabb swept;                   // m: bounds over the coming step at the present velocity, grown by the contact margin
 };
 
+// A pair that passes each other in the coming step, if both go on straight until then.
+struct PassedPair {
+  std::uint32_t pair = 0;  // in ContactSet::pairs
+  double time = 0;         // s
+};
+
 class Proximity {
  public:
   // Empty, of a world with these settings.
@@ -32,6 +38,8 @@ class Proximity {
   BroadPhase::Pairs foundPairs;
   std::vector<CandidatePair> newPairs;
   std::vector<CandidatePair> newParts;  // of pairs with a mesh
+  std::vector<PassedPair> passed;
+  std::vector<double> straightUntil;    // s, by body, of those that pass something
   std::vector<BoundsUpdate> following;  // what the broad phase is to be told
   MeshScratch meshScratch;
 

@@ -89,6 +89,7 @@ TEST(StageTrace, anotherSettingIsFoundInTheStageThatReadsIt) {
       {"contacts", [](WorldDef&, ShapeDef& s) { s.material.friction *= 1.0001; }},
       {"prepare", [](WorldDef& d, ShapeDef&) { d.airDensity *= 1.0001; }},
       {"rest", [](WorldDef& d, ShapeDef&) { d.solver.restTolerance = 0.9; }},
+      // By less an impact, which is solved as far as floats tell, is the same.
       {"impacts", [](WorldDef& d, ShapeDef&) { d.solver.restingStiffness *= 1.5; }},
       {"sleep", [](WorldDef& d, ShapeDef&) { d.sleepDelay = 0.25; }},
       {"events", [](WorldDef& d, ShapeDef&) { d.hitEventSpeed = 3; }},

@@ -27,5 +27,27 @@ TEST(Regression, BallBouncesOffWhatItFliesPast) {
       }
 }
 
+// What flies straight on passes under the wall; but the floor turns it into the wall.
+TEST(Regression, BallGoesIntoTheWallBehindTheFloor) {
+  for (bool plane : {true, false})
+    for (double before : {0.02, 0.06, 0.1, 0.15, 0.25}) {  // m, the floor is hit so far before the wall
+      World world = awakeWorld();
+      if (plane)
+        addGround(world, 0);
+      else
+        add(world, bodyOf(boxOf({5, 0.5, 5}, 1000, 0), {0, -0.5, 0}, BodyType::fixed));
+      add(world, bodyOf(boxOf({0.1, 0.5, 1}, 1000, 0), {0.1, 0.5, 0}, BodyType::fixed));
+      BodyDef ball = bodyOf(sphereOf(0.05, 7800, 0), {-0.05 - before - 0.15, 0.2, 0});
+      ball.linearVelocity = {14, -14, 0};
+      BodyId body = add(world, ball);
+      double deepest = 0;
+      for (int k = 0; k < 20; k++) {
+        stepSound(world, kDt);
+        deepest = std::max(deepest, world.state(body)->position.x + 0.05);
+      }
+      EXPECT_LT(deepest, 0.01) << "plane " << plane << ", " << before;
+    }
+}
+
 }  // namespace
 }  // namespace brickfall
