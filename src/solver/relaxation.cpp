@@ -90,7 +90,12 @@ class Relaxation {
     }
     if (island_.grounded() && !island_.plan.exactSteps && (!island_.plan.slow || slides(island_, context_)))
       moveAsOne();
-    return done;
+    // What was let fall, or moved as one, may have left others out.
+    if (done && island_.plan.byLoad) {
+      findAllowed();
+      countOut();
+    }
+    return done && out_ == 0;
   }
 
  private:
@@ -119,7 +124,8 @@ class Relaxation {
   float innerRadius(std::size_t i) const { return float(context_.bodies->mass[island_.bodies[i]].innerRadius); }
   bool balanced(std::size_t i, float share = 1) const {
     const Wrench& g = island_.residual[i];
-    float most = std::max(share * allowed_[i], kFloatsTell * island_.loads[i]), arm = most * innerRadius(i);
+    float rounding = island_.plan.direct ? kFloatsTell * island_.loads[i] : 0;
+    float most = std::max(share * allowed_[i], rounding), arm = most * innerRadius(i);
     return dot(g.force, g.force) <= most * most && dot(g.torque, g.torque) <= arm * arm;
   }
   void countOut() {
