@@ -11,6 +11,8 @@ namespace {
 
 //! m | too small: cost of what hardly moves | too large: slow balls catch on edges that they pass
 constexpr double kLeastAhead = 1e-3;  // of way in the step: what moves less meets what it is nearest to now
+//! inner radii | too small: what is fast bounces off what it passes | too large: tiny bodies slip past the corners that they hit
+constexpr double kMostAhead = 64;  // of way in the step
 //! m | too small: cost of what glances | too large: round bodies are turned aside before they touch
 constexpr double kTouches = 1e-5;  // so near is a touch
 //! m | too small: balls lose speed at the seams that they roll over | too large: what glances off an edge passes it
@@ -174,6 +176,8 @@ Ahead lookAhead(const ShapeData& a, const ShapeData& b, const RelativeMotion& mo
   const double most = kLeastAhead / dt;
   if (a.geometry.type == ShapeType::plane || b.geometry.type == ShapeType::plane) return {};  // it has one normal
   if (lengthSquared(motion.velocity) < most * most) return {};
+  const double far = kMostAhead * std::min(a.innerRadius, b.innerRadius) / dt;
+  if (lengthSquared(motion.velocity) > far * far) return {};
   const Vec3 spinB = rotate(conjugate(motion.pose.rotation), motion.spinB);
   if (turnsTooFar(a, motion.spinA, dt) || turnsTooFar(b, spinB, dt)) return {};
   const LookAhead ahead(a, b, motion, reach);
