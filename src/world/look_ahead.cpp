@@ -145,7 +145,7 @@ Ahead lookAheadRound(const LookAhead& ahead, const Moment& now, double dt, doubl
     return endsIn(ahead, dt, kGrazes) ? Ahead{} : Ahead{AheadFound::passes, far ? then.time : 0};
   if (then.time == 0) return {};
   m = ahead.atStart(then);
-  return {AheadFound::meets, then.time};
+  return {AheadFound::meets};
 }
 
 // An edge that is `overlap` further on overlaps another face, by less than half of that, and comes no nearer: it slides over it.
@@ -185,7 +185,7 @@ Ahead lookAhead(const ShapeData& a, const ShapeData& b, const RelativeMotion& mo
   if (isRound(a.geometry.type) || isRound(b.geometry.type)) return lookAheadRound(ahead, now, dt, margin, m);
   const double overlap = std::min(kOverlapAhead, kOverlapShare * std::min(a.innerRadius, b.innerRadius));
   if (!(now.closing > most) || now.apart < -overlap || !slidesOver(ahead, now, dt, overlap)) return {};
-  return {AheadFound::passes, 0};
+  return {AheadFound::passes};
 }
 
 }  // namespace brickfall

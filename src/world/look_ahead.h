@@ -17,11 +17,11 @@ struct RelativeMotion {
 enum class AheadFound {
   asNow,   // what is nearest now
   meets,   // the manifold of a later moment
-  passes,  // nothing, if both go on straight until then
+  passes,  // nothing, if both go on straight until `time`
 };
 struct Ahead {
   AheadFound found = AheadFound::asNow;
-  double time = 0;  // s, of that moment
+  double time = 0;  // s, of passes: when they are past; 0 where what turns them aside does not matter
 };
 
 // What two shapes with the manifold `m` will meet in the coming dt. Round shapes that meet only later: `m` becomes that of the touch, as it

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "dynamics/point_matcher.h"
 #include "geometry/queries.h"
@@ -23,9 +22,6 @@ constexpr double kReuseStep = 1e-3;  // m, and relative motion expected in the c
 
 //! - | too small: memory goes to another face | too large: memory is lost where a mesh is curved
 constexpr double kSamePart = 0.9;  // cosine between the normals of a part of a mesh contact and of its successor
-
-//! m | too small: what rolls bounces off what it passes | too large: what bounces goes into what it then meets
-constexpr double kAside = 1e-3;  // by which a touch turns a body aside from what it would have passed
 
 bool canReuse(const Contact& c, const ContactGeometry& g, const Transform& relative, Vec3 relativeVelocity, double dt) {
   if (c.rolls) return false;
@@ -115,8 +111,8 @@ void NarrowPhase::run() {
     }
     if (!meetsMesh(pair)) {
       const std::size_t passed = proximity_.passed.size();
-      if (!updatePair(pair, true)) continue;
-      if (proximity_.passed.size() > passed) proximity_.passed.back().pair = std::uint32_t(kept);
+      if (!updatePair(pair, Look::ahead)) continue;
+      if (proximity_.passed.size() > passed) proximity_.passed.back().pair = std::uint32_t(kept);  // where it will lie
       contacts_.pairs[kept++] = pair;
       continue;
     }
@@ -134,7 +130,7 @@ void NarrowPhase::run() {
 void NarrowPhase::meet(CandidatePair pair, std::vector<CandidatePair>& out) {
   if (isStill(pair)) return;
   if (!meetsMesh(pair)) {
-    if (updatePair(pair, false)) out.push_back(pair);
+    if (updatePair(pair, Look::asNow)) out.push_back(pair);
     return;
   }
   proximity_.newParts.clear();
@@ -158,7 +154,7 @@ void NarrowPhase::renew(ContactIndex contact) {
       if (found.list[i].count > 0 && alike > most) most = alike, now = found.list[i];
     }
   } else {
-    collidePair(pair, approach, false, now);
+    collidePair(pair, approach, Look::asNow, now);
   }
   if (now.count > 0) makeContact(pair, now, approach.relative);
 }
@@ -202,7 +198,7 @@ bool NarrowPhase::mayReuse(const CandidatePair& pair, const Approach& approach) 
                   approach.velocity, dt_);
 }
 
-void NarrowPhase::collidePair(const CandidatePair& pair, const Approach& approach, bool ahead, Manifold& m) {
+void NarrowPhase::collidePair(const CandidatePair& pair, const Approach& approach, Look look, Manifold& m) {
   const ShapeData &a = shapes_.data[pair.shapeA], &b = shapes_.data[pair.shapeB];
   Transform bInA = inverse(a.inCentreFrame) * approach.relative * b.inCentreFrame;
   collide(a.geometry, b.geometry, bInA, reachOf(pair, approach), m);
@@ -210,7 +206,7 @@ void NarrowPhase::collidePair(const CandidatePair& pair, const Approach& approac
   // What rolls, and carries a load, is where it is.
   const Contact* had = pair.contact != kNoIndex ? &contacts_.contacts[pair.contact] : nullptr;
   const bool touches = had && had->touching && had->rolls;
-  if (m.count > 0 && ahead && !touches) lookAheadOf(pair, approach, m);
+  if (m.count > 0 && look == Look::ahead && !touches) lookAheadOf(pair, approach, m);
   if (m.count > 0)
     dropFarPoints(m, bodies_.motion[pair.bodyA], bodies_.motion[pair.bodyB], bodies_.pose(pair.bodyA) * a.inCentreFrame,
                   marginOf(pair), dt_);
@@ -228,45 +224,21 @@ void NarrowPhase::lookAheadOf(const CandidatePair& pair, const Approach& approac
   m.count = 0;
 }
 
-// Of the bodies that pass something: until when what they touch before turns none of them aside by more than kAside.
-void NarrowPhase::findStraight() {
-  std::vector<double>& until = proximity_.straightUntil;
-  constexpr double kNot = -1;  // passes nothing
-  until.assign(bodies_.slots(), kNot);
-  for (const PassedPair& passed : proximity_.passed) {
-    const CandidatePair& pair = contacts_.pairs[passed.pair];
-    until[pair.bodyA] = until[pair.bodyB] = std::numeric_limits<double>::infinity();
-  }
-  for (const CandidatePair& pair : contacts_.pairs) {
-    if (pair.contact == kNoIndex || (until[pair.bodyA] < 0 && until[pair.bodyB] < 0)) continue;
-    const Contact& c = contacts_.contacts[pair.contact];
-    const BodyMotion &a = bodies_.motion[pair.bodyA], &b = bodies_.motion[pair.bodyB];
-    const Vec3 n = a.orientation * contacts_.geometry[pair.contact].normal;
-    const Vec3 at = a.position + a.orientation * contacts_.geometry[pair.contact].centre;
-    const double closing = dot(n, a.linearVelocity + cross(a.angularVelocity, at - a.position) - b.linearVelocity -
-                                      cross(b.angularVelocity, at - b.position));
-    if (!(closing > 0)) continue;
-    const double gap = double(*std::min_element(c.points.gap, c.points.gap + c.count));
-    const double aside = (std::max(0.0, gap) + kAside) / closing;
-    for (BodyIndex body : {pair.bodyA, pair.bodyB})
-      if (bodies_.mass[body].invMass > 0) until[body] = std::min(until[body], aside);
-  }
-}
-
 void NarrowPhase::restorePassed() {
   if (proximity_.passed.empty()) return;
-  findStraight();
+  std::vector<double>& straight = proximity_.straightUntil;
+  findStraight(bodies_, contacts_, proximity_.passed, straight);
   for (const PassedPair& passed : proximity_.passed) {
     CandidatePair& pair = contacts_.pairs[passed.pair];
-    if (std::min(proximity_.straightUntil[pair.bodyA], proximity_.straightUntil[pair.bodyB]) >= passed.time) continue;
+    if (std::min(straight[pair.bodyA], straight[pair.bodyB]) >= passed.time) continue;
     Approach approach = approachOf(pair);
     Manifold now;
-    collidePair(pair, approach, false, now);
+    collidePair(pair, approach, Look::asNow, now);
     makeContact(pair, now, approach.relative);
   }
 }
 
-bool NarrowPhase::updatePair(CandidatePair& pair, bool ahead) {
+bool NarrowPhase::updatePair(CandidatePair& pair, Look look) {
   if (haveParted(pair)) {
     if (pair.contact != kNoIndex) contacts_.destroy(pair.contact);
     return false;
@@ -277,7 +249,7 @@ bool NarrowPhase::updatePair(CandidatePair& pair, bool ahead) {
     return true;
   }
   Manifold m;
-  if (approach.near) collidePair(pair, approach, ahead, m);
+  if (approach.near) collidePair(pair, approach, look, m);
   makeContact(pair, m, approach.relative);
   return true;
 }

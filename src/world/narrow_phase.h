@@ -32,11 +32,13 @@ class NarrowPhase {
     Vec3 velocity;       // m/s, of B against A
   };
 
+  // Whether a manifold is that of now, or of where the shapes will meet in the step.
+  enum class Look { asNow, ahead };
+
   // Of bodies of which one has moved.
-  bool updatePair(CandidatePair& pair, bool ahead);  // false: it is forgotten
-  void collidePair(const CandidatePair& pair, const Approach& approach, bool ahead, Manifold& m);
+  bool updatePair(CandidatePair& pair, Look look);  // false: it is forgotten
+  void collidePair(const CandidatePair& pair, const Approach& approach, Look look, Manifold& m);
   void lookAheadOf(const CandidatePair& pair, const Approach& approach, Manifold& m);
-  void findStraight();
   // What passes only if it goes on straight, and does not, keeps what is nearest now.
   void restorePassed();
   // All parts of a shape and a mesh; the first ones, as many as it returns, are kept.

@@ -8,6 +8,7 @@
 #include "broadphase/broad_phase.h"
 #include "dynamics/contact_set.h"
 #include "narrowphase/mesh_collide.h"
+#include "world/passed_pairs.h"
 #include "world/registry.h"
 
 namespace brickfall {
@@ -17,12 +18,6 @@ struct Surroundings {
   ProxyIndex proxy = kNoProxy;  // none: its body is quarantined
   bool mesh = false;            // a triangle mesh
   Aabb swept;                   // m: bounds over the coming step at the present velocity, grown by the contact margin
-};
-
-// A pair that passes each other in the coming step, if both go on straight until then.
-struct PassedPair {
-  std::uint32_t pair = 0;  // in ContactSet::pairs
-  double time = 0;         // s
 };
 
 class Proximity {
@@ -39,7 +34,7 @@ class Proximity {
   std::vector<CandidatePair> newPairs;
   std::vector<CandidatePair> newParts;  // of pairs with a mesh
   std::vector<PassedPair> passed;
-  std::vector<double> straightUntil;    // s, by body, of those that pass something
+  std::vector<double> straightUntil;    // s, by body (passed_pairs.h)
   std::vector<BoundsUpdate> following;  // what the broad phase is to be told
   MeshScratch meshScratch;
 

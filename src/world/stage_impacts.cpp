@@ -81,7 +81,7 @@ class ImpactWalk {
   bool touchesNothing(const Island& island) const;
   bool onMesh(const Island& island) const;
   double longestPart(const Island& island) const;
-  double lookAhead(Island& island, double left);
+  double nextImpact(Island& island, double left);
   void solve(Island& island, double dt, bool toImpact, SolveStatistics& statistics);
   bool goTo(Island& island, double dt, bool toImpact);
   bool runsThrough(const Island& island, double dt) const;
@@ -222,7 +222,7 @@ void ImpactWalk::solve(Island& island, double dt, bool toImpact, SolveStatistics
 }
 
 // When, in s from now, the next point closes; none: infinity. Leaves the island as it is.
-double ImpactWalk::lookAhead(Island& island, double left) {
+double ImpactWalk::nextImpact(Island& island, double left) {
   Memory before = remember(island);
   SolveStatistics tried;  // of a motion that nothing makes: its cost counts, what it left over does not
   solve(island, left, true, tried);
@@ -304,7 +304,7 @@ void ImpactWalk::run(Island& island) {
   for (int parts = 0, impacts = 0; parts < kMostTurnParts + kMostImpacts && impacts < kMostImpacts && left > blink;
        parts++) {
     double part = std::min(left, longestPart(island));
-    double next = mayMeet(island) ? lookAhead(island, part) : kNever;
+    double next = mayMeet(island) ? nextImpact(island, part) : kNever;
     bool ahead = next <= kAhead * part;  // what comes a little later is not to be held up before it
     if (!ahead && part == left) break;
     double way = std::min({part, next, left - blink});

@@ -7,21 +7,17 @@
 
 #include "geometry/queries.h"
 #include "math/random.h"
+#include "unit/world/shape_data.h"
 
 namespace brickfall {
 namespace {
 
-ShapeData brick(Vec3 halfExtents) {
-  ShapeData s;
-  s.geometry.type = ShapeType::box;
-  s.geometry.halfExtents = halfExtents;
-  s.innerRadius = innerRadius(s.geometry);
-  return s;
-}
+using namespace test;
+
 Sweep straight(Vec3 from, Vec3 way) { return {{from, {}}, way, {}, false}; }
 
 TEST(CoreWay, EndsAtTheSamePlaceHoweverFarItWouldGo) {
-  const ShapeData ball = brick({0.05, 0.05, 0.05}), wall = brick({0.1, 1, 1});
+  const ShapeData ball = boxShape({0.05, 0.05, 0.05}), wall = boxShape({0.1, 1, 1});
   const double room = 0.5 - 0.1 - kCoreShare * 0.05;  // m, of the core's surface
   const double met = room - kCoreShare * 0.05;        // it stops a radius before
   for (double length : {met * 0.5, met - 1e-4, met + 1e-4, met * 1.1, 1.0, 3.0}) {
@@ -34,7 +30,7 @@ TEST(CoreWay, EndsAtTheSamePlaceHoweverFarItWouldGo) {
 }
 
 TEST(CoreWay, DependsOnTheWayAgainstEachOtherOnly) {
-  const ShapeData ball = brick({0.05, 0.05, 0.05}), wall = brick({0.1, 1, 1});
+  const ShapeData ball = boxShape({0.05, 0.05, 0.05}), wall = boxShape({0.1, 1, 1});
   for (Vec3 common : {Vec3{}, Vec3{100, 0, 0}, Vec3{-3, 50, 7}}) {
     double apart = coreWay(ball, straight({-0.5, 0, 0}, common + Vec3{0.1, 0, 0}), wall, straight({}, common));
     double meets = coreWay(ball, straight({-0.5, 0, 0}, common + Vec3{1, 0, 0}), wall, straight({}, common));
@@ -46,12 +42,12 @@ TEST(CoreWay, DependsOnTheWayAgainstEachOtherOnly) {
 // Neither goes anywhere: a head at the end of a handle swings against a post, and a bar that turns against what stays.
 TEST(CoreWay, TurningAloneReachesIt) {
   const Vec3 turn{0, 0, 1};
-  ShapeData head = brick({0.05, 0.05, 0.05});
+  ShapeData head = boxShape({0.05, 0.05, 0.05});
   head.middle = {0.5, 0, 0};
-  double swung = coreWay(head, {{}, {}, turn, true}, brick({0.05, 0.05, 1}), straight({0.35, 0.35, 0}, {}));
+  double swung = coreWay(head, {{}, {}, turn, true}, boxShape({0.05, 0.05, 1}), straight({0.35, 0.35, 0}, {}));
   EXPECT_GT(swung, 0.5);
   EXPECT_LT(swung, 0.785);  // rad, of the post's middle
-  const ShapeData ball = brick({0.05, 0.05, 0.05}), bar = brick({1, 0.05, 0.05});
+  const ShapeData ball = boxShape({0.05, 0.05, 0.05}), bar = boxShape({1, 0.05, 0.05});
   double turned = coreWay(ball, straight({0.5, 0.4, 0}, {}), bar, {{}, {}, turn, true});
   EXPECT_GT(turned, 0.4);
   EXPECT_LT(turned, 0.675);  // rad, of the ball's middle
@@ -65,7 +61,7 @@ TEST(CoreWay, AFreeWayMeetsNothing) {
   };
   int free = 0, stopped = 0, turning = 0;
   for (int trial = 0; trial < 1000; trial++) {
-    ShapeData moving = brick({0.1, 0.05, 0.03}), still = brick({0.1, 0.05, 0.03});
+    ShapeData moving = boxShape({0.1, 0.05, 0.03}), still = boxShape({0.1, 0.05, 0.03});
     moving.middle = trial % 3 == 0 ? any(0.05) : Vec3{};
     Sweep way{{any(0.2), quatFromRotationVector(any(1))}, any(0.3), any(1), trial % 2 == 0};
     Sweep of{{any(0.2), quatFromRotationVector(any(1))}, any(0.3), any(1), trial % 5 < 3};
