@@ -86,12 +86,13 @@ void keepEnergies(const Island& island, BodySet& bodies) {
 
 // That is in units of inertia over the time step squared, and so without bound as the step gets shorter; bricks are not. Small
 // islands are solved to the end at any stiffness.
-double leastStiffening(const SolverSettings& settings, double dt) {
-  double share = dt / kFirmStep;
-  return std::min(1.0, std::max(share, kLeastFirm * settings.impactStiffness / settings.restingStiffness));
+double leastStiffening(const SolverSettings& settings, double dt, double stretch) {
+  double least = std::min(1.0, kLeastFirm * settings.impactStiffness / settings.restingStiffness);
+  double share = std::min(1.0, std::max(dt / stretch / kFirmStep, least));
+  return std::max(least, share * stretch * stretch);
 }
 
-SolvePlan planFor(const IslandFacts& facts, const SolverSettings& settings, double dt) {
+SolvePlan planFor(const IslandFacts& facts, const SolverSettings& settings, double dt, double stretch) {
   const PlanRow& row = rowOf(facts);
   bool supported = facts.grounded && !facts.partnersMove;
   bool calm = supported && facts.fastest <= settings.restSpeed + kCalmShare * kReferenceGravity * dt;
@@ -100,7 +101,8 @@ SolvePlan planFor(const IslandFacts& facts, const SolverSettings& settings, doub
   plan.sways = supported && row.byLoad && !plan.slow && facts.fastest <= kSwingSpeed;
   plan.exactSteps = row.exactSteps;
   plan.direct = row.direct;
-  plan.stiffening = (calm ? double(row.calmStiffening) : 1) * (row.byLoad ? leastStiffening(settings, dt) : 1);
+  plan.stiffening = (calm ? double(row.calmStiffening) : 1) *
+                    (row.byLoad ? leastStiffening(settings, dt, stretch) : stretch * stretch);
   plan.leastMass = row.direct ? kHeavyShare * facts.heaviest : 0;
   plan.byLoad = row.byLoad;
   plan.startsFree = !row.byLoad || !facts.grounded;

@@ -59,9 +59,9 @@ struct SolvePlan {
 IslandFacts findFacts(const Island& island, const BodySet& bodies);
 // Each body's kinetic energy, for the facts of the next step.
 void keepEnergies(const Island& island, BodySet& bodies);
-// x restingStiffness: the least that a plan's stiffening may be.
-double leastStiffening(const SolverSettings& settings, double dt);
-SolvePlan planFor(const IslandFacts& facts, const SolverSettings& settings, double dt);
+// x restingStiffness: the least that a plan's stiffening may be. `stretch`: StepContext's.
+double leastStiffening(const SolverSettings& settings, double dt, double stretch);
+SolvePlan planFor(const IslandFacts& facts, const SolverSettings& settings, double dt, double stretch);
 
 // It stays where it is in this step.
 constexpr bool isResting(IslandEnding e) {

@@ -8,9 +8,14 @@ struct Clock {
   double time = 0;  // s
   std::uint64_t stepCount = 0;
   double lastDt = 0;        // s, of the last part of a step
+  double jointDt = 0;       // s: of the time step that resting joints have their stiffness of
+  int steadySteps = 0;      // parts in a row that were as long as the one before, up to kSteadySteps
   double callDt = 0;        // s, of the whole call under way
   int substep = 0;          // of it, from 0
   bool lastSubstep = true;  // of it
+
+  // A part begins. True if anything in units of its time step changed.
+  bool beginPart(double dt);
 };
 
 }  // namespace brickfall

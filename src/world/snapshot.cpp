@@ -18,7 +18,7 @@ namespace {
 
 //! not of the method: the file's
 constexpr std::uint64_t kMagic = 0x30504e5346424b42ull;
-constexpr std::uint32_t kLayout = 7;
+constexpr std::uint32_t kLayout = 8;
 
 struct Header {
   std::uint64_t magic = kMagic;
@@ -67,6 +67,8 @@ class SnapshotArchive {
     a.flag(w.activity.membershipChanged);
     a.value(w.clock.time);
     a.value(w.clock.lastDt);
+    a.value(w.clock.jointDt);
+    a.value(w.clock.steadySteps);
     a.value(w.clock.stepCount);
     a.list(w.diary.touchingBefore);
     a.list(w.activity.pushed);

@@ -132,9 +132,9 @@ void World::Impl::beginPart(double dt) {
   context.contacts = &proximity.contacts;
   context.memory = &solve.memory;
   context.statistics = {};
-  // Stiffnesses are in units of mass / dt^2: nothing is settled at another time step.
-  if (dt != clock.lastDt) activity.unsettleAll();
-  clock.lastDt = dt;
+  // Nothing is settled at another time step.
+  if (clock.beginPart(dt)) activity.unsettleAll();
+  context.stretch = dt / clock.jointDt;
   traceStage(
       {}, [](const Impl& w, HashItems& out) { hashGiven(w.registry, w.activity.islands, w.proximity.contacts, out); },
       [](Impl& w) {

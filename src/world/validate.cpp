@@ -20,9 +20,10 @@ void World::Impl::checkLinks(Findings& f) const {
   proximity.check(f, registry);
   activity.check(f, registry.bodies, proximity.contacts);
   diary.check(f, registry);
-  f.expect(
-      clock.time >= 0 && std::isfinite(clock.time) && clock.lastDt >= 0 && clock.lastDt <= limits::kLongestTimeStep,
-      "time: out of range");
+  auto isStep = [](double dt) { return dt >= 0 && dt <= limits::kLongestTimeStep; };
+  f.expect(clock.time >= 0 && std::isfinite(clock.time) && isStep(clock.lastDt) && isStep(clock.jointDt) &&
+               clock.steadySteps >= 0,
+           "time: out of range");
 }
 
 std::vector<std::string> World::validate() const {
