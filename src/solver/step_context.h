@@ -101,7 +101,7 @@ struct Ties {
 
 struct StepContext {
   double dt = 0;
-  double stretch = 1;  // dt over that of the time step that resting joints have their stiffness of
+  double stretch = 1;  // dt / the time step of which resting joints have their stiffness
   Vec3 gravity;
   SolverSettings settings;
   Integrator integrator = Integrator::splitting;  // of bodies without contacts

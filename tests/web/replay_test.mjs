@@ -35,6 +35,8 @@ async function drawn(action, argument) {
   await page.evaluate(action, argument);
   await page.waitForFunction((n) => window.brickfall.drawn > n, before, patience);
 }
+// The page learns how high its title and bar are from an observer, which is told within a frame of the layout, not at once.
+const laidOut = () => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
 const seek = (frame) => drawn((f) => window.brickfall.seek(f), frame);
 
 // What the canvas shows: mean and spread of its lightness, and how many points of each row are brick red.
@@ -136,6 +138,7 @@ try {
       await page.setViewportSize({ width, height });
       await page.waitForFunction((w) => document.getElementById('view').clientWidth === w, width, patience);
       await page.evaluate((k) => window.brickfall.select(k), body);
+      await laidOut();
       if (body === 0) assert.equal(await page.locator('#card li').count(), 8);
       const rects = await page.evaluate(() => [...['head', 'card', 'bar'].map((id) => document.getElementById(id)),
         ...document.querySelectorAll('#bar button, #bar select')].filter((e) => e.offsetParent !== null || e.id)
