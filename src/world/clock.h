@@ -9,7 +9,7 @@ struct Clock {
   std::uint64_t stepCount = 0;
   double lastDt = 0;        // s, of the last part of a step
   double jointDt = 0;       // s: the time step of which resting joints have their stiffness
-  int steadySteps = 0;      // parts in a row that were as long as the one before, up to kSteadySteps
+  int steadySteps = 0;      // parts in a row as long as the one before; counted no further than it matters
   double callDt = 0;        // s, of the whole call under way
   int substep = 0;          // of it, from 0
   bool lastSubstep = true;  // of it

@@ -17,9 +17,11 @@ constexpr double kMostAhead = 64;  // of way in the step
 constexpr double kTouches = 1e-5;  // so near is a touch
 //! m | too small: balls lose speed at the seams that they roll over | too large: what glances off an edge passes it
 constexpr double kGrazes = 2e-4;  // by which a round body may overlap what it goes past
-//! m, inner radii | too small: what slides over seams stops at them | too large: what hits an edge goes over it
-constexpr double kOverlapAhead = 2e-3,
-                 kOverlapShare = 0.1;  // in which a hit is told from an edge that slides over a face
+// In which a hit is told from an edge that slides over a face.
+//! m | too small: what slides over seams stops at them | too large: what hits an edge goes over it
+constexpr double kOverlapAhead = 2e-3;
+//! inner radii | too small: thin slabs stop at seams | too large: thin plates go over the edges that they hit
+constexpr double kOverlapShare = 0.1;
 //! - | too small: glancing hits keep the normal of the start | too large: cost
 constexpr int kMostAdvances = 12, kMostHalvings = 6;
 //! - | too small: what slides over seams stops at them | too large: hits whose normal turns a little are left out

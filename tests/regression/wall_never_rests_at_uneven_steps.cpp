@@ -41,7 +41,7 @@ TEST(Regression, WallRestsWhereTimeStepsVary) {
 
 // What was hit comes to rest, too, for about the visits that it takes at even steps, with as many bricks moved.
 TEST(Regression, HitWallComesToRestWhereTimeStepsVary) {
-  double even = 0;  // visits in a second
+  double even = 0;  // visits
   int evenMoved = 0;
   for (const Steps& steps : {Steps{}, Steps{0.1, 0}, Steps{0.3, 0}, Steps{0, 10}}) {
     WallOf w;

@@ -4,25 +4,16 @@
 
 namespace brickfall::test {
 
-inline ShapeData boxShape(Vec3 halfExtents) {
+inline ShapeData shapeOf(const Shape& geometry) {
   ShapeData s;
-  s.geometry.type = ShapeType::box;
-  s.geometry.halfExtents = halfExtents;
-  s.innerRadius = innerRadius(s.geometry);
+  s.geometry = geometry;
+  s.innerRadius = innerRadius(geometry);
   return s;
 }
-inline ShapeData ballShape(double radius) {
-  ShapeData s;
-  s.geometry.type = ShapeType::sphere;
-  s.geometry.radius = radius;
-  s.innerRadius = innerRadius(s.geometry);
-  return s;
-}
+inline ShapeData boxShape(Vec3 halfExtents) { return shapeOf({.type = ShapeType::box, .halfExtents = halfExtents}); }
+inline ShapeData ballShape(double radius) { return shapeOf({.type = ShapeType::sphere, .radius = radius}); }
 inline ShapeData capsuleShape(double radius, double halfHeight) {
-  ShapeData s = ballShape(radius);
-  s.geometry.type = ShapeType::capsule;
-  s.geometry.halfHeight = halfHeight;
-  return s;
+  return shapeOf({.type = ShapeType::capsule, .radius = radius, .halfHeight = halfHeight});
 }
 
 }  // namespace brickfall::test
