@@ -16,6 +16,7 @@ struct StepReport {
   double time = 0;              // s, simulated time after the step
   std::array<double, kStageCount> stageMilliseconds{};
   double milliseconds = 0;  // whole step, wall clock
+  int parts = 0;            // that it was made in: a substep in which something heavy hits takes several
   int bodies = 0;           // dynamic bodies, asleep ones included
   int awakeBodies = 0;
   int manifolds = 0;                                    // of awake bodies
@@ -23,7 +24,7 @@ struct StepReport {
   int touchingPoints = 0;                               // points that carry force
   int islands = 0;                                      // awake
   int restingIslands = 0;                               // accepted by the rest check: they cost one light pass
-  std::array<int, kIslandEndingCount> islandEndings{};  // awake islands by how their solve ended, of all substeps
+  std::array<int, kIslandEndingCount> islandEndings{};  // awake islands by how their solve ended, of all parts
   int cycles = 0;                                       // multilevel cycles, summed over islands
   double solveVisits = 0;  // two-sided visits of a point in the solve, line search included
   double lightVisits = 0;  // visits that only read forces
@@ -31,14 +32,14 @@ struct StepReport {
   double worstResidual =
       0;  // of a moving island's body when the solve stopped: force (torque: at its inner radius) over
           // the larger of its weight and half the sum of the forces on it
-  int unbalancedBodies = 0;  // bodies that were left with more than 0.05 of that, of all substeps
+  int unbalancedBodies = 0;  // bodies that were left with more than 0.05 of that, of all parts
   int impacts = 0;           // of small islands, each met at its moment within the step
   int manifoldsReused = 0;
   int manifoldsComputed = 0;
   std::vector<BodyId> quarantined;  // bodies that became non-finite in this step
   // Only as World::trace asked for:
-  std::vector<StageHash> stageHashes;  // of every substep: what it was given, then each stage
-  std::optional<StepLedger> ledger;    // of all substeps together
+  std::vector<StageHash> stageHashes;  // of every part: what it was given, then each stage
+  std::optional<StepLedger> ledger;    // of all parts together
 };
 
 }  // namespace brickfall

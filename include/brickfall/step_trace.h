@@ -50,7 +50,7 @@ struct ItemHash {
 // Equal hashes mean the same bits. Settings are not part of it: two worlds with other settings part in the stage that
 // reads them first.
 struct StageHash {
-  int substep = 0;             // from 0
+  int substep = 0;             // from 0; each part of one that is made in several counts
   std::optional<Stage> stage;  // none: what the step was given, all bodies and what contacts remember
   std::uint64_t hash = 0;
   std::vector<ItemHash> items;  // in order of slots, bodies first

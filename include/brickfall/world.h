@@ -38,7 +38,7 @@ struct WorldDef {
   SolverSettings solver;
 };
 
-// One touching pair of bodies as the solver left it.
+// One touching pair of bodies as the solver left it, in the last part of the step.
 struct ContactPointView {
   Vec3 pointWorld;         // m
   double separation = 0;   // m, negative = overlap
@@ -130,8 +130,9 @@ class World {
   Status applyImpulseAtPoint(BodyId body, Vec3 impulse, Vec3 pointWorld);  // N s
   Status applyAngularImpulse(BodyId body, Vec3 impulse);                   // N m s
 
-  // --- Time. Advances by dt seconds (1e-5 .. 0.1), in `substeps` equal parts (1 .. 64). Parts may vary from step to step: what
-  // rests goes on resting if the longest is no more than four times the shortest. Equal ones cost least.
+  // --- Time. Advances by dt seconds (1e-5 .. 0.1), in `substeps` equal parts (1 .. 64), each of which is made in
+  // up to SolverSettings::maxHitParts where something heavy hits. dt / substeps may vary from step to step: what rests goes on
+  // resting if the longest is no more than four times the shortest. Equal ones cost least.
   Result<StepReport> step(double dt, int substeps = 1);
   double time() const;  // s
   std::uint64_t stepCount() const;

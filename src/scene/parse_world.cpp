@@ -21,6 +21,7 @@ void readSolver(TableReader& top, SolverSettings& solver) {
   reader.integer("min_cycles", solver.minCycles);
   reader.integer("max_cycles", solver.maxCycles);
   reader.integer("max_cycles_small", solver.maxCyclesSmall);
+  reader.integer("max_hit_parts", solver.maxHitParts);
   if (!(solver.impactStiffness <= solver.restingStiffness))
     reader.error(reader.has("impact_stiffness") ? "impact_stiffness" : "resting_stiffness",
                  "found impact_stiffness " + numberText(solver.impactStiffness) +

@@ -15,7 +15,7 @@ constexpr int kSteadySteps = 30;  // of one length: then joints get the stiffnes
 
 }  // namespace
 
-bool Clock::beginPart(double dt) {
+bool Clock::beginSubstep(double dt) {
   const double lastJointDt = jointDt;
   const bool same = dt == lastDt;
   steadySteps = same ? std::min(steadySteps, kSteadySteps - 1) + 1 : 0;

@@ -60,7 +60,9 @@ void Diary::keepRoom(std::size_t slots, std::size_t touching) {
   for (BodyPairs* list : {&touchingNow, &touchingBefore, &slept}) brickfall::keepRoom(*list, touching);
   for (Events* e : {&events, &pending}) {
     for (auto* list : {&e->begin, &e->end}) brickfall::keepRoom(*list, touching);
-    for (auto* list : {&e->moved, &e->fellAsleep, &e->woke}) keepRoomFor(*list, slots);
+    for (auto* list : {&e->fellAsleep, &e->woke}) keepRoomFor(*list, slots);
+    keepRoomFor(e->moved,
+                2 * slots);  // before those of a part of the step are told apart from those of the parts before
     brickfall::keepRoom(e->hits, touching);
   }
 }

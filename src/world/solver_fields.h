@@ -8,7 +8,7 @@ namespace brickfall {
 template <class Settings, class Visitor> void eachSetting(Settings& s, Visitor&& visit) {
   // As many names as there are fields: one more in SolverSettings does not compile until it is visited here.
   auto& [restingStiffness, impactStiffness, restingApproachSpeed, contactMargin, restitutionSpeed, restSpeed,
-         restTolerance, cycleTolerance, minCycles, maxCycles, maxCyclesSmall] = s;
+         restTolerance, cycleTolerance, minCycles, maxCycles, maxCyclesSmall, maxHitParts] = s;
   visit("restingStiffness", restingStiffness, 10, 1e5);
   visit("impactStiffness", impactStiffness, 1, restingStiffness);
   visit("restingApproachSpeed", restingApproachSpeed, 0, 100);
@@ -20,6 +20,7 @@ template <class Settings, class Visitor> void eachSetting(Settings& s, Visitor&&
   visit("minCycles", minCycles, 1, 64);
   visit("maxCycles", maxCycles, minCycles, 256);
   visit("maxCyclesSmall", maxCyclesSmall, minCycles, 256);
+  visit("maxHitParts", maxHitParts, 1, 64);
 }
 
 }  // namespace brickfall

@@ -66,10 +66,12 @@ void collectEvents(const Registry& registry, Activity& activity, ContactSet& con
   if (contacts.touchingChanged || activity.sleptNow > 0) collectTouching(registry, activity, contacts, diary);
   contacts.touchingChanged = false;
 
-  Events& events = diary.events;
+  std::vector<BodyId>& moved = diary.events.moved;
+  const bool toldBefore = !moved.empty();  // in another part of the step, or of a call
   for (BodyIndex body : activity.awake)
-    if (!registry.bodies.still[body]) events.moved.push_back(registry.idOf(body));
-  for (BodyIndex body : activity.moving) events.moved.push_back(registry.idOf(body));
+    if (!registry.bodies.still[body]) moved.push_back(registry.idOf(body));
+  for (BodyIndex body : activity.moving) moved.push_back(registry.idOf(body));
+  if (toldBefore) makeSet(moved);
 }
 
 void hashEvents(const Events& events, HashItems& out) {

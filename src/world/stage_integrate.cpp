@@ -44,7 +44,7 @@ void Integration::finishBody(BodyIndex body) {
     proximity.keepBounds(registry, body);
   }
   data.flying = context.solved[body].flying;
-  if (!clock.lastSubstep) return;
+  if (!clock.lastPart) return;
   data.linearAcceleration = (m.linearVelocity - data.lastLinearVelocity) * (1 / clock.callDt);
   data.angularAcceleration = (m.angularVelocity - data.lastAngularVelocity) * (1 / clock.callDt);
   data.lastLinearVelocity = m.linearVelocity;

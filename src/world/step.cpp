@@ -4,6 +4,7 @@
 #include <string>
 
 #include "brickfall/limits.h"
+#include "world/heavy_hits.h"
 #include "world/stage_hash.h"
 #include "world/stages.h"
 #include "world/world_impl.h"
@@ -117,7 +118,7 @@ void World::Impl::traceStage(std::optional<Stage> stage, void (*hash)(const Impl
   if (wanted.stages || wanted.items) {
     HashItems items(registry, wanted.items);
     hash(*this, items);
-    diary.report.stageHashes.push_back(items.take(clock.substep, stage));
+    diary.report.stageHashes.push_back(items.take(clock.part, stage));
   }
   if (wanted.ledger && book) book(*this);
 }
@@ -132,22 +133,18 @@ void World::Impl::beginPart(double dt) {
   context.contacts = &proximity.contacts;
   context.memory = &solve.memory;
   context.statistics = {};
-  // Nothing is settled at another time step.
-  if (clock.beginPart(dt)) activity.unsettleAll();
   context.stretch = dt / clock.jointDt;
   traceStage(
       {}, [](const Impl& w, HashItems& out) { hashGiven(w.registry, w.activity.islands, w.proximity.contacts, out); },
       [](Impl& w) {
         Balance now = balanceNow(w.registry.bodies, w.proximity.contacts, w.solve.context);
-        w.diary.beginLedger(now, w.clock.substep == 0);
+        w.diary.beginLedger(now, w.clock.part == 0);
       });
   Quarantine out = quarantine();
   quarantineAbsurd(registry, activity, dt, out);
 }
 
 void World::Impl::endPart() {
-  clock.time += solve.context.dt;
-  clock.stepCount++;
   const SolveStatistics& s = solve.context.statistics;
   StepReport& report = diary.report;
   report.islands = s.islands;
@@ -158,6 +155,23 @@ void World::Impl::endPart() {
   report.residualRms = std::max(report.residualRms, s.residualRms);
   report.worstResidual = std::max(report.worstResidual, s.worstResidual);
   report.unbalancedBodies += s.leftOver;
+}
+
+void World::Impl::runSubstep(double dt, bool last) {
+  // Nothing is settled at another time step.
+  if (clock.beginSubstep(dt)) activity.unsettleAll();
+  const int parts = partsForHits(registry, activity, proximity, dt, def.solver.maxHitParts);
+  for (int i = 0; i < parts; i++) {
+    diary.report.manifolds = diary.report.contactPoints = diary.report.touchingPoints = 0;
+    clock.lastPart = last && i == parts - 1;
+    beginPart(dt / parts);
+    runStages(Stage::pairs, Stage::count);
+    endPart();
+    clock.part++;
+  }
+  clock.time += dt;
+  clock.stepCount++;
+  diary.report.parts += parts;
 }
 
 // All memory that the step may need is taken before it.
@@ -189,14 +203,8 @@ Result<StepReport> World::step(double dt, int substeps) {
   w.keepRoom();
   w.diary.tellPending();
   w.clock.callDt = dt;
-  for (int i = 0; i < substeps; i++) {
-    report.manifolds = report.contactPoints = report.touchingPoints = 0;
-    w.clock.substep = i;
-    w.clock.lastSubstep = i == substeps - 1;
-    w.beginPart(dt / substeps);
-    w.runStages(Stage::pairs, Stage::count);
-    w.endPart();
-  }
+  w.clock.part = 0;
+  for (int i = 0; i < substeps; i++) w.runSubstep(dt / substeps, i == substeps - 1);
   report.stepIndex = w.clock.stepCount;
   report.time = w.clock.time;
   w.activity.dropForces(w.registry.bodies);

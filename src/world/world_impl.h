@@ -31,8 +31,9 @@ struct World::Impl {
   Clock clock;
   mutable int visiting = 0;  // callbacks of forEachContact, forEachIsland and draw under way
 
-  // step.cpp. A step is made of parts, one for each substep: begin, all stages, end.
+  // step.cpp. A step is made of substeps, each of one part, or of several where something heavy hits: begin, all stages, end.
   void keepRoom();  // for all that the step may need
+  void runSubstep(double dt, bool last);
   void beginPart(double dt);
   void runStages(Stage first, Stage end);
   void endPart();

@@ -192,5 +192,41 @@ TEST(Law, Row18oTheSameHoleAtAnyStep) {
   atMost("hole10: most bricks moved at a step over fewest at another, means", 0, most / least, 2, "", 2.5);
 }
 
+// What a ball far heavier than a brick knocks out wedges the wall apart, whatever it goes in a step.
+TEST(Law, Row18rAHeavyBallBringsDownAsMuchAtAnyStep) {
+  struct Ball {
+    double radius, speed;
+  };
+  std::vector<double> steps{1.0 / 60, 1.0 / 120};
+  if (atFullLength()) steps.insert(steps.end(), {1.0 / 240, 1.0 / 480});
+  const int shots = atFullLength() ? 5 : 1;
+  std::vector<Ball> balls{{.15, 15}};
+  if (atFullLength()) balls.insert(balls.end(), {{.15, 10}, {.15, 30}, {.2, 10}});
+  for (const Ball& b : balls) {
+    const std::string name = text(b.speed, 0) + " m/s, ball of " + text(b.radius * 1e3, 0) + " mm";
+    double least = 1e9, most = 0;
+    for (double dt : steps) {
+      double sum = 0;
+      for (int shot = 0; shot < shots; shot++) {
+        lab::Scene s = lab::make("hole10");
+        const BodyId light = s.world.bodies().back();
+        const Vec3 from = s.world.state(light)->position;
+        ASSERT_TRUE(s.world.destroyBody(light).ok());
+        for (int k = 0; k < 0.3 / dt; k++) stepSound(s.world, dt);  // the wall comes to rest
+        BodyDef ball = bodyOf(sphereOf(b.radius, 7800), {from.x + .003 * shot, 1.3, .3});
+        ball.linearVelocity = {0, 0, -b.speed};
+        add(s.world, ball);
+        sum += lab::run(s, 1, dt).moved50;
+      }
+      std::printf("    %s: bricks moved at 1/%ld s: %.1f\n", name.c_str(), std::lround(1 / dt), sum / shots);
+      least = std::min(least, sum / shots);
+      most = std::max(most, sum / shots);
+    }
+    EXPECT_GE(least, 100) << name << ": it brings down more than its own hole";
+    atMost(name + ": most bricks moved at a step over fewest at another, means of " + std::to_string(shots), 0,
+           most / least, 2, "", 2.5);
+  }
+}
+
 }  // namespace
 }  // namespace brickfall::law

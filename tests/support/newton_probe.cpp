@@ -50,7 +50,8 @@ template <class Impl> void finishStep(Impl& w) {
 template <class Impl> void startStep(Impl& w, double dt) {
   w.diary.report = {};
   w.clock.callDt = dt;
-  w.clock.lastSubstep = true;
+  w.clock.lastPart = true;
+  if (w.clock.beginSubstep(dt)) w.activity.unsettleAll();
   w.beginPart(dt);
   w.runStages(Stage::pairs, Stage::rest);
 }

@@ -165,6 +165,9 @@ void addSolver(std::vector<Entry>& out) {
   out.push_back(
       {whole("maxCyclesSmall", "Solver", "Most cycles, small islands", 1, 256, 256, "Of the smallest islands"),
        BRICKFALL_FIELD(world.solver.maxCyclesSmall)});
+  out.push_back(
+      {whole("maxHitParts", "Solver", "Most parts of a hit", 1, 64, 16, "Of a step in which something heavy hits"),
+       BRICKFALL_FIELD(world.solver.maxHitParts)});
 }
 
 void addReport(std::vector<Entry>& out) {

@@ -285,9 +285,10 @@ TEST(WorldCalls, EveryFieldOfAWorldIsChecked) {
   for (int bad : {0, -1, 65}) refuses("solver.minCycles", [=](WorldDef& d) { d.solver.minCycles = bad; });
   for (int bad : {0, -1, 257}) refuses("solver.maxCycles", [=](WorldDef& d) { d.solver.maxCycles = bad; });
   for (int bad : {0, -1, 257}) refuses("solver.maxCyclesSmall", [=](WorldDef& d) { d.solver.maxCyclesSmall = bad; });
+  for (int bad : {0, -1, 65}) refuses("solver.maxHitParts", [=](WorldDef& d) { d.solver.maxHitParts = bad; });
   refuses("solver.maxCycles", [](WorldDef& d) { d.solver.minCycles = 11; });
   refuses("solver.impactStiffness", [](WorldDef& d) { d.solver.impactStiffness = 1001; });
-  EXPECT_EQ(wrong, 14 * 5 + 19);
+  EXPECT_EQ(wrong, 14 * 5 + 22);
 }
 
 TEST(WorldCalls, ABodyTooManyIsRefused) {

@@ -160,6 +160,9 @@ void Ledger::print(const std::string& title) const {
 
 Ledger follow(Trial trial, double seconds, int every) {
   Ledger ledger;
+  WorldDef def = trial.world.definition();
+  def.solver.maxHitParts = 1;  // what is looked at is one solve a step
+  EXPECT_TRUE(trial.world.setDefinition(def).ok());
   int steps = int(std::lround(seconds / trial.dt));
   for (int step = 0; step < steps; step++) {
     std::uint64_t expected = 0;

@@ -115,6 +115,7 @@ void expectSameWorld(const SceneDescription& a, const SceneDescription& b) {
   EXPECT_EQ(a.world.solver.minCycles, b.world.solver.minCycles);
   EXPECT_EQ(a.world.solver.maxCycles, b.world.solver.maxCycles);
   EXPECT_EQ(a.world.solver.maxCyclesSmall, b.world.solver.maxCyclesSmall);
+  EXPECT_EQ(a.world.solver.maxHitParts, b.world.solver.maxHitParts);
 }
 
 // The documented defaults are the real ones: a scene that states them all is the scene that states none.

@@ -11,18 +11,18 @@ constexpr double kDt = 1.0 / 60;
 
 TEST(Clock, JointsHaveTheStiffnessOfTheFirstTimeStep) {
   Clock clock;
-  EXPECT_TRUE(clock.beginPart(kDt));
+  EXPECT_TRUE(clock.beginSubstep(kDt));
   EXPECT_EQ(clock.jointDt, kDt);
-  for (int k = 0; k < 100; k++) EXPECT_FALSE(clock.beginPart(kDt)) << "nothing changes";
+  for (int k = 0; k < 100; k++) EXPECT_FALSE(clock.beginSubstep(kDt)) << "nothing changes";
   EXPECT_EQ(clock.jointDt, kDt);
 }
 
 TEST(Clock, JointsStayAsTheyAreWhileTimeStepsVary) {
   Clock clock;
-  clock.beginPart(kDt);
+  clock.beginSubstep(kDt);
   for (int k = 0; k < 1000; k++) {
     const double dt = kDt * (0.5 + 0.015 * (k * 37 % 100));
-    EXPECT_TRUE(clock.beginPart(dt)) << "nothing is settled";
+    EXPECT_TRUE(clock.beginSubstep(dt)) << "nothing is settled";
     EXPECT_EQ(clock.lastDt, dt);
     EXPECT_EQ(clock.jointDt, kDt) << k;
   }
@@ -31,14 +31,14 @@ TEST(Clock, JointsStayAsTheyAreWhileTimeStepsVary) {
 TEST(Clock, JointsFollowATimeStepOfAnotherOrder) {
   for (double factor : {1.0 / 8, 1.0 / 3, 3.0, 8.0}) {
     Clock clock;
-    clock.beginPart(kDt);
-    EXPECT_TRUE(clock.beginPart(kDt * factor));
+    clock.beginSubstep(kDt);
+    EXPECT_TRUE(clock.beginSubstep(kDt * factor));
     const double off = clock.jointDt / (kDt * factor);
     EXPECT_NEAR(std::max(off, 1 / off), 2, 1e-12) << "as far as they must";
     // They find one for all steps that lie within a factor of 4.
-    for (int k = 0; k < 10; k++) clock.beginPart(k % 2 == 0 ? kDt * factor : 1.5 * kDt * factor);
+    for (int k = 0; k < 10; k++) clock.beginSubstep(k % 2 == 0 ? kDt * factor : 1.5 * kDt * factor);
     const double found = clock.jointDt;
-    for (int k = 0; k < 100; k++) clock.beginPart(k % 2 == 0 ? kDt * factor : 1.5 * kDt * factor);
+    for (int k = 0; k < 100; k++) clock.beginSubstep(k % 2 == 0 ? kDt * factor : 1.5 * kDt * factor);
     EXPECT_EQ(clock.jointDt, found);
   }
 }
@@ -46,13 +46,13 @@ TEST(Clock, JointsFollowATimeStepOfAnotherOrder) {
 TEST(Clock, JointsFollowATimeStepThatStays) {
   for (double factor : {0.5, 0.9, 1.1, 2.0}) {
     Clock clock;
-    clock.beginPart(kDt);
+    clock.beginSubstep(kDt);
     int changes = 0, steps = 0;
-    while (clock.jointDt == kDt && steps < 100) changes += clock.beginPart(kDt * factor), steps++;
+    while (clock.jointDt == kDt && steps < 100) changes += clock.beginSubstep(kDt * factor), steps++;
     EXPECT_EQ(clock.jointDt, kDt * factor) << factor;
     EXPECT_GT(steps, 20) << "it might have been chance";
     EXPECT_EQ(changes, 2) << "the time step, and the joints";
-    EXPECT_FALSE(clock.beginPart(kDt * factor));
+    EXPECT_FALSE(clock.beginSubstep(kDt * factor));
   }
 }
 

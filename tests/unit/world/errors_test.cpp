@@ -179,6 +179,7 @@ TEST(Errors, WorldDefinitionsNameTheirBadField) {
                              {"solver.minCycles", [](WorldDef& d) { d.solver.minCycles = 0; }},
                              {"solver.maxCycles", [](WorldDef& d) { d.solver.maxCycles = 3; }},
                              {"solver.maxCyclesSmall", [](WorldDef& d) { d.solver.maxCyclesSmall = 1000; }},
+                             {"solver.maxHitParts", [](WorldDef& d) { d.solver.maxHitParts = 0; }},
                              {"solver.impactStiffness", [](WorldDef& d) { d.solver.impactStiffness = 2000; }}};
   for (double bad : {kNan, kInf, -1.0}) {
     cases.push_back({"airDensity", [=](WorldDef& d) { d.airDensity = bad; }});

@@ -1,0 +1,82 @@
+#include "world/heavy_hits.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/core.h"
+#include "world/core_sweep.h"
+
+namespace brickfall {
+
+namespace {
+
+//! times the mass | too small: cost of debris | too large: what a ball knocks out is gone before it can push anything aside
+constexpr double kHeavier = 10;
+//! of its thickness along the way | too small: cost of hits
+//! | too large: what a ball knocks out is gone before it can push anything aside
+constexpr double kHitWay = 0.5;  // of what is struck, in a part
+//! inner radii | too small: cost of what hardly moves | too large: large bodies run over small ones in one part
+constexpr double kLeastHitWay = 0.05;  // of its own, in a step: what goes less far hits nothing that asks for parts
+
+double thicknessAlong(const Shape& shape, Vec3 direction) {
+  return dot(coreSupport(shape, direction) - coreSupport(shape, -direction), direction) + 2 * coreRadius(shape);
+}
+
+class HitSearch {
+ public:
+  HitSearch(const Registry& registry, const Proximity& proximity, double dt)
+      : bodies_(registry.bodies), shapes_(registry.shapes), proximity_(proximity), dt_(dt) {}
+
+  void look(BodyIndex body) {
+    const BodyMotion& m = bodies_.motion[body];
+    if (bodies_.still[body] || !(length(m.linearVelocity) * dt_ > kLeastHitWay * bodies_.mass[body].innerRadius))
+      return;
+    const Sweep own = sweepOf(bodies_, body, m.linearVelocity * dt_, m.angularVelocity * dt_);
+    for (ShapeIndex shape : bodies_.shapes[body]) {
+      const ShapeData& s = shapes_.data[shape];
+      proximity_.broadPhase->query(sweptBounds(s, own), [&](std::uint32_t other) {
+        const ShapeData& o = shapes_.data[other];
+        if (o.body != body && filtersAllow(s.def.filter, o.def.filter) && isFarHeavier(body, o.body))
+          thicknesses_ = std::max(thicknesses_, thicknessesWithin(m, o));
+        return true;
+      });
+    }
+  }
+
+  double thicknesses() const { return thicknesses_; }
+
+ private:
+  bool isFarHeavier(BodyIndex body, BodyIndex other) const {
+    if (bodies_.data[other].type != BodyType::dynamic) return false;
+    return bodies_.isDriven(body) || bodies_.mass[body].mass >= kHeavier * bodies_.mass[other].mass;
+  }
+
+  // How many times as far as `struck` is thick `m` goes against it.
+  double thicknessesWithin(const BodyMotion& m, const ShapeData& struck) const {
+    const BodyMotion& other = bodies_.motion[struck.body];
+    const Vec3 way = (m.linearVelocity - other.linearVelocity) * dt_;
+    const double far = length(way);
+    if (!(far > kLeastHitWay * struck.innerRadius)) return 0;
+    const Vec3 along =
+        rotate(conjugate(struck.inCentreFrame.rotation), transposeTimes(other.orientation, way * (1 / far)));
+    return far / thicknessAlong(struck.geometry, along);
+  }
+
+  const BodySet& bodies_;
+  const ShapeSet& shapes_;
+  const Proximity& proximity_;
+  const double dt_;
+  double thicknesses_ = 0;  // gone within the step, of any struck body
+};
+
+}  // namespace
+
+int partsForHits(const Registry& registry, const Activity& activity, const Proximity& proximity, double dt, int most) {
+  if (most == 1) return 1;
+  HitSearch search(registry, proximity, dt);
+  for (BodyIndex body : activity.awake) search.look(body);
+  for (BodyIndex body : activity.moving) search.look(body);
+  return int(std::ceil(std::clamp(search.thicknesses() / kHitWay, 1.0, double(most))));
+}
+
+}  // namespace brickfall

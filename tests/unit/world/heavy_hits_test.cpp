@@ -1,0 +1,132 @@
+// A step in which something heavy hits is made in parts: how many, and that nothing else notices.
+#include "support/world_helpers.h"
+
+namespace brickfall {
+namespace {
+
+using namespace test;
+
+constexpr Vec3 kBrick{0.1075, 0.0325, 0.05125};  // m, half: 0.1025 thick along z
+constexpr double kBall = 0.15;                   // m
+
+struct Hit {
+  double density = 7800;  // of the ball: 110 kg, 39 bricks
+  double speed = 15;      // m/s, along z
+  Vec3 half = kBrick;
+  BodyType struck = BodyType::dynamic;
+  double ahead = 0.02;  // m, between the two
+  Vec3 brickVelocity;
+  int maxHitParts = 8, substeps = 1;
+};
+
+StepReport stepOf(const Hit& h) {
+  WorldDef def;
+  def.gravity = {};
+  def.solver.maxHitParts = h.maxHitParts;
+  World world = makeWorld(def);
+  BodyDef brick = bodyOf(boxOf(h.half, 1900), {}, h.struck);
+  brick.linearVelocity = h.brickVelocity;
+  add(world, brick);
+  BodyDef ball = bodyOf(sphereOf(kBall, h.density), {0, 0, -(h.half.z + h.ahead + kBall)});
+  ball.linearVelocity = {0, 0, h.speed};
+  add(world, ball);
+  return *world.step(kDt, h.substeps);
+}
+
+TEST(HeavyHits, GoHalfThroughWhatTheyHitInAPart) {
+  EXPECT_EQ(stepOf({}).parts, 5) << "0.25 m, 0.051 m a part";
+  EXPECT_EQ(stepOf({.speed = 7}).parts, 3);
+  EXPECT_EQ(stepOf({.speed = 3}).parts, 1) << "0.05 m";
+  EXPECT_EQ(stepOf({.half = {0.05125, 0.0325, 0.1075}}).parts, 3) << "along its length";
+  EXPECT_EQ(stepOf({.speed = 10, .brickVelocity = {0, 0, 4}}).parts, 2) << "what counts is how fast they meet";
+  EXPECT_EQ(stepOf({.speed = 10, .brickVelocity = {0, 0, -5}}).parts, 5);
+}
+
+TEST(HeavyHits, NeverTakeMoreThanTheSettingAllows) {
+  EXPECT_EQ(stepOf({.speed = 100}).parts, 8);
+  EXPECT_EQ(stepOf({.speed = 100, .maxHitParts = 64}).parts, 33);
+  EXPECT_EQ(stepOf({.maxHitParts = 3}).parts, 3);
+  EXPECT_EQ(stepOf({.maxHitParts = 1}).parts, 1);
+}
+
+TEST(HeavyHits, AreOfWhatIsTenTimesAsHeavyAndGetsThere) {
+  EXPECT_EQ(stepOf({.density = 1900}).parts, 1) << "26.9 kg, 9.4 bricks";
+  EXPECT_EQ(stepOf({.density = 2200}).parts, 5) << "31.1 kg, 10.9 bricks";
+  EXPECT_EQ(stepOf({.ahead = 0.4}).parts, 1) << "it does not get there in this step";
+  EXPECT_EQ(stepOf({.speed = -15}).parts, 1) << "it goes away";
+  EXPECT_EQ(stepOf({.brickVelocity = {0, 0, 15}}).parts, 1) << "it is carried along";
+  EXPECT_EQ(stepOf({.struck = BodyType::fixed}).parts, 1) << "nothing goes through what is fixed";
+}
+
+TEST(HeavyHits, AreThoseOfDrivenBodiesToo) {
+  WorldDef def;
+  def.gravity = {};
+  World world = makeWorld(def);
+  add(world, bodyOf(boxOf(kBrick, 1900), {}));
+  BodyDef ram = bodyOf(boxOf({0.05, 0.05, 0.05}, 1), {0, 0, -0.2}, BodyType::kinematic);
+  ram.linearVelocity = {0, 0, 15};
+  add(world, ram);
+  EXPECT_EQ(world.step(kDt)->parts, 5);
+}
+
+TEST(HeavyHits, EachSubstepIsPartedByItself) {
+  EXPECT_EQ(stepOf({.substeps = 4}).parts, 2 + 1 + 1 + 1) << "the ball goes on with the brick before it";
+  EXPECT_EQ(stepOf({.density = 1000, .substeps = 4}).parts, 4);
+}
+
+// Forces act for the whole step, kinematic bodies go their whole way, time and the count of steps know no parts.
+TEST(HeavyHits, NothingElseNotices) {
+  WorldDef def;
+  def.gravity = {};
+  World world = makeWorld(def);
+  add(world, bodyOf(boxOf(kBrick, 1900), {}));
+  BodyDef ball = bodyOf(sphereOf(kBall, 7800), {0, 0, -0.25});
+  ball.linearVelocity = {0, 0, 15};
+  add(world, ball);
+  BodyId pushed = add(world, bodyOf(boxOf({0.1, 0.1, 0.1}, 1000), {5, 0, 0}));
+  BodyDef cart = bodyOf(boxOf({0.1, 0.1, 0.1}), {-5, 0, 0}, BodyType::kinematic);
+  cart.linearVelocity = {0, 1.5, 0};
+  BodyId carted = add(world, cart);
+  ASSERT_TRUE(world.applyForce(pushed, {480, 0, 0}).ok());
+  StepReport report = *world.step(kDt);
+  ASSERT_EQ(report.parts, 5);
+  EXPECT_EQ(report.stepIndex, 1u);
+  EXPECT_EQ(world.stepCount(), 1u);
+  EXPECT_EQ(world.time(), kDt);
+  EXPECT_NEAR(world.state(pushed)->linearVelocity.x, 1, 1e-12);
+  EXPECT_NEAR(world.state(pushed)->linearAcceleration.x, 60, 1e-9) << "over the whole step";
+  EXPECT_NEAR(world.state(carted)->position.y, 1.5 * kDt, 1e-12);
+  EXPECT_EQ(world.events().moved.size(), 4u) << "each is told once";
+  report = *world.step(kDt);
+  EXPECT_NEAR(world.state(pushed)->linearVelocity.x, 1, 1e-12) << "the force is forgotten";
+  EXPECT_EQ(world.time(), 2 * kDt);
+}
+
+// What rests while something else is hit rests on, in no part anew.
+TEST(HeavyHits, LeaveWhatRestsAlone) {
+  World world = awakeWorld();
+  add(world, bodyOf(boxOf({50, 0.5, 50}, 1000), {0, -0.5, 0}, BodyType::fixed));
+  std::vector<BodyId> column;
+  for (int i = 0; i < 30; i++) column.push_back(add(world, bodyOf(boxOf(kBrick, 1900), {10, 0.0325 + i * 0.065, 0})));
+  for (int i = 0; i < 60; i++) stepSound(world);
+  std::vector<Vec3> before;
+  for (BodyId body : column) before.push_back(world.state(body)->position);
+  for (int i = 0; i < 8; i++) add(world, bodyOf(boxOf(kBrick, 1900), {0, 0.0325 + i * 0.065, 0}));
+  BodyDef ball = bodyOf(sphereOf(kBall, 7800), {0, 0.25, -0.4});
+  ball.linearVelocity = {0, 0, 15};
+  add(world, ball);
+  int parts = 0;
+  for (int i = 0; i < 30; i++) {
+    StepReport report = *world.step(kDt);
+    EXPECT_TRUE(world.validate().empty());
+    parts += report.parts;
+  }
+  EXPECT_GT(parts, 33) << "it must have been hit";
+  for (std::size_t i = 0; i < column.size(); i++) {
+    EXPECT_EQ(world.state(column[i])->position, before[i]);
+    EXPECT_EQ(world.state(column[i])->linearVelocity, Vec3{});
+  }
+}
+
+}  // namespace
+}  // namespace brickfall
