@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "geometry/core.h"
 #include "world/core_sweep.h"
@@ -31,6 +32,7 @@ class HitSearch {
     const BodyMotion& m = bodies_.motion[body];
     if (bodies_.still[body] || !(length(m.linearVelocity) * dt_ > kLeastHitWay * bodies_.mass[body].innerRadius))
       return;
+    if (!bodies_.isDriven(body) && bodies_.mass[body].mass < kHeavier * lightest()) return;
     const Sweep own = sweepOf(bodies_, body, m.linearVelocity * dt_, m.angularVelocity * dt_);
     for (ShapeIndex shape : bodies_.shapes[body]) {
       const ShapeData& s = shapes_.data[shape];
@@ -62,10 +64,21 @@ class HitSearch {
     return far / thicknessAlong(struck.geometry, along);
   }
 
+  // kg, of all dynamic bodies: in rubble nobody is far heavier than that.
+  double lightest() {
+    if (lightest_ > 0) return lightest_;
+    lightest_ = std::numeric_limits<double>::infinity();
+    for (BodyIndex body = 0; body < bodies_.slots(); body++)
+      if (bodies_.data[body].alive && bodies_.data[body].type == BodyType::dynamic)
+        lightest_ = std::min(lightest_, bodies_.mass[body].mass);
+    return lightest_;
+  }
+
   const BodySet& bodies_;
   const ShapeSet& shapes_;
   const Proximity& proximity_;
   const double dt_;
+  double lightest_ = 0;     // 0: not looked for yet
   double thicknesses_ = 0;  // gone within the step, of any struck body
 };
 
