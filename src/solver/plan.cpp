@@ -92,7 +92,8 @@ double leastStiffening(const SolverSettings& settings, double dt, double stretch
   return std::max(least, share * stretch * stretch);
 }
 
-SolvePlan planFor(const IslandFacts& facts, const SolverSettings& settings, double dt, double stretch) {
+// Joints of small islands follow the parts of a substep: as soft as those of the whole, they would let what is thin through.
+SolvePlan planFor(const IslandFacts& facts, const SolverSettings& settings, double dt, double stretch, double part) {
   const PlanRow& row = rowOf(facts);
   bool supported = facts.grounded && !facts.partnersMove;
   bool calm = supported && facts.fastest <= settings.restSpeed + kCalmShare * kReferenceGravity * dt;
@@ -102,7 +103,7 @@ SolvePlan planFor(const IslandFacts& facts, const SolverSettings& settings, doub
   plan.exactSteps = row.exactSteps;
   plan.direct = row.direct;
   plan.stiffening = (calm ? double(row.calmStiffening) : 1) *
-                    (row.byLoad ? leastStiffening(settings, dt, stretch) : stretch * stretch);
+                    (row.byLoad ? leastStiffening(settings, dt, stretch * part) : stretch * stretch);
   plan.leastMass = row.direct ? kHeavyShare * facts.heaviest : 0;
   plan.byLoad = row.byLoad;
   plan.startsFree = !row.byLoad || !facts.grounded;

@@ -101,7 +101,8 @@ struct Ties {
 
 struct StepContext {
   double dt = 0;
-  double stretch = 1;  // dt / the time step of which resting joints have their stiffness
+  double part = 1;     // dt / that of the substep of which it is a part (heavy_hits.h)
+  double stretch = 1;  // the substep's dt / the time step of which resting joints have their stiffness
   Vec3 gravity;
   SolverSettings settings;
   Integrator integrator = Integrator::splitting;  // of bodies without contacts

@@ -133,7 +133,8 @@ void World::Impl::beginPart(double dt) {
   context.contacts = &proximity.contacts;
   context.memory = &solve.memory;
   context.statistics = {};
-  context.stretch = dt / clock.jointDt;
+  context.part = dt / clock.lastDt;
+  context.stretch = clock.lastDt / clock.jointDt;
   traceStage(
       {}, [](const Impl& w, HashItems& out) { hashGiven(w.registry, w.activity.islands, w.proximity.contacts, out); },
       [](Impl& w) {

@@ -19,8 +19,9 @@ double springEnergy(double stiffness, double way, double multiplier) {
 }  // namespace
 
 double elasticEnergy(const Contact& c, const StepContext& context) {
-  double full = context.settings.restingStiffness * leastStiffening(context.settings, context.dt, context.stretch) *
-                c.effectiveMass / (context.dt * context.dt);
+  double full = context.settings.restingStiffness *
+                leastStiffening(context.settings, context.dt, context.stretch * context.part) * c.effectiveMass /
+                (context.dt * context.dt);
   double cap = kMultiplierWeights * kReferenceGravity * c.effectiveMass;
   double sum = 0;
   for (int i = 0; i < c.count; i++) {

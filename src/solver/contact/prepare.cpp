@@ -102,13 +102,6 @@ void stiffen(PointMemory& m, int i, const StiffnessScale& scale) {
   m.offset[i] = std::min(0.0f, m.gap[i] + m.forceN[i] / scale.full);
 }
 
-// A resting point goes on with the force that it has here, too, as far as there is overlap for it: else debris would sink each time
-// that it is stirred and be lifted when it lies again, and never come to lie.
-void soften(PointMemory& m, int i, const StiffnessScale& scale) {
-  m.stiffness[i] = scale.full;
-  if (m.forceN[i] > 0) m.offset[i] = std::min(0.0f, m.gap[i] + m.forceN[i] / scale.full);
-}
-
 // Slow surfaces rest from the start; so do impacts that have to be as stiff.
 void startPhase(Contact& c, int i, float approach, const StiffnessScale& scale, const BodySet& bodies) {
   PointMemory& m = c.points;
@@ -119,6 +112,25 @@ void startPhase(Contact& c, int i, float approach, const StiffnessScale& scale, 
   m.phase[i] = m.stiffness[i] < kFullShare * scale.full ? PointPhase::impact : PointPhase::resting;
 }
 
+// Steps have become so much shorter that it is softer than any impact in them: it would stop nothing that still comes on. It goes
+// on with the force it has here, too.
+bool isTooSoft(const PointMemory& m, int i, float approach, const StiffnessScale& scale) {
+  return m.phase[i] != PointPhase::fresh && m.stiffness[i] < kFullShare * std::min(scale.soft, scale.full) &&
+         !(approach > -scale.quietSpeed);
+}
+void harden(Contact& c, int i, float approach, const StiffnessScale& scale, const BodySet& bodies) {
+  startPhase(c, i, approach, scale, bodies);
+  PointMemory& m = c.points;
+  m.offset[i] = std::min(0.0f, m.gap[i] + m.forceN[i] / m.stiffness[i]);
+}
+
+// A resting point goes on with the force that it has here, too, as far as there is overlap for it: else debris would sink each time
+// that it is stirred and be lifted when it lies again, and never come to lie.
+void soften(PointMemory& m, int i, const StiffnessScale& scale) {
+  m.stiffness[i] = scale.full;
+  if (m.forceN[i] > 0) m.offset[i] = std::min(0.0f, m.gap[i] + m.forceN[i] / scale.full);
+}
+
 // Returns the gap that causes force.
 float mapNormalOffset(Contact& c, int i, float approach, const StiffnessScale& scale, const BodySet& bodies) {
   PointMemory& m = c.points;
@@ -127,6 +139,7 @@ float mapNormalOffset(Contact& c, int i, float approach, const StiffnessScale& s
   if (m.stiffness[i] > (2 - kFullShare) * scale.full) soften(m, i, scale);
   if (m.phase[i] == PointPhase::fresh) m.offset[i] = std::min(0.0f, m.gap[i]);
   if (mustStiffen(m, i, approach, scale)) stiffen(m, i, scale);
+  if (isTooSoft(m, i, approach, scale)) harden(c, i, approach, scale, bodies);
   float offset = std::min(0.0f, std::max(m.offset[i], m.gap[i]));
   m.offset[i] = std::min(0.0f, std::max(scale.kept * offset, offset + scale.release));
   if (m.phase[i] == PointPhase::fresh) startPhase(c, i, approach, scale, bodies);

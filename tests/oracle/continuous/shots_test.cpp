@@ -97,6 +97,19 @@ TEST(Shots, ThoseThatWentThroughOnTheWayToAnImpact) {
   }
 }
 
+// Steps became an eighth as long while a ball was pressed into a plate: what was as soft as the impact of the longer step let it through.
+TEST(Shots, ThoseThatWentThroughWhenStepsBecameShorter) {
+  for (std::uint64_t seed :
+       {2429, 2837, 3400, 6777, 7356, 7652, 8177, 8537, 8586, 11011, 11488, 12542, 13536, 14575, 15569, 18267, 20377}) {
+    Shot shot = randomShot(seed);
+    Flight flight = fly(shot);
+    ASSERT_TRUE(flight.fired) << describe(shot);
+    EXPECT_TRUE(flight.hit) << describe(shot);
+    EXPECT_FALSE(flight.through) << describe(shot);
+    EXPECT_FALSE(flight.within) << describe(shot);
+  }
+}
+
 TEST(Shots, NothingGoesThrough) {
   Tally tally;
   std::uint64_t first = std::max<std::uint64_t>(seedFrom("BRICKFALL_SHOTS_FROM"), 1);
