@@ -62,6 +62,7 @@ constexpr float kFullShare = 0.99f;
 struct StiffnessScale {
   float unit;        // N/m
   float full, soft;  // N/m
+  float softest;     // N/m: an impact in a whole step, not in what is left of it after another
   float quietSpeed;  // m/s
   float cap;         // N
   float dt;          // s
@@ -115,7 +116,7 @@ void startPhase(Contact& c, int i, float approach, const StiffnessScale& scale, 
 // Steps have become so much shorter that it is softer than any impact in them: it would stop nothing that still comes on. It goes
 // on with the force it has here, too.
 bool isTooSoft(const PointMemory& m, int i, float approach, const StiffnessScale& scale) {
-  return m.phase[i] != PointPhase::fresh && m.stiffness[i] < kFullShare * std::min(scale.soft, scale.full) &&
+  return m.phase[i] != PointPhase::fresh && m.stiffness[i] < kFullShare * std::min(scale.softest, scale.full) &&
          !(approach > -scale.quietSpeed);
 }
 void harden(Contact& c, int i, float approach, const StiffnessScale& scale, const BodySet& bodies) {
@@ -204,6 +205,7 @@ void ContactRows::prepare(const Island& island, Ties ties, const StepContext& co
     const bool debris = isDebris(island, r, c, cap);
     double full = debris ? context.settings.impactStiffness * unit : resting * firm;
     StiffnessScale scale{float(unit), float(full), float(context.settings.impactStiffness * unit),
+                         float(context.settings.impactStiffness * c.effectiveMass / (context.dt * context.dt)),
                          float(context.settings.restingApproachSpeed), cap, float(island.dt),
                          // A part of a step lets go of a part.
                          1 - (1 - kOffsetKept) * float(island.dt / context.dt), kLeastRelease * float(island.dt)};
