@@ -38,7 +38,7 @@ struct SolverSettings {
                        // the bodies is out of balance
   //! - | too small: debris of 25 to 80 bodies, fast or in flight, stays unbalanced | too large: its cost
   int maxCyclesSmall = 64;  // the same for the smallest islands (640 / bodies, clamped)
-  //! - | too small: at long time steps heavy balls punch clean holes into walls that they should bring down
+  //! - | too small: at long time steps heavy balls punch clean holes into walls that they should push apart
   //! | too large: cost of fast hits
   int maxHitParts = 8;  // 1 .. 64: a step in which something heavy goes far into what it hits is made in up to so many
                         // equal parts; 1: never

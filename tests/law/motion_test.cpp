@@ -193,7 +193,7 @@ TEST(Law, Row18oTheSameHoleAtAnyStep) {
 }
 
 // What a ball far heavier than a brick knocks out wedges the wall apart, whatever it goes in a step.
-TEST(Law, Row18rAHeavyBallBringsDownAsMuchAtAnyStep) {
+TEST(Law, Row18rAHeavyBallMovesAsManyBricksAtAnyStep) {
   struct Ball {
     double radius, speed;
   };
@@ -222,7 +222,7 @@ TEST(Law, Row18rAHeavyBallBringsDownAsMuchAtAnyStep) {
       least = std::min(least, sum / shots);
       most = std::max(most, sum / shots);
     }
-    EXPECT_GE(least, 100) << name << ": it brings down more than its own hole";
+    EXPECT_GE(least, 100) << name << ": more than its own hole";
     atMost(name + ": most bricks moved at a step over fewest at another, means of " + std::to_string(shots), 0,
            most / least, 2, "", 2.5);
   }

@@ -62,7 +62,7 @@ constexpr float kFullShare = 0.99f;
 struct StiffnessScale {
   float unit;        // N/m
   float full, soft;  // N/m
-  float softest;     // N/m: an impact in a whole step, not in what is left of it after another
+  float softest;     // N/m: of an impact in a step, or part of one, of full length
   float quietSpeed;  // m/s
   float cap;         // N
   float dt;          // s

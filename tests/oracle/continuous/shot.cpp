@@ -218,6 +218,17 @@ Scene makeScene(const Shot& shot, Flight& flight) {
   return scene;
 }
 
+// Of the coming step, with as many as a world takes by itself; this one is left as it is.
+int partsOf(const World& world, double dt) {
+  World copy = std::move(World::create({})).value();
+  if (!copy.restore(world.snapshot()).ok()) return 1;
+  WorldDef def = copy.definition();
+  def.solver.maxHitParts = SolverSettings{}.maxHitParts;
+  if (!copy.setDefinition(def).ok()) return 1;
+  Result<StepReport> report = copy.step(dt);
+  return report.ok() ? report->parts : 1;
+}
+
 }  // namespace
 
 const char* nameOf(Target target) {
@@ -255,21 +266,6 @@ std::string describe(const Shot& s) {
                 s.spin, s.thickness * 1e3, 1 / s.dt);
   return out;
 }
-
-namespace {
-
-// Of the coming step, with as many as a world takes by itself; this one is left as it is.
-int partsOf(const World& world, double dt) {
-  World copy = std::move(World::create({})).value();
-  if (!copy.restore(world.snapshot()).ok()) return 1;
-  WorldDef def = copy.definition();
-  def.solver.maxHitParts = SolverSettings{}.maxHitParts;
-  if (!copy.setDefinition(def).ok()) return 1;
-  Result<StepReport> report = copy.step(dt);
-  return report.ok() ? report->parts : 1;
-}
-
-}  // namespace
 
 Flight fly(const Shot& shot) {
   Flight out;
