@@ -5,31 +5,11 @@
 #include <utility>
 
 #include "base/keep_room.h"
+#include "solver/union_find.h"
 
 namespace brickfall {
 
 namespace {
-
-class UnionFind {
- public:
-  UnionFind(std::size_t count, std::pmr::memory_resource* memory) : parent_(count, memory) {
-    for (std::size_t i = 0; i < count; i++) parent_[i] = std::uint32_t(i);
-  }
-  std::uint32_t find(std::uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  // The lower index becomes the root: a root is the lowest body of its island.
-  void join(std::uint32_t a, std::uint32_t b) {
-    a = find(a);
-    b = find(b);
-    if (a < b) parent_[b] = a;
-    if (b < a) parent_[a] = b;
-  }
-
- private:
-  std::pmr::vector<std::uint32_t> parent_;
-};
 
 // Partners, and the rows' body numbers.
 void numberBodies(Island& island, const BodySet& bodies, Ties ties, std::pmr::vector<std::uint32_t>& localOf) {

@@ -11,6 +11,7 @@
 #include "solver/cycles.h"
 #include "solver/finish/balance.h"
 #include "solver/finish/flight.h"
+#include "solver/finish/group_slide.h"
 #include "solver/finish/lone_body.h"
 #include "solver/finish/motion.h"
 #include "solver/free_motion.h"
@@ -216,6 +217,7 @@ void ImpactWalk::solve(Island& island, double dt, bool toImpact, SolveStatistics
     storeMotion(island, context_);
     correctFlight(island, context_);
     correctLoneBody(island, ties_, context_);
+    correctGroupSlides(island, context_);
     if (solvedWell(island, context_)) balance(island, context_);
   }
   island.toImpact = false;

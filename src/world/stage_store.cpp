@@ -6,6 +6,7 @@
 
 #include "solver/contact/energy.h"
 #include "solver/finish/flight.h"
+#include "solver/finish/group_slide.h"
 #include "solver/finish/lone_body.h"
 #include "solver/finish/motion.h"
 #include "solver/rest.h"
@@ -70,6 +71,7 @@ void storeSolution(const WorldDef& def, const Registry& registry, IslandSet& isl
     storeMotion(*island, context);
     correctFlight(*island, context);
     correctLoneBody(*island, Ties{contacts}, context);
+    correctGroupSlides(*island, context);
   }
 }
 

@@ -228,5 +228,51 @@ TEST(Law, Row18rAHeavyBallMovesAsManyBricksAtAnyStep) {
   }
 }
 
+// A stack, a row or a wall that slides as one goes as far as one body would: v^2 / (2 mu g) on the level, v t + a t^2 / 2 on a
+// slope (gravity is turned, the ground stays level).
+TEST(Law, Row18sGroupsSlideAsFarAsOneBody) {
+  struct Group {
+    const char* name;
+    int columns, courses;
+    Vec3 velocity;  // m/s
+    double slope;   // degrees, down along x
+  };
+  const double friction = 0.2;
+  const Vec3 half{0.1075, 0.0325, 0.05125};
+  std::vector<Group> groups{
+      {"stack of 3 bricks", 1, 3, {0, 0, 1.5}, 0},        {"stack of 10 bricks", 1, 10, {1.5, 0, 0}, 0},
+      {"row of 8 bricks", 8, 1, {0, 0, 1.5}, 0},          {"wall of 10 x 10, along", 10, 10, {1.5, 0, 0}, 0},
+      {"wall of 12 x 4, across", 12, 4, {0, 0, 1.5}, 0},  {"stack of 4 bricks, downhill", 1, 4, {}, 20},
+      {"stack of 4 bricks, uphill", 1, 4, {-2, 0, 0}, 15}};
+  if (atFullLength()) groups.push_back({"wall of 20 x 20, along", 20, 20, {1.5, 0, 0}, 0});
+  for (const Group& g : groups)
+    for (double dt : kMotionSteps) {
+      World world = worldOnFloor(friction);
+      std::vector<BodyId> bricks;
+      for (int course = 0; course < g.courses; course++)
+        for (int column = 0; column < g.columns; column++) {
+          const double shift = g.columns > 1 && course % 2 ? 2 * half.x / 3 : 0;  // so that ends don't tip
+          bricks.push_back(add(
+              world, bodyOf(boxOf(half, 1900, friction), {2 * half.x * column + shift, half.y * (2 * course + 1), 0})));
+        }
+      run(world, 0.5, dt);
+      const double angle = g.slope * kPi / 180, speed = length(g.velocity);
+      ASSERT_TRUE(world.setGravity(Vec3{std::sin(angle), -std::cos(angle), 0} * kG).ok());
+      auto middle = [&] {
+        Vec3 sum;
+        for (BodyId brick : bricks) sum += world.state(brick)->centreOfMass * (1.0 / double(bricks.size()));
+        return sum;
+      };
+      const Vec3 from = middle(), along = speed > 0 ? g.velocity * (1 / speed) : Vec3{1, 0, 0};
+      for (BodyId brick : bricks) ASSERT_TRUE(world.setLinearVelocity(brick, g.velocity).ok());
+      const double pulls = kG * std::sin(angle) * along.x - friction * kG * std::cos(angle);
+      const double seconds = g.slope > 0 ? 0.4 : 1.5;  // on the level: until it stops
+      const double right =
+          g.slope > 0 ? speed * seconds + 0.5 * pulls * seconds * seconds : -speed * speed / (2 * pulls);
+      run(world, seconds, dt);
+      reached({std::string(g.name) + ": way", dt, dot(middle() - from, along), right, 0.005 * right, "m"});
+    }
+}
+
 }  // namespace
 }  // namespace brickfall::law

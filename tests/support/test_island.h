@@ -17,6 +17,7 @@
 #include "solver/cycles.h"
 #include "solver/finish/balance.h"
 #include "solver/finish/flight.h"
+#include "solver/finish/group_slide.h"
 #include "solver/finish/lone_body.h"
 #include "solver/finish/motion.h"
 #include "solver/free_motion.h"
@@ -168,6 +169,7 @@ class TestIsland {
     storeMotion(island(), context);
     correctFlight(island(), context);
     correctLoneBody(island(), ties(), context);
+    correctGroupSlides(island(), context);
     return changed;
   }
   // Velocities, poses, gaps.

@@ -8,36 +8,29 @@
 
 #include <cmath>
 
+#include "solver/finish/steady.h"
 #include "solver/free_motion.h"
 
 namespace brickfall {
 
 namespace {
 
-//! g h | too small: slides and rolls lose half a step of way
-//! | too large: bodies that land or leave get a correction that is not theirs
-constexpr double kSteadyShare = 0.2;  // of g dt: change of a normal velocity that still counts as none
 //! - | too small: the last step of a slide is too long | too large: what goes on slowly counts as stopped
 constexpr double kStopped = 1e-3;  // of the speed at the start of the step
-//! of the way | with kSteadyShare
+//! of the way | too small: slides lose half a step of way | too large: what rocks gains energy
 constexpr double kTurnShare = 1e-3;  // of the way: how far a slide may turn the surface out of its plane
 
 // All points that carry force neither land nor leave in this step, and there is one.
-bool steadyContacts(const Island& island, const StepContext& context, Vec3 moveChange, Vec3 turnChange) {
-  double most = kSteadyShare * kReferenceGravity * island.dt;
+bool steadyContacts(const Island& island, const StepContext& context, const VelocityChange& change) {
   bool carried = false;
   for (std::size_t k = 0; k < island.rows.contacts.records.size(); k++) {
     const ContactRecord& r = island.rows.contacts.records[k];
     const Contact& c = context.contacts->contacts[island.rows.contacts.contactOf[k]];
-    bool isA = r.bodyA == 0;
-    Vec3 n = toDouble(r.n), t1 = toDouble(r.t1), t2 = cross(n, t1), arm = toDouble(isA ? r.armA : r.armB);
-    double along = dot(n, moveChange + cross(turnChange, arm)), tilt1 = dot(t1, turnChange),
-           tilt2 = dot(t2, turnChange);
+    const VelocityChange a = r.bodyA == 0 ? change : VelocityChange{}, b = r.bodyA == 0 ? VelocityChange{} : change;
     for (int i = 0; i < c.count; i++) {
       if (!(c.points.forceN[i] > 0)) continue;
       carried = true;
-      double change = along + tilt1 * double(r.s2[i]) - tilt2 * double(r.s1[i]);
-      if (!(std::fabs(change) <= most && std::fabs(island.rows.contacts.starts[k].approach[i]) <= most)) return false;
+      if (!isSteady(r, island.rows.contacts.starts[k], i, a, b, island.dt)) return false;
     }
   }
   return carried;
@@ -88,9 +81,9 @@ void correctLoneBody(Island& island, Ties ties, StepContext& context) {
   BodyIndex body = island.bodies[0];
   const FreeMotion& free = context.free[body];
   SolvedMotion& s = context.solved[body];
-  Vec3 moveChange = s.velocity - free.startVelocity;
-  Vec3 turnChange = context.bodies->worldInvInertia(body) * s.angularMomentum - free.startSpin;
-  if (!steadyContacts(island, context, moveChange, turnChange)) return;
+  const VelocityChange change = changeOf(body, context);
+  const auto& [moveChange, turnChange] = change;
+  if (!steadyContacts(island, context, change)) return;
   bool fromRest = free.startVelocity == Vec3{} && free.startSpin == Vec3{};
   bool steadyForces = keepsItsForces(island, context, s.d - moveChange * (0.5 * island.dt),
                                      s.freeTurn ? s.th : s.th - turnChange * (0.5 * island.dt));

@@ -1,0 +1,20 @@
+// Whether contacts go on as they are through a step: what second order in the time step may be asked of.
+#pragma once
+#include "solver/island.h"
+
+namespace brickfall {
+
+// How velocities of a body changed in a step; not at all of what is fixed.
+struct VelocityChange {
+  Vec3 move, turn;  // m/s of the centre of mass; rad/s
+};
+VelocityChange changeOf(BodyIndex body, const StepContext& context);
+
+// m/s, along the normal: by how much the velocity of point i of a contact, of B against A, changes.
+double changeAtPoint(const ContactRecord& row, int i, const VelocityChange& a, const VelocityChange& b);
+
+// Point i neither lands nor leaves: it closes and parts by no more than small shocks do.
+bool isSteady(const ContactRecord& row, const ContactStart& start, int i, const VelocityChange& a,
+              const VelocityChange& b, double dt);
+
+}  // namespace brickfall
