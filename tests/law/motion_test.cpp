@@ -274,5 +274,27 @@ TEST(Law, Row18sGroupsSlideAsFarAsOneBody) {
     }
 }
 
+// On a belt that is suddenly switched on what lies there slips by v^2 / (2 mu g) until it goes along.
+TEST(Law, Row18sGroupsSlipOnABelt) {
+  const double friction = 0.3, speed = 2, seconds = 1.5;
+  for (int bricks : {1, 4, 7})
+    for (double dt : kMotionSteps) {
+      World world = makeWorld();
+      const BodyId belt = add(world, bodyOf(boxOf({20, 0.5, 1}, 1000, friction), {0, -0.5, 0}, BodyType::kinematic));
+      BodyId lowest;
+      for (int i = 0; i < bricks; i++) {
+        const BodyId brick =
+            add(world, bodyOf(boxOf({0.1075, 0.0325, 0.05125}, 1900, friction), {0, 0.0325 * (2 * i + 1), 0}));
+        if (i == 0) lowest = brick;
+      }
+      run(world, 0.5, dt);
+      ASSERT_TRUE(world.setLinearVelocity(belt, {speed, 0, 0}).ok());
+      run(world, seconds, dt);
+      const double right = speed * speed / (2 * friction * kG);
+      reached({"stack of " + std::to_string(bricks) + " on a belt: slip", dt,
+               speed * seconds - world.state(lowest)->position.x, right, 0.005 * right, "m"});
+    }
+}
+
 }  // namespace
 }  // namespace brickfall::law

@@ -110,6 +110,10 @@ template <class R> BRICKFALL_LANES auto closedReach(const R& r, float near) {
   return select(L{} > cap, cap, max(cap, pointsOf(r, &ContactRecord::k) * wide::all<L>(near)));
 }
 
+//! N3 | too small: forces that fade in flight make a matrix of NaN: groups that hit fly apart
+//! | too large: slides under tiny forces converge slowly
+constexpr float kLeastCube = 1e-37f;
+
 // Loaded points resist along the normal, and so do open ones that are nearer than `near` m: a Newton step must not run
 // through them. Sticking points resist tangentially; sliding ones only across their slip.
 template <class R, class L>
@@ -121,8 +125,8 @@ BRICKFALL_LANES StiffnessOf<L> stiffness(const R& r, const Frame<L>& frame, cons
   auto frictional = limit > zero;
   L kt = keepIf(frictional, k);
   auto sliding = f.slides & frictional;
-  // Sliding: k |f| / |trial| on the direction across the trial force.
-  L share = (kt * limit) / (f.trialSquared * f.root);
+  // Sliding: k |f| / |trial| on the direction across the trial force; of forces whose cube is none in floats, less than that.
+  L share = (kt * limit) / max(f.trialSquared * f.root, wide::all<L>(kLeastCube));
   L t11 = select(sliding, share * (f.trial2 * f.trial2), kt);
   L t22 = select(sliding, share * (f.trial1 * f.trial1), kt);
   L t12 = select(sliding, -(share * (f.trial1 * f.trial2)), zero);

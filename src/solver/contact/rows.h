@@ -62,6 +62,10 @@ struct ContactRows {
   bool carriesForce(std::size_t k, const StepContext& context) const {
     return context.contacts->contacts[contactOf[k]].touching;
   }
+  // It carries force, and friction holds it at one point at least.
+  bool sticks(std::size_t k, const StepContext& context) const {
+    return carriesForce(k, context) && context.contacts->contacts[contactOf[k]].points.stickingMask != 0;
+  }
   // In the last step it carried force that was no impact's, and its bodies do not part.
   bool holds(std::size_t k, const StepContext& context) const;
   // N: the force from A on B in the last step, along the normal, and the friction that this allows.

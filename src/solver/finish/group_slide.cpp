@@ -4,10 +4,12 @@
 // the group as a whole are taken from it, as those of a rigid body, and nothing moves against its neighbours.
 #include "solver/finish/group_slide.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "solver/finish/steady.h"
 #include "solver/rigid_sum.h"
+#include "solver/support.h"
 #include "solver/union_find.h"
 
 namespace brickfall {
@@ -19,7 +21,7 @@ constexpr double kFlat = 1e-3;  // sine of the angle between normals that count 
 //! m | too small: bricks side by side leave each other's slides short | too large: bodies are moved into each other
 constexpr double kNoWay = 1e-6;  // so much nearer to another group is no nearer
 
-// How the velocities of a group changed along the ground, as those of a rigid body.
+// Velocities of a group along the ground, as those of a rigid body, or how they changed.
 struct Slide {
   Slide(const RigidSum& sum, Vec3 normal) : centre(sum.centre()) {
     const Vec3 v = sum.velocity();
@@ -37,21 +39,26 @@ class GroupSlides {
         island_(island),
         context_(context),
         count_(std::uint32_t(island.bodies.size())),
+        held_(island.memory),
         groupOf_(count_, 0, island.memory),
         normals_(count_, Vec3{}, island.memory),
         stays_(count_, 0, island.memory),
         changes_(island.memory) {}
 
-  void findGroups();
+  // False if nothing slides.
+  bool findGroups();
   bool judgeGround();
   void findChanges();
   void judgeOpen();
   void correct();
 
  private:
-  bool isFixed(std::uint32_t body) const { return body >= count_; }
+  bool isGround(std::uint32_t body) const { return held_[body]; }
   bool slides(std::uint32_t body) const {
-    return !isFixed(body) && !stays_[groupOf_[body]] && normals_[groupOf_[body]] != Vec3{};
+    return !isGround(body) && !stays_[groupOf_[body]] && normals_[groupOf_[body]] != Vec3{};
+  }
+  VelocityChange solvedChange(std::uint32_t body) const {
+    return body < count_ ? changeOf(island_.bodies[body], context_) : VelocityChange{};
   }
   const PointMemory& points(std::size_t k) const { return context_.contacts->contacts[rows_.contactOf[k]].points; }
   bool goesOn(std::size_t k) const;
@@ -61,6 +68,7 @@ class GroupSlides {
   Island& island_;
   StepContext& context_;
   std::uint32_t count_;
+  std::pmr::vector<char> held_;              // bodies and partners: as good as fixed
   std::pmr::vector<std::uint32_t> groupOf_;  // body -> the group's lowest body
   // By group:
   std::pmr::vector<Vec3> normals_;  // of the ground; none: it touches none
@@ -69,24 +77,25 @@ class GroupSlides {
   std::pmr::vector<VelocityChange> changes_;
 };
 
-// Bodies that press on each other.
-void GroupSlides::findGroups() {
+// Bodies that press on each other, and stick to nothing that chains of such hold to something fixed: all that is held is ground.
+bool GroupSlides::findGroups() {
+  findSupported(island_, held_, [&](const auto& kind, std::size_t k) { return kind.sticks(k, context_); });
+  if (std::find(held_.begin(), held_.end(), 0) == held_.end()) return false;
   UnionFind sets(count_, island_.memory);
   for (std::size_t k = 0; k < rows_.size(); k++) {
     RowEnds ends = rows_.ends(k);
-    if (!isFixed(ends.a) && !isFixed(ends.b) && rows_.carriesForce(k, context_)) sets.join(ends.a, ends.b);
+    if (!isGround(ends.a) && !isGround(ends.b) && rows_.carriesForce(k, context_)) sets.join(ends.a, ends.b);
   }
   for (std::uint32_t i = 0; i < count_; i++) groupOf_[i] = sets.find(i);
+  return true;
 }
 
-// Its points that press on the ground slide there, and neither land nor leave.
+// Its points that press on the ground neither land nor leave.
 bool GroupSlides::goesOn(std::size_t k) const {
   const ContactRecord& row = rows_.records[k];
-  const VelocityChange change = changeOf(island_.bodies[isFixed(row.bodyA) ? row.bodyB : row.bodyA], context_);
-  const VelocityChange a = isFixed(row.bodyA) ? VelocityChange{} : change,
-                       b = isFixed(row.bodyA) ? change : VelocityChange{};
   for (int i = 0; i < rows_.starts[k].points; i++)
-    if (points(k).forceN[i] > 0 && (points(k).sticks(i) || !isSteady(row, rows_.starts[k], i, a, b, island_.dt)))
+    if (points(k).forceN[i] > 0 &&
+        !isSteady(row, rows_.starts[k], i, solvedChange(row.bodyA), solvedChange(row.bodyB), island_.dt))
       return false;
   return true;
 }
@@ -95,8 +104,8 @@ bool GroupSlides::goesOn(std::size_t k) const {
 bool GroupSlides::judgeGround() {
   for (std::size_t k = 0; k < rows_.size(); k++) {
     RowEnds ends = rows_.ends(k);
-    if (isFixed(ends.a) == isFixed(ends.b) || !rows_.carriesForce(k, context_)) continue;
-    const std::uint32_t group = groupOf_[isFixed(ends.a) ? ends.b : ends.a];
+    if (isGround(ends.a) == isGround(ends.b) || !rows_.carriesForce(k, context_)) continue;
+    const std::uint32_t group = groupOf_[isGround(ends.a) ? ends.b : ends.a];
     if (stays_[group]) continue;
     const Vec3 n = toDouble(rows_.records[k].n);
     if (normals_[group] == Vec3{}) normals_[group] = n;
@@ -107,34 +116,47 @@ bool GroupSlides::judgeGround() {
   return false;
 }
 
+// Of bodies that slide: as rigid bodies, how fast groups were, and by how much that changed. What is slow stays: it sways, or comes
+// to rest.
 void GroupSlides::findChanges() {
   const BodySet& bodies = *context_.bodies;
-  std::pmr::vector<RigidSum> sums(count_, RigidSum(island_.origin), island_.memory);
+  std::pmr::vector<RigidSum> starts(count_, RigidSum(island_.origin), island_.memory), changes = starts;
   for (std::uint32_t i = 0; i < count_; i++) {
     if (!slides(i)) continue;
     const BodyIndex body = island_.bodies[i];
-    const VelocityChange change = changeOf(body, context_);
+    const FreeMotion& free = context_.free[body];
     const Mat3 inertia = bodies.worldInertia(body);
     const double m = bodies.mass[body].mass;
-    sums[groupOf_[i]].add(m, bodies.motion[body].position, inertia, change.move * m, inertia * change.turn);
+    auto add = [&](RigidSum& sum, const VelocityChange& v) {
+      sum.add(m, bodies.motion[body].position, inertia, v.move * m, inertia * v.turn);
+    };
+    add(starts[groupOf_[i]], {free.startVelocity, free.startSpin});
+    add(changes[groupOf_[i]], changeOf(body, context_));
   }
   changes_.resize(count_);
+  std::pmr::vector<char> fast(count_, 0, island_.memory);
+  for (std::uint32_t i = 0; i < count_; i++) {
+    if (!slides(i)) continue;
+    const std::uint32_t group = groupOf_[i];
+    const BodyIndex body = island_.bodies[i];
+    const VelocityChange start = Slide(starts[group], normals_[group]).at(bodies.motion[body].position);
+    if (length(start.move) + length(start.turn) * bodies.mass[body].outerRadius > context_.settings.restSpeed)
+      fast[group] = 1;
+    changes_[i] = Slide(changes[group], normals_[group]).at(bodies.motion[body].position);
+  }
   for (std::uint32_t i = 0; i < count_; i++)
-    if (slides(i))
-      changes_[i] = Slide(sums[groupOf_[i]], normals_[groupOf_[i]]).at(bodies.motion[island_.bodies[i]].position);
+    if (!fast[i]) stays_[i] = 1;
 }
 
 // Open points of a group may be nearer to others at the end of the step than it is moved back.
 bool GroupSlides::wouldMeet(std::size_t k) const {
   const ContactRecord& row = rows_.records[k];
   auto of = [&](std::uint32_t body) { return slides(body) ? changes_[body] : VelocityChange{}; };
-  auto solved = [&](std::uint32_t body) {
-    return isFixed(body) ? VelocityChange{} : changeOf(island_.bodies[body], context_);
-  };
   for (int i = 0; i < rows_.starts[k].points; i++) {
     const double by = 0.5 * island_.dt * changeAtPoint(row, i, of(row.bodyA), of(row.bodyB));
     if (by <= kNoWay) continue;
-    const double speed = rows_.starts[k].approach[i] + changeAtPoint(row, i, solved(row.bodyA), solved(row.bodyB));
+    const double speed =
+        rows_.starts[k].approach[i] + changeAtPoint(row, i, solvedChange(row.bodyA), solvedChange(row.bodyB));
     if (rows_.starts[k].gap[i] + speed * island_.dt < by) return true;
   }
   return false;
@@ -144,10 +166,10 @@ void GroupSlides::judgeOpen() {
   for (std::size_t k = 0; k < rows_.size(); k++) {
     RowEnds ends = rows_.ends(k);
     if ((!slides(ends.a) && !slides(ends.b)) || rows_.carriesForce(k, context_)) continue;
-    if (!isFixed(ends.a) && !isFixed(ends.b) && groupOf_[ends.a] == groupOf_[ends.b]) continue;
+    if (!isGround(ends.a) && !isGround(ends.b) && groupOf_[ends.a] == groupOf_[ends.b]) continue;
     if (!wouldMeet(k)) continue;
     for (std::uint32_t body : {ends.a, ends.b})
-      if (!isFixed(body)) stays_[groupOf_[body]] = 1;
+      if (!isGround(body)) stays_[groupOf_[body]] = 1;
   }
 }
 
@@ -166,11 +188,12 @@ void GroupSlides::correct() {
 }  // namespace
 
 void correctGroupSlides(Island& island, StepContext& context) {
-  if (island.resting() || !island.grounded() || island.facts.partnersMove || island.bodies.size() < 2) return;
-  if (island.facts.fastest <= context.settings.restSpeed) return;
+  if (island.resting() || !island.grounded() || island.facts.fastest <= context.settings.restSpeed) return;
+  if (island.bodies.size() == 1 && !island.facts.partnersMove) return;
+  for (BodyIndex partner : island.partners)
+    if (context.bodies->motion[partner].angularVelocity != Vec3{}) return;
   GroupSlides slides(island, context);
-  slides.findGroups();
-  if (!slides.judgeGround()) return;
+  if (!slides.findGroups() || !slides.judgeGround()) return;
   slides.findChanges();
   slides.judgeOpen();
   slides.correct();
