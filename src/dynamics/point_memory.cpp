@@ -51,6 +51,7 @@ void clearPoint(PointMemory& m, int i) {
   m.forceN[i] = m.force1[i] = m.force2[i] = 0;
   m.slip1[i] = m.slip2[i] = 0;
   m.impulse[i] = m.impactSpeed[i] = 0;
+  m.impactMask &= ~(1u << i);
   m.stickingMask &= ~(1u << i);
 }
 
@@ -90,6 +91,7 @@ void carryOver(PointMemory& to, int i, const PointMemory& from, int j, const Tan
   to.hit1[i] = along1(from.hit1[j], from.hit2[j]);
   to.hit2[i] = along2(from.hit1[j], from.hit2[j]);
   if (from.metMask >> j & 1) to.metMask |= 1u << i;
+  if (from.impactMask >> j & 1) to.impactMask |= 1u << i;
   if (from.sticks(j)) to.stickingMask |= 1u << i;
 }
 

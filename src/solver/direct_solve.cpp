@@ -21,17 +21,25 @@ namespace {
 //! - | too small: rubble is left with many weights unbalanced | too large: cost of rubble
 constexpr int kDirectSteps = 100;
 //! - | too small: slow ways to balance are given up | too large: cost where floats round
-constexpr int kStalledSteps = 4;  // steps in a row that better nothing: then ten times the residual is good enough
+constexpr int kStalledSteps =
+    4;  // steps in a row that better nothing: then ten times the residual is good enough, after
+        // twice as many a hundred times, if nothing is to rest
 //! - | too small: steps of rounding are taken for progress: cost | too large: slow ways to balance are given up
 constexpr double kBetterStep = 0.8;  // of the least residual so far
 //! - | too small: new points slide under bounds that are not theirs
 //! | too large: bounds and forces may chase each other, and no step is the last
 constexpr int kBoundSteps = 6;  // friction bounds of new points follow for so many steps, then they are frozen
+//! - | too small: stacks that land, or are made leaning, shear | too large: cost
+constexpr int kBoundSolves = 3;  // so often it is solved again, with the friction bounds that the forces found say
+//! of the bound | too small: cost | too large: new points slide under bounds that are not theirs
+constexpr float kBoundChange = 0.02f;  // less is left
 //! - | too small: steps end short of their minimum: more of them
 //! | too large: cost where float rounding hides the minimum
 constexpr int kSearchSteps = 30;  // evaluations along a step
 //! - | too small: cost of searches that change little | too large: steps end far beyond their minimum
 constexpr double kEnough = 0.8;  // of the slope at the start: a search ends below it
+//! - | too small: cost | too large: steps jump to and fro over edges that open and close: what leans stays up
+constexpr double kEnoughStalled = 0.1;  // the same after kStalledSteps
 
 using Block = double[6][6];
 
@@ -55,7 +63,7 @@ class Newton {
   }
 
   // One step to about the minimum of the energy along it. False if the matrix is not positive definite.
-  bool step(bool boundsFollow) {
+  bool step(bool boundsFollow, double enough) {
     assemble();
     if (!matrix_.factor()) return false;
     for (std::size_t i = 0; i < place_.size(); i++)
@@ -65,11 +73,20 @@ class Newton {
       }
     matrix_.solve(step_.data());
     from_.assign(island_.motion.begin(), island_.motion.begin() + std::ptrdiff_t(place_.size()));
-    search();
+    search(enough);
     readForces(boundsFollow);
     return true;
   }
 
+  // Friction that follows: by the forces that were found. True if any changed.
+  bool settleBounds() {
+    bool any = false;
+    island_.rows.each([&](auto& kind, std::size_t k) {
+      any = (kind.boundsFollow(k) && kind.settleBounds(k, island_.motion.data(), kBoundChange)) || any;
+    });
+    if (any) readForces(false);
+    return any;
+  }
   // Of points whose friction follows, those that have opened hold nothing more. True if any did.
   bool dropBounds() {
     bool any = false;
@@ -195,9 +212,9 @@ class Newton {
     return slope();
   }
 
-  // Bracketed secant search (Illinois rule), every third time halving.
-  void search() {
-    double start = slope(), enough = kEnough * start;
+  // Bracketed secant search (Illinois rule), every third time halving, until the slope is `share` of that at the start.
+  void search(double share) {
+    double start = slope(), enough = share * start;
     double low = 0, slopeLow = start, high = 1, slopeHigh = moveTo(1), s = slopeHigh;
     for (int k = 0; s > enough && k < 4; k++) {
       low = high;
@@ -226,14 +243,24 @@ class Newton {
 
 void solveDirectly(Island& island, const StepContext& context, double tolerance, SolveStatistics& statistics) {
   Newton newton(island, statistics);
-  double least = std::numeric_limits<double>::infinity();
-  for (int k = 0, stalled = 0; k < kDirectSteps; k++) {
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  double least = kNone;
+  int stalled = 0, boundSolves = 0;
+  for (int k = 0; k < kDirectSteps; k++) {
     const double worst = worstResidual(island, *context.bodies);
     stalled = worst < kBetterStep * least ? 0 : stalled + 1;
     least = std::min(least, worst);
-    bool done = worst < (stalled < kStalledSteps ? tolerance : 10 * tolerance);
-    if (done && !newton.dropBounds()) return;
-    if (!newton.step(k < kBoundSteps)) return;
+    const double enough = stalled < kStalledSteps ? 1 : stalled < 2 * kStalledSteps || island.plan.slow ? 10 : 100;
+    if (worst < enough * tolerance) {
+      if (boundSolves++ < kBoundSolves && newton.settleBounds()) {
+        least = kNone;
+        stalled = 0;
+        k = std::max(k, kBoundSteps);
+      } else if (!newton.dropBounds()) {
+        return;
+      }
+    }
+    if (!newton.step(k < kBoundSteps, stalled < kStalledSteps ? kEnough : kEnoughStalled)) return;
     statistics.cycles++;
   }
 }

@@ -51,7 +51,8 @@ bool soundGeometry(const ContactGeometry& g) {
 }
 
 bool soundRecord(const ContactRecord& r, const ContactStart& start) {
-  bool fine = r.newPoints < 16 && isForce(start.friction) && start.points >= 0 && start.points <= 4;
+  bool fine =
+      r.newPoints < 16 && start.falling < 16 && isForce(start.friction) && start.points >= 0 && start.points <= 4;
   for (const Vec3f& v : {r.n, r.t1, r.armA, r.armB, start.bend})
     fine = fine && isLength(v.x) && isLength(v.y) && isLength(v.z);
   for (int i = 0; i < 4; i++)

@@ -22,7 +22,7 @@ TEST(Regression, BallBouncesOffWhatItFliesPast) {
         run(wall.world, 2 / speed, dt);
         BodyState after = *wall.world.state(body);
         EXPECT_LT(after.position.z, -0.9) << "it must have come past";
-        EXPECT_NEAR(length(after.linearVelocity - ball.linearVelocity), 0, 1e-4)
+        EXPECT_NEAR(length(after.linearVelocity - ball.linearVelocity), 0, 1e-3)
             << speed << " m/s, " << clearance << " m above, " << 1 / dt;
       }
 }

@@ -209,7 +209,7 @@ void ContactRows::prepare(const Island& island, Ties ties, const StepContext& co
                          float(context.settings.restingApproachSpeed), cap, float(island.dt),
                          // A part of a step lets go of a part.
                          1 - (1 - kOffsetKept) * float(island.dt / context.dt), kLeastRelease * float(island.dt)};
-    r.newPoints = 0;
+    r.newPoints = start.falling = 0;
     start.points = c.count;
     start.friction = c.friction;
     start.bend = bendOf(island, r, c, bodies, island.dt);
@@ -221,7 +221,10 @@ void ContactRows::prepare(const Island& island, Ties ties, const StepContext& co
         continue;
       }
       if (-start.approach[i] > fastestApproach) fastestApproach = -start.approach[i];
-      if (boundFollows(c.points, i, start.approach[i], scale, debris)) r.newPoints |= 1u << i;
+      const bool follows = boundFollows(c.points, i, start.approach[i], scale, debris);
+      const bool falls = !follows && (c.points.impactMask >> i & 1);
+      if (follows || falls) r.newPoints |= 1u << i;
+      if (falls) start.falling |= 1u << i;
       float gap = mapNormalOffset(c, i, start.approach[i], scale, bodies);
       mapFrictionAnchor(c, i, set.geometry[contactOf[k]], r, bodies);
       float stiffness = c.points.stiffness[i];
@@ -232,6 +235,7 @@ void ContactRows::prepare(const Island& island, Ties ties, const StepContext& co
       start.stopping[i] = c.effectiveMass *
                           (std::max(0.0f, -start.approach[i]) + float(kReferenceGravity * island.dt)) /
                           float(island.dt);
+      if (falls) start.stopping[i] = std::max(0.0f, c.points.forceN[i]);
       r.limit[i] = c.friction * std::max(0.0f, c.points.forceN[i]);
       r.tensionCap[i] = 0;
     }

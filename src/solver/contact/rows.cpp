@@ -51,7 +51,11 @@ bool ContactRows::meetsWithin(std::size_t k, Vec3f way, const SolveMotion* motio
 
 // A point that carried nothing in the last step has no frozen normal force to bound its friction by. It gets the present
 // one, but no more than stops the approach and carries the pair's weight.
-bool ContactRows::renewNewPoints(std::size_t k, const SolveMotion* motion, float slack) {
+//! - | too small: stacks that land, or are made leaning, shear | too large: floats give way under what bears 1e16 of its weight
+constexpr float kMostOver =
+    1e4f;  // of what stops the pair's approach and carries its weight: what a new point bears at most
+
+bool ContactRows::renewNewPoints(std::size_t k, const SolveMotion* motion, float slack, bool over) {
   ContactRecord& r = records[k];
   const ContactStart& start = starts[k];
   alignas(16) float fn[4];
@@ -59,7 +63,8 @@ bool ContactRows::renewNewPoints(std::size_t k, const SolveMotion* motion, float
   bool changed = false;
   for (int i = 0; i < start.points; i++) {
     if (!(r.newPoints >> i & 1)) continue;
-    float limit = start.friction * std::max(0.0f, std::min(fn[i], start.stopping[i]));
+    const float most = start.stopping[i] * (over && !(start.falling >> i & 1) ? kMostOver : 1);
+    float limit = start.friction * std::max(0.0f, std::min(fn[i], most));
     if (std::fabs(limit - r.limit[i]) <= slack * std::max(limit, r.limit[i])) continue;
     r.limit[i] = limit;
     changed = true;

@@ -22,10 +22,11 @@ struct ContactStart {
   float stopping[4] = {};  // N, stops the approach and carries the pair's weight
   float taken[4] = {};     // N s, of an impact that will rebound, in this step
   float back[4] = {}, back1[4] = {},
-        back2[4] = {};      // N, that a rebound gives in this step, beside what the point remembers
-  Vec3f bend;               // m, of B against A: what a turning partner's arc adds to the ways along its tangent
-  float friction = 0;       // coefficient
-  std::int32_t points = 0;  // 0 .. 4
+        back2[4] = {};        // N, that a rebound gives in this step, beside what the point remembers
+  Vec3f bend;                 // m, of B against A: what a turning partner's arc adds to the ways along its tangent
+  float friction = 0;         // coefficient
+  std::uint32_t falling = 0;  // bit per point whose friction limit follows downwards only: after an impact
+  std::int32_t points = 0;    // 0 .. 4
 };
 
 struct ContactRows {
@@ -74,11 +75,16 @@ struct ContactRows {
   bool meetsWithin(std::size_t k, Vec3f way, const SolveMotion* motion, const StepContext& context) const;
 
   void prepare(const Island& island, Ties ties, const StepContext& context);
-  // Bounds that follow the solve: friction of points that carried nothing in the last step, or an impact.
+  // Bounds that follow the solve: friction of points that carried nothing in the last step, or an impact. While it goes on,
+  // by no more than the pair's own weight and approach: what forces find on their way there is no measure.
   // Changes of less than `slack` of a bound are left. True if any changed.
   bool boundsFollow(std::size_t k) const { return records[k].newPoints != 0; }
   bool renewBounds(std::size_t k, const SolveMotion* motion, float slack = 0) {
-    return records[k].newPoints && renewNewPoints(k, motion, slack);
+    return records[k].newPoints && renewNewPoints(k, motion, slack, false);
+  }
+  // When it has come to an end: by what the points were found to carry.
+  bool settleBounds(std::size_t k, const SolveMotion* motion, float slack) {
+    return records[k].newPoints && renewNewPoints(k, motion, slack, true);
   }
   // Where the solve has followed long enough: what has opened since holds nothing more. True if any bound changed.
   bool dropBounds(std::size_t k, const SolveMotion* motion);
@@ -114,7 +120,7 @@ struct ContactRows {
   }
 
  private:
-  bool renewNewPoints(std::size_t k, const SolveMotion* motion, float slack);
+  bool renewNewPoints(std::size_t k, const SolveMotion* motion, float slack, bool over);
 };
 
 }  // namespace brickfall

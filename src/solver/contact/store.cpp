@@ -113,6 +113,7 @@ bool ContactRows::store(Island& island, Ties ties, StepContext& context) {
   island.slipWork = 0;
   for (std::size_t k = 0; k < size(); k++) {
     Contact& c = ties.contacts.contacts[contactOf[k]];
+    c.points.impactMask = records[k].newPoints & ~starts[k].falling;
     if (!changed) before = c.points;
     const bool touched = c.touching;
     StoredForces f = forcesAt(records[k], island.motion.data());

@@ -120,7 +120,8 @@ bool GroupSlides::judgeGround() {
 // to rest.
 void GroupSlides::findChanges() {
   const BodySet& bodies = *context_.bodies;
-  std::pmr::vector<RigidSum> starts(count_, RigidSum(island_.origin), island_.memory), changes = starts;
+  std::pmr::vector<RigidSum> starts(count_, RigidSum(island_.origin), island_.memory);
+  std::pmr::vector<RigidSum> changes(count_, RigidSum(island_.origin), island_.memory);
   for (std::uint32_t i = 0; i < count_; i++) {
     if (!slides(i)) continue;
     const BodyIndex body = island_.bodies[i];

@@ -31,8 +31,8 @@ TEST(ConvergedStep, Pyramids) {
 }
 
 TEST(ConvergedStep, Arches) {
-  Ledger l = look("segmental arch of 9", arch(9, 120, 0.3), 1, 2);
-  l.add(look("semicircle of 15", arch(15, 180, 0.2), 1, 2));
+  Ledger l = look("segmental arch of 9", arch(9, 120, 0.3), 1, 1);
+  l.add(look("semicircle of 15", arch(15, 180, 0.2), 1, 1));
   EXPECT_GE(l.of(Ending::rested).islands, 2);
   Ledger thin = look("semicircle of 21, too thin to stand", arch(21, 180, 0.08), 1, 4);
   EXPECT_EQ(thin.of(Ending::rested).islands, 0);
