@@ -29,12 +29,15 @@ Ending endingOf(const Island& island) {
 // As docs/step.md says it.
 double allowedIn(const Island& island, const BodySet& bodies, double restTolerance) {
   bool rests = island.resting();
-  if (!island.plan.byLoad) return rests ? restTolerance : island.plan.tolerance;
-  double tolerance = rests ? kRestByLoad : island.plan.tolerance, most = 0;
+  const bool byLoad = island.plan.byLoad;
+  double tolerance = !rests ? island.plan.tolerance : byLoad ? kRestByLoad : restTolerance, most = 0;
   for (std::size_t i = 0; i < island.bodies.size(); i++) {
     double load = double(island.loads[i]) / (bodies.mass[island.bodies[i]].mass * kReferenceGravity);
     bool moves = !island.plan.slow && island.speeds[i] > 0.03f;
-    most = std::max(most, tolerance * (moves ? std::max(2.5, load) : std::max(1.0, kLoadShare * load)));
+    const double share = !byLoad ? std::max(1.0, kHeavyLoad * load)
+                         : moves ? std::max(2.5, load)
+                                 : std::max(1.0, kLoadShare * load);
+    most = std::max(most, tolerance * share);
   }
   return most;
 }
