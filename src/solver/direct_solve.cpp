@@ -21,9 +21,8 @@ namespace {
 //! - | too small: rubble is left with many weights unbalanced | too large: cost of rubble
 constexpr int kDirectSteps = 100;
 //! - | too small: slow ways to balance are given up | too large: cost where floats round
-constexpr int kStalledSteps =
-    4;  // steps in a row that better nothing: then ten times the residual is good enough, after
-        // twice as many a hundred times, if nothing is to rest
+constexpr int kStalledSteps = 4;  // steps in a row that better nothing: then ten times the residual is good enough, and
+                                  // after twice as many a hundred times, if nothing is to rest
 //! - | too small: steps of rounding are taken for progress: cost | too large: slow ways to balance are given up
 constexpr double kBetterStep = 0.8;  // of the least residual so far
 //! - | too small: new points slide under bounds that are not theirs

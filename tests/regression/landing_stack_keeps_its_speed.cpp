@@ -1,4 +1,4 @@
-// A stack of ten slabs that landed on the move slipped in its own joints and kept up to 60 % of the speed that the ground's friction
+// A stack of ten slabs that landed on the move slipped between its slabs and kept up to 60 % of the speed that the ground's friction
 // should have taken: the friction of points that had carried nothing was bounded by one slab's weight and approach.
 #include "law/law.h"
 

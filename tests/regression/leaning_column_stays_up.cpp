@@ -1,6 +1,6 @@
-// A column of bricks that leaned past its balance stayed up, the surer the shorter the step: the direct solve jumped to and fro over the
-// points that open at its foot, ended far from balance, and threw it back. Made leaning, it began by turning back: each of
-// its joints held only one brick's weight's worth of friction in the first step, and the column sheared.
+// A column of bricks that leaned past its balance stayed up, the surer the shorter the step: the direct solve jumped to and fro over
+// the points that open at its foot, ended far from balance, and threw it back. Made leaning, it began by turning back:
+// between any two bricks friction held one brick's weight's worth in the first step, and the column sheared.
 #include "law/law.h"
 
 namespace brickfall {

@@ -49,12 +49,12 @@ bool ContactRows::meetsWithin(std::size_t k, Vec3f way, const SolveMotion* motio
   return false;
 }
 
-// A point that carried nothing in the last step has no frozen normal force to bound its friction by. It gets the present
-// one, but no more than stops the approach and carries the pair's weight.
 //! - | too small: stacks that land, or are made leaning, shear | too large: floats give way under what bears 1e16 of its weight
-constexpr float kMostOver =
-    1e4f;  // of what stops the pair's approach and carries its weight: what a new point bears at most
+constexpr float kMostOver = 1e4f;  // of ContactStart::stopping
 
+// A point that carried nothing in the last step has no frozen normal force to bound its friction by. It gets the present
+// one, but no more than stops the approach and carries the pair's weight; `over`: up to kMostOver times that. What falls after an
+// impact gets no more than it had.
 bool ContactRows::renewNewPoints(std::size_t k, const SolveMotion* motion, float slack, bool over) {
   ContactRecord& r = records[k];
   const ContactStart& start = starts[k];

@@ -19,7 +19,7 @@ struct Island;
 struct ContactStart {
   float approach[4] = {};  // m/s, normal relative velocity; negative = closing
   float gap[4] = {};       // m
-  float stopping[4] = {};  // N, stops the approach and carries the pair's weight
+  float stopping[4] = {};  // N, stops the approach and carries the pair's weight; after an impact: its last force
   float taken[4] = {};     // N s, of an impact that will rebound, in this step
   float back[4] = {}, back1[4] = {},
         back2[4] = {};        // N, that a rebound gives in this step, beside what the point remembers

@@ -93,10 +93,9 @@ bool GroupSlides::findGroups() {
 // Its points that press on the ground neither land nor leave.
 bool GroupSlides::goesOn(std::size_t k) const {
   const ContactRecord& row = rows_.records[k];
+  const VelocityChange a = solvedChange(row.bodyA), b = solvedChange(row.bodyB);
   for (int i = 0; i < rows_.starts[k].points; i++)
-    if (points(k).forceN[i] > 0 &&
-        !isSteady(row, rows_.starts[k], i, solvedChange(row.bodyA), solvedChange(row.bodyB), island_.dt))
-      return false;
+    if (points(k).forceN[i] > 0 && !isSteady(row, rows_.starts[k], i, a, b, island_.dt)) return false;
   return true;
 }
 
@@ -149,15 +148,15 @@ void GroupSlides::findChanges() {
     if (!fast[i]) stays_[i] = 1;
 }
 
-// Open points of a group may be nearer to others at the end of the step than it is moved back.
+// At the end of the step an open point is nearer to its partner than the two would be moved towards each other.
 bool GroupSlides::wouldMeet(std::size_t k) const {
   const ContactRecord& row = rows_.records[k];
-  auto of = [&](std::uint32_t body) { return slides(body) ? changes_[body] : VelocityChange{}; };
+  auto takenBack = [&](std::uint32_t body) { return slides(body) ? changes_[body] : VelocityChange{}; };
+  const VelocityChange a = solvedChange(row.bodyA), b = solvedChange(row.bodyB);
   for (int i = 0; i < rows_.starts[k].points; i++) {
-    const double by = 0.5 * island_.dt * changeAtPoint(row, i, of(row.bodyA), of(row.bodyB));
+    const double by = 0.5 * island_.dt * changeAtPoint(row, i, takenBack(row.bodyA), takenBack(row.bodyB));
     if (by <= kNoWay) continue;
-    const double speed =
-        rows_.starts[k].approach[i] + changeAtPoint(row, i, solvedChange(row.bodyA), solvedChange(row.bodyB));
+    const double speed = rows_.starts[k].approach[i] + changeAtPoint(row, i, a, b);
     if (rows_.starts[k].gap[i] + speed * island_.dt < by) return true;
   }
   return false;

@@ -3,7 +3,8 @@
 // velocity is right to second order. Where they do (rocking, toppling), that would feed energy in; there steps are those of
 // a leapfrog: positions and times of second order, energy kept, velocities half a step late. By how much velocities are
 // late is remembered: not at all from rest, after flight and after an impact, and they are brought up to date before one.
-// Bodies that push each other are left alone: what one gains, the other would have to give.
+// Bodies that push each other are left alone (what one gains, the other would have to give), but where they slide as one:
+// finish/group_slide.h.
 #include "solver/finish/lone_body.h"
 
 #include <cmath>
