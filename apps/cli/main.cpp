@@ -158,7 +158,21 @@ int traceCommand(Arguments& arguments, const CLI::App& command) {
   return compares ? compareTraces(arguments.compared[0], arguments.compared[1]) : trace(arguments.trace);
 }
 
-// What was typed where a command belongs is worth a better answer than the parser's.
+// " (did you mean \"--seconds\"?)": the first of the words that begins with a dash and is no option of the command's, nor of all.
+std::string nearestOption(const CLI::App& app, const CLI::App& command, const std::vector<std::string>& words) {
+  std::vector<std::string> options;
+  for (const CLI::App* one : {&app, &command})
+    for (const CLI::Option* option : one->get_options())
+      for (const std::string& name : option->get_lnames()) options.push_back("--" + name);
+  for (const std::string& word : words) {
+    const std::string name = word.substr(0, word.find('='));
+    if (name.rfind("--", 0) == 0 && std::find(options.begin(), options.end(), name) == options.end())
+      return didYouMean(name, options);
+  }
+  return {};
+}
+
+// What was typed where a command or an option belongs is worth a better answer than the parser's.
 int refuse(const CLI::App& app, const CLI::ParseError& error, const std::vector<std::string>& words) {
   std::vector<std::string> commands;
   std::string list;
@@ -168,7 +182,8 @@ int refuse(const CLI::App& app, const CLI::ParseError& error, const std::vector<
   }
   const bool known = !words.empty() && std::find(commands.begin(), commands.end(), words[0]) != commands.end();
   if (known) {
-    complainf("{}; see brickfall {} --help", error.what(), words[0]);
+    complainf("{}{}; see brickfall {} --help", error.what(), nearestOption(app, *app.get_subcommand(words[0]), words),
+              words[0]);
   } else {
     const std::string found = words.empty() ? "nothing" : '"' + words[0] + '"';
     complainf("command: found {}, expected one of: {}{}; see brickfall --help", found, list,

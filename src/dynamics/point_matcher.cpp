@@ -1,9 +1,11 @@
 #include "dynamics/point_matcher.h"
 
+#include <algorithm>
+
 namespace brickfall {
 
 PointMatcher::PointMatcher(const Contact& old, const ContactGeometry& geometry, const Contact& fresh,
-                           const ContactGeometry& now) {
+                           const ContactGeometry& now, double reach) {
   Vec3 t2 = cross(geometry.normal, geometry.tangent1), u2 = cross(now.normal, now.tangent1);
   turn_ = {{float(dot(geometry.tangent1, now.tangent1)), float(dot(t2, now.tangent1)),
             float(dot(geometry.tangent1, u2)), float(dot(t2, u2))}};
@@ -13,9 +15,11 @@ PointMatcher::PointMatcher(const Contact& old, const ContactGeometry& geometry, 
   for (int i = 0; i < fresh.count; i++)
     for (int j = 0; j < old.count; j++) {
       bool same = old.points.feature[j] == fresh.points.feature[i];
-      distance[i][j] = lengthSquared(geometry.anchorB[j] - now.anchorB[i]) * (same ? 0.25 : 1);
+      distance[i][j] = std::min(lengthSquared(geometry.anchorA[j] - now.anchorA[i]),
+                                lengthSquared(geometry.anchorB[j] - now.anchorB[i])) *
+                       (same ? 0.25 : 1);
     }
-  const double most = fresh.rolls ? 1e30 : kMatchDistance * kMatchDistance;
+  const double most = fresh.rolls ? 1e30 : reach * reach;
   std::uint32_t used = 0;  // bit per old point
   for (int n = 0; n < fresh.count; n++) {
     int to = -1, best = -1;

@@ -6,9 +6,9 @@
 
 namespace brickfall {
 
-//! m | too small: a sliding or rocking contact forgets its force: bodies sink for a step
+//! inner radii | too small: a sliding or rocking contact forgets its force: bodies sink for a step
 //! | too large: a point takes over the force of another one
-constexpr double kMatchDistance = 0.02;  // m: an old point this near may hand its memory to a new one
+constexpr double kMatchShare = 0.6;  // of the thinner shape: an old point this near may hand its memory to a new one
 //! m | too small: points that stick creep where the polygon of a contact is cut anew
 //! | too large: what rolls on short faces stands on a corner that it has left, and sinks in at the next
 constexpr double kSamePlace = 1e-3;  // m: a point this near is the same one, whatever its feature
@@ -21,9 +21,12 @@ constexpr double kKeptFace = 0.999;  // anchors go on, too
 
 class PointMatcher {
  public:
-  // `fresh`, `now`: the new contact with the features of its points, its frame and anchors. Of all pairs of an old and a new point
-  // the nearest come first; the same feature counts as twice as near.
-  PointMatcher(const Contact& old, const ContactGeometry& geometry, const Contact& fresh, const ContactGeometry& now);
+  // `fresh`, `now`: the new contact with the features of its points, its frame and anchors. `reach`, m: kMatchShare of the thinner
+  // shape's inner radius. Of all pairs of an old and a new point the nearest come first, as seen from the body on which they are
+  // nearer: where something slides, a corner keeps its place on one body and leaves it on the other. The same feature counts as twice
+  // as near.
+  PointMatcher(const Contact& old, const ContactGeometry& geometry, const Contact& fresh, const ContactGeometry& now,
+               double reach);
 
   // The old point that new point i goes on with. -1: none, or another face, whose forces say nothing.
   int from(int i) const { return from_[i]; }

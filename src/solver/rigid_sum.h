@@ -20,6 +20,7 @@ class RigidSum {
     inertia_ = inertia_ + inertia + pointInertia(r, mass);
   }
 
+  double mass() const { return mass_; }
   Vec3 centre() const { return origin_ + moment_ * (1 / mass_); }
   Vec3 velocity() const { return momentum_ * (1 / mass_); }
   // Both about the centre.

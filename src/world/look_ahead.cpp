@@ -17,6 +17,8 @@ constexpr double kMostAhead = 64;  // of way in the step
 constexpr double kTouches = 1e-5;  // so near is a touch
 //! m | too small: balls lose speed at the seams that they roll over | too large: what glances off an edge passes it
 constexpr double kGrazes = 2e-4;  // by which a round body may overlap what it goes past
+//! of the speed at the touch | too small: balls lose speed at the seams of what gives way a little | too large: what glances off an edge passes it
+constexpr double kPast = 0.1;  // what closes no faster is past it
 // In which a hit is told from an edge that slides over a face.
 //! m | too small: what slides over seams stops at them | too large: what hits an edge goes over it
 constexpr double kOverlapAhead = 2e-3;
@@ -125,12 +127,13 @@ Moment advance(const LookAhead& ahead, Moment now, double dt) {
 
 // What touches overlaps by no more than kGrazes before it is past.
 bool grazes(const LookAhead& ahead, Moment now, double dt) {
-  for (int k = 0; k < kMostAdvances && now.closing > 0 && now.apart > -kGrazes; k++) {
+  const double past = kPast * now.closing;
+  for (int k = 0; k < kMostAdvances && now.closing > past && now.apart > -kGrazes; k++) {
     const double until = now.time + (now.apart + 1.1 * kGrazes) / now.closing;
     if (until >= dt) return false;
     now = ahead.at(until);
   }
-  return now.manifold.count > 0 && now.apart > -kGrazes && !(now.closing > 0);
+  return now.manifold.count > 0 && now.apart > -kGrazes && !(now.closing > past);
 }
 
 // Turns bring nearer what planes keep apart: nothing is passed that the step would end in.
@@ -144,7 +147,9 @@ Ahead lookAheadRound(const LookAhead& ahead, const Moment& now, double dt, doubl
   const Moment then = advance(ahead, now, dt);
   const bool far = then.manifold.count == 0 || (then.apart > margin && (then.time >= dt || !(then.closing > 0)));
   if (far || (then.apart <= kTouches && grazes(ahead, then, dt)))
-    return endsIn(ahead, dt, kGrazes) ? Ahead{} : Ahead{AheadFound::passes, far ? then.time : 0};
+    return endsIn(ahead, dt, kGrazes) ? Ahead{}
+           : far ? Ahead{AheadFound::passes, then.time, then.manifold.count > 0 ? then.apart : margin}
+                 : Ahead{AheadFound::passes};
   if (then.time == 0) return {};
   m = ahead.atStart(then);
   return {AheadFound::meets};

@@ -21,7 +21,9 @@ enum class AheadFound {
 };
 struct Ahead {
   AheadFound found = AheadFound::asNow;
-  double time = 0;  // s, of passes: when they are past; 0 where what turns them aside does not matter
+  // Of passes:
+  double time = 0;   // s, when they are past; 0 where what turns them aside does not matter
+  double apart = 0;  // m, by which they clear each other until then
 };
 
 // What two shapes with the manifold `m` will meet in the coming dt. Round shapes that meet only later: `m` becomes that of the touch, as it

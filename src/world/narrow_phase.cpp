@@ -220,17 +220,17 @@ void NarrowPhase::lookAheadOf(const CandidatePair& pair, const Approach& approac
   const Ahead ahead = lookAhead(shapes_.data[pair.shapeA], shapes_.data[pair.shapeB], motion, dt_,
                                 reachOf(pair, approach), marginOf(pair), m);
   if (ahead.found != AheadFound::passes) return;
-  proximity_.passed.push_back({kNoIndex, ahead.time});
+  proximity_.passed.push_back({kNoIndex, ahead.time, ahead.apart});
   m.count = 0;
 }
 
 void NarrowPhase::restorePassed() {
   if (proximity_.passed.empty()) return;
-  std::vector<double>& straight = proximity_.straightUntil;
-  findStraight(bodies_, contacts_, proximity_.passed, straight);
+  std::vector<Course>& courses = proximity_.courses;
+  findCourses(bodies_, contacts_, proximity_.passed, courses);
   for (const PassedPair& passed : proximity_.passed) {
     CandidatePair& pair = contacts_.pairs[passed.pair];
-    if (std::min(straight[pair.bodyA], straight[pair.bodyB]) >= passed.time) continue;
+    if (staysPassed(passed, courses[pair.bodyA], courses[pair.bodyB], dt_)) continue;
     Approach approach = approachOf(pair);
     Manifold now;
     collidePair(pair, approach, Look::asNow, now);
@@ -362,7 +362,7 @@ void NarrowPhase::makeContact(CandidatePair& pair, const Manifold& m, const Tran
     g.anchorA[i] = transformPoint(a.inCentreFrame, m.points[i].onA);
     g.anchorB[i] = transformPoint(centreOfAInB, transformPoint(a.inCentreFrame, m.points[i].onB));
   }
-  PointMatcher matcher(old, oldGeometry, c, g);
+  PointMatcher matcher(old, oldGeometry, c, g, kMatchShare * std::min(a.innerRadius, b.innerRadius));
   std::uint32_t goesOn = 0;
   for (int i = 0; had && i < m.count; i++) {
     int from = matcher.from(i);

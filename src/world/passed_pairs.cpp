@@ -17,17 +17,23 @@ double closingSpeed(const BodyMotion& a, const BodyMotion& b, const ContactGeome
                     cross(b.angularVelocity, at - b.position));
 }
 
+// m, by which what passes something until `time` is turned aside by the end of the step: where it is turned early, that is not all it
+// has still to go past.
+double asideAfter(double time, const Course& course, double dt) {
+  return time <= course.straightUntil ? 0 : kAside + course.aside * (dt - course.straightUntil);
+}
+
 }  // namespace
 
-void findStraight(const BodySet& bodies, const ContactSet& contacts, std::span<const PassedPair> passed,
-                  std::vector<double>& until) {
+void findCourses(const BodySet& bodies, const ContactSet& contacts, std::span<const PassedPair> passed,
+                 std::vector<Course>& courses) {
   constexpr double kPassesNothing = -1;
-  until.assign(bodies.slots(), kPassesNothing);
+  courses.assign(bodies.slots(), {kPassesNothing, 0});
   for (const PassedPair& one : passed) {
     const CandidatePair& pair = contacts.pairs[one.pair];
-    until[pair.bodyA] = until[pair.bodyB] = std::numeric_limits<double>::infinity();
+    courses[pair.bodyA].straightUntil = courses[pair.bodyB].straightUntil = std::numeric_limits<double>::infinity();
   }
-  auto passes = [&](BodyIndex body) { return until[body] != kPassesNothing; };
+  auto passes = [&](BodyIndex body) { return courses[body].straightUntil != kPassesNothing; };
   for (const CandidatePair& pair : contacts.pairs) {
     if (pair.contact == kNoIndex || (!passes(pair.bodyA) && !passes(pair.bodyB))) continue;
     const double closing =
@@ -35,10 +41,17 @@ void findStraight(const BodySet& bodies, const ContactSet& contacts, std::span<c
     if (!(closing > 0)) continue;
     const Contact& c = contacts.contacts[pair.contact];
     const double gap = double(*std::min_element(c.points.gap, c.points.gap + c.count));
-    const double aside = (std::max(0.0, gap) + kAside) / closing;
-    for (BodyIndex body : {pair.bodyA, pair.bodyB})
-      if (bodies.mass[body].invMass > 0) until[body] = std::min(until[body], aside);
+    const double until = (std::max(0.0, gap) + kAside) / closing;
+    for (BodyIndex body : {pair.bodyA, pair.bodyB}) {
+      if (!(bodies.mass[body].invMass > 0)) continue;
+      Course& course = courses[body];
+      course = {std::min(course.straightUntil, until), std::max(course.aside, closing)};
+    }
   }
+}
+
+bool staysPassed(const PassedPair& passed, const Course& a, const Course& b, double dt) {
+  return asideAfter(passed.time, a, dt) + asideAfter(passed.time, b, dt) <= passed.apart;
 }
 
 }  // namespace brickfall

@@ -12,10 +12,20 @@ namespace brickfall {
 struct PassedPair {
   std::uint32_t pair = 0;  // in ContactSet::pairs
   double time = 0;         // s, when they are past
+  double apart = 0;        // m, by which they clear each other until then
 };
 
-// s, by body: until when its contacts turn a body that passes something aside by no more than a millimetre. Of others anything.
-void findStraight(const BodySet& bodies, const ContactSet& contacts, std::span<const PassedPair> passed,
-                  std::vector<double>& until);
+// How what a body touches in the step turns it aside from its way.
+struct Course {
+  double straightUntil = 0;  // s: until then by no more than a millimetre
+  double aside = 0;          // m/s: and then at this speed at most
+};
+
+// By body, of those that pass something; others are left as they were.
+void findCourses(const BodySet& bodies, const ContactSet& contacts, std::span<const PassedPair> passed,
+                 std::vector<Course>& courses);
+
+// What two bodies on these courses touch does not bring them as near in a step of dt as they are apart.
+bool staysPassed(const PassedPair& passed, const Course& a, const Course& b, double dt);
 
 }  // namespace brickfall

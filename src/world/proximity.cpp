@@ -22,15 +22,15 @@ double slackOf(const ShapeData& shape) { return std::min(kLargestSlack, kKeptSla
 
 }  // namespace
 
-void Proximity::open(BroadPhaseMethod method, double largestMargin) {
+void Proximity::open(BroadPhaseMethod method, double margin) {
   broadPhase = makeBroadPhase(method);
-  contactMargin = largestMargin;
+  contactMargin = margin;
 }
 
-double Proximity::marginOf(const ShapeData& shape) const { return std::min(contactMargin, 0.3 * shape.innerRadius); }
+double Proximity::marginOf(const ShapeData& shape) const { return contactMargin * shape.innerRadius; }
 
-// Its motion at the present velocity, and the contact margin. Contacts are made only where these bounds overlap, so that
-// which exist does not depend on the history of the tree.
+// Its motion at the present velocity, and its contact margin; of two shapes the smaller one counts, and one of their bodies is dynamic.
+// Contacts are made only where these bounds overlap, so that which exist does not depend on the history of the tree.
 void Proximity::updateSwept(const Registry& registry, ShapeIndex shape, double dt) {
   const ShapeData& s = registry.shapes.data[shape];
   const BodyMotion& m = registry.bodies.motion[s.body];
@@ -38,7 +38,7 @@ void Proximity::updateSwept(const Registry& registry, ShapeIndex shape, double d
   if (s.geometry.type != ShapeType::plane) {
     Vec3 move = m.linearVelocity * dt;
     double turn = std::min(1.0, length(m.angularVelocity) * dt) * registry.bodies.mass[s.body].outerRadius;
-    double pad = marginOf(s) + turn;
+    double pad = (registry.bodies.mass[s.body].invMass > 0 ? marginOf(s) : 0) + turn;
     box = {box.lower + min(move, Vec3{}) - Vec3{pad, pad, pad}, box.upper + max(move, Vec3{}) + Vec3{pad, pad, pad}};
   }
   around[shape].swept = box;
@@ -96,7 +96,7 @@ void Proximity::keepRoom(std::size_t shapes, std::size_t touching) {
   newPairs.reserve(contacts.pairs.capacity());
   brickfall::keepRoom(newParts, touching);
   brickfall::keepRoom(passed, touching);
-  keepRoomFor(straightUntil, shapes);
+  keepRoomFor(courses, shapes);
   keepRoomFor(following, shapes);
   brickfall::keepRoom(meshScratch.faces, kMeshScratch);
   brickfall::keepRoom(meshScratch.points, kMeshScratch);

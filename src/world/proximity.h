@@ -26,7 +26,7 @@ class Proximity {
   void open(BroadPhaseMethod method, double contactMargin);
 
   std::unique_ptr<BroadPhase> broadPhase;  // never null in a world
-  double contactMargin = 0;                // m, the largest
+  double contactMargin = 0;                // inner radii
   std::vector<Surroundings> around;        // by shape
   ContactSet contacts;
   // Scratch, kept for its memory.
@@ -34,11 +34,11 @@ class Proximity {
   std::vector<CandidatePair> newPairs;
   std::vector<CandidatePair> newParts;  // of pairs with a mesh
   std::vector<PassedPair> passed;
-  std::vector<double> straightUntil;    // s, by body (passed_pairs.h)
+  std::vector<Course> courses;          // by body (passed_pairs.h)
   std::vector<BoundsUpdate> following;  // what the broad phase is to be told
   MeshScratch meshScratch;
 
-  double marginOf(const ShapeData& shape) const;
+  double marginOf(const ShapeData& shape) const;  // m
   // Bounds that anything must meet to be able to touch the shape in the coming step.
   void updateSwept(const Registry& registry, ShapeIndex shape, double dt);
   void enter(const Registry& registry, BodyIndex body);  // all its shapes, where they are

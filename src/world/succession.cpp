@@ -14,6 +14,8 @@ Succession::Estate Succession::seenFrom(const Registry& registry, const Contact&
   Estate out;
   out.neighbour = bodyIsB ? c.shapeA : c.shapeB;
   out.contact = c;
+  out.reach =
+      kMatchShare * std::min(registry.shapes.data[c.shapeA].innerRadius, registry.shapes.data[c.shapeB].innerRadius);
   out.normal = rotate(a.rotation, g.normal) * sign;
   out.tangent1 = rotate(a.rotation, g.tangent1) * sign;
   out.tangent2 = rotate(a.rotation, cross(g.normal, g.tangent1)) * sign;
@@ -63,7 +65,7 @@ std::vector<Succession::Bequest> Succession::bequests(const std::vector<Estate>&
       for (int to = 0; to < heirs[h].contact.count; to++)
         for (int from = 0; from < estates_[e].contact.count; from++) {
           double apart = lengthSquared(heirs[h].onNeighbour[to] - estates_[e].onNeighbour[from]);
-          if (apart < kMatchDistance * kMatchDistance) all.push_back({apart, h, e, to, from});
+          if (apart < heirs[h].reach * heirs[h].reach) all.push_back({apart, h, e, to, from});
         }
     }
   std::stable_sort(all.begin(), all.end(), [](const Bequest& a, const Bequest& b) { return a.apart < b.apart; });

@@ -20,6 +20,7 @@ class Succession {
   struct Estate {
     ShapeIndex neighbour = kNoIndex;
     Contact contact;
+    double reach = 0;                // m, in which a point may go on with the memory of another
     Vec3 normal;                     // towards the body
     Vec3 tangent1, tangent2;         // along which the points' forces push the body
     Vec3 onBody[4], onNeighbour[4];  // m, anchors

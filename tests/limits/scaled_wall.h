@@ -45,8 +45,9 @@ struct ScaledWall {
       count += length(world.state(bricks[i])->position - start[i]) > lengths * size;
     return count;
   }
-  void shoot(double speed) {  // a steel ball half a brick thick, at half height, across the wall
-    BodyDef d = bodyOf(sphereOf(0.25 * size, 7800), middle + Vec3{0, 0, 2 * size});
+  // A steel ball at half height, across the wall; in brick lengths its radius and how far aside of the middle.
+  void shoot(double speed, double radius = 0.25, double aside = 0) {
+    BodyDef d = bodyOf(sphereOf(radius * size, 7800), middle + Vec3{aside * size, 0, 2 * size});
     d.linearVelocity = {0, 0, -speed};
     add(world, d);
   }

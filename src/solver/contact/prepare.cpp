@@ -171,7 +171,7 @@ bool boundFollows(const PointMemory& m, int i, float approach, const StiffnessSc
 
 // Joints a thousand times as stiff as inertia couple what flies apart so firmly that no solve converges; debris is soft, as in
 // an impact, until it has come to lie. What bears more than a sudden load can do still stands, though it shakes: storeys would sink
-// into it like into rubber.
+// into it like into rubber. So would a ball into what lies still under it, and be braked by the next brick's edge.
 bool isDebris(const Island& island, const ContactRecord& r, const Contact& c, float cap) {
   //! m/s | too small: walls that sway are softened, and sag | too large: debris does not converge
   constexpr float kDebrisBodySpeed = 0.03f;
@@ -181,7 +181,7 @@ bool isDebris(const Island& island, const ContactRecord& r, const Contact& c, fl
   auto moves = [&](std::uint32_t body) {
     return body < island.bodies.size() && island.speeds[body] > kDebrisBodySpeed;
   };
-  return moves(r.bodyA) || moves(r.bodyB);
+  return c.rolls ? moves(r.bodyA) && moves(r.bodyB) : moves(r.bodyA) || moves(r.bodyB);
 }
 
 }  // namespace

@@ -30,11 +30,13 @@ Vec3 spinOf(const StepContext& context, BodyIndex body, Vec3 angularMomentum) {
   return end * (context.bodies->mass[body].invInertia * transposeTimes(end, angularMomentum));
 }
 
-// The island at the end of the step: as solved, or if nothing had touched.
-RigidSum endOfStep(const Island& island, const StepContext& context, bool free) {
+// What is `of` the island at the end of the step: as solved, or if nothing had touched.
+RigidSum endOfStep(const Island& island, const StepContext& context, bool free, const std::pmr::vector<char>& of) {
   const BodySet& bodies = *context.bodies;
   RigidSum sum(island.origin);
-  for (BodyIndex body : island.bodies) {
+  for (std::size_t i = 0; i < island.bodies.size(); i++) {
+    if (!of[i]) continue;
+    const BodyIndex body = island.bodies[i];
     const FreeMotion& f = context.free[body];
     const SolvedMotion& s = context.solved[body];
     Vec3 velocity = free ? f.d * (1 / island.dt) : s.velocity;
@@ -45,17 +47,30 @@ RigidSum endOfStep(const Island& island, const StepContext& context, bool free) 
   return sum;
 }
 
+// What is pressed on; all, if nothing is.
+void findPressed(const Island& island, const StepContext& context, std::pmr::vector<char>& pressed) {
+  findTouched(island, pressed, [&](const auto& kind, std::size_t k) { return kind.carriesForce(k, context); });
+  if (std::find(pressed.begin(), pressed.end(), 1) == pressed.end()) std::fill(pressed.begin(), pressed.end(), 1);
+}
+
 // Where ways and velocities of a floating island were changed apart, the angular momentum of its places and velocities
-// drifts. A rigid motion of its velocities brings both momenta back to those of the start of the step and of outside forces.
+// drifts. A rigid motion of the velocities of what is pressed on brings both momenta back to those of the start of the step and of
+// outside forces: what nothing touches flies on.
 void restoreMomentum(const Island& island, StepContext& context) {
   if (island.grounded()) return;
-  RigidSum now = endOfStep(island, context, false), wanted = endOfStep(island, context, true);
-  Vec3 centre = now.centre(), turn = inverse(now.inertia()) * (wanted.angularMomentum() - now.angularMomentum());
-  Vec3 push = wanted.velocity() - now.velocity();
-  for (BodyIndex body : island.bodies) {
-    SolvedMotion& s = context.solved[body];
-    s.velocity += push + cross(turn, context.bodies->motion[body].position + s.d - centre);
-    s.angularMomentum += context.bodies->worldInertia(body) * turn;
+  const std::pmr::vector<char> all(island.bodies.size(), 1, island.memory);
+  std::pmr::vector<char> pressed(island.memory);
+  findPressed(island, context, pressed);
+  const RigidSum now = endOfStep(island, context, false, all), wanted = endOfStep(island, context, true, all);
+  const RigidSum those = endOfStep(island, context, false, pressed);
+  const Vec3 momentum = (wanted.velocity() - now.velocity()) * now.mass(), centre = those.centre();
+  const Vec3 angular = wanted.angularMomentum() - now.angularMomentum() - cross(centre - now.centre(), momentum);
+  const Vec3 push = momentum * (1 / those.mass()), turn = inverse(those.inertia()) * angular;
+  for (std::size_t i = 0; i < island.bodies.size(); i++) {
+    if (!pressed[i]) continue;
+    SolvedMotion& s = context.solved[island.bodies[i]];
+    s.velocity += push + cross(turn, context.bodies->motion[island.bodies[i]].position + s.d - centre);
+    s.angularMomentum += context.bodies->worldInertia(island.bodies[i]) * turn;
   }
 }
 
@@ -189,12 +204,12 @@ bool takeRelativeMotion(const Island& island, StepContext& context, double exces
 
 // Where it can be, from what is pressed on alone: what nothing touches flies on.
 void guardFloating(const Island& island, StepContext& context, const IslandEnergy& energy) {
-  std::pmr::vector<char> touched(island.memory);
-  findTouched(island, touched, [&](const auto& kind, std::size_t k) { return kind.carriesForce(k, context); });
-  if (takeRelativeMotion(island, context, energy.excess(), touched)) return;
+  std::pmr::vector<char> of(island.memory);
+  findPressed(island, context, of);
+  if (takeRelativeMotion(island, context, energy.excess(), of)) return;
   IslandEnergy left = energyOf(island, context);
-  touched.assign(touched.size(), 1);
-  if (left.excess() > left.slack()) takeRelativeMotion(island, context, left.excess(), touched);
+  of.assign(of.size(), 1);
+  if (left.excess() > left.slack()) takeRelativeMotion(island, context, left.excess(), of);
 }
 
 // Takes back from the velocities of an island what kinetic plus potential energy gained in the step beyond the work of

@@ -42,6 +42,8 @@ TEST_F(BadArguments, optionsOfACommand) {
   const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
       {{"run"}, "scene is required"},
       {{"run", "cube", "--frobnicate"}, "--frobnicate"},
+      {{"run", "cube", "--second", "3"}, "--second (did you mean \"--seconds\"?)"},
+      {{"run", "cube", "--outptu=x"}, "did you mean \"--output\"?"},
       {{"run", "cube", "--seconds"}, "--seconds"},
       {{"run", "cube", "--seconds", "nan"}, "--seconds: found \"nan\", expected a number of seconds above 0"},
       {{"run", "cube", "--seconds", "-1"}, "--seconds: found \"-1\", expected"},

@@ -59,7 +59,9 @@ double roundingOf(const Problem& problem, const std::vector<Motion>& x) {
   return worst;
 }
 
-constexpr double kNoise = 5e-5;               // weights: float kernels under loads of some ten weights
+constexpr double kNoise = 5e-5;  // weights: float kernels under loads of some ten weights
+constexpr double kRoundings =
+    5;  // of what floats may round off a motion, over rows and bodies (4.3 in an arch that comes down)
 constexpr std::size_t kOwnBoundBodies = 200;  // larger islands cost too much to solve over and over
 
 }  // namespace
@@ -114,9 +116,9 @@ void Ledger::add(const SolvedIsland& solved) {
   if (solved.ending == Ending::rested) raise(s.ofAllowed, (engine.worst() - kNoise) / solved.allowed);
   if (!steady) return;
   if (solved.ending != Ending::exhausted && solved.grounded)
-    raise(s.ofAllowed, (engine.worst() - 4 * rounding - kNoise) / solved.allowed);
-  raise(s.steady, engine.worst() - 4 * rounding);
-  raise(s.steadyRms, engine.rmsForce - 4 * rounding);
+    raise(s.ofAllowed, (engine.worst() - kRoundings * rounding - kNoise) / solved.allowed);
+  raise(s.steady, engine.worst() - kRoundings * rounding);
+  raise(s.steadyRms, engine.rmsForce - kRoundings * rounding);
   if (solved.ending != Ending::rested && solved.grounded)
     raise(s.noise, std::fabs(engine.rmsForce - solved.residualRms));
 }

@@ -13,12 +13,15 @@ struct Points {
   Points(std::initializer_list<Vec3> at, std::initializer_list<std::uint32_t> features, Vec3 normal = {0, 1, 0}) {
     geometry.normal = normal;
     geometry.tangent1 = {normal.y, normal.x, 0};
-    for (Vec3 p : at) geometry.anchorB[contact.count++] = p;
+    for (Vec3 p : at) {
+      geometry.anchorA[contact.count] = p;
+      geometry.anchorB[contact.count++] = p;
+    }
     std::copy(features.begin(), features.end(), contact.points.feature);
   }
 };
 PointMatcher match(const Points& old, const Points& now) {
-  return PointMatcher(old.contact, old.geometry, now.contact, now.geometry);
+  return PointMatcher(old.contact, old.geometry, now.contact, now.geometry, 0.02);
 }
 
 // A prism that rolls from one short face to the next: the corner that it stood on is one of the new face, too. The one that comes
@@ -53,6 +56,17 @@ TEST(PointMatcher, NothingFromFarOrFromAnotherFace) {
   far.contact.rolls = true;
   EXPECT_EQ(match(old, far).from(0), 0) << "what rolls has one point, wherever it is";
   EXPECT_FALSE(match(old, far).keepsAnchors(0));
+}
+
+// A slider's corner keeps its place on the slider and leaves it on what it slides over, whichever of them is A.
+TEST(PointMatcher, WhatSlidesGoesOnFromEitherSide) {
+  for (bool sliderIsA : {true, false}) {
+    Points old({{0, 0, 0}, {0.2, 0, 0}}, {1, 2}), now({{0, 0, 0}, {0.2, 0, 0}}, {1, 2});
+    for (int i = 0; i < 2; i++) (sliderIsA ? now.geometry.anchorB : now.geometry.anchorA)[i].x += 0.1;
+    PointMatcher matcher = match(old, now);
+    EXPECT_EQ(matcher.from(0), 0) << sliderIsA;
+    EXPECT_EQ(matcher.from(1), 1) << sliderIsA;
+  }
 }
 
 TEST(PointMatcher, EachOldPointServesOnce) {
