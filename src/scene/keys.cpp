@@ -75,7 +75,7 @@ void addSolverKeys(std::vector<KeySpec>& keys) {
   keys.push_back({"solver", "impact_stiffness", K::number, "u", 1, 1e5, "30", "", "of a contact born in an impact; at most resting_stiffness"});
   keys.push_back({"solver", "resting_approach_speed", K::number, "m/s", 0, 100, "0.3", "", "contacts born slower are resting, not impacts"});
   keys.push_back({"solver", "restitution_speed", K::number, "m/s", 0, 100, "1", "", "slower impacts do not rebound; a body alone on something fixed bounces on until gravity x time_step"});
-  keys.push_back({"solver", "contact_margin", K::number, "", 1e-3, 1, "0.3", "", "contacts are made so many inner radii of the thinner shape early"});
+  keys.push_back({"solver", "contact_margin", K::number, "m", 1e-5, 1, "0.01", "", "contacts are made this early, and earlier by what moves"});
   keys.push_back({"solver", "rest_speed", K::number, "m/s", 0, 1, "0.01", "", "only slower islands are stopped or put to rest; large ones up to 0.03 m/s are stopped too, where a swing ends"});
   keys.push_back({"solver", "rest_tolerance", K::number, "", 0, 1, "0.001", "", "force residual / max(weight, 0.02 load) taken as: nothing moves"});
   keys.push_back({"solver", "cycle_tolerance", K::number, "", 1e-6, 1, "0.02", "", "residual / max(weight, 0.3 load) under which a body of a large moving island is left alone"});

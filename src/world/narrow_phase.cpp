@@ -177,8 +177,14 @@ NarrowPhase::Approach NarrowPhase::approachOf(const CandidatePair& pair) const {
   return out;
 }
 
+// Something fixed or kinematic is not set in motion by what else happens in the step.
 double NarrowPhase::marginOf(const CandidatePair& pair) const {
-  return std::min(proximity_.marginOf(shapes_.data[pair.shapeA]), proximity_.marginOf(shapes_.data[pair.shapeB]));
+  const bool bothDynamic = bodies_.mass[pair.bodyA].invMass > 0 && bodies_.mass[pair.bodyB].invMass > 0;
+  const double fastest = std::sqrt(std::max(lengthSquared(bodies_.motion[pair.bodyA].linearVelocity),
+                                            lengthSquared(bodies_.motion[pair.bodyB].linearVelocity)));
+  const double speed = bothDynamic ? fastest : 0;
+  return std::min(proximity_.marginOf(shapes_.data[pair.shapeA], speed, dt_),
+                  proximity_.marginOf(shapes_.data[pair.shapeB], speed, dt_));
 }
 
 bool NarrowPhase::meetsMesh(const CandidatePair& pair) const {

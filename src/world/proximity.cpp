@@ -10,6 +10,8 @@ namespace brickfall {
 
 namespace {
 
+//! inner radii | too small: debris overlaps before it meets: hits on large bricks move fewer | too large: more points that carry nothing
+constexpr double kMostMargin = 0.3;
 //! inner radii | too small: bounds are made anew in most steps of a slow body
 //! | too large: more candidate pairs that never touch
 constexpr double kKeptSlack = 0.3;  // of a shape's inner radius: kept bounds are this much larger than they need be
@@ -27,10 +29,12 @@ void Proximity::open(BroadPhaseMethod method, double margin) {
   contactMargin = margin;
 }
 
-double Proximity::marginOf(const ShapeData& shape) const { return contactMargin * shape.innerRadius; }
+double Proximity::marginOf(const ShapeData& shape, double speed, double dt) const {
+  return std::min(kMostMargin * shape.innerRadius, contactMargin + speed * dt);
+}
 
-// Its motion at the present velocity, and its contact margin; of two shapes the smaller one counts, and one of their bodies is dynamic.
-// Contacts are made only where these bounds overlap, so that which exist does not depend on the history of the tree.
+// Its motion at the present velocity, and the contact margin. Contacts are made only where these bounds overlap, so that
+// which exist does not depend on the history of the tree.
 void Proximity::updateSwept(const Registry& registry, ShapeIndex shape, double dt) {
   const ShapeData& s = registry.shapes.data[shape];
   const BodyMotion& m = registry.bodies.motion[s.body];
@@ -38,7 +42,7 @@ void Proximity::updateSwept(const Registry& registry, ShapeIndex shape, double d
   if (s.geometry.type != ShapeType::plane) {
     Vec3 move = m.linearVelocity * dt;
     double turn = std::min(1.0, length(m.angularVelocity) * dt) * registry.bodies.mass[s.body].outerRadius;
-    double pad = (registry.bodies.mass[s.body].invMass > 0 ? marginOf(s) : 0) + turn;
+    double pad = marginOf(s, length(m.linearVelocity), dt) + turn;
     box = {box.lower + min(move, Vec3{}) - Vec3{pad, pad, pad}, box.upper + max(move, Vec3{}) + Vec3{pad, pad, pad}};
   }
   around[shape].swept = box;

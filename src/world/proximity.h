@@ -26,7 +26,7 @@ class Proximity {
   void open(BroadPhaseMethod method, double contactMargin);
 
   std::unique_ptr<BroadPhase> broadPhase;  // never null in a world
-  double contactMargin = 0;                // inner radii
+  double contactMargin = 0;                // m, of what does not move
   std::vector<Surroundings> around;        // by shape
   ContactSet contacts;
   // Scratch, kept for its memory.
@@ -38,7 +38,9 @@ class Proximity {
   std::vector<BoundsUpdate> following;  // what the broad phase is to be told
   MeshScratch meshScratch;
 
-  double marginOf(const ShapeData& shape) const;  // m
+  // m: how early contacts of a shape are made in a step of dt, where it or what it meets has this speed (m/s): what lies beside something
+  // fast is set in motion within the step.
+  double marginOf(const ShapeData& shape, double speed, double dt) const;
   // Bounds that anything must meet to be able to touch the shape in the coming step.
   void updateSwept(const Registry& registry, ShapeIndex shape, double dt);
   void enter(const Registry& registry, BodyIndex body);  // all its shapes, where they are

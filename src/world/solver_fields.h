@@ -13,7 +13,7 @@ template <class Settings, class Visitor> void eachSetting(Settings& s, Visitor&&
   visit("impactStiffness", impactStiffness, 1, restingStiffness);
   visit("restingApproachSpeed", restingApproachSpeed, 0, 100);
   visit("restitutionSpeed", restitutionSpeed, 0, 100);
-  visit("contactMargin", contactMargin, 1e-3, 1);
+  visit("contactMargin", contactMargin, 1e-5, 1);
   visit("restSpeed", restSpeed, 0, 1);
   visit("restTolerance", restTolerance, 0, 1);
   visit("cycleTolerance", cycleTolerance, 1e-6, 10);

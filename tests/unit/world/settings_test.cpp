@@ -86,7 +86,7 @@ TEST(Settings, AreRefusedWholeAndNameTheField) {
                  {"solver.maxCycles", [](WorldDef& d) { d.solver.maxCycles = 0; }},
                  {"maxBodies", [](WorldDef& d) { d.maxBodies = 7; }},
                  {"broadPhase", [](WorldDef& d) { d.broadPhase = BroadPhaseMethod::allPairs; }},
-                 {"solver.contactMargin", [](WorldDef& d) { d.solver.contactMargin = 0.2; }}}) {
+                 {"solver.contactMargin", [](WorldDef& d) { d.solver.contactMargin = 0.02; }}}) {
     WorldDef def = good;
     def.gravity.x = 1;
     c.spoil(def);
