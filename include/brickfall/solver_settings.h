@@ -17,9 +17,9 @@ struct SolverSettings {
   //! | too large: real impacts are stiff from the start
   double restingApproachSpeed = 0.3;  // m/s: contacts born slower are resting, not impacts
   //! m | too small: points come too late: fast bodies overlap first | too large: more points that carry nothing
-  double contactMargin =
-      0.010;  // m: contacts are made this early, between dynamic bodies plus the way of the faster one in
-              // the step, but at most 0.3 inner radii of the thinner shape (and approach x dt more)
+  double contactMargin = 0.010;  // m, 1e-5 .. 1: contacts are made this early (and approach x dt more), between dynamic
+                                 // bodies plus the way of the faster one in the step; at most 0.3 inner radii of the
+                                 // thinner shape
   //! m/s | too small: heaps chatter | too large: bounces end early (a body alone goes on to g h)
   double restitutionSpeed = 1;  // m/s, >= 0: slower impacts do not rebound; for a body alone on something fixed at most
                                 // gravity x dt. Smaller: heaps chatter longer before they rest

@@ -142,14 +142,17 @@ bool endsIn(const LookAhead& ahead, double dt, double deep) {
   return end.manifold.count > 0 && end.apart < -deep;
 }
 
+// At the moment when they are nearest; without points they are apart by more than `margin`.
+Ahead passesAt(const Moment& then, double margin) {
+  return {AheadFound::passes, then.time, then.manifold.count > 0 ? then.apart : margin};
+}
+
 Ahead lookAheadRound(const LookAhead& ahead, const Moment& now, double dt, double margin, Manifold& m) {
   if (!(now.closing > 0) || now.apart < -kGrazes) return {};
   const Moment then = advance(ahead, now, dt);
   const bool far = then.manifold.count == 0 || (then.apart > margin && (then.time >= dt || !(then.closing > 0)));
   if (far || (then.apart <= kTouches && grazes(ahead, then, dt)))
-    return endsIn(ahead, dt, kGrazes) ? Ahead{}
-           : far ? Ahead{AheadFound::passes, then.time, then.manifold.count > 0 ? then.apart : margin}
-                 : Ahead{AheadFound::passes};
+    return endsIn(ahead, dt, kGrazes) ? Ahead{} : far ? passesAt(then, margin) : Ahead{AheadFound::passes};
   if (then.time == 0) return {};
   m = ahead.atStart(then);
   return {AheadFound::meets};

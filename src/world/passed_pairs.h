@@ -21,7 +21,7 @@ struct Course {
   double aside = 0;          // m/s: and then at this speed at most
 };
 
-// By body, of those that pass something; others are left as they were.
+// By body. Of what passes nothing it says nothing.
 void findCourses(const BodySet& bodies, const ContactSet& contacts, std::span<const PassedPair> passed,
                  std::vector<Course>& courses);
 
