@@ -229,7 +229,7 @@ TEST(Law, Row18rAHeavyBallMovesAsManyBricksAtAnyStep) {
     }
     EXPECT_GE(least, 100) << name << ": more than its own hole";
     atMost(name + ": most bricks moved at a step over fewest at another, means of " + std::to_string(shots), 0,
-           most / least, 2, "", 2.5);
+           most / least, 2, "");
   }
 }
 
