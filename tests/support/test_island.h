@@ -30,7 +30,6 @@ namespace brickfall::test {
 
 constexpr double kG = 9.81;                       // m/s2
 constexpr Vec3 kBrick{0.12, 0.0325, 0.0575};      // m, half extents
-constexpr double kMargin = 0.01;                  // m: so near bodies touch()
 constexpr double kBrickMass = 2.7;                // kg
 constexpr double kBrickWeight = kBrickMass * kG;  // N
 constexpr double kCap = 5 * kBrickWeight;         // N, what an impact may hand on
@@ -78,12 +77,12 @@ class TestIsland {
   }
   BodyMotion& at(BodyIndex body) { return bodies.motion[body]; }
 
-  // --- contacts: where the two bodies are nearer than kMargin, with the gaps that they have
+  // --- contacts: where the two bodies are nearer than the contact margin, with the gaps that they have
   ContactIndex touch(BodyIndex a, BodyIndex b, float friction = 0.6f) {
     if (b < a) std::swap(a, b);
     Transform relative = inverse(bodies.pose(a)) * bodies.pose(b);
     Manifold m;
-    collide(shapes_[a], shapes_[b], relative, kMargin, m);
+    collide(shapes_[a], shapes_[b], relative, context.settings.contactMargin, m);
     EXPECT_GT(m.count, 0) << "bodies " << a << " and " << b << " are nowhere near each other";
     return add(a, b, m, relative, friction);
   }
