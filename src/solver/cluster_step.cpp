@@ -20,6 +20,8 @@
 #include <limits>
 #include <utility>
 
+#include "solver/slope_search.h"
+
 namespace brickfall {
 
 namespace {
@@ -92,29 +94,6 @@ class Way {
   float most_ = std::numeric_limits<float>::infinity();
 };
 
-// For the zero of the slope, from the whole step, which is too long.
-void search(Way& way, float slope, int evaluations) {
-  float low = 0, slopeLow = way.start(), high = 1, slopeHigh = slope;
-  for (int k = 0; k < evaluations; k++) {
-    float fall = slopeLow - slopeHigh, width = high - low;
-    if (!(fall > 0)) return;  // both have underflowed: forces that a float hardly knows are balanced
-    float next = k % 3 == 2 ? 0.5f * (low + high) : low + width * slopeLow / fall;
-    if (k >= 1) next = std::min(std::max(next, low + 0.05f * width), high - 0.05f * width);
-    slope = way.moveTo(next);
-    if (slope >= way.lowest() && slope <= way.highest()) return;
-    // Otherwise one end of the bracket might never move.
-    if (slope > 0) {
-      low = next;
-      slopeLow = slope;
-      slopeHigh *= 0.5f;
-    } else {
-      high = next;
-      slopeHigh = slope;
-      slopeLow *= 0.5f;
-    }
-  }
-}
-
 bool makeFactor(RowForces& forces, const Level& level, const Cluster& cluster, bool exact, ClusterFactor& factor) {
   factor.matrix = clusterMatrix(forces, level, cluster, exact);
   factor.kept = false;
@@ -145,7 +124,7 @@ ClusterStep tryStep(RowForces& forces, const Level& level, const Cluster& cluste
       return {way.whole(), 1};
     }
     if (!kept) {
-      search(way, slope, exact ? kLineSearchStepsExact : kLineSearchSteps);
+      searchAlong(way, slope, exact ? kLineSearchStepsExact : kLineSearchSteps);
       return {way.whole(), way.at()};
     }
     way.moveTo(0);

@@ -66,8 +66,7 @@ bool goOn(Island& island, const StepContext& context, SolveStatistics& statistic
 }
 
 void startCycles(Island& island, const StepContext& context) {
-  island.byStrength.refresh(island.masses);
-  island.byMechanism.refresh(island.masses);
+  island.hierarchy.refresh(island.masses);
   startMotion(island, context);
 }
 

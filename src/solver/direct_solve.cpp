@@ -12,6 +12,7 @@
 
 #include "solver/block_envelope.h"
 #include "solver/light_pass.h"
+#include "solver/numbering.h"
 
 namespace brickfall {
 
@@ -51,14 +52,10 @@ class Newton {
         step_(6 * island.bodies.size(), 0.0, island.memory),
         from_(island.memory),
         matrix_(island.memory) {
-    number();
-    std::pmr::vector<std::uint32_t> lowest(island.bodies.size(), 0, island.memory);
-    for (std::uint32_t k = 0; k < lowest.size(); k++) lowest[k] = k;
-    eachTie([&](std::uint32_t a, std::uint32_t b) {
-      std::uint32_t low = std::min(place_[a], place_[b]), high = std::max(place_[a], place_[b]);
-      lowest[high] = std::min(lowest[high], low);
-    });
-    matrix_.shape(lowest);
+    Adjacency neighbours(island.memory);
+    neighbours.fill(std::uint32_t(place_.size()), [this](auto visit) { eachTie(visit); });
+    place_ = nearPlaces(neighbours);
+    matrix_.shape(lowestPlaces(neighbours, place_));
   }
 
   // One step to about the minimum of the energy along it. False if the matrix is not positive definite.
@@ -106,36 +103,6 @@ class Newton {
     });
   }
   void readForces(bool boundsFollow) { lightPass(island_, boundsFollow, statistics_.lightVisits); }
-
-  // Numbers bodies outwards from one that is far from the others (twice the last of a breadth-first sweep).
-  void number() {
-    std::size_t n = place_.size();
-    std::pmr::vector<std::uint32_t> begin(n + 1, 0, island_.memory), list(island_.memory), order(island_.memory);
-    eachTie([&](std::uint32_t a, std::uint32_t b) {
-      begin[a + 1]++;
-      begin[b + 1]++;
-    });
-    for (std::size_t i = 0; i < n; i++) begin[i + 1] += begin[i];
-    list.resize(begin[n]);
-    std::pmr::vector<std::uint32_t> at(begin.begin(), begin.end() - 1, island_.memory);
-    eachTie([&](std::uint32_t a, std::uint32_t b) {
-      list[at[a]++] = b;
-      list[at[b]++] = a;
-    });
-    std::pmr::vector<char> seen(island_.memory);
-    for (std::uint32_t sweep = 0, first = 0; sweep < 3; sweep++, first = order.back()) {
-      seen.assign(n, 0);
-      order.assign(1, first);
-      seen[first] = 1;
-      for (std::size_t i = 0; i < order.size(); i++)
-        for (std::uint32_t k = begin[order[i]]; k < begin[order[i] + 1]; k++)
-          if (!seen[list[k]]) {
-            seen[list[k]] = 1;
-            order.push_back(list[k]);
-          }
-    }
-    for (std::size_t k = 0; k < order.size(); k++) place_[order[k]] = std::uint32_t(n - 1 - k);
-  }
 
   // J(left)^T K J(right) times sign, where J = [1 -[r]; 0 1] gives (u, w) at the row from a body's (d, th).
   static void congruence(const Block& K, Vec3 left, Vec3 right, double sign, Block& out) {

@@ -26,14 +26,12 @@ struct Neighbours {
 };
 
 // Sums links between the same two clusters. Order: by first appearance in `links`.
-Neighbours neighboursOf(std::span<const ClusterLink> links, const Numbers& clusterOf, std::uint32_t clusters,
-                        bool withWeak) {
+Neighbours neighboursOf(std::span<const ClusterLink> links, const Numbers& clusterOf, std::uint32_t clusters) {
   Memory* memory = clusterOf.get_allocator().resource();
   Neighbours out(memory);
   Numbers room(clusters + 1, 0, memory);
   auto ends = [&](const ClusterLink& link, std::uint32_t& a, std::uint32_t& b) {
-    if (link.bodyA == ClusterLink::kNoBody || link.bodyB == ClusterLink::kNoBody || (link.weak && !withWeak))
-      return false;
+    if (link.bodyA == ClusterLink::kNoBody || link.bodyB == ClusterLink::kNoBody) return false;
     a = clusterOf[link.bodyA];
     b = clusterOf[link.bodyB];
     return a != b;
@@ -157,25 +155,20 @@ Level makeLevel(std::span<const ClusterLink> links, const Numbers& clusterOf, st
 
 }  // namespace
 
-void Hierarchy::build(std::uint32_t bodies, std::span<const ClusterLink> links, bool weakLast) {
+void Hierarchy::build(std::uint32_t bodies, std::span<const ClusterLink> links) {
   levels.clear();
   Memory* memory = levels.get_allocator().resource();
   Numbers clusterOf(bodies, memory), aggregateOf(memory);
   for (std::uint32_t i = 0; i < bodies; i++) clusterOf[i] = i;
   std::uint32_t clusters = bodies;
-  bool withWeak = !weakLast;
   levels.push_back(makeLevel(links, clusterOf, clusters));
   while (int(levels.size()) < kMaxLevels && clusters > 1) {
-    std::uint32_t merged = aggregate(neighboursOf(links, clusterOf, clusters, withWeak), clusters, aggregateOf);
+    std::uint32_t merged = aggregate(neighboursOf(links, clusterOf, clusters), clusters, aggregateOf);
     if (int(levels.size()) + 1 == kMaxLevels) {  // a body with hundreds of neighbours takes in few of them a level
       aggregateOf.assign(clusters, 0);
       merged = 1;
     }
-    if (merged == clusters) {  // nothing left to merge: now over the weak contacts, or done
-      if (withWeak) break;
-      withWeak = true;
-      continue;
-    }
+    if (merged == clusters) break;
     for (std::uint32_t& c : clusterOf) c = aggregateOf[c];
     clusters = merged;
     levels.push_back(makeLevel(links, clusterOf, clusters));

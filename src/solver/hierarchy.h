@@ -1,10 +1,8 @@
 // Rigid clusters of an island, coarse to fine. Level 0 is the single bodies; each next level merges up to six
 // neighbouring clusters, strongest link first, until one is left. What is fixed is never merged.
 //
-// Two hierarchies are used in turn:
-//   by strength    all rows count, weighted by load: carries loads and moments through long, well-connected walls;
-//   by mechanism   weak rows (ties that can turn or slide) are merged last, so that a cluster is a part that really
-//                  moves rigidly and its boundary is the set of hinges of the collapse: slow collapses keep their speed.
+// Firm ties come first, by the load that they carry: a level carries loads and moments through long, well-connected walls
+// (level_step.h).
 #pragma once
 #include <cstdint>
 #include <memory_resource>
@@ -59,15 +57,14 @@ struct ClusterLink {
   static constexpr std::uint32_t kNoBody = 0xffffffffu;
   std::uint32_t bodyA = kNoBody, bodyB = kNoBody;
   float strength = 0;  // > 0
-  bool weak = false;
 };
 
 struct Hierarchy {
-  bool valid = false;  // built of the island's contacts as they are (by mechanism: of their weak flags, too)
+  bool valid = false;              // built of the island's contacts as they are
   std::pmr::vector<Level> levels;  // 0 = bodies ... back() = the island
 
   explicit Hierarchy(std::pmr::memory_resource* memory = std::pmr::get_default_resource()) : levels(memory) {}
-  void build(std::uint32_t bodies, std::span<const ClusterLink> links, bool weakLast);
+  void build(std::uint32_t bodies, std::span<const ClusterLink> links);
   // Mass, centre and inertia of every cluster from those of its bodies.
   void refresh(std::span<const SolveMass> masses);
 };

@@ -27,7 +27,7 @@ struct Island {
   std::pmr::vector<Wrench> residual{memory};     // bodies
   std::pmr::vector<float> loads{memory};         // N, bodies: half the sum of the forces that its rows exert on it
   std::pmr::vector<float> speeds{memory};        // m/s, bodies: |v| + |w| outer radius at the start of the step
-  Hierarchy byStrength{memory}, byMechanism{memory};
+  Hierarchy hierarchy{memory};
   double dt = 0;  // s: its time step: what is left of the world's after the impacts that it met (stage_impacts.cpp)
   Vec3 origin;    // m, of SolveMass::position and Cluster::centre
   Vec3 travel;    // m: rigid displacement of this step that d and dFree leave out

@@ -105,20 +105,18 @@ void buildIslands(IslandSet& islands, Ties ties, const StepContext& context,
   fresh.clear();
 }
 
-void updateHierarchies(Island& island, const StepContext& context) {
-  if (island.byStrength.valid && island.byMechanism.valid) return;
+void updateHierarchy(Island& island, const StepContext& context) {
+  if (island.hierarchy.valid) return;
   std::uint32_t bodies = std::uint32_t(island.bodies.size());
   std::pmr::vector<ClusterLink> links(island.memory);
   links.reserve(island.rows.size());
   auto own = [&](std::uint32_t body) { return body < bodies ? body : ClusterLink::kNoBody; };
   std::as_const(island.rows).each([&](const auto& kind, std::size_t k) {
     RowEnds ends = kind.ends(k);
-    RowTie tie = kind.tie(k, context);
-    links.push_back({own(ends.a), own(ends.b), tie.strength, tie.weak});
+    links.push_back({own(ends.a), own(ends.b), kind.tie(k, context).strength});
   });
-  if (!island.byStrength.valid) island.byStrength.build(bodies, links, false);
-  island.byMechanism.build(bodies, links, true);
-  island.byStrength.valid = island.byMechanism.valid = true;
+  island.hierarchy.build(bodies, links);
+  island.hierarchy.valid = true;
 }
 
 }  // namespace brickfall

@@ -25,11 +25,10 @@ struct IslandSet {
 };
 
 // Joins awake bodies by their links. An island whose bodies and ties are those of an old one is that old one, with its
-// hierarchies.
+// hierarchy.
 void buildIslands(IslandSet& islands, Ties ties, const StepContext& context, const std::vector<BodyIndex>& awakeBodies);
 
-// Hierarchies of an island, as far as they are out of date: by strength when its ties changed, by mechanism also when
-// a weak flag did.
-void updateHierarchies(Island& island, const StepContext& context);
+// Makes the hierarchy of an island anew if its ties have changed.
+void updateHierarchy(Island& island, const StepContext& context);
 
 }  // namespace brickfall

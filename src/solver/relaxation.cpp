@@ -6,6 +6,7 @@
 
 #include "solver/acceleration.h"
 #include "solver/cluster_step.h"
+#include "solver/level_step.h"
 #include "solver/support.h"
 
 namespace brickfall {
@@ -13,7 +14,8 @@ namespace brickfall {
 namespace {
 
 //! - | too small: bodies that hang by one corner take all cycles | too large: cost
-constexpr int kRounds = 2;  // sweeps over the single bodies in each cycle, forwards and backwards
+constexpr int kRounds = 3,
+              kRoundsSmall = 2;  // sweeps over the single bodies in each cycle, forwards and backwards in turn
 //! - | too small: what flips open and shut is left to the next round | too large: cost
 constexpr int kExactSteps = 4;  // of one body in a row
 //! - | too small: cost | too large: bodies are taken up again and again; what slides alone is a little off
@@ -46,7 +48,7 @@ constexpr int kMostStalled = 4;  // cycles of a body alone that are no better
 constexpr double kManyOut = 0.05;  // more of them than that are worth cycles beyond maxCycles
 
 //! of all rows, read in a cycle | too small: cost where few bodies move | too large: slow settling is not seen through
-constexpr double kWorthReading = 1;  // then reading all of them once more, for an acceleration, pays
+constexpr double kWorthReading = 1;  // then moving all at once in the next one, which reads all of them, pays
 
 class Relaxation {
  public:
@@ -56,16 +58,10 @@ class Relaxation {
         statistics_(statistics),
         forces_(island, statistics),
         acceleration_(island),
+        together_(forces_, island.hierarchy),
         allowed_(island.bodies.size(), 0, island.memory),
-        hierarchies_{&island.byStrength, &island.byMechanism},
-        factors_{std::pmr::vector<ClusterFactor>(island.memory), std::pmr::vector<ClusterFactor>(island.memory)},
-        exactFactors_(island.bodies.size(), island.memory) {
-    for (int h = 0; h < 2; h++) {
-      std::size_t clusters = 0;
-      for (const Level& level : hierarchies_[h]->levels) clusters += level.clusters.size();
-      factors_[h].resize(clusters);
-    }
-  }
+        factors_(island.bodies.size(), island.memory),
+        exactFactors_(island.bodies.size(), island.memory) {}
 
   bool run() {
     forces_.readAll();
@@ -160,41 +156,37 @@ class Relaxation {
     return true;
   }
 
-  // Small islands have the direct solve.
+  // All at once, then one by one. On few bodies the direct solve that follows does the first.
   void sweep(int cycle) {
-    bool accelerated = island_.plan.byLoad;
-    if (accelerated && worthReading_) acceleration_.apply(forces_);
-    if (accelerated) acceleration_.begin();
-    double sides = statistics_.solveSides;
-    coarseSweep(cycle % 2);
-    for (int round = 0; round < kRounds && singleSweep(round % 2 != 0); round++) {
+    const bool large = island_.plan.byLoad, few = island_.plan.direct && island_.plan.exactSteps;
+    const bool together = !few && island_.hierarchy.levels.size() > 1 && (!large || cycle == 0 || worthReading_);
+    if (large && worthReading_) acceleration_.apply(forces_);
+    if (large) acceleration_.begin();
+    if (together && clustersOut()) together_.apply();
+    const double sides = statistics_.solveSides;
+    const int rounds = few ? kRoundsSmall : kRounds;
+    for (int round = 0; round < rounds && singleSweep(round % 2 != 0); round++) {
     }
-    if (accelerated) acceleration_.end();
+    if (large) acceleration_.end();
     worthReading_ = statistics_.solveSides - sides > kWorthReading * 4.0 * double(island_.rows.size());
   }
 
-  void coarseSweep(int h) {
+  // Of the level that is moved at once.
+  bool clustersOut() const {
+    const Level& level = island_.hierarchy.levels[1];
     float threshold = kClusterShare * float(island_.plan.tolerance);
     float perDt2 = float(island_.dt * island_.dt * kReferenceGravity);
-    std::size_t begin = factors_[h].size();
-    for (std::size_t l = hierarchies_[h]->levels.size(); l-- > 1;) {
-      const Level& level = hierarchies_[h]->levels[l];
-      begin -= level.clusters.size();
-      for (std::size_t c = 0; c < level.clusters.size(); c++) {
-        const Cluster& cluster = level.clusters[c];
-        if (cluster.bodyEnd - cluster.bodyBegin == 1 || cluster.sideBegin == cluster.sideEnd) continue;
-        Wrench g = residualOf(island_, level, cluster);
-        float most = threshold * clusterScale(cluster, perDt2);
-        if (dot(g.force, g.force) <= most * most && dot(g.torque, g.torque) <= most * most * gyrationSquared(cluster))
-          continue;
-        step(level, cluster, factors_[h][begin + c], g, false);
-      }
-    }
+    return std::any_of(level.clusters.begin(), level.clusters.end(), [&](const Cluster& cluster) {
+      Wrench g = residualOf(island_, level, cluster);
+      float most = threshold * clusterScale(cluster, perDt2);
+      return !(dot(g.force, g.force) <= most * most &&
+               dot(g.torque, g.torque) <= most * most * gyrationSquared(cluster));
+    });
   }
 
   // True if any was out of balance.
   bool singleSweep(bool backwards) {
-    const Level& level = hierarchies_[0]->levels[0];
+    const Level& level = island_.hierarchy.levels[0];
     std::size_t count = level.clusters.size();
     bool any = false;
     for (std::size_t n = 0; n < count; n++) {
@@ -203,7 +195,7 @@ class Relaxation {
       std::uint32_t body = level.bodies[cluster.bodyBegin];
       if (cluster.sideBegin == cluster.sideEnd || balanced(body)) continue;
       any = true;
-      solveBody(level, cluster, factors_[0][c], body);
+      solveBody(level, cluster, factors_[c], body);
     }
     return any;
   }
@@ -230,7 +222,7 @@ class Relaxation {
   bool letFall() {
     dropBounds();
     forces_.findLoads();
-    const Level& level = hierarchies_[0]->levels[0];
+    const Level& level = island_.hierarchy.levels[0];
     bool any = false;
     for (std::size_t c = 0; c < level.clusters.size(); c++) {
       const Cluster& cluster = level.clusters[c];
@@ -245,7 +237,7 @@ class Relaxation {
   // The momentum of what slides on smooth ground is the whole island's: one exact step of it. Where the ground holds it, that
   // would only be pressed on the bodies that stand there; so it would where the whole is slow, and does not slide.
   void moveAsOne() {
-    const Level& top = hierarchies_[0]->levels.back();
+    const Level& top = island_.hierarchy.levels.back();
     for (const Cluster& cluster : top.clusters) {
       if (cluster.sideBegin == cluster.sideEnd) continue;
       ClusterFactor exact{clusterMatrix(forces_, top, cluster, true)};
@@ -265,14 +257,14 @@ class Relaxation {
   SolveStatistics& statistics_;
   RowForces forces_;
   Acceleration acceleration_;
+  LevelStep together_;
   std::pmr::vector<float> allowed_;                       // N, by body
   float least_ = std::numeric_limits<float>::infinity();  // N2, of a body alone: what a cycle left at best
   int stalled_ = 0;                                       // cycles since
   std::size_t out_ = 0;                                   // bodies out of balance
   bool worthReading_ = false;                             // the last cycle moved so much
-  const Hierarchy* hierarchies_[2];
-  std::pmr::vector<ClusterFactor> factors_[2];    // by cluster, finest level first
-  std::pmr::vector<ClusterFactor> exactFactors_;  // by body, of exact steps
+  std::pmr::vector<ClusterFactor> factors_;               // by body
+  std::pmr::vector<ClusterFactor> exactFactors_;          // by body, of exact steps
 };
 
 }  // namespace

@@ -53,9 +53,9 @@ bool balancedByLoad(const Island& island, const StepContext& context) {
     if (!(double(length(island.residual[i].force)) < most)) return false;
     if (!(double(length(island.residual[i].torque)) < most * m.innerRadius)) return false;
   }
-  if (!island.byStrength.valid) return true;
+  if (!island.hierarchy.valid) return true;
   float perDt2 = float(island.dt * island.dt * kReferenceGravity);
-  for (const Level& level : island.byStrength.levels)
+  for (const Level& level : island.hierarchy.levels)
     for (const Cluster& c : level.clusters) {
       if (c.bodyEnd - c.bodyBegin == 1) continue;
       Wrench g = residualOf(island, level, c);

@@ -10,6 +10,8 @@ namespace brickfall {
 namespace {
 
 void checkHierarchy(Findings& f, const Hierarchy& h, const Island& island, const std::string& name) {
+  f.expect(!h.valid || h.levels.size() >= (island.bodies.size() > 1 ? 2 : 1), name + ": a level is missing");
+  const Level* finer = nullptr;
   for (const Level& level : h.levels) {
     f.expect(level.clusterOf.size() == island.bodies.size() && level.bodies.size() == island.bodies.size(),
              name + ": a level does not hold every body");
@@ -32,7 +34,20 @@ void checkHierarchy(Findings& f, const Hierarchy& h, const Island& island, const
         });
         f.expect(own < island.bodies.size() && level.clusterOf[own] == n, name + ": a side is not of its cluster");
       }
+      bool own = true;
+      for (std::uint32_t k = c.bodyBegin; k < c.bodyEnd; k++) own = own && level.clusterOf[level.bodies[k]] == n;
+      f.expect(own, name + ": a cluster names another's body");
     }
+    bool whole = true;
+    for (std::size_t n = 0; finer && n < finer->clusters.size(); n++) {
+      const Cluster& c = finer->clusters[n];
+      const std::uint32_t into = level.clusterOf[finer->bodies[c.bodyBegin]];
+      for (std::uint32_t k = c.bodyBegin; k < c.bodyEnd; k++)
+        whole = whole && level.clusterOf[finer->bodies[k]] == into;
+    }
+    f.expect(whole, name + ": a cluster was torn apart");
+    if (f.any()) return;
+    finer = &level;
   }
   if (!h.levels.empty()) f.expect(h.levels.back().clusters.size() == 1, name + ": the top level is not one cluster");
 }
@@ -85,8 +100,7 @@ class StructureCheck {
       f_.expect(r.bodyA < all && r.bodyB < all && r.contact < contacts_.contacts.size(),
                 "islands: a record names no body");
     if (f_.any()) return;
-    checkHierarchy(f_, island.byStrength, island, "hierarchy by strength");
-    checkHierarchy(f_, island.byMechanism, island, "hierarchy by mechanism");
+    checkHierarchy(f_, island.hierarchy, island, "hierarchy");
   }
 
   Findings& f_;

@@ -18,7 +18,7 @@ namespace {
 
 //! not of the method: the file's
 constexpr std::uint64_t kMagic = 0x30504e5346424b42ull;
-constexpr std::uint32_t kLayout = 10;
+constexpr std::uint32_t kLayout = 11;
 
 struct Header {
   std::uint64_t magic = kMagic;
@@ -244,8 +244,7 @@ class SnapshotArchive {
       a.list(i.partners);
       a.list(i.rows.contacts.records);
       a.list(i.rows.contacts.starts);
-      hierarchy(a, i.byStrength);
-      hierarchy(a, i.byMechanism);
+      hierarchy(a, i.hierarchy);
       a.flag(i.facts.partnersMove);  // of one that stays settled
       a.choice(i.ending, IslandEnding::settled);
       a.value(i.points);

@@ -209,7 +209,7 @@ void ImpactWalk::solve(Island& island, double dt, bool toImpact, SolveStatistics
   if (flies) {
     for (BodyIndex body : island.bodies) storeFreeBody(body, dt, context_);
   } else {
-    updateHierarchies(island, context_);
+    updateHierarchy(island, context_);
     runCycles(island, context_, statistics);
     correctMomentum(island, context_);
     storeRows(island, ties_, context_);
@@ -286,7 +286,7 @@ bool ImpactWalk::runsThrough(const Island& island, double dt) const {
 bool ImpactWalk::impact(Island& island) {
   std::pmr::vector<ContactImpact> impacts(island.memory);
   island.dt = context_.dt;
-  updateHierarchies(island, context_);
+  updateHierarchy(island, context_);
   if (!solveImpact(island, ties_, bodies_, context_, kBlink * context_.dt, context_.statistics, impacts)) return false;
   for (BodyIndex body : island.bodies) bodies_.data[body].lag = 0;
   const ContactRows& rows = island.rows.contacts;

@@ -15,7 +15,7 @@ void solveIslands(IslandSet& islands, SolveState& state) {
   auto solveOne = [&](std::size_t i) {
     Island& island = *islands.awake[i];
     if (island.resting()) return;
-    updateHierarchies(island, context);
+    updateHierarchy(island, context);
     runCycles(island, context, counts[i]);
     correctMomentum(island, context);
   };

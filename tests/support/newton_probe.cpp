@@ -78,7 +78,7 @@ std::uint64_t probeStep(const World& world, double dt, const std::function<void(
     SolveStatistics statistics;
     SolvedIsland found;
     if (!island.resting()) {
-      updateHierarchies(island, w.solve.context);
+      updateHierarchy(island, w.solve.context);
       runCycles(island, w.solve.context, statistics);
       found.ending = endingOf(island);
       correctMomentum(island, w.solve.context);
@@ -110,7 +110,7 @@ ConvergedStep stepConverged(World& world, double dt, double tolerance) {
   for (std::size_t i = 0; i < problems.size(); i++) {
     Island& island = *w.activity.islands.awake[i];
     if (island.settled() || island.resting()) continue;
-    updateHierarchies(island, w.solve.context);
+    updateHierarchy(island, w.solve.context);
     NewtonSettings settings;
     settings.tolerance = tolerance;
     Solution s = solveWithNewBounds(problems[i], settings);

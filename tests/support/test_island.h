@@ -156,7 +156,7 @@ class TestIsland {
   SolveStatistics solve() {
     SolveStatistics statistics;
     if (island().resting()) return statistics;
-    updateHierarchies(island(), context);
+    updateHierarchy(island(), context);
     runCycles(island(), context, statistics);
     correctMomentum(island(), context);
     return statistics;

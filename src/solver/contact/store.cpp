@@ -77,8 +77,7 @@ void placeSlip(Contact& c, int i, bool sliding) {
 }
 
 // A contact that cannot carry a moment: few loaded points, or all of them sliding.
-bool updateWeak(Contact& c, int loaded, int slidingLoaded) {
-  bool was = c.weak;
+void updateWeak(Contact& c, int loaded, int slidingLoaded) {
   if (loaded < 3 || slidingLoaded >= c.count) {
     c.weak = true;
     c.weakSteps = kWeakHold;
@@ -86,7 +85,6 @@ bool updateWeak(Contact& c, int loaded, int slidingLoaded) {
     c.weak = false;
     c.weakSteps = 0;
   }
-  return c.weak != was;
 }
 
 //! - | too small: points at the edge of sliding change their last bits for ever | too large: forces stop short of their end
@@ -134,7 +132,7 @@ bool ContactRows::store(Island& island, Ties ties, StepContext& context) {
     }
     c.touching = loaded > 0;
     if (c.touching != touched) ties.contacts.touchingChanged = true;
-    if (updateWeak(c, loaded, slidingLoaded)) island.byMechanism.valid = false;
+    updateWeak(c, loaded, slidingLoaded);
     if (!changed && c.touching == touched && sameForces(before, c.points, c.count))
       c.points = before;
     else

@@ -53,26 +53,25 @@ std::vector<ClusterLink> wallLinks(std::uint32_t courses, std::uint32_t perCours
   auto body = [&](std::uint32_t row, std::uint32_t i) { return row * perCourse + i; };
   for (std::uint32_t row = 0; row < courses; row++)
     for (std::uint32_t i = 0; i < perCourse; i++) {
-      if (row == 0) links.push_back({kNone, body(row, i), 4, false});
-      if (i + 1 < perCourse) links.push_back({body(row, i), body(row, i + 1), 4, true});
+      if (row == 0) links.push_back({kNone, body(row, i), 4});
+      if (i + 1 < perCourse) links.push_back({body(row, i), body(row, i + 1), 4});
       if (row + 1 < courses) {
-        links.push_back({body(row, i), body(row + 1, i), 100, false});
-        if (i + 1 < perCourse) links.push_back({body(row, i + 1), body(row + 1, i), 100, false});
+        links.push_back({body(row, i), body(row + 1, i), 100});
+        if (i + 1 < perCourse) links.push_back({body(row, i + 1), body(row + 1, i), 100});
       }
     }
   return links;
 }
 
 TEST(Hierarchy, OfAWallIsSoundAndEndsInOneCluster) {
-  for (bool weakLast : {false, true})
-    for (auto [courses, bricks] : {std::pair{1u, 1u}, std::pair{1u, 7u}, std::pair{10u, 10u}, std::pair{20u, 12u}}) {
-      std::vector<ClusterLink> links = wallLinks(courses, bricks);
-      Hierarchy h;
-      h.build(courses * bricks, links, weakLast);
-      expectSound(h, courses * bricks, links);
-      EXPECT_EQ(h.levels.back().clusters.size(), 1u);
-      EXPECT_LE(h.levels.size(), 10u) << "merges too slowly";
-    }
+  for (auto [courses, bricks] : {std::pair{1u, 1u}, std::pair{1u, 7u}, std::pair{10u, 10u}, std::pair{20u, 12u}}) {
+    std::vector<ClusterLink> links = wallLinks(courses, bricks);
+    Hierarchy h;
+    h.build(courses * bricks, links);
+    expectSound(h, courses * bricks, links);
+    EXPECT_EQ(h.levels.back().clusters.size(), 1u);
+    EXPECT_LE(h.levels.size(), 10u) << "merges too slowly";
+  }
 }
 
 TEST(Hierarchy, OfRandomGraphsIsSound) {
@@ -81,47 +80,36 @@ TEST(Hierarchy, OfRandomGraphsIsSound) {
     std::uint32_t bodies = 2 + random.below(60);
     std::vector<ClusterLink> links;
     for (std::uint32_t i = 1; i < bodies; i++)  // a tree, so that all hang together
-      links.push_back({random.below(i), i, float(random.between(0.5, 100)), random.unit() < 0.3});
+      links.push_back({random.below(i), i, float(random.between(0.5, 100))});
     for (std::uint32_t i = 0; i < bodies; i++) {
       std::uint32_t a = random.below(bodies), b = random.below(bodies);
-      if (a != b) links.push_back({a, b, float(random.between(0.5, 100)), random.unit() < 0.3});
-      if (random.unit() < 0.2) links.push_back({a, kNone, 3, false});
+      if (a != b) links.push_back({a, b, float(random.between(0.5, 100))});
+      if (random.unit() < 0.2) links.push_back({a, kNone, 3});
     }
-    for (bool weakLast : {false, true}) {
-      Hierarchy h;
-      h.build(bodies, links, weakLast);
-      expectSound(h, bodies, links);
-      EXPECT_EQ(h.levels.back().clusters.size(), 1u);
-    }
+    Hierarchy h;
+    h.build(bodies, links);
+    expectSound(h, bodies, links);
+    EXPECT_EQ(h.levels.back().clusters.size(), 1u);
   }
 }
 
-TEST(Hierarchy, MechanismMergesWeakJointsLast) {
-  // Two stacks of four, joined only by a weak link: a level must hold them as two whole clusters.
+TEST(Hierarchy, TheStrongestLinkIsMergedFirst) {
+  // Two stacks of four, joined by the strongest link of all.
   std::vector<ClusterLink> links;
   for (std::uint32_t stack : {0u, 4u})
-    for (std::uint32_t i = 0; i < 3; i++) links.push_back({stack + i, stack + i + 1, 1, false});
-  links.push_back({3, 4, 1000, true});
-  Hierarchy mechanism, strength;
-  mechanism.build(8, links, true);
-  strength.build(8, links, false);
-  expectSound(mechanism, 8, links);
-  bool parted = false;
-  for (const Level& level : mechanism.levels) {
-    if (level.clusters.size() > 1) {
-      EXPECT_NE(level.clusterOf[3], level.clusterOf[4]) << "joined over the hinge too early";
-    }
-    parted = parted || level.clusters.size() == 2;
-  }
-  EXPECT_TRUE(parted);
-  EXPECT_EQ(strength.levels[1].clusterOf[3], strength.levels[1].clusterOf[4]) << "the strongest link is merged first";
+    for (std::uint32_t i = 0; i < 3; i++) links.push_back({stack + i, stack + i + 1, 1});
+  links.push_back({3, 4, 1000});
+  Hierarchy h;
+  h.build(8, links);
+  expectSound(h, 8, links);
+  EXPECT_EQ(h.levels[1].clusterOf[3], h.levels[1].clusterOf[4]);
 }
 
 TEST(Hierarchy, ClusterMassAndInertiaAreThoseOfItsBodies) {
   Random random(9);
   std::vector<ClusterLink> links = wallLinks(4, 5);
   Hierarchy h;
-  h.build(20, links, false);
+  h.build(20, links);
   std::vector<SolveMass> masses(20);
   for (SolveMass& m : masses) {
     m.mass = float(random.between(1, 5));

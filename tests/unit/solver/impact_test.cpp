@@ -111,7 +111,7 @@ Knock knock(Vec3 velocity, double friction, double e, double gap = 0) {
   lab.contact(lab.touch(ground, cube, float(friction))).restitution = float(e);
   Island& island = lab.island();
   island.dt = lab.context.dt;
-  updateHierarchies(island, lab.context);
+  updateHierarchy(island, lab.context);
   std::pmr::vector<ContactImpact> impacts;
   SolveStatistics statistics;
   Knock out;

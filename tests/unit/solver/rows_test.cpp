@@ -150,38 +150,33 @@ TEST(IslandBuilder, AnIslandOfTheSameTiesIsTheOldOne) {
   lab.link();
   const Island* pile = lab.islands.awake[0].get();
   const Island* single = lab.islands.awake[1].get();
-  lab.islands.awake[0]->byStrength.valid = true;
+  lab.islands.awake[0]->hierarchy.valid = true;
   lab.contacts.destroy(face);
   std::erase_if(lab.contacts.pairs, [&](const CandidatePair& pair) { return pair.contact == face; });
   EXPECT_EQ(lab.touch(ground, other), face) << "takes the same slot";
   lab.link();
   EXPECT_EQ(lab.islands.awake[0].get(), pile);
-  EXPECT_TRUE(lab.islands.awake[0]->byStrength.valid);
+  EXPECT_TRUE(lab.islands.awake[0]->hierarchy.valid);
   EXPECT_NE(lab.islands.awake[1].get(), single) << "its contact is another one";
 }
 
-TEST(IslandBuilder, HierarchiesAreBuiltWhenTheyAreOutOfDate) {
+TEST(IslandBuilder, TheHierarchyIsBuiltWhenItIsOutOfDate) {
   TestIsland lab;
   lab.pile(lab.ground(), 12);
   Island& island = lab.island();
-  updateHierarchies(island, lab.context);
-  EXPECT_TRUE(island.byStrength.valid && island.byMechanism.valid);
-  ASSERT_EQ(island.byStrength.levels.front().clusters.size(), 12u);
-  EXPECT_EQ(island.byStrength.levels.back().clusters.size(), 1u);
-  EXPECT_EQ(island.byStrength.levels.front().sides.size(), 23u) << "both ends of eleven joints, one of the lowest";
-  EXPECT_EQ(island.byStrength.levels.back().sides.size(), 1u) << "of all of them only the ground is a boundary";
-  EXPECT_EQ(island.byStrength.levels.back().sides.front(), 1u) << "row 0, its end B";
-  island.byStrength.levels.front().clusters.front().mass = 123;  // a mark
-  for (Contact& c : lab.contacts.contacts) c.weak = false;
-  lab.contact(3).weak = true;
-  island.byMechanism.valid = false;
-  updateHierarchies(island, lab.context);
-  EXPECT_EQ(island.byStrength.levels.front().clusters.front().mass, 123)
-      << "knows nothing of weak contacts: not built anew";
-  for (const Level& level : island.byMechanism.levels)
-    if (level.clusters.size() > 1) {
-      EXPECT_NE(level.clusterOf[2], level.clusterOf[3]) << "joined over the hinge";
-    }
+  updateHierarchy(island, lab.context);
+  EXPECT_TRUE(island.hierarchy.valid);
+  ASSERT_EQ(island.hierarchy.levels.front().clusters.size(), 12u);
+  EXPECT_EQ(island.hierarchy.levels.back().clusters.size(), 1u);
+  EXPECT_EQ(island.hierarchy.levels.front().sides.size(), 23u) << "both ends of eleven joints, one of the lowest";
+  EXPECT_EQ(island.hierarchy.levels.back().sides.size(), 1u) << "of all of them only the ground is a boundary";
+  EXPECT_EQ(island.hierarchy.levels.back().sides.front(), 1u) << "row 0, its end B";
+  island.hierarchy.levels.front().clusters.front().mass = 123;  // a mark
+  updateHierarchy(island, lab.context);
+  EXPECT_EQ(island.hierarchy.levels.front().clusters.front().mass, 123) << "valid: not built anew";
+  island.hierarchy.valid = false;
+  updateHierarchy(island, lab.context);
+  EXPECT_NE(island.hierarchy.levels.front().clusters.front().mass, 123);
 }
 
 }  // namespace

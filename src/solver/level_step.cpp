@@ -1,0 +1,106 @@
+#include "solver/level_step.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "solver/rigid_cluster.h"
+#include "solver/slope_search.h"
+
+namespace brickfall {
+
+namespace {
+
+using wide::V;
+
+//! - | too small: searches that change little | too large: steps end beyond their minimum
+constexpr float kOvershootAll = 0.3f;  // of the slope at the start: less is no reason to search
+//! - | too small: searches that change little | too large: steps end short of their minimum
+constexpr float kUndershootAll = 0.5f;  // of the slope at the start: a search ends below it
+//! - | too small: matrices are made that change little: cost | too large: steps that do not fit
+constexpr float kStaleAll = 0.3f;  // of the slope at the start, left by a step: then its matrix is off
+
+}  // namespace
+
+// The step of a level, and how far along it the island is.
+struct LevelWay {
+  LevelStep& of;
+  const Level& level = of.system_->level();
+  float startSlope = float(slope());
+
+  double slope() const {
+    double sum = 0;
+    for (std::size_t c = 0; c < level.clusters.size(); c++) {
+      Wrench now = residualOf(of.island_, level, level.clusters[c]);
+      sum += double(dot(now.force, of.step_[c].force) + dot(now.torque, of.step_[c].torque));
+    }
+    return sum;
+  }
+  float moveTo(float part) {
+    for (std::size_t c = 0; c < level.clusters.size(); c++) {
+      const Cluster& cluster = level.clusters[c];
+      V way = wide::load(&of.step_[c].force.x) * part, turn = wide::load(&of.step_[c].torque.x) * part;
+      V centre = wide::load3(cluster.centre);
+      for (std::uint32_t k = cluster.bodyBegin; k < cluster.bodyEnd; k++) {
+        const std::uint32_t body = level.bodies[k];
+        const SolveMotion& from = of.from_[body];
+        SolveMotion& m = of.island_.motion[body];
+        V arm = wide::load3(of.island_.masses[body].position) - centre;
+        wide::store(wide::load(&from.d.x) + (way + wide::cross3(turn, arm)), &m.d.x);
+        wide::store(wide::load(&from.th.x) + turn, &m.th.x);
+      }
+    }
+    of.forces_.readAgain();
+    return float(slope());
+  }
+  void goBack() {
+    std::copy(of.from_.begin(), of.from_.end(), of.island_.motion.begin());
+    of.forces_.readAgain();
+  }
+  float start() const { return startSlope; }
+  float lowest() const { return -kOvershootAll * startSlope; }
+  float highest() const { return kUndershootAll * startSlope; }
+};
+
+LevelStep::LevelStep(RowForces& forces, const Hierarchy& hierarchy)
+    : forces_(forces),
+      island_(forces.island()),
+      hierarchy_(hierarchy),
+      residuals_(island_.memory),
+      step_(island_.memory),
+      from_(island_.memory) {}
+
+void LevelStep::findResiduals() {
+  const Level& level = system_->level();
+  residuals_.clear();
+  for (const Cluster& cluster : level.clusters) residuals_.push_back(residualOf(island_, level, cluster));
+}
+
+void LevelStep::apply() {
+  if (!system_) system_.emplace(island_, hierarchy_);
+  from_.assign(island_.motion.begin(), island_.motion.begin() + std::ptrdiff_t(island_.bodies.size()));
+  for (;; valid_ = false) {
+    const bool kept = std::exchange(valid_, true);
+    if (!kept && !system_->make()) {
+      valid_ = false;
+      return;
+    }
+    findResiduals();
+    system_->solve(residuals_, step_);
+    LevelWay way{*this};
+    if (!(way.start() > 0)) return;
+    const float slope = way.moveTo(1);
+    if (slope >= way.lowest()) {
+      valid_ = slope <= kStaleAll * way.start();
+      return;
+    }
+    if (!std::isfinite(slope)) return way.goBack();
+    if (!kept) {
+      searchAlong(way, slope, kLineSearchSteps);
+      return;
+    }
+    way.goBack();
+  }
+}
+
+}  // namespace brickfall

@@ -1,0 +1,37 @@
+// All clusters of a level at once: one Newton step of the island as if each of them were rigid.
+//
+// What a wall does as a whole (it sways, leans, is pushed along) single bodies find only slowly, each from its neighbours. The step
+// finds it for all of them; what is bent or parted within the clusters is left to the bodies. As with single bodies, the matrix is
+// kept while its steps end well: one that is too long is tried again with a new matrix before anything is searched, and after
+// one that is too short the next is made anew.
+#pragma once
+#include <memory_resource>
+#include <optional>
+#include <vector>
+
+#include "solver/level_system.h"
+#include "solver/row_forces.h"
+
+namespace brickfall {
+
+class LevelStep {
+ public:
+  // Nothing is made before the first step.
+  LevelStep(RowForces& forces, const Hierarchy& hierarchy);
+  // Moves the island's bodies, and reads its forces there.
+  void apply();
+
+ private:
+  friend struct LevelWay;
+  void findResiduals();
+
+  RowForces& forces_;
+  Island& island_;
+  const Hierarchy& hierarchy_;
+  std::optional<LevelSystem> system_;
+  bool valid_ = false;                  // its matrix
+  Wrenches residuals_, step_;           // by cluster
+  std::pmr::vector<SolveMotion> from_;  // by body
+};
+
+}  // namespace brickfall

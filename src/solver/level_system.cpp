@@ -1,0 +1,240 @@
+#include "solver/level_system.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace brickfall {
+
+namespace {
+
+//! products of blocks for each row of the island | too small: long walls take more iterations | too large: cost of factors
+constexpr double kMostProducts = 2;  // in a factorisation of the coarse level
+//! - | too small: steps that do not fit the whole | too large: cost of what the next step finds again
+constexpr int kMostIterations = 4, kMostIterationsSmall = 20;
+//! of the error | too small: cost of what the next step finds again | too large: steps that do not fit the whole
+constexpr double kSolvedTo = 0.2, kSolvedToSmall = 1e-3;
+
+using wide::cross3;
+using wide::spread;
+using wide::V;
+
+// Block entries of six motions as a matrix of doubles, for the envelope.
+struct Doubles {
+  double of[6][6] = {};
+  void setColumn(int column, V force, V torque) {
+    for (int k = 0; k < 3; k++) {
+      of[k][column] = double(force[k]);
+      of[k + 3][column] = double(torque[k]);
+    }
+  }
+};
+
+BlockRows::Block inertiaOf(const Cluster& c) {
+  BlockRows::Block out;
+  for (int k = 0; k < 3; k++) out.of[k].force[k] = c.mass;
+  const float* i = c.inertia;
+  out.of[3].torque = {i[0], i[1], i[3]};
+  out.of[4].torque = {i[1], i[2], i[4]};
+  out.of[5].torque = {i[3], i[4], i[5]};
+  return out;
+}
+
+}  // namespace
+
+// What a row answers, at its centre, to the six motions of a cluster whose centre is `arm` away.
+struct LevelSystem::Motions {
+  V force[6], torque[6];
+
+  Motions(const Stiffness& s, V arm) {
+    V x = spread<0>(arm), y = spread<1>(arm), z = spread<2>(arm);
+    for (int j = 0; j < 3; j++) {
+      force[j] = s.A[j];
+      torque[j] = s.B[j];
+      force[3 + j] = V{s.B[0][j], s.B[1][j], s.B[2][j], 0};
+      torque[3 + j] = s.C[j];
+    }
+    force[3] += y * s.A[2] - z * s.A[1];
+    force[4] += z * s.A[0] - x * s.A[2];
+    force[5] += x * s.A[1] - y * s.A[0];
+    torque[3] += y * s.B[2] - z * s.B[1];
+    torque[4] += z * s.B[0] - x * s.B[2];
+    torque[5] += x * s.B[1] - y * s.B[0];
+  }
+  // On the cluster that moves (sign 1), or on the row's other end (-1), about its centre.
+  void addTo(BlockRows::Block& block, V arm, float sign) const {
+    for (int j = 0; j < 6; j++) {
+      Wrench& to = block.of[j];
+      wide::store(wide::load(&to.force.x) + force[j] * sign, &to.force.x);
+      wide::store(wide::load(&to.torque.x) + (cross3(arm, force[j]) + torque[j]) * sign, &to.torque.x);
+    }
+  }
+  Doubles seenFrom(V arm, float sign) const {
+    Doubles out;
+    for (int j = 0; j < 6; j++) out.setColumn(j, force[j] * sign, (cross3(arm, force[j]) + torque[j]) * sign);
+    return out;
+  }
+};
+
+LevelSystem::LevelSystem(const Island& island, const Hierarchy& hierarchy)
+    : island_(island),
+      fine_(hierarchy.levels[1]),
+      matrix_(island.memory),
+      factor_(island.memory),
+      above_(island.memory),
+      places_(island.memory),
+      coarseX_(island.memory),
+      left_(island.memory),
+      better_(island.memory),
+      direction_(island.memory),
+      product_(island.memory) {
+  Adjacency neighbours(island.memory);
+  neighbours.fill(std::uint32_t(fine_.clusters.size()), [&](auto visit) {
+    island.rows.each([&](const auto& kind, std::size_t k) {
+      RowEnds ends = kind.ends(k);
+      std::uint32_t a = clusterOf(fine_, ends.a), b = clusterOf(fine_, ends.b);
+      if (a != b && a != Cluster::kNone && b != Cluster::kNone) visit(a, b);
+    });
+  });
+  matrix_.shape(std::move(neighbours));
+  // The finest that is cheap enough; the last has one cluster.
+  for (std::size_t l = 2; l < hierarchy.levels.size(); l++)
+    if (chooseCoarse(hierarchy.levels[l], kMostProducts * double(island.rows.size()))) break;
+}
+
+bool LevelSystem::chooseCoarse(const Level& level, double mostProducts) {
+  above_.clear();
+  for (const Cluster& c : fine_.clusters) above_.push_back(level.clusterOf[fine_.bodies[c.bodyBegin]]);
+  const Adjacency& fine = matrix_.neighbours();
+  Adjacency neighbours(island_.memory);
+  neighbours.fill(std::uint32_t(level.clusters.size()), [&](auto visit) {
+    for (std::uint32_t c = 0; c < fine.count(); c++)
+      for (std::uint32_t k = fine.begin[c]; k < fine.begin[c + 1]; k++)
+        if (above_[c] < above_[fine.list[k]]) visit(above_[c], above_[fine.list[k]]);
+  });
+  places_ = nearPlaces(neighbours);
+  std::pmr::vector<std::uint32_t> lowest = lowestPlaces(neighbours, places_);
+  double products = 0;
+  for (std::size_t row = 0; row < lowest.size(); row++) {
+    double width = double(row - lowest[row] + 1);
+    products += width * width / 2;
+  }
+  if (products > mostProducts) return false;
+  factor_.shape(lowest);
+  coarse_ = &level;
+  return true;
+}
+
+void LevelSystem::addInertia() {
+  for (std::uint32_t c = 0; c < fine_.clusters.size(); c++) matrix_.diagonal(c) = inertiaOf(fine_.clusters[c]);
+  if (!coarse_) return;
+  for (std::size_t c = 0; c < coarse_->clusters.size(); c++) {
+    BlockRows::Block inertia = inertiaOf(coarse_->clusters[c]);
+    Doubles block;
+    for (int j = 0; j < 6; j++) block.setColumn(j, wide::load3(inertia.of[j].force), wide::load3(inertia.of[j].torque));
+    factor_.add(places_[c], places_[c], block.of);
+  }
+}
+
+bool LevelSystem::make() {
+  matrix_.clear();
+  factor_.clear();
+  addInertia();
+  island_.rows.each([&](const auto& kind, std::size_t k) {
+    RowEnds ends = kind.ends(k);
+    if (clusterOf(fine_, ends.a) == clusterOf(fine_, ends.b)) return;
+    StiffReaction now = kind.reactStiff(k, island_.motion.data(), false);
+    addRow(ends, now);
+    if (coarse_ && clusterOf(*coarse_, ends.a) != clusterOf(*coarse_, ends.b)) addCoarseRow(ends, now);
+  });
+  return matrix_.factor() && factor_.factor();
+}
+
+// From the cluster's centre to that of the row.
+V LevelSystem::armFrom(const Level& level, std::uint32_t cluster, std::uint32_t body, V arm) const {
+  return arm + (wide::load3(island_.masses[body].position) - wide::load3(level.clusters[cluster].centre));
+}
+
+void LevelSystem::addRow(RowEnds ends, const StiffReaction& x) {
+  const std::uint32_t bodies[2] = {ends.a, ends.b};
+  const V arms[2] = {x.armA, x.armB};
+  for (int i = 0; i < 2; i++) {
+    std::uint32_t own = clusterOf(fine_, bodies[i]), other = clusterOf(fine_, bodies[1 - i]);
+    if (own == Cluster::kNone) continue;
+    V arm = armFrom(fine_, own, bodies[i], arms[i]);
+    Motions motions(x.stiffness, arm);
+    motions.addTo(matrix_.diagonal(own), arm, 1);
+    if (other != Cluster::kNone)
+      motions.addTo(matrix_.at(other, own), armFrom(fine_, other, bodies[1 - i], arms[1 - i]), -1);
+  }
+}
+
+void LevelSystem::addCoarseRow(RowEnds ends, const StiffReaction& x) {
+  const std::uint32_t bodies[2] = {ends.a, ends.b};
+  const V arms[2] = {x.armA, x.armB};
+  for (int i = 0; i < 2; i++) {
+    std::uint32_t own = clusterOf(*coarse_, bodies[i]), other = clusterOf(*coarse_, bodies[1 - i]);
+    if (own == Cluster::kNone) continue;
+    V arm = armFrom(*coarse_, own, bodies[i], arms[i]);
+    Motions motions(x.stiffness, arm);
+    factor_.add(places_[own], places_[own], motions.seenFrom(arm, 1).of);
+    if (other != Cluster::kNone && places_[other] > places_[own])
+      factor_.add(places_[other], places_[own],
+                  motions.seenFrom(armFrom(*coarse_, other, bodies[1 - i], arms[1 - i]), -1).of);
+  }
+}
+
+// Symmetric: forwards, together, backwards.
+void LevelSystem::precondition(const Wrenches& right, Wrenches& x) {
+  matrix_.sweepForwards(right, x);
+  if (coarse_) {
+    auto armOf = [&](std::uint32_t c) {
+      return wide::load3(fine_.clusters[c].centre) - wide::load3(coarse_->clusters[above_[c]].centre);
+    };
+    coarseX_.assign(6 * places_.size(), 0);
+    for (std::uint32_t c = 0; c < above_.size(); c++) {
+      Wrench left = matrix_.leftForwards(c, x);
+      V force = wide::load(&left.force.x), torque = wide::load(&left.torque.x) + cross3(armOf(c), force);
+      double* six = coarseX_.data() + 6 * places_[above_[c]];
+      for (int k = 0; k < 3; k++) {
+        six[k] += double(force[k]);
+        six[k + 3] += double(torque[k]);
+      }
+    }
+    factor_.solve(coarseX_.data());
+    for (std::uint32_t c = 0; c < above_.size(); c++) {
+      const double* six = coarseX_.data() + 6 * places_[above_[c]];
+      V way{float(six[0]), float(six[1]), float(six[2]), 0}, turn{float(six[3]), float(six[4]), float(six[5]), 0};
+      wide::store(wide::load(&x[c].force.x) + (way + cross3(turn, armOf(c))), &x[c].force.x);
+      wide::store(wide::load(&x[c].torque.x) + turn, &x[c].torque.x);
+    }
+  }
+  matrix_.sweepBackwards(right, x);
+}
+
+void LevelSystem::solve(const Wrenches& right, Wrenches& x) {
+  x.assign(right.size(), {});
+  left_.assign(right.begin(), right.end());
+  better_.resize(right.size());
+  product_.resize(right.size());
+  precondition(left_, better_);
+  direction_.assign(better_.begin(), better_.end());
+  double now = dotOf(left_, better_);
+  const bool large = island_.plan.byLoad;
+  const double to = large ? kSolvedTo : kSolvedToSmall, enough = to * to * now;
+  const int most = large ? kMostIterations : kMostIterationsSmall;
+  for (int k = 0; now > enough; k++) {
+    matrix_.multiply(direction_, product_);
+    const double curvature = dotOf(direction_, product_);
+    if (!(curvature > 0)) return;
+    const float part = float(now / curvature);
+    addTimes(x, direction_, part);
+    if (k + 1 == most) return;
+    addTimes(left_, product_, -part);
+    precondition(left_, better_);
+    const double before = std::exchange(now, dotOf(left_, better_));
+    addTimes(better_, direction_, float(now / before));
+    direction_.swap(better_);
+  }
+}
+
+}  // namespace brickfall

@@ -1,0 +1,52 @@
+// Newton's equations of all clusters of a level together, each as a rigid body:
+//
+//   (mass and inertia / dt^2 + stiffness of the rows between clusters, and to what is fixed) x = residuals
+//
+// Solved by conjugate gradients. Clusters that touch are settled against each other by Gauss-Seidel sweeps; what many of them must
+// do together by a coarser level, with clusters so few that its matrix is factored (two-grid preconditioner: Briggs, Henson and
+// McCormick, A Multigrid Tutorial, 2000). Two or three iterations take a hit wall of any length to a tenth.
+#pragma once
+#include <memory_resource>
+#include <vector>
+
+#include "solver/block_envelope.h"
+#include "solver/block_rows.h"
+#include "solver/island.h"
+
+namespace brickfall {
+
+class LevelSystem {
+ public:
+  // Of the level above the bodies, which has more than one cluster.
+  LevelSystem(const Island& island, const Hierarchy& hierarchy);
+  const Level& level() const { return fine_; }
+  // Makes the matrix at the present motion; open points that are near count as closed. False if it is not positive definite.
+  bool make();
+  // x: about the solution, good enough for a step that is to be followed by others. Nearer to it in small islands, which are to be
+  // solved to the end.
+  void solve(const Wrenches& right, Wrenches& x);
+
+ private:
+  struct Motions;
+  static std::uint32_t clusterOf(const Level& level, std::uint32_t body) {
+    return body < level.clusterOf.size() ? level.clusterOf[body] : Cluster::kNone;
+  }
+  wide::V armFrom(const Level& level, std::uint32_t cluster, std::uint32_t body, wide::V arm) const;
+  bool chooseCoarse(const Level& level, double mostProducts);
+  void addInertia();
+  void addRow(RowEnds ends, const StiffReaction& x);
+  void addCoarseRow(RowEnds ends, const StiffReaction& x);
+  void precondition(const Wrenches& right, Wrenches& x);
+
+  const Island& island_;
+  const Level& fine_;
+  const Level* coarse_ = nullptr;
+  BlockRows matrix_;      // of fine_
+  BlockEnvelope factor_;  // of *coarse_
+  std::pmr::vector<std::uint32_t> above_,
+      places_;                                    // cluster of *coarse_, by cluster of fine_; and its place in factor_
+  std::pmr::vector<double> coarseX_;              // by place
+  Wrenches left_, better_, direction_, product_;  // of conjugate gradients, by cluster
+};
+
+}  // namespace brickfall

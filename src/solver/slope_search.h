@@ -1,0 +1,32 @@
+// How far to go along a step that is too long: to about the zero of the slope, bracketed, by secants (Illinois rule, every third
+// time halving).
+#pragma once
+#include <algorithm>
+
+namespace brickfall {
+
+// `way`: moveTo(part) goes to a part of the step and returns the slope there, downwards; start() is that at 0, and between lowest()
+// and highest() is near enough. `slope`: that at 1, where it is now.
+template <class Way> void searchAlong(Way& way, float slope, int evaluations) {
+  float low = 0, slopeLow = way.start(), high = 1, slopeHigh = slope;
+  for (int k = 0; k < evaluations; k++) {
+    float fall = slopeLow - slopeHigh, width = high - low;
+    if (!(fall > 0)) return;  // both have underflowed: forces that a float hardly knows are balanced
+    float next = k % 3 == 2 ? 0.5f * (low + high) : low + width * slopeLow / fall;
+    if (k >= 1) next = std::min(std::max(next, low + 0.05f * width), high - 0.05f * width);
+    slope = way.moveTo(next);
+    if (slope >= way.lowest() && slope <= way.highest()) return;
+    // Otherwise one end of the bracket might never move.
+    if (slope > 0) {
+      low = next;
+      slopeLow = slope;
+      slopeHigh *= 0.5f;
+    } else {
+      high = next;
+      slopeHigh = slope;
+      slopeLow *= 0.5f;
+    }
+  }
+}
+
+}  // namespace brickfall
