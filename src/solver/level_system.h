@@ -4,7 +4,7 @@
 //
 // Solved by conjugate gradients. Clusters that touch are settled against each other by Gauss-Seidel sweeps; what many of them must
 // do together by a coarser level, with clusters so few that its matrix is factored (two-grid preconditioner: Briggs, Henson and
-// McCormick, A Multigrid Tutorial, 2000). Two or three iterations take a hit wall of any length to a tenth.
+// McCormick, A Multigrid Tutorial, 2000). One to three iterations take a hit wall of any length to a fifth of the error.
 #pragma once
 #include <memory_resource>
 #include <vector>
@@ -17,7 +17,7 @@ namespace brickfall {
 
 class LevelSystem {
  public:
-  // Of the level above the bodies, which has more than one cluster.
+  // Of the first level above the bodies: the island has more than one.
   LevelSystem(const Island& island, const Hierarchy& hierarchy);
   const Level& level() const { return fine_; }
   // Makes the matrix at the present motion; open points that are near count as closed. False if it is not positive definite.
@@ -41,10 +41,10 @@ class LevelSystem {
   const Island& island_;
   const Level& fine_;
   const Level* coarse_ = nullptr;
-  BlockRows matrix_;      // of fine_
-  BlockEnvelope factor_;  // of *coarse_
-  std::pmr::vector<std::uint32_t> above_,
-      places_;                                    // cluster of *coarse_, by cluster of fine_; and its place in factor_
+  BlockRows matrix_;                              // of fine_
+  BlockEnvelope factor_;                          // of *coarse_
+  std::pmr::vector<std::uint32_t> above_;         // by cluster of fine_: that of *coarse_ which it is part of
+  std::pmr::vector<std::uint32_t> places_;        // by cluster of *coarse_: its place in factor_
   std::pmr::vector<double> coarseX_;              // by place
   Wrenches left_, better_, direction_, product_;  // of conjugate gradients, by cluster
 };
