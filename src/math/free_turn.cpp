@@ -39,15 +39,16 @@ Quat afterTurn(Quat rotation, Quat turned, const PrincipalInertia& inertia) {
   return normalized(rotation * Quat{axis.x, axis.y, axis.z, turned.w});
 }
 
-// One substep, as a sequence of turns about one axis each: turn(axis, time).
-template <class Turn> void splitTurn(double dt, int substeps, Turn&& turn) {
+double timeOf(double share, double dt, int substeps) { return share * dt / substeps; }
+// One substep, as a sequence of turns about one axis each: turn(axis, time), timeFor(share of the substep).
+template <class TimeFor, class Turn> void splitTurn(TimeFor&& timeFor, Turn&& turn) {
   for (double share : kSuzuki) {
-    double h = share * dt / substeps;
-    turn(0, 0.5 * h);
-    turn(1, 0.5 * h);
+    const auto h = timeFor(share), half = h * decltype(timeFor(share))(0.5);
+    turn(0, half);
+    turn(1, half);
     turn(2, h);
-    turn(1, 0.5 * h);
-    turn(0, 0.5 * h);
+    turn(1, half);
+    turn(0, half);
   }
 }
 
@@ -64,7 +65,7 @@ Quat turnFreely(Quat rotation, Vec3 angularMomentum, const PrincipalInertia& ine
     momentum = rotate(conjugate(q), momentum);
     turned = turned * q;
   };
-  for (int s = 0; s < substeps; s++) splitTurn(dt, substeps, turn);
+  for (int s = 0; s < substeps; s++) splitTurn([&](double share) { return timeOf(share, dt, substeps); }, turn);
   return afterTurn(rotation, turned, inertia);
 }
 
@@ -76,8 +77,10 @@ using wide::D;
 constexpr double kSeriesAngle = 1e-4;  // rad, as in quatFromRotationVector
 //! not of the method: likewise
 constexpr double kLeastSpin = 1e-60;  // rad in a step, kg m2/s: above, no product vanishes among the smallest numbers
+//! - | too small: what spins is turned alone: cost | too large: three lanes wait for one
+constexpr int kMostLaneSubsteps = 64;  // of a body that is turned beside others; no infinite spin is among them
 
-// One substep for each lane. What turns about one axis alone leaves out all that quatFromRotationVector, rotate() and the product
+// A substep for each lane, of its own length; of none is no turn at all. What turns about one axis alone leaves out all that quatFromRotationVector, rotate() and the product
 // of quaternions multiply by zero; every other operation is theirs, in their order. Half of an angle is far under what sinCos()
 // would take quarter turns off.
 struct TurningLanes {
@@ -85,9 +88,9 @@ struct TurningLanes {
   D turned[4] = {D(0), D(0), D(0), D(1)};
   bool bySeries = true;  // all angles are under kSeriesAngle
 
-  void turn(int i, double time) {
+  void turn(int i, D time) {
     const int j = (i + 1) % 3, k = (i + 2) % 3;
-    D w = inverse[i] * momentum[i] * D(time), angle = wide::abs(w), square = angle * angle;
+    D w = inverse[i] * momentum[i] * time, angle = wide::abs(w), square = angle * angle;
     D s = D(0.5) - square / D(48), c = D(1) - square / D(8);
     if (!bySeries) {
       D half = D(0.5) * angle, far = D(kSeriesAngle);
@@ -107,30 +110,32 @@ struct TurningLanes {
   }
 };
 
-// Its turn is one substep, and no zero but such as arise on the way is among its numbers: their signs would tell.
-bool fitsLane(Vec3 momentum, const PrincipalInertia& inertia, double dt) {
+// Its substeps are few, and no zero but such as arise on the way is among its numbers: their signs would tell.
+bool fitsLane(Vec3 momentum, const PrincipalInertia& inertia, double dt, int substeps) {
   Vec3 spin = abs(scaled(inertia.inverse, momentum)) * dt, size = abs(momentum);
   bool seen = spin.x > kLeastSpin && spin.y > kLeastSpin && spin.z > kLeastSpin && size.x > kLeastSpin &&
               size.y > kLeastSpin && size.z > kLeastSpin;
-  return seen && substepsFor(momentum, inertia, dt) == 1;
+  return seen && substeps <= kMostLaneSubsteps;
 }
 
 }  // namespace
 
 void turnFreely(FreeTurn* turns, int count, double dt) {
   TurningLanes lanes;
-  int laneOf[kTurnsAtOnce], used = 0;
+  int laneOf[kTurnsAtOnce], substeps[kTurnsAtOnce] = {}, used = 0, most = 0;
   for (int n = 0; n < count; n++) {
     FreeTurn& t = turns[n];
     Vec3 momentum = principalMomentum(t.rotation, t.angularMomentum, t.inertia);
-    laneOf[n] = fitsLane(momentum, t.inertia, dt) ? used++ : -1;
+    const int its = substepsFor(momentum, t.inertia, dt);
+    laneOf[n] = fitsLane(momentum, t.inertia, dt, its) ? used++ : -1;
     if (laneOf[n] < 0) {
       t.rotation = turnFreely(t.rotation, t.angularMomentum, t.inertia, dt);
       continue;
     }
     const Vec3& inverse = t.inertia.inverse;
-    double most = std::max({inverse.x, inverse.y, inverse.z}) * length(momentum) * dt;
-    lanes.bySeries = lanes.bySeries && most < kSeriesAngle;
+    double largest = std::max({inverse.x, inverse.y, inverse.z}) * length(momentum) * dt;
+    lanes.bySeries = lanes.bySeries && largest < kSeriesAngle;
+    most = std::max(most, substeps[laneOf[n]] = its);
     for (int lane = laneOf[n]; lane < (used == 1 ? kTurnsAtOnce : used); lane++)  // the first one fills what stays free
       for (int i = 0; i < 3; i++) {
         lanes.inverse[i].set(lane, inverse[i]);
@@ -138,7 +143,15 @@ void turnFreely(FreeTurn* turns, int count, double dt) {
       }
   }
   if (used == 0) return;
-  splitTurn(dt, 1, [&](int axis, double time) { lanes.turn(axis, time); });
+  for (int s = 0; s < most; s++) {
+    auto times = [&](double share) {
+      D h(0);
+      for (int lane = 0; lane < used; lane++)
+        if (s < substeps[lane]) h.set(lane, timeOf(share, dt, substeps[lane]));
+      return h;
+    };
+    splitTurn(times, [&](int axis, D time) { lanes.turn(axis, time); });
+  }
   for (int n = 0; n < count; n++) {
     if (laneOf[n] < 0) continue;
     const int lane = laneOf[n];

@@ -18,7 +18,7 @@ PrincipalInertia principalInertia(const Mat3& inertia);
 Quat turnFreely(Quat rotation, Vec3 angularMomentum, const PrincipalInertia& inertia, double dt);
 
 // Several bodies side by side, each to the bits that it would get alone: one turn is a chain of divisions and roots in which
-// the processor waits for each. Bodies that spin fast, or about one axis exactly, are turned alone.
+// the processor waits for each. Bodies that spin very fast, or about one axis exactly, are turned alone.
 constexpr int kTurnsAtOnce = 4;
 struct FreeTurn {
   Quat rotation;  // in: at the start; out: at the end

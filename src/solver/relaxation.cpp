@@ -15,7 +15,7 @@ namespace {
 
 //! - | too small: bodies that hang by one corner take all cycles | too large: cost
 constexpr int kRounds = 3,
-              kRoundsSmall = 2;  // sweeps over the single bodies in each cycle, forwards and backwards in turn
+              kRoundsSmall = 1;  // sweeps over the single bodies in each cycle, forwards and backwards in turn
 //! - | too small: what flips open and shut is left to the next round | too large: cost
 constexpr int kExactSteps = 4;  // of one body in a row
 //! - | too small: cost | too large: bodies are taken up again and again; what slides alone is a little off
@@ -69,17 +69,19 @@ class Relaxation {
     bool done = false;
     for (int cycle = 0; goesOn(cycle) && !done; cycle++) {
       statistics_.cycles++;
-      sweep(cycle);
+      bool changed = sweep(cycle);
       // Small islands are read anew, which costs little: under large forces what is followed is off by their rounding.
       if (!island_.plan.byLoad)
         forces_.readAll();
       else if (cycle < kBoundCycles)
-        forces_.renewBounds();
+        changed = forces_.renewBounds() || changed;
       findAllowed();
       countOut();
-      done = cycle + 1 >= island_.plan.minCycles && out_ == 0;
+      // More cycles would find nothing.
+      const bool idle = island_.plan.byLoad && !changed && out_ == 0;
+      done = out_ == 0 && (idle || cycle + 1 >= island_.plan.minCycles);
       bool ends = done || cycle + kDropCycles >= island_.plan.maxCycles;
-      if (island_.plan.byLoad && ends && cycle >= kBoundCycles && dropBounds()) done = false;
+      if (island_.plan.byLoad && ends && (idle || cycle >= kBoundCycles) && dropBounds()) done = false;
       if (stalls()) break;
     }
     for (int round = 0; round < kRounds && island_.plan.byLoad && letFall(); round++) {
@@ -156,19 +158,24 @@ class Relaxation {
     return true;
   }
 
-  // All at once, then one by one. On few bodies the direct solve that follows does the first.
-  void sweep(int cycle) {
+  // All at once, then one by one. On few bodies the direct solve that follows does the first. True if anything was moved.
+  bool sweep(int cycle) {
     const bool large = island_.plan.byLoad, few = island_.plan.direct && island_.plan.exactSteps;
     const bool together = !few && island_.hierarchy.levels.size() > 1 && (!large || cycle == 0 || worthReading_);
-    if (large && worthReading_) acceleration_.apply(forces_);
+    bool moved = large && worthReading_;
+    if (moved) acceleration_.apply(forces_);
     if (large) acceleration_.begin();
-    if (together && clustersOut()) together_.apply();
+    if (together && clustersOut()) {
+      together_.apply();
+      moved = true;
+    }
     const double sides = statistics_.solveSides;
     const int rounds = few ? kRoundsSmall : kRounds;
     for (int round = 0; round < rounds && singleSweep(round % 2 != 0); round++) {
     }
     if (large) acceleration_.end();
     worthReading_ = statistics_.solveSides - sides > kWorthReading * 4.0 * double(island_.rows.size());
+    return moved || statistics_.solveSides > sides;
   }
 
   // Of the level that is moved at once.
@@ -211,8 +218,6 @@ class Relaxation {
     float goal = island_.plan.exactSteps ? kGoalExact : kGoal;
     float enough = island_.plan.exactSteps ? 0 : kLessened * squareOf(body);
     for (int k = 0; k < kExactSteps && !balanced(body, goal) && (k == 0 || squareOf(body) > enough); k++) {
-      // Where the direct solve follows on few bodies, it starts from as far down as a body can go.
-      if (island_.plan.exactSteps) exactFactors_[body].valid = false;
       if (!step(level, cluster, exactFactors_[body], island_.residual[body], true)) break;
     }
   }

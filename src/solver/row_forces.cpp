@@ -38,8 +38,8 @@ void RowForces::readAgain() {
   });
 }
 
-void RowForces::renewBounds() {
-  changeBounds(
+bool RowForces::renewBounds() {
+  return changeBounds(
       [this](auto& kind, std::uint32_t index) { return kind.renewBounds(index, island_.motion.data(), kBoundSlack); });
 }
 

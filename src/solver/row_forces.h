@@ -25,8 +25,8 @@ class RowForces {
   void readAll();
   // The same with the bounds as they are.
   void readAgain();
-  // Bounds that have changed by more than a hundredth follow.
-  void renewBounds();
+  // Bounds that have changed by more than a hundredth follow. True if any did.
+  bool renewBounds();
   // Those of what has opened are dropped where `wanted(ends)`. True if any was.
   template <class Wanted> bool dropBounds(Wanted wanted) {
     return changeBounds([&](auto& kind, std::uint32_t index) {

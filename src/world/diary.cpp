@@ -57,7 +57,7 @@ void Diary::beginLedger(const Balance& now, bool firstPart) {
 }
 
 void Diary::keepRoom(std::size_t slots, std::size_t touching) {
-  for (BodyPairs* list : {&touchingNow, &touchingBefore, &slept}) brickfall::keepRoom(*list, touching);
+  for (BodyPairs* list : {&touchingNow, &touchingBefore, &slept, &room}) brickfall::keepRoom(*list, touching);
   for (Events* e : {&events, &pending}) {
     for (auto* list : {&e->begin, &e->end}) brickfall::keepRoom(*list, touching);
     for (auto* list : {&e->fellAsleep, &e->woke}) keepRoomFor(*list, slots);

@@ -28,6 +28,7 @@ class Diary {
   Events pending;                         // what happened between steps: told by the next
   BodyPairs touchingNow, touchingBefore;  // of awake islands, sorted
   BodyPairs slept;                        // of those that fell asleep in this step
+  BodyPairs room;                         // for merging them
 
   Events& heard() { return inStep ? events : pending; }
   // What happened between the steps opens the events of the next one.

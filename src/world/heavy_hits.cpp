@@ -39,7 +39,7 @@ class HitSearch {
       proximity_.broadPhase->query(sweptBounds(s, own), [&](std::uint32_t other) {
         const ShapeData& o = shapes_.data[other];
         if (o.body != body && filtersAllow(s.def.filter, o.def.filter) && isFarHeavier(body, o.body))
-          thicknesses_ = std::max(thicknesses_, thicknessesWithin(m, o));
+          thicknesses_ = std::max(thicknesses_, thicknessesWithin(body, o));
         return true;
       });
     }
@@ -53,12 +53,21 @@ class HitSearch {
     return bodies_.isDriven(body) || bodies_.mass[body].mass >= kHeavier * bodies_.mass[other].mass;
   }
 
-  // How many times as far as `struck` is thick `m` goes against it.
-  double thicknessesWithin(const BodyMotion& m, const ShapeData& struck) const {
+  // By the balls around both: whether a body may meet another that it goes `way` against. What it leaves behind it does not.
+  bool mayMeet(BodyIndex body, BodyIndex other, Vec3 way, double far) const {
+    const BodyMass &own = bodies_.mass[body], &its = bodies_.mass[other];
+    const Vec3 to = bodies_.motion[other].position - bodies_.motion[body].position;
+    const double along = dot(to, way) / far;
+    if (along < own.innerRadius - own.outerRadius) return false;  // what is not round may be widest behind its centre
+    return length(to - way * std::clamp(along / far, 0.0, 1.0)) < own.outerRadius + its.outerRadius;
+  }
+
+  // How many times as far as `struck` is thick the body goes against it.
+  double thicknessesWithin(BodyIndex body, const ShapeData& struck) const {
     const BodyMotion& other = bodies_.motion[struck.body];
-    const Vec3 way = (m.linearVelocity - other.linearVelocity) * dt_;
+    const Vec3 way = (bodies_.motion[body].linearVelocity - other.linearVelocity) * dt_;
     const double far = length(way);
-    if (!(far > kLeastHitWay * struck.innerRadius)) return 0;
+    if (!(far > kLeastHitWay * struck.innerRadius) || !mayMeet(body, struck.body, way, far)) return 0;
     const Vec3 along =
         rotate(conjugate(struck.inCentreFrame.rotation), transposeTimes(other.orientation, way * (1 / far)));
     return far / thicknessAlong(struck.geometry, along);

@@ -12,9 +12,20 @@ namespace brickfall {
 
 namespace {
 
-// Rows lie in the order of their pairs: mostly there is nothing to sort.
-template <class T> void makeSet(std::vector<T>& list) {
-  if (!std::is_sorted(list.begin(), list.end())) std::sort(list.begin(), list.end());
+// Rows lie in the order of their pairs, so the lists of islands are some ascending runs, one after the other: neighbours are merged
+// until one is left. `room` is taken for it.
+template <class T> void makeSet(std::vector<T>& list, std::vector<T>& room) {
+  for (bool merged = true; merged;) {
+    merged = false;
+    room.clear();
+    for (auto from = list.begin(); from != list.end();) {
+      auto middle = std::is_sorted_until(from, list.end()), end = std::is_sorted_until(middle, list.end());
+      std::merge(from, middle, middle, end, std::back_inserter(room));
+      merged = merged || middle != end;
+      from = end;
+    }
+    if (merged) list.swap(room);
+  }
   list.erase(std::unique(list.begin(), list.end()), list.end());
 }
 
@@ -38,8 +49,8 @@ void collectTouching(const Registry& registry, const Activity& activity, const C
   for (std::size_t i = asleep.size() - activity.sleptNow; i < asleep.size(); i++)
     appendTouching(*asleep[i], contacts, slept);
   now.insert(now.end(), slept.begin(), slept.end());
-  makeSet(now);
-  makeSet(slept);
+  makeSet(now, diary.room);
+  makeSet(slept, diary.room);
   auto tell = [&](const BodyPairs& in, const BodyPairs& notIn, std::vector<ContactEvent>& out) {
     auto other = notIn.begin();
     for (const BodyPair& pair : in) {
@@ -71,7 +82,9 @@ void collectEvents(const Registry& registry, Activity& activity, ContactSet& con
   for (BodyIndex body : activity.awake)
     if (!registry.bodies.still[body]) moved.push_back(registry.idOf(body));
   for (BodyIndex body : activity.moving) moved.push_back(registry.idOf(body));
-  if (toldBefore) makeSet(moved);
+  if (!toldBefore) return;
+  std::sort(moved.begin(), moved.end());
+  moved.erase(std::unique(moved.begin(), moved.end()), moved.end());
 }
 
 void hashEvents(const Events& events, HashItems& out) {

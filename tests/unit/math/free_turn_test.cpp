@@ -93,7 +93,7 @@ TEST(TurnFreely, AnySpeedStaysAUnitQuaternion) {
 TEST(TurnFreely, SideBySideGivesTheSameBitsAsAlone) {
   Random random(7);
   auto any = [&](double size) { return (2 * random.unit() - 1) * size; };
-  int slow = 0, fast = 0;
+  int slow = 0, fast = 0, spinning = 0;
   for (int trial = 0; trial < 20000; trial++) {
     FreeTurn turns[kTurnsAtOnce];
     const int count = 1 + trial % kTurnsAtOnce;
@@ -105,6 +105,7 @@ TEST(TurnFreely, SideBySideGivesTheSameBitsAsAlone) {
       const double speed = kind < 4 ? 1e-3 : kind < 7 ? 1 : kind == 7 ? 100 : kind == 8 ? 1e-70 : 5;
       slow += speed == 1e-3;
       fast += speed == 1;
+      spinning += speed == 5;
       t.rotation = kind == 9 ? Quat{} : normalized(Quat{any(1), any(1), any(1), any(1)});
       t.inertia = {kind == 9 ? Mat3{} : toMatrix(normalized(Quat{any(1), any(1), any(1), any(1)})),
                    {1 + random.unit(), 1 + 3 * random.unit(), 2 + random.unit()}};
@@ -119,6 +120,7 @@ TEST(TurnFreely, SideBySideGivesTheSameBitsAsAlone) {
   }
   EXPECT_GT(slow, 1000);
   EXPECT_GT(fast, 1000);
+  EXPECT_GT(spinning, 1000) << "of several substeps";
 }
 
 }  // namespace

@@ -376,13 +376,16 @@ TEST(MeshWorld, DebrisOnHillsSettlesInTheSameWayEveryTime) {
 // Many shapes thrown on ground whose triangles are larger and smaller than they are: none gets under it, none stays in it. (A
 // ridge under a box once gave one point at a time, and the box sank in while it rocked.)
 TEST(MeshWorld, NothingSinksIntoHills) {
-  for (int triangles : {400, 3000}) {
+  double worst = 0, third = 0;  // m, sums over worlds
+  constexpr int kWorlds = 8;
+  for (int n = 0; n < kWorlds; n++) {
+    const int triangles = n % 2 ? 3000 : 400;
     World world = makeWorld();
     MeshData hills = terrainMesh(triangles);
     for (Vec3& v : hills.vertices) v *= 4.0;
     BodyId ground = addMesh(world, hills);
     MeshTree tree = treeOf(hills);
-    Random random{std::uint64_t(triangles)};
+    Random random{std::uint64_t(triangles + n / 2)};
     std::vector<BodyId> bodies;
     for (int i = 0; i < 80; i++) {
       ShapeDef shape = i % 4 == 0 ? boxOf({0.1, 0.05, 0.08}) : i % 4 == 1 ? sphereOf(0.08) : capsuleOf(0.05, 0.12);
@@ -397,27 +400,29 @@ TEST(MeshWorld, NothingSinksIntoHills) {
     }
     std::vector<double> deepest(bodies.size());
     int measured = 0;
-    for (int n = 0; n < 300 && !HasFailure(); n++) {
+    for (int step = 0; step < 300 && !HasFailure(); step++) {
       stepSound(world);
-      if (n % 20 != 19) continue;
+      if (step % 20 != 19) continue;
       for (std::size_t i = 0; i < bodies.size(); i++) {
         Vec3 p = world.state(bodies[i])->centreOfMass;
         std::optional<MeshRayHit> top = tree.castRay({p.x, 50, p.z}, {0, -1, 0}, 200);
         if (!top) continue;  // over the rim
-        ASSERT_GT(p.y, top->point.y) << triangles << " step " << n;
+        ASSERT_GT(p.y, top->point.y) << triangles << " step " << step;
         measured++;
         double depth = *world.penetration(world.shapes(ground)[0], world.shapes(bodies[i])[0]);
-        if (n > 120) deepest[i] = std::max(deepest[i], depth);
+        if (step > 120) deepest[i] = std::max(deepest[i], depth);
       }
     }
     EXPECT_GT(measured, 700);
-    // Measured: 12 mm, but for one or two capsules 100 mm thick that spin in a hollow, their turn seen only in part: 46 and 27 mm for a
-    // while in one of these two worlds, in 24 others 22 mm at most, the worst of each 10 mm in the mean.
     std::sort(deepest.begin(), deepest.end());
-    EXPECT_LT(deepest.back(), 0.055) << triangles;
-    EXPECT_LT(deepest[deepest.size() - 2], 0.03) << triangles;
-    EXPECT_LT(deepest[deepest.size() - 3], 0.015) << triangles;
+    EXPECT_LT(deepest.back(), 0.07) << triangles << " world " << n / 2;
+    worst += deepest.back();
+    third += deepest[deepest.size() - 3];
   }
+  // Measured in 120 worlds: 15.7 mm in the mean, 65 mm at most, but 3.4 mm in the mean for the third deepest: one or two capsules 100 mm
+  // thick spin in a hollow, their turn seen only in part.
+  EXPECT_LT(worst / kWorlds, 0.025);
+  EXPECT_LT(third / kWorlds, 0.007);
 }
 
 TEST(MeshWorld, SnapshotGoesOnBitForBit) {

@@ -12,9 +12,11 @@ constexpr double kBall = 0.15;                   // m
 struct Hit {
   double density = 7800;  // of the ball: 110 kg, 39 bricks
   double speed = 15;      // m/s, along z
+  double across = 0;      // m/s, along x
   Vec3 half = kBrick;
   BodyType struck = BodyType::dynamic;
   double ahead = 0.02;  // m, between the two
+  double sideways = 0;  // m, of the ball
   Vec3 brickVelocity;
   int maxHitParts = 8, substeps = 1;
 };
@@ -27,8 +29,8 @@ StepReport stepOf(const Hit& h) {
   BodyDef brick = bodyOf(boxOf(h.half, 1900), {}, h.struck);
   brick.linearVelocity = h.brickVelocity;
   add(world, brick);
-  BodyDef ball = bodyOf(sphereOf(kBall, h.density), {0, 0, -(h.half.z + h.ahead + kBall)});
-  ball.linearVelocity = {0, 0, h.speed};
+  BodyDef ball = bodyOf(sphereOf(kBall, h.density), {h.sideways, 0, -(h.half.z + h.ahead + kBall)});
+  ball.linearVelocity = {h.across, 0, h.speed};
   add(world, ball);
   return *world.step(kDt, h.substeps);
 }
@@ -56,6 +58,29 @@ TEST(HeavyHits, AreOfWhatIsTenTimesAsHeavyAndGetsThere) {
   EXPECT_EQ(stepOf({.speed = -15}).parts, 1) << "it goes away";
   EXPECT_EQ(stepOf({.brickVelocity = {0, 0, 15}}).parts, 1) << "it is carried along";
   EXPECT_EQ(stepOf({.struck = BodyType::fixed}).parts, 1) << "nothing goes through what is fixed";
+}
+
+// Rubble beside its way and behind it would else have the whole world stepped in parts for seconds.
+TEST(HeavyHits, AreNotOfWhatItPassesOrLeavesBehind) {
+  const Hit past{.across = 15, .ahead = -0.25, .sideways = -0.45};
+  EXPECT_EQ(stepOf(past).parts, 1) << "within the box around its way, 0.35 m from its middle";
+  EXPECT_EQ(stepOf({.across = 15, .ahead = -0.1, .sideways = -0.28}).parts, 4) << "its corner is met";
+  EXPECT_EQ(stepOf({.ahead = -0.41}).parts, 1) << "it has just gone through";
+  EXPECT_EQ(stepOf({.ahead = -0.41, .brickVelocity = {0, 0, 40}}).parts, 8) << "but the brick comes after it, faster";
+}
+
+// A bar that comes sideways is widest far from its centre.
+TEST(HeavyHits, AreThoseOfWhatIsLongAtItsEndsToo) {
+  for (double ahead : {0.1, -0.01}) {
+    WorldDef def;
+    def.gravity = {};
+    World world = makeWorld(def);
+    add(world, bodyOf(boxOf(kBrick, 1900), {1.9, 0, ahead}));
+    BodyDef bar = bodyOf(boxOf({2, 0.03, 0.03}, 7800), {0, 0.07, 0});
+    bar.linearVelocity = {0, 0, 15};
+    add(world, bar);
+    EXPECT_EQ(world.step(kDt)->parts, 5) << ahead;
+  }
 }
 
 TEST(HeavyHits, AreThoseOfDrivenBodiesToo) {
