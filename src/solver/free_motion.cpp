@@ -153,12 +153,13 @@ void predictFreeMotions(StepContext& context, BodySet& bodies, std::span<const B
   }
 }
 
-void shortenFreeTurn(StepContext& context, BodyIndex body, double share) {
+Vec3 shortenFreeTurn(StepContext& context, BodyIndex body, double share) {
   const BodyMass& mass = context.bodies->mass[body];
   FreeMotion& free = context.free[body];
   free.turnTime *= share;
   free.rotation = turnFreely(context.bodies->motion[body].rotation, free.angularMomentum,
                              {mass.principalAxes, mass.principalInvInertia}, free.turnTime);
+  return rotationVector(normalized(free.rotation * conjugate(context.bodies->motion[body].rotation)));
 }
 
 }  // namespace brickfall

@@ -16,8 +16,9 @@ inline void predictFreeMotion(StepContext& context, BodySet& bodies, BodyIndex b
   predictFreeMotions(context, bodies, {&body, 1}, dt, airDensity, hasContacts);
 }
 
-// Leaves the body a share of its free turn, on the way that the whole one takes: energy and momentum stay what they are.
-void shortenFreeTurn(StepContext& context, BodyIndex body, double share);
+// Leaves the body a share of its free turn, on the way that the whole one takes: energy and momentum stay what they are. Returns it, as
+// a rotation vector.
+Vec3 shortenFreeTurn(StepContext& context, BodyIndex body, double share);
 
 // What of the turn th (world axes) moves the body's surface elsewhere: not the part about an axis of symmetry.
 Vec3 visibleTurn(const BodyMass& mass, const Mat3& orientation, Vec3 th);

@@ -4,8 +4,8 @@
 // swept along the way that the solve found, against the ways of the others, and the body stops for this step where its core
 // would enter something, or where it would run over the core of something smaller. Of two that both move, both stop; what a
 // kinematic body runs into is taken along. What is long and turns is looked at in its own frame, where ways are arcs, in
-// parts of 0.1 rad. A body that contacts would spin too far in one step goes only a part of its way and turn, as far as
-// frozen arms are true. Velocities stay: the next step finds the contact and does the rest.
+// parts of 0.1 rad. A body that contacts would spin too far in one step first has its turn cut, as far as frozen arms are true, and its
+// way alike. Velocities stay: the next step finds the contact and does the rest.
 #include <algorithm>
 #include <cmath>
 
@@ -27,8 +27,12 @@ namespace {
 constexpr double kFarHeavier = 30;  // times the mass
 //! of a way | too small: bricks that hit each other deep hold each other there | too large: cores pass that have not met
 constexpr double kHeld = 1e-3;
+//! - | too small: what turns freely ends beyond what it met | too large: cost
+constexpr int kLooks = 4;  // along a free turn: a part of it is not on the arc that all of it makes
 //! of the outer radius | too small: thin plates are crept through | too large: with kHeld
 constexpr double kThick = 0.2;
+//! not of the method: rotation vectors beyond are those of turns the other way round
+constexpr double kHalfTurn = 3;  // rad
 bool exceeds(Vec3 way, double limit) { return lengthSquared(way) > limit * limit; }
 
 struct Motion {
@@ -51,7 +55,9 @@ struct Obstacles {
   StepContext& context;
 
   void stopAll();
+  void cutTurn(BodyIndex body);
   void stop(BodyIndex body);
+  bool hold(BodyIndex body, bool everything, double thickness);
   void catchUp(const Island& island);
   void obstruct(ShapeIndex shape, bool everything, double thickness, const Island* without, Obstruction& first) const;
   const Island* islandWith(BodyIndex body) const;
@@ -82,7 +88,9 @@ void Obstacles::shorten(BodyIndex body, double share, double turnShare, Vec3 car
   s.lost += lost;
   if (turnShare < 1) {
     s.th *= turnShare;
-    if (s.freeTurn) shortenFreeTurn(context, body, turnShare);
+    if (!s.freeTurn) return;
+    const Vec3 turned = shortenFreeTurn(context, body, turnShare);
+    if (!exceeds(s.th, kHalfTurn)) s.th = turned;
   }
 }
 
@@ -96,34 +104,59 @@ bool Obstacles::isThick(BodyIndex body) const {
   return bodies.mass[body].innerRadius > kThick * bodies.mass[body].outerRadius;
 }
 
+// As far as arms that are frozen are true. What its island does as a whole, if that flies, a body goes on with: others would else
+// run over it.
+void Obstacles::cutTurn(BodyIndex body) {
+  SolvedMotion& s = context.solved[body];
+  s.turnCut = false;
+  if (s.rest || s.freeTurn || !isFinite(s.d)) return;
+  const double turn = length(visibleTurn(bodies.mass[body], bodies.motion[body].orientation, s.th));
+  if (!(turn > kLargestTurn)) return;
+  s.turnCut = true;
+  const Island* island = islandWith(body);
+  const double share = kLargestTurn / turn;
+  shorten(body, share, share, island && !island->grounded() ? island->travel * (1 - share) : Vec3{});
+}
+
 void Obstacles::stop(BodyIndex body) {
   SolvedMotion& s = context.solved[body];
   if (s.rest || !isFinite(s.d)) return;
   double turn = length(visibleTurn(bodies.mass[body], bodies.motion[body].orientation, s.th));
-  double thickness = bodies.mass[body].innerRadius * (turn < kLargestTurn ? 1 : 0.5);
-  bool spins = turn > kLargestTurn && !s.freeTurn;
-  if (spins) shorten(body, kLargestTurn / turn, kLargestTurn / turn);
+  double thickness = bodies.mass[body].innerRadius * (turn < kLargestTurn && !s.turnCut ? 1 : 0.5);
   // What it was left behind by its turn, and kinematic bodies, may run over it, however slow it is itself.
-  bool everything = spins || turnsFar(bodies, body, s.th);
+  bool everything = s.turnCut || turnsFar(bodies, body, s.th);
   if (!(everything || !activity.moving.empty() || exceeds(s.d, thickness))) return;
+  for (int look = 0; look < kLooks && hold(body, everything, thickness); look++) {
+  }
+}
+
+// True if it was held on a free turn: then it ends elsewhere than where it was looked for.
+bool Obstacles::hold(BodyIndex body, bool everything, double thickness) {
   Obstruction first;
   for (ShapeIndex shape : bodies.shapes[body]) obstruct(shape, everything, thickness, nullptr, first);
-  if (first.share == 1) return;
+  if (first.share == 1) return false;
+  const bool elsewhere = context.solved[body].freeTurn && first.turnShare < 1;
   if (bodies.data[first.body].type != BodyType::dynamic || farHeavier(first.body, body)) {
     shorten(body, first.share, first.turnShare, first.carried);
-    return;
+    return false;
   }
   shorten(body, first.share, first.turnShare);
   Motion other = motionOf(first.body);
   bool turns = turnsFar(bodies, first.body, other.turn);
   if (turns || exceeds(other.way, thickness)) shorten(first.body, first.share, turns ? first.share : 1);
+  return elsewhere;
 }
 
+// All turns are cut before anything is looked for: a body is held against the ways that others will go.
 void Obstacles::stopAll() {
-  for (const IslandPointer& island : islands.awake)
-    if (!island->resting())
-      for (BodyIndex body : island->bodies) stop(body);
-  for (BodyIndex body : islands.single) stop(body);
+  auto each = [&](void (Obstacles::*act)(BodyIndex)) {
+    for (const IslandPointer& island : islands.awake)
+      if (!island->resting())
+        for (BodyIndex body : island->bodies) (this->*act)(body);
+    for (BodyIndex body : islands.single) (this->*act)(body);
+  };
+  each(&Obstacles::cutTurn);
+  each(&Obstacles::stop);
   for (const IslandPointer& island : islands.awake)
     if (!island->grounded() && !island->resting() && solvedWell(*island, context)) catchUp(*island);
 }

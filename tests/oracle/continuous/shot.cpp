@@ -60,13 +60,8 @@ bool passes(Vec3 from, Vec3 to, Vec3 half) {
 
 // One step: from place to place, straight in the world. In the frame of an obstacle that turns, the missile's way is an
 // arc (a brick hit at its corner makes half a turn in a step: what is still in front of it is then on the other side of
-// its frame, and went round it, not through), so it is followed in parts of 0.05 rad. A turn of over half a turn is told
-// from the shorter one the other way by `spin`. True if it leads through.
-bool follow(Obstacle& o, const Transform& after, Vec3 spin, Vec3 from, Vec3 to) {
-  Quat turn = after.rotation * conjugate(o.before.rotation);
-  double sine = length(Vec3{turn.x, turn.y, turn.z}), angle = 2 * std::atan2(sine, std::fabs(turn.w));
-  Vec3 axis = sine > 0 ? Vec3{turn.x, turn.y, turn.z} * ((turn.w < 0 ? -1 : 1) / sine) : Vec3{};
-  if (angle > 1 && dot(axis, spin) < 0) axis = -axis, angle = 2 * kPi - angle;
+// its frame, and went round it, not through), so it is followed in parts of 0.05 rad. True if it leads through.
+bool follow(Obstacle& o, const Transform& after, Vec3 axis, double angle, Vec3 from, Vec3 to) {
   int parts = 1 + int(angle / 0.05);
   bool through = false;
   for (int part = 1; part <= parts; part++) {
@@ -81,6 +76,22 @@ bool follow(Obstacle& o, const Transform& after, Vec3 spin, Vec3 from, Vec3 to) 
     o.lastOutside = now;
   }
   o.before = after;
+  return through;
+}
+
+// Its turn is told from the shorter one the other way by `spin` (rad in the step), but not from one with a whole turn more: what
+// leads through by one of them and past by the other has not gone through.
+bool follow(Obstacle& o, const Transform& after, Vec3 spin, Vec3 from, Vec3 to) {
+  Quat turn = after.rotation * conjugate(o.before.rotation);
+  double sine = length(Vec3{turn.x, turn.y, turn.z}), angle = 2 * std::atan2(sine, std::fabs(turn.w));
+  Vec3 axis = sine > 0 ? Vec3{turn.x, turn.y, turn.z} * ((turn.w < 0 ? -1 : 1) / sine) : Vec3{};
+  if (angle > 1 && dot(axis, spin) < 0) axis = -axis, angle = 2 * kPi - angle;
+  Obstacle start = o;
+  bool through = follow(o, after, axis, angle, from, to);
+  for (double more = angle + 2 * kPi; through && more < length(spin) + kPi; more += 2 * kPi) {
+    Obstacle again = start;
+    through = follow(again, after, axis, more, from, to);
+  }
   return through;
 }
 
@@ -285,7 +296,7 @@ Flight fly(const Shot& shot) {
     for (const ContactEvent& touch : world.events().begin)
       out.hit = out.hit || touch.bodyA == scene.missile || touch.bodyB == scene.missile;
     for (Obstacle& o : scene.obstacles)
-      if (follow(o, poseOf(world, o.body), world.state(o.body)->angularVelocity, centreBefore, centre()))
+      if (follow(o, poseOf(world, o.body), world.state(o.body)->angularVelocity * dt, centreBefore, centre()))
         out.through = true;
   };
   // Ways are straight in a part of a step only: what would be made in several is done one by one.

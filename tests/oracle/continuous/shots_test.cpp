@@ -110,6 +110,20 @@ TEST(Shots, ThoseThatWentThroughWhenStepsBecameShorter) {
   }
 }
 
+// 10029: pressed into a brick that flew along, both spinning: what turns too far for a step went only a part of its way, each of the
+// two another one, and at 16 m/s that was through the other. 5459: a plate that spins freely was stopped where its whole turn would have
+// met the capsule; a part of that turn is on another arc.
+TEST(Shots, ThoseThatWentThroughWhatSpins) {
+  for (std::uint64_t seed : {5459, 10029}) {
+    Shot shot = randomShot(seed);
+    Flight flight = fly(shot);
+    ASSERT_TRUE(flight.fired) << describe(shot);
+    EXPECT_TRUE(flight.hit) << describe(shot);
+    EXPECT_FALSE(flight.through) << describe(shot);
+    EXPECT_FALSE(flight.within) << describe(shot);
+  }
+}
+
 TEST(Shots, NothingGoesThrough) {
   Tally tally;
   std::uint64_t first = std::max<std::uint64_t>(seedFrom("BRICKFALL_SHOTS_FROM"), 1);
