@@ -80,8 +80,7 @@ struct SolvedMotion {
   Vec3 velocity;         // m/s
   Vec3 angularMomentum;  // kg m2/s
   Vec3 lost;             // m: of the way, cut off by an obstacle
-  bool turnCut =
-      false;  // it would turn too far for frozen arms: goes a part of its way and turn (set before obstacles)
+  bool turnCut = false;  // by obstacles: it would turn too far for frozen arms, and goes a part of its way and turn
   bool freeTurn = true;  // no torque acted: take FreeMotion::rotation
   bool rest = false;     // does not move
   double lag = 0;        // s: by how much the velocities are late against the way (BodyData::lag)
