@@ -80,7 +80,8 @@ constexpr double kLeastSpin = 1e-60;  // rad in a step, kg m2/s: above, no produ
 //! - | too small: what spins is turned alone: cost | too large: three lanes wait for one
 constexpr int kMostLaneSubsteps = 64;  // of a body that is turned beside others; no infinite spin is among them
 
-// A substep for each lane, of its own length; of none is no turn at all. What turns about one axis alone leaves out all that quatFromRotationVector, rotate() and the product
+// A substep for each lane, of its own length; of none is no turn at all.
+// What turns about one axis alone leaves out all that quatFromRotationVector, rotate() and the product
 // of quaternions multiply by zero; every other operation is theirs, in their order. Half of an angle is far under what sinCos()
 // would take quarter turns off.
 struct TurningLanes {
