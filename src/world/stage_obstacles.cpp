@@ -104,8 +104,7 @@ bool Obstacles::isThick(BodyIndex body) const {
   return bodies.mass[body].innerRadius > kThick * bodies.mass[body].outerRadius;
 }
 
-// As far as arms that are frozen are true. What its island does as a whole, if that flies, a body goes on with: others would else
-// run over it.
+// As far as arms that are frozen are true.
 void Obstacles::cutTurn(BodyIndex body) {
   SolvedMotion& s = context.solved[body];
   s.turnCut = false;
@@ -113,9 +112,7 @@ void Obstacles::cutTurn(BodyIndex body) {
   const double turn = length(visibleTurn(bodies.mass[body], bodies.motion[body].orientation, s.th));
   if (!(turn > kLargestTurn)) return;
   s.turnCut = true;
-  const Island* island = islandWith(body);
-  const double share = kLargestTurn / turn;
-  shorten(body, share, share, island && !island->grounded() ? island->travel * (1 - share) : Vec3{});
+  shorten(body, kLargestTurn / turn, kLargestTurn / turn);
 }
 
 void Obstacles::stop(BodyIndex body) {

@@ -110,9 +110,10 @@ TEST(Shots, ThoseThatWentThroughWhenStepsBecameShorter) {
   }
 }
 
-// Each with one build only, on the way from version to version: such shots are rare, and which it is is chance. 10029: pressed into a brick that flew along, both spinning: what turns too far for a step went only a part of its way, each of the
-// two another one, and at 16 m/s that was through the other. 5459: a plate that spins freely was stopped where its whole turn would have
-// met the capsule; a part of that turn is on another arc.
+// Each with one build only, on the way from version to version: such shots are rare, and which it is is chance.
+// 10029: pressed into a brick that flew along, both spinning. What turns too far for a step went only a part of its way, each of
+// the two another one, and at 16 m/s that was through the other.
+// 5459: a plate that spins freely was stopped where its whole turn would have met the capsule; a part of that turn is on another arc.
 TEST(Shots, ThoseThatWentThroughWhatSpins) {
   for (std::uint64_t seed : {5459, 10029}) {
     Shot shot = randomShot(seed);
