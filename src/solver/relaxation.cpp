@@ -84,11 +84,9 @@ class Relaxation {
       if (island_.plan.byLoad && ends && (idle || cycle >= kBoundCycles) && dropBounds()) done = false;
       if (stalls()) break;
     }
-    for (int round = 0; round < kRounds && island_.plan.byLoad && letFall(); round++) {
-    }
     if (island_.grounded() && !island_.plan.exactSteps && (!island_.plan.slow || slides(island_, context_)))
       moveAsOne();
-    // What was let fall, or moved as one, may have left others out.
+    // What was moved as one may have left others out.
     if (done && island_.plan.byLoad) {
       findAllowed();
       countOut();
@@ -220,23 +218,6 @@ class Relaxation {
     for (int k = 0; k < kExactSteps && !balanced(body, goal) && (k == 0 || squareOf(body) > enough); k++) {
       if (!step(level, cluster, exactFactors_[body], island_.residual[body], true)) break;
     }
-  }
-
-  // What carries nothing falls: whatever cycles left of its weight, no other body bears, nor does the friction of what has opened
-  // since. True if any was held.
-  bool letFall() {
-    dropBounds();
-    forces_.findLoads();
-    const Level& level = island_.hierarchy.levels[0];
-    bool any = false;
-    for (std::size_t c = 0; c < level.clusters.size(); c++) {
-      const Cluster& cluster = level.clusters[c];
-      std::uint32_t body = level.bodies[cluster.bodyBegin];
-      if (island_.loads[body] > 0 || cluster.sideBegin == cluster.sideEnd) continue;
-      allowed_[body] = float(kSlowTolerance * context_.bodies->mass[island_.bodies[body]].mass * kReferenceGravity);
-      any = (!balanced(body) && step(level, cluster, exactFactors_[body], island_.residual[body], true)) || any;
-    }
-    return any;
   }
 
   // The momentum of what slides on smooth ground is the whole island's: one exact step of it. Where the ground holds it, that

@@ -83,6 +83,7 @@ struct SolvedMotion {
   bool turnCut = false;  // by obstacles: it would turn too far for frozen arms, and goes a part of its way and turn
   bool freeTurn = true;  // no torque acted: take FreeMotion::rotation
   bool rest = false;     // does not move
+  bool pressed = false;  // something exerts a force on it
   double lag = 0;        // s: by how much the velocities are late against the way (BodyData::lag)
   bool flying = false;   // no chain of forces leads to anything fixed or kinematic
 };

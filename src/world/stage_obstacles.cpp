@@ -158,21 +158,25 @@ void Obstacles::stopAll() {
     if (!island->grounded() && !island->resting() && solvedWell(*island, context)) catchUp(*island);
 }
 
-// The centre of mass of a floating island goes on as its momentum says, though bodies were stopped: all are moved alike
-// by what is missing, unless that would take one of them through something else.
+// The centre of mass of what presses on each other in a floating island goes on as its momentum says, though bodies were stopped:
+// all are moved alike by what is missing, unless that would take one of them through something else.
 void Obstacles::catchUp(const Island& island) {
   double mass = 0;
   Vec3 lag;  // kg m
-  for (BodyIndex body : island.bodies) {
+  auto each = [&](auto&& act) {
+    for (BodyIndex body : island.bodies)
+      if (context.solved[body].pressed) act(body);
+  };
+  each([&](BodyIndex body) {
     mass += bodies.mass[body].mass;
     lag += context.solved[body].lost * bodies.mass[body].mass;
-  }
+  });
   if (lag == Vec3{}) return;
   auto moveOn = [&](Vec3 by) {
-    for (BodyIndex body : island.bodies) {
+    each([&](BodyIndex body) {
       context.solved[body].d += by;
       context.solved[body].lost -= by;
-    }
+    });
   };
   Vec3 missing = lag * (1 / mass);
   moveOn(missing);

@@ -30,15 +30,14 @@ Vec3 spinOf(const StepContext& context, BodyIndex body, Vec3 angularMomentum) {
   return end * (context.bodies->mass[body].invInertia * transposeTimes(end, angularMomentum));
 }
 
-// What is `of` the island at the end of the step: as solved, or if nothing had touched.
-RigidSum endOfStep(const Island& island, const StepContext& context, bool free, const std::pmr::vector<char>& of) {
+// What something presses on at the end of the step: as solved, or if nothing had touched.
+RigidSum endOfStep(const Island& island, const StepContext& context, bool free) {
   const BodySet& bodies = *context.bodies;
   RigidSum sum(island.origin);
-  for (std::size_t i = 0; i < island.bodies.size(); i++) {
-    if (!of[i]) continue;
-    const BodyIndex body = island.bodies[i];
+  for (BodyIndex body : island.bodies) {
     const FreeMotion& f = context.free[body];
     const SolvedMotion& s = context.solved[body];
+    if (!s.pressed) continue;
     Vec3 velocity = free ? f.d * (1 / island.dt) : s.velocity;
     double m = bodies.mass[body].mass;
     sum.add(m, bodies.motion[body].position + (free ? f.d : s.d), bodies.worldInertia(body), velocity * m,
@@ -47,30 +46,20 @@ RigidSum endOfStep(const Island& island, const StepContext& context, bool free, 
   return sum;
 }
 
-// What is pressed on; all, if nothing is.
-void findPressed(const Island& island, const StepContext& context, std::pmr::vector<char>& pressed) {
-  findTouched(island, pressed, [&](const auto& kind, std::size_t k) { return kind.carriesForce(k, context); });
-  if (std::find(pressed.begin(), pressed.end(), 1) == pressed.end()) std::fill(pressed.begin(), pressed.end(), 1);
-}
-
 // Where ways and velocities of a floating island were changed apart, the angular momentum of its places and velocities
 // drifts. A rigid motion of the velocities of what is pressed on brings both momenta back to those of the start of the step and of
 // outside forces: what nothing touches flies on.
 void restoreMomentum(const Island& island, StepContext& context) {
   if (island.grounded()) return;
-  const std::pmr::vector<char> all(island.bodies.size(), 1, island.memory);
-  std::pmr::vector<char> pressed(island.memory);
-  findPressed(island, context, pressed);
-  const RigidSum now = endOfStep(island, context, false, all), wanted = endOfStep(island, context, true, all);
-  const RigidSum those = endOfStep(island, context, false, pressed);
-  const Vec3 momentum = (wanted.velocity() - now.velocity()) * now.mass(), centre = those.centre();
-  const Vec3 angular = wanted.angularMomentum() - now.angularMomentum() - cross(centre - now.centre(), momentum);
-  const Vec3 push = momentum * (1 / those.mass()), turn = inverse(those.inertia()) * angular;
-  for (std::size_t i = 0; i < island.bodies.size(); i++) {
-    if (!pressed[i]) continue;
-    SolvedMotion& s = context.solved[island.bodies[i]];
-    s.velocity += push + cross(turn, context.bodies->motion[island.bodies[i]].position + s.d - centre);
-    s.angularMomentum += context.bodies->worldInertia(island.bodies[i]) * turn;
+  const RigidSum now = endOfStep(island, context, false), wanted = endOfStep(island, context, true);
+  if (!(now.mass() > 0)) return;
+  const Vec3 push = wanted.velocity() - now.velocity(), centre = now.centre();
+  const Vec3 turn = inverse(now.inertia()) * (wanted.angularMomentum() - now.angularMomentum());
+  for (BodyIndex body : island.bodies) {
+    SolvedMotion& s = context.solved[body];
+    if (!s.pressed) continue;
+    s.velocity += push + cross(turn, context.bodies->motion[body].position + s.d - centre);
+    s.angularMomentum += context.bodies->worldInertia(body) * turn;
   }
 }
 
@@ -169,13 +158,13 @@ Mat3 inertiaAtEnd(const StepContext& context, BodyIndex body) {
   return end * context.bodies->mass[body].inertia * transpose(end);
 }
 
-// What a floating island has gained (also by compression in one step that rebounds in the next) is taken from what the bodies `of` it
-// move against their rigid motion: linear and angular momentum are kept. False if that is not enough.
-bool takeRelativeMotion(const Island& island, StepContext& context, double excess, const std::pmr::vector<char>& of) {
+// What a floating island has gained (also by compression in one step that rebounds in the next) is taken from what the bodies that
+// something presses on move against their rigid motion: linear and angular momentum are kept, and what nothing touches flies on.
+void takeRelativeMotion(const Island& island, StepContext& context, double excess) {
   const BodySet& bodies = *context.bodies;
   auto each = [&](auto&& act) {
-    for (std::size_t i = 0; i < island.bodies.size(); i++)
-      if (of[i]) act(island.bodies[i]);
+    for (BodyIndex body : island.bodies)
+      if (context.solved[body].pressed) act(body);
   };
   RigidSum sum(island.origin);
   auto endOf = [&](BodyIndex body) { return bodies.motion[body].position + context.solved[body].d; };
@@ -191,7 +180,7 @@ bool takeRelativeMotion(const Island& island, StepContext& context, double exces
     Vec3 l = context.solved[body].angularMomentum - inertiaAtEnd(context, body) * spin;
     relative += 0.5 * bodies.mass[body].mass * lengthSquared(v) + 0.5 * dot(l, spinOf(context, body, l));
   });
-  if (!(relative > 0)) return false;
+  if (!(relative > 0)) return;
   double share = std::sqrt(std::max(0.0, 1 - excess / relative));
   each([&](BodyIndex body) {
     SolvedMotion& s = context.solved[body];
@@ -199,17 +188,6 @@ bool takeRelativeMotion(const Island& island, StepContext& context, double exces
     s.velocity = v + (s.velocity - v) * share;
     s.angularMomentum = momentum + (s.angularMomentum - momentum) * share;
   });
-  return relative >= excess;
-}
-
-// Where it can be, from what is pressed on alone: what nothing touches flies on.
-void guardFloating(const Island& island, StepContext& context, const IslandEnergy& energy) {
-  std::pmr::vector<char> of(island.memory);
-  findPressed(island, context, of);
-  if (takeRelativeMotion(island, context, energy.excess(), of)) return;
-  IslandEnergy left = energyOf(island, context);
-  of.assign(of.size(), 1);
-  if (left.excess() > left.slack()) takeRelativeMotion(island, context, left.excess(), of);
 }
 
 // Takes back from the velocities of an island what kinetic plus potential energy gained in the step beyond the work of
@@ -218,7 +196,7 @@ void guardEnergy(const Island& island, StepContext& context) {
   if (island.facts.partnersMove || island.leapt) return;
   IslandEnergy energy = energyOf(island, context);
   if (!(energy.excess() > energy.slack())) return;
-  if (!island.grounded()) return guardFloating(island, context, energy);
+  if (!island.grounded()) return takeRelativeMotion(island, context, energy.excess());
   double left = takeResidual(island, context, energy.excess());
   if (left > energy.slack()) dampSway(island, context, left);
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "solver/support.h"
+
 namespace brickfall {
 
 namespace {
@@ -17,11 +19,25 @@ Vec3 effectiveTurn(Vec3 turned, Vec3 end, const FreeMotion& free, const Mat3& in
   return along * std::min(size, std::max(0.0, ends - had));
 }
 
-// Bodies that are near each other in flight: each goes its own way, whatever rounding the island's momentum had to be freed of.
-bool fliesApart(const Island& island, const StepContext& context) {
-  bool presses = island.grounded();
-  island.rows.each([&](const auto& kind, std::size_t k) { presses = presses || kind.carriesForce(k, context); });
-  return !presses;
+// The solve freed the momentum of the whole island of what it had left; that of what presses on each other is kept by itself, once
+// all else flies on.
+void keepMomentum(const Island& island, StepContext& context) {
+  const BodySet& bodies = *context.bodies;
+  double mass = 0;
+  Vec3 missing;  // kg m
+  auto each = [&](auto&& act) {
+    for (BodyIndex body : island.bodies)
+      if (context.solved[body].pressed) act(body, context.solved[body]);
+  };
+  each([&](BodyIndex body, const SolvedMotion& s) {
+    mass += bodies.mass[body].mass;
+    missing += (context.free[body].d - s.d) * bodies.mass[body].mass;
+  });
+  if (!(mass > 0)) return;
+  each([&](BodyIndex, SolvedMotion& s) {
+    s.d += missing * (1 / mass);
+    s.velocity = s.d * (1 / island.dt);
+  });
 }
 
 }  // namespace
@@ -29,7 +45,9 @@ bool fliesApart(const Island& island, const StepContext& context) {
 void storeMotion(const Island& island, StepContext& context) {
   const BodySet& bodies = *context.bodies;
   double perDt = 1 / island.dt;
-  const bool apart = fliesApart(island, context);
+  // What nothing presses on goes its own way, whatever cycles left of its weight or the island's momentum had to be freed of.
+  std::pmr::vector<char> pressed(island.memory);
+  findTouched(island, pressed, [&](const auto& kind, std::size_t k) { return kind.carriesForce(k, context); });
   for (std::size_t i = 0; i < island.bodies.size(); i++) {
     BodyIndex body = island.bodies[i];
     SolvedMotion& out = context.solved[body];
@@ -37,15 +55,15 @@ void storeMotion(const Island& island, StepContext& context) {
     const SolveMotion& m = island.motion[i];
     if (island.resting()) {
       out = {};
-      out.rest = true;
+      out.rest = out.pressed = true;
       out.freeTurn = false;
       continue;
     }
     out.rest = false;
+    out.pressed = pressed[i] != 0;
     out.lost = {};
-    out.freeTurn = apart || m.th == island.masses[i].thFree;
-    bool untouched = apart || (m.d == island.masses[i].dFree && out.freeTurn);
-    out.d = untouched ? free.d : island.travel + toDouble(m.d);
+    out.freeTurn = !out.pressed || m.th == island.masses[i].thFree;
+    out.d = out.pressed ? island.travel + toDouble(m.d) : free.d;
     out.th = out.freeTurn ? free.th : toDouble(m.th);
     out.velocity = out.d * perDt;
     out.lag = kUnknownLag;
@@ -54,6 +72,7 @@ void storeMotion(const Island& island, StepContext& context) {
     if (free.turnsFaster) turned = effectiveTurn(turned, toDouble(m.th), free, bodies.worldInvInertia(body), island.dt);
     out.angularMomentum = free.angularMomentum + bodies.worldInertia(body) * turned * perDt;
   }
+  if (!island.grounded() && !island.resting()) keepMomentum(island, context);
 }
 
 bool solvedWell(const Island& island, const StepContext& context) {
@@ -72,7 +91,7 @@ void storeFreeBody(BodyIndex body, double dt, StepContext& context) {
   out.th = free.th;
   out.angularMomentum = free.angularMomentum;
   out.freeTurn = true;
-  out.rest = false;
+  out.rest = out.pressed = false;
   out.lost = {};
   out.lag = 0;
   out.flying = true;

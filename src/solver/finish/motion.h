@@ -4,7 +4,8 @@
 
 namespace brickfall {
 
-// Ways, turns and velocities of the island's bodies into StepContext::solved: none at all if it rests.
+// Ways, turns and velocities of the island's bodies into StepContext::solved: none at all if it rests, those of free motion where
+// nothing presses on a body.
 void storeMotion(const Island& island, StepContext& context);
 
 // Whether what was found is finite, of every body.
