@@ -17,14 +17,12 @@ using ContactIndex = std::uint32_t;
 struct Contact {
   ShapeIndex shapeA = kNoIndex, shapeB = kNoIndex;  // shapeA < shapeB
   BodyIndex bodyA = kNoIndex, bodyB = kNoIndex;
-  std::int32_t count = 0;      // points
-  bool rolls = false;          // a sphere or capsule takes part: points wander, the manifold is never reused
-  bool weak = true;            // a contact of a mechanism: cannot carry a moment (few loaded points, or all sliding)
-  bool touching = false;       // carried force in the last step
-  bool struck = false;         // pressed in an impact of the last step that was over within it
-  bool fresh = true;           // geometry changed since the solver's record was made
-  bool born = true;            // made since islands were built
-  std::int32_t weakSteps = 0;  // steps that weak is still held
+  std::int32_t count = 0;  // points
+  bool rolls = false;      // a sphere or capsule takes part: points wander, the manifold is never reused
+  bool touching = false;   // carried force in the last step
+  bool struck = false;     // pressed in an impact of the last step that was over within it
+  bool fresh = true;       // geometry changed since the solver's record was made
+  bool born = true;        // made since islands were built
   float friction = 0, restitution = 0;
   float effectiveMass = 0;  // kg, 1 / (1/mA + 1/mB)
   PointMemory points;

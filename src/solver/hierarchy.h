@@ -46,12 +46,6 @@ struct Level {
         sides(std::move(other.sides), from) {}
 };
 
-// How firmly a row ties its two bodies.
-struct RowTie {
-  float strength = 0;  // > 0
-  bool weak = false;   // can turn or slide
-};
-
 // A row as a link between two bodies of the island. Fixed partners: kNoBody.
 struct ClusterLink {
   static constexpr std::uint32_t kNoBody = 0xffffffffu;

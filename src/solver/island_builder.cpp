@@ -113,7 +113,7 @@ void updateHierarchy(Island& island, const StepContext& context) {
   auto own = [&](std::uint32_t body) { return body < bodies ? body : ClusterLink::kNoBody; };
   std::as_const(island.rows).each([&](const auto& kind, std::size_t k) {
     RowEnds ends = kind.ends(k);
-    links.push_back({own(ends.a), own(ends.b), kind.tie(k, context).strength});
+    links.push_back({own(ends.a), own(ends.b), kind.strength(k, context)});
   });
   island.hierarchy.build(bodies, links);
   island.hierarchy.valid = true;

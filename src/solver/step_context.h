@@ -44,8 +44,6 @@ constexpr int kMaxCyclesSlow = 16;
 constexpr double kInPlaceMove = 25e-6;  // m: a slow island of which no point strays further than this from its place
 //! s | too small: a very slow start of a fall is stopped | too large: walls with points at an edge rest late
 constexpr double kInPlaceTime = 0.5;  // s: during this time counts as at rest; an acceleration of 2e-5 g goes further
-//! steps | too small: what sways loses its hold for single steps | too large: what has come loose is braked
-constexpr int kWeakHold = 3;  // steps a contact stays weak after it last looked weak
 //! rad | too small: fast spins reach contacts too weakly | too large: rebounds at high speed explode
 constexpr double kLargestTurn = 0.5;  // rad per step of a body in contact: arms are frozen during a step
 //! - | too small: counts what nobody sees | too large: hides what hangs

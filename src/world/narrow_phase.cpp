@@ -353,8 +353,6 @@ void NarrowPhase::makeContact(CandidatePair& pair, const Manifold& m, const Tran
   takeConstants(c, shapes_, bodies_);
   c.born = old.born;
   if (had) {
-    c.weak = old.weak;
-    c.weakSteps = old.weakSteps;
     c.touching = old.touching;
     c.struck = old.struck;
   }

@@ -25,7 +25,7 @@ void checkContact(Findings& f, const Registry& r, const Contact& c, const Contac
   const Material &a = r.shapes.data[c.shapeA].def.material, &b = r.shapes.data[c.shapeB].def.material;
   double inverseMass = r.bodies.mass[c.bodyA].invMass + r.bodies.mass[c.bodyB].invMass;
   f.expect(c.friction == float(mixFriction(a, b)) && c.restitution == float(mixRestitution(a, b)) &&
-               c.effectiveMass == float(1 / inverseMass) && c.weakSteps >= 0 && c.weakSteps <= kWeakHold,
+               c.effectiveMass == float(1 / inverseMass),
            "contacts: a constant is not that of its bodies");
   f.expect(std::fabs(lengthSquared(g.normal) - 1) < 1e-6 && std::fabs(lengthSquared(g.tangent1) - 1) < 1e-6 &&
                std::fabs(dot(g.normal, g.tangent1)) < 1e-6,

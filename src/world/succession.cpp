@@ -97,8 +97,6 @@ void Succession::pass(const Registry& registry, const std::vector<BodyIndex>& pi
                       float(dot(old.tangent1, heir.tangent2)), float(dot(old.tangent2, heir.tangent2))}};
     carryOver(c.points, b.to, old.contact.points, b.from, turn);
     c.touching = c.touching || (old.contact.touching && old.contact.points.forceN[b.from] > 0);
-    c.weak = old.contact.weak;
-    c.weakSteps = old.contact.weakSteps;
     if (!old.contact.points.sticks(b.from) || c.rolls || dot(old.normal, heir.normal) < kKeptFace) continue;
     Vec3 onA = isB[b.heir] ? old.onNeighbour[b.from] : old.onBody[b.from];
     Vec3 onB = isB[b.heir] ? old.onBody[b.from] : old.onNeighbour[b.from];

@@ -13,13 +13,12 @@ bool ContactRows::continues(const ContactRows& old, const StepContext& context) 
 }
 
 // Each point counts 1, and 100 per effective weight that it carries.
-RowTie ContactRows::tie(std::size_t k, const StepContext& context) const {
+float ContactRows::strength(std::size_t k, const StepContext& context) const {
   const Contact& c = context.contacts->contacts[contactOf[k]];
-  RowTie tie;
-  tie.weak = c.weak;
+  float sum = 0;
   for (int i = 0; i < c.count; i++)
-    tie.strength += 1 + 100 * std::fabs(c.points.multiplierN[i]) / (c.effectiveMass * float(kReferenceGravity));
-  return tie;
+    sum += 1 + 100 * std::fabs(c.points.multiplierN[i]) / (c.effectiveMass * float(kReferenceGravity));
+  return sum;
 }
 
 bool ContactRows::holds(std::size_t k, const StepContext& context) const {

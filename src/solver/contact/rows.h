@@ -59,7 +59,8 @@ struct ContactRows {
     }
   }
   RowEnds ends(std::size_t k) const { return {records[k].bodyA, records[k].bodyB}; }
-  RowTie tie(std::size_t k, const StepContext& context) const;
+  // How firmly it ties its two bodies: more than 0.
+  float strength(std::size_t k, const StepContext& context) const;
   bool carriesForce(std::size_t k, const StepContext& context) const {
     return context.contacts->contacts[contactOf[k]].touching;
   }

@@ -76,17 +76,6 @@ void placeSlip(Contact& c, int i, bool sliding) {
   }
 }
 
-// A contact that cannot carry a moment: few loaded points, or all of them sliding.
-void updateWeak(Contact& c, int loaded, int slidingLoaded) {
-  if (loaded < 3 || slidingLoaded >= c.count) {
-    c.weak = true;
-    c.weakSteps = kWeakHold;
-  } else if (--c.weakSteps <= 0) {
-    c.weak = false;
-    c.weakSteps = 0;
-  }
-}
-
 //! - | too small: points at the edge of sliding change their last bits for ever | too large: forces stop short of their end
 constexpr float kSameForce = 1e-6f;  // of the force that presses: what changes by less has changed by rounding
 
@@ -115,13 +104,12 @@ bool ContactRows::store(Island& island, Ties ties, StepContext& context) {
     if (!changed) before = c.points;
     const bool touched = c.touching;
     StoredForces f = forcesAt(records[k], island.motion.data());
-    int loaded = 0, slidingLoaded = 0;
+    bool touches = false;
     c.points.stickingMask = 0;
     for (int i = 0; i < c.count; i++) {
       bool sliding = f.sliding >> i & 1;
       island.slipWork += double(f.slipWork[i]);
-      loaded += f.n[i] > 0;
-      slidingLoaded += sliding && f.n[i] > 0;
+      touches = touches || f.n[i] > 0;
       bool rebounds = starts[k].back[i] > 0;
       keepImpact(c, i, starts[k], f);
       if (rebounds) ties.contacts.strike(contactOf[k]);
@@ -130,9 +118,8 @@ bool ContactRows::store(Island& island, Ties ties, StepContext& context) {
       if (f.n[i] > 0 && !sliding) c.points.stickingMask |= 1u << i;
       placeSlip(c, i, sliding);
     }
-    c.touching = loaded > 0;
+    c.touching = touches;
     if (c.touching != touched) ties.contacts.touchingChanged = true;
-    updateWeak(c, loaded, slidingLoaded);
     if (!changed && c.touching == touched && sameForces(before, c.points, c.count))
       c.points = before;
     else

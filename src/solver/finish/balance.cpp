@@ -124,16 +124,13 @@ double takeResidual(const Island& island, StepContext& context, double excess) {
   return excess + linear * share + square * share * share;
 }
 
-// What elastic joints give back is no gain, but makes what stands sway: it is taken from what firm joints hold to the ground,
-// and from nothing else, nor from what that slides by as a whole, where friction can't hold it; while nothing moves fast, any joint
-// that presses is firm (a tower that leans stands on edges). Large islands sway little enough without it.
+// What elastic joints give back is no gain, but makes what stands sway: while nothing moves fast, it is taken from what presses on what
+// is fixed, by chains of such, and not from what that slides by as a whole, where friction can't hold it. Large islands sway little
+// enough without it.
 void dampSway(const Island& island, StepContext& context, double excess) {
-  if (island.plan.byLoad) return;
-  const bool sways = island.facts.fastest <= kSwaySpeed;
+  if (island.plan.byLoad || island.facts.fastest > kSwaySpeed) return;
   std::pmr::vector<char> held(island.memory);
-  findSupported(island, held, [&](const auto& kind, std::size_t k) {
-    return kind.carriesForce(k, context) && (sways || !kind.tie(k, context).weak);
-  });
+  findSupported(island, held, [&](const auto& kind, std::size_t k) { return kind.carriesForce(k, context); });
   const Vec3 slide = slideLeft(island, held, context, [&](BodyIndex body) { return context.solved[body].velocity; });
   double energy = 0;
   for (std::size_t i = 0; i < island.bodies.size(); i++) {

@@ -150,22 +150,33 @@ TEST(Balance, NeverTakesMoreThanTheResidualGave) {
   EXPECT_NEAR(before.x - lab.context.solved[lab.pile[29]].velocity.x, gained, 1e-6);
 }
 
-TEST(Balance, WhatElasticJointsGiveBackIsTakenFromWhatStandsFirmly) {
-  TestIsland lab;
-  BodyIndex ground = lab.ground();
-  std::vector<BodyIndex> pile = lab.pile(ground, 3);
-  for (int i = 0; i < 5; i++) lab.step();
-  lab.at(pile[2]).linearVelocity = {0.15, 0, 0};  // nothing rests
-  solveAndStore(lab);
-  for (Wrench& r : lab.island().residual) r = {};
-  double start = 0.5 * kBrickMass * 0.15 * 0.15;
-  for (BodyIndex body : pile) lab.context.solved[body].velocity += Vec3{0.2, 0, 0};
-  for (int i = 0; i < 3; i++) lab.contact(ContactIndex(i)).weak = i == 2;  // the uppermost is not held firmly
-  Vec3 loose = lab.context.solved[pile[2]].velocity;
-  balance(lab.island(), lab.context);
-  EXPECT_EQ(lab.context.solved[pile[2]].velocity, loose);
-  for (int i : {0, 1}) EXPECT_LT(length(lab.context.solved[pile[std::size_t(i)]].velocity), 0.1) << i;
-  EXPECT_LT(kineticEnergy(lab), 0.5 * kBrickMass * lengthSquared(loose) + start);
+// What it was given besides its residuals, in a pile of three of which the uppermost moves.
+TEST(Balance, WhatElasticJointsGiveBackIsTakenFromWhatStandsWhileNothingMovesFast) {
+  for (double speed : {0.05, 0.15}) {
+    TestIsland lab;
+    BodyIndex ground = lab.ground();
+    std::vector<BodyIndex> pile = lab.pile(ground, 3);
+    for (int i = 0; i < 5; i++) lab.step();
+    lab.at(pile[2]).linearVelocity = {speed, 0, 0};  // nothing rests
+    solveAndStore(lab);
+    for (Wrench& r : lab.island().residual) r = {};
+    double start = 0.5 * kBrickMass * speed * speed;
+    std::vector<Vec3> before;
+    for (std::size_t i = 0; i < pile.size(); i++)  // to and fro: friction can hold what they have in common
+      before.push_back(lab.context.solved[pile[i]].velocity += Vec3{i == 1 ? -0.2 : 0.2, 0, 0});
+    balance(lab.island(), lab.context);
+    for (std::size_t i = 0; i < pile.size(); i++) {
+      const Vec3 now = lab.context.solved[pile[i]].velocity;
+      if (speed > 0.1) {
+        EXPECT_EQ(now, before[i]) << "what moves faster is left alone";
+      } else {
+        EXPECT_LT(length(now), 0.5 * length(before[i])) << i;
+      }
+    }
+    if (speed < 0.1) {
+      EXPECT_LT(kineticEnergy(lab), 1.05 * start) << "and what weights did in the step";
+    }
+  }
 }
 
 TEST(Balance, LeavesAloneWhatLost) {

@@ -64,13 +64,9 @@ TEST(Rows, TieByTheirPointsAndAHundredTimesByTheirLoad) {
   TestIsland lab;
   std::vector<BodyIndex> pile = lab.pile(lab.ground(), 2);
   const ContactRows& rows = lab.island().rows.contacts;
-  EXPECT_EQ(rows.tie(0, lab.context).strength, 4);
-  EXPECT_TRUE(rows.tie(0, lab.context).weak) << "carries nothing yet";
+  EXPECT_EQ(rows.strength(0, lab.context), 4) << "carries nothing yet";
   lab.load(1, 3 * kBrickWeight, 1e6);
-  lab.contact(1).weak = false;
-  EXPECT_NEAR(double(rows.tie(1, lab.context).strength), 4 + 100 * 3 * 2, 1e-3)
-      << "two bricks: half of one is effective";
-  EXPECT_FALSE(rows.tie(1, lab.context).weak);
+  EXPECT_NEAR(double(rows.strength(1, lab.context)), 4 + 100 * 3 * 2, 1e-3) << "two bricks: half of one is effective";
 }
 
 TEST(Rows, HoldWhatTheyPressOrWhatIsWithinReach) {

@@ -104,33 +104,6 @@ TEST(Store, NoAnchorIsPlacedFurtherThanAMillimetre) {
   }
 }
 
-TEST(Store, AJointIsWeakWithoutThreeLoadedPointsOrWhenAllSlideAndForThreeStepsAfter) {
-  OnGround lab;
-  double k = 1e4 * lab.unit(lab.face), each = kBrickWeight / 4;
-  lab.load(lab.face, kBrickWeight, k);
-  auto storeAt = [&](Vec3f d, Vec3f th) {
-    lab.prepare();
-    updateHierarchy(lab.island(), lab.context);
-    lab.motion().d = d;
-    lab.motion().th = th;
-    lab.store();
-    lab.load(lab.face, kBrickWeight, k);
-    return lab.contact(lab.face).weak;
-  };
-  EXPECT_FALSE(storeAt({}, {})) << "born weak, no step held";
-  EXPECT_TRUE(lab.island().hierarchy.valid) << "which knows nothing of flags";
-  EXPECT_FALSE(storeAt({}, {}));
-  float tilt = float(1.5 * each / k / kBrick.x);  // about z: two points lift off
-  EXPECT_TRUE(storeAt({}, {0, 0, tilt}));
-  EXPECT_TRUE(storeAt({}, {}));
-  EXPECT_TRUE(storeAt({}, {}));
-  EXPECT_FALSE(storeAt({}, {})) << "after three steps";
-  EXPECT_TRUE(storeAt({float(2 * each / k), 0, 0}, {})) << "slides with all four";
-  for (int i = 0; i < 3; i++) storeAt({}, {});
-  // turns about one of its points: that one sticks
-  EXPECT_FALSE(storeAt({float(-1e-5 * kBrick.z), 0, float(1e-5 * kBrick.x)}, {0, 1e-5f, 0}));
-}
-
 TEST(Store, TellsWhenAContactBeginsOrCeasesToCarry) {
   OnGround lab;
   lab.prepare();
