@@ -41,8 +41,12 @@ struct BodyMass {
 
 enum class BodyActivity : std::uint8_t { awake, asleep, fixed };  // fixed: static bodies, and kinematic ones at rest
 
-//! not of the method: a mark
-constexpr double kUnknownLag = -1;  // s: see BodyData::lag
+// How the velocities of a body alone on something fixed changed in the last step, if its contacts went on through it: what the
+// next step's forces differ from.
+struct SteadyChange {
+  Vec3 linear, angular;  // m/s2, rad/s2
+  double dt = 0;         // s, of that step; 0: they did not go on, or it was not alone
+};
 
 struct BodyData {
   bool alive = false;
@@ -57,9 +61,7 @@ struct BodyData {
   Vec3 lastLinearVelocity, lastAngularVelocity;  // at the start of the last step, for accelerations
   Vec3 linearAcceleration, angularAcceleration;
   double lastKineticEnergy = 0;  // J, at the start of the last step (kinetic damping)
-  // s: by how much the velocities of a body alone on something fixed are late against its pose; negative: unknown.
-  double lag = kUnknownLag;
-  bool flying = false;  // no chain of forces led to anything fixed or kinematic, in the last step
+  SteadyChange steady;
   std::uint64_t userData = 0;
   std::uint64_t order = 0;       // grows with creation
   MassProperties bodyFrameMass;  // as asked for, whatever the type

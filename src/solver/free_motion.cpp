@@ -130,7 +130,7 @@ void predictFreeMotions(StepContext& context, BodySet& bodies, std::span<const B
     const BodyMass& mass = bodies.mass[body];
     const BodyData& data = bodies.data[body];
     FreeMotion& free = context.free[body];
-    free.turnTime = dt;
+    free.dt = free.turnTime = dt;
     free.turnsFaster = false;
     free.startVelocity = m.linearVelocity;
     free.startSpin = m.angularVelocity;

@@ -66,7 +66,7 @@ void goOnFreely(const Island& island, const BodySet& bodies, StepContext& contex
     const BodyMotion& m = bodies.motion[body];
     FreeMotion& free = context.free[body];
     free = {};
-    free.turnTime = island.dt;
+    free.dt = free.turnTime = island.dt;
     free.startVelocity = m.linearVelocity;
     free.startSpin = m.angularVelocity;
     free.d = free.way = m.linearVelocity * island.dt;
@@ -195,7 +195,6 @@ double firstClosing(const Island& island, const StepContext& context) {
   const ContactRows& rows = island.rows.contacts;
   const BodySet& bodies = *context.bodies;
   const double least = slowest(island, context);
-  double lag = island.bodies.size() == 1 ? std::max(0.0, bodies.data[island.bodies[0]].lag) : 0;
   auto velocities = [&](std::uint32_t local, Velocity& start, Velocity& end) {
     BodyIndex body =
         local < island.bodies.size() ? island.bodies[local] : island.partners[local - island.bodies.size()];
@@ -217,7 +216,7 @@ double firstClosing(const Island& island, const StepContext& context) {
       if (c.points.forceN[i] > 0) continue;
       double acceleration = (end[i] - start[i]) / island.dt;
       double gap = c.points.gap[i] > kOpenGap ? double(c.points.gap[i]) : 0;
-      first = std::min(first, closingTime(gap, start[i] + acceleration * lag, acceleration, least));
+      first = std::min(first, closingTime(gap, start[i], acceleration, least));
     }
   }
   return first;

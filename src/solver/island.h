@@ -5,6 +5,7 @@
 #include <memory_resource>
 #include <vector>
 
+#include "solver/finish/groups.h"
 #include "solver/hierarchy.h"
 #include "solver/plan.h"
 #include "solver/rows.h"
@@ -36,8 +37,7 @@ struct Island {
 
   // Its step ends where a point closes: open points are left out, velocities are those of that moment.
   bool toImpact = false;
-  // Its velocities are late or early against its ways, so its energy says nothing (finish/lone_body.cpp).
-  bool leapt = false;
+  Groups groups{memory};  // of its bodies, by the forces of this step
 
   IslandFacts facts;  // of this step, or of the last in which it was not passed over
   SolvePlan plan;

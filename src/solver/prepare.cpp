@@ -36,7 +36,6 @@ void prepareBodies(Island& island, const StepContext& context) {
   island.speeds.resize(count);
   island.origin = bodies.motion[island.bodies.front()].position;
   island.credit = 0;
-  island.leapt = false;
   island.travel = rigidTravel(island, context);
   double perDt2 = 1 / (island.dt * island.dt);
   for (std::size_t i = 0; i < count; i++) {

@@ -64,26 +64,25 @@ struct FreeMotion {
   Vec3 way;                       // m: of a body without contacts
   Vec3 th;                        // rad, rotation vector
   Quat rotation;                  // where it ends: exact torque-free turn
-  double turnTime = 0;            // s, of it: less than dt if the body was stopped
+  double dt = 0;                  // s, of all of it
+  double turnTime = 0;            // s, of the turn: less than dt if the body was stopped
   bool turnsFaster = false;       // than th shows
   Vec3 angularMomentum;           // kg m2/s, at the end
   Vec3 startVelocity, startSpin;  // before forces, for energy
 };
 
-// How a body moves in this step. Written by solver/finish, in this order: as solved, flight, second order;
-// shortened at obstacles; balanced once (momentum, spin, energy); then it is the body's.
+// How a body moves in this step. Written by finish/motion.cpp alone: as solved, then as its group is finished, shortened at
+// obstacles, and its velocities once more by the last check.
 struct SolvedMotion {
   Vec3 d;                // m
   Vec3 th;               // rad
   Vec3 velocity;         // m/s
   Vec3 angularMomentum;  // kg m2/s
-  Vec3 lost;             // m: of the way, cut off by an obstacle
-  bool turnCut = false;  // by obstacles: it would turn too far for frozen arms, and goes a part of its way and turn
+  double went = 1;       // share of its way that obstacles and frozen arms left it
   bool freeTurn = true;  // no torque acted: take FreeMotion::rotation
   bool rest = false;     // does not move
-  bool pressed = false;  // something exerts a force on it
-  double lag = 0;        // s: by how much the velocities are late against the way (BodyData::lag)
   bool flying = false;   // no chain of forces leads to anything fixed or kinematic
+  SteadyChange steady;   // what the body remembers of this step
 };
 
 struct SolveStatistics {

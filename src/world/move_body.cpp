@@ -18,7 +18,7 @@ bool moveBody(BodyIndex body, BodySet& bodies, const StepContext& context) {
       next.orientation * (bodies.mass[body].invInertia * transposeTimes(next.orientation, s.angularMomentum));
   if (!isSane(next)) return false;
   m = next;
-  bodies.data[body].lag = s.lag;
+  bodies.data[body].steady = s.steady;
   return true;
 }
 

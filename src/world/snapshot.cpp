@@ -18,7 +18,7 @@ namespace {
 
 //! not of the method: the file's
 constexpr std::uint64_t kMagic = 0x30504e5346424b42ull;
-constexpr std::uint32_t kLayout = 12;
+constexpr std::uint32_t kLayout = 13;
 
 struct Header {
   std::uint64_t magic = kMagic;
@@ -120,12 +120,12 @@ class SnapshotArchive {
   template <class Archive, class Data> static void body(Archive& a, Data& d) {
     a.choice(d.type, BodyType::dynamic);
     a.choice(d.activity, BodyActivity::fixed);
-    for (auto* flag : {&d.quarantined, &d.allowSleep, &d.flying}) a.flag(*flag);
+    for (auto* flag : {&d.quarantined, &d.allowSleep}) a.flag(*flag);
     for (auto* number :
-         {&d.gravityScale, &d.linearDamping, &d.angularDamping, &d.dragArea, &d.lastKineticEnergy, &d.lag})
+         {&d.gravityScale, &d.linearDamping, &d.angularDamping, &d.dragArea, &d.lastKineticEnergy, &d.steady.dt})
       a.value(*number);
     for (auto* vector : {&d.force, &d.torque, &d.lastLinearVelocity, &d.lastAngularVelocity, &d.linearAcceleration,
-                         &d.angularAcceleration})
+                         &d.angularAcceleration, &d.steady.linear, &d.steady.angular})
       a.value(*vector);
     a.value(d.userData);
     a.value(d.order);

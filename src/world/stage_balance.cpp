@@ -12,7 +12,7 @@ namespace brickfall {
 
 void balanceIslands(const IslandSet& islands, StepContext& context) {
   for (const IslandPointer& island : islands.awake)
-    if (!island->resting() && solvedWell(*island, context)) balance(*island, context);
+    if (!island->resting() && solvedWell(*island, context)) checkEnergy(*island, context);
 }
 
 void hashBalance(const IslandSet& islands, const StepContext& context, HashItems& out) { out.solved(islands, context); }

@@ -10,9 +10,7 @@
 #include "narrowphase/mesh_collide.h"
 #include "solver/cycles.h"
 #include "solver/finish/balance.h"
-#include "solver/finish/flight.h"
-#include "solver/finish/group_slide.h"
-#include "solver/finish/lone_body.h"
+#include "solver/finish/finish.h"
 #include "solver/finish/motion.h"
 #include "solver/free_motion.h"
 #include "solver/impact.h"
@@ -214,11 +212,8 @@ void ImpactWalk::solve(Island& island, double dt, bool toImpact, SolveStatistics
     correctMomentum(island, context_);
     storeRows(island, ties_, context_);
     tellMean(island, ties_, context_.dt, true);
-    storeMotion(island, context_);
-    correctFlight(island, context_);
-    correctLoneBody(island, ties_, context_);
-    correctGroupSlides(island, context_);
-    if (solvedWell(island, context_)) balance(island, context_);
+    finishMotion(island, ties_, context_);
+    if (solvedWell(island, context_)) checkEnergy(island, context_);
   }
   island.toImpact = false;
 }
@@ -288,7 +283,7 @@ bool ImpactWalk::impact(Island& island) {
   island.dt = context_.dt;
   updateHierarchy(island, context_);
   if (!solveImpact(island, ties_, bodies_, context_, kBlink * context_.dt, context_.statistics, impacts)) return false;
-  for (BodyIndex body : island.bodies) bodies_.data[body].lag = 0;
+  for (BodyIndex body : island.bodies) bodies_.data[body].steady = {};
   const ContactRows& rows = island.rows.contacts;
   for (const ContactImpact& hit : impacts) {
     ties_.contacts.strike(rows.contactOf[hit.row]);

@@ -36,14 +36,13 @@ void Integration::finishBody(BodyIndex body) {
   BodyMotion& m = bodies.motion[body];
   if (context.solved[body].rest) {
     m.linearVelocity = m.angularVelocity = {};
-    data.lag = kUnknownLag;
+    data.steady = {};
     bodies.still[body] = 1;
   } else {
     bodies.still[body] = 0;
     if (!moveBody(body, bodies, context)) quarantine.hold(body);
     proximity.keepBounds(registry, body);
   }
-  data.flying = context.solved[body].flying;
   if (!clock.lastPart) return;
   data.linearAcceleration = (m.linearVelocity - data.lastLinearVelocity) * (1 / clock.callDt);
   data.angularAcceleration = (m.angularVelocity - data.lastAngularVelocity) * (1 / clock.callDt);

@@ -31,8 +31,6 @@ constexpr double kHeld = 1e-3;
 constexpr int kLooks = 4;  // along a free turn: a part of it is not on the arc that all of it makes
 //! of the outer radius | too small: thin plates are crept through | too large: with kHeld
 constexpr double kThick = 0.2;
-//! not of the method: rotation vectors beyond are those of turns the other way round
-constexpr double kHalfTurn = 3;  // rad
 bool exceeds(Vec3 way, double limit) { return lengthSquared(way) > limit * limit; }
 
 struct Motion {
@@ -58,11 +56,10 @@ struct Obstacles {
   void cutTurn(BodyIndex body);
   void stop(BodyIndex body);
   bool hold(BodyIndex body, bool everything, double thickness);
-  void catchUp(const Island& island);
-  void obstruct(ShapeIndex shape, bool everything, double thickness, const Island* without, Obstruction& first) const;
+  void obstruct(ShapeIndex shape, bool everything, double thickness, Obstruction& first) const;
   const Island* islandWith(BodyIndex body) const;
   Motion motionOf(BodyIndex body) const;
-  void shorten(BodyIndex body, double share, double turnShare, Vec3 carried = {});
+  void cut(BodyIndex body, double share, double turnShare, Vec3 carried = {});
   bool farHeavier(BodyIndex body, BodyIndex other) const;
   bool isThick(BodyIndex body) const;
 };
@@ -80,18 +77,18 @@ Motion Obstacles::motionOf(BodyIndex body) const {
   return {context.solved[body].d, context.solved[body].th};
 }
 
-// Leaves the body a share of its way, then `carried`, and a share of its turn; it keeps its velocities.
-void Obstacles::shorten(BodyIndex body, double share, double turnShare, Vec3 carried) {
-  SolvedMotion& s = context.solved[body];
-  Vec3 left = s.d * share + carried, lost = s.d - left;
-  s.d = left;
-  s.lost += lost;
-  if (turnShare < 1) {
-    s.th *= turnShare;
-    if (!s.freeTurn) return;
-    const Vec3 turned = shortenFreeTurn(context, body, turnShare);
-    if (!exceeds(s.th, kHalfTurn)) s.th = turned;
+// Leaves the body a share of its way, then `carried`, and a share of its turn; it keeps its velocities. All of a group that flies goes
+// the same share: its step ends there, and neither its linear nor its angular momentum changes.
+void Obstacles::cut(BodyIndex body, double share, double turnShare, Vec3 carried) {
+  const Island* island = islandWith(body);
+  if (!island || !context.solved[body].flying) {
+    shorten(body, share, turnShare, carried, context.solved[body].flying, context);
+    return;
   }
+  const auto place = std::lower_bound(island->bodies.begin(), island->bodies.end(), body) - island->bodies.begin();
+  const std::span<const std::uint32_t> group = island->groups.bodies(island->groups.groupOf(std::size_t(place)));
+  if (group.size() > 1) share = turnShare = std::min(share, turnShare);
+  for (std::uint32_t i : group) shorten(island->bodies[i], share, turnShare, carried, true, context);
 }
 
 // What is far lighter is carried along and stops nothing: bricks pressed into a wrecking ball must not hold it in the air.
@@ -107,21 +104,19 @@ bool Obstacles::isThick(BodyIndex body) const {
 // As far as arms that are frozen are true.
 void Obstacles::cutTurn(BodyIndex body) {
   SolvedMotion& s = context.solved[body];
-  s.turnCut = false;
   if (s.rest || s.freeTurn || !isFinite(s.d)) return;
   const double turn = length(visibleTurn(bodies.mass[body], bodies.motion[body].orientation, s.th));
   if (!(turn > kLargestTurn)) return;
-  s.turnCut = true;
-  shorten(body, kLargestTurn / turn, kLargestTurn / turn);
+  cut(body, kLargestTurn / turn, kLargestTurn / turn);
 }
 
 void Obstacles::stop(BodyIndex body) {
   SolvedMotion& s = context.solved[body];
   if (s.rest || !isFinite(s.d)) return;
   double turn = length(visibleTurn(bodies.mass[body], bodies.motion[body].orientation, s.th));
-  double thickness = bodies.mass[body].innerRadius * (turn < kLargestTurn && !s.turnCut ? 1 : 0.5);
+  double thickness = bodies.mass[body].innerRadius * (turn < kLargestTurn && s.went == 1 ? 1 : 0.5);
   // What it was left behind by its turn, and kinematic bodies, may run over it, however slow it is itself.
-  bool everything = s.turnCut || turnsFar(bodies, body, s.th);
+  bool everything = s.went < 1 || turnsFar(bodies, body, s.th);
   if (!(everything || !activity.moving.empty() || exceeds(s.d, thickness))) return;
   for (int look = 0; look < kLooks && hold(body, everything, thickness); look++) {
   }
@@ -130,17 +125,17 @@ void Obstacles::stop(BodyIndex body) {
 // True if it was held on a free turn: then it ends elsewhere than where it was looked for.
 bool Obstacles::hold(BodyIndex body, bool everything, double thickness) {
   Obstruction first;
-  for (ShapeIndex shape : bodies.shapes[body]) obstruct(shape, everything, thickness, nullptr, first);
+  for (ShapeIndex shape : bodies.shapes[body]) obstruct(shape, everything, thickness, first);
   if (first.share == 1) return false;
   const bool elsewhere = context.solved[body].freeTurn && first.turnShare < 1;
   if (bodies.data[first.body].type != BodyType::dynamic || farHeavier(first.body, body)) {
-    shorten(body, first.share, first.turnShare, first.carried);
+    cut(body, first.share, first.turnShare, first.carried);
     return false;
   }
-  shorten(body, first.share, first.turnShare);
+  cut(body, first.share, first.turnShare);
   Motion other = motionOf(first.body);
   bool turns = turnsFar(bodies, first.body, other.turn);
-  if (turns || exceeds(other.way, thickness)) shorten(first.body, first.share, turns ? first.share : 1);
+  if (turns || exceeds(other.way, thickness)) cut(first.body, first.share, turns ? first.share : 1);
   return elsewhere;
 }
 
@@ -154,43 +149,10 @@ void Obstacles::stopAll() {
   };
   each(&Obstacles::cutTurn);
   each(&Obstacles::stop);
-  for (const IslandPointer& island : islands.awake)
-    if (!island->grounded() && !island->resting() && solvedWell(*island, context)) catchUp(*island);
-}
-
-// The centre of mass of what presses on each other in a floating island goes on as its momentum says, though bodies were stopped:
-// all are moved alike by what is missing, unless that would take one of them through something else.
-void Obstacles::catchUp(const Island& island) {
-  double mass = 0;
-  Vec3 lag;  // kg m
-  auto each = [&](auto&& act) {
-    for (BodyIndex body : island.bodies)
-      if (context.solved[body].pressed) act(body);
-  };
-  each([&](BodyIndex body) {
-    mass += bodies.mass[body].mass;
-    lag += context.solved[body].lost * bodies.mass[body].mass;
-  });
-  if (lag == Vec3{}) return;
-  auto moveOn = [&](Vec3 by) {
-    each([&](BodyIndex body) {
-      context.solved[body].d += by;
-      context.solved[body].lost -= by;
-    });
-  };
-  Vec3 missing = lag * (1 / mass);
-  moveOn(missing);
-  Obstruction first;
-  for (BodyIndex body : island.bodies)
-    for (ShapeIndex shape : bodies.shapes[body])
-      if (first.share == 1) obstruct(shape, true, bodies.mass[body].innerRadius, &island, first);
-  if (first.share < 1) moveOn(-missing);
 }
 
 // The first thing on a body's way, for one shape of the body. `everything`: it may be the other that does the moving.
-// `without`: what is in this island is passed over.
-void Obstacles::obstruct(ShapeIndex shape, bool everything, double thickness, const Island* without,
-                         Obstruction& first) const {
+void Obstacles::obstruct(ShapeIndex shape, bool everything, double thickness, Obstruction& first) const {
   auto wayOf = [&](BodyIndex body) {
     Motion m = motionOf(body);
     return sweepOf(bodies, body, m.way, m.turn);
@@ -203,7 +165,6 @@ void Obstacles::obstruct(ShapeIndex shape, bool everything, double thickness, co
   broadPhase.query(sweptBounds(s, own), [&](std::uint32_t other) {
     const ShapeData& o = shapes.data[other];
     if (o.body == s.body || !filtersAllow(s.def.filter, o.def.filter)) return true;
-    if (without && islandWith(o.body) == without) return true;
     BodyType type = bodies.data[o.body].type;
     if (type == BodyType::dynamic && farHeavier(s.body, o.body)) return true;
     Sweep way = wayOf(o.body);

@@ -5,9 +5,7 @@
 #include <algorithm>
 
 #include "solver/contact/energy.h"
-#include "solver/finish/flight.h"
-#include "solver/finish/group_slide.h"
-#include "solver/finish/lone_body.h"
+#include "solver/finish/finish.h"
 #include "solver/finish/motion.h"
 #include "solver/rest.h"
 #include "world/activity.h"
@@ -68,10 +66,7 @@ void storeSolution(const WorldDef& def, const Registry& registry, IslandSet& isl
     if (!island->resting()) collectHits(def, registry, *island, contacts, events.hits);
     if (island->resting() && !changed) island->ending = IslandEnding::settled;
     restInPlace(*island, context);
-    storeMotion(*island, context);
-    correctFlight(*island, context);
-    correctLoneBody(*island, Ties{contacts}, context);
-    correctGroupSlides(*island, context);
+    finishMotion(*island, Ties{contacts}, context);
   }
 }
 

@@ -16,9 +16,7 @@
 #include "narrowphase/collide.h"
 #include "solver/cycles.h"
 #include "solver/finish/balance.h"
-#include "solver/finish/flight.h"
-#include "solver/finish/group_slide.h"
-#include "solver/finish/lone_body.h"
+#include "solver/finish/finish.h"
 #include "solver/finish/motion.h"
 #include "solver/free_motion.h"
 #include "solver/island_builder.h"
@@ -166,10 +164,7 @@ class TestIsland {
     bool changed = storeRows(island(), ties(), context);
     if (island().resting() && !changed) island().ending = IslandEnding::settled;
     restInPlace(island(), context);
-    storeMotion(island(), context);
-    correctFlight(island(), context);
-    correctLoneBody(island(), ties(), context);
-    correctGroupSlides(island(), context);
+    finishMotion(island(), ties(), context);
     return changed;
   }
   // Velocities, poses, gaps.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "solver/finish/motion.h"
 #include "solver/rigid_sum.h"
 #include "solver/support.h"
 
@@ -12,12 +13,12 @@ namespace brickfall {
 namespace {
 
 //! - | too small: rounding of the float solve is taken for a gain | too large: energy may creep up
-constexpr double kRelativeSlack = 1e-7;  // of the kinetic energy: rounding of the float solve
-//! J/kg | with kRelativeSlack
-constexpr double kSlackPerMass = 1e-7;  // J/kg: a lift of 0.01 micrometres
+constexpr double kSlack = 1e-7;  // of the energy that moves: rounding of the float solve
 
 //! m/s | too small: what leans under a great load falls | too large: what rocks in a small island is braked
 constexpr double kSwaySpeed = 0.1;
+
+using Bodies = std::span<const std::uint32_t>;
 
 // Orientation at the end of the step: the momentum stays, the body turns under it, and its inertia with it.
 Mat3 orientationAtEnd(const StepContext& context, BodyIndex body) {
@@ -30,65 +31,54 @@ Vec3 spinOf(const StepContext& context, BodyIndex body, Vec3 angularMomentum) {
   return end * (context.bodies->mass[body].invInertia * transposeTimes(end, angularMomentum));
 }
 
-// What something presses on at the end of the step: as solved, or if nothing had touched.
-RigidSum endOfStep(const Island& island, const StepContext& context, bool free) {
-  const BodySet& bodies = *context.bodies;
-  RigidSum sum(island.origin);
-  for (BodyIndex body : island.bodies) {
-    const FreeMotion& f = context.free[body];
-    const SolvedMotion& s = context.solved[body];
-    if (!s.pressed) continue;
-    Vec3 velocity = free ? f.d * (1 / island.dt) : s.velocity;
-    double m = bodies.mass[body].mass;
-    sum.add(m, bodies.motion[body].position + (free ? f.d : s.d), bodies.worldInertia(body), velocity * m,
-            free ? f.angularMomentum : s.angularMomentum);
-  }
-  return sum;
-}
-
-// Where ways and velocities of a floating island were changed apart, the angular momentum of its places and velocities
-// drifts. A rigid motion of the velocities of what is pressed on brings both momenta back to those of the start of the step and of
-// outside forces: what nothing touches flies on.
-void restoreMomentum(const Island& island, StepContext& context) {
-  if (island.grounded()) return;
-  const RigidSum now = endOfStep(island, context, false), wanted = endOfStep(island, context, true);
-  if (!(now.mass() > 0)) return;
-  const Vec3 push = wanted.velocity() - now.velocity(), centre = now.centre();
-  const Vec3 turn = inverse(now.inertia()) * (wanted.angularMomentum() - now.angularMomentum());
-  for (BodyIndex body : island.bodies) {
-    SolvedMotion& s = context.solved[body];
-    if (!s.pressed) continue;
-    s.velocity += push + cross(turn, context.bodies->motion[body].position + s.d - centre);
-    s.angularMomentum += context.bodies->worldInertia(body) * turn;
-  }
-}
-
 double kineticEnergy(const StepContext& context, BodyIndex body) {
   const SolvedMotion& s = context.solved[body];
   return 0.5 * context.bodies->mass[body].mass * lengthSquared(s.velocity) +
          0.5 * dot(s.angularMomentum, spinOf(context, body, s.angularMomentum));
 }
 
-struct IslandEnergy {
-  double start = 0, end = 0;  // J, kinetic
-  double work = 0;            // J, of gravity and outside forces, and what earlier steps of an impact took
-  double mass = 0;
-  double excess() const { return end - start - work; }  // at the end, over what it was given
-  double slack() const { return kRelativeSlack * start + kSlackPerMass * mass; }
+// What a tie, or several, gave a body in this step, N s and N m s: what changed its momenta besides outside forces, and what the solve
+// left out of balance, which nothing gave.
+struct Impulse {
+  Vec3 linear, angular;
 };
-IslandEnergy energyOf(const Island& island, const StepContext& context) {
-  IslandEnergy sum;
-  sum.work = island.credit;
-  for (BodyIndex body : island.bodies) {
+Impulse leftOver(const Island& island, std::size_t i) {
+  if (island.residual.size() != island.bodies.size()) return {};
+  return {toDouble(island.residual[i].force) * island.dt, toDouble(island.residual[i].torque) * island.dt};
+}
+Impulse fromTies(const Island& island, std::size_t i, const StepContext& context) {
+  const BodyIndex body = island.bodies[i];
+  const FreeMotion& free = context.free[body];
+  const SolvedMotion& s = context.solved[body];
+  const Impulse left = leftOver(island, i);
+  return {(s.velocity - free.d * (1 / free.dt)) * context.bodies->mass[body].mass + left.linear,
+          s.angularMomentum - free.angularMomentum + left.angular};
+}
+
+struct GroupEnergy {
+  double start = 0, end = 0;  // J, kinetic
+  double outside = 0;         // J, work of gravity and outside forces
+  double ties = 0;            // J, work of ties: what they held before, and what kinematic bodies did through them
+  double moved = 0;           // J, that outside forces did and took
+  double gain() const { return end - start - outside; }
+  double slack() const { return kSlack * (start + end + moved); }
+};
+GroupEnergy energyOf(const Island& island, Bodies group, const StepContext& context) {
+  GroupEnergy sum;
+  for (std::uint32_t i : group) {
+    const BodyIndex body = island.bodies[i];
     const FreeMotion& free = context.free[body];
     const SolvedMotion& s = context.solved[body];
     const BodyData& data = context.bodies->data[body];
-    double m = context.bodies->mass[body].mass;
-    sum.mass += m;
+    const double m = context.bodies->mass[body].mass;
     sum.start += 0.5 * m * lengthSquared(free.startVelocity) +
                  0.5 * dot(free.startSpin, context.bodies->worldInertia(body) * free.startSpin);
     sum.end += kineticEnergy(context, body);
-    sum.work += dot(context.gravity * (m * data.gravityScale) + data.force, s.d + s.lost) + dot(data.torque, s.th);
+    const double work = dot(context.gravity * (m * data.gravityScale) + data.force, s.d) + dot(data.torque, s.th);
+    const Impulse given = fromTies(island, i, context);
+    sum.outside += work;
+    sum.moved += std::fabs(work);
+    sum.ties += (dot(given.linear, s.d) + dot(given.angular, s.th)) * (1 / island.dt);
   }
   return sum;
 }
@@ -96,58 +86,26 @@ IslandEnergy energyOf(const Island& island, const StepContext& context) {
 // What a solve left out of balance has acted like a force from nowhere. Velocities take back the same share of its impulse on
 // each body, so much that no energy is gained: what is in balance, or touches nothing, is left alone, and momentum comes out
 // better than it was. Returns the excess that is left.
-double takeResidual(const Island& island, StepContext& context, double excess) {
-  if (island.residual.size() != island.bodies.size()) return excess;
-  auto impulse = [&](std::size_t i) {
-    const Wrench& r = island.residual[i];
-    return std::pair{toDouble(r.force) * island.dt, toDouble(r.torque) * island.dt};
-  };
+double takeResidual(const Island& island, Bodies group, StepContext& context, double excess) {
   // Of a share x of all impulses: energy changes by linear x + square x^2.
   double linear = 0, square = 0;
-  for (std::size_t i = 0; i < island.bodies.size(); i++) {
-    BodyIndex body = island.bodies[i];
+  for (std::uint32_t i : group) {
+    const BodyIndex body = island.bodies[i];
     const SolvedMotion& s = context.solved[body];
-    auto [push, twist] = impulse(i);
-    Vec3 spin = spinOf(context, body, twist);
-    linear += dot(push, s.velocity) + dot(spin, s.angularMomentum);
-    square += 0.5 * lengthSquared(push) * context.bodies->mass[body].invMass + 0.5 * dot(twist, spin);
+    const Impulse left = leftOver(island, i);
+    const Vec3 spin = spinOf(context, body, left.angular);
+    linear += dot(left.linear, s.velocity) + dot(spin, s.angularMomentum);
+    square += 0.5 * lengthSquared(left.linear) * context.bodies->mass[body].invMass + 0.5 * dot(left.angular, spin);
   }
   if (!(linear < 0) || !(square > 0)) return excess;
   double share = std::min(1.0, -linear / (2 * square)), root = linear * linear - 4 * square * excess;
   if (root > 0) share = std::min(share, (-linear - std::sqrt(root)) / (2 * square));
-  for (std::size_t i = 0; i < island.bodies.size(); i++) {
-    SolvedMotion& s = context.solved[island.bodies[i]];
-    auto [push, twist] = impulse(i);
-    s.velocity += push * (share * context.bodies->mass[island.bodies[i]].invMass);
-    s.angularMomentum += twist * share;
+  for (std::uint32_t i : group) {
+    const BodyIndex body = island.bodies[i];
+    const Impulse left = leftOver(island, i);
+    accelerate(body, left.linear * (share * context.bodies->mass[body].invMass), left.angular * share, context);
   }
   return excess + linear * share + square * share * share;
-}
-
-// What elastic joints give back is no gain, but makes what stands sway: while nothing moves fast, it is taken from what presses on what
-// is fixed, by chains of such, and not from what that slides by as a whole, where friction can't hold it. Large islands sway little
-// enough without it.
-void dampSway(const Island& island, StepContext& context, double excess) {
-  if (island.plan.byLoad || island.facts.fastest > kSwaySpeed) return;
-  std::pmr::vector<char> held(island.memory);
-  findSupported(island, held, [&](const auto& kind, std::size_t k) { return kind.carriesForce(k, context); });
-  const Vec3 slide = slideLeft(island, held, context, [&](BodyIndex body) { return context.solved[body].velocity; });
-  double energy = 0;
-  for (std::size_t i = 0; i < island.bodies.size(); i++) {
-    if (!held[i]) continue;
-    const BodyIndex body = island.bodies[i];
-    const Vec3 spin = context.solved[body].angularMomentum;
-    energy += 0.5 * context.bodies->mass[body].mass * lengthSquared(context.solved[body].velocity - slide) +
-              0.5 * dot(spin, spinOf(context, body, spin));
-  }
-  if (!(energy > 0)) return;
-  double share = std::sqrt(std::max(0.0, 1 - excess / energy));
-  for (std::size_t i = 0; i < island.bodies.size(); i++) {
-    if (!held[i]) continue;
-    SolvedMotion& s = context.solved[island.bodies[i]];
-    s.velocity = slide + (s.velocity - slide) * share;
-    s.angularMomentum = s.angularMomentum * share;
-  }
 }
 
 Mat3 inertiaAtEnd(const StepContext& context, BodyIndex body) {
@@ -155,55 +113,123 @@ Mat3 inertiaAtEnd(const StepContext& context, BodyIndex body) {
   return end * context.bodies->mass[body].inertia * transpose(end);
 }
 
-// What a floating island has gained (also by compression in one step that rebounds in the next) is taken from what the bodies that
-// something presses on move against their rigid motion: linear and angular momentum are kept, and what nothing touches flies on.
-void takeRelativeMotion(const Island& island, StepContext& context, double excess) {
-  const BodySet& bodies = *context.bodies;
-  auto each = [&](auto&& act) {
-    for (BodyIndex body : island.bodies)
-      if (context.solved[body].pressed) act(body);
-  };
+// A rigid motion: velocity `move` at `centre`, and spin.
+struct RigidMotion {
+  Vec3 centre, move, spin;
+  Vec3 at(Vec3 place) const { return move + cross(spin, place - centre); }
+};
+
+// That of a group which flies, at the end of the step.
+RigidMotion motionOf(const Island& island, Bodies group, const StepContext& context) {
   RigidSum sum(island.origin);
-  auto endOf = [&](BodyIndex body) { return bodies.motion[body].position + context.solved[body].d; };
-  each([&](BodyIndex body) {
+  for (std::uint32_t i : group) {
+    const BodyIndex body = island.bodies[i];
     const SolvedMotion& s = context.solved[body];
-    double m = bodies.mass[body].mass;
-    sum.add(m, endOf(body), inertiaAtEnd(context, body), s.velocity * m, s.angularMomentum);
-  });
-  Vec3 centre = sum.centre(), velocity = sum.velocity(), spin = sum.spin();
-  double relative = 0;
-  each([&](BodyIndex body) {
-    Vec3 v = context.solved[body].velocity - velocity - cross(spin, endOf(body) - centre);
-    Vec3 l = context.solved[body].angularMomentum - inertiaAtEnd(context, body) * spin;
-    relative += 0.5 * bodies.mass[body].mass * lengthSquared(v) + 0.5 * dot(l, spinOf(context, body, l));
-  });
-  if (!(relative > 0)) return;
-  double share = std::sqrt(std::max(0.0, 1 - excess / relative));
-  each([&](BodyIndex body) {
-    SolvedMotion& s = context.solved[body];
-    Vec3 v = velocity + cross(spin, endOf(body) - centre), momentum = inertiaAtEnd(context, body) * spin;
-    s.velocity = v + (s.velocity - v) * share;
-    s.angularMomentum = momentum + (s.angularMomentum - momentum) * share;
-  });
+    const double m = context.bodies->mass[body].mass;
+    sum.add(m, context.bodies->motion[body].position + s.d, inertiaAtEnd(context, body), s.velocity * m, s.angularMomentum);
+  }
+  return {sum.centre(), sum.velocity(), sum.spin()};
+}
+// That of what a group presses on.
+RigidMotion motionOf(const Island& island, std::uint32_t partner, const StepContext& context) {
+  const BodyMotion& m = context.bodies->motion[island.partners[partner - island.bodies.size()]];
+  return {m.position, m.linearVelocity, m.angularVelocity};
 }
 
-// Takes back from the velocities of an island what kinetic plus potential energy gained in the step beyond the work of
-// outside forces. Islands that something kinematic moves are left alone.
-void guardEnergy(const Island& island, StepContext& context) {
-  if (island.facts.partnersMove || island.leapt) return;
-  IslandEnergy energy = energyOf(island, context);
-  if (!(energy.excess() > energy.slack())) return;
-  if (!island.grounded()) return takeRelativeMotion(island, context, energy.excess());
-  double left = takeResidual(island, context, energy.excess());
-  if (left > energy.slack()) dampSway(island, context, left);
+// Takes `excess` (J) from the motion of the bodies against a rigid one. Of a group that flies, against its own: linear and angular
+// momentum are kept. Returns what is left of the excess: they had no more.
+double takeRelative(const Island& island, Bodies group, const RigidMotion& rigid, StepContext& context, double excess) {
+  // Energy as a function of the share of the relative motion that is kept: rigid + cross share + relative share^2.
+  double relative = 0, cross = 0;
+  auto parts = [&](BodyIndex body) {
+    const SolvedMotion& s = context.solved[body];
+    const Vec3 v = rigid.at(context.bodies->motion[body].position + s.d), l = inertiaAtEnd(context, body) * rigid.spin;
+    return std::pair{v, l};
+  };
+  for (std::uint32_t i : group) {
+    const BodyIndex body = island.bodies[i];
+    const SolvedMotion& s = context.solved[body];
+    const auto [v, l] = parts(body);
+    const Vec3 dv = s.velocity - v, dl = s.angularMomentum - l;
+    const double m = context.bodies->mass[body].mass;
+    relative += 0.5 * m * lengthSquared(dv) + 0.5 * dot(dl, spinOf(context, body, dl));
+    cross += m * dot(v, dv) + dot(rigid.spin, dl);
+  }
+  if (!(relative > 0)) return excess;
+  // relative (1 - x^2) + cross (1 - x) = excess; none that does: x = 0 takes most.
+  const double had = relative + cross, root = cross * cross + 4 * relative * (had - excess);
+  const double kept = root > 0 ? std::clamp((-cross + std::sqrt(root)) / (2 * relative), 0.0, 1.0) : 0;
+  for (std::uint32_t i : group) {
+    const BodyIndex body = island.bodies[i];
+    const SolvedMotion& s = context.solved[body];
+    const auto [v, l] = parts(body);
+    accelerate(body, (v - s.velocity) * (1 - kept), (l - s.angularMomentum) * (1 - kept), context);
+  }
+  return excess - relative * (1 - kept * kept) - cross * (1 - kept);
+}
+
+// Energy that compressed contacts give back is no error, but it keeps standing columns swaying. While no body of a small island is
+// faster than kSwaySpeed, it is taken from the bodies that a chain of loaded contacts connects to the ground. The common sliding
+// velocity that friction cannot stop is left to them.
+void dampSway(const Island& island, StepContext& context, double excess) {
+  std::pmr::vector<char> stands(island.memory);
+  findSupported(island, stands, [&](const auto& kind, std::size_t k) { return kind.carriesForce(k, context); });
+  std::pmr::vector<std::uint32_t> standing(island.memory);
+  for (std::uint32_t i = 0; i < island.bodies.size(); i++)
+    if (stands[i]) standing.push_back(i);
+  const Vec3 slide = slideLeft(island, stands, context, [&](BodyIndex body) { return context.solved[body].velocity; });
+  double energy = 0;
+  for (std::uint32_t i : standing) {
+    const BodyIndex body = island.bodies[i];
+    const Vec3 spin = context.solved[body].angularMomentum;
+    energy += 0.5 * context.bodies->mass[body].mass * lengthSquared(context.solved[body].velocity - slide) +
+              0.5 * dot(spin, spinOf(context, body, spin));
+  }
+  if (!(energy > 0)) return;
+  const double lost = 1 - std::sqrt(std::max(0.0, 1 - excess / energy));
+  for (std::uint32_t i : standing) {
+    const SolvedMotion& s = context.solved[island.bodies[i]];
+    accelerate(island.bodies[i], (slide - s.velocity) * lost, s.angularMomentum * -lost, context);
+  }
+}
+
+// Of a group that something fixed or kinematic supports. First what the solve left out of balance is taken back: all that it can give,
+// where that makes up for any gain, whoever gave it. Then what is over all that ties did is taken from the group's motion against what
+// it presses on.
+void checkSupported(const Island& island, std::size_t g, StepContext& context, double& taken) {
+  const Bodies group = island.groups.bodies(g);
+  GroupEnergy energy = energyOf(island, group, context);
+  double excess = energy.gain() - island.credit;
+  if (island.facts.partnersMove) excess -= std::max(0.0, energy.ties);
+  if (!(excess > energy.slack())) return;
+  takeResidual(island, group, context, excess);
+  energy = energyOf(island, group, context);
+  excess = energy.gain() - island.credit;
+  if (excess > energy.slack() && !island.facts.partnersMove && !island.plan.byLoad && island.facts.fastest <= kSwaySpeed)
+    return dampSway(island, context, excess);
+  excess -= std::max(0.0, energy.ties);
+  if (!(excess > energy.slack())) return;
+  taken += excess - takeRelative(island, group, motionOf(island, island.groups.partner(g), context), context, excess);
+}
+
+// Of a group that flies: no part of it is supported, so nothing but its own motion holds what it gained. What compression took in one
+// step and gives back in the next counts as a gain, too, unless a rebound says so.
+void checkFlying(const Island& island, std::size_t g, StepContext& context, double& taken) {
+  const Bodies group = island.groups.bodies(g);
+  if (group.size() == 1) return;  // free motion
+  const GroupEnergy energy = energyOf(island, group, context);
+  const double excess = energy.gain() - island.credit;
+  if (!(excess > energy.slack())) return;
+  taken += excess - takeRelative(island, group, motionOf(island, group, context), context, excess);
 }
 
 }  // namespace
 
-void balance(const Island& island, StepContext& context) {
-  if (island.resting()) return;
-  restoreMomentum(island, context);
-  guardEnergy(island, context);
+double checkEnergy(const Island& island, StepContext& context) {
+  double taken = 0;
+  for (std::size_t g = 0; g < island.groups.count(); g++)
+    (island.groups.flies(g) ? checkFlying : checkSupported)(island, g, context, taken);
+  return taken;
 }
 
 }  // namespace brickfall

@@ -1,13 +1,12 @@
-// Momentum and energy of an island at the end of a step, once, when nothing changes its motion any more.
+// The last check of a step: no group of bodies has more energy than it had and was given.
 #pragma once
 #include "solver/island.h"
 
 namespace brickfall {
 
-// Angular momentum: where ways and velocities of a floating island were changed apart (rebound, bodies stopped at obstacles,
-// spins that the solve saw in part), that of its places and velocities has drifted; it becomes that of the start of the step
-// and outside forces again. Energy: a converged implicit step never gains any; what one that ran out of cycles did gain
-// is taken back. Both at the cost of what something presses on: what nothing touches flies on.
-void balance(const Island& island, StepContext& context);
+// When nothing changes the motion any more: kinetic energy of each group at the end of the step is at most that of its start and the
+// work of gravity, of outside forces and of its ties (what they held, rebounds of impacts, and what kinematic bodies did). What is
+// over is taken back from the velocities. Returns it, J, beside what the solve had left out of balance.
+double checkEnergy(const Island& island, StepContext& context);
 
 }  // namespace brickfall

@@ -1,13 +1,11 @@
-// Bodies that nothing supports fly the exact parabola.
+// Groups that nothing supports: momentum, and the parabola.
 #pragma once
 #include "solver/island.h"
 
 namespace brickfall {
 
-// Implicit Euler puts a flying body g dt^2 / 2 too low in every step. Groups that nothing supports, and that have nothing
-// supported nearer than that, are moved back alike: their centre of mass flies the exact parabola. (Shifting bricks of a
-// settling heap, which part for a step or two, against each other would pump energy into it.) Also sets
-// SolvedMotion::flying.
-void correctFlight(Island& island, StepContext& context);
+// Linear and angular momentum of each group that flies become exact: a solve that acts on one body after the other leaves them off by
+// its residual. The group is moved by the mean of its velocities under outside forces, unless anything is nearer than that.
+void finishFlights(const Island& island, StepContext& context);
 
 }  // namespace brickfall

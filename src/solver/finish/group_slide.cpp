@@ -176,19 +176,15 @@ void GroupSlides::judgeOpen() {
 void GroupSlides::correct() {
   for (std::uint32_t i = 0; i < count_; i++) {
     if (!slides(i)) continue;
-    SolvedMotion& s = context_.solved[island_.bodies[i]];
-    const Vec3 back = changes_[i].move * (0.5 * island_.dt);
-    s.d -= back;
-    s.lost += back;  // its energy is that of the motion that was solved
-    if (!s.freeTurn) s.th -= changes_[i].turn * (0.5 * island_.dt);
-    s.lag = 0;
+    const double half = -0.5 * island_.dt;
+    shift(island_.bodies[i], changes_[i].move * half, changes_[i].turn * half, context_);
   }
 }
 
 }  // namespace
 
-void correctGroupSlides(Island& island, StepContext& context) {
-  if (island.resting() || !island.grounded() || island.facts.fastest <= context.settings.restSpeed) return;
+void finishSlides(Island& island, StepContext& context) {
+  if (!island.grounded() || island.facts.fastest <= context.settings.restSpeed) return;
   if (island.bodies.size() == 1 && !island.facts.partnersMove) return;
   for (BodyIndex partner : island.partners)
     if (context.bodies->motion[partner].angularVelocity != Vec3{}) return;

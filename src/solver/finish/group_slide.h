@@ -8,6 +8,6 @@ namespace brickfall {
 // the ground moves: finish/lone_body.h): all are moved alike, so that as a whole they go by the mean of their old and new
 // velocities. Only if no point that presses on the ground lands, leaves or sticks, and the ground does not turn. What
 // friction holds to the ground counts as ground. How they move against each other is as it was solved.
-void correctGroupSlides(Island& island, StepContext& context);
+void finishSlides(Island& island, StepContext& context);
 
 }  // namespace brickfall

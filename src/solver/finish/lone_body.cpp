@@ -1,8 +1,7 @@
-// Implicit Euler moves a body by its velocity at the end of the step: it slides v dt / 2 less far, and a block that starts
-// to topple is dt / 2 ahead ever after. Where forces do not depend on the pose (sliding, rolling), the mean of old and new
-// velocity is right to second order. Where they do (rocking, toppling), that would feed energy in; there steps are those of
-// a leapfrog: positions and times of second order, energy kept, velocities half a step late. By how much velocities are
-// late is remembered: not at all from rest, after flight and after an impact, and they are brought up to date before one.
+// One body on something fixed whose contacts go on through the step: Verlet's method. With a the acceleration of this step, a0 that of
+// the last and h0 its length, the velocity at the start is corrected by (a - a0) h0 / 2, the mean of both forces; the way is
+// (v + a h / 2) h and the new velocity v + a h. A slide, whose forces do not change, comes out exact; what rocks or topples keeps its
+// energy, which the mean of velocities alone would feed. From rest, after flight and after an impact there is no a0, and no correction.
 // Bodies that push each other are left alone (what one gains, the other would have to give), but where they slide as one:
 // finish/group_slide.h.
 #include "solver/finish/lone_body.h"
@@ -10,7 +9,6 @@
 #include <cmath>
 
 #include "solver/finish/steady.h"
-#include "solver/free_motion.h"
 
 namespace brickfall {
 
@@ -18,9 +16,6 @@ namespace {
 
 //! - | too small: the last step of a slide is too long | too large: what goes on slowly counts as stopped
 constexpr double kStopped = 1e-3;  // of the speed at the start of the step
-//! of the way | too small: slides lose half a step of way | too large: what rocks gains energy
-constexpr double kTurnShare = 1e-3;  // of the way: how far a slide may turn the surface out of its plane
-
 // All points that carry force neither land nor leave in this step, and there is one.
 bool steadyContacts(const Island& island, const StepContext& context, const VelocityChange& change) {
   bool carried = false;
@@ -35,19 +30,6 @@ bool steadyContacts(const Island& island, const StepContext& context, const Velo
     }
   }
   return carried;
-}
-
-// Turns only within the plane of its contacts, or looks the same however it turns. `way`, `th`: by the mean of both velocities.
-bool keepsItsForces(const Island& island, const StepContext& context, Vec3 way, Vec3 th) {
-  BodyIndex body = island.bodies[0];
-  const BodyMass& mass = context.bodies->mass[body];
-  Vec3 turn = visibleTurn(mass, context.bodies->motion[body].orientation, th);
-  for (const ContactRecord& r : island.rows.contacts.records) {
-    Vec3 n = toDouble(r.n);
-    Vec3 tilt = turn - n * dot(n, turn);
-    if (!(length(tilt) * mass.outerRadius <= kTurnShare * length(way))) return false;
-  }
-  return true;
 }
 
 // What slides and is stopped by friction within the step slows down for a part of it only, at the full friction: that part, 1 if
@@ -75,34 +57,29 @@ double partUntilStopped(const Island& island, Ties ties, const StepContext& cont
   return limit + others > slowing ? slowing / (limit + others) : 1;
 }
 
+// By how much the mean of this step's forces and the last one's changes the velocity at the start; nothing where they differ by more
+// than they are: something has hit.
+VelocityChange towardsMean(const SteadyChange& last, const SteadyChange& now, double radius) {
+  auto size = [&](Vec3 linear, Vec3 angular) { return length(linear) + radius * length(angular); };
+  const Vec3 linear = now.linear - last.linear, angular = now.angular - last.angular;
+  if (!(size(linear, angular) <= size(last.linear, last.angular))) return {};
+  return {linear * (0.5 * last.dt), angular * (0.5 * last.dt)};
+}
+
 }  // namespace
 
-void correctLoneBody(Island& island, Ties ties, StepContext& context) {
-  if (island.resting() || island.facts.partnersMove || island.bodies.size() != 1) return;
-  BodyIndex body = island.bodies[0];
-  const FreeMotion& free = context.free[body];
-  SolvedMotion& s = context.solved[body];
+void finishLoneBody(const Island& island, Ties ties, StepContext& context) {
+  if (island.bodies.size() != 1 || island.groups.flies(0) || island.facts.partnersMove) return;
+  const BodyIndex body = island.bodies[0];
   const VelocityChange change = changeOf(body, context);
-  const auto& [moveChange, turnChange] = change;
   if (!steadyContacts(island, context, change)) return;
-  bool fromRest = free.startVelocity == Vec3{} && free.startSpin == Vec3{};
-  bool steadyForces = keepsItsForces(island, context, s.d - moveChange * (0.5 * island.dt),
-                                     s.freeTurn ? s.th : s.th - turnChange * (0.5 * island.dt));
-  bool inStep = steadyForces || island.toImpact;
-  // In steps, from the moment to which the velocities at the start belong: to the middle of this step, to its end.
-  double late = context.bodies->data[body].lag / island.dt;
-  if (late < 0) late = 0.5;  // as after implicit steps
-  // What slides or rolls was in step all along, whatever it did before.
-  if (fromRest || (steadyForces && !island.toImpact)) late = 0;
-  double middle = late + 0.5, end = middle;
-  if (inStep) end = late + 1;
-  if (steadyForces) middle += 0.5 * (1 - partUntilStopped(island, ties, context, moveChange));
-  s.d += moveChange * ((middle - 1) * island.dt);
-  if (!s.freeTurn) s.th += turnChange * ((middle - 1) * island.dt);
-  s.velocity += moveChange * (end - 1);
-  s.angularMomentum += context.bodies->worldInertia(body) * turnChange * (end - 1);
-  s.lag = inStep ? 0 : 0.5 * island.dt;
-  island.leapt = true;
+  const double h = island.dt;
+  const SteadyChange now{change.move * (1 / h), change.turn * (1 / h), h};
+  const VelocityChange mean = towardsMean(context.bodies->data[body].steady, now, context.bodies->mass[body].outerRadius);
+  const double back = 0.5 * partUntilStopped(island, ties, context, change.move);
+  shift(body, mean.move * h - change.move * (back * h), mean.turn * h - change.turn * (back * h), context);
+  accelerate(body, mean.move, context.bodies->worldInertia(body) * mean.turn, context);
+  rememberSteady(body, now, context);
 }
 
 }  // namespace brickfall

@@ -1,12 +1,11 @@
-// One body on something fixed, to second order in the time step.
+// One body that touches only what is fixed: what slides, rolls, rocks or topples by itself.
 #pragma once
 #include "solver/island.h"
 
 namespace brickfall {
 
-// One body alone on something fixed that slides, rolls, rocks or topples: it moves with the mean of its old and
-// new velocities, so that ways and times are right to second order in dt. Only if all points that carry force are
-// neither landing nor leaving.
-void correctLoneBody(Island& island, Ties ties, StepContext& context);
+// Of second order, while its contacts go on. Friction that stops the body within the step acts for a part of it: the anchors of its
+// points are to be where it stops.
+void finishLoneBody(const Island& island, Ties ties, StepContext& context);
 
 }  // namespace brickfall

@@ -12,12 +12,6 @@ constexpr double kSteadyShare = 0.2;  // of g dt: change of a normal velocity th
 
 }  // namespace
 
-VelocityChange changeOf(BodyIndex body, const StepContext& context) {
-  const FreeMotion& free = context.free[body];
-  const SolvedMotion& s = context.solved[body];
-  return {s.velocity - free.startVelocity, context.bodies->worldInvInertia(body) * s.angularMomentum - free.startSpin};
-}
-
 double changeAtPoint(const ContactRecord& row, int i, const VelocityChange& a, const VelocityChange& b) {
   Vec3 n = toDouble(row.n), t1 = toDouble(row.t1);
   Vec3 off = t1 * double(row.s1[i]) + cross(n, t1) * double(row.s2[i]);

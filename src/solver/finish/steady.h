@@ -1,14 +1,8 @@
 // Whether contacts go on as they are through a step: what second order in the time step may be asked of.
 #pragma once
-#include "solver/island.h"
+#include "solver/finish/motion.h"
 
 namespace brickfall {
-
-// How velocities of a body changed in a step; not at all of what is fixed.
-struct VelocityChange {
-  Vec3 move, turn;  // m/s of the centre of mass; rad/s
-};
-VelocityChange changeOf(BodyIndex body, const StepContext& context);
 
 // m/s, along the normal: by how much the velocity of point i of a contact, of B against A, changes.
 double changeAtPoint(const ContactRecord& row, int i, const VelocityChange& a, const VelocityChange& b);

@@ -1,0 +1,19 @@
+#include "solver/finish/finish.h"
+
+#include "solver/finish/flight.h"
+#include "solver/finish/group_slide.h"
+#include "solver/finish/lone_body.h"
+#include "solver/finish/motion.h"
+
+namespace brickfall {
+
+void finishMotion(Island& island, Ties ties, StepContext& context) {
+  island.groups.find(island, context);
+  storeMotion(island, context);
+  if (island.resting()) return;
+  finishFlights(island, context);
+  finishLoneBody(island, ties, context);
+  finishSlides(island, context);
+}
+
+}  // namespace brickfall

@@ -1,0 +1,52 @@
+#include "solver/finish/groups.h"
+
+#include <algorithm>
+
+#include "solver/island.h"
+#include "solver/union_find.h"
+
+namespace brickfall {
+
+void Groups::clear() {
+  of_.clear();
+  bodies_.clear();
+  begin_.clear();
+  partner_.clear();
+}
+
+void Groups::find(const Island& island, const StepContext& context) {
+  clear();
+  if (island.resting()) return;
+  const std::size_t count = island.bodies.size();
+  UnionFind sets(count, island.memory);
+  std::pmr::vector<std::uint32_t> partnerOf(count, kNone, island.memory);  // by body
+  island.rows.each([&](const auto& kind, std::size_t k) {
+    if (!kind.carriesForce(k, context)) return;
+    const RowEnds ends = kind.ends(k);
+    if (ends.a < count && ends.b < count)
+      sets.join(ends.a, ends.b);
+    else
+      partnerOf[std::min(ends.a, ends.b)] = std::max(ends.a, ends.b);
+  });
+  // Groups in the order of their lowest bodies, which the sets are named by.
+  of_.resize(count);
+  std::pmr::vector<std::uint32_t> sizes(island.memory);
+  for (std::uint32_t i = 0; i < count; i++) {
+    const std::uint32_t lowest = sets.find(i);
+    if (lowest == i) {
+      of_[i] = std::uint32_t(sizes.size());
+      sizes.push_back(0);
+      partner_.push_back(kNone);
+    }
+    of_[i] = of_[lowest];
+    sizes[of_[i]]++;
+    if (partnerOf[i] != kNone) partner_[of_[i]] = partnerOf[i];
+  }
+  begin_.push_back(0);
+  for (std::uint32_t size : sizes) begin_.push_back(begin_.back() + size);
+  bodies_.resize(count);
+  std::pmr::vector<std::uint32_t> next(begin_.begin(), begin_.end(), island.memory);
+  for (std::uint32_t i = 0; i < count; i++) bodies_[next[of_[i]]++] = i;
+}
+
+}  // namespace brickfall

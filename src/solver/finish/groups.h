@@ -1,0 +1,42 @@
+// Groups of an island, found once a step when its forces are known: bodies joined by ties that carry force, directly or through
+// others. Nothing acts between two groups, so momentum and energy are booked by group, and whatever the finish does to one it does
+// to all of its bodies alike.
+#pragma once
+#include <cstdint>
+#include <memory_resource>
+#include <span>
+#include <vector>
+
+namespace brickfall {
+
+struct Island;
+struct StepContext;
+
+class Groups {
+ public:
+  explicit Groups(std::pmr::memory_resource* memory) : of_(memory), bodies_(memory), begin_(memory), partner_(memory) {}
+
+  // By the forces that its ties carry; none of an island that rests.
+  void find(const Island& island, const StepContext& context);
+  void clear();
+
+  std::size_t count() const { return partner_.size(); }
+  // Numbers in the island, ascending.
+  std::span<const std::uint32_t> bodies(std::size_t group) const {
+    return {bodies_.data() + begin_[group], bodies_.data() + begin_[group + 1]};
+  }
+  std::uint32_t groupOf(std::size_t body) const { return of_[body]; }
+  // No tie that carries force leads to anything fixed or kinematic.
+  bool flies(std::size_t group) const { return partner_[group] == kNone; }
+  // One of the fixed or kinematic bodies that it presses on, as numbered in Island::motion.
+  std::uint32_t partner(std::size_t group) const { return partner_[group]; }
+
+ private:
+  static constexpr std::uint32_t kNone = 0xffffffffu;
+  std::pmr::vector<std::uint32_t> of_;       // body -> group
+  std::pmr::vector<std::uint32_t> bodies_;   // by group
+  std::pmr::vector<std::uint32_t> begin_;    // group -> its first place in bodies_; one more at the end
+  std::pmr::vector<std::uint32_t> partner_;  // group -> what it presses on
+};
+
+}  // namespace brickfall

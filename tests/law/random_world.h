@@ -1,0 +1,42 @@
+// Worlds drawn at random, for laws that hold in all of them: one to six bodies of any shape, 1 mm to 30 m, thrown at each other or
+// at something that does not give way, at any speed, spin, time step, restitution and friction.
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "law/draw.h"
+
+namespace brickfall::law {
+
+// What the bodies of a random world are thrown at.
+enum class RandomKind { space, plate, wall, ground, belt, terrain };
+constexpr int kRandomKinds = 6;
+const char* nameOf(RandomKind kind);
+
+struct RandomWorld {
+  World world;
+  std::string text;  // how it was drawn
+  double dt = 0;     // s
+  int substeps = 1;
+  int steps = 0;  // to run
+  std::vector<BodyId> bodies;
+  std::vector<double> sizes;  // m: inner radius of each body
+  std::optional<BodyId> target;  // what they are thrown at; none in space
+  Vec3 halfExtents;              // m, of a target that is a box
+  Vec3 drive;                    // m/s, of a belt
+};
+RandomWorld drawWorld(RandomKind kind, int seed);
+
+struct RandomOutcome {
+  double gain = 0;      // highest energy / that of the start - 1, in the frame of what is driven
+  double linear = 0;    // change of linear momentum / the largest momentum of a body; in space
+  double angular = 0;   // likewise, angular; of the momenta about the centre of mass of all
+  int through = 0;      // bodies whose centre passed the middle of the target
+  double deep = 0;      // deepest overlap at the end / what is allowed: 5 mm or a twentieth of the size
+  bool finite = true;
+};
+// Runs the world to its end.
+RandomOutcome runWorld(RandomWorld& random);
+
+}  // namespace brickfall::law
