@@ -59,8 +59,6 @@ class Way {
  public:
   Way(RowForces& forces, const Level& level, const Cluster& cluster, Wrench step, const Wrench& residual, bool exact)
       : forces_(forces), level_(level), cluster_(cluster), step_(step), exact_(exact) {
-    float turn = length(step_.torque), most = float(kLargestTurn);
-    if (turn > most) step_ = {step_.force * (most / turn), step_.torque * (most / turn)};
     start_ = power(residual, step_);
     V turning = timesSymmetric(cluster.inertia, wide::load(&step_.torque.x));
     resist_ = power({step_.force * cluster.mass, wide::store3(turning)}, step_);
