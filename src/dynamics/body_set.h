@@ -62,6 +62,7 @@ struct BodyData {
   Vec3 linearAcceleration, angularAcceleration;
   double lastKineticEnergy = 0;  // J, at the start of the last step (kinetic damping)
   SteadyChange steady;
+  double impactLoss = 0;  // J: its part of what impacts that go on have taken so far; what rebounds may give back
   std::uint64_t userData = 0;
   std::uint64_t order = 0;       // grows with creation
   MassProperties bodyFrameMass;  // as asked for, whatever the type

@@ -45,7 +45,7 @@ void startMotion(Island& island, const StepContext& context) {
 // By what it takes to stop each impact, what it gives back is known; nothing but that is then out of balance.
 bool startRebounds(Island& island, const StepContext& context) {
   bool any = false;
-  island.rows.eachKind([&](auto& kind) { any = kind.startRebounds(island, context, island.credit) || any; });
+  island.rows.eachKind([&](auto& kind) { any = kind.startRebounds(island, context) || any; });
   return any;
 }
 

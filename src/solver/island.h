@@ -33,8 +33,6 @@ struct Island {
   Vec3 origin;    // m, of SolveMass::position and Cluster::centre
   Vec3 travel;    // m: rigid displacement of this step that d and dFree leave out
 
-  double credit = 0;  // J: what impacts took in earlier steps that rebound in this one
-
   // Its step ends where a point closes: open points are left out, velocities are those of that moment.
   bool toImpact = false;
   Groups groups{memory};  // of its bodies, by the forces of this step

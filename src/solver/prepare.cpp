@@ -35,7 +35,6 @@ void prepareBodies(Island& island, const StepContext& context) {
   island.masses.resize(count);
   island.speeds.resize(count);
   island.origin = bodies.motion[island.bodies.front()].position;
-  island.credit = 0;
   island.travel = rigidTravel(island, context);
   double perDt2 = 1 / (island.dt * island.dt);
   for (std::size_t i = 0; i < count; i++) {

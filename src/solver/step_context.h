@@ -82,7 +82,8 @@ struct SolvedMotion {
   bool freeTurn = true;  // no torque acted: take FreeMotion::rotation
   bool rest = false;     // does not move
   bool flying = false;   // no chain of forces leads to anything fixed or kinematic
-  SteadyChange steady;   // what the body remembers of this step
+  SteadyChange steady;    // BodyData::steady
+  double impactLoss = 0;  // BodyData::impactLoss
 };
 
 struct SolveStatistics {

@@ -19,6 +19,7 @@ bool moveBody(BodyIndex body, BodySet& bodies, const StepContext& context) {
   if (!isSane(next)) return false;
   m = next;
   bodies.data[body].steady = s.steady;
+  bodies.data[body].impactLoss = s.impactLoss;
   return true;
 }
 

@@ -122,7 +122,8 @@ class SnapshotArchive {
     a.choice(d.activity, BodyActivity::fixed);
     for (auto* flag : {&d.quarantined, &d.allowSleep}) a.flag(*flag);
     for (auto* number :
-         {&d.gravityScale, &d.linearDamping, &d.angularDamping, &d.dragArea, &d.lastKineticEnergy, &d.steady.dt})
+         {&d.gravityScale, &d.linearDamping, &d.angularDamping, &d.dragArea, &d.lastKineticEnergy, &d.steady.dt,
+          &d.impactLoss})
       a.value(*number);
     for (auto* vector : {&d.force, &d.torque, &d.lastLinearVelocity, &d.lastAngularVelocity, &d.linearAcceleration,
                          &d.angularAcceleration, &d.steady.linear, &d.steady.angular})

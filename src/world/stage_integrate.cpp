@@ -37,6 +37,7 @@ void Integration::finishBody(BodyIndex body) {
   if (context.solved[body].rest) {
     m.linearVelocity = m.angularVelocity = {};
     data.steady = {};
+    data.impactLoss = 0;
     bodies.still[body] = 1;
   } else {
     bodies.still[body] = 0;

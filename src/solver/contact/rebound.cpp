@@ -76,7 +76,7 @@ double slowestRebound(const Island& island, const StepContext& context) {
   return island.bodies.size() == 1 ? std::min(wanted, length(context.gravity) * context.dt) : wanted;
 }
 
-bool ContactRows::startRebounds(const Island& island, const StepContext& context, double& credit) {
+bool ContactRows::startRebounds(const Island& island, const StepContext& context) {
   const double slowest = slowestRebound(island, context);
   const float dt = float(island.dt);
   std::pmr::vector<char> held(island.memory);  // bodies; found where there is an impact
@@ -107,7 +107,6 @@ bool ContactRows::startRebounds(const Island& island, const StepContext& context
         start.stopping[i] += start.back[i];
       else
         r.limit[i] += start.friction * start.back[i];
-      if (wentOn) credit += 0.5 * double(c.points.impulse[i]) * double(born + approach);
       any = true;
     }
   }

@@ -71,6 +71,26 @@ bool ContactRows::renewNewPoints(std::size_t k, const SolveMotion* motion, float
   return changed;
 }
 
+bool ContactRows::owes(std::size_t k, const StepContext& context) const {
+  const PointMemory& m = context.contacts->contacts[contactOf[k]].points;
+  return std::any_of(m.impulse, m.impulse + starts[k].points, [](float taken) { return taken > 0; });
+}
+
+double ContactRows::reboundWork(std::size_t k, const SolveMotion* motion) const {
+  const ContactStart& start = starts[k];
+  if (std::none_of(start.back, start.back + start.points, [](float force) { return force > 0; })) return 0;
+  auto m = kernel::pointMotion(records[k], kernel::frame(records[k]), motion);
+  alignas(16) float n[4], t1[4], t2[4];
+  kernel::store(m.n, n);
+  kernel::store(m.t1, t1);
+  kernel::store(m.t2, t2);
+  double work = 0;
+  for (int i = 0; i < start.points; i++)
+    work += double(start.back[i]) * double(n[i]) + double(start.back1[i]) * double(t1[i]) +
+            double(start.back2[i]) * double(t2[i]);
+  return work;
+}
+
 bool ContactRows::dropBounds(std::size_t k, const SolveMotion* motion) {
   ContactRecord& r = records[k];
   alignas(16) float fn[4];

@@ -90,8 +90,12 @@ struct ContactRows {
   // Where the solve has followed long enough: what has opened since holds nothing more. True if any bound changed.
   bool dropBounds(std::size_t k, const SolveMotion* motion);
   // After a solve: impacts that are over give back their share of what they took, in a solve that goes on from there. True if
-  // any does. Adds to `credit` (J) what they took in earlier steps.
-  bool startRebounds(const Island& island, const StepContext& context, double& credit);
+  // any does.
+  bool startRebounds(const Island& island, const StepContext& context);
+  // After its forces are stored: an impact goes on at one of its points that will rebound later.
+  bool owes(std::size_t k, const StepContext& context) const;
+  // J: work that its rebounds did in this step, on the way that was solved; 0 if there was none.
+  double reboundWork(std::size_t k, const SolveMotion* motion) const;
   // Forces at the final motion into the contacts. True if any changed by more than rounding; of an island that does not rest
   // that is not looked for, and true.
   bool store(Island& island, Ties ties, StepContext& context);

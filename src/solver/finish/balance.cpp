@@ -55,12 +55,22 @@ Impulse fromTies(const Island& island, std::size_t i, const StepContext& context
           s.angularMomentum - free.angularMomentum + left.angular};
 }
 
+// Of a group's ties in this step.
+struct Rebounds {
+  bool any = false;
+  bool owed = false;  // impacts go on: more is to come
+  double work = 0;    // J
+};
+
 struct GroupEnergy {
   double start = 0, end = 0;  // J, kinetic
   double outside = 0;         // J, work of gravity and outside forces
   double ties = 0;            // J, work of ties: what they held before, and what kinematic bodies did through them
+  double lent = 0;            // J, that impacts took in earlier steps
   double moved = 0;           // J, that outside forces did and took
-  double gain() const { return end - start - outside; }
+  // `rebounds`: what rebounds gave may be what impacts took before. Otherwise that is still to come.
+  double gain(const Rebounds& rebounds) const { return end - start - outside - (rebounds.any ? lent : 0); }
+  double fromTies(const Rebounds& rebounds) const { return std::max(0.0, ties - rebounds.work); }
   double slack() const { return kSlack * (start + end + moved); }
 };
 GroupEnergy energyOf(const Island& island, Bodies group, const StepContext& context) {
@@ -78,6 +88,7 @@ GroupEnergy energyOf(const Island& island, Bodies group, const StepContext& cont
     const Impulse given = fromTies(island, i, context);
     sum.outside += work;
     sum.moved += std::fabs(work);
+    sum.lent += data.impactLoss;
     sum.ties += (dot(given.linear, s.d) + dot(given.angular, s.th)) * (1 / island.dt);
   }
   return sum;
@@ -193,42 +204,85 @@ void dampSway(const Island& island, StepContext& context, double excess) {
   }
 }
 
-// Of a group that something fixed or kinematic supports. First what the solve left out of balance is taken back: all that it can give,
-// where that makes up for any gain, whoever gave it. Then what is over all that ties did is taken from the group's motion against what
-// it presses on.
-void checkSupported(const Island& island, std::size_t g, StepContext& context, double& taken) {
-  const Bodies group = island.groups.bodies(g);
-  GroupEnergy energy = energyOf(island, group, context);
-  double excess = energy.gain() - island.credit;
-  if (island.facts.partnersMove) excess -= std::max(0.0, energy.ties);
-  if (!(excess > energy.slack())) return;
-  takeResidual(island, group, context, excess);
-  energy = energyOf(island, group, context);
-  excess = energy.gain() - island.credit;
-  if (excess > energy.slack() && !island.facts.partnersMove && !island.plan.byLoad && island.facts.fastest <= kSwaySpeed)
-    return dampSway(island, context, excess);
-  excess -= std::max(0.0, energy.ties);
-  if (!(excess > energy.slack())) return;
-  taken += excess - takeRelative(island, group, motionOf(island, island.groups.partner(g), context), context, excess);
+// By group.
+std::pmr::vector<Rebounds> reboundsOf(const Island& island, const StepContext& context) {
+  std::pmr::vector<Rebounds> out(island.groups.count(), Rebounds{}, island.memory);
+  const std::size_t count = island.bodies.size();
+  island.rows.each([&](const auto& kind, std::size_t k) {
+    const RowEnds ends = kind.ends(k);
+    Rebounds& group = out[island.groups.groupOf(ends.a < count ? ends.a : ends.b)];
+    const double work = kind.reboundWork(k, island.motion.data());
+    group.any = group.any || work != 0;
+    group.work += work;
+    group.owed = group.owed || kind.owes(k, context);
+  });
+  return out;
 }
 
-// Of a group that flies: no part of it is supported, so nothing but its own motion holds what it gained. What compression took in one
-// step and gives back in the next counts as a gain, too, unless a rebound says so.
-void checkFlying(const Island& island, std::size_t g, StepContext& context, double& taken) {
-  const Bodies group = island.groups.bodies(g);
-  if (group.size() == 1) return;  // free motion
-  const GroupEnergy energy = energyOf(island, group, context);
-  const double excess = energy.gain() - island.credit;
-  if (!(excess > energy.slack())) return;
-  taken += excess - takeRelative(island, group, motionOf(island, group, context), context, excess);
-}
+// What the last check of a step took, and from where.
+class LastCheck {
+ public:
+  LastCheck(const Island& island, StepContext& context) : island_(island), context_(context) {}
+  // Returns what it took, J.
+  double run(std::size_t g, const Rebounds& rebounds) {
+    const Bodies group = island_.groups.bodies(g);
+    if (island_.groups.flies(g) && group.size() == 1) return 0;  // free motion
+    const double taken = island_.groups.flies(g) ? checkFlying(g, rebounds) : checkSupported(g, rebounds);
+    keepLosses(group, rebounds);
+    return taken;
+  }
+
+ private:
+  // Of a group that something fixed or kinematic supports. First what the solve left out of balance is taken back: all that it can
+  // give, where that makes up for any gain, whoever gave it. Then what is over all that ties did is taken from the group's motion
+  // against what it presses on.
+  double checkSupported(std::size_t g, const Rebounds& rebounds) {
+    const Bodies group = island_.groups.bodies(g);
+    const bool driven = island_.facts.partnersMove;
+    GroupEnergy energy = energyOf(island_, group, context_);
+    double excess = energy.gain(rebounds) - (driven ? energy.fromTies(rebounds) : 0);
+    if (!(excess > energy.slack())) return 0;
+    takeResidual(island_, group, context_, excess);
+    energy = energyOf(island_, group, context_);
+    excess = energy.gain(rebounds);
+    if (excess > energy.slack() && !driven && !island_.plan.byLoad && island_.facts.fastest <= kSwaySpeed) {
+      dampSway(island_, context_, excess);
+      return 0;
+    }
+    excess -= energy.fromTies(rebounds);
+    if (!(excess > energy.slack())) return 0;
+    return excess - takeRelative(island_, group, motionOf(island_, island_.groups.partner(g), context_), context_, excess);
+  }
+
+  // Of a group that flies: nothing but its own motion has what it gained. What compression took in one step and gives back in the next
+  // counts as a gain, too, unless a rebound gives it.
+  double checkFlying(std::size_t g, const Rebounds& rebounds) {
+    const Bodies group = island_.groups.bodies(g);
+    const GroupEnergy energy = energyOf(island_, group, context_);
+    const double excess = energy.gain(rebounds);
+    if (!(excess > energy.slack())) return 0;
+    return excess - takeRelative(island_, group, motionOf(island_, group, context_), context_, excess);
+  }
+
+  // While impacts go on, all that the group has lost since they began may come back.
+  void keepLosses(Bodies group, const Rebounds& rebounds) {
+    if (!rebounds.owed) return;
+    const GroupEnergy energy = energyOf(island_, group, context_);
+    const double loss = std::max(0.0, energy.lent - (energy.end - energy.start - energy.outside));
+    for (std::uint32_t i : group) keepLoss(island_.bodies[i], loss / double(group.size()), context_);
+  }
+
+  const Island& island_;
+  StepContext& context_;
+};
 
 }  // namespace
 
 double checkEnergy(const Island& island, StepContext& context) {
+  const std::pmr::vector<Rebounds> rebounds = reboundsOf(island, context);
+  LastCheck check(island, context);
   double taken = 0;
-  for (std::size_t g = 0; g < island.groups.count(); g++)
-    (island.groups.flies(g) ? checkFlying : checkSupported)(island, g, context, taken);
+  for (std::size_t g = 0; g < rebounds.size(); g++) taken += check.run(g, rebounds[g]);
   return taken;
 }
 

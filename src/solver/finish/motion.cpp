@@ -105,6 +105,8 @@ void shorten(BodyIndex body, double share, double turnShare, Vec3 carried, bool 
   if (lengthSquared(s.th) <= kHalfTurn * kHalfTurn) s.th = turned;
 }
 
+void keepLoss(BodyIndex body, double loss, StepContext& context) { context.solved[body].impactLoss = loss; }
+
 void rememberSteady(BodyIndex body, const SteadyChange& change, StepContext& context) {
   context.solved[body].steady = change;
 }

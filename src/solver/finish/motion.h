@@ -27,6 +27,8 @@ void accelerate(BodyIndex body, Vec3 velocity, Vec3 angularMomentum, StepContext
 // Leaves it a share of its way, and then `carried` (m), and a share of its turn. It keeps its velocities, but where it `falls`: gravity
 // and other outside forces act for as long as it moves.
 void shorten(BodyIndex body, double share, double turnShare, Vec3 carried, bool falls, StepContext& context);
+// Its part of what impacts that go on have taken so far, J.
+void keepLoss(BodyIndex body, double loss, StepContext& context);
 // The body's contacts went on through the step: it remembers how its velocities changed (per second).
 void rememberSteady(BodyIndex body, const SteadyChange& change, StepContext& context);
 
