@@ -74,7 +74,7 @@ void predictWay(StepContext& context, BodySet& bodies, BodyIndex body, double dt
     Vec3 v = m.linearVelocity + half;
     m.linearVelocity = v * (1 / (1 + c * length(v) * dt)) - half;
   }
-  free.d = (m.linearVelocity + acceleration * dt) * dt;
+  free.d = (m.linearVelocity - free.late + acceleration * dt) * dt;
   free.way = (free.startVelocity * dt + free.d) * 0.5;
 }
 
@@ -134,13 +134,18 @@ void predictFreeMotions(StepContext& context, BodySet& bodies, std::span<const B
     free.turnsFaster = false;
     free.startVelocity = m.linearVelocity;
     free.startSpin = m.angularVelocity;
+    free.late = free.lateSpin = {};
+    if (hasContacts && list.size() == 1) {
+      free.late = data.steady.linear * (0.5 * data.steady.dt);
+      free.lateSpin = data.steady.angular * (0.5 * data.steady.dt);
+    }
     Vec3 acceleration = context.gravity * data.gravityScale + data.force * mass.invMass;
     predictWay(context, bodies, body, dt, airDensity, acceleration);
     if (!hasContacts && context.integrator != Integrator::splitting) {
       integrateFreely(context, body, acceleration, dt);
       continue;
     }
-    Vec3 momentum = bodies.worldInertia(body) * m.angularVelocity + data.torque * dt;
+    Vec3 momentum = bodies.worldInertia(body) * (m.angularVelocity - free.lateSpin) + data.torque * dt;
     free.angularMomentum = momentum;
     Vec3 spin = bodies.worldInvInertia(body) * momentum;
     if (!mass.isotropic && !(lengthSquared(spin) * dt * dt < 1e-12)) {

@@ -68,7 +68,8 @@ struct FreeMotion {
   double turnTime = 0;            // s, of the turn: less than dt if the body was stopped
   bool turnsFaster = false;       // than th shows
   Vec3 angularMomentum;           // kg m2/s, at the end
-  Vec3 startVelocity, startSpin;  // before forces, for energy
+  Vec3 startVelocity, startSpin;  // before forces
+  Vec3 late, lateSpin;            // m/s, rad/s: by so much less the solve starts with (finish/lone_body.cpp)
 };
 
 // How a body moves in this step. Written by finish/motion.cpp alone: as solved, then as its group is finished, shortened at

@@ -1,5 +1,6 @@
 #include "world/quarantine.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "brickfall/limits.h"
@@ -34,7 +35,9 @@ void quarantineAbsurd(const Registry& registry, const Activity& activity, double
     Vec3 velocity = m.linearVelocity + data.force * (bodies.mass[body].invMass * dt);
     Vec3 spin = m.angularVelocity;
     if (!(data.torque == Vec3{})) spin += bodies.worldInvInertia(body) * data.torque * dt;
-    bool fine = length(velocity) < lost::kSpeed && length(spin) < lost::kSpeed;  // false for NaN
+    // A grain of a millimetre that is hit may well spin at a million rad/s: it is lost if its surface is.
+    const double turning = length(spin) * std::min(1.0, bodies.mass[body].outerRadius);
+    bool fine = length(velocity) < lost::kSpeed && turning < lost::kSpeed;  // false for NaN
     if (!fine) quarantine.hold(body);
   }
   quarantine.isolateHeld();

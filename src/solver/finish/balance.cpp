@@ -31,9 +31,9 @@ Vec3 spinOf(const StepContext& context, BodyIndex body, Vec3 angularMomentum) {
   return end * (context.bodies->mass[body].invInertia * transposeTimes(end, angularMomentum));
 }
 
-double kineticEnergy(const StepContext& context, BodyIndex body) {
+double kineticEnergy(const StepContext& context, BodyIndex body, Vec3 frame) {
   const SolvedMotion& s = context.solved[body];
-  return 0.5 * context.bodies->mass[body].mass * lengthSquared(s.velocity) +
+  return 0.5 * context.bodies->mass[body].mass * lengthSquared(s.velocity - frame) +
          0.5 * dot(s.angularMomentum, spinOf(context, body, s.angularMomentum));
 }
 
@@ -51,8 +51,8 @@ Impulse fromTies(const Island& island, std::size_t i, const StepContext& context
   const FreeMotion& free = context.free[body];
   const SolvedMotion& s = context.solved[body];
   const Impulse left = leftOver(island, i);
-  return {(s.velocity - free.d * (1 / free.dt)) * context.bodies->mass[body].mass + left.linear,
-          s.angularMomentum - free.angularMomentum + left.angular};
+  return {(s.velocity - free.late - free.d * (1 / free.dt)) * context.bodies->mass[body].mass + left.linear,
+          s.angularMomentum - context.bodies->worldInertia(body) * free.lateSpin - free.angularMomentum + left.angular};
 }
 
 // Of a group's ties in this step.
@@ -73,23 +73,25 @@ struct GroupEnergy {
   double fromTies(const Rebounds& rebounds) const { return std::max(0.0, ties - rebounds.work); }
   double slack() const { return kSlack * (start + end + moved); }
 };
-GroupEnergy energyOf(const Island& island, Bodies group, const StepContext& context) {
+// Seen by who moves at `frame` (m/s) with what it presses on: beside the work of a belt that of what slides on it is rounding.
+GroupEnergy energyOf(const Island& island, Bodies group, Vec3 frame, const StepContext& context) {
   GroupEnergy sum;
+  const Vec3 carried = frame * island.dt;
   for (std::uint32_t i : group) {
     const BodyIndex body = island.bodies[i];
     const FreeMotion& free = context.free[body];
     const SolvedMotion& s = context.solved[body];
     const BodyData& data = context.bodies->data[body];
     const double m = context.bodies->mass[body].mass;
-    sum.start += 0.5 * m * lengthSquared(free.startVelocity) +
+    sum.start += 0.5 * m * lengthSquared(free.startVelocity - frame) +
                  0.5 * dot(free.startSpin, context.bodies->worldInertia(body) * free.startSpin);
-    sum.end += kineticEnergy(context, body);
-    const double work = dot(context.gravity * (m * data.gravityScale) + data.force, s.d) + dot(data.torque, s.th);
+    sum.end += kineticEnergy(context, body, frame);
+    const double work = dot(context.gravity * (m * data.gravityScale) + data.force, s.d - carried) + dot(data.torque, s.th);
     const Impulse given = fromTies(island, i, context);
     sum.outside += work;
     sum.moved += std::fabs(work);
     sum.lent += data.impactLoss;
-    sum.ties += (dot(given.linear, s.d) + dot(given.angular, s.th)) * (1 / island.dt);
+    sum.ties += (dot(given.linear, s.d - carried) + dot(given.angular, s.th)) * (1 / island.dt);
   }
   return sum;
 }
@@ -97,7 +99,7 @@ GroupEnergy energyOf(const Island& island, Bodies group, const StepContext& cont
 // What a solve left out of balance has acted like a force from nowhere. Velocities take back the same share of its impulse on
 // each body, so much that no energy is gained: what is in balance, or touches nothing, is left alone, and momentum comes out
 // better than it was. Returns the excess that is left.
-double takeResidual(const Island& island, Bodies group, StepContext& context, double excess) {
+double takeResidual(const Island& island, Bodies group, Vec3 frame, StepContext& context, double excess) {
   // Of a share x of all impulses: energy changes by linear x + square x^2.
   double linear = 0, square = 0;
   for (std::uint32_t i : group) {
@@ -105,7 +107,7 @@ double takeResidual(const Island& island, Bodies group, StepContext& context, do
     const SolvedMotion& s = context.solved[body];
     const Impulse left = leftOver(island, i);
     const Vec3 spin = spinOf(context, body, left.angular);
-    linear += dot(left.linear, s.velocity) + dot(spin, s.angularMomentum);
+    linear += dot(left.linear, s.velocity - frame) + dot(spin, s.angularMomentum);
     square += 0.5 * lengthSquared(left.linear) * context.bodies->mass[body].invMass + 0.5 * dot(left.angular, spin);
   }
   if (!(linear < 0) || !(square > 0)) return excess;
@@ -149,12 +151,14 @@ RigidMotion motionOf(const Island& island, std::uint32_t partner, const StepCont
 
 // Takes `excess` (J) from the motion of the bodies against a rigid one. Of a group that flies, against its own: linear and angular
 // momentum are kept. Returns what is left of the excess: they had no more.
-double takeRelative(const Island& island, Bodies group, const RigidMotion& rigid, StepContext& context, double excess) {
+double takeRelative(const Island& island, Bodies group, const RigidMotion& rigid, Vec3 frame, StepContext& context,
+                    double excess) {
   // Energy as a function of the share of the relative motion that is kept: rigid + cross share + relative share^2.
   double relative = 0, cross = 0;
   auto parts = [&](BodyIndex body) {
     const SolvedMotion& s = context.solved[body];
-    const Vec3 v = rigid.at(context.bodies->motion[body].position + s.d), l = inertiaAtEnd(context, body) * rigid.spin;
+    const Vec3 v = rigid.at(context.bodies->motion[body].position + s.d);
+    const Vec3 l = inertiaAtEnd(context, body) * rigid.spin;
     return std::pair{v, l};
   };
   for (std::uint32_t i : group) {
@@ -164,7 +168,7 @@ double takeRelative(const Island& island, Bodies group, const RigidMotion& rigid
     const Vec3 dv = s.velocity - v, dl = s.angularMomentum - l;
     const double m = context.bodies->mass[body].mass;
     relative += 0.5 * m * lengthSquared(dv) + 0.5 * dot(dl, spinOf(context, body, dl));
-    cross += m * dot(v, dv) + dot(rigid.spin, dl);
+    cross += m * dot(v - frame, dv) + dot(rigid.spin, dl);
   }
   if (!(relative > 0)) return excess;
   // relative (1 - x^2) + cross (1 - x) = excess; none that does: x = 0 takes most.
@@ -227,8 +231,9 @@ class LastCheck {
   double run(std::size_t g, const Rebounds& rebounds) {
     const Bodies group = island_.groups.bodies(g);
     if (island_.groups.flies(g) && group.size() == 1) return 0;  // free motion
-    const double taken = island_.groups.flies(g) ? checkFlying(g, rebounds) : checkSupported(g, rebounds);
-    keepLosses(group, rebounds);
+    const bool flies = island_.groups.flies(g);
+    const double taken = flies ? checkFlying(g, rebounds) : checkSupported(g, rebounds);
+    keepLosses(group, flies ? Vec3{} : motionOf(island_, island_.groups.partner(g), context_).move, rebounds);
     return taken;
   }
 
@@ -238,12 +243,13 @@ class LastCheck {
   // against what it presses on.
   double checkSupported(std::size_t g, const Rebounds& rebounds) {
     const Bodies group = island_.groups.bodies(g);
+    const RigidMotion under = motionOf(island_, island_.groups.partner(g), context_);
     const bool driven = island_.facts.partnersMove;
-    GroupEnergy energy = energyOf(island_, group, context_);
+    GroupEnergy energy = energyOf(island_, group, under.move, context_);
     double excess = energy.gain(rebounds) - (driven ? energy.fromTies(rebounds) : 0);
     if (!(excess > energy.slack())) return 0;
-    takeResidual(island_, group, context_, excess);
-    energy = energyOf(island_, group, context_);
+    takeResidual(island_, group, under.move, context_, excess);
+    energy = energyOf(island_, group, under.move, context_);
     excess = energy.gain(rebounds);
     if (excess > energy.slack() && !driven && !island_.plan.byLoad && island_.facts.fastest <= kSwaySpeed) {
       dampSway(island_, context_, excess);
@@ -251,23 +257,23 @@ class LastCheck {
     }
     excess -= energy.fromTies(rebounds);
     if (!(excess > energy.slack())) return 0;
-    return excess - takeRelative(island_, group, motionOf(island_, island_.groups.partner(g), context_), context_, excess);
+    return excess - takeRelative(island_, group, under, under.move, context_, excess);
   }
 
   // Of a group that flies: nothing but its own motion has what it gained. What compression took in one step and gives back in the next
   // counts as a gain, too, unless a rebound gives it.
   double checkFlying(std::size_t g, const Rebounds& rebounds) {
     const Bodies group = island_.groups.bodies(g);
-    const GroupEnergy energy = energyOf(island_, group, context_);
+    const GroupEnergy energy = energyOf(island_, group, {}, context_);
     const double excess = energy.gain(rebounds);
     if (!(excess > energy.slack())) return 0;
-    return excess - takeRelative(island_, group, motionOf(island_, group, context_), context_, excess);
+    return excess - takeRelative(island_, group, motionOf(island_, group, context_), {}, context_, excess);
   }
 
   // While impacts go on, all that the group has lost since they began may come back.
-  void keepLosses(Bodies group, const Rebounds& rebounds) {
+  void keepLosses(Bodies group, Vec3 frame, const Rebounds& rebounds) {
     if (!rebounds.owed) return;
-    const GroupEnergy energy = energyOf(island_, group, context_);
+    const GroupEnergy energy = energyOf(island_, group, frame, context_);
     const double loss = std::max(0.0, energy.lent - (energy.end - energy.start - energy.outside));
     for (std::uint32_t i : group) keepLoss(island_.bodies[i], loss / double(group.size()), context_);
   }

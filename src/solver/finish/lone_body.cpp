@@ -1,9 +1,8 @@
-// One body on something fixed whose contacts go on through the step: Verlet's method. With a the acceleration of this step, a0 that of
-// the last and h0 its length, the velocity at the start is corrected by (a - a0) h0 / 2, the mean of both forces; the way is
-// (v + a h / 2) h and the new velocity v + a h. A slide, whose forces do not change, comes out exact; what rocks or topples keeps its
-// energy, which the mean of velocities alone would feed. From rest, after flight and after an impact there is no a0, and no correction.
-// Bodies that push each other are left alone (what one gains, the other would have to give), but where they slide as one:
-// finish/group_slide.h.
+// One body on something fixed whose contacts go on through the step: the leapfrog, as Verlet wrote it. A step starts the solve with
+// velocities that are late by half of the last step, which makes its ways and times of second order and keeps energy; what a body
+// remembers are velocities that are up to date, and how they changed in the last step. From rest, after flight and after an impact
+// nothing is late. Bodies that push each other are left alone (what one gains, the other would have to give), but where they slide as
+// one: finish/group_slide.h.
 #include "solver/finish/lone_body.h"
 
 #include <cmath>
@@ -38,7 +37,8 @@ double partUntilStopped(const Island& island, Ties ties, const StepContext& cont
   const BodyIndex body = island.bodies[0];
   const Vec3 start = context.free[body].startVelocity;
   const double speed = length(start), mass = context.bodies->mass[body].mass;
-  if (!(speed > 0) || length(context.solved[body].velocity) > kStopped * speed) return 1;
+  if (!(speed > 0) || length(context.solved[body].velocity) > kStopped * length(start - context.free[body].late))
+    return 1;
   const Vec3 back = start * (-1 / speed);
   double limit = 0, held = 0;  // N, along `back`: of friction, and that it gave
   for (std::size_t k = 0; k < island.rows.contacts.records.size(); k++) {
@@ -57,13 +57,10 @@ double partUntilStopped(const Island& island, Ties ties, const StepContext& cont
   return limit + others > slowing ? slowing / (limit + others) : 1;
 }
 
-// By how much the mean of this step's forces and the last one's changes the velocity at the start; nothing where they differ by more
-// than they are: something has hit.
-VelocityChange towardsMean(const SteadyChange& last, const SteadyChange& now, double radius) {
-  auto size = [&](Vec3 linear, Vec3 angular) { return length(linear) + radius * length(angular); };
-  const Vec3 linear = now.linear - last.linear, angular = now.angular - last.angular;
-  if (!(size(linear, angular) <= size(last.linear, last.angular))) return {};
-  return {linear * (0.5 * last.dt), angular * (0.5 * last.dt)};
+// The forces of this step are about those of the last: nothing has hit, and what was late can be caught up.
+bool goesOn(const SteadyChange& last, const VelocityChange& change, double dt, double radius) {
+  auto size = [radius](Vec3 linear, Vec3 angular) { return length(linear) + radius * length(angular); };
+  return size(change.move * (1 / dt) - last.linear, change.turn * (1 / dt) - last.angular) <= size(last.linear, last.angular);
 }
 
 }  // namespace
@@ -74,12 +71,20 @@ void finishLoneBody(const Island& island, Ties ties, StepContext& context) {
   const VelocityChange change = changeOf(body, context);
   if (!steadyContacts(island, context, change)) return;
   const double h = island.dt;
-  const SteadyChange now{change.move * (1 / h), change.turn * (1 / h), h};
-  const VelocityChange mean = towardsMean(context.bodies->data[body].steady, now, context.bodies->mass[body].outerRadius);
-  const double back = 0.5 * partUntilStopped(island, ties, context, change.move);
-  shift(body, mean.move * h - change.move * (back * h), mean.turn * h - change.turn * (back * h), context);
-  accelerate(body, mean.move, context.bodies->worldInertia(body) * mean.turn, context);
-  rememberSteady(body, now, context);
+  const FreeMotion& free = context.free[body];
+  const SteadyChange& last = context.bodies->data[body].steady;
+  // What stops is not late: it slows down from its true velocity, at the full friction.
+  const Vec3 slowed = change.move - free.late, turned = change.turn - free.lateSpin;
+  if (const double part = partUntilStopped(island, ties, context, slowed); part < 1) {
+    shift(body, slowed * (-0.5 * part * h), turned * (-0.5 * part * h), context);
+    return;
+  }
+  if (last.dt > 0 && !goesOn(last, change, h, context.bodies->mass[body].outerRadius)) return;
+  // In steps: by how much the start was late; from there it is half a step more to the middle of this one.
+  const double late = 0.5 * last.dt / h;
+  shift(body, change.move * ((late - 0.5) * h), change.turn * ((late - 0.5) * h), context);
+  accelerate(body, change.move * late, context.bodies->worldInertia(body) * change.turn * late, context);
+  rememberSteady(body, {change.move * (1 / h), change.turn * (1 / h), h}, context);
 }
 
 }  // namespace brickfall

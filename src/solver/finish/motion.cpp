@@ -44,11 +44,17 @@ void storeMotion(const Island& island, StepContext& context) {
     out.d = alone ? free.d : island.travel + toDouble(m.d);
     out.th = out.freeTurn ? free.th : toDouble(m.th);
     out.velocity = out.d * perDt;
+    out.angularMomentum = free.angularMomentum;
+    if (alone) {
+      out.d += free.late * island.dt;
+      out.velocity += free.late;
+      out.angularMomentum += bodies.worldInertia(body) * free.lateSpin;
+    }
     // Torque impulses are added to the angular momentum, so that it is kept to rounding.
     Vec3 turned = out.freeTurn ? Vec3{} : toDouble(m.th) - toDouble(island.masses[i].thFree);
     if (free.turnsFaster && !out.flying)
       turned = effectiveTurn(turned, toDouble(m.th), free, bodies.worldInvInertia(body), island.dt);
-    out.angularMomentum = free.angularMomentum + bodies.worldInertia(body) * turned * perDt;
+    out.angularMomentum += bodies.worldInertia(body) * turned * perDt;
   }
 }
 
@@ -74,7 +80,8 @@ bool solvedWell(const Island& island, const StepContext& context) {
 VelocityChange changeOf(BodyIndex body, const StepContext& context) {
   const FreeMotion& free = context.free[body];
   const SolvedMotion& s = context.solved[body];
-  return {s.velocity - free.startVelocity, context.bodies->worldInvInertia(body) * s.angularMomentum - free.startSpin};
+  return {s.velocity - (free.startVelocity - free.late),
+          context.bodies->worldInvInertia(body) * s.angularMomentum - (free.startSpin - free.lateSpin)};
 }
 
 void shift(BodyIndex body, Vec3 way, Vec3 turn, StepContext& context) {
