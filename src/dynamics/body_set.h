@@ -46,6 +46,7 @@ enum class BodyActivity : std::uint8_t { awake, asleep, fixed };  // fixed: stat
 struct SteadyChange {
   Vec3 linear, angular;  // m/s2, rad/s2
   double dt = 0;         // s, of that step; 0: they did not go on, or it was not alone
+  bool sticks = false;   // friction held it at one point at least
 };
 
 struct BodyData {

@@ -120,7 +120,7 @@ class SnapshotArchive {
   template <class Archive, class Data> static void body(Archive& a, Data& d) {
     a.choice(d.type, BodyType::dynamic);
     a.choice(d.activity, BodyActivity::fixed);
-    for (auto* flag : {&d.quarantined, &d.allowSleep}) a.flag(*flag);
+    for (auto* flag : {&d.quarantined, &d.allowSleep, &d.steady.sticks}) a.flag(*flag);
     for (auto* number :
          {&d.gravityScale, &d.linearDamping, &d.angularDamping, &d.dragArea, &d.lastKineticEnergy, &d.steady.dt,
           &d.impactLoss})

@@ -14,7 +14,7 @@ namespace brickfall {
 namespace {
 
 //! - | too small: the last step of a slide is too long | too large: what goes on slowly counts as stopped
-constexpr double kStopped = 1e-3;  // of the speed at the start of the step
+constexpr double kStopped = 1e-2;  // of the speed at the start of the step
 // All points that carry force neither land nor leave in this step, and there is one.
 bool steadyContacts(const Island& island, const StepContext& context, const VelocityChange& change) {
   bool carried = false;
@@ -31,36 +31,43 @@ bool steadyContacts(const Island& island, const StepContext& context, const Velo
   return carried;
 }
 
-// What slides and is stopped by friction within the step slows down for a part of it only, at the full friction: that part, 1 if
-// it does not stop. Its points stop where it does.
-double partUntilStopped(const Island& island, Ties ties, const StepContext& context, Vec3 moveChange) {
+// Friction stops what slides within the step: it slows down for a part of it only, from its true velocity and at the full friction. That
+// part; 1 if it does not stop. Its points stop where it does.
+double partUntilStopped(const Island& island, Ties ties, const StepContext& context, const VelocityChange& change) {
   const BodyIndex body = island.bodies[0];
-  const Vec3 start = context.free[body].startVelocity;
-  const double speed = length(start), mass = context.bodies->mass[body].mass;
-  if (!(speed > 0) || length(context.solved[body].velocity) > kStopped * length(start - context.free[body].late))
-    return 1;
+  const Vec3 start = context.free[body].startVelocity, solved = context.solved[body].velocity;
+  const double speed = length(start), mass = context.bodies->mass[body].mass, h = island.dt;
+  if (!(speed > 0)) return 1;
   const Vec3 back = start * (-1 / speed);
-  double limit = 0, held = 0;  // N, along `back`: of friction, and that it gave
+  const double late = 0.5 * context.bodies->data[body].steady.dt / h;
+  const bool turnsBack = dot(solved + change.move * late, back) > 0;
+  if (!turnsBack && length(solved) > kStopped * length(start - context.free[body].late)) return 1;
+  double limit = 0, given = 0;  // N, along `back`: of friction, and that it gave
   for (std::size_t k = 0; k < island.rows.contacts.records.size(); k++) {
     const ContactRecord& r = island.rows.contacts.records[k];
-    Contact& c = ties.contacts.contacts[island.rows.contacts.contactOf[k]];
+    const Contact& c = ties.contacts.contacts[island.rows.contacts.contactOf[k]];
     Vec3 t1 = toDouble(r.t1), t2 = cross(toDouble(r.n), t1);
     for (int i = 0; i < c.count; i++) {
       if (!(c.points.forceN[i] > 0)) continue;
       limit += double(c.friction) * double(c.points.forceN[i]);
       Vec3 friction = t1 * double(c.points.force1[i]) + t2 * double(c.points.force2[i]);
-      held += dot(friction, back) * (r.bodyA == 0 ? -1 : 1);
-      c.points.stickingMask &= ~(1u << i);  // its anchor is to be where it stops
+      given += dot(friction, back) * (r.bodyA == 0 ? -1 : 1);
     }
   }
-  double slowing = dot(moveChange, back) * mass / island.dt, others = slowing - held;
+  const double others = dot(change.move, back) * mass / h - given, slowing = speed * mass / h;
   return limit + others > slowing ? slowing / (limit + others) : 1;
 }
 
+// Its anchors are to be where it stops.
+void letGo(const Island& island, Ties ties) {
+  for (ContactIndex contact : island.rows.contacts.contactOf) ties.contacts.contacts[contact].points.stickingMask = 0;
+}
+
 // The forces of this step are about those of the last: nothing has hit, and what was late can be caught up.
-bool goesOn(const SteadyChange& last, const VelocityChange& change, double dt, double radius) {
+bool goesOn(const SteadyChange& last, const SteadyChange& now, double radius) {
   auto size = [radius](Vec3 linear, Vec3 angular) { return length(linear) + radius * length(angular); };
-  return size(change.move * (1 / dt) - last.linear, change.turn * (1 / dt) - last.angular) <= size(last.linear, last.angular);
+  return last.sticks == now.sticks &&
+         size(now.linear - last.linear, now.angular - last.angular) <= size(last.linear, last.angular);
 }
 
 }  // namespace
@@ -71,20 +78,24 @@ void finishLoneBody(const Island& island, Ties ties, StepContext& context) {
   const VelocityChange change = changeOf(body, context);
   if (!steadyContacts(island, context, change)) return;
   const double h = island.dt;
-  const FreeMotion& free = context.free[body];
-  const SteadyChange& last = context.bodies->data[body].steady;
-  // What stops is not late: it slows down from its true velocity, at the full friction.
-  const Vec3 slowed = change.move - free.late, turned = change.turn - free.lateSpin;
-  if (const double part = partUntilStopped(island, ties, context, slowed); part < 1) {
-    shift(body, slowed * (-0.5 * part * h), turned * (-0.5 * part * h), context);
-    return;
+  const Vec3 start = context.free[body].startVelocity, solved = context.solved[body].velocity;
+  if (const double part = partUntilStopped(island, ties, context, change); part < 1) {
+    const Vec3 along = start * (dot(solved, start) / lengthSquared(start));
+    shift(body, start * (0.5 * part * h) - along * h, {}, context);
+    accelerate(body, -along, {}, context);
+    return letGo(island, ties);
   }
-  if (last.dt > 0 && !goesOn(last, change, h, context.bodies->mass[body].outerRadius)) return;
+  bool sticks = false;
+  for (std::size_t k = 0; k < island.rows.contacts.size(); k++)
+    sticks = sticks || island.rows.contacts.sticks(k, context);
+  const SteadyChange& last = context.bodies->data[body].steady;
+  const SteadyChange now{change.move * (1 / h), change.turn * (1 / h), h, sticks};
+  if (last.dt > 0 && !goesOn(last, now, context.bodies->mass[body].outerRadius)) return;
   // In steps: by how much the start was late; from there it is half a step more to the middle of this one.
   const double late = 0.5 * last.dt / h;
   shift(body, change.move * ((late - 0.5) * h), change.turn * ((late - 0.5) * h), context);
   accelerate(body, change.move * late, context.bodies->worldInertia(body) * change.turn * late, context);
-  rememberSteady(body, {change.move * (1 / h), change.turn * (1 / h), h}, context);
+  rememberSteady(body, now, context);
 }
 
 }  // namespace brickfall
