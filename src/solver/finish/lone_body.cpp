@@ -31,6 +31,10 @@ bool steadyContacts(const Island& island, const StepContext& context, const Velo
   return carried;
 }
 
+//! of the last step's | too small: what rocks loses half a step wherever its forces change
+//! | too large: what a hit or a start changed counts as a force that goes on
+constexpr double kSameForces = 0.4;  // changes of velocity that differ by no more are those of the same forces
+
 // Friction stops what slides within the step: it slows down for a part of it only, from its true velocity and at the full friction. That
 // part; 1 if it does not stop. Its points stop where it does.
 double partUntilStopped(const Island& island, Ties ties, const StepContext& context, const VelocityChange& change) {
@@ -67,7 +71,7 @@ void letGo(const Island& island, Ties ties) {
 bool goesOn(const SteadyChange& last, const SteadyChange& now, double radius) {
   auto size = [radius](Vec3 linear, Vec3 angular) { return length(linear) + radius * length(angular); };
   return last.sticks == now.sticks &&
-         size(now.linear - last.linear, now.angular - last.angular) <= size(last.linear, last.angular);
+         size(now.linear - last.linear, now.angular - last.angular) <= kSameForces * size(last.linear, last.angular);
 }
 
 }  // namespace
