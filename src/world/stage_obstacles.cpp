@@ -87,8 +87,9 @@ void Obstacles::cut(BodyIndex body, double share, double turnShare, Vec3 carried
   }
   const auto place = std::lower_bound(island->bodies.begin(), island->bodies.end(), body) - island->bodies.begin();
   const std::span<const std::uint32_t> group = island->groups.bodies(island->groups.groupOf(std::size_t(place)));
-  if (group.size() > 1) share = turnShare = std::min(share, turnShare);
-  for (std::uint32_t i : group) shorten(island->bodies[i], share, turnShare, carried, true, context);
+  if (group.size() == 1) return shorten(body, share, turnShare, carried, true, context);
+  share = std::min(share, turnShare);
+  for (std::uint32_t i : group) shorten(island->bodies[i], share, share, {}, true, context);
 }
 
 // What is far lighter is carried along and stops nothing: bricks pressed into a wrecking ball must not hold it in the air.

@@ -257,7 +257,10 @@ class LastCheck {
     }
     excess -= energy.fromTies(rebounds);
     if (!(excess > energy.slack())) return 0;
-    return excess - takeRelative(island_, group, under, under.move, context_, excess);
+    // From how its bodies move against each other, first: what they have in common is momentum that smooth ground leaves them.
+    double left = takeRelative(island_, group, motionOf(island_, group, context_), under.move, context_, excess);
+    if (left > energy.slack()) left = takeRelative(island_, group, under, under.move, context_, left);
+    return excess - left;
   }
 
   // Of a group that flies: nothing but its own motion has what it gained. What compression took in one step and gives back in the next

@@ -19,16 +19,16 @@ void Groups::find(const Island& island, const StepContext& context) {
   if (island.resting()) return;
   const std::size_t count = island.bodies.size();
   UnionFind sets(count, island.memory);
-  std::pmr::vector<std::uint32_t> partnerOf(count, kNone, island.memory);  // by body
+  std::uint32_t supported = kNone, under = kNone;  // a body, and a partner that it presses on
   island.rows.each([&](const auto& kind, std::size_t k) {
     if (!kind.carriesForce(k, context)) return;
     const RowEnds ends = kind.ends(k);
-    if (ends.a < count && ends.b < count)
-      sets.join(ends.a, ends.b);
-    else
-      partnerOf[std::min(ends.a, ends.b)] = std::max(ends.a, ends.b);
+    if (ends.a < count && ends.b < count) return sets.join(ends.a, ends.b);
+    const std::uint32_t body = std::min(ends.a, ends.b);
+    if (supported == kNone) supported = body, under = std::max(ends.a, ends.b);
+    sets.join(supported, body);
   });
-  // Groups in the order of their lowest bodies, which the sets are named by.
+  // In the order of their lowest bodies, which the sets are named by.
   of_.resize(count);
   std::pmr::vector<std::uint32_t> sizes(island.memory);
   for (std::uint32_t i = 0; i < count; i++) {
@@ -36,11 +36,10 @@ void Groups::find(const Island& island, const StepContext& context) {
     if (lowest == i) {
       of_[i] = std::uint32_t(sizes.size());
       sizes.push_back(0);
-      partner_.push_back(kNone);
+      partner_.push_back(supported != kNone && sets.find(supported) == i ? under : kNone);
     }
     of_[i] = of_[lowest];
     sizes[of_[i]]++;
-    if (partnerOf[i] != kNone) partner_[of_[i]] = partnerOf[i];
   }
   begin_.push_back(0);
   for (std::uint32_t size : sizes) begin_.push_back(begin_.back() + size);

@@ -1,6 +1,6 @@
 // Groups of an island, found once a step when its forces are known: bodies joined by ties that carry force, directly or through
 // others. Nothing acts between two groups, so momentum and energy are booked by group, and whatever the finish does to one it does
-// to all of its bodies alike.
+// to all of its bodies alike. All that something fixed or kinematic supports is one group: they act on each other through it.
 #pragma once
 #include <cstdint>
 #include <memory_resource>
