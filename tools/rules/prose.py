@@ -30,7 +30,7 @@ def paragraphs(text):
 
 
 def sentences(paragraph):
-    plain = re.sub(r"`[^`]*`", "code", re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", paragraph))
+    plain = re.sub(r"`[^`]*`", "Code", re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", paragraph))
     return re.split(r"(?<=[.!?])[)*\"]*\s+(?=[\"(*\[]*[A-Z0-9])|(?<=[.!?][)*])\s+", plain)
 
 
