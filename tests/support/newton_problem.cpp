@@ -7,7 +7,7 @@ namespace brickfall::oracle {
 
 namespace {
 
-// docs/step.md, "The contact law" and "Constants"; written out here so that a change of the engine's shows.
+// docs/step.md, "The contact law", and docs/constants.md; written out here so that a change of the engine's shows.
 constexpr double kHalf = 0.5;  // of the last force held, and of an old gap or drift corrected
 
 ProblemBody bodyOf(BodyIndex index, const StepContext& context, double dt) {

@@ -1,4 +1,4 @@
-"""The constants of the method stand where they are used, each with what happens if it is wrong; the table in docs/step.md is
+"""The constants of the method stand where they are used, each with what happens if it is wrong; the table in docs/constants.md is
 made from them. The line above a constant says
 
     //! UNIT | too small: WHAT THEN | too large: WHAT THEN     a row of the table; UNIT is - where there is none
@@ -51,7 +51,7 @@ def marked(name, text):
                 if lines[above].strip().startswith("//! not of the method"):
                     mark = lines[above].strip()[3:].strip()
                 above -= 1
-        parts = [part.split("=", 1) for part in match.group(2).split(", ")]
+        parts = [part.split("=", 1) for part in re.split(r",\s+", match.group(2))]
         if all(len(part) == 2 for part in parts):
             of_file = not match.group(0)[0].isspace() or name == SETTINGS
             yield first, of_file, [a.strip() for a, _ in parts], [b.strip() for _, b in parts], mark
@@ -97,4 +97,4 @@ def check(sources, fix):
     for row in rows(sources):
         names = ", ".join(f"`{name}`" for name in row["names"])
         lines.append(f"| {names} | {', '.join(row['values'])} | {row['small']} | {row['large']} | {row['where']} |")
-    made_block("docs/step.md", "the constants of the method", lines, fix)
+    made_block("docs/constants.md", "the constants of the method", lines, fix)

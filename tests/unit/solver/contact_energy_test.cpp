@@ -1,5 +1,5 @@
-// No contact gives what it was not given: in every step of any motion, the work that a joint does and what it then holds is no more
-// than what it held before (docs/step.md has the proof). Here for random points in every phase of their lives under random
+// No contact gives what it was not given: in every step of any motion, the work that a contact does and what it then holds is no more
+// than what it held before (docs/contact-energy.md has the proof). Here for random points in every phase of their lives under random
 // motions, and the closed forms of what is held.
 #include "solver/contact/energy.h"
 
