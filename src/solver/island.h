@@ -13,6 +13,14 @@
 
 namespace brickfall {
 
+// Which part of its step an island makes: one that impacts cut (stage_impacts.cpp) makes several.
+enum class IslandPart : std::uint8_t {
+  last,      // what is left of its step, all of it if nothing cut it: a slow island is damped, and may rest
+  between,   // an earlier part
+  toImpact,  // the same up to where a point closes: open points are left out, velocities are those of that moment
+  flight     // the same of an island that touches nothing
+};
+
 struct Island {
   // Islands come and go in a step: all their lists, and what is needed while they are solved, come from `memory`.
   explicit Island(std::pmr::memory_resource* from = std::pmr::get_default_resource()) : memory(from) {}
@@ -34,8 +42,7 @@ struct Island {
 
   double credit = 0;  // J: what impacts took in earlier steps that rebound in this one
 
-  // Its step ends where a point closes: open points are left out, velocities are those of that moment.
-  bool toImpact = false;
+  IslandPart part = IslandPart::last;
   // Its velocities are late or early against its ways, so its energy says nothing (finish/lone_body.cpp).
   bool leapt = false;
 
@@ -51,6 +58,7 @@ struct Island {
 
   BodyIndex key() const { return bodies.front(); }
   bool grounded() const { return !partners.empty(); }  // touches something fixed or kinematic
+  bool toImpact() const { return part == IslandPart::toImpact || part == IslandPart::flight; }
   bool resting() const { return isResting(ending); }
   bool settled() const { return isSettled(ending); }
   // Something about it changed from outside: the coming step looks at it again, and a watch of its place begins anew.

@@ -1,5 +1,6 @@
 // What the stages of one step share.
 #pragma once
+#include <algorithm>
 #include <memory_resource>
 #include <vector>
 
@@ -92,6 +93,18 @@ struct SolveStatistics {
   double residualRms = 0;
   double worstResidual = 0;  // of max(weight, load)
   int leftOver = 0;          // bodies with more than kLeftOver
+
+  void addCost(const SolveStatistics& s) {
+    cycles += s.cycles;
+    solveSides += s.solveSides;
+    lightVisits += s.lightVisits;
+  }
+  void add(const SolveStatistics& s) {
+    addCost(s);
+    residualRms = std::max(residualRms, s.residualRms);
+    worstResidual = std::max(worstResidual, s.worstResidual);
+    leftOver += s.leftOver;
+  }
 };
 
 // What ties bodies, by kind: for whatever changes what ties remember. All others see it through StepContext.
@@ -104,6 +117,7 @@ struct StepContext {
   double part = 1;     // dt / that of the substep of which it is a part (heavy_hits.h)
   double stretch = 1;  // the substep's dt / the time step of which resting joints have their stiffness
   Vec3 gravity;
+  double airDensity = 0;  // kg/m3
   SolverSettings settings;
   Integrator integrator = Integrator::splitting;  // of bodies without contacts
   const BodySet* bodies = nullptr;                // what changes them is handed them besides

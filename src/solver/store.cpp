@@ -8,8 +8,8 @@ bool storeRows(Island& island, Ties ties, StepContext& context) {
   return changed;
 }
 
-void tellMean(Island& island, Ties ties, double step, bool done) {
-  const float share = float(island.dt / step) - (done ? 0.0f : 1.0f);
+void tellMean(const Island& island, Ties ties, double step) {
+  const float share = float(island.dt / step) - (island.part == IslandPart::last ? 1.0f : 0.0f);
   for (ContactIndex contact : island.rows.contacts.contactOf) {
     PointMemory& m = ties.contacts.contacts[contact].points;
     for (int i = 0; i < ties.contacts.contacts[contact].count; i++) {

@@ -8,16 +8,11 @@
 #include <limits>
 
 #include "narrowphase/mesh_collide.h"
-#include "solver/cycles.h"
-#include "solver/finish/balance.h"
-#include "solver/finish/flight.h"
-#include "solver/finish/group_slide.h"
-#include "solver/finish/lone_body.h"
 #include "solver/finish/motion.h"
 #include "solver/free_motion.h"
 #include "solver/impact.h"
 #include "solver/island_builder.h"
-#include "solver/prepare.h"
+#include "solver/island_step.h"
 #include "solver/store.h"
 #include "world/activity.h"
 #include "world/core_sweep.h"
@@ -196,31 +191,10 @@ void ImpactWalk::restore(const Island& island, const Memory& memory) {
 
 // StepContext::solved of its bodies: `dt` s further; to an impact: as if its open points were not there.
 void ImpactWalk::solve(Island& island, double dt, bool toImpact, SolveStatistics& statistics) {
-  bool flies = toImpact && touchesNothing(island);
-  island.dt = dt;
-  island.toImpact = toImpact;
-  island.ending = IslandEnding::unsolved;
-  island.facts = findFacts(island, bodies_);
-  island.plan = planFor(island.facts, context_.settings, dt, context_.stretch, context_.part);
-  predictFreeMotions(context_, bodies_, island.bodies, dt, def_.airDensity, !flies);
-  prepareBodies(island, context_);
-  prepareRows(island, ties_, context_);
-  if (toImpact) leaveOut(island, ties_);
-  if (flies) {
-    for (BodyIndex body : island.bodies) storeFreeBody(body, dt, context_);
-  } else {
-    updateHierarchy(island, context_);
-    runCycles(island, context_, statistics);
-    correctMomentum(island, context_);
-    storeRows(island, ties_, context_);
-    tellMean(island, ties_, context_.dt, true);
-    storeMotion(island, context_);
-    correctFlight(island, context_);
-    correctLoneBody(island, ties_, context_);
-    correctGroupSlides(island, context_);
-    if (solvedWell(island, context_)) balance(island, context_);
-  }
-  island.toImpact = false;
+  IslandPart part = !toImpact                ? IslandPart::between
+                    : touchesNothing(island) ? IslandPart::flight
+                                             : IslandPart::toImpact;
+  stepIsland(island, part, dt, ties_, bodies_, context_, statistics);
 }
 
 // When, in s from now, the next point closes; none: infinity. Leaves the island as it is.
@@ -229,9 +203,7 @@ double ImpactWalk::nextImpact(Island& island, double left) {
   SolveStatistics tried;  // of a motion that nothing makes: its cost counts, what it left over does not
   solve(island, left, true, tried);
   restore(island, before);
-  context_.statistics.cycles += tried.cycles;
-  context_.statistics.solveSides += tried.solveSides;
-  context_.statistics.lightVisits += tried.lightVisits;
+  context_.statistics.addCost(tried);
   return firstClosing(island, context_);
 }
 

@@ -1,15 +1,10 @@
 // What the solve found is kept: forces for the next step, motions for the stages to come. Hits are told here, by the forces of
 // the solve.
-#include "solver/store.h"
-
 #include <algorithm>
 
 #include "solver/contact/energy.h"
-#include "solver/finish/flight.h"
-#include "solver/finish/group_slide.h"
-#include "solver/finish/lone_body.h"
 #include "solver/finish/motion.h"
-#include "solver/rest.h"
+#include "solver/island_step.h"
 #include "world/activity.h"
 #include "world/diary.h"
 #include "world/hits.h"
@@ -62,16 +57,9 @@ void storeSolution(const WorldDef& def, const Registry& registry, IslandSet& isl
                    StepContext& context, Events& events) {
   for (BodyIndex body : islands.single) storeFreeBody(body, context.dt, context);
   for (IslandPointer& island : islands.awake) {
-    if (island->settled()) continue;
-    bool changed = storeRows(*island, Ties{contacts}, context);
-    if (island->dt < context.dt) tellMean(*island, Ties{contacts}, context.dt);
-    if (!island->resting()) collectHits(def, registry, *island, contacts, events.hits);
-    if (island->resting() && !changed) island->ending = IslandEnding::settled;
-    restInPlace(*island, context);
-    storeMotion(*island, context);
-    correctFlight(*island, context);
-    correctLoneBody(*island, Ties{contacts}, context);
-    correctGroupSlides(*island, context);
+    const bool solved = !island->resting();
+    storeIsland(*island, Ties{contacts}, context);
+    if (solved) collectHits(def, registry, *island, contacts, events.hits);
   }
 }
 

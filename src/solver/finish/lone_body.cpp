@@ -88,12 +88,12 @@ void correctLoneBody(Island& island, Ties ties, StepContext& context) {
   bool fromRest = free.startVelocity == Vec3{} && free.startSpin == Vec3{};
   bool steadyForces = keepsItsForces(island, context, s.d - moveChange * (0.5 * island.dt),
                                      s.freeTurn ? s.th : s.th - turnChange * (0.5 * island.dt));
-  bool inStep = steadyForces || island.toImpact;
+  bool inStep = steadyForces || island.toImpact();
   // In steps, from the moment to which the velocities at the start belong: to the middle of this step, to its end.
   double late = context.bodies->data[body].lag / island.dt;
   if (late < 0) late = 0.5;  // as after implicit steps
   // What slides or rolls was in step all along, whatever it did before.
-  if (fromRest || (steadyForces && !island.toImpact)) late = 0;
+  if (fromRest || (steadyForces && !island.toImpact())) late = 0;
   double middle = late + 0.5, end = middle;
   if (inStep) end = late + 1;
   if (steadyForces) middle += 0.5 * (1 - partUntilStopped(island, ties, context, moveChange));

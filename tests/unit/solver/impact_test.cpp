@@ -4,6 +4,9 @@
 #include <cmath>
 #include <limits>
 
+#include "solver/finish/motion.h"
+#include "solver/free_motion.h"
+#include "solver/prepare.h"
 #include "support/test_island.h"
 
 namespace brickfall {
@@ -74,7 +77,7 @@ TEST(Rebound, TheSmallestRestitutionChangesTheLeast) {
 void goOnFreely(TestIsland& lab, double dt) {
   Island& island = lab.island();
   island.dt = dt;
-  for (BodyIndex body : island.bodies) predictFreeMotion(lab.context, lab.bodies, body, dt, 0, false);
+  for (BodyIndex body : island.bodies) predictFreeMotion(lab.context, lab.bodies, body, dt, false);
   prepareBodies(island, lab.context);
   prepareRows(island, lab.ties(), lab.context);
   for (BodyIndex body : island.bodies) storeFreeBody(body, dt, lab.context);
