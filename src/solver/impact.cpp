@@ -6,6 +6,7 @@
 
 #include "solver/contact/rebound.h"
 #include "solver/cycles.h"
+#include "solver/island_trial.h"
 #include "solver/light_pass.h"
 #include "solver/prepare.h"
 
@@ -191,7 +192,7 @@ void leaveOut(Island& island, Ties ties) {
   }
 }
 
-double firstClosing(const Island& island, const StepContext& context) {
+double firstClosing(const Island& island, double dt, const StepContext& context) {
   const ContactRows& rows = island.rows.contacts;
   const BodySet& bodies = *context.bodies;
   const double least = slowest(island, context);
@@ -215,7 +216,7 @@ double firstClosing(const Island& island, const StepContext& context) {
     speedsOf(r, c.count, endA, endB, end);
     for (int i = 0; i < c.count; i++) {
       if (c.points.forceN[i] > 0) continue;
-      double acceleration = (end[i] - start[i]) / island.dt;
+      double acceleration = (end[i] - start[i]) / dt;
       double gap = c.points.gap[i] > kOpenGap ? double(c.points.gap[i]) : 0;
       first = std::min(first, closingTime(gap, start[i] + acceleration * lag, acceleration, least));
     }
@@ -226,13 +227,12 @@ double firstClosing(const Island& island, const StepContext& context) {
 bool solveImpact(Island& island, Ties ties, BodySet& bodies, StepContext& context, double blink,
                  SolveStatistics& statistics, std::pmr::vector<ContactImpact>& impacts) {
   ContactRows& rows = island.rows.contacts;
-  std::pmr::vector<Contact> remembered(island.memory);
-  for (ContactIndex contact : rows.contactOf) remembered.push_back(ties.contacts.contacts[contact]);
+  TiesMemory remembered(island, ties);
   island.plan = planFor(findFacts(island, bodies), context.settings, island.dt, context.stretch, context.part);
   goOnFreely(island, bodies, context);
   prepareBodies(island, context);
   prepareRows(island, ties, context);
-  for (std::size_t k = 0; k < rows.size(); k++) ties.contacts.contacts[rows.contactOf[k]] = remembered[k];
+  remembered.restore();
   writeRecords(island, ties, context, blink);
   startCycles(island, context);
   goOn(island, context, statistics);

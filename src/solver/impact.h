@@ -7,9 +7,9 @@
 
 namespace brickfall {
 
-// When, in the rest of the island's step, its first open point closes, s; none: infinity. By StepContext::solved, which is how
-// the island would go on over Island::dt if its open points were not there.
-double firstClosing(const Island& island, const StepContext& context);
+// In how many s the island's first open point closes; none: infinity. By StepContext::solved, which is how the island would go on
+// over `dt` s if its open points were not there.
+double firstClosing(const Island& island, double dt, const StepContext& context);
 // A point that carried nothing in the last step, was not hit in this one, and is further apart than what counts as closed.
 bool isOpen(const PointMemory& m, int i);
 // Prepared rows of an island: its open points carry nothing in the coming solve, and stay as fresh as they were.

@@ -13,6 +13,7 @@
 #include "solver/impact.h"
 #include "solver/island_builder.h"
 #include "solver/island_step.h"
+#include "solver/island_trial.h"
 #include "solver/store.h"
 #include "world/activity.h"
 #include "world/core_sweep.h"
@@ -62,13 +63,6 @@ class ImpactWalk {
   void run(Island& island);
 
  private:
-  struct Memory {
-    explicit Memory(std::pmr::memory_resource* memory) : motions(memory), contacts(memory), geometry(memory) {}
-    std::pmr::vector<BodyMotion> motions;
-    std::pmr::vector<Contact> contacts;
-    std::pmr::vector<ContactGeometry> geometry;
-  };
-
   bool mayBeParted(const Island& island) const;
   bool foundExactly(const Island& island) const;
   bool touchesDriven(const Island& island) const;
@@ -82,8 +76,6 @@ class ImpactWalk {
   bool goTo(Island& island, double dt, bool toImpact);
   bool runsThrough(const Island& island, double dt) const;
   bool impact(Island& island);
-  Memory remember(const Island& island) const;
-  void restore(const Island& island, const Memory& memory);
 
   const WorldDef& def_;
   Registry& registry_;
@@ -172,23 +164,6 @@ double ImpactWalk::longestPart(const Island& island) const {
   return std::max(context_.dt / kMostTurnParts, kMostTurn / std::max(speed, 1e-9));
 }
 
-ImpactWalk::Memory ImpactWalk::remember(const Island& island) const {
-  Memory out(island.memory);
-  for (BodyIndex body : island.bodies) out.motions.push_back(bodies_.motion[body]);
-  for (ContactIndex contact : island.rows.contacts.contactOf) {
-    out.contacts.push_back(ties_.contacts.contacts[contact]);
-    out.geometry.push_back(ties_.contacts.geometry[contact]);
-  }
-  return out;
-}
-void ImpactWalk::restore(const Island& island, const Memory& memory) {
-  for (std::size_t i = 0; i < island.bodies.size(); i++) bodies_.motion[island.bodies[i]] = memory.motions[i];
-  for (std::size_t k = 0; k < memory.contacts.size(); k++) {
-    ties_.contacts.contacts[island.rows.contacts.contactOf[k]] = memory.contacts[k];
-    ties_.contacts.geometry[island.rows.contacts.contactOf[k]] = memory.geometry[k];
-  }
-}
-
 // StepContext::solved of its bodies: `dt` s further; to an impact: as if its open points were not there.
 void ImpactWalk::solve(Island& island, double dt, bool toImpact, SolveStatistics& statistics) {
   IslandPart part = !toImpact                ? IslandPart::between
@@ -197,27 +172,30 @@ void ImpactWalk::solve(Island& island, double dt, bool toImpact, SolveStatistics
   stepIsland(island, part, dt, ties_, bodies_, context_, statistics);
 }
 
-// When, in s from now, the next point closes; none: infinity. Leaves the island as it is.
+// When, in s from now, the next point closes, if that is within `left` s; none: infinity. Changes nothing.
 double ImpactWalk::nextImpact(Island& island, double left) {
-  Memory before = remember(island);
+  IslandTrial trial(island, ties_, bodies_);
   SolveStatistics tried;  // of a motion that nothing makes: its cost counts, what it left over does not
   solve(island, left, true, tried);
-  restore(island, before);
+  trial.restore();
   context_.statistics.addCost(tried);
-  return firstClosing(island, context_);
+  return firstClosing(island, left, context_);
 }
 
 // False if it can't, and then it stays where it is.
 bool ImpactWalk::goTo(Island& island, double dt, bool toImpact) {
-  Memory before = remember(island);
-  solve(island, dt, toImpact, context_.statistics);
+  IslandTrial trial(island, ties_, bodies_);
+  SolveStatistics tried;
+  solve(island, dt, toImpact, tried);
   bool fine = solvedWell(island, context_) && !runsThrough(island, dt);
   if (fine) advanceRows(island, ties_, context_);
   for (BodyIndex body : island.bodies) fine = fine && moveBody(body, bodies_, context_);
   if (!fine) {
-    restore(island, before);
+    trial.restore();
+    context_.statistics.addCost(tried);
     return false;
   }
+  context_.statistics.add(tried);
   NarrowPhase narrow(registry_, context_.dt, proximity_);
   for (ContactIndex contact : island.rows.contacts.contactOf) narrow.renew(contact);
   report_.manifoldsComputed += narrow.computed();

@@ -97,6 +97,16 @@ struct ContactRows {
   bool store(Island& island, Ties ties, StepContext& context);
   // Gaps and drifts go on by the motion that was finally made.
   void advance(const Island& island, Ties ties) const;
+  // All that the contacts remember; and that again, whatever a trial has made of it.
+  struct Memory {
+    explicit Memory(std::pmr::memory_resource* memory) : contacts(memory), geometry(memory) {}
+    std::pmr::vector<Contact> contacts;          // by row
+    std::pmr::vector<ContactGeometry> geometry;  // by row
+    std::size_t struck = 0;                      // of ContactSet
+    bool touchingChanged = false;                // of ContactSet
+  };
+  void remember(Ties ties, Memory& out) const;
+  void restore(Ties ties, const Memory& memory) const;
 
   Arms arms(std::size_t k) const { return {wide::load3Padded(records[k].armA), wide::load3Padded(records[k].armB)}; }
   // Of `count` rows from k on.

@@ -1,0 +1,33 @@
+#include "solver/island_trial.h"
+
+namespace brickfall {
+
+TiesMemory::TiesMemory(const Island& island, Ties ties) : rows_(island.rows), ties_(ties), contacts_(island.memory) {
+  rows_.contacts.remember(ties_, contacts_);
+}
+
+void TiesMemory::restore() const { rows_.contacts.restore(ties_, contacts_); }
+
+IslandTrial::IslandTrial(Island& island, Ties ties, BodySet& bodies)
+    : island_(island),
+      bodies_(bodies),
+      ties_(island, ties),
+      motions_(island.memory),
+      lags_(island.memory),
+      fields_(fieldsOf(island)) {
+  for (BodyIndex body : island.bodies) {
+    motions_.push_back(bodies.motion[body]);
+    lags_.push_back(bodies.data[body].lag);
+  }
+}
+
+void IslandTrial::restore() const {
+  ties_.restore();
+  for (std::size_t i = 0; i < motions_.size(); i++) {
+    bodies_.motion[island_.bodies[i]] = motions_[i];
+    bodies_.data[island_.bodies[i]].lag = lags_[i];
+  }
+  fieldsOf(island_) = fields_;
+}
+
+}  // namespace brickfall
