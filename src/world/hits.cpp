@@ -4,9 +4,11 @@
 
 namespace brickfall {
 
-void tellHit(const WorldDef& def, const Registry& registry, const Contact& contact, const ContactRecord& record,
-             double speed, double impulse, std::vector<HitEvent>& out) {
-  if (speed < def.hitEventSpeed || impulse < def.hitEventImpulse) return;
+void tellHit(const WorldDef& def, const Registry& registry, const ContactRows& rows, const ContactImpact& impact,
+             const StepContext& context, std::vector<HitEvent>& out) {
+  if (impact.speed < def.hitEventSpeed || impact.impulse < def.hitEventImpulse) return;
+  const ContactRecord& record = rows.records[impact.row];
+  const Contact& contact = context.contacts->contacts[record.contact];
   const BodySet& bodies = registry.bodies;
   HitEvent hit;
   hit.bodyA = registry.idOf(contact.bodyA);
@@ -17,8 +19,8 @@ void tellHit(const WorldDef& def, const Registry& registry, const Contact& conta
     std::swap(hit.bodyA, hit.bodyB);
     hit.normalWorld = -hit.normalWorld;
   }
-  hit.approachSpeed = speed;
-  hit.impulse = impulse;
+  hit.approachSpeed = impact.speed;
+  hit.impulse = impact.impulse;
   out.push_back(hit);
 }
 

@@ -16,39 +16,11 @@ namespace brickfall {
 
 namespace {
 
-// The impact of a contact in the step just made: fastest approach and impulse over its points.
-struct ContactImpact {
-  double speed = 0, impulse = 0;
-};
-
-ContactImpact impactOf(const Contact& c, const ContactStart& start, double dt) {
-  ContactImpact out;
-  for (int i = 0; i < c.count; i++) {
-    if (!(c.points.forceN[i] > 0)) continue;
-    out.speed = std::max(out.speed, double(-start.approach[i]));
-    out.impulse += double(c.points.forceN[i]) * dt;
-  }
-  return out;
-}
-
-// Whether any point comes on at the speed that a hit has: read first, since in a wall that only sways none does.
-bool anyFast(const ContactStart& start, double speed) {
-  for (int i = 0; i < start.points; i++)
-    if (double(-start.approach[i]) >= speed) return true;
-  return !(speed > 0);
-}
-
-void collectHits(const WorldDef& def, const Registry& registry, const Island& island, const ContactSet& contacts,
+void collectHits(const WorldDef& def, const Registry& registry, const Island& island, const StepContext& context,
                  std::vector<HitEvent>& out) {
-  const ContactRows& rows = island.rows.contacts;
-  if (double(rows.fastestApproach) < def.hitEventSpeed) return;
-  for (std::size_t k = 0; k < rows.contactOf.size(); k++) {
-    if (!anyFast(rows.starts[k], def.hitEventSpeed)) continue;
-    const Contact& c = contacts.contacts[rows.contactOf[k]];
-    if (!c.touching) continue;
-    ContactImpact impact = impactOf(c, rows.starts[k], island.dt);
-    tellHit(def, registry, c, rows.records[k], impact.speed, impact.impulse, out);
-  }
+  std::pmr::vector<ContactImpact> impacts(island.memory);
+  island.rows.contacts.findHits(island, context, def.hitEventSpeed, impacts);
+  for (const ContactImpact& impact : impacts) tellHit(def, registry, island.rows.contacts, impact, context, out);
 }
 
 }  // namespace
@@ -59,7 +31,7 @@ void storeSolution(const WorldDef& def, const Registry& registry, IslandSet& isl
   for (IslandPointer& island : islands.awake) {
     const bool solved = !island->resting();
     storeIsland(*island, Ties{contacts}, context);
-    if (solved) collectHits(def, registry, *island, contacts, events.hits);
+    if (solved) collectHits(def, registry, *island, context, events.hits);
   }
 }
 
