@@ -25,7 +25,7 @@ struct StepReport {
   int islands = 0;                                      // awake
   int restingIslands = 0;                               // accepted by the rest check: they cost one light pass
   std::array<int, kIslandEndingCount> islandEndings{};  // awake islands by how their solve ended, of all parts
-  int cycles = 0;                                       // multilevel cycles, summed over islands
+  int cycles = 0;                                       // and steps of direct solves, summed over islands
   double solveVisits = 0;  // two-sided visits of a point in the solve, line search included
   double lightVisits = 0;  // visits that only read forces
   double residualRms = 0;  // worst island: rms of |force residual| / weight when the solve stopped

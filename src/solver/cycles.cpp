@@ -24,7 +24,7 @@ float fallShare(const Island& island, std::size_t i, const StepContext& context)
 // Free motion is the honest start: whatever cycles leave undone falls. In large islands on the ground each body goes on with as
 // much of its fall as it had: what cycles leave undone in a wall or a heap would fall through it a little in every step, and no
 // brick hangs by it, since each that is out of balance by itself is moved until it is not. What is slow there starts from where it is:
-// on stiff joints even micrometres a second of the last step are forces to be solved away.
+// on stiff contacts even micrometres a second of the last step are forces to be solved away.
 void startMotion(Island& island, const StepContext& context) {
   for (std::size_t i = 0; i < island.bodies.size(); i++) {
     const SolveMass& free = island.masses[i];

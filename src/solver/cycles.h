@@ -1,4 +1,4 @@
-// The multilevel solve of an island that is not at rest.
+// The solve of an island that is not at rest.
 #pragma once
 #include "solver/island.h"
 

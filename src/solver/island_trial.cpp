@@ -2,11 +2,11 @@
 
 namespace brickfall {
 
-TiesMemory::TiesMemory(const Island& island, Ties ties) : rows_(island.rows), ties_(ties), contacts_(island.memory) {
-  rows_.contacts.remember(ties_, contacts_);
+TiesMemory::TiesMemory(const Island& island, Ties ties) : rows_(island.rows), ties_(ties), memory_(island.memory) {
+  rows_.remember(ties_, memory_);
 }
 
-void TiesMemory::restore() const { rows_.contacts.restore(ties_, contacts_); }
+void TiesMemory::restore() const { rows_.restore(ties_, memory_); }
 
 IslandTrial::IslandTrial(Island& island, Ties ties, BodySet& bodies)
     : island_(island),

@@ -20,7 +20,7 @@ class TiesMemory {
  private:
   const Rows& rows_;
   Ties ties_;
-  ContactRows::Memory contacts_;
+  Rows::Memory memory_;
 };
 
 class IslandTrial {

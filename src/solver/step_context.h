@@ -11,16 +11,16 @@
 
 namespace brickfall {
 
-// Constants of the method; solver.md's recipe in numbers. What users may change is in SolverSettings.
+// Constants of the method that several files share; docs/step.md explains them. What users may change is in SolverSettings.
 //! m/s2 | too small: weights are light, so residuals look large: walls stay awake | too large: slow topples are held
 constexpr double kReferenceGravity = 9.81;  // m/s2: weight by which residuals are judged, whatever the scene's gravity
 //! - | too small: gaps and drifts of the last step are corrected more slowly
 //! | too large: oscillation from step to step
 constexpr float kCorrect = 0.5f;  // 1 - alpha: share of an old gap or drift that a step corrects
 //! - | too small: loads are carried by overlap: walls sag further | too large: oscillation from step to step
-constexpr float kMultiplierShare = 0.5f;  // ld: share of the last force held as multiplier
+constexpr float kMultiplierShare = 0.5f;  // share of the last force kept as multiplier
 //! - | too small: loads build up over many steps | too large: an impact's force acts twice
-constexpr float kMultiplierGrowth = 2;  // a held force grows to at most this x the held one ...
+constexpr float kMultiplierGrowth = 2;  // the multiplier grows to at most this x what it was ...
 //! mEff g | with kMultiplierGrowth
 constexpr float kMultiplierWeights = 5;  // ... plus this many effective weights per step
 //! - | too small: overlap from a landing is released at once, as a rebound | too large: it stays for long
@@ -115,7 +115,7 @@ struct Ties {
 struct StepContext {
   double dt = 0;
   double part = 1;     // dt / that of the substep of which it is a part (heavy_hits.h)
-  double stretch = 1;  // the substep's dt / the time step of which resting joints have their stiffness
+  double stretch = 1;  // the substep's dt / the time step of which resting contacts have their stiffness
   Vec3 gravity;
   double airDensity = 0;  // kg/m3
   SolverSettings settings;

@@ -1,4 +1,4 @@
-// The solve: cycles over the hierarchies of every island that does not rest, side by side; each touches nothing but itself.
+// The solve of every island that does not rest, side by side: each touches nothing but itself.
 #include "solver/island_builder.h"
 #include "solver/island_step.h"
 #include "world/solve_state.h"

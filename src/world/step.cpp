@@ -134,7 +134,7 @@ void World::Impl::beginPart(double dt) {
   context.memory = &solve.memory;
   context.statistics = {};
   context.part = dt / clock.lastDt;
-  context.stretch = clock.lastDt / clock.jointDt;
+  context.stretch = clock.lastDt / clock.stiffnessDt;
   traceStage(
       {}, [](const Impl& w, HashItems& out) { hashGiven(w.registry, w.activity.islands, w.proximity.contacts, out); },
       [](Impl& w) {

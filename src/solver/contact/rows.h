@@ -102,6 +102,8 @@ struct ContactRows {
   // Forces at the final motion into the contacts. True if any changed by more than rounding; of an island that does not rest
   // that is not looked for, and true.
   bool store(Island& island, Ties ties, StepContext& context);
+  // What the last step's forces are told as besides what they are: this share of them.
+  void tellShare(Ties ties, float share) const;
   // Gaps and drifts go on by the motion that was finally made.
   void advance(const Island& island, Ties ties) const;
   // All that the contacts remember; and that again, whatever a trial has made of it.
