@@ -1,8 +1,8 @@
-// The step of an island, phase by phase: the one place that says what is done, and in which order. The stages of a world take all islands
-// through a phase before the next, so that each phase has its time, its hash and its line in the ledger. Parts that impacts cut off a step
-// (stage_impacts.cpp) go through all of them at once, and so do tests.
+// The step of an island, stage by stage: the one place that says what is done with it, and in which order. A world takes all its islands
+// through a stage before the next (world/stage_prepare.cpp and others), so that each stage has its time, its hash and its line in the
+// ledger. Parts that impacts cut off a step (world/stage_impacts.cpp) go through all of them at once, and so do tests.
 //
-// Which part of its step an island makes, and how long it is, Island::part and Island::dt say. A settled island is passed over.
+// Island::part and Island::dt say which part of its step an island makes, and how long that is. A settled island is passed over.
 #pragma once
 #include "solver/island.h"
 
@@ -23,7 +23,7 @@ void storeIsland(Island& island, Ties ties, StepContext& context);
 // Momentum and energy, once, when nothing changes the motion any more.
 void balanceIsland(const Island& island, StepContext& context);
 
-// All phases, one after the other, for a part of `dt` s. Moves nothing: StepContext::solved says where the part leads.
+// All stages, one after the other, for a part of `dt` s. Moves no body: StepContext::solved says where the part leads.
 void stepIsland(Island& island, IslandPart part, double dt, Ties ties, BodySet& bodies, StepContext& context,
                 SolveStatistics& statistics);
 

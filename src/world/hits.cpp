@@ -4,11 +4,10 @@
 
 namespace brickfall {
 
-void tellHit(const WorldDef& def, const Registry& registry, const ContactRows& rows, const ContactImpact& impact,
-             const StepContext& context, std::vector<HitEvent>& out) {
-  if (impact.speed < def.hitEventSpeed || impact.impulse < def.hitEventImpulse) return;
-  const ContactRecord& record = rows.records[impact.row];
-  const Contact& contact = context.contacts->contacts[record.contact];
+namespace {
+
+HitEvent hitOf(const Registry& registry, const Contact& contact, const ContactRecord& record,
+               const ContactImpact& impact) {
   const BodySet& bodies = registry.bodies;
   HitEvent hit;
   hit.bodyA = registry.idOf(contact.bodyA);
@@ -21,7 +20,18 @@ void tellHit(const WorldDef& def, const Registry& registry, const ContactRows& r
   }
   hit.approachSpeed = impact.speed;
   hit.impulse = impact.impulse;
-  out.push_back(hit);
+  return hit;
+}
+
+}  // namespace
+
+void tellHits(const WorldDef& def, const Registry& registry, const Island& island,
+              const std::pmr::vector<ContactImpact>& impacts, const StepContext& context, std::vector<HitEvent>& out) {
+  for (const ContactImpact& impact : impacts) {
+    if (impact.speed < def.hitEventSpeed || impact.impulse < def.hitEventImpulse) continue;
+    const ContactRecord& record = island.rows.contacts.records[impact.row];
+    out.push_back(hitOf(registry, context.contacts->contacts[record.contact], record, impact));
+  }
 }
 
 }  // namespace brickfall

@@ -108,7 +108,7 @@ bool ImpactWalk::impact(Island& island) {
   updateHierarchy(island, context_);
   if (!solveImpact(island, ties_, bodies_, context_, kBlink * context_.dt, context_.statistics, impacts)) return false;
   for (BodyIndex body : island.bodies) bodies_.data[body].lag = 0;
-  for (const ContactImpact& hit : impacts) tellHit(def_, registry_, island.rows.contacts, hit, context_, events_.hits);
+  tellHits(def_, registry_, island, impacts, context_, events_.hits);
   report_.impacts++;
   return true;
 }

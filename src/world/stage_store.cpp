@@ -20,7 +20,7 @@ void collectHits(const WorldDef& def, const Registry& registry, const Island& is
                  std::vector<HitEvent>& out) {
   std::pmr::vector<ContactImpact> impacts(island.memory);
   island.rows.contacts.findHits(island, context, def.hitEventSpeed, impacts);
-  for (const ContactImpact& impact : impacts) tellHit(def, registry, island.rows.contacts, impact, context, out);
+  tellHits(def, registry, island, impacts, context, out);
 }
 
 }  // namespace
@@ -29,7 +29,7 @@ void storeSolution(const WorldDef& def, const Registry& registry, IslandSet& isl
                    StepContext& context, Events& events) {
   for (BodyIndex body : islands.single) storeFreeBody(body, context.dt, context);
   for (IslandPointer& island : islands.awake) {
-    const bool solved = !island->resting();
+    const bool solved = !island->resting();  // even if it is put to rest in place below
     storeIsland(*island, Ties{contacts}, context);
     if (solved) collectHits(def, registry, *island, context, events.hits);
   }
@@ -44,39 +44,6 @@ void hashStore(const IslandSet& islands, const ContactSet& contacts, const StepC
 }
 
 namespace {
-
-// Impulse of a contact with something fixed or kinematic on the island's body, about the world's origin; its work is that
-// of the partner's motion.
-BalanceChange impulseOf(const Contact& c, const ContactRecord& r, const ContactStart& start, const BodySet& bodies,
-                        bool onB, double dt) {
-  BalanceChange out;
-  Vec3 n = toDouble(r.n), t1 = toDouble(r.t1), t2 = cross(n, t1);
-  Vec3 centre = bodies.motion[c.bodyA].position + toDouble(r.armA);
-  const BodyMotion& partner = bodies.motion[onB ? c.bodyA : c.bodyB];
-  double sign = onB ? dt : -dt;
-  for (int i = 0; i < c.count; i++) {
-    auto sum = [&](float force, float back) { return double(force) + double(back); };
-    Vec3 impulse = (n * sum(c.points.forceN[i], start.back[i]) + t1 * sum(c.points.force1[i], start.back1[i]) +
-                    t2 * sum(c.points.force2[i], start.back2[i])) *
-                   sign;
-    Vec3 point = centre + t1 * double(r.s1[i]) + t2 * double(r.s2[i]);
-    Vec3 velocity = partner.linearVelocity + cross(partner.angularVelocity, point - partner.position);
-    out += {impulse, cross(point, impulse), dot(impulse, velocity)};
-  }
-  return out;
-}
-
-BalanceChange supportImpulses(const Island& island, const BodySet& bodies, const ContactSet& contacts, double dt) {
-  BalanceChange sum;
-  for (std::size_t k = 0; k < island.rows.contacts.records.size(); k++) {
-    const ContactRecord& r = island.rows.contacts.records[k];
-    bool partnerA = r.bodyA >= island.bodies.size(), partnerB = r.bodyB >= island.bodies.size();
-    if (partnerA || partnerB)
-      sum += impulseOf(contacts.contacts[island.rows.contacts.contactOf[k]], r, island.rows.contacts.starts[k], bodies,
-                       partnerA, dt);
-  }
-  return sum;
-}
 
 // The work of contacts, and what it did to what they hold.
 BalanceChange contactsNow(const IslandSet& islands, const ContactSet& contacts, const StepContext& context,
@@ -101,8 +68,7 @@ void bookStore(const Registry& registry, const Activity& activity, const Contact
   LedgerState& s = diary.ledgerState;
   StepLedger& ledger = *diary.report.ledger;
   BalanceChange supports;
-  for (const IslandPointer& island : activity.islands.awake)
-    supports += supportImpulses(*island, bodies, contacts, island->dt);
+  for (const IslandPointer& island : activity.islands.awake) supports += supportImpulses(*island, context);
   Vec3 inFlight, inContact;
   for (BodyIndex body : activity.awake) {
     const SolvedMotion& m = context.solved[body];
