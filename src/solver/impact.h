@@ -1,4 +1,5 @@
-// The impacts of one moment: velocities change, no time passes. What they are for a kind of tie says its rows (contact/impact.cpp).
+// The impacts of one moment: velocities change, no time passes. Each kind of tie has its own law of them
+// (contact/impact.cpp).
 #pragma once
 #include <memory_resource>
 #include <vector>
@@ -7,15 +8,15 @@
 
 namespace brickfall {
 
-// Whether an open point may close in a step of StepContext::dt. Asked without a solve, of speeds and fall as they are now: `ahead` times
-// as far.
+// Whether an open point may close in a step of StepContext::dt. Asked without a solve, of speeds and fall as they are
+// now: `ahead` times as far.
 bool mayClose(const Island& island, const StepContext& context, double ahead);
 // No tie carried force in the last step, and every point is open.
 bool touchesNothing(const Island& island, const StepContext& context);
 // Prepared rows of an island: its open points carry nothing in the coming solve, and stay as fresh as they were.
 void leaveOut(Island& island, Ties ties);
-// In how many s the island's first open point closes; none: infinity. By StepContext::solved, which is how the island would go on
-// over `dt` s if its open points were not there.
+// In how many s the island's first open point closes; none: infinity. By StepContext::solved, which is how the island
+// would go on over `dt` s if its open points were not there.
 double firstClosing(const Island& island, double dt, const StepContext& context);
 
 // Changes the velocities of the island's bodies by the impacts of the points that are closed, with friction and rebound: those

@@ -1,8 +1,10 @@
-// The step of an island, stage by stage: the one place that says what is done with it, and in which order. A world takes all its islands
-// through a stage before the next (world/stage_prepare.cpp and others), so that each stage has its time, its hash and its line in the
-// ledger. Parts that impacts cut off a step (world/stage_impacts.cpp) go through all of them at once, and so do tests.
+// The step of an island, stage by stage: the one place that says what is done with it, and in which order. A world
+// takes all its islands through a stage before the next (world/stage_prepare.cpp and others), so that each stage has
+// its time, its hash and its line in the ledger. Parts that impacts cut off a step (world/stage_impacts.cpp) go through
+// all of them at once, and so do tests.
 //
-// Island::part and Island::dt say which part of its step an island makes, and how long that is. A settled island is passed over.
+// Island::part and Island::dt say which part of its step an island makes, and how long that is. A settled island is
+// passed over.
 #pragma once
 #include "solver/island.h"
 
@@ -14,7 +16,8 @@ void prepareIsland(Island& island, Ties ties, BodySet& bodies, StepContext& cont
 // Whether last step's forces balance without motion: Island::ending.
 void restIsland(Island& island, StepContext& context);
 
-// Displacements and turns, unless the island rests. Touches nothing but the island, so that islands are solved side by side.
+// Displacements and turns, unless the island rests. Touches nothing but the island, so that islands are solved side by
+// side.
 void solveIsland(Island& island, const StepContext& context, SolveStatistics& statistics);
 
 // Forces go to the ties, motions to StepContext::solved, those of free flight and of bodies alone to second order.

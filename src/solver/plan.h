@@ -59,8 +59,8 @@ struct SolvePlan {
 IslandFacts findFacts(const Island& island, const BodySet& bodies);
 // Each body's kinetic energy, for the facts of the next step.
 void keepEnergies(const Island& island, BodySet& bodies);
-// x restingStiffness: the least that a plan's stiffening may be. `stretch`: dt / the time step of which resting contacts have
-// their stiffness.
+// x restingStiffness: the least that a plan's stiffening may be. `stretch`: dt / the time step of which resting
+// contacts have their stiffness.
 double leastStiffening(const SolverSettings& settings, double dt, double stretch);
 // `stretch`, `part`: StepContext's.
 SolvePlan planFor(const IslandFacts& facts, const SolverSettings& settings, double dt, double stretch, double part = 1);

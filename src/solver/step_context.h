@@ -11,7 +11,8 @@
 
 namespace brickfall {
 
-// Constants of the method that several files share; docs/step.md explains them. What users may change is in SolverSettings.
+// Constants of the method that several files share; docs/step.md explains them. What users may change is in
+// SolverSettings.
 //! m/s2 | too small: weights are light, so residuals look large: walls stay awake | too large: slow topples are held
 constexpr double kReferenceGravity = 9.81;  // m/s2: weight by which residuals are judged, whatever the scene's gravity
 //! - | too small: gaps and drifts of the last step are corrected more slowly

@@ -10,7 +10,8 @@ namespace {
 constexpr double kKeepStiffness = 2.2;  // factor between time steps within which contacts stay as they are
 //! - | too small: steps that spread widely change contacts often | too large: the same, at once again
 constexpr double kFollowStiffness = 2;  // factor to which they follow what is beyond
-//! - | too small: pictures that take equally long by chance change all contacts | too large: the same, of time steps that have changed
+//! - | too small: pictures that take equally long by chance change all contacts
+//! | too large: the same, of time steps that have changed
 constexpr int kSteadySteps = 30;  // of one length: then contacts get the stiffness of that
 
 }  // namespace

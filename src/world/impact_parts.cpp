@@ -11,7 +11,8 @@ namespace brickfall {
 
 namespace {
 
-//! - | too small: impacts of larger islands are first order in the time step | too large: cost, impacts that are not solved well
+//! - | too small: impacts of larger islands are first order in the time step
+//! | too large: cost, impacts that are not solved well
 constexpr std::size_t kMostBodies = 5;
 //! - | too small: fast bodies are left whole | too large: contacts found from so far say little about what is met
 constexpr double kFarWay = 2, kFarWayAlone = 4;  // outer radii, in a step; of a body that touches fixed things only
@@ -62,7 +63,8 @@ bool ImpactParts::foundExactly(const Island& island) const {
                   [](const Shape& a, const Shape& b) { return !isFoundExactly(a.type, b.type); });
 }
 
-// In the hollows of a mesh contacts come and go with each part: what spins there would sink deeper in parts than as a whole.
+// In the hollows of a mesh contacts come and go with each part: what spins there would sink deeper in parts than as a
+// whole.
 bool ImpactParts::onMesh(const Island& island) const {
   return anyPair(island, *context_.contacts, registry_.shapes, isMeshPair);
 }

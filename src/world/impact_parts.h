@@ -14,8 +14,8 @@ class ImpactParts {
   bool mayBeCut(const Island& island) const;
   // s: nothing in contact turns visibly by more than kMostTurn.
   double longest(const Island& island) const;
-  // By StepContext::solved, `dt` s further: whether the core of a body would pass into something on its way. Contacts of what is still far, or
-  // turns, may lie.
+  // By StepContext::solved, `dt` s further: whether the core of a body would pass into something on its way. Contacts
+  // of what is still far, or turns, may lie.
   bool runThrough(const Island& island, double dt, const Proximity& proximity) const;
 
   //! - | too small: quick series of impacts end first order | too large: cost

@@ -1,5 +1,6 @@
-// A body that slid slowly past something a few millimetres beside it was stopped early: the energy that its friction took was that of
-// a trial of how it would go on, not that of its last step, so that the end of its slide looked like that of a swing.
+// A body that slid slowly past something a few millimetres beside it was stopped early: the energy that its friction
+// took was that of a trial of how it would go on, not that of its last step, so that the end of its slide looked like
+// that of a swing.
 #include "support/world_helpers.h"
 
 namespace brickfall {

@@ -76,8 +76,8 @@ ContactWork contactWork(const Island& island, const StepContext& context) {
 
 namespace {
 
-// Impulse of a contact with something fixed or kinematic on the island's body, about the world's origin; its work is that
-// of the partner's motion.
+// Impulse of a contact with something fixed or kinematic on the island's body, about the world's origin; its work is
+// that of the partner's motion.
 void addImpulse(const Contact& c, const ContactRecord& r, const ContactStart& start, const BodySet& bodies, bool onB,
                 double dt, BalanceChange& sum) {
   Vec3 n = toDouble(r.n), t1 = toDouble(r.t1), t2 = cross(n, t1);

@@ -21,7 +21,8 @@ struct ContactWork {
 };
 ContactWork contactWork(const Island& island, const StepContext& context);
 
-// What fixed and kinematic bodies gave to the island in the step, about the world's origin; its work is that of their motion.
+// What fixed and kinematic bodies gave to the island in the step, about the world's origin; its work is that of their
+// motion.
 BalanceChange supportImpulses(const Island& island, const StepContext& context);
 
 }  // namespace brickfall

@@ -126,7 +126,8 @@ struct ContactRows {
   bool touchNothing(const StepContext& context) const;
   void leaveOut(Ties ties);
   double firstClosing(const Island& island, double dt, const StepContext& context) const;
-  // Prepared rows become those of an impact: closed points may not close further, open ones do not exist, and of none is anything remembered.
+  // Prepared rows become those of an impact: closed points may not close further, open ones do not exist, and of none
+  // is anything remembered.
   void startImpact(const Island& island, const StepContext& context, double blink);
   // The forces found become multipliers: what springs left of the approach, a thousandth of it, becomes a millionth.
   void keepImpactForces(const Island& island);
