@@ -9,24 +9,14 @@ TiesMemory::TiesMemory(const Island& island, Ties ties) : rows_(island.rows), ti
 void TiesMemory::restore() const { rows_.restore(ties_, memory_); }
 
 IslandTrial::IslandTrial(Island& island, Ties ties, BodySet& bodies)
-    : island_(island),
-      bodies_(bodies),
-      ties_(island, ties),
-      motions_(island.memory),
-      lags_(island.memory),
-      fields_(fieldsOf(island)) {
-  for (BodyIndex body : island.bodies) {
-    motions_.push_back(bodies.motion[body]);
-    lags_.push_back(bodies.data[body].lag);
-  }
+    : island_(island), bodies_(bodies), ties_(island, ties), states_(island.memory), fields_(fieldsOf(island)) {
+  for (BodyIndex body : island.bodies) states_.emplace_back(bodies.motion[body], bodies.data[body]);
 }
 
 void IslandTrial::restore() const {
   ties_.restore();
-  for (std::size_t i = 0; i < motions_.size(); i++) {
-    bodies_.motion[island_.bodies[i]] = motions_[i];
-    bodies_.data[island_.bodies[i]].lag = lags_[i];
-  }
+  for (std::size_t i = 0; i < states_.size(); i++)
+    std::tie(bodies_.motion[island_.bodies[i]], bodies_.data[island_.bodies[i]]) = states_[i];
   fieldsOf(island_) = fields_;
 }
 

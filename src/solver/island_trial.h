@@ -5,6 +5,7 @@
 #pragma once
 #include <memory_resource>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "solver/island.h"
@@ -35,8 +36,7 @@ class IslandTrial {
   Island& island_;
   BodySet& bodies_;
   TiesMemory ties_;
-  std::pmr::vector<BodyMotion> motions_;  // by body
-  std::pmr::vector<double> lags_;         // s, by body
+  std::pmr::vector<std::pair<BodyMotion, BodyData>> states_;  // by body
   std::tuple<double, IslandFacts, SolvePlan, IslandEnding, double, double, bool> fields_;
 };
 
