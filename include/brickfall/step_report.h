@@ -25,7 +25,7 @@ struct StepReport {
   int islands = 0;                                      // awake
   int restingIslands = 0;                               // accepted by the rest check: they cost one light pass
   std::array<int, kIslandEndingCount> islandEndings{};  // awake islands by how their solve ended, of all parts
-  int cycles = 0;                                       // multilevel cycles, summed over islands
+  int cycles = 0;                                       // and steps of direct solves, summed over islands
   double solveVisits = 0;  // two-sided visits of a point in the solve, line search included
   double lightVisits = 0;  // visits that only read forces
   double residualRms = 0;  // worst island: rms of |force residual| / weight when the solve stopped
@@ -33,6 +33,7 @@ struct StepReport {
       0;  // of a moving island's body when the solve stopped: force (torque: at its inner radius) over
           // the larger of its weight and half the sum of the forces on it
   int unbalancedBodies = 0;  // bodies that were left with more than 0.05 of that, of all parts
+  double energyTaken = 0;    // J, that bodies had beyond all that was given to them when the step ended: the last check took it back
   int impacts = 0;           // of small islands, each met at its moment within the step
   int manifoldsReused = 0;
   int manifoldsComputed = 0;

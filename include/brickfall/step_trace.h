@@ -20,7 +20,7 @@ enum class Stage : std::uint8_t {
   impacts,    // small islands, up to and through the impacts of the step
   prepare,    // kinetic damping, free motion, contact records
   rest,       // rest check
-  solve,      // cluster hierarchies, multilevel cycles
+  solve,      // displacements that balance all forces
   store,      // forces kept, velocities, free flight
   obstacles,  // fast bodies stop before what they would pass through
   balance,    // momentum and energy of islands, once

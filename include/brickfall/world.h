@@ -89,9 +89,11 @@ class World {
   // --- Bodies. Every setter refuses non-finite values and stale ids and then changes nothing.
   Result<BodyId> createBody(const BodyDef& def);
   Status destroyBody(BodyId body);
-  // The body is gone, and the pieces are there instead, with new ids in the order given: all of it or, on any error, nothing.
-  // What touches it touches the pieces as before: their contacts go on with what the body's remembered within 0.6 inner radii of the
-  // thinner shape, so that what leans on it is held all the while. Places and velocities are those of the definitions.
+  // The body is gone, and the pieces are there instead, with new ids in the order given: all of it or, on any error,
+  // nothing. What touches it touches the pieces as before: their contacts go on with what the body's remembered within
+  // 0.6 inner radii of the thinner shape, so that what leans on it is held all the while. Places and velocities are
+  // those of the definitions. Forces applied for the next step go to the dynamic pieces: the sums of force and of
+  // torque stay, and all of them gain speed as one rigid body would.
   Result<std::vector<BodyId>> replaceBody(BodyId body, std::span<const BodyDef> pieces);
   bool isValid(BodyId body) const;
   Result<BodyState> state(BodyId body) const;

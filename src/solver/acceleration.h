@@ -1,7 +1,7 @@
 // Goes on from what cycles have found: of all motions that the changes of the last ones add up to, the one of least energy.
 //
-// A cycle moves bodies and clusters one at a time. What they must do together (a wall that sways on stiff joints, a heap that
-// settles) comes along by a little in each cycle, in much the same way. So the island is moved by
+// A cycle moves bodies and clusters one at a time. What they must do together (a wall that sways on stiff contacts, a
+// heap that settles) comes along by a little in each cycle, in much the same way. So the island is moved by
 //
 //   P = sum of x_j s_j,   x such that   s_i . (residual - sum of x_j y_j) = 0   for all i,
 //

@@ -6,7 +6,6 @@
 #include "solver/direct_solve.h"
 #include "solver/light_pass.h"
 #include "solver/relaxation.h"
-#include "solver/rigid_sum.h"
 
 namespace brickfall {
 
@@ -24,7 +23,7 @@ float fallShare(const Island& island, std::size_t i, const StepContext& context)
 // Free motion is the honest start: whatever cycles leave undone falls. In large islands on the ground each body goes on with as
 // much of its fall as it had: what cycles leave undone in a wall or a heap would fall through it a little in every step, and no
 // brick hangs by it, since each that is out of balance by itself is moved until it is not. What is slow there starts from where it is:
-// on stiff joints even micrometres a second of the last step are forces to be solved away.
+// on stiff contacts even micrometres a second of the last step are forces to be solved away.
 void startMotion(Island& island, const StepContext& context) {
   for (std::size_t i = 0; i < island.bodies.size(); i++) {
     const SolveMass& free = island.masses[i];
@@ -76,31 +75,6 @@ void runCycles(Island& island, const StepContext& context, SolveStatistics& stat
   if (startRebounds(island, context)) done = goOn(island, context, statistics);
   island.ending = done ? IslandEnding::balanced : IslandEnding::unbalanced;
   countLeftOver(island, context, statistics);
-}
-
-void correctMomentum(Island& island, const StepContext& context) {
-  if (island.grounded()) return;
-  const BodySet& bodies = *context.bodies;
-  RigidSum missing(island.origin);  // what the solve left, as displacements
-  for (std::size_t i = 0; i < island.bodies.size(); i++) {
-    BodyIndex body = island.bodies[i];
-    double m = bodies.mass[body].mass;
-    Mat3 inertia = bodies.worldInertia(body);
-    // thFree as the solve read it
-    missing.add(m, bodies.motion[body].position, inertia,
-                (context.free[body].d - island.travel - toDouble(island.motion[i].d)) * m,
-                inertia * (toDouble(island.masses[i].thFree) - toDouble(island.motion[i].th)));
-  }
-  Vec3 centre = missing.centre(), move = missing.velocity(), turn = missing.spin();
-  for (std::size_t i = 0; i < island.bodies.size(); i++) {
-    Vec3 r = bodies.motion[island.bodies[i]].position - centre;
-    island.motion[i].d += toFloat(move + cross(turn, r));
-    island.motion[i].th += toFloat(turn);
-    // Rows are not stretched by it: the residuals change by inertia alone, and their sum is none.
-    if (island.residual.empty()) continue;
-    island.residual[i].force -= toFloat((move + cross(turn, r)) * double(island.masses[i].mass));
-    island.residual[i].torque -= toFloat(bodies.worldInertia(island.bodies[i]) * turn * (1 / (island.dt * island.dt)));
-  }
 }
 
 }  // namespace brickfall

@@ -1,4 +1,4 @@
-// The multilevel solve of an island that is not at rest.
+// The solve of an island that is not at rest.
 #pragma once
 #include "solver/island.h"
 
@@ -13,9 +13,5 @@ void runCycles(Island& island, const StepContext& context, SolveStatistics& stat
 // which returns true when every body is in balance.
 void startCycles(Island& island, const StepContext& context);
 bool goOn(Island& island, const StepContext& context, SolveStatistics& statistics);
-
-// A cluster sweep applies action and reaction at different moments, so the momentum of a floating island drifts by the
-// residual left. One rigid step of the whole island, in double, makes linear and angular momentum exact.
-void correctMomentum(Island& island, const StepContext& context);
 
 }  // namespace brickfall

@@ -61,15 +61,14 @@ void integrateFreely(StepContext& context, BodyIndex body, Vec3 acceleration, do
 }
 
 // Forces, damping and drag; where the body's centre goes.
-void predictWay(StepContext& context, BodySet& bodies, BodyIndex body, double dt, double airDensity,
-                Vec3 acceleration) {
+void predictWay(StepContext& context, BodySet& bodies, BodyIndex body, double dt, Vec3 acceleration) {
   BodyMotion& m = bodies.motion[body];
   const BodyData& data = bodies.data[body];
   FreeMotion& free = context.free[body];
   if (data.linearDamping > 0) m.linearVelocity *= decay(data.linearDamping * dt);
   if (data.angularDamping > 0) m.angularVelocity *= decay(data.angularDamping * dt);
   if (data.dragArea > 0) {  // dv/dt = -c |v| v solved exactly: v / (1 + c |v| t); gravity is split off (second order)
-    double c = 0.5 * airDensity * data.dragArea * bodies.mass[body].invMass;
+    double c = 0.5 * context.airDensity * data.dragArea * bodies.mass[body].invMass;
     Vec3 half = context.gravity * (0.5 * dt * data.gravityScale);
     Vec3 v = m.linearVelocity + half;
     m.linearVelocity = v * (1 / (1 + c * length(v) * dt)) - half;
@@ -123,7 +122,7 @@ class WaitingTurns {
 }  // namespace
 
 void predictFreeMotions(StepContext& context, BodySet& bodies, std::span<const BodyIndex> list, double dt,
-                        double airDensity, bool hasContacts) {
+                        bool hasContacts) {
   WaitingTurns waiting(context, bodies, dt, hasContacts);
   for (BodyIndex body : list) {
     const BodyMotion& m = bodies.motion[body];
@@ -140,7 +139,7 @@ void predictFreeMotions(StepContext& context, BodySet& bodies, std::span<const B
       free.lateSpin = data.steady.angular * (0.5 * data.steady.dt);
     }
     Vec3 acceleration = context.gravity * data.gravityScale + data.force * mass.invMass;
-    predictWay(context, bodies, body, dt, airDensity, acceleration);
+    predictWay(context, bodies, body, dt, acceleration);
     if (!hasContacts && context.integrator != Integrator::splitting) {
       integrateFreely(context, body, acceleration, dt);
       continue;

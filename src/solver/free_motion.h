@@ -10,10 +10,9 @@ namespace brickfall {
 // exact turn. For bodies with contacts the solve sees at most kLargestTurn of it, since arms are frozen during a step; their momentum
 // stays. Each body's result is its own, whatever the others in the list.
 void predictFreeMotions(StepContext& context, BodySet& bodies, std::span<const BodyIndex> list, double dt,
-                        double airDensity, bool hasContacts);
-inline void predictFreeMotion(StepContext& context, BodySet& bodies, BodyIndex body, double dt, double airDensity,
-                              bool hasContacts) {
-  predictFreeMotions(context, bodies, {&body, 1}, dt, airDensity, hasContacts);
+                        bool hasContacts);
+inline void predictFreeMotion(StepContext& context, BodySet& bodies, BodyIndex body, double dt, bool hasContacts) {
+  predictFreeMotions(context, bodies, {&body, 1}, dt, hasContacts);
 }
 
 // Leaves the body a share of its free turn, on the way that the whole one takes: energy and momentum stay what they are. Returns it, as

@@ -1,4 +1,5 @@
-// The impacts of one moment: velocities change, no time passes.
+// The impacts of one moment: velocities change, no time passes. Each kind of tie has its own law of them
+// (contact/impact.cpp).
 #pragma once
 #include <memory_resource>
 #include <vector>
@@ -7,19 +8,16 @@
 
 namespace brickfall {
 
-// When, in the rest of the island's step, its first open point closes, s; none: infinity. By StepContext::solved, which is how
-// the island would go on over Island::dt if its open points were not there.
-double firstClosing(const Island& island, const StepContext& context);
-// A point that carried nothing in the last step, was not hit in this one, and is further apart than what counts as closed.
-bool isOpen(const PointMemory& m, int i);
+// Whether an open point may close in a step of StepContext::dt. Asked without a solve, of speeds and fall as they are
+// now: `ahead` times as far.
+bool mayClose(const Island& island, const StepContext& context, double ahead);
+// No tie carried force in the last step, and every point is open.
+bool touchesNothing(const Island& island, const StepContext& context);
 // Prepared rows of an island: its open points carry nothing in the coming solve, and stay as fresh as they were.
 void leaveOut(Island& island, Ties ties);
-
-struct ContactImpact {
-  std::uint32_t row = 0;
-  double speed = 0;    // m/s, fastest approach of its points
-  double impulse = 0;  // N s, that stopped it: rebound left out
-};
+// In how many s the island's first open point closes; none: infinity. By StepContext::solved, which is how the island
+// would go on over `dt` s if its open points were not there.
+double firstClosing(const Island& island, double dt, const StepContext& context);
 
 // Changes the velocities of the island's bodies by the impacts of the points that are closed, with friction and rebound: those
 // nearer than 20 micrometres, or than their approach takes them in `blink` s. Points that are hit are fresh afterwards.

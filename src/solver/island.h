@@ -14,6 +14,14 @@
 
 namespace brickfall {
 
+// Which part of its step an island makes: one that impacts cut (stage_impacts.cpp) makes several.
+enum class IslandPart : std::uint8_t {
+  last,      // what is left of its step, all of it if nothing cut it: a slow island is damped, and may rest
+  between,   // an earlier part
+  toImpact,  // the same up to where a point closes: open points are left out, velocities are those of that moment
+  flight     // the same of an island that touches nothing
+};
+
 struct Island {
   // Islands come and go in a step: all their lists, and what is needed while they are solved, come from `memory`.
   explicit Island(std::pmr::memory_resource* from = std::pmr::get_default_resource()) : memory(from) {}
@@ -33,8 +41,7 @@ struct Island {
   Vec3 origin;    // m, of SolveMass::position and Cluster::centre
   Vec3 travel;    // m: rigid displacement of this step that d and dFree leave out
 
-  // Its step ends where a point closes: open points are left out, velocities are those of that moment.
-  bool toImpact = false;
+  IslandPart part = IslandPart::last;
   Groups groups{memory};  // of its bodies, by the forces of this step
 
   IslandFacts facts;  // of this step, or of the last in which it was not passed over
@@ -49,6 +56,7 @@ struct Island {
 
   BodyIndex key() const { return bodies.front(); }
   bool grounded() const { return !partners.empty(); }  // touches something fixed or kinematic
+  bool toImpact() const { return part == IslandPart::toImpact || part == IslandPart::flight; }
   bool resting() const { return isResting(ending); }
   bool settled() const { return isSettled(ending); }
   // Something about it changed from outside: the coming step looks at it again, and a watch of its place begins anew.

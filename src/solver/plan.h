@@ -50,7 +50,7 @@ struct SolvePlan {
   bool startsFree = true;   // from free motion; else with as much of its fall as each body had
   bool softDebris = false;  // contacts of what moves in it have impactStiffness
   double stiffening = 1;    // x restingStiffness
-  double leastMass = 0;     // kg: joints are as firm as between bodies of that effective mass
+  double leastMass = 0;     // kg: contacts are as firm as between bodies of that effective mass
   double tolerance = 0;     // weights: residual under which a body is left alone
   int minCycles = 0, maxCycles = 0;
   int mostCycles = 0;  // while many of its bodies are out of balance
@@ -59,8 +59,8 @@ struct SolvePlan {
 IslandFacts findFacts(const Island& island, const BodySet& bodies);
 // Each body's kinetic energy, for the facts of the next step.
 void keepEnergies(const Island& island, BodySet& bodies);
-// x restingStiffness: the least that a plan's stiffening may be. `stretch`: dt / the time step of which resting joints have
-// their stiffness.
+// x restingStiffness: the least that a plan's stiffening may be. `stretch`: dt / the time step of which resting
+// contacts have their stiffness.
 double leastStiffening(const SolverSettings& settings, double dt, double stretch);
 // `stretch`, `part`: StepContext's.
 SolvePlan planFor(const IslandFacts& facts, const SolverSettings& settings, double dt, double stretch, double part = 1);

@@ -14,8 +14,7 @@ namespace brickfall {
 namespace {
 
 //! - | too small: bodies that hang by one corner take all cycles | too large: cost
-constexpr int kRounds = 3,
-              kRoundsSmall = 1;  // sweeps over the single bodies in each cycle, forwards and backwards in turn
+constexpr int kRounds = 3, kRoundsSmall = 1;  // sweeps over the bodies in a cycle, forwards and backwards in turn
 //! - | too small: what flips open and shut is left to the next round | too large: cost
 constexpr int kExactSteps = 4;  // of one body in a row
 //! - | too small: cost | too large: bodies are taken up again and again; what slides alone is a little off
@@ -167,13 +166,14 @@ class Relaxation {
       together_.apply();
       moved = true;
     }
-    const double sides = statistics_.solveSides;
+    const std::size_t before = forces_.sidesRead();
     const int rounds = few ? kRoundsSmall : kRounds;
     for (int round = 0; round < rounds && singleSweep(round % 2 != 0); round++) {
     }
     if (large) acceleration_.end();
-    worthReading_ = statistics_.solveSides - sides > kWorthReading * 4.0 * double(island_.rows.size());
-    return moved || statistics_.solveSides > sides;
+    const std::size_t sides = forces_.sidesRead() - before;
+    worthReading_ = double(sides) > kWorthReading * double(island_.rows.size());
+    return moved || sides > 0;
   }
 
   // Of the level that is moved at once.

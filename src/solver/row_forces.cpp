@@ -93,7 +93,9 @@ Wrench RowForces::readBoundary(const Level& level, const Cluster& cluster, bool 
     part.trial += part.count;
     part.firstRow = endRow;
   });
-  statistics_.solveSides += 4.0 * (cluster.sideEnd - cluster.sideBegin);
+  const std::uint32_t sides = cluster.sideEnd - cluster.sideBegin;
+  sidesRead_ += sides;
+  statistics_.solveSides += 4.0 * sides;
   return {wide::store3(sums.force), wide::store3(sums.torque)};
 }
 

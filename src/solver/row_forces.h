@@ -42,6 +42,8 @@ class RowForces {
   // What readBoundary found last holds from now on.
   void acceptBoundary(const Level& level, const Cluster& cluster);
   Island& island() const { return island_; }
+  // Sides that readBoundary has read: how much of the island a solve has been at.
+  std::size_t sidesRead() const { return sidesRead_; }
 
  private:
   //! - | too small: cost | too large: new points slide under bounds that are not theirs
@@ -65,6 +67,7 @@ class RowForces {
   Island& island_;
   SolveStatistics& statistics_;
   std::uint32_t bodies_;
+  std::size_t sidesRead_ = 0;
   std::pmr::vector<Reading> readings_;         // by row
   std::pmr::vector<Reading> trial_;            // of the boundary read last
   std::pmr::vector<std::uint32_t> following_;  // rows with bounds that follow the solve

@@ -85,6 +85,16 @@ struct Rows {
     const auto& kind = std::get<i>(kinds());
     return k < kind.size() && kind.indexOf(k) == link.index;
   }
+  // All that the ties remember, by kind; and that again, whatever a trial has made of it (island_trial.h).
+  using Memory = std::tuple<ContactRows::Memory>;
+  template <std::size_t i = 0> void remember(Ties ties, Memory& out) const {
+    std::get<i>(kinds()).remember(ties, std::get<i>(out));
+    if constexpr (i + 1 < kKinds) remember<i + 1>(ties, out);
+  }
+  template <std::size_t i = 0> void restore(Ties ties, const Memory& memory) const {
+    std::get<i>(kinds()).restore(ties, std::get<i>(memory));
+    if constexpr (i + 1 < kKinds) restore<i + 1>(ties, memory);
+  }
   // The ties are those of `old`.
   template <std::size_t i = 0> bool continues(const Rows& old, const StepContext& context) const {
     if (!std::get<i>(kinds()).continues(std::get<i>(old.kinds()), context)) return false;

@@ -1,5 +1,6 @@
 // What the stages of one step share.
 #pragma once
+#include <algorithm>
 #include <memory_resource>
 #include <vector>
 
@@ -10,16 +11,17 @@
 
 namespace brickfall {
 
-// Constants of the method; solver.md's recipe in numbers. What users may change is in SolverSettings.
+// Constants of the method that several files share; docs/step.md explains them. What users may change is in
+// SolverSettings.
 //! m/s2 | too small: weights are light, so residuals look large: walls stay awake | too large: slow topples are held
 constexpr double kReferenceGravity = 9.81;  // m/s2: weight by which residuals are judged, whatever the scene's gravity
 //! - | too small: gaps and drifts of the last step are corrected more slowly
 //! | too large: oscillation from step to step
 constexpr float kCorrect = 0.5f;  // 1 - alpha: share of an old gap or drift that a step corrects
 //! - | too small: loads are carried by overlap: walls sag further | too large: oscillation from step to step
-constexpr float kMultiplierShare = 0.5f;  // ld: share of the last force held as multiplier
+constexpr float kMultiplierShare = 0.5f;  // share of the last force kept as multiplier
 //! - | too small: loads build up over many steps | too large: an impact's force acts twice
-constexpr float kMultiplierGrowth = 2;  // a held force grows to at most this x the held one ...
+constexpr float kMultiplierGrowth = 2;  // the multiplier grows to at most this x what it was ...
 //! mEff g | with kMultiplierGrowth
 constexpr float kMultiplierWeights = 5;  // ... plus this many effective weights per step
 //! - | too small: overlap from a landing is released at once, as a rebound | too large: it stays for long
@@ -93,6 +95,19 @@ struct SolveStatistics {
   double residualRms = 0;
   double worstResidual = 0;  // of max(weight, load)
   int leftOver = 0;          // bodies with more than kLeftOver
+  double energyTaken = 0;    // J, by the last check
+
+  void addCost(const SolveStatistics& s) {
+    cycles += s.cycles;
+    solveSides += s.solveSides;
+    lightVisits += s.lightVisits;
+  }
+  void add(const SolveStatistics& s) {
+    addCost(s);
+    residualRms = std::max(residualRms, s.residualRms);
+    worstResidual = std::max(worstResidual, s.worstResidual);
+    leftOver += s.leftOver;
+  }
 };
 
 // What ties bodies, by kind: for whatever changes what ties remember. All others see it through StepContext.
@@ -103,8 +118,9 @@ struct Ties {
 struct StepContext {
   double dt = 0;
   double part = 1;     // dt / that of the substep of which it is a part (heavy_hits.h)
-  double stretch = 1;  // the substep's dt / the time step of which resting joints have their stiffness
+  double stretch = 1;  // the substep's dt / the time step of which resting contacts have their stiffness
   Vec3 gravity;
+  double airDensity = 0;  // kg/m3
   SolverSettings settings;
   Integrator integrator = Integrator::splitting;  // of bodies without contacts
   const BodySet* bodies = nullptr;                // what changes them is handed them besides

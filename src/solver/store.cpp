@@ -8,16 +8,9 @@ bool storeRows(Island& island, Ties ties, StepContext& context) {
   return changed;
 }
 
-void tellMean(Island& island, Ties ties, double step, bool done) {
-  const float share = float(island.dt / step) - (done ? 0.0f : 1.0f);
-  for (ContactIndex contact : island.rows.contacts.contactOf) {
-    PointMemory& m = ties.contacts.contacts[contact].points;
-    for (int i = 0; i < ties.contacts.contacts[contact].count; i++) {
-      if (m.forceN[i] == 0) continue;
-      addHit(m, i, m.forceN[i] * share, m.force1[i] * share, m.force2[i] * share);
-      ties.contacts.strike(contact);
-    }
-  }
+void tellMean(const Island& island, Ties ties, double step) {
+  const float share = float(island.dt / step) - (island.part == IslandPart::last ? 1.0f : 0.0f);
+  island.rows.eachKind([&](const auto& kind) { kind.tellShare(ties, share); });
 }
 
 void advanceRows(Island& island, Ties ties, const StepContext& context) {

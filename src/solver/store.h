@@ -8,8 +8,8 @@ namespace brickfall {
 // or if the island does not rest; what would change by rounding only stays as it is, to the bit.
 bool storeRows(Island& island, Ties ties, StepContext& context);
 // Of an island's part of a step of `step` s: contacts tell of forces as their means over the step. The force that a point
-// remembers counts for the last part; of those before it (`done`) nothing is remembered.
-void tellMean(Island& island, Ties ties, double step, bool done = false);
+// remembers counts for the last part; of those before it nothing is remembered.
+void tellMean(const Island& island, Ties ties, double step);
 // After all corrections of the motion: carries the ties on by it (gaps and drifts of contacts).
 void advanceRows(Island& island, Ties ties, const StepContext& context);
 

@@ -77,8 +77,8 @@ Vec3 slideLeft(const Island& island, const std::pmr::vector<char>& of, const Ste
   double most = length(support);
   if (!(most > 0)) return mass > 0 ? momentum * (1 / mass) : Vec3{};
   Vec3 normal = support * (1 / most), along = momentum - normal * dot(momentum, normal);
-  double slides = length(along), held = friction * island.dt;
-  return slides > held ? along * ((1 - held / slides) / mass) : Vec3{};
+  double slides = length(along), stopped = friction * island.dt;
+  return slides > stopped ? along * ((1 - stopped / slides) / mass) : Vec3{};
 }
 
 //! m/s | too small: floats that round keep what stands on smooth ground from rest | too large: what slides on it slowly is stopped

@@ -6,25 +6,26 @@ namespace brickfall {
 
 namespace {
 
-//! - | too small: nothing rests while time steps vary | too large: joints keep the stiffness of time steps long past
-constexpr double kSameJoints = 2.2;  // factor between time steps within which joints stay as they are
-//! - | too small: steps that spread widely change joints often | too large: the same, at once again
-constexpr double kNewJoints = 2;  // factor to which they follow what is beyond
-//! - | too small: pictures that take equally long by chance change all joints | too large: the same, of time steps that have changed
-constexpr int kSteadySteps = 30;  // of one length: then joints get the stiffness of that
+//! - | too small: nothing rests while time steps vary | too large: contacts keep the stiffness of time steps long past
+constexpr double kKeepStiffness = 2.2;  // factor between time steps within which contacts stay as they are
+//! - | too small: steps that spread widely change contacts often | too large: the same, at once again
+constexpr double kFollowStiffness = 2;  // factor to which they follow what is beyond
+//! - | too small: pictures that take equally long by chance change all contacts
+//! | too large: the same, of time steps that have changed
+constexpr int kSteadySteps = 30;  // of one length: then contacts get the stiffness of that
 
 }  // namespace
 
 bool Clock::beginSubstep(double dt) {
-  const double lastJointDt = jointDt;
+  const double lastStiffnessDt = stiffnessDt;
   const bool same = dt == lastDt;
   steadySteps = same ? std::min(steadySteps, kSteadySteps - 1) + 1 : 0;
-  if (jointDt == 0 || steadySteps == kSteadySteps)
-    jointDt = dt;
-  else if (dt > kSameJoints * jointDt || jointDt > kSameJoints * dt)
-    jointDt = std::clamp(jointDt, dt / kNewJoints, dt * kNewJoints);
+  if (stiffnessDt == 0 || steadySteps == kSteadySteps)
+    stiffnessDt = dt;
+  else if (dt > kKeepStiffness * stiffnessDt || stiffnessDt > kKeepStiffness * dt)
+    stiffnessDt = std::clamp(stiffnessDt, dt / kFollowStiffness, dt * kFollowStiffness);
   lastDt = dt;
-  return !same || jointDt != lastJointDt;
+  return !same || stiffnessDt != lastStiffnessDt;
 }
 
 }  // namespace brickfall

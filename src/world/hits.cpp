@@ -4,9 +4,10 @@
 
 namespace brickfall {
 
-void tellHit(const WorldDef& def, const Registry& registry, const Contact& contact, const ContactRecord& record,
-             double speed, double impulse, std::vector<HitEvent>& out) {
-  if (speed < def.hitEventSpeed || impulse < def.hitEventImpulse) return;
+namespace {
+
+HitEvent hitOf(const Registry& registry, const Contact& contact, const ContactRecord& record,
+               const ContactImpact& impact) {
   const BodySet& bodies = registry.bodies;
   HitEvent hit;
   hit.bodyA = registry.idOf(contact.bodyA);
@@ -17,9 +18,20 @@ void tellHit(const WorldDef& def, const Registry& registry, const Contact& conta
     std::swap(hit.bodyA, hit.bodyB);
     hit.normalWorld = -hit.normalWorld;
   }
-  hit.approachSpeed = speed;
-  hit.impulse = impulse;
-  out.push_back(hit);
+  hit.approachSpeed = impact.speed;
+  hit.impulse = impact.impulse;
+  return hit;
+}
+
+}  // namespace
+
+void tellHits(const WorldDef& def, const Registry& registry, const Island& island,
+              const std::pmr::vector<ContactImpact>& impacts, const StepContext& context, std::vector<HitEvent>& out) {
+  for (const ContactImpact& impact : impacts) {
+    if (impact.speed < def.hitEventSpeed || impact.impulse < def.hitEventImpulse) continue;
+    const ContactRecord& record = island.rows.contacts.records[impact.row];
+    out.push_back(hitOf(registry, context.contacts->contacts[record.contact], record, impact));
+  }
 }
 
 }  // namespace brickfall

@@ -1,16 +1,16 @@
 // Hits, as listeners are told of them.
 #pragma once
+#include <memory_resource>
 #include <vector>
 
 #include "brickfall/world.h"
-#include "dynamics/contact.h"
-#include "solver/contact/record.h"
+#include "solver/island.h"
 #include "world/registry.h"
 
 namespace brickfall {
 
-// A contact was hit at this speed (m/s) by this impulse (N s): told if the world asks to hear of so much.
-void tellHit(const WorldDef& def, const Registry& registry, const Contact& contact, const ContactRecord& record,
-             double speed, double impulse, std::vector<HitEvent>& out);
+// Those of an island's impacts that the world asks to hear of.
+void tellHits(const WorldDef& def, const Registry& registry, const Island& island,
+              const std::pmr::vector<ContactImpact>& impacts, const StepContext& context, std::vector<HitEvent>& out);
 
 }  // namespace brickfall

@@ -18,12 +18,12 @@ void Quarantine::hold(BodyIndex body) {
   m.linearVelocity = m.angularVelocity = {};
   registry_.bodies.data[body].quarantined = true;
   report_.quarantined.push_back(registry_.idOf(body));
-  held_.push_back(body);
+  caught_.push_back(body);
 }
 
 void Quarantine::isolateHeld() {
-  for (BodyIndex body : held_) upkeep_.isolate(body);
-  held_.clear();
+  for (BodyIndex body : caught_) upkeep_.isolate(body);
+  caught_.clear();
 }
 
 void quarantineAbsurd(const Registry& registry, const Activity& activity, double dt, Quarantine& quarantine) {

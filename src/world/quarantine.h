@@ -22,7 +22,7 @@ class Quarantine {
   Registry& registry_;
   StepReport& report_;
   Upkeep upkeep_;
-  std::vector<BodyIndex> held_;
+  std::vector<BodyIndex> caught_;
 };
 
 // What its forces or impulses would make absurdly fast is taken out before it can spoil the sums of its island.

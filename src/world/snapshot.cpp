@@ -67,7 +67,7 @@ class SnapshotArchive {
     a.flag(w.activity.membershipChanged);
     a.value(w.clock.time);
     a.value(w.clock.lastDt);
-    a.value(w.clock.jointDt);
+    a.value(w.clock.stiffnessDt);
     a.value(w.clock.steadySteps);
     a.value(w.clock.stepCount);
     a.list(w.diary.touchingBefore);

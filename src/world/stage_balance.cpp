@@ -1,7 +1,5 @@
-// Momentum and energy of each island, once, when nothing changes its motion any more.
-#include "solver/finish/balance.h"
-
-#include "solver/finish/motion.h"
+// The last check on the energy of each island, once, when nothing changes its motion any more.
+#include "solver/island_step.h"
 #include "world/activity.h"
 #include "world/diary.h"
 #include "world/registry.h"
@@ -11,8 +9,7 @@
 namespace brickfall {
 
 void balanceIslands(const IslandSet& islands, StepContext& context) {
-  for (const IslandPointer& island : islands.awake)
-    if (!island->resting() && solvedWell(*island, context)) checkEnergy(*island, context);
+  for (const IslandPointer& island : islands.awake) context.statistics.energyTaken += balanceIsland(*island, context);
 }
 
 void hashBalance(const IslandSet& islands, const StepContext& context, HashItems& out) { out.solved(islands, context); }

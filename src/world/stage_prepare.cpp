@@ -1,8 +1,7 @@
 // Kinetic damping; where each body would go if nothing touched it; contacts to records. From here to the balance a settled
 // island, of which nothing can change, is passed over.
 #include "solver/free_motion.h"
-#include "solver/prepare.h"
-#include "solver/rest.h"
+#include "solver/island_step.h"
 #include "world/activity.h"
 #include "world/diary.h"
 #include "world/registry.h"
@@ -11,24 +10,12 @@
 
 namespace brickfall {
 
-void prepare(const WorldDef& def, Registry& registry, IslandSet& islands, ContactSet& contacts, StepContext& context) {
+void prepare(Registry& registry, IslandSet& islands, ContactSet& contacts, StepContext& context) {
   BodySet& bodies = registry.bodies;
   context.free.resize(bodies.slots());
   context.solved.resize(bodies.slots());
-  predictFreeMotions(context, bodies, islands.single, context.dt, def.airDensity, false);
-  for (IslandPointer& island : islands.awake) {
-    if (island->settled()) {
-      island->ending = IslandEnding::settled;
-      continue;
-    }
-    island->facts = findFacts(*island, bodies);
-    keepEnergies(*island, bodies);
-    island->plan = planFor(island->facts, context.settings, island->dt, context.stretch, context.part);
-    dampSlowIsland(*island, context, bodies);
-    predictFreeMotions(context, bodies, island->bodies, island->dt, def.airDensity, true);
-    prepareBodies(*island, context);
-    prepareRows(*island, Ties{contacts}, context);
-  }
+  predictFreeMotions(context, bodies, islands.single, context.dt, false);
+  for (IslandPointer& island : islands.awake) prepareIsland(*island, Ties{contacts}, bodies, context);
 }
 
 void hashPrepare(const Registry& registry, const IslandSet& islands, const ContactSet& contacts,

@@ -1,6 +1,5 @@
 // For slow islands: do last step's forces balance without any motion?
-#include "solver/rest.h"
-
+#include "solver/island_step.h"
 #include "world/stage_hash.h"
 #include "world/stages.h"
 
@@ -9,10 +8,7 @@ namespace brickfall {
 void checkRest(IslandSet& islands, StepContext& context) {
   for (IslandPointer& island : islands.awake) {
     context.statistics.islands++;
-    if (island->settled())
-      context.statistics.restingIslands++;
-    else
-      restCheck(*island, context);
+    restIsland(*island, context);
   }
 }
 

@@ -1,13 +1,10 @@
 // What the solve found is kept: forces for the next step, motions for the stages to come. Hits are told here, by the forces of
 // the solve.
-#include "solver/store.h"
-
 #include <algorithm>
 
 #include "solver/contact/energy.h"
-#include "solver/finish/finish.h"
 #include "solver/finish/motion.h"
-#include "solver/rest.h"
+#include "solver/island_step.h"
 #include "world/activity.h"
 #include "world/diary.h"
 #include "world/hits.h"
@@ -19,39 +16,11 @@ namespace brickfall {
 
 namespace {
 
-// The impact of a contact in the step just made: fastest approach and impulse over its points.
-struct ContactImpact {
-  double speed = 0, impulse = 0;
-};
-
-ContactImpact impactOf(const Contact& c, const ContactStart& start, double dt) {
-  ContactImpact out;
-  for (int i = 0; i < c.count; i++) {
-    if (!(c.points.forceN[i] > 0)) continue;
-    out.speed = std::max(out.speed, double(-start.approach[i]));
-    out.impulse += double(c.points.forceN[i]) * dt;
-  }
-  return out;
-}
-
-// Whether any point comes on at the speed that a hit has: read first, since in a wall that only sways none does.
-bool anyFast(const ContactStart& start, double speed) {
-  for (int i = 0; i < start.points; i++)
-    if (double(-start.approach[i]) >= speed) return true;
-  return !(speed > 0);
-}
-
-void collectHits(const WorldDef& def, const Registry& registry, const Island& island, const ContactSet& contacts,
+void collectHits(const WorldDef& def, const Registry& registry, const Island& island, const StepContext& context,
                  std::vector<HitEvent>& out) {
-  const ContactRows& rows = island.rows.contacts;
-  if (double(rows.fastestApproach) < def.hitEventSpeed) return;
-  for (std::size_t k = 0; k < rows.contactOf.size(); k++) {
-    if (!anyFast(rows.starts[k], def.hitEventSpeed)) continue;
-    const Contact& c = contacts.contacts[rows.contactOf[k]];
-    if (!c.touching) continue;
-    ContactImpact impact = impactOf(c, rows.starts[k], island.dt);
-    tellHit(def, registry, c, rows.records[k], impact.speed, impact.impulse, out);
-  }
+  std::pmr::vector<ContactImpact> impacts(island.memory);
+  island.rows.contacts.findHits(island, context, def.hitEventSpeed, impacts);
+  tellHits(def, registry, island, impacts, context, out);
 }
 
 }  // namespace
@@ -60,13 +29,9 @@ void storeSolution(const WorldDef& def, const Registry& registry, IslandSet& isl
                    StepContext& context, Events& events) {
   for (BodyIndex body : islands.single) storeFreeBody(body, context.dt, context);
   for (IslandPointer& island : islands.awake) {
-    if (island->settled()) continue;
-    bool changed = storeRows(*island, Ties{contacts}, context);
-    if (island->dt < context.dt) tellMean(*island, Ties{contacts}, context.dt);
-    if (!island->resting()) collectHits(def, registry, *island, contacts, events.hits);
-    if (island->resting() && !changed) island->ending = IslandEnding::settled;
-    restInPlace(*island, context);
-    finishMotion(*island, Ties{contacts}, context);
+    const bool solved = !island->resting();  // even if it is put to rest in place below
+    storeIsland(*island, Ties{contacts}, context);
+    if (solved) collectHits(def, registry, *island, context, events.hits);
   }
 }
 
@@ -79,39 +44,6 @@ void hashStore(const IslandSet& islands, const ContactSet& contacts, const StepC
 }
 
 namespace {
-
-// Impulse of a contact with something fixed or kinematic on the island's body, about the world's origin; its work is that
-// of the partner's motion.
-BalanceChange impulseOf(const Contact& c, const ContactRecord& r, const ContactStart& start, const BodySet& bodies,
-                        bool onB, double dt) {
-  BalanceChange out;
-  Vec3 n = toDouble(r.n), t1 = toDouble(r.t1), t2 = cross(n, t1);
-  Vec3 centre = bodies.motion[c.bodyA].position + toDouble(r.armA);
-  const BodyMotion& partner = bodies.motion[onB ? c.bodyA : c.bodyB];
-  double sign = onB ? dt : -dt;
-  for (int i = 0; i < c.count; i++) {
-    auto sum = [&](float force, float back) { return double(force) + double(back); };
-    Vec3 impulse = (n * sum(c.points.forceN[i], start.back[i]) + t1 * sum(c.points.force1[i], start.back1[i]) +
-                    t2 * sum(c.points.force2[i], start.back2[i])) *
-                   sign;
-    Vec3 point = centre + t1 * double(r.s1[i]) + t2 * double(r.s2[i]);
-    Vec3 velocity = partner.linearVelocity + cross(partner.angularVelocity, point - partner.position);
-    out += {impulse, cross(point, impulse), dot(impulse, velocity)};
-  }
-  return out;
-}
-
-BalanceChange supportImpulses(const Island& island, const BodySet& bodies, const ContactSet& contacts, double dt) {
-  BalanceChange sum;
-  for (std::size_t k = 0; k < island.rows.contacts.records.size(); k++) {
-    const ContactRecord& r = island.rows.contacts.records[k];
-    bool partnerA = r.bodyA >= island.bodies.size(), partnerB = r.bodyB >= island.bodies.size();
-    if (partnerA || partnerB)
-      sum += impulseOf(contacts.contacts[island.rows.contacts.contactOf[k]], r, island.rows.contacts.starts[k], bodies,
-                       partnerA, dt);
-  }
-  return sum;
-}
 
 // The work of contacts, and what it did to what they hold.
 BalanceChange contactsNow(const IslandSet& islands, const ContactSet& contacts, const StepContext& context,
@@ -136,8 +68,7 @@ void bookStore(const Registry& registry, const Activity& activity, const Contact
   LedgerState& s = diary.ledgerState;
   StepLedger& ledger = *diary.report.ledger;
   BalanceChange supports;
-  for (const IslandPointer& island : activity.islands.awake)
-    supports += supportImpulses(*island, bodies, contacts, island->dt);
+  for (const IslandPointer& island : activity.islands.awake) supports += supportImpulses(*island, context);
   Vec3 inFlight, inContact;
   for (BodyIndex body : activity.awake) {
     const SolvedMotion& m = context.solved[body];

@@ -35,7 +35,7 @@ void meetImpacts(const WorldDef&, Registry&, IslandSet&, Proximity&, StepContext
 void hashImpacts(const Registry&, const IslandSet&, const ContactSet&, HashItems&);
 void bookImpacts(const Registry&, const ContactSet&, const StepContext&, Diary&);
 
-void prepare(const WorldDef&, Registry&, IslandSet&, ContactSet&, StepContext&);
+void prepare(Registry&, IslandSet&, ContactSet&, StepContext&);
 void hashPrepare(const Registry&, const IslandSet&, const ContactSet&, const StepContext&, HashItems&);
 void bookPrepare(const Registry&, const Activity&, const ContactSet&, const StepContext&, Diary&);
 

@@ -44,8 +44,7 @@ std::span<const World::Impl::StageRow> World::Impl::stageRows() {
        [](const W& w, H& out) { hashImpacts(w.registry, w.activity.islands, w.proximity.contacts, out); },
        [](W& w) { bookImpacts(w.registry, w.proximity.contacts, w.solve.context, w.diary); }},
 
-      {Stage::prepare,
-       [](W& w) { prepare(w.def, w.registry, w.activity.islands, w.proximity.contacts, w.solve.context); },
+      {Stage::prepare, [](W& w) { prepare(w.registry, w.activity.islands, w.proximity.contacts, w.solve.context); },
        [](const W& w, H& out) {
          hashPrepare(w.registry, w.activity.islands, w.proximity.contacts, w.solve.context, out);
        },
@@ -127,6 +126,7 @@ void World::Impl::beginPart(double dt) {
   StepContext& context = solve.context;
   context.dt = dt;
   context.gravity = def.gravity;
+  context.airDensity = def.airDensity;
   context.settings = def.solver;
   context.integrator = def.integrator;
   context.bodies = &registry.bodies;
@@ -134,7 +134,7 @@ void World::Impl::beginPart(double dt) {
   context.memory = &solve.memory;
   context.statistics = {};
   context.part = dt / clock.lastDt;
-  context.stretch = clock.lastDt / clock.jointDt;
+  context.stretch = clock.lastDt / clock.stiffnessDt;
   traceStage(
       {}, [](const Impl& w, HashItems& out) { hashGiven(w.registry, w.activity.islands, w.proximity.contacts, out); },
       [](Impl& w) {
@@ -156,6 +156,7 @@ void World::Impl::endPart() {
   report.residualRms = std::max(report.residualRms, s.residualRms);
   report.worstResidual = std::max(report.worstResidual, s.worstResidual);
   report.unbalancedBodies += s.leftOver;
+  report.energyTaken += s.energyTaken;
 }
 
 void World::Impl::runSubstep(double dt, bool last) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "solver/rigid_sum.h"
 #include "world/narrow_phase.h"
 #include "world/succession.h"
 
@@ -27,11 +28,33 @@ std::vector<BodyIndex> Upkeep::replace(BodyIndex body, std::vector<BodyPlan>&& p
   wakeIslandOf(body);
   wakeTouching(body);  // now all contacts of the body are among the pairs that are awake
   Succession succession(registry_, proximity_.contacts, body);
+  const Vec3 centre = registry_.bodies.motion[body].position;
+  const Vec3 force = registry_.bodies.data[body].force, torque = registry_.bodies.data[body].torque;
   destroy(body);
   std::vector<BodyIndex> made;
   for (BodyPlan& piece : pieces) made.push_back(create(std::move(piece)));
   succession.pass(registry_, made, proximity_);
+  if (force != Vec3{} || torque != Vec3{}) push(made, centre, force, torque);
   return made;
+}
+
+void Upkeep::push(const std::vector<BodyIndex>& pieces, Vec3 at, Vec3 force, Vec3 torque) {
+  BodySet& bodies = registry_.bodies;
+  RigidSum sum(at);
+  for (BodyIndex piece : pieces)
+    if (bodies.data[piece].type == BodyType::dynamic)
+      sum.add(bodies.mass[piece].mass, bodies.motion[piece].position, bodies.worldInertia(piece), {}, {});
+  if (!(sum.mass() > 0)) return;
+  const Vec3 centre = sum.centre(), acceleration = force * (1 / sum.mass());
+  const Vec3 turning = inverse(sum.inertia()) * (torque - cross(centre - at, force));
+  for (BodyIndex piece : pieces) {
+    BodyData& data = bodies.data[piece];
+    if (data.type != BodyType::dynamic) continue;
+    Vec3 arm = bodies.motion[piece].position - centre;
+    data.force = (acceleration + cross(turning, arm)) * bodies.mass[piece].mass;
+    data.torque = bodies.worldInertia(piece) * turning;
+    activity_.push(piece);
+  }
 }
 
 void Upkeep::setType(BodyIndex body, BodyType type) {

@@ -15,7 +15,8 @@ class Upkeep {
 
   BodyIndex create(BodyPlan&& plan);
   void destroy(BodyIndex body);
-  // By pieces, whose contacts go on with what those of the body remember.
+  // By pieces, whose contacts go on with what those of the body remember. The body's forces of the coming step go to
+  // them.
   std::vector<BodyIndex> replace(BodyIndex body, std::vector<BodyPlan>&& pieces);
   void setType(BodyIndex body, BodyType type);
   void setPose(BodyIndex body, Vec3 position, Quat rotation);
@@ -28,6 +29,9 @@ class Upkeep {
   void wakeAll();
 
  private:
+  // A force and a torque about `at` for the coming step, shared by dynamic pieces so that they gain speed as one rigid
+  // body would.
+  void push(const std::vector<BodyIndex>& pieces, Vec3 at, Vec3 force, Vec3 torque);
   void removeContactsOf(BodyIndex body);
   void renewProxies(BodyIndex body);
   void wakeTouching(BodyIndex body);  // sleeping islands in contact with the body

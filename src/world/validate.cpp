@@ -21,7 +21,7 @@ void World::Impl::checkLinks(Findings& f) const {
   activity.check(f, registry.bodies, proximity.contacts);
   diary.check(f, registry);
   auto isStep = [](double dt) { return dt >= 0 && dt <= limits::kLongestTimeStep; };
-  f.expect(clock.time >= 0 && std::isfinite(clock.time) && isStep(clock.lastDt) && isStep(clock.jointDt) &&
+  f.expect(clock.time >= 0 && std::isfinite(clock.time) && isStep(clock.lastDt) && isStep(clock.stiffnessDt) &&
                clock.steadySteps >= 0,
            "time: out of range");
 }

@@ -81,7 +81,6 @@ std::uint64_t probeStep(const World& world, double dt, const std::function<void(
       updateHierarchy(island, w.solve.context);
       runCycles(island, w.solve.context, statistics);
       found.ending = endingOf(island);
-      correctMomentum(island, w.solve.context);
     }
     found.posed = problems[i];
     found.problem = std::move(problems[i]);
@@ -127,7 +126,6 @@ ConvergedStep stepConverged(World& world, double dt, double tolerance) {
       island.motion[k].d = toFloat(s.motion[k].d - island.travel);
       island.motion[k].th = toFloat(s.motion[k].th);
     }
-    correctMomentum(island, w.solve.context);
   }
   finishStep(w);
   return out;

@@ -14,14 +14,8 @@
 
 #include "geometry/shape.h"
 #include "narrowphase/collide.h"
-#include "solver/cycles.h"
-#include "solver/finish/balance.h"
-#include "solver/finish/finish.h"
-#include "solver/finish/motion.h"
-#include "solver/free_motion.h"
 #include "solver/island_builder.h"
-#include "solver/prepare.h"
-#include "solver/rest.h"
+#include "solver/island_step.h"
 #include "solver/store.h"
 
 namespace brickfall::test {
@@ -139,34 +133,21 @@ class TestIsland {
     context.solved.resize(bodies.slots());
   }
   void prepare() {
-    Island& all = island();
-    all.dt = context.dt;
-    all.facts = findFacts(all, bodies);
-    keepEnergies(all, bodies);
-    all.plan = planFor(all.facts, context.settings, all.dt, context.stretch);
-    dampSlowIsland(all, context, bodies);
-    for (BodyIndex body : all.bodies) predictFreeMotion(context, bodies, body, all.dt, 1.2, true);
-    prepareBodies(all, context);
-    prepareRows(all, ties(), context);
+    island().dt = context.dt;
+    prepareIsland(island(), ties(), bodies, context);
   }
-  void checkRest() { restCheck(island(), context); }
-  // Cycles, and the direct solve where the plan has it.
+  void checkRest() { restIsland(island(), context); }
   SolveStatistics solve() {
     SolveStatistics statistics;
-    if (island().resting()) return statistics;
-    updateHierarchy(island(), context);
-    runCycles(island(), context, statistics);
-    correctMomentum(island(), context);
+    solveIsland(island(), context, statistics);
     return statistics;
   }
-  // True if any force of the contacts changed.
+  // True if any force of the contacts changed, or if the island does not rest.
   bool store() {
-    bool changed = storeRows(island(), ties(), context);
-    if (island().resting() && !changed) island().ending = IslandEnding::settled;
-    restInPlace(island(), context);
-    finishMotion(island(), ties(), context);
-    return changed;
+    storeIsland(island(), ties(), context);
+    return !island().settled();
   }
+  void balance() { balanceIsland(island(), context); }
   // Velocities, poses, gaps.
   void move() {
     advanceRows(island(), ties(), context);
@@ -183,16 +164,8 @@ class TestIsland {
       m.angularVelocity = bodies.worldInvInertia(body) * s.angularMomentum;
     }
   }
-  // Without rebounds, and without taking back what an unconverged solve gained.
   void step() {
-    if (island().settled()) {
-      island().ending = IslandEnding::settled;
-      return;
-    }
-    prepare();
-    checkRest();
-    solve();
-    store();
+    stepIsland(island(), IslandPart::last, context.dt, ties(), bodies, context, context.statistics);
     move();
   }
   void run(int steps) {

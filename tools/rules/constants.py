@@ -51,7 +51,7 @@ def marked(name, text):
                 if lines[above].strip().startswith("//! not of the method"):
                     mark = lines[above].strip()[3:].strip()
                 above -= 1
-        parts = [part.split("=", 1) for part in re.split(r",\s+", match.group(2))]
+        parts = [part.split("=", 1) for part in re.split(r",\s+(?=\w+\s*=)", match.group(2))]
         if all(len(part) == 2 for part in parts):
             of_file = not match.group(0)[0].isspace() or name == SETTINGS
             yield first, of_file, [a.strip() for a, _ in parts], [b.strip() for _, b in parts], mark

@@ -74,4 +74,42 @@ ContactWork contactWork(const Island& island, const StepContext& context) {
   return out;
 }
 
+namespace {
+
+// Impulse of a contact with something fixed or kinematic on the island's body, about the world's origin; its work is
+// that of the partner's motion.
+void addImpulse(const Contact& c, const ContactRecord& r, const ContactStart& start, const BodySet& bodies, bool onB,
+                double dt, BalanceChange& sum) {
+  Vec3 n = toDouble(r.n), t1 = toDouble(r.t1), t2 = cross(n, t1);
+  Vec3 centre = bodies.motion[c.bodyA].position + toDouble(r.armA);
+  const BodyMotion& partner = bodies.motion[onB ? c.bodyA : c.bodyB];
+  double sign = onB ? dt : -dt;
+  for (int i = 0; i < c.count; i++) {
+    auto force = [&](float kept, float back) { return double(kept) + double(back); };
+    Vec3 impulse = (n * force(c.points.forceN[i], start.back[i]) + t1 * force(c.points.force1[i], start.back1[i]) +
+                    t2 * force(c.points.force2[i], start.back2[i])) *
+                   sign;
+    Vec3 point = centre + t1 * double(r.s1[i]) + t2 * double(r.s2[i]);
+    Vec3 velocity = partner.linearVelocity + cross(partner.angularVelocity, point - partner.position);
+    sum.linear += impulse;
+    sum.angular += cross(point, impulse);
+    sum.energy += dot(impulse, velocity);
+  }
+}
+
+}  // namespace
+
+BalanceChange supportImpulses(const Island& island, const StepContext& context) {
+  const ContactRows& rows = island.rows.contacts;
+  BalanceChange sum;
+  for (std::size_t k = 0; k < rows.size(); k++) {
+    const ContactRecord& r = rows.records[k];
+    bool partnerA = r.bodyA >= island.bodies.size(), partnerB = r.bodyB >= island.bodies.size();
+    if (partnerA || partnerB)
+      addImpulse(context.contacts->contacts[rows.contactOf[k]], r, rows.starts[k], *context.bodies, partnerA, island.dt,
+                 sum);
+  }
+  return sum;
+}
+
 }  // namespace brickfall

@@ -1,5 +1,6 @@
 // What contacts hold, and the work that they do: for the ledger.
 #pragma once
+#include "brickfall/step_trace.h"
 #include "solver/island.h"
 
 namespace brickfall {
@@ -19,5 +20,9 @@ struct ContactWork {
   double elastic = 0;  // J, held after it
 };
 ContactWork contactWork(const Island& island, const StepContext& context);
+
+// What fixed and kinematic bodies gave to the island in the step, about the world's origin; its work is that of their
+// motion.
+BalanceChange supportImpulses(const Island& island, const StepContext& context);
 
 }  // namespace brickfall

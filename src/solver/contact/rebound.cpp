@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/contact/point_forces.h"
 #include "solver/support.h"
 
 namespace brickfall {
@@ -16,26 +17,15 @@ namespace {
 //! - | too small: what is pressed on rebounds late | too large: impacts that still go on give back too little
 constexpr float kOverShare = 0.1f;  // of the speed at which an impact began: what closes more slowly has been stopped
 
-struct PointsNow {
-  alignas(16) float force[4], way[4];  // N, m: along the normal
-};
-PointsNow pointsAt(const ContactRecord& r, const SolveMotion* motion) {
-  auto moved = kernel::pointMotion(r, kernel::frame(r), motion);
-  PointsNow out;
-  kernel::store(kernel::pointForces(r, moved).n, out.force);
-  kernel::store(moved.n, out.way);
-  return out;
-}
-
 // Normal ways if this impact were not: what others hold up does not fall with what lands on it.
-PointsNow waysWithout(const Island& island, const ContactRecord& record, const std::pmr::vector<char>& held,
-                      const StepContext& context) {
+PointForces pointsWithout(const Island& island, const ContactRecord& record, const std::pmr::vector<char>& supported,
+                          const StepContext& context) {
   SolveMotion pair[2];
   auto take = [&](std::uint32_t body, SolveMotion& out) {
     out = island.motion[body];
     if (body >= island.masses.size()) return;
     const Vec3 velocity = context.bodies->motion[island.bodies[body]].linearVelocity;
-    out.d = held[body] ? toFloat(velocity * island.dt - island.travel) : island.masses[body].dFree;
+    out.d = supported[body] ? toFloat(velocity * island.dt - island.travel) : island.masses[body].dFree;
     out.th = island.masses[body].thFree;
   };
   take(record.bodyA, pair[0]);
@@ -43,12 +33,12 @@ PointsNow waysWithout(const Island& island, const ContactRecord& record, const s
   ContactRecord r = record;
   r.bodyA = 0;
   r.bodyB = 1;
-  return pointsAt(r, pair);
+  return pointForcesAt(r, pair);
 }
 
-// Bodies that chains of contacts held in the last step; impacts hold nothing.
-void findHeld(const Island& island, const StepContext& context, std::pmr::vector<char>& held) {
-  findSupported(island, held, [&](const auto& kind, std::size_t k) { return kind.holds(k, context); });
+// Bodies that chains of contacts supported in the last step; impacts support nothing.
+void findSupportedBefore(const Island& island, const StepContext& context, std::pmr::vector<char>& supported) {
+  findSupported(island, supported, [&](const auto& kind, std::size_t k) { return kind.holds(k, context); });
 }
 
 // Of a force that brings what would close at `without` to `closing` (m/s): the share of the impact, which began the step at
@@ -79,7 +69,7 @@ double slowestRebound(const Island& island, const StepContext& context) {
 bool ContactRows::startRebounds(const Island& island, const StepContext& context) {
   const double slowest = slowestRebound(island, context);
   const float dt = float(island.dt);
-  std::pmr::vector<char> held(island.memory);  // bodies; found where there is an impact
+  std::pmr::vector<char> supported(island.memory);  // bodies; found where there is an impact
   bool any = false;
   for (std::size_t k = 0; k < size(); k++) {
     const Contact& c = context.contacts->contacts[contactOf[k]];
@@ -88,18 +78,19 @@ bool ContactRows::startRebounds(const Island& island, const StepContext& context
     ContactRecord& r = records[k];
     const std::uint32_t impacts = impactsOf(c, start, slowest);
     if (impacts == 0) continue;
-    if (held.empty()) findHeld(island, context, held);
-    const PointsNow now = pointsAt(r, island.motion.data()), without = waysWithout(island, r, held, context);
+    if (supported.empty()) findSupportedBefore(island, context, supported);
+    const PointForces now = pointForcesAt(r, island.motion.data()),
+                      without = pointsWithout(island, r, supported, context);
     for (int i = 0; i < c.count; i++) {
-      if (!(impacts >> i & 1) || !(now.force[i] > 0)) continue;
+      if (!(impacts >> i & 1) || !(now.n[i] > 0)) continue;
       float approach = std::max(0.0f, -start.approach[i]), closing = -now.way[i] / dt;
       bool wentOn = c.points.impulse[i] > 0;
       float born = wentOn ? c.points.impactSpeed[i] : approach;
       bool over = closing <= kOverShare * born;
-      start.taken[i] = impactShare(approach, -without.way[i] / dt, closing, over) * now.force[i] * dt;
+      start.taken[i] = impactShare(approach, -without.way[i] / dt, closing, over) * now.n[i] * dt;
       if (!over) continue;
       // What still closes is stopped, too, as far as it rebounds.
-      const float found = std::min(start.taken[i], now.force[i] * dt), left = start.taken[i] - found;
+      const float found = std::min(start.taken[i], now.n[i] * dt), left = start.taken[i] - found;
       start.back[i] = c.restitution * (c.points.impulse[i] + start.taken[i] + left) / dt;
       if (!(start.back[i] > 0)) continue;
       r.tensionCap[i] = -(found / dt + start.back[i]);

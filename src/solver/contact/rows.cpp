@@ -12,6 +12,23 @@ bool ContactRows::continues(const ContactRows& old, const StepContext& context) 
                       [&](ContactIndex c) { return context.contacts->contacts[c].born; });
 }
 
+void ContactRows::remember(Ties ties, Memory& out) const {
+  for (ContactIndex contact : contactOf) {
+    out.contacts.push_back(ties.contacts.contacts[contact]);
+    out.geometry.push_back(ties.contacts.geometry[contact]);
+  }
+  out.struck = ties.contacts.struck.size();
+  out.touchingChanged = ties.contacts.touchingChanged;
+}
+void ContactRows::restore(Ties ties, const Memory& memory) const {
+  for (std::size_t k = 0; k < size(); k++) {
+    ties.contacts.contacts[contactOf[k]] = memory.contacts[k];
+    ties.contacts.geometry[contactOf[k]] = memory.geometry[k];
+  }
+  ties.contacts.struck.resize(memory.struck);
+  ties.contacts.touchingChanged = memory.touchingChanged;
+}
+
 // Each point counts 1, and 100 per effective weight that it carries.
 float ContactRows::strength(std::size_t k, const StepContext& context) const {
   const Contact& c = context.contacts->contacts[contactOf[k]];

@@ -29,6 +29,13 @@ struct ContactStart {
   std::int32_t points = 0;    // 0 .. 4
 };
 
+// What stopped a contact.
+struct ContactImpact {
+  std::uint32_t row = 0;
+  double speed = 0;    // m/s, fastest approach of its points
+  double impulse = 0;  // N s; after an impact at its moment: rebound left out
+};
+
 struct ContactRows {
   explicit ContactRows(std::pmr::memory_resource* memory) : contactOf(memory), records(memory), starts(memory) {}
   std::pmr::vector<ContactIndex> contactOf;  // by row, in pair order
@@ -99,8 +106,39 @@ struct ContactRows {
   // Forces at the final motion into the contacts. True if any changed by more than rounding; of an island that does not rest
   // that is not looked for, and true.
   bool store(Island& island, Ties ties, StepContext& context);
+  // What the last step's forces are told as besides what they are: this share of them.
+  void tellShare(Ties ties, float share) const;
   // Gaps and drifts go on by the motion that was finally made.
   void advance(const Island& island, Ties ties) const;
+  // All that the contacts remember; and that again, whatever a trial has made of it.
+  struct Memory {
+    explicit Memory(std::pmr::memory_resource* memory) : contacts(memory), geometry(memory) {}
+    std::pmr::vector<Contact> contacts;          // by row
+    std::pmr::vector<ContactGeometry> geometry;  // by row
+    std::size_t struck = 0;                      // of ContactSet
+    bool touchingChanged = false;                // of ContactSet
+  };
+  void remember(Ties ties, Memory& out) const;
+  void restore(Ties ties, const Memory& memory) const;
+
+  // After store(): what stopped contacts that came on at `least` m/s or faster.
+  void findHits(const Island& island, const StepContext& context, double least,
+                std::pmr::vector<ContactImpact>& out) const;
+
+  // --- impacts at their moment (solver/impact.h)
+  bool mayClose(const StepContext& context, double ahead) const;
+  bool touchNothing(const StepContext& context) const;
+  void leaveOut(Ties ties);
+  double firstClosing(const Island& island, double dt, const StepContext& context) const;
+  // Prepared rows become those of an impact: closed points may not close further, open ones do not exist, and of none
+  // is anything remembered.
+  void startImpact(const Island& island, const StepContext& context, double blink);
+  // The forces found become multipliers: what springs left of the approach, a thousandth of it, becomes a millionth.
+  void keepImpactForces(const Island& island);
+  // What stopped each contact; true if any gives a part of it back. Those points then press at least as hard as that.
+  bool reboundImpact(const Island& island, const StepContext& context, std::pmr::vector<ContactImpact>& impacts);
+  // Points that were hit begin anew, and so do those that the impact parts. Not if it was not solved.
+  void endImpact(const Island& island, Ties ties, const StepContext& context, bool solved);
 
   Arms arms(std::size_t k) const { return {wide::load3Padded(records[k].armA), wide::load3Padded(records[k].armB)}; }
   // Of `count` rows from k on.

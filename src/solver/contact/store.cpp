@@ -129,6 +129,17 @@ bool ContactRows::store(Island& island, Ties ties, StepContext& context) {
   return changed;
 }
 
+void ContactRows::tellShare(Ties ties, float share) const {
+  for (ContactIndex contact : contactOf) {
+    PointMemory& m = ties.contacts.contacts[contact].points;
+    for (int i = 0; i < ties.contacts.contacts[contact].count; i++) {
+      if (m.forceN[i] == 0) continue;
+      addHit(m, i, m.forceN[i] * share, m.force1[i] * share, m.force2[i] * share);
+      ties.contacts.strike(contact);
+    }
+  }
+}
+
 void ContactRows::advance(const Island& island, Ties ties) const {
   for (std::size_t k = 0; k < size(); k++) {
     Contact& c = ties.contacts.contacts[contactOf[k]];

@@ -19,9 +19,10 @@ struct Alone : TestIsland {
   explicit Alone(double dt = 1.0 / 60) : TestIsland(dt), body(brick({})) {
     link();
     context.gravity = {};
+    context.airDensity = 1.2;
   }
   const FreeMotion& predict(bool hasContacts = false) {
-    predictFreeMotion(context, bodies, body, context.dt, 1.2, hasContacts);
+    predictFreeMotion(context, bodies, body, context.dt, hasContacts);
     return context.free[body];
   }
   BodyIndex body;

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "solver/finish/motion.h"
 #include "support/test_island.h"
 
 namespace brickfall {

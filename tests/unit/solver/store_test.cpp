@@ -7,6 +7,8 @@
 #include <cstring>
 
 #include "math/random.h"
+#include "solver/finish/motion.h"
+#include "solver/free_motion.h"
 #include "support/test_island.h"
 
 namespace brickfall {
@@ -229,7 +231,7 @@ TEST(Store, ABodyWithoutContactsFliesItsParabola) {
   lab.at(body).linearVelocity = {3, 4, 0};
   lab.at(body).angularVelocity = {0, 2, 0};
   lab.link();
-  predictFreeMotion(lab.context, lab.bodies, body, lab.context.dt, 1.2, false);
+  predictFreeMotion(lab.context, lab.bodies, body, lab.context.dt, false);
   storeFreeBody(body, lab.context.dt, lab.context);
   const SolvedMotion& s = lab.context.solved[body];
   double h = lab.context.dt;

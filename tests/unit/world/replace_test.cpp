@@ -132,6 +132,49 @@ TEST(Replace, KeepsMassAndMomentum) {
   EXPECT_LT(length(world.angularMomentum() - angular), 1e-12 * length(angular));
 }
 
+// The pieces go on together, as the body would have.
+TEST(Replace, ForcesOfTheComingStepGoToThePieces) {
+  World world = emptySpace(), whole = emptySpace();
+  BodyDef d = bodyOf(boxOf(kHalf, 1800), {1, 2, 3});
+  d.rotation = normalized(Quat{0.1, 0.2, 0.3, 0.9});
+  BodyId body = add(world, d), same = add(whole, d);
+  for (auto [w, b] : {std::pair{&world, body}, {&whole, same}}) {
+    ASSERT_TRUE(w->applyForceAtPoint(b, {3, -2, 1}, {1.05, 2.02, 3}).ok());
+    ASSERT_TRUE(w->applyTorque(b, {0.01, 0.02, -0.03}).ok());
+  }
+  // A third and two thirds of it.
+  std::vector<BodyDef> pieces;
+  for (double share : {1 / 3.0, -2 / 3.0}) {
+    Vec3 half{std::fabs(share) * kHalf.x, kHalf.y, kHalf.z};
+    pieces.push_back(
+        bodyOf(boxOf(half, 1800), d.position + rotate(d.rotation, Vec3{kHalf.x * (share > 0 ? -2 : 1) / 3, 0, 0})));
+    pieces.back().rotation = d.rotation;
+  }
+  Result<std::vector<BodyId>> made = world.replaceBody(body, pieces);
+  ASSERT_TRUE(made.ok());
+  stepSound(world);
+  stepSound(whole);
+  ASSERT_GT(length(whole.linearMomentum()), 0.05);
+  expectNear(world.linearMomentum(), whole.linearMomentum(), 1e-9);
+  expectNear(world.angularMomentum(), whole.angularMomentum(), 1e-6);
+  for (BodyId piece : *made)
+    expectNear(world.state(piece)->angularVelocity, whole.state(same)->angularVelocity, 2e-3, "none turns by itself");
+  const Vec3 after = world.linearMomentum();
+  stepSound(world);
+  expectNear(world.linearMomentum(), after, 1e-9, "for one step");
+}
+
+TEST(Replace, AFixedPieceTakesNoForce) {
+  World world = emptySpace();
+  BodyId body = addBox(world, {0.1, 0.1, 0.1}, {});
+  ASSERT_TRUE(world.applyForce(body, {60, 0, 0}).ok());
+  std::vector<BodyDef> pieces{bodyOf(boxOf({0.1, 0.05, 0.1}), {0, -0.05, 0}, BodyType::fixed),
+                              bodyOf(boxOf({0.1, 0.04, 0.1}), {0, 0.2, 0})};
+  ASSERT_TRUE(world.replaceBody(body, pieces).ok());
+  stepSound(world);
+  expectNear(world.linearMomentum(), {1, 0, 0}, 1e-9);
+}
+
 TEST(Replace, ASnapshotRightAfterwardsGoesOnBitForBit) {
   World world = awakeWorld(), copy = makeWorld();
   std::vector<BodyId> bricks = column(world);

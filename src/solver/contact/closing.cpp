@@ -1,0 +1,119 @@
+// When open points of contacts close: an island goes on to there in a part of its step (solver/impact.h).
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "solver/contact/impact.h"
+
+namespace brickfall {
+
+namespace {
+
+//! m | too small: points in contact count as open by their rounding | too large: what is near is let through
+constexpr float kOpenGap = 1e-6f;
+//! m | too small: cost of what hardly moves | too large: slow landings are first order in the time step
+constexpr double kLeastWay = 20e-6;  // in a step, at the speed of an impact: slower ones need no moment of their own
+
+struct Velocity {
+  Vec3 linear, angular;
+};
+Velocity startOf(const BodySet& bodies, BodyIndex body) {
+  return {bodies.motion[body].linearVelocity, bodies.motion[body].angularVelocity};
+}
+
+// Normal speed of B against A at each point: negative = closing.
+void speedsOf(const ContactRecord& r, int count, const Velocity& a, const Velocity& b, double* out) {
+  Vec3 n = toDouble(r.n), t1 = toDouble(r.t1), t2 = cross(n, t1);
+  Vec3 u = b.linear + cross(b.angular, toDouble(r.armB)) - a.linear - cross(a.angular, toDouble(r.armA));
+  Vec3 w = b.angular - a.angular;
+  for (int i = 0; i < count; i++) out[i] = dot(n, u) + dot(t1, w) * double(r.s2[i]) - dot(t2, w) * double(r.s1[i]);
+}
+
+// When a point at `gap` closes that parts at `speed` and is accelerated, if faster than `least`.
+double closingTime(double gap, double speed, double acceleration, double least) {
+  const double never = std::numeric_limits<double>::infinity();
+  if (gap <= 0) return -speed > least ? 0 : never;
+  double square = speed * speed - 2 * acceleration * gap;
+  if (!(square > least * least)) return never;
+  double closing = std::sqrt(square);
+  if (speed < 0) return 2 * gap / (closing - speed);
+  return acceleration < 0 ? (speed + closing) / -acceleration : never;
+}
+
+// It carried nothing in the last step, was not hit in this one, and is further apart than what counts as closed.
+bool isOpen(const PointMemory& m, int i) { return m.forceN[i] == 0 && m.gap[i] > kOpenGap && !(m.metMask >> i & 1); }
+
+}  // namespace
+
+double slowestImpact(const Island& island, const StepContext& context) {
+  double unseen = kLeastWay / context.dt;
+  return island.bodies.size() == 1 ? unseen : std::max(unseen, context.settings.restingApproachSpeed);
+}
+
+bool ContactRows::mayClose(const StepContext& context, double ahead) const {
+  const BodySet& bodies = *context.bodies;
+  const double fall = length(context.gravity) * context.dt * context.dt;
+  for (ContactIndex contact : contactOf) {
+    const Contact& c = context.contacts->contacts[contact];
+    const BodyMotion &a = bodies.motion[c.bodyA], &b = bodies.motion[c.bodyB];
+    double most = length(b.linearVelocity - a.linearVelocity) +
+                  length(a.angularVelocity) * bodies.mass[c.bodyA].outerRadius +
+                  length(b.angularVelocity) * bodies.mass[c.bodyB].outerRadius;
+    for (int i = 0; i < c.count; i++)
+      if (c.points.forceN[i] == 0 && double(c.points.gap[i]) < ahead * (most * context.dt + fall)) return true;
+  }
+  return false;
+}
+
+bool ContactRows::touchNothing(const StepContext& context) const {
+  for (ContactIndex contact : contactOf) {
+    const Contact& c = context.contacts->contacts[contact];
+    if (c.touching) return false;
+    for (int i = 0; i < c.count; i++)
+      if (!isOpen(c.points, i)) return false;
+  }
+  return true;
+}
+
+void ContactRows::leaveOut(Ties ties) {
+  for (std::size_t k = 0; k < size(); k++) {
+    Contact& c = ties.contacts.contacts[contactOf[k]];
+    for (int i = 0; i < c.count; i++) {
+      if (!isOpen(c.points, i)) continue;
+      records[k].trialN[i] = -kNoForce;
+      clearPoint(c.points, i);
+    }
+  }
+}
+
+double ContactRows::firstClosing(const Island& island, double dt, const StepContext& context) const {
+  const BodySet& bodies = *context.bodies;
+  const double least = slowestImpact(island, context);
+  auto velocities = [&](std::uint32_t local, Velocity& start, Velocity& end) {
+    BodyIndex body =
+        local < island.bodies.size() ? island.bodies[local] : island.partners[local - island.bodies.size()];
+    start = end = startOf(bodies, body);
+    if (local >= island.bodies.size()) return;
+    end = {context.solved[body].velocity, bodies.worldInvInertia(body) * context.solved[body].angularMomentum};
+  };
+  double first = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < size(); k++) {
+    const Contact& c = context.contacts->contacts[contactOf[k]];
+    const ContactRecord& r = records[k];
+    Velocity startA, startB, endA, endB;
+    velocities(r.bodyA, startA, endA);
+    velocities(r.bodyB, startB, endB);
+    double start[4], end[4];
+    speedsOf(r, c.count, startA, startB, start);
+    speedsOf(r, c.count, endA, endB, end);
+    for (int i = 0; i < c.count; i++) {
+      if (c.points.forceN[i] > 0) continue;
+      double acceleration = (end[i] - start[i]) / dt;
+      double gap = c.points.gap[i] > kOpenGap ? double(c.points.gap[i]) : 0;
+      first = std::min(first, closingTime(gap, start[i], acceleration, least));
+    }
+  }
+  return first;
+}
+
+}  // namespace brickfall

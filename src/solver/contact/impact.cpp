@@ -1,0 +1,118 @@
+// Impacts of contacts: what stopped them in a step; and the solve of an impact at its moment (solver/impact.h).
+#include "solver/contact/impact.h"
+
+#include <algorithm>
+
+#include "solver/contact/point_forces.h"
+#include "solver/contact/rebound.h"
+
+namespace brickfall {
+
+namespace {
+
+//! m | too small: what landed together is hit one by one | too large: what is near is hit before it is there
+constexpr double kClosedGap = 20e-6;
+//! - | too small: impacts under a load rub too little | too large: bounds and forces chase each other
+constexpr double kMostImpulse = 2;  // x mass of the heaviest x fastest approach: no point takes more
+
+// Read before the contact is, since in a wall that only sways no point comes on so fast.
+bool comesOn(const ContactStart& start, double least) {
+  for (int i = 0; i < start.points; i++)
+    if (double(-start.approach[i]) >= least) return true;
+  return !(least > 0);
+}
+
+}  // namespace
+
+void ContactRows::findHits(const Island& island, const StepContext& context, double least,
+                           std::pmr::vector<ContactImpact>& out) const {
+  if (double(fastestApproach) < least) return;
+  for (std::size_t k = 0; k < size(); k++) {
+    const Contact& c = context.contacts->contacts[contactOf[k]];
+    if (!comesOn(starts[k], least) || !c.touching) continue;
+    ContactImpact impact{std::uint32_t(k)};
+    for (int i = 0; i < c.count; i++) {
+      if (!(c.points.forceN[i] > 0)) continue;
+      impact.speed = std::max(impact.speed, double(-starts[k].approach[i]));
+      impact.impulse += double(c.points.forceN[i]) * island.dt;
+    }
+    out.push_back(impact);
+  }
+}
+
+void ContactRows::startImpact(const Island& island, const StepContext& context, double blink) {
+  double fastest = 0, heaviest = 0;
+  for (BodyIndex body : island.bodies) heaviest = std::max(heaviest, context.bodies->mass[body].mass);
+  for (std::size_t k = 0; k < size(); k++) {
+    const Contact& c = context.contacts->contacts[contactOf[k]];
+    ContactRecord& r = records[k];
+    for (int i = 0; i < c.count; i++) {
+      double approach = std::max(0.0, -double(starts[k].approach[i]));
+      bool closed = double(c.points.gap[i]) <= std::max(kClosedGap, approach * blink);
+      r.k[i] = float(context.settings.restingStiffness * double(c.effectiveMass) / (island.dt * island.dt));
+      r.trialN[i] = closed ? 0 : -kNoForce;
+      r.trial1[i] = r.trial2[i] = r.limit[i] = 0;
+      r.newPoints |= 1u << i;
+      if (closed) fastest = std::max(fastest, approach);
+    }
+  }
+  for (ContactStart& start : starts)
+    for (float& most : start.stopping) most = float(kMostImpulse * heaviest * fastest / island.dt);
+}
+
+void ContactRows::keepImpactForces(const Island& island) {
+  for (ContactRecord& r : records) {
+    PointForces f = pointForcesAt(r, island.motion.data());
+    for (int i = 0; i < 4; i++) {
+      if (!(f.n[i] > 0)) continue;
+      r.trialN[i] += f.n[i];
+      r.trial1[i] += f.t1[i];
+      r.trial2[i] += f.t2[i];
+    }
+  }
+}
+
+bool ContactRows::reboundImpact(const Island& island, const StepContext& context,
+                                std::pmr::vector<ContactImpact>& impacts) {
+  double least = slowestRebound(island, context);
+  bool rebounds = false;
+  for (std::size_t k = 0; k < size(); k++) {
+    const Contact& c = context.contacts->contacts[contactOf[k]];
+    PointForces f = pointForcesAt(records[k], island.motion.data());
+    ContactImpact impact{std::uint32_t(k)};
+    for (int i = 0; i < c.count; i++) {
+      if (!(f.n[i] > 0)) continue;
+      double approach = -double(starts[k].approach[i]);
+      impact.speed = std::max(impact.speed, approach);
+      impact.impulse += double(f.n[i]) * island.dt;
+      if (c.restitution == 0 || approach <= least) continue;
+      records[k].tensionCap[i] = -(1 + c.restitution) * f.n[i];
+      rebounds = true;
+    }
+    if (impact.impulse > 0) impacts.push_back(impact);
+  }
+  return rebounds;
+}
+
+void ContactRows::endImpact(const Island& island, Ties ties, const StepContext& context, bool solved) {
+  for (std::size_t k = 0; k < size(); k++) {
+    Contact& c = ties.contacts.contacts[contactOf[k]];
+    PointForces f = pointForcesAt(records[k], island.motion.data());
+    for (float& cap : records[k].tensionCap) cap = 0;
+    if (!solved) continue;
+    for (int i = 0; i < c.count; i++) {
+      // What was hit begins anew, and so does what the impact parts: its last force must not act on.
+      bool hit = f.n[i] > 0, parts = double(f.way[i]) > slowestImpact(island, context) * island.dt;
+      if (hit ? c.points.forceN[i] == 0 : parts) clearPoint(c.points, i);
+      if (hit && !parts) {  // micrometres away: what is left of the step must not close that in no time
+        c.points.metMask |= 1u << i;
+        c.points.gap[i] = std::min(0.0f, c.points.gap[i]);
+      }
+      if (!hit) continue;
+      addHit(c.points, i, f.n[i], f.t1[i], f.t2[i]);
+      ties.contacts.strike(contactOf[k]);
+    }
+  }
+}
+
+}  // namespace brickfall

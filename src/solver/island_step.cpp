@@ -1,0 +1,77 @@
+#include "solver/island_step.h"
+
+#include "solver/cycles.h"
+#include "solver/finish/balance.h"
+#include "solver/finish/finish.h"
+#include "solver/finish/motion.h"
+#include "solver/free_motion.h"
+#include "solver/impact.h"
+#include "solver/island_builder.h"
+#include "solver/prepare.h"
+#include "solver/rest.h"
+#include "solver/store.h"
+
+namespace brickfall {
+
+void prepareIsland(Island& island, Ties ties, BodySet& bodies, StepContext& context) {
+  if (island.settled()) {
+    island.ending = IslandEnding::settled;
+    return;
+  }
+  const bool last = island.part == IslandPart::last;
+  island.facts = findFacts(island, bodies);
+  if (last) keepEnergies(island, bodies);
+  island.plan = planFor(island.facts, context.settings, island.dt, context.stretch, context.part);
+  if (last) dampSlowIsland(island, context, bodies);
+  predictFreeMotions(context, bodies, island.bodies, island.dt, island.part != IslandPart::flight);
+  prepareBodies(island, context);
+  prepareRows(island, ties, context);
+  if (island.toImpact()) leaveOut(island, ties);
+}
+
+void restIsland(Island& island, StepContext& context) {
+  if (island.settled())
+    context.statistics.restingIslands++;
+  else if (island.part == IslandPart::last)
+    restCheck(island, context);
+  else
+    island.ending = IslandEnding::unsolved;
+}
+
+void solveIsland(Island& island, const StepContext& context, SolveStatistics& statistics) {
+  if (island.resting() || island.part == IslandPart::flight) return;
+  updateHierarchy(island, context);
+  runCycles(island, context, statistics);
+}
+
+void storeIsland(Island& island, Ties ties, StepContext& context) {
+  if (island.settled()) return;
+  if (island.part == IslandPart::flight) {
+    for (BodyIndex body : island.bodies) storeFreeBody(body, island.dt, context);
+    return;
+  }
+  const bool last = island.part == IslandPart::last, changed = storeRows(island, ties, context);
+  if (!last || island.dt < context.dt) tellMean(island, ties, context.dt);
+  if (last && island.resting() && !changed) island.ending = IslandEnding::settled;
+  if (last) restInPlace(island, context);
+  finishMotion(island, ties, context);
+}
+
+double balanceIsland(const Island& island, StepContext& context) {
+  if (island.part == IslandPart::flight || island.resting() || !solvedWell(island, context)) return 0;
+  return checkEnergy(island, context);
+}
+
+void stepIsland(Island& island, IslandPart part, double dt, Ties ties, BodySet& bodies, StepContext& context,
+                SolveStatistics& statistics) {
+  island.part = part;
+  island.dt = dt;
+  prepareIsland(island, ties, bodies, context);
+  restIsland(island, context);
+  solveIsland(island, context, statistics);
+  storeIsland(island, ties, context);
+  statistics.energyTaken += balanceIsland(island, context);
+  island.part = IslandPart::last;
+}
+
+}  // namespace brickfall

@@ -1,0 +1,43 @@
+// What a trial of an island's step changes, as it was before: one place that puts all of it back.
+//
+// The lists that the solve reads (records, motion, masses, residuals) are left as the trial made them: every step makes
+// them anew before it reads them. So are StepContext::free and ::solved, which are what a trial is made for.
+#pragma once
+#include <memory_resource>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "solver/island.h"
+
+namespace brickfall {
+
+// What the ties of an island remember.
+class TiesMemory {
+ public:
+  TiesMemory(const Island& island, Ties ties);
+  void restore() const;
+
+ private:
+  const Rows& rows_;
+  Ties ties_;
+  Rows::Memory memory_;
+};
+
+class IslandTrial {
+ public:
+  IslandTrial(Island& island, Ties ties, BodySet& bodies);
+  // To be called as long as the island has the same bodies and ties.
+  void restore() const;
+
+ private:
+  static auto fieldsOf(Island& i) { return std::tie(i.dt, i.facts, i.plan, i.ending, i.slipWork); }
+
+  Island& island_;
+  BodySet& bodies_;
+  TiesMemory ties_;
+  std::pmr::vector<std::pair<BodyMotion, BodyData>> states_;  // by body
+  std::tuple<double, IslandFacts, SolvePlan, IslandEnding, double> fields_;
+};
+
+}  // namespace brickfall

@@ -1,0 +1,108 @@
+#include "world/impact_parts.h"
+
+#include <algorithm>
+
+#include "narrowphase/mesh_collide.h"
+#include "solver/free_motion.h"
+#include "solver/impact.h"
+#include "world/core_sweep.h"
+
+namespace brickfall {
+
+namespace {
+
+//! - | too small: impacts of larger islands are first order in the time step
+//! | too large: cost, impacts that are not solved well
+constexpr std::size_t kMostBodies = 5;
+//! - | too small: fast bodies are left whole | too large: contacts found from so far say little about what is met
+constexpr double kFarWay = 2, kFarWayAlone = 4;  // outer radii, in a step; of a body that touches fixed things only
+//! rad | too small: what falls fast without a spin rebounds late | too large: as kFarWay
+constexpr double kNoTurn = 0.01;  // visible, in a step, of a body alone: then any way may be parted
+//! rad | too small: cost of what tumbles | too large: tops precess too slowly, then fall
+constexpr double kMostTurn = 0.2;  // visible, of a body in contact, in a part
+
+// Contacts of these shapes are true from afar: what moves without a turn cannot get past them unseen.
+bool isFoundExactly(ShapeType a, ShapeType b) {
+  if (a == ShapeType::plane || b == ShapeType::plane) return true;
+  return (isRound(a) && (isRound(b) || b == ShapeType::box)) || (isRound(b) && a == ShapeType::box);
+}
+
+// test(geometry of A, geometry of B) for the contacts of an island, until one is true.
+template <class Test>
+bool anyPair(const Island& island, const ContactSet& contacts, const ShapeSet& shapes, Test test) {
+  const auto& all = island.rows.contacts.contactOf;
+  return std::any_of(all.begin(), all.end(), [&](ContactIndex contact) {
+    const Contact& c = contacts.contacts[contact];
+    return test(shapes.data[c.shapeA].geometry, shapes.data[c.shapeB].geometry);
+  });
+}
+
+}  // namespace
+
+bool ImpactParts::mayBeCut(const Island& island) const {
+  const BodySet& bodies = registry_.bodies;
+  auto isDriven = [&](BodyIndex body) { return bodies.isDriven(body); };
+  if (island.bodies.size() > kMostBodies) return false;
+  if (std::any_of(island.partners.begin(), island.partners.end(), isDriven)) return false;
+  const bool alone = island.bodies.size() == 1;
+  if (alone && length(turnOf(island.bodies[0])) < kNoTurn && foundExactly(island)) return true;
+  const double far = alone ? kFarWayAlone : kFarWay;
+  return std::all_of(island.bodies.begin(), island.bodies.end(), [&](BodyIndex body) {
+    return length(bodies.motion[body].linearVelocity) * context_.dt <= far * bodies.mass[body].outerRadius;
+  });
+}
+
+double ImpactParts::longest(const Island& island) const {
+  if (island.bodies.size() > 1 || touchesNothing(island, context_) || onMesh(island)) return context_.dt;
+  double speed = length(turnOf(island.bodies[0])) / context_.dt;
+  return std::max(context_.dt / kMostTurnParts, kMostTurn / std::max(speed, 1e-9));
+}
+
+bool ImpactParts::foundExactly(const Island& island) const {
+  return !anyPair(island, *context_.contacts, registry_.shapes,
+                  [](const Shape& a, const Shape& b) { return !isFoundExactly(a.type, b.type); });
+}
+
+// In the hollows of a mesh contacts come and go with each part: what spins there would sink deeper in parts than as a
+// whole.
+bool ImpactParts::onMesh(const Island& island) const {
+  return anyPair(island, *context_.contacts, registry_.shapes, isMeshPair);
+}
+
+// rad, visible, in a step at the present spin.
+Vec3 ImpactParts::turnOf(BodyIndex body) const {
+  const BodyMotion& m = registry_.bodies.motion[body];
+  return visibleTurn(registry_.bodies.mass[body], m.orientation, m.angularVelocity) * context_.dt;
+}
+
+bool ImpactParts::runThrough(const Island& island, double dt, const Proximity& proximity) const {
+  const BodySet& bodies = registry_.bodies;
+  auto wayOf = [&](BodyIndex body) {
+    if (std::binary_search(island.bodies.begin(), island.bodies.end(), body))
+      return sweepOf(bodies, body, context_.solved[body].d, context_.solved[body].th);
+    const BodyMotion& m = bodies.motion[body];
+    return sweepOf(bodies, body, m.linearVelocity * dt, m.angularVelocity * dt);
+  };
+  auto isDynamic = [&](BodyIndex body) { return bodies.data[body].type == BodyType::dynamic; };
+  auto meets = [&](ShapeIndex shape, const Sweep& own) {
+    const ShapeData& s = registry_.shapes.data[shape];
+    bool met = false;
+    proximity.broadPhase->query(sweptBounds(s, own), [&](std::uint32_t other) {
+      const ShapeData& o = registry_.shapes.data[other];
+      if (o.body == s.body || !filtersAllow(s.def.filter, o.def.filter)) return true;
+      Sweep of = wayOf(o.body);
+      met = coreWay(s, own, o, of) < 1 || (isDynamic(o.body) && coreWay(o, of, s, own) < 1);
+      return !met;
+    });
+    return met;
+  };
+  for (BodyIndex body : island.bodies) {
+    Sweep own = wayOf(body);
+    if (!own.turns && length(own.way) < kCoreShare * bodies.mass[body].innerRadius) continue;
+    for (ShapeIndex shape : bodies.shapes[body])
+      if (meets(shape, own)) return true;
+  }
+  return false;
+}
+
+}  // namespace brickfall
