@@ -160,6 +160,8 @@ class TestIsland {
       m.position += s.d;
       bodies.setRotation(
           body, s.freeTurn ? context.free[body].rotation : normalized(quatFromRotationVector(s.th) * m.rotation));
+      bodies.data[body].steady = s.steady;
+      bodies.data[body].impactLoss = s.impactLoss;
       m.linearVelocity = s.velocity;
       m.angularVelocity = bodies.worldInvInertia(body) * s.angularMomentum;
     }
