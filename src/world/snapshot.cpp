@@ -18,7 +18,7 @@ namespace {
 
 //! not of the method: the file's
 constexpr std::uint64_t kMagic = 0x30504e5346424b42ull;
-constexpr std::uint32_t kLayout = 12;
+constexpr std::uint32_t kLayout = 13;
 
 struct Header {
   std::uint64_t magic = kMagic;
@@ -215,7 +215,7 @@ class SnapshotArchive {
 
   template <class Archive, class Contact> static void contact(Archive& a, Contact& c) {
     for (auto* index : {&c.shapeA, &c.shapeB, &c.bodyA, &c.bodyB}) a.value(*index);
-    for (auto* flag : {&c.rolls, &c.touching, &c.struck, &c.fresh, &c.born}) a.flag(*flag);
+    for (auto* flag : {&c.rolls, &c.partial, &c.touching, &c.struck, &c.fresh, &c.born}) a.flag(*flag);
     for (auto* number : {&c.friction, &c.restitution, &c.effectiveMass}) a.value(*number);
     eachField(c.points, PointFields<Archive>{a});
   }
