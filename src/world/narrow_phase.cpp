@@ -23,19 +23,20 @@ constexpr double kReuseStep = 1e-3;  // m, and relative motion expected in the c
 //! - | too small: memory goes to another face | too large: memory is lost where a mesh is curved
 constexpr double kSamePart = 0.9;  // cosine between the normals of a part of a mesh contact and of its successor
 
-bool canReuse(const Contact& c, const ContactGeometry& g, const Transform& relative, Vec3 relativeVelocity, double dt) {
-  if (c.rolls || c.partial) return false;
-  Quat turned = conjugate(g.relativeRotation) * relative.rotation;
-  double turned2 = 4 * (turned.x * turned.x + turned.y * turned.y + turned.z * turned.z);
-  return lengthSquared(relative.position - g.relativePosition) < kReusePosition * kReusePosition &&
-         turned2 < kReuseTurn * kReuseTurn && lengthSquared(relativeVelocity) * dt * dt < kReuseStep * kReuseStep;
-}
-
 LoadedPoints loadedPoints(const Contact& c) {
   LoadedPoints out;
   for (int i = 0; i < c.count; i++)
     if (c.points.forceN[i] > 0) out.add(c.points.feature[i]);
   return out;
+}
+
+// Of more than four points those that were chosen serve as long as all of them carry; else the load may be moving to another one.
+bool canReuse(const Contact& c, const ContactGeometry& g, const Transform& relative, Vec3 relativeVelocity, double dt) {
+  if (c.rolls || (c.partial && loadedPoints(c).count < c.count)) return false;
+  Quat turned = conjugate(g.relativeRotation) * relative.rotation;
+  double turned2 = 4 * (turned.x * turned.x + turned.y * turned.y + turned.z * turned.z);
+  return lengthSquared(relative.position - g.relativePosition) < kReusePosition * kReusePosition &&
+         turned2 < kReuseTurn * kReuseTurn && lengthSquared(relativeVelocity) * dt * dt < kReuseStep * kReuseStep;
 }
 
 Vec3 anyPerpendicular(Vec3 n) {
