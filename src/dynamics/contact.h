@@ -19,6 +19,7 @@ struct Contact {
   BodyIndex bodyA = kNoIndex, bodyB = kNoIndex;
   std::int32_t count = 0;  // points
   bool rolls = false;      // a sphere or capsule takes part: points wander, the manifold is never reused
+  bool partial = false;    // its points are four of more
   bool touching = false;   // carried force in the last step
   bool struck = false;     // pressed in an impact of the last step that was over within it
   bool fresh = true;       // geometry changed since the solver's record was made

@@ -33,10 +33,12 @@ struct BoxPair {
   double t[3], s[3];
   double smallest;  // of all half extents
   ContactTolerances tolerance;
+  const LoadedPoints* loaded;
 };
 
-BoxPair makePair(const Shape& shapeA, const Shape& shapeB, const Transform& bInA) {
+BoxPair makePair(const Shape& shapeA, const Shape& shapeB, const Transform& bInA, const LoadedPoints& loaded) {
   BoxPair p;
+  p.loaded = &loaded;
   Mat3 r = toMatrix(bInA.rotation);
   Vec3 s = transposeTimes(r, bInA.position);
   p.smallest = 1e30;
@@ -147,6 +149,7 @@ bool edgeContact(const BoxPair& p, const EdgeAxis& axis, Manifold& out) {
   onA[i] = x;
   out.normal = n;
   out.count = 1;
+  out.partial = false;
   out.points[0] = {onA, onA + n * axis.separation, axis.separation,
                    edgeCrossing(boxEdge(i, a1, a2), boxEdge(j, b1, b2))};
   return true;
@@ -260,7 +263,7 @@ struct FaceContact {
   FaceFrame reference, incident;
   double refHalf[3];
   PatchPoint points[8];
-  int count = 0;
+  ReducedPatch kept;
 };
 
 std::uint32_t featureName(const FaceContact& face, bool refIsA, const ClipCorner& corner) {
@@ -318,26 +321,28 @@ void clipFace(const BoxPair& p, int axisIndex, double margin, FaceContact& face)
     count = cutSide(corners[current], count, corners[current ^ 1], label, limit, p.tolerance.slack);
     current ^= 1;
   }
+  int near = 0;
   for (int k = 0; k < count; k++) {
     const ClipCorner& corner = corners[current][k];
     if (corner.d > margin) continue;
-    face.points[face.count++] = {corner.u, corner.v, corner.d, featureName(face, refIsA, corner)};
+    face.points[near++] = {corner.u, corner.v, corner.d, featureName(face, refIsA, corner)};
   }
-  face.count = reducePatch(face.points, face.count, p.tolerance);
+  face.kept = reducePatch(face.points, near, p.tolerance, *p.loaded);
 }
 
 bool faceContact(const BoxPair& p, int axisIndex, double margin, const Transform& bInA, Manifold& out) {
   FaceContact face;
   clipFace(p, axisIndex, margin, face);
-  if (face.count == 0) return false;
+  if (face.kept.count == 0) return false;
   bool refIsA = axisIndex < 3;
   const FaceFrame& f = face.reference;
   Vec3 refNormal;
   refNormal[f.axis] = f.sign;
   if (!refIsA) refNormal = {f.sign * p.c[0][f.axis], f.sign * p.c[1][f.axis], f.sign * p.c[2][f.axis]};
   out.normal = refIsA ? refNormal : -refNormal;
-  out.count = face.count;
-  for (int k = 0; k < face.count; k++) {
+  out.count = face.kept.count;
+  out.partial = face.kept.partial;
+  for (int k = 0; k < out.count; k++) {
     const PatchPoint& point = face.points[k];
     double x[3];
     x[f.axis] = f.sign * face.refHalf[f.axis];
@@ -384,8 +389,9 @@ double deepestOf(const Manifold& m) {
 
 }  // namespace
 
-void collideBoxBox(const Shape& a, const Shape& b, const Transform& bInA, double margin, Manifold& out) {
-  BoxPair p = makePair(a, b, bInA);
+void collideBoxBox(const Shape& a, const Shape& b, const Transform& bInA, double margin, const LoadedPoints& loaded,
+                   Manifold& out) {
+  BoxPair p = makePair(a, b, bInA, loaded);
   FaceAxis face, otherFace;
   if (!testFaces(p, margin, face, otherFace)) return;
   EdgeAxis edge;

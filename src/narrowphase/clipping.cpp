@@ -1,10 +1,10 @@
-// Reduction of a contact polygon to the largest quadrilateral of its corners that has the deepest one.
+// Reduction of a contact polygon to four of its corners: those that carry already, and what a body would tip onto.
 #include "narrowphase/clipping.h"
 
 namespace brickfall {
 namespace {
 
-int mergeEqual(PatchPoint* points, int count, const ContactTolerances& tolerances) {
+int mergeEqual(PatchPoint* points, int count, const ContactTolerances& tolerances, const LoadedPoints& loaded) {
   double same2 = tolerances.same * tolerances.same;
   int kept = 0;
   for (int i = 0; i < count; i++) {
@@ -16,51 +16,74 @@ int mergeEqual(PatchPoint* points, int count, const ContactTolerances& tolerance
     }
     if (twin < 0)
       points[kept++] = points[i];
-    else if (points[i].separation < points[twin].separation - tolerances.slack)
+    else if (loaded.has(points[i].feature) ||
+             (points[i].separation < points[twin].separation - tolerances.slack && !loaded.has(points[twin].feature)))
       points[twin] = points[i];
   }
   return kept;
 }
 
-// Twice the area of three corners.
-double area(const PatchPoint& p, const PatchPoint& q, const PatchPoint& r) {
-  return std::fabs((q.u - p.u) * (r.v - p.v) - (q.v - p.v) * (r.u - p.u));
-}
+// Which corners of a polygon are kept: four in the end, whatever else is asked for.
+class Selection {
+ public:
+  Selection(PatchPoint* points, int count) : points_(points), count_(count) {}
 
-// Tries each corner as the one opposite to the deepest; the best on either side of that diagonal do not depend on each
-// other. Of equal choices the first around from the deepest.
-void keepLargest(PatchPoint* points, int count, int deepest) {
-  constexpr double kClearly = 1 + 1e-6;
-  auto at = [&](int k) -> const PatchPoint& { return points[deepest + k < count ? deepest + k : deepest + k - count]; };
-  double best = -1;
-  int chosen[3] = {1, 2, 3};  // steps from the deepest
-  for (int opposite = 2; opposite < count - 1; opposite++) {
-    double left = -1, right = -1;
-    int l = 1, r = opposite + 1;
-    for (int k = 1; k < opposite; k++)
-      if (double x = area(at(0), at(k), at(opposite)); x > left * kClearly) left = x, l = k;
-    for (int k = opposite + 1; k < count; k++)
-      if (double x = area(at(0), at(opposite), at(k)); x > right * kClearly) right = x, r = k;
-    if (left + right > best * kClearly) {
-      best = left + right;
-      chosen[0] = l, chosen[1] = opposite, chosen[2] = r;
-    }
+  bool isFull() const { return chosen_ == kMaxManifoldPoints; }
+  void keep(int i) {
+    if (isFull() || kept_[i]) return;
+    kept_[i] = true;
+    chosen_++;
   }
-  PatchPoint kept[kMaxManifoldPoints] = {at(0), at(chosen[0]), at(chosen[1]), at(chosen[2])};
-  for (int i = 0; i < kMaxManifoldPoints; i++) points[i] = kept[i];
-}
+  // The corner that adds most to the area of those kept; of equal ones the first on the way round from `start`.
+  void keepFarthest(int start) {
+    constexpr double kClearly = 1 + 1e-6;
+    double most = -1;
+    int best = -1;
+    for (int k = 1; k < count_; k++) {
+      const int i = (start + k) % count_;
+      if (kept_[i]) continue;
+      const double gain = gainOf(i);
+      if (gain > most * kClearly) most = gain, best = i;
+    }
+    keep(best);
+  }
+  void moveToFront() {
+    for (int i = 0, to = 0; i < count_; i++)
+      if (kept_[i]) points_[to++] = points_[i];
+  }
+
+ private:
+  // Twice the triangle with its neighbours among those kept; of a single one, which is both, the distance squared.
+  double gainOf(int i) const {
+    int before = i, after = i;
+    while (!kept_[before]) before = before > 0 ? before - 1 : count_ - 1;
+    while (!kept_[after]) after = after + 1 < count_ ? after + 1 : 0;
+    const PatchPoint &p = points_[before], &q = points_[after], &r = points_[i];
+    const double pu = p.u - r.u, pv = p.v - r.v, qu = q.u - r.u, qv = q.v - r.v;
+    return before == after ? pu * pu + pv * pv : std::fabs(pu * qv - pv * qu);
+  }
+
+  PatchPoint* points_;
+  int count_, chosen_ = 0;
+  bool kept_[kMaxPatchPoints] = {};
+};
 
 }  // namespace
 
-int reducePatch(PatchPoint* points, int count, const ContactTolerances& tolerances) {
-  count = mergeEqual(points, count, tolerances);
-  if (count <= kMaxManifoldPoints) return count;
+ReducedPatch reducePatch(PatchPoint* points, int count, const ContactTolerances& tolerances,
+                         const LoadedPoints& loaded) {
+  count = mergeEqual(points, count, tolerances, loaded);
+  if (count <= kMaxManifoldPoints) return {count, false};
+  Selection selection(points, count);
+  for (int i = 0; i < count; i++)
+    if (loaded.has(points[i].feature)) selection.keep(i);
   int deepest = 0;
-  double least = points[0].separation;
-  for (int i = 1; i < count; i++) least = points[i].separation < least ? points[i].separation : least;
-  while (points[deepest].separation > least + tolerances.slack) deepest++;
-  keepLargest(points, count, deepest);
-  return kMaxManifoldPoints;
+  for (int i = 1; i < count; i++)
+    if (points[i].separation < points[deepest].separation) deepest = i;
+  selection.keep(deepest);
+  while (!selection.isFull()) selection.keepFarthest(deepest);
+  selection.moveToFront();
+  return {kMaxManifoldPoints, true};
 }
 
 }  // namespace brickfall

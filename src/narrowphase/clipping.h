@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "brickfall/math.h"
+#include "brickfall/shapes.h"
 #include "narrowphase/manifold.h"
 
 namespace brickfall {
@@ -27,9 +28,16 @@ inline ContactTolerances contactTolerances(double smallestHalfExtent) {
   return {1e-5 * h, 5e-4 * h, 1e-3 * h, 2e-5 * h, 1e-4 * h};
 }
 
-// Merges equal corners (the deeper stays). Of more than four it keeps those that span the largest area with the
-// deepest (of points as deep within the slack, the first). Keeps the order around the convex polygon. Returns the new
-// count.
-int reducePatch(PatchPoint* points, int count, const ContactTolerances& tolerances);
+constexpr int kMaxPatchPoints = 2 * kMaxHullVertices;  // corners of two faces
+
+struct ReducedPatch {
+  int count = 0;
+  bool partial = false;  // some corners were left out
+};
+
+// Merges equal corners (the loaded or else the deeper one stays). Of more than four it keeps those that are loaded, the deepest, and
+// those that add most to the area of these, one by one. Keeps the order around the convex polygon.
+ReducedPatch reducePatch(PatchPoint* points, int count, const ContactTolerances& tolerances,
+                         const LoadedPoints& loaded);
 
 }  // namespace brickfall

@@ -6,7 +6,13 @@
 namespace brickfall {
 namespace {
 
-using PairFunction = void (*)(const Shape&, const Shape&, const Transform&, double, Manifold&);
+using PairFunction = void (*)(const Shape&, const Shape&, const Transform&, double, const LoadedPoints&, Manifold&);
+
+// Of a pair that never has more points than are kept.
+template <auto function>
+void few(const Shape& a, const Shape& b, const Transform& bInA, double margin, const LoadedPoints&, Manifold& out) {
+  function(a, b, bInA, margin, out);
+}
 
 // The order in which a pair's function takes its arguments. Two planes have none.
 constexpr int kRanks = 5;
@@ -31,12 +37,12 @@ int rank(ShapeType type) {
 
 // clang-format off
 constexpr PairFunction kPairs[kRanks][kRanks] = {
-    // plane    sphere               capsule                box                 hull
-    {nullptr, collidePlaneSphere,  collidePlaneCapsule,   collidePlaneBox,    collidePlaneHull},    // plane
-    {nullptr, collideSphereSphere, collideSphereCapsule,  collideSphereBox,   collideSphereHull},   // sphere
-    {nullptr, nullptr,             collideCapsuleCapsule, collideCapsuleHull, collideCapsuleHull},  // capsule
-    {nullptr, nullptr,             nullptr,               collideBoxBox,      collideHullHull},     // box
-    {nullptr, nullptr,             nullptr,               nullptr,            collideHullHull},     // hull
+    // plane    sphere                     capsule                      box                       hull
+    {nullptr, few<collidePlaneSphere>,  few<collidePlaneCapsule>,   few<collidePlaneBox>,    collidePlaneHull},         // plane
+    {nullptr, few<collideSphereSphere>, few<collideSphereCapsule>,  few<collideSphereBox>,   few<collideSphereHull>},   // sphere
+    {nullptr, nullptr,                  few<collideCapsuleCapsule>, few<collideCapsuleHull>, few<collideCapsuleHull>},  // capsule
+    {nullptr, nullptr,                  nullptr,                    collideBoxBox,           collideHullHull},          // box
+    {nullptr, nullptr,                  nullptr,                    nullptr,                 collideHullHull},          // hull
 };
 // clang-format on
 
@@ -53,16 +59,18 @@ void mirror(const Transform& bInA, Manifold& m) {
 
 }  // namespace
 
-void collide(const Shape& a, const Shape& b, const Transform& bInA, double margin, Manifold& out) {
+void collide(const Shape& a, const Shape& b, const Transform& bInA, double margin, Manifold& out,
+             const LoadedPoints& loaded) {
   out.count = 0;
+  out.partial = false;
   int ra = rank(a.type), rb = rank(b.type);
   if (ra < 0 || rb < 0) return;  // mesh_collide.h: several manifolds
   PairFunction function = ra <= rb ? kPairs[ra][rb] : kPairs[rb][ra];
   if (!function) return;
   if (ra <= rb) {
-    function(a, b, bInA, margin, out);
+    function(a, b, bInA, margin, loaded, out);
   } else {
-    function(b, a, inverse(bInA), margin, out);
+    function(b, a, inverse(bInA), margin, loaded, out);
     mirror(bInA, out);
   }
 }

@@ -12,6 +12,13 @@ namespace {
 constexpr double kSameFace = 0.98;
 constexpr int kMaxPolygon = 2 * kMaxHullVertices;
 
+// How near points must be, what counts as equal, and which points carried force so far.
+struct Search {
+  double margin;
+  ContactTolerances tolerance;
+  const LoadedPoints& loaded;
+};
+
 // A corner of the polygon being cut: where two lines meet. A line is a half edge of the incident face, or kSide + one
 // of the reference face.
 constexpr int kSide = 1 << 15;
@@ -119,11 +126,11 @@ void addPoint(Manifold& out, bool refIsA, Vec3 onInc, Vec3 refNormal, double sep
 
 // Points of one face of `inc` over the reference face; their least separation, or kNone.
 constexpr double kNone = 1e30;
-double faceOverFace(const HullView& ref, const HullView& inc, bool refIsA, int refFace, int incFace, double margin,
-                    const ContactTolerances& tolerance, Manifold& out) {
+double faceOverFace(const HullView& ref, const HullView& inc, bool refIsA, int refFace, int incFace,
+                    const Search& search, Manifold& out) {
   ClipCorner polygon[kMaxPolygon];
   PatchPoint patch[kMaxPolygon];
-  int corners = clipFace(ref, refFace, inc, incFace, tolerance, polygon), count = 0;
+  int corners = clipFace(ref, refFace, inc, incFace, search.tolerance, polygon), count = 0;
   const HullPlane& plane = ref.planes[refFace];
   // Any two directions in the plane of the face.
   int e = ref.firstEdge[refFace];
@@ -133,14 +140,15 @@ double faceOverFace(const HullView& ref, const HullView& inc, bool refIsA, int r
   for (int i = 0; i < corners; i++) {
     Vec3 p = polygon[i].p();
     double separation = dot(plane.normal, p) - plane.offset;
-    if (separation > margin) continue;
+    if (separation > search.margin) continue;
     if (separation < least) least = separation;
     patch[count++] = {dot(u, p - origin), dot(v, p - origin), separation, featureName(ref, inc, refIsA, polygon[i])};
   }
-  count = reducePatch(patch, count, tolerance);
+  const ReducedPatch reduced = reducePatch(patch, count, search.tolerance, search.loaded);
   out.normal = refIsA ? plane.normal : -plane.normal;
   out.count = 0;
-  for (int i = 0; i < count; i++) {
+  out.partial = reduced.partial;
+  for (int i = 0; i < reduced.count; i++) {
     Vec3 onInc = origin + u * patch[i].u + v * patch[i].v + plane.normal * patch[i].separation;
     addPoint(out, refIsA, onInc, plane.normal, patch[i].separation, patch[i].feature);
   }
@@ -161,19 +169,20 @@ double lowestCorner(const HullView& hull, int face, const HullPlane& plane) {
 // The incident face is, of those around the deepest corner, the one most opposed. Where that corner is not over the
 // reference face, another face may be what touches: a blade that lies across with its edge looks at it most with the face
 // at its tip. Then the one that reaches deepest over the reference face is taken. Returns the least separation, or kNone.
-double faceContact(const HullView& ref, const HullView& inc, bool refIsA, const FaceQuery& query, double margin,
-                   const ContactTolerances& tolerance, Manifold& out) {
+double faceContact(const HullView& ref, const HullView& inc, bool refIsA, const FaceQuery& query, const Search& search,
+                   Manifold& out) {
   const HullPlane& plane = ref.planes[query.face];
   int first = faceAround(inc, query.vertex, -plane.normal);
-  double deepest = faceOverFace(ref, inc, refIsA, query.face, first, margin, tolerance, out);
-  if (deepest <= query.separation + tolerance.slack) return deepest;
+  double deepest = faceOverFace(ref, inc, refIsA, query.face, first, search, out);
+  const double slack = search.tolerance.slack;
+  if (deepest <= query.separation + slack) return deepest;
   for (int f = 0; f < inc.faceCount; f++) {
     if (f == first || dot(inc.planes[f].normal, plane.normal) >= 0) continue;
     double reach = lowestCorner(inc, f, plane);
-    if (reach > margin || reach >= deepest - tolerance.slack) continue;
+    if (reach > search.margin || reach >= deepest - slack) continue;
     Manifold trial;
-    double least = faceOverFace(ref, inc, refIsA, query.face, f, margin, tolerance, trial);
-    if (least < deepest - tolerance.slack) deepest = least, out = trial;
+    double least = faceOverFace(ref, inc, refIsA, query.face, f, search, trial);
+    if (least < deepest - slack) deepest = least, out = trial;
   }
   return deepest;
 }
@@ -189,6 +198,7 @@ bool edgeContact(const HullView& a, const HullView& b, const EdgeQuery& query, d
   if (atEnd && !(lengthSquared(nearest.q - onB) < beside * beside)) return false;
   out.normal = query.normal;
   out.count = 1;
+  out.partial = false;
   out.points[0] = {nearest.p, onB, query.separation, edgeCrossing(query.edgeA / 2, query.edgeB / 2)};
   return true;
 }
@@ -204,22 +214,20 @@ void cornerContact(const HullView& ref, const HullView& inc, bool refIsA, const 
 // All axes nearly as good as the best face, until one shows the overlap.
 class OtherAxes {
  public:
-  OtherAxes(const HullView& a, const HullView& b, double margin, const ContactTolerances& tolerance, double face,
-            Manifold& out, double deepest)
+  OtherAxes(const HullView& a, const HullView& b, const Search& search, double face, Manifold& out, double deepest)
       : a_(a),
         b_(b),
-        margin_(margin),
-        tolerance_(tolerance),
-        enough_(face + tolerance.edge),
-        nearlyAsGood_(face - tolerance.edge),
+        search_(search),
+        enough_(face + search.tolerance.edge),
+        nearlyAsGood_(face - search.tolerance.edge),
         out_(out),
         deepest_(deepest) {}
 
   bool tryFace(bool refIsA, const FaceQuery& query) {
     if (!(query.separation > nearlyAsGood_)) return false;
     Manifold trial;
-    double least = faceContact(refIsA ? a_ : b_, refIsA ? b_ : a_, refIsA, query, margin_, tolerance_, trial);
-    if (least < deepest_ - tolerance_.slack) deepest_ = least, out_ = trial;
+    double least = faceContact(refIsA ? a_ : b_, refIsA ? b_ : a_, refIsA, query, search_, trial);
+    if (least < deepest_ - search_.tolerance.slack) deepest_ = least, out_ = trial;
     return deepest_ <= enough_;
   }
   bool tryFaces(bool refIsA) {
@@ -233,15 +241,14 @@ class OtherAxes {
   }
   bool tryEdges(const EdgeQuery& query) {
     bool better =
-        query.edgeA >= 0 && query.separation > nearlyAsGood_ && query.separation < deepest_ - tolerance_.slack;
+        query.edgeA >= 0 && query.separation > nearlyAsGood_ && query.separation < deepest_ - search_.tolerance.slack;
     if (better && edgeContact(a_, b_, query, 0, out_)) deepest_ = query.separation;
     return deepest_ <= enough_;
   }
 
  private:
   const HullView &a_, &b_;
-  double margin_;
-  const ContactTolerances& tolerance_;
+  const Search& search_;
   double enough_, nearlyAsGood_;
   Manifold& out_;
   double deepest_;
@@ -249,10 +256,12 @@ class OtherAxes {
 
 }  // namespace
 
-void collideHullHull(const Shape& shapeA, const Shape& shapeB, const Transform& bInA, double margin, Manifold& out) {
+void collideHullHull(const Shape& shapeA, const Shape& shapeB, const Transform& bInA, double margin,
+                     const LoadedPoints& loaded, Manifold& out) {
   HullStorage storageA, storageB;
   HullView a = viewOf(shapeA, storageA), b = viewOf(shapeB, bInA, storageB);
   ContactTolerances tolerance = contactTolerances(a.innerRadius < b.innerRadius ? a.innerRadius : b.innerRadius);
+  const Search search{margin, tolerance, loaded};
 
   bool touchAlongLine = false;
   FaceQuery faceA = queryFaces(a, b, margin, tolerance, touchAlongLine);
@@ -272,7 +281,7 @@ void collideHullHull(const Shape& shapeA, const Shape& shapeB, const Transform& 
   const FaceQuery& other = refIsA ? faceB : faceA;
   const HullView& ref = refIsA ? a : b;
   const HullView& inc = refIsA ? b : a;
-  double deepest = faceContact(ref, inc, refIsA, best, margin, tolerance, out);
+  double deepest = faceContact(ref, inc, refIsA, best, search, out);
   if (face >= 0) return;
   if (edge.edgeA >= 0 && edge.separation > 0) {
     // Apart, corner beside corner or corner beside edge. What is below a face and over it may be outside all the same, where
@@ -286,7 +295,7 @@ void collideHullHull(const Shape& shapeA, const Shape& shapeB, const Transform& 
   // What lies over the reference face is not as deep as it says, or nothing lies there: another axis was better, but not by
   // its bias. Try all that are nearly as good.
   if (edge.edgeA < 0) edge = queryEdges(a, b, margin, -1e30);
-  OtherAxes others(a, b, margin, tolerance, face, out, deepest);
+  OtherAxes others(a, b, search, face, out, deepest);
   if (others.tryFace(!refIsA, other) || others.tryEdges(edge) || others.tryFaces(refIsA) || others.tryFaces(!refIsA))
     return;
   if (out.count == 0) cornerContact(ref, inc, refIsA, best, out);

@@ -6,7 +6,8 @@
 
 namespace brickfall {
 
-void collidePlaneHull(const Shape&, const Shape& hullShape, const Transform& bInA, double margin, Manifold& out) {
+void collidePlaneHull(const Shape&, const Shape& hullShape, const Transform& bInA, double margin,
+                      const LoadedPoints& loaded, Manifold& out) {
   HullStorage storage;
   HullView hull = viewOf(hullShape, storage);
   // The plane in the frame of the hull: up . p + height = distance from it.
@@ -25,11 +26,12 @@ void collidePlaneHull(const Shape&, const Shape& hullShape, const Transform& bIn
     if (p.y <= margin) patch[count++] = {p.x, p.z, p.y, cornerOfB(vertex)};
     e = hull.edges[e].next;
   } while (e != hull.firstEdge[face]);
-  count = reducePatch(patch, count, contactTolerances(hull.innerRadius));
+  const ReducedPatch reduced = reducePatch(patch, count, contactTolerances(hull.innerRadius), loaded);
 
   out.normal = {0, 1, 0};
-  out.count = count;
-  for (int i = 0; i < count; i++) {
+  out.count = reduced.count;
+  out.partial = reduced.partial;
+  for (int i = 0; i < out.count; i++) {
     const PatchPoint& p = patch[i];
     out.points[i] = {{p.u, 0, p.v}, {p.u, p.separation, p.v}, p.separation, p.feature};
   }

@@ -23,8 +23,16 @@ constexpr double kReuseStep = 1e-3;  // m, and relative motion expected in the c
 //! - | too small: memory goes to another face | too large: memory is lost where a mesh is curved
 constexpr double kSamePart = 0.9;  // cosine between the normals of a part of a mesh contact and of its successor
 
+LoadedPoints loadedPoints(const Contact& c) {
+  LoadedPoints out;
+  for (int i = 0; i < c.count; i++)
+    if (c.points.forceN[i] > 0) out.add(c.points.feature[i]);
+  return out;
+}
+
+// Of more than four points those that were chosen serve as long as all of them carry; else the load may be moving to another one.
 bool canReuse(const Contact& c, const ContactGeometry& g, const Transform& relative, Vec3 relativeVelocity, double dt) {
-  if (c.rolls) return false;
+  if (c.rolls || (c.partial && loadedPoints(c).count < c.count)) return false;
   Quat turned = conjugate(g.relativeRotation) * relative.rotation;
   double turned2 = 4 * (turned.x * turned.x + turned.y * turned.y + turned.z * turned.z);
   return lengthSquared(relative.position - g.relativePosition) < kReusePosition * kReusePosition &&
@@ -207,10 +215,10 @@ bool NarrowPhase::mayReuse(const CandidatePair& pair, const Approach& approach) 
 void NarrowPhase::collidePair(const CandidatePair& pair, const Approach& approach, Look look, Manifold& m) {
   const ShapeData &a = shapes_.data[pair.shapeA], &b = shapes_.data[pair.shapeB];
   Transform bInA = inverse(a.inCentreFrame) * approach.relative * b.inCentreFrame;
-  collide(a.geometry, b.geometry, bInA, reachOf(pair, approach), m);
+  const Contact* had = pair.contact != kNoIndex ? &contacts_.contacts[pair.contact] : nullptr;
+  collide(a.geometry, b.geometry, bInA, reachOf(pair, approach), m, had ? loadedPoints(*had) : LoadedPoints{});
   computed_++;
   // What rolls, and carries a load, is where it is.
-  const Contact* had = pair.contact != kNoIndex ? &contacts_.contacts[pair.contact] : nullptr;
   const bool touches = had && had->touching && had->rolls;
   if (m.count > 0 && look == Look::ahead && !touches) lookAheadOf(pair, approach, m);
   if (m.count > 0)
@@ -350,6 +358,7 @@ void NarrowPhase::makeContact(CandidatePair& pair, const Manifold& m, const Tran
   c.bodyB = pair.bodyB;
   c.count = m.count;
   c.rolls = isRound(a.geometry.type) || isRound(b.geometry.type);
+  c.partial = m.partial;
   takeConstants(c, shapes_, bodies_);
   c.born = old.born;
   if (had) {

@@ -216,7 +216,7 @@ class SnapshotArchive {
 
   template <class Archive, class Contact> static void contact(Archive& a, Contact& c) {
     for (auto* index : {&c.shapeA, &c.shapeB, &c.bodyA, &c.bodyB}) a.value(*index);
-    for (auto* flag : {&c.rolls, &c.touching, &c.struck, &c.fresh, &c.born}) a.flag(*flag);
+    for (auto* flag : {&c.rolls, &c.partial, &c.touching, &c.struck, &c.fresh, &c.born}) a.flag(*flag);
     for (auto* number : {&c.friction, &c.restitution, &c.effectiveMass}) a.value(*number);
     eachField(c.points, PointFields<Archive>{a});
   }

@@ -18,7 +18,7 @@ struct MixPoints {
   void operator()(std::uint32_t mask) const { h(mask); }
 };
 void mix(Mix& h, const Contact& c) {
-  h(c.shapeA, c.shapeB, c.count, c.rolls, c.touching, c.friction, c.restitution, c.effectiveMass);
+  h(c.shapeA, c.shapeB, c.count, c.rolls, c.partial, c.touching, c.friction, c.restitution, c.effectiveMass);
   eachField(c.points, MixPoints{h, c.count});
 }
 void mix(Mix& h, const ContactGeometry& g, int count) {

@@ -47,7 +47,7 @@ void expectRegimes(const ContactAudit& audit, Kind kind, const std::vector<Famil
   EXPECT_GT(audit.seen("edge crossings"), kPairs / 10);
 }
 
-// What no contact without memory can avoid is rare: other axes or other points that are as good.
+// What contacts that remember no more than which points carried cannot avoid is rare: other axes or points that are as good.
 void expectRare(const ContactAudit& audit) {
   long motions = audit.seen("small motions"), few = motions / 100 + 5;
   EXPECT_LT(audit.seen("points jump with the normal kept"), few);

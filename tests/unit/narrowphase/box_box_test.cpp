@@ -30,6 +30,26 @@ TEST(BoxBox, BrickOnBrickGivesTheCornersOfTheOverlap) {
   EXPECT_EQ(names.size(), 4u);
 }
 
+// Tiles turned against each other meet in eight corners.
+TEST(BoxBox, PointsThatCarryStayWhileTheyExist) {
+  const Shape tile = boxShape({0.1, 0.03, 0.1});
+  auto pointsAt = [&](Vec3 axis, const LoadedPoints& loaded) {
+    Manifold m;
+    const Quat turned = quatFromAxisAngle(normalized(axis), 1e-5) * quatFromAxisAngle({0, 1, 0}, 0.7853981633974483);
+    collide(tile, tile, {{0, 0.06, 0}, turned}, 0.01, m, loaded);
+    EXPECT_EQ(m.count, 4);
+    EXPECT_TRUE(m.partial);
+    std::set<std::uint32_t> features;
+    for (const ManifoldPoint& p : m.points) features.insert(p.feature);
+    return features;
+  };
+  LoadedPoints loaded;
+  const std::set<std::uint32_t> before = pointsAt({1, 0, 0.3}, {});
+  for (std::uint32_t feature : before) loaded.add(feature);
+  EXPECT_NE(pointsAt({1, 0, -0.7}, {}), before) << "a micrometre decides";
+  EXPECT_EQ(pointsAt({1, 0, -0.7}, loaded), before) << "but not about those that carry";
+}
+
 TEST(BoxBox, HeadJointTouchesSideways) {
   for (double gap : {-1e-9, 0.0, 1e-9}) {
     Manifold m;

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
 
 #include "contact_checks.h"
 
@@ -60,6 +61,37 @@ TEST(Plane, FlatHullOfManyCornersKeepsFourAroundIt) {
     area += 0.5 * (p.x * q.z - q.x * p.z);
   }
   EXPECT_NEAR(std::fabs(area), 0.08, 1e-9);  // the inscribed square: the largest there is
+}
+
+// A drum of twelve corners, tipped by so little that the corner 0 is the deepest by micrometres.
+TEST(Plane, PointsThatCarryStayWhileTheyExist) {
+  std::vector<Vec3> corners;
+  for (int i = 0; i < 12; i++) {
+    double s, c;
+    sinCos(i * 0.5235987755982988, s, c);
+    for (double y : {0.0, 0.1}) corners.push_back({0.2 * c, y, 0.2 * s});
+  }
+  Hull hull = buildHull(corners).value();
+  auto pointsAt = [&](double tilt, const LoadedPoints& loaded) {
+    Manifold m;
+    collide(planeShape(), hullShape(hull), {{}, quatFromAxisAngle({0, 0, 1}, tilt)}, 0.01, m, loaded);
+    std::set<std::uint32_t> features;
+    for (const ManifoldPoint& p : m.points) features.insert(p.feature);
+    EXPECT_EQ(m.count, 4);
+    EXPECT_TRUE(m.partial);
+    return features;
+  };
+  const std::set<std::uint32_t> right = pointsAt(-1e-5, {}), left = pointsAt(1e-5, {});
+  LoadedPoints all, two;
+  for (std::uint32_t feature : left) all.add(feature);
+  EXPECT_EQ(pointsAt(-1e-5, all), left) << "all that carried";
+  for (std::uint32_t feature : pointsAt(0.01, {}))
+    if (!right.count(feature) && two.count < 2) two.add(feature);
+  const std::set<std::uint32_t> kept = pointsAt(-1e-5, two);
+  for (int i = 0; i < two.count; i++) EXPECT_TRUE(kept.count(two.features[i])) << "and room for others";
+  LoadedPoints gone;
+  gone.add(12345);
+  EXPECT_EQ(pointsAt(-1e-5, gone), right) << "what is no corner any more asks for nothing";
 }
 
 TEST(Plane, RandomPosesAgainstAllCorners) {
