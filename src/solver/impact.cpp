@@ -228,7 +228,7 @@ bool solveImpact(Island& island, Ties ties, BodySet& bodies, StepContext& contex
   ContactRows& rows = island.rows.contacts;
   std::pmr::vector<Contact> remembered(island.memory);
   for (ContactIndex contact : rows.contactOf) remembered.push_back(ties.contacts.contacts[contact]);
-  island.plan = planFor(findFacts(island, bodies), context.settings, island.dt, context.stretch, context.part);
+  island.plan = planFor(findFacts(island, bodies), context.settings, island.dt);
   goOnFreely(island, bodies, context);
   prepareBodies(island, context);
   prepareRows(island, ties, context);

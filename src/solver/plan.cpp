@@ -22,10 +22,6 @@ constexpr double kHeavyShare = 0.01;  // effective mass of the softest joint of 
 constexpr int kCyclesBeforeDirect = 1;  // of exact steps
 //! m/s | too small: a hit wall sways for seconds on its joints | too large: what begins to fall slowly may be stopped
 constexpr double kSwingSpeed = 0.03;  // what no body of a large island may exceed to be stopped at the end of a swing
-//! s | too small: walls sag | too large: what sways does not converge at short steps, and stops a ball that goes through at longer
-constexpr double kFirmStep = 1.0 / 60;  // at shorter steps joints of large islands have a part of restingStiffness
-//! - | too small: what rests is softer than what is hit | too large: with kFirmStep
-constexpr double kLeastFirm = 2;  // x impactStiffness: what they are at least
 //! weights | too small: cost | too large: large walls creep before they rest
 constexpr double kStandingTolerance = 1e-2;  // weights: of a body in a large slow island
 
@@ -84,16 +80,7 @@ void keepEnergies(const Island& island, BodySet& bodies) {
   for (BodyIndex body : island.bodies) bodies.data[body].lastKineticEnergy = bodies.kineticEnergy(body);
 }
 
-// That is in units of inertia over the time step squared, and so without bound as the step gets shorter; bricks are not. Small
-// islands are solved to the end at any stiffness.
-double leastStiffening(const SolverSettings& settings, double dt, double stretch) {
-  double least = std::min(1.0, kLeastFirm * settings.impactStiffness / settings.restingStiffness);
-  double share = std::min(1.0, std::max(dt / stretch / kFirmStep, least));
-  return std::max(least, share * stretch * stretch);
-}
-
-// Joints of small islands follow the parts of a substep: as soft as those of the whole, they would let what is thin through.
-SolvePlan planFor(const IslandFacts& facts, const SolverSettings& settings, double dt, double stretch, double part) {
+SolvePlan planFor(const IslandFacts& facts, const SolverSettings& settings, double dt) {
   const PlanRow& row = rowOf(facts);
   bool supported = facts.grounded && !facts.partnersMove;
   bool calm = supported && facts.fastest <= settings.restSpeed + kCalmShare * kReferenceGravity * dt;
@@ -102,8 +89,7 @@ SolvePlan planFor(const IslandFacts& facts, const SolverSettings& settings, doub
   plan.sways = supported && row.byLoad && !plan.slow && facts.fastest <= kSwingSpeed;
   plan.exactSteps = row.exactSteps;
   plan.direct = row.direct;
-  plan.stiffening = (calm ? double(row.calmStiffening) : 1) *
-                    (row.byLoad ? leastStiffening(settings, dt, stretch * part) : stretch * stretch);
+  plan.calmStiffening = calm ? double(row.calmStiffening) : 1;
   plan.leastMass = row.direct ? kHeavyShare * facts.heaviest : 0;
   plan.byLoad = row.byLoad;
   plan.startsFree = !row.byLoad || !facts.grounded;

@@ -44,14 +44,14 @@ struct SolvePlan {
   bool slow = false;  // grounded, partners still, no body faster than restSpeed: it may be stopped and put to rest
   bool sways =
       false;  // large, supported, faster than that and no body faster than kSwingSpeed: a vibration of it is ended
-  bool exactSteps = false;  // see PlanRow
-  bool direct = false;      // see PlanRow
-  bool byLoad = false;      // see PlanRow
-  bool startsFree = true;   // from free motion; else with as much of its fall as each body had
-  bool softDebris = false;  // contacts of what moves in it have impactStiffness
-  double stiffening = 1;    // x restingStiffness
-  double leastMass = 0;     // kg: joints are as firm as between bodies of that effective mass
-  double tolerance = 0;     // weights: residual under which a body is left alone
+  bool exactSteps = false;    // see PlanRow
+  bool direct = false;        // see PlanRow
+  bool byLoad = false;        // see PlanRow
+  bool startsFree = true;     // from free motion; else with as much of its fall as each body had
+  bool softDebris = false;    // contacts of what moves in it have impactStiffness
+  double calmStiffening = 1;  // x restingStiffness
+  double leastMass = 0;       // kg: joints are as firm as between bodies of that effective mass
+  double tolerance = 0;       // weights: residual under which a body is left alone
   int minCycles = 0, maxCycles = 0;
   int mostCycles = 0;  // while many of its bodies are out of balance
 };
@@ -59,11 +59,7 @@ struct SolvePlan {
 IslandFacts findFacts(const Island& island, const BodySet& bodies);
 // Each body's kinetic energy, for the facts of the next step.
 void keepEnergies(const Island& island, BodySet& bodies);
-// x restingStiffness: the least that a plan's stiffening may be. `stretch`: dt / the time step of which resting joints have
-// their stiffness.
-double leastStiffening(const SolverSettings& settings, double dt, double stretch);
-// `stretch`, `part`: StepContext's.
-SolvePlan planFor(const IslandFacts& facts, const SolverSettings& settings, double dt, double stretch, double part = 1);
+SolvePlan planFor(const IslandFacts& facts, const SolverSettings& settings, double dt);
 
 // It stays where it is in this step.
 constexpr bool isResting(IslandEnding e) {

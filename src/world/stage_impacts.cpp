@@ -201,7 +201,7 @@ void ImpactWalk::solve(Island& island, double dt, bool toImpact, SolveStatistics
   island.toImpact = toImpact;
   island.ending = IslandEnding::unsolved;
   island.facts = findFacts(island, bodies_);
-  island.plan = planFor(island.facts, context_.settings, dt, context_.stretch, context_.part);
+  island.plan = planFor(island.facts, context_.settings, dt);
   predictFreeMotions(context_, bodies_, island.bodies, dt, def_.airDensity, !flies);
   prepareBodies(island, context_);
   prepareRows(island, ties_, context_);

@@ -23,7 +23,7 @@ void prepare(const WorldDef& def, Registry& registry, IslandSet& islands, Contac
     }
     island->facts = findFacts(*island, bodies);
     keepEnergies(*island, bodies);
-    island->plan = planFor(island->facts, context.settings, island->dt, context.stretch, context.part);
+    island->plan = planFor(island->facts, context.settings, island->dt);
     dampSlowIsland(*island, context, bodies);
     predictFreeMotions(context, bodies, island->bodies, island->dt, def.airDensity, true);
     prepareBodies(*island, context);

@@ -145,7 +145,7 @@ class TestIsland {
     all.dt = context.dt;
     all.facts = findFacts(all, bodies);
     keepEnergies(all, bodies);
-    all.plan = planFor(all.facts, context.settings, all.dt, context.stretch);
+    all.plan = planFor(all.facts, context.settings, all.dt);
     dampSlowIsland(all, context, bodies);
     for (BodyIndex body : all.bodies) predictFreeMotion(context, bodies, body, all.dt, 1.2, true);
     prepareBodies(all, context);

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "solver/contact/kernel.h"
-#include "solver/plan.h"
+#include "solver/contact/stiffness.h"
 
 namespace brickfall {
 
@@ -19,9 +19,7 @@ double springEnergy(double stiffness, double way, double multiplier) {
 }  // namespace
 
 double elasticEnergy(const Contact& c, const StepContext& context) {
-  double full = context.settings.restingStiffness *
-                leastStiffening(context.settings, context.dt, context.stretch * context.part) * c.effectiveMass /
-                (context.dt * context.dt);
+  double full = leastStiffness(c, context);
   double cap = kMultiplierWeights * kReferenceGravity * c.effectiveMass;
   double sum = 0;
   for (int i = 0; i < c.count; i++) {
