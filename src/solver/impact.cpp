@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "solver/contact/rebound.h"
+#include "solver/contact/stiffness.h"
 #include "solver/cycles.h"
 #include "solver/light_pass.h"
 #include "solver/prepare.h"
@@ -16,7 +17,7 @@ namespace {
 //! m | too small: what landed together is hit one by one | too large: what is near is hit before it is there
 constexpr double kClosedGap = 20e-6;
 //! m | too small: points in contact count as open by their rounding | too large: what is near is let through
-constexpr float kOpenGap = 1e-6f;
+constexpr double kOpenGap = 1e-6;
 //! m | too small: cost of what hardly moves | too large: slow landings are first order in the time step
 constexpr double kLeastWay = 20e-6;  // in a step, at the speed of an impact: slower ones need no moment of their own
 //! - | too small: impacts under a load rub too little | too large: bounds and forces chase each other
@@ -45,8 +46,9 @@ void speedsOf(const ContactRecord& r, int count, const Velocity& a, const Veloci
 
 // m/s: slower impacts are left to the step.
 double slowest(const Island& island, const StepContext& context) {
-  double unseen = kLeastWay / context.dt;
-  return island.bodies.size() == 1 ? unseen : std::max(unseen, context.settings.restingApproachSpeed);
+  const Scale& scale = island.facts.scale;
+  double unseen = kLeastWay * scale.length / context.dt;
+  return island.bodies.size() == 1 ? unseen : std::max(unseen, context.settings.restingApproachSpeed * scale.speed);
 }
 
 // When a point at `gap` closes that parts at `speed` and is accelerated, if faster than `least`.
@@ -86,7 +88,7 @@ void writeRecords(Island& island, Ties ties, const StepContext& context, double 
     ContactRecord& r = rows.records[k];
     for (int i = 0; i < c.count; i++) {
       double approach = std::max(0.0, -double(rows.starts[k].approach[i]));
-      bool closed = double(c.points.gap[i]) <= std::max(kClosedGap, approach * blink);
+      bool closed = double(c.points.gap[i]) <= std::max(kClosedGap * rows.starts[k].scale.length, approach * blink);
       r.k[i] = float(context.settings.restingStiffness * double(c.effectiveMass) / (island.dt * island.dt));
       r.trialN[i] = closed ? 0 : -kNoForce;
       r.trial1[i] = r.trial2[i] = r.limit[i] = 0;
@@ -177,14 +179,17 @@ bool changeVelocities(const Island& island, BodySet& bodies) {
 
 }  // namespace
 
-bool isOpen(const PointMemory& m, int i) { return m.forceN[i] == 0 && m.gap[i] > kOpenGap && !(m.metMask >> i & 1); }
+bool isOpen(const Contact& c, int i, const StepContext& context) {
+  const float open = float(kOpenGap * scaleOfPair(c, context).length);
+  return c.points.forceN[i] == 0 && c.points.gap[i] > open && !(c.points.metMask >> i & 1);
+}
 
-void leaveOut(Island& island, Ties ties) {
+void leaveOut(Island& island, Ties ties, const StepContext& context) {
   ContactRows& rows = island.rows.contacts;
   for (std::size_t k = 0; k < rows.size(); k++) {
     Contact& c = ties.contacts.contacts[rows.contactOf[k]];
     for (int i = 0; i < c.count; i++) {
-      if (!isOpen(c.points, i)) continue;
+      if (!isOpen(c, i, context)) continue;
       rows.records[k].trialN[i] = -kNoForce;
       clearPoint(c.points, i);
     }
@@ -216,7 +221,7 @@ double firstClosing(const Island& island, const StepContext& context) {
     for (int i = 0; i < c.count; i++) {
       if (c.points.forceN[i] > 0) continue;
       double acceleration = (end[i] - start[i]) / island.dt;
-      double gap = c.points.gap[i] > kOpenGap ? double(c.points.gap[i]) : 0;
+      double gap = c.points.gap[i] > float(kOpenGap * rows.starts[k].scale.length) ? double(c.points.gap[i]) : 0;
       first = std::min(first, closingTime(gap, start[i] + acceleration * lag, acceleration, least));
     }
   }
@@ -228,7 +233,7 @@ bool solveImpact(Island& island, Ties ties, BodySet& bodies, StepContext& contex
   ContactRows& rows = island.rows.contacts;
   std::pmr::vector<Contact> remembered(island.memory);
   for (ContactIndex contact : rows.contactOf) remembered.push_back(ties.contacts.contacts[contact]);
-  island.plan = planFor(findFacts(island, bodies), context.settings, island.dt);
+  island.plan = planFor(findFacts(island, context), context.settings, island.dt);
   goOnFreely(island, bodies, context);
   prepareBodies(island, context);
   prepareRows(island, ties, context);

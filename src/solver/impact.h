@@ -11,9 +11,9 @@ namespace brickfall {
 // the island would go on over Island::dt if its open points were not there.
 double firstClosing(const Island& island, const StepContext& context);
 // A point that carried nothing in the last step, was not hit in this one, and is further apart than what counts as closed.
-bool isOpen(const PointMemory& m, int i);
+bool isOpen(const Contact& c, int i, const StepContext& context);
 // Prepared rows of an island: its open points carry nothing in the coming solve, and stay as fresh as they were.
-void leaveOut(Island& island, Ties ties);
+void leaveOut(Island& island, Ties ties, const StepContext& context);
 
 struct ContactImpact {
   std::uint32_t row = 0;

@@ -42,7 +42,7 @@ double worstResidual(const Island& island, const BodySet& bodies) {
   double worst = 0;
   for (std::size_t i = 0; i < island.bodies.size(); i++) {
     const BodyMass& m = bodies.mass[island.bodies[i]];
-    double weight = std::max(m.mass * kReferenceGravity, kHeavyLoad * double(island.loads[i]));
+    double weight = std::max(m.mass * island.facts.scale.gravity, kHeavyLoad * double(island.loads[i]));
     takeLarger(worst, double(length(island.residual[i].force)) / weight);
     takeLarger(worst, double(length(island.residual[i].torque)) / (weight * m.innerRadius));
   }
@@ -53,7 +53,7 @@ LeftOver leftOver(const Island& island, const BodySet& bodies) {
   LeftOver out;
   for (std::size_t i = 0; i < island.bodies.size(); i++) {
     const BodyMass& m = bodies.mass[island.bodies[i]];
-    double scale = std::max(m.mass * kReferenceGravity, double(island.loads[i]));
+    double scale = std::max(m.mass * island.facts.scale.gravity, double(island.loads[i]));
     double error = 0;
     takeLarger(error, double(length(island.residual[i].force)) / scale);
     takeLarger(error, double(length(island.residual[i].torque)) / (scale * m.innerRadius));
@@ -66,7 +66,8 @@ LeftOver leftOver(const Island& island, const BodySet& bodies) {
 double rmsResidual(const Island& island, const BodySet& bodies) {
   double sum = 0;
   for (std::size_t i = 0; i < island.bodies.size(); i++) {
-    double error = double(length(island.residual[i].force)) / (bodies.mass[island.bodies[i]].mass * kReferenceGravity);
+    double error =
+        double(length(island.residual[i].force)) / (bodies.mass[island.bodies[i]].mass * island.facts.scale.gravity);
     sum += error * error;
   }
   return std::sqrt(sum / double(island.bodies.size()));

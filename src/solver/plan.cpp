@@ -50,12 +50,25 @@ const PlanRow& rowOf(const IslandFacts& facts) {
                        [&](const PlanRow& row) { return facts.bodies <= row.mostBodies && (slow || !row.onlySlow); });
 }
 
+// m: the median of the inner radii. Neither a shard between blocks decides for all of them nor a ball that outweighs the wall that
+// it hits, as the least size or a mean by mass would.
+double typicalSize(const Island& island, const BodySet& bodies) {
+  std::pmr::vector<double> sizes(island.memory);
+  sizes.reserve(island.bodies.size());
+  for (BodyIndex body : island.bodies) sizes.push_back(bodies.mass[body].innerRadius);
+  const auto middle = sizes.begin() + std::ptrdiff_t((sizes.size() - 1) / 2);
+  std::nth_element(sizes.begin(), middle, sizes.end());
+  return *middle;
+}
+
 }  // namespace
 
 std::span<const PlanRow> planRows() { return kRows; }
 
-IslandFacts findFacts(const Island& island, const BodySet& bodies) {
+IslandFacts findFacts(const Island& island, const StepContext& context) {
+  const BodySet& bodies = *context.bodies;
   IslandFacts facts;
+  facts.scale = scaleOf(typicalSize(island, bodies), context.judgingGravity);
   facts.bodies = island.bodies.size();
   facts.grounded = island.grounded();
   for (BodyIndex body : island.bodies) {
@@ -63,10 +76,11 @@ IslandFacts findFacts(const Island& island, const BodySet& bodies) {
     facts.energyBefore += bodies.data[body].lastKineticEnergy;
     facts.energy += bodies.kineticEnergy(body);
     facts.heaviest = std::max(facts.heaviest, bodies.mass[body].mass);
+    const double unit = facts.scale.ofBody(bodies.mass[body].innerRadius).speed;
     double speed = length(m.linearVelocity);  // what is not a number is not slow
-    takeLarger(facts.fastestCentre, speed);
+    takeLarger(facts.fastestCentre, speed / unit);
     double withSpin = speed + length(m.angularVelocity) * bodies.mass[body].outerRadius;
-    takeLarger(facts.fastest, withSpin);
+    takeLarger(facts.fastest, withSpin / unit);
   }
   for (BodyIndex body : island.partners) {
     const BodyMotion& m = bodies.motion[body];
@@ -83,7 +97,8 @@ void keepEnergies(const Island& island, BodySet& bodies) {
 SolvePlan planFor(const IslandFacts& facts, const SolverSettings& settings, double dt) {
   const PlanRow& row = rowOf(facts);
   bool supported = facts.grounded && !facts.partnersMove;
-  bool calm = supported && facts.fastest <= settings.restSpeed + kCalmShare * kReferenceGravity * dt;
+  bool calm =
+      supported && facts.fastest <= settings.restSpeed + kCalmShare * facts.scale.gravity * dt / facts.scale.speed;
   SolvePlan plan;
   plan.slow = supported && facts.fastest <= settings.restSpeed;
   plan.sways = supported && row.byLoad && !plan.slow && facts.fastest <= kSwingSpeed;

@@ -10,19 +10,22 @@
 
 #include "brickfall/island_ending.h"
 #include "brickfall/solver_settings.h"
+#include "solver/scale.h"
 
 namespace brickfall {
 
 class BodySet;
 struct Island;
+struct StepContext;
 
 // At the start of a step.
 struct IslandFacts {
   std::size_t bodies = 0;
   bool grounded = false;      // touches something fixed or kinematic
   bool partnersMove = false;  // a kinematic partner moves
-  double fastest = 0;         // m/s, largest |v| + |w| outer radius of a body
-  double fastestCentre = 0;   // m/s, largest |v|
+  Scale scale;                // of its typical body
+  double fastest = 0;         // m/s at the reference's scale, largest |v| + |w| outer radius of a body
+  double fastestCentre = 0;   // m/s at the reference's scale, largest |v|
   double heaviest = 0;        // kg
   double energy = 0;          // J, kinetic
   double energyBefore = 0;    // J, at the start of the last step
@@ -56,7 +59,7 @@ struct SolvePlan {
   int mostCycles = 0;  // while many of its bodies are out of balance
 };
 
-IslandFacts findFacts(const Island& island, const BodySet& bodies);
+IslandFacts findFacts(const Island& island, const StepContext& context);
 // Each body's kinetic energy, for the facts of the next step.
 void keepEnergies(const Island& island, BodySet& bodies);
 SolvePlan planFor(const IslandFacts& facts, const SolverSettings& settings, double dt);

@@ -101,7 +101,8 @@ class Relaxation {
     forces_.findLoads();
     float tolerance = float(island_.plan.tolerance);
     for (std::size_t i = 0; i < allowed_.size(); i++) {
-      float weight = float(context_.bodies->mass[island_.bodies[i]].mass * kReferenceGravity), load = island_.loads[i];
+      float weight = float(context_.bodies->mass[island_.bodies[i]].mass * island_.facts.scale.gravity),
+            load = island_.loads[i];
       if (!island_.plan.byLoad)
         allowed_[i] = tolerance * weight;
       else if (moves(i))
@@ -180,7 +181,7 @@ class Relaxation {
   bool clustersOut() const {
     const Level& level = island_.hierarchy.levels[1];
     float threshold = kClusterShare * float(island_.plan.tolerance);
-    float perDt2 = float(island_.dt * island_.dt * kReferenceGravity);
+    float perDt2 = float(island_.dt * island_.dt * island_.facts.scale.gravity);
     return std::any_of(level.clusters.begin(), level.clusters.end(), [&](const Cluster& cluster) {
       Wrench g = residualOf(island_, level, cluster);
       float most = threshold * clusterScale(cluster, perDt2);

@@ -16,7 +16,7 @@ constexpr double kSlide = 0.5;  // of the loss of kinetic energy, that sliding f
 constexpr double kSwing = 0.01;  // of the kinetic energy: loses it more in a step, a wall has swung through its middle
 
 //! m/s | too small: what rocks by itself rests late | too large: what rolls up a slope turns back too early
-constexpr double kAloneSpeed = 1e-3;  // of a body alone, which may be stopped
+constexpr double kAloneSpeed = 5e-4;  // of a body alone, which may be stopped
 
 }  // namespace
 
@@ -49,12 +49,12 @@ bool balancedByLoad(const Island& island, const StepContext& context) {
   for (std::size_t i = 0; i < island.bodies.size(); i++) {
     const BodyMass& m = bodies.mass[island.bodies[i]];
     if (!(island.speeds[i] < float(kRestByLoadSpeed))) return false;
-    double most = kRestByLoad * std::max(m.mass * kReferenceGravity, kLoadShare * double(island.loads[i]));
+    double most = kRestByLoad * std::max(m.mass * island.facts.scale.gravity, kLoadShare * double(island.loads[i]));
     if (!(double(length(island.residual[i].force)) < most)) return false;
     if (!(double(length(island.residual[i].torque)) < most * m.innerRadius)) return false;
   }
   if (!island.hierarchy.valid) return true;
-  float perDt2 = float(island.dt * island.dt * kReferenceGravity);
+  float perDt2 = float(island.dt * island.dt * island.facts.scale.gravity);
   for (const Level& level : island.hierarchy.levels)
     for (const Cluster& c : level.clusters) {
       if (c.bodyEnd - c.bodyBegin == 1) continue;
@@ -102,7 +102,8 @@ void restInPlace(Island& island, const StepContext& context) {
   }
   bool inPlace = island.placePoses.size() == island.bodies.size();
   for (std::size_t i = 0; inPlace && i < island.bodies.size(); i++)
-    inPlace = strayed(bodies, island.bodies[i], island.placePoses[i]) < kInPlaceMove;
+    inPlace = strayed(bodies, island.bodies[i], island.placePoses[i]) <
+              kInPlaceMove * island.facts.scale.ofBody(bodies.mass[island.bodies[i]].innerRadius).length;
   if (!inPlace) {
     island.inPlaceTime = 0;
     island.placePoses.clear();
@@ -110,7 +111,7 @@ void restInPlace(Island& island, const StepContext& context) {
   }
   island.inPlaceTime += island.dt;
   // Steps in which it rests count as well: at the edge of the limit it rests in some of them only.
-  if (island.resting() || island.inPlaceTime < kInPlaceTime) return;
+  if (island.resting() || island.inPlaceTime < kInPlaceTime * island.facts.scale.time) return;
   island.placePoses.clear();
   island.ending = IslandEnding::inPlace;
 }

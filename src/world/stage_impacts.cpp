@@ -156,7 +156,7 @@ bool ImpactWalk::touchesNothing(const Island& island) const {
     const Contact& c = ties_.contacts.contacts[contact];
     if (c.touching) return false;
     for (int i = 0; i < c.count; i++)
-      if (!isOpen(c.points, i)) return false;
+      if (!isOpen(c, i, context_)) return false;
   }
   return true;
 }
@@ -200,12 +200,12 @@ void ImpactWalk::solve(Island& island, double dt, bool toImpact, SolveStatistics
   island.dt = dt;
   island.toImpact = toImpact;
   island.ending = IslandEnding::unsolved;
-  island.facts = findFacts(island, bodies_);
+  island.facts = findFacts(island, context_);
   island.plan = planFor(island.facts, context_.settings, dt);
   predictFreeMotions(context_, bodies_, island.bodies, dt, def_.airDensity, !flies);
   prepareBodies(island, context_);
   prepareRows(island, ties_, context_);
-  if (toImpact) leaveOut(island, ties_);
+  if (toImpact) leaveOut(island, ties_, context_);
   if (flies) {
     for (BodyIndex body : island.bodies) storeFreeBody(body, dt, context_);
   } else {

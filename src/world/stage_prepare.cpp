@@ -21,7 +21,7 @@ void prepare(const WorldDef& def, Registry& registry, IslandSet& islands, Contac
       island->ending = IslandEnding::settled;
       continue;
     }
-    island->facts = findFacts(*island, bodies);
+    island->facts = findFacts(*island, context);
     keepEnergies(*island, bodies);
     island->plan = planFor(island->facts, context.settings, island->dt);
     dampSlowIsland(*island, context, bodies);

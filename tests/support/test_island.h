@@ -143,7 +143,7 @@ class TestIsland {
   void prepare() {
     Island& all = island();
     all.dt = context.dt;
-    all.facts = findFacts(all, bodies);
+    all.facts = findFacts(all, context);
     keepEnergies(all, bodies);
     all.plan = planFor(all.facts, context.settings, all.dt);
     dampSlowIsland(all, context, bodies);

@@ -20,7 +20,7 @@ double springEnergy(double stiffness, double way, double multiplier) {
 
 double elasticEnergy(const Contact& c, const StepContext& context) {
   double full = leastStiffness(c, context);
-  double cap = kMultiplierWeights * kReferenceGravity * c.effectiveMass;
+  double cap = kMultiplierWeights * context.judgingGravity * c.effectiveMass;
   double sum = 0;
   for (int i = 0; i < c.count; i++) {
     double gap = double(c.points.gap[i]) - double(c.points.offset[i]), k = c.points.stiffness[i];

@@ -122,10 +122,10 @@ float mapNormalOffset(PointMemory& m, int i, float approach, const PointRules& r
   return m.gap[i] - m.offset[i];
 }
 
-void mapFrictionAnchor(Contact& c, int i, ContactGeometry& g, const ContactRecord& r, const BodySet& bodies) {
+void mapFrictionAnchor(Contact& c, int i, ContactGeometry& g, const ContactRecord& r, double largest,
+                       const BodySet& bodies) {
   bool sticking = c.points.stickingMask >> i & 1;
-  bool tooFar =
-      c.points.drift1[i] * c.points.drift1[i] + c.points.drift2[i] * c.points.drift2[i] > kLargestDrift * kLargestDrift;
+  bool tooFar = c.points.drift1[i] * c.points.drift1[i] + c.points.drift2[i] * c.points.drift2[i] > largest * largest;
   if (sticking && !tooFar) return;
   c.points.drift1[i] = sticking ? 0 : c.points.slip1[i];
   c.points.drift2[i] = sticking ? 0 : c.points.slip2[i];
@@ -173,11 +173,15 @@ void ContactRows::prepare(const Island& island, Ties ties, const StepContext& co
     if (c.fresh || !still) updateFrame(r, c, set.geometry[contactOf[k]], bodies);
     c.fresh = false;
     findApproach(r, c, bodies, start);
-    const float cap = kMultiplierWeights * float(kReferenceGravity) * c.effectiveMass;
+    const float cap = kMultiplierWeights * float(context.judgingGravity) * c.effectiveMass;
     const bool debris = isDebris(island, r, c, cap);
-    const PointRules rules{stiffnessOf(c, debris, island, context), float(context.settings.restingApproachSpeed), cap,
+    const PairStiffness stiff = stiffnessOf(c, debris, island, context);
+    start.scale = stiff.scale;
+    r.near = float(kNearContact * stiff.scale.length);
+    const PointRules rules{stiff, float(context.settings.restingApproachSpeed * stiff.scale.speed), cap,
                            // A part of a step lets go of a part.
-                           1 - (1 - kOffsetKept) * float(island.dt / context.dt), kLeastRelease * float(island.dt)};
+                           1 - (1 - kOffsetKept) * float(island.dt / context.dt),
+                           float(kLeastRelease * stiff.scale.speed * island.dt)};
     r.newPoints = start.falling = 0;
     start.points = c.count;
     start.friction = c.friction;
@@ -195,14 +199,14 @@ void ContactRows::prepare(const Island& island, Ties ties, const StepContext& co
       if (follows || falls) r.newPoints |= 1u << i;
       if (falls) start.falling |= 1u << i;
       float gap = mapNormalOffset(c.points, i, start.approach[i], rules);
-      mapFrictionAnchor(c, i, set.geometry[contactOf[k]], r, bodies);
+      mapFrictionAnchor(c, i, set.geometry[contactOf[k]], r, kLargestDrift * start.scale.length, bodies);
       float stiffness = c.points.stiffness[i];
       r.k[i] = stiffness;
       r.trialN[i] = kMultiplierShare * c.points.multiplierN[i] - stiffness * ((gap > 0 ? gap : kCorrect * gap) + bendN);
       r.trial1[i] = kMultiplierShare * c.points.multiplier1[i] - stiffness * (kCorrect * c.points.drift1[i] + bend1);
       r.trial2[i] = kMultiplierShare * c.points.multiplier2[i] - stiffness * (kCorrect * c.points.drift2[i] + bend2);
       start.stopping[i] = c.effectiveMass *
-                          (std::max(0.0f, -start.approach[i]) + float(kReferenceGravity * island.dt)) /
+                          (std::max(0.0f, -start.approach[i]) + float(context.judgingGravity * island.dt)) /
                           float(island.dt);
       if (falls) start.stopping[i] = std::max(0.0f, c.points.forceN[i]);
       r.limit[i] = c.friction * std::max(0.0f, c.points.forceN[i]);

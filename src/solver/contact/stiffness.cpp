@@ -1,6 +1,7 @@
 #include "solver/contact/stiffness.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace brickfall {
 
@@ -13,9 +14,9 @@ constexpr double kLeastFirm = 2;  // x impactStiffness: what they are at least
 
 // x restingStiffness, in large islands. That is in units of inertia over the time step squared, and so without bound as the step
 // gets shorter; bricks are not. Small islands are solved to the end at any stiffness.
-double firmShare(const SolverSettings& settings, double dt, double stretch) {
+double firmShare(const SolverSettings& settings, double dt, double stretch, const Scale& scale) {
   double least = std::min(1.0, kLeastFirm * settings.impactStiffness / settings.restingStiffness);
-  double share = std::min(1.0, std::max(dt / stretch / kFirmStep, least));
+  double share = std::min(1.0, std::max(dt / stretch / (kFirmStep * scale.time), least));
   return std::max(least, share * stretch * stretch);
 }
 
@@ -28,6 +29,14 @@ double deepestOverlap(const BodyMass& a, const BodyMass& b) {
 
 }  // namespace
 
+Scale scaleOfPair(const Contact& pair, const StepContext& context) {
+  auto size = [&](BodyIndex body) {
+    const BodyMass& mass = context.bodies->mass[body];
+    return mass.invMass > 0 ? mass.innerRadius : std::numeric_limits<double>::infinity();
+  };
+  return scaleOf(std::min(size(pair.bodyA), size(pair.bodyB)), context.judgingGravity);
+}
+
 float PairStiffness::ofImpact(float approach) const {
   float needed = unit * -approach * dt / deepest;
   return std::min(full, std::max(soft, needed));
@@ -37,8 +46,9 @@ float PairStiffness::ofImpact(float approach) const {
 PairStiffness stiffnessOf(const Contact& pair, bool debris, const Island& island, const StepContext& context) {
   const SolverSettings& settings = context.settings;
   const SolvePlan& plan = island.plan;
+  const Scale scale = scaleOfPair(pair, context);
   const double perDt2 = 1 / (island.dt * island.dt), stretch = context.stretch;
-  const double share = plan.byLoad ? firmShare(settings, island.dt, stretch * context.part) : stretch * stretch;
+  const double share = plan.byLoad ? firmShare(settings, island.dt, stretch * context.part, scale) : stretch * stretch;
   const double unit = pair.effectiveMass * perDt2, firm = std::max(double(pair.effectiveMass), plan.leastMass) * perDt2;
   const double full =
       debris ? settings.impactStiffness * unit : settings.restingStiffness * (plan.calmStiffening * share) * firm;
@@ -48,11 +58,13 @@ PairStiffness stiffnessOf(const Contact& pair, bool debris, const Island& island
           float(settings.impactStiffness * unit),
           float(settings.impactStiffness * pair.effectiveMass / (context.dt * context.dt)),
           float(deepestOverlap(bodies.mass[pair.bodyA], bodies.mass[pair.bodyB])),
-          float(island.dt)};
+          float(island.dt),
+          scale};
 }
 
 double leastStiffness(const Contact& pair, const StepContext& context) {
-  return context.settings.restingStiffness * firmShare(context.settings, context.dt, context.stretch * context.part) *
+  return context.settings.restingStiffness *
+         firmShare(context.settings, context.dt, context.stretch * context.part, scaleOfPair(pair, context)) *
          pair.effectiveMass / (context.dt * context.dt);
 }
 

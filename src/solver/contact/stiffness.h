@@ -9,6 +9,9 @@ namespace brickfall {
 //! - | too small: what is nearly at its full stiffness stays softer | too large: rounding takes points through the end of an impact
 constexpr float kFullShare = 0.99f;
 
+// Of the thinner one of the two that can move.
+Scale scaleOfPair(const Contact& pair, const StepContext& context);
+
 // N/m, of each point of a contact in this step.
 struct PairStiffness {
   float unit;
@@ -17,6 +20,7 @@ struct PairStiffness {
   float softest;  // the same in a step, or part of one, of full length
   float deepest;  // m: how far an impact may press the two into each other
   float dt;       // s
+  Scale scale;    // of the pair
 
   // Of a point born in an impact at `approach` (m/s; negative = closing). At k units it stops after approach dt / (1 + k): as soft
   // as may be, but no softer than the bodies are thick.

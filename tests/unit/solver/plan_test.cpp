@@ -159,7 +159,7 @@ TEST(Plan, WhatIsNotANumberIsNotSlow) {
     TestIsland lab;
     std::vector<BodyIndex> pile = lab.pile(lab.ground(), 3);
     lab.at(pile[std::size_t(which)]).linearVelocity.x = nan;
-    IslandFacts facts = findFacts(lab.island(), lab.bodies);
+    IslandFacts facts = findFacts(lab.island(), lab.context);
     EXPECT_TRUE(std::isnan(facts.fastest) && std::isnan(facts.fastestCentre)) << "body " << which;
     facts.bodies = 25;  // too many to be solved directly at any speed
     SolvePlan plan = planOf(facts);
@@ -174,7 +174,7 @@ TEST(Plan, FactsAreThoseOfTheBodies) {
   lab.at(pile[0]).linearVelocity = {0.3, 0, 0.4};
   lab.at(pile[1]).linearVelocity = {0, 0.1, 0};
   lab.at(pile[1]).angularVelocity = {0, 20, 0};
-  IslandFacts facts = findFacts(lab.island(), lab.bodies);
+  IslandFacts facts = findFacts(lab.island(), lab.context);
   double inertia = test::kBrickMass / 3 * (kBrick.x * kBrick.x + kBrick.z * kBrick.z);
   EXPECT_EQ(facts.bodies, 2u);
   EXPECT_TRUE(facts.grounded);
@@ -185,13 +185,13 @@ TEST(Plan, FactsAreThoseOfTheBodies) {
   EXPECT_EQ(facts.energyBefore, 0);
   keepEnergies(lab.island(), lab.bodies);
   for (BodyIndex body : pile) lab.at(body).angularVelocity = {};
-  IslandFacts next = findFacts(lab.island(), lab.bodies);
+  IslandFacts next = findFacts(lab.island(), lab.context);
   EXPECT_DOUBLE_EQ(next.energyBefore, facts.energy);
   EXPECT_DOUBLE_EQ(next.fastest, 0.5);
   TestIsland space;
   BodyIndex first = space.brick({}), second = space.brick({0, 2 * kBrick.y, 0});
   space.touch(first, second);
-  EXPECT_FALSE(findFacts(space.island(), space.bodies).grounded);
+  EXPECT_FALSE(findFacts(space.island(), space.context).grounded);
 }
 
 TEST(Plan, APartnerThatBeginsToMoveIsSeenInTheSameStep) {
