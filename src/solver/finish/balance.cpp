@@ -73,12 +73,14 @@ struct IslandEnergy {
   double start = 0, end = 0;  // J, kinetic
   double work = 0;            // J, of gravity and outside forces, and what earlier steps of an impact took
   double mass = 0;
+  double unit = 1;                                      // gravity x size, of the reference
   double excess() const { return end - start - work; }  // at the end, over what it was given
-  double slack() const { return kRelativeSlack * start + kSlackPerMass * mass; }
+  double slack() const { return kRelativeSlack * start + kSlackPerMass * unit * mass; }
 };
 IslandEnergy energyOf(const Island& island, const StepContext& context) {
   IslandEnergy sum;
   sum.work = island.credit;
+  sum.unit = island.facts.scale.speed * island.facts.scale.speed;
   for (BodyIndex body : island.bodies) {
     const FreeMotion& free = context.free[body];
     const SolvedMotion& s = context.solved[body];
