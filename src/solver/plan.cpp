@@ -20,8 +20,8 @@ constexpr int kMostCycles = 3;  // while many bodies of a large island are out o
 constexpr double kHeavyShare = 0.01;  // effective mass of the softest joint of a small island
 //! - | too small: Newton's method starts far off | too large: cost of what it does better
 constexpr int kCyclesBeforeDirect = 1;  // of exact steps
-//! m/s | too small: a hit wall sways for seconds on its joints | too large: what begins to fall slowly may be stopped
-constexpr double kSwingSpeed = 0.03;  // what no body of a large island may exceed to be stopped at the end of a swing
+//! m/s | too small: what rocks by itself rests late | too large: what rolls up a slope turns back too early
+constexpr double kAloneSpeed = 5e-4;  // of a body alone, which may be stopped
 //! weights | too small: cost | too large: large walls creep before they rest
 constexpr double kStandingTolerance = 1e-2;  // weights: of a body in a large slow island
 
@@ -101,18 +101,20 @@ SolvePlan planFor(const IslandFacts& facts, const SolverSettings& settings, doub
       supported && facts.fastest <= settings.restSpeed + kCalmShare * facts.scale.gravity * dt / facts.scale.speed;
   SolvePlan plan;
   plan.slow = supported && facts.fastest <= settings.restSpeed;
-  plan.sways = supported && row.byLoad && !plan.slow && facts.fastest <= kSwingSpeed;
+  plan.sways = supported && row.large && !plan.slow && facts.fastest <= kMovingSpeed;
+  plan.alone = facts.bodies == 1;
+  plan.mayBeStopped = plan.slow && !(plan.alone && facts.fastest > kAloneSpeed);
   plan.exactSteps = row.exactSteps;
   plan.direct = row.direct;
   plan.calmStiffening = calm ? double(row.calmStiffening) : 1;
   plan.leastMass = row.direct ? kHeavyShare * facts.heaviest : 0;
-  plan.byLoad = row.byLoad;
-  plan.startsFree = !row.byLoad || !facts.grounded;
-  plan.softDebris = row.byLoad && facts.fastest > kDebrisSpeed;
-  plan.tolerance = !row.byLoad ? kSlowTolerance : plan.slow ? kStandingTolerance : settings.cycleTolerance;
+  plan.large = row.large;
+  plan.startsFree = !row.large || !facts.grounded;
+  plan.softDebris = row.large && facts.fastest > kDebrisSpeed;
+  plan.tolerance = !row.large ? kSlowTolerance : plan.slow ? kStandingTolerance : settings.cycleTolerance;
   plan.minCycles = row.direct && row.exactSteps ? kCyclesBeforeDirect : settings.minCycles;
   plan.maxCycles = row.direct ? plan.minCycles : cycleBudget(facts, plan.slow, settings);
-  plan.mostCycles = row.byLoad ? std::max(plan.maxCycles, kMostCycles * settings.maxCycles) : plan.maxCycles;
+  plan.mostCycles = row.large ? std::max(plan.maxCycles, kMostCycles * settings.maxCycles) : plan.maxCycles;
   return plan;
 }
 

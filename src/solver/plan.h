@@ -39,17 +39,18 @@ struct PlanRow {
   bool exactSteps;       // open points are left out of the matrix and searched for instead
   float calmStiffening;  // x restingStiffness while the island is calm
   bool direct;           // Newton on all bodies at once, after the first cycles
-  bool byLoad;           // residuals are judged by what each body carries, not by its weight alone
+  bool large;  // never solved to the end: residuals are judged by what each body carries, not by its weight alone
 };
 std::span<const PlanRow> planRows();
 
 struct SolvePlan {
-  bool slow = false;  // grounded, partners still, no body faster than restSpeed: it may be stopped and put to rest
-  bool sways =
-      false;  // large, supported, faster than that and no body faster than kSwingSpeed: a vibration of it is ended
+  bool alone = false;  // one body
+  bool slow = false;   // grounded, partners still, no body faster than restSpeed: it may be stopped and put to rest
+  bool mayBeStopped = false;  // slow, and no body alone that may be rolling up a slope
+  bool sways = false;  // large, supported, not slow and no body faster than kMovingSpeed: a vibration of it is ended
   bool exactSteps = false;    // see PlanRow
   bool direct = false;        // see PlanRow
-  bool byLoad = false;        // see PlanRow
+  bool large = false;         // see PlanRow
   bool startsFree = true;     // from free motion; else with as much of its fall as each body had
   bool softDebris = false;    // contacts of what moves in it have impactStiffness
   double calmStiffening = 1;  // x restingStiffness

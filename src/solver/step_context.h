@@ -44,6 +44,10 @@ constexpr int kMaxCyclesSlow = 16;
 constexpr double kInPlaceMove = 25e-6;  // m: a slow island of which no point strays further than this from its place
 //! s | too small: a very slow start of a fall is stopped | too large: walls with points at an edge rest late
 constexpr double kInPlaceTime = 0.5;  // s: during this time counts as at rest; an acceleration of 2e-5 g goes further
+//! m/s | too small: what sways in a hit wall is taken for debris, and sways on for seconds: walls sag
+//! | too large: rubble is treated as what stands, and what begins to fall slowly may be stopped
+constexpr double kMovingSpeed =
+    0.03;  // of a body of a large island: what is faster moves, what is slower sways at most
 //! rad | too small: fast spins reach contacts too weakly | too large: rebounds at high speed explode
 constexpr double kLargestTurn = 0.5;  // rad per step of a body in contact: arms are frozen during a step
 //! - | too small: counts what nobody sees | too large: hides what hangs

@@ -148,13 +148,11 @@ bool boundFollows(const PointMemory& m, int i, float approach, const PointRules&
 // an impact, until it has come to lie. What bears more than a sudden load can do still stands, though it shakes: storeys would sink
 // into it like into rubber. So would a ball into what lies still under it, and be braked by the next brick's edge.
 bool isDebris(const Island& island, const ContactRecord& r, const Contact& c, float cap) {
-  //! m/s | too small: walls that sway are softened, and sag | too large: debris does not converge
-  constexpr float kDebrisBodySpeed = 0.03f;
   if (!island.plan.softDebris) return false;
   for (int i = 0; i < c.count; i++)
     if (c.points.multiplierN[i] > cap) return false;
   auto moves = [&](std::uint32_t body) {
-    return body < island.bodies.size() && island.speeds[body] > kDebrisBodySpeed;
+    return body < island.bodies.size() && island.speeds[body] > float(kMovingSpeed);
   };
   return c.rolls ? moves(r.bodyA) && moves(r.bodyB) : moves(r.bodyA) || moves(r.bodyB);
 }

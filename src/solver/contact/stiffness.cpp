@@ -48,7 +48,7 @@ PairStiffness stiffnessOf(const Contact& pair, bool debris, const Island& island
   const SolvePlan& plan = island.plan;
   const Scale scale = scaleOfPair(pair, context);
   const double perDt2 = 1 / (island.dt * island.dt), stretch = context.stretch;
-  const double share = plan.byLoad ? firmShare(settings, island.dt, stretch * context.part, scale) : stretch * stretch;
+  const double share = plan.large ? firmShare(settings, island.dt, stretch * context.part, scale) : stretch * stretch;
   const double unit = pair.effectiveMass * perDt2, firm = std::max(double(pair.effectiveMass), plan.leastMass) * perDt2;
   const double full =
       debris ? settings.impactStiffness * unit : settings.restingStiffness * (plan.calmStiffening * share) * firm;

@@ -130,7 +130,7 @@ double takeResidual(const Island& island, StepContext& context, double excess) {
 // is fixed, by chains of such, and not from what that slides by as a whole, where friction can't hold it. Large islands sway little
 // enough without it.
 void dampSway(const Island& island, StepContext& context, double excess) {
-  if (island.plan.byLoad || island.facts.fastest > kSwaySpeed) return;
+  if (island.plan.large || island.facts.fastest > kSwaySpeed) return;
   std::pmr::vector<char> held(island.memory);
   findSupported(island, held, [&](const auto& kind, std::size_t k) { return kind.carriesForce(k, context); });
   const Vec3 slide = slideLeft(island, held, context, [&](BodyIndex body) { return context.solved[body].velocity; });

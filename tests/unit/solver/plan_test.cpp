@@ -128,7 +128,7 @@ TEST(Plan, LargeIslandsAreJudgedByLoadAndStandingOnesMoreFinely) {
   struct Case {
     std::size_t bodies;
     double speed;
-    bool byLoad;
+    bool large;
     double tolerance;
   };
   for (const Case& c : {Case{1, 5, false, 5e-4},
@@ -138,7 +138,7 @@ TEST(Plan, LargeIslandsAreJudgedByLoadAndStandingOnesMoreFinely) {
                         {1000, 5, true, 2e-2},
                         {1000, 0, true, 1e-2}}) {
     SolvePlan plan = planOf(factsOf(c.bodies, true, c.speed));
-    EXPECT_EQ(plan.byLoad, c.byLoad) << c.bodies << " at " << c.speed;
+    EXPECT_EQ(plan.large, c.large) << c.bodies << " at " << c.speed;
     EXPECT_EQ(plan.tolerance, c.tolerance) << c.bodies << " at " << c.speed;
   }
 }
@@ -194,6 +194,36 @@ TEST(Plan, FactsAreThoseOfTheBodies) {
   EXPECT_FALSE(findFacts(space.island(), space.context).grounded);
 }
 
+TEST(Plan, FactsAreJudgedOnTheScaleOfTheTypicalBody) {
+  TestIsland lab;
+  std::vector<BodyIndex> pile = lab.pile(lab.ground(), 5);
+  EXPECT_EQ(findFacts(lab.island(), lab.context).scale.speed, 1) << "bricks under 9.81 m/s2 are the reference";
+  lab.bodies.mass[pile[0]].innerRadius = kBrick.y / 64;  // a shard
+  lab.bodies.mass[pile[1]].innerRadius = 4 * kBrick.y;   // a block
+  lab.at(pile[1]).linearVelocity = {0, 0.1, 0};
+  IslandFacts facts = findFacts(lab.island(), lab.context);
+  EXPECT_EQ(facts.scale.size, kBrick.y) << "neither decides for all";
+  EXPECT_EQ(facts.fastest, 0.1) << "what is larger is judged like those that it moves";
+  lab.at(pile[0]).linearVelocity = {0, 0.1, 0};
+  EXPECT_DOUBLE_EQ(findFacts(lab.island(), lab.context).fastest, 0.8) << "what is smaller by itself";
+  lab.context.judgingGravity = 4 * kReferenceGravity;
+  facts = findFacts(lab.island(), lab.context);
+  EXPECT_DOUBLE_EQ(facts.fastest, 0.4);
+  EXPECT_EQ(facts.scale.length, 1);
+  EXPECT_DOUBLE_EQ(facts.scale.time, 0.5);
+  EXPECT_EQ(judgingGravity({}), kReferenceGravity) << "nothing weighs anything";
+  EXPECT_EQ(judgingGravity({0, 0, 1e-3}), 1e-3);
+}
+
+TEST(Plan, ABodyAloneIsStoppedOnlyWhenItHardlyMoves) {
+  EXPECT_TRUE(planOf(factsOf(1, true, 0.0005)).mayBeStopped);
+  EXPECT_FALSE(planOf(factsOf(1, true, 0.00051)).mayBeStopped) << "it may be rolling up a slope";
+  EXPECT_TRUE(planOf(factsOf(2, true, 0.01)).mayBeStopped);
+  EXPECT_FALSE(planOf(factsOf(2, true, 0.0101)).mayBeStopped);
+  EXPECT_TRUE(planOf(factsOf(1, true, 0)).alone);
+  EXPECT_FALSE(planOf(factsOf(2, true, 0)).alone);
+}
+
 TEST(Plan, APartnerThatBeginsToMoveIsSeenInTheSameStep) {
   for (Vec3 spin : {Vec3{}, Vec3{0, 1e-3, 0}}) {
     TestIsland lab;
@@ -245,7 +275,7 @@ std::string tableOfPlans() {
     std::string cycles = few == many ? number(few) : number(many) + " to " + number(few);
     if (slow > few) cycles += "; slow: at least " + number(slow);
     if (unbalanced > few) cycles += "; while a twentieth is out of balance: " + number(unbalanced);
-    std::string stop = tolerance(plan(most, fast).tolerance) + (row.byLoad ? " of load" : " weights");
+    std::string stop = tolerance(plan(most, fast).tolerance) + (row.large ? " of load" : " weights");
     if (plan(most, 0).tolerance != plan(most, fast).tolerance) stop += "; slow: " + tolerance(plan(most, 0).tolerance);
     out += "| " + std::string(row.islands) + " | " + yes(row.exactSteps) + " | " + yes(row.direct) + " | " +
            number(double(row.calmStiffening)) + " | " + cycles + " | " + stop + " |\n";
