@@ -12,11 +12,10 @@ namespace limits {
 
 constexpr double kLargestCoordinate = 1e6;  // m, along each axis: doubles then still tell 2e-10 m apart
 constexpr double kLargestSize = 1e4;        // m: of shapes and of their place in a body; contacts are solved in float
-constexpr double kSmallestSize =
-    1e-4;  // m: contact margins and rest speed, which are lengths of their own, are far larger
-constexpr double kLargestSpeed = 1e5;          // m/s and rad/s, as set
-constexpr double kLargestPush = 1e12;          // N, N m, N s, N m s a call; calls add up
-constexpr double kLargestGravity = 1e4;        // m/s2
+constexpr double kSmallestSize = 1e-4;      // m
+constexpr double kLargestSpeed = 1e5;       // m/s and rad/s, as set
+constexpr double kLargestPush = 1e12;       // N, N m, N s, N m s a call; calls add up
+constexpr double kLargestGravity = 1e4;     // m/s2
 constexpr double kLargestGravityScale = 1000;  // times the world's, either way
 constexpr double kLargestDamping = 1e6;        // 1/s
 constexpr double kLargestDragArea = 1e6;       // m2

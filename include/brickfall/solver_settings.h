@@ -5,6 +5,8 @@ namespace brickfall {
 
 // Everything that tunes the contact solver. The defaults are those under which all figures in docs were measured; each
 // trades honesty, stiffness and cost (docs/step.md). Stiffness unit u = mEff / dt^2, mEff = 1 / (1/mA + 1/mB).
+// Lengths and speeds hold for a brick of 32.5 mm inner radius under 9.81 m/s2. For an inner radius r under gravity g lengths are in
+// proportion to r, speeds to sqrt(g r): what is larger or heavier looks the same.
 struct SolverSettings {
   //! u | too small: walls sag (40 courses: 0.6 mm, proportional to 1 / this)
   //! | too large: disturbed walls converge later: more visits
@@ -17,9 +19,9 @@ struct SolverSettings {
   //! | too large: real impacts are stiff from the start
   double restingApproachSpeed = 0.3;  // m/s: contacts born slower are resting, not impacts
   //! m | too small: points come too late: fast bodies overlap first | too large: more points that carry nothing
-  double contactMargin = 0.010;  // m, 1e-5 .. 1: contacts are made this early (and approach x dt more), between dynamic
-                                 // bodies plus the way of the faster one in the step; at most 0.3 inner radii of the
-                                 // thinner shape
+  double contactMargin = 0.010;  // m, 1e-5 .. 1: contacts are made this early (and approach x dt more), between
+      // dynamic bodies plus the way of the faster one in the step; at most 0.3 inner radii of the
+      // thinner shape
   //! m/s | too small: heaps chatter | too large: bounces end early (a body alone goes on to g h)
   double restitutionSpeed = 1;  // m/s, >= 0: slower impacts do not rebound; for a body alone on something fixed at most
                                 // gravity x dt. Smaller: heaps chatter longer before they rest

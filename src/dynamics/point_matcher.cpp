@@ -14,12 +14,13 @@ PointMatcher::PointMatcher(const Contact& old, const ContactGeometry& geometry, 
   double distance[4][4];
   for (int i = 0; i < fresh.count; i++)
     for (int j = 0; j < old.count; j++) {
-      bool same = old.points.feature[j] == fresh.points.feature[i];
+      bool sameFeature = old.points.feature[j] == fresh.points.feature[i];
       distance[i][j] = std::min(lengthSquared(geometry.anchorA[j] - now.anchorA[i]),
                                 lengthSquared(geometry.anchorB[j] - now.anchorB[i])) *
-                       (same ? 0.25 : 1);
+                       (sameFeature ? 0.25 : 1);
     }
   const double most = fresh.rolls ? 1e30 : reach * reach;
+  const double same = kSamePlace / kMatchShare * reach;
   std::uint32_t used = 0;  // bit per old point
   for (int n = 0; n < fresh.count; n++) {
     int to = -1, best = -1;
@@ -30,7 +31,7 @@ PointMatcher::PointMatcher(const Contact& old, const ContactGeometry& geometry, 
     if (best < 0) return;
     from_[to] = best;
     used |= 1u << best;
-    bool place = old.points.feature[best] == fresh.points.feature[to] || least < kSamePlace * kSamePlace;
+    bool place = old.points.feature[best] == fresh.points.feature[to] || least < same * same;
     if (place && normals > kKeptFace && !fresh.rolls) keeps_ |= 1u << to;
   }
 }

@@ -22,10 +22,8 @@ constexpr int kNext[3] = {1, 2, 0}, kLast[3] = {2, 0, 1};
 constexpr double kParallel2 = 1e-8;
 // Face axes that are parallel to this cosine compete for the same contact.
 constexpr double kSameFace = 0.98;
-//! half extents, at most `kRoundEdge` | too small: leaning edges slip on each other's faces | too large: what slides past an edge tilts early
+//! half extents | too small: leaning edges slip on each other's faces | too large: what slides past an edge tilts early
 constexpr double kRoundShare = 0.01;
-//! m | with kRoundShare
-constexpr double kRoundEdge = 5e-4;  // radius of an edge, where two meet side by side
 
 struct BoxPair {
   double a[3], b[3];
@@ -180,7 +178,7 @@ bool lineContact(const BoxPair& p, const FaceAxis& ofA, const FaceAxis& ofB, dou
   Vec3 onA = nA * p.a[fa] + unitA[ka] * (upA ? p.a[ka] : -p.a[ka]);
   Vec3 onB = Vec3{p.t[0], p.t[1], p.t[2]} - nB * p.b[fb] + unitB[kb] * (upB ? p.b[kb] : -p.b[kb]);
   Vec3 between = onB - onA, across = nB - nA;
-  double round = kRoundShare * p.smallest < kRoundEdge ? kRoundShare * p.smallest : kRoundEdge;
+  double round = kRoundShare * p.smallest;
   double tilt = dot(between, normalized(across)) / (2 * round);
   if (std::fabs(tilt) >= 0.5 * length(across)) return false;
   Vec3 n = normalized(nA + nB) * std::sqrt(1 - tilt * tilt) + normalized(across) * tilt;

@@ -15,7 +15,7 @@ struct PatchPoint {
   std::uint32_t feature = 0;
 };
 
-// Lengths below which geometry counts as equal, m. Written for bricks, scaled down for smaller things.
+// Lengths below which geometry counts as equal, m: in proportion to the smaller of the two.
 struct ContactTolerances {
   double face;       // a later face axis must be better by this
   double otherFace;  // ... and by this if the two are nearly parallel: then either is right, and one should stay
@@ -24,7 +24,7 @@ struct ContactTolerances {
   double same;       // polygon corners closer than this are one
 };
 inline ContactTolerances contactTolerances(double smallestHalfExtent) {
-  double h = smallestHalfExtent < 1.0 / 30 ? smallestHalfExtent * 30 : 1;
+  const double h = smallestHalfExtent * 30;
   return {1e-5 * h, 5e-4 * h, 1e-3 * h, 2e-5 * h, 1e-4 * h};
 }
 

@@ -62,8 +62,9 @@ class Way {
     start_ = power(residual, step_);
     V turning = timesSymmetric(cluster.inertia, wide::load(&step_.torque.x));
     resist_ = power({step_.force * cluster.mass, wide::store3(turning)}, step_);
-    if (!forces.island().plan.byLoad) return;
-    float weight = cluster.mass * float(forces.island().dt * forces.island().dt * kReferenceGravity);
+    if (!forces.island().plan.large) return;
+    const Island& island = forces.island();
+    float weight = cluster.mass * float(island.dt * island.dt * island.facts.scale.gravity);
     most_ =
         kOvershootWeights * weight * (length(step_.force) + std::sqrt(gyrationSquared(cluster)) * length(step_.torque));
   }

@@ -102,8 +102,8 @@ bool touchesNothing(const Island& island, const StepContext& context) {
   return none;
 }
 
-void leaveOut(Island& island, Ties ties) {
-  island.rows.eachKind([&](auto& kind) { kind.leaveOut(ties); });
+void leaveOut(Island& island, Ties ties, const StepContext& context) {
+  island.rows.eachKind([&](auto& kind) { kind.leaveOut(ties, context); });
 }
 
 double firstClosing(const Island& island, double dt, const StepContext& context) {
@@ -115,7 +115,7 @@ double firstClosing(const Island& island, double dt, const StepContext& context)
 bool solveImpact(Island& island, Ties ties, BodySet& bodies, StepContext& context, double blink,
                  SolveStatistics& statistics, std::pmr::vector<ContactImpact>& impacts) {
   TiesMemory remembered(island, ties);
-  island.plan = planFor(findFacts(island, bodies), context.settings, island.dt, context.stretch, context.part);
+  island.plan = planFor(findFacts(island, context), context.settings, island.dt);
   goOnFreely(island, bodies, context);
   prepareBodies(island, context);
   prepareRows(island, ties, context);

@@ -14,7 +14,7 @@ bool mayClose(const Island& island, const StepContext& context, double ahead);
 // No tie carried force in the last step, and every point is open.
 bool touchesNothing(const Island& island, const StepContext& context);
 // Prepared rows of an island: its open points carry nothing in the coming solve, and stay as fresh as they were.
-void leaveOut(Island& island, Ties ties);
+void leaveOut(Island& island, Ties ties, const StepContext& context);
 // In how many s the island's first open point closes; none: infinity. By StepContext::solved, which is how the island
 // would go on over `dt` s if its open points were not there.
 double firstClosing(const Island& island, double dt, const StepContext& context);

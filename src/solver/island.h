@@ -35,7 +35,8 @@ struct Island {
   std::pmr::vector<SolveMass> masses{memory};    // bodies
   std::pmr::vector<Wrench> residual{memory};     // bodies
   std::pmr::vector<float> loads{memory};         // N, bodies: half the sum of the forces that its rows exert on it
-  std::pmr::vector<float> speeds{memory};        // m/s, bodies: |v| + |w| outer radius at the start of the step
+  std::pmr::vector<float> speeds{
+      memory};  // m/s at the reference's scale, bodies: |v| + |w| outer radius at the start of the step
   Hierarchy hierarchy{memory};
   double dt = 0;  // s: its time step: what is left of the world's after the impacts that it met (stage_impacts.cpp)
   Vec3 origin;    // m, of SolveMass::position and Cluster::centre

@@ -19,14 +19,14 @@ void prepareIsland(Island& island, Ties ties, BodySet& bodies, StepContext& cont
     return;
   }
   const bool last = island.part == IslandPart::last;
-  island.facts = findFacts(island, bodies);
+  island.facts = findFacts(island, context);
   if (last) keepEnergies(island, bodies);
-  island.plan = planFor(island.facts, context.settings, island.dt, context.stretch, context.part);
+  island.plan = planFor(island.facts, context.settings, island.dt);
   if (last) dampSlowIsland(island, context, bodies);
   predictFreeMotions(context, bodies, island.bodies, island.dt, island.part != IslandPart::flight);
   prepareBodies(island, context);
   prepareRows(island, ties, context);
-  if (island.toImpact()) leaveOut(island, ties);
+  if (island.toImpact()) leaveOut(island, ties, context);
 }
 
 void restIsland(Island& island, StepContext& context) {

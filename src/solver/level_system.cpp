@@ -219,7 +219,7 @@ void LevelSystem::solve(const Wrenches& right, Wrenches& x) {
   precondition(left_, better_);
   direction_.assign(better_.begin(), better_.end());
   double now = dotOf(left_, better_);
-  const bool large = island_.plan.byLoad;
+  const bool large = island_.plan.large;
   const double to = large ? kSolvedTo : kSolvedToSmall, enough = to * to * now;
   const int most = large ? kMostIterations : kMostIterationsSmall;
   for (int k = 0; now > enough; k++) {

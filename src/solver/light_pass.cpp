@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/take_larger.h"
+#include "solver/imbalance.h"
 #include "solver/residual_sum.h"
 
 namespace brickfall {
@@ -40,23 +40,15 @@ void lightPass(Island& island, bool renewBounds, double& visits) {
 
 double worstResidual(const Island& island, const BodySet& bodies) {
   double worst = 0;
-  for (std::size_t i = 0; i < island.bodies.size(); i++) {
-    const BodyMass& m = bodies.mass[island.bodies[i]];
-    double weight = std::max(m.mass * kReferenceGravity, kHeavyLoad * double(island.loads[i]));
-    takeLarger(worst, double(length(island.residual[i].force)) / weight);
-    takeLarger(worst, double(length(island.residual[i].torque)) / (weight * m.innerRadius));
-  }
+  for (std::size_t i = 0; i < island.bodies.size(); i++)
+    takeLarger(worst, measureOf(island, bodies, i, kHeavyLoad).of(island.residual[i]));
   return worst;
 }
 
 LeftOver leftOver(const Island& island, const BodySet& bodies) {
   LeftOver out;
   for (std::size_t i = 0; i < island.bodies.size(); i++) {
-    const BodyMass& m = bodies.mass[island.bodies[i]];
-    double scale = std::max(m.mass * kReferenceGravity, double(island.loads[i]));
-    double error = 0;
-    takeLarger(error, double(length(island.residual[i].force)) / scale);
-    takeLarger(error, double(length(island.residual[i].torque)) / (scale * m.innerRadius));
+    const double error = measureOf(island, bodies, i, 1).of(island.residual[i]);
     takeLarger(out.worst, error);
     out.bodies += !(error <= kLeftOver);
   }
@@ -66,7 +58,7 @@ LeftOver leftOver(const Island& island, const BodySet& bodies) {
 double rmsResidual(const Island& island, const BodySet& bodies) {
   double sum = 0;
   for (std::size_t i = 0; i < island.bodies.size(); i++) {
-    double error = double(length(island.residual[i].force)) / (bodies.mass[island.bodies[i]].mass * kReferenceGravity);
+    const double error = measureOf(island, bodies, i, 0).of({island.residual[i].force, {}});
     sum += error * error;
   }
   return std::sqrt(sum / double(island.bodies.size()));

@@ -20,12 +20,8 @@ constexpr int kMostCycles = 3;  // while many bodies of a large island are out o
 constexpr double kHeavyShare = 0.01;  // effective mass of the softest joint of a small island
 //! - | too small: Newton's method starts far off | too large: cost of what it does better
 constexpr int kCyclesBeforeDirect = 1;  // of exact steps
-//! m/s | too small: a hit wall sways for seconds on its joints | too large: what begins to fall slowly may be stopped
-constexpr double kSwingSpeed = 0.03;  // what no body of a large island may exceed to be stopped at the end of a swing
-//! s | too small: walls sag | too large: what sways does not converge at short steps, and stops a ball that goes through at longer
-constexpr double kFirmStep = 1.0 / 60;  // at shorter steps joints of large islands have a part of restingStiffness
-//! - | too small: what rests is softer than what is hit | too large: with kFirmStep
-constexpr double kLeastFirm = 2;  // x impactStiffness: what they are at least
+//! m/s | too small: what rocks by itself rests late | too large: what rolls up a slope turns back too early
+constexpr double kAloneSpeed = 5e-4;  // of a body alone, which may be stopped
 //! weights | too small: cost | too large: large walls creep before they rest
 constexpr double kStandingTolerance = 1e-2;  // weights: of a body in a large slow island
 
@@ -54,12 +50,25 @@ const PlanRow& rowOf(const IslandFacts& facts) {
                        [&](const PlanRow& row) { return facts.bodies <= row.mostBodies && (slow || !row.onlySlow); });
 }
 
+// m: the median of the inner radii. Neither a shard between blocks decides for all of them nor a ball that outweighs the wall that
+// it hits, as the least size or a mean by mass would.
+double typicalSize(const Island& island, const BodySet& bodies) {
+  std::pmr::vector<double> sizes(island.memory);
+  sizes.reserve(island.bodies.size());
+  for (BodyIndex body : island.bodies) sizes.push_back(bodies.mass[body].innerRadius);
+  const auto middle = sizes.begin() + std::ptrdiff_t((sizes.size() - 1) / 2);
+  std::nth_element(sizes.begin(), middle, sizes.end());
+  return *middle;
+}
+
 }  // namespace
 
 std::span<const PlanRow> planRows() { return kRows; }
 
-IslandFacts findFacts(const Island& island, const BodySet& bodies) {
+IslandFacts findFacts(const Island& island, const StepContext& context) {
+  const BodySet& bodies = *context.bodies;
   IslandFacts facts;
+  facts.scale = scaleOf(typicalSize(island, bodies), context.judgingGravity);
   facts.bodies = island.bodies.size();
   facts.grounded = island.grounded();
   for (BodyIndex body : island.bodies) {
@@ -67,10 +76,11 @@ IslandFacts findFacts(const Island& island, const BodySet& bodies) {
     facts.energyBefore += bodies.data[body].lastKineticEnergy;
     facts.energy += bodies.kineticEnergy(body);
     facts.heaviest = std::max(facts.heaviest, bodies.mass[body].mass);
+    const double unit = facts.scale.ofBody(bodies.mass[body].innerRadius).speed;
     double speed = length(m.linearVelocity);  // what is not a number is not slow
-    takeLarger(facts.fastestCentre, speed);
+    takeLarger(facts.fastestCentre, speed / unit);
     double withSpin = speed + length(m.angularVelocity) * bodies.mass[body].outerRadius;
-    takeLarger(facts.fastest, withSpin);
+    takeLarger(facts.fastest, withSpin / unit);
   }
   for (BodyIndex body : island.partners) {
     const BodyMotion& m = bodies.motion[body];
@@ -84,34 +94,27 @@ void keepEnergies(const Island& island, BodySet& bodies) {
   for (BodyIndex body : island.bodies) bodies.data[body].lastKineticEnergy = bodies.kineticEnergy(body);
 }
 
-// That is in units of inertia over the time step squared, and so without bound as the step gets shorter; bricks are not. Small
-// islands are solved to the end at any stiffness.
-double leastStiffening(const SolverSettings& settings, double dt, double stretch) {
-  double least = std::min(1.0, kLeastFirm * settings.impactStiffness / settings.restingStiffness);
-  double share = std::min(1.0, std::max(dt / stretch / kFirmStep, least));
-  return std::max(least, share * stretch * stretch);
-}
-
-// Joints of small islands follow the parts of a substep: as soft as those of the whole, they would let what is thin through.
-SolvePlan planFor(const IslandFacts& facts, const SolverSettings& settings, double dt, double stretch, double part) {
+SolvePlan planFor(const IslandFacts& facts, const SolverSettings& settings, double dt) {
   const PlanRow& row = rowOf(facts);
   bool supported = facts.grounded && !facts.partnersMove;
-  bool calm = supported && facts.fastest <= settings.restSpeed + kCalmShare * kReferenceGravity * dt;
+  bool calm =
+      supported && facts.fastest <= settings.restSpeed + kCalmShare * facts.scale.gravity * dt / facts.scale.speed;
   SolvePlan plan;
   plan.slow = supported && facts.fastest <= settings.restSpeed;
-  plan.sways = supported && row.byLoad && !plan.slow && facts.fastest <= kSwingSpeed;
+  plan.sways = supported && row.large && !plan.slow && facts.fastest <= kMovingSpeed;
+  plan.alone = facts.bodies == 1;
+  plan.mayBeStopped = plan.slow && !(plan.alone && facts.fastest > kAloneSpeed);
   plan.exactSteps = row.exactSteps;
   plan.direct = row.direct;
-  plan.stiffening = (calm ? double(row.calmStiffening) : 1) *
-                    (row.byLoad ? leastStiffening(settings, dt, stretch * part) : stretch * stretch);
+  plan.calmStiffening = calm ? double(row.calmStiffening) : 1;
   plan.leastMass = row.direct ? kHeavyShare * facts.heaviest : 0;
-  plan.byLoad = row.byLoad;
-  plan.startsFree = !row.byLoad || !facts.grounded;
-  plan.softDebris = row.byLoad && facts.fastest > kDebrisSpeed;
-  plan.tolerance = !row.byLoad ? kSlowTolerance : plan.slow ? kStandingTolerance : settings.cycleTolerance;
+  plan.large = row.large;
+  plan.startsFree = !row.large || !facts.grounded;
+  plan.softDebris = row.large && facts.fastest > kDebrisSpeed;
+  plan.tolerance = !row.large ? kSlowTolerance : plan.slow ? kStandingTolerance : settings.cycleTolerance;
   plan.minCycles = row.direct && row.exactSteps ? kCyclesBeforeDirect : settings.minCycles;
   plan.maxCycles = row.direct ? plan.minCycles : cycleBudget(facts, plan.slow, settings);
-  plan.mostCycles = row.byLoad ? std::max(plan.maxCycles, kMostCycles * settings.maxCycles) : plan.maxCycles;
+  plan.mostCycles = row.large ? std::max(plan.maxCycles, kMostCycles * settings.maxCycles) : plan.maxCycles;
   return plan;
 }
 

@@ -10,19 +10,22 @@
 
 #include "brickfall/island_ending.h"
 #include "brickfall/solver_settings.h"
+#include "solver/scale.h"
 
 namespace brickfall {
 
 class BodySet;
 struct Island;
+struct StepContext;
 
 // At the start of a step.
 struct IslandFacts {
   std::size_t bodies = 0;
   bool grounded = false;      // touches something fixed or kinematic
   bool partnersMove = false;  // a kinematic partner moves
-  double fastest = 0;         // m/s, largest |v| + |w| outer radius of a body
-  double fastestCentre = 0;   // m/s, largest |v|
+  Scale scale;                // of its typical body
+  double fastest = 0;         // m/s at the reference's scale, largest |v| + |w| outer radius of a body
+  double fastestCentre = 0;   // m/s at the reference's scale, largest |v|
   double heaviest = 0;        // kg
   double energy = 0;          // J, kinetic
   double energyBefore = 0;    // J, at the start of the last step
@@ -36,34 +39,31 @@ struct PlanRow {
   bool exactSteps;       // open points are left out of the matrix and searched for instead
   float calmStiffening;  // x restingStiffness while the island is calm
   bool direct;           // Newton on all bodies at once, after the first cycles
-  bool byLoad;           // residuals are judged by what each body carries, not by its weight alone
+  bool large;  // never solved to the end: residuals are judged by what each body carries, not by its weight alone
 };
 std::span<const PlanRow> planRows();
 
 struct SolvePlan {
-  bool slow = false;  // grounded, partners still, no body faster than restSpeed: it may be stopped and put to rest
-  bool sways =
-      false;  // large, supported, faster than that and no body faster than kSwingSpeed: a vibration of it is ended
-  bool exactSteps = false;  // see PlanRow
-  bool direct = false;      // see PlanRow
-  bool byLoad = false;      // see PlanRow
-  bool startsFree = true;   // from free motion; else with as much of its fall as each body had
-  bool softDebris = false;  // contacts of what moves in it have impactStiffness
-  double stiffening = 1;    // x restingStiffness
-  double leastMass = 0;     // kg: contacts are as firm as between bodies of that effective mass
-  double tolerance = 0;     // weights: residual under which a body is left alone
+  bool alone = false;  // one body
+  bool slow = false;   // grounded, partners still, no body faster than restSpeed: it may be stopped and put to rest
+  bool mayBeStopped = false;  // slow, and no body alone that may be rolling up a slope
+  bool sways = false;  // large, supported, not slow and no body faster than kMovingSpeed: a vibration of it is ended
+  bool exactSteps = false;    // see PlanRow
+  bool direct = false;        // see PlanRow
+  bool large = false;         // see PlanRow
+  bool startsFree = true;     // from free motion; else with as much of its fall as each body had
+  bool softDebris = false;    // contacts of what moves in it have impactStiffness
+  double calmStiffening = 1;  // x restingStiffness
+  double leastMass = 0;       // kg: contacts are as firm as between bodies of that effective mass
+  double tolerance = 0;       // weights: residual under which a body is left alone
   int minCycles = 0, maxCycles = 0;
   int mostCycles = 0;  // while many of its bodies are out of balance
 };
 
-IslandFacts findFacts(const Island& island, const BodySet& bodies);
+IslandFacts findFacts(const Island& island, const StepContext& context);
 // Each body's kinetic energy, for the facts of the next step.
 void keepEnergies(const Island& island, BodySet& bodies);
-// x restingStiffness: the least that a plan's stiffening may be. `stretch`: dt / the time step of which resting
-// contacts have their stiffness.
-double leastStiffening(const SolverSettings& settings, double dt, double stretch);
-// `stretch`, `part`: StepContext's.
-SolvePlan planFor(const IslandFacts& facts, const SolverSettings& settings, double dt, double stretch, double part = 1);
+SolvePlan planFor(const IslandFacts& facts, const SolverSettings& settings, double dt);
 
 // It stays where it is in this step.
 constexpr bool isResting(IslandEnding e) {

@@ -41,8 +41,10 @@ void prepareBodies(Island& island, const StepContext& context) {
     BodyIndex body = island.bodies[i];
     const FreeMotion& free = context.free[body];
     SolveMass& m = island.masses[i];
-    island.speeds[i] = float(length(free.startVelocity) + length(free.startSpin) * bodies.mass[body].outerRadius);
-    m.mass = float(bodies.mass[body].mass * perDt2);
+    const BodyMass& mass = bodies.mass[body];
+    island.speeds[i] = float((length(free.startVelocity) + length(free.startSpin) * mass.outerRadius) /
+                             island.facts.scale.ofBody(mass.innerRadius).speed);
+    m.mass = float(mass.mass * perDt2);
     writeInertia(m, bodies.worldInertia(body), perDt2);
     m.dFree = toFloat(free.d - island.travel);
     m.thFree = toFloat(free.th);

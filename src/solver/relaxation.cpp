@@ -6,6 +6,7 @@
 
 #include "solver/acceleration.h"
 #include "solver/cluster_step.h"
+#include "solver/imbalance.h"
 #include "solver/level_step.h"
 #include "solver/support.h"
 
@@ -29,12 +30,8 @@ constexpr float kBarely = 0.5f;  // a step that leaves so much of the residual's
 constexpr int kBoundCycles = 2;  // in which the friction bounds of new points follow
 //! - | too small: what is dropped is left unbalanced | too large: friction of what opens for a moment is lost
 constexpr int kDropCycles = 3;  // the last ones, in which new points that have opened lose theirs
-//! m/s | too small: standing walls take the steps of rubble: cost | too large: rubble takes those of walls
-constexpr float kMovingSpeed = 0.03f;
 //! weights | too small: cost | too large: what is flung about is left unbalanced
 constexpr float kMovingWeights = 2.5f;  // x tolerance: what a body that moves faster is left with, if it carries little
-//! - | too small: cost | too large: walls lean
-constexpr float kClusterShare = 1.0f;  // x tolerance: of clusters
 
 //! - | too small: what stands is thrown out of balance at its foot | too large: momentum on smooth ground drifts
 constexpr float kFree = 0.2f;  // of the way that a force would move it with nothing there: then it counts as free
@@ -70,23 +67,23 @@ class Relaxation {
       statistics_.cycles++;
       bool changed = sweep(cycle);
       // Small islands are read anew, which costs little: under large forces what is followed is off by their rounding.
-      if (!island_.plan.byLoad)
+      if (!island_.plan.large)
         forces_.readAll();
       else if (cycle < kBoundCycles)
         changed = forces_.renewBounds() || changed;
       findAllowed();
       countOut();
       // More cycles would find nothing.
-      const bool idle = island_.plan.byLoad && !changed && out_ == 0;
+      const bool idle = island_.plan.large && !changed && out_ == 0;
       done = out_ == 0 && (idle || cycle + 1 >= island_.plan.minCycles);
       bool ends = done || cycle + kDropCycles >= island_.plan.maxCycles;
-      if (island_.plan.byLoad && ends && (idle || cycle >= kBoundCycles) && dropBounds()) done = false;
+      if (island_.plan.large && ends && (idle || cycle >= kBoundCycles) && dropBounds()) done = false;
       if (stalls()) break;
     }
     if (island_.grounded() && !island_.plan.exactSteps && (!island_.plan.slow || slides(island_, context_)))
       moveAsOne();
     // What was moved as one may have left others out.
-    if (done && island_.plan.byLoad) {
+    if (done && island_.plan.large) {
       findAllowed();
       countOut();
     }
@@ -99,29 +96,24 @@ class Relaxation {
   void findAllowed() {
     forces_.findLoads();
     float tolerance = float(island_.plan.tolerance);
-    for (std::size_t i = 0; i < allowed_.size(); i++) {
-      float weight = float(context_.bodies->mass[island_.bodies[i]].mass * kReferenceGravity), load = island_.loads[i];
-      if (!island_.plan.byLoad)
-        allowed_[i] = tolerance * weight;
-      else if (moves(i))
-        allowed_[i] = tolerance * std::max(kMovingWeights * weight, load);
-      else
-        allowed_[i] = tolerance * std::max(weight, float(kLoadShare) * load);
-    }
+    for (std::size_t i = 0; i < allowed_.size(); i++) allowed_[i] = tolerance * float(measure(i).force);
+  }
+  Measure measure(std::size_t i) const {
+    if (!island_.plan.large) return measureOf(island_, *context_.bodies, i, 0);
+    if (moves(i)) return measureOf(island_, *context_.bodies, i, 1, kMovingWeights);
+    return measureOf(island_, *context_.bodies, i, kLoadShare);
   }
   // Where a wall sways, points open for a moment, and their friction holds it.
   bool dropBounds() {
     auto flies = [this](std::uint32_t body) { return body < allowed_.size() && moves(body); };
     return forces_.dropBounds([&](RowEnds ends) { return flies(ends.a) || flies(ends.b); });
   }
-  bool moves(std::size_t i) const { return !island_.plan.slow && island_.speeds[i] > kMovingSpeed; }
+  bool moves(std::size_t i) const { return !island_.plan.slow && island_.speeds[i] > float(kMovingSpeed); }
 
   float innerRadius(std::size_t i) const { return float(context_.bodies->mass[island_.bodies[i]].innerRadius); }
   bool balanced(std::size_t i, float share = 1) const {
-    const Wrench& g = island_.residual[i];
     float rounding = island_.plan.direct ? kFloatsTell * island_.loads[i] : 0;
-    float most = std::max(share * allowed_[i], rounding), arm = most * innerRadius(i);
-    return dot(g.force, g.force) <= most * most && dot(g.torque, g.torque) <= arm * arm;
+    return isWithin(island_.residual[i], std::max(share * allowed_[i], rounding), innerRadius(i));
   }
   void countOut() {
     out_ = 0;
@@ -134,7 +126,7 @@ class Relaxation {
   }
   // A cycle of a body alone is all of Newton's method: where rounding leaves it out of balance, more of them change nothing.
   bool stalls() {
-    if (allowed_.size() != 1) return false;
+    if (!island_.plan.alone) return false;
     float now = squareOf(0);
     stalled_ = now < kBetter * least_ ? 0 : stalled_ + 1;
     least_ = std::min(least_, now);
@@ -157,7 +149,7 @@ class Relaxation {
 
   // All at once, then one by one. On few bodies the direct solve that follows does the first. True if anything was moved.
   bool sweep(int cycle) {
-    const bool large = island_.plan.byLoad, few = island_.plan.direct && island_.plan.exactSteps;
+    const bool large = island_.plan.large, few = island_.plan.direct && island_.plan.exactSteps;
     const bool together = !few && island_.hierarchy.levels.size() > 1 && (!large || cycle == 0 || worthReading_);
     bool moved = large && worthReading_;
     if (moved) acceleration_.apply(forces_);
@@ -179,13 +171,9 @@ class Relaxation {
   // Of the level that is moved at once.
   bool clustersOut() const {
     const Level& level = island_.hierarchy.levels[1];
-    float threshold = kClusterShare * float(island_.plan.tolerance);
-    float perDt2 = float(island_.dt * island_.dt * kReferenceGravity);
     return std::any_of(level.clusters.begin(), level.clusters.end(), [&](const Cluster& cluster) {
-      Wrench g = residualOf(island_, level, cluster);
-      float most = threshold * clusterScale(cluster, perDt2);
-      return !(dot(g.force, g.force) <= most * most &&
-               dot(g.torque, g.torque) <= most * most * gyrationSquared(cluster));
+      return !isWithin(residualOf(island_, level, cluster), measureOf(island_, level, cluster, 0),
+                       island_.plan.tolerance);
     });
   }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "solver/imbalance.h"
 #include "solver/light_pass.h"
 #include "solver/rigid_cluster.h"
 #include "solver/support.h"
@@ -15,17 +16,15 @@ constexpr double kSlide = 0.5;  // of the loss of kinetic energy, that sliding f
 //! - | too small: what rolls on a wall is stopped | too large: walls sway for longer
 constexpr double kSwing = 0.01;  // of the kinetic energy: loses it more in a step, a wall has swung through its middle
 
-//! m/s | too small: what rocks by itself rests late | too large: what rolls up a slope turns back too early
-constexpr double kAloneSpeed = 1e-3;  // of a body alone, which may be stopped
-
 }  // namespace
 
 void dampSlowIsland(const Island& island, const StepContext& context, BodySet& bodies) {
   const double lost = island.facts.energyBefore - island.facts.energy;
-  if (!(island.plan.slow && lost > 0) && !(island.plan.sways && lost > kSwing * island.facts.energyBefore)) return;
+  if (!(island.plan.mayBeStopped && lost > 0) && !(island.plan.sways && lost > kSwing * island.facts.energyBefore))
+    return;
   // What friction takes from the slide of a body alone is no vibration, nor what its height takes when it rolls up a slope: both end
   // by themselves. Towers rub somewhere whenever they sway.
-  if (island.bodies.size() == 1 && (island.slipWork >= kSlide * lost || island.facts.fastest > kAloneSpeed)) return;
+  if (island.plan.alone && island.slipWork >= kSlide * lost) return;
   // What nothing presses on has no part in a vibration: it falls.
   std::pmr::vector<char> touched(island.memory);
   findTouched(island, touched, [&](const auto& kind, std::size_t k) { return kind.carriesForce(k, context); });
@@ -43,27 +42,17 @@ void dampSlowIsland(const Island& island, const StepContext& context, BodySet& b
 namespace {
 
 // As the rest check, but each body by what it carries, and clusters by their weight: what leans or slides as a whole is out of
-// balance as a whole, however little each of its bodies is. What few bodies that carry much may have left adds up like chance.
+// balance as a whole, however little each of its bodies is.
 bool balancedByLoad(const Island& island, const StepContext& context) {
-  const BodySet& bodies = *context.bodies;
   for (std::size_t i = 0; i < island.bodies.size(); i++) {
-    const BodyMass& m = bodies.mass[island.bodies[i]];
     if (!(island.speeds[i] < float(kRestByLoadSpeed))) return false;
-    double most = kRestByLoad * std::max(m.mass * kReferenceGravity, kLoadShare * double(island.loads[i]));
-    if (!(double(length(island.residual[i].force)) < most)) return false;
-    if (!(double(length(island.residual[i].torque)) < most * m.innerRadius)) return false;
+    if (!isWithin(island.residual[i], measureOf(island, *context.bodies, i, kLoadShare), kRestByLoad)) return false;
   }
   if (!island.hierarchy.valid) return true;
-  float perDt2 = float(island.dt * island.dt * kReferenceGravity);
   for (const Level& level : island.hierarchy.levels)
     for (const Cluster& c : level.clusters) {
       if (c.bodyEnd - c.bodyBegin == 1) continue;
-      Wrench g = residualOf(island, level, c);
-      float load = 0, count = float(c.bodyEnd - c.bodyBegin);
-      for (std::uint32_t k = c.bodyBegin; k < c.bodyEnd; k++) load += island.loads[level.bodies[k]];
-      float most = float(kRestByLoad) * std::max(clusterScale(c, perDt2), float(kLoadShare) * load / std::sqrt(count));
-      if (!(dot(g.force, g.force) < most * most && dot(g.torque, g.torque) < most * most * gyrationSquared(c)))
-        return false;
+      if (!isWithin(residualOf(island, level, c), measureOf(island, level, c, kLoadShare), kRestByLoad)) return false;
     }
   return true;
 }
@@ -76,7 +65,7 @@ void restCheck(Island& island, StepContext& context) {
   if (!island.plan.slow) return;
   lightPass(island, false, context.statistics.lightVisits);
   bool balanced = worstResidual(island, *context.bodies) < context.settings.restTolerance ||
-                  (island.plan.byLoad && balancedByLoad(island, context));
+                  (island.plan.large && balancedByLoad(island, context));
   if (!balanced || (island.facts.energy > 0 && slides(island, context))) return;
   island.ending = IslandEnding::rested;
   context.statistics.restingIslands++;
@@ -102,7 +91,8 @@ void restInPlace(Island& island, const StepContext& context) {
   }
   bool inPlace = island.placePoses.size() == island.bodies.size();
   for (std::size_t i = 0; inPlace && i < island.bodies.size(); i++)
-    inPlace = strayed(bodies, island.bodies[i], island.placePoses[i]) < kInPlaceMove;
+    inPlace = strayed(bodies, island.bodies[i], island.placePoses[i]) <
+              kInPlaceMove * island.facts.scale.ofBody(bodies.mass[island.bodies[i]].innerRadius).length;
   if (!inPlace) {
     island.inPlaceTime = 0;
     island.placePoses.clear();
@@ -110,7 +100,7 @@ void restInPlace(Island& island, const StepContext& context) {
   }
   island.inPlaceTime += island.dt;
   // Steps in which it rests count as well: at the edge of the limit it rests in some of them only.
-  if (island.resting() || island.inPlaceTime < kInPlaceTime) return;
+  if (island.resting() || island.inPlaceTime < kInPlaceTime * island.facts.scale.time) return;
   island.placePoses.clear();
   island.ending = IslandEnding::inPlace;
 }

@@ -1,4 +1,4 @@
-// A cluster as one rigid body: what it is out of balance by, and what that is judged by.
+// A cluster as one rigid body: its residual and its radius of gyration.
 #pragma once
 #include <cmath>
 
@@ -18,10 +18,6 @@ inline Wrench residualOf(const Island& island, const Level& level, const Cluster
   return sum;
 }
 
-// N: its weight over the fourth root of its bodies. `perDt2`: g dt^2, as the masses of clusters are per dt^2.
-inline float clusterScale(const Cluster& c, float perDt2) {
-  return c.mass * perDt2 / std::sqrt(std::sqrt(float(c.bodyEnd - c.bodyBegin)));
-}
 // m2
 inline float gyrationSquared(const Cluster& c) { return (c.inertia[0] + c.inertia[2] + c.inertia[5]) / (3 * c.mass); }
 

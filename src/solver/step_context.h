@@ -8,13 +8,12 @@
 #include "brickfall/solver_settings.h"
 #include "dynamics/body_set.h"
 #include "dynamics/contact_set.h"
+#include "solver/scale.h"
 
 namespace brickfall {
 
-// Constants of the method that several files share; docs/step.md explains them. What users may change is in
-// SolverSettings.
-//! m/s2 | too small: weights are light, so residuals look large: walls stay awake | too large: slow topples are held
-constexpr double kReferenceGravity = 9.81;  // m/s2: weight by which residuals are judged, whatever the scene's gravity
+// Constants of the method that several files share; docs/step.md explains them. What users may change is in SolverSettings. Lengths,
+// speeds and times are those of the reference brick: all others have them in proportion (scale.h).
 //! - | too small: gaps and drifts of the last step are corrected more slowly
 //! | too large: oscillation from step to step
 constexpr float kCorrect = 0.5f;  // 1 - alpha: share of an old gap or drift that a step corrects
@@ -27,11 +26,11 @@ constexpr float kMultiplierWeights = 5;  // ... plus this many effective weights
 //! - | too small: overlap from a landing is released at once, as a rebound | too large: it stays for long
 constexpr float kOffsetKept = 0.9f;  // of the plastic offset, per step
 //! m/s | too small: what lies on parted overlap rests late | too large: with kOffsetKept
-constexpr float kLeastRelease = 1e-4f;  // m/s: so fast it goes at least, until nothing is left of it
+constexpr double kLeastRelease = 1e-4;  // m/s: so fast it goes at least, until nothing is left of it
 //! m | too small: anchors are placed anew while they stick: creep | too large: old forces come back after a slide
-constexpr float kLargestDrift = 1e-3f;  // m: an anchor further away is placed anew
+constexpr double kLargestDrift = 1e-3;  // m: an anchor further away is placed anew
 //! m | too small: steps run through open points | too large: short steps: late collapses
-constexpr float kNearContact = 5e-3f;  // m: open points nearer than this stay in the Newton matrix
+constexpr double kNearContact = 5e-3;  // m: open points nearer than this stay in the Newton matrix
 //! g h | too small: overhangs of 99 % fall | too large: float noise moves sliding bodies
 constexpr double kCalmShare = 0.1;  // of g dt, added to the rest speed: an island no faster settles
 //! - | too small: sliding groups stay unbalanced | too large: cost
@@ -46,6 +45,10 @@ constexpr int kMaxCyclesSlow = 16;
 constexpr double kInPlaceMove = 25e-6;  // m: a slow island of which no point strays further than this from its place
 //! s | too small: a very slow start of a fall is stopped | too large: walls with points at an edge rest late
 constexpr double kInPlaceTime = 0.5;  // s: during this time counts as at rest; an acceleration of 2e-5 g goes further
+//! m/s | too small: what sways in a hit wall is taken for debris, and sways on for seconds: walls sag
+//! | too large: rubble is treated as what stands, and what begins to fall slowly may be stopped
+constexpr double kMovingSpeed =
+    0.03;  // of a body of a large island: what is faster moves, what is slower sways at most
 //! rad | too small: fast spins reach contacts too weakly | too large: rebounds at high speed explode
 constexpr double kLargestTurn = 0.5;  // rad per step of a body in contact: arms are frozen during a step
 //! - | too small: counts what nobody sees | too large: hides what hangs
@@ -120,7 +123,8 @@ struct StepContext {
   double part = 1;     // dt / that of the substep of which it is a part (heavy_hits.h)
   double stretch = 1;  // the substep's dt / the time step of which resting contacts have their stiffness
   Vec3 gravity;
-  double airDensity = 0;  // kg/m3
+  double judgingGravity = kReferenceGravity;  // m/s2: weights are judged by it (scale.h)
+  double airDensity = 0;                      // kg/m3
   SolverSettings settings;
   Integrator integrator = Integrator::splitting;  // of bodies without contacts
   const BodySet* bodies = nullptr;                // what changes them is handed them besides

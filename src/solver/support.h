@@ -87,8 +87,9 @@ inline constexpr double kLeastSlide = 1e-6;
 // All of it slides, along ground that does not hold it: however slow, that goes on.
 inline bool slides(const Island& island, const StepContext& context) {
   std::pmr::vector<char> all(island.bodies.size() + island.partners.size(), 1, island.memory);
-  return length(slideLeft(island, all, context,
-                          [&](BodyIndex body) { return context.bodies->motion[body].linearVelocity; })) > kLeastSlide;
+  return length(slideLeft(island, all, context, [&](BodyIndex body) {
+           return context.bodies->motion[body].linearVelocity;
+         })) > kLeastSlide * island.facts.scale.speed;
 }
 
 }  // namespace brickfall

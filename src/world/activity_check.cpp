@@ -91,14 +91,12 @@ class StructureCheck {
     if (f_.any()) return;
     for (std::size_t k = 0; current && k < island.rows.contacts.contactOf.size(); k++) {
       const Contact& c = contacts_.contacts[island.rows.contacts.contactOf[k]];
-      f_.expect(bodies_.alive(c.bodyA) && bodies_.alive(c.bodyB) && c.count >= 1 && c.count <= 4 &&
-                    island.rows.contacts.records[k].contact == island.rows.contacts.contactOf[k],
+      f_.expect(bodies_.alive(c.bodyA) && bodies_.alive(c.bodyB) && c.count >= 1 && c.count <= 4,
                 "islands: a contact of other bodies, or of none");
     }
     std::size_t all = island.bodies.size() + island.partners.size();
     for (const ContactRecord& r : island.rows.contacts.records)
-      f_.expect(r.bodyA < all && r.bodyB < all && r.contact < contacts_.contacts.size(),
-                "islands: a record names no body");
+      f_.expect(r.bodyA < all && r.bodyB < all, "islands: a record names no body");
     if (f_.any()) return;
     checkHierarchy(f_, island.hierarchy, island, "hierarchy");
   }
@@ -175,8 +173,7 @@ class LinkCheck {
       f_.expect(ours || (!asleep && !current_), "islands: a contact is gone");
       const ContactRecord& r = island.rows.contacts.records[k];
       if (ours)
-        f_.expect(bodyOf(island, r.bodyA) == c.bodyA && bodyOf(island, r.bodyB) == c.bodyB &&
-                      r.contact == island.rows.contacts.contactOf[k],
+        f_.expect(bodyOf(island, r.bodyA) == c.bodyA && bodyOf(island, r.bodyB) == c.bodyB,
                   "islands: a record names other bodies than its contact");
     }
   }

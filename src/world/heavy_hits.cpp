@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "geometry/core.h"
 #include "world/core_sweep.h"
@@ -13,6 +12,8 @@ namespace {
 
 //! times the mass | too small: cost of debris | too large: what a ball knocks out is gone before it can push anything aside
 constexpr double kHeavier = 10;
+//! of its mass | too small: a pebble on its way has the whole world stepped in parts | too large: with kHeavier
+constexpr double kMatters = 0.01;  // what all together is on its way weighs at least that
 //! of its thickness along the way | too small: cost of hits
 //! | too large: what a ball knocks out is gone before it can push anything aside
 constexpr double kHitWay = 0.5;  // of what is struck, in a part
@@ -32,17 +33,21 @@ class HitSearch {
     const BodyMotion& m = bodies_.motion[body];
     if (bodies_.still[body] || !(length(m.linearVelocity) * dt_ > kLeastHitWay * bodies_.mass[body].innerRadius))
       return;
-    if (!bodies_.isDriven(body) && bodies_.mass[body].mass < kHeavier * lightest()) return;
     const Sweep own = sweepOf(bodies_, body, m.linearVelocity * dt_, m.angularVelocity * dt_);
+    double mass = 0, most = 0;  // kg, of what is on its way; thicknesses of it that it goes
     for (ShapeIndex shape : bodies_.shapes[body]) {
       const ShapeData& s = shapes_.data[shape];
       proximity_.broadPhase->query(sweptBounds(s, own), [&](std::uint32_t other) {
         const ShapeData& o = shapes_.data[other];
-        if (o.body != body && filtersAllow(s.def.filter, o.def.filter) && isFarHeavier(body, o.body))
-          thicknesses_ = std::max(thicknesses_, thicknessesWithin(body, o));
+        if (o.body == body || !filtersAllow(s.def.filter, o.def.filter) || !isFarHeavier(body, o.body)) return true;
+        const double gone = thicknessesWithin(body, o);
+        if (gone > 0) mass += bodies_.mass[o.body].mass / double(bodies_.shapes[o.body].size());
+        most = std::max(most, gone);
         return true;
       });
     }
+    if (bodies_.isDriven(body) || mass >= kMatters * bodies_.mass[body].mass)
+      thicknesses_ = std::max(thicknesses_, most);
   }
 
   double thicknesses() const { return thicknesses_; }
@@ -73,21 +78,10 @@ class HitSearch {
     return far / thicknessAlong(struck.geometry, along);
   }
 
-  // kg, of all dynamic bodies: in rubble nobody is far heavier than that.
-  double lightest() {
-    if (lightest_ > 0) return lightest_;
-    lightest_ = std::numeric_limits<double>::infinity();
-    for (BodyIndex body = 0; body < bodies_.slots(); body++)
-      if (bodies_.data[body].alive && bodies_.data[body].type == BodyType::dynamic)
-        lightest_ = std::min(lightest_, bodies_.mass[body].mass);
-    return lightest_;
-  }
-
   const BodySet& bodies_;
   const ShapeSet& shapes_;
   const Proximity& proximity_;
   const double dt_;
-  double lightest_ = 0;     // 0: not looked for yet
   double thicknesses_ = 0;  // gone within the step, of any struck body
 };
 

@@ -29,8 +29,8 @@ void tellHits(const WorldDef& def, const Registry& registry, const Island& islan
               const std::pmr::vector<ContactImpact>& impacts, const StepContext& context, std::vector<HitEvent>& out) {
   for (const ContactImpact& impact : impacts) {
     if (impact.speed < def.hitEventSpeed || impact.impulse < def.hitEventImpulse) continue;
-    const ContactRecord& record = island.rows.contacts.records[impact.row];
-    out.push_back(hitOf(registry, context.contacts->contacts[record.contact], record, impact));
+    const ContactIndex contact = island.rows.contacts.contactOf[impact.row];
+    out.push_back(hitOf(registry, context.contacts->contacts[contact], island.rows.contacts.records[impact.row], impact));
   }
 }
 

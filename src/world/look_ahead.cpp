@@ -4,6 +4,7 @@
 
 #include "geometry/core.h"
 #include "narrowphase/collide.h"
+#include "solver/scale.h"
 
 namespace brickfall {
 
@@ -22,8 +23,6 @@ constexpr double kPast = 0.1;  // what closes no faster is past it
 // In which a hit is told from an edge that slides over a face.
 //! m | too small: what slides over seams stops at them | too large: what hits an edge goes over it
 constexpr double kOverlapAhead = 2e-3;
-//! inner radii | too small: thin slabs stop at seams | too large: thin plates go over the edges that they hit
-constexpr double kOverlapShare = 0.1;
 //! - | too small: glancing hits keep the normal of the start | too large: cost
 constexpr int kMostAdvances = 12, kMostHalvings = 6;
 //! - | too small: what slides over seams stops at them | too large: hits whose normal turns a little are left out
@@ -47,7 +46,10 @@ struct Moment {
 class LookAhead {
  public:
   LookAhead(const ShapeData& a, const ShapeData& b, const RelativeMotion& motion, double reach)
-      : a_(a), b_(b), motion_(motion), reach_(reach) {}
+      : a_(a), b_(b), motion_(motion), reach_(reach), scale_(lengthScale(a.innerRadius, b.innerRadius)) {}
+
+  double touches() const { return kTouches * scale_; }  // m
+  double grazes() const { return kGrazes * scale_; }    // m
 
   Moment start(const Manifold& m) const { return measured(0, m); }
   // No points: the shapes are out of reach.
@@ -102,7 +104,7 @@ class LookAhead {
 
   const ShapeData &a_, &b_;
   const RelativeMotion& motion_;
-  double reach_;
+  double reach_, scale_;
 };
 
 // The plane between two convex shapes keeps them apart until the nearest points would have met along its normal: by steps of that
@@ -110,12 +112,13 @@ class LookAhead {
 Moment advance(const LookAhead& ahead, Moment now, double dt) {
   Moment before = now;
   for (int k = 0; k < kMostAdvances; k++) {
-    if (now.manifold.count == 0 || now.apart <= kTouches || now.time >= dt) return now;
+    if (now.manifold.count == 0 || now.apart <= ahead.touches() || now.time >= dt) return now;
     if (!(now.closing > 0)) break;
     before = now;
     now = ahead.at(std::min(dt, now.time + now.apart / now.closing));
   }
-  for (int k = 0; k < kMostHalvings && now.manifold.count > 0 && now.apart > kTouches && !(now.closing > 0); k++) {
+  for (int k = 0; k < kMostHalvings && now.manifold.count > 0 && now.apart > ahead.touches() && !(now.closing > 0);
+       k++) {
     Moment middle = ahead.at(0.5 * (before.time + now.time));
     if (middle.closing > 0)
       before = middle;
@@ -128,12 +131,12 @@ Moment advance(const LookAhead& ahead, Moment now, double dt) {
 // What touches overlaps by no more than kGrazes before it is past.
 bool grazes(const LookAhead& ahead, Moment now, double dt) {
   const double past = kPast * now.closing;
-  for (int k = 0; k < kMostAdvances && now.closing > past && now.apart > -kGrazes; k++) {
-    const double until = now.time + (now.apart + 1.1 * kGrazes) / now.closing;
+  for (int k = 0; k < kMostAdvances && now.closing > past && now.apart > -ahead.grazes(); k++) {
+    const double until = now.time + (now.apart + 1.1 * ahead.grazes()) / now.closing;
     if (until >= dt) return false;
     now = ahead.at(until);
   }
-  return now.manifold.count > 0 && now.apart > -kGrazes && !(now.closing > past);
+  return now.manifold.count > 0 && now.apart > -ahead.grazes() && !(now.closing > past);
 }
 
 // Turns bring nearer what planes keep apart: nothing is passed that the step would end in.
@@ -148,11 +151,11 @@ Ahead passesAt(const Moment& then, double margin) {
 }
 
 Ahead lookAheadRound(const LookAhead& ahead, const Moment& now, double dt, double margin, Manifold& m) {
-  if (!(now.closing > 0) || now.apart < -kGrazes) return {};
+  if (!(now.closing > 0) || now.apart < -ahead.grazes()) return {};
   const Moment then = advance(ahead, now, dt);
   const bool far = then.manifold.count == 0 || (then.apart > margin && (then.time >= dt || !(then.closing > 0)));
-  if (far || (then.apart <= kTouches && grazes(ahead, then, dt)))
-    return endsIn(ahead, dt, kGrazes) ? Ahead{} : far ? passesAt(then, margin) : Ahead{AheadFound::passes};
+  if (far || (then.apart <= ahead.touches() && grazes(ahead, then, dt)))
+    return endsIn(ahead, dt, ahead.grazes()) ? Ahead{} : far ? passesAt(then, margin) : Ahead{AheadFound::passes};
   if (then.time == 0) return {};
   m = ahead.atStart(then);
   return {AheadFound::meets};
@@ -183,7 +186,7 @@ bool turnsTooFar(const ShapeData& shape, Vec3 spin, double dt) {
 
 Ahead lookAhead(const ShapeData& a, const ShapeData& b, const RelativeMotion& motion, double dt, double reach,
                 double margin, Manifold& m) {
-  const double most = kLeastAhead / dt;
+  const double scale = lengthScale(a.innerRadius, b.innerRadius), most = kLeastAhead * scale / dt;
   if (a.geometry.type == ShapeType::plane || b.geometry.type == ShapeType::plane) return {};  // it has one normal
   if (lengthSquared(motion.velocity) < most * most) return {};
   const double far = kMostAhead * std::min(a.innerRadius, b.innerRadius) / dt;
@@ -193,7 +196,7 @@ Ahead lookAhead(const ShapeData& a, const ShapeData& b, const RelativeMotion& mo
   const LookAhead ahead(a, b, motion, reach);
   const Moment now = ahead.start(m);
   if (isRound(a.geometry.type) || isRound(b.geometry.type)) return lookAheadRound(ahead, now, dt, margin, m);
-  const double overlap = std::min(kOverlapAhead, kOverlapShare * std::min(a.innerRadius, b.innerRadius));
+  const double overlap = kOverlapAhead * scale;
   if (!(now.closing > most) || now.apart < -overlap || !slidesOver(ahead, now, dt, overlap)) return {};
   return {AheadFound::passes};
 }

@@ -7,6 +7,7 @@
 #include "geometry/queries.h"
 #include "narrowphase/collide.h"
 #include "narrowphase/mesh_collide.h"
+#include "solver/scale.h"
 #include "world/look_ahead.h"
 
 namespace brickfall {
@@ -31,12 +32,14 @@ LoadedPoints loadedPoints(const Contact& c) {
 }
 
 // Of more than four points those that were chosen serve as long as all of them carry; else the load may be moving to another one.
-bool canReuse(const Contact& c, const ContactGeometry& g, const Transform& relative, Vec3 relativeVelocity, double dt) {
+bool canReuse(const Contact& c, const ContactGeometry& g, const Transform& relative, Vec3 relativeVelocity, double dt,
+              double scale) {
   if (c.rolls || (c.partial && loadedPoints(c).count < c.count)) return false;
   Quat turned = conjugate(g.relativeRotation) * relative.rotation;
   double turned2 = 4 * (turned.x * turned.x + turned.y * turned.y + turned.z * turned.z);
-  return lengthSquared(relative.position - g.relativePosition) < kReusePosition * kReusePosition &&
-         turned2 < kReuseTurn * kReuseTurn && lengthSquared(relativeVelocity) * dt * dt < kReuseStep * kReuseStep;
+  const double most = kReusePosition * scale, mostInStep = kReuseStep * scale;
+  return lengthSquared(relative.position - g.relativePosition) < most * most && turned2 < kReuseTurn * kReuseTurn &&
+         lengthSquared(relativeVelocity) * dt * dt < mostInStep * mostInStep;
 }
 
 Vec3 anyPerpendicular(Vec3 n) {
@@ -209,7 +212,8 @@ double NarrowPhase::reachOf(const CandidatePair& pair, const Approach& approach)
 
 bool NarrowPhase::mayReuse(const CandidatePair& pair, const Approach& approach) const {
   return canReuse(contacts_.contacts[pair.contact], contacts_.geometry[pair.contact], approach.relative,
-                  approach.velocity, dt_);
+                  approach.velocity, dt_,
+                  lengthScale(shapes_.data[pair.shapeA].innerRadius, shapes_.data[pair.shapeB].innerRadius));
 }
 
 void NarrowPhase::collidePair(const CandidatePair& pair, const Approach& approach, Look look, Manifold& m) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "solver/scale.h"
+
 namespace brickfall {
 
 namespace {
@@ -20,7 +22,7 @@ double closingSpeed(const BodyMotion& a, const BodyMotion& b, const ContactGeome
 // m, by which what passes something until `time` is turned aside by the end of the step: where it is turned early, that is not all it
 // has still to go past.
 double asideAfter(double time, const Course& course, double dt) {
-  return time <= course.straightUntil ? 0 : kAside + course.aside * (dt - course.straightUntil);
+  return time <= course.straightUntil ? 0 : course.slack + course.aside * (dt - course.straightUntil);
 }
 
 }  // namespace
@@ -28,7 +30,7 @@ double asideAfter(double time, const Course& course, double dt) {
 void findCourses(const BodySet& bodies, const ContactSet& contacts, std::span<const PassedPair> passed,
                  std::vector<Course>& courses) {
   constexpr double kPassesNothing = -1;
-  courses.assign(bodies.slots(), {kPassesNothing, 0});
+  courses.assign(bodies.slots(), {kPassesNothing});
   for (const PassedPair& one : passed) {
     const CandidatePair& pair = contacts.pairs[one.pair];
     courses[pair.bodyA].straightUntil = courses[pair.bodyB].straightUntil = std::numeric_limits<double>::infinity();
@@ -41,11 +43,12 @@ void findCourses(const BodySet& bodies, const ContactSet& contacts, std::span<co
     if (!(closing > 0)) continue;
     const Contact& c = contacts.contacts[pair.contact];
     const double gap = double(*std::min_element(c.points.gap, c.points.gap + c.count));
-    const double until = (std::max(0.0, gap) + kAside) / closing;
+    const double slack = kAside * lengthScale(bodies.mass[pair.bodyA].innerRadius, bodies.mass[pair.bodyB].innerRadius);
+    const double until = (std::max(0.0, gap) + slack) / closing;
     for (BodyIndex body : {pair.bodyA, pair.bodyB}) {
       if (!(bodies.mass[body].invMass > 0)) continue;
       Course& course = courses[body];
-      course = {std::min(course.straightUntil, until), std::max(course.aside, closing)};
+      course = {std::min(course.straightUntil, until), std::max(course.aside, closing), std::max(course.slack, slack)};
     }
   }
 }

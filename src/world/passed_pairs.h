@@ -17,8 +17,9 @@ struct PassedPair {
 
 // How what a body touches in the step turns it aside from its way.
 struct Course {
-  double straightUntil = 0;  // s: until then by no more than a millimetre
+  double straightUntil = 0;  // s: until then by no more than `slack`
   double aside = 0;          // m/s: and then at this speed at most
+  double slack = 0;          // m
 };
 
 // By body. Of what passes nothing it says nothing.

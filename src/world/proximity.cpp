@@ -5,6 +5,7 @@
 
 #include "base/keep_room.h"
 #include "geometry/mesh_shape.h"
+#include "solver/scale.h"
 
 namespace brickfall {
 
@@ -15,12 +16,12 @@ constexpr double kMostMargin = 0.3;
 //! inner radii | too small: bounds are made anew in most steps of a slow body
 //! | too large: more candidate pairs that never touch
 constexpr double kKeptSlack = 0.3;  // of a shape's inner radius: kept bounds are this much larger than they need be
-//! m | with kKeptSlack
-constexpr double kLargestSlack = 0.02;  // m
 //! not of the method: room
 constexpr std::size_t kMeshScratch = 4096;  // faces near one shape, points on them
 
-double slackOf(const ShapeData& shape) { return std::min(kLargestSlack, kKeptSlack * shape.innerRadius); }
+// Planes and meshes have no size: what comes near them has.
+bool hasSize(const ShapeData& shape) { return shape.innerRadius < 1e29; }
+double slackOf(const ShapeData& shape) { return hasSize(shape) ? kKeptSlack * shape.innerRadius : 0; }
 
 }  // namespace
 
@@ -30,7 +31,7 @@ void Proximity::open(BroadPhaseMethod method, double margin) {
 }
 
 double Proximity::marginOf(const ShapeData& shape, double speed, double dt) const {
-  return std::min(kMostMargin * shape.innerRadius, contactMargin + speed * dt);
+  return std::min(kMostMargin * shape.innerRadius, contactMargin / kReferenceSize * shape.innerRadius + speed * dt);
 }
 
 // Its motion at the present velocity, and the contact margin. Contacts are made only where these bounds overlap, so that
@@ -42,7 +43,7 @@ void Proximity::updateSwept(const Registry& registry, ShapeIndex shape, double d
   if (s.geometry.type != ShapeType::plane) {
     Vec3 move = m.linearVelocity * dt;
     double turn = std::min(1.0, length(m.angularVelocity) * dt) * registry.bodies.mass[s.body].outerRadius;
-    double pad = marginOf(s, length(m.linearVelocity), dt) + turn;
+    double pad = (hasSize(s) ? marginOf(s, length(m.linearVelocity), dt) : 0) + turn;
     box = {box.lower + min(move, Vec3{}) - Vec3{pad, pad, pad}, box.upper + max(move, Vec3{}) + Vec3{pad, pad, pad}};
   }
   around[shape].swept = box;

@@ -127,6 +127,7 @@ void World::Impl::beginPart(double dt) {
   context.dt = dt;
   context.gravity = def.gravity;
   context.airDensity = def.airDensity;
+  context.judgingGravity = judgingGravity(def.gravity);
   context.settings = def.solver;
   context.integrator = def.integrator;
   context.bodies = &registry.bodies;

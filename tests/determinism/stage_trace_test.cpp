@@ -85,7 +85,7 @@ TEST(StageTrace, anotherSettingIsFoundInTheStageThatReadsIt) {
     std::function<void(WorldDef&, ShapeDef&)> change;
   };
   const Case cases[] = {
-      {"pairs", [](WorldDef& d, ShapeDef&) { d.solver.contactMargin *= 1.0001; }},
+      {"pairs", [](WorldDef& d, ShapeDef&) { d.solver.contactMargin *= 0.9; }},
       {"contacts", [](WorldDef&, ShapeDef& s) { s.material.friction *= 1.0001; }},
       {"prepare", [](WorldDef& d, ShapeDef&) { d.airDensity *= 1.0001; }},
       {"rest", [](WorldDef& d, ShapeDef&) { d.solver.restTolerance = 0.9; }},

@@ -29,12 +29,12 @@ Ending endingOf(const Island& island) {
 // As docs/step.md says it.
 double allowedIn(const Island& island, const BodySet& bodies, double restTolerance) {
   bool rests = island.resting();
-  const bool byLoad = island.plan.byLoad;
-  double tolerance = !rests ? island.plan.tolerance : byLoad ? kRestByLoad : restTolerance, most = 0;
+  const bool large = island.plan.large;
+  double tolerance = !rests ? island.plan.tolerance : large ? kRestByLoad : restTolerance, most = 0;
   for (std::size_t i = 0; i < island.bodies.size(); i++) {
     double load = double(island.loads[i]) / (bodies.mass[island.bodies[i]].mass * kReferenceGravity);
     bool moves = !island.plan.slow && island.speeds[i] > 0.03f;
-    const double share = !byLoad ? std::max(1.0, kHeavyLoad * load)
+    const double share = !large  ? std::max(1.0, kHeavyLoad * load)
                          : moves ? std::max(2.5, load)
                                  : std::max(1.0, kLoadShare * load);
     most = std::max(most, tolerance * share);

@@ -4,13 +4,14 @@
 #include <limits>
 
 #include "solver/contact/impact.h"
+#include "solver/contact/stiffness.h"
 
 namespace brickfall {
 
 namespace {
 
 //! m | too small: points in contact count as open by their rounding | too large: what is near is let through
-constexpr float kOpenGap = 1e-6f;
+constexpr double kOpenGap = 1e-6;
 //! m | too small: cost of what hardly moves | too large: slow landings are first order in the time step
 constexpr double kLeastWay = 20e-6;  // in a step, at the speed of an impact: slower ones need no moment of their own
 
@@ -41,13 +42,17 @@ double closingTime(double gap, double speed, double acceleration, double least) 
 }
 
 // It carried nothing in the last step, was not hit in this one, and is further apart than what counts as closed.
-bool isOpen(const PointMemory& m, int i) { return m.forceN[i] == 0 && m.gap[i] > kOpenGap && !(m.metMask >> i & 1); }
+bool isOpen(const Contact& c, int i, const StepContext& context) {
+  const float open = float(kOpenGap * scaleOfPair(c, context).length);
+  return c.points.forceN[i] == 0 && c.points.gap[i] > open && !(c.points.metMask >> i & 1);
+}
 
 }  // namespace
 
 double slowestImpact(const Island& island, const StepContext& context) {
-  double unseen = kLeastWay / context.dt;
-  return island.bodies.size() == 1 ? unseen : std::max(unseen, context.settings.restingApproachSpeed);
+  const Scale& scale = island.facts.scale;
+  double unseen = kLeastWay * scale.length / context.dt;
+  return island.plan.alone ? unseen : std::max(unseen, context.settings.restingApproachSpeed * scale.speed);
 }
 
 bool ContactRows::mayClose(const StepContext& context, double ahead) const {
@@ -70,16 +75,16 @@ bool ContactRows::touchNothing(const StepContext& context) const {
     const Contact& c = context.contacts->contacts[contact];
     if (c.touching) return false;
     for (int i = 0; i < c.count; i++)
-      if (!isOpen(c.points, i)) return false;
+      if (!isOpen(c, i, context)) return false;
   }
   return true;
 }
 
-void ContactRows::leaveOut(Ties ties) {
+void ContactRows::leaveOut(Ties ties, const StepContext& context) {
   for (std::size_t k = 0; k < size(); k++) {
     Contact& c = ties.contacts.contacts[contactOf[k]];
     for (int i = 0; i < c.count; i++) {
-      if (!isOpen(c.points, i)) continue;
+      if (!isOpen(c, i, context)) continue;
       records[k].trialN[i] = -kNoForce;
       clearPoint(c.points, i);
     }
@@ -109,7 +114,7 @@ double ContactRows::firstClosing(const Island& island, double dt, const StepCont
     for (int i = 0; i < c.count; i++) {
       if (c.points.forceN[i] > 0) continue;
       double acceleration = (end[i] - start[i]) / dt;
-      double gap = c.points.gap[i] > kOpenGap ? double(c.points.gap[i]) : 0;
+      double gap = c.points.gap[i] > float(kOpenGap * starts[k].scale.length) ? double(c.points.gap[i]) : 0;
       first = std::min(first, closingTime(gap, start[i], acceleration, least));
     }
   }

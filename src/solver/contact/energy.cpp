@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "solver/contact/kernel.h"
-#include "solver/plan.h"
+#include "solver/contact/stiffness.h"
 
 namespace brickfall {
 
@@ -19,10 +19,8 @@ double springEnergy(double stiffness, double way, double multiplier) {
 }  // namespace
 
 double elasticEnergy(const Contact& c, const StepContext& context) {
-  double full = context.settings.restingStiffness *
-                leastStiffening(context.settings, context.dt, context.stretch * context.part) * c.effectiveMass /
-                (context.dt * context.dt);
-  double cap = kMultiplierWeights * kReferenceGravity * c.effectiveMass;
+  double full = leastStiffness(c, context);
+  double cap = kMultiplierWeights * context.judgingGravity * c.effectiveMass;
   double sum = 0;
   for (int i = 0; i < c.count; i++) {
     double gap = double(c.points.gap[i]) - double(c.points.offset[i]), k = c.points.stiffness[i];

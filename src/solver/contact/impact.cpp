@@ -48,7 +48,7 @@ void ContactRows::startImpact(const Island& island, const StepContext& context, 
     ContactRecord& r = records[k];
     for (int i = 0; i < c.count; i++) {
       double approach = std::max(0.0, -double(starts[k].approach[i]));
-      bool closed = double(c.points.gap[i]) <= std::max(kClosedGap, approach * blink);
+      bool closed = double(c.points.gap[i]) <= std::max(kClosedGap * starts[k].scale.length, approach * blink);
       r.k[i] = float(context.settings.restingStiffness * double(c.effectiveMass) / (island.dt * island.dt));
       r.trialN[i] = closed ? 0 : -kNoForce;
       r.trial1[i] = r.trial2[i] = r.limit[i] = 0;

@@ -102,25 +102,29 @@ BRICKFALL_LANES WideWrench<L> wrench(const R& r, const Frame<L>& frame, const Po
           frame.n * spread<3>(force) + frame.t1 * spread<0>(tilt) - frame.t2 * spread<1>(tilt)};
 }
 
-// N: points count as closed up to this tension, open ones that are nearer than `near` m among them. What a rebound pushes
-// apart does not.
-template <class R> BRICKFALL_LANES auto closedReach(const R& r, float near) {
+// N: points count as closed up to this tension, unless `exact` open ones that are near among them. What a rebound pushes apart does
+// not.
+template <class R> BRICKFALL_LANES auto closedReach(const R& r, bool exact) {
   auto cap = pointsOf(r, &ContactRecord::tensionCap);
   using L = decltype(cap);
-  return select(L{} > cap, cap, max(cap, pointsOf(r, &ContactRecord::k) * wide::all<L>(near)));
+  L reach{};
+  if (!exact)
+    reach =
+        pointsOf(r, &ContactRecord::k) * lanesOf(r, [](const ContactRecord& one) { return wide::all<V>(one.near); });
+  return select(L{} > cap, cap, max(cap, reach));
 }
 
 //! N3 | too small: forces that fade in flight make a matrix of NaN: groups that hit fly apart
 //! | too large: slides under tiny forces converge slowly
 constexpr float kLeastCube = 1e-37f;
 
-// Loaded points resist along the normal, and so do open ones that are nearer than `near` m: a Newton step must not run
-// through them. Sticking points resist tangentially; sliding ones only across their slip.
+// Loaded points resist along the normal, and so do open ones that are near, unless `exact`: a Newton step must not run through
+// them. Sticking points resist tangentially; sliding ones only across their slip.
 template <class R, class L>
-BRICKFALL_LANES StiffnessOf<L> stiffness(const R& r, const Frame<L>& frame, const PointForces<L>& f, float near) {
+BRICKFALL_LANES StiffnessOf<L> stiffness(const R& r, const Frame<L>& frame, const PointForces<L>& f, bool exact) {
   L s1 = pointsOf(r, &ContactRecord::s1), s2 = pointsOf(r, &ContactRecord::s2), k = pointsOf(r, &ContactRecord::k);
   L limit = pointsOf(r, &ContactRecord::limit), zero{};
-  auto normalOn = f.trialN > -closedReach(r, near);
+  auto normalOn = f.trialN > -closedReach(r, exact);
   L kn = keepIf(normalOn, k);
   auto frictional = limit > zero;
   L kt = keepIf(frictional, k);

@@ -42,7 +42,7 @@ BRICKFALL_LANES void sumPair(const Boundary& b, const ContactRecord* records, Si
     return own + (wide::load3Padded(b.masses[(side & 1) ? one.bodyB : one.bodyA].position) - b.centre);
   });
   sides.add(w.force, w.torque, arm, sums);
-  if constexpr (withMatrix) matrix->add(stiffness(r, f, forces, b.exact ? 0.0f : kNearContact), arm, sides.both());
+  if constexpr (withMatrix) matrix->add(stiffness(r, f, forces, b.exact), arm, sides.both());
 }
 
 template <class L, bool withMatrix>

@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solver/island.h"
+#include "solver/contact/stiffness.h"
 
 namespace brickfall {
 
@@ -55,102 +55,77 @@ Vec3f bendOf(const Island& island, const ContactRecord& r, const Contact& c, con
   return toFloat(half(c.bodyB, c.bodyA) - half(c.bodyA, c.bodyB));
 }
 
-// Of the full stiffness of an island: what is as stiff as this counts as at it, whatever the rounding.
-//! - | too small: what is nearly at its full stiffness stays softer | too large: rounding takes points through the end of an impact
-constexpr float kFullShare = 0.99f;
-
-struct StiffnessScale {
-  float unit;        // N/m
-  float full, soft;  // N/m
-  float softest;     // N/m: of an impact in a step, or part of one, of full length
+// Rules for the points of a contact at the start of a step.
+struct PointRules {
+  PairStiffness stiffness;
   float quietSpeed;  // m/s
   float cap;         // N
-  float dt;          // s
   float kept;        // of the plastic offset
   float release;     // m, of the plastic offset at least
 };
 
-// Half of what separates the middles of the two bodies: past all of it the contact would turn round and let the bodies
-// through each other.
-double deepestOverlap(const BodyMass& a, const BodyMass& b) {
-  constexpr double kPlane = 1e29;
-  return 0.5 * ((a.innerRadius < kPlane ? a.innerRadius : 0) + (b.innerRadius < kPlane ? b.innerRadius : 0));
-}
-
-// An impact at k units of stiffness stops after approach dt / (1 + k): as soft as may be, but no softer than the bodies
-// are thick.
-float impactStiffness(float approach, float deepest, const StiffnessScale& scale) {
-  float needed = scale.unit * -approach * scale.dt / deepest;
-  return std::min(scale.full, std::max(scale.soft, needed));
-}
-
 // An impact that is over, or an island that has calmed down or takes shorter steps: the point is softer than it is to be. It
 // goes on with the force it has, within what a sudden load may hold.
-bool mustStiffen(const PointMemory& m, int i, float approach, const StiffnessScale& scale) {
-  bool softer = m.phase[i] != PointPhase::fresh && m.stiffness[i] < kFullShare * scale.full;
-  return softer && m.forceN[i] > 0 && approach > -scale.quietSpeed;
+bool mustStiffen(const PointMemory& m, int i, float approach, const PointRules& rules) {
+  bool softer = m.phase[i] != PointPhase::fresh && !rules.stiffness.isFull(m.stiffness[i]);
+  return softer && m.forceN[i] > 0 && approach > -rules.quietSpeed;
 }
-void stiffen(PointMemory& m, int i, const StiffnessScale& scale) {
-  if (m.forceN[i] > scale.cap) scaleForces(m, i, scale.cap / m.forceN[i]);
+void stiffen(PointMemory& m, int i, const PointRules& rules) {
+  if (m.forceN[i] > rules.cap) scaleForces(m, i, rules.cap / m.forceN[i]);
   if (m.phase[i] == PointPhase::resting &&
       m.sticks(i)) {  // friction, too: its spring has grown stiffer under its drift
-    m.slip1[i] = -m.force1[i] / scale.full;
-    m.slip2[i] = -m.force2[i] / scale.full;
+    m.slip1[i] = -m.force1[i] / rules.stiffness.full;
+    m.slip2[i] = -m.force2[i] / rules.stiffness.full;
     m.stickingMask &= ~(1u << i);
   }
   m.phase[i] = PointPhase::resting;
-  m.stiffness[i] = scale.full;
-  m.offset[i] = std::min(0.0f, m.gap[i] + m.forceN[i] / scale.full);
+  m.stiffness[i] = rules.stiffness.full;
+  m.offset[i] = std::min(0.0f, m.gap[i] + m.forceN[i] / rules.stiffness.full);
 }
 
 // Slow surfaces rest from the start; so do impacts that have to be as stiff.
-void startPhase(Contact& c, int i, float approach, const StiffnessScale& scale, const BodySet& bodies) {
-  PointMemory& m = c.points;
-  m.stiffness[i] = scale.full;
-  if (!(approach > -scale.quietSpeed))
-    m.stiffness[i] =
-        impactStiffness(approach, float(deepestOverlap(bodies.mass[c.bodyA], bodies.mass[c.bodyB])), scale);
-  m.phase[i] = m.stiffness[i] < kFullShare * scale.full ? PointPhase::impact : PointPhase::resting;
+void startPhase(PointMemory& m, int i, float approach, const PointRules& rules) {
+  const bool quiet = approach > -rules.quietSpeed;
+  m.stiffness[i] = quiet ? rules.stiffness.full : rules.stiffness.ofImpact(approach);
+  m.phase[i] = rules.stiffness.isFull(m.stiffness[i]) ? PointPhase::resting : PointPhase::impact;
 }
 
 // Steps have become so much shorter that it is softer than any impact in them: it would stop nothing that still comes on. It goes
 // on with the force it has here, too.
-bool isTooSoft(const PointMemory& m, int i, float approach, const StiffnessScale& scale) {
-  return m.phase[i] != PointPhase::fresh && m.stiffness[i] < kFullShare * std::min(scale.softest, scale.full) &&
-         !(approach > -scale.quietSpeed);
+bool isTooSoft(const PointMemory& m, int i, float approach, const PointRules& rules) {
+  const float least = std::min(rules.stiffness.softest, rules.stiffness.full);
+  return m.phase[i] != PointPhase::fresh && m.stiffness[i] < kFullShare * least && !(approach > -rules.quietSpeed);
 }
-void harden(Contact& c, int i, float approach, const StiffnessScale& scale, const BodySet& bodies) {
-  startPhase(c, i, approach, scale, bodies);
-  PointMemory& m = c.points;
+void harden(PointMemory& m, int i, float approach, const PointRules& rules) {
+  startPhase(m, i, approach, rules);
   m.offset[i] = std::min(0.0f, m.gap[i] + m.forceN[i] / m.stiffness[i]);
 }
 
 // A resting point goes on with the force that it has here, too, as far as there is overlap for it: else debris would sink each time
 // that it is stirred and be lifted when it lies again, and never come to lie.
-void soften(PointMemory& m, int i, const StiffnessScale& scale) {
-  m.stiffness[i] = scale.full;
-  if (m.forceN[i] > 0) m.offset[i] = std::min(0.0f, m.gap[i] + m.forceN[i] / scale.full);
+void soften(PointMemory& m, int i, const PointRules& rules) {
+  m.stiffness[i] = rules.stiffness.full;
+  if (m.forceN[i] > 0) m.offset[i] = std::min(0.0f, m.gap[i] + m.forceN[i] / rules.stiffness.full);
 }
 
 // Returns the gap that causes force.
-float mapNormalOffset(Contact& c, int i, float approach, const StiffnessScale& scale, const BodySet& bodies) {
-  PointMemory& m = c.points;
-  if (m.stiffness[i] >= kFullShare * scale.full) m.phase[i] = PointPhase::resting;
+float mapNormalOffset(PointMemory& m, int i, float approach, const PointRules& rules) {
+  if (rules.stiffness.isFull(m.stiffness[i])) m.phase[i] = PointPhase::resting;
   // The time step has grown, the island is calm no longer, or it has become debris.
-  if (m.stiffness[i] > (2 - kFullShare) * scale.full) soften(m, i, scale);
+  if (rules.stiffness.isAboveFull(m.stiffness[i])) soften(m, i, rules);
   if (m.phase[i] == PointPhase::fresh) m.offset[i] = std::min(0.0f, m.gap[i]);
-  if (mustStiffen(m, i, approach, scale)) stiffen(m, i, scale);
-  if (isTooSoft(m, i, approach, scale)) harden(c, i, approach, scale, bodies);
+  if (mustStiffen(m, i, approach, rules)) stiffen(m, i, rules);
+  if (isTooSoft(m, i, approach, rules)) harden(m, i, approach, rules);
   float offset = std::min(0.0f, std::max(m.offset[i], m.gap[i]));
-  m.offset[i] = std::min(0.0f, std::max(scale.kept * offset, offset + scale.release));
-  if (m.phase[i] == PointPhase::fresh) startPhase(c, i, approach, scale, bodies);
+  m.offset[i] = std::min(0.0f, std::max(rules.kept * offset, offset + rules.release));
+  if (m.phase[i] == PointPhase::fresh) startPhase(m, i, approach, rules);
   return m.gap[i] - m.offset[i];
 }
 
-void mapFrictionAnchor(Contact& c, int i, ContactGeometry& g, const ContactRecord& r, const BodySet& bodies) {
+void mapFrictionAnchor(Contact& c, int i, ContactGeometry& g, const ContactRecord& r, double largest,
+                       const BodySet& bodies) {
   bool sticking = c.points.stickingMask >> i & 1;
-  bool tooFar =
-      c.points.drift1[i] * c.points.drift1[i] + c.points.drift2[i] * c.points.drift2[i] > kLargestDrift * kLargestDrift;
+  bool tooFar = c.points.drift1[i] * c.points.drift1[i] + c.points.drift2[i] * c.points.drift2[i] > largest * largest;
   if (sticking && !tooFar) return;
   c.points.drift1[i] = sticking ? 0 : c.points.slip1[i];
   c.points.drift2[i] = sticking ? 0 : c.points.slip2[i];
@@ -163,23 +138,21 @@ void mapFrictionAnchor(Contact& c, int i, ContactGeometry& g, const ContactRecor
 
 // The last force of a point says what friction it has now, but if it had none, or if that was an impact's: then one step's friction
 // would be bounded by the force of another, and the two would not add up to mu times the impulse.
-bool boundFollows(const PointMemory& m, int i, float approach, const StiffnessScale& scale, bool debris) {
+bool boundFollows(const PointMemory& m, int i, float approach, const PointRules& rules, bool debris) {
   bool held = m.multiplierN[i] >= m.forceN[i];
-  return m.forceN[i] == 0 || m.phase[i] == PointPhase::impact || approach < -scale.quietSpeed ||
-         (!held && (debris || mustStiffen(m, i, approach, scale)));
+  return m.forceN[i] == 0 || m.phase[i] == PointPhase::impact || approach < -rules.quietSpeed ||
+         (!held && (debris || mustStiffen(m, i, approach, rules)));
 }
 
 // Joints a thousand times as stiff as inertia couple what flies apart so firmly that no solve converges; debris is soft, as in
 // an impact, until it has come to lie. What bears more than a sudden load can do still stands, though it shakes: storeys would sink
 // into it like into rubber. So would a ball into what lies still under it, and be braked by the next brick's edge.
 bool isDebris(const Island& island, const ContactRecord& r, const Contact& c, float cap) {
-  //! m/s | too small: walls that sway are softened, and sag | too large: debris does not converge
-  constexpr float kDebrisBodySpeed = 0.03f;
   if (!island.plan.softDebris) return false;
   for (int i = 0; i < c.count; i++)
     if (c.points.multiplierN[i] > cap) return false;
   auto moves = [&](std::uint32_t body) {
-    return body < island.bodies.size() && island.speeds[body] > kDebrisBodySpeed;
+    return body < island.bodies.size() && island.speeds[body] > float(kMovingSpeed);
   };
   return c.rolls ? moves(r.bodyA) && moves(r.bodyB) : moves(r.bodyA) || moves(r.bodyB);
 }
@@ -189,8 +162,6 @@ bool isDebris(const Island& island, const ContactRecord& r, const Contact& c, fl
 void ContactRows::prepare(const Island& island, Ties ties, const StepContext& context) {
   const BodySet& bodies = *context.bodies;
   ContactSet& set = ties.contacts;
-  double perDt2 = 1 / (island.dt * island.dt);
-  double resting = context.settings.restingStiffness * island.plan.stiffening;
   fastestApproach = 0;
   for (std::size_t k = 0; k < size(); k++) {
     Contact& c = set.contacts[contactOf[k]];
@@ -200,15 +171,15 @@ void ContactRows::prepare(const Island& island, Ties ties, const StepContext& co
     if (c.fresh || !still) updateFrame(r, c, set.geometry[contactOf[k]], bodies);
     c.fresh = false;
     findApproach(r, c, bodies, start);
-    double unit = c.effectiveMass * perDt2, firm = std::max(double(c.effectiveMass), island.plan.leastMass) * perDt2;
-    const float cap = kMultiplierWeights * float(kReferenceGravity) * c.effectiveMass;
+    const float cap = kMultiplierWeights * float(context.judgingGravity) * c.effectiveMass;
     const bool debris = isDebris(island, r, c, cap);
-    double full = debris ? context.settings.impactStiffness * unit : resting * firm;
-    StiffnessScale scale{float(unit), float(full), float(context.settings.impactStiffness * unit),
-                         float(context.settings.impactStiffness * c.effectiveMass / (context.dt * context.dt)),
-                         float(context.settings.restingApproachSpeed), cap, float(island.dt),
-                         // A part of a step lets go of a part.
-                         1 - (1 - kOffsetKept) * float(island.dt / context.dt), kLeastRelease * float(island.dt)};
+    const PairStiffness stiff = stiffnessOf(c, debris, island, context);
+    start.scale = stiff.scale;
+    r.near = float(kNearContact * stiff.scale.length);
+    const PointRules rules{stiff, float(context.settings.restingApproachSpeed * stiff.scale.speed), cap,
+                           // A part of a step lets go of a part.
+                           1 - (1 - kOffsetKept) * float(island.dt / context.dt),
+                           float(kLeastRelease * stiff.scale.speed * island.dt)};
     r.newPoints = start.falling = 0;
     start.points = c.count;
     start.friction = c.friction;
@@ -221,19 +192,19 @@ void ContactRows::prepare(const Island& island, Ties ties, const StepContext& co
         continue;
       }
       if (-start.approach[i] > fastestApproach) fastestApproach = -start.approach[i];
-      const bool follows = boundFollows(c.points, i, start.approach[i], scale, debris);
+      const bool follows = boundFollows(c.points, i, start.approach[i], rules, debris);
       const bool falls = !follows && (c.points.impactMask >> i & 1);
       if (follows || falls) r.newPoints |= 1u << i;
       if (falls) start.falling |= 1u << i;
-      float gap = mapNormalOffset(c, i, start.approach[i], scale, bodies);
-      mapFrictionAnchor(c, i, set.geometry[contactOf[k]], r, bodies);
+      float gap = mapNormalOffset(c.points, i, start.approach[i], rules);
+      mapFrictionAnchor(c, i, set.geometry[contactOf[k]], r, kLargestDrift * start.scale.length, bodies);
       float stiffness = c.points.stiffness[i];
       r.k[i] = stiffness;
       r.trialN[i] = kMultiplierShare * c.points.multiplierN[i] - stiffness * ((gap > 0 ? gap : kCorrect * gap) + bendN);
       r.trial1[i] = kMultiplierShare * c.points.multiplier1[i] - stiffness * (kCorrect * c.points.drift1[i] + bend1);
       r.trial2[i] = kMultiplierShare * c.points.multiplier2[i] - stiffness * (kCorrect * c.points.drift2[i] + bend2);
       start.stopping[i] = c.effectiveMass *
-                          (std::max(0.0f, -start.approach[i]) + float(kReferenceGravity * island.dt)) /
+                          (std::max(0.0f, -start.approach[i]) + float(context.judgingGravity * island.dt)) /
                           float(island.dt);
       if (falls) start.stopping[i] = std::max(0.0f, c.points.forceN[i]);
       r.limit[i] = c.friction * std::max(0.0f, c.points.forceN[i]);

@@ -62,8 +62,8 @@ std::uint32_t impactsOf(const Contact& c, const ContactStart& start, double slow
 }  // namespace
 
 double slowestRebound(const Island& island, const StepContext& context) {
-  double wanted = context.settings.restitutionSpeed;
-  return island.bodies.size() == 1 ? std::min(wanted, length(context.gravity) * context.dt) : wanted;
+  double wanted = context.settings.restitutionSpeed * island.facts.scale.speed;
+  return island.plan.alone ? std::min(wanted, length(context.gravity) * context.dt) : wanted;
 }
 
 bool ContactRows::startRebounds(const Island& island, const StepContext& context) {

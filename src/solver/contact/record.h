@@ -17,7 +17,7 @@ struct alignas(64) ContactRecord {
   Vec3f n, t1;                         // unit, world; n from A to B
   Vec3f armA, armB;                    // m, from the centres of mass to the manifold's centre
   std::uint32_t bodyA = 0, bodyB = 0;  // in Island::motion
-  std::uint32_t contact = 0;           // ContactIndex
+  float near = 0;                      // m: an open point that is nearer stays in the Newton matrix
   std::uint32_t newPoints = 0;         // bit per point whose friction limit follows: it carried nothing, or an impact
 
   float s1[4] = {}, s2[4] = {};  // m

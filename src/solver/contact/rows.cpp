@@ -34,13 +34,13 @@ float ContactRows::strength(std::size_t k, const StepContext& context) const {
   const Contact& c = context.contacts->contacts[contactOf[k]];
   float sum = 0;
   for (int i = 0; i < c.count; i++)
-    sum += 1 + 100 * std::fabs(c.points.multiplierN[i]) / (c.effectiveMass * float(kReferenceGravity));
+    sum += 1 + 100 * std::fabs(c.points.multiplierN[i]) / (c.effectiveMass * float(context.judgingGravity));
   return sum;
 }
 
 bool ContactRows::holds(std::size_t k, const StepContext& context) const {
   const Contact& c = context.contacts->contacts[contactOf[k]];
-  const float leaves = float(context.settings.restingApproachSpeed);
+  const float leaves = float(context.settings.restingApproachSpeed * starts[k].scale.speed);
   bool any = false;
   for (int i = 0; i < c.count; i++)
     any = any || (c.points.forceN[i] > 0 && c.points.impulse[i] == 0 && starts[k].approach[i] < leaves);

@@ -27,6 +27,7 @@ struct ContactStart {
   float friction = 0;         // coefficient
   std::uint32_t falling = 0;  // bit per point whose friction limit follows downwards only: after an impact
   std::int32_t points = 0;    // 0 .. 4
+  Scale scale;                // of the pair
 };
 
 // What stopped a contact.
@@ -58,7 +59,6 @@ struct ContactRows {
     starts.assign(size(), {});
     for (std::size_t k = 0; k < size(); k++) {
       Contact& c = ties.contacts.contacts[contactOf[k]];
-      records[k].contact = contactOf[k];
       records[k].bodyA = number(c.bodyA);
       records[k].bodyB = number(c.bodyB);
       c.fresh = true;
@@ -128,7 +128,7 @@ struct ContactRows {
   // --- impacts at their moment (solver/impact.h)
   bool mayClose(const StepContext& context, double ahead) const;
   bool touchNothing(const StepContext& context) const;
-  void leaveOut(Ties ties);
+  void leaveOut(Ties ties, const StepContext& context);
   double firstClosing(const Island& island, double dt, const StepContext& context) const;
   // Prepared rows become those of an impact: closed points may not close further, open ones do not exist, and of none
   // is anything remembered.
@@ -159,7 +159,7 @@ struct ContactRows {
     auto frame = kernel::frame(r);
     auto f = kernel::pointForces(r, kernel::pointMotion(r, frame, motion));
     auto w = kernel::wrench(r, frame, f);
-    return {{w.force, w.torque, frame.armA, frame.armB}, kernel::stiffness(r, frame, f, exact ? 0.0f : kNearContact)};
+    return {{w.force, w.torque, frame.armA, frame.armB}, kernel::stiffness(r, frame, f, exact)};
   }
 
  private:

@@ -50,9 +50,9 @@ void keepImpact(Contact& c, int i, ContactStart& start, StoredForces& f) {
 }
 
 // Multiplier for the next step: the force, but an impact's force must not act again, explicitly.
-void holdForce(Contact& c, int i, const StoredForces& f) {
+void holdForce(Contact& c, int i, const StoredForces& f, double gravity) {
   float kept = kMultiplierShare * c.points.multiplierN[i];
-  float cap = kMultiplierGrowth * kept + kMultiplierWeights * float(kReferenceGravity) * c.effectiveMass;
+  float cap = kMultiplierGrowth * kept + kMultiplierWeights * float(gravity) * c.effectiveMass;
   float share = f.n[i] > cap ? cap / f.n[i] : 1;
   c.points.forceN[i] = f.n[i];
   c.points.force1[i] = f.t1[i];
@@ -63,16 +63,16 @@ void holdForce(Contact& c, int i, const StoredForces& f) {
 }
 
 // Where the anchor of a point that slides has to be for its spring to carry the sliding force.
-void placeSlip(Contact& c, int i, bool sliding) {
+void placeSlip(Contact& c, int i, bool sliding, float largest) {
   c.points.slip1[i] = c.points.slip2[i] = 0;
   if (!sliding || !(c.points.forceN[i] > 0)) return;
   float scale = -(1 - kMultiplierShare) / (c.points.stiffness[i] * kCorrect);
   c.points.slip1[i] = c.points.force1[i] * scale;
   c.points.slip2[i] = c.points.force2[i] * scale;
   float drift = std::sqrt(c.points.slip1[i] * c.points.slip1[i] + c.points.slip2[i] * c.points.slip2[i]);
-  if (drift > kLargestDrift) {
-    c.points.slip1[i] *= kLargestDrift / drift;
-    c.points.slip2[i] *= kLargestDrift / drift;
+  if (drift > largest) {
+    c.points.slip1[i] *= largest / drift;
+    c.points.slip2[i] *= largest / drift;
   }
 }
 
@@ -114,9 +114,9 @@ bool ContactRows::store(Island& island, Ties ties, StepContext& context) {
       keepImpact(c, i, starts[k], f);
       if (rebounds) ties.contacts.strike(contactOf[k]);
       records[k].tensionCap[i] = 0;
-      holdForce(c, i, f);
+      holdForce(c, i, f, context.judgingGravity);
       if (f.n[i] > 0 && !sliding) c.points.stickingMask |= 1u << i;
-      placeSlip(c, i, sliding);
+      placeSlip(c, i, sliding, float(kLargestDrift * starts[k].scale.length));
     }
     c.touching = touches;
     if (c.touching != touched) ties.contacts.touchingChanged = true;

@@ -251,7 +251,7 @@ class LastCheck {
     takeResidual(island_, group, under.move, context_, excess);
     energy = energyOf(island_, group, under.move, context_);
     excess = energy.gain(rebounds);
-    if (excess > energy.slack() && !driven && !island_.plan.byLoad && island_.facts.fastest <= kSwaySpeed) {
+    if (excess > energy.slack() && !driven && !island_.plan.large && island_.facts.fastest <= kSwaySpeed) {
       dampSway(island_, context_, excess);
       return 0;
     }

@@ -140,7 +140,8 @@ void GroupSlides::findChanges() {
     const std::uint32_t group = groupOf_[i];
     const BodyIndex body = island_.bodies[i];
     const VelocityChange start = Slide(starts[group], normals_[group]).at(bodies.motion[body].position);
-    if (length(start.move) + length(start.turn) * bodies.mass[body].outerRadius > context_.settings.restSpeed)
+    if (length(start.move) + length(start.turn) * bodies.mass[body].outerRadius >
+        context_.settings.restSpeed * island_.facts.scale.speed)
       fast[group] = 1;
     changes_[i] = Slide(changes[group], normals_[group]).at(bodies.motion[body].position);
   }
@@ -155,7 +156,7 @@ bool GroupSlides::wouldMeet(std::size_t k) const {
   const VelocityChange a = solvedChange(row.bodyA), b = solvedChange(row.bodyB);
   for (int i = 0; i < rows_.starts[k].points; i++) {
     const double by = 0.5 * island_.dt * changeAtPoint(row, i, takenBack(row.bodyA), takenBack(row.bodyB));
-    if (by <= kNoWay) continue;
+    if (by <= kNoWay * rows_.starts[k].scale.length) continue;
     const double speed = rows_.starts[k].approach[i] + changeAtPoint(row, i, a, b);
     if (rows_.starts[k].gap[i] + speed * island_.dt < by) return true;
   }

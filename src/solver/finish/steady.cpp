@@ -20,7 +20,7 @@ double changeAtPoint(const ContactRecord& row, int i, const VelocityChange& a, c
 
 bool isSteady(const ContactRecord& row, const ContactStart& start, int i, const VelocityChange& a,
               const VelocityChange& b, double dt) {
-  const double most = kSteadyShare * kReferenceGravity * dt;
+  const double most = kSteadyShare * start.scale.gravity * dt;
   return std::fabs(changeAtPoint(row, i, a, b)) <= most && std::fabs(start.approach[i]) <= most;
 }
 

@@ -76,7 +76,8 @@ TEST(HullContact, OverlapIsHiddenByAFaceThatIsAsGood) {
   Sides found = bothWays(a, b, pose, 0.01);
   for (const Manifold* m : {&found.m, &found.back}) {
     ASSERT_GT(m->count, 0);
-    EXPECT_NEAR(deepest(*m), slow.value, 1e-5);
+    EXPECT_LE(deepest(*m), slow.value + 1e-5);
+    EXPECT_GE(deepest(*m), slow.value - 0.034 * std::min(innerRadius(a), innerRadius(b))) << "by the bias for faces";
   }
 }
 

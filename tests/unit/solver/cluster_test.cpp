@@ -205,11 +205,13 @@ TEST(Cluster, MatrixIsTheDerivativeOfTheResidual) {
 TEST(Cluster, NearOpenPointsBraceTheMatrixButPullNothing) {
   Random random(23);
   Scene s(random, Regime::open, false);
-  for (ContactRecord& r : s.island.rows.contacts.records)
+  for (ContactRecord& r : s.island.rows.contacts.records) {
+    r.near = float(kNearContact);
     for (int i = 0; i < 4; i++) {
       r.trialN[i] = -r.k[i] * 1e-6f;  // a micrometre apart
       r.limit[i] = 0;
     }
+  }
   for (SolveMotion& m : s.island.motion) m = {};
   Symmetric6 near;
   Wrench residual = s.residual(&near);

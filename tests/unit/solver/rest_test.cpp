@@ -58,7 +58,7 @@ TEST(Rest, KineticDampingStopsAtAMaximumOfTheEnergyAndNowhereElse) {
     for (ContactIndex k : lab.island().rows.contacts.contactOf) lab.load(k, above-- * kBrickWeight, 1e4 * lab.unit(k));
     const double speeds[] = {1e-3, 2e-3, 2e-3, 5e-3, 9e-3, 8.99e-3, 8e-3};  // m/s
     for (double v : speeds) {
-      const double most = bodies == 1 ? 0.1 * v : v;
+      const double most = bodies == 1 ? 0.05 * v : v;
       for (BodyIndex body : pile) lab.at(body).linearVelocity = {most, 0, 0};
       for (int k = 0; k < bodies; k++) lab.contact(std::size_t(k)).touching = true;
       lab.prepare();
