@@ -56,7 +56,7 @@ TEST(Cycles, CountsAreNoInput) {
     std::vector<BodyIndex> pile = lab.pile(lab.ground(), 90);
     for (BodyIndex body : pile) lab.at(body).linearVelocity = {0.2, 0, 0};
     lab.prepare();
-    ASSERT_TRUE(lab.island().plan.byLoad);
+    ASSERT_TRUE(lab.island().plan.large);
     SolveStatistics statistics;
     statistics.solveSides = statistics.lightVisits = counted;
     updateHierarchy(lab.island(), lab.context);

@@ -3,6 +3,7 @@
 
 #include "math/random.h"
 #include "solver/finish/balance.h"
+#include "solver/finish/motion.h"
 #include "solver/rigid_sum.h"
 #include "support/test_island.h"
 

@@ -69,7 +69,7 @@ TEST(IslandTrial, PutsBackAllThatAPartOfTheStepChanged) {
     EXPECT_EQ(island.ending, ending);
     EXPECT_EQ(island.part, IslandPart::last);
     EXPECT_EQ(island.facts.energy, facts.energy);
-    EXPECT_EQ(island.plan.stiffening, plan.stiffening);
+    EXPECT_EQ(island.plan.calmStiffening, plan.calmStiffening);
     for (std::size_t i = 0; i < lab.awake.size(); i++) {
       EXPECT_TRUE(sameBits(lab.bodies.motion[lab.awake[i]], motions[lab.awake[i]])) << i;
       EXPECT_EQ(lab.bodies.data[lab.awake[i]].impactLoss, losses[i]) << i;
