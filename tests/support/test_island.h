@@ -156,12 +156,12 @@ class TestIsland {
       BodyMotion& m = bodies.motion[body];
       bodies.still[body] = s.rest;
       m.linearVelocity = m.angularVelocity = {};
+      bodies.data[body].steady = s.steady;
+      bodies.data[body].impactLoss = s.impactLoss;
       if (s.rest) continue;
       m.position += s.d;
       bodies.setRotation(
           body, s.freeTurn ? context.free[body].rotation : normalized(quatFromRotationVector(s.th) * m.rotation));
-      bodies.data[body].steady = s.steady;
-      bodies.data[body].impactLoss = s.impactLoss;
       m.linearVelocity = s.velocity;
       m.angularVelocity = bodies.worldInvInertia(body) * s.angularMomentum;
     }

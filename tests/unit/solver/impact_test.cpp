@@ -77,6 +77,8 @@ TEST(Rebound, TheSmallestRestitutionChangesTheLeast) {
 void goOnFreely(TestIsland& lab, double dt) {
   Island& island = lab.island();
   island.dt = dt;
+  island.facts = findFacts(island, lab.context);
+  island.plan = planFor(island.facts, lab.context.settings, dt);
   for (BodyIndex body : island.bodies) predictFreeMotion(lab.context, lab.bodies, body, dt, false);
   prepareBodies(island, lab.context);
   prepareRows(island, lab.ties(), lab.context);
