@@ -1,7 +1,8 @@
 // What a trial of an island's step changes, as it was before: one place that puts all of it back.
 //
 // The lists that the solve reads (records, motion, masses, residuals) are left as the trial made them: every step makes
-// them anew before it reads them. So are StepContext::free and ::solved, which are what a trial is made for.
+// them anew before it reads them. So are facts and plan, which what the trial found is judged by, and StepContext::free
+// and ::solved, which are what a trial is made for.
 #pragma once
 #include <memory_resource>
 #include <tuple>
@@ -31,13 +32,13 @@ class IslandTrial {
   void restore() const;
 
  private:
-  static auto fieldsOf(Island& i) { return std::tie(i.dt, i.facts, i.plan, i.ending, i.slipWork); }
+  static auto fieldsOf(Island& i) { return std::tie(i.dt, i.ending, i.slipWork); }
 
   Island& island_;
   BodySet& bodies_;
   TiesMemory ties_;
   std::pmr::vector<std::pair<BodyMotion, BodyData>> states_;  // by body
-  std::tuple<double, IslandFacts, SolvePlan, IslandEnding, double> fields_;
+  std::tuple<double, IslandEnding, double> fields_;
 };
 
 }  // namespace brickfall

@@ -165,7 +165,7 @@ TEST(Ledger, causesAddUpToTheChange) {
 }
 
 // A force drives a ball at rest, as its bounds say, through a thin plate: it stops short of it, and so turns less about the
-// world's origin than its momentum says. That is the obstacle's doing, not rounding.
+// world's origin than its momentum says. The force acts on it for as long as it moves. Both are the obstacle's doing, not rounding.
 TEST(Ledger, whatStopsAtAnObstacleIsBookedOnIt) {
   WorldDef def;
   def.gravity = {};
@@ -174,12 +174,16 @@ TEST(Ledger, whatStopsAtAnObstacleIsBookedOnIt) {
   d.linearVelocity = {0, 0, 5};
   BodyId ball = add(world, d);
   add(world, bodyOf(boxOf({0.005, 2, 2}), {0.4, 0, 0}, BodyType::fixed));
-  ASSERT_TRUE(world.applyForce(ball, {world.state(ball)->mass * 60 / kDt, 0, 0}).ok());
+  const double mass = world.state(ball)->mass;
+  ASSERT_TRUE(world.applyForce(ball, {mass * 60 / kDt, 0, 0}).ok());
   StepLedger l = stepOf(world);
-  EXPECT_LT(world.state(ball)->position.x, 0.395);
+  const BodyState end = *world.state(ball);
+  EXPECT_LT(end.position.x, 0.395);
   EXPECT_GT(length(l.obstacles.angular), 0.1);
   EXPECT_LT(length(l.integrate.angular), 1e-9);
-  EXPECT_LT(length(l.obstacles.linear), 1e-12);
+  const double moved = end.position.x / (0.5 * 60 * kDt);  // of its way, and of the step
+  expectNear(end.linearVelocity, {60 * moved, 0, 5}, 1e-9, "velocity");
+  expectNear(l.obstacles.linear, {-mass * 60 * (1 - moved), 0, 0}, 1e-9, "of the force");
 }
 
 }  // namespace

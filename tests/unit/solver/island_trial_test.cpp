@@ -50,8 +50,6 @@ TEST(IslandTrial, PutsBackAllThatAPartOfTheStepChanged) {
     const std::vector<ContactGeometry> geometry = lab.contacts.geometry;
     const std::size_t struck = lab.contacts.struck.size();
     const double slipWork = island.slipWork, dt = island.dt;
-    const IslandFacts facts = island.facts;
-    const SolvePlan plan = island.plan;
     const IslandEnding ending = island.ending;
     std::vector<double> losses;
     for (BodyIndex body : lab.awake) losses.push_back(lab.bodies.data[body].impactLoss = 1e-3);
@@ -68,8 +66,7 @@ TEST(IslandTrial, PutsBackAllThatAPartOfTheStepChanged) {
     EXPECT_EQ(island.dt, dt);
     EXPECT_EQ(island.ending, ending);
     EXPECT_EQ(island.part, IslandPart::last);
-    EXPECT_EQ(island.facts.energy, facts.energy);
-    EXPECT_EQ(island.plan.calmStiffening, plan.calmStiffening);
+    EXPECT_EQ(island.facts.energy, findFacts(island, lab.context).energy) << "of its state now, not of the last step";
     for (std::size_t i = 0; i < lab.awake.size(); i++) {
       EXPECT_TRUE(sameBits(lab.bodies.motion[lab.awake[i]], motions[lab.awake[i]])) << i;
       EXPECT_EQ(lab.bodies.data[lab.awake[i]].impactLoss, losses[i]) << i;
