@@ -45,9 +45,21 @@ double allowedIn(const Island& island, const BodySet& bodies, double restToleran
 // Of the step: in shorter parts, which impacts leave, inertia is so large that doubles don't balance weights.
 constexpr double kShortest = 0.05;
 
-template <class Impl> void finishStep(Impl& w) {
-  w.runStages(Stage::store, Stage::count);
+template <class Impl> void finishStep(Impl& w, Stage from = Stage::store) {
+  w.runStages(from, Stage::count);
   w.endPart();
+}
+
+// What the end of the step has of momenta, as a motion.
+std::vector<Motion> keptBy(const Island& island, const Problem& problem, const StepContext& context) {
+  std::vector<Motion> out;
+  for (std::size_t i = 0; i < island.bodies.size(); i++) {
+    const SolvedMotion& s = context.solved[island.bodies[i]];
+    const Vec3 given = s.angularMomentum - context.free[island.bodies[i]].angularMomentum;
+    const ProblemBody& b = problem.bodies[i];
+    out.push_back({s.velocity * problem.dt, b.thFree + b.invInertia * given * problem.dt});
+  }
+  return out;
 }
 
 template <class Impl> void startStep(Impl& w, double dt) {
@@ -72,11 +84,12 @@ std::uint64_t probeStep(const World& world, double dt, const std::function<void(
   for (auto& island : w.activity.islands.awake)
     problems.push_back(island->settled() ? Problem{} : problemOf(*island, w.solve.context));
   w.runStages(Stage::rest, Stage::solve);
+  std::vector<std::pair<const Island*, SolvedIsland>> all;
   for (std::size_t i = 0; i < problems.size(); i++) {
     Island& island = *w.activity.islands.awake[i];
     if (island.settled()) continue;
     SolveStatistics statistics;
-    SolvedIsland found;
+    SolvedIsland& found = all.emplace_back(&island, SolvedIsland{}).second;
     if (!island.resting()) {
       updateHierarchy(island, w.solve.context);
       runCycles(island, w.solve.context, statistics);
@@ -92,9 +105,13 @@ std::uint64_t probeStep(const World& world, double dt, const std::function<void(
     found.cycles = statistics.cycles;
     found.residualRms = statistics.residualRms;
     found.solveVisits = statistics.solveSides;
-    if (island.dt >= kShortest * dt) look(found);
   }
-  finishStep(w);
+  w.runStages(Stage::store, Stage::obstacles);
+  for (auto& [island, found] : all) {
+    found.kept = keptBy(*island, found.problem, w.solve.context);
+    if (island->dt >= kShortest * dt) look(found);
+  }
+  finishStep(w, Stage::obstacles);
   return copy.stateHash();
 }
 

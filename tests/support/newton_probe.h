@@ -14,11 +14,12 @@ enum class Ending { rested, exact, slow, moving, exhausted };
 constexpr int kEndings = 5;
 constexpr const char* kEndingNames[kEndings] = {"rested", "exact", "slow", "moving", "exhausted"};
 
-// An island after its solve, before forces are stored.
+// An island after its solve, before forces are stored; `look` sees it when they are.
 struct SolvedIsland {
   Problem problem;             // friction bounds as the engine's cycles left them
   Problem posed;               // as posed: points that carried nothing have no bound yet
   std::vector<Motion> motion;  // the engine's
+  std::vector<Motion> kept;    // as far as its linear and angular momenta go, when the finish has put them right
   Ending ending = Ending::rested;
   bool grounded = false;
   bool slow = false;

@@ -27,7 +27,7 @@ double errorOfForces(const Problem& problem, const std::vector<Motion>& x, const
 
 int stateOf(const PointForce& f) { return f.loaded() ? (f.slides ? 2 : 1) : 0; }
 
-// What the solve added to the momentum of an island that nothing outside touches, linear and angular (about the first body,
+// What the step added to the momentum of an island that nothing outside touches, linear and angular (about the first body,
 // as a velocity at the bodies' mean radius).
 double momentumMadeUp(const Problem& problem, const std::vector<Motion>& x) {
   Vec3 linear, angular;
@@ -81,7 +81,7 @@ void Ledger::add(const SolvedIsland& solved) {
   raise(excess, apart.mean / (engine.mean + exact.left.mean + 1e-9));  // motions in double: some 1e-12
   if (!solved.grounded) {
     floating++;
-    raise(momentum, momentumMadeUp(problem, solved.motion));
+    raise(momentum, momentumMadeUp(problem, solved.kept));
   }
 
   EndingSums& s = endings[std::size_t(solved.ending)];
@@ -218,7 +218,7 @@ void conclude(const std::string& name, double dt, const Ledger& l) {
   EXPECT_LE(l.excess, 1);
   for (Ending ending : {Ending::rested, Ending::slow, Ending::exact, Ending::moving})
     EXPECT_LE(l.of(ending).ofAllowed, 1) << kEndingNames[int(ending)] << ": residual over what its plan allows";
-  EXPECT_LE(l.momentum, 1e-5);
+  EXPECT_LE(l.momentum, 1e-12);
 }
 
 Ledger look(const std::string& name, Trial trial, double seconds, int every) {

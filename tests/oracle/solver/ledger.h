@@ -31,7 +31,7 @@ struct Ledger {
   int iterations = 0, failures = 0;                                   // of the oracle
   int ownBoundSolves = 0, ownBoundFailures = 0;
   double excess = 0;    // largest deviation / what strict convexity allows: at most 1
-  double momentum = 0;  // islands that touch nothing fixed: momentum that the solve made up, in g h m
+  double momentum = 0;  // islands that touch nothing fixed: momentum that the step made up, in g h m
   int floating = 0;
   int hashesDiffer = 0;
 
