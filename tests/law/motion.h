@@ -83,10 +83,12 @@ inline int movedOver(const BuiltWall& wall, double distance) {
   return moved;
 }
 
-// Bodies that nothing pressed on in a step and the one before it: what they accelerate with against g.
+// Bodies that nothing pressed on in a step and the one before it: what they accelerate with against g. One that an obstacle held
+// in the step falls only for as long as it moves: by less than g, but along it.
 struct Untouched {
   double worst = 0, sum = 0;  // of |a - g| / g; of a / g along g
-  long seen = 0;
+  double thrown = 0;          // worst of |a - s g| / g for the s from 0 to 1 that is nearest
+  long seen = 0, held = 0;    // by more than 0.05 g
   double mean() const { return seen > 0 ? sum / double(seen) : 0; }
   void look(const World& world, const std::vector<BodyId>& bodies, double gravity = kG) {
     std::set<BodyId> pressed;
@@ -106,6 +108,8 @@ struct Untouched {
       if (now || was || first_) continue;
       Vec3 a = world.state(body)->linearAcceleration;
       worst = std::max(worst, length(a - Vec3{0, -gravity, 0}) / gravity);
+      thrown = std::max(thrown, length(a - Vec3{0, std::clamp(a.y, -gravity, 0.0), 0}) / gravity);
+      held += length(a - Vec3{0, -gravity, 0}) > 0.05 * gravity;
       sum += -a.y / gravity;
       seen++;
     }

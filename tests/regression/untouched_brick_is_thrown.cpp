@@ -20,7 +20,8 @@ TEST(Regression, UntouchedBrickIsThrown) {
       untouched.look(wall.world, wall.bricks);
     }
     EXPECT_GT(untouched.seen, 50) << "the hit must have thrown bricks";
-    EXPECT_LT(untouched.worst, 0.05) << aside;
+    EXPECT_LT(untouched.thrown, 1e-9) << aside;
+    EXPECT_LE(untouched.held, 1) << aside << ": an obstacle on its way";
   }
 }
 
