@@ -381,8 +381,9 @@ void NarrowPhase::makeContact(CandidatePair& pair, const Manifold& m, const Tran
   }
   PointMatcher matcher(old, oldGeometry, c, g, kMatchShare * std::min(a.innerRadius, b.innerRadius));
   std::uint32_t goesOn = 0;
+  int fromOf[4] = {-1, -1, -1, -1};
   for (int i = 0; had && i < m.count; i++) {
-    int from = matcher.from(i);
+    int from = fromOf[i] = matcher.from(i);
     if (from < 0) continue;
     carryOver(c.points, i, old.points, from, matcher.turn());
     goesOn |= 1u << from;
@@ -395,6 +396,10 @@ void NarrowPhase::makeContact(CandidatePair& pair, const Manifold& m, const Tran
   for (int j = 0; had && j < old.count; j++)
     if (!(goesOn >> j & 1)) addHit(c.points, 0, old.points.hitN[j], old.points.hit1[j], old.points.hit2[j]);
   measurePoints(c, g, relative);
+  // Overlap that only shows when it is measured anew (bodies that turn go along arcs) is plastic: no work went into it, so it presses
+  // no harder than what was there.
+  for (int i = 0; i < c.count; i++)
+    if (fromOf[i] >= 0) c.points.offset[i] += std::min(0.0f, c.points.gap[i] - old.points.gap[fromOf[i]]);
   contacts_.contacts[pair.contact] = c;
   contacts_.geometry[pair.contact] = g;
 }
