@@ -101,6 +101,11 @@ void measurePoints(Contact& c, ContactGeometry& g, const Transform& relative) {
     middle[i] = (g.anchorA[i] + onB) * 0.5;
     centre += middle[i] * (1.0 / c.count);
   }
+  // All points count as lying in one plane: that of the deepest, which carries, whatever is still open above it.
+  int deepest = 0;
+  for (int i = 1; i < c.count; i++)
+    if (c.points.gap[i] < c.points.gap[deepest]) deepest = i;
+  if (c.count > 0) centre += g.normal * dot(g.normal, middle[deepest] - centre);
   g.centre = centre;
   for (int i = 0; i < c.count; i++) {
     c.points.s1[i] = float(dot(g.tangent1, middle[i] - centre));
