@@ -101,6 +101,11 @@ void measurePoints(Contact& c, ContactGeometry& g, const Transform& relative) {
     middle[i] = (g.anchorA[i] + onB) * 0.5;
     centre += middle[i] * (1.0 / c.count);
   }
+  // All points count as lying in one plane: that of the deepest, which carries, whatever is still open above it.
+  int deepest = 0;
+  for (int i = 1; i < c.count; i++)
+    if (c.points.gap[i] < c.points.gap[deepest]) deepest = i;
+  if (c.count > 0) centre += g.normal * dot(g.normal, middle[deepest] - centre);
   g.centre = centre;
   for (int i = 0; i < c.count; i++) {
     c.points.s1[i] = float(dot(g.tangent1, middle[i] - centre));
@@ -381,8 +386,9 @@ void NarrowPhase::makeContact(CandidatePair& pair, const Manifold& m, const Tran
   }
   PointMatcher matcher(old, oldGeometry, c, g, kMatchShare * std::min(a.innerRadius, b.innerRadius));
   std::uint32_t goesOn = 0;
+  int fromOf[4] = {-1, -1, -1, -1};
   for (int i = 0; had && i < m.count; i++) {
-    int from = matcher.from(i);
+    int from = fromOf[i] = matcher.from(i);
     if (from < 0) continue;
     carryOver(c.points, i, old.points, from, matcher.turn());
     goesOn |= 1u << from;
@@ -395,6 +401,10 @@ void NarrowPhase::makeContact(CandidatePair& pair, const Manifold& m, const Tran
   for (int j = 0; had && j < old.count; j++)
     if (!(goesOn >> j & 1)) addHit(c.points, 0, old.points.hitN[j], old.points.hit1[j], old.points.hit2[j]);
   measurePoints(c, g, relative);
+  // Overlap that only shows when it is measured anew (bodies that turn go along arcs) is plastic: no work went into it, so it presses
+  // no harder than what was there.
+  for (int i = 0; i < c.count; i++)
+    if (fromOf[i] >= 0) c.points.offset[i] += std::min(0.0f, c.points.gap[i] - old.points.gap[fromOf[i]]);
   contacts_.contacts[pair.contact] = c;
   contacts_.geometry[pair.contact] = g;
 }

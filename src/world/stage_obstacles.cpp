@@ -59,6 +59,8 @@ struct Obstacles {
   void obstruct(ShapeIndex shape, bool everything, double thickness, Obstruction& first) const;
   const Island* islandWith(BodyIndex body) const;
   Motion motionOf(BodyIndex body) const;
+  std::span<const std::uint32_t> movesWith(const Island& island, BodyIndex body) const;
+  Vec3 commonWay(const Island& island, std::span<const std::uint32_t> group) const;
   void cut(BodyIndex body, double share, double turnShare, Vec3 carried = {});
   bool farHeavier(BodyIndex body, BodyIndex other) const;
   bool isThick(BodyIndex body) const;
@@ -77,17 +79,23 @@ Motion Obstacles::motionOf(BodyIndex body) const {
   return {context.solved[body].d, context.solved[body].th};
 }
 
+// The body's group, as numbers in its island: of one that flies, all of it; of one that is supported, the body alone.
+std::span<const std::uint32_t> Obstacles::movesWith(const Island& island, BodyIndex body) const {
+  const auto place = std::lower_bound(island.bodies.begin(), island.bodies.end(), body) - island.bodies.begin();
+  const auto number = std::size_t(place);
+  const std::span<const std::uint32_t> group = island.groups.bodies(island.groups.groupOf(number));
+  if (context.solved[body].flying) return group;
+  return group.subspan(std::size_t(std::lower_bound(group.begin(), group.end(), std::uint32_t(number)) - group.begin()), 1);
+}
+
 // Leaves the body a share of its way, then `carried`, and a share of its turn; it keeps its velocities. All of a group that flies goes
 // the same share: its step ends there, and neither its linear nor its angular momentum changes.
 void Obstacles::cut(BodyIndex body, double share, double turnShare, Vec3 carried) {
   const Island* island = islandWith(body);
-  if (!island || !context.solved[body].flying) {
-    shorten(body, share, turnShare, carried, context.solved[body].flying, context);
-    return;
-  }
-  const auto place = std::lower_bound(island->bodies.begin(), island->bodies.end(), body) - island->bodies.begin();
-  const std::span<const std::uint32_t> group = island->groups.bodies(island->groups.groupOf(std::size_t(place)));
-  if (group.size() == 1) return shorten(body, share, turnShare, carried, true, context);
+  const bool flies = context.solved[body].flying;
+  if (!island) return shorten(body, share, turnShare, carried, flies, context);
+  const std::span<const std::uint32_t> group = movesWith(*island, body);
+  if (group.size() == 1) return shorten(body, share, turnShare, carried, flies, context);
   share = std::min(share, turnShare);
   for (std::uint32_t i : group) shorten(island->bodies[i], share, share, {}, true, context);
 }
@@ -102,13 +110,32 @@ bool Obstacles::isThick(BodyIndex body) const {
   return bodies.mass[body].innerRadius > kThick * bodies.mass[body].outerRadius;
 }
 
-// As far as arms that are frozen are true.
+// m: of the centre of mass of a group that flies; of what supports it, else.
+Vec3 Obstacles::commonWay(const Island& island, std::span<const std::uint32_t> group) const {
+  const std::uint32_t number = island.groups.groupOf(group.front());
+  if (!island.groups.flies(number))
+    return bodies.motion[island.partners[island.groups.partner(number) - island.bodies.size()]].linearVelocity * context.dt;
+  Vec3 moment;
+  double mass = 0;
+  for (std::uint32_t i : group) {
+    const double m = bodies.mass[island.bodies[i]].mass;
+    moment += context.solved[island.bodies[i]].d * m;
+    mass += m;
+  }
+  return moment * (1 / mass);
+}
+
+// As far as arms that are frozen are true. What the body goes along with takes it along.
 void Obstacles::cutTurn(BodyIndex body) {
-  SolvedMotion& s = context.solved[body];
-  if (s.rest || s.freeTurn || !isFinite(s.d)) return;
+  const SolvedMotion& s = context.solved[body];
+  const Island* island = islandWith(body);
+  if (!island || s.rest || s.freeTurn || !isFinite(s.d)) return;
   const double turn = length(visibleTurn(bodies.mass[body], bodies.motion[body].orientation, s.th));
   if (!(turn > kLargestTurn)) return;
-  cut(body, kLargestTurn / turn, kLargestTurn / turn);
+  const double share = kLargestTurn / turn;
+  const std::span<const std::uint32_t> group = movesWith(*island, body);
+  const Vec3 common = commonWay(*island, group);
+  for (std::uint32_t i : group) shorten(island->bodies[i], share, share, common * (1 - share), false, context);
 }
 
 void Obstacles::stop(BodyIndex body) {

@@ -46,13 +46,14 @@ Impulse leftOver(const Island& island, std::size_t i) {
   if (island.residual.size() != island.bodies.size()) return {};
   return {toDouble(island.residual[i].force) * island.dt, toDouble(island.residual[i].torque) * island.dt};
 }
+// By the motion that was solved, whatever it was finished to.
 Impulse fromTies(const Island& island, std::size_t i, const StepContext& context) {
   const BodyIndex body = island.bodies[i];
-  const FreeMotion& free = context.free[body];
-  const SolvedMotion& s = context.solved[body];
   const Impulse left = leftOver(island, i);
-  return {(s.velocity - free.late - free.d * (1 / free.dt)) * context.bodies->mass[body].mass + left.linear,
-          s.angularMomentum - context.bodies->worldInertia(body) * free.lateSpin - free.angularMomentum + left.angular};
+  const Vec3 way = island.travel + toDouble(island.motion[i].d) - context.free[body].d;
+  const Vec3 turn = toDouble(island.motion[i].th) - toDouble(island.masses[i].thFree);
+  return {way * (context.bodies->mass[body].mass / island.dt) + left.linear,
+          context.bodies->worldInertia(body) * turn * (1 / island.dt) + left.angular};
 }
 
 // Of a group's ties in this step.
