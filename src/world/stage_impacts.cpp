@@ -115,7 +115,6 @@ bool ImpactWalk::impact(Island& island) {
 
 void ImpactWalk::run(Island& island) {
   if (!parts_.mayBeCut(island)) return;
-  island.facts = findFacts(island, context_);  // of an island that is new there are none yet
   double left = context_.dt;
   const double blink = kBlink * context_.dt;
   constexpr int kMost = ImpactParts::kMostImpacts;
