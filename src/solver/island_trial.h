@@ -1,7 +1,7 @@
-// What a trial of an island's step changes, as it was before: one place that puts all of it back.
+// The state that a trial of an island's step changes, as it was before: one place that puts all of it back.
 //
 // The lists that the solve reads (records, motion, masses, residuals) are left as the trial made them: every step makes
-// them anew before it reads them. So are StepContext::free and ::solved, which are what a trial is made for.
+// them anew before it reads them. So are StepContext::free and ::solved, which a trial is made for.
 #pragma once
 #include <memory_resource>
 #include <tuple>
@@ -12,7 +12,7 @@
 
 namespace brickfall {
 
-// What the ties of an island remember.
+// The memory of an island's ties.
 class TiesMemory {
  public:
   TiesMemory(const Island& island, Ties ties);
