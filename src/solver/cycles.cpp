@@ -42,7 +42,7 @@ void startMotion(Island& island, const StepContext& context) {
   }
 }
 
-// The impulse that stopped each impact tells how much the impact gives back. Nothing but this share is then out of balance.
+// The impulse that stopped each impact tells how much the impact gives back. Nothing but this is then out of balance.
 bool startRebounds(Island& island, const StepContext& context) {
   bool any = false;
   island.rows.eachKind([&](auto& kind) { any = kind.startRebounds(island, context) || any; });

@@ -6,8 +6,8 @@
 
 namespace brickfall {
 
-// Neighbours of each of some bodies or clusters, by number. The neighbours of i are list[begin[i]] .. list[begin[i + 1]
-// - 1], each once, in the order in which ties name them.
+// Neighbours of each of some bodies or clusters, by number. Those of i stand in list[begin[i]] .. list[begin[i + 1] -
+// 1], each once, in the order in which ties name them.
 struct Adjacency {
   explicit Adjacency(std::pmr::memory_resource* memory) : begin(memory), list(memory) {}
   std::pmr::vector<std::uint32_t> begin, list;

@@ -40,7 +40,7 @@ struct PlanRow {
   bool exactSteps;       // open points are left out of the matrix and searched for instead
   float calmStiffening;  // x restingStiffness while the island is calm
   bool direct;           // Newton on all bodies at once, after the first cycles
-  bool large;  // never solved to the end: residuals are judged by each body's load, not by its weight alone
+  bool large;            // never solved to the end: residuals are judged by each body's load, not by its weight alone
 };
 std::span<const PlanRow> planRows();
 
