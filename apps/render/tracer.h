@@ -13,7 +13,7 @@ struct TraceSettings {
   // Rays of a pixel. A pixel that sees one thing at rest takes half of them, at the edge of a shadow twice as many, where
   // something moves four times as many.
   int samples = 4;
-  int bounces = 1;  // how often light is followed on from the surface that is seen; then the sky's mean stands for the rest
+  int bounces = 1;  // how often light is followed on from the first surface; then the sky's mean stands for the rest
   int threads = 1;
   std::function<bool()> stop;  // asked now and then: true leaves the picture unfinished
 };
