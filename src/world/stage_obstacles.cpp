@@ -1,11 +1,13 @@
-// What the contacts of a step can't see: they are found along the velocities before it, with normals and arms that stay
-// as they are. A body that a hit throws somewhere else, or spins through most of a turn, or that a force accelerates from
-// rest, could end the step behind something thin. So the core of every fast body, a ball a fourth as thick as its shape, is
-// swept along the way that the solve found, against the ways of the others, and the body stops for this step where its core
-// would enter something, or where it would run over the core of something smaller. Of two that both move, both stop; what a
-// kinematic body runs into is taken along. What is long and turns is looked at in its own frame, where ways are arcs, in
-// parts of 0.1 rad. A body that contacts would spin too far in one step first has its turn cut, as far as frozen arms are true, and its
-// way alike. Velocities stay: the next step finds the contact and does the rest.
+// Fast bodies stop before obstacles that the contacts of a step cannot see. Contacts are found along the velocities
+// before the step, with normals and arms that stay as they are. A body could end the step behind something thin if a
+// hit throws it elsewhere, or spins it through most of a turn, or if a force accelerates it from rest.
+//
+// So the core of every fast body, a ball a fourth as thick as its shape, is swept along the way that the solve found,
+// against the ways of the others. The body stops for this step where its core would enter another shape, or where it
+// would run over the core of a smaller one. Of two moving bodies both stop. A body that a kinematic one runs into is
+// taken along. A long body that turns is looked at in its own frame, where ways are arcs, in parts of 0.1 rad. If
+// contacts would spin a body too far in one step, its turn is cut first, as far as frozen arms are true, and its way
+// alike. Velocities stay: the next step finds the contact and does the rest.
 #include <algorithm>
 #include <cmath>
 
@@ -22,13 +24,14 @@ namespace brickfall {
 
 namespace {
 
-//! times the mass | too small: a body goes on through what is only a little lighter
-//! | too large: bricks pressed into a wrecking ball hold it in the air
+//! times the mass | too small: a body goes on through bodies that are only a little lighter
+//! | too large: bricks pressed into a wrecking ball stop it in the air
 constexpr double kFarHeavier = 30;  // times the mass
-//! of a way | too small: bricks that hit each other deep hold each other there | too large: cores pass that have not met
+//! of a way | too small: bricks that hit each other deep keep each other there
+//! | too large: cores pass that have not met
 constexpr double kHeld = 1e-3;
-//! - | too small: what turns freely ends beyond what it met | too large: cost
-constexpr int kLooks = 4;  // along a free turn: a part of it is not on the arc that all of it makes
+//! - | too small: bodies that turn freely end beyond the obstacle | too large: cost
+constexpr int kLooks = 4;  // along a free turn: a part of it is not on the arc of the whole turn
 //! of the outer radius | too small: thin plates are crept through | too large: with kHeld
 constexpr double kThick = 0.2;
 bool exceeds(Vec3 way, double limit) { return lengthSquared(way) > limit * limit; }
@@ -38,10 +41,10 @@ struct Motion {
 };
 
 struct Obstruction {
-  double share = 1;           // of a way: where it ends
+  double share = 1;           // of the way: where it ends
   double turnShare = 1;       // of the turn
-  BodyIndex body = kNoIndex;  // what ends it
-  Vec3 carried;               // m: how far that takes along, from there, what does not get past it
+  BodyIndex body = kNoIndex;  // the body that ends it
+  Vec3 carried;               // m: from there, how far that body takes along a body that does not get past it
 };
 
 struct Obstacles {
@@ -77,8 +80,9 @@ Motion Obstacles::motionOf(BodyIndex body) const {
   return {context.solved[body].d, context.solved[body].th};
 }
 
-// Leaves the body a share of its way, then `carried`, and a share of its turn; it keeps its velocities. All of a group that flies goes
-// the same share: its step ends there, and neither its linear nor its angular momentum changes.
+// Leaves the body a share of its way, then `carried`, and a share of its turn; it keeps its velocities. All bodies of a
+// group that flies go the same share: the group's step ends there, and neither its linear nor its angular momentum
+// changes.
 void Obstacles::cut(BodyIndex body, double share, double turnShare, Vec3 carried) {
   const Island* island = islandWith(body);
   if (!island || !context.solved[body].flying) {
@@ -92,17 +96,19 @@ void Obstacles::cut(BodyIndex body, double share, double turnShare, Vec3 carried
   for (std::uint32_t i : group) shorten(island->bodies[i], share, share, {}, true, context);
 }
 
-// What is far lighter is carried along and stops nothing: bricks pressed into a wrecking ball must not hold it in the air.
+// A far lighter body is carried along and stops nothing: bricks pressed into a wrecking ball must not stop it in the
+// air.
 bool Obstacles::farHeavier(BodyIndex body, BodyIndex other) const {
   return bodies.mass[body].mass > kFarHeavier * bodies.mass[other].mass;
 }
 
-// Contacts see what is in it: a thin plate may be crept through from one step to the next.
+// Contacts see a body that has got into a thick one, and part the two. A thin plate may be crept through from one step
+// to the next.
 bool Obstacles::isThick(BodyIndex body) const {
   return bodies.mass[body].innerRadius > kThick * bodies.mass[body].outerRadius;
 }
 
-// As far as arms that are frozen are true.
+// Cuts a turn to the largest for which frozen arms are true.
 void Obstacles::cutTurn(BodyIndex body) {
   SolvedMotion& s = context.solved[body];
   if (s.rest || s.freeTurn || !isFinite(s.d)) return;
@@ -116,14 +122,14 @@ void Obstacles::stop(BodyIndex body) {
   if (s.rest || !isFinite(s.d)) return;
   double turn = length(visibleTurn(bodies.mass[body], bodies.motion[body].orientation, s.th));
   double thickness = bodies.mass[body].innerRadius * (turn < kLargestTurn && s.went == 1 ? 1 : 0.5);
-  // What it was left behind by its turn, and kinematic bodies, may run over it, however slow it is itself.
+  // A body whose turn has left it behind, or one near kinematic bodies, may be run over, however slow it is itself.
   bool everything = s.went < 1 || turnsFar(bodies, body, s.th);
   if (!(everything || !activity.moving.empty() || exceeds(s.d, thickness))) return;
   for (int look = 0; look < kLooks && hold(body, everything, thickness); look++) {
   }
 }
 
-// True if it was held on a free turn: then it ends elsewhere than where it was looked for.
+// True if the body was stopped on a free turn: then it ends elsewhere than where obstacles were looked for.
 bool Obstacles::hold(BodyIndex body, bool everything, double thickness) {
   Obstruction first;
   for (ShapeIndex shape : bodies.shapes[body]) obstruct(shape, everything, thickness, first);
@@ -140,7 +146,7 @@ bool Obstacles::hold(BodyIndex body, bool everything, double thickness) {
   return elsewhere;
 }
 
-// All turns are cut before anything is looked for: a body is held against the ways that others will go.
+// All turns are cut before any obstacle is looked for: a body is stopped against the ways that others will go.
 void Obstacles::stopAll() {
   auto each = [&](void (Obstacles::*act)(BodyIndex)) {
     for (const IslandPointer& island : islands.awake)
@@ -152,7 +158,8 @@ void Obstacles::stopAll() {
   each(&Obstacles::stop);
 }
 
-// The first thing on a body's way, for one shape of the body. `everything`: it may be the other that does the moving.
+// Finds the first obstacle on a body's way, for one shape of the body. `everything`: obstacles count that move
+// themselves.
 void Obstacles::obstruct(ShapeIndex shape, bool everything, double thickness, Obstruction& first) const {
   auto wayOf = [&](BodyIndex body) {
     Motion m = motionOf(body);
