@@ -1,8 +1,8 @@
 // Goes on from the last cycles: among all motions that their changes add up to, it takes the one of least energy.
 //
-// A cycle moves bodies and clusters one at a time. Motions that many bodies must make together (a wall that sways on
-// stiff contacts, a heap that settles) come along by a little in each cycle, in much the same way. So the island is
-// moved by
+// A cycle moves bodies and clusters one at a time. Some motions many bodies must make together: a wall that sways on
+// stiff contacts, a heap that settles. They come along by a little in each cycle, in much the same way. So the island
+// is moved by
 #pragma once
 #include <array>
 #include <memory_resource>

@@ -9,8 +9,8 @@
 // slope.
 //
 // Open points nearer than kNearContact are in the matrix, so that no step runs through them. But a body that turns away
-// from them, or towards a point that is still far, then gets a step that can be a hundred times too short, and seems to
-// hang in the air. Exact steps leave these points out and search instead.
+// from them, or towards a point that is still far, then gets a step up to a hundred times too short. It seems to hang
+// in the air. Exact steps leave these points out and search instead.
 //
 // Making the matrix costs as much as two readings of the boundary, so its factor is kept while its steps end well. A
 // step that is too long is tried again with a new factor before anything is searched. After a step that is too short

@@ -1,8 +1,8 @@
-// Clusters move rigidly, so cycles are slow where an island must bend or part in many places at once: an arch or a wall
+// Clusters move rigidly, so cycles are slow where an island must bend or part in many places at once. An arch or a wall
 // that begins to collapse seems to hang. With the friction limits frozen the step is the minimum of a strictly convex
-// energy, and Newton with a search along each step converges from anywhere. Its matrix has 6 rows a body. In an island
-// of some dozens of bodies, numbered so that neighbours are near (reverse Cuthill-McKee), its envelope is narrow, and a
-// factorisation costs about as much as a few cycles.
+// energy, and Newton with a search along each step converges from anywhere. Its matrix has 6 rows a body. Bodies are
+// numbered so that neighbours are near (reverse Cuthill-McKee). So in an island of some dozens of bodies the envelope
+// is narrow, and a factorisation costs about as much as a few cycles.
 #include "solver/direct_solve.h"
 
 #include <algorithm>

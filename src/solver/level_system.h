@@ -3,8 +3,8 @@
 //   (mass and inertia / dt^2 + stiffness of the rows between clusters, and to fixed bodies) x = residuals
 //
 // Solved by conjugate gradients. Gauss-Seidel sweeps settle clusters that touch against each other. A coarser level
-// finds the motion that many clusters must make together; it has so few clusters that its matrix is factored (two-grid
-// preconditioner: Briggs, Henson and McCormick, A Multigrid Tutorial, 2000). One to three iterations take a hit wall of
+// finds the motion that many clusters must make together, with so few clusters that its matrix is factored. (Two-grid
+// preconditioner: Briggs, Henson and McCormick, A Multigrid Tutorial, 2000.) One to three iterations take a hit wall of
 // any length to a fifth of the error.
 #pragma once
 #include <memory_resource>

@@ -53,8 +53,8 @@ const PlanRow& rowOf(const IslandFacts& facts) {
                        [&](const PlanRow& row) { return facts.bodies <= row.mostBodies && (slow || !row.onlySlow); });
 }
 
-// m: the median of the inner radii. So neither a shard between blocks decides for all of them, as by the least size,
-// nor a ball that outweighs the wall that it hits, as by a mean by mass.
+// m: the median of the inner radii. By the least size a shard between blocks would decide for all of them. By a mean by
+// mass a ball would that outweighs the wall that it hits.
 double typicalSize(const Island& island, const BodySet& bodies) {
   std::pmr::vector<double> sizes(island.memory);
   sizes.reserve(island.bodies.size());

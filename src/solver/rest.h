@@ -14,9 +14,9 @@ void dampSlowIsland(const Island& island, const StepContext& context, BodySet& b
 // of one light pass. Sets Island::ending; leaves all motion at zero.
 void restCheck(Island& island, StepContext& context);
 
-// The other way to rest: a slow island of which no point strays from its place for a while stays there, though the last
-// of its residual does not come under the limit. (A thin wall goes on swaying by micrometres; a point at the very edge
-// of sliding or opening changes sides in every step.) Called before storeMotion, which then leaves all bodies in place.
+// The other way to rest: a slow island stays where it is if no point of it strays from its place for a while. The last
+// of its residual may then be over the limit. (A thin wall goes on swaying by micrometres. A point at the very edge of
+// sliding or opening changes sides in every step.) Called before storeMotion, which then leaves all bodies in place.
 void restInPlace(Island& island, const StepContext& context);
 
 }  // namespace brickfall

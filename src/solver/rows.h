@@ -1,10 +1,11 @@
 // The ties between the bodies of an island, as the solve reads them: rows, a list for each kind of tie.
 //
 // A kind is a folder (contact/): its list with the functions that every kind has (contact/rows.h names them), the
-// record that the solve reads, its law, how it is prepared and stored, its energy. It joins the solve as a member of
-// Rows, named in kinds(). Code that walks rows (cycles, direct solve, flight, hierarchies) never asks for their kind.
-// The list of kinds is closed and known to the compiler: no virtual calls, and a row's arithmetic stays in its loop.
-// How a kind lays out its records is its own affair. A row may be a lane of a pack of several, since nobody but the
+// record that the solve reads, its law, its preparing and storing, its energy. It joins the solve as a member of Rows,
+// named in kinds(). Code that walks rows (cycles, direct solve, flight, hierarchies) never asks for their kind. The
+// list of kinds is closed and known to the compiler: no virtual calls, and a row's arithmetic stays in its loop. How a
+// kind lays out its records is its own affair. A row may be a lane of a pack of several, since nobody but the kind
+// reads them.
 // kind reads them.
 //
 // Rows are numbered through all kinds, in the order of the members; side 2 x row + end is one body's end of a row.

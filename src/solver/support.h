@@ -1,5 +1,5 @@
-// Walks over the rows of an island: which bodies bear load, which are supported from the ground by a chain of loaded
-// rows, and how much of their common slide friction at the supports can stop.
+// Walks over the rows of an island: which bodies bear load, and which are supported from the ground by a chain of
+// loaded rows. Also how much of their common slide friction at the supports can stop.
 #pragma once
 #include <algorithm>
 

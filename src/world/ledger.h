@@ -2,7 +2,7 @@
 // stage made is booked on the cause that acts in it, by the function that stands beside the stage.
 //
 // Angular momentum is that about the world's origin. Until the solve it is taken where bodies are, from then on where
-// they will be: a contact's impulse acts at the start of the step, velocities hold at its end. The difference between
+// they will be. A contact's impulse acts at the start of the step; velocities hold at its end. The difference between
 // the two is the way times the momentum, d x m v. It is zero where d = v h. Where a body moves by the mean of two
 // velocities, it is the angular momentum that impulses give by acting midway. It is booked on gravity in flight, and
 // otherwise on the cause that holds the body.

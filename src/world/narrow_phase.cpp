@@ -61,8 +61,8 @@ void dropFarPoints(Manifold& m, const BodyMotion& a, const BodyMotion& b, const 
   m.count = kept;
 }
 
-// Gives each manifold a part, the nearest manifolds first: the part whose normal is most like its own; else a part
-// without a contact; else a part whose contact ends now. A manifold without points gets -1.
+// Gives each manifold a part, the nearest manifolds first. It is the part whose normal is most like its own; else one
+// without a contact; else one whose contact ends now. A manifold without points gets -1.
 void assignParts(const ContactSet& contacts, const CandidatePair* parts, int count, const MeshManifolds& found,
                  Quat aInBody, int* partOf) {
   std::uint32_t taken = 0, had = 0;

@@ -1,5 +1,5 @@
-// Which shapes of a world are near each other: the bounds of shapes, the broad phase that they lie in, candidate pairs,
-// and the contacts made of pairs that are near.
+// Which shapes of a world are near each other: their bounds, the broad phase that the bounds lie in, candidate pairs,
+// and the contacts of near pairs.
 #pragma once
 #include <memory>
 #include <vector>

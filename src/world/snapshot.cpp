@@ -39,7 +39,7 @@ std::uint64_t hashOf(std::span<const std::byte> bytes) {
 
 }  // namespace
 
-// The memory of points: numbers as they are, the phases of a contact's points as one number.
+// The memory of points: numbers as they are, each phase checked as a value of PointPhase.
 template <class Archive> struct PointFields {
   Archive& archive;
   template <class T> void operator()(T& lanes, PointQuantity = {}) const {

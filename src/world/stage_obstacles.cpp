@@ -1,12 +1,12 @@
 // Fast bodies stop before obstacles that the contacts of a step cannot see. Contacts are found along the velocities
-// before the step, with normals and arms that stay as they are. A body could end the step behind something thin if a
-// hit throws it elsewhere, or spins it through most of a turn, or if a force accelerates it from rest.
+// before the step, with normals and arms that stay as they are. A hit may then throw a body elsewhere or spin it
+// through most of a turn; a force may accelerate it from rest. It could end the step behind something thin.
 //
-// So the core of every fast body, a ball a fourth as thick as its shape, is swept along the way that the solve found,
-// against the ways of the others. The body stops for this step where its core would enter another shape, or where it
-// would run over the core of a smaller one. Of two moving bodies both stop. A body that a kinematic one runs into is
-// taken along. A long body that turns is looked at in its own frame, where ways are arcs, in parts of 0.1 rad. If
-// contacts would spin a body too far in one step, its turn is cut first, as far as frozen arms are true, and its way
+// So the core of every fast body, a ball a fourth as thick as its shape, is swept along the way that the solve found.
+// The ways of the other bodies count, too. The body stops for this step where its core would enter another shape, or
+// where it would run over the core of a smaller one. Of two moving bodies both stop. A body that a kinematic one runs
+// into is taken along. A long body that turns is looked at in its own frame, where ways are arcs, in parts of 0.1 rad.
+// If contacts would spin a body too far in one step, its turn is cut first, as far as frozen arms are true, and its way
 // alike. Velocities stay: the next step finds the contact and does the rest.
 #include <algorithm>
 #include <cmath>

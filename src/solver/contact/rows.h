@@ -85,8 +85,8 @@ struct ContactRows {
 
   void prepare(const Island& island, Ties ties, const StepContext& context);
   // Friction limits that follow the solve: those of points that carried nothing in the last step, or an impact. While
-  // the solve goes on, they are at most by the pair's own weight and approach: forces met on the solve's way are no
-  // measure. Changes of less than `slack` of a limit are left. True if any changed.
+  // the solve goes on, the pair's own weight and approach cap them: forces met on the solve's way are no measure.
+  // Changes of less than `slack` of a limit are left. True if any changed.
   bool boundsFollow(std::size_t k) const { return records[k].newPoints != 0; }
   bool renewBounds(std::size_t k, const SolveMotion* motion, float slack = 0) {
     return records[k].newPoints && renewNewPoints(k, motion, slack, false);

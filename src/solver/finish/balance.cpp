@@ -38,8 +38,8 @@ double kineticEnergy(const StepContext& context, BodyIndex body, Vec3 frame) {
          0.5 * dot(s.angularMomentum, spinOf(context, body, s.angularMomentum));
 }
 
-// The impulse of ties on a body in this step, N s and N m s: the change of its momenta beyond outside forces, and the
-// residual that the solve left, which no tie gave.
+// The impulse of ties on a body in this step, N s and N m s. It is the change of the body's momenta beyond outside
+// forces, plus the residual that the solve left, which no tie gave.
 struct Impulse {
   Vec3 linear, angular;
 };
@@ -75,8 +75,8 @@ struct GroupEnergy {
   double fromTies(const Rebounds& rebounds) const { return std::max(0.0, ties - rebounds.work); }
   double slack() const { return kSlack * (start + end + moved); }
 };
-// Energies in a frame that moves at `frame` (m/s) with the body that the group presses on: beside the work of a belt,
-// the work of a body that slides on it is lost in rounding.
+// Energies in a frame that moves at `frame` (m/s) with the body that the group presses on. Otherwise the work of a body
+// that slides on a belt is lost in the rounding of the belt's work.
 GroupEnergy energyOf(const Island& island, Bodies group, Vec3 frame, const StepContext& context) {
   GroupEnergy sum;
   const Vec3 carried = frame * island.dt;

@@ -35,8 +35,8 @@ bool steadyContacts(const Island& island, const StepContext& context, const Velo
 //! | too large: a velocity changed by a hit or a start counts as a force that goes on
 constexpr double kSameForces = 0.4;  // changes of velocity that differ by no more come from the same forces
 
-// Share of the step for which a sliding body slows down, if friction stops it within the step: from its true velocity
-// and at the full friction. 1 if friction does not stop it. Its points stop where it does.
+// Share of the step for which a sliding body slows down, from its true velocity and at the full friction. It is 1 if
+// friction does not stop the body within the step. Its points stop where it does.
 double partUntilStopped(const Island& island, Ties ties, const StepContext& context, const VelocityChange& change) {
   const BodyIndex body = island.bodies[0];
   const Vec3 start = context.free[body].startVelocity, solved = context.solved[body].velocity;
