@@ -19,7 +19,7 @@ enum class IslandPart : std::uint8_t {
   last,      // the rest of its step, or all of it if nothing cut it: a slow island is damped, and may rest
   between,   // an earlier part
   toImpact,  // a part until a point closes: open points are left out, velocities are those of that moment
-  flight     // such a part of an island that touches nothing
+  flight     // the same for an island that touches nothing
 };
 
 struct Island {

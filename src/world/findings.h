@@ -32,7 +32,7 @@ template <class List> bool isAscending(const List& list) {
          list.end();
 }
 
-// Of slots: the list of free slots names exactly the free ones, each once.
+// Checks slots: the list of free slots names exactly the free ones, each once.
 template <class Free>
 void checkFreeSlots(Findings& f, const std::vector<std::uint32_t>& listed, std::size_t slots, Free isFree) {
   std::vector<bool> seen(slots, false);

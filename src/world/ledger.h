@@ -5,7 +5,7 @@
 // they will be. A contact's impulse acts at the start of the step; velocities hold at its end. The difference between
 // the two is the way times the momentum, d x m v. It is zero where d = v h. Where a body moves by the mean of two
 // velocities, it is the angular momentum that impulses give by acting midway. It is booked on gravity in flight, and
-// otherwise on the cause that holds the body.
+// otherwise on the cause that acts on the body.
 #pragma once
 #include <cstddef>
 #include <vector>

@@ -22,7 +22,7 @@ enum class AheadFound {
 };
 struct Ahead {
   AheadFound found = AheadFound::asNow;
-  // Of passes:
+  // If they pass:
   double time = 0;   // s, when they are past; 0 where it does not matter what else turns them aside
   double apart = 0;  // m, by which they clear each other until then
 };

@@ -14,7 +14,7 @@ namespace brickfall {
 // under the force that is then left, in the softest island (plan.h).
 double elasticEnergy(const Contact& contact, const StepContext& context);
 
-// Of all contacts of an island, by the motion that the solve found: between forces and new poses.
+// Work and elastic energy of all contacts of an island, by the solved motion: between forces and new poses.
 struct ContactWork {
   double work = 0;     // J, done on the bodies and on kinematic partners
   double rebound = 0;  // J, done by the forces that rebounds add: not part of `work`
