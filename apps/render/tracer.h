@@ -1,5 +1,5 @@
-// The light that reaches each pixel: from the camera to what is seen, from there to the sun and on into the scene, as often as asked
-// for (path tracing).
+// The light that reaches each pixel (path tracing): from the camera to the surface that is seen, from there to the sun and
+// on into the scene, as often as asked for.
 #pragma once
 #include <functional>
 
@@ -10,9 +10,10 @@
 namespace brickfall::render {
 
 struct TraceSettings {
-  // Of a pixel; half of them where one thing at rest is seen, twice as many at the edge of a shadow, four times where something moves.
+  // Rays of a pixel. A pixel that sees one thing at rest takes half of them, at the edge of a shadow twice as many, where
+  // something moves four times as many.
   int samples = 4;
-  int bounces = 1;  // how often light is followed on from what is seen; after that the sky's mean stands for the rest
+  int bounces = 1;  // how often light is followed on from the first surface; then the sky's mean stands for the rest
   int threads = 1;
   std::function<bool()> stop;  // asked now and then: true leaves the picture unfinished
 };

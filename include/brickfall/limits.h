@@ -49,7 +49,8 @@ constexpr std::int64_t kMostBodies = 1'000'000;                   // also the br
 namespace lost {
 
 constexpr double kDistance = 1e7;  // m from the origin, along any axis: ten times what calls take
-constexpr double kSpeed = 1e6;     // m/s; rad/s, or m/s of the surface for what is smaller than 1 m: ten times what calls take
+constexpr double kSpeed =
+    1e6;  // m/s; rad/s, or m/s of the surface for what is smaller than 1 m: ten times what calls take
 
 }  // namespace lost
 

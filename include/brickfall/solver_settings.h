@@ -25,10 +25,10 @@ struct SolverSettings {
   //! m/s | too small: heaps chatter | too large: bounces end early (a body alone goes on to g h)
   double restitutionSpeed = 1;  // m/s, >= 0: slower impacts do not rebound; for a body alone on something fixed at most
                                 // gravity x dt. Smaller: heaps chatter longer before they rest
-  //! m/s | too small: walls sway for seconds after a hit | too large: what begins to fall slowly may be stopped
+  //! m/s | too small: walls sway for seconds after a hit | too large: a body that begins to fall slowly may be stopped
   double restSpeed = 1e-2;  // m/s: only islands slower than this may be stopped or put to rest; large ones of up to
                             // 30 mm/s are stopped too, where a swing ends
-  //! weights | too small: float noise keeps walls awake | too large: slow topples are held
+  //! weights | too small: float noise keeps walls awake | too large: slow topples are stopped
   double restTolerance = 1e-3;  // residual / max(weight, 0.02 load) accepted as "nothing moves"
   //! of load | too small: more cycles | too large: the left-over error moves bodies
   double cycleTolerance = 2e-2;  // residual / max(weight, 0.3 load) under which a body of a large moving island is left

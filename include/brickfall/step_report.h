@@ -33,8 +33,9 @@ struct StepReport {
       0;  // of a moving island's body when the solve stopped: force (torque: at its inner radius) over
           // the larger of its weight and half the sum of the forces on it
   int unbalancedBodies = 0;  // bodies that were left with more than 0.05 of that, of all parts
-  double energyTaken = 0;    // J, that bodies had beyond all that was given to them when the step ended: the last check took it back
-  int impacts = 0;           // of small islands, each met at its moment within the step
+  double energyTaken =
+      0;  // J, that bodies had beyond all that was given to them when the step ended: the last check took it back
+  int impacts = 0;  // of small islands, each met at its moment within the step
   int manifoldsReused = 0;
   int manifoldsComputed = 0;
   std::vector<BodyId> quarantined;  // bodies that became non-finite in this step

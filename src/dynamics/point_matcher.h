@@ -10,7 +10,7 @@ namespace brickfall {
 //! | too large: a point takes over the force of another one
 constexpr double kMatchShare = 0.6;  // of the thinner shape: an old point this near may hand its memory to a new one
 //! inner radii | too small: points that stick creep where the polygon of a contact is cut anew
-//! | too large: what rolls on short faces stands on a corner that it has left, and sinks in at the next
+//! | too large: a body that rolls on short faces stands on a corner that it has left, and sinks in at the next
 constexpr double kSamePlace = 0.03;  // of the thinner shape: a point this near is the same one, whatever its feature
 // Cosines between two normals.
 //! - | too small: a contact takes over the force that it had on another face

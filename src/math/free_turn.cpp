@@ -77,7 +77,7 @@ using wide::D;
 constexpr double kSeriesAngle = 1e-4;  // rad, as in quatFromRotationVector
 //! not of the method: likewise
 constexpr double kLeastSpin = 1e-60;  // rad in a step, kg m2/s: above, no product vanishes among the smallest numbers
-//! - | too small: what spins is turned alone: cost | too large: three lanes wait for one
+//! - | too small: fast spinning bodies are turned alone: cost | too large: three lanes wait for one
 constexpr int kMostLaneSubsteps = 64;  // of a body that is turned beside others; no infinite spin is among them
 
 // A substep for each lane, of its own length; of none is no turn at all.

@@ -22,7 +22,7 @@ constexpr int kNext[3] = {1, 2, 0}, kLast[3] = {2, 0, 1};
 constexpr double kParallel2 = 1e-8;
 // Face axes that are parallel to this cosine compete for the same contact.
 constexpr double kSameFace = 0.98;
-//! half extents | too small: leaning edges slip on each other's faces | too large: what slides past an edge tilts early
+//! half extents | too small: leaning edges slip on each other's faces | too large: a box that slides past an edge tilts early
 constexpr double kRoundShare = 0.01;
 
 struct BoxPair {

@@ -6,8 +6,8 @@ namespace brickfall {
 
 namespace {
 
-//! - | too small: rounding is taken for a way of its own | too large: changes that are alike are lost
-constexpr double kAlike = 1e-4;  // of a change's own curvature: what is left of it across the newer ones
+//! - | too small: rounding is taken for a direction of its own | too large: changes that are alike are lost
+constexpr double kAlike = 1e-4;  // of a change's own curvature: share of it that must be left across the newer changes
 //! - | too small: cost | too large: P may end far beyond its minimum
 constexpr double kTooFar = 0.5;  // of the slope at its start
 //! not of the method: bodies that are summed as floats before a double takes over
@@ -32,8 +32,8 @@ template <std::size_t n, class Add> std::array<double, n> sumOver(std::size_t bo
   return out;
 }
 
-// The minimum along the changes, newest first; those that are like newer ones are left out. Of the matrix, the entries right of
-// the diagonal are read.
+// The minimum along the changes, newest first. Changes that are like newer ones are left out. Of the matrix, only
+// entries right of the diagonal are read.
 template <std::size_t most>
 std::array<double, most> minimum(int count, const double (&matrix)[most][most], const std::array<double, most>& slope) {
   double lower[most][most] = {}, pivot[most] = {}, right[most] = {};
@@ -157,7 +157,7 @@ void Acceleration::apply(RowForces& forces) {
     moveBy(shares, shorter - part);
     part = shorter;
     forces.readAgain();
-    if (!(slopeAlong(shares) > -kTooFar * start)) {  // or not a number
+    if (!(slopeAlong(shares) > -kTooFar * start)) {  // also if it is not a number
       std::copy(startMotion_.begin(), startMotion_.end(), island_.motion.begin());
       forces.readAgain();
       return;

@@ -1,14 +1,8 @@
-// Goes on from what cycles have found: of all motions that the changes of the last ones add up to, the one of least energy.
+// Goes on from the last cycles: among all motions that their changes add up to, it takes the one of least energy.
 //
-// A cycle moves bodies and clusters one at a time. What they must do together (a wall that sways on stiff contacts, a
-// heap that settles) comes along by a little in each cycle, in much the same way. So the island is moved by
-//
-//   P = sum of x_j s_j,   x such that   s_i . (residual - sum of x_j y_j) = 0   for all i,
-//
-// with s_j the change of the motion in one of the last cycles, and y_j by how much the residual fell: what the energy's
-// curvature did along s_j is known already, and the forces are read once, where P ends. The newest change is then made
-// whole by P, so that the next ones stand across it, as in conjugate gradients. After nonlinear Krylov acceleration (Carlson and
-// Miller, SIAM J. Sci. Comput. 19, 1998) and its form for minima (De Sterck, SIAM J. Sci. Comput. 34, 2012).
+// A cycle moves bodies and clusters one at a time. Some motions many bodies must make together: a wall that sways on
+// stiff contacts, a heap that settles. They come along by a little in each cycle, in much the same way. So the island
+// is moved by
 #pragma once
 #include <array>
 #include <memory_resource>
@@ -23,10 +17,10 @@ class Acceleration {
   explicit Acceleration(Island& island)
       : island_(island), startMotion_(island.memory), startResidual_(island.memory), changes_(island.memory) {}
 
-  // Moves the island by P and reads its forces there. Nothing happens before the first change, or if P is no way down; where P
-  // ends too far beyond its minimum, even when it has been made shorter, all is as it was.
+  // Moves the island by P and reads its forces there. Nothing happens before the first change, or if P is no way down.
+  // If P ends too far beyond its minimum, even when it has been made shorter, the island is put back as it was.
   void apply(RowForces& forces);
-  // A cycle between these two is a change. (Bounds that follow the solve do so outside.)
+  // A cycle between begin and end is a change. (Friction limits are renewed outside of it.)
   void begin();
   void end();
 
@@ -34,10 +28,10 @@ class Acceleration {
   //! - | too small: slow settling is not seen through | too large: cost, for changes made elsewhere
   static constexpr int kChanges = 3;
 
-  // Of one body, in one cycle.
+  // The change of one body in one cycle.
   struct Change {
     SolveMotion way;
-    Wrench fell;  // by how much its residual fell
+    Wrench fell;  // by how much the body's residual fell
   };
   using Shares = std::array<double, kChanges>;  // x, the newest first
   struct Curvature {

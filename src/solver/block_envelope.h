@@ -1,5 +1,5 @@
-// A symmetric matrix of blocks of 6 x 6, each row of blocks from its first one that can be other than 0 to the diagonal, and its
-// Cholesky factor in place. In doubles; the same bits on any machine.
+// A symmetric matrix of blocks of 6 x 6, and its Cholesky factor in place. A row of blocks is stored from its first
+// block that can be other than 0 to the diagonal. In doubles; the same bits on any machine.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -12,18 +12,19 @@ class BlockEnvelope {
  public:
   explicit BlockEnvelope(std::pmr::memory_resource* memory) : lowest_(memory), begin_(memory), blocks_(memory) {}
 
-  // lowest: for each row of blocks, the first column. All entries are 0 then.
+  // lowest: the first column of each row of blocks. Sets all entries to 0.
   void shape(const std::pmr::vector<std::uint32_t>& lowest);
   void clear();
-  // A block on or under the diagonal, by rows; on the diagonal all of it.
+  // Adds a block on or under the diagonal, by rows. A block on the diagonal is given whole.
   void add(std::size_t row, std::size_t column, const double (&b)[6][6]);
   // False if not positive definite.
   bool factor();
-  // After factor: x, 6 numbers a row of blocks, becomes the solution for the right side x.
+  // After factor: x, 6 numbers a row of blocks, is the right side and becomes the solution.
   void solve(double* x) const;
 
  private:
-  // By columns, so that no sum runs along a vector. Of a factored block on the diagonal: inverses of the diagonal's entries there.
+  // A block by columns, so that no sum runs along a vector. In a factored block on the diagonal, the entries on the
+  // diagonal are their inverses.
   struct Block {
     double column[6][6];
   };

@@ -1,5 +1,5 @@
-// The rows on a cluster's boundary, read: what they do at the present motion, by what that has changed since it was last read,
-// and what a Newton step of the cluster needs of it. A kind of rows reads two at a time and adds them here in their order.
+// The rows on a cluster's boundary, read: their forces at the present motion, the change since they were last read, and
+// the matrix for a Newton step of the cluster. A kind of rows reads two at a time and adds them here in their order.
 #pragma once
 #include <cstdint>
 
@@ -10,32 +10,32 @@ namespace brickfall {
 struct Boundary {
   const std::uint32_t* sides = nullptr;  // of Level::sides, all of one kind
   std::uint32_t count = 0;
-  std::uint32_t firstRow = 0;  // of that kind
+  std::uint32_t firstRow = 0;  // of this kind
   const SolveMotion* motion = nullptr;
   const SolveMass* masses = nullptr;  // of bodies
-  const Reading* readings = nullptr;  // by row: what was read before
-  Reading* trial = nullptr;           // by side: what is read now
+  const Reading* readings = nullptr;  // by row: as last read
+  Reading* trial = nullptr;           // by side: as read now
   wide::V centre = {};                // of the cluster, m
-  bool single = false;                // of one body: arms are those of its rows
-  bool exact = false;                 // open points are not counted as closed when they are near
+  bool single = false;                // a cluster of one body: arms are those of its rows
+  bool exact = false;                 // near open points do not count as closed
 };
 
-// Force and torque on the cluster, about its centre, by what has changed; the stiffness of its rows there.
+// Force and torque on the cluster, about its centre, by their changes; the stiffness of its rows there.
 struct BoundarySums {
   wide::V force = {}, torque = {};
-  MatrixSums* matrix = nullptr;  // if wanted
+  MatrixSums* matrix = nullptr;  // null if not wanted
 };
 
-// Sides i and j, the same one if there is no other: L is one of math/wide_pair.h, i in its low half.
+// Sides i and j, or i twice if there is no other. L is one of math/wide_pair.h, with i in its low half.
 template <class L> struct SidePair {
-  static constexpr float kSign[2] = {-1, 1};  // of what a row does to A and to B: looked up, since a branch is a guess
+  static constexpr float kSign[2] = {-1, 1};  // of a row's action on A and on B: looked up, since a branch is a guess
 
   SidePair(const Boundary& of, std::uint32_t i, std::uint32_t j) : boundary(of), first(i), second(j) {}
   const Boundary& boundary;
   std::uint32_t first, second;
 
   bool both() const { return first != second; }
-  // What read(side) gives for each, in its half.
+  // The results of read(side), each in its half.
   template <class Read> BRICKFALL_LANES L halves(Read read) const {
     return L(read(boundary.sides[first]), read(boundary.sides[second]));
   }

@@ -4,15 +4,17 @@
 //   matrix    H = cluster mass and inertia / dt^2  +  sum over boundary rows of their stiffness, moved to the centre
 //   step      x = H^-1 g, all bodies of the cluster move rigidly by t x
 //
-// The slope (residual . step) is positive while the step still lowers the energy. Where the forces have kinks the full step may
-// be too long: bracketed secant search (Illinois rule, every third time halving) for the zero of the slope.
+// The slope (residual . step) is positive while the step still lowers the energy. Where the forces have kinks the full
+// step may be too long: a bracketed secant search (Illinois rule, every third time halving) finds the zero of the
+// slope.
 //
-// Open points nearer than kNearContact are in the matrix, so that no step runs through them; but what turns away from them, or
-// towards one that is still far, then gets a step that can be a hundred times too short and seems to hang in the air. Exact
-// steps leave them out and search instead.
+// Open points nearer than kNearContact are in the matrix, so that no step runs through them. But a body that turns away
+// from them, or towards a point that is still far, then gets a step up to a hundred times too short. It seems to hang
+// in the air. Exact steps leave these points out and search instead.
 //
-// Making the matrix costs as much as two readings of the boundary, so its factor is kept while its steps end well: one that is too
-// long is tried again with a new factor before anything is searched, and after one that is too short the next is made anew.
+// Making the matrix costs as much as two readings of the boundary, so its factor is kept while its steps end well. A
+// step that is too long is tried again with a new factor before anything is searched. After a step that is too short
+// the next factor is made anew.
 #include "solver/cluster_step.h"
 
 #include <algorithm>
@@ -31,8 +33,8 @@ using wide::V;
 //! - | too small: searches that change little | too large: steps end beyond their minimum
 constexpr float kOvershoot = 0.3f, kOvershootExact = 0.15f;  // of the slope at the start: less is no reason to search
 //! weights | too small: searches that change little
-//! | too large: what overlaps by a micrometre is thrown by millimetres, and little holds it there
-constexpr float kOvershootWeights = 0.3f;  // of a cluster of a large island: nor may it end beyond by more of force
+//! | too large: a body that overlaps by a micrometre is thrown by millimetres, and little pulls it back
+constexpr float kOvershootWeights = 0.3f;  // for a cluster of a large island: most force by which it may end beyond
 //! - | too small: searches that change little | too large: steps end short of their minimum
 constexpr float kUndershoot = 0.5f, kUndershootExact = 0.3f;  // of the slope at the start: a search ends below it
 
@@ -41,7 +43,7 @@ constexpr float kStale = 0.3f;  // of the slope at the start, left either way: t
 
 float power(const Wrench& a, const Wrench& b) { return dot(a.force, b.force) + dot(a.torque, b.torque); }
 
-// One arithmetic with the loads of the solve: a body's lanes are stored as they will be read.
+// Uses the arithmetic of the solve's loads: a body's lanes are stored as they will be read.
 void moveCluster(Island& island, const Level& level, const Cluster& cluster, const Wrench& step, float part) {
   V way = wide::load(&step.force.x) * part, turn = wide::load(&step.torque.x) * part;
   V centre = wide::loadAnywhere(&cluster.centre.x);
@@ -54,7 +56,7 @@ void moveCluster(Island& island, const Level& level, const Cluster& cluster, con
   }
 }
 
-// A step and how far along it the cluster is. The slope is that of the energy, downwards.
+// A step and how far along it the cluster is. The slope is the energy's slope downwards.
 class Way {
  public:
   Way(RowForces& forces, const Level& level, const Cluster& cluster, Wrench step, const Wrench& residual, bool exact)

@@ -5,27 +5,27 @@
 
 namespace brickfall {
 
-// The factor of a cluster's Newton matrix: inertia and the stiffness of its boundary, as it was when the factor was made. Kept
-// from step to step until one shows that it is off.
+// The factor of a cluster's Newton matrix: inertia and the stiffness of its boundary, as it was when the factor was
+// made. Kept until a step shows that it is off.
 struct ClusterFactor {
   Symmetric6 matrix;
   bool valid = false;
   bool kept = false;  // a step has been made with it
 };
 
-// Exact: open points are left out of the matrix and searched for. Else those nearer than kNearContact are in it.
+// Exact: open points are left out of the matrix and searched for. Else open points nearer than kNearContact are in it.
 Symmetric6 clusterMatrix(RowForces& forces, const Level& level, const Cluster& cluster, bool exact);
 
-// A step tried: what it moves the cluster by, and by which part of it. The bodies have been moved; forces and residuals are
-// those from before until it is taken.
+// A step tried: the displacement of the cluster, and which part of it was made. The bodies have been moved; forces and
+// residuals are those from before until the step is taken.
 struct ClusterStep {
   Wrench whole;  // as displacement and turn of the cluster
   float part = 0;
 };
-// From `residual`, the cluster's, about its centre. Nothing is moved (part 0) if there is no way down.
+// `residual` is that of the cluster, about its centre. Nothing is moved (part 0) if there is no way down.
 ClusterStep tryStep(RowForces& forces, const Level& level, const Cluster& cluster, ClusterFactor& factor,
                     const Wrench& residual, bool exact);
-// The inertia of the bodies moved becomes part of their residuals.
+// Adds the inertia of the moved bodies to their residuals.
 void addInertiaOfStep(Island& island, const Level& level, const Cluster& cluster, const ClusterStep& step);
 
 }  // namespace brickfall

@@ -20,10 +20,11 @@ float fallShare(const Island& island, std::size_t i, const StepContext& context)
   return most > 0 ? float(std::clamp(had / most, 0.0, 1.0)) : 0;
 }
 
-// Free motion is the honest start: whatever cycles leave undone falls. In large islands on the ground each body goes on with as
-// much of its fall as it had: what cycles leave undone in a wall or a heap would fall through it a little in every step, and no
-// brick hangs by it, since each that is out of balance by itself is moved until it is not. What is slow there starts from where it is:
-// on stiff contacts even micrometres a second of the last step are forces to be solved away.
+// Free motion is the honest start: motion that cycles leave undone then falls. In large islands on the ground each body
+// goes on with as much of its fall as it had. Otherwise a wall or a heap would fall by the undone motion, a little in
+// every step. No brick hangs by this start: each one out of balance by itself is moved until it is in balance. A slow
+// island there starts from where it is: on stiff contacts even micrometres a second of the last step are forces to be
+// solved away.
 void startMotion(Island& island, const StepContext& context) {
   for (std::size_t i = 0; i < island.bodies.size(); i++) {
     const SolveMass& free = island.masses[i];
@@ -41,7 +42,7 @@ void startMotion(Island& island, const StepContext& context) {
   }
 }
 
-// By what it takes to stop each impact, what it gives back is known; nothing but that is then out of balance.
+// The impulse that stopped each impact tells how much the impact gives back. Nothing but this is then out of balance.
 bool startRebounds(Island& island, const StepContext& context) {
   bool any = false;
   island.rows.eachKind([&](auto& kind) { any = kind.startRebounds(island, context) || any; });

@@ -1,8 +1,8 @@
-// Clusters move rigidly, so cycles are slow where an island must bend or part in many places at once: an arch or a wall that
-// begins to collapse seems to hang. With the friction bounds frozen the step is the minimum of a strictly convex energy,
-// and Newton with a search along each step converges from anywhere. Its matrix has 6 rows a body; in an island of some
-// dozens of bodies, numbered so that neighbours are near (reverse Cuthill-McKee), its envelope is narrow and a
-// factorisation costs about as much as a few cycles.
+// Clusters move rigidly, so cycles are slow where an island must bend or part in many places at once. An arch or a wall
+// that begins to collapse seems to hang. With the friction limits frozen the step is the minimum of a strictly convex
+// energy, and Newton with a search along each step converges from anywhere. Its matrix has 6 rows a body. Bodies are
+// numbered so that neighbours are near (reverse Cuthill-McKee). So in an island of some dozens of bodies the envelope
+// is narrow, and a factorisation costs about as much as a few cycles.
 #include "solver/direct_solve.h"
 
 #include <algorithm>
@@ -22,23 +22,23 @@ namespace {
 //! - | too small: rubble is left with many weights unbalanced | too large: cost of rubble
 constexpr int kDirectSteps = 100;
 //! - | too small: slow ways to balance are given up | too large: cost where floats round
-constexpr int kStalledSteps = 4;  // steps in a row that better nothing: then ten times the residual is good enough, and
+constexpr int kStalledSteps = 4;  // after so many steps in a row without gain ten times the residual is good enough,
                                   // after twice as many a hundred times, if nothing is to rest
 //! - | too small: steps of rounding are taken for progress: cost | too large: slow ways to balance are given up
 constexpr double kBetterStep = 0.8;  // of the least residual so far
-//! - | too small: new points slide under bounds that are not theirs
-//! | too large: bounds and forces may chase each other, and no step is the last
-constexpr int kBoundSteps = 6;  // friction bounds of new points follow for so many steps, then they are frozen
+//! - | too small: new points slide under friction limits that are not theirs
+//! | too large: friction limits and forces may chase each other, and no step is the last
+constexpr int kBoundSteps = 6;  // so many steps renew the friction limits of new points, then they are frozen
 //! - | too small: stacks that land, or are made leaning, shear | too large: cost
-constexpr int kBoundSolves = 3;  // so often it is solved again, with the friction bounds that the forces found say
-//! of the bound | too small: cost | too large: new points slide under bounds that are not theirs
-constexpr float kBoundChange = 0.02f;  // less is left
+constexpr int kBoundSolves = 3;  // so often the island is solved again, with friction limits by the forces found
+//! of the friction limit | too small: cost | too large: new points slide under friction limits that are not theirs
+constexpr float kBoundChange = 0.02f;  // a smaller change is left
 //! - | too small: steps end short of their minimum: more of them
 //! | too large: cost where float rounding hides the minimum
 constexpr int kSearchSteps = 30;  // evaluations along a step
 //! - | too small: cost of searches that change little | too large: steps end far beyond their minimum
 constexpr double kEnough = 0.8;  // of the slope at the start: a search ends below it
-//! - | too small: cost | too large: steps jump to and fro over edges that open and close: what leans stays up
+//! - | too small: cost | too large: steps jump to and fro over edges that open and close: leaning bodies stay up
 constexpr double kEnoughStalled = 0.1;  // the same after kStalledSteps
 
 using Block = double[6][6];
@@ -74,7 +74,7 @@ class Newton {
     return true;
   }
 
-  // Friction that follows: by the forces that were found. True if any changed.
+  // Sets the friction limits of new points by the forces that were found. True if any changed.
   bool settleBounds() {
     bool any = false;
     island_.rows.each([&](auto& kind, std::size_t k) {
@@ -83,7 +83,7 @@ class Newton {
     if (any) readForces(false);
     return any;
   }
-  // Of points whose friction follows, those that have opened hold nothing more. True if any did.
+  // New points that have opened lose their friction. True if any did.
   bool dropBounds() {
     bool any = false;
     island_.rows.each([&](auto& kind, std::size_t k) {
@@ -159,7 +159,7 @@ class Newton {
     matrix_.add(place_[ends[0].body], place_[ends[1].body], b);
   }
 
-  // How fast the energy falls along the step: falls itself along it, and is zero at the minimum.
+  // How fast the energy falls along the step. The slope itself falls along the step, and is zero at the minimum.
   double slope() {
     double sum = 0;
     for (std::size_t i = 0; i < place_.size(); i++)
@@ -178,7 +178,8 @@ class Newton {
     return slope();
   }
 
-  // Bracketed secant search (Illinois rule), every third time halving, until the slope is `share` of that at the start.
+  // Bracketed secant search (Illinois rule), every third time halving, until the slope is `share` of the slope at the
+  // start.
   void search(double share) {
     double start = slope(), enough = share * start;
     double low = 0, slopeLow = start, high = 1, slopeHigh = moveTo(1), s = slopeHigh;

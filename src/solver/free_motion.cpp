@@ -9,8 +9,8 @@ namespace brickfall {
 
 namespace {
 
-// Decay by exp(-x) without libm: (1 + x/2 + x^2/12)^-1 (1 - x/2 + x^2/12), Pade [2/2], relative error x^5 / 720: 5e-5 for
-// x = 0.5; larger x in halves.
+// Decay by exp(-x) without libm: (1 + x/2 + x^2/12)^-1 (1 - x/2 + x^2/12), Pade [2/2]. The relative error is x^5 / 720:
+// 5e-5 for x = 0.5. Larger x are taken in halves.
 double decay(double x) {
   int halvings = 0;
   while (x > 0.5 && halvings < 60) {
@@ -33,7 +33,8 @@ Vec3 visibleTurn(const BodyMass& mass, const Mat3& orientation, Vec3 th) {
 
 namespace {
 
-// Of a body with contacts: what the solve sees of a fast turn. By its spin, which has no wrap at half a turn as a rotation vector has.
+// The part of a fast turn that the solve sees, of a body with contacts. Taken from the spin: a rotation vector wraps at
+// half a turn, a spin does not.
 void limitTurn(FreeMotion& free, const BodyMass& mass, const BodyMotion& m, Vec3 spin, double dt) {
   if (!(lengthSquared(spin) * dt * dt > kLargestTurn * kLargestTurn)) return;
   Vec3 turn = spin * dt;
@@ -43,7 +44,7 @@ void limitTurn(FreeMotion& free, const BodyMass& mass, const BodyMotion& m, Vec3
   free.th = turn - visible + visible * (free.turnsFaster ? kLargestTurn / size : 1);
 }
 
-// With one of the integrators that are there to be compared.
+// Free motion by one of the integrators that are there to be compared.
 void integrateFreely(StepContext& context, BodyIndex body, Vec3 acceleration, double dt) {
   const BodyMotion& m = context.bodies->motion[body];
   FreeMotion& free = context.free[body];
@@ -60,7 +61,7 @@ void integrateFreely(StepContext& context, BodyIndex body, Vec3 acceleration, do
   free.angularMomentum = spinMomentum(end, mass);
 }
 
-// Forces, damping and drag; where the body's centre goes.
+// Applies forces, damping and drag, and finds the way of the body's centre.
 void predictWay(StepContext& context, BodySet& bodies, BodyIndex body, double dt, Vec3 acceleration) {
   BodyMotion& m = bodies.motion[body];
   const BodyData& data = bodies.data[body];
@@ -77,7 +78,7 @@ void predictWay(StepContext& context, BodySet& bodies, BodyIndex body, double dt
   free.way = (free.startVelocity * dt + free.d) * 0.5;
 }
 
-// Bodies whose turn is to be found, until there are enough of them to do it side by side.
+// Bodies whose turn is still to be found, until there are enough of them to find it side by side.
 class WaitingTurns {
  public:
   WaitingTurns(StepContext& context, const BodySet& bodies, double dt, bool hasContacts)

@@ -6,20 +6,21 @@
 
 namespace brickfall {
 
-// Over `dt` s: applies damping and drag to the bodies' velocities and predicts their free motion under the step's forces, with the
-// exact turn. For bodies with contacts the solve sees at most kLargestTurn of it, since arms are frozen during a step; their momentum
-// stays. Each body's result is its own, whatever the others in the list.
+// Over `dt` s: applies damping and drag to the bodies' velocities and predicts their free motion under the step's
+// forces, with the exact turn. For bodies with contacts the solve sees at most kLargestTurn of the turn, since arms are
+// frozen during a step; their momentum stays. Each body's result is its own, whatever the others in the list.
 void predictFreeMotions(StepContext& context, BodySet& bodies, std::span<const BodyIndex> list, double dt,
                         bool hasContacts);
 inline void predictFreeMotion(StepContext& context, BodySet& bodies, BodyIndex body, double dt, bool hasContacts) {
   predictFreeMotions(context, bodies, {&body, 1}, dt, hasContacts);
 }
 
-// Leaves the body a share of its free turn, on the way that the whole one takes: energy and momentum stay what they are. Returns it, as
-// a rotation vector.
+// Leaves the body a share of its free turn, on the way that the whole turn takes: its energy and momentum stay as they
+// are. Returns that share, as a rotation vector.
 Vec3 shortenFreeTurn(StepContext& context, BodyIndex body, double share);
 
-// What of the turn th (world axes) moves the body's surface elsewhere: not the part about an axis of symmetry.
+// The part of the turn th (world axes) that moves the body's surface elsewhere: the part about an axis of symmetry does
+// not.
 Vec3 visibleTurn(const BodyMass& mass, const Mat3& orientation, Vec3 th);
 
 }  // namespace brickfall

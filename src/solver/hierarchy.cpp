@@ -5,7 +5,7 @@ namespace brickfall {
 namespace {
 
 //! bodies | too small: 4 takes a fourth more visits | too large: 8 lets hit walls move more
-constexpr std::uint32_t kClusterSize = 6;  // 4 costs a fourth more for the same walls, 8 lets hit walls move more
+constexpr std::uint32_t kClusterSize = 6;  // a fourth more visits with 4 for the same walls; hit walls move more with 8
 constexpr std::uint32_t kNone = 0xffffffffu;
 //! not of the method: room; 6^13 bodies are more than any world has
 constexpr int kMaxLevels = 13;
@@ -69,8 +69,8 @@ Neighbours neighboursOf(std::span<const ClusterLink> links, const Numbers& clust
   return out;
 }
 
-// Greedy aggregation: each aggregate grows by the free neighbour most strongly tied to it. A cluster left alone joins its
-// strongest neighbour's aggregate unless that is too large already. Returns the number of aggregates.
+// Greedy aggregation: each aggregate grows by the free neighbour most strongly tied to it. A cluster left alone joins
+// its strongest neighbour's aggregate, unless that aggregate is too large already. Returns the number of aggregates.
 std::uint32_t aggregate(const Neighbours& graph, std::uint32_t clusters, Numbers& aggregateOf) {
   aggregateOf.assign(clusters, kNone);
   Numbers size(aggregateOf.get_allocator());

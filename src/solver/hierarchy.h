@@ -1,8 +1,8 @@
 // Rigid clusters of an island, coarse to fine. Level 0 is the single bodies; each next level merges up to six
-// neighbouring clusters, strongest link first, until one is left. What is fixed is never merged.
+// neighbouring clusters, strongest link first, until one is left. Fixed bodies are never merged.
 //
-// Firm ties come first, by the load that they carry: a level carries loads and moments through long, well-connected walls
-// (level_step.h).
+// Firm ties come first, by the load that they carry: a level carries loads and moments through long, well-connected
+// walls (level_step.h).
 #pragma once
 #include <cstdint>
 #include <memory_resource>
@@ -54,7 +54,7 @@ struct ClusterLink {
 };
 
 struct Hierarchy {
-  bool valid = false;              // built of the island's contacts as they are
+  bool valid = false;              // built for the island's contacts of now
   std::pmr::vector<Level> levels;  // 0 = bodies ... back() = the island
 
   explicit Hierarchy(std::pmr::memory_resource* memory = std::pmr::get_default_resource()) : levels(memory) {}

@@ -1,5 +1,5 @@
-// How far out of balance a body or a cluster is: the one measure for whatever asks. Its residual over a force, which is its weight or
-// a share of its load; a torque counts as the force that it is at an arm.
+// How far out of balance a body or a cluster is: the one measure for every caller. The residual is taken over a force,
+// which is the weight or a share of the load. A torque counts as its force at an arm.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@ struct Measure {
   double force = 0;  // N
   double arm = 0;    // m
 
-  // As a share of it; what is not a number stays so.
+  // The residual as a share of the measure's force; a residual that is not a number stays so.
   double of(const Wrench& residual) const {
     double out = 0;
     takeLarger(out, double(length(residual.force)) / force);
@@ -22,7 +22,7 @@ struct Measure {
   }
 };
 
-// `most`: N.
+// `most` is in N.
 inline bool isWithin(const Wrench& residual, float most, float arm) {
   const float turning = most * arm;
   return dot(residual.force, residual.force) <= most * most &&
@@ -32,14 +32,14 @@ inline bool isWithin(const Wrench& residual, const Measure& measure, double shar
   return isWithin(residual, float(share * measure.force), float(measure.arm));
 }
 
-// Of a body: the largest of so many of its weights and such a share of its load; arm: its inner radius.
+// Measure of a body: the larger of so many of its weights and the given share of its load; arm: its inner radius.
 inline Measure measureOf(const Island& island, const BodySet& bodies, std::size_t i, double ofLoad,
                          double weights = 1) {
   const BodyMass& m = bodies.mass[island.bodies[i]];
   return {std::max(weights * (m.mass * island.facts.scale.gravity), ofLoad * double(island.loads[i])), m.innerRadius};
 }
-// Of a cluster: its weight over the fourth root of its bodies, or such a share of their loads over the square root; arm: its radius
-// of gyration. What few bodies that carry much have left adds up like chance.
+// Measure of a cluster: its weight over the fourth root of its bodies, or the given share of their loads over the
+// square root; arm: its radius of gyration. The residuals of a few heavily loaded bodies add up like chance.
 inline Measure measureOf(const Island& island, const Level& level, const Cluster& c, double ofLoad) {
   const double count = double(c.bodyEnd - c.bodyBegin);
   double load = 0;

@@ -13,12 +13,12 @@ namespace brickfall {
 
 namespace {
 
-//! - | too small: impacts that are solved well are dropped | too large: momentum and energy of those that are not
+//! - | too small: impacts that are solved well are dropped | too large: badly solved impacts change momentum and energy
 constexpr double kImpactTolerance = 0.01;  // of the forces on a body
 //! - | too small: sound impacts are dropped | too large: energy may creep up
-constexpr double kRounding = 1e-6;  // of the energy: what the float solve may add
+constexpr double kRounding = 1e-6;  // of the energy: the float solve may add so much
 
-// As if no time passed: where bodies would go is where their velocities take them.
+// Free motion as if no time passed: velocities alone say where bodies would go.
 void goOnFreely(const Island& island, const BodySet& bodies, StepContext& context) {
   for (BodyIndex body : island.bodies) {
     const BodyMotion& m = bodies.motion[body];
@@ -44,7 +44,8 @@ struct Velocities {
   Vec3 linear, angular;
 };
 
-// Where nothing fixed was hit, the momenta of all that was hit are those before the impact: a solve leaves them off by its residual.
+// Where no fixed body was hit, the momenta of the struck bodies are those before the impact: a solve leaves them off by
+// its residual.
 void keepMomenta(const Island& island, const std::pmr::vector<Velocities>& before, BodySet& bodies) {
   if (island.grounded()) return;
   auto eachHit = [&](auto&& act) {
@@ -67,7 +68,7 @@ void keepMomenta(const Island& island, const std::pmr::vector<Velocities>& befor
   });
 }
 
-// False, and nothing is changed, if that would be no impact.
+// Returns false, and changes nothing, if the result would be no impact.
 bool changeVelocities(const Island& island, BodySet& bodies) {
   std::pmr::vector<Velocities> before(island.memory);
   const double had = kineticEnergy(island, bodies), perDt = 1 / island.dt;

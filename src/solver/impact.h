@@ -1,4 +1,4 @@
-// The impacts of one moment: velocities change, no time passes. Each kind of tie has its own law of them
+// The impacts of one moment: velocities change, no time passes. Each kind of tie has its own impact law
 // (contact/impact.cpp).
 #pragma once
 #include <memory_resource>
@@ -8,20 +8,21 @@
 
 namespace brickfall {
 
-// Whether an open point may close in a step of StepContext::dt. Asked without a solve, of speeds and fall as they are
-// now: `ahead` times as far.
+// Whether an open point may close in a step of StepContext::dt. Asked without a solve, from the present speeds and
+// fall, times `ahead`.
 bool mayClose(const Island& island, const StepContext& context, double ahead);
 // No tie carried force in the last step, and every point is open.
 bool touchesNothing(const Island& island, const StepContext& context);
-// Prepared rows of an island: its open points carry nothing in the coming solve, and stay as fresh as they were.
+// For prepared rows of an island: its open points carry nothing in the coming solve, and stay as fresh as they were.
 void leaveOut(Island& island, Ties ties, const StepContext& context);
-// In how many s the island's first open point closes; none: infinity. By StepContext::solved, which is how the island
-// would go on over `dt` s if its open points were not there.
+// In how many s the island's first open point closes; infinity if none does. By StepContext::solved, the island's
+// motion over `dt` s as if its open points were not there.
 double firstClosing(const Island& island, double dt, const StepContext& context);
 
-// Changes the velocities of the island's bodies by the impacts of the points that are closed, with friction and rebound: those
-// nearer than 20 micrometres, or than their approach takes them in `blink` s. Points that are hit are fresh afterwards.
-// Returns false, and changes nothing, if its solve left more than a hundredth of the forces unbalanced, or energy would rise.
+// Changes the velocities of the island's bodies by the impacts at closed points, with friction and rebound. A point is
+// closed if it is nearer than 20 micrometres, or than its approach takes it in `blink` s. Points that are hit are fresh
+// afterwards. Returns false, and changes nothing, if its solve left more than a hundredth of the forces unbalanced, or
+// if energy would rise.
 bool solveImpact(Island& island, Ties ties, BodySet& bodies, StepContext& context, double blink,
                  SolveStatistics& statistics, std::pmr::vector<ContactImpact>& impacts);
 

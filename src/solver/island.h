@@ -1,5 +1,5 @@
-// An island: dynamic bodies tied to each other, not through anything fixed. Holds all that its solve needs, numbered from
-// 0 and kept from step to step as long as the same bodies and ties make it up.
+// An island: dynamic bodies tied to each other, not through anything fixed. It has all that its solve needs, numbered
+// from 0 and kept from step to step as long as the same bodies and ties make it up.
 #pragma once
 #include <cstdint>
 #include <memory_resource>
@@ -14,45 +14,45 @@
 
 namespace brickfall {
 
-// Which part of its step an island makes: one that impacts cut (stage_impacts.cpp) makes several.
+// Which part of its step an island makes: an island that impacts cut (stage_impacts.cpp) makes several.
 enum class IslandPart : std::uint8_t {
-  last,      // what is left of its step, all of it if nothing cut it: a slow island is damped, and may rest
+  last,      // the rest of its step, or all of it if nothing cut it: a slow island is damped, and may rest
   between,   // an earlier part
-  toImpact,  // the same up to where a point closes: open points are left out, velocities are those of that moment
-  flight     // the same of an island that touches nothing
+  toImpact,  // a part until a point closes: open points are left out, velocities are those of that moment
+  flight     // the same for an island that touches nothing
 };
 
 struct Island {
-  // Islands come and go in a step: all their lists, and what is needed while they are solved, come from `memory`.
+  // Islands come and go in a step: all their lists, and the scratch of their solve, come from `memory`.
   explicit Island(std::pmr::memory_resource* from = std::pmr::get_default_resource()) : memory(from) {}
   std::pmr::memory_resource* memory;
 
   std::pmr::vector<BodyIndex> bodies{memory};    // dynamic, ascending
   std::pmr::vector<BodyIndex> partners{memory};  // fixed or kinematic bodies touched; motion[bodies.size() + i]
 
-  Rows rows{memory};                             // what ties them
+  Rows rows{memory};                             // the ties of its bodies
   std::pmr::vector<SolveMotion> motion{memory};  // bodies, then partners
   std::pmr::vector<SolveMass> masses{memory};    // bodies
   std::pmr::vector<Wrench> residual{memory};     // bodies
-  std::pmr::vector<float> loads{memory};         // N, bodies: half the sum of the forces that its rows exert on it
+  std::pmr::vector<float> loads{memory};         // N, bodies: half the sum of the forces that rows exert on the body
   std::pmr::vector<float> speeds{
       memory};  // m/s at the reference's scale, bodies: |v| + |w| outer radius at the start of the step
   Hierarchy hierarchy{memory};
-  double dt = 0;  // s: its time step: what is left of the world's after the impacts that it met (stage_impacts.cpp)
+  double dt = 0;  // s: its time step: the rest of the world's after the impacts that it met (stage_impacts.cpp)
   Vec3 origin;    // m, of SolveMass::position and Cluster::centre
   Vec3 travel;    // m: rigid displacement of this step that d and dFree leave out
 
   IslandPart part = IslandPart::last;
   Groups groups{memory};  // of its bodies, by the forces of this step
 
-  IslandFacts facts;  // of this step, or of the last in which it was not passed over
+  IslandFacts facts;  // of this step, or of the last one in which the island was not passed over
   SolvePlan plan;
   IslandEnding ending = IslandEnding::unsolved;
-  std::int32_t points = 0, touchingPoints = 0;  // counted in the last step that was not passed over
-  // Bodies: where a slow island was when its present watch began; empty = none.
+  std::int32_t points = 0, touchingPoints = 0;  // counted in the last step in which the island was not passed over
+  // Bodies: poses of a slow island when its present watch began; empty = none.
   std::pmr::vector<Transform> placePoses{memory};
   double slipWork = 0;     // J, that sliding points took in the last step
-  double inPlaceTime = 0;  // s, since then
+  double inPlaceTime = 0;  // s, since the watch began
   double restTime = 0;     // s, rested without a break
 
   BodyIndex key() const { return bodies.front(); }
@@ -60,7 +60,7 @@ struct Island {
   bool toImpact() const { return part == IslandPart::toImpact || part == IslandPart::flight; }
   bool resting() const { return isResting(ending); }
   bool settled() const { return isSettled(ending); }
-  // Something about it changed from outside: the coming step looks at it again, and a watch of its place begins anew.
+  // The island was changed from outside: the coming step looks at it again, and a watch of its place begins anew.
   void unsettle() {
     placePoses.clear();
     if (settled()) ending = IslandEnding::rested;

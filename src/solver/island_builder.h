@@ -1,4 +1,4 @@
-// Which bodies hang together: islands from what ties them, kept from step to step where nothing changed.
+// Which bodies their ties join: islands, kept from step to step where nothing changed.
 #pragma once
 #include <memory>
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace brickfall {
 
-// An island lies in the memory that it uses itself.
+// An island lies in the same memory that it uses.
 struct IslandDeleter {
   void operator()(Island* island) const;
 };
@@ -24,7 +24,7 @@ struct IslandSet {
   void keepRoom(std::size_t dynamicBodies);
 };
 
-// Joins awake bodies by their links. An island whose bodies and ties are those of an old one is that old one, with its
+// Joins awake bodies by their links. An island with the bodies and ties of an old one stays the old object, with its
 // hierarchy.
 void buildIslands(IslandSet& islands, Ties ties, const StepContext& context, const std::vector<BodyIndex>& awakeBodies);
 

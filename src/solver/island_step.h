@@ -1,9 +1,9 @@
-// The step of an island, stage by stage: the one place that says what is done with it, and in which order. A world
-// takes all its islands through a stage before the next (world/stage_prepare.cpp and others), so that each stage has
-// its time, its hash and its line in the ledger. Parts that impacts cut off a step (world/stage_impacts.cpp) go through
-// all of them at once, and so do tests.
+// The step of an island, stage by stage: the one place that says which work is done with an island, and in which order.
+// A world takes all its islands through a stage before the next (world/stage_prepare.cpp and others), so that each
+// stage has its time, its hash and its line in the ledger. Parts that impacts cut off a step (world/stage_impacts.cpp)
+// go through all stages at once, and so do tests.
 //
-// Island::part and Island::dt say which part of its step an island makes, and how long that is. A settled island is
+// Island::part and Island::dt say which part of its step an island makes, and how long the part is. A settled island is
 // passed over.
 #pragma once
 #include "solver/island.h"
@@ -23,7 +23,7 @@ void solveIsland(Island& island, const StepContext& context, SolveStatistics& st
 // Forces go to the ties, motions to StepContext::solved, those of free flight and of bodies alone to second order.
 void storeIsland(Island& island, Ties ties, StepContext& context);
 
-// The last check, once, when nothing changes the motion any more. Returns the energy that it took, J.
+// The last check, once, after every other change of the motion. Returns the energy that it took, J.
 double balanceIsland(const Island& island, StepContext& context);
 
 // All stages, one after the other, for a part of `dt` s. Moves no body: StepContext::solved says where the part leads.

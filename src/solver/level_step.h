@@ -1,9 +1,9 @@
 // All clusters of a level at once: one Newton step of the island as if each of them were rigid.
 //
-// What a wall does as a whole (it sways, leans, is pushed along) single bodies find only slowly, each from its neighbours. The step
-// finds it for all of them; what is bent or parted within the clusters is left to the bodies. As with single bodies, the matrix is
-// kept while its steps end well: one that is too long is tried again with a new matrix before anything is searched, and after
-// one that is too short the next is made anew.
+// Single bodies find the motion of a wall as a whole (it sways, leans, is pushed along) only slowly, each from its
+// neighbours. The step finds it for all of them; bending and parting within the clusters is left to the bodies. As with
+// single bodies, the matrix is kept while its steps end well. A step that is too long is tried again with a new matrix
+// before anything is searched. After a step that is too short the next matrix is made anew.
 #pragma once
 #include <memory_resource>
 #include <optional>
@@ -29,7 +29,7 @@ class LevelStep {
   Island& island_;
   const Hierarchy& hierarchy_;
   std::optional<LevelSystem> system_;
-  bool valid_ = false;                  // its matrix
+  bool valid_ = false;                  // the matrix
   Wrenches residuals_, step_;           // by cluster
   std::pmr::vector<SolveMotion> from_;  // by body
 };

@@ -7,11 +7,12 @@ namespace brickfall {
 
 namespace {
 
-//! products of blocks for each row of the island | too small: long walls take more iterations | too large: cost of factors
+//! products of blocks for each row of the island | too small: long walls take more iterations
+//! | too large: cost of factors
 constexpr double kMostProducts = 2;  // in a factorisation of the coarse level
-//! - | too small: steps that do not fit the whole | too large: cost of what the next step finds again
+//! - | too small: steps that do not fit the whole | too large: cost of motion that the next step finds again
 constexpr int kMostIterations = 4, kMostIterationsSmall = 20;
-//! of the error | too small: cost of what the next step finds again | too large: steps that do not fit the whole
+//! of the error | too small: cost of motion that the next step finds again | too large: steps that do not fit the whole
 constexpr double kSolvedTo = 0.2, kSolvedToSmall = 1e-3;
 
 using wide::cross3;
@@ -41,7 +42,7 @@ BlockRows::Block inertiaOf(const Cluster& c) {
 
 }  // namespace
 
-// What a row answers, at its centre, to the six motions of a cluster whose centre is `arm` away.
+// A row's answer, at its centre, to the six motions of a cluster whose centre is `arm` away.
 struct LevelSystem::Motions {
   V force[6], torque[6];
 
@@ -60,7 +61,7 @@ struct LevelSystem::Motions {
     torque[4] += z * s.B[0] - x * s.B[2];
     torque[5] += x * s.B[1] - y * s.B[0];
   }
-  // On the cluster that moves (sign 1), or on the row's other end (-1), about its centre.
+  // Adds the action on the moving cluster (sign 1), or on the row's other end (-1), about its centre.
   void addTo(BlockRows::Block& block, V arm, float sign) const {
     for (int j = 0; j < 6; j++) {
       Wrench& to = block.of[j];
@@ -96,7 +97,7 @@ LevelSystem::LevelSystem(const Island& island, const Hierarchy& hierarchy)
     });
   });
   matrix_.shape(std::move(neighbours));
-  // The finest that is cheap enough; the last has one cluster.
+  // The finest level that is cheap enough; the last has one cluster.
   for (std::size_t l = 2; l < hierarchy.levels.size(); l++)
     if (chooseCoarse(hierarchy.levels[l], kMostProducts * double(island.rows.size()))) break;
 }
@@ -149,7 +150,7 @@ bool LevelSystem::make() {
   return matrix_.factor() && factor_.factor();
 }
 
-// From the cluster's centre to that of the row.
+// From the cluster's centre to the row's centre.
 V LevelSystem::armFrom(const Level& level, std::uint32_t cluster, std::uint32_t body, V arm) const {
   return arm + (wide::load3(island_.masses[body].position) - wide::load3(level.clusters[cluster].centre));
 }

@@ -1,10 +1,11 @@
 // Newton's equations of all clusters of a level together, each as a rigid body:
 //
-//   (mass and inertia / dt^2 + stiffness of the rows between clusters, and to what is fixed) x = residuals
+//   (mass and inertia / dt^2 + stiffness of the rows between clusters, and to fixed bodies) x = residuals
 //
-// Solved by conjugate gradients. Clusters that touch are settled against each other by Gauss-Seidel sweeps; what many of them must
-// do together by a coarser level, with clusters so few that its matrix is factored (two-grid preconditioner: Briggs, Henson and
-// McCormick, A Multigrid Tutorial, 2000). One to three iterations take a hit wall of any length to a fifth of the error.
+// Solved by conjugate gradients. Gauss-Seidel sweeps settle clusters that touch against each other. A coarser level
+// finds the motion that many clusters must make together, with so few clusters that its matrix is factored. (Two-grid
+// preconditioner: Briggs, Henson and McCormick, A Multigrid Tutorial, 2000.) One to three iterations take a hit wall of
+// any length to a fifth of the error.
 #pragma once
 #include <memory_resource>
 #include <vector>
@@ -17,13 +18,13 @@ namespace brickfall {
 
 class LevelSystem {
  public:
-  // Of the first level above the bodies: the island has more than one.
+  // For the first level above the bodies: the island has more than one level.
   LevelSystem(const Island& island, const Hierarchy& hierarchy);
   const Level& level() const { return fine_; }
-  // Makes the matrix at the present motion; open points that are near count as closed. False if it is not positive definite.
+  // Makes the matrix at the present motion; near open points count as closed. False if it is not positive definite.
   bool make();
-  // x: about the solution, good enough for a step that is to be followed by others. Nearer to it in small islands, which are to be
-  // solved to the end.
+  // x: about the solution, good enough for a step that is to be followed by others. It is nearer to the solution in
+  // small islands, which are to be solved to the end.
   void solve(const Wrenches& right, Wrenches& x);
 
  private:
@@ -43,7 +44,7 @@ class LevelSystem {
   const Level* coarse_ = nullptr;
   BlockRows matrix_;                              // of fine_
   BlockEnvelope factor_;                          // of *coarse_
-  std::pmr::vector<std::uint32_t> above_;         // by cluster of fine_: that of *coarse_ which it is part of
+  std::pmr::vector<std::uint32_t> above_;         // by cluster of fine_: the cluster of *coarse_ that it is part of
   std::pmr::vector<std::uint32_t> places_;        // by cluster of *coarse_: its place in factor_
   std::pmr::vector<double> coarseX_;              // by place
   Wrenches left_, better_, direction_, product_;  // of conjugate gradients, by cluster

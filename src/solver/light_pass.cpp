@@ -9,7 +9,7 @@
 
 namespace brickfall {
 
-//! not of the method: what lies in the nearest cache
+//! not of the method: rows that lie in the nearest cache
 constexpr std::size_t kRowsAtATime = 32;
 
 void lightPass(Island& island, bool renewBounds, double& visits) {

@@ -28,7 +28,7 @@ struct MatrixSums {
     if (two) sum += highOf(pair);
   }
 
-  // Of two rows side by side (math/wide_pair.h), or only of that in the low half.
+  // Adds two rows side by side (math/wide_pair.h), or only the row in the low half.
   template <class L> BRICKFALL_LANES void add(const StiffnessOf<L>& k, L r, bool two) {
     L rA[3], rBk[3];
     crossRows(r, k.A, rA);

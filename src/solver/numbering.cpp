@@ -25,7 +25,7 @@ std::pmr::vector<std::uint32_t> nearPlaces(const Adjacency& adjacency) {
     seen.assign(n, 0);
     order.clear();
     visitFrom(first);
-    for (std::uint32_t i = 0; i < n; i++) visitFrom(i);  // what does not hang together with the first
+    for (std::uint32_t i = 0; i < n; i++) visitFrom(i);  // bodies that no tie joins to the first
   }
   for (std::uint32_t k = 0; k < order.size(); k++) places[order[k]] = n - 1 - k;
   return places;

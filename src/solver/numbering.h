@@ -1,4 +1,4 @@
-// Who is next to whom, and numbers by which neighbours are near each other.
+// Which bodies are neighbours, and numbers by which neighbours are near each other.
 #pragma once
 #include <cstdint>
 #include <memory_resource>
@@ -6,14 +6,15 @@
 
 namespace brickfall {
 
-// Neighbours of each of some bodies or clusters, by number: those of i are list[begin[i]] .. list[begin[i + 1] - 1], each once,
-// in the order in which ties name them.
+// Neighbours of each of some bodies or clusters, by number. Those of i stand in list[begin[i]] .. list[begin[i + 1] -
+// 1], each once, in the order in which ties name them.
 struct Adjacency {
   explicit Adjacency(std::pmr::memory_resource* memory) : begin(memory), list(memory) {}
   std::pmr::vector<std::uint32_t> begin, list;
 
   std::uint32_t count() const { return std::uint32_t(begin.size()) - 1; }
-  // eachTie(visit) calls visit(a, b), a other than b, for each tie between two of `count`; a pair may be named many times.
+  // eachTie(visit) calls visit(a, b), a other than b, for each tie between two of `count`. A pair may be named many
+  // times.
   template <class EachTie> void fill(std::uint32_t count, EachTie eachTie) {
     std::pmr::memory_resource* memory = list.get_allocator().resource();
     std::pmr::vector<std::uint32_t> room(count + 1, 0, memory), found(count, 0, memory);
@@ -42,10 +43,11 @@ struct Adjacency {
   }
 };
 
-// Reverse Cuthill-McKee: outwards from one that is far from the others (twice the last of a breadth-first sweep). By number: its
-// place.
+// Reverse Cuthill-McKee: outwards from a body that is far from the others (twice the last of a breadth-first sweep).
+// The place of each number.
 std::pmr::vector<std::uint32_t> nearPlaces(const Adjacency& adjacency);
-// By place: the lowest place of a neighbour, or its own. What a symmetric matrix has left of that is 0 (block_envelope.h).
+// By place: the lowest place of a neighbour, or its own. Entries of a symmetric matrix left of that place are 0
+// (block_envelope.h).
 std::pmr::vector<std::uint32_t> lowestPlaces(const Adjacency& adjacency, const std::pmr::vector<std::uint32_t>& places);
 
 }  // namespace brickfall

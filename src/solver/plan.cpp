@@ -13,21 +13,24 @@ namespace {
 //! m/s | too small: late collapses | too large: cost
 constexpr double kDirectSpeed = 1;  // m/s: grounded islands of dozens of bodies are solved directly if none is faster
 //! m/s | too small: walls that sway are softened, and sag | too large: debris does not converge
-constexpr double kDebrisSpeed = 0.5;  // m/s: in a large island with a faster body, contacts of what moves are soft
-//! x `maxCycles` | too small: what many bodies are out of balance in stays so: it is shaken on, and rests late | too large: cost
+constexpr double kDebrisSpeed = 0.5;  // m/s: in a large island with a faster body, contacts of moving bodies are soft
+//! x `maxCycles` | too small: large islands that are widely out of balance stay so: they shake on, and rest late
+//! | too large: cost
 constexpr int kMostCycles = 3;  // while many bodies of a large island are out of balance
-//! of its heaviest body | too small: light blocks under a great load tilt and slip out | too large: floats round away balance
-constexpr double kHeavyShare = 0.01;  // effective mass of the softest joint of a small island
-//! - | too small: Newton's method starts far off | too large: cost of what it does better
+//! of its heaviest body | too small: light blocks under a great load tilt and slip out
+//! | too large: floats round away balance
+constexpr double kHeavyShare = 0.01;  // effective mass of the softest contact of a small island
+//! - | too small: Newton's method starts far off | too large: cost of cycles in place of better Newton steps
 constexpr int kCyclesBeforeDirect = 1;  // of exact steps
-//! m/s | too small: what rocks by itself rests late | too large: what rolls up a slope turns back too early
+//! m/s | too small: a body that rocks by itself rests late
+//! | too large: a ball that rolls up a slope turns back too early
 constexpr double kAloneSpeed = 5e-4;  // of a body alone, which may be stopped
 //! weights | too small: cost | too large: large walls creep before they rest
 constexpr double kStandingTolerance = 1e-2;  // weights: of a body in a large slow island
 
-// Small islands are cheap: they take exact steps, since open points counted as closed delay their collapses, and are
-// stiffer when calm, since they converge all the same. Larger ones would lose walls by it. A body alone: its cycle is the
-// whole Newton step.
+// Small islands are cheap. They take exact steps, since open points counted as closed delay their collapses. They are
+// stiffer when calm, since they converge all the same. Larger islands would lose walls by it. A body alone: its cycle
+// is the whole Newton step.
 //! not of the method: docs/step.md prints the table
 constexpr std::size_t kAny = std::size_t(-1);
 constexpr PlanRow kRows[] = {
@@ -50,8 +53,8 @@ const PlanRow& rowOf(const IslandFacts& facts) {
                        [&](const PlanRow& row) { return facts.bodies <= row.mostBodies && (slow || !row.onlySlow); });
 }
 
-// m: the median of the inner radii. Neither a shard between blocks decides for all of them nor a ball that outweighs the wall that
-// it hits, as the least size or a mean by mass would.
+// m: the median of the inner radii. By the least size a shard between blocks would decide for all of them. By a mean by
+// mass a ball would that outweighs the wall that it hits.
 double typicalSize(const Island& island, const BodySet& bodies) {
   std::pmr::vector<double> sizes(island.memory);
   sizes.reserve(island.bodies.size());
@@ -77,7 +80,7 @@ IslandFacts findFacts(const Island& island, const StepContext& context) {
     facts.energy += bodies.kineticEnergy(body);
     facts.heaviest = std::max(facts.heaviest, bodies.mass[body].mass);
     const double unit = facts.scale.ofBody(bodies.mass[body].innerRadius).speed;
-    double speed = length(m.linearVelocity);  // what is not a number is not slow
+    double speed = length(m.linearVelocity);  // a speed that is not a number is not slow
     takeLarger(facts.fastestCentre, speed / unit);
     double withSpin = speed + length(m.angularVelocity) * bodies.mass[body].outerRadius;
     takeLarger(facts.fastest, withSpin / unit);

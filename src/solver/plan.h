@@ -1,4 +1,5 @@
-// How an island is treated in a step: facts, found once before anyone reads them; a plan made of them by one table; an ending.
+// How an island is treated in a step: its facts, found once before anyone reads them; a plan made of the facts by one
+// table; an ending.
 //
 // The table (plan.cpp) is the only place that decides by an island's size or speed. docs/step.md prints it, and a test
 // compares the two.
@@ -18,7 +19,7 @@ class BodySet;
 struct Island;
 struct StepContext;
 
-// At the start of a step.
+// Facts at the start of a step.
 struct IslandFacts {
   std::size_t bodies = 0;
   bool grounded = false;      // touches something fixed or kinematic
@@ -31,7 +32,7 @@ struct IslandFacts {
   double energyBefore = 0;    // J, at the start of the last step
 };
 
-// One row of the table: the first that an island fits decides.
+// One row of the table: the first row that an island fits decides.
 struct PlanRow {
   std::string_view islands;  // in words
   std::size_t mostBodies;
@@ -39,7 +40,7 @@ struct PlanRow {
   bool exactSteps;       // open points are left out of the matrix and searched for instead
   float calmStiffening;  // x restingStiffness while the island is calm
   bool direct;           // Newton on all bodies at once, after the first cycles
-  bool large;  // never solved to the end: residuals are judged by what each body carries, not by its weight alone
+  bool large;            // never solved to the end: residuals are judged by each body's load, not by its weight alone
 };
 std::span<const PlanRow> planRows();
 
@@ -47,29 +48,29 @@ struct SolvePlan {
   bool alone = false;  // one body
   bool slow = false;   // grounded, partners still, no body faster than restSpeed: it may be stopped and put to rest
   bool mayBeStopped = false;  // slow, and no body alone that may be rolling up a slope
-  bool sways = false;  // large, supported, not slow and no body faster than kMovingSpeed: a vibration of it is ended
-  bool exactSteps = false;    // see PlanRow
-  bool direct = false;        // see PlanRow
-  bool large = false;         // see PlanRow
-  bool startsFree = true;     // from free motion; else with as much of its fall as each body had
-  bool softDebris = false;    // contacts of what moves in it have impactStiffness
+  bool sways = false;       // large, supported, not slow, no body faster than kMovingSpeed: a vibration of it is ended
+  bool exactSteps = false;  // see PlanRow
+  bool direct = false;      // see PlanRow
+  bool large = false;       // see PlanRow
+  bool startsFree = true;   // from free motion; else with as much of its fall as each body had
+  bool softDebris = false;  // contacts of moving bodies in it have impactStiffness
   double calmStiffening = 1;  // x restingStiffness
-  double leastMass = 0;       // kg: contacts are as firm as between bodies of that effective mass
+  double leastMass = 0;       // kg: contacts are as firm as between bodies of this effective mass
   double tolerance = 0;       // weights: residual under which a body is left alone
   int minCycles = 0, maxCycles = 0;
   int mostCycles = 0;  // while many of its bodies are out of balance
 };
 
 IslandFacts findFacts(const Island& island, const StepContext& context);
-// Each body's kinetic energy, for the facts of the next step.
+// Keeps each body's kinetic energy for the facts of the next step.
 void keepEnergies(const Island& island, BodySet& bodies);
 SolvePlan planFor(const IslandFacts& facts, const SolverSettings& settings, double dt);
 
-// It stays where it is in this step.
+// The island stays where it is in this step.
 constexpr bool isResting(IslandEnding e) {
   return e == IslandEnding::rested || e == IslandEnding::inPlace || e == IslandEnding::settled;
 }
-// Nothing about it changes: the coming step passes it over.
+// Nothing about the island changes: the coming step passes it over.
 constexpr bool isSettled(IslandEnding e) { return e == IslandEnding::inPlace || e == IslandEnding::settled; }
 
 }  // namespace brickfall

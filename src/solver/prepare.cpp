@@ -14,7 +14,8 @@ void writeInertia(SolveMass& out, const Mat3& world, double perDt2) {
   out.inertia[5] = float(world.row[2].z * perDt2);
 }
 
-// Where the island as a whole goes: left out of d, so that a fast island in flight is solved as finely as one at rest.
+// Way of the island as a whole. It is left out of d, so that a fast island in flight is solved as finely as one at
+// rest.
 Vec3 rigidTravel(const Island& island, const StepContext& context) {
   if (island.grounded()) return {};
   Vec3 moment;

@@ -1,12 +1,12 @@
-// From contacts and bodies to what the solve reads.
+// From contacts and bodies to the input of the solve.
 #pragma once
 #include "solver/island.h"
 
 namespace brickfall {
 
-// Body constants and free motions of the island.
+// Sets body constants and free motions of the island.
 void prepareBodies(Island& island, const StepContext& context);
-// What the rows read in the solve, from what they remember and how their bodies lie.
+// Sets the rows that the solve reads, from the memory of their ties and the poses of their bodies.
 void prepareRows(Island& island, Ties ties, const StepContext& context);
 
 }  // namespace brickfall

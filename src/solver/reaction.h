@@ -1,6 +1,6 @@
-// What a row, of whatever kind, does at the present motion. A row ties two bodies at its centre: with u their relative
-// displacement there and w their relative turn (both of B against A, world axes), it answers with a force and a torque about
-// the centre and, where a Newton step needs it, with its stiffness against u and w.
+// How a row of any kind acts at the present motion. A row ties two bodies at its centre. Let u be their relative
+// displacement there and w their relative turn (both of B against A, world axes). The row answers with a force and a
+// torque about the centre and, where a Newton step needs it, with its stiffness against u and w.
 #pragma once
 #include <cstdint>
 
@@ -13,7 +13,7 @@ struct RowEnds {
   std::uint32_t a = 0, b = 0;
 };
 
-// N: what a row pressed B with in the last step, and by how much it could hold it along its surface.
+// N: the force with which a row pressed B in the last step, and the largest friction that it allowed along its surface.
 struct RowGrip {
   Vec3 force;
   double friction = 0;
@@ -24,18 +24,19 @@ struct Arms {
   wide::V a, b;
 };
 
-// On B (the opposite on A), with the arms from the bodies' centres of mass to the row's centre. World axes, N and N m.
+// The action on B (the opposite on A), with the arms from the bodies' centres of mass to the row's centre. World axes,
+// N and N m.
 struct Reaction {
   wide::V force, torque;
   wide::V armA, armB;
 };
 
-// What a row was read to do: on B, about the row's centre.
+// A row's action as it was last read: on B, about the row's centre.
 struct Reading {
   wide::V force, torque;
 };
 
-// By rows: [A B; B^T C], A and C symmetric. Of one row, or of two side by side (math/wide_pair.h).
+// By rows: [A B; B^T C], A and C symmetric. For one row, or for two side by side (math/wide_pair.h).
 template <class L> struct StiffnessOf { L A[3], B[3], C[3]; };
 using Stiffness = StiffnessOf<wide::V>;
 

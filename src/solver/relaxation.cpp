@@ -16,35 +16,39 @@ namespace {
 
 //! - | too small: bodies that hang by one corner take all cycles | too large: cost
 constexpr int kRounds = 3, kRoundsSmall = 1;  // sweeps over the bodies in a cycle, forwards and backwards in turn
-//! - | too small: what flips open and shut is left to the next round | too large: cost
+//! - | too small: a body whose points flip open and shut is left to the next round | too large: cost
 constexpr int kExactSteps = 4;  // of one body in a row
-//! - | too small: cost | too large: bodies are taken up again and again; what slides alone is a little off
-constexpr float kGoal = 0.3f, kGoalExact = 0.01f;  // x what a body may be left with: its own steps end there
-//! - | too small: steps and searches among the rounding of forces: cost | too large: small islands start the direct solve far off
+//! - | too small: cost | too large: bodies are taken up again and again; a body that slides alone is a little off
+constexpr float kGoal = 0.3f, kGoalExact = 0.01f;  // x a body's allowed residual: its own steps end there
+//! - | too small: steps and searches among the rounding of forces: cost
+//! | too large: small islands start the direct solve far off
 constexpr float kFloatsTell = 0x1p-21f;  // of the forces on a body: floats tell its residual no better
 //! - | too small: bodies are polished while all around them still moves: cost | too large: more cycles
 constexpr float kLessened = 0.25f;  // of the residual's square: exact steps in a large island end there, too
-//! - | too small: standing walls are searched through: cost | too large: what hangs is not found
-constexpr float kBarely = 0.5f;  // a step that leaves so much of the residual's square has not found the way
-//! - | too small: new points slide under bounds that are not theirs | too large: bounds and forces chase each other
-constexpr int kBoundCycles = 2;  // in which the friction bounds of new points follow
-//! - | too small: what is dropped is left unbalanced | too large: friction of what opens for a moment is lost
-constexpr int kDropCycles = 3;  // the last ones, in which new points that have opened lose theirs
-//! weights | too small: cost | too large: what is flung about is left unbalanced
-constexpr float kMovingWeights = 2.5f;  // x tolerance: what a body that moves faster is left with, if it carries little
+//! - | too small: standing walls are searched through: cost | too large: bodies that hang are not found
+constexpr float kBarely = 0.5f;  // of the residual's square: a step that leaves so much has not found the way
+//! - | too small: new points slide under friction limits that are not theirs
+//! | too large: friction limits and forces chase each other
+constexpr int kBoundCycles = 2;  // in which the friction limits of new points follow
+//! - | too small: bodies at dropped points are left unbalanced
+//! | too large: points that open for a moment lose their friction
+constexpr int kDropCycles = 3;  // the last ones: in these, new points that have opened lose their friction
+//! weights | too small: cost | too large: bodies that are flung about are left unbalanced
+constexpr float kMovingWeights = 2.5f;  // x tolerance: what a faster, lightly loaded body may be left with
 
-//! - | too small: what stands is thrown out of balance at its foot | too large: momentum on smooth ground drifts
-constexpr float kFree = 0.2f;  // of the way that a force would move it with nothing there: then it counts as free
+//! - | too small: standing islands are thrown out of balance at their foot
+//! | too large: momentum on smooth ground drifts
+constexpr float kFree = 0.2f;  // of a force's way without contacts: an island that a force moves further is free
 //! - | too small: cycles of rounding are taken for progress: cost | too large: slow ways to balance are given up
-constexpr float kBetter = 0.8f;  // of the least square of residuals
+constexpr float kBetter = 0.8f;  // of the least square of residuals: a cycle that leaves more is no better
 //! - | too small: a body whose points open and close is given up | too large: cost
 constexpr int kMostStalled = 4;  // cycles of a body alone that are no better
 
-//! of the bodies | too small: cost | too large: what few are out of balance in is left so
-constexpr double kManyOut = 0.05;  // more of them than that are worth cycles beyond maxCycles
+//! of the bodies | too small: cost | too large: residuals of a few bodies are left as they are
+constexpr double kManyOut = 0.05;  // more bodies out of balance are worth cycles beyond maxCycles
 
 //! of all rows, read in a cycle | too small: cost where few bodies move | too large: slow settling is not seen through
-constexpr double kWorthReading = 1;  // then moving all at once in the next one, which reads all of them, pays
+constexpr double kWorthReading = 1;  // beyond it, moving all at once in the next cycle pays, though it reads all rows
 
 class Relaxation {
  public:
@@ -66,14 +70,15 @@ class Relaxation {
     for (int cycle = 0; goesOn(cycle) && !done; cycle++) {
       statistics_.cycles++;
       bool changed = sweep(cycle);
-      // Small islands are read anew, which costs little: under large forces what is followed is off by their rounding.
+      // Small islands are read anew, which costs little: under large forces, residuals that only follow are off by
+      // their rounding.
       if (!island_.plan.large)
         forces_.readAll();
       else if (cycle < kBoundCycles)
         changed = forces_.renewBounds() || changed;
       findAllowed();
       countOut();
-      // More cycles would find nothing.
+      // More cycles would find nothing to do.
       const bool idle = island_.plan.large && !changed && out_ == 0;
       done = out_ == 0 && (idle || cycle + 1 >= island_.plan.minCycles);
       bool ends = done || cycle + kDropCycles >= island_.plan.maxCycles;
@@ -82,7 +87,7 @@ class Relaxation {
     }
     if (island_.grounded() && !island_.plan.exactSteps && (!island_.plan.slow || slides(island_, context_)))
       moveAsOne();
-    // What was moved as one may have left others out.
+    // The step of the whole island may have put bodies out of balance.
     if (done && island_.plan.large) {
       findAllowed();
       countOut();
@@ -91,8 +96,8 @@ class Relaxation {
   }
 
  private:
-  // What is out of balance by less than this (N) is left alone. Standing bodies are judged by their weight, even those that
-  // carry much, or bricks would hang at the foot of a wall.
+  // Sets each body's allowed residual (N): a body with less is left alone. Standing bodies are judged by their weight,
+  // even heavily loaded ones, or bricks would hang at the foot of a wall.
   void findAllowed() {
     forces_.findLoads();
     float tolerance = float(island_.plan.tolerance);
@@ -103,7 +108,7 @@ class Relaxation {
     if (moves(i)) return measureOf(island_, *context_.bodies, i, 1, kMovingWeights);
     return measureOf(island_, *context_.bodies, i, kLoadShare);
   }
-  // Where a wall sways, points open for a moment, and their friction holds it.
+  // Only for moving bodies: where a wall sways, points open for a moment, and their friction keeps it standing.
   bool dropBounds() {
     auto flies = [this](std::uint32_t body) { return body < allowed_.size() && moves(body); };
     return forces_.dropBounds([&](RowEnds ends) { return flies(ends.a) || flies(ends.b); });
@@ -119,12 +124,14 @@ class Relaxation {
     out_ = 0;
     for (std::size_t i = 0; i < allowed_.size(); i++) out_ += !balanced(i);
   }
-  // Where many bodies are out of balance, what a step leaves undone shakes them in the next ones: more cycles now are fewer then.
+  // Where many bodies are out of balance, the undone motion of a step shakes them in the next ones: more cycles now are
+  // fewer then.
   bool goesOn(int cycle) const {
     bool many = double(out_) > kManyOut * double(allowed_.size());
     return cycle < island_.plan.maxCycles || (many && cycle < island_.plan.mostCycles);
   }
-  // A cycle of a body alone is all of Newton's method: where rounding leaves it out of balance, more of them change nothing.
+  // A cycle of a body alone is all of Newton's method. Where rounding leaves the body out of balance, more cycles
+  // change nothing.
   bool stalls() {
     if (!island_.plan.alone) return false;
     float now = squareOf(0);
@@ -132,7 +139,7 @@ class Relaxation {
     least_ = std::min(least_, now);
     return stalled_ > kMostStalled;
   }
-  // For comparison of one body's: torque as a force at its inner radius.
+  // To compare residuals of one body: a torque counts as a force at its inner radius.
   float squareOf(std::size_t i) const {
     const Wrench& g = island_.residual[i];
     float r = innerRadius(i);
@@ -147,7 +154,8 @@ class Relaxation {
     return true;
   }
 
-  // All at once, then one by one. On few bodies the direct solve that follows does the first. True if anything was moved.
+  // Moves all clusters at once, then the bodies one by one. In islands of few bodies the direct solve that follows does
+  // the first. True if any body was moved.
   bool sweep(int cycle) {
     const bool large = island_.plan.large, few = island_.plan.direct && island_.plan.exactSteps;
     const bool together = !few && island_.hierarchy.levels.size() > 1 && (!large || cycle == 0 || worthReading_);
@@ -168,7 +176,7 @@ class Relaxation {
     return moved || sides > 0;
   }
 
-  // Of the level that is moved at once.
+  // Whether a cluster is out of balance, of the level that is moved at once.
   bool clustersOut() const {
     const Level& level = island_.hierarchy.levels[1];
     return std::any_of(level.clusters.begin(), level.clusters.end(), [&](const Cluster& cluster) {
@@ -177,7 +185,7 @@ class Relaxation {
     });
   }
 
-  // True if any was out of balance.
+  // True if any body was out of balance.
   bool singleSweep(bool backwards) {
     const Level& level = island_.hierarchy.levels[0];
     std::size_t count = level.clusters.size();
@@ -193,8 +201,8 @@ class Relaxation {
     return any;
   }
 
-  // What stands takes a step that counts near points as closed, and exact ones only if that found hardly any way: then it hangs
-  // by points that are open. What moves takes exact ones at once.
+  // A standing body takes a step that counts near points as closed. It takes exact steps only if that step found hardly
+  // any way: then it hangs by open points. A moving body takes exact steps at once.
   void solveBody(const Level& level, const Cluster& cluster, ClusterFactor& factor, std::uint32_t body) {
     if (!island_.plan.exactSteps && !moves(body)) {
       float before = squareOf(body);
@@ -208,8 +216,8 @@ class Relaxation {
     }
   }
 
-  // The momentum of what slides on smooth ground is the whole island's: one exact step of it. Where the ground holds it, that
-  // would only be pressed on the bodies that stand there; so it would where the whole is slow, and does not slide.
+  // On smooth ground the island as a whole takes one exact Newton step, which makes its momentum exact. Not where
+  // friction holds it, where the step would only load the bodies at its foot; nor while it is slow and does not slide.
   void moveAsOne() {
     const Level& top = island_.hierarchy.levels.back();
     for (const Cluster& cluster : top.clusters) {
@@ -220,7 +228,7 @@ class Relaxation {
         step(top, cluster, exact, residualOf(island_, top, cluster), true);
     }
   }
-  // m/N: how far a force along x, y or z moves it at most.
+  // m/N: how far a force along x, y or z moves the island at most.
   static float freest(const Symmetric6& factor) {
     return std::max({factor.solve({{1, 0, 0}, {}}).force.x, factor.solve({{0, 1, 0}, {}}).force.y,
                      factor.solve({{0, 0, 1}, {}}).force.z});
@@ -233,10 +241,10 @@ class Relaxation {
   Acceleration acceleration_;
   LevelStep together_;
   std::pmr::vector<float> allowed_;                       // N, by body
-  float least_ = std::numeric_limits<float>::infinity();  // N2, of a body alone: what a cycle left at best
-  int stalled_ = 0;                                       // cycles since
+  float least_ = std::numeric_limits<float>::infinity();  // N2, of a body alone: the least square left by a cycle
+  int stalled_ = 0;                                       // cycles since that one
   std::size_t out_ = 0;                                   // bodies out of balance
-  bool worthReading_ = false;                             // the last cycle moved so much
+  bool worthReading_ = false;                             // the last cycle moved enough to read all rows again
   std::pmr::vector<ClusterFactor> factors_;               // by body
   std::pmr::vector<ClusterFactor> exactFactors_;          // by body, of exact steps
 };

@@ -1,11 +1,12 @@
-// What a row does to the residuals of its bodies.
+// Adds a row's action to the residuals of its bodies.
 #pragma once
 #include "solver/reaction.h"
 #include "solver/solve_body.h"
 
 namespace brickfall {
 
-// A row's force and torque on B, about its centre, onto the residuals of those of its ends that are the island's own.
+// Adds a row's force and torque on B, about its centre, to the residuals of those of its ends that are the island's
+// own.
 BRICKFALL_LANES void addTo(Wrench* residual, std::uint32_t bodies, RowEnds ends, Arms arms, wide::V force,
                            wide::V torque) {
   if (ends.a < bodies) {

@@ -11,10 +11,10 @@ namespace brickfall {
 
 namespace {
 
-//! - | too small: what rubs a little sways for longer | too large: slow slides stop short
-constexpr double kSlide = 0.5;  // of the loss of kinetic energy, that sliding friction took
-//! - | too small: what rolls on a wall is stopped | too large: walls sway for longer
-constexpr double kSwing = 0.01;  // of the kinetic energy: loses it more in a step, a wall has swung through its middle
+//! - | too small: bodies that rub a little sway for longer | too large: slow slides stop short
+constexpr double kSlide = 0.5;  // of the loss of kinetic energy: share that sliding friction took
+//! - | too small: a ball that rolls on a wall is stopped | too large: walls sway for longer
+constexpr double kSwing = 0.01;  // of the kinetic energy: if a step takes more, a wall has swung through its middle
 
 }  // namespace
 
@@ -22,10 +22,10 @@ void dampSlowIsland(const Island& island, const StepContext& context, BodySet& b
   const double lost = island.facts.energyBefore - island.facts.energy;
   if (!(island.plan.mayBeStopped && lost > 0) && !(island.plan.sways && lost > kSwing * island.facts.energyBefore))
     return;
-  // What friction takes from the slide of a body alone is no vibration, nor what its height takes when it rolls up a slope: both end
-  // by themselves. Towers rub somewhere whenever they sway.
+  // Two losses of a body alone are no vibration: friction that slows its slide, and height that it gains when it rolls
+  // up a slope. Both end by themselves. Towers rub somewhere whenever they sway.
   if (island.plan.alone && island.slipWork >= kSlide * lost) return;
-  // What nothing presses on has no part in a vibration: it falls.
+  // A body that nothing presses on has no part in a vibration: it falls.
   std::pmr::vector<char> touched(island.memory);
   findTouched(island, touched, [&](const auto& kind, std::size_t k) { return kind.carriesForce(k, context); });
   const Vec3 left =
@@ -41,8 +41,8 @@ void dampSlowIsland(const Island& island, const StepContext& context, BodySet& b
 
 namespace {
 
-// As the rest check, but each body by what it carries, and clusters by their weight: what leans or slides as a whole is out of
-// balance as a whole, however little each of its bodies is.
+// As the rest check, but each body is judged by its load, and clusters by their weight. An island that leans or slides
+// as a whole is out of balance as a whole, however little each of its bodies is.
 bool balancedByLoad(const Island& island, const StepContext& context) {
   for (std::size_t i = 0; i < island.bodies.size(); i++) {
     if (!(island.speeds[i] < float(kRestByLoadSpeed))) return false;
@@ -73,7 +73,7 @@ void restCheck(Island& island, StepContext& context) {
 
 namespace {
 
-// How far any point of the body is from where it was in that pose.
+// How far any point of the body is from its place in the pose `from`.
 double strayed(const BodySet& bodies, BodyIndex body, const Transform& from) {
   const BodyMotion& m = bodies.motion[body];
   Quat turned = conjugate(from.rotation) * m.rotation;
@@ -99,7 +99,7 @@ void restInPlace(Island& island, const StepContext& context) {
     for (BodyIndex body : island.bodies) island.placePoses.push_back(bodies.pose(body));
   }
   island.inPlaceTime += island.dt;
-  // Steps in which it rests count as well: at the edge of the limit it rests in some of them only.
+  // Steps in which the island rests count as well: at the edge of the limit it rests in some of them only.
   if (island.resting() || island.inPlaceTime < kInPlaceTime * island.facts.scale.time) return;
   island.placePoses.clear();
   island.ending = IslandEnding::inPlace;

@@ -6,7 +6,7 @@
 
 namespace brickfall {
 
-// Of its bodies together, about the cluster's centre.
+// Residual of the cluster's bodies together, about the cluster's centre.
 inline Wrench residualOf(const Island& island, const Level& level, const Cluster& cluster) {
   Wrench sum;
   for (std::uint32_t k = cluster.bodyBegin; k < cluster.bodyEnd; k++) {
@@ -18,7 +18,7 @@ inline Wrench residualOf(const Island& island, const Level& level, const Cluster
   return sum;
 }
 
-// m2
+// Square of the radius of gyration, m2.
 inline float gyrationSquared(const Cluster& c) { return (c.inertia[0] + c.inertia[2] + c.inertia[5]) / (3 * c.mass); }
 
 }  // namespace brickfall

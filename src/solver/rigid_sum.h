@@ -1,5 +1,5 @@
-// The rigid body that a group of bodies makes up: its mass, centre, inertia and momenta. For what has to leave a floating
-// island's linear and angular momentum exact.
+// The rigid body that a group of bodies makes up: its mass, centre, inertia and momenta. For corrections that must
+// leave a floating island's linear and angular momentum exact.
 #pragma once
 #include "brickfall/math.h"
 
@@ -10,7 +10,7 @@ class RigidSum {
   // Positions are summed relative to `origin`, somewhere near the group.
   explicit RigidSum(Vec3 origin) : origin_(origin) {}
 
-  // inertia and angularMomentum: about the body's own centre, world axes.
+  // `inertia` and `angularMomentum` are about the body's own centre, in world axes.
   void add(double mass, Vec3 position, const Mat3& inertia, Vec3 momentum, Vec3 angularMomentum) {
     Vec3 r = position - origin_;
     mass_ += mass;
@@ -23,7 +23,7 @@ class RigidSum {
   double mass() const { return mass_; }
   Vec3 centre() const { return origin_ + moment_ * (1 / mass_); }
   Vec3 velocity() const { return momentum_ * (1 / mass_); }
-  // Both about the centre.
+  // Both are about the common centre.
   Vec3 angularMomentum() const { return angular_ - cross(moment_ * (1 / mass_), momentum_); }
   Mat3 inertia() const { return inertia_ + pointInertia(moment_ * (1 / mass_), mass_) * -1.0; }
   Vec3 spin() const { return inverse(inertia()) * angularMomentum(); }

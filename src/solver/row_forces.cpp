@@ -69,7 +69,7 @@ void RowForces::findLoads() {
   });
 }
 
-// Sides are in the order of their rows, so those of a kind follow each other.
+// Sides are in the order of their rows, so sides of one kind follow each other.
 Wrench RowForces::readBoundary(const Level& level, const Cluster& cluster, bool exact, MatrixSums* matrix) {
   trial_.resize(cluster.sideEnd - cluster.sideBegin);
   Boundary part;

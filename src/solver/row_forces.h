@@ -1,5 +1,5 @@
-// What the rows of an island were last read to do, and what that leaves out of balance. A solve reads all of them once, then
-// only those of what it moves: residuals follow by what has changed.
+// The action of an island's rows as last read, and the residuals that follow. A solve reads all rows once, then only
+// the rows of bodies that it moves: residuals follow by the change.
 #pragma once
 #include <cstdint>
 #include <memory_resource>
@@ -21,13 +21,13 @@ class RowForces {
         trial_(island.memory),
         following_(island.memory) {}
 
-  // All rows at the present motion: Island::residual. Bounds that follow the solve are renewed first.
+  // Reads all rows at the present motion: Island::residual. Friction limits that follow the solve are renewed first.
   void readAll();
-  // The same with the bounds as they are.
+  // The same with the friction limits as they are.
   void readAgain();
-  // Bounds that have changed by more than a hundredth follow. True if any did.
+  // Renews friction limits that follow the solve, where they changed by more than a hundredth. True if any did.
   bool renewBounds();
-  // Those of what has opened are dropped where `wanted(ends)`. True if any was.
+  // Drops the friction limits of opened points where `wanted(ends)`. True if any was dropped.
   template <class Wanted> bool dropBounds(Wanted wanted) {
     return changeBounds([&](auto& kind, std::uint32_t index) {
       return wanted(kind.ends(index)) && kind.dropBounds(index, island_.motion.data());
@@ -36,21 +36,21 @@ class RowForces {
   // Half the sum of the forces on each body: Island::loads.
   void findLoads();
 
-  // By what the forces on a cluster's boundary have changed at the present motion, about its centre. With `matrix`,
-  // their stiffness there too. Kept until acceptBoundary. Exact: open points are not counted as closed when they are near.
+  // By how much the forces on a cluster's boundary have changed at the present motion, about its centre. With `matrix`,
+  // their stiffness there too. Kept until acceptBoundary. Exact: near open points do not count as closed.
   Wrench readBoundary(const Level& level, const Cluster& cluster, bool exact, MatrixSums* matrix);
-  // What readBoundary found last holds from now on.
+  // The last reading of readBoundary is valid from now on.
   void acceptBoundary(const Level& level, const Cluster& cluster);
   Island& island() const { return island_; }
-  // Sides that readBoundary has read: how much of the island a solve has been at.
+  // Sides that readBoundary has read: how much of the island a solve has worked on.
   std::size_t sidesRead() const { return sidesRead_; }
 
  private:
-  //! - | too small: cost | too large: new points slide under bounds that are not theirs
-  static constexpr float kBoundSlack = 0.01f;  // of a bound: smaller changes are left
+  //! - | too small: cost | too large: new points slide under friction limits that are not theirs
+  static constexpr float kBoundSlack = 0.01f;  // of a friction limit: a smaller change is left
 
   void take(std::uint32_t row, RowEnds ends, Arms arms, Reading now);
-  // change(kind, index): true if the row's bounds are others now. True if any were changed.
+  // change(kind, index): true if the row's friction limits have changed. Returns true if any were changed.
   template <class Change> bool changeBounds(Change change) {
     bool any = false;
     for (std::uint32_t row : following_)
@@ -70,7 +70,7 @@ class RowForces {
   std::size_t sidesRead_ = 0;
   std::pmr::vector<Reading> readings_;         // by row
   std::pmr::vector<Reading> trial_;            // of the boundary read last
-  std::pmr::vector<std::uint32_t> following_;  // rows with bounds that follow the solve
+  std::pmr::vector<std::uint32_t> following_;  // rows with friction limits that follow the solve
 };
 
 }  // namespace brickfall

@@ -1,10 +1,12 @@
-// What ties the bodies of an island, as the solve reads it: rows, a list for each kind of tie.
+// The ties between the bodies of an island, as the solve reads them: rows, a list for each kind of tie.
 //
-// A kind is a folder (contact/): its list with the functions that every kind has (contact/rows.h names them), the record
-// that the solve reads, its law, how it is prepared and stored, its energy. It joins the solve as a member of Rows, named in
-// kinds(); whatever walks rows (cycles, direct solve, flight, hierarchies) never asks what they are. The list of kinds is
-// closed and known to the compiler: no virtual calls, and a row's arithmetic stays in its loop. How a kind lays out its
-// records is its own affair: a row may be a lane of a pack of several, since nobody but the kind reads them.
+// A kind is a folder (contact/): its list with the functions that every kind has (contact/rows.h names them), the
+// record that the solve reads, its law, its preparing and storing, its energy. It joins the solve as a member of Rows,
+// named in kinds(). Code that walks rows (cycles, direct solve, flight, hierarchies) never asks for their kind. The
+// list of kinds is closed and known to the compiler: no virtual calls, and a row's arithmetic stays in its loop. How a
+// kind lays out its records is its own affair. A row may be a lane of a pack of several, since nobody but the kind
+// reads them.
+// kind reads them.
 //
 // Rows are numbered through all kinds, in the order of the members; side 2 x row + end is one body's end of a row.
 #pragma once
@@ -78,14 +80,14 @@ struct Rows {
       if (std::size_t(link.kind) != i) return add<i + 1>(link);
     std::get<i>(kinds()).add(link.index);
   }
-  // Row k of the link's kind is that of the link.
+  // Row k of the link's kind is the link's row.
   template <std::size_t i = 0> bool names(const Link& link, std::size_t k) const {
     if constexpr (i + 1 < kKinds)
       if (std::size_t(link.kind) != i) return names<i + 1>(link, k);
     const auto& kind = std::get<i>(kinds());
     return k < kind.size() && kind.indexOf(k) == link.index;
   }
-  // All that the ties remember, by kind; and that again, whatever a trial has made of it (island_trial.h).
+  // The memory of all ties, by kind; restore puts it back, whatever a trial has made of it (island_trial.h).
   using Memory = std::tuple<ContactRows::Memory>;
   template <std::size_t i = 0> void remember(Ties ties, Memory& out) const {
     std::get<i>(kinds()).remember(ties, std::get<i>(out));

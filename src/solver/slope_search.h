@@ -1,17 +1,17 @@
-// How far to go along a step that is too long: to about the zero of the slope, bracketed, by secants (Illinois rule, every third
-// time halving).
+// How far to go along a step that is too long: to about the zero of the slope, bracketed, by secants (Illinois rule,
+// every third time halving).
 #pragma once
 #include <algorithm>
 
 namespace brickfall {
 
-// `way`: moveTo(part) goes to a part of the step and returns the slope there, downwards; start() is that at 0, and between lowest()
-// and highest() is near enough. `slope`: that at 1, where it is now.
+// `way`: moveTo(part) goes to a part of the step and returns the downward slope there; start() is the slope at 0; a
+// slope between lowest() and highest() is near enough. `slope`: the slope at 1, where the way is now.
 template <class Way> void searchAlong(Way& way, float slope, int evaluations) {
   float low = 0, slopeLow = way.start(), high = 1, slopeHigh = slope;
   for (int k = 0; k < evaluations; k++) {
     float fall = slopeLow - slopeHigh, width = high - low;
-    if (!(fall > 0)) return;  // both have underflowed: forces that a float hardly knows are balanced
+    if (!(fall > 0)) return;  // both have underflowed: forces that a float can hardly express are balanced
     float next = k % 3 == 2 ? 0.5f * (low + high) : low + width * slopeLow / fall;
     if (k >= 1) next = std::min(std::max(next, low + 0.05f * width), high - 0.05f * width);
     slope = way.moveTo(next);

@@ -1,5 +1,6 @@
-// A body as the solve sees it: its unknowns, its constants during a step, what is out of balance. Laid out to be read and
-// written as four lanes: what is written number by number and read as lanes at once waits for the store.
+// A body as the solve sees it: its unknowns, its constants during a step, its residual. It is laid out to be read and
+// written as four lanes. Numbers that are written one by one and read as lanes at once make the reading wait for the
+// store.
 #pragma once
 #include "math/wide.h"
 

@@ -1,4 +1,4 @@
-// What the stages of one step share.
+// The data that the stages of one step share.
 #pragma once
 #include <algorithm>
 #include <memory_resource>
@@ -12,21 +12,22 @@
 
 namespace brickfall {
 
-// Constants of the method that several files share; docs/step.md explains them. What users may change is in SolverSettings. Lengths,
-// speeds and times are those of the reference brick: all others have them in proportion (scale.h).
+// Constants of the method that several files share; docs/step.md explains them. Constants that users may change are in
+// SolverSettings. Lengths, speeds and times are those of the reference brick: all other bodies have them in proportion
+// (scale.h).
 //! - | too small: gaps and drifts of the last step are corrected more slowly
 //! | too large: oscillation from step to step
 constexpr float kCorrect = 0.5f;  // 1 - alpha: share of an old gap or drift that a step corrects
 //! - | too small: loads are carried by overlap: walls sag further | too large: oscillation from step to step
 constexpr float kMultiplierShare = 0.5f;  // share of the last force kept as multiplier
 //! - | too small: loads build up over many steps | too large: an impact's force acts twice
-constexpr float kMultiplierGrowth = 2;  // the multiplier grows to at most this x what it was ...
+constexpr float kMultiplierGrowth = 2;  // the multiplier grows to at most this x its old value ...
 //! mEff g | with kMultiplierGrowth
 constexpr float kMultiplierWeights = 5;  // ... plus this many effective weights per step
-//! - | too small: overlap from a landing is released at once, as a rebound | too large: it stays for long
+//! - | too small: overlap from a landing is released at once, as a rebound | too large: the overlap stays for long
 constexpr float kOffsetKept = 0.9f;  // of the plastic offset, per step
-//! m/s | too small: what lies on parted overlap rests late | too large: with kOffsetKept
-constexpr double kLeastRelease = 1e-4;  // m/s: so fast it goes at least, until nothing is left of it
+//! m/s | too small: a body that lies on parted overlap rests late | too large: with kOffsetKept
+constexpr double kLeastRelease = 1e-4;  // m/s: the offset shrinks at least so fast, until nothing is left of it
 //! m | too small: anchors are placed anew while they stick: creep | too large: old forces come back after a slide
 constexpr double kLargestDrift = 1e-3;  // m: an anchor further away is placed anew
 //! m | too small: steps run through open points | too large: short steps: late collapses
@@ -44,50 +45,49 @@ constexpr int kMaxCyclesSlow = 16;
 //! m | too small: walls with points at an edge never rest | too large: a very slow start of a fall is stopped
 constexpr double kInPlaceMove = 25e-6;  // m: a slow island of which no point strays further than this from its place
 //! s | too small: a very slow start of a fall is stopped | too large: walls with points at an edge rest late
-constexpr double kInPlaceTime = 0.5;  // s: during this time counts as at rest; an acceleration of 2e-5 g goes further
-//! m/s | too small: what sways in a hit wall is taken for debris, and sways on for seconds: walls sag
-//! | too large: rubble is treated as what stands, and what begins to fall slowly may be stopped
-constexpr double kMovingSpeed =
-    0.03;  // of a body of a large island: what is faster moves, what is slower sways at most
+constexpr double kInPlaceTime = 0.5;  // s: ... in this time counts as at rest; an acceleration of 2e-5 g goes further
+//! m/s | too small: a hit wall that sways is taken for debris, and sways on for seconds: walls sag
+//! | too large: rubble is treated like a standing wall, and a body that begins to fall slowly may be stopped
+constexpr double kMovingSpeed = 0.03;  // of a body of a large island: faster ones move, slower ones sway at most
 //! rad | too small: fast spins reach contacts too weakly | too large: rebounds at high speed explode
 constexpr double kLargestTurn = 0.5;  // rad per step of a body in contact: arms are frozen during a step
-//! - | too small: counts what nobody sees | too large: hides what hangs
+//! - | too small: counts residuals that nobody sees | too large: hides bodies that hang in the air
 constexpr double kLeftOver = 0.05;  // of max(weight, load): bodies that a solve leaves with more are counted
 
-//! - | too small: large walls stay awake over the last of their residual | too large: slow topples are held
-constexpr double kRestByLoad = 1.5e-2;  // of max(weight, kLoadShare x load): a large slow island with less rests
+//! - | too small: large walls stay awake over the last of their residual | too large: slow topples are stopped
+constexpr double kRestByLoad = 1.5e-2;  // of max(weight, kLoadShare x load): a large slow island with less rests,
 //! m/s | with kRestByLoad
-constexpr double kRestByLoadSpeed = 1e-3;  // m/s: if no body of it is faster
-//! - | too small: what carries much is solved too finely: cost | too large: what lies under much is held up
-constexpr double kLoadShare = 0.3;  // of a body's load, that counts like its weight
-//! - | too small: floats leave what lies under a great load out of balance: cost | too large: it is solved badly
-constexpr double kHeavyLoad = 0.02;  // of a body's load, that counts like its weight where an island is solved directly
+constexpr double kRestByLoadSpeed = 1e-3;  // m/s: ... if no body of it is faster
+//! - | too small: heavily loaded bodies are solved too finely: cost | too large: heavily loaded bodies hang
+constexpr double kLoadShare = 0.3;  // of a body's load: so much counts like its weight
+//! - | too small: floats leave bodies under a great load out of balance: cost | too large: such bodies are solved badly
+constexpr double kHeavyLoad = 0.02;  // of a body's load: this counts like its weight where islands are solved directly
 
 // Motion of a body in this step if nothing touched it.
 struct FreeMotion {
   Vec3 d;                         // m: velocity at the end x dt
   Vec3 way;                       // m: of a body without contacts
   Vec3 th;                        // rad, rotation vector
-  Quat rotation;                  // where it ends: exact torque-free turn
-  double dt = 0;                  // s, of all of it
+  Quat rotation;                  // at the end of the turn: exact torque-free turn
+  double dt = 0;                  // s, of the whole motion
   double turnTime = 0;            // s, of the turn: less than dt if the body was stopped
-  bool turnsFaster = false;       // than th shows
+  bool turnsFaster = false;       // the body turns further than th shows
   Vec3 angularMomentum;           // kg m2/s, at the end
   Vec3 startVelocity, startSpin;  // before forces
-  Vec3 late, lateSpin;            // m/s, rad/s: by so much less the solve starts with (finish/lone_body.cpp)
+  Vec3 late, lateSpin;            // m/s, rad/s: the solve starts with so much less (finish/lone_body.cpp)
 };
 
-// How a body moves in this step. Written by finish/motion.cpp alone: as solved, then as its group is finished, shortened at
-// obstacles, and its velocities once more by the last check.
+// How a body moves in this step. Written by finish/motion.cpp alone: as solved, then as its group is finished, then as
+// obstacles shorten it. The last check changes its velocities once more.
 struct SolvedMotion {
-  Vec3 d;                // m
-  Vec3 th;               // rad
-  Vec3 velocity;         // m/s
-  Vec3 angularMomentum;  // kg m2/s
-  double went = 1;       // share of its way that obstacles and frozen arms left it
-  bool freeTurn = true;  // no torque acted: take FreeMotion::rotation
-  bool rest = false;     // does not move
-  bool flying = false;   // no chain of forces leads to anything fixed or kinematic
+  Vec3 d;                 // m
+  Vec3 th;                // rad
+  Vec3 velocity;          // m/s
+  Vec3 angularMomentum;   // kg m2/s
+  double went = 1;        // share of its way that obstacles and frozen arms left it
+  bool freeTurn = true;   // no torque acted: take FreeMotion::rotation
+  bool rest = false;      // does not move
+  bool flying = false;    // no chain of forces leads to anything fixed or kinematic
   SteadyChange steady;    // BodyData::steady
   double impactLoss = 0;  // BodyData::impactLoss
 };
@@ -113,23 +113,23 @@ struct SolveStatistics {
   }
 };
 
-// What ties bodies, by kind: for whatever changes what ties remember. All others see it through StepContext.
+// All ties between bodies, by kind: for code that changes their memory. All other code sees them through StepContext.
 struct Ties {
   ContactSet& contacts;
 };
 
 struct StepContext {
   double dt = 0;
-  double part = 1;     // dt / that of the substep of which it is a part (heavy_hits.h)
-  double stretch = 1;  // the substep's dt / the time step of which resting contacts have their stiffness
+  double part = 1;     // dt / dt of the substep that this step is a part of (heavy_hits.h)
+  double stretch = 1;  // the substep's dt / the time step that the stiffness of resting contacts is made for
   Vec3 gravity;
   double judgingGravity = kReferenceGravity;  // m/s2: weights are judged by it (scale.h)
   double airDensity = 0;                      // kg/m3
   SolverSettings settings;
   Integrator integrator = Integrator::splitting;  // of bodies without contacts
-  const BodySet* bodies = nullptr;                // what changes them is handed them besides
+  const BodySet* bodies = nullptr;                // code that changes bodies is handed them besides
   const ContactSet* contacts = nullptr;
-  std::pmr::memory_resource* memory = std::pmr::get_default_resource();  // for all that a step needs for itself
+  std::pmr::memory_resource* memory = std::pmr::get_default_resource();  // for all scratch of a step
   std::vector<FreeMotion> free;                                          // by body slot
   std::vector<SolvedMotion> solved;                                      // by body slot
   SolveStatistics statistics;

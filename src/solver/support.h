@@ -1,5 +1,5 @@
-// What rows do for a body: whether any carries force at it, chains of them that hold it up, to something fixed or kinematic, and
-// how far what holds it up holds it back.
+// Walks over the rows of an island: which bodies bear load, and which are supported from the ground by a chain of
+// loaded rows. Also how much of their common slide friction at the supports can stop.
 #pragma once
 #include <algorithm>
 
@@ -7,7 +7,7 @@
 
 namespace brickfall {
 
-// Marks the bodies (and partners) at which any row is that `counts(kind, k)`.
+// Marks the bodies (and partners) with any row that `counts(kind, k)`.
 template <class Counts> void findTouched(const Island& island, std::pmr::vector<char>& touched, Counts&& counts) {
   touched.assign(island.bodies.size() + island.partners.size(), 0);
   island.rows.each([&](const auto& kind, std::size_t k) {
@@ -17,8 +17,8 @@ template <class Counts> void findTouched(const Island& island, std::pmr::vector<
   });
 }
 
-// Marks what a chain of rows that `counts(kind, k)` leads to from what is marked already. Rows are asked only where that may tell
-// anything; in a wall they lie from the ground up, so that hardly any has to be kept for a second look.
+// Marks the bodies that a chain of rows that `counts(kind, k)` joins to bodies marked already. A row is asked only
+// where its answer matters. In a wall rows lie from the ground up, so hardly any has to be kept for a second look.
 template <class Counts> void growSupported(const Island& island, std::pmr::vector<char>& supported, Counts&& counts) {
   std::pmr::vector<RowEnds> open(island.memory);
   open.reserve(island.rows.size());
@@ -45,7 +45,7 @@ template <class Counts> void growSupported(const Island& island, std::pmr::vecto
   }
 }
 
-// Marks the bodies (and all partners) from which a chain of rows that `counts(kind, k)` leads to a partner.
+// Marks the bodies (and all partners) that a chain of rows that `counts(kind, k)` joins to a partner.
 template <class Counts> void findSupported(const Island& island, std::pmr::vector<char>& supported, Counts&& counts) {
   std::size_t bodies = island.bodies.size();
   supported.assign(bodies + island.partners.size(), 0);
@@ -53,8 +53,8 @@ template <class Counts> void findSupported(const Island& island, std::pmr::vecto
   growSupported(island, supported, counts);
 }
 
-// m/s: of the velocity that the bodies `of` an island have in common, what its supports could not take within the step. On smooth
-// ground that is all of it along the ground.
+// Common velocity (m/s) of the bodies `of` an island, less the share that friction at its supports can stop within the
+// step. On smooth ground nothing along the ground is stopped.
 template <class VelocityOf>
 Vec3 slideLeft(const Island& island, const std::pmr::vector<char>& of, const StepContext& context,
                VelocityOf&& velocityOf) {
@@ -81,10 +81,11 @@ Vec3 slideLeft(const Island& island, const std::pmr::vector<char>& of, const Ste
   return slides > stopped ? along * ((1 - stopped / slides) / mass) : Vec3{};
 }
 
-//! m/s | too small: floats that round keep what stands on smooth ground from rest | too large: what slides on it slowly is stopped
+//! m/s | too small: rounding of floats keeps islands on smooth ground from rest
+//! | too large: islands that slide on it slowly are stopped
 inline constexpr double kLeastSlide = 1e-6;
 
-// All of it slides, along ground that does not hold it: however slow, that goes on.
+// The whole island slides, along ground that cannot stop it: however slow, the slide goes on.
 inline bool slides(const Island& island, const StepContext& context) {
   std::pmr::vector<char> all(island.bodies.size() + island.partners.size(), 1, island.memory);
   return length(slideLeft(island, all, context, [&](BodyIndex body) {

@@ -10,8 +10,9 @@ struct Symmetric6 {
   float& at(int row, int col) { return a[row * (row + 1) / 2 + col]; }
   float at(int row, int col) const { return a[row * (row + 1) / 2 + col]; }
 
-  // LDL^T in place, inverse pivots on the diagonal. False if not positive definite. Column by column, each taken off all that
-  // are left as soon as it is known; loops of known length, laid out flat, so that the entries stay in registers.
+  // LDL^T in place, inverse pivots on the diagonal. False if not positive definite. Column by column: each is taken off
+  // all that are left as soon as it is known. The loops have known length and are laid out flat, so that the entries
+  // stay in registers.
   bool factor() {
     bool positive = true;
 #pragma GCC unroll 6
@@ -30,7 +31,7 @@ struct Symmetric6 {
     return positive;
   }
 
-  // With the factor.
+  // Solves with the factor.
   Wrench solve(const Wrench& right) const {
     float x[6] = {right.force.x, right.force.y, right.force.z, right.torque.x, right.torque.y, right.torque.z};
 #pragma GCC unroll 6

@@ -65,7 +65,7 @@ Status World::Impl::openForChange(const std::string& call) const {
   return {};
 }
 
-// What every setter does first: not while stepping or from a callback, a live body, sound arguments.
+// Checks at the start of every setter: no step or callback is under way, the body is alive, the arguments are sound.
 Result<BodyIndex> World::Impl::openForChange(BodyId id, const Error& bad) const {
   if (Status open = openForChange("body"); !open) return open.error();
   Result<BodyIndex> body = registry.find(id);
@@ -182,7 +182,7 @@ Status World::wake(BodyId id) {
   return {};
 }
 
-// What the balance of bodies depends on changed: nobody rests by what was found before.
+// Something that the balance of bodies depends on has changed: no body counts as resting by an earlier check.
 void World::Impl::loadsChanged() {
   upkeep().wakeAll();
   for (BodyIndex body : activity.awake) registry.bodies.still[body] = 0;
@@ -199,7 +199,7 @@ bool sameSolver(const SolverSettings& a, const SolverSettings& b) {
   return first == second;
 }
 
-// What was settled when the world was made.
+// Settings that were fixed when the world was made.
 void checkKept(Checks& check, const WorldDef& now, const WorldDef& wanted) {
   const std::string end = ", as the world was made";
   check.condition(wanted.maxBodies == now.maxBodies, "maxBodies: found " + std::to_string(wanted.maxBodies) +
@@ -232,7 +232,7 @@ Status World::setDefinition(const WorldDef& def) {
 
 namespace {
 
-// A body that never becomes dynamic may weigh what it likes.
+// A body that never becomes dynamic may have any mass.
 void checkMassWith(Checks& check, const Registry& registry, BodyIndex body, std::span<const Material> materials) {
   if (registry.bodies.data[body].type != BodyType::fixed && !registry.hasMesh(body))
     checkMass(check, registry.massWith(body, materials));

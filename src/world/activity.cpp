@@ -33,7 +33,7 @@ void Activity::enlist(BodySet& bodies, BodyIndex body) {
   membershipChanged = true;
 }
 
-// Its pairs are looked at in the next step, though neither side may move.
+// The body's pairs are looked at in the next step, though neither side may move.
 void Activity::countAsMoved(BodySet& bodies, BodyIndex body) {
   bodies.still[body] = 0;
   insert(unsettled, body);

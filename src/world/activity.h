@@ -1,5 +1,5 @@
-// What in a world is awake: the bodies that a step walks, and the islands that they make up. Nothing here asks what a body
-// weighs or why it fell asleep.
+// The awake part of a world: the bodies that a step walks, and the islands that they make up. Nothing here asks how
+// heavy a body is or why it fell asleep.
 #pragma once
 #include <vector>
 
@@ -15,7 +15,7 @@ class Activity {
   std::vector<BodyIndex> awake;      // dynamic ones that are not asleep
   std::vector<BodyIndex> moving;     // kinematic ones with a velocity
   std::vector<BodyIndex> unsettled;  // fixed or kinematic ones that count as moved until the next step is over
-  std::vector<BodyIndex> pushed;     // those with a force or torque for the next step
+  std::vector<BodyIndex> pushed;     // bodies with a force or torque for the next step
 
   IslandSet islands;
   std::vector<std::uint32_t> islandOf;  // by body: index in islands.awake, kNoIndex = none
@@ -23,15 +23,15 @@ class Activity {
   std::size_t sleptNow = 0;             // islands that fell asleep in this step: the last ones in islands.asleep
 
   void enlist(BodySet& bodies, BodyIndex body);        // into awake or moving, by type and velocity
-  void delist(BodySet& bodies, BodyIndex body);        // out of all lists, with the forces that it was to get
+  void delist(BodySet& bodies, BodyIndex body);        // out of all lists, with the forces waiting for it
   void countAsMoved(BodySet& bodies, BodyIndex body);  // a fixed or kinematic body that was made, moved or changed
-  void settleUnmoved(BodySet& bodies);                 // the step is over: those that counted as moved
+  void settleUnmoved(BodySet& bodies);                 // the step is over: `unsettled` is emptied
   void push(BodyIndex body);
-  void dropForces(BodySet& bodies);  // they were for one step
+  void dropForces(BodySet& bodies);  // the step that they were for is over
 
-  // Islands name bodies by slot: those that name this one are built anew at the next step, the others are kept.
+  // Islands name bodies by slot. Islands that name this slot are built anew at the next step; the others are kept.
   void forgetIslandsOf(BodyIndex body);
-  // Nothing is settled any more: of the body's island, of islands that it holds, of all.
+  // No longer settled: the body's island; the islands that touch the body; all islands.
   void unsettleIslandOf(BodyIndex body);
   void unsettlePartnersOf(BodyIndex body);
   void unsettleAll();

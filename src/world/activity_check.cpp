@@ -1,5 +1,5 @@
-// What must hold of the lists of what is awake, and of the islands: each body in one at most, each island with the contacts
-// of its bodies.
+// Invariants of the lists of awake bodies and of the islands: each body is in one island at most, and each island has
+// the contacts of its bodies.
 #include <algorithm>
 #include <string>
 
@@ -142,7 +142,8 @@ class LinkCheck {
     for (BodyIndex body : a_.unsettled) f_.expect(!dynamic(body), "unsettled: a dynamic body");
   }
 
-  // Each body in one island at most; what an island says of itself. Islands are numbered through both lists.
+  // Each body in one island at most; the facts that an island holds about itself. Islands are numbered through both
+  // lists.
   void checkIslands() {
     BodyIndex last = 0;
     for (std::size_t n = 0; n < a_.islands.awake.size(); n++) {
@@ -167,7 +168,7 @@ class LinkCheck {
     f_.expect(fine, "islands: a count or a time is wrong");
     for (BodyIndex body : island.partners) f_.expect(!dynamic(body), "islands: a partner is a dynamic body");
     for (std::size_t k = 0; k < island.rows.contacts.contactOf.size(); k++) {
-      // Until islands are built anew a contact's slot may be empty, or another's.
+      // Until islands are built anew, a contact's slot may be empty or belong to another contact.
       const Contact& c = contacts_.contacts[island.rows.contacts.contactOf[k]];
       bool ours = c.count > 0 && !c.born;
       f_.expect(ours || (!asleep && !current_), "islands: a contact is gone");
@@ -183,7 +184,7 @@ class LinkCheck {
     return local < own ? island.bodies[local] : island.partners[local - own];
   }
 
-  // The rows of an island are those of the links of its bodies, kind by kind in their order.
+  // The rows of an island are the links of its bodies, kind by kind in the order of the links.
   void checkMembership() {
     std::size_t awakeCount = a_.islands.awake.size();
     std::vector<Rows::Counts> next(islands_.size());
@@ -224,7 +225,7 @@ class LinkCheck {
   const Activity& a_;
   const BodySet& bodies_;
   const ContactSet& contacts_;
-  bool current_;                         // islands are those of the contacts
+  bool current_;                         // islands match the contacts
   std::vector<std::uint32_t> islandOf_;  // by body, in islands_
   std::vector<const Island*> islands_;   // awake, then asleep
 };

@@ -1,4 +1,4 @@
-// Checks of what comes in through the public API. Written in the positive form, so that NaN fails them.
+// Checks of values that come in through the public API. They are written in the positive form, so that NaN fails them.
 #pragma once
 #include <cmath>
 #include <string>
@@ -64,14 +64,15 @@ class Checks {
   Error error_;
 };
 
-// create.cpp. What createBody asks of a material ("shapes[0].material" is `at`), a shape ("shapes[0]" is `at`) and of a body's constants.
+// create.cpp. Requirements of createBody on a material ("shapes[0].material" is `at`), on a shape ("shapes[0]" is `at`)
+// and on a body's constants.
 void checkMaterial(Checks& check, const std::string& at, const Material& material);
 void checkShape(Checks& check, const std::string& at, const ShapeDef& shape, BodyType type);
 void checkMotionSettings(Checks& check, double gravityScale, double linearDamping, double angularDamping,
                          double dragArea);
 
-// Of a body that may move. Each field of its shapes may be legal and the body still lighter or heavier than sums in
-// float can hold.
+// Mass of a body that may move. Each field of its shapes may be legal and the body still lighter or heavier than sums
+// in float can hold.
 inline void checkMass(Checks& check, double mass) {
   check.condition(mass >= limits::kSmallestMass && mass <= limits::kLargestMass,
                   "shapes: found a mass of " + numberText(mass) + " kg (from sizes and density), expected " +

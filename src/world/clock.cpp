@@ -8,11 +8,12 @@ namespace {
 
 //! - | too small: nothing rests while time steps vary | too large: contacts keep the stiffness of time steps long past
 constexpr double kKeepStiffness = 2.2;  // factor between time steps within which contacts stay as they are
-//! - | too small: steps that spread widely change contacts often | too large: the same, at once again
-constexpr double kFollowStiffness = 2;  // factor to which they follow what is beyond
-//! - | too small: pictures that take equally long by chance change all contacts
-//! | too large: the same, of time steps that have changed
-constexpr int kSteadySteps = 30;  // of one length: then contacts get the stiffness of that
+//! - | too small: steps that spread widely change contacts often
+//! | too large: as kKeepStiffness at its least: the next step changes contacts again
+constexpr double kFollowStiffness = 2;  // factor to which the stiffness step follows a step beyond kKeepStiffness
+//! - | too small: a few pictures of equal length, by chance, change all contacts
+//! | too large: contacts keep the stiffness of time steps long past
+constexpr int kSteadySteps = 30;  // so many steps of one length: then contacts get the stiffness of that step
 
 }  // namespace
 

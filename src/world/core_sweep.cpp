@@ -9,8 +9,8 @@ namespace brickfall {
 
 namespace {
 
-//! - | too small: a turning body stops earlier than it need | too large: cost
-constexpr int kHalvings = 6;  // of a way that turned out to end inside
+//! - | too small: a turning body stops earlier than it needs to | too large: cost
+constexpr int kHalvings = 6;  // of the way, where it turned out to end inside the other shape
 //! rad | too small: cost | too large: an arc passes over a thin corner between two chords
 constexpr double kChord = 0.1;  // rad: arcs are looked at as straight in parts of this
 //! - | too small: chords of fast spins get long | too large: cost of fast spins
@@ -39,7 +39,8 @@ namespace {
 //! not of the method: above what timeOfImpact calls met, so that the answer is the same
 constexpr double kSurelyApart = 1e-5, kSurelyApartShare = 1e-8;  // m, of the other's extent
 
-// By no more than this gets the core nearer to the other on its way: m. In the frame of what turns, the core goes round it.
+// How much nearer the core can get to the other shape on its way, at most: m. In the frame of a turning shape, the core
+// goes round that shape.
 double mostApproach(const ShapeData& moving, const Sweep& way, const Sweep& of, Vec3 from) {
   double most = length(way.way - of.way);
   if (way.turns) most += length(way.turn) * length(moving.middle);
@@ -47,7 +48,7 @@ double mostApproach(const ShapeData& moving, const Sweep& way, const Sweep& of, 
   return most;
 }
 
-// Where one of both turns: the core's way in the other's frame, in parts that are taken as straight.
+// If either body turns: the core's way in the other's frame, in parts that are taken as straight.
 double coreWayOnArc(const ShapeData& moving, const Sweep& way, const ShapeData& still, const Sweep& of,
                     const Shape& core, double target) {
   auto placeAt = [&](double share) {
@@ -60,7 +61,7 @@ double coreWayOnArc(const ShapeData& moving, const Sweep& way, const ShapeData& 
     Transform coreInOther{placeAt(begin), {}};
     Vec3 motion = placeAt(begin + step) - coreInOther.position;
     std::optional<double> met = timeOfImpact(still.geometry, core, coreInOther, motion, target);
-    // The part was taken as straight: where it really gets to on the arc must be outside, too.
+    // The part was taken as straight. The place on the arc where it really ends must be outside, too.
     double share = begin + step * met.value_or(1);
     bool outside = false;
     for (int halving = 0; halving < kHalvings && !outside; halving++) {
@@ -78,7 +79,8 @@ double coreWayOnArc(const ShapeData& moving, const Sweep& way, const ShapeData& 
 double coreWay(const ShapeData& moving, const Sweep& way, const ShapeData& still, const Sweep& of) {
   Transform pose = of.start * still.inCentreFrame, back = inverse(pose);
   Vec3 from = transformPoint(way.start, moving.middle);
-  // Most of what is near, among debris that flies along together, is not reached: by its extent, then by its distance.
+  // Among debris that flies along together, most shapes nearby are out of reach. First their extent shows it, then
+  // their distance.
   const bool hasExtent = still.geometry.type != ShapeType::mesh && still.geometry.type != ShapeType::plane;
   const double extent = hasExtent ? outerRadius(still.geometry, {}) : 0, radius = kCoreShare * moving.innerRadius;
   const double safe = mostApproach(moving, way, of, from) + kSurelyApart + kSurelyApartShare * extent;
@@ -87,12 +89,12 @@ double coreWay(const ShapeData& moving, const Sweep& way, const ShapeData& still
   Shape core;
   core.type = ShapeType::sphere;
   core.radius = radius;
-  // However often it is stopped there, it never gets all the way.
+  // Half the distance: however often the body is stopped there, the core never reaches the other shape.
   double apart = shapeDistance(still.geometry, core, coreInOther).distance, target = core.radius;
   if (!(apart > 0)) {  // pressed in: at least its centre must stay outside
     core.radius = 0;
     apart = shapeDistance(still.geometry, core, coreInOther).distance;
-    if (!(apart > 0)) return 1;  // inside: the contacts push it out
+    if (!(apart > 0)) return 1;  // the centre is inside: the contacts push it out
   }
   target = std::min(target, 0.5 * apart);
   if (hasExtent && apart - target > safe) return 1;

@@ -19,7 +19,7 @@ void appendTouching(const Island& island, const ContactSet& contacts, BodyPairs&
   }
 }
 
-// Both lists of events keep their room.
+// Both lists of events keep their memory.
 void Diary::tellPending() {
   events.begin.clear();
   events.hits.clear();
@@ -62,7 +62,7 @@ void Diary::keepRoom(std::size_t slots, std::size_t touching) {
     for (auto* list : {&e->begin, &e->end}) brickfall::keepRoom(*list, touching);
     for (auto* list : {&e->fellAsleep, &e->woke}) keepRoomFor(*list, slots);
     keepRoomFor(e->moved,
-                2 * slots);  // before those of a part of the step are told apart from those of the parts before
+                2 * slots);  // before pairs of this part of the step are told apart from pairs of the parts before
     brickfall::keepRoom(e->hits, touching);
   }
 }

@@ -1,5 +1,5 @@
-// What a world tells of its steps: events, the report, and on request hashes and the ledger. Nothing of it is read by what
-// moves bodies.
+// The record of a world's steps: events, the report, and on request hashes and the ledger. Code that moves bodies reads
+// nothing of it.
 #pragma once
 #include <vector>
 
@@ -24,20 +24,20 @@ class Diary {
   StepReport report;
   TraceOptions traceOptions;
   LedgerState ledgerState;
-  Events events;                          // of the last step, or of that under way
-  Events pending;                         // what happened between steps: told by the next
+  Events events;                          // of the last step, or of the one under way
+  Events pending;                         // of calls between steps: the next step tells them
   BodyPairs touchingNow, touchingBefore;  // of awake islands, sorted
-  BodyPairs slept;                        // of those that fell asleep in this step
-  BodyPairs room;                         // for merging them
+  BodyPairs slept;                        // pairs of islands that fell asleep in this step
+  BodyPairs room;                         // for merging the lists of pairs
 
   Events& heard() { return inStep ? events : pending; }
-  // What happened between the steps opens the events of the next one.
+  // Events of calls between the steps open the events of the next step.
   void tellPending();
-  // Pairs of an island that wakes are looked for again; those of a body that is taken out end.
+  // Pairs of an island that wakes are looked for again; pairs of a body that is taken out end.
   void addTouching(const Island& island, const ContactSet& contacts);
   void endTouchingOf(BodyIndex body, const Registry& registry);
 
-  // The ledger of a step, from what there is before it.
+  // The ledger of a step, from the balance before the step.
   void beginLedger(const Balance& now, bool firstPart);
 
   void keepRoom(std::size_t slots, std::size_t touching);
@@ -46,7 +46,7 @@ class Diary {
   void check(Findings& f, const Registry& registry) const;
 };
 
-// Slots are used again, so their order is not that of creation.
+// Ordered by when the bodies were made: slots are used again, so their order does not tell.
 ContactEvent byCreation(BodyPair pair, const Registry& registry);
 // Pairs of bodies that press on each other; a pair comes once for each of its contacts.
 void appendTouching(const Island& island, const ContactSet& contacts, BodyPairs& out);

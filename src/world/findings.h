@@ -1,4 +1,4 @@
-// What a look at invariants found: the texts of those that do not hold, each once in a row.
+// The result of a look at invariants: the texts of the broken ones, each once in a row.
 #pragma once
 #include <algorithm>
 #include <string>
@@ -11,7 +11,7 @@ class Findings {
   void expect(bool holds, const std::string& text) {
     if (!holds && found_.size() < kMost && (found_.empty() || found_.back() != text)) found_.push_back(text);
   }
-  // For what is asked of every body or contact: no text is made unless it is needed.
+  // For checks of every body or contact: the text is made only if it is needed.
   void expect(bool holds, const char* text) {
     if (!holds) expect(false, std::string(text));
   }
@@ -22,7 +22,7 @@ class Findings {
   std::vector<std::string> take() { return std::move(found_); }
 
  private:
-  //! not of the method: what is told
+  //! not of the method: how much is told
   static constexpr std::size_t kMost = 100;
   std::vector<std::string> found_;
 };
@@ -32,7 +32,7 @@ template <class List> bool isAscending(const List& list) {
          list.end();
 }
 
-// Of slots: those listed as free are those that are, each once.
+// Checks slots: the list of free slots names exactly the free ones, each once.
 template <class Free>
 void checkFreeSlots(Findings& f, const std::vector<std::uint32_t>& listed, std::size_t slots, Free isFree) {
   std::vector<bool> seen(slots, false);

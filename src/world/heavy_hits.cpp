@@ -10,15 +10,16 @@ namespace brickfall {
 
 namespace {
 
-//! times the mass | too small: cost of debris | too large: what a ball knocks out is gone before it can push anything aside
+//! times the mass | too small: cost of debris
+//! | too large: bodies that a ball knocks out are gone before they can push anything aside
 constexpr double kHeavier = 10;
 //! of its mass | too small: a pebble on its way has the whole world stepped in parts | too large: with kHeavier
-constexpr double kMatters = 0.01;  // what all together is on its way weighs at least that
+constexpr double kMatters = 0.01;  // mass of all bodies on its way together, at least
 //! of its thickness along the way | too small: cost of hits
-//! | too large: what a ball knocks out is gone before it can push anything aside
-constexpr double kHitWay = 0.5;  // of what is struck, in a part
-//! inner radii | too small: cost of what hardly moves | too large: large bodies run over small ones in one part
-constexpr double kLeastHitWay = 0.05;  // of its own, in a step: what goes less far hits nothing that asks for parts
+//! | too large: bodies that a ball knocks out are gone before they can push anything aside
+constexpr double kHitWay = 0.5;  // of the struck body, in a part
+//! inner radii | too small: cost of bodies that hardly move | too large: large bodies run over small ones in one part
+constexpr double kLeastHitWay = 0.05;  // of the own radius, in a step: a body that goes less far asks for no parts
 
 double thicknessAlong(const Shape& shape, Vec3 direction) {
   return dot(coreSupport(shape, direction) - coreSupport(shape, -direction), direction) + 2 * coreRadius(shape);
@@ -34,7 +35,7 @@ class HitSearch {
     if (bodies_.still[body] || !(length(m.linearVelocity) * dt_ > kLeastHitWay * bodies_.mass[body].innerRadius))
       return;
     const Sweep own = sweepOf(bodies_, body, m.linearVelocity * dt_, m.angularVelocity * dt_);
-    double mass = 0, most = 0;  // kg, of what is on its way; thicknesses of it that it goes
+    double mass = 0, most = 0;  // kg, of bodies on the way; their thicknesses that the body goes
     for (ShapeIndex shape : bodies_.shapes[body]) {
       const ShapeData& s = shapes_.data[shape];
       proximity_.broadPhase->query(sweptBounds(s, own), [&](std::uint32_t other) {
@@ -58,16 +59,17 @@ class HitSearch {
     return bodies_.isDriven(body) || bodies_.mass[body].mass >= kHeavier * bodies_.mass[other].mass;
   }
 
-  // By the balls around both: whether a body may meet another that it goes `way` against. What it leaves behind it does not.
+  // Whether a body may meet another that it moves by `way` against, judged by the bounding spheres of both. Bodies that
+  // it leaves behind do not count.
   bool mayMeet(BodyIndex body, BodyIndex other, Vec3 way, double far) const {
     const BodyMass &own = bodies_.mass[body], &its = bodies_.mass[other];
     const Vec3 to = bodies_.motion[other].position - bodies_.motion[body].position;
     const double along = dot(to, way) / far;
-    if (along < own.innerRadius - own.outerRadius) return false;  // what is not round may be widest behind its centre
+    if (along < own.innerRadius - own.outerRadius) return false;  // it may be widest behind its centre, unless round
     return length(to - way * std::clamp(along / far, 0.0, 1.0)) < own.outerRadius + its.outerRadius;
   }
 
-  // How many times as far as `struck` is thick the body goes against it.
+  // The way of the body against `struck`, in thicknesses of `struck`.
   double thicknessesWithin(BodyIndex body, const ShapeData& struck) const {
     const BodyMotion& other = bodies_.motion[struck.body];
     const Vec3 way = (bodies_.motion[body].linearVelocity - other.linearVelocity) * dt_;
@@ -82,7 +84,7 @@ class HitSearch {
   const ShapeSet& shapes_;
   const Proximity& proximity_;
   const double dt_;
-  double thicknesses_ = 0;  // gone within the step, of any struck body
+  double thicknesses_ = 0;  // gone within the step, the most of all struck bodies
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// In how many parts a step is made, so that nothing heavy goes right through what it hits within one of them.
+// In how many parts a step is made, so that nothing heavy goes right through a body that it hits within one part.
 #pragma once
 #include "world/activity.h"
 #include "world/proximity.h"
@@ -6,8 +6,9 @@
 
 namespace brickfall {
 
-// 1 .. `most`, for a step of `dt` s: as many as it takes for what is far heavier than something on its way to go half through
-// that in each. Contacts are found where a part begins: what the struck bodies meet on their way out must begin another.
+// The number of parts, 1 .. `most`, for a step of `dt` s. In each part a body far heavier than one on its way goes at
+// most half through it. Contacts are found where a part begins: bodies that a struck body meets on its way out must
+// begin another.
 int partsForHits(const Registry& registry, const Activity& activity, const Proximity& proximity, double dt, int most);
 
 }  // namespace brickfall

@@ -30,7 +30,8 @@ void tellHits(const WorldDef& def, const Registry& registry, const Island& islan
   for (const ContactImpact& impact : impacts) {
     if (impact.speed < def.hitEventSpeed || impact.impulse < def.hitEventImpulse) continue;
     const ContactIndex contact = island.rows.contacts.contactOf[impact.row];
-    out.push_back(hitOf(registry, context.contacts->contacts[contact], island.rows.contacts.records[impact.row], impact));
+    out.push_back(
+        hitOf(registry, context.contacts->contacts[contact], island.rows.contacts.records[impact.row], impact));
   }
 }
 

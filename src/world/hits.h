@@ -9,7 +9,7 @@
 
 namespace brickfall {
 
-// Those of an island's impacts that the world asks to hear of.
+// Hits of an island's impacts, as far as the world asks to hear of them.
 void tellHits(const WorldDef& def, const Registry& registry, const Island& island,
               const std::pmr::vector<ContactImpact>& impacts, const StepContext& context, std::vector<HitEvent>& out);
 

@@ -14,14 +14,14 @@ namespace {
 //! - | too small: impacts of larger islands are first order in the time step
 //! | too large: cost, impacts that are not solved well
 constexpr std::size_t kMostBodies = 5;
-//! - | too small: fast bodies are left whole | too large: contacts found from so far say little about what is met
-constexpr double kFarWay = 2, kFarWayAlone = 4;  // outer radii, in a step; of a body that touches fixed things only
-//! rad | too small: what falls fast without a spin rebounds late | too large: as kFarWay
-constexpr double kNoTurn = 0.01;  // visible, in a step, of a body alone: then any way may be parted
-//! rad | too small: cost of what tumbles | too large: tops precess too slowly, then fall
+//! - | too small: fast bodies are left whole | too large: contacts found from so far away say little about the impact
+constexpr double kFarWay = 2, kFarWayAlone = 4;  // outer radii, in a step; of a body that touches fixed bodies only
+//! rad | too small: a body that falls fast without a spin rebounds late | too large: as kFarWay
+constexpr double kNoTurn = 0.01;  // visible, in a step, of a body alone: below it a way of any length may be parted
+//! rad | too small: cost of tumbling bodies | too large: tops precess too slowly, then fall
 constexpr double kMostTurn = 0.2;  // visible, of a body in contact, in a part
 
-// Contacts of these shapes are true from afar: what moves without a turn cannot get past them unseen.
+// Contacts of these shapes are true from afar: a shape that moves without a turn cannot pass the other one unseen.
 bool isFoundExactly(ShapeType a, ShapeType b) {
   if (a == ShapeType::plane || b == ShapeType::plane) return true;
   return (isRound(a) && (isRound(b) || b == ShapeType::box)) || (isRound(b) && a == ShapeType::box);
@@ -63,13 +63,13 @@ bool ImpactParts::foundExactly(const Island& island) const {
                   [](const Shape& a, const Shape& b) { return !isFoundExactly(a.type, b.type); });
 }
 
-// In the hollows of a mesh contacts come and go with each part: what spins there would sink deeper in parts than as a
-// whole.
+// In the hollows of a mesh contacts come and go with each part: a body that spins there would sink deeper in parts than
+// in the whole step.
 bool ImpactParts::onMesh(const Island& island) const {
   return anyPair(island, *context_.contacts, registry_.shapes, isMeshPair);
 }
 
-// rad, visible, in a step at the present spin.
+// Visible turn (rad) in a step at the present spin.
 Vec3 ImpactParts::turnOf(BodyIndex body) const {
   const BodyMotion& m = registry_.bodies.motion[body];
   return visibleTurn(registry_.bodies.mass[body], m.orientation, m.angularVelocity) * context_.dt;

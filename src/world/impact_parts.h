@@ -1,4 +1,4 @@
-// Into which parts an island's step is cut by impacts and turns, as far as that is known before anything is solved.
+// Into which parts impacts and turns cut an island's step, as far as that is known before anything is solved.
 #pragma once
 #include "solver/island.h"
 #include "world/proximity.h"
@@ -10,12 +10,13 @@ class ImpactParts {
  public:
   ImpactParts(const Registry& registry, const StepContext& context) : registry_(registry), context_(context) {}
 
-  // Left whole are large islands, what moves far beyond its own size, and what something kinematic moves.
+  // Left whole are large islands, islands with a body that moves far beyond its own size, and islands that a kinematic
+  // body moves.
   bool mayBeCut(const Island& island) const;
-  // s: nothing in contact turns visibly by more than kMostTurn.
+  // Longest part (s) in which no body in contact turns visibly by more than kMostTurn.
   double longest(const Island& island) const;
-  // By StepContext::solved, `dt` s further: whether the core of a body would pass into something on its way. Contacts
-  // of what is still far, or turns, may lie.
+  // Whether the core of a body would pass into another body in the next `dt` s, by StepContext::solved. Contacts do not
+  // tell it: they may be wrong about a body that is still far away, or turns.
   bool runThrough(const Island& island, double dt, const Proximity& proximity) const;
 
   //! - | too small: quick series of impacts end first order | too large: cost

@@ -1,10 +1,11 @@
-// The ledger of momentum and energy: what the dynamic bodies have is summed up between the stages, and what a stage
-// changed is booked on the cause that acts in it, by the function that stands beside it.
+// The ledger of momentum and energy. The sums over the dynamic bodies are taken between the stages. The change that a
+// stage made is booked on the cause that acts in it, by the function that stands beside the stage.
 //
-// Angular momentum is that about the world's origin. Until the solve it is taken where bodies are, from then on where they
-// will be: a contact's impulse acts at the start of the step, velocities hold at its end. What lies between the two is
-// the way times the momentum, d x m v: zero where d = v h; where a body moves by the mean of two velocities it is what
-// its impulses give for acting midway, booked on gravity in flight and on what holds the body otherwise.
+// Angular momentum is that about the world's origin. Until the solve it is taken where bodies are, from then on where
+// they will be. A contact's impulse acts at the start of the step; velocities hold at its end. The difference between
+// the two is the way times the momentum, d x m v. It is zero where d = v h. Where a body moves by the mean of two
+// velocities, it is the angular momentum that impulses give by acting midway. It is booked on gravity in flight, and
+// otherwise on the cause that acts on the body.
 #pragma once
 #include <cstddef>
 #include <vector>
@@ -19,16 +20,16 @@ struct StepContext;
 
 // Where the ledger of a step stands between two stages.
 struct LedgerState {
-  bool begun = false;           // a step was booked: the next one can be held against `last`
+  bool begun = false;           // a step was booked: the next one can be compared with `last`
   Balance now;                  // after the stage booked last
   Balance last;                 // after the last step
-  BalanceChange push;           // of gravity and forces in this substep: what the solve must answer
+  BalanceChange push;           // of gravity and forces in this substep: the solve must answer it
   std::size_t quarantined = 0;  // bodies, when the substep began
 
-  // Books on `cause` what was changed up to `after`; of elastic energy alone.
+  // Books on `cause` the change up to `after`; the second one, the change of elastic energy alone.
   void book(BalanceChange& cause, const Balance& after);
   void bookElastic(BalanceChange& cause, double after);
-  // With the motion of `sum`, while places and contacts are still as they were.
+  // `sum` with the potential and elastic energy of now: places and contacts are still as they were.
   Balance moving(Balance sum) const;
 };
 
@@ -39,11 +40,11 @@ void operator+=(BalanceChange& a, const BalanceChange& b);
 void addBody(Balance& sum, const BodyMass& mass, Vec3 position, Vec3 velocity, Vec3 spin, Vec3 spinMomentum);
 // Elastic energy of the contacts of a list of pairs.
 double elasticOf(const std::vector<CandidatePair>& pairs, const ContactSet& contacts, const StepContext& context);
-// Of all dynamic bodies, where they are.
+// Balance of all dynamic bodies, where they are.
 Balance balanceNow(const BodySet& bodies, const ContactSet& contacts, const StepContext& context);
-// Of those awake as the solve left them, at the end of the step's ways.
+// Balance of the awake bodies as the solve left them, where they are at the end of the step.
 Balance solvedBalance(const std::vector<BodyIndex>& awake, const BodySet& bodies, const StepContext& context);
-// Books on `cause` what was done to the solved motions.
+// Books on `cause` the changes of the solved motions.
 void bookSolved(BalanceChange& cause, const BodySet& bodies, const std::vector<BodyIndex>& awake,
                 const StepContext& context, LedgerState& state);
 

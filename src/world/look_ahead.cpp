@@ -10,29 +10,31 @@ namespace brickfall {
 
 namespace {
 
-//! m | too small: cost of what hardly moves | too large: slow balls catch on edges that they pass
-constexpr double kLeastAhead = 1e-3;  // of way in the step: what moves less meets what it is nearest to now
-//! inner radii | too small: what is fast bounces off what it passes | too large: tiny bodies slip past the corners that they hit
+//! m | too small: cost of pairs that hardly move | too large: slow balls catch on edges that they pass
+constexpr double kLeastAhead = 1e-3;  // way in the step: a slower pair meets the surface that is nearest now
+//! inner radii | too small: fast bodies bounce off bodies that they pass
+//! | too large: tiny bodies slip past the corners that they hit
 constexpr double kMostAhead = 64;  // of way in the step
-//! m | too small: cost of what glances | too large: round bodies are turned aside before they touch
-constexpr double kTouches = 1e-5;  // so near is a touch
-//! m | too small: balls lose speed at the seams that they roll over | too large: what glances off an edge passes it
-constexpr double kGrazes = 2e-4;  // by which a round body may overlap what it goes past
-//! of the speed at the touch | too small: balls lose speed at the seams of what gives way a little | too large: what glances off an edge passes it
-constexpr double kPast = 0.1;  // what closes no faster is past it
-// In which a hit is told from an edge that slides over a face.
-//! m | too small: what slides over seams stops at them | too large: what hits an edge goes over it
+//! m | too small: cost of glancing bodies | too large: round bodies are turned aside before they touch
+constexpr double kTouches = 1e-5;  // a gap this small is a touch
+//! m | too small: balls lose speed at the seams that they roll over
+//! | too large: balls pass edges that they should glance off
+constexpr double kGrazes = 2e-4;  // by which a round body may overlap a body that it goes past
+//! of the speed at the touch | too small: balls lose speed at the seams of blocks that give way a little
+//! | too large: balls pass edges that they should glance off
+constexpr double kPast = 0.1;  // a pair that closes no faster has passed
+// Way of the edge by which a hit is told from an edge that slides over a face.
+//! m | too small: boxes that slide over seams stop at them | too large: a box that hits an edge goes over it
 constexpr double kOverlapAhead = 2e-3;
 //! - | too small: glancing hits keep the normal of the start | too large: cost
 constexpr int kMostAdvances = 12, kMostHalvings = 6;
-//! - | too small: what slides over seams stops at them | too large: hits whose normal turns a little are left out
+//! - | too small: boxes that slide over seams stop at them | too large: hits whose normal turns a little are left out
 constexpr double kSameNormal = 0.9;  // cosine
 //! - | too small: hits on edges are left out | too large: thin plates that meet face on go through each other
-constexpr double kTurnedOver = -0.5;  // cosine: a normal that says that they have passed through each other
+constexpr double kTurnedOver = -0.5;  // cosine: such a normal says that the shapes have passed through each other
 
-//! rad | too small: what spins bounces off what it passes | too large: the ends of what spins pass through
-constexpr double kMostTurnAhead =
-    0.2;  // of a body in the step: what turns further sweeps over more than its points show
+//! rad | too small: spinning bodies bounce off bodies that they pass | too large: ends of spinning bodies pass through
+constexpr double kMostTurnAhead = 0.2;  // in the step: a body that turns further sweeps over more than its points
 
 // The shapes at a moment of the step.
 struct Moment {
@@ -52,14 +54,14 @@ class LookAhead {
   double grazes() const { return kGrazes * scale_; }    // m
 
   Moment start(const Manifold& m) const { return measured(0, m); }
-  // No points: the shapes are out of reach.
+  // Without points the shapes are out of reach.
   Moment at(double time) const {
     Manifold m;
     collide(a_.geometry, b_.geometry, inverse(a_.inCentreFrame) * placeAt(time) * b_.inCentreFrame, reach_, m);
     return measured(time, m);
   }
-  // Where it lies at the start of the step, seen from the round body. What is round touches with whatever side it has there: its core
-  // goes back, the side does not turn; faces turn back with their body.
+  // Where the manifold lies at the start of the step, seen from the round body. A round shape touches with whatever
+  // side it then has there: its core goes back, the side does not turn. Faces turn back with their body.
   Manifold atStart(const Moment& then) const {
     const bool roundA = isRound(a_.geometry.type), roundB = isRound(b_.geometry.type);
     const Transform back = inverse(a_.inCentreFrame) * motion_.pose * inverse(then.place) * a_.inCentreFrame;
@@ -107,8 +109,8 @@ class LookAhead {
   double reach_, scale_;
 };
 
-// The plane between two convex shapes keeps them apart until the nearest points would have met along its normal: by steps of that
-// length nothing is passed over. Ends where they touch, where they are nearest, or with the step.
+// The plane between two convex shapes keeps them apart until the nearest points would have met along its normal: steps
+// of that length pass over nothing. Ends where the shapes touch, where they are nearest, or with the step.
 Moment advance(const LookAhead& ahead, Moment now, double dt) {
   Moment before = now;
   for (int k = 0; k < kMostAdvances; k++) {
@@ -128,7 +130,7 @@ Moment advance(const LookAhead& ahead, Moment now, double dt) {
   return now;
 }
 
-// What touches overlaps by no more than kGrazes before it is past.
+// Whether touching shapes overlap by no more than kGrazes before they are past each other.
 bool grazes(const LookAhead& ahead, Moment now, double dt) {
   const double past = kPast * now.closing;
   for (int k = 0; k < kMostAdvances && now.closing > past && now.apart > -ahead.grazes(); k++) {
@@ -139,13 +141,13 @@ bool grazes(const LookAhead& ahead, Moment now, double dt) {
   return now.manifold.count > 0 && now.apart > -ahead.grazes() && !(now.closing > past);
 }
 
-// Turns bring nearer what planes keep apart: nothing is passed that the step would end in.
+// Turns bring shapes nearer that planes keep apart. The other shape is not passed if the step would end inside it.
 bool endsIn(const LookAhead& ahead, double dt, double deep) {
   const Moment end = ahead.at(dt);
   return end.manifold.count > 0 && end.apart < -deep;
 }
 
-// At the moment when they are nearest; without points they are apart by more than `margin`.
+// Passed at the moment when the shapes are nearest. Without points they are apart by more than `margin`.
 Ahead passesAt(const Moment& then, double margin) {
   return {AheadFound::passes, then.time, then.manifold.count > 0 ? then.apart : margin};
 }
@@ -161,7 +163,8 @@ Ahead lookAheadRound(const LookAhead& ahead, const Moment& now, double dt, doubl
   return {AheadFound::meets};
 }
 
-// An edge that is `overlap` further on overlaps another face, by less than half of that, and comes no nearer: it slides over it.
+// The box slides over the edge if this holds: `overlap` further on, its edge overlaps another face, by less than half
+// of `overlap`, and comes no nearer.
 bool slidesOver(const LookAhead& ahead, const Moment& now, double dt, double overlap) {
   const double until = now.time + (now.apart + overlap) / now.closing;
   if (until >= dt) return false;
@@ -171,7 +174,7 @@ bool slidesOver(const LookAhead& ahead, const Moment& now, double dt, double ove
          then.closing * dt < overlap && !endsIn(ahead, dt, overlap);
 }
 
-// Spin in the body's own frame. What is round about an axis through its centre turns into itself.
+// `spin` in the body's own frame. A shape that is round about an axis through its centre turns into itself.
 bool turnsTooFar(const ShapeData& shape, Vec3 spin, double dt) {
   const bool centred = lengthSquared(shape.inCentreFrame.position) == 0;
   if (centred && shape.geometry.type == ShapeType::sphere) return false;
@@ -187,7 +190,7 @@ bool turnsTooFar(const ShapeData& shape, Vec3 spin, double dt) {
 Ahead lookAhead(const ShapeData& a, const ShapeData& b, const RelativeMotion& motion, double dt, double reach,
                 double margin, Manifold& m) {
   const double scale = lengthScale(a.innerRadius, b.innerRadius), most = kLeastAhead * scale / dt;
-  if (a.geometry.type == ShapeType::plane || b.geometry.type == ShapeType::plane) return {};  // it has one normal
+  if (a.geometry.type == ShapeType::plane || b.geometry.type == ShapeType::plane) return {};  // a plane has one normal
   if (lengthSquared(motion.velocity) < most * most) return {};
   const double far = kMostAhead * std::min(a.innerRadius, b.innerRadius) / dt;
   if (lengthSquared(motion.velocity) > far * far) return {};

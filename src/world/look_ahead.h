@@ -1,6 +1,7 @@
-// What shapes that are apart will meet in a step. The points and the normal of a contact are frozen for a step; taken where it begins,
-// they can make a wall of what only lies beside a fast body's way: a ball that flies past an edge would bounce off it, a box that slides
-// over flush bricks would stop at the side of the next one. So they are taken from where the shapes meet.
+// Which surfaces shapes that are apart will meet in a step. The points and the normal of a contact are frozen for a
+// step. Taken where the step begins, they can make a wall of a surface that only lies beside a fast body's way. A ball
+// that flies past an edge would bounce off it, and a box that slides over flush bricks would stop at the side of the
+// next one. So they are taken from where the shapes meet.
 #pragma once
 #include "dynamics/shape_set.h"
 #include "narrowphase/manifold.h"
@@ -15,20 +16,21 @@ struct RelativeMotion {
 };
 
 enum class AheadFound {
-  asNow,   // what is nearest now
+  asNow,   // the surface that is nearest now
   meets,   // the manifold of a later moment
   passes,  // nothing, if both go on straight until `time`
 };
 struct Ahead {
   AheadFound found = AheadFound::asNow;
-  // Of passes:
-  double time = 0;   // s, when they are past; 0 where what turns them aside does not matter
+  // If they pass:
+  double time = 0;   // s, when they are past; 0 where it does not matter what else turns them aside
   double apart = 0;  // m, by which they clear each other until then
 };
 
-// What two shapes with the manifold `m` will meet in the coming dt. Round shapes that meet only later: `m` becomes that of the touch, as it
-// lies now. Those that pass each other at more than `margin` (m), and what slides over a face whose side it would have hit, pass: `m` stays.
-// Convex shapes; `reach` (m): of the manifold.
+// Finds what two shapes with the manifold `m` will meet in the coming dt. For round shapes that meet later in the step,
+// `m` becomes the manifold of the touch, as it lies now. Shapes that pass each other at more than `margin` (m) pass:
+// `m` stays. So does a shape that slides over a face whose side it would have hit. Shapes are convex; `reach` (m) is
+// that of the manifold.
 Ahead lookAhead(const ShapeData& a, const ShapeData& b, const RelativeMotion& motion, double dt, double reach,
                 double margin, Manifold& m);
 

@@ -4,7 +4,7 @@
 
 namespace brickfall {
 
-// Pose and velocities by StepContext::solved. Returns false, and leaves the body as it was, if they are not sane.
+// Sets pose and velocities by StepContext::solved. Returns false, and leaves the body as it was, if they are not sane.
 bool moveBody(BodyIndex body, BodySet& bodies, const StepContext& context);
 
 }  // namespace brickfall

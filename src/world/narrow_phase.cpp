@@ -15,7 +15,7 @@ namespace brickfall {
 namespace {
 
 //! m | too small: manifolds made anew for nothing | too large: frozen normals and arms are wrong
-constexpr double kReusePosition = 1e-4;  // m: relative motion since the manifold was made under which it is kept,
+constexpr double kReusePosition = 1e-4;  // m: relative motion since the manifold was made below which it is kept,
 //! rad | with kReusePosition
 constexpr double kReuseTurn = 5e-4;  // rad,
 //! m a step | with kReusePosition
@@ -31,7 +31,8 @@ LoadedPoints loadedPoints(const Contact& c) {
   return out;
 }
 
-// Of more than four points those that were chosen serve as long as all of them carry; else the load may be moving to another one.
+// Of more than four points, the four chosen serve as long as all of them carry. Else the load may be moving to another
+// point.
 bool canReuse(const Contact& c, const ContactGeometry& g, const Transform& relative, Vec3 relativeVelocity, double dt,
               double scale) {
   if (c.rolls || (c.partial && loadedPoints(c).count < c.count)) return false;
@@ -46,7 +47,7 @@ Vec3 anyPerpendicular(Vec3 n) {
   return normalized(std::fabs(n.x) < 0.7 ? cross(n, Vec3{1, 0, 0}) : cross(n, Vec3{0, 1, 0}));
 }
 
-// Points further away than the margin and the approach of the coming step can't touch: left out.
+// Points further away than the margin and the approach of the coming step cannot touch: they are left out.
 void dropFarPoints(Manifold& m, const BodyMotion& a, const BodyMotion& b, const Transform& poseA, double margin,
                    double dt) {
   Vec3 n = rotate(poseA.rotation, m.normal);
@@ -60,8 +61,8 @@ void dropFarPoints(Manifold& m, const BodyMotion& a, const BodyMotion& b, const 
   m.count = kept;
 }
 
-// To each manifold a part: the one whose normal is most like its own, the nearest manifolds first; else one without a
-// contact; else one whose contact ends now. Without points: -1.
+// Gives each manifold a part, the nearest manifolds first. It is the part whose normal is most like its own; else one
+// without a contact; else one whose contact ends now. A manifold without points gets -1.
 void assignParts(const ContactSet& contacts, const CandidatePair* parts, int count, const MeshManifolds& found,
                  Quat aInBody, int* partOf) {
   std::uint32_t taken = 0, had = 0;
@@ -120,7 +121,7 @@ void NarrowPhase::run() {
   proximity_.passed.clear();
   for (std::size_t n = 0; n < contacts_.pairs.size(); n++) {
     CandidatePair pair = contacts_.pairs[n];
-    if (isStill(pair)) {  // whatever its shapes are
+    if (isStill(pair)) {  // whatever the shapes are
       reused_ += pair.contact != kNoIndex;
       contacts_.pairs[kept++] = pair;
       continue;
@@ -128,7 +129,7 @@ void NarrowPhase::run() {
     if (!meetsMesh(pair)) {
       const std::size_t passed = proximity_.passed.size();
       if (!updatePair(pair, Look::ahead)) continue;
-      if (proximity_.passed.size() > passed) proximity_.passed.back().pair = std::uint32_t(kept);  // where it will lie
+      if (proximity_.passed.size() > passed) proximity_.passed.back().pair = std::uint32_t(kept);  // in the new list
       contacts_.pairs[kept++] = pair;
       continue;
     }
@@ -183,7 +184,7 @@ bool NarrowPhase::haveParted(const CandidatePair& pair) const {
   return !overlaps(proximity_.kept(pair.shapeA), proximity_.kept(pair.shapeB));
 }
 
-// Kept bounds depend on the history of the tree; only the swept ones may decide about a contact.
+// Kept bounds depend on the history of the tree: only swept bounds may decide whether a contact exists.
 NarrowPhase::Approach NarrowPhase::approachOf(const CandidatePair& pair) const {
   const BodyMotion &ma = bodies_.motion[pair.bodyA], &mb = bodies_.motion[pair.bodyB];
   Approach out;
@@ -193,7 +194,8 @@ NarrowPhase::Approach NarrowPhase::approachOf(const CandidatePair& pair) const {
   return out;
 }
 
-// Something fixed or kinematic is not set in motion by what else happens in the step.
+// Nothing in the step sets a fixed or kinematic body in motion: a pair with one has the margin of bodies that do not
+// move.
 double NarrowPhase::marginOf(const CandidatePair& pair) const {
   const bool bothDynamic = bodies_.mass[pair.bodyA].invMass > 0 && bodies_.mass[pair.bodyB].invMass > 0;
   const double fastest = std::sqrt(std::max(lengthSquared(bodies_.motion[pair.bodyA].linearVelocity),
@@ -227,7 +229,7 @@ void NarrowPhase::collidePair(const CandidatePair& pair, const Approach& approac
   const Contact* had = pair.contact != kNoIndex ? &contacts_.contacts[pair.contact] : nullptr;
   collide(a.geometry, b.geometry, bInA, reachOf(pair, approach), m, had ? loadedPoints(*had) : LoadedPoints{});
   computed_++;
-  // What rolls, and carries a load, is where it is.
+  // A rolling body that carries a load is not looked up ahead: it already touches where it is.
   const bool touches = had && had->touching && had->rolls;
   if (m.count > 0 && look == Look::ahead && !touches) lookAheadOf(pair, approach, m);
   if (m.count > 0)
@@ -277,8 +279,8 @@ bool NarrowPhase::updatePair(CandidatePair& pair, Look look) {
   return true;
 }
 
-// Parts go with directions, not with faces: what rolls or slides from face to face keeps its contact and what that
-// remembers.
+// Parts go with directions, not with faces: a body that rolls or slides from face to face keeps its contact and the
+// contact's memory.
 int NarrowPhase::updateParts(CandidatePair* parts, int count) {
   const CandidatePair first = parts[0];
   auto all = [&](auto condition) {
@@ -397,12 +399,12 @@ void NarrowPhase::makeContact(CandidatePair& pair, const Manifold& m, const Tran
       g.anchorB[i] = oldGeometry.anchorB[from];
     }
   }
-  // What points that are gone were hit by in this step is still told.
+  // Hits in this step at points that are gone are still told.
   for (int j = 0; had && j < old.count; j++)
     if (!(goesOn >> j & 1)) addHit(c.points, 0, old.points.hitN[j], old.points.hit1[j], old.points.hit2[j]);
   measurePoints(c, g, relative);
-  // Overlap that only shows when it is measured anew (bodies that turn go along arcs) is plastic: no work went into it, so it presses
-  // no harder than what was there.
+  // Overlap that only shows when it is measured anew (bodies that turn go along arcs) is plastic: no work went into it,
+  // so it presses no harder than what was there.
   for (int i = 0; i < c.count; i++)
     if (fromOf[i] >= 0) c.points.offset[i] += std::min(0.0f, c.points.gap[i] - old.points.gap[fromOf[i]]);
   contacts_.contacts[pair.contact] = c;

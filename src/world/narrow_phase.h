@@ -1,5 +1,5 @@
-// From candidate pairs to contacts: the manifold of two shapes that are near, kept while they hardly move against each
-// other, and made anew with what its points remember.
+// From candidate pairs to contacts: the manifold of two shapes that are near. It is kept while the shapes hardly move
+// against each other, else made anew with the memory of its points.
 #pragma once
 #include "world/proximity.h"
 
@@ -16,9 +16,10 @@ class NarrowPhase {
 
   // Brings all pairs that are not asleep up to date.
   void run();
-  // A contact in the middle of a step, after its bodies moved: its points where they are now. What has parted keeps its old ones.
+  // Renews a contact in the middle of a step, after its bodies moved: its points where they are now. Shapes that have
+  // parted keep their old points.
   void renew(ContactIndex contact);
-  // What a pair that the broad phase has not found yet has in common already: pairs with their contacts, to be inserted.
+  // Contacts of a pair that the broad phase has not found yet: pairs with their contacts, to be inserted.
   void meet(CandidatePair pair, std::vector<CandidatePair>& out);
 
   int reused() const { return reused_; }  // manifolds
@@ -32,16 +33,16 @@ class NarrowPhase {
     Vec3 velocity;       // m/s, of B against A
   };
 
-  // Whether a manifold is that of now, or of where the shapes will meet in the step.
+  // Whether a manifold is taken where the shapes are now, or where they will meet in the step.
   enum class Look { asNow, ahead };
 
-  // Of bodies of which one has moved.
-  bool updatePair(CandidatePair& pair, Look look);  // false: it is forgotten
+  // For pairs of which one body has moved.
+  bool updatePair(CandidatePair& pair, Look look);  // false: the pair is forgotten
   void collidePair(const CandidatePair& pair, const Approach& approach, Look look, Manifold& m);
   void lookAheadOf(const CandidatePair& pair, const Approach& approach, Manifold& m);
-  // What passes only if it goes on straight, and does not, keeps what is nearest now.
+  // A pair that passes only if both go straight, and whose bodies do not, gets the points that are nearest now.
   void restorePassed();
-  // All parts of a shape and a mesh; the first ones, as many as it returns, are kept.
+  // All parts of a shape and a mesh. As many of the first ones as the returned count are kept.
   int updateParts(CandidatePair* parts, int count);
   void findParts(const CandidatePair& pair, const Approach& approach, MeshManifolds& found);
   int takeParts(CandidatePair* parts, int count, const MeshManifolds& found, const Transform& relative);
@@ -62,11 +63,11 @@ class NarrowPhase {
   int reused_ = 0, computed_ = 0;
 };
 
-// What a contact has of its shapes and bodies: friction, restitution, effective mass.
+// Constants that a contact takes from its shapes and bodies: friction, restitution, effective mass.
 void takeConstants(Contact& c, const ShapeSet& shapes, const BodySet& bodies);
 
-// Gaps and drifts from the anchors, in double; the points' places about their middle. `relative`: the centre frame of B in
-// that of A.
+// Sets gaps and drifts from the anchors, in double, and the points' places about their middle. `relative`: the centre
+// frame of B in that of A.
 void measurePoints(Contact& c, ContactGeometry& g, const Transform& relative);
 
 }  // namespace brickfall

@@ -9,18 +9,19 @@ namespace brickfall {
 
 namespace {
 
-//! m | too small: what rolls bounces off what it passes | too large: what bounces goes into what it then meets
-constexpr double kAside = 1e-3;  // by which a touch turns a body aside from what it would have passed
+//! m | too small: rolling bodies bounce off bodies that they pass
+//! | too large: bouncing bodies go into a body that they then meet
+constexpr double kAside = 1e-3;  // by which a touch turns a body aside from the way past another
 
-// m/s, at the middle of a contact's points.
+// Closing speed (m/s) at the middle of a contact's points.
 double closingSpeed(const BodyMotion& a, const BodyMotion& b, const ContactGeometry& g) {
   const Vec3 n = a.orientation * g.normal, at = a.position + a.orientation * g.centre;
   return dot(n, a.linearVelocity + cross(a.angularVelocity, at - a.position) - b.linearVelocity -
                     cross(b.angularVelocity, at - b.position));
 }
 
-// m, by which what passes something until `time` is turned aside by the end of the step: where it is turned early, that is not all it
-// has still to go past.
+// How far (m) a body of the pair may have drifted sideways by the end of the step if a contact deflects it before
+// `time`; 0 if it goes straight until then. Taken to the end of the step, since it is then not yet past.
 double asideAfter(double time, const Course& course, double dt) {
   return time <= course.straightUntil ? 0 : course.slack + course.aside * (dt - course.straightUntil);
 }

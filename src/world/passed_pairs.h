@@ -1,4 +1,4 @@
-// Pairs of shapes that pass each other in the coming step, if what both touch before that lets them go on straight.
+// Pairs of shapes that pass each other in the coming step, if other contacts let both go straight before that.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -15,18 +15,18 @@ struct PassedPair {
   double apart = 0;        // m, by which they clear each other until then
 };
 
-// How what a body touches in the step turns it aside from its way.
+// How the contacts of a body in the step turn the body aside from its way.
 struct Course {
-  double straightUntil = 0;  // s: until then by no more than `slack`
+  double straightUntil = 0;  // s: until then the body strays by no more than `slack`
   double aside = 0;          // m/s: and then at this speed at most
   double slack = 0;          // m
 };
 
-// By body. Of what passes nothing it says nothing.
+// Courses by body. They say nothing of a body that passes no other.
 void findCourses(const BodySet& bodies, const ContactSet& contacts, std::span<const PassedPair> passed,
                  std::vector<Course>& courses);
 
-// What two bodies on these courses touch does not bring them as near in a step of dt as they are apart.
+// Whether the contacts of two bodies on these courses bring them, in a step of dt, no nearer than they are apart.
 bool staysPassed(const PassedPair& passed, const Course& a, const Course& b, double dt);
 
 }  // namespace brickfall

@@ -11,7 +11,8 @@ namespace brickfall {
 
 namespace {
 
-//! inner radii | too small: debris overlaps before it meets: hits on large bricks move fewer | too large: more points that carry nothing
+//! inner radii | too small: debris overlaps before it meets: hits on large bricks move fewer
+//! | too large: more points that carry nothing
 constexpr double kMostMargin = 0.3;
 //! inner radii | too small: bounds are made anew in most steps of a slow body
 //! | too large: more candidate pairs that never touch
@@ -19,7 +20,7 @@ constexpr double kKeptSlack = 0.3;  // of a shape's inner radius: kept bounds ar
 //! not of the method: room
 constexpr std::size_t kMeshScratch = 4096;  // faces near one shape, points on them
 
-// Planes and meshes have no size: what comes near them has.
+// Planes and meshes have no size: the shapes that come near them have.
 bool hasSize(const ShapeData& shape) { return shape.innerRadius < 1e29; }
 double slackOf(const ShapeData& shape) { return hasSize(shape) ? kKeptSlack * shape.innerRadius : 0; }
 
@@ -34,8 +35,8 @@ double Proximity::marginOf(const ShapeData& shape, double speed, double dt) cons
   return std::min(kMostMargin * shape.innerRadius, contactMargin / kReferenceSize * shape.innerRadius + speed * dt);
 }
 
-// Its motion at the present velocity, and the contact margin. Contacts are made only where these bounds overlap, so that
-// which exist does not depend on the history of the tree.
+// Swept bounds: the shape's motion at the present velocity, and the contact margin. Contacts are made only where these
+// bounds overlap, so that which contacts exist does not depend on the history of the tree.
 void Proximity::updateSwept(const Registry& registry, ShapeIndex shape, double dt) {
   const ShapeData& s = registry.shapes.data[shape];
   const BodyMotion& m = registry.bodies.motion[s.body];
@@ -75,8 +76,8 @@ void Proximity::follow(const Registry& registry, ShapeIndex shape) {
   following.push_back({s.proxy, s.swept, slackOf(registry.shapes.data[shape])});
 }
 
-// The tree must hold a body where it is now: queries between steps rely on it. A collision may throw it out of the bounds
-// that its velocity before the step foretold.
+// The tree must have a body where it is now: queries between steps rely on it. A collision may throw it out of the
+// bounds that its velocity before the step foretold.
 void Proximity::keepBounds(const Registry& registry, BodyIndex body) {
   for (ShapeIndex shape : registry.bodies.shapes[body]) {
     const ShapeData& s = registry.shapes.data[shape];

@@ -1,5 +1,5 @@
-// What in a world is near what: the bounds of shapes, the broad phase that they lie in, candidate pairs, and the contacts
-// made of those that are near.
+// Which shapes of a world are near each other: their bounds, the broad phase that the bounds lie in, candidate pairs,
+// and the contacts of near pairs.
 #pragma once
 #include <memory>
 #include <vector>
@@ -13,7 +13,7 @@
 
 namespace brickfall {
 
-// Of a shape.
+// The surroundings of a shape.
 struct Surroundings {
   ProxyIndex proxy = kNoProxy;  // none: its body is quarantined
   bool mesh = false;            // a triangle mesh
@@ -22,11 +22,11 @@ struct Surroundings {
 
 class Proximity {
  public:
-  // Empty, of a world with these settings.
+  // Makes it empty, for a world with these settings.
   void open(BroadPhaseMethod method, double contactMargin);
 
   std::unique_ptr<BroadPhase> broadPhase;  // never null in a world
-  double contactMargin = 0;                // m, of what does not move
+  double contactMargin = 0;                // m, for bodies that do not move
   std::vector<Surroundings> around;        // by shape
   ContactSet contacts;
   // Scratch, kept for its memory.
@@ -35,11 +35,11 @@ class Proximity {
   std::vector<CandidatePair> newParts;  // of pairs with a mesh
   std::vector<PassedPair> passed;
   std::vector<Course> courses;          // by body (passed_pairs.h)
-  std::vector<BoundsUpdate> following;  // what the broad phase is to be told
+  std::vector<BoundsUpdate> following;  // bounds of which the broad phase is to be told
   MeshScratch meshScratch;
 
-  // m: how early contacts of a shape are made in a step of dt, where it or what it meets has this speed (m/s): what lies beside something
-  // fast is set in motion within the step.
+  // m: how early contacts of a shape are made in a step of dt, where the shape or its neighbour has this speed (m/s). A
+  // body beside a fast one is so set in motion within the step.
   double marginOf(const ShapeData& shape, double speed, double dt) const;
   // Bounds that anything must meet to be able to touch the shape in the coming step.
   void updateSwept(const Registry& registry, ShapeIndex shape, double dt);

@@ -1,4 +1,4 @@
-// What must hold of pairs and contacts, and of the bounds that shapes are kept in.
+// Invariants of pairs and contacts, and of the bounds that shapes are kept in.
 #include <algorithm>
 #include <cmath>
 
@@ -20,7 +20,7 @@ bool namesWhatIsThere(const CandidatePair& p, const Registry& r, const ContactSe
          (p.contact == kNoIndex || p.contact < contacts.contacts.size());
 }
 
-// What a contact says of its shapes, and its frame.
+// A contact's facts about its shapes, and its frame.
 void checkContact(Findings& f, const Registry& r, const Contact& c, const ContactGeometry& g) {
   const Material &a = r.shapes.data[c.shapeA].def.material, &b = r.shapes.data[c.shapeB].def.material;
   double inverseMass = r.bodies.mass[c.bodyA].invMass + r.bodies.mass[c.bodyB].invMass;
@@ -33,7 +33,7 @@ void checkContact(Findings& f, const Registry& r, const Contact& c, const Contac
   f.expect(isSound(c.points), "contacts: what points remember is out of range");
 }
 
-// Those that sleep name nothing that is awake or moves.
+// Sleeping pairs name no body that is awake or moves.
 void checkPairs(Findings& f, const Registry& r, const ContactSet& c) {
   std::vector<bool> used(c.contacts.size(), false);
   for (const auto* list : {&c.pairs, &c.asleep})

@@ -35,7 +35,8 @@ void quarantineAbsurd(const Registry& registry, const Activity& activity, double
     Vec3 velocity = m.linearVelocity + data.force * (bodies.mass[body].invMass * dt);
     Vec3 spin = m.angularVelocity;
     if (!(data.torque == Vec3{})) spin += bodies.worldInvInertia(body) * data.torque * dt;
-    // A grain of a millimetre that is hit may well spin at a million rad/s: it is lost if its surface is.
+    // A grain of a millimetre that is hit may well spin at a million rad/s: the grain is lost only if its surface is
+    // too fast.
     const double turning = length(spin) * std::min(1.0, bodies.mass[body].outerRadius);
     bool fine = length(velocity) < lost::kSpeed && turning < lost::kSpeed;  // false for NaN
     if (!fine) quarantine.hold(body);

@@ -1,5 +1,5 @@
-// Bodies whose motion is none: not finite, absurdly fast, or lost in space. They are held where they last were, without
-// velocity, and taken out of all contacts and lists, so that it never spreads.
+// Bodies with an impossible motion: not finite, absurdly fast, or lost in space. They stay where they last were,
+// without velocity, and are taken out of all contacts and lists, so that the motion never spreads.
 #pragma once
 #include <vector>
 
@@ -25,7 +25,7 @@ class Quarantine {
   std::vector<BodyIndex> caught_;
 };
 
-// What its forces or impulses would make absurdly fast is taken out before it can spoil the sums of its island.
+// A body that its forces or impulses would make absurdly fast is taken out before it can spoil the sums of its island.
 void quarantineAbsurd(const Registry& registry, const Activity& activity, double dt, Quarantine& quarantine);
 
 }  // namespace brickfall

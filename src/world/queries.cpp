@@ -1,4 +1,4 @@
-// What can be asked of a world between steps.
+// Queries of a world between steps.
 #include <algorithm>
 #include <cmath>
 

@@ -86,7 +86,7 @@ void Registry::setType(BodyIndex body, BodyType type) {
 
 namespace {
 
-// What is of unit length to rounding stays as it is, so that a rotation that was read can be put back bit for bit.
+// A quaternion of unit length to rounding stays as it is, so that a rotation that was read can be put back bit for bit.
 Quat unitRotation(Quat q) {
   double square = q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
   return std::fabs(square - 1) < 1e-14 ? q : normalized(q);

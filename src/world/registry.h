@@ -1,5 +1,5 @@
-// What is in a world: bodies, their shapes, and the ids by which a program names them. Knows what a body is made of and
-// where it is, not what it touches or whether it is awake.
+// The contents of a world: bodies, their shapes, and the ids by which a program names them. The registry knows the
+// parts of a body and its place. It does not know the body's contacts or whether it is awake.
 #pragma once
 #include <cstdint>
 #include <memory>
@@ -40,14 +40,14 @@ class Registry {
   void setPose(BodyIndex body, Vec3 position, Quat rotation);  // of the body's frame
   // True if the body's centre of mass is elsewhere in it than before; its frame stays where it is.
   bool setMaterial(ShapeIndex shape, const Material& material);
-  double massWith(BodyIndex body, std::span<const Material> materials) const;  // kg, if its shapes were of these
+  double massWith(BodyIndex body, std::span<const Material> materials) const;  // kg, if the body's shapes were of these
   bool hasMesh(BodyIndex body) const;
-  bool mayMeet(ShapeIndex a, ShapeIndex b) const;  // of two bodies of which one is dynamic, and their filters allow it
+  bool mayMeet(ShapeIndex a, ShapeIndex b) const;  // of two bodies, one is dynamic, and their filters allow it
 
-  // Of bodies that were read from a snapshot: what follows from their definitions.
+  // For bodies that were read from a snapshot: works out all that follows from their definitions.
   Status rebuild();
 
-  // Counts, indices and links: what must hold before anything may be followed; then all the rest.
+  // Counts, indices and links must hold before anything may be followed; `check` looks at all the rest.
   void checkStructure(Findings& f) const;
   void check(Findings& f) const;
 

@@ -1,9 +1,9 @@
-// A world as bytes, and back: all that a step reads and that can't be worked out from the rest, so that a restored world
-// goes on bit for bit. Masses, hulls and where shapes lie follow from what bodies were made of; the tree of the broad phase
-// is built anew: which contacts exist does not depend on its shape.
+// A world as bytes, and back. The bytes hold all that a step reads and the rest does not determine, so that a restored
+// world goes on bit for bit. Masses, hulls and the places of shapes follow from the definitions of bodies. The tree of
+// the broad phase is built anew: which contacts exist does not depend on its shape.
 //
-// Layout: magic, layout number, hash of the rest; the fields in the order below, as this machine has them in memory. The
-// hash finds damage, not intent: nothing that is read is trusted (snapshot_check.cpp).
+// Layout: magic, layout number, hash of the rest; the fields in the order below, as this machine has them in memory.
+// The hash finds damage, not intent: nothing that is read is trusted (snapshot_check.cpp).
 #include <algorithm>
 
 #include "base/archive.h"
@@ -39,7 +39,7 @@ std::uint64_t hashOf(std::span<const std::byte> bytes) {
 
 }  // namespace
 
-// What points remember: numbers as they are, phases as one of theirs.
+// The memory of points: numbers as they are, each phase checked as a value of PointPhase.
 template <class Archive> struct PointFields {
   Archive& archive;
   template <class T> void operator()(T& lanes, PointQuantity = {}) const {
@@ -121,9 +121,8 @@ class SnapshotArchive {
     a.choice(d.type, BodyType::dynamic);
     a.choice(d.activity, BodyActivity::fixed);
     for (auto* flag : {&d.quarantined, &d.allowSleep, &d.steady.sticks}) a.flag(*flag);
-    for (auto* number :
-         {&d.gravityScale, &d.linearDamping, &d.angularDamping, &d.dragArea, &d.lastKineticEnergy, &d.steady.dt,
-          &d.impactLoss})
+    for (auto* number : {&d.gravityScale, &d.linearDamping, &d.angularDamping, &d.dragArea, &d.lastKineticEnergy,
+                         &d.steady.dt, &d.impactLoss})
       a.value(*number);
     for (auto* vector : {&d.force, &d.torque, &d.lastLinearVelocity, &d.lastAngularVelocity, &d.linearAcceleration,
                          &d.angularAcceleration, &d.steady.linear, &d.steady.angular})
@@ -163,7 +162,7 @@ class SnapshotArchive {
     a.value(s.def.userData);
   }
 
-  // Each mesh once, however many shapes have it, in the order of the first of them. Trees are built anew.
+  // Each mesh once, however many shapes have it, in the order of the first of these shapes. Trees are built anew.
   template <class Archive, class Shapes> static void meshes(Archive& a, Shapes& s) {
     std::vector<std::shared_ptr<const MeshTree>> all;
     std::vector<std::uint32_t> numberOf;  // by shape; 0 = none
@@ -245,7 +244,7 @@ class SnapshotArchive {
       a.list(i.rows.contacts.records);
       a.list(i.rows.contacts.starts);
       hierarchy(a, i.hierarchy);
-      a.flag(i.facts.partnersMove);  // of one that stays settled
+      a.flag(i.facts.partnersMove);  // of an island that stays settled
       a.choice(i.ending, IslandEnding::settled);
       a.value(i.points);
       a.value(i.touchingPoints);

@@ -1,5 +1,5 @@
-// After a snapshot's fields are read: are they a world? Everything that the rest determines is worked out anew, the rest is
-// checked as the API checks what it is given. World::restore then asks validate() for every invariant.
+// After a snapshot's fields are read: are they a world? Everything that the rest determines is worked out anew. The
+// rest is checked as the API checks its arguments. World::restore then asks validate() for every invariant.
 #include <cmath>
 
 #include "world/checks.h"
@@ -103,7 +103,7 @@ Status World::Impl::rebuild() {
   if (check.failed()) return check.error();
   if (Status built = registry.rebuild(); !built) return built;
   for (BodyIndex i = 0; i < bodies.slots(); i++)
-    // A platform of triangles may weigh nothing.
+    // A platform of triangles may have no mass.
     if (bodies.alive(i) && bodies.data[i].type == BodyType::dynamic)
       checkMass(check, bodies.data[i].bodyFrameMass.mass);
   checkContacts(check, proximity.contacts);

@@ -1,9 +1,9 @@
-// What a step needs is taken before it begins, and kept: a scene that has run for a second takes nothing from the heap any
-// more, whatever meets, parts, wakes or falls asleep in it.
+// Memory of a step is taken before the step begins, and kept. A scene that has run for a second takes nothing from the
+// heap any more, whichever bodies meet, part, wake or fall asleep in it.
 //
-// Lists have room for as much as so many shapes are likely to need, and for a fourth more than they hold; the pool has
-// more than a body of a wall under a hit needs (4 KiB with rebounds), and half more than it ever gave out at once. This is
-// address space, not memory: what is never touched is never given by the system.
+// Lists have room for as much as so many shapes are likely to need, and for a fourth more than they hold. The pool has
+// more than a body of a wall under a hit needs (4 KiB with rebounds), and half more than it ever gave out at once. This
+// is address space, not memory: the system never gives pages that are not touched.
 #include "world/solve_state.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// What the solve of a step works with: what its stages share, the memory that islands lie in, and the workers.
+// The tools of a step's solve: the context that its stages share, the memory that islands lie in, and the workers.
 #pragma once
 #include <memory>
 
@@ -9,7 +9,7 @@
 namespace brickfall {
 
 struct SolveState {
-  Pool memory;  // of islands and of what a stage needs for itself; outlives both
+  Pool memory;  // of islands and of a stage's scratch; outlives both
   StepContext context;
   std::unique_ptr<WorkerPool> workers;  // never null in a world
 

@@ -1,4 +1,5 @@
-// The fields of SolverSettings with their ranges, for whoever takes all of them: the check of what a caller gives, snapshots.
+// The fields of SolverSettings with their ranges, for code that takes all of them: the check of a caller's settings,
+// snapshots.
 #pragma once
 #include "brickfall/solver_settings.h"
 

@@ -1,4 +1,5 @@
-// Narrow phase: manifolds of candidate pairs, and what their points remember; what sleeps is woken by what now meets it.
+// Narrow phase: manifolds of candidate pairs, and the memory of their points. Sleeping islands wake if a body now meets
+// them.
 #include "world/narrow_phase.h"
 #include "world/stage_hash.h"
 #include "world/stages.h"
@@ -8,7 +9,7 @@ namespace brickfall {
 
 namespace {
 
-// A sleeping body that something awake presses on, or is about to hit.
+// Wakes sleeping bodies on which an awake body presses, or which it is about to hit.
 void wakeByNewContacts(const Registry& registry, const ContactSet& contacts, const StepContext& context,
                        Upkeep& upkeep) {
   auto asleep = [&](BodyIndex body) { return registry.bodies.data[body].activity == BodyActivity::asleep; };

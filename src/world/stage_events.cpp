@@ -1,4 +1,4 @@
-// What listeners are told: pairs of bodies that began or ceased to press on each other, bodies that moved.
+// The events for listeners: pairs of bodies that began or ceased to press on each other, bodies that moved.
 #include <algorithm>
 #include <iterator>
 
@@ -12,8 +12,8 @@ namespace brickfall {
 
 namespace {
 
-// Rows lie in the order of their pairs, so the lists of islands are some ascending runs, one after the other: neighbours are merged
-// until one is left. `room` is taken for it.
+// Rows lie in the order of their pairs, so the lists of islands are some ascending runs, one after the other.
+// Neighbouring runs are merged until one is left. `room` is taken for it.
 template <class T> void makeSet(std::vector<T>& list, std::vector<T>& room) {
   for (bool merged = true; merged;) {
     merged = false;
@@ -38,12 +38,13 @@ void countPoints(Island& island, const ContactSet& contacts) {
   }
 }
 
-// Bodies touch if any of their contacts does. Pairs that were not among those of the last step begin, and the other way.
+// Bodies touch if any of their contacts does. Pairs that were not among those of the last step begin; pairs that are no
+// longer among them end.
 void collectTouching(const Registry& registry, const Activity& activity, const ContactSet& contacts, Diary& diary) {
   BodyPairs &now = diary.touchingNow, &before = diary.touchingBefore, &slept = diary.slept;
   now.clear();
   for (const IslandPointer& island : activity.islands.awake) appendTouching(*island, contacts, now);
-  // What fell asleep in this step still touches, but is not looked at again until it wakes.
+  // An island that fell asleep in this step still touches, but is not looked at again until it wakes.
   slept.clear();
   const auto& asleep = activity.islands.asleep;
   for (std::size_t i = asleep.size() - activity.sleptNow; i < asleep.size(); i++)

@@ -1,5 +1,5 @@
-// Hashes of what a stage wrote, to find the first place where two runs part. What depends on the history of the tree
-// (candidate pairs without points, kept bounds) is left out: a restored world gives the same hashes.
+// Hashes of each stage's output, to find the first place where two runs part. Output that depends on the history of the
+// tree (candidate pairs without points, kept bounds) is left out: a restored world gives the same hashes.
 #pragma once
 #include <bit>
 #include <type_traits>
@@ -11,7 +11,7 @@
 
 namespace brickfall {
 
-// 64 bits at a time; base/hash.h goes byte by byte, too slow for all that a step writes. -0 counts as 0.
+// 64 bits at a time: base/hash.h goes byte by byte, too slow for all that a step writes. -0 counts as 0.
 class Mix {
  public:
   template <class... Values> Mix& operator()(const Values&... values) {
@@ -64,7 +64,7 @@ class HashItems {
       add(registry_.idOf(body), {}, h);
     }
   }
-  // Of pairs with points: write(h, contact, geometry).
+  // For pairs with points: write(h, contact, geometry).
   template <class Write> void pairs(const std::vector<CandidatePair>& list, const ContactSet& contacts, Write write) {
     for (const CandidatePair& pair : list) {
       if (pair.contact == kNoIndex) continue;
@@ -73,7 +73,7 @@ class HashItems {
       add(registry_.idOf(pair.bodyA), registry_.idOf(pair.bodyB), h);
     }
   }
-  // What is said of an island as a whole is said of its first body: write(h, island).
+  // Facts of an island as a whole are hashed with its first body: write(h, island).
   template <class Write> void islands(const std::vector<IslandPointer>& list, Write write) {
     for (const IslandPointer& island : list) {
       Mix h;
@@ -81,7 +81,7 @@ class HashItems {
       add(registry_.idOf(island->key()), {}, h);
     }
   }
-  // Of the contacts of awake islands: write(h, island, k, contact).
+  // For the contacts of awake islands: write(h, island, k, contact).
   template <class Write> void records(const IslandSet& islands, const ContactSet& contacts, Write write) {
     for (const IslandPointer& island : islands.awake)
       for (std::size_t k = 0; k < island->rows.contacts.records.size(); k++) {
@@ -91,7 +91,7 @@ class HashItems {
         add(registry_.idOf(c.bodyA), registry_.idOf(c.bodyB), h);
       }
   }
-  // Motions that the solve found. Of an island that is passed over, what was solved once is not read any more.
+  // Motions that the solve found. Those of an island that is passed over are not read any more.
   void solved(const IslandSet& islands, const StepContext& context);
   void contacts(const IslandSet& islands, const ContactSet& contacts);  // of awake islands
 
@@ -102,7 +102,7 @@ class HashItems {
   std::vector<ItemHash> items_;
 };
 
-// What a step is given: all bodies, and what contacts and islands remember.
+// Hashes of a step's input: all bodies, and the memory of contacts and islands.
 void hashGiven(const Registry& registry, const IslandSet& islands, const ContactSet& contacts, HashItems& out);
 
 }  // namespace brickfall

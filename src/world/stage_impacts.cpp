@@ -1,7 +1,7 @@
-// Impacts of small islands, each at its moment: a step over an impact is right to first order in its length only. An island in
-// which a point closes in this step goes on to there, its open points left out; it is collided anew, its velocities change, and
-// so on; what is left of the step is its step for the stages that follow. A body alone that turns fast in contact goes on in
-// parts, too, since arms are frozen in each: a top would fall over (impact_parts.h).
+// Impacts of small islands, each at its moment: a step over an impact is right to first order in its length only. An
+// island in which a point closes in this step goes on to that moment, its open points left out. It is collided anew,
+// its velocities change, and so on. The stages that follow make the rest of the step. A body alone that turns fast in
+// contact goes on in parts, too, since arms are frozen in each: otherwise a top would fall over (impact_parts.h).
 #include <algorithm>
 #include <limits>
 
@@ -24,9 +24,10 @@ namespace brickfall {
 
 namespace {
 
-//! of the step | too small: what is left after an impact is too short for floats | too large: impacts are met early
+//! of the step | too small: the rest of the step after an impact is too short for floats
+//! | too large: impacts are met early
 constexpr double kBlink = 1e-3;
-//! of what is left of a step | too small: what accelerates towards an impact is held up before it | too large: cost
+//! of the rest of the step | too small: a body that accelerates towards an impact stops short of it | too large: cost
 constexpr double kAhead = 1.3;
 //! not of the method: a mark
 constexpr double kNever = std::numeric_limits<double>::infinity();
@@ -64,7 +65,7 @@ class ImpactWalk {
   Events& events_;
 };
 
-// StepContext::solved of its bodies: `dt` s further; to an impact: as if its open points were not there.
+// Fills StepContext::solved of the island's bodies, for `dt` s; to an impact: as if its open points were not there.
 void ImpactWalk::solve(Island& island, double dt, bool toImpact, SolveStatistics& statistics) {
   IslandPart part = !toImpact                          ? IslandPart::between
                     : touchesNothing(island, context_) ? IslandPart::flight
@@ -72,17 +73,17 @@ void ImpactWalk::solve(Island& island, double dt, bool toImpact, SolveStatistics
   stepIsland(island, part, dt, ties_, bodies_, context_, statistics);
 }
 
-// When, in s from now, the next point closes, if that is within `left` s; none: infinity. Changes nothing.
+// Time from now (s) at which the next point closes, if that is within `left` s, else infinity. Changes nothing.
 double ImpactWalk::nextImpact(Island& island, double left) {
   IslandTrial trial(island, ties_, bodies_);
-  SolveStatistics tried;  // of a motion that nothing makes: its cost counts, what it left over does not
+  SolveStatistics tried;  // of a motion that nothing makes: its cost counts, its left-over residual does not
   solve(island, left, true, tried);
   trial.restore();
   context_.statistics.addCost(tried);
   return firstClosing(island, left, context_);
 }
 
-// False if it can't, and then it stays where it is.
+// False if the island cannot go there; then it stays where it is.
 bool ImpactWalk::goTo(Island& island, double dt, bool toImpact) {
   IslandTrial trial(island, ties_, bodies_);
   SolveStatistics tried;
@@ -122,7 +123,7 @@ void ImpactWalk::run(Island& island) {
        made++) {
     double part = std::min(left, parts_.longest(island));
     double next = mayClose(island, context_, kAhead) ? nextImpact(island, part) : kNever;
-    bool ahead = next <= kAhead * part;  // what comes a little later is not to be held up before it
+    bool ahead = next <= kAhead * part;  // a point that closes a little later must not stop the island short
     if (!ahead && part == left) break;
     double way = std::min({part, next, left - blink});
     if (way > blink) {
@@ -158,7 +159,7 @@ void hashImpacts(const Registry& registry, const IslandSet& islands, const Conta
   out.contacts(islands, contacts);
 }
 
-// Places and contacts changed, too: what is booked is all of it.
+// Places and contacts changed, too: the whole change is booked.
 void bookImpacts(const Registry& registry, const ContactSet& contacts, const StepContext& context, Diary& diary) {
   Balance now = balanceNow(registry.bodies, contacts, context);
   diary.ledgerState.bookElastic(diary.report.ledger->impacts, now.elastic);

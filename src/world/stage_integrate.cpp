@@ -1,4 +1,5 @@
-// New poses and velocities. Whatever became non-finite is quarantined here: held where it was, out of all contacts.
+// New poses and velocities. A body that became non-finite is quarantined here: it stays where it was, out of all
+// contacts.
 #include <cmath>
 
 #include "solver/finish/motion.h"
@@ -51,7 +52,7 @@ void Integration::finishBody(BodyIndex body) {
   data.lastAngularVelocity = m.angularVelocity;
 }
 
-// The sums of an island overflowed. Its fastest body, which must have caused it, is quarantined; the others stay where
+// The sums of an island overflowed. Its fastest body, which must have caused it, is quarantined. The others stay where
 // they are for this step, with the velocities they had, and their contacts start afresh.
 void Integration::salvage(Island& island) {
   BodyIndex culprit = island.bodies.front();
@@ -82,7 +83,7 @@ void Integration::salvage(Island& island) {
 
 void Integration::finishIsland(Island& island) {
   if (island.settled()) {
-    // Nothing moves and nothing did in the last step.
+    // The island does not move, and it did not move in the last step.
     for (BodyIndex body : island.bodies)
       if (!bodies.still[body]) finishBody(body);
     return;

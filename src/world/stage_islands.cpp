@@ -1,4 +1,4 @@
-// Islands: which bodies hang together. Built only if contacts came or went, or bodies woke.
+// Islands: which bodies contacts join. Built only if contacts came or went, or bodies woke.
 #include "world/activity.h"
 #include "world/diary.h"
 #include "world/registry.h"
@@ -29,7 +29,7 @@ void hashIslands(const ContactSet& contacts, const IslandSet& islands, HashItems
   });
 }
 
-// All that the contacts and quarantine did since the step began.
+// Books every change since the step began: by the contacts and by quarantine.
 void bookIslands(const Registry& registry, const ContactSet& contacts, const StepContext& context, Diary& diary) {
   Balance now = balanceNow(registry.bodies, contacts, context);
   diary.ledgerState.bookElastic(diary.report.ledger->remade, now.elastic);

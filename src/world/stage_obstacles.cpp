@@ -1,11 +1,12 @@
 // What the contacts of a step can't see: they are found along the velocities before it, with normals and arms that stay
-// as they are. A body that a hit throws somewhere else, or spins through most of a turn, or that a force accelerates from
-// rest, could end the step behind something thin. So the core of every fast body, a ball a fourth as thick as its shape, is
-// swept along the way that the solve found, against the ways of the others, and the body stops for this step where its core
-// would enter something, or where it would run over the core of something smaller. Of two that both move, both stop; what a
-// kinematic body runs into is taken along. What is long and turns is looked at in its own frame, where ways are arcs, in
-// parts of 0.1 rad. A body that contacts would spin too far in one step first has its turn cut, as far as frozen arms are true, and its
-// way alike. Velocities stay: the next step finds the contact and does the rest.
+// as they are. A body that a hit throws somewhere else, or spins through most of a turn, or that a force accelerates
+// from rest, could end the step behind something thin. So the core of every fast body, a ball a fourth as thick as its
+// shape, is swept along the way that the solve found, against the ways of the others, and the body stops for this step
+// where its core would enter something, or where it would run over the core of something smaller. Of two that both
+// move, both stop; what a kinematic body runs into is taken along. What is long and turns is looked at in its own
+// frame, where ways are arcs, in parts of 0.1 rad. A body that contacts would spin too far in one step first has its
+// turn cut, as far as frozen arms are true, and its way alike. Velocities stay: the next step finds the contact and
+// does the rest.
 #include <algorithm>
 #include <cmath>
 
@@ -25,7 +26,8 @@ namespace {
 //! times the mass | too small: a body goes on through what is only a little lighter
 //! | too large: bricks pressed into a wrecking ball hold it in the air
 constexpr double kFarHeavier = 30;  // times the mass
-//! of a way | too small: bricks that hit each other deep hold each other there | too large: cores pass that have not met
+//! of a way | too small: bricks that hit each other deep hold each other there
+//! | too large: cores pass that have not met
 constexpr double kHeld = 1e-3;
 //! - | too small: what turns freely ends beyond what it met | too large: cost
 constexpr int kLooks = 4;  // along a free turn: a part of it is not on the arc that all of it makes
@@ -85,11 +87,12 @@ std::span<const std::uint32_t> Obstacles::movesWith(const Island& island, BodyIn
   const auto number = std::size_t(place);
   const std::span<const std::uint32_t> group = island.groups.bodies(island.groups.groupOf(number));
   if (context.solved[body].flying) return group;
-  return group.subspan(std::size_t(std::lower_bound(group.begin(), group.end(), std::uint32_t(number)) - group.begin()), 1);
+  return group.subspan(std::size_t(std::lower_bound(group.begin(), group.end(), std::uint32_t(number)) - group.begin()),
+                       1);
 }
 
-// Leaves the body a share of its way, then `carried`, and a share of its turn; it keeps its velocities. All of a group that flies goes
-// the same share: its step ends there, and neither its linear nor its angular momentum changes.
+// Leaves the body a share of its way, then `carried`, and a share of its turn; it keeps its velocities. All of a group
+// that flies goes the same share: its step ends there, and neither its linear nor its angular momentum changes.
 void Obstacles::cut(BodyIndex body, double share, double turnShare, Vec3 carried) {
   const Island* island = islandWith(body);
   const bool flies = context.solved[body].flying;
@@ -100,7 +103,8 @@ void Obstacles::cut(BodyIndex body, double share, double turnShare, Vec3 carried
   for (std::uint32_t i : group) shorten(island->bodies[i], share, share, {}, true, context);
 }
 
-// What is far lighter is carried along and stops nothing: bricks pressed into a wrecking ball must not hold it in the air.
+// What is far lighter is carried along and stops nothing: bricks pressed into a wrecking ball must not hold it in the
+// air.
 bool Obstacles::farHeavier(BodyIndex body, BodyIndex other) const {
   return bodies.mass[body].mass > kFarHeavier * bodies.mass[other].mass;
 }
@@ -114,7 +118,8 @@ bool Obstacles::isThick(BodyIndex body) const {
 Vec3 Obstacles::commonWay(const Island& island, std::span<const std::uint32_t> group) const {
   const std::uint32_t number = island.groups.groupOf(group.front());
   if (!island.groups.flies(number))
-    return bodies.motion[island.partners[island.groups.partner(number) - island.bodies.size()]].linearVelocity * context.dt;
+    return bodies.motion[island.partners[island.groups.partner(number) - island.bodies.size()]].linearVelocity *
+           context.dt;
   Vec3 moment;
   double mass = 0;
   for (std::uint32_t i : group) {

@@ -1,4 +1,4 @@
-// Broad phase: bounds of what moved, and new candidate pairs.
+// Broad phase: bounds of bodies that moved, and new candidate pairs.
 #include <algorithm>
 
 #include "world/activity.h"

@@ -1,5 +1,5 @@
-// Kinetic damping; where each body would go if nothing touched it; contacts to records. From here to the balance a settled
-// island, of which nothing can change, is passed over.
+// Kinetic damping; where each body would go if nothing touched it; contacts to records. A settled island, in which
+// nothing can change, is passed over from here to the balance.
 #include "solver/free_motion.h"
 #include "solver/island_step.h"
 #include "world/activity.h"
@@ -36,7 +36,7 @@ void hashPrepare(const Registry& registry, const IslandSet& islands, const Conta
 
 namespace {
 
-// Of the bodies for which free motion was predicted: what they had before damping and drag.
+// Balance of the bodies for which free motion was predicted, before damping and drag.
 Balance atStart(const BodySet& bodies, const IslandSet& islands, const StepContext& context) {
   Balance sum;
   auto addTo = [&](BodyIndex body) {

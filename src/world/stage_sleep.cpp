@@ -1,4 +1,5 @@
-// Sleep: islands that rested for sleepDelay leave all lists that the step walks; what touches them wakes them (upkeep.cpp).
+// Sleep: islands that rested for sleepDelay leave all lists that the step walks. A body that touches them wakes them
+// (upkeep.cpp).
 //
 // Everything of a sleeping island stays as it is (contacts, forces, hierarchies), so that it wakes as it fell asleep.
 #include <algorithm>

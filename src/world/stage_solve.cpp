@@ -1,4 +1,4 @@
-// The solve of every island that does not rest, side by side: each touches nothing but itself.
+// The solve of every island that does not rest, side by side: each island's solve touches nothing but the island.
 #include "solver/island_builder.h"
 #include "solver/island_step.h"
 #include "world/solve_state.h"
@@ -11,7 +11,7 @@ void solveIslands(IslandSet& islands, SolveState& state) {
   StepContext& context = state.context;
   std::pmr::vector<SolveStatistics> counts(islands.awake.size(), &state.memory);
   auto solveOne = [&](std::size_t i) { solveIsland(*islands.awake[i], context, counts[i]); };
-  // One reference: what holds more takes memory of the heap.
+  // The lambda captures one reference: a larger one takes memory from the heap.
   state.workers->forRange(int(islands.awake.size()), 1, [&solveOne](int begin, int end) {
     for (int i = begin; i < end; i++) solveOne(std::size_t(i));
   });

@@ -1,5 +1,5 @@
-// What the solve found is kept: forces for the next step, motions for the stages to come. Hits are told here, by the forces of
-// the solve.
+// Results of the solve are kept: forces for the next step, motions for the stages to come. Hits are told here, by the
+// forces of the solve.
 #include <algorithm>
 
 #include "solver/contact/energy.h"
@@ -45,7 +45,7 @@ void hashStore(const IslandSet& islands, const ContactSet& contacts, const StepC
 
 namespace {
 
-// The work of contacts, and what it did to what they hold.
+// The work of contacts, and how it changed their elastic energy.
 BalanceChange contactsNow(const IslandSet& islands, const ContactSet& contacts, const StepContext& context,
                           double elasticBefore, double& rebound) {
   BalanceChange out;

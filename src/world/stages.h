@@ -1,7 +1,8 @@
-// The stages of a step, each in a file of its name. What a stage reads it takes as const, what it changes by reference:
-// docs/step.md has the same as a table. The step itself, the list of them in their order, is step.cpp.
+// The stages of a step, each in a file of its name. A stage takes as const what it reads, and by reference what it
+// changes. docs/step.md has the same as a table. The step itself, the list of stages in their order, is step.cpp.
 //
-// Beside each stage stands what it tells on request: a hash of what it wrote, and what it did to momentum and energy.
+// Beside each stage stand the functions that report on request: a hash of its output, and its change of momentum and
+// energy.
 #pragma once
 #include "brickfall/step_report.h"
 #include "brickfall/world.h"

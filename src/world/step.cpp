@@ -1,4 +1,5 @@
-// The step: a table of stages, in their order, with what each reads and changes. docs/step.md goes through them.
+// The step: a table of stages, in their order, each with the owners that it reads and changes. docs/step.md goes
+// through them.
 #include <algorithm>
 #include <chrono>
 #include <string>
@@ -14,8 +15,8 @@ namespace brickfall {
 struct World::Impl::StageRow {
   Stage stage;
   void (*run)(Impl&);
-  void (*hash)(const Impl&, HashItems&);  // what it wrote
-  void (*book)(Impl&) = nullptr;          // what it did to momentum and energy; none: nothing
+  void (*hash)(const Impl&, HashItems&);  // of the stage's output
+  void (*book)(Impl&) = nullptr;          // the stage's change of momentum and energy; none: no change
 };
 
 std::span<const World::Impl::StageRow> World::Impl::stageRows() {
@@ -161,7 +162,7 @@ void World::Impl::endPart() {
 }
 
 void World::Impl::runSubstep(double dt, bool last) {
-  // Nothing is settled at another time step.
+  // No island stays settled when the time step changes.
   if (clock.beginSubstep(dt)) activity.unsettleAll();
   const int parts = partsForHits(registry, activity, proximity, dt, def.solver.maxHitParts);
   for (int i = 0; i < parts; i++) {
@@ -177,7 +178,7 @@ void World::Impl::runSubstep(double dt, bool last) {
   diary.report.parts += parts;
 }
 
-// All memory that the step may need is taken before it.
+// All memory that the step may need is taken before the step.
 void World::Impl::keepRoom() {
   std::size_t dynamic = std::size_t(registry.dynamicBodies), touching = kTouchingPerBody * dynamic;
   std::size_t slots = registry.bodies.slots();

@@ -10,7 +10,7 @@ namespace brickfall {
 Succession::Estate Succession::seenFrom(const Registry& registry, const Contact& c, const ContactGeometry& g,
                                         bool bodyIsB) {
   Transform a = registry.bodies.pose(c.bodyA), b = registry.bodies.pose(c.bodyB);
-  double sign = bodyIsB ? 1 : -1;  // a contact tells forces as those on B
+  double sign = bodyIsB ? 1 : -1;  // a contact tells its forces as they act on B
   Estate out;
   out.neighbour = bodyIsB ? c.shapeA : c.shapeB;
   out.contact = c;
@@ -50,13 +50,13 @@ std::vector<CandidatePair> Succession::meet(const Registry& registry, const std:
         ShapeIndex a = std::min(own, other), b = std::max(own, other);
         narrow.meet({a, b, registry.shapes.data[a].body, registry.shapes.data[b].body, kNoIndex, 0}, found);
       }
-  // What is near without a point is for the broad phase to find.
+  // Pairs that are near without a point are left to the broad phase.
   std::erase_if(found, [](const CandidatePair& pair) { return pair.contact == kNoIndex; });
   std::sort(found.begin(), found.end());
   return found;
 }
 
-// Nearest first, each old point once, each new point once. Another face: its forces say nothing.
+// Bequests of the nearest points first: each old point once, each new point once. Forces on another face say nothing.
 std::vector<Succession::Bequest> Succession::bequests(const std::vector<Estate>& heirs) const {
   std::vector<Bequest> all, out;
   for (std::size_t h = 0; h < heirs.size(); h++)

@@ -1,6 +1,6 @@
-// A body is replaced by several, and its contacts by theirs: what its points remembered goes on in the nearest points of the
-// pieces, so that what leans on them is held from the first step as it was before. Without it a new point carries nothing
-// yet, and all that is above falls for a step.
+// A body is replaced by several, and its contacts by theirs. The memory of its points goes on in the nearest points of
+// the pieces, so that bodies that lean on them are carried from the first step as before. Without that memory a new
+// point carries nothing yet, and all bodies above fall for a step.
 #pragma once
 #include <vector>
 
@@ -10,9 +10,9 @@ namespace brickfall {
 
 class Succession {
  public:
-  // Of what is here a contact of the body: to be called before it goes.
+  // Remembers all contacts of the body here: to be called before the body is taken out.
   Succession(const Registry& registry, const ContactSet& contacts, BodyIndex body);
-  // Makes the contacts of the pieces with those that the body had contacts with, and hands on what is remembered.
+  // Makes the contacts of the pieces with the body's neighbours, and hands the memory on.
   void pass(const Registry& registry, const std::vector<BodyIndex>& pieces, Proximity& proximity) const;
 
  private:
@@ -20,7 +20,7 @@ class Succession {
   struct Estate {
     ShapeIndex neighbour = kNoIndex;
     Contact contact;
-    double reach = 0;                // m, in which a point may go on with the memory of another
+    double reach = 0;                // m, within which a point may take over the memory of another
     Vec3 normal;                     // towards the body
     Vec3 tangent1, tangent2;         // along which the points' forces push the body
     Vec3 onBody[4], onNeighbour[4];  // m, anchors

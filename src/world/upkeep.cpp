@@ -78,7 +78,7 @@ void Upkeep::setMaterial(ShapeIndex shape, const Material& material) {
   const BodyIndex body = registry_.shapes.data[shape].body;
   const bool densityChanged = registry_.shapes.data[shape].def.material.density != material.density;
   disturb(body);
-  wakeTouching(body);  // of something fixed, too
+  wakeTouching(body);  // of a fixed body, too
   // Anchors of contacts are measured from the centre of mass.
   if (registry_.setMaterial(shape, material)) {
     removeContactsOf(body);
@@ -93,7 +93,7 @@ void Upkeep::setMaterial(ShapeIndex shape, const Material& material) {
   activity_.unsettlePartnersOf(body);
 }
 
-// A kinematic body joins or leaves the moving ones with its velocity.
+// A kinematic body joins or leaves the moving bodies as its velocity says.
 void Upkeep::relist(BodyIndex body) {
   if (registry_.bodies.data[body].type != BodyType::kinematic) return;
   activity_.delist(registry_.bodies, body);
@@ -106,7 +106,7 @@ void Upkeep::isolate(BodyIndex body) {
   activity_.delist(registry_.bodies, body);
 }
 
-// Its pairs are found anew.
+// The body's pairs are found anew.
 void Upkeep::renewProxies(BodyIndex body) {
   proximity_.leave(registry_, body);
   proximity_.enter(registry_, body);
@@ -125,7 +125,7 @@ void Upkeep::disturb(BodyIndex body) {
   if (bodies.data[body].type != BodyType::dynamic) {
     activity_.countAsMoved(bodies, body);
     wakeTouching(body);
-    // It may begin to move: its pairs are looked at, whoever sleeps.
+    // The body may begin to move: its pairs are looked at, whichever bodies sleep.
     proximity_.contacts.moveFromSleep([&](const CandidatePair& p) { return p.bodyA == body || p.bodyB == body; });
     activity_.unsettlePartnersOf(body);
     return;

@@ -1,5 +1,5 @@
-// Keeps the owners in step with each other when a body is made, changed, woken or taken out: what then must be done to
-// which list. The one way in which a call of the API or a stage changes several of them at once.
+// Keeps the owners in step with each other when a body is made, changed, woken or taken out: it makes the changes in
+// every list. A call of the API or a stage changes several owners at once only in this way.
 #pragma once
 #include "world/activity.h"
 #include "world/diary.h"
@@ -15,17 +15,17 @@ class Upkeep {
 
   BodyIndex create(BodyPlan&& plan);
   void destroy(BodyIndex body);
-  // By pieces, whose contacts go on with what those of the body remember. The body's forces of the coming step go to
-  // them.
+  // Replaces the body by pieces, whose contacts go on with the memory of the body's contacts. The pieces get the body's
+  // forces of the coming step.
   std::vector<BodyIndex> replace(BodyIndex body, std::vector<BodyPlan>&& pieces);
   void setType(BodyIndex body, BodyType type);
   void setPose(BodyIndex body, Vec3 position, Quat rotation);
   void setMaterial(ShapeIndex shape, const Material& material);
   void relist(BodyIndex body);   // its velocity was set
-  void isolate(BodyIndex body);  // a quarantined one: out of all contacts and of every list that the step walks
+  void isolate(BodyIndex body);  // a quarantined body: out of all contacts and of every list that the step walks
 
-  void disturb(BodyIndex body);       // its state was changed from outside: wake it, nothing about it is settled
-  void wakeIslandOf(BodyIndex body);  // if it sleeps
+  void disturb(BodyIndex body);       // its state was changed from outside: wakes the body and unsettles its island
+  void wakeIslandOf(BodyIndex body);  // if the body sleeps
   void wakeAll();
 
  private:

@@ -1,5 +1,5 @@
-// Every invariant of every owner, for tests and for finding our bugs. A snapshot that is restored must fulfil them, whoever
-// made it, because the step follows these links without looking.
+// Every invariant of every owner, for tests and for finding our bugs. A restored snapshot must fulfil them, whoever
+// made it: the step follows these links without looking.
 #include <cmath>
 
 #include "brickfall/limits.h"

@@ -1,5 +1,5 @@
-// What a World consists of: its definition, five owners of its state, and where it is in time. Only the files of the API
-// and the step see it whole. A stage, or anything else that a world does, is a function of the owners that it names.
+// The parts of a World: its definition, five owners of its state, and its clock. Only the files of the API and the step
+// see it whole. A stage, or any other action of a world, is a function of the owners that it names.
 #pragma once
 #include <optional>
 #include <span>
@@ -31,8 +31,9 @@ struct World::Impl {
   Clock clock;
   mutable int visiting = 0;  // callbacks of forEachContact, forEachIsland and draw under way
 
-  // step.cpp. A step is made of substeps, each of one part, or of several where something heavy hits: begin, all stages, end.
-  void keepRoom();  // for all that the step may need
+  // step.cpp. A step is made of substeps. Each is one part, or several where something heavy hits: begin, all stages,
+  // end.
+  void keepRoom();  // for all memory that the step may need
   void runSubstep(double dt, bool last);
   void beginPart(double dt);
   void runStages(Stage first, Stage end);
@@ -40,16 +41,16 @@ struct World::Impl {
 
   Upkeep upkeep() { return {registry, activity, proximity, diary}; }
   Quarantine quarantine() { return {registry, diary.report, upkeep()}; }
-  // What every call that changes something asks first: not while stepping or from a callback, then a live body and sound
+  // Checks of every call that changes something: not while stepping or from a callback, then a live body and sound
   // arguments.
   Status openForChange(const std::string& call) const;
   Result<BodyIndex> openForChange(BodyId id, const Error& bad) const;
   Status push(BodyId id, Vec3 linear, Vec3 angular, Vec3* pointWorld, bool impulse);
   void loadsChanged();
   Status setVelocity(BodyId id, Vec3 velocity, Vec3 BodyMotion::*which, Vec3 BodyData::*last);
-  Status rebuild();  // of a world that was read: what follows from the rest; an error if it is none
-  void checkStructure(Findings& f) const;  // what must hold before anything may be followed
-  void checkLinks(Findings& f) const;      // follows what was found sound
+  Status rebuild();                        // for a world that was read: works out the rest; an error if it is no world
+  void checkStructure(Findings& f) const;  // must hold before anything may be followed
+  void checkLinks(Findings& f) const;      // follows links that were found sound
 
  private:
   struct StageRow;

@@ -34,7 +34,8 @@ BodyDef anyBody(Draw& draw, double size, const Material& material) {
       return bodyOf(box({size, size * draw.scale(.02, .1), size * draw.between(.5, 1)}), {});
     default:
       BodyDef d = bodyOf(box({size / 2, size * .3, size * .3}), {});
-      d.shapes.push_back(draw.oneIn(2) ? shaped(sphereOf(size * .4, material.density)) : box({size * .2, size * .6, size * .2}));
+      d.shapes.push_back(draw.oneIn(2) ? shaped(sphereOf(size * .4, material.density))
+                                       : box({size * .2, size * .6, size * .2}));
       d.shapes[1].local.position = {size * .6, 0, 0};
       return d;
   }
@@ -102,7 +103,9 @@ RandomWorld drawWorld(RandomKind kind, int seed) {
   WorldDef def;
   def.enableSleep = false;
   const bool space = kind == RandomKind::space;
-  const double gravity = space || (kind != RandomKind::ground && draw.oneIn(2)) ? 0 : draw.oneIn(2) ? kG : draw.scale(.1, 100);
+  const double gravity = space || (kind != RandomKind::ground && draw.oneIn(2)) ? 0
+                         : draw.oneIn(2)                                        ? kG
+                                                                                : draw.scale(.1, 100);
   def.gravity = {0, -gravity, 0};
   RandomWorld out{makeWorld(def), {}, 1 / draw.scale(20, 2000), 1, 0, {}, {}, {}, {}, {}};
   if (draw.oneIn(3)) out.substeps = 1 + draw.below(8);
@@ -114,14 +117,16 @@ RandomWorld drawWorld(RandomKind kind, int seed) {
   if (!space) out.target = add(out.world, targetOf(kind, draw, largest, material, out));
   const int count = space ? 2 + draw.below(5) : 1 + draw.below(draw.oneIn(2) ? 1 : 6);
   for (int i = 0; i < count; i++) {
-    const double size = i == 0 || draw.oneIn(2) ? largest * draw.between(.5, 1) : std::max(1e-3, largest * draw.scale(1e-3, 1));
+    const double size =
+        i == 0 || draw.oneIn(2) ? largest * draw.between(.5, 1) : std::max(1e-3, largest * draw.scale(1e-3, 1));
     material.density = draw.scale(50, 12000);
     BodyDef d = anyBody(draw, size, material);
     Vec3 from = draw.direction();
     if (!space) from.y = std::fabs(from.y) + .2, from = normalized(from);
     const double own = speed * draw.between(.5, 1), way = own * out.dt * draw.between(0, kStepsBefore);
     const double spread = space ? 2.2 : 1.2;
-    d.position = from * (2 * size + way) + draw.direction() * (space ? 0 : largest * 4) + from * (spread * i * largest * 2);
+    d.position =
+        from * (2 * size + way) + draw.direction() * (space ? 0 : largest * 4) + from * (spread * i * largest * 2);
     if (!space) d.position.y = std::max(d.position.y, (kind == RandomKind::terrain ? 3.0 * largest : 0) + 2.1 * size);
     d.rotation = turn(draw.direction(), draw.between(0, 180));
     d.linearVelocity = from * -own + out.drive;
@@ -129,9 +134,10 @@ RandomWorld drawWorld(RandomKind kind, int seed) {
     out.sizes.push_back(innerOf(d));
     out.bodies.push_back(add(out.world, d));
   }
-  out.text = std::string(nameOf(kind)) + label(" %g", seed) + label(": dt 1/%.4g s", 1 / out.dt) + label(" / %g", out.substeps) +
-             label(", %g bodies", count) + label(" to %.3g m", largest) + label(", %.3g m/s", speed) +
-             label(", g %.3g", gravity) + label(", e %.2f", material.restitution) + label(", mu %.2f", material.friction);
+  out.text = std::string(nameOf(kind)) + label(" %g", seed) + label(": dt 1/%.4g s", 1 / out.dt) +
+             label(" / %g", out.substeps) + label(", %g bodies", count) + label(" to %.3g m", largest) +
+             label(", %.3g m/s", speed) + label(", g %.3g", gravity) + label(", e %.2f", material.restitution) +
+             label(", mu %.2f", material.friction);
   return out;
 }
 
@@ -143,7 +149,8 @@ double energyOf(const RandomWorld& r) {
   Vec3 p = r.world.linearMomentum();
   double mass = 0;
   for (BodyId body : r.bodies) mass += r.world.state(body)->mass;
-  return sum - dot(p, r.drive) + mass * (0.5 * lengthSquared(r.drive) + dot(r.world.gravity(), r.drive) * r.world.time());
+  return sum - dot(p, r.drive) +
+         mass * (0.5 * lengthSquared(r.drive) + dot(r.world.gravity(), r.drive) * r.world.time());
 }
 
 // The centre went from above what is thrown at to below it, through its face.

@@ -21,7 +21,7 @@ struct RandomWorld {
   int substeps = 1;
   int steps = 0;  // to run
   std::vector<BodyId> bodies;
-  std::vector<double> sizes;  // m: inner radius of each body
+  std::vector<double> sizes;     // m: inner radius of each body
   std::optional<BodyId> target;  // what they are thrown at; none in space
   Vec3 halfExtents;              // m, of a target that is a box
   Vec3 drive;                    // m/s, of a belt
@@ -29,11 +29,11 @@ struct RandomWorld {
 RandomWorld drawWorld(RandomKind kind, int seed);
 
 struct RandomOutcome {
-  double gain = 0;      // highest energy / that of the start - 1, in the frame of what is driven
-  double linear = 0;    // change of linear momentum / the largest momentum of a body; in space
-  double angular = 0;   // likewise, angular; of the momenta about the centre of mass of all
-  int through = 0;      // bodies whose centre passed the middle of the target
-  double deep = 0;      // deepest overlap at the end / what is allowed: 5 mm or a twentieth of the size
+  double gain = 0;     // highest energy / that of the start - 1, in the frame of what is driven
+  double linear = 0;   // change of linear momentum / the largest momentum of a body; in space
+  double angular = 0;  // likewise, angular; of the momenta about the centre of mass of all
+  int through = 0;     // bodies whose centre passed the middle of the target
+  double deep = 0;     // deepest overlap at the end / what is allowed: 5 mm or a twentieth of the size
   bool finite = true;
 };
 // Runs the world to its end.

@@ -23,6 +23,7 @@ TEST(LawAnywhere, Row15aFalls) { sweepFalls(6); }
 TEST(LawAnywhere, Row15aToppling) { sweepToppling(20); }
 TEST(LawAnywhere, Row15bLandings) { sweepLandings(6); }
 TEST(LawAnywhere, Row17Drag) { sweepDrag(20); }
+TEST(LawAnywhere, Row18uNothingFromNothing) { sweepRandomWorlds(150); }
 
 }  // namespace
 }  // namespace brickfall::law

@@ -1,4 +1,4 @@
-// When open points of contacts close: an island goes on to there in a part of its step (solver/impact.h).
+// When open points of contacts close: an island goes on to that moment in a part of its step (solver/impact.h).
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,9 +10,9 @@ namespace brickfall {
 
 namespace {
 
-//! m | too small: points in contact count as open by their rounding | too large: what is near is let through
+//! m | too small: points in contact count as open by their rounding | too large: impacts at near points are let through
 constexpr double kOpenGap = 1e-6;
-//! m | too small: cost of what hardly moves | too large: slow landings are first order in the time step
+//! m | too small: cost of bodies that hardly move | too large: slow landings are first order in the time step
 constexpr double kLeastWay = 20e-6;  // in a step, at the speed of an impact: slower ones need no moment of their own
 
 struct Velocity {
@@ -30,7 +30,7 @@ void speedsOf(const ContactRecord& r, int count, const Velocity& a, const Veloci
   for (int i = 0; i < count; i++) out[i] = dot(n, u) + dot(t1, w) * double(r.s2[i]) - dot(t2, w) * double(r.s1[i]);
 }
 
-// When a point at `gap` closes that parts at `speed` and is accelerated, if faster than `least`.
+// Time until a point at `gap`, which parts at `speed` under `acceleration`, closes faster than `least`.
 double closingTime(double gap, double speed, double acceleration, double least) {
   const double never = std::numeric_limits<double>::infinity();
   if (gap <= 0) return -speed > least ? 0 : never;
@@ -41,7 +41,7 @@ double closingTime(double gap, double speed, double acceleration, double least) 
   return acceleration < 0 ? (speed + closing) / -acceleration : never;
 }
 
-// It carried nothing in the last step, was not hit in this one, and is further apart than what counts as closed.
+// The point carried nothing in the last step, was not hit in this one, and is further apart than a closed point may be.
 bool isOpen(const Contact& c, int i, const StepContext& context) {
   const float open = float(kOpenGap * scaleOfPair(c, context).length);
   return c.points.forceN[i] == 0 && c.points.gap[i] > open && !(c.points.metMask >> i & 1);

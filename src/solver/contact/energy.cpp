@@ -32,7 +32,8 @@ double elasticEnergy(const Contact& c, const StepContext& context) {
       continue;
     }
     sum += springEnergy(k, gap, c.points.multiplierN[i]);
-    // What slid is placed so that its spring carries the sliding force; what opened lets go of its anchor.
+    // A point that slid gets the place at which its spring carries the sliding force; a point that opened lets go of
+    // its anchor.
     bool sticks = c.points.stickingMask >> i & 1;
     if (!sticks && c.points.forceN[i] == 0) continue;
     sum += springEnergy(k, sticks ? c.points.drift1[i] : c.points.slip1[i], c.points.multiplier1[i]);
@@ -45,7 +46,7 @@ ContactWork contactWork(const Island& island, const StepContext& context) {
   ContactWork out;
   for (std::size_t n = 0; n < island.rows.contacts.records.size(); n++) {
     Contact c =
-        context.contacts->contacts[island.rows.contacts.contactOf[n]];  // as if its multiplier were all of its force
+        context.contacts->contacts[island.rows.contacts.contactOf[n]];  // as if the multiplier were all of the force
     auto m = kernel::pointMotion(island.rows.contacts.records[n], kernel::frame(island.rows.contacts.records[n]),
                                  island.motion.data());
     alignas(16) float way[3][4];
@@ -74,8 +75,8 @@ ContactWork contactWork(const Island& island, const StepContext& context) {
 
 namespace {
 
-// Impulse of a contact with something fixed or kinematic on the island's body, about the world's origin; its work is
-// that of the partner's motion.
+// Adds the impulse of a contact with a fixed or kinematic body on the island's body, about the world's origin. Its work
+// is that of the partner's motion.
 void addImpulse(const Contact& c, const ContactRecord& r, const ContactStart& start, const BodySet& bodies, bool onB,
                 double dt, BalanceChange& sum) {
   Vec3 n = toDouble(r.n), t1 = toDouble(r.t1), t2 = cross(n, t1);

@@ -1,28 +1,29 @@
-// What contacts hold, and the work that they do: for the ledger.
+// Elastic energy of contacts, and the work that they do: for the ledger.
 #pragma once
 #include "brickfall/step_trace.h"
 #include "solver/island.h"
 
 namespace brickfall {
 
-// J, what a compressed or sheared contact can still give back. The contact law is that of a spring of the point's stiffness k
-// in which a force decays: with gap or drift g at the end of a step and h the multiplier from it, m = h + k g falls to a
-// half in every step whatever the motion (kCorrect = kMultiplierShare = 0.5), and with U = k g^2 / 2 + m^2 / (6 k) the work that
-// the contact does in a step is at most what U falls by: docs/step.md has the proof. Overlap that is plastic holds nothing,
-// nor does an open point. A point in an impact is softer than a resting one and turns plastic when the impact is over: it
-// holds what a resting one does under the force that is then left, in the softest island (plan.h).
+// J: elastic energy, which a compressed or sheared contact can still give back. The contact law is that of a spring of
+// the point's stiffness k in which a force decays. Let g be the gap or drift at the end of a step and p the multiplier
+// from that step. Then m = p + k g falls to a half in every step, whatever the motion (kCorrect = kMultiplierShare =
+// 0.5). Let U = k g^2 / 2 + m^2 / (6 k). The work that the contact does in a step is at most the fall of U:
+// docs/contact-energy.md has the proof. Plastic overlap stores nothing, nor does an open point. A point in an impact is
+// softer than a resting one and turns plastic when the impact is over. So it counts with the energy of a resting point
+// under the force that is then left, in the softest island (plan.h).
 double elasticEnergy(const Contact& contact, const StepContext& context);
 
-// Of all contacts of an island, by the motion that the solve found: between forces and new poses.
+// Work and elastic energy of all contacts of an island, by the solved motion: between forces and new poses.
 struct ContactWork {
   double work = 0;     // J, done on the bodies and on kinematic partners
-  double rebound = 0;  // J, done by what rebounds gave: not part of `work`
-  double elastic = 0;  // J, held after it
+  double rebound = 0;  // J, done by the forces that rebounds add: not part of `work`
+  double elastic = 0;  // J, elastic energy after it
 };
 ContactWork contactWork(const Island& island, const StepContext& context);
 
-// What fixed and kinematic bodies gave to the island in the step, about the world's origin; its work is that of their
-// motion.
+// Impulses of fixed and kinematic bodies on the island in the step, about the world's origin. Their work is that of
+// these bodies' motion.
 BalanceChange supportImpulses(const Island& island, const StepContext& context);
 
 }  // namespace brickfall

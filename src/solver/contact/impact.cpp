@@ -1,4 +1,5 @@
-// Impacts of contacts: what stopped them in a step; and the solve of an impact at its moment (solver/impact.h).
+// Impacts of contacts: the impulses that stopped them in a step; and the solve of an impact at its moment
+// (solver/impact.h).
 #include "solver/contact/impact.h"
 
 #include <algorithm>
@@ -10,12 +11,12 @@ namespace brickfall {
 
 namespace {
 
-//! m | too small: what landed together is hit one by one | too large: what is near is hit before it is there
+//! m | too small: points that landed together are hit one by one | too large: near points are hit before they close
 constexpr double kClosedGap = 20e-6;
-//! - | too small: impacts under a load rub too little | too large: bounds and forces chase each other
+//! - | too small: impacts under a load rub too little | too large: friction limits and forces chase each other
 constexpr double kMostImpulse = 2;  // x mass of the heaviest x fastest approach: no point takes more
 
-// Read before the contact is, since in a wall that only sways no point comes on so fast.
+// Read before the contact is, since in a wall that only sways no point closes so fast.
 bool comesOn(const ContactStart& start, double least) {
   for (int i = 0; i < start.points; i++)
     if (double(-start.approach[i]) >= least) return true;
@@ -101,10 +102,10 @@ void ContactRows::endImpact(const Island& island, Ties ties, const StepContext& 
     for (float& cap : records[k].tensionCap) cap = 0;
     if (!solved) continue;
     for (int i = 0; i < c.count; i++) {
-      // What was hit begins anew, and so does what the impact parts: its last force must not act on.
+      // A point that was hit begins anew, and so does a point that the impact parts: its last force must not act on.
       bool hit = f.n[i] > 0, parts = double(f.way[i]) > slowestImpact(island, context) * island.dt;
       if (hit ? c.points.forceN[i] == 0 : parts) clearPoint(c.points, i);
-      if (hit && !parts) {  // micrometres away: what is left of the step must not close that in no time
+      if (hit && !parts) {  // micrometres away: the rest of the step must not close that in no time
         c.points.metMask |= 1u << i;
         c.points.gap[i] = std::min(0.0f, c.points.gap[i]);
       }

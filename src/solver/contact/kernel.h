@@ -26,12 +26,12 @@ using wide::V;
 // Two contacts, in lanes of two halves: L is one of math/wide_pair.h.
 template <class L> struct RecordPair { const ContactRecord &first, &second; };
 
-// What `read` gives for a record, in its lanes; for a pair of them in its halves.
+// The result of `read` for a record, in its lanes; for a pair of records, in the halves.
 template <class Read> BRICKFALL_LANES V lanesOf(const ContactRecord& r, Read read) { return read(r); }
 template <class L, class Read> BRICKFALL_LANES L lanesOf(const RecordPair<L>& r, Read read) {
   return L(read(r.first), read(r.second));
 }
-// A number of each point; a vector.
+// A number of each point, and a vector.
 using PointField = float (ContactRecord::*)[4];
 template <class R> BRICKFALL_LANES auto pointsOf(const R& r, PointField field) {
   return lanesOf(r, [field](const ContactRecord& one) { return load(one.*field); });
@@ -69,7 +69,7 @@ template <class L> struct PointForces {
   L trialN, n;  // N
   L trial1, trial2, t1, t2;
   L trialSquared, root;        // of the tangential trial force; its length
-  decltype(L{} > L{}) slides;  // out of the friction cone
+  decltype(L{} > L{}) slides;  // outside the friction cone
 };
 
 template <class R, class L> BRICKFALL_LANES PointForces<L> pointForces(const R& r, const PointMotion<L>& moved) {
@@ -82,8 +82,8 @@ template <class R, class L> BRICKFALL_LANES PointForces<L> pointForces(const R& 
   L limit = pointsOf(r, &ContactRecord::limit);
   f.trialSquared = (f.trial1 * f.trial1) + (f.trial2 * f.trial2);
   f.slides = f.trialSquared > (limit * limit);
-  // No branch: which points slide is hard to foresee, a root and a division are not dear. Of those that stick they may give
-  // anything.
+  // No branch: which points slide is hard to foresee, and a root and a division are cheap. For sticking points they may
+  // give any number.
   f.root = sqrt(f.trialSquared);
   L scale = select(f.slides, limit / f.root, wide::all<L>(1));
   f.t1 = f.trial1 * scale;
@@ -102,8 +102,8 @@ BRICKFALL_LANES WideWrench<L> wrench(const R& r, const Frame<L>& frame, const Po
           frame.n * spread<3>(force) + frame.t1 * spread<0>(tilt) - frame.t2 * spread<1>(tilt)};
 }
 
-// N: points count as closed up to this tension, unless `exact` open ones that are near among them. What a rebound pushes apart does
-// not.
+// N: points count as closed up to this tension. Unless `exact`, open points that are near count as closed, too. A point
+// that a rebound pushes apart does not.
 template <class R> BRICKFALL_LANES auto closedReach(const R& r, bool exact) {
   auto cap = pointsOf(r, &ContactRecord::tensionCap);
   using L = decltype(cap);
@@ -118,7 +118,7 @@ template <class R> BRICKFALL_LANES auto closedReach(const R& r, bool exact) {
 //! | too large: slides under tiny forces converge slowly
 constexpr float kLeastCube = 1e-37f;
 
-// Loaded points resist along the normal, and so do open ones that are near, unless `exact`: a Newton step must not run through
+// Loaded points resist along the normal, and so do near open points, unless `exact`: a Newton step must not run through
 // them. Sticking points resist tangentially; sliding ones only across their slip.
 template <class R, class L>
 BRICKFALL_LANES StiffnessOf<L> stiffness(const R& r, const Frame<L>& frame, const PointForces<L>& f, bool exact) {
@@ -129,7 +129,8 @@ BRICKFALL_LANES StiffnessOf<L> stiffness(const R& r, const Frame<L>& frame, cons
   auto frictional = limit > zero;
   L kt = keepIf(frictional, k);
   auto sliding = f.slides & frictional;
-  // Sliding: k |f| / |trial| on the direction across the trial force; of forces whose cube is none in floats, less than that.
+  // Sliding: k |f| / |trial| on the direction across the trial force. It is less for forces so small that their cube is
+  // 0 in floats.
   L share = (kt * limit) / max(f.trialSquared * f.root, wide::all<L>(kLeastCube));
   L t11 = select(sliding, share * (f.trial2 * f.trial2), kt);
   L t22 = select(sliding, share * (f.trial1 * f.trial1), kt);

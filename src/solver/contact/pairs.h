@@ -7,12 +7,13 @@
 
 namespace brickfall {
 
-// What a boundary's contacts do now, into Boundary::trial, and added to `sums` in the order of its sides.
+// Reads the action of a boundary's contacts at present into Boundary::trial, and adds it to `sums` in the order of the
+// sides.
 void sumContacts(const Boundary& boundary, const ContactRecord* records, BoundarySums& sums);
-// What `count` contacts do, each by itself.
+// Reads the action of `count` contacts, each by itself.
 void readContacts(const ContactRecord* records, std::size_t count, const SolveMotion* motion, Reading* out);
 
-// These functions in lanes of one kind: what the two above choose from.
+// These functions in lanes of one kind: the two above choose one of these sets.
 struct PairFunctions {
   void (*sum)(const Boundary&, const ContactRecord*, BoundarySums&) = nullptr;
   void (*sumWithMatrix)(const Boundary&, const ContactRecord*, BoundarySums&) = nullptr;

@@ -1,5 +1,6 @@
-// Compiled with AVX2 where the compiler can (CMakeLists.txt), and called only where the machine has it: nothing here may leave a
-// function behind that other files use, too. Hence lanes of their own type, and all else inlined always.
+// Compiled with AVX2 where the compiler can (CMakeLists.txt), and called only where the machine has it. Nothing here
+// may leave a function behind that other files use, too. Hence the lanes have their own type, and all else is always
+// inlined.
 #include "math/wide_pair.h"
 #include "solver/contact/pairs.h"
 #include "solver/contact/pairs_kernel.h"

@@ -1,13 +1,13 @@
-// The start of a step for the contacts of an island. They remember forces, plastic offsets and friction anchors; here these
-// become the trial force of each point at zero motion.
+// The start of a step for the contacts of an island. They remember forces, plastic offsets and friction anchors. Here
+// this memory becomes the trial force of each point at zero motion.
 //
-// Normal return map: a point is born with all its overlap plastic (it causes no force). When an impact is over (a soft
-// point no longer closing) the point becomes stiff and its offset is chosen so that it goes on with the force it has;
-// else the soft overlap would come back as a rebound. Every step a tenth of the offset becomes real overlap again, which
-// parts the bodies slowly.
+// Normal return map: a point is born with all its overlap plastic (it causes no force). An impact is over when its soft
+// point no longer closes. Then the point becomes stiff, and its offset is chosen so that it goes on with the force it
+// has. Otherwise the soft overlap would come back as a rebound. Every step a tenth of the offset becomes real overlap
+// again, which parts the bodies slowly.
 //
-// Friction return map: a sticking point keeps its anchor; one that slid gets an anchor at which its spring carries just
-// the sliding force it had: no jump, no creep.
+// Friction return map: a sticking point keeps its anchor. A point that slid gets an anchor at which its spring carries
+// just the sliding force it had: no jump, no creep.
 #include <algorithm>
 #include <cmath>
 
@@ -43,8 +43,8 @@ void findApproach(const ContactRecord& r, const Contact& c, const BodySet& bodie
   }
 }
 
-// A partner's surface goes on turning while the body goes along with it: over a step its way is an arc. Of what touches it the
-// way is th x arm + th x (way of the body) / 2; the solve knows the first part.
+// A partner's surface goes on turning while the body goes along with it: over a step its way is an arc. For a touching
+// body the way is th x arm + th x (way of the body) / 2. The solve knows the first part.
 Vec3f bendOf(const Island& island, const ContactRecord& r, const Contact& c, const BodySet& bodies, double dt) {
   const std::size_t own = island.bodies.size();
   if (r.bodyA < own && r.bodyB < own) return {};
@@ -64,8 +64,8 @@ struct PointRules {
   float release;     // m, of the plastic offset at least
 };
 
-// An impact that is over, or an island that has calmed down or takes shorter steps: the point is softer than it is to be. It
-// goes on with the force it has, within what a sudden load may hold.
+// An impact is over, or an island has calmed down or takes shorter steps: the point is softer than it must be. It goes
+// on with the force it has, up to the force of a sudden load.
 bool mustStiffen(const PointMemory& m, int i, float approach, const PointRules& rules) {
   bool softer = m.phase[i] != PointPhase::fresh && !rules.stiffness.isFull(m.stiffness[i]);
   return softer && m.forceN[i] > 0 && approach > -rules.quietSpeed;
@@ -83,15 +83,15 @@ void stiffen(PointMemory& m, int i, const PointRules& rules) {
   m.offset[i] = std::min(0.0f, m.gap[i] + m.forceN[i] / rules.stiffness.full);
 }
 
-// Slow surfaces rest from the start; so do impacts that have to be as stiff.
+// Slow surfaces rest from the start; so do impacts that must be as stiff as resting points.
 void startPhase(PointMemory& m, int i, float approach, const PointRules& rules) {
   const bool quiet = approach > -rules.quietSpeed;
   m.stiffness[i] = quiet ? rules.stiffness.full : rules.stiffness.ofImpact(approach);
   m.phase[i] = rules.stiffness.isFull(m.stiffness[i]) ? PointPhase::resting : PointPhase::impact;
 }
 
-// Steps have become so much shorter that it is softer than any impact in them: it would stop nothing that still comes on. It goes
-// on with the force it has here, too.
+// Steps have become so much shorter that the point is softer than any impact in them: it would stop no body that still
+// closes. Here, too, it goes on with the force it has.
 bool isTooSoft(const PointMemory& m, int i, float approach, const PointRules& rules) {
   const float least = std::min(rules.stiffness.softest, rules.stiffness.full);
   return m.phase[i] != PointPhase::fresh && m.stiffness[i] < kFullShare * least && !(approach > -rules.quietSpeed);
@@ -101,8 +101,8 @@ void harden(PointMemory& m, int i, float approach, const PointRules& rules) {
   m.offset[i] = std::min(0.0f, m.gap[i] + m.forceN[i] / m.stiffness[i]);
 }
 
-// A resting point goes on with the force that it has here, too, as far as there is overlap for it: else debris would sink each time
-// that it is stirred and be lifted when it lies again, and never come to lie.
+// Here, too, a resting point goes on with the force that it has, as far as there is overlap for it. Otherwise debris
+// would sink each time that it is stirred, be lifted when it lies again, and never come to rest.
 void soften(PointMemory& m, int i, const PointRules& rules) {
   m.stiffness[i] = rules.stiffness.full;
   if (m.forceN[i] > 0) m.offset[i] = std::min(0.0f, m.gap[i] + m.forceN[i] / rules.stiffness.full);
@@ -136,17 +136,19 @@ void mapFrictionAnchor(Contact& c, int i, ContactGeometry& g, const ContactRecor
   g.anchorA[i] = transposeTimes(a.orientation, anchor - a.position);
 }
 
-// The last force of a point says what friction it has now, but if it had none, or if that was an impact's: then one step's friction
-// would be bounded by the force of another, and the two would not add up to mu times the impulse.
+// Whether the friction limit follows the present force. The last force of a point sets its friction limit, unless it
+// was 0 or an impact's. Otherwise the force of one step would limit the friction of another, and the two would not add
+// up to mu times the impulse.
 bool boundFollows(const PointMemory& m, int i, float approach, const PointRules& rules, bool debris) {
   bool held = m.multiplierN[i] >= m.forceN[i];
   return m.forceN[i] == 0 || m.phase[i] == PointPhase::impact || approach < -rules.quietSpeed ||
          (!held && (debris || mustStiffen(m, i, approach, rules)));
 }
 
-// Joints a thousand times as stiff as inertia couple what flies apart so firmly that no solve converges; debris is soft, as in
-// an impact, until it has come to lie. What bears more than a sudden load can do still stands, though it shakes: storeys would sink
-// into it like into rubber. So would a ball into what lies still under it, and be braked by the next brick's edge.
+// Contacts a thousand times as stiff as inertia couple flying bodies so firmly that no solve converges. So debris is
+// soft, as in an impact, until it rests. A contact that bears more than a sudden load can do still stands, though it
+// shakes: storeys would sink into soft ones as into rubber. So would a ball into a still body under it, and the next
+// brick's edge would brake it.
 bool isDebris(const Island& island, const ContactRecord& r, const Contact& c, float cap) {
   if (!island.plan.softDebris) return false;
   for (int i = 0; i < c.count; i++)
@@ -177,7 +179,7 @@ void ContactRows::prepare(const Island& island, Ties ties, const StepContext& co
     start.scale = stiff.scale;
     r.near = float(kNearContact * stiff.scale.length);
     const PointRules rules{stiff, float(context.settings.restingApproachSpeed * stiff.scale.speed), cap,
-                           // A part of a step lets go of a part.
+                           // A part of a step releases a part of the offset.
                            1 - (1 - kOffsetKept) * float(island.dt / context.dt),
                            float(kLeastRelease * stiff.scale.speed * island.dt)};
     r.newPoints = start.falling = 0;

@@ -1,7 +1,8 @@
-// Rebound by Poisson's hypothesis: an impact gives back e times the impulse that it took to stop it. What it takes is what
-// the solve finds, with friction and all that stands behind; where the impact is over at the end of the step, the point then
-// gives at least what it took in this step and e times all that it took, and the solve goes on from the motion it found. So
-// the smallest restitution changes the least, and rebounds are borne, and rubbed against, like any force.
+// Rebound by Poisson's hypothesis: an impact gives back e times the impulse that it took to stop it. The solve finds
+// this impulse, with friction and with all bodies that stand behind. Where the impact is over at the end of the step,
+// the point then gives at least its impulse of this step and e times all of its impulse. The solve goes on from the
+// motion that it found. So the smallest restitution changes the least, and rebounds are borne, and rubbed against, like
+// any force.
 #include "solver/contact/rebound.h"
 
 #include <algorithm>
@@ -14,10 +15,10 @@ namespace brickfall {
 
 namespace {
 
-//! - | too small: what is pressed on rebounds late | too large: impacts that still go on give back too little
-constexpr float kOverShare = 0.1f;  // of the speed at which an impact began: what closes more slowly has been stopped
+//! - | too small: points under pressure rebound late | too large: impacts that still go on give back too little
+constexpr float kOverShare = 0.1f;  // of the speed at which an impact began: slower points have been stopped
 
-// Normal ways if this impact were not: what others hold up does not fall with what lands on it.
+// Normal ways as if this impact did not act: a body that others support does not fall with the body that lands on it.
 PointForces pointsWithout(const Island& island, const ContactRecord& record, const std::pmr::vector<char>& supported,
                           const StepContext& context) {
   SolveMotion pair[2];
@@ -41,8 +42,9 @@ void findSupportedBefore(const Island& island, const StepContext& context, std::
   findSupported(island, supported, [&](const auto& kind, std::size_t k) { return kind.holds(k, context); });
 }
 
-// Of a force that brings what would close at `without` to `closing` (m/s): the share of the impact, which began the step at
-// `approach`. What weights and others add in the step is no part of it. Where it is over, it is all that was left of it.
+// Share of a contact force that belongs to the impact. The point approached at `approach` when the step began; it would
+// close at `without` if this contact were absent and closes at `closing` under the force. The rest of the force bears
+// weight. If the impact is over, all the rest of its approach counts.
 float impactShare(float approach, float without, float closing, bool over) {
   if (!(approach > 0)) return 0;
   float all = std::max(without, approach);
@@ -89,7 +91,7 @@ bool ContactRows::startRebounds(const Island& island, const StepContext& context
       bool over = closing <= kOverShare * born;
       start.taken[i] = impactShare(approach, -without.way[i] / dt, closing, over) * now.n[i] * dt;
       if (!over) continue;
-      // What still closes is stopped, too, as far as it rebounds.
+      // Closing speed that is left is stopped, too, as far as it rebounds.
       const float found = std::min(start.taken[i], now.n[i] * dt), left = start.taken[i] - found;
       start.back[i] = c.restitution * (c.points.impulse[i] + start.taken[i] + left) / dt;
       if (!(start.back[i] > 0)) continue;

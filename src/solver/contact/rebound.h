@@ -4,8 +4,8 @@
 
 namespace brickfall {
 
-// m/s: slower impacts do not. In a heap every body would chatter with its neighbours; a body alone on something fixed bounces
-// on until a bounce takes no more than two steps.
+// m/s: slower impacts do not rebound. In a heap every body would chatter with its neighbours. A body alone on something
+// fixed bounces on until a bounce takes no more than two steps.
 double slowestRebound(const Island& island, const StepContext& context);
 
 }  // namespace brickfall

@@ -5,7 +5,7 @@
 
 namespace brickfall {
 
-// A contact's slot may have gone to another contact since: those are marked born.
+// A contact's slot may have gone to another contact since: such contacts are marked born.
 bool ContactRows::continues(const ContactRows& old, const StepContext& context) const {
   if (contactOf != old.contactOf) return false;
   return std::none_of(contactOf.begin(), contactOf.end(),
@@ -65,12 +65,13 @@ bool ContactRows::meetsWithin(std::size_t k, Vec3f way, const SolveMotion* motio
   return false;
 }
 
-//! - | too small: stacks that land, or are made leaning, shear | too large: floats give way under what bears 1e16 of its weight
+//! - | too small: stacks that land, or are made leaning, shear
+//! | too large: floats give way under bodies that bear 1e16 of their weight
 constexpr float kMostOver = 1e4f;  // of ContactStart::stopping
 
-// A point that carried nothing in the last step has no frozen normal force to bound its friction by. It gets the present
-// one, but no more than stops the approach and carries the pair's weight; `over`: up to kMostOver times that. What falls after an
-// impact gets no more than it had.
+// A point that carried nothing in the last step has no frozen normal force for its friction limit. It gets the present
+// force, but no more than stops the approach and carries the pair's weight; `over`: up to kMostOver times that. A point
+// whose limit only falls after an impact gets no more than it had.
 bool ContactRows::renewNewPoints(std::size_t k, const SolveMotion* motion, float slack, bool over) {
   ContactRecord& r = records[k];
   const ContactStart& start = starts[k];

@@ -7,21 +7,23 @@ namespace brickfall {
 
 namespace {
 
-//! s | too small: walls sag | too large: what sways does not converge at short steps, and stops a ball that goes through at longer
-constexpr double kFirmStep = 1.0 / 60;  // at shorter steps joints of large islands have a part of restingStiffness
-//! - | too small: what rests is softer than what is hit | too large: with kFirmStep
-constexpr double kLeastFirm = 2;  // x impactStiffness: what they are at least
+//! s | too small: walls sag
+//! | too large: swaying walls do not converge at short steps, and stop a ball that goes through at longer ones
+constexpr double kFirmStep = 1.0 / 60;  // at shorter steps contacts of large islands have a part of restingStiffness
+//! - | too small: resting contacts are softer than impacts | too large: with kFirmStep
+constexpr double kLeastFirm = 2;  // x impactStiffness: least stiffness of these contacts
 
-// x restingStiffness, in large islands. That is in units of inertia over the time step squared, and so without bound as the step
-// gets shorter; bricks are not. Small islands are solved to the end at any stiffness.
+// Share of restingStiffness in large islands. That stiffness is in units of inertia over the time step squared, so it
+// grows without bound as the step gets shorter; that of bricks does not. Small islands are solved to the end at any
+// stiffness.
 double firmShare(const SolverSettings& settings, double dt, double stretch, const Scale& scale) {
   double least = std::min(1.0, kLeastFirm * settings.impactStiffness / settings.restingStiffness);
   double share = std::min(1.0, std::max(dt / stretch / (kFirmStep * scale.time), least));
   return std::max(least, share * stretch * stretch);
 }
 
-// Half of what separates the middles of the two bodies: past all of it the contact would turn round and let the bodies
-// through each other.
+// Half of the distance between the middles of the two bodies. Past all of it the contact would turn round and let the
+// bodies through each other.
 double deepestOverlap(const BodyMass& a, const BodyMass& b) {
   constexpr double kPlane = 1e29;
   return 0.5 * ((a.innerRadius < kPlane ? a.innerRadius : 0) + (b.innerRadius < kPlane ? b.innerRadius : 0));
@@ -42,7 +44,8 @@ float PairStiffness::ofImpact(float approach) const {
   return std::min(full, std::max(soft, needed));
 }
 
-// Contacts of small islands follow the parts of a substep: as soft as those of the whole, they would let what is thin through.
+// Contacts of small islands follow the parts of a substep. As soft as in the whole substep, they would let thin bodies
+// through.
 PairStiffness stiffnessOf(const Contact& pair, bool debris, const Island& island, const StepContext& context) {
   const SolverSettings& settings = context.settings;
   const SolvePlan& plan = island.plan;

@@ -1,29 +1,30 @@
-// How stiff the points of a contact are: all that decides it. In units u = effective mass / dt^2, so that a step of any length
-// stops what meets within it.
+// How stiff the points of a contact are: everything that decides it. In units u = effective mass / dt^2, so that a step
+// of any length stops bodies that meet within it.
 #pragma once
 #include "solver/island.h"
 
 namespace brickfall {
 
-// Of what is at its full stiffness up to rounding: it counts as at it.
-//! - | too small: what is nearly at its full stiffness stays softer | too large: rounding takes points through the end of an impact
+// Share of the full stiffness from which a point counts as fully stiff.
+//! - | too small: points nearly at their full stiffness stay softer
+//! | too large: rounding takes points through the end of an impact
 constexpr float kFullShare = 0.99f;
 
-// Of the thinner one of the two that can move.
+// Scale of the thinner one of the two bodies, of those that can move.
 Scale scaleOfPair(const Contact& pair, const StepContext& context);
 
 // N/m, of each point of a contact in this step.
 struct PairStiffness {
   float unit;
-  float full;     // of what rests
+  float full;     // of a resting point
   float soft;     // of an impact, at least
   float softest;  // the same in a step, or part of one, of full length
-  float deepest;  // m: how far an impact may press the two into each other
+  float deepest;  // m: how far an impact may press the two bodies into each other
   float dt;       // s
   Scale scale;    // of the pair
 
-  // Of a point born in an impact at `approach` (m/s; negative = closing). At k units it stops after approach dt / (1 + k): as soft
-  // as may be, but no softer than the bodies are thick.
+  // Stiffness of a point born in an impact at `approach` (m/s; negative = closing). At k units it stops after approach
+  // dt / (1 + k): as soft as possible, but no softer than the bodies are thick.
   float ofImpact(float approach) const;
   bool isFull(float stiffness) const { return stiffness >= kFullShare * full; }
   bool isAboveFull(float stiffness) const { return stiffness > (2 - kFullShare) * full; }
@@ -31,7 +32,7 @@ struct PairStiffness {
 
 // `debris`: the pair is as soft as in an impact.
 PairStiffness stiffnessOf(const Contact& pair, bool debris, const Island& island, const StepContext& context);
-// N/m: of what rests, in the softest island.
+// N/m: of a resting point, in the softest island.
 double leastStiffness(const Contact& pair, const StepContext& context);
 
 }  // namespace brickfall

@@ -1,4 +1,4 @@
-// The end of a solve for the contacts of an island: what their points remember.
+// The end of a solve for the contacts of an island: the memory of their points.
 #include <algorithm>
 #include <cmath>
 
@@ -29,8 +29,8 @@ StoredForces forcesAt(const ContactRecord& r, const SolveMotion* motion) {
   return out;
 }
 
-// A rebound gives what the spring of the point does not: that is told, but not remembered, so that the smallest restitution
-// changes the least. Of an impact that goes on, what it took is remembered.
+// A rebound gives more than the spring of the point: this force is told, but not remembered, so that the smallest
+// restitution changes the least. An impact that goes on remembers the impulse that it took.
 void keepImpact(Contact& c, int i, ContactStart& start, StoredForces& f) {
   float taken = start.back[i] > 0 ? 0 : start.taken[i];
   c.points.impulse[i] = taken > 0 ? c.points.impulse[i] + taken : 0;
@@ -62,7 +62,7 @@ void holdForce(Contact& c, int i, const StoredForces& f, double gravity) {
   c.points.multiplier2[i] = f.t2[i] * share;
 }
 
-// Where the anchor of a point that slides has to be for its spring to carry the sliding force.
+// Where the anchor of a sliding point must be for its spring to carry the sliding force.
 void placeSlip(Contact& c, int i, bool sliding, float largest) {
   c.points.slip1[i] = c.points.slip2[i] = 0;
   if (!sliding || !(c.points.forceN[i] > 0)) return;
@@ -76,8 +76,9 @@ void placeSlip(Contact& c, int i, bool sliding, float largest) {
   }
 }
 
-//! - | too small: points at the edge of sliding change their last bits for ever | too large: forces stop short of their end
-constexpr float kSameForce = 1e-6f;  // of the force that presses: what changes by less has changed by rounding
+//! - | too small: points at the edge of sliding change their last bits for ever
+//! | too large: forces stop short of their end
+constexpr float kSameForce = 1e-6f;  // of the pressing force: a change of less is rounding
 
 bool sameForces(const PointMemory& was, const PointMemory& now, int count) {
   for (int i = 0; i < count; i++) {

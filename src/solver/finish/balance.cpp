@@ -15,7 +15,8 @@ namespace {
 //! - | too small: rounding of the float solve is taken for a gain | too large: energy may creep up
 constexpr double kSlack = 1e-7;  // of the energy that moves: rounding of the float solve
 
-//! m/s | too small: what leans under a great load falls | too large: what rocks in a small island is braked
+//! m/s | too small: columns that lean under a great load fall
+//! | too large: bodies that rock in a small island are braked
 constexpr double kSwaySpeed = 0.1;
 
 using Bodies = std::span<const std::uint32_t>;
@@ -37,8 +38,8 @@ double kineticEnergy(const StepContext& context, BodyIndex body, Vec3 frame) {
          0.5 * dot(s.angularMomentum, spinOf(context, body, s.angularMomentum));
 }
 
-// What a tie, or several, gave a body in this step, N s and N m s: what changed its momenta besides outside forces, and what the solve
-// left out of balance, which nothing gave.
+// The impulse of ties on a body in this step, N s and N m s. It is the change of the body's momenta beyond outside
+// forces, plus the residual that the solve left, which no tie gave.
 struct Impulse {
   Vec3 linear, angular;
 };
@@ -56,25 +57,27 @@ Impulse fromTies(const Island& island, std::size_t i, const StepContext& context
           context.bodies->worldInertia(body) * turn * (1 / island.dt) + left.angular};
 }
 
-// Of a group's ties in this step.
+// The rebounds at a group's ties in this step.
 struct Rebounds {
   bool any = false;
-  bool owed = false;  // impacts go on: more is to come
+  bool owed = false;  // impacts go on: their rebound is to come
   double work = 0;    // J
 };
 
 struct GroupEnergy {
   double start = 0, end = 0;  // J, kinetic
   double outside = 0;         // J, work of gravity and outside forces
-  double ties = 0;            // J, work of ties: what they held before, and what kinematic bodies did through them
+  double ties = 0;            // J, work of ties: from energy stored in them, and by kinematic bodies through them
   double lent = 0;            // J, that impacts took in earlier steps
-  double moved = 0;           // J, that outside forces did and took
-  // `rebounds`: what rebounds gave may be what impacts took before. Otherwise that is still to come.
+  double moved = 0;           // J, work of outside forces, gains and losses both counted positive
+  // `rebounds`: energy that rebounds gave may be energy that impacts took before. Without a rebound that energy is
+  // still to come.
   double gain(const Rebounds& rebounds) const { return end - start - outside - (rebounds.any ? lent : 0); }
   double fromTies(const Rebounds& rebounds) const { return std::max(0.0, ties - rebounds.work); }
   double slack() const { return kSlack * (start + end + moved); }
 };
-// Seen by who moves at `frame` (m/s) with what it presses on: beside the work of a belt that of what slides on it is rounding.
+// Energies in a frame that moves at `frame` (m/s) with the body that the group presses on. Otherwise the work of a body
+// that slides on a belt is lost in the rounding of the belt's work.
 GroupEnergy energyOf(const Island& island, Bodies group, Vec3 frame, const StepContext& context) {
   GroupEnergy sum;
   const Vec3 carried = frame * island.dt;
@@ -87,7 +90,8 @@ GroupEnergy energyOf(const Island& island, Bodies group, Vec3 frame, const StepC
     sum.start += 0.5 * m * lengthSquared(free.startVelocity - frame) +
                  0.5 * dot(free.startSpin, context.bodies->worldInertia(body) * free.startSpin);
     sum.end += kineticEnergy(context, body, frame);
-    const double work = dot(context.gravity * (m * data.gravityScale) + data.force, s.d - carried) + dot(data.torque, s.th);
+    const double work =
+        dot(context.gravity * (m * data.gravityScale) + data.force, s.d - carried) + dot(data.torque, s.th);
     const Impulse given = fromTies(island, i, context);
     sum.outside += work;
     sum.moved += std::fabs(work);
@@ -97,11 +101,11 @@ GroupEnergy energyOf(const Island& island, Bodies group, Vec3 frame, const StepC
   return sum;
 }
 
-// What a solve left out of balance has acted like a force from nowhere. Velocities take back the same share of its impulse on
-// each body, so much that no energy is gained: what is in balance, or touches nothing, is left alone, and momentum comes out
-// better than it was. Returns the excess that is left.
+// The residual that a solve left has acted like a force from nowhere. Velocities take back the same share of its
+// impulse on each body, just enough that no energy is gained. Bodies in balance, or without contacts, are left alone,
+// and momentum comes out better than it was. Returns the excess that is left.
 double takeResidual(const Island& island, Bodies group, Vec3 frame, StepContext& context, double excess) {
-  // Of a share x of all impulses: energy changes by linear x + square x^2.
+  // With a share x of all impulses, energy changes by linear x + square x^2.
   double linear = 0, square = 0;
   for (std::uint32_t i : group) {
     const BodyIndex body = island.bodies[i];
@@ -133,28 +137,30 @@ struct RigidMotion {
   Vec3 at(Vec3 place) const { return move + cross(spin, place - centre); }
 };
 
-// That of a group which flies, at the end of the step.
+// The motion of a group that flies, at the end of the step.
 RigidMotion motionOf(const Island& island, Bodies group, const StepContext& context) {
   RigidSum sum(island.origin);
   for (std::uint32_t i : group) {
     const BodyIndex body = island.bodies[i];
     const SolvedMotion& s = context.solved[body];
     const double m = context.bodies->mass[body].mass;
-    sum.add(m, context.bodies->motion[body].position + s.d, inertiaAtEnd(context, body), s.velocity * m, s.angularMomentum);
+    sum.add(m, context.bodies->motion[body].position + s.d, inertiaAtEnd(context, body), s.velocity * m,
+            s.angularMomentum);
   }
   return {sum.centre(), sum.velocity(), sum.spin()};
 }
-// That of what a group presses on.
+// The motion of the body that a group presses on.
 RigidMotion motionOf(const Island& island, std::uint32_t partner, const StepContext& context) {
   const BodyMotion& m = context.bodies->motion[island.partners[partner - island.bodies.size()]];
   return {m.position, m.linearVelocity, m.angularVelocity};
 }
 
-// Takes `excess` (J) from the motion of the bodies against a rigid one. Of a group that flies, against its own: linear and angular
-// momentum are kept. Returns what is left of the excess: they had no more.
+// Takes `excess` (J) from the motion of the bodies against a rigid motion. A group that flies is taken against its own
+// rigid motion: linear and angular momentum are kept. Returns the rest of the excess, if the bodies had no more to
+// give.
 double takeRelative(const Island& island, Bodies group, const RigidMotion& rigid, Vec3 frame, StepContext& context,
                     double excess) {
-  // Energy as a function of the share of the relative motion that is kept: rigid + cross share + relative share^2.
+  // Energy as a function of the kept share of the relative motion: rigid + cross share + relative share^2.
   double relative = 0, cross = 0;
   auto parts = [&](BodyIndex body) {
     const SolvedMotion& s = context.solved[body];
@@ -172,7 +178,7 @@ double takeRelative(const Island& island, Bodies group, const RigidMotion& rigid
     cross += m * dot(v - frame, dv) + dot(rigid.spin, dl);
   }
   if (!(relative > 0)) return excess;
-  // relative (1 - x^2) + cross (1 - x) = excess; none that does: x = 0 takes most.
+  // relative (1 - x^2) + cross (1 - x) = excess; if no x fits, x = 0 takes most.
   const double had = relative + cross, root = cross * cross + 4 * relative * (had - excess);
   const double kept = root > 0 ? std::clamp((-cross + std::sqrt(root)) / (2 * relative), 0.0, 1.0) : 0;
   for (std::uint32_t i : group) {
@@ -184,9 +190,9 @@ double takeRelative(const Island& island, Bodies group, const RigidMotion& rigid
   return excess - relative * (1 - kept * kept) - cross * (1 - kept);
 }
 
-// Energy that compressed contacts give back is no error, but it keeps standing columns swaying. While no body of a small island is
-// faster than kSwaySpeed, it is taken from the bodies that a chain of loaded contacts connects to the ground. The common sliding
-// velocity that friction cannot stop is left to them.
+// Energy that compressed contacts give back is no error, but it keeps standing columns swaying. While no body of a
+// small island is faster than kSwaySpeed, it is taken from the bodies that a chain of loaded contacts connects to the
+// ground. The common sliding velocity that friction cannot stop is left to them.
 void dampSway(const Island& island, StepContext& context, double excess) {
   std::pmr::vector<char> stands(island.memory);
   findSupported(island, stands, [&](const auto& kind, std::size_t k) { return kind.carriesForce(k, context); });
@@ -209,7 +215,7 @@ void dampSway(const Island& island, StepContext& context, double excess) {
   }
 }
 
-// By group.
+// Rebounds by group.
 std::pmr::vector<Rebounds> reboundsOf(const Island& island, const StepContext& context) {
   std::pmr::vector<Rebounds> out(island.groups.count(), Rebounds{}, island.memory);
   const std::size_t count = island.bodies.size();
@@ -224,11 +230,11 @@ std::pmr::vector<Rebounds> reboundsOf(const Island& island, const StepContext& c
   return out;
 }
 
-// What the last check of a step took, and from where.
+// The last check of a step: takes excess energy from the groups of an island.
 class LastCheck {
  public:
   LastCheck(const Island& island, StepContext& context) : island_(island), context_(context) {}
-  // Returns what it took, J.
+  // Returns the energy taken, J.
   double run(std::size_t g, const Rebounds& rebounds) {
     const Bodies group = island_.groups.bodies(g);
     if (island_.groups.flies(g) && group.size() == 1) return 0;  // free motion
@@ -239,9 +245,9 @@ class LastCheck {
   }
 
  private:
-  // Of a group that something fixed or kinematic supports. First what the solve left out of balance is taken back: all that it can
-  // give, where that makes up for any gain, whoever gave it. Then what is over all that ties did is taken from the group's motion
-  // against what it presses on.
+  // For a group that something fixed or kinematic supports. First the residual that the solve left is taken back: all
+  // that it can give to make up for any gain, from whatever cause. Then the excess over all work of the ties is taken
+  // from the group's motion against the body that it presses on.
   double checkSupported(std::size_t g, const Rebounds& rebounds) {
     const Bodies group = island_.groups.bodies(g);
     const RigidMotion under = motionOf(island_, island_.groups.partner(g), context_);
@@ -258,14 +264,14 @@ class LastCheck {
     }
     excess -= energy.fromTies(rebounds);
     if (!(excess > energy.slack())) return 0;
-    // From how its bodies move against each other, first: what they have in common is momentum that smooth ground leaves them.
+    // First from the motion of its bodies against each other: their common momentum is theirs to keep on smooth ground.
     double left = takeRelative(island_, group, motionOf(island_, group, context_), under.move, context_, excess);
     if (left > energy.slack()) left = takeRelative(island_, group, under, under.move, context_, left);
     return excess - left;
   }
 
-  // Of a group that flies: nothing but its own motion has what it gained. What compression took in one step and gives back in the next
-  // counts as a gain, too, unless a rebound gives it.
+  // For a group that flies: any gain went into its own motion. Energy that compression took in one step and gives back
+  // in the next counts as a gain, too, unless a rebound gives it.
   double checkFlying(std::size_t g, const Rebounds& rebounds) {
     const Bodies group = island_.groups.bodies(g);
     const GroupEnergy energy = energyOf(island_, group, {}, context_);

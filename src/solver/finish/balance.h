@@ -4,9 +4,10 @@
 
 namespace brickfall {
 
-// When nothing changes the motion any more: kinetic energy of each group at the end of the step is at most that of its start and the
-// work of gravity, of outside forces and of its ties (what they held, rebounds of impacts, and what kinematic bodies did). What is
-// over is taken back from the velocities. Returns it, J, beside what the solve had left out of balance.
+// To be called when nothing changes the motion any more. A group may gain no more kinetic energy in the step than the
+// work of gravity, of outside forces and of its ties. (Ties give energy stored in them, rebounds of impacts, and the
+// work of kinematic bodies.) The excess is taken back from the velocities. Returns it, J, without the energy of the
+// residual that the solve left.
 double checkEnergy(const Island& island, StepContext& context);
 
 }  // namespace brickfall

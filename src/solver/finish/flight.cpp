@@ -8,7 +8,7 @@ namespace brickfall {
 
 namespace {
 
-// What the solve left of a group's momenta, as a motion of the whole: kg m and kg m2.
+// The part of a group's momenta that the solve missed, as a motion of the whole group: kg m and kg m2.
 RigidSum missingOf(const Island& island, std::span<const std::uint32_t> group, const StepContext& context) {
   const BodySet& bodies = *context.bodies;
   RigidSum missing(bodies.motion[island.bodies[group.front()]].position);
@@ -23,7 +23,7 @@ RigidSum missingOf(const Island& island, std::span<const std::uint32_t> group, c
   return missing;
 }
 
-// m: half of what outside forces add to the way of the group.
+// m: half of the way that outside forces add to the way of the group.
 Vec3 halfFall(const Island& island, std::span<const std::uint32_t> group, const StepContext& context) {
   Vec3 fall;
   double mass = 0;
@@ -36,8 +36,8 @@ Vec3 halfFall(const Island& island, std::span<const std::uint32_t> group, const 
   return fall * (-0.5 / mass);
 }
 
-// Bodies, and whatever ties them, that a chain of ties leads to something fixed or kinematic, by a force or by less than the way
-// between the two parabolas.
+// Marks bodies that a chain of ties leads to something fixed or kinematic. A tie counts if it carries force, or if its
+// gap is less than the way between the two parabolas.
 std::pmr::vector<char> nearSupport(const Island& island, const StepContext& context) {
   const Vec3f fall = toFloat(context.gravity * (-0.5 * island.dt * island.dt));
   std::pmr::vector<char> near(island.memory);

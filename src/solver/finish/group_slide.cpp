@@ -1,7 +1,8 @@
-// Implicit Euler moves what slides by its velocity at the end of the step, v dt / 2 less far in all: 4 % of a slide from 2 m/s at
-// 1/60 s. Friction of what slides does not depend on where it is, so the mean of old and new velocity is right to second order and
-// feeds in no energy. What sticks to the ground, sways or rocks must not move so: only the slide and the turn along the ground of
-// the group as a whole are taken from it, as those of a rigid body, and nothing moves against its neighbours.
+// Implicit Euler moves a sliding body by its velocity at the end of the step. A slide is v dt / 2 too short in all: 4 %
+// of a slide from 2 m/s at 1/60 s. Sliding friction does not depend on the place, so the mean of old and new velocity
+// is right to second order and feeds in no energy. A body that sticks to the ground, sways or rocks must not move so.
+// Only the slide and the turn along the ground of the group as a whole are corrected, as those of a rigid body. No body
+// moves against its neighbours.
 #include "solver/finish/group_slide.h"
 
 #include <algorithm>
@@ -16,12 +17,13 @@ namespace brickfall {
 
 namespace {
 
-//! - | too small: rounding of normals leaves slides short | too large: what slides in a corner is lifted out of it
+//! - | too small: rounding of normals leaves slides short
+//! | too large: groups that slide in a corner are lifted out of it
 constexpr double kFlat = 1e-3;  // sine of the angle between normals that count as one
 //! m | too small: bricks side by side leave each other's slides short | too large: bodies are moved into each other
-constexpr double kNoWay = 1e-6;  // so much nearer to another group is no nearer
+constexpr double kNoWay = 1e-6;  // a group that comes no more than this nearer to another counts as no nearer
 
-// Velocities of a group along the ground, as those of a rigid body, or how they changed.
+// Velocities of a group along the ground, as those of a rigid body, or their changes.
 struct Slide {
   Slide(const RigidSum& sum, Vec3 normal) : centre(sum.centre()) {
     const Vec3 v = sum.velocity();
@@ -45,7 +47,7 @@ class GroupSlides {
         stays_(count_, 0, island.memory),
         changes_(island.memory) {}
 
-  // False if nothing slides.
+  // False if no body slides.
   bool findGroups();
   bool judgeGround();
   void findChanges();
@@ -68,16 +70,17 @@ class GroupSlides {
   Island& island_;
   StepContext& context_;
   std::uint32_t count_;
-  std::pmr::vector<char> held_;              // bodies and partners: as good as fixed
+  std::pmr::vector<char> held_;              // bodies and partners: counts as ground
   std::pmr::vector<std::uint32_t> groupOf_;  // body -> the group's lowest body
   // By group:
-  std::pmr::vector<Vec3> normals_;  // of the ground; none: it touches none
-  std::pmr::vector<char> stays_;    // is not corrected
-  // Bodies: how the velocity of its group changed at it; none where that stays.
+  std::pmr::vector<Vec3> normals_;  // of the ground; zero: the group touches no ground
+  std::pmr::vector<char> stays_;    // the group is not corrected
+  // By body: the change of its group's velocity at the body; zero if the group is not corrected.
   std::pmr::vector<VelocityChange> changes_;
 };
 
-// Bodies that press on each other, and stick to nothing that chains of such hold to something fixed: all that is held is ground.
+// Groups: bodies that press on each other. A body that sticks to something fixed, directly or through a chain of
+// sticking contacts, is in no group: it counts as ground.
 bool GroupSlides::findGroups() {
   findSupported(island_, held_, [&](const auto& kind, std::size_t k) { return kind.sticks(k, context_); });
   if (std::find(held_.begin(), held_.end(), 0) == held_.end()) return false;
@@ -90,7 +93,7 @@ bool GroupSlides::findGroups() {
   return true;
 }
 
-// Its points that press on the ground neither land nor leave.
+// The contact's points that press on the ground neither land nor leave.
 bool GroupSlides::goesOn(std::size_t k) const {
   const ContactRecord& row = rows_.records[k];
   const VelocityChange a = solvedChange(row.bodyA), b = solvedChange(row.bodyB);
@@ -115,8 +118,8 @@ bool GroupSlides::judgeGround() {
   return false;
 }
 
-// Of bodies that slide: as rigid bodies, how fast groups were, and by how much that changed. What is slow stays: it sways, or comes
-// to rest.
+// For groups that slide, as rigid bodies: their velocity at the start, and its change. A slow group is not corrected:
+// it sways, or comes to rest.
 void GroupSlides::findChanges() {
   const BodySet& bodies = *context_.bodies;
   std::pmr::vector<RigidSum> starts(count_, RigidSum(island_.origin), island_.memory);

@@ -28,7 +28,7 @@ void Groups::find(const Island& island, const StepContext& context) {
     if (supported == kNone) supported = body, under = std::max(ends.a, ends.b);
     sets.join(supported, body);
   });
-  // In the order of their lowest bodies, which the sets are named by.
+  // Numbers groups in the order of their lowest bodies, which name the sets.
   of_.resize(count);
   std::pmr::vector<std::uint32_t> sizes(island.memory);
   for (std::uint32_t i = 0; i < count; i++) {

@@ -1,6 +1,7 @@
-// Groups of an island, found once a step when its forces are known: bodies joined by ties that carry force, directly or through
-// others. Nothing acts between two groups, so momentum and energy are booked by group, and whatever the finish does to one it does
-// to all of its bodies alike. All that something fixed or kinematic supports is one group: they act on each other through it.
+// Groups of an island, found once a step when its forces are known: bodies joined by ties that carry force, directly or
+// through others. Nothing acts between two groups, so momentum and energy are booked by group. Every correction of the
+// finish treats all bodies of a group alike. All bodies that something fixed or kinematic supports are one group: they
+// act on each other through it.
 #pragma once
 #include <cstdint>
 #include <memory_resource>
@@ -16,7 +17,7 @@ class Groups {
  public:
   explicit Groups(std::pmr::memory_resource* memory) : of_(memory), bodies_(memory), begin_(memory), partner_(memory) {}
 
-  // By the forces that its ties carry; none of an island that rests.
+  // By the forces that the island's ties carry. An island that rests has no groups.
   void find(const Island& island, const StepContext& context);
   void clear();
 
@@ -26,9 +27,9 @@ class Groups {
     return {bodies_.data() + begin_[group], bodies_.data() + begin_[group + 1]};
   }
   std::uint32_t groupOf(std::size_t body) const { return of_[body]; }
-  // No tie that carries force leads to anything fixed or kinematic.
+  // No tie that carries force leads from the group to anything fixed or kinematic.
   bool flies(std::size_t group) const { return partner_[group] == kNone; }
-  // One of the fixed or kinematic bodies that it presses on, as numbered in Island::motion.
+  // One of the fixed or kinematic bodies that the group presses on, as numbered in Island::motion.
   std::uint32_t partner(std::size_t group) const { return partner_[group]; }
 
  private:
@@ -36,7 +37,7 @@ class Groups {
   std::pmr::vector<std::uint32_t> of_;       // body -> group
   std::pmr::vector<std::uint32_t> bodies_;   // by group
   std::pmr::vector<std::uint32_t> begin_;    // group -> its first place in bodies_; one more at the end
-  std::pmr::vector<std::uint32_t> partner_;  // group -> what it presses on
+  std::pmr::vector<std::uint32_t> partner_;  // group -> the body that it presses on
 };
 
 }  // namespace brickfall

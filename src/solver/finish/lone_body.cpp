@@ -1,8 +1,8 @@
-// One body on something fixed whose contacts go on through the step: the leapfrog, as Verlet wrote it. A step starts the solve with
-// velocities that are late by half of the last step, which makes its ways and times of second order and keeps energy; what a body
-// remembers are velocities that are up to date, and how they changed in the last step. From rest, after flight and after an impact
-// nothing is late. Bodies that push each other are left alone (what one gains, the other would have to give), but where they slide as
-// one: finish/group_slide.h.
+// One body on something fixed whose contacts go on through the step: the leapfrog, as Verlet wrote it. A step starts
+// the solve with velocities that are late by half of the last step. That makes its ways and times of second order and
+// keeps energy. A body remembers velocities that are up to date, and how they changed in the last step. From rest,
+// after flight and after an impact no velocity is late. Bodies that push each other are left alone (what one gains the
+// other would have to give), unless they slide as one: finish/group_slide.h.
 #include "solver/finish/lone_body.h"
 
 #include <cmath>
@@ -13,7 +13,7 @@ namespace brickfall {
 
 namespace {
 
-//! - | too small: the last step of a slide is too long | too large: what goes on slowly counts as stopped
+//! - | too small: the last step of a slide is too long | too large: a body that goes on slowly counts as stopped
 constexpr double kStopped = 1e-2;  // of the speed at the start of the step
 // All points that carry force neither land nor leave in this step, and there is one.
 bool steadyContacts(const Island& island, const StepContext& context, const VelocityChange& change) {
@@ -31,12 +31,12 @@ bool steadyContacts(const Island& island, const StepContext& context, const Velo
   return carried;
 }
 
-//! of the last step's | too small: what rocks loses half a step wherever its forces change
-//! | too large: what a hit or a start changed counts as a force that goes on
-constexpr double kSameForces = 0.4;  // changes of velocity that differ by no more are those of the same forces
+//! of the last step's | too small: a rocking body loses half a step wherever its forces change
+//! | too large: a velocity changed by a hit or a start counts as a force that goes on
+constexpr double kSameForces = 0.4;  // changes of velocity that differ by no more come from the same forces
 
-// Friction stops what slides within the step: it slows down for a part of it only, from its true velocity and at the full friction. That
-// part; 1 if it does not stop. Its points stop where it does.
+// Share of the step for which a sliding body slows down, from its true velocity and at the full friction. It is 1 if
+// friction does not stop the body within the step. Its points stop where it does.
 double partUntilStopped(const Island& island, Ties ties, const StepContext& context, const VelocityChange& change) {
   const BodyIndex body = island.bodies[0];
   const Vec3 start = context.free[body].startVelocity, solved = context.solved[body].velocity;
@@ -46,7 +46,7 @@ double partUntilStopped(const Island& island, Ties ties, const StepContext& cont
   const double late = 0.5 * context.bodies->data[body].steady.dt / h;
   const bool turnsBack = dot(solved + change.move * late, back) > 0;
   if (!turnsBack && length(solved) > kStopped * length(start - context.free[body].late)) return 1;
-  double limit = 0, given = 0;  // N, along `back`: of friction, and that it gave
+  double limit = 0, given = 0;  // N, along `back`: the friction limit, and the friction that acted
   for (std::size_t k = 0; k < island.rows.contacts.records.size(); k++) {
     const ContactRecord& r = island.rows.contacts.records[k];
     const Contact& c = ties.contacts.contacts[island.rows.contacts.contactOf[k]];
@@ -62,12 +62,12 @@ double partUntilStopped(const Island& island, Ties ties, const StepContext& cont
   return limit + others > slowing ? slowing / (limit + others) : 1;
 }
 
-// Its anchors are to be where it stops.
+// The contacts' anchors are to be where the body stops.
 void letGo(const Island& island, Ties ties) {
   for (ContactIndex contact : island.rows.contacts.contactOf) ties.contacts.contacts[contact].points.stickingMask = 0;
 }
 
-// The forces of this step are about those of the last: nothing has hit, and what was late can be caught up.
+// The forces of this step are about those of the last: no body has hit, and late velocities can be brought up to date.
 bool goesOn(const SteadyChange& last, const SteadyChange& now, double radius) {
   auto size = [radius](Vec3 linear, Vec3 angular) { return length(linear) + radius * length(angular); };
   return last.sticks == now.sticks &&
@@ -95,7 +95,7 @@ void finishLoneBody(const Island& island, Ties ties, StepContext& context) {
   const SteadyChange& last = context.bodies->data[body].steady;
   const SteadyChange now{change.move * (1 / h), change.turn * (1 / h), h, sticks};
   if (last.dt > 0 && !goesOn(last, now, context.bodies->mass[body].outerRadius)) return;
-  // In steps: by how much the start was late; from there it is half a step more to the middle of this one.
+  // In steps: by how much the start was late. From there it is half a step more to the middle of this step.
   const double late = 0.5 * last.dt / h;
   shift(body, change.move * ((late - 0.5) * h), change.turn * ((late - 0.5) * h), context);
   accelerate(body, change.move * late, context.bodies->worldInertia(body) * change.turn * late, context);

@@ -11,9 +11,9 @@ namespace {
 //! not of the method: rotation vectors beyond are those of turns the other way round
 constexpr double kHalfTurn = 3;  // rad
 
-// Of a body that turns faster than the solve sees, friction would drive the spin on and on: a brick under a rolling ball
-// would spin up without end. What the torque of this step turned it by counts as far as the spin that the solve ended with
-// goes beyond the one that the body had.
+// Friction would drive the spin of a body that turns faster than the solve sees on and on: a brick under a rolling ball
+// would spin up without end. The turn by this step's torque counts only as far as the solved spin exceeds the spin that
+// the body had.
 Vec3 effectiveTurn(Vec3 turned, Vec3 end, const FreeMotion& free, const Mat3& invInertia, double dt) {
   double size = length(turned);
   if (!(size > 0)) return turned;
@@ -40,7 +40,7 @@ void storeMotion(const Island& island, StepContext& context) {
     out.flying = island.groups.flies(group);
     const bool alone = out.flying && island.groups.bodies(group).size() == 1;
     out.freeTurn = alone || m.th == island.masses[i].thFree;
-    // What nothing presses on goes its own way, whatever cycles left of its weight.
+    // A body that nothing presses on goes its own way, whatever part of its weight cycles left.
     out.d = alone ? free.d : island.travel + toDouble(m.d);
     out.th = out.freeTurn ? free.th : toDouble(m.th);
     out.velocity = out.d * perDt;

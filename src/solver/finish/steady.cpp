@@ -8,7 +8,7 @@ namespace {
 
 //! g h | too small: slides and rolls lose half a step of way
 //! | too large: bodies that land or leave get a correction that is not theirs
-constexpr double kSteadyShare = 0.2;  // of g dt: change of a normal velocity that still counts as none
+constexpr double kSteadyShare = 0.2;  // of g dt: a smaller change of a normal velocity counts as none
 
 }  // namespace
 

@@ -1,4 +1,4 @@
-// Whether contacts go on as they are through a step: what second order in the time step may be asked of.
+// Whether contacts go on as they are through a step: only then may motions be made of second order in the time step.
 #pragma once
 #include "solver/finish/motion.h"
 
