@@ -28,8 +28,8 @@ bool samePoints(const PointMemory& a, const PointMemory& b) {
 }
 
 // Three bricks on each other, the uppermost sliding, and one that comes down on it.
-struct Sliding : TestIsland {
-  Sliding() {
+struct SlidingBrick : TestIsland {
+  SlidingBrick() {
     BodyIndex floor = ground();
     std::vector<BodyIndex> bricks = pile(floor, 3);
     BodyIndex falling = brick({0.05, 7 * kBrick.y + 2e-3, 0});
@@ -43,7 +43,7 @@ struct Sliding : TestIsland {
 
 TEST(IslandTrial, PutsBackAllThatAPartOfTheStepChanged) {
   for (IslandPart part : {IslandPart::between, IslandPart::toImpact}) {
-    Sliding lab;
+    SlidingBrick lab;
     Island& island = lab.island();
     const std::vector<BodyMotion> motions = lab.bodies.motion;
     const std::vector<Contact> contacts = lab.contacts.contacts;
@@ -83,7 +83,7 @@ TEST(IslandTrial, PutsBackAllThatAPartOfTheStepChanged) {
 
 // What comes next must not depend on whether something was tried before it.
 TEST(IslandTrial, TheStepAfterItIsTheStepWithoutIt) {
-  Sliding tried, plain;
+  SlidingBrick tried, plain;
   IslandTrial trial(tried.island(), tried.ties(), tried.bodies);
   stepIsland(tried.island(), IslandPart::toImpact, tried.context.dt, tried.ties(), tried.bodies, tried.context,
              tried.context.statistics);
