@@ -23,7 +23,7 @@ enum class Stage : std::uint8_t {
   solve,      // displacements that balance all forces
   store,      // forces kept, velocities, free flight
   obstacles,  // fast bodies stop before what they would pass through
-  balance,    // momentum and energy of islands, once
+  balance,    // the last check on energy, once
   integrate,  // new poses, quarantine
   sleep,      // falling asleep
   events,
@@ -95,7 +95,7 @@ struct StepLedger {
   BalanceChange impacts;     // small islands, from the start of the step through its last impact: all that acted then
   BalanceChange rebound;     // restitution of the others
   BalanceChange obstacles;   // bodies that stopped short of what they would pass through: they end, and turn, elsewhere
-  BalanceChange balance;     // angular momentum set right, energy that an island had gained taken back
+  BalanceChange balance;     // energy that a group of bodies had gained, taken back by the last check
   BalanceChange integrate;   // rounding of new poses
   BalanceChange quarantine;  // bodies that were taken out
 };

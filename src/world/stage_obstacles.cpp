@@ -130,7 +130,8 @@ Vec3 Obstacles::commonWay(const Island& island, std::span<const std::uint32_t> g
   return moment * (1 / mass);
 }
 
-// As far as arms that are frozen are true. What the body goes along with takes it along.
+// Cuts the turn of a body in contact to the angle for which frozen arms are true, and its way alike, against the
+// common way of its group.
 void Obstacles::cutTurn(BodyIndex body) {
   const SolvedMotion& s = context.solved[body];
   const Island* island = islandWith(body);
@@ -144,7 +145,7 @@ void Obstacles::cutTurn(BodyIndex body) {
 }
 
 void Obstacles::stop(BodyIndex body) {
-  SolvedMotion& s = context.solved[body];
+  const SolvedMotion& s = context.solved[body];
   if (s.rest || !isFinite(s.d)) return;
   double turn = length(visibleTurn(bodies.mass[body], bodies.motion[body].orientation, s.th));
   double thickness = bodies.mass[body].innerRadius * (turn < kLargestTurn && s.went == 1 ? 1 : 0.5);

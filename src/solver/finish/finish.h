@@ -2,6 +2,14 @@
 // is right to first order in the step's length. Where the forces on a group of bodies go on as they are, the mean of
 // its old and new velocities is right to second order. A group is moved rigidly, so that no body in it moves against
 // its neighbours:
+//
+//   a group that | presses on                            | is moved by the mean of its velocities | its velocities
+//   -------------+---------------------------------------+----------------------------------------+------------------
+//   flies        | nothing                               | under outside forces (flight.h)        | keep both momenta
+//   is alone     | fixed things, a body in an island     | in all of its motion (lone_body.h)     | are up to date
+//                | of one                                |                                        |
+//   slides       | ground along which all its points do  | along the ground (group_slide.h)       | as solved
+//   stands       | anything else                         | not                                    | as solved
 #pragma once
 #include "solver/island.h"
 

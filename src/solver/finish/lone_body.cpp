@@ -15,6 +15,7 @@ namespace {
 
 //! - | too small: the last step of a slide is too long | too large: a body that goes on slowly counts as stopped
 constexpr double kStopped = 1e-2;  // of the speed at the start of the step
+
 // All points that carry force neither land nor leave in this step, and there is one.
 bool steadyContacts(const Island& island, const StepContext& context, const VelocityChange& change) {
   bool carried = false;
