@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "narrowphase/clipping.h"
+#include "narrowphase/edge_stretch.h"
 #include "narrowphase/features.h"
 #include "narrowphase/pairs.h"
 
@@ -121,8 +122,51 @@ bool testEdges(const BoxPair& p, double margin, double toBeat, EdgeAxis& best) {
   return true;
 }
 
+// An edge of a box, seen in the frame of a box: of that box or the other.
+struct BoxEdgeView {
+  int axis;            // of its box: its direction
+  bool next, last;     // on the positive side of the next axis, and of the one after
+  double at;           // m along it from its middle: where it crosses
+  const double* half;  // half extents of its box
+
+  int number() const { return boxEdge(axis, next, last); }
+  int corner(bool positive) const {
+    return (positive ? 1 << axis : 0) | (next ? 1 << kNext[axis] : 0) | (last ? 1 << kLast[axis] : 0);
+  }
+};
+
+// Both ways along `edge` from the crossing, over the faces that meet in `other`. `direction`: of `edge` in the frame of
+// the other's box. The axes of both boxes are those in the frame of a.
+void addStretches(const BoxEdgeView& edge, const BoxEdgeView& other, Vec3 direction, const Vec3* axesOfEdge,
+                  const Vec3* axesOfOther, bool edgeOfB, double margin, double same, Manifold& out) {
+  const int k1 = kNext[other.axis], k2 = kLast[other.axis];
+  const double s1 = other.next ? 1 : -1, s2 = other.last ? 1 : -1;
+  for (const double sign : {-1.0, 1.0}) {
+    // The way leads inward from the plane of one face, so it lies over the other.
+    const bool overFirst = sign * s1 * direction[k1] > sign * s2 * direction[k2];
+    const int face = overFirst ? k1 : k2, inward = overFirst ? k2 : k1;
+    const double up = overFirst ? s1 : s2, in = overFirst ? s2 : s1;
+    const double across = sign * in * direction[inward], along = sign * direction[other.axis];
+    const double toFar = across < 0 ? 2 * other.half[inward] / -across : 1e30;
+    const double room = other.half[other.axis] - (along > 0 ? other.at : -other.at);
+    const double toNear = along != 0 ? room / std::fabs(along) : 1e30;
+    const bool far = toFar < toNear;  // leaves the face by the side opposite to `other`, else by one at its ends
+    bool side[3] = {};                // signs of that side
+    side[face] = up > 0;
+    side[inward] = in < 0;
+    side[other.axis] = along > 0;
+    const int number =
+        far ? boxEdge(other.axis, side[k1], side[k2]) : boxEdge(inward, side[kNext[inward]], side[kLast[inward]]);
+    const int corner = edge.corner(sign > 0);
+    addStretch({axesOfEdge[edge.axis] * sign, edge.half[edge.axis] - sign * edge.at, axesOfOther[face] * up,
+                far ? toFar : toNear, edgeOfB ? cornerOfB(corner) : cornerOfA(corner),
+                edgeOfB ? edgeCrossing(number, edge.number()) : edgeCrossing(edge.number(), number)},
+               edgeOfB, margin, same, out);
+  }
+}
+
 // The crossing of two edges. False if it lies outside one of them: then the axis is not the one of least overlap.
-bool edgeContact(const BoxPair& p, const EdgeAxis& axis, Manifold& out) {
+bool edgeContact(const BoxPair& p, const EdgeAxis& axis, double margin, Manifold& out) {
   int i = axis.edgeA, i1 = kNext[i], i2 = kLast[i];
   int j = axis.edgeB, j1 = kNext[j], j2 = kLast[j];
   double n1 = -p.c[i2][j] * axis.inverseLength, n2 = p.c[i1][j] * axis.inverseLength;
@@ -150,6 +194,11 @@ bool edgeContact(const BoxPair& p, const EdgeAxis& axis, Manifold& out) {
   out.partial = false;
   out.points[0] = {onA, onA + n * axis.separation, axis.separation,
                    edgeCrossing(boxEdge(i, a1, a2), boxEdge(j, b1, b2))};
+  Vec3 unit[3];
+  for (int k = 0; k < 3; k++) unit[k][k] = 1;
+  const BoxEdgeView ofA{i, a1, a2, x, p.a}, ofB{j, b1, b2, y, p.b};
+  addStretches(ofA, ofB, {p.c[i][0], p.c[i][1], p.c[i][2]}, unit, u, false, margin, p.tolerance.same, out);
+  addStretches(ofB, ofA, u[j], u, unit, true, margin, p.tolerance.same, out);
   return true;
 }
 
@@ -394,7 +443,7 @@ void collideBoxBox(const Shape& a, const Shape& b, const Transform& bInA, double
   if (!testFaces(p, margin, face, otherFace)) return;
   EdgeAxis edge;
   if (!testEdges(p, margin, face.separation + p.tolerance.edge, edge)) return;
-  if (edge.edgeA >= 0 && edgeContact(p, edge, out)) return;
+  if (edge.edgeA >= 0 && edgeContact(p, edge, margin, out)) return;
   const bool refIsA = face.index < 3;
   if (lineContact(p, refIsA ? face : otherFace, refIsA ? otherFace : face, margin, out)) return;
   faceContact(p, face.index, margin, bInA, out);
@@ -413,7 +462,7 @@ void collideBoxBox(const Shape& a, const Shape& b, const Transform& bInA, double
       if (deepest <= face.separation + p.tolerance.edge) return;
     }
   }
-  if (edge.edgeA >= 0 && edge.separation < deepest && edgeContact(p, edge, out)) return;
+  if (edge.edgeA >= 0 && edge.separation < deepest && edgeContact(p, edge, margin, out)) return;
   if (out.count == 0) cornerContact(p, face, bInA, out);
 }
 

@@ -1,6 +1,7 @@
 // Hull against hull, and box against hull: separating axes, then the incident face cut against the sides of the
 // reference face, or the crossing of two edges. Orders and biases as in box_box.cpp.
 #include "narrowphase/clipping.h"
+#include "narrowphase/edge_stretch.h"
 #include "narrowphase/features.h"
 #include "narrowphase/hull_view.h"
 #include "narrowphase/pairs.h"
@@ -187,9 +188,37 @@ double faceContact(const HullView& ref, const HullView& inc, bool refIsA, const 
   return deepest;
 }
 
+// Both ways along the edge `e` of one hull from the crossing at `from` (its share of the edge), over the faces of the
+// other that meet in its edge `f`.
+void addStretches(const HullView& hull, int e, const HullView& other, int f, double from, Vec3 at, bool edgeOfB,
+                  const Search& search, Manifold& out) {
+  const int ends[2] = {hull.edges[e].origin, hull.edges[e + 1].origin};
+  const Vec3 along = hull.vertices[ends[1]] - hull.vertices[ends[0]];
+  const double length = brickfall::length(along);
+  for (const bool ahead : {false, true}) {
+    const Vec3 direction = along * ((ahead ? 1 : -1) / length);
+    const int one = other.edges[f].face, two = other.edges[f + 1].face;
+    const int face = dot(other.planes[one].normal, direction) > dot(other.planes[two].normal, direction) ? one : two;
+    double toSide = 1e30;
+    int side = -1, h = other.firstEdge[face];
+    do {
+      const Side s = sideOf(other, h, search.tolerance);
+      const double approach = dot(s.outward, direction), room = s.offset - dot(s.outward, at);
+      if (h / 2 != f / 2 && approach > 0 && room < toSide * approach) toSide = room / approach, side = h / 2;
+      h = other.edges[h].next;
+    } while (h != other.firstEdge[face]);
+    if (side < 0) continue;
+    addStretch({direction, ahead ? (1 - from) * length : from * length, other.planes[face].normal, toSide,
+                edgeOfB ? cornerOfB(ends[ahead]) : cornerOfA(ends[ahead]),
+                edgeOfB ? edgeCrossing(side, e / 2) : edgeCrossing(e / 2, side)},
+               edgeOfB, search.margin, search.tolerance.same, out);
+  }
+}
+
 // The nearest points of two edges. Not if they lie further than `beside` from each other across the axis: the edges do not
 // cross, and another axis is the one of least overlap.
-bool edgeContact(const HullView& a, const HullView& b, const EdgeQuery& query, double beside, Manifold& out) {
+bool edgeContact(const HullView& a, const HullView& b, const EdgeQuery& query, double beside, const Search& search,
+                 Manifold& out) {
   Vec3 pa = a.vertices[a.edges[query.edgeA].origin], da = a.vertices[a.edges[query.edgeA + 1].origin] - pa;
   Vec3 pb = b.vertices[b.edges[query.edgeB].origin], db = b.vertices[b.edges[query.edgeB + 1].origin] - pb;
   SegmentPair nearest = nearestOfSegments(pa, da, pb, db);
@@ -200,6 +229,9 @@ bool edgeContact(const HullView& a, const HullView& b, const EdgeQuery& query, d
   out.count = 1;
   out.partial = false;
   out.points[0] = {nearest.p, onB, query.separation, edgeCrossing(query.edgeA / 2, query.edgeB / 2)};
+  if (atEnd) return true;
+  addStretches(a, query.edgeA, b, query.edgeB, nearest.s, onB, false, search, out);
+  addStretches(b, query.edgeB, a, query.edgeA, nearest.t, nearest.p, true, search, out);
   return true;
 }
 
@@ -242,7 +274,7 @@ class OtherAxes {
   bool tryEdges(const EdgeQuery& query) {
     bool better =
         query.edgeA >= 0 && query.separation > nearlyAsGood_ && query.separation < deepest_ - search_.tolerance.slack;
-    if (better && edgeContact(a_, b_, query, 0, out_)) deepest_ = query.separation;
+    if (better && edgeContact(a_, b_, query, 0, search_, out_)) deepest_ = query.separation;
     return deepest_ <= enough_;
   }
 
@@ -276,7 +308,7 @@ void collideHullHull(const Shape& shapeA, const Shape& shapeB, const Transform& 
   double better = face + tolerance.edge;
   EdgeQuery edge = queryEdges(a, b, margin, face < 0 && better > 0 ? 0 : better);
   if (edge.edgeA >= 0 && edge.separation > margin) return;
-  if (edge.edgeA >= 0 && edge.separation > better && edgeContact(a, b, edge, 0, out)) return;
+  if (edge.edgeA >= 0 && edge.separation > better && edgeContact(a, b, edge, 0, search, out)) return;
   const FaceQuery& best = refIsA ? faceA : faceB;
   const FaceQuery& other = refIsA ? faceB : faceA;
   const HullView& ref = refIsA ? a : b;
@@ -288,7 +320,7 @@ void collideHullHull(const Shape& shapeA, const Shape& shapeB, const Transform& 
     // the hull is narrower below: then the corners alone may touch.
     if (deepest >= -tolerance.slack) return;
     out.count = 0;
-    edgeContact(a, b, edge, tolerance.same, out);
+    edgeContact(a, b, edge, tolerance.same, search, out);
     return;
   }
   if (deepest <= better) return;
