@@ -54,6 +54,17 @@ struct Obstacles {
   const IslandSet& islands;
   StepContext& context;
 
+  bool changed = false;
+
+  // Bodies that go the same way: a group that flies, or one body that is supported.
+  struct Group {
+    double mass = 0;
+    Vec3 way, velocity;  // m in this step, m/s: of the centre of mass
+    bool flies = false;
+  };
+  Group groupOf(BodyIndex body) const;
+  void divert(BodyIndex body, const Group& group, Vec3 way, double turnShare);
+  void meet(BodyIndex body, const Obstruction& first);
   void stopAll();
   void cutTurn(BodyIndex body);
   void stop(BodyIndex body);
@@ -62,7 +73,7 @@ struct Obstacles {
   const Island* islandWith(BodyIndex body) const;
   Motion motionOf(BodyIndex body) const;
   std::span<const std::uint32_t> movesWith(const Island& island, BodyIndex body) const;
-  Vec3 commonWay(const Island& island, std::span<const std::uint32_t> group) const;
+  Vec3 pushedAt(BodyIndex body) const;
   void cut(BodyIndex body, double share, double turnShare, Vec3 carried = {});
   bool farHeavier(BodyIndex body, BodyIndex other) const;
   bool isThick(BodyIndex body) const;
@@ -114,24 +125,18 @@ bool Obstacles::isThick(BodyIndex body) const {
   return bodies.mass[body].innerRadius > kThick * bodies.mass[body].outerRadius;
 }
 
-// m: of the centre of mass of a group that flies; of what supports it, else.
-Vec3 Obstacles::commonWay(const Island& island, std::span<const std::uint32_t> group) const {
-  const std::uint32_t number = island.groups.groupOf(group.front());
-  if (!island.groups.flies(number))
-    return bodies.motion[island.partners[island.groups.partner(number) - island.bodies.size()]].linearVelocity *
-           context.dt;
-  Vec3 moment;
-  double mass = 0;
-  for (std::uint32_t i : group) {
-    const double m = bodies.mass[island.bodies[i]].mass;
-    moment += context.solved[island.bodies[i]].d * m;
-    mass += m;
-  }
-  return moment * (1 / mass);
+// m, from the centre of mass: the nearest place on the line along which contacts pushed, within the body.
+Vec3 Obstacles::pushedAt(BodyIndex body) const {
+  const SolvedMotion& s = context.solved[body];
+  const FreeMotion& free = context.free[body];
+  const Vec3 push = (s.velocity - free.d * (1 / free.dt)) * bodies.mass[body].mass;
+  const Vec3 moment = cross(push, s.angularMomentum - free.angularMomentum);  // its part across the push, turned
+  const double size = length(moment), radius = bodies.mass[body].outerRadius, push2 = lengthSquared(push);
+  return size > radius * push2 ? moment * (radius / size) : size > 0 ? moment * (1 / push2) : Vec3{};
 }
 
-// Cuts the turn of a body in contact to the angle for which frozen arms are true, and its way alike, against the
-// common way of its group.
+// Cuts the turn of a body in contact to the angle for which frozen arms are true. Of its way it keeps that of the place
+// where it is pushed, or what flies that of its group.
 void Obstacles::cutTurn(BodyIndex body) {
   const SolvedMotion& s = context.solved[body];
   const Island* island = islandWith(body);
@@ -139,9 +144,8 @@ void Obstacles::cutTurn(BodyIndex body) {
   const double turn = length(visibleTurn(bodies.mass[body], bodies.motion[body].orientation, s.th));
   if (!(turn > kLargestTurn)) return;
   const double share = kLargestTurn / turn;
-  const std::span<const std::uint32_t> group = movesWith(*island, body);
-  const Vec3 common = commonWay(*island, group);
-  for (std::uint32_t i : group) shorten(island->bodies[i], share, share, common * (1 - share), false, context);
+  if (s.flying) return divert(body, groupOf(body), {}, share);
+  shorten(body, 1, share, cross(s.th, pushedAt(body)) * (1 - share), false, context);
 }
 
 void Obstacles::stop(BodyIndex body) {
@@ -156,21 +160,70 @@ void Obstacles::stop(BodyIndex body) {
   }
 }
 
-// True if it was held on a free turn: then it ends elsewhere than where it was looked for.
+// True if the body has to look again: on a free turn it ends elsewhere than where it was looked for.
 bool Obstacles::hold(BodyIndex body, bool everything, double thickness) {
   Obstruction first;
   for (ShapeIndex shape : bodies.shapes[body]) obstruct(shape, everything, thickness, first);
   if (first.share == 1) return false;
+  changed = true;
   const bool elsewhere = context.solved[body].freeTurn && first.turnShare < 1;
-  if (bodies.data[first.body].type != BodyType::dynamic || farHeavier(first.body, body)) {
+  if (bodies.data[first.body].type != BodyType::dynamic)
     cut(body, first.share, first.turnShare, first.carried);
-    return false;
-  }
-  cut(body, first.share, first.turnShare);
-  Motion other = motionOf(first.body);
-  bool turns = turnsFar(bodies, first.body, other.turn);
-  if (turns || exceeds(other.way, thickness)) cut(first.body, first.share, turns ? first.share : 1);
+  else
+    meet(body, first);
   return elsewhere;
+}
+
+Obstacles::Group Obstacles::groupOf(BodyIndex body) const {
+  Group out;
+  const Island* island = islandWith(body);
+  out.flies = context.solved[body].flying;
+  auto add = [&](BodyIndex b) {
+    const double m = bodies.mass[b].mass;
+    out.mass += m;
+    out.way += motionOf(b).way * m;
+    out.velocity += context.solved[b].velocity * m;
+  };
+  if (island)
+    for (std::uint32_t i : movesWith(*island, body)) add(island->bodies[i]);
+  else
+    add(body);
+  out.way = out.way * (1 / out.mass);
+  out.velocity = out.velocity * (1 / out.mass);
+  return out;
+}
+
+void Obstacles::divert(BodyIndex body, const Group& group, Vec3 way, double turnShare) {
+  const Island* island = islandWith(body);
+  if (!island) return shorten(body, 1, turnShare, way, false, context);
+  for (std::uint32_t i : movesWith(*island, body)) {
+    const BodyIndex b = island->bodies[i];
+    const Vec3 own = movesWith(*island, body).size() > 1 ? (group.way - context.solved[b].d) * (1 - turnShare) : Vec3{};
+    shorten(b, 1, turnShare, way + own, false, context);
+  }
+}
+
+// Two that meet go on together for the rest of the step. What flies has the way of both masses: the shift is along the
+// relative velocity, so neither the centre of mass nor a momentum changes. Else the faster follows the slower, and what
+// is far lighter the heavier one.
+void Obstacles::meet(BodyIndex body, const Obstruction& first) {
+  const Group a = groupOf(body), b = groupOf(first.body);
+  const double rest = 1 - first.share;
+  const bool otherTurns = turnsFar(bodies, first.body, motionOf(first.body).turn);
+  Vec3 toB = (b.way - a.way) * rest;  // what the body needs to go with the other
+  double shareOfA = 1, shareOfB = 0;
+  if (a.flies && b.flies) {
+    const Vec3 relative = b.velocity - a.velocity;
+    const double size2 = lengthSquared(relative);
+    toB = size2 > 0 ? relative * (dot(toB, relative) / size2) : Vec3{};
+    shareOfA = b.mass / (a.mass + b.mass);
+    shareOfB = 1 - shareOfA;
+  } else if (!farHeavier(first.body, body) &&
+             (farHeavier(body, first.body) || lengthSquared(a.way) < lengthSquared(b.way))) {
+    shareOfA = 0, shareOfB = 1;
+  }
+  divert(body, a, toB * shareOfA, first.turnShare);
+  divert(first.body, b, toB * -shareOfB, otherTurns ? first.share : 1);
 }
 
 // All turns are cut before anything is looked for: a body is held against the ways that others will go.
@@ -182,7 +235,11 @@ void Obstacles::stopAll() {
     for (BodyIndex body : islands.single) (this->*act)(body);
   };
   each(&Obstacles::cutTurn);
-  each(&Obstacles::stop);
+  for (int look = 0; look < kLooks; look++) {
+    changed = false;
+    each(&Obstacles::stop);
+    if (!changed) return;
+  }
 }
 
 // The first thing on a body's way, for one shape of the body. `everything`: it may be the other that does the moving.
@@ -200,7 +257,8 @@ void Obstacles::obstruct(ShapeIndex shape, bool everything, double thickness, Ob
     const ShapeData& o = shapes.data[other];
     if (o.body == s.body || !filtersAllow(s.def.filter, o.def.filter)) return true;
     BodyType type = bodies.data[o.body].type;
-    if (type == BodyType::dynamic && farHeavier(s.body, o.body)) return true;
+    const bool fly = context.solved[s.body].flying && type == BodyType::dynamic && context.solved[o.body].flying;
+    if (type == BodyType::dynamic && !fly && farHeavier(s.body, o.body)) return true;
     Sweep way = wayOf(o.body);
     Vec3 motion = d - way.way;
     bool turns = own.turns || way.turns;
@@ -225,7 +283,8 @@ void Obstacles::obstruct(ShapeIndex shape, bool everything, double thickness, Ob
 
 void stopAtObstacles(const Registry& registry, const Activity& activity, const Proximity& proximity,
                      StepContext& context) {
-  Obstacles{registry.bodies, registry.shapes, *proximity.broadPhase, activity, activity.islands, context}.stopAll();
+  Obstacles{registry.bodies, registry.shapes, *proximity.broadPhase, activity, activity.islands, context, false}
+      .stopAll();
 }
 
 void hashObstacles(const IslandSet& islands, const StepContext& context, HashItems& out) {
