@@ -135,10 +135,15 @@ struct BoxEdgeView {
   }
 };
 
-// Both ways along `edge` from the crossing, over the faces that meet in `other`. `direction`: of `edge` in the frame of
-// the other's box. The axes of both boxes are those in the frame of a.
-void addStretches(const BoxEdgeView& edge, const BoxEdgeView& other, Vec3 direction, const Vec3* axesOfEdge,
-                  const Vec3* axesOfOther, bool edgeOfB, double margin, double same, Manifold& out) {
+// Both ways along `edge` from the crossing, over the faces that meet in `other`. The axes of both boxes are those in the
+// frame of a.
+void addStretches(const BoxEdgeView& edge, const BoxEdgeView& other, const Vec3* axesOfEdge, const Vec3* axesOfOther,
+                  bool edgeOfB, double margin, double same, Manifold& out) {
+  Vec3 direction, normal;  // in the frame of the other's box
+  for (int k = 0; k < 3; k++) {
+    direction[k] = dot(axesOfEdge[edge.axis], axesOfOther[k]);
+    normal[k] = dot(out.normal, axesOfOther[k]);
+  }
   const int k1 = kNext[other.axis], k2 = kLast[other.axis];
   const double s1 = other.next ? 1 : -1, s2 = other.last ? 1 : -1;
   for (const double sign : {-1.0, 1.0}) {
@@ -146,7 +151,9 @@ void addStretches(const BoxEdgeView& edge, const BoxEdgeView& other, Vec3 direct
     const bool overFirst = sign * s1 * direction[k1] > sign * s2 * direction[k2];
     const int face = overFirst ? k1 : k2, inward = overFirst ? k2 : k1;
     const double up = overFirst ? s1 : s2, in = overFirst ? s2 : s1;
-    const double across = sign * in * direction[inward], along = sign * direction[other.axis];
+    if (normal[face] == 0) continue;
+    const Vec3 onFace = (direction - normal * (direction[face] / normal[face])) * sign;  // seen along the normal
+    const double across = in * onFace[inward], along = onFace[other.axis];
     const double toFar = across < 0 ? 2 * other.half[inward] / -across : 1e30;
     const double room = other.half[other.axis] - (along > 0 ? other.at : -other.at);
     const double toNear = along != 0 ? room / std::fabs(along) : 1e30;
@@ -197,8 +204,8 @@ bool edgeContact(const BoxPair& p, const EdgeAxis& axis, double margin, Manifold
   Vec3 unit[3];
   for (int k = 0; k < 3; k++) unit[k][k] = 1;
   const BoxEdgeView ofA{i, a1, a2, x, p.a}, ofB{j, b1, b2, y, p.b};
-  addStretches(ofA, ofB, {p.c[i][0], p.c[i][1], p.c[i][2]}, unit, u, false, margin, p.tolerance.same, out);
-  addStretches(ofB, ofA, u[j], u, unit, true, margin, p.tolerance.same, out);
+  addStretches(ofA, ofB, unit, u, false, margin, p.tolerance.same, out);
+  addStretches(ofB, ofA, u, unit, true, margin, p.tolerance.same, out);
   return true;
 }
 

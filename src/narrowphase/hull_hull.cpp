@@ -189,7 +189,7 @@ double faceContact(const HullView& ref, const HullView& inc, bool refIsA, const 
 }
 
 // Both ways along the edge `e` of one hull from the crossing at `from` (its share of the edge), over the faces of the
-// other that meet in its edge `f`.
+// other that meet in its edge `f`, where `at` is the crossing.
 void addStretches(const HullView& hull, int e, const HullView& other, int f, double from, Vec3 at, bool edgeOfB,
                   const Search& search, Manifold& out) {
   const int ends[2] = {hull.edges[e].origin, hull.edges[e + 1].origin};
@@ -199,16 +199,20 @@ void addStretches(const HullView& hull, int e, const HullView& other, int f, dou
     const Vec3 direction = along * ((ahead ? 1 : -1) / length);
     const int one = other.edges[f].face, two = other.edges[f + 1].face;
     const int face = dot(other.planes[one].normal, direction) > dot(other.planes[two].normal, direction) ? one : two;
+    const Vec3 normal = other.planes[face].normal;
+    const double up = dot(out.normal, normal);
+    if (up == 0) continue;
+    const Vec3 onFace = direction - out.normal * (dot(direction, normal) / up);  // seen along the contact's normal
     double toSide = 1e30;
     int side = -1, h = other.firstEdge[face];
     do {
       const Side s = sideOf(other, h, search.tolerance);
-      const double approach = dot(s.outward, direction), room = s.offset - dot(s.outward, at);
+      const double approach = dot(s.outward, onFace), room = s.offset - dot(s.outward, at);
       if (h / 2 != f / 2 && approach > 0 && room < toSide * approach) toSide = room / approach, side = h / 2;
       h = other.edges[h].next;
     } while (h != other.firstEdge[face]);
     if (side < 0) continue;
-    addStretch({direction, ahead ? (1 - from) * length : from * length, other.planes[face].normal, toSide,
+    addStretch({direction, ahead ? (1 - from) * length : from * length, normal, toSide,
                 edgeOfB ? cornerOfB(ends[ahead]) : cornerOfA(ends[ahead]),
                 edgeOfB ? edgeCrossing(side, e / 2) : edgeCrossing(e / 2, side)},
                edgeOfB, search.margin, search.tolerance.same, out);

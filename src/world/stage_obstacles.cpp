@@ -135,8 +135,8 @@ Vec3 Obstacles::pushedAt(BodyIndex body) const {
   return size > radius * push2 ? moment * (radius / size) : size > 0 ? moment * (1 / push2) : Vec3{};
 }
 
-// Cuts the turn of a body in contact to the angle for which frozen arms are true. Of its way it keeps that of the place
-// where it is pushed, or what flies that of its group.
+// Cuts the turn of a body in contact to the angle for which frozen arms are true, and so much of its way as the turn
+// about the place where it is pushed has made. (A brick that slides and spins slides on.)
 void Obstacles::cutTurn(BodyIndex body) {
   const SolvedMotion& s = context.solved[body];
   const Island* island = islandWith(body);
@@ -145,7 +145,9 @@ void Obstacles::cutTurn(BodyIndex body) {
   if (!(turn > kLargestTurn)) return;
   const double share = kLargestTurn / turn;
   if (s.flying) return divert(body, groupOf(body), {}, share);
-  shorten(body, 1, share, cross(s.th, pushedAt(body)) * (1 - share), false, context);
+  const Vec3 ofTurn = cross(pushedAt(body), s.th);
+  const double size2 = lengthSquared(ofTurn), made = size2 > 0 ? std::clamp(dot(s.d, ofTurn) / size2, 0.0, 1.0) : 0;
+  shorten(body, 1, share, ofTurn * (made * (share - 1)), false, context);
 }
 
 void Obstacles::stop(BodyIndex body) {

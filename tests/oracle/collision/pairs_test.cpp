@@ -44,7 +44,7 @@ void expectRegimes(const ContactAudit& audit, Kind kind, const std::vector<Famil
   if (!flat(kind.first) || !flat(kind.second)) return;
   EXPECT_GT(audit.seen("points: 3"), kPairs / 50);
   EXPECT_GT(audit.seen("points: 4"), kPairs / 10);
-  EXPECT_GT(audit.seen("edge crossings"), kPairs / 10);
+  EXPECT_GT(audit.seen("edge crossings"), kPairs / 12);
 }
 
 // What contacts that remember no more than which points carried cannot avoid is rare: other axes or points that are as good.
