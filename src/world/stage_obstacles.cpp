@@ -28,11 +28,11 @@ namespace {
 constexpr double kFarHeavier = 30;  // times the mass
 //! of a way | too small: bricks that hit each other deep hold each other there
 //! | too large: cores pass that have not met
-constexpr double kHeld = 1e-3;
+[[maybe_unused]] constexpr double kHeld = 1e-3;
 //! - | too small: what turns freely ends beyond what it met | too large: cost
 constexpr int kLooks = 4;  // along a free turn: a part of it is not on the arc that all of it makes
 //! of the outer radius | too small: thin plates are crept through | too large: with kHeld
-constexpr double kThick = 0.2;
+[[maybe_unused]] constexpr double kThick = 0.2;
 bool exceeds(Vec3 way, double limit) { return lengthSquared(way) > limit * limit; }
 
 struct Motion {
@@ -271,8 +271,6 @@ void Obstacles::obstruct(ShapeIndex shape, bool everything, double thickness, Ob
       double over = coreWay(o, way, s, own);
       share = std::min(share, over), turnShare = std::min(turnShare, over);
     }
-    // Bricks that have pressed into each other would stay so for ever: their contacts part them.
-    if (type == BodyType::dynamic && share < kHeld && isThick(s.body) && isThick(o.body)) return true;
     if (own.turns) first.turnShare = std::min(first.turnShare, turnShare);
     if (!(share < first.share)) return true;
     first.share = share, first.body = o.body;

@@ -68,7 +68,7 @@ BRICKFALL_LANES PointMotion<L> pointMotion(const R& r, const Frame<L>& f, const 
 template <class L> struct PointForces {
   L trialN, n;  // N
   L trial1, trial2, t1, t2;
-  L trialSquared, root;        // of the tangential trial force; its length
+  L inverse;                   // 1/N: of the tangential trial force's length, where the point slides
   decltype(L{} > L{}) slides;  // outside the friction cone
 };
 
@@ -80,12 +80,12 @@ template <class R, class L> BRICKFALL_LANES PointForces<L> pointForces(const R& 
   f.trial1 = pointsOf(r, &ContactRecord::trial1) - (k * moved.t1);
   f.trial2 = pointsOf(r, &ContactRecord::trial2) - (k * moved.t2);
   L limit = pointsOf(r, &ContactRecord::limit);
-  f.trialSquared = (f.trial1 * f.trial1) + (f.trial2 * f.trial2);
-  f.slides = f.trialSquared > (limit * limit);
+  L trialSquared = (f.trial1 * f.trial1) + (f.trial2 * f.trial2);
+  f.slides = trialSquared > (limit * limit);
   // No branch: which points slide is hard to foresee, and a root and a division are cheap. For sticking points they may
   // give any number.
-  f.root = sqrt(f.trialSquared);
-  L scale = select(f.slides, limit / f.root, wide::all<L>(1));
+  f.inverse = wide::all<L>(1) / sqrt(trialSquared);
+  L scale = select(f.slides, limit * f.inverse, wide::all<L>(1));
   f.t1 = f.trial1 * scale;
   f.t2 = f.trial2 * scale;
   return f;
@@ -114,10 +114,6 @@ template <class R> BRICKFALL_LANES auto closedReach(const R& r, bool exact) {
   return select(L{} > cap, cap, max(cap, reach));
 }
 
-//! N3 | too small: forces that fade in flight make a matrix of NaN: groups that hit fly apart
-//! | too large: slides under tiny forces converge slowly
-constexpr float kLeastCube = 1e-37f;
-
 // Loaded points resist along the normal, and so do near open points, unless `exact`: a Newton step must not run through
 // them. Sticking points resist tangentially; sliding ones only across their slip.
 template <class R, class L>
@@ -129,12 +125,11 @@ BRICKFALL_LANES StiffnessOf<L> stiffness(const R& r, const Frame<L>& frame, cons
   auto frictional = limit > zero;
   L kt = keepIf(frictional, k);
   auto sliding = f.slides & frictional;
-  // Sliding: k |f| / |trial| on the direction across the trial force. It is less for forces so small that their cube is
-  // 0 in floats.
-  L share = (kt * limit) / max(f.trialSquared * f.root, wide::all<L>(kLeastCube));
-  L t11 = select(sliding, share * (f.trial2 * f.trial2), kt);
-  L t22 = select(sliding, share * (f.trial1 * f.trial1), kt);
-  L t12 = select(sliding, -(share * (f.trial1 * f.trial2)), zero);
+  // Sliding: k |f| / |trial| on the direction across the trial force.
+  L share = kt * (limit * f.inverse), along1 = f.trial1 * f.inverse, along2 = f.trial2 * f.inverse;
+  L t11 = select(sliding, share * (along2 * along2), kt);
+  L t22 = select(sliding, share * (along1 * along1), kt);
+  L t12 = select(sliding, -(share * (along1 * along2)), zero);
   L kn1 = kn * s1, kn2 = kn * s2;
   L ta = s1 * t12 - s2 * t11;  // turning about n couples to t1 ...
   L tb = s1 * t22 - s2 * t12;  // ... and t2
