@@ -76,6 +76,17 @@ struct ContactRows {
   bool sticks(std::size_t k, const StepContext& context) const {
     return carriesForce(k, context) && context.contacts->contacts[contactOf[k]].points.stickingMask != 0;
   }
+  // The direction from A to B along which the contact presses.
+  Vec3 normal(std::size_t k) const { return toDouble(records[k].n); }
+  // After the forces are stored: how they go on, if the velocities of the row's bodies change so in the step.
+  RowCourse courseOf(std::size_t k, const EndChanges& change, double dt, const StepContext& context) const;
+  // At the end of the step an open point is nearer to its partner than `nearer`, over half of the step, would move the
+  // two towards each other.
+  bool wouldMeet(std::size_t k, const EndChanges& nearer, const EndChanges& change, double dt) const;
+  // Adds the friction of the last step on B, or on A, along a direction.
+  void addFriction(std::size_t k, Vec3 along, bool onB, const StepContext& context, FrictionAlong& sum) const;
+  // What the ties hold on to is to be where the step ends: the contacts' anchors.
+  void letGo(Ties ties) const;
   // In the last step the contact carried force that was no impact's, and its bodies do not part.
   bool holds(std::size_t k, const StepContext& context) const;
   // N: the force from A on B in the last step, along the normal, and the friction that this allows.
