@@ -13,7 +13,7 @@
 #include <array>
 #include <tuple>
 
-#include "dynamics/link_set.h"
+#include "dynamics/ties.h"
 #include "solver/contact/rows.h"
 
 namespace brickfall {
@@ -89,11 +89,11 @@ struct Rows {
   }
   // The memory of all ties, by kind; restore puts it back, whatever a trial has made of it (island_trial.h).
   using Memory = std::tuple<ContactRows::Memory>;
-  template <std::size_t i = 0> void remember(Ties ties, Memory& out) const {
+  template <std::size_t i = 0> void remember(const Ties& ties, Memory& out) const {
     std::get<i>(kinds()).remember(ties, std::get<i>(out));
     if constexpr (i + 1 < kKinds) remember<i + 1>(ties, out);
   }
-  template <std::size_t i = 0> void restore(Ties ties, const Memory& memory) const {
+  template <std::size_t i = 0> void restore(Ties& ties, const Memory& memory) const {
     std::get<i>(kinds()).restore(ties, std::get<i>(memory));
     if constexpr (i + 1 < kKinds) restore<i + 1>(ties, memory);
   }

@@ -12,9 +12,9 @@ ContactEvent byCreation(BodyPair pair, const Registry& registry) {
   return {registry.idOf(pair.first), registry.idOf(pair.second)};
 }
 
-void appendTouching(const Island& island, const ContactSet& contacts, BodyPairs& out) {
+void appendTouching(const Island& island, const Ties& ties, BodyPairs& out) {
   for (ContactIndex contact : island.rows.contacts.contactOf) {
-    const Contact& c = contacts.contacts[contact];
+    const Contact& c = ties.contacts.contacts[contact];
     if (c.touching || c.struck) out.push_back({std::min(c.bodyA, c.bodyB), std::max(c.bodyA, c.bodyB)});
   }
 }
@@ -31,8 +31,8 @@ void Diary::tellPending() {
   pending.woke.clear();
 }
 
-void Diary::addTouching(const Island& island, const ContactSet& contacts) {
-  appendTouching(island, contacts, touchingBefore);
+void Diary::addTouching(const Island& island, const Ties& ties) {
+  appendTouching(island, ties, touchingBefore);
   std::sort(touchingBefore.begin(), touchingBefore.end());
   touchingBefore.erase(std::unique(touchingBefore.begin(), touchingBefore.end()), touchingBefore.end());
 }

@@ -31,7 +31,7 @@ void tellHits(const WorldDef& def, const Registry& registry, const Island& islan
     if (impact.speed < def.hitEventSpeed || impact.impulse < def.hitEventImpulse) continue;
     const ContactIndex contact = island.rows.contacts.contactOf[impact.row];
     out.push_back(
-        hitOf(registry, context.contacts->contacts[contact], island.rows.contacts.records[impact.row], impact));
+        hitOf(registry, context.ties->contacts.contacts[contact], island.rows.contacts.records[impact.row], impact));
   }
 }
 

@@ -59,14 +59,14 @@ double ImpactParts::longest(const Island& island) const {
 }
 
 bool ImpactParts::foundExactly(const Island& island) const {
-  return !anyPair(island, *context_.contacts, registry_.shapes,
+  return !anyPair(island, context_.ties->contacts, registry_.shapes,
                   [](const Shape& a, const Shape& b) { return !isFoundExactly(a.type, b.type); });
 }
 
 // In the hollows of a mesh contacts come and go with each part: a body that spins there would sink deeper in parts than
 // in the whole step.
 bool ImpactParts::onMesh(const Island& island) const {
-  return anyPair(island, *context_.contacts, registry_.shapes, isMeshPair);
+  return anyPair(island, context_.ties->contacts, registry_.shapes, isMeshPair);
 }
 
 // Visible turn (rad) in a step at the present spin.
@@ -90,6 +90,7 @@ bool ImpactParts::runThrough(const Island& island, double dt, const Proximity& p
     proximity.broadPhase->query(sweptBounds(s, own), [&](std::uint32_t other) {
       const ShapeData& o = registry_.shapes.data[other];
       if (o.body == s.body || !filtersAllow(s.def.filter, o.def.filter)) return true;
+      if (!context_.ties->mayCollide(s.body, o.body)) return true;
       Sweep of = wayOf(o.body);
       met = coreWay(s, own, o, of) < 1 || (isDynamic(o.body) && coreWay(o, of, s, own) < 1);
       return !met;

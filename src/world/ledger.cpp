@@ -32,9 +32,10 @@ double elasticOf(const std::vector<CandidatePair>& pairs, const ContactSet& cont
   return sum;
 }
 
-Balance balanceNow(const BodySet& bodies, const ContactSet& contacts, const StepContext& context) {
+Balance balanceNow(const BodySet& bodies, const Ties& ties, const StepContext& context) {
   Balance sum;
-  sum.elastic = elasticOf(contacts.pairs, contacts, context) + elasticOf(contacts.asleep, contacts, context);
+  sum.elastic =
+      elasticOf(ties.contacts.pairs, ties.contacts, context) + elasticOf(ties.contacts.asleep, ties.contacts, context);
   for (BodyIndex i = 0; i < bodies.slots(); i++) {
     if (!bodies.alive(i) || bodies.data[i].type != BodyType::dynamic) continue;
     const BodyMotion& m = bodies.motion[i];

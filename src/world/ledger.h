@@ -12,7 +12,7 @@
 
 #include "brickfall/step_trace.h"
 #include "dynamics/body_set.h"
-#include "dynamics/contact_set.h"
+#include "dynamics/ties.h"
 
 namespace brickfall {
 
@@ -41,7 +41,7 @@ void addBody(Balance& sum, const BodyMass& mass, Vec3 position, Vec3 velocity, V
 // Elastic energy of the contacts of a list of pairs.
 double elasticOf(const std::vector<CandidatePair>& pairs, const ContactSet& contacts, const StepContext& context);
 // Balance of all dynamic bodies, where they are.
-Balance balanceNow(const BodySet& bodies, const ContactSet& contacts, const StepContext& context);
+Balance balanceNow(const BodySet& bodies, const Ties& ties, const StepContext& context);
 // Balance of the awake bodies as the solve left them, where they are at the end of the step.
 Balance solvedBalance(const std::vector<BodyIndex>& awake, const BodySet& bodies, const StepContext& context);
 // Books on `cause` the changes of the solved motions.

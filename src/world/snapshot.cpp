@@ -39,17 +39,6 @@ std::uint64_t hashOf(std::span<const std::byte> bytes) {
 
 }  // namespace
 
-// The memory of points: numbers as they are, each phase checked as a value of PointPhase.
-template <class Archive> struct PointFields {
-  Archive& archive;
-  template <class T> void operator()(T& lanes, PointQuantity = {}) const {
-    if constexpr (std::is_same_v<std::remove_cvref_t<decltype(lanes)>, PointPhase[4]>)
-      for (auto& phase : lanes) archive.choice(phase, PointPhase::resting);
-    else
-      archive.value(lanes);
-  }
-};
-
 // Sees the private lists of the sets.
 class SnapshotArchive {
  public:
@@ -57,7 +46,7 @@ class SnapshotArchive {
     definition(a, w.def);
     bodies(a, w.registry.bodies);
     shapes(a, w.registry.shapes, w.proximity.around);
-    contacts(a, w.proximity.contacts);
+    w.ties.archive(a);
     islandList(a, w.activity.islands.awake, &w.solve.memory);
     islandList(a, w.activity.islands.asleep, &w.solve.memory);
     a.list(w.activity.islands.single);
@@ -195,29 +184,6 @@ class SnapshotArchive {
     if constexpr (Archive::kReading)
       for (std::size_t i = 0; i < s.data.size() && i < numberOf.size(); i++)
         if (numberOf[i] > 0 && numberOf[i] <= all.size()) s.data[i].def.mesh = all[numberOf[i] - 1];
-  }
-
-  template <class Archive, class Contacts> static void contacts(Archive& a, Contacts& c) {
-    a.list(c.pairs);
-    a.list(c.asleep);
-    length(a, c.contacts, sizeof(std::int32_t));
-    length(a, c.geometry, sizeof(std::int32_t));
-    for (std::size_t i = 0; i < c.contacts.size(); i++) {
-      a.value(c.contacts[i].count);
-      if (c.contacts[i].count == 0) continue;  // a free slot
-      contact(a, c.contacts[i]);
-      if (i < c.geometry.size()) a.value(c.geometry[i]);
-    }
-    a.flag(c.changed);
-    a.list(c.struck);
-    a.list(c.free_);
-  }
-
-  template <class Archive, class Contact> static void contact(Archive& a, Contact& c) {
-    for (auto* index : {&c.shapeA, &c.shapeB, &c.bodyA, &c.bodyB}) a.value(*index);
-    for (auto* flag : {&c.rolls, &c.partial, &c.touching, &c.struck, &c.fresh, &c.born}) a.flag(*flag);
-    for (auto* number : {&c.friction, &c.restitution, &c.effectiveMass}) a.value(*number);
-    eachField(c.points, PointFields<Archive>{a});
   }
 
   template <class Archive, class Hierarchies> static void hierarchy(Archive& a, Hierarchies& h) {

@@ -44,12 +44,6 @@ void checkShapeData(Checks& check, const ShapeData& s, const Aabb& b, BodyType t
 bool isLength(float x) { return std::fabs(x) <= kLargestPointLength; }
 bool isForce(float x) { return std::fabs(x) <= kLargestPointForce; }
 
-bool soundGeometry(const ContactGeometry& g) {
-  bool fine = inRange(g.relativePosition, kFarthest) && unitLength(g.relativeRotation) && inRange(g.centre, kFarthest);
-  for (int k = 0; k < 4; k++) fine = fine && inRange(g.anchorA[k], kFarthest) && inRange(g.anchorB[k], kFarthest);
-  return fine;
-}
-
 bool soundRecord(const ContactRecord& r, const ContactStart& start) {
   bool fine =
       r.newPoints < 16 && start.falling < 16 && isForce(start.friction) && start.points >= 0 && start.points <= 4;
@@ -69,17 +63,6 @@ void checkIsland(Checks& check, const Island& island) {
   for (std::size_t k = 0; k < island.rows.contacts.records.size(); k++)
     check.condition(soundRecord(island.rows.contacts.records[k], island.rows.contacts.starts[k]),
                     "a contact's record is out of range");
-}
-
-void checkContacts(Checks& check, const ContactSet& set) {
-  for (ContactIndex contact : set.struck)
-    check.condition(contact < set.contacts.size(), "a contact that was struck is not there");
-  for (std::size_t i = 0; i < set.contacts.size(); i++) {
-    const Contact& c = set.contacts[i];
-    if (c.count == 0) continue;
-    check.condition(isSound(c.points), "what a contact remembers is out of range");
-    check.condition(soundGeometry(set.geometry[i]), "a contact's geometry is out of range");
-  }
 }
 
 }  // namespace
@@ -106,7 +89,9 @@ Status World::Impl::rebuild() {
     // A platform of triangles may have no mass.
     if (bodies.alive(i) && bodies.data[i].type == BodyType::dynamic)
       checkMass(check, bodies.data[i].bodyFrameMass.mass);
-  checkContacts(check, proximity.contacts);
+  Findings ranges;
+  ties.checkRanges(ranges);
+  if (ranges.any()) check.take({ErrorCode::invalidArgument, ranges.take().front()});
   for (const auto* list : {&activity.islands.awake, &activity.islands.asleep})
     for (const auto& island : *list) checkIsland(check, *island);
   if (check.failed()) return check.error();

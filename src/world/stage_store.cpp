@@ -25,19 +25,19 @@ void collectHits(const WorldDef& def, const Registry& registry, const Island& is
 
 }  // namespace
 
-void storeSolution(const WorldDef& def, const Registry& registry, IslandSet& islands, ContactSet& contacts,
-                   StepContext& context, Events& events) {
+void storeSolution(const WorldDef& def, const Registry& registry, IslandSet& islands, Ties& ties, StepContext& context,
+                   Events& events) {
   for (BodyIndex body : islands.single) storeFreeBody(body, context.dt, context);
   for (IslandPointer& island : islands.awake) {
     const bool solved = !island->resting();  // even if it is put to rest in place below
-    storeIsland(*island, Ties{contacts}, context);
+    storeIsland(*island, ties, context);
     if (solved) collectHits(def, registry, *island, context, events.hits);
   }
 }
 
-void hashStore(const IslandSet& islands, const ContactSet& contacts, const StepContext& context, HashItems& out) {
+void hashStore(const IslandSet& islands, const Ties& ties, const StepContext& context, HashItems& out) {
   out.solved(islands, context);
-  out.records(islands, contacts, [](Mix& h, const Island& island, std::size_t, const Contact& c) {
+  out.records(islands, ties, [](Mix& h, const Island& island, std::size_t, const Contact& c) {
     mix(h, c);
     h(int(island.ending), island.inPlaceTime);
   });
@@ -46,10 +46,10 @@ void hashStore(const IslandSet& islands, const ContactSet& contacts, const StepC
 namespace {
 
 // The work of contacts, and how it changed their elastic energy.
-BalanceChange contactsNow(const IslandSet& islands, const ContactSet& contacts, const StepContext& context,
-                          double elasticBefore, double& rebound) {
+BalanceChange contactsNow(const IslandSet& islands, const Ties& ties, const StepContext& context, double elasticBefore,
+                          double& rebound) {
   BalanceChange out;
-  double elastic = elasticOf(contacts.asleep, contacts, context);
+  double elastic = elasticOf(ties.contacts.asleep, ties.contacts, context);
   for (const IslandPointer& island : islands.awake) {
     ContactWork ofContacts = contactWork(*island, context);
     out.energy += ofContacts.work;
@@ -62,8 +62,8 @@ BalanceChange contactsNow(const IslandSet& islands, const ContactSet& contacts, 
 
 }  // namespace
 
-void bookStore(const Registry& registry, const Activity& activity, const ContactSet& contacts,
-               const StepContext& context, Diary& diary) {
+void bookStore(const Registry& registry, const Activity& activity, const Ties& ties, const StepContext& context,
+               Diary& diary) {
   const BodySet& bodies = registry.bodies;
   LedgerState& s = diary.ledgerState;
   StepLedger& ledger = *diary.report.ledger;
@@ -79,7 +79,7 @@ void bookStore(const Registry& registry, const Activity& activity, const Contact
   ledger.gravity.angular += inFlight;
   Balance now = s.moving(solvedBalance(activity.awake, bodies, context));
   double rebound = 0;
-  BalanceChange ofContacts = contactsNow(activity.islands, contacts, context, s.now.elastic, rebound);
+  BalanceChange ofContacts = contactsNow(activity.islands, ties, context, s.now.elastic, rebound);
   ledger.solve += now - s.now - s.push - supports - BalanceChange{{}, inFlight, ofContacts.energy + rebound};
   ledger.rebound.energy += rebound;
   s.now = now;

@@ -78,9 +78,9 @@ Problem problemOf(const Island& island, const StepContext& context) {
     out.partners.push_back({m.linearVelocity * dt, m.angularVelocity * dt});
   }
   for (ContactIndex index : island.rows.contacts.contactOf) {
-    const Contact& c = context.contacts->contacts[index];
+    const Contact& c = context.ties->contacts.contacts[index];
     for (int i = 0; i < c.count; i++) {
-      ProblemPoint p = pointOf(c, context.contacts->geometry[index], i, context, dt);
+      ProblemPoint p = pointOf(c, context.ties->contacts.geometry[index], i, context, dt);
       p.a = number.at(c.bodyA);
       p.b = number.at(c.bodyB);
       p.contact = index;

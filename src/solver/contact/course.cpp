@@ -31,7 +31,7 @@ bool isSteady(const ContactRecord& row, const ContactStart& start, int i, const 
 }  // namespace
 
 RowCourse ContactRows::courseOf(std::size_t k, const EndChanges& change, double dt, const StepContext& context) const {
-  const PointMemory& points = context.contacts->contacts[contactOf[k]].points;
+  const PointMemory& points = context.ties->contacts.contacts[contactOf[k]].points;
   RowCourse course = RowCourse::idle;
   for (int i = 0; i < starts[k].points; i++) {
     if (!(points.forceN[i] > 0)) continue;
@@ -55,7 +55,7 @@ bool ContactRows::wouldMeet(std::size_t k, const EndChanges& nearer, const EndCh
 
 void ContactRows::addFriction(std::size_t k, Vec3 along, bool onB, const StepContext& context,
                               FrictionAlong& sum) const {
-  const Contact& c = context.contacts->contacts[contactOf[k]];
+  const Contact& c = context.ties->contacts.contacts[contactOf[k]];
   Vec3 t1 = toDouble(records[k].t1), t2 = cross(toDouble(records[k].n), t1);
   for (int i = 0; i < c.count; i++) {
     if (!(c.points.forceN[i] > 0)) continue;
@@ -65,7 +65,7 @@ void ContactRows::addFriction(std::size_t k, Vec3 along, bool onB, const StepCon
   }
 }
 
-void ContactRows::letGo(Ties ties) const {
+void ContactRows::letGo(Ties& ties) const {
   for (ContactIndex contact : contactOf) ties.contacts.contacts[contact].points.stickingMask = 0;
 }
 

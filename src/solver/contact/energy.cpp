@@ -45,8 +45,8 @@ double elasticEnergy(const Contact& c, const StepContext& context) {
 ContactWork contactWork(const Island& island, const StepContext& context) {
   ContactWork out;
   for (std::size_t n = 0; n < island.rows.contacts.records.size(); n++) {
-    Contact c =
-        context.contacts->contacts[island.rows.contacts.contactOf[n]];  // as if the multiplier were all of the force
+    Contact c = context.ties->contacts
+                    .contacts[island.rows.contacts.contactOf[n]];  // as if the multiplier were all of the force
     auto m = kernel::pointMotion(island.rows.contacts.records[n], kernel::frame(island.rows.contacts.records[n]),
                                  island.motion.data());
     alignas(16) float way[3][4];
@@ -105,8 +105,8 @@ BalanceChange supportImpulses(const Island& island, const StepContext& context) 
     const ContactRecord& r = rows.records[k];
     bool partnerA = r.bodyA >= island.bodies.size(), partnerB = r.bodyB >= island.bodies.size();
     if (partnerA || partnerB)
-      addImpulse(context.contacts->contacts[rows.contactOf[k]], r, rows.starts[k], *context.bodies, partnerA, island.dt,
-                 sum);
+      addImpulse(context.ties->contacts.contacts[rows.contactOf[k]], r, rows.starts[k], *context.bodies, partnerA,
+                 island.dt, sum);
   }
   return sum;
 }

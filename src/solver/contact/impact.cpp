@@ -29,7 +29,7 @@ void ContactRows::findHits(const Island& island, const StepContext& context, dou
                            std::pmr::vector<ContactImpact>& out) const {
   if (double(fastestApproach) < least) return;
   for (std::size_t k = 0; k < size(); k++) {
-    const Contact& c = context.contacts->contacts[contactOf[k]];
+    const Contact& c = context.ties->contacts.contacts[contactOf[k]];
     if (!comesOn(starts[k], least) || !c.touching) continue;
     ContactImpact impact{std::uint32_t(k)};
     for (int i = 0; i < c.count; i++) {
@@ -45,7 +45,7 @@ void ContactRows::startImpact(const Island& island, const StepContext& context, 
   double fastest = 0, heaviest = 0;
   for (BodyIndex body : island.bodies) heaviest = std::max(heaviest, context.bodies->mass[body].mass);
   for (std::size_t k = 0; k < size(); k++) {
-    const Contact& c = context.contacts->contacts[contactOf[k]];
+    const Contact& c = context.ties->contacts.contacts[contactOf[k]];
     ContactRecord& r = records[k];
     for (int i = 0; i < c.count; i++) {
       double approach = std::max(0.0, -double(starts[k].approach[i]));
@@ -78,7 +78,7 @@ bool ContactRows::reboundImpact(const Island& island, const StepContext& context
   double least = slowestRebound(island, context);
   bool rebounds = false;
   for (std::size_t k = 0; k < size(); k++) {
-    const Contact& c = context.contacts->contacts[contactOf[k]];
+    const Contact& c = context.ties->contacts.contacts[contactOf[k]];
     PointForces f = pointForcesAt(records[k], island.motion.data());
     ContactImpact impact{std::uint32_t(k)};
     for (int i = 0; i < c.count; i++) {
@@ -95,7 +95,7 @@ bool ContactRows::reboundImpact(const Island& island, const StepContext& context
   return rebounds;
 }
 
-void ContactRows::endImpact(const Island& island, Ties ties, const StepContext& context, bool solved) {
+void ContactRows::endImpact(const Island& island, Ties& ties, const StepContext& context, bool solved) {
   for (std::size_t k = 0; k < size(); k++) {
     Contact& c = ties.contacts.contacts[contactOf[k]];
     PointForces f = pointForcesAt(records[k], island.motion.data());

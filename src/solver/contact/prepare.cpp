@@ -161,7 +161,7 @@ bool isDebris(const Island& island, const ContactRecord& r, const Contact& c, fl
 
 }  // namespace
 
-void ContactRows::prepare(const Island& island, Ties ties, const StepContext& context) {
+void ContactRows::prepare(const Island& island, Ties& ties, const StepContext& context) {
   const BodySet& bodies = *context.bodies;
   ContactSet& set = ties.contacts;
   fastestApproach = 0;

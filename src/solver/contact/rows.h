@@ -4,7 +4,6 @@
 #include <memory_resource>
 #include <vector>
 
-#include "dynamics/contact_set.h"
 #include "solver/contact/kernel.h"
 #include "solver/contact/pairs.h"
 #include "solver/contact/record.h"
@@ -55,7 +54,7 @@ struct ContactRows {
   // The same contacts as in `old`; no slot has gone to another contact.
   bool continues(const ContactRows& old, const StepContext& context) const;
   // New rows: `number` gives a body's place in Island::motion.
-  template <class Number> void bind(Ties ties, Number number) {
+  template <class Number> void bind(Ties& ties, Number number) {
     records.assign(size(), {});
     starts.assign(size(), {});
     for (std::size_t k = 0; k < size(); k++) {
@@ -70,11 +69,11 @@ struct ContactRows {
   // How firmly the contact ties its two bodies: more than 0.
   float strength(std::size_t k, const StepContext& context) const;
   bool carriesForce(std::size_t k, const StepContext& context) const {
-    return context.contacts->contacts[contactOf[k]].touching;
+    return context.ties->contacts.contacts[contactOf[k]].touching;
   }
   // The contact carries force, and at one point at least it sticks.
   bool sticks(std::size_t k, const StepContext& context) const {
-    return carriesForce(k, context) && context.contacts->contacts[contactOf[k]].points.stickingMask != 0;
+    return carriesForce(k, context) && context.ties->contacts.contacts[contactOf[k]].points.stickingMask != 0;
   }
   // The direction from A to B along which the contact presses.
   Vec3 normal(std::size_t k) const { return toDouble(records[k].n); }
@@ -86,7 +85,7 @@ struct ContactRows {
   // Adds the friction of the last step on B, or on A, along a direction.
   void addFriction(std::size_t k, Vec3 along, bool onB, const StepContext& context, FrictionAlong& sum) const;
   // What the ties hold on to is to be where the step ends: the contacts' anchors.
-  void letGo(Ties ties) const;
+  void letGo(Ties& ties) const;
   // In the last step the contact carried force that was no impact's, and its bodies do not part.
   bool holds(std::size_t k, const StepContext& context) const;
   // N: the force from A on B in the last step, along the normal, and the friction that this allows.
@@ -94,7 +93,7 @@ struct ContactRows {
   // The contact carries force, or would at the present motion if one of its bodies went `way` (m) further.
   bool meetsWithin(std::size_t k, Vec3f way, const SolveMotion* motion, const StepContext& context) const;
 
-  void prepare(const Island& island, Ties ties, const StepContext& context);
+  void prepare(const Island& island, Ties& ties, const StepContext& context);
   // Friction limits that follow the solve: those of points that carried nothing in the last step, or an impact. While
   // the solve goes on, the pair's own weight and approach cap them: forces met on the solve's way are no measure.
   // Changes of less than `slack` of a limit are left. True if any changed.
@@ -117,11 +116,11 @@ struct ContactRows {
   double reboundWork(std::size_t k, const SolveMotion* motion) const;
   // Writes the forces at the final motion into the contacts. True if any changed by more than rounding. For an island
   // that does not rest this is not compared, and the result is true.
-  bool store(Island& island, Ties ties, StepContext& context);
+  bool store(Island& island, Ties& ties, StepContext& context);
   // Adds this share of the stored forces to the forces that are told of the step.
-  void tellShare(Ties ties, float share) const;
+  void tellShare(Ties& ties, float share) const;
   // Gaps and drifts go on by the motion that was finally made.
-  void advance(const Island& island, Ties ties) const;
+  void advance(const Island& island, Ties& ties) const;
   // All that the contacts remember. restore puts it back, whatever a trial has made of it.
   struct Memory {
     explicit Memory(std::pmr::memory_resource* memory) : contacts(memory), geometry(memory) {}
@@ -130,8 +129,8 @@ struct ContactRows {
     std::size_t struck = 0;                      // of ContactSet
     bool touchingChanged = false;                // of ContactSet
   };
-  void remember(Ties ties, Memory& out) const;
-  void restore(Ties ties, const Memory& memory) const;
+  void remember(const Ties& ties, Memory& out) const;
+  void restore(Ties& ties, const Memory& memory) const;
 
   // After store(): the impulses that stopped contacts which closed at `least` m/s or faster.
   void findHits(const Island& island, const StepContext& context, double least,
@@ -140,7 +139,7 @@ struct ContactRows {
   // --- impacts at their moment (solver/impact.h)
   bool mayClose(const StepContext& context, double ahead) const;
   bool touchNothing(const StepContext& context) const;
-  void leaveOut(Ties ties, const StepContext& context);
+  void leaveOut(Ties& ties, const StepContext& context);
   double firstClosing(const Island& island, double dt, const StepContext& context) const;
   // Prepared rows become those of an impact. Closed points may not close further, open points do not exist, and no
   // point has a memory.
@@ -151,7 +150,7 @@ struct ContactRows {
   // so hard.
   bool reboundImpact(const Island& island, const StepContext& context, std::pmr::vector<ContactImpact>& impacts);
   // Points that were hit begin anew, and so do points that the impact parts. Not if it was not solved.
-  void endImpact(const Island& island, Ties ties, const StepContext& context, bool solved);
+  void endImpact(const Island& island, Ties& ties, const StepContext& context, bool solved);
 
   Arms arms(std::size_t k) const { return {wide::load3Padded(records[k].armA), wide::load3Padded(records[k].armB)}; }
   // Reads `count` rows from k on.

@@ -94,7 +94,7 @@ bool sameForces(const PointMemory& was, const PointMemory& now, int count) {
 
 }  // namespace
 
-bool ContactRows::store(Island& island, Ties ties, StepContext& context) {
+bool ContactRows::store(Island& island, Ties& ties, StepContext& context) {
   const bool compare = island.resting();
   bool changed = !compare;
   PointMemory before;
@@ -130,7 +130,7 @@ bool ContactRows::store(Island& island, Ties ties, StepContext& context) {
   return changed;
 }
 
-void ContactRows::tellShare(Ties ties, float share) const {
+void ContactRows::tellShare(Ties& ties, float share) const {
   for (ContactIndex contact : contactOf) {
     PointMemory& m = ties.contacts.contacts[contact].points;
     for (int i = 0; i < ties.contacts.contacts[contact].count; i++) {
@@ -141,7 +141,7 @@ void ContactRows::tellShare(Ties ties, float share) const {
   }
 }
 
-void ContactRows::advance(const Island& island, Ties ties) const {
+void ContactRows::advance(const Island& island, Ties& ties) const {
   for (std::size_t k = 0; k < size(); k++) {
     Contact& c = ties.contacts.contacts[contactOf[k]];
     const ContactRecord& r = records[k];

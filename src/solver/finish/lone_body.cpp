@@ -52,7 +52,7 @@ double partUntilStopped(const Island& island, const StepContext& context, const 
 }
 
 // The contacts' anchors are to be where the body stops.
-void letGo(const Island& island, Ties ties) {
+void letGo(const Island& island, Ties& ties) {
   island.rows.eachKind([&](const auto& kind) { kind.letGo(ties); });
 }
 
@@ -65,7 +65,7 @@ bool goesOn(const SteadyChange& last, const SteadyChange& now, double radius) {
 
 }  // namespace
 
-void finishLoneBody(const Island& island, Ties ties, StepContext& context) {
+void finishLoneBody(const Island& island, Ties& ties, StepContext& context) {
   if (island.bodies.size() != 1 || island.groups.flies(0) || island.facts.partnersMove) return;
   const BodyIndex body = island.bodies[0];
   const VelocityChange change = changeOf(body, context);

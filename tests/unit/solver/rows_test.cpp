@@ -41,7 +41,7 @@ TEST(Rows, NameTheirLinks) {
   std::vector<BodyIndex> pile = lab.pile(lab.ground(), 4);
   Rows& rows = lab.island().rows;
   std::size_t k = 0;
-  LinkSet(lab.contacts).eachAwake([&](const Link& link) {
+  lab.ties().eachAwake([&](const Link& link) {
     EXPECT_TRUE(rows.names(link, k));
     EXPECT_FALSE(rows.names(link, k + 1)) << "another one, or none";
     k++;
@@ -49,7 +49,7 @@ TEST(Rows, NameTheirLinks) {
   EXPECT_EQ(k, rows.size());
   Rows copy(std::pmr::get_default_resource());
   copy.reserve(rows.counts());
-  LinkSet(lab.contacts).eachAwake([&](const Link& link) { copy.add(link); });
+  lab.ties().eachAwake([&](const Link& link) { copy.add(link); });
   EXPECT_EQ(copy.counts(), rows.counts());
   EXPECT_TRUE(copy.continues(rows, lab.context));
   lab.contact(2).born = true;
