@@ -114,7 +114,7 @@ double firstClosing(const Island& island, double dt, const StepContext& context)
 }
 
 bool solveImpact(Island& island, Ties& ties, BodySet& bodies, StepContext& context, double blink,
-                 SolveStatistics& statistics, std::pmr::vector<ContactImpact>& impacts) {
+                 SolveStatistics& statistics, std::pmr::vector<TieImpact>& impacts) {
   TiesMemory remembered(island, ties);
   island.plan = planFor(findFacts(island, context), context.settings, island.dt);
   goOnFreely(island, bodies, context);

@@ -24,6 +24,6 @@ double firstClosing(const Island& island, double dt, const StepContext& context)
 // afterwards. Returns false, and changes nothing, if its solve left more than a hundredth of the forces unbalanced, or
 // if energy would rise.
 bool solveImpact(Island& island, Ties& ties, BodySet& bodies, StepContext& context, double blink,
-                 SolveStatistics& statistics, std::pmr::vector<ContactImpact>& impacts);
+                 SolveStatistics& statistics, std::pmr::vector<TieImpact>& impacts);
 
 }  // namespace brickfall

@@ -87,6 +87,38 @@ struct Rows {
     const auto& kind = std::get<i>(kinds());
     return k < kind.size() && kind.indexOf(k) == link.index;
   }
+  // J: elastic energy that a tie holds, of whatever kind.
+  template <std::size_t i = 0> static double elasticEnergy(const Link& link, const StepContext& context) {
+    using Kind = std::remove_cvref_t<decltype(std::get<i>(std::declval<Rows&>().kinds()))>;
+    if constexpr (i + 1 < kKinds)
+      if (std::size_t(link.kind) != i) return elasticEnergy<i + 1>(link, context);
+    return Kind::elasticEnergy(link.index, context);
+  }
+  // Points of all rows, and how many there can be at most.
+  PointCount countPoints(const Ties& ties) const {
+    PointCount sum;
+    eachKind([&](const auto& kind) {
+      const PointCount of = kind.countPoints(ties);
+      sum.all += of.all;
+      sum.touching += of.touching;
+    });
+    return sum;
+  }
+  double mostPoints() const {
+    double most = 0;
+    eachKind([&](const auto& kind) { most += kind.kPoints * double(kind.size()); });
+    return most;
+  }
+  // visit(contact): the manifolds that rows stand on.
+  template <class Visit> void eachManifold(Visit&& visit) const {
+    eachKind([&](const auto& kind) { kind.eachManifold(visit); });
+  }
+  // Bytes of a row by kind: builds with another memory layout do not read each other's snapshots.
+  static constexpr std::uint32_t recordSize() {
+    return []<class... Kinds>(const std::tuple<Kinds&...>*) {
+      return (std::uint32_t(Kinds::kRecordSize) + ...);
+    }(static_cast<decltype(std::declval<Rows&>().kinds())*>(nullptr));
+  }
   // The memory of all ties, by kind; restore puts it back, whatever a trial has made of it (island_trial.h).
   using Memory = std::tuple<ContactRows::Memory>;
   template <std::size_t i = 0> void remember(const Ties& ties, Memory& out) const {

@@ -23,4 +23,16 @@ void advanceRows(Island& island, Ties& ties, const StepContext& context) {
   island.rows.eachKind([&](const auto& kind) { kind.advance(island, ties); });
 }
 
+TieWork workOf(const Island& island, const StepContext& context) {
+  TieWork sum;
+  island.rows.eachKind([&](const auto& kind) { kind.addWork(island, context, sum); });
+  return sum;
+}
+
+BalanceChange supportOf(const Island& island, const StepContext& context) {
+  BalanceChange sum;
+  island.rows.eachKind([&](const auto& kind) { kind.addSupport(island, context, sum); });
+  return sum;
+}
+
 }  // namespace brickfall

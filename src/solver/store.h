@@ -13,4 +13,9 @@ void tellMean(const Island& island, Ties& ties, double step);
 // After all corrections of the motion: carries the ties on by it (gaps and drifts of contacts).
 void advanceRows(Island& island, Ties& ties, const StepContext& context);
 
+// Between storeRows and advanceRows: the work of all ties of an island, and what they hold after it.
+TieWork workOf(const Island& island, const StepContext& context);
+// Impulses of fixed and kinematic bodies on the island in the step, about the world's origin.
+BalanceChange supportOf(const Island& island, const StepContext& context);
+
 }  // namespace brickfall

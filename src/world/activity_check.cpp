@@ -81,22 +81,9 @@ class StructureCheck {
 
   void checkIsland(const Island& island, bool current) {
     f_.expect(!island.bodies.empty() && isAscending(island.bodies), "islands: bodies not sorted, or none");
-    bool sized = island.rows.contacts.records.size() == island.rows.contacts.contactOf.size() &&
-                 island.rows.contacts.starts.size() == island.rows.contacts.contactOf.size();
-    f_.expect(sized, "islands: lists of different lengths");
     for (BodyIndex b : island.bodies) f_.expect(is(b, BodyType::dynamic), "islands: not a dynamic body");
     for (BodyIndex b : island.partners) f_.expect(bodies_.alive(b), "islands: a partner that is not there");
-    for (ContactIndex c : island.rows.contacts.contactOf)
-      f_.expect(c < ties_.contacts.contacts.size(), "islands: a contact that is not there");
-    if (f_.any()) return;
-    for (std::size_t k = 0; current && k < island.rows.contacts.contactOf.size(); k++) {
-      const Contact& c = ties_.contacts.contacts[island.rows.contacts.contactOf[k]];
-      f_.expect(bodies_.alive(c.bodyA) && bodies_.alive(c.bodyB) && c.count >= 1 && c.count <= 4,
-                "islands: a contact of other bodies, or of none");
-    }
-    std::size_t all = island.bodies.size() + island.partners.size();
-    for (const ContactRecord& r : island.rows.contacts.records)
-      f_.expect(r.bodyA < all && r.bodyB < all, "islands: a record names no body");
+    island.rows.eachKind([&](const auto& kind) { kind.checkStructure(f_, island, ties_, bodies_, current); });
     if (f_.any()) return;
     checkHierarchy(f_, island.hierarchy, island, "hierarchy");
   }
@@ -163,25 +150,10 @@ class LinkCheck {
     }
     islands_.push_back(&island);
     bool fine = island.points >= island.touchingPoints && island.touchingPoints >= 0 &&
-                std::size_t(island.points) <= 4 * island.rows.contacts.contactOf.size() && island.inPlaceTime >= 0 &&
-                island.restTime >= 0;
+                island.points <= island.rows.mostPoints() && island.inPlaceTime >= 0 && island.restTime >= 0;
     f_.expect(fine, "islands: a count or a time is wrong");
     for (BodyIndex body : island.partners) f_.expect(!dynamic(body), "islands: a partner is a dynamic body");
-    for (std::size_t k = 0; k < island.rows.contacts.contactOf.size(); k++) {
-      // Until islands are built anew, a contact's slot may be empty or belong to another contact.
-      const Contact& c = ties_.contacts.contacts[island.rows.contacts.contactOf[k]];
-      bool ours = c.count > 0 && !c.born;
-      f_.expect(ours || (!asleep && !current_), "islands: a contact is gone");
-      const ContactRecord& r = island.rows.contacts.records[k];
-      if (ours)
-        f_.expect(bodyOf(island, r.bodyA) == c.bodyA && bodyOf(island, r.bodyB) == c.bodyB,
-                  "islands: a record names other bodies than its contact");
-    }
-  }
-
-  static BodyIndex bodyOf(const Island& island, std::uint32_t local) {
-    std::size_t own = island.bodies.size();
-    return local < own ? island.bodies[local] : island.partners[local - own];
+    island.rows.eachKind([&](const auto& kind) { kind.check(f_, island, ties_, asleep || current_); });
   }
 
   // The rows of an island are the links of its bodies, kind by kind in the order of the links.

@@ -13,10 +13,9 @@ ContactEvent byCreation(BodyPair pair, const Registry& registry) {
 }
 
 void appendTouching(const Island& island, const Ties& ties, BodyPairs& out) {
-  for (ContactIndex contact : island.rows.contacts.contactOf) {
-    const Contact& c = ties.contacts.contacts[contact];
-    if (c.touching || c.struck) out.push_back({std::min(c.bodyA, c.bodyB), std::max(c.bodyA, c.bodyB)});
-  }
+  island.rows.eachKind([&](const auto& kind) {
+    kind.eachTouching(ties, [&](BodyIndex a, BodyIndex b) { out.push_back({std::min(a, b), std::max(a, b)}); });
+  });
 }
 
 // Both lists of events keep their memory.

@@ -27,14 +27,15 @@ bool isFoundExactly(ShapeType a, ShapeType b) {
   return (isRound(a) && (isRound(b) || b == ShapeType::box)) || (isRound(b) && a == ShapeType::box);
 }
 
-// test(geometry of A, geometry of B) for the contacts of an island, until one is true.
+// test(geometry of A, geometry of B) for the contacts of an island: whether one is true.
 template <class Test>
 bool anyPair(const Island& island, const ContactSet& contacts, const ShapeSet& shapes, Test test) {
-  const auto& all = island.rows.contacts.contactOf;
-  return std::any_of(all.begin(), all.end(), [&](ContactIndex contact) {
+  bool any = false;
+  island.rows.eachManifold([&](ContactIndex contact) {
     const Contact& c = contacts.contacts[contact];
-    return test(shapes.data[c.shapeA].geometry, shapes.data[c.shapeB].geometry);
+    any = any || test(shapes.data[c.shapeA].geometry, shapes.data[c.shapeB].geometry);
   });
+  return any;
 }
 
 }  // namespace

@@ -18,12 +18,12 @@ namespace {
 
 //! not of the method: the file's
 constexpr std::uint64_t kMagic = 0x30504e5346424b42ull;
-constexpr std::uint32_t kLayout = 13;
+constexpr std::uint32_t kLayout = 14;
 
 struct Header {
   std::uint64_t magic = kMagic;
   std::uint32_t layout = kLayout;
-  std::uint32_t recordSize = sizeof(ContactRecord);  // tells builds with another memory layout apart
+  std::uint32_t recordSize = Rows::recordSize();  // tells builds with another memory layout apart
   std::uint64_t hash = 0;
 };
 
@@ -205,10 +205,8 @@ class SnapshotArchive {
     for (auto& pointer : list) {
       auto& i = *pointer;
       a.list(i.bodies);
-      a.list(i.rows.contacts.contactOf);
       a.list(i.partners);
-      a.list(i.rows.contacts.records);
-      a.list(i.rows.contacts.starts);
+      i.rows.eachKind([&](auto& kind) { kind.archive(a); });
       hierarchy(a, i.hierarchy);
       a.flag(i.facts.partnersMove);  // of an island that stays settled
       a.choice(i.ending, IslandEnding::settled);
@@ -250,7 +248,7 @@ Status World::restore(std::span<const std::byte> snapshot) {
   std::memcpy(&header, snapshot.data(), sizeof header);
   std::span<const std::byte> rest = snapshot.subspan(sizeof header);
   if (header.magic != kMagic) return badSnapshot("these bytes are not a snapshot");
-  if (header.layout != kLayout || header.recordSize != sizeof(ContactRecord))
+  if (header.layout != kLayout || header.recordSize != Rows::recordSize())
     return badSnapshot("made by another version (layout " + std::to_string(header.layout) + ", expected " +
                        std::to_string(kLayout) + ")");
   if (header.hash != hashOf(rest)) return badSnapshot("damaged or cut off (its checksum differs)");

@@ -30,12 +30,9 @@ template <class T> void makeSet(std::vector<T>& list, std::vector<T>& room) {
 }
 
 void countPoints(Island& island, const Ties& ties) {
-  island.points = island.touchingPoints = 0;
-  for (ContactIndex contact : island.rows.contacts.contactOf) {
-    const Contact& c = ties.contacts.contacts[contact];
-    island.points += c.count;
-    for (int i = 0; i < c.count; i++) island.touchingPoints += c.points.forceN[i] > 0 || c.points.hitN[i] > 0;
-  }
+  const PointCount count = island.rows.countPoints(ties);
+  island.points = count.all;
+  island.touchingPoints = count.touching;
 }
 
 // Bodies touch if any of their contacts does. Pairs that were not among those of the last step begin; pairs that are no
@@ -71,7 +68,7 @@ void collectEvents(const Registry& registry, Activity& activity, Ties& ties, Dia
   StepReport& report = diary.report;
   for (IslandPointer& island : activity.islands.awake) {
     if (!island->settled()) countPoints(*island, ties);
-    report.manifolds += int(island->rows.contacts.contactOf.size());
+    island->rows.eachManifold([&](ContactIndex) { report.manifolds++; });
     report.contactPoints += island->points;
     report.touchingPoints += island->touchingPoints;
   }

@@ -11,11 +11,6 @@ std::string_view nameOf(const StageHash& hash) {
 void mix(Mix& h, const BodyMotion& m) { h(m.position, m.rotation, m.linearVelocity, m.angularVelocity); }
 void mix(Mix& h, const SolvedMotion& s) { h(s.d, s.th, s.velocity, s.angularMomentum, s.freeTurn, s.rest, s.flying); }
 void mix(Mix& h, const FreeMotion& f) { h(f.d, f.th, f.rotation, f.angularMomentum, f.startVelocity, f.startSpin); }
-void mix(Mix& h, const ContactRecord& r, int count) {
-  h(r.n, r.t1, r.armA, r.armB, r.newPoints);
-  for (const float* field : {r.s1, r.s2, r.trialN, r.trial1, r.trial2, r.k, r.limit, r.tensionCap})
-    h.list(field, count);
-}
 
 void HashItems::add(BodyId a, BodyId b, const Mix& item) {
   sum_(a.index, a.generation, b.index, b.generation, item.value());
@@ -33,8 +28,8 @@ void HashItems::solved(const IslandSet& islands, const StepContext& context) {
     if (!island->settled()) bodies(island->bodies, write);
 }
 
-void HashItems::contacts(const IslandSet& islands, const Ties& ties) {
-  records(islands, ties, [](Mix& h, const Island&, std::size_t, const Contact& c) { mix(h, c); });
+void HashItems::memories(const IslandSet& islands, const Ties& ties) {
+  rows(islands, ties, [&](Mix& h, const Island&, const auto& kind, std::size_t k) { kind.hashMemory(h, k, ties); });
 }
 
 void hashGiven(const Registry& registry, const IslandSet& islands, const Ties& ties, HashItems& out) {

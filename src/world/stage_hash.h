@@ -1,6 +1,7 @@
 // Hashes of each stage's output, to find the first place where two runs part. Output that depends on the history of the
 // tree (candidate pairs without points, kept bounds) is left out: a restored world gives the same hashes.
 #pragma once
+#include <utility>
 #include <vector>
 
 #include "base/mix.h"
@@ -13,7 +14,6 @@ namespace brickfall {
 void mix(Mix& h, const BodyMotion& m);
 void mix(Mix& h, const SolvedMotion& s);
 void mix(Mix& h, const FreeMotion& f);
-void mix(Mix& h, const ContactRecord& r, int count);
 
 // The items of one stage, in the order in which they are added.
 class HashItems {
@@ -47,19 +47,19 @@ class HashItems {
       add(registry_.idOf(island->key()), {}, h);
     }
   }
-  // For the contacts of awake islands: write(h, island, k, contact).
-  template <class Write> void records(const IslandSet& islands, const Ties& ties, Write write) {
+  // For the rows of awake islands: write(h, island, kind, k).
+  template <class Write> void rows(const IslandSet& islands, const Ties& ties, Write write) {
     for (const IslandPointer& island : islands.awake)
-      for (std::size_t k = 0; k < island->rows.contacts.records.size(); k++) {
-        const Contact& c = ties.contacts.contacts[island->rows.contacts.contactOf[k]];
+      island->rows.each([&](const auto& kind, std::size_t k) {
+        const auto [a, b] = kind.bodies(k, ties);
         Mix h;
-        write(h, *island, k, c);
-        add(registry_.idOf(c.bodyA), registry_.idOf(c.bodyB), h);
-      }
+        write(h, std::as_const(*island), kind, k);
+        add(registry_.idOf(a), registry_.idOf(b), h);
+      });
   }
   // Motions that the solve found. Those of an island that is passed over are not read any more.
   void solved(const IslandSet& islands, const StepContext& context);
-  void contacts(const IslandSet& islands, const Ties& ties);  // of awake islands
+  void memories(const IslandSet& islands, const Ties& ties);  // of ties of awake islands
 
  private:
   const Registry& registry_;

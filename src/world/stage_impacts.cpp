@@ -98,18 +98,18 @@ bool ImpactWalk::goTo(Island& island, double dt, bool toImpact) {
   }
   context_.statistics.add(tried);
   NarrowPhase narrow(registry_, context_.dt, proximity_, ties_.contacts);
-  for (ContactIndex contact : island.rows.contacts.contactOf) narrow.renew(contact);
+  island.rows.eachManifold([&](ContactIndex contact) { narrow.renew(contact); });
   report_.manifoldsComputed += narrow.computed();
   return true;
 }
 
 bool ImpactWalk::impact(Island& island) {
-  std::pmr::vector<ContactImpact> impacts(island.memory);
+  std::pmr::vector<TieImpact> impacts(island.memory);
   island.dt = context_.dt;
   updateHierarchy(island, context_);
   if (!solveImpact(island, ties_, bodies_, context_, kBlink * context_.dt, context_.statistics, impacts)) return false;
   for (BodyIndex body : island.bodies) bodies_.data[body].steady = {};
-  tellHits(def_, registry_, island, impacts, context_, events_.hits);
+  tellHits(def_, registry_, impacts, events_.hits);
   report_.impacts++;
   return true;
 }
@@ -156,12 +156,12 @@ void hashImpacts(const Registry& registry, const IslandSet& islands, const Ties&
     if (island->settled()) continue;
     out.bodies(island->bodies, [&](Mix& h, BodyIndex body) { mix(h, registry.bodies.motion[body]); });
   }
-  out.contacts(islands, ties);
+  out.memories(islands, ties);
 }
 
 // Places and contacts changed, too: the whole change is booked.
-void bookImpacts(const Registry& registry, const Ties& ties, const StepContext& context, Diary& diary) {
-  Balance now = balanceNow(registry.bodies, ties, context);
+void bookImpacts(const Registry& registry, const StepContext& context, Diary& diary) {
+  Balance now = balanceNow(registry.bodies, context);
   diary.ledgerState.bookElastic(diary.report.ledger->impacts, now.elastic);
   diary.ledgerState.book(diary.report.ledger->impacts, now);
 }

@@ -71,12 +71,7 @@ void Integration::salvage(Island& island) {
     bodies.motion[body].angularVelocity = context.free[body].startSpin;
     bodies.still[body] = 0;
   }
-  for (ContactIndex contact : island.rows.contacts.contactOf) {
-    Contact& c = ties.contacts.contacts[contact];
-    for (int i = 0; i < 4; i++) clearPoint(c.points, i);
-    c.touching = false;
-    c.fresh = true;
-  }
+  island.rows.eachKind([&](const auto& kind) { kind.startAfresh(ties); });
   island.ending = IslandEnding::unsolved;
   quarantine.hold(culprit);
 }
@@ -125,11 +120,10 @@ void hashIntegrate(const Registry& registry, const Activity& activity, const Tie
       h(bodies.still[body], bodies.data[body].quarantined, bodies.data[body].linearAcceleration,
         bodies.data[body].angularAcceleration);
     });
-  out.contacts(activity.islands, ties);
+  out.memories(activity.islands, ties);
 }
 
-void bookIntegrate(const Registry& registry, const Activity& activity, const Ties& ties, const StepContext& context,
-                   Diary& diary) {
+void bookIntegrate(const Registry& registry, const Activity& activity, const StepContext& context, Diary& diary) {
   const BodySet& bodies = registry.bodies;
   LedgerState& s = diary.ledgerState;
   StepLedger& ledger = *diary.report.ledger;
@@ -137,7 +131,7 @@ void bookIntegrate(const Registry& registry, const Activity& activity, const Tie
   for (BodyIndex body : activity.pushed)
     work +=
         dot(bodies.data[body].force, context.solved[body].d) + dot(bodies.data[body].torque, context.solved[body].th);
-  Balance now = balanceNow(bodies, ties, context);
+  Balance now = balanceNow(bodies, context);
   double fallen = now.potential - s.now.potential;
   ledger.forces.energy += work;
   ledger.solve.energy += fallen - work;

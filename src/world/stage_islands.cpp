@@ -1,4 +1,4 @@
-// Islands: which bodies contacts join. Built only if contacts came or went, or bodies woke.
+// Islands: which bodies ties join. Built only if ties came or went, or bodies woke.
 #include "world/activity.h"
 #include "world/diary.h"
 #include "world/registry.h"
@@ -25,14 +25,13 @@ void hashIslands(const Ties& ties, const IslandSet& islands, HashItems& out) {
   out.bodies(islands.single, [](Mix&, BodyIndex) {});
   out.islands(islands.awake, [&](Mix& h, const Island& i) {
     h.list(i.bodies.data(), int(i.bodies.size())).list(i.partners.data(), int(i.partners.size()));
-    for (ContactIndex contact : i.rows.contacts.contactOf)
-      h(ties.contacts.contacts[contact].shapeA, ties.contacts.contacts[contact].shapeB);
+    i.rows.each([&](const auto& kind, std::size_t k) { kind.hashName(h, k, ties); });
   });
 }
 
 // Books every change since the step began: by the contacts and by quarantine.
-void bookIslands(const Registry& registry, const Ties& ties, const StepContext& context, Diary& diary) {
-  Balance now = balanceNow(registry.bodies, ties, context);
+void bookIslands(const Registry& registry, const StepContext& context, Diary& diary) {
+  Balance now = balanceNow(registry.bodies, context);
   diary.ledgerState.bookElastic(diary.report.ledger->remade, now.elastic);
   diary.ledgerState.book(diary.report.ledger->quarantine, now);
 }

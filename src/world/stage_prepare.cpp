@@ -28,9 +28,9 @@ void hashPrepare(const Registry& registry, const IslandSet& islands, const Ties&
       mix(h, registry.bodies.motion[body]);
     });
   }
-  out.records(islands, ties, [](Mix& h, const Island& island, std::size_t k, const Contact& c) {
-    mix(h, c);
-    mix(h, island.rows.contacts.records[k], c.count);
+  out.rows(islands, ties, [&](Mix& h, const Island&, const auto& kind, std::size_t k) {
+    kind.hashMemory(h, k, ties);
+    kind.hashRecord(h, k, ties);
   });
 }
 
@@ -53,13 +53,12 @@ Balance atStart(const BodySet& bodies, const IslandSet& islands, const StepConte
 
 }  // namespace
 
-void bookPrepare(const Registry& registry, const Activity& activity, const Ties& ties, const StepContext& context,
-                 Diary& diary) {
+void bookPrepare(const Registry& registry, const Activity& activity, const StepContext& context, Diary& diary) {
   const BodySet& bodies = registry.bodies;
   LedgerState& s = diary.ledgerState;
   StepLedger& ledger = *diary.report.ledger;
   s.book(ledger.stopped, s.moving(atStart(bodies, activity.islands, context)));
-  Balance start = balanceNow(bodies, ties, context);
+  Balance start = balanceNow(bodies, context);
   s.bookElastic(ledger.renewed, start.elastic);
   s.book(ledger.damping, start);
   BalanceChange gravity, forces;

@@ -30,15 +30,15 @@ void hashContacts(const Ties&, HashItems&);
 
 void renewIslands(const Registry&, const StepContext&, Activity&, Ties&);
 void hashIslands(const Ties&, const IslandSet&, HashItems&);
-void bookIslands(const Registry&, const Ties&, const StepContext&, Diary&);
+void bookIslands(const Registry&, const StepContext&, Diary&);
 
 void meetImpacts(const WorldDef&, Registry&, IslandSet&, Proximity&, Ties&, StepContext&, StepReport&, Events&);
 void hashImpacts(const Registry&, const IslandSet&, const Ties&, HashItems&);
-void bookImpacts(const Registry&, const Ties&, const StepContext&, Diary&);
+void bookImpacts(const Registry&, const StepContext&, Diary&);
 
 void prepare(Registry&, IslandSet&, Ties&, StepContext&);
 void hashPrepare(const Registry&, const IslandSet&, const Ties&, const StepContext&, HashItems&);
-void bookPrepare(const Registry&, const Activity&, const Ties&, const StepContext&, Diary&);
+void bookPrepare(const Registry&, const Activity&, const StepContext&, Diary&);
 
 void checkRest(IslandSet&, StepContext&);
 void hashRest(const IslandSet&, HashItems&);
@@ -48,7 +48,7 @@ void hashSolve(const Registry&, const IslandSet&, HashItems&);
 
 void storeSolution(const WorldDef&, const Registry&, IslandSet&, Ties&, StepContext&, Events&);
 void hashStore(const IslandSet&, const Ties&, const StepContext&, HashItems&);
-void bookStore(const Registry&, const Activity&, const Ties&, const StepContext&, Diary&);
+void bookStore(const Registry&, const Activity&, const StepContext&, Diary&);
 
 void stopAtObstacles(const Registry&, const Activity&, const Proximity&, StepContext&);
 void hashObstacles(const IslandSet&, const StepContext&, HashItems&);
@@ -60,7 +60,7 @@ void bookBalance(const Registry&, const Activity&, const StepContext&, Diary&);
 
 void integrate(const Clock&, const StepContext&, Registry&, Activity&, Proximity&, Ties&, Quarantine&);
 void hashIntegrate(const Registry&, const Activity&, const Ties&, HashItems&);
-void bookIntegrate(const Registry&, const Activity&, const Ties&, const StepContext&, Diary&);
+void bookIntegrate(const Registry&, const Activity&, const StepContext&, Diary&);
 
 void fallAsleep(const WorldDef&, double dt, Registry&, Activity&, Ties&, Diary&);
 void hashSleep(const Registry&, const IslandSet&, HashItems&);

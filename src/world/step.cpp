@@ -35,7 +35,7 @@ std::span<const World::Impl::StageRow> World::Impl::stageRows() {
 
       {Stage::islands, [](W& w) { renewIslands(w.registry, w.solve.context, w.activity, w.ties); },
        [](const W& w, H& out) { hashIslands(w.ties, w.activity.islands, out); },
-       [](W& w) { bookIslands(w.registry, w.ties, w.solve.context, w.diary); }},
+       [](W& w) { bookIslands(w.registry, w.solve.context, w.diary); }},
 
       {Stage::impacts,
        [](W& w) {
@@ -43,11 +43,11 @@ std::span<const World::Impl::StageRow> World::Impl::stageRows() {
                      w.diary.events);
        },
        [](const W& w, H& out) { hashImpacts(w.registry, w.activity.islands, w.ties, out); },
-       [](W& w) { bookImpacts(w.registry, w.ties, w.solve.context, w.diary); }},
+       [](W& w) { bookImpacts(w.registry, w.solve.context, w.diary); }},
 
       {Stage::prepare, [](W& w) { prepare(w.registry, w.activity.islands, w.ties, w.solve.context); },
        [](const W& w, H& out) { hashPrepare(w.registry, w.activity.islands, w.ties, w.solve.context, out); },
-       [](W& w) { bookPrepare(w.registry, w.activity, w.ties, w.solve.context, w.diary); }},
+       [](W& w) { bookPrepare(w.registry, w.activity, w.solve.context, w.diary); }},
 
       {Stage::rest, [](W& w) { checkRest(w.activity.islands, w.solve.context); },
        [](const W& w, H& out) { hashRest(w.activity.islands, out); }},
@@ -58,7 +58,7 @@ std::span<const World::Impl::StageRow> World::Impl::stageRows() {
       {Stage::store,
        [](W& w) { storeSolution(w.def, w.registry, w.activity.islands, w.ties, w.solve.context, w.diary.events); },
        [](const W& w, H& out) { hashStore(w.activity.islands, w.ties, w.solve.context, out); },
-       [](W& w) { bookStore(w.registry, w.activity, w.ties, w.solve.context, w.diary); }},
+       [](W& w) { bookStore(w.registry, w.activity, w.solve.context, w.diary); }},
 
       {Stage::obstacles, [](W& w) { stopAtObstacles(w.registry, w.activity, w.proximity, w.solve.context); },
        [](const W& w, H& out) { hashObstacles(w.activity.islands, w.solve.context, out); },
@@ -74,7 +74,7 @@ std::span<const World::Impl::StageRow> World::Impl::stageRows() {
          integrate(w.clock, w.solve.context, w.registry, w.activity, w.proximity, w.ties, quarantine);
        },
        [](const W& w, H& out) { hashIntegrate(w.registry, w.activity, w.ties, out); },
-       [](W& w) { bookIntegrate(w.registry, w.activity, w.ties, w.solve.context, w.diary); }},
+       [](W& w) { bookIntegrate(w.registry, w.activity, w.solve.context, w.diary); }},
 
       {Stage::sleep, [](W& w) { fallAsleep(w.def, w.solve.context.dt, w.registry, w.activity, w.ties, w.diary); },
        [](const W& w, H& out) { hashSleep(w.registry, w.activity.islands, out); }},
@@ -135,7 +135,7 @@ void World::Impl::beginPart(double dt) {
   traceStage(
       {}, [](const Impl& w, HashItems& out) { hashGiven(w.registry, w.activity.islands, w.ties, out); },
       [](Impl& w) {
-        Balance now = balanceNow(w.registry.bodies, w.ties, w.solve.context);
+        Balance now = balanceNow(w.registry.bodies, w.solve.context);
         w.diary.beginLedger(now, w.clock.part == 0);
       });
   Quarantine out = quarantine();

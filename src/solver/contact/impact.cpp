@@ -23,15 +23,19 @@ bool comesOn(const ContactStart& start, double least) {
   return !(least > 0);
 }
 
+TieImpact impactAt(const Contact& c, const ContactRecord& r, const StepContext& context) {
+  return {c.bodyA, c.bodyB, context.bodies->motion[c.bodyA].position + toDouble(r.armA), toDouble(r.n)};
+}
+
 }  // namespace
 
 void ContactRows::findHits(const Island& island, const StepContext& context, double least,
-                           std::pmr::vector<ContactImpact>& out) const {
+                           std::pmr::vector<TieImpact>& out) const {
   if (double(fastestApproach) < least) return;
   for (std::size_t k = 0; k < size(); k++) {
     const Contact& c = context.ties->contacts.contacts[contactOf[k]];
     if (!comesOn(starts[k], least) || !c.touching) continue;
-    ContactImpact impact{std::uint32_t(k)};
+    TieImpact impact = impactAt(c, records[k], context);
     for (int i = 0; i < c.count; i++) {
       if (!(c.points.forceN[i] > 0)) continue;
       impact.speed = std::max(impact.speed, double(-starts[k].approach[i]));
@@ -74,13 +78,13 @@ void ContactRows::keepImpactForces(const Island& island) {
 }
 
 bool ContactRows::reboundImpact(const Island& island, const StepContext& context,
-                                std::pmr::vector<ContactImpact>& impacts) {
+                                std::pmr::vector<TieImpact>& impacts) {
   double least = slowestRebound(island, context);
   bool rebounds = false;
   for (std::size_t k = 0; k < size(); k++) {
     const Contact& c = context.ties->contacts.contacts[contactOf[k]];
     PointForces f = pointForcesAt(records[k], island.motion.data());
-    ContactImpact impact{std::uint32_t(k)};
+    TieImpact impact = impactAt(c, records[k], context);
     for (int i = 0; i < c.count; i++) {
       if (!(f.n[i] > 0)) continue;
       double approach = -double(starts[k].approach[i]);

@@ -2,13 +2,16 @@
 #pragma once
 #include <cstdint>
 #include <memory_resource>
+#include <utility>
 #include <vector>
 
+#include "brickfall/step_trace.h"
 #include "solver/contact/kernel.h"
 #include "solver/contact/pairs.h"
 #include "solver/contact/record.h"
 #include "solver/hierarchy.h"
 #include "solver/step_context.h"
+#include "solver/tie_report.h"
 
 namespace brickfall {
 
@@ -30,13 +33,6 @@ struct ContactStart {
   Scale scale;                // of the pair
 };
 
-// The impulse that stopped a contact.
-struct ContactImpact {
-  std::uint32_t row = 0;
-  double speed = 0;    // m/s, fastest approach of its points
-  double impulse = 0;  // N s; after an impact at its moment: rebound left out
-};
-
 struct ContactRows {
   explicit ContactRows(std::pmr::memory_resource* memory) : contactOf(memory), records(memory), starts(memory) {}
   std::pmr::vector<ContactIndex> contactOf;  // by row, in pair order
@@ -45,7 +41,8 @@ struct ContactRows {
   float fastestApproach = 0;                 // m/s, of any point at the start of the step
 
   // --- functions of every kind of row (rows.h)
-  static constexpr double kPoints = 4;  // visits that a row counts as
+  static constexpr double kPoints = 4;  // visits that a row counts as; points at most
+  static constexpr std::size_t kRecordSize = sizeof(ContactRecord);
   std::size_t size() const { return contactOf.size(); }
   void reserve(std::size_t rows) { contactOf.reserve(rows); }
   void add(std::uint32_t index) { contactOf.push_back(index); }
@@ -132,9 +129,47 @@ struct ContactRows {
   void remember(const Ties& ties, Memory& out) const;
   void restore(Ties& ties, const Memory& memory) const;
 
+  // --- what the world asks of the rows of an island
+  // The bodies that a row's tie names.
+  std::pair<BodyIndex, BodyIndex> bodies(std::size_t k, const Ties& ties) const {
+    const Contact& c = ties.contacts.contacts[contactOf[k]];
+    return {c.bodyA, c.bodyB};
+  }
+  // A snapshot of the rows, and of their number.
+  void archive(WriteArchive& a) const;
+  void archive(ReadArchive& a);
+  // Hashes: which tie it is; what it remembers; what the solve reads.
+  void hashName(Mix& h, std::size_t k, const Ties& ties) const;
+  void hashMemory(Mix& h, std::size_t k, const Ties& ties) const;
+  void hashRecord(Mix& h, std::size_t k, const Ties& ties) const;
+  // What must hold before a row may be followed; values that a snapshot may have; all the rest. `current`: no tie came
+  // or went since the island was built.
+  void checkStructure(Findings& f, const Island& island, const Ties& ties, const BodySet& bodies, bool current) const;
+  void checkRanges(Findings& f) const;
+  void check(Findings& f, const Island& island, const Ties& ties, bool current) const;
+  // visit(contact): the manifolds that the rows stand on, for the narrow phase.
+  template <class Visit> void eachManifold(Visit&& visit) const {
+    for (ContactIndex contact : contactOf) visit(contact);
+  }
+  PointCount countPoints(const Ties& ties) const;
+  // visit(body, body): the bodies of a tie that pressed in the last step, as listeners are told.
+  template <class Visit> void eachTouching(const Ties& ties, Visit&& visit) const {
+    for (ContactIndex contact : contactOf) {
+      const Contact& c = ties.contacts.contacts[contact];
+      if (c.touching || c.struck) visit(c.bodyA, c.bodyB);
+    }
+  }
+  // The solve failed: the ties remember nothing of it, nor of the steps before.
+  void startAfresh(Ties& ties) const;
+  // J: elastic energy that a tie of this kind holds (energy.h).
+  static double elasticEnergy(ContactIndex contact, const StepContext& context);
+  // After store(): adds the rows' work in the step, by the solved motion.
+  void addWork(const Island& island, const StepContext& context, TieWork& sum) const;
+  // Adds the impulses of fixed and kinematic bodies on the island, about the world's origin. Their work is that of the
+  // motion of these bodies.
+  void addSupport(const Island& island, const StepContext& context, BalanceChange& sum) const;
   // After store(): the impulses that stopped contacts which closed at `least` m/s or faster.
-  void findHits(const Island& island, const StepContext& context, double least,
-                std::pmr::vector<ContactImpact>& out) const;
+  void findHits(const Island& island, const StepContext& context, double least, std::pmr::vector<TieImpact>& out) const;
 
   // --- impacts at their moment (solver/impact.h)
   bool mayClose(const StepContext& context, double ahead) const;
@@ -148,7 +183,7 @@ struct ContactRows {
   void keepImpactForces(const Island& island);
   // The impulse that stopped each contact; true if any gives a part of it back. The points that do then press at least
   // so hard.
-  bool reboundImpact(const Island& island, const StepContext& context, std::pmr::vector<ContactImpact>& impacts);
+  bool reboundImpact(const Island& island, const StepContext& context, std::pmr::vector<TieImpact>& impacts);
   // Points that were hit begin anew, and so do points that the impact parts. Not if it was not solved.
   void endImpact(const Island& island, Ties& ties, const StepContext& context, bool solved);
 
