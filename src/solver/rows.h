@@ -1,12 +1,11 @@
 // The ties between the bodies of an island, as the solve reads them: rows, a list for each kind of tie.
 //
-// A kind is a folder (contact/): its list with the functions that every kind has (contact/rows.h names them), the
+// A kind is a folder (contact/): its list with the functions that every kind has (row_kind.h names them), the
 // record that the solve reads, its law, its preparing and storing, its energy. It joins the solve as a member of Rows,
 // named in kinds(). Code that walks rows (cycles, direct solve, flight, hierarchies) never asks for their kind. The
 // list of kinds is closed and known to the compiler: no virtual calls, and a row's arithmetic stays in its loop. How a
 // kind lays out its records is its own affair. A row may be a lane of a pack of several, since nobody but the kind
-// reads them.
-// kind reads them.
+// reads them: `rows.contacts` stands in contact/ alone (tools/rules/kinds.py).
 //
 // Rows are numbered through all kinds, in the order of the members; side 2 x row + end is one body's end of a row.
 #pragma once
@@ -15,6 +14,7 @@
 
 #include "dynamics/ties.h"
 #include "solver/contact/rows.h"
+#include "solver/row_kind.h"
 
 namespace brickfall {
 
@@ -136,7 +136,10 @@ struct Rows {
     return true;
   }
 };
-static_assert(std::tuple_size_v<decltype(std::declval<Rows&>().kinds())> == kLinkKinds,
-              "a kind of link is a kind of row");
+// Each kind of link is a kind of row.
+template <class... Kinds> constexpr bool areRowKinds(const std::tuple<Kinds&...>*) {
+  return sizeof...(Kinds) == kLinkKinds && (isRowKind<Kinds>() && ...);
+}
+static_assert(areRowKinds(static_cast<decltype(std::declval<Rows&>().kinds())*>(nullptr)));
 
 }  // namespace brickfall

@@ -40,7 +40,7 @@ struct ContactRows {
   std::pmr::vector<ContactStart> starts;     // by row
   float fastestApproach = 0;                 // m/s, of any point at the start of the step
 
-  // --- functions of every kind of row (rows.h)
+  // --- functions of every kind of row (row_kind.h)
   static constexpr double kPoints = 4;  // visits that a row counts as; points at most
   static constexpr std::size_t kRecordSize = sizeof(ContactRecord);
   std::size_t size() const { return contactOf.size(); }
@@ -65,6 +65,7 @@ struct ContactRows {
   RowEnds ends(std::size_t k) const { return {records[k].bodyA, records[k].bodyB}; }
   // How firmly the contact ties its two bodies: more than 0.
   float strength(std::size_t k, const StepContext& context) const;
+  bool ties(std::size_t k, const StepContext& context) const { return carriesForce(k, context); }
   bool carriesForce(std::size_t k, const StepContext& context) const {
     return context.ties->contacts.contacts[contactOf[k]].touching;
   }

@@ -98,7 +98,6 @@ bool ContactRows::store(Island& island, Ties& ties, StepContext& context) {
   const bool compare = island.resting();
   bool changed = !compare;
   PointMemory before;
-  island.slipWork = 0;
   for (std::size_t k = 0; k < size(); k++) {
     Contact& c = ties.contacts.contacts[contactOf[k]];
     c.points.impactMask = records[k].newPoints & ~starts[k].falling;
@@ -126,7 +125,6 @@ bool ContactRows::store(Island& island, Ties& ties, StepContext& context) {
     else
       changed = true;
   }
-  context.statistics.lightVisits += 4.0 * double(size());
   return changed;
 }
 

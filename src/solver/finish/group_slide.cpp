@@ -86,7 +86,7 @@ bool GroupSlides::findGroups() {
   UnionFind sets(count_, island_.memory);
   island_.rows.each([&](const auto& kind, std::size_t k) {
     RowEnds ends = kind.ends(k);
-    if (!isGround(ends.a) && !isGround(ends.b) && kind.carriesForce(k, context_)) sets.join(ends.a, ends.b);
+    if (!isGround(ends.a) && !isGround(ends.b) && kind.ties(k, context_)) sets.join(ends.a, ends.b);
   });
   for (std::uint32_t i = 0; i < count_; i++) groupOf_[i] = sets.find(i);
   return true;
