@@ -2,7 +2,8 @@
 
 namespace brickfall {
 
-TiesMemory::TiesMemory(const Island& island, Ties& ties) : rows_(island.rows), ties_(ties), memory_(island.memory) {
+TiesMemory::TiesMemory(const Island& island, Ties& ties)
+    : rows_(island.rows), ties_(ties), memory_(Rows::memoryFrom(island.memory)) {
   rows_.remember(ties_, memory_);
 }
 

@@ -11,6 +11,7 @@
 #pragma once
 #include <array>
 #include <tuple>
+#include <utility>
 
 #include "dynamics/ties.h"
 #include "solver/contact/rows.h"
@@ -121,6 +122,12 @@ struct Rows {
   }
   // The memory of all ties, by kind; restore puts it back, whatever a trial has made of it (island_trial.h).
   using Memory = std::tuple<ContactRows::Memory>;
+  static Memory memoryFrom(std::pmr::memory_resource* from) {
+    return [from]<std::size_t... i>(std::index_sequence<i...>) {
+      return Memory{std::tuple_element_t<i, Memory>(from)...};
+    }
+    (std::make_index_sequence<kKinds>());
+  }
   template <std::size_t i = 0> void remember(const Ties& ties, Memory& out) const {
     std::get<i>(kinds()).remember(ties, std::get<i>(out));
     if constexpr (i + 1 < kKinds) remember<i + 1>(ties, out);
