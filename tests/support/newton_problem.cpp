@@ -91,7 +91,7 @@ Problem problemOf(const Island& island, const StepContext& context) {
 }
 
 void takeLimits(Problem& problem, const Island& island) {
-  std::map<ContactIndex, const ContactRecord*> records;
+  std::map<ContactIndex, const FaceRecord*> records;
   for (std::size_t k = 0; k < island.rows.contacts.contactOf.size(); k++)
     records[island.rows.contacts.contactOf[k]] = &island.rows.contacts.records[k];
   for (ProblemPoint& p : problem.points) p.limit = double(records.at(p.contact)->limit[p.lane]);

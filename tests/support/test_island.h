@@ -125,7 +125,7 @@ class TestIsland {
     EXPECT_EQ(islands.awake.size(), 1u) << "not one island";
     return *islands.awake.front();
   }
-  const ContactRecord& record(std::size_t row = 0) { return island().rows.contacts.records[row]; }
+  const FaceRecord& record(std::size_t row = 0) { return island().rows.contacts.records[row]; }
   void link() {
     if (contacts.changed) buildIslands(islands, ties(), context, awake);
     contacts.changed = false;

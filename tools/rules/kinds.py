@@ -21,7 +21,7 @@ def kinds_of(names):
         if header is None:
             errors.append(f"{LIST}: {row_type} is in no rows.h of a folder of src/solver")
             continue
-        defined = re.findall(r"^struct (?:alignas\(\d+\) )?(\w+) \{", code_only(read(header)), re.M)
+        defined = re.findall(r"^struct (?:alignas\(\d+\) )?(\w+)(?: : [\w, ]+)? \{", code_only(read(header)), re.M)
         yield member, header[:-len("rows.h")], sorted(defined)
 
 

@@ -23,7 +23,7 @@ Velocity startOf(const BodySet& bodies, BodyIndex body) {
 }
 
 // Normal speed of B against A at each point: negative = closing.
-void speedsOf(const ContactRecord& r, int count, const Velocity& a, const Velocity& b, double* out) {
+void speedsOf(const FaceRecord& r, int count, const Velocity& a, const Velocity& b, double* out) {
   Vec3 n = toDouble(r.n), t1 = toDouble(r.t1), t2 = cross(n, t1);
   Vec3 u = b.linear + cross(b.angular, toDouble(r.armB)) - a.linear - cross(a.angular, toDouble(r.armA));
   Vec3 w = b.angular - a.angular;
@@ -104,7 +104,7 @@ double ContactRows::firstClosing(const Island& island, double dt, const StepCont
   double first = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < size(); k++) {
     const Contact& c = context.ties->contacts.contacts[contactOf[k]];
-    const ContactRecord& r = records[k];
+    const FaceRecord& r = records[k];
     Velocity startA, startB, endA, endB;
     velocities(r.bodyA, startA, endA);
     velocities(r.bodyB, startB, endB);

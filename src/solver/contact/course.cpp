@@ -15,7 +15,7 @@ constexpr double kSteadyShare = 0.2;  // of g dt: a smaller change of a normal v
 constexpr double kNoWay = 1e-6;  // bodies that come no more than this nearer to each other count as no nearer
 
 // m/s, along the normal: by how much the velocity of point i of a contact, of B against A, changes.
-double changeAtPoint(const ContactRecord& row, int i, const EndChanges& by) {
+double changeAtPoint(const FaceRecord& row, int i, const EndChanges& by) {
   Vec3 n = toDouble(row.n), t1 = toDouble(row.t1);
   Vec3 off = t1 * double(row.s1[i]) + cross(n, t1) * double(row.s2[i]);
   return dot(n, by.b.move + cross(by.b.turn, toDouble(row.armB) + off) - by.a.move -
@@ -23,7 +23,7 @@ double changeAtPoint(const ContactRecord& row, int i, const EndChanges& by) {
 }
 
 // Point i neither lands nor leaves: it closes and parts by no more than small shocks do.
-bool isSteady(const ContactRecord& row, const ContactStart& start, int i, const EndChanges& change, double dt) {
+bool isSteady(const FaceRecord& row, const ContactStart& start, int i, const EndChanges& change, double dt) {
   const double most = kSteadyShare * start.scale.gravity * dt;
   return std::fabs(changeAtPoint(row, i, change)) <= most && std::fabs(start.approach[i]) <= most;
 }
@@ -42,7 +42,7 @@ RowCourse ContactRows::courseOf(std::size_t k, const EndChanges& change, double 
 }
 
 bool ContactRows::wouldMeet(std::size_t k, const EndChanges& nearer, const EndChanges& change, double dt) const {
-  const ContactRecord& row = records[k];
+  const FaceRecord& row = records[k];
   const ContactStart& start = starts[k];
   for (int i = 0; i < start.points; i++) {
     const double by = 0.5 * dt * changeAtPoint(row, i, nearer);

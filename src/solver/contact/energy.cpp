@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "solver/contact/kernel.h"
 #include "solver/contact/stiffness.h"
+#include "solver/face/kernel.h"
 
 namespace brickfall {
 
@@ -76,7 +76,7 @@ namespace {
 
 // Adds the impulse of a contact with a fixed or kinematic body on the island's body, about the world's origin. Its work
 // is that of the partner's motion.
-void addImpulse(const Contact& c, const ContactRecord& r, const ContactStart& start, const BodySet& bodies, bool onB,
+void addImpulse(const Contact& c, const FaceRecord& r, const ContactStart& start, const BodySet& bodies, bool onB,
                 double dt, BalanceChange& sum) {
   Vec3 n = toDouble(r.n), t1 = toDouble(r.t1), t2 = cross(n, t1);
   Vec3 centre = bodies.motion[c.bodyA].position + toDouble(r.armA);
@@ -99,7 +99,7 @@ void addImpulse(const Contact& c, const ContactRecord& r, const ContactStart& st
 
 void ContactRows::addSupport(const Island& island, const StepContext& context, BalanceChange& sum) const {
   for (std::size_t k = 0; k < size(); k++) {
-    const ContactRecord& r = records[k];
+    const FaceRecord& r = records[k];
     bool partnerA = r.bodyA >= island.bodies.size(), partnerB = r.bodyB >= island.bodies.size();
     if (partnerA || partnerB)
       addImpulse(context.ties->contacts.contacts[contactOf[k]], r, starts[k], *context.bodies, partnerA, island.dt,

@@ -10,7 +10,7 @@ namespace {
 bool isLength(float x) { return std::fabs(x) <= kLargestPointLength; }
 bool isForce(float x) { return std::fabs(x) <= kLargestPointForce; }
 
-bool isSound(const ContactRecord& r, const ContactStart& start) {
+bool isSound(const FaceRecord& r, const ContactStart& start) {
   bool fine =
       r.newPoints < 16 && start.falling < 16 && isForce(start.friction) && start.points >= 0 && start.points <= 4;
   for (const Vec3f& v : {r.n, r.t1, r.armA, r.armB, start.bend})
@@ -18,7 +18,7 @@ bool isSound(const ContactRecord& r, const ContactStart& start) {
   for (int i = 0; i < 4; i++)
     fine = fine && isLength(r.s1[i]) && isLength(r.s2[i]) && isForce(r.trialN[i]) && isForce(r.trial1[i]) &&
            isForce(r.trial2[i]) && isForce(r.k[i]) && r.k[i] >= 0 && isForce(r.limit[i]) && r.limit[i] >= 0 &&
-           r.tensionCap[i] == 0 && isForce(start.approach[i]) && isLength(start.gap[i]) && isForce(start.stopping[i]) &&
+           r.leastN[i] == 0 && isForce(start.approach[i]) && isLength(start.gap[i]) && isForce(start.stopping[i]) &&
            isForce(start.taken[i]) && isForce(start.back[i]) && isForce(start.back1[i]) && isForce(start.back2[i]);
   return fine;
 }
@@ -49,9 +49,9 @@ void ContactRows::hashMemory(Mix& h, std::size_t k, const Ties& ties) const {
   mix(h, ties.contacts.contacts[contactOf[k]]);
 }
 void ContactRows::hashRecord(Mix& h, std::size_t k, const Ties& ties) const {
-  const ContactRecord& r = records[k];
+  const FaceRecord& r = records[k];
   h(r.n, r.t1, r.armA, r.armB, r.newPoints);
-  for (const float* field : {r.s1, r.s2, r.trialN, r.trial1, r.trial2, r.k, r.limit, r.tensionCap})
+  for (const float* field : {r.s1, r.s2, r.trialN, r.trial1, r.trial2, r.k, r.limit, r.leastN})
     h.list(field, ties.contacts.contacts[contactOf[k]].count);
 }
 
@@ -60,7 +60,7 @@ void ContactRows::checkStructure(Findings& f, const Island& island, const Ties& 
   const std::size_t all = island.bodies.size() + island.partners.size();
   f.expect(records.size() == size() && starts.size() == size(), "islands: lists of different lengths");
   for (ContactIndex c : contactOf) f.expect(c < ties.contacts.contacts.size(), "islands: a contact that is not there");
-  for (const ContactRecord& r : records) f.expect(r.bodyA < all && r.bodyB < all, "islands: a record names no body");
+  for (const FaceRecord& r : records) f.expect(r.bodyA < all && r.bodyB < all, "islands: a record names no body");
   if (f.any() || !current) return;
   for (ContactIndex contact : contactOf) {
     const Contact& c = ties.contacts.contacts[contact];

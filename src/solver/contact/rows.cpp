@@ -73,7 +73,7 @@ constexpr float kMostOver = 1e4f;  // of ContactStart::stopping
 // force, but no more than stops the approach and carries the pair's weight; `over`: up to kMostOver times that. A point
 // whose limit only falls after an impact gets no more than it had.
 bool ContactRows::renewNewPoints(std::size_t k, const SolveMotion* motion, float slack, bool over) {
-  ContactRecord& r = records[k];
+  FaceRecord& r = records[k];
   const ContactStart& start = starts[k];
   alignas(16) float fn[4];
   kernel::store(kernel::pointForces(r, kernel::pointMotion(r, kernel::frame(r), motion)).n, fn);
@@ -110,7 +110,7 @@ double ContactRows::reboundWork(std::size_t k, const SolveMotion* motion) const 
 }
 
 bool ContactRows::dropBounds(std::size_t k, const SolveMotion* motion) {
-  ContactRecord& r = records[k];
+  FaceRecord& r = records[k];
   alignas(16) float fn[4];
   kernel::store(kernel::pointForces(r, kernel::pointMotion(r, kernel::frame(r), motion)).n, fn);
   bool changed = false;

@@ -6,9 +6,7 @@
 #include <vector>
 
 #include "brickfall/step_trace.h"
-#include "solver/contact/kernel.h"
-#include "solver/contact/pairs.h"
-#include "solver/contact/record.h"
+#include "solver/face/rows.h"
 #include "solver/hierarchy.h"
 #include "solver/step_context.h"
 #include "solver/tie_report.h"
@@ -33,16 +31,15 @@ struct ContactStart {
   Scale scale;                // of the pair
 };
 
-struct ContactRows {
-  explicit ContactRows(std::pmr::memory_resource* memory) : contactOf(memory), records(memory), starts(memory) {}
+struct ContactRows : FaceRows {
+  explicit ContactRows(std::pmr::memory_resource* memory) : FaceRows(memory), contactOf(memory), starts(memory) {}
   std::pmr::vector<ContactIndex> contactOf;  // by row, in pair order
-  std::pmr::vector<ContactRecord> records;   // by row
   std::pmr::vector<ContactStart> starts;     // by row
   float fastestApproach = 0;                 // m/s, of any point at the start of the step
 
   // --- functions of every kind of row (row_kind.h)
   static constexpr double kPoints = 4;  // visits that a row counts as; points at most
-  static constexpr std::size_t kRecordSize = sizeof(ContactRecord);
+  static constexpr std::size_t kRecordSize = sizeof(FaceRecord);
   std::size_t size() const { return contactOf.size(); }
   void reserve(std::size_t rows) { contactOf.reserve(rows); }
   void add(std::uint32_t index) { contactOf.push_back(index); }
@@ -62,7 +59,6 @@ struct ContactRows {
       c.born = false;
     }
   }
-  RowEnds ends(std::size_t k) const { return {records[k].bodyA, records[k].bodyB}; }
   // How firmly the contact ties its two bodies: more than 0.
   float strength(std::size_t k, const StepContext& context) const;
   bool ties(std::size_t k, const StepContext& context) const { return carriesForce(k, context); }
@@ -73,8 +69,6 @@ struct ContactRows {
   bool sticks(std::size_t k, const StepContext& context) const {
     return carriesForce(k, context) && context.ties->contacts.contacts[contactOf[k]].points.stickingMask != 0;
   }
-  // The direction from A to B along which the contact presses.
-  Vec3 normal(std::size_t k) const { return toDouble(records[k].n); }
   // After the forces are stored: how they go on, if the velocities of the row's bodies change so in the step.
   RowCourse courseOf(std::size_t k, const EndChanges& change, double dt, const StepContext& context) const;
   // At the end of the step an open point is nearer to its partner than `nearer`, over half of the step, would move the
@@ -187,28 +181,6 @@ struct ContactRows {
   bool reboundImpact(const Island& island, const StepContext& context, std::pmr::vector<TieImpact>& impacts);
   // Points that were hit begin anew, and so do points that the impact parts. Not if it was not solved.
   void endImpact(const Island& island, Ties& ties, const StepContext& context, bool solved);
-
-  Arms arms(std::size_t k) const { return {wide::load3Padded(records[k].armA), wide::load3Padded(records[k].armB)}; }
-  // Reads `count` rows from k on.
-  void read(std::size_t k, std::size_t count, const SolveMotion* motion, Reading* out) const {
-    readContacts(records.data() + k, count, motion, out);
-  }
-  // Sums the rows of this kind on a cluster's boundary.
-  void sumBoundary(const Boundary& boundary, BoundarySums& sums) const { sumContacts(boundary, records.data(), sums); }
-  Reaction react(std::size_t k, const SolveMotion* motion) const {
-    const ContactRecord& r = records[k];
-    auto frame = kernel::frame(r);
-    auto w = kernel::wrench(r, frame, kernel::pointForces(r, kernel::pointMotion(r, frame, motion)));
-    return {w.force, w.torque, frame.armA, frame.armB};
-  }
-  // Exact: open points are searched for; near ones do not count as closed.
-  StiffReaction reactStiff(std::size_t k, const SolveMotion* motion, bool exact) const {
-    const ContactRecord& r = records[k];
-    auto frame = kernel::frame(r);
-    auto f = kernel::pointForces(r, kernel::pointMotion(r, frame, motion));
-    auto w = kernel::wrench(r, frame, f);
-    return {{w.force, w.torque, frame.armA, frame.armB}, kernel::stiffness(r, frame, f, exact)};
-  }
 
  private:
   bool renewNewPoints(std::size_t k, const SolveMotion* motion, float slack, bool over);

@@ -119,7 +119,7 @@ TEST(Rows, WhatHasOpenedSinceItWasFirstReadHoldsNothing) {
   lab.prepare();
   ContactRows& rows = lab.island().rows.contacts;
   SolveMotion* motion = lab.island().motion.data();
-  ContactRecord& r = rows.records[0];
+  FaceRecord& r = rows.records[0];
   r.newPoints = 0b0111;  // three that carried nothing before the step, and one that did
   for (float& limit : r.limit) limit = 5;
   motion[0] = {};
