@@ -39,6 +39,7 @@ class ContactSet {
   template <class Leaves> void sleepWhere(Leaves leaves) { movePairs(pairs, asleep, leaves); }
   template <class Wakes> void wakeWhere(Wakes wakes) { movePairs(asleep, pairs, wakes); }
   void dropOf(BodyIndex body);
+  void displace(BodyIndex body) { dropOf(body); }  // its pairs are found anew
   bool mayCollide(BodyIndex, BodyIndex) const { return true; }
   void renewConstants(BodyIndex body, const ShapeSet& shapes, const BodySet& bodies);
   void beginStep();  // no contact is struck

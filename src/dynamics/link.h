@@ -47,8 +47,10 @@ concept TieSet = requires(Set& set, const Set& seen, BodyIndex body, std::uint32
   // Ties whose bodies fulfil test(a, b) fall asleep, or wake.
   set.sleepWhere(test);
   set.wakeWhere(test);
-  // The body goes, or is put elsewhere: its ties end.
+  // The body goes: its ties end.
   set.dropOf(body);
+  // The body is put elsewhere, or its type or centre of mass changes: ties end that stand on its place, as contacts do.
+  set.displace(body);
   // Whether the set lets shapes of these two bodies touch.
   { seen.mayCollide(body, body) } -> std::same_as<bool>;
   // The body's material has changed, and with it perhaps its mass.

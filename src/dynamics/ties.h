@@ -52,6 +52,10 @@ class Ties {
   void dropOf(BodyIndex body) {
     eachKind([&](auto& set) { set.dropOf(body); });
   }
+  // The body is put elsewhere, or its type or centre of mass changes.
+  void displace(BodyIndex body) {
+    eachKind([&](auto& set) { set.displace(body); });
+  }
   // Whether shapes of these two bodies may touch: not where a tie forbids it.
   bool mayCollide(BodyIndex a, BodyIndex b) const {
     return !any([&](const auto& set) { return !set.mayCollide(a, b); });

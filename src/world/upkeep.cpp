@@ -58,7 +58,7 @@ void Upkeep::push(const std::vector<BodyIndex>& pieces, Vec3 at, Vec3 force, Vec
 
 void Upkeep::setType(BodyIndex body, BodyType type) {
   wakeIslandOf(body);
-  endTiesOf(body);
+  displace(body);
   activity_.delist(registry_.bodies, body);
   registry_.setType(body, type);
   renewProxies(body);
@@ -68,7 +68,7 @@ void Upkeep::setType(BodyIndex body, BodyType type) {
 
 void Upkeep::setPose(BodyIndex body, Vec3 position, Quat rotation) {
   disturb(body);
-  endTiesOf(body);
+  displace(body);
   registry_.setPose(body, position, rotation);
   renewProxies(body);
 }
@@ -80,7 +80,7 @@ void Upkeep::setMaterial(ShapeIndex shape, const Material& material) {
   wakeTied(body);  // of a fixed body, too
   // Anchors of contacts are measured from the centre of mass.
   if (registry_.setMaterial(shape, material)) {
-    endTiesOf(body);
+    displace(body);
     renewProxies(body);
   }
   ties_.renewConstants(body, registry_.shapes, registry_.bodies);
@@ -110,6 +110,16 @@ void Upkeep::renewProxies(BodyIndex body) {
 void Upkeep::endTiesOf(BodyIndex body) {
   wakeTied(body);
   ties_.dropOf(body);
+  tiesEnded(body);
+}
+
+void Upkeep::displace(BodyIndex body) {
+  wakeTied(body);
+  ties_.displace(body);
+  tiesEnded(body);
+}
+
+void Upkeep::tiesEnded(BodyIndex body) {
   diary_.endTouchingOf(body, registry_);
   activity_.membershipChanged = true;
 }

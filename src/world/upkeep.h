@@ -33,7 +33,9 @@ class Upkeep {
   // A force and a torque about `at` for the coming step, shared by dynamic pieces so that they gain speed as one rigid
   // body would.
   void push(const std::vector<BodyIndex>& pieces, Vec3 at, Vec3 force, Vec3 torque);
-  void endTiesOf(BodyIndex body);
+  void endTiesOf(BodyIndex body);  // of a body that goes
+  void displace(BodyIndex body);   // a body that is put elsewhere, or becomes another: ties to its place end
+  void tiesEnded(BodyIndex body);
   void renewProxies(BodyIndex body);
   void wakeTied(BodyIndex body);  // sleeping islands that something ties to the body
   void wakeIsland(std::size_t asleepIndex);
