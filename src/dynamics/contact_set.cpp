@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/keep_room.h"
+#include "dynamics/shape_set.h"
 
 namespace brickfall {
 
@@ -11,13 +12,37 @@ void ContactSet::strike(ContactIndex contact) {
   contacts[contact].struck = touchingChanged = true;
   struck.push_back(contact);
 }
-void ContactSet::endStrikes() {
+void ContactSet::beginStep() {
   for (ContactIndex contact : struck) {
     contacts[contact].struck = false;
     for (int i = 0; i < 4; i++) endHit(contacts[contact].points, i);
   }
   touchingChanged = touchingChanged || !struck.empty();
   struck.clear();
+}
+
+void ContactSet::dropOf(BodyIndex body) {
+  for (auto* list : {&pairs, &asleep})
+    std::erase_if(*list, [&](const CandidatePair& pair) {
+      if (pair.bodyA != body && pair.bodyB != body) return false;
+      if (pair.contact != kNoIndex) destroy(pair.contact);
+      return true;
+    });
+}
+
+void takeConstants(Contact& c, const ShapeSet& shapes, const BodySet& bodies) {
+  const Material &a = shapes.data[c.shapeA].def.material, &b = shapes.data[c.shapeB].def.material;
+  c.friction = float(mixFriction(a, b));
+  c.restitution = float(mixRestitution(a, b));
+  c.effectiveMass = float(1 / (bodies.mass[c.bodyA].invMass + bodies.mass[c.bodyB].invMass));
+}
+
+void ContactSet::renewConstants(BodyIndex body, const ShapeSet& shapes, const BodySet& bodies) {
+  auto renew = [&](const Link& link) {
+    if (link.names(body)) takeConstants(contacts[link.index], shapes, bodies);
+  };
+  eachAwake(renew);
+  eachAsleep(renew);
 }
 
 ContactIndex ContactSet::create() {

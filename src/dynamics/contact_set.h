@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "dynamics/contact.h"
+#include "dynamics/link.h"
 
 namespace brickfall {
 
@@ -24,17 +25,31 @@ class ContactSet {
  public:
   ContactIndex create();
   void destroy(ContactIndex contact);
-  // An impact of this step; and the next one begins.
+  // An impact of this step.
   void strike(ContactIndex contact);
-  void endStrikes();
   const std::vector<ContactIndex>& unused() const { return free_; }
   // Takes in pairs, sorted; those that are known stay as they are.
   void insert(const std::vector<CandidatePair>& found);
-  // Moves the pairs that fulfil `leaves` from `pairs` to `asleep`, or back.
-  template <class Condition> void moveToSleep(Condition leaves) { movePairs(pairs, asleep, leaves); }
-  template <class Condition> void moveFromSleep(Condition leaves) { movePairs(asleep, pairs, leaves); }
-  // Makes room ahead of a step, so that the step itself takes no memory.
+
+  // --- functions of every kind of tie (link.h). Pairs without points sleep and go as those with a contact do.
+  static constexpr LinkKind kLink = LinkKind::contact;
+  template <class Visit> void eachAwake(Visit&& visit) const { eachLink(pairs, visit); }
+  template <class Visit> void eachAsleep(Visit&& visit) const { eachLink(asleep, visit); }
+  bool anyAsleep() const { return !asleep.empty(); }
+  template <class Leaves> void sleepWhere(Leaves leaves) { movePairs(pairs, asleep, leaves); }
+  template <class Wakes> void wakeWhere(Wakes wakes) { movePairs(asleep, pairs, wakes); }
+  void dropOf(BodyIndex body);
+  void displace(BodyIndex body) { dropOf(body); }  // its pairs are found anew
+  bool mayCollide(BodyIndex, BodyIndex) const { return true; }
+  void renewConstants(BodyIndex body, const ShapeSet& shapes, const BodySet& bodies);
+  void beginStep();  // no contact is struck
   void keepRoom(std::size_t shapes);
+  void hash(Mix& h, ContactIndex contact) const;
+  void archive(WriteArchive& a) const;
+  void archive(ReadArchive& a);
+  void checkStructure(Findings& f, const BodySet& bodies, const ShapeSet& shapes) const;
+  void checkRanges(Findings& f) const;
+  void check(Findings& f, const BodySet& bodies, const ShapeSet& shapes) const;
 
   std::vector<CandidatePair> pairs;   // of which at least one body is awake, sorted
   std::vector<CandidatePair> asleep;  // both asleep or fixed, sorted
@@ -45,14 +60,17 @@ class ContactSet {
   bool touchingChanged = true;       // which contacts press changed since the events were collected
 
  private:
-  friend class SnapshotArchive;
-
+  template <class Archive, class Set> static void archiveAll(Archive& a, Set& set);
+  template <class Visit> static void eachLink(const std::vector<CandidatePair>& list, Visit& visit) {
+    for (const CandidatePair& pair : list)
+      if (pair.contact != kNoIndex) visit(Link{pair.bodyA, pair.bodyB, kLink, pair.contact});
+  }
   template <class Condition>
   void movePairs(std::vector<CandidatePair>& from, std::vector<CandidatePair>& to, Condition leaves) {
     moved_.clear();
     std::size_t kept = 0;
     for (const CandidatePair& pair : from) {
-      if (leaves(pair))
+      if (leaves(pair.bodyA, pair.bodyB))
         moved_.push_back(pair);
       else
         from[kept++] = pair;
@@ -65,5 +83,10 @@ class ContactSet {
   std::vector<ContactIndex> free_;
   std::vector<CandidatePair> moved_;  // scratch
 };
+
+// Constants that a contact takes from its shapes and bodies: friction, restitution, effective mass.
+void takeConstants(Contact& c, const ShapeSet& shapes, const BodySet& bodies);
+// What a contact remembers, without its geometry.
+void mix(Mix& h, const Contact& c);
 
 }  // namespace brickfall

@@ -18,7 +18,7 @@ typedef std::int32_t M __attribute__((vector_size(16)));  // lanes all ones or a
 
 typedef float Stored __attribute__((vector_size(16), may_alias));
 
-// Inlined always: a file that is compiled for more than plain x86-64 (solver/contact/pairs_avx2.cpp) must not leave copies
+// Inlined always: a file that is compiled for more than plain x86-64 (solver/face/pairs_avx2.cpp) must not leave copies
 // of them behind that others would be linked to.
 #define BRICKFALL_LANES inline __attribute__((always_inline))
 

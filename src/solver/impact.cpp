@@ -103,7 +103,7 @@ bool touchesNothing(const Island& island, const StepContext& context) {
   return none;
 }
 
-void leaveOut(Island& island, Ties ties, const StepContext& context) {
+void leaveOut(Island& island, Ties& ties, const StepContext& context) {
   island.rows.eachKind([&](auto& kind) { kind.leaveOut(ties, context); });
 }
 
@@ -113,8 +113,8 @@ double firstClosing(const Island& island, double dt, const StepContext& context)
   return first;
 }
 
-bool solveImpact(Island& island, Ties ties, BodySet& bodies, StepContext& context, double blink,
-                 SolveStatistics& statistics, std::pmr::vector<ContactImpact>& impacts) {
+bool solveImpact(Island& island, Ties& ties, BodySet& bodies, StepContext& context, double blink,
+                 SolveStatistics& statistics, std::pmr::vector<TieImpact>& impacts) {
   TiesMemory remembered(island, ties);
   island.plan = planFor(findFacts(island, context), context.settings, island.dt);
   goOnFreely(island, bodies, context);

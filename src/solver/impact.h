@@ -14,7 +14,7 @@ bool mayClose(const Island& island, const StepContext& context, double ahead);
 // No tie carried force in the last step, and every point is open.
 bool touchesNothing(const Island& island, const StepContext& context);
 // For prepared rows of an island: its open points carry nothing in the coming solve, and stay as fresh as they were.
-void leaveOut(Island& island, Ties ties, const StepContext& context);
+void leaveOut(Island& island, Ties& ties, const StepContext& context);
 // In how many s the island's first open point closes; infinity if none does. By StepContext::solved, the island's
 // motion over `dt` s as if its open points were not there.
 double firstClosing(const Island& island, double dt, const StepContext& context);
@@ -23,7 +23,7 @@ double firstClosing(const Island& island, double dt, const StepContext& context)
 // closed if it is nearer than 20 micrometres, or than its approach takes it in `blink` s. Points that are hit are fresh
 // afterwards. Returns false, and changes nothing, if its solve left more than a hundredth of the forces unbalanced, or
 // if energy would rise.
-bool solveImpact(Island& island, Ties ties, BodySet& bodies, StepContext& context, double blink,
-                 SolveStatistics& statistics, std::pmr::vector<ContactImpact>& impacts);
+bool solveImpact(Island& island, Ties& ties, BodySet& bodies, StepContext& context, double blink,
+                 SolveStatistics& statistics, std::pmr::vector<TieImpact>& impacts);
 
 }  // namespace brickfall

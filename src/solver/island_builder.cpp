@@ -12,7 +12,7 @@ namespace brickfall {
 namespace {
 
 // Partners, and the rows' body numbers.
-void numberBodies(Island& island, const BodySet& bodies, Ties ties, std::pmr::vector<std::uint32_t>& localOf) {
+void numberBodies(Island& island, const BodySet& bodies, Ties& ties, std::pmr::vector<std::uint32_t>& localOf) {
   for (std::size_t i = 0; i < island.bodies.size(); i++) localOf[island.bodies[i]] = std::uint32_t(i);
   island.partners.clear();
   auto number = [&](BodyIndex body) {
@@ -42,10 +42,10 @@ void IslandSet::keepRoom(std::size_t dynamicBodies) {
   keepRoomFor(single, dynamicBodies);
 }
 
-void buildIslands(IslandSet& islands, Ties ties, const StepContext& context,
+void buildIslands(IslandSet& islands, Ties& ties, const StepContext& context,
                   const std::vector<BodyIndex>& awakeBodies) {
   const BodySet& bodies = *context.bodies;
-  const LinkSet links(*context.contacts);
+  const Ties& links = ties;
   auto dynamic = [&](BodyIndex body) { return bodies.data[body].type == BodyType::dynamic; };
   std::pmr::memory_resource* memory = context.memory;
   UnionFind join(bodies.slots(), memory);

@@ -26,7 +26,8 @@ struct IslandSet {
 
 // Joins awake bodies by their links. An island with the bodies and ties of an old one stays the old object, with its
 // hierarchy.
-void buildIslands(IslandSet& islands, Ties ties, const StepContext& context, const std::vector<BodyIndex>& awakeBodies);
+void buildIslands(IslandSet& islands, Ties& ties, const StepContext& context,
+                  const std::vector<BodyIndex>& awakeBodies);
 
 // Makes the hierarchy of an island anew if its ties have changed.
 void updateHierarchy(Island& island, const StepContext& context);

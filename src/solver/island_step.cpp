@@ -13,7 +13,7 @@
 
 namespace brickfall {
 
-void prepareIsland(Island& island, Ties ties, BodySet& bodies, StepContext& context) {
+void prepareIsland(Island& island, Ties& ties, BodySet& bodies, StepContext& context) {
   if (island.settled()) {
     island.ending = IslandEnding::settled;
     return;
@@ -44,7 +44,7 @@ void solveIsland(Island& island, const StepContext& context, SolveStatistics& st
   runCycles(island, context, statistics);
 }
 
-void storeIsland(Island& island, Ties ties, StepContext& context) {
+void storeIsland(Island& island, Ties& ties, StepContext& context) {
   if (island.settled()) return;
   if (island.part == IslandPart::flight) {
     for (BodyIndex body : island.bodies) storeFreeBody(body, island.dt, context);
@@ -62,7 +62,7 @@ double balanceIsland(const Island& island, StepContext& context) {
   return checkEnergy(island, context);
 }
 
-void stepIsland(Island& island, IslandPart part, double dt, Ties ties, BodySet& bodies, StepContext& context,
+void stepIsland(Island& island, IslandPart part, double dt, Ties& ties, BodySet& bodies, StepContext& context,
                 SolveStatistics& statistics) {
   island.part = part;
   island.dt = dt;

@@ -11,7 +11,7 @@
 namespace brickfall {
 
 // Facts and plan; kinetic damping; where each body would go if nothing touched it; from ties to the rows of the solve.
-void prepareIsland(Island& island, Ties ties, BodySet& bodies, StepContext& context);
+void prepareIsland(Island& island, Ties& ties, BodySet& bodies, StepContext& context);
 
 // Whether last step's forces balance without motion: Island::ending.
 void restIsland(Island& island, StepContext& context);
@@ -21,13 +21,13 @@ void restIsland(Island& island, StepContext& context);
 void solveIsland(Island& island, const StepContext& context, SolveStatistics& statistics);
 
 // Forces go to the ties, motions to StepContext::solved, those of free flight and of bodies alone to second order.
-void storeIsland(Island& island, Ties ties, StepContext& context);
+void storeIsland(Island& island, Ties& ties, StepContext& context);
 
 // The last check, once, after every other change of the motion. Returns the energy that it took, J.
 double balanceIsland(const Island& island, StepContext& context);
 
 // All stages, one after the other, for a part of `dt` s. Moves no body: StepContext::solved says where the part leads.
-void stepIsland(Island& island, IslandPart part, double dt, Ties ties, BodySet& bodies, StepContext& context,
+void stepIsland(Island& island, IslandPart part, double dt, Ties& ties, BodySet& bodies, StepContext& context,
                 SolveStatistics& statistics);
 
 }  // namespace brickfall

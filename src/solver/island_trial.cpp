@@ -2,13 +2,14 @@
 
 namespace brickfall {
 
-TiesMemory::TiesMemory(const Island& island, Ties ties) : rows_(island.rows), ties_(ties), memory_(island.memory) {
+TiesMemory::TiesMemory(const Island& island, Ties& ties)
+    : rows_(island.rows), ties_(ties), memory_(Rows::memoryFrom(island.memory)) {
   rows_.remember(ties_, memory_);
 }
 
 void TiesMemory::restore() const { rows_.restore(ties_, memory_); }
 
-IslandTrial::IslandTrial(Island& island, Ties ties, BodySet& bodies)
+IslandTrial::IslandTrial(Island& island, Ties& ties, BodySet& bodies)
     : island_(island), bodies_(bodies), ties_(island, ties), states_(island.memory), fields_(fieldsOf(island)) {
   for (BodyIndex body : island.bodies) states_.emplace_back(bodies.motion[body], bodies.data[body]);
 }

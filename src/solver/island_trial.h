@@ -16,18 +16,18 @@ namespace brickfall {
 // What the ties of an island remember.
 class TiesMemory {
  public:
-  TiesMemory(const Island& island, Ties ties);
+  TiesMemory(const Island& island, Ties& ties);
   void restore() const;
 
  private:
   const Rows& rows_;
-  Ties ties_;
+  Ties& ties_;
   Rows::Memory memory_;
 };
 
 class IslandTrial {
  public:
-  IslandTrial(Island& island, Ties ties, BodySet& bodies);
+  IslandTrial(Island& island, Ties& ties, BodySet& bodies);
   // To be called as long as the island has the same bodies and ties.
   void restore() const;
 

@@ -59,7 +59,7 @@ void prepareBodies(Island& island, const StepContext& context) {
   }
 }
 
-void prepareRows(Island& island, Ties ties, const StepContext& context) {
+void prepareRows(Island& island, Ties& ties, const StepContext& context) {
   island.rows.eachKind([&](auto& kind) { kind.prepare(island, ties, context); });
 }
 

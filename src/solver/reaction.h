@@ -19,6 +19,28 @@ struct RowGrip {
   double friction = 0;
 };
 
+// How velocities of a body change; zero for a fixed body.
+struct VelocityChange {
+  Vec3 move, turn;  // m/s of the centre of mass; rad/s
+};
+// Of the two bodies of a row.
+struct EndChanges {
+  VelocityChange a, b;
+};
+
+// How the forces of a row go through a step, by the change of its bodies' velocities.
+enum class RowCourse : std::uint8_t {
+  idle,    // it carries none
+  goesOn,  // they go on as they are
+  changes  // they begin or end within the step
+};
+
+// N, sums over rows: friction along a direction.
+struct FrictionAlong {
+  double limit = 0;  // the largest that the rows allow
+  double given = 0;  // that acted on the body
+};
+
 // From the bodies' centres of mass to the row's centre.
 struct Arms {
   wide::V a, b;

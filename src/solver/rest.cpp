@@ -27,7 +27,7 @@ void dampSlowIsland(const Island& island, const StepContext& context, BodySet& b
   if (island.plan.alone && island.slipWork >= kSlide * lost) return;
   // A body that nothing presses on has no part in a vibration: it falls.
   std::pmr::vector<char> touched(island.memory);
-  findTouched(island, touched, [&](const auto& kind, std::size_t k) { return kind.carriesForce(k, context); });
+  findTouched(island, touched, [&](const auto& kind, std::size_t k) { return kind.ties(k, context); });
   const Vec3 left =
       slideLeft(island, touched, context, [&](BodyIndex body) { return bodies.motion[body].linearVelocity; });
   for (std::size_t i = 0; i < island.bodies.size(); i++) {

@@ -89,13 +89,12 @@ Wrench RowForces::readBoundary(const Level& level, const Cluster& cluster, bool 
     const std::uint32_t* stop = Rows::kKinds == 1 ? end : std::lower_bound(part.sides, end, 2 * endRow);
     part.count = std::uint32_t(stop - part.sides);
     if (part.count > 0) kind.sumBoundary(part, sums);
+    statistics_.solveSides += kind.kPoints * part.count;
     part.sides = stop;
     part.trial += part.count;
     part.firstRow = endRow;
   });
-  const std::uint32_t sides = cluster.sideEnd - cluster.sideBegin;
-  sidesRead_ += sides;
-  statistics_.solveSides += 4.0 * sides;
+  sidesRead_ += cluster.sideEnd - cluster.sideBegin;
   return {wide::store3(sums.force), wide::store3(sums.torque)};
 }
 

@@ -1,20 +1,21 @@
 // The ties between the bodies of an island, as the solve reads them: rows, a list for each kind of tie.
 //
-// A kind is a folder (contact/): its list with the functions that every kind has (contact/rows.h names them), the
+// A kind is a folder (contact/): its list with the functions that every kind has (row_kind.h names them), the
 // record that the solve reads, its law, its preparing and storing, its energy. It joins the solve as a member of Rows,
 // named in kinds(). Code that walks rows (cycles, direct solve, flight, hierarchies) never asks for their kind. The
 // list of kinds is closed and known to the compiler: no virtual calls, and a row's arithmetic stays in its loop. How a
 // kind lays out its records is its own affair. A row may be a lane of a pack of several, since nobody but the kind
-// reads them.
-// kind reads them.
+// reads them: `rows.contacts` stands in contact/ alone (tools/rules/kinds.py).
 //
 // Rows are numbered through all kinds, in the order of the members; side 2 x row + end is one body's end of a row.
 #pragma once
 #include <array>
 #include <tuple>
+#include <utility>
 
-#include "dynamics/link_set.h"
+#include "dynamics/ties.h"
 #include "solver/contact/rows.h"
+#include "solver/row_kind.h"
 
 namespace brickfall {
 
@@ -87,13 +88,51 @@ struct Rows {
     const auto& kind = std::get<i>(kinds());
     return k < kind.size() && kind.indexOf(k) == link.index;
   }
+  // J: elastic energy that a tie holds, of whatever kind.
+  template <std::size_t i = 0> static double elasticEnergy(const Link& link, const StepContext& context) {
+    using Kind = std::remove_cvref_t<decltype(std::get<i>(std::declval<Rows&>().kinds()))>;
+    if constexpr (i + 1 < kKinds)
+      if (std::size_t(link.kind) != i) return elasticEnergy<i + 1>(link, context);
+    return Kind::elasticEnergy(link.index, context);
+  }
+  // Points of all rows, and how many there can be at most.
+  PointCount countPoints(const Ties& ties) const {
+    PointCount sum;
+    eachKind([&](const auto& kind) {
+      const PointCount of = kind.countPoints(ties);
+      sum.all += of.all;
+      sum.touching += of.touching;
+    });
+    return sum;
+  }
+  double mostPoints() const {
+    double most = 0;
+    eachKind([&](const auto& kind) { most += kind.kPoints * double(kind.size()); });
+    return most;
+  }
+  // visit(contact): the manifolds that rows stand on.
+  template <class Visit> void eachManifold(Visit&& visit) const {
+    eachKind([&](const auto& kind) { kind.eachManifold(visit); });
+  }
+  // Bytes of a row by kind: builds with another memory layout do not read each other's snapshots.
+  static constexpr std::uint32_t recordSize() {
+    return []<class... Kinds>(const std::tuple<Kinds&...>*) {
+      return (std::uint32_t(Kinds::kRecordSize) + ...);
+    }(static_cast<decltype(std::declval<Rows&>().kinds())*>(nullptr));
+  }
   // The memory of all ties, by kind; restore puts it back, whatever a trial has made of it (island_trial.h).
   using Memory = std::tuple<ContactRows::Memory>;
-  template <std::size_t i = 0> void remember(Ties ties, Memory& out) const {
+  static Memory memoryFrom(std::pmr::memory_resource* from) {
+    return [from]<std::size_t... i>(std::index_sequence<i...>) {
+      return Memory{std::tuple_element_t<i, Memory>(from)...};
+    }
+    (std::make_index_sequence<kKinds>());
+  }
+  template <std::size_t i = 0> void remember(const Ties& ties, Memory& out) const {
     std::get<i>(kinds()).remember(ties, std::get<i>(out));
     if constexpr (i + 1 < kKinds) remember<i + 1>(ties, out);
   }
-  template <std::size_t i = 0> void restore(Ties ties, const Memory& memory) const {
+  template <std::size_t i = 0> void restore(Ties& ties, const Memory& memory) const {
     std::get<i>(kinds()).restore(ties, std::get<i>(memory));
     if constexpr (i + 1 < kKinds) restore<i + 1>(ties, memory);
   }
@@ -104,7 +143,10 @@ struct Rows {
     return true;
   }
 };
-static_assert(std::tuple_size_v<decltype(std::declval<Rows&>().kinds())> == kLinkKinds,
-              "a kind of link is a kind of row");
+// Each kind of link is a kind of row.
+template <class... Kinds> constexpr bool areRowKinds(const std::tuple<Kinds&...>*) {
+  return sizeof...(Kinds) == kLinkKinds && (isRowKind<Kinds>() && ...);
+}
+static_assert(areRowKinds(static_cast<decltype(std::declval<Rows&>().kinds())*>(nullptr)));
 
 }  // namespace brickfall

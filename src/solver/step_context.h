@@ -7,7 +7,7 @@
 #include "brickfall/integrators.h"
 #include "brickfall/solver_settings.h"
 #include "dynamics/body_set.h"
-#include "dynamics/contact_set.h"
+#include "dynamics/ties.h"
 #include "solver/scale.h"
 
 namespace brickfall {
@@ -113,11 +113,6 @@ struct SolveStatistics {
   }
 };
 
-// All ties between bodies, by kind: for code that changes their memory. All other code sees them through StepContext.
-struct Ties {
-  ContactSet& contacts;
-};
-
 struct StepContext {
   double dt = 0;
   double part = 1;     // dt / dt of the substep that this step is a part of (heavy_hits.h)
@@ -128,7 +123,7 @@ struct StepContext {
   SolverSettings settings;
   Integrator integrator = Integrator::splitting;  // of bodies without contacts
   const BodySet* bodies = nullptr;                // code that changes bodies is handed them besides
-  const ContactSet* contacts = nullptr;
+  const Ties* ties = nullptr;                     // code that changes what ties remember, likewise
   std::pmr::memory_resource* memory = std::pmr::get_default_resource();  // for all scratch of a step
   std::vector<FreeMotion> free;                                          // by body slot
   std::vector<SolvedMotion> solved;                                      // by body slot

@@ -3,9 +3,9 @@
 #pragma once
 #include <vector>
 
+#include "base/findings.h"
 #include "dynamics/body_set.h"
 #include "solver/island_builder.h"
-#include "world/findings.h"
 
 namespace brickfall {
 
@@ -39,10 +39,10 @@ class Activity {
 
   void keepRoom(std::size_t dynamicBodies, std::size_t slots);
 
-  // No body and no contact appeared or went since the islands were built.
-  bool current(const ContactSet& contacts) const { return !contacts.changed && !membershipChanged; }
-  void checkStructure(Findings& f, const BodySet& bodies, const ContactSet& contacts) const;
-  void check(Findings& f, const BodySet& bodies, const ContactSet& contacts) const;
+  // No body and no tie appeared or went since the islands were built.
+  bool current(const Ties& ties) const { return !ties.changed() && !membershipChanged; }
+  void checkStructure(Findings& f, const BodySet& bodies, const Ties& ties) const;
+  void check(Findings& f, const BodySet& bodies, const Ties& ties) const;
 };
 
 }  // namespace brickfall

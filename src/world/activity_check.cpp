@@ -54,8 +54,8 @@ void checkHierarchy(Findings& f, const Hierarchy& h, const Island& island, const
 
 class StructureCheck {
  public:
-  StructureCheck(Findings& f, const Activity& activity, const BodySet& bodies, const ContactSet& contacts)
-      : f_(f), a_(activity), bodies_(bodies), contacts_(contacts) {}
+  StructureCheck(Findings& f, const Activity& activity, const BodySet& bodies, const Ties& ties)
+      : f_(f), a_(activity), bodies_(bodies), ties_(ties) {}
 
   void run() {
     for (BodyIndex b : a_.awake) f_.expect(is(b, BodyType::dynamic), "awake: not a dynamic body");
@@ -63,7 +63,7 @@ class StructureCheck {
     f_.expect(isAscending(a_.awake) && isAscending(a_.moving), "awake or moving: not sorted");
     for (const auto* list : {&a_.islands.awake, &a_.islands.asleep})
       for (const auto& island : *list) {
-        checkIsland(*island, list == &a_.islands.asleep || a_.current(contacts_));
+        checkIsland(*island, list == &a_.islands.asleep || a_.current(ties_));
         if (f_.any()) return;
       }
     for (BodyIndex b : a_.islands.single)
@@ -81,22 +81,9 @@ class StructureCheck {
 
   void checkIsland(const Island& island, bool current) {
     f_.expect(!island.bodies.empty() && isAscending(island.bodies), "islands: bodies not sorted, or none");
-    bool sized = island.rows.contacts.records.size() == island.rows.contacts.contactOf.size() &&
-                 island.rows.contacts.starts.size() == island.rows.contacts.contactOf.size();
-    f_.expect(sized, "islands: lists of different lengths");
     for (BodyIndex b : island.bodies) f_.expect(is(b, BodyType::dynamic), "islands: not a dynamic body");
     for (BodyIndex b : island.partners) f_.expect(bodies_.alive(b), "islands: a partner that is not there");
-    for (ContactIndex c : island.rows.contacts.contactOf)
-      f_.expect(c < contacts_.contacts.size(), "islands: a contact that is not there");
-    if (f_.any()) return;
-    for (std::size_t k = 0; current && k < island.rows.contacts.contactOf.size(); k++) {
-      const Contact& c = contacts_.contacts[island.rows.contacts.contactOf[k]];
-      f_.expect(bodies_.alive(c.bodyA) && bodies_.alive(c.bodyB) && c.count >= 1 && c.count <= 4,
-                "islands: a contact of other bodies, or of none");
-    }
-    std::size_t all = island.bodies.size() + island.partners.size();
-    for (const ContactRecord& r : island.rows.contacts.records)
-      f_.expect(r.bodyA < all && r.bodyB < all, "islands: a record names no body");
+    island.rows.eachKind([&](const auto& kind) { kind.checkStructure(f_, island, ties_, bodies_, current); });
     if (f_.any()) return;
     checkHierarchy(f_, island.hierarchy, island, "hierarchy");
   }
@@ -104,17 +91,17 @@ class StructureCheck {
   Findings& f_;
   const Activity& a_;
   const BodySet& bodies_;
-  const ContactSet& contacts_;
+  const Ties& ties_;
 };
 
 class LinkCheck {
  public:
-  LinkCheck(Findings& f, const Activity& activity, const BodySet& bodies, const ContactSet& contacts)
+  LinkCheck(Findings& f, const Activity& activity, const BodySet& bodies, const Ties& ties)
       : f_(f),
         a_(activity),
         bodies_(bodies),
-        contacts_(contacts),
-        current_(activity.current(contacts)),
+        ties_(ties),
+        current_(activity.current(ties)),
         islandOf_(bodies.slots(), kNoIndex) {}
 
   void run() {
@@ -163,32 +150,16 @@ class LinkCheck {
     }
     islands_.push_back(&island);
     bool fine = island.points >= island.touchingPoints && island.touchingPoints >= 0 &&
-                std::size_t(island.points) <= 4 * island.rows.contacts.contactOf.size() && island.inPlaceTime >= 0 &&
-                island.restTime >= 0;
+                island.points <= island.rows.mostPoints() && island.inPlaceTime >= 0 && island.restTime >= 0;
     f_.expect(fine, "islands: a count or a time is wrong");
     for (BodyIndex body : island.partners) f_.expect(!dynamic(body), "islands: a partner is a dynamic body");
-    for (std::size_t k = 0; k < island.rows.contacts.contactOf.size(); k++) {
-      // Until islands are built anew, a contact's slot may be empty or belong to another contact.
-      const Contact& c = contacts_.contacts[island.rows.contacts.contactOf[k]];
-      bool ours = c.count > 0 && !c.born;
-      f_.expect(ours || (!asleep && !current_), "islands: a contact is gone");
-      const ContactRecord& r = island.rows.contacts.records[k];
-      if (ours)
-        f_.expect(bodyOf(island, r.bodyA) == c.bodyA && bodyOf(island, r.bodyB) == c.bodyB,
-                  "islands: a record names other bodies than its contact");
-    }
-  }
-
-  static BodyIndex bodyOf(const Island& island, std::uint32_t local) {
-    std::size_t own = island.bodies.size();
-    return local < own ? island.bodies[local] : island.partners[local - own];
+    island.rows.eachKind([&](const auto& kind) { kind.check(f_, island, ties_, asleep || current_); });
   }
 
   // The rows of an island are the links of its bodies, kind by kind in the order of the links.
   void checkMembership() {
     std::size_t awakeCount = a_.islands.awake.size();
     std::vector<Rows::Counts> next(islands_.size());
-    const LinkSet links(contacts_);
     auto follow = [&](std::size_t first, std::size_t end) {
       return [this, &next, first, end](const Link& link) {
         std::uint32_t a = islandOf_[link.bodyA], b = islandOf_[link.bodyB], n = dynamic(link.bodyA) ? a : b;
@@ -203,10 +174,10 @@ class LinkCheck {
         f_.expect(next[n] == islands_[n]->rows.counts(), "islands: a row is of no link");
     };
     if (current_) {
-      links.eachAwake(follow(0, awakeCount));
+      ties_.eachAwake(follow(0, awakeCount));
       whole(0, awakeCount);
     }
-    links.eachAsleep(follow(awakeCount, islands_.size()));
+    ties_.eachAsleep(follow(awakeCount, islands_.size()));
     whole(awakeCount, islands_.size());
     std::vector<BodyIndex> single;
     for (BodyIndex i = 0; i < bodies_.slots(); i++) {
@@ -224,7 +195,7 @@ class LinkCheck {
   Findings& f_;
   const Activity& a_;
   const BodySet& bodies_;
-  const ContactSet& contacts_;
+  const Ties& ties_;
   bool current_;                         // islands match the contacts
   std::vector<std::uint32_t> islandOf_;  // by body, in islands_
   std::vector<const Island*> islands_;   // awake, then asleep
@@ -232,12 +203,12 @@ class LinkCheck {
 
 }  // namespace
 
-void Activity::checkStructure(Findings& f, const BodySet& bodies, const ContactSet& contacts) const {
-  StructureCheck(f, *this, bodies, contacts).run();
+void Activity::checkStructure(Findings& f, const BodySet& bodies, const Ties& ties) const {
+  StructureCheck(f, *this, bodies, ties).run();
 }
 
-void Activity::check(Findings& f, const BodySet& bodies, const ContactSet& contacts) const {
-  LinkCheck(f, *this, bodies, contacts).run();
+void Activity::check(Findings& f, const BodySet& bodies, const Ties& ties) const {
+  LinkCheck(f, *this, bodies, ties).run();
 }
 
 }  // namespace brickfall

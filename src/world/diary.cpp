@@ -12,11 +12,10 @@ ContactEvent byCreation(BodyPair pair, const Registry& registry) {
   return {registry.idOf(pair.first), registry.idOf(pair.second)};
 }
 
-void appendTouching(const Island& island, const ContactSet& contacts, BodyPairs& out) {
-  for (ContactIndex contact : island.rows.contacts.contactOf) {
-    const Contact& c = contacts.contacts[contact];
-    if (c.touching || c.struck) out.push_back({std::min(c.bodyA, c.bodyB), std::max(c.bodyA, c.bodyB)});
-  }
+void appendTouching(const Island& island, const Ties& ties, BodyPairs& out) {
+  island.rows.eachKind([&](const auto& kind) {
+    kind.eachTouching(ties, [&](BodyIndex a, BodyIndex b) { out.push_back({std::min(a, b), std::max(a, b)}); });
+  });
 }
 
 // Both lists of events keep their memory.
@@ -31,8 +30,8 @@ void Diary::tellPending() {
   pending.woke.clear();
 }
 
-void Diary::addTouching(const Island& island, const ContactSet& contacts) {
-  appendTouching(island, contacts, touchingBefore);
+void Diary::addTouching(const Island& island, const Ties& ties) {
+  appendTouching(island, ties, touchingBefore);
   std::sort(touchingBefore.begin(), touchingBefore.end());
   touchingBefore.erase(std::unique(touchingBefore.begin(), touchingBefore.end()), touchingBefore.end());
 }

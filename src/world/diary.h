@@ -34,7 +34,7 @@ class Diary {
   // Events of calls between the steps open the events of the next step.
   void tellPending();
   // Pairs of an island that wakes are looked for again; pairs of a body that is taken out end.
-  void addTouching(const Island& island, const ContactSet& contacts);
+  void addTouching(const Island& island, const Ties& ties);
   void endTouchingOf(BodyIndex body, const Registry& registry);
 
   // The ledger of a step, from the balance before the step.
@@ -49,6 +49,6 @@ class Diary {
 // Ordered by when the bodies were made: slots are used again, so their order does not tell.
 ContactEvent byCreation(BodyPair pair, const Registry& registry);
 // Pairs of bodies that press on each other; a pair comes once for each of its contacts.
-void appendTouching(const Island& island, const ContactSet& contacts, BodyPairs& out);
+void appendTouching(const Island& island, const Ties& ties, BodyPairs& out);
 
 }  // namespace brickfall

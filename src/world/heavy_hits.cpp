@@ -27,8 +27,8 @@ double thicknessAlong(const Shape& shape, Vec3 direction) {
 
 class HitSearch {
  public:
-  HitSearch(const Registry& registry, const Proximity& proximity, double dt)
-      : bodies_(registry.bodies), shapes_(registry.shapes), proximity_(proximity), dt_(dt) {}
+  HitSearch(const Registry& registry, const Proximity& proximity, const Ties& ties, double dt)
+      : bodies_(registry.bodies), shapes_(registry.shapes), proximity_(proximity), ties_(ties), dt_(dt) {}
 
   void look(BodyIndex body) {
     const BodyMotion& m = bodies_.motion[body];
@@ -41,6 +41,7 @@ class HitSearch {
       proximity_.broadPhase->query(sweptBounds(s, own), [&](std::uint32_t other) {
         const ShapeData& o = shapes_.data[other];
         if (o.body == body || !filtersAllow(s.def.filter, o.def.filter) || !isFarHeavier(body, o.body)) return true;
+        if (!ties_.mayCollide(body, o.body)) return true;
         const double gone = thicknessesWithin(body, o);
         if (gone > 0) mass += bodies_.mass[o.body].mass / double(bodies_.shapes[o.body].size());
         most = std::max(most, gone);
@@ -83,15 +84,17 @@ class HitSearch {
   const BodySet& bodies_;
   const ShapeSet& shapes_;
   const Proximity& proximity_;
+  const Ties& ties_;
   const double dt_;
   double thicknesses_ = 0;  // gone within the step, the most of all struck bodies
 };
 
 }  // namespace
 
-int partsForHits(const Registry& registry, const Activity& activity, const Proximity& proximity, double dt, int most) {
+int partsForHits(const Registry& registry, const Activity& activity, const Proximity& proximity, const Ties& ties,
+                 double dt, int most) {
   if (most == 1) return 1;
-  HitSearch search(registry, proximity, dt);
+  HitSearch search(registry, proximity, ties, dt);
   for (BodyIndex body : activity.awake) search.look(body);
   for (BodyIndex body : activity.moving) search.look(body);
   return int(std::ceil(std::clamp(search.thicknesses() / kHitWay, 1.0, double(most))));

@@ -1,5 +1,6 @@
 // In how many parts a step is made, so that nothing heavy goes right through a body that it hits within one part.
 #pragma once
+#include "dynamics/ties.h"
 #include "world/activity.h"
 #include "world/proximity.h"
 #include "world/registry.h"
@@ -9,6 +10,7 @@ namespace brickfall {
 // The number of parts, 1 .. `most`, for a step of `dt` s. In each part a body far heavier than one on its way goes at
 // most half through it. Contacts are found where a part begins: bodies that a struck body meets on its way out must
 // begin another.
-int partsForHits(const Registry& registry, const Activity& activity, const Proximity& proximity, double dt, int most);
+int partsForHits(const Registry& registry, const Activity& activity, const Proximity& proximity, const Ties& ties,
+                 double dt, int most);
 
 }  // namespace brickfall

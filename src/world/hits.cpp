@@ -6,15 +6,14 @@ namespace brickfall {
 
 namespace {
 
-HitEvent hitOf(const Registry& registry, const Contact& contact, const ContactRecord& record,
-               const ContactImpact& impact) {
+HitEvent hitOf(const Registry& registry, const TieImpact& impact) {
   const BodySet& bodies = registry.bodies;
   HitEvent hit;
-  hit.bodyA = registry.idOf(contact.bodyA);
-  hit.bodyB = registry.idOf(contact.bodyB);
-  hit.normalWorld = toDouble(record.n);
-  hit.pointWorld = bodies.motion[contact.bodyA].position + toDouble(record.armA);
-  if (bodies.data[contact.bodyB].order < bodies.data[contact.bodyA].order) {
+  hit.bodyA = registry.idOf(impact.bodyA);
+  hit.bodyB = registry.idOf(impact.bodyB);
+  hit.normalWorld = impact.normal;
+  hit.pointWorld = impact.point;
+  if (bodies.data[impact.bodyB].order < bodies.data[impact.bodyA].order) {
     std::swap(hit.bodyA, hit.bodyB);
     hit.normalWorld = -hit.normalWorld;
   }
@@ -25,14 +24,11 @@ HitEvent hitOf(const Registry& registry, const Contact& contact, const ContactRe
 
 }  // namespace
 
-void tellHits(const WorldDef& def, const Registry& registry, const Island& island,
-              const std::pmr::vector<ContactImpact>& impacts, const StepContext& context, std::vector<HitEvent>& out) {
-  for (const ContactImpact& impact : impacts) {
-    if (impact.speed < def.hitEventSpeed || impact.impulse < def.hitEventImpulse) continue;
-    const ContactIndex contact = island.rows.contacts.contactOf[impact.row];
-    out.push_back(
-        hitOf(registry, context.contacts->contacts[contact], island.rows.contacts.records[impact.row], impact));
-  }
+void tellHits(const WorldDef& def, const Registry& registry, const std::pmr::vector<TieImpact>& impacts,
+              std::vector<HitEvent>& out) {
+  for (const TieImpact& impact : impacts)
+    if (!(impact.speed < def.hitEventSpeed || impact.impulse < def.hitEventImpulse))
+      out.push_back(hitOf(registry, impact));
 }
 
 }  // namespace brickfall

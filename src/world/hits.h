@@ -4,13 +4,13 @@
 #include <vector>
 
 #include "brickfall/world.h"
-#include "solver/island.h"
+#include "solver/tie_report.h"
 #include "world/registry.h"
 
 namespace brickfall {
 
-// Hits of an island's impacts, as far as the world asks to hear of them.
-void tellHits(const WorldDef& def, const Registry& registry, const Island& island,
-              const std::pmr::vector<ContactImpact>& impacts, const StepContext& context, std::vector<HitEvent>& out);
+// Hits among impacts, as far as the world asks to hear of them.
+void tellHits(const WorldDef& def, const Registry& registry, const std::pmr::vector<TieImpact>& impacts,
+              std::vector<HitEvent>& out);
 
 }  // namespace brickfall

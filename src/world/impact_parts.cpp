@@ -27,14 +27,15 @@ bool isFoundExactly(ShapeType a, ShapeType b) {
   return (isRound(a) && (isRound(b) || b == ShapeType::box)) || (isRound(b) && a == ShapeType::box);
 }
 
-// test(geometry of A, geometry of B) for the contacts of an island, until one is true.
+// test(geometry of A, geometry of B) for the contacts of an island: whether one is true.
 template <class Test>
 bool anyPair(const Island& island, const ContactSet& contacts, const ShapeSet& shapes, Test test) {
-  const auto& all = island.rows.contacts.contactOf;
-  return std::any_of(all.begin(), all.end(), [&](ContactIndex contact) {
+  bool any = false;
+  island.rows.eachManifold([&](ContactIndex contact) {
     const Contact& c = contacts.contacts[contact];
-    return test(shapes.data[c.shapeA].geometry, shapes.data[c.shapeB].geometry);
+    any = any || test(shapes.data[c.shapeA].geometry, shapes.data[c.shapeB].geometry);
   });
+  return any;
 }
 
 }  // namespace
@@ -59,14 +60,14 @@ double ImpactParts::longest(const Island& island) const {
 }
 
 bool ImpactParts::foundExactly(const Island& island) const {
-  return !anyPair(island, *context_.contacts, registry_.shapes,
+  return !anyPair(island, context_.ties->contacts, registry_.shapes,
                   [](const Shape& a, const Shape& b) { return !isFoundExactly(a.type, b.type); });
 }
 
 // In the hollows of a mesh contacts come and go with each part: a body that spins there would sink deeper in parts than
 // in the whole step.
 bool ImpactParts::onMesh(const Island& island) const {
-  return anyPair(island, *context_.contacts, registry_.shapes, isMeshPair);
+  return anyPair(island, context_.ties->contacts, registry_.shapes, isMeshPair);
 }
 
 // Visible turn (rad) in a step at the present spin.
@@ -90,6 +91,7 @@ bool ImpactParts::runThrough(const Island& island, double dt, const Proximity& p
     proximity.broadPhase->query(sweptBounds(s, own), [&](std::uint32_t other) {
       const ShapeData& o = registry_.shapes.data[other];
       if (o.body == s.body || !filtersAllow(s.def.filter, o.def.filter)) return true;
+      if (!context_.ties->mayCollide(s.body, o.body)) return true;
       Sweep of = wayOf(o.body);
       met = coreWay(s, own, o, of) < 1 || (isDynamic(o.body) && coreWay(o, of, s, own) < 1);
       return !met;

@@ -1,6 +1,6 @@
 #include "world/ledger.h"
 
-#include "solver/contact/energy.h"
+#include "solver/rows.h"
 
 namespace brickfall {
 
@@ -25,16 +25,20 @@ void addBody(Balance& sum, const BodyMass& mass, Vec3 position, Vec3 velocity, V
   sum.kinetic += 0.5 * dot(velocity, momentum) + 0.5 * dot(spin, spinMomentum);
 }
 
-double elasticOf(const std::vector<CandidatePair>& pairs, const ContactSet& contacts, const StepContext& context) {
+double elasticAwake(const StepContext& context) {
   double sum = 0;
-  for (const CandidatePair& pair : pairs)
-    if (pair.contact != kNoIndex) sum += elasticEnergy(contacts.contacts[pair.contact], context);
+  context.ties->eachAwake([&](const Link& link) { sum += Rows::elasticEnergy(link, context); });
+  return sum;
+}
+double elasticAsleep(const StepContext& context) {
+  double sum = 0;
+  context.ties->eachAsleep([&](const Link& link) { sum += Rows::elasticEnergy(link, context); });
   return sum;
 }
 
-Balance balanceNow(const BodySet& bodies, const ContactSet& contacts, const StepContext& context) {
+Balance balanceNow(const BodySet& bodies, const StepContext& context) {
   Balance sum;
-  sum.elastic = elasticOf(contacts.pairs, contacts, context) + elasticOf(contacts.asleep, contacts, context);
+  sum.elastic = elasticAwake(context) + elasticAsleep(context);
   for (BodyIndex i = 0; i < bodies.slots(); i++) {
     if (!bodies.alive(i) || bodies.data[i].type != BodyType::dynamic) continue;
     const BodyMotion& m = bodies.motion[i];

@@ -12,7 +12,7 @@
 
 #include "brickfall/step_trace.h"
 #include "dynamics/body_set.h"
-#include "dynamics/contact_set.h"
+#include "dynamics/ties.h"
 
 namespace brickfall {
 
@@ -38,10 +38,11 @@ BalanceChange operator-(const BalanceChange& a, const BalanceChange& b);
 void operator+=(BalanceChange& a, const BalanceChange& b);
 
 void addBody(Balance& sum, const BodyMass& mass, Vec3 position, Vec3 velocity, Vec3 spin, Vec3 spinMomentum);
-// Elastic energy of the contacts of a list of pairs.
-double elasticOf(const std::vector<CandidatePair>& pairs, const ContactSet& contacts, const StepContext& context);
+// Elastic energy of the ties that are awake, and of those that sleep.
+double elasticAwake(const StepContext& context);
+double elasticAsleep(const StepContext& context);
 // Balance of all dynamic bodies, where they are.
-Balance balanceNow(const BodySet& bodies, const ContactSet& contacts, const StepContext& context);
+Balance balanceNow(const BodySet& bodies, const StepContext& context);
 // Balance of the awake bodies as the solve left them, where they are at the end of the step.
 Balance solvedBalance(const std::vector<BodyIndex>& awake, const BodySet& bodies, const StepContext& context);
 // Books on `cause` the changes of the solved motions.

@@ -342,13 +342,6 @@ int NarrowPhase::takeParts(CandidatePair* parts, int count, const MeshManifolds&
   return left;
 }
 
-void takeConstants(Contact& c, const ShapeSet& shapes, const BodySet& bodies) {
-  const Material &a = shapes.data[c.shapeA].def.material, &b = shapes.data[c.shapeB].def.material;
-  c.friction = float(mixFriction(a, b));
-  c.restitution = float(mixRestitution(a, b));
-  c.effectiveMass = float(1 / (bodies.mass[c.bodyA].invMass + bodies.mass[c.bodyB].invMass));
-}
-
 // The contact of a pair from a new manifold (shape frame of A), with the memory of the old points.
 void NarrowPhase::makeContact(CandidatePair& pair, const Manifold& m, const Transform& relative) {
   if (m.count == 0) {

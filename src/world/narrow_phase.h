@@ -7,12 +7,8 @@ namespace brickfall {
 
 class NarrowPhase {
  public:
-  NarrowPhase(const Registry& registry, double dt, Proximity& proximity)
-      : bodies_(registry.bodies),
-        shapes_(registry.shapes),
-        dt_(dt),
-        proximity_(proximity),
-        contacts_(proximity.contacts) {}
+  NarrowPhase(const Registry& registry, double dt, Proximity& proximity, ContactSet& contacts)
+      : bodies_(registry.bodies), shapes_(registry.shapes), dt_(dt), proximity_(proximity), contacts_(contacts) {}
 
   // Brings all pairs that are not asleep up to date.
   void run();
@@ -62,9 +58,6 @@ class NarrowPhase {
   ContactSet& contacts_;
   int reused_ = 0, computed_ = 0;
 };
-
-// Constants that a contact takes from its shapes and bodies: friction, restitution, effective mass.
-void takeConstants(Contact& c, const ShapeSet& shapes, const BodySet& bodies);
 
 // Sets gaps and drifts from the anchors, in double, and the points' places about their middle. `relative`: the centre
 // frame of B in that of A.

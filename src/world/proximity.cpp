@@ -87,19 +87,9 @@ void Proximity::keepBounds(const Registry& registry, BodyIndex body) {
   }
 }
 
-void Proximity::dropPairsOf(BodyIndex body) {
-  for (auto* list : {&contacts.pairs, &contacts.asleep})
-    std::erase_if(*list, [&](const CandidatePair& pair) {
-      if (pair.bodyA != body && pair.bodyB != body) return false;
-      if (pair.contact != kNoIndex) contacts.destroy(pair.contact);
-      return true;
-    });
-}
-
-void Proximity::keepRoom(std::size_t shapes, std::size_t touching) {
-  contacts.keepRoom(shapes);
-  foundPairs.reserve(contacts.pairs.capacity());
-  newPairs.reserve(contacts.pairs.capacity());
+void Proximity::keepRoom(std::size_t shapes, std::size_t pairs, std::size_t touching) {
+  foundPairs.reserve(pairs);
+  newPairs.reserve(pairs);
   brickfall::keepRoom(newParts, touching);
   brickfall::keepRoom(passed, touching);
   keepRoomFor(courses, shapes);

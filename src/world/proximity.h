@@ -1,5 +1,5 @@
-// Which shapes of a world are near each other: their bounds, the broad phase that the bounds lie in, candidate pairs,
-// and the contacts of near pairs.
+// Which shapes of a world are near each other: their bounds, and the broad phase that the bounds lie in. The candidate
+// pairs that it finds belong to the contacts (dynamics/ties.h).
 #pragma once
 #include <memory>
 #include <vector>
@@ -28,7 +28,6 @@ class Proximity {
   std::unique_ptr<BroadPhase> broadPhase;  // never null in a world
   double contactMargin = 0;                // m, for bodies that do not move
   std::vector<Surroundings> around;        // by shape
-  ContactSet contacts;
   // Scratch, kept for its memory.
   BroadPhase::Pairs foundPairs;
   std::vector<CandidatePair> newPairs;
@@ -49,12 +48,10 @@ class Proximity {
   void follow(const Registry& registry, ShapeIndex shape);    // adds the swept bounds to `following`, before the step
   void keepBounds(const Registry& registry, BodyIndex body);  // where it is, after the step
   const Aabb& kept(ShapeIndex shape) const { return broadPhase->kept(around[shape].proxy); }
-  void dropPairsOf(BodyIndex body);  // with their contacts
 
-  void keepRoom(std::size_t shapes, std::size_t touching);
+  void keepRoom(std::size_t shapes, std::size_t pairs, std::size_t touching);
 
   void checkStructure(Findings& f, const Registry& registry) const;
-  void check(Findings& f, const Registry& registry) const;
   void checkBounds(Findings& f, const Registry& registry) const;  // of shapes that have entered
 };
 

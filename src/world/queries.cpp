@@ -122,8 +122,8 @@ void World::forEachContact(const std::function<void(const ContactView&)>& visit)
   Visit here(w.visiting);
   auto show = [&](const CandidatePair& pair) {
     if (pair.contact == kNoIndex) return;
-    const Contact& c = w.proximity.contacts.contacts[pair.contact];
-    const ContactGeometry& g = w.proximity.contacts.geometry[pair.contact];
+    const Contact& c = w.ties.contacts.contacts[pair.contact];
+    const ContactGeometry& g = w.ties.contacts.geometry[pair.contact];
     const BodyMotion& a = w.registry.bodies.motion[c.bodyA];
     ContactView view;
     view.bodyA = w.registry.idOf(c.bodyA);
@@ -145,7 +145,7 @@ void World::forEachContact(const std::function<void(const ContactView&)>& visit)
     visit(view);
   };
   std::size_t i = 0, j = 0;
-  const auto &p = w.proximity.contacts.pairs, &q = w.proximity.contacts.asleep;
+  const auto &p = w.ties.contacts.pairs, &q = w.ties.contacts.asleep;
   while (i < p.size() || j < q.size()) show(j == q.size() || (i < p.size() && p[i] < q[j]) ? p[i++] : q[j++]);
 }
 

@@ -6,12 +6,12 @@
 #include <span>
 #include <vector>
 
+#include "base/findings.h"
 #include "brickfall/body.h"
 #include "brickfall/ids.h"
 #include "brickfall/result.h"
 #include "dynamics/body_set.h"
 #include "dynamics/shape_set.h"
-#include "world/findings.h"
 
 namespace brickfall {
 

@@ -18,12 +18,12 @@ namespace {
 
 //! not of the method: the file's
 constexpr std::uint64_t kMagic = 0x30504e5346424b42ull;
-constexpr std::uint32_t kLayout = 13;
+constexpr std::uint32_t kLayout = 14;
 
 struct Header {
   std::uint64_t magic = kMagic;
   std::uint32_t layout = kLayout;
-  std::uint32_t recordSize = sizeof(ContactRecord);  // tells builds with another memory layout apart
+  std::uint32_t recordSize = Rows::recordSize();  // tells builds with another memory layout apart
   std::uint64_t hash = 0;
 };
 
@@ -39,17 +39,6 @@ std::uint64_t hashOf(std::span<const std::byte> bytes) {
 
 }  // namespace
 
-// The memory of points: numbers as they are, each phase checked as a value of PointPhase.
-template <class Archive> struct PointFields {
-  Archive& archive;
-  template <class T> void operator()(T& lanes, PointQuantity = {}) const {
-    if constexpr (std::is_same_v<std::remove_cvref_t<decltype(lanes)>, PointPhase[4]>)
-      for (auto& phase : lanes) archive.choice(phase, PointPhase::resting);
-    else
-      archive.value(lanes);
-  }
-};
-
 // Sees the private lists of the sets.
 class SnapshotArchive {
  public:
@@ -57,7 +46,7 @@ class SnapshotArchive {
     definition(a, w.def);
     bodies(a, w.registry.bodies);
     shapes(a, w.registry.shapes, w.proximity.around);
-    contacts(a, w.proximity.contacts);
+    w.ties.archive(a);
     islandList(a, w.activity.islands.awake, &w.solve.memory);
     islandList(a, w.activity.islands.asleep, &w.solve.memory);
     a.list(w.activity.islands.single);
@@ -197,29 +186,6 @@ class SnapshotArchive {
         if (numberOf[i] > 0 && numberOf[i] <= all.size()) s.data[i].def.mesh = all[numberOf[i] - 1];
   }
 
-  template <class Archive, class Contacts> static void contacts(Archive& a, Contacts& c) {
-    a.list(c.pairs);
-    a.list(c.asleep);
-    length(a, c.contacts, sizeof(std::int32_t));
-    length(a, c.geometry, sizeof(std::int32_t));
-    for (std::size_t i = 0; i < c.contacts.size(); i++) {
-      a.value(c.contacts[i].count);
-      if (c.contacts[i].count == 0) continue;  // a free slot
-      contact(a, c.contacts[i]);
-      if (i < c.geometry.size()) a.value(c.geometry[i]);
-    }
-    a.flag(c.changed);
-    a.list(c.struck);
-    a.list(c.free_);
-  }
-
-  template <class Archive, class Contact> static void contact(Archive& a, Contact& c) {
-    for (auto* index : {&c.shapeA, &c.shapeB, &c.bodyA, &c.bodyB}) a.value(*index);
-    for (auto* flag : {&c.rolls, &c.partial, &c.touching, &c.struck, &c.fresh, &c.born}) a.flag(*flag);
-    for (auto* number : {&c.friction, &c.restitution, &c.effectiveMass}) a.value(*number);
-    eachField(c.points, PointFields<Archive>{a});
-  }
-
   template <class Archive, class Hierarchies> static void hierarchy(Archive& a, Hierarchies& h) {
     a.flag(h.valid);
     length(a, h.levels, kLeastLevel);
@@ -239,10 +205,8 @@ class SnapshotArchive {
     for (auto& pointer : list) {
       auto& i = *pointer;
       a.list(i.bodies);
-      a.list(i.rows.contacts.contactOf);
       a.list(i.partners);
-      a.list(i.rows.contacts.records);
-      a.list(i.rows.contacts.starts);
+      i.rows.eachKind([&](auto& kind) { kind.archive(a); });
       hierarchy(a, i.hierarchy);
       a.flag(i.facts.partnersMove);  // of an island that stays settled
       a.choice(i.ending, IslandEnding::settled);
@@ -284,7 +248,7 @@ Status World::restore(std::span<const std::byte> snapshot) {
   std::memcpy(&header, snapshot.data(), sizeof header);
   std::span<const std::byte> rest = snapshot.subspan(sizeof header);
   if (header.magic != kMagic) return badSnapshot("these bytes are not a snapshot");
-  if (header.layout != kLayout || header.recordSize != sizeof(ContactRecord))
+  if (header.layout != kLayout || header.recordSize != Rows::recordSize())
     return badSnapshot("made by another version (layout " + std::to_string(header.layout) + ", expected " +
                        std::to_string(kLayout) + ")");
   if (header.hash != hashOf(rest)) return badSnapshot("damaged or cut off (its checksum differs)");

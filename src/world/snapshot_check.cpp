@@ -41,45 +41,10 @@ void checkShapeData(Checks& check, const ShapeData& s, const Aabb& b, BodyType t
   check.condition(bounds, "a shape's bounds are not sound");
 }
 
-bool isLength(float x) { return std::fabs(x) <= kLargestPointLength; }
-bool isForce(float x) { return std::fabs(x) <= kLargestPointForce; }
-
-bool soundGeometry(const ContactGeometry& g) {
-  bool fine = inRange(g.relativePosition, kFarthest) && unitLength(g.relativeRotation) && inRange(g.centre, kFarthest);
-  for (int k = 0; k < 4; k++) fine = fine && inRange(g.anchorA[k], kFarthest) && inRange(g.anchorB[k], kFarthest);
-  return fine;
-}
-
-bool soundRecord(const ContactRecord& r, const ContactStart& start) {
-  bool fine =
-      r.newPoints < 16 && start.falling < 16 && isForce(start.friction) && start.points >= 0 && start.points <= 4;
-  for (const Vec3f& v : {r.n, r.t1, r.armA, r.armB, start.bend})
-    fine = fine && isLength(v.x) && isLength(v.y) && isLength(v.z);
-  for (int i = 0; i < 4; i++)
-    fine = fine && isLength(r.s1[i]) && isLength(r.s2[i]) && isForce(r.trialN[i]) && isForce(r.trial1[i]) &&
-           isForce(r.trial2[i]) && isForce(r.k[i]) && r.k[i] >= 0 && isForce(r.limit[i]) && r.limit[i] >= 0 &&
-           r.tensionCap[i] == 0 && isForce(start.approach[i]) && isLength(start.gap[i]) && isForce(start.stopping[i]) &&
-           isForce(start.taken[i]) && isForce(start.back[i]) && isForce(start.back1[i]) && isForce(start.back2[i]);
-  return fine;
-}
-
-void checkIsland(Checks& check, const Island& island) {
+void checkIsland(Checks& check, Findings& ranges, const Island& island) {
   for (const Transform& pose : island.placePoses)
     check.condition(isFinite(pose.position) && isFinite(pose.rotation), "an island's place is not finite");
-  for (std::size_t k = 0; k < island.rows.contacts.records.size(); k++)
-    check.condition(soundRecord(island.rows.contacts.records[k], island.rows.contacts.starts[k]),
-                    "a contact's record is out of range");
-}
-
-void checkContacts(Checks& check, const ContactSet& set) {
-  for (ContactIndex contact : set.struck)
-    check.condition(contact < set.contacts.size(), "a contact that was struck is not there");
-  for (std::size_t i = 0; i < set.contacts.size(); i++) {
-    const Contact& c = set.contacts[i];
-    if (c.count == 0) continue;
-    check.condition(isSound(c.points), "what a contact remembers is out of range");
-    check.condition(soundGeometry(set.geometry[i]), "a contact's geometry is out of range");
-  }
+  island.rows.eachKind([&](const auto& kind) { kind.checkRanges(ranges); });
 }
 
 }  // namespace
@@ -106,9 +71,11 @@ Status World::Impl::rebuild() {
     // A platform of triangles may have no mass.
     if (bodies.alive(i) && bodies.data[i].type == BodyType::dynamic)
       checkMass(check, bodies.data[i].bodyFrameMass.mass);
-  checkContacts(check, proximity.contacts);
+  Findings ranges;
+  ties.checkRanges(ranges);
   for (const auto* list : {&activity.islands.awake, &activity.islands.asleep})
-    for (const auto& island : *list) checkIsland(check, *island);
+    for (const auto& island : *list) checkIsland(check, ranges, *island);
+  if (ranges.any()) check.take({ErrorCode::invalidArgument, ranges.take().front()});
   if (check.failed()) return check.error();
   Findings links;
   checkLinks(links);

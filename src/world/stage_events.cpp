@@ -29,26 +29,23 @@ template <class T> void makeSet(std::vector<T>& list, std::vector<T>& room) {
   list.erase(std::unique(list.begin(), list.end()), list.end());
 }
 
-void countPoints(Island& island, const ContactSet& contacts) {
-  island.points = island.touchingPoints = 0;
-  for (ContactIndex contact : island.rows.contacts.contactOf) {
-    const Contact& c = contacts.contacts[contact];
-    island.points += c.count;
-    for (int i = 0; i < c.count; i++) island.touchingPoints += c.points.forceN[i] > 0 || c.points.hitN[i] > 0;
-  }
+void countPoints(Island& island, const Ties& ties) {
+  const PointCount count = island.rows.countPoints(ties);
+  island.points = count.all;
+  island.touchingPoints = count.touching;
 }
 
 // Bodies touch if any of their contacts does. Pairs that were not among those of the last step begin; pairs that are no
 // longer among them end.
-void collectTouching(const Registry& registry, const Activity& activity, const ContactSet& contacts, Diary& diary) {
+void collectTouching(const Registry& registry, const Activity& activity, const Ties& ties, Diary& diary) {
   BodyPairs &now = diary.touchingNow, &before = diary.touchingBefore, &slept = diary.slept;
   now.clear();
-  for (const IslandPointer& island : activity.islands.awake) appendTouching(*island, contacts, now);
+  for (const IslandPointer& island : activity.islands.awake) appendTouching(*island, ties, now);
   // An island that fell asleep in this step still touches, but is not looked at again until it wakes.
   slept.clear();
   const auto& asleep = activity.islands.asleep;
   for (std::size_t i = asleep.size() - activity.sleptNow; i < asleep.size(); i++)
-    appendTouching(*asleep[i], contacts, slept);
+    appendTouching(*asleep[i], ties, slept);
   now.insert(now.end(), slept.begin(), slept.end());
   makeSet(now, diary.room);
   makeSet(slept, diary.room);
@@ -67,16 +64,16 @@ void collectTouching(const Registry& registry, const Activity& activity, const C
 
 }  // namespace
 
-void collectEvents(const Registry& registry, Activity& activity, ContactSet& contacts, Diary& diary) {
+void collectEvents(const Registry& registry, Activity& activity, Ties& ties, Diary& diary) {
   StepReport& report = diary.report;
   for (IslandPointer& island : activity.islands.awake) {
-    if (!island->settled()) countPoints(*island, contacts);
-    report.manifolds += int(island->rows.contacts.contactOf.size());
+    if (!island->settled()) countPoints(*island, ties);
+    island->rows.eachManifold([&](ContactIndex) { report.manifolds++; });
     report.contactPoints += island->points;
     report.touchingPoints += island->touchingPoints;
   }
-  if (contacts.touchingChanged || activity.sleptNow > 0) collectTouching(registry, activity, contacts, diary);
-  contacts.touchingChanged = false;
+  if (ties.touchingChanged() || activity.sleptNow > 0) collectTouching(registry, activity, ties, diary);
+  ties.touchingIsTold();
 
   std::vector<BodyId>& moved = diary.events.moved;
   const bool toldBefore = !moved.empty();  // in another part of the step, or of a call

@@ -11,25 +11,6 @@ std::string_view nameOf(const StageHash& hash) {
 void mix(Mix& h, const BodyMotion& m) { h(m.position, m.rotation, m.linearVelocity, m.angularVelocity); }
 void mix(Mix& h, const SolvedMotion& s) { h(s.d, s.th, s.velocity, s.angularMomentum, s.freeTurn, s.rest, s.flying); }
 void mix(Mix& h, const FreeMotion& f) { h(f.d, f.th, f.rotation, f.angularMomentum, f.startVelocity, f.startSpin); }
-struct MixPoints {
-  Mix& h;
-  int count;
-  template <class T> void operator()(const T (&lanes)[4], PointQuantity = {}) const { h.list(lanes, count); }
-  void operator()(std::uint32_t mask) const { h(mask); }
-};
-void mix(Mix& h, const Contact& c) {
-  h(c.shapeA, c.shapeB, c.count, c.rolls, c.partial, c.touching, c.friction, c.restitution, c.effectiveMass);
-  eachField(c.points, MixPoints{h, c.count});
-}
-void mix(Mix& h, const ContactGeometry& g, int count) {
-  h(g.relativePosition, g.relativeRotation, g.normal, g.tangent1, g.centre);
-  h.list(g.anchorA, count).list(g.anchorB, count);
-}
-void mix(Mix& h, const ContactRecord& r, int count) {
-  h(r.n, r.t1, r.armA, r.armB, r.newPoints);
-  for (const float* field : {r.s1, r.s2, r.trialN, r.trial1, r.trial2, r.k, r.limit, r.tensionCap})
-    h.list(field, count);
-}
 
 void HashItems::add(BodyId a, BodyId b, const Mix& item) {
   sum_(a.index, a.generation, b.index, b.generation, item.value());
@@ -47,11 +28,11 @@ void HashItems::solved(const IslandSet& islands, const StepContext& context) {
     if (!island->settled()) bodies(island->bodies, write);
 }
 
-void HashItems::contacts(const IslandSet& islands, const ContactSet& contacts) {
-  records(islands, contacts, [](Mix& h, const Island&, std::size_t, const Contact& c) { mix(h, c); });
+void HashItems::memories(const IslandSet& islands, const Ties& ties) {
+  rows(islands, ties, [&](Mix& h, const Island&, const auto& kind, std::size_t k) { kind.hashMemory(h, k, ties); });
 }
 
-void hashGiven(const Registry& registry, const IslandSet& islands, const ContactSet& contacts, HashItems& out) {
+void hashGiven(const Registry& registry, const IslandSet& islands, const Ties& ties, HashItems& out) {
   const BodySet& bodies = registry.bodies;
   out.bodies(bodies.inOrder(), [&](Mix& h, BodyIndex body) {
     const BodyData& d = bodies.data[body];
@@ -59,11 +40,8 @@ void hashGiven(const Registry& registry, const IslandSet& islands, const Contact
     h(int(d.type), int(d.activity), d.quarantined, d.gravityScale, d.linearDamping, d.angularDamping, d.dragArea,
       d.force, d.torque, d.lastKineticEnergy, bodies.still[body]);
   });
-  auto whole = [](Mix& h, const Contact& c, const ContactGeometry& g) {
-    mix(h, c);
-    mix(h, g, c.count);
-  };
-  for (const auto* list : {&contacts.pairs, &contacts.asleep}) out.pairs(*list, contacts, whole);
+  ties.eachAwake(out.links(ties));
+  ties.eachAsleep(out.links(ties));
   for (const auto* list : {&islands.awake, &islands.asleep})
     out.islands(*list, [](Mix& h, const Island& i) { h(int(i.ending), i.restTime, i.inPlaceTime); });
 }

@@ -34,13 +34,13 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 
 class ImpactWalk {
  public:
-  ImpactWalk(const WorldDef& def, Registry& registry, Proximity& proximity, StepContext& context, StepReport& report,
-             Events& events)
+  ImpactWalk(const WorldDef& def, Registry& registry, Proximity& proximity, Ties& ties, StepContext& context,
+             StepReport& report, Events& events)
       : def_(def),
         registry_(registry),
         bodies_(registry.bodies),
         proximity_(proximity),
-        ties_{proximity.contacts},
+        ties_(ties),
         context_(context),
         parts_(registry, context),
         report_(report),
@@ -58,7 +58,7 @@ class ImpactWalk {
   Registry& registry_;
   BodySet& bodies_;
   Proximity& proximity_;
-  Ties ties_;
+  Ties& ties_;
   StepContext& context_;
   const ImpactParts parts_;
   StepReport& report_;
@@ -97,19 +97,19 @@ bool ImpactWalk::goTo(Island& island, double dt, bool toImpact) {
     return false;
   }
   context_.statistics.add(tried);
-  NarrowPhase narrow(registry_, context_.dt, proximity_);
-  for (ContactIndex contact : island.rows.contacts.contactOf) narrow.renew(contact);
+  NarrowPhase narrow(registry_, context_.dt, proximity_, ties_.contacts);
+  island.rows.eachManifold([&](ContactIndex contact) { narrow.renew(contact); });
   report_.manifoldsComputed += narrow.computed();
   return true;
 }
 
 bool ImpactWalk::impact(Island& island) {
-  std::pmr::vector<ContactImpact> impacts(island.memory);
+  std::pmr::vector<TieImpact> impacts(island.memory);
   island.dt = context_.dt;
   updateHierarchy(island, context_);
   if (!solveImpact(island, ties_, bodies_, context_, kBlink * context_.dt, context_.statistics, impacts)) return false;
   for (BodyIndex body : island.bodies) bodies_.data[body].steady = {};
-  tellHits(def_, registry_, island, impacts, context_, events_.hits);
+  tellHits(def_, registry_, impacts, events_.hits);
   report_.impacts++;
   return true;
 }
@@ -139,29 +139,29 @@ void ImpactWalk::run(Island& island) {
 
 }  // namespace
 
-void meetImpacts(const WorldDef& def, Registry& registry, IslandSet& islands, Proximity& proximity,
+void meetImpacts(const WorldDef& def, Registry& registry, IslandSet& islands, Proximity& proximity, Ties& ties,
                  StepContext& context, StepReport& report, Events& events) {
   context.free.resize(registry.bodies.slots());
   context.solved.resize(registry.bodies.slots());
-  proximity.contacts.endStrikes();
-  ImpactWalk walk(def, registry, proximity, context, report, events);
+  ties.beginStep();
+  ImpactWalk walk(def, registry, proximity, ties, context, report, events);
   for (IslandPointer& island : islands.awake) {
     island->dt = context.dt;
     if (!island->settled()) walk.run(*island);
   }
 }
 
-void hashImpacts(const Registry& registry, const IslandSet& islands, const ContactSet& contacts, HashItems& out) {
+void hashImpacts(const Registry& registry, const IslandSet& islands, const Ties& ties, HashItems& out) {
   for (const IslandPointer& island : islands.awake) {
     if (island->settled()) continue;
     out.bodies(island->bodies, [&](Mix& h, BodyIndex body) { mix(h, registry.bodies.motion[body]); });
   }
-  out.contacts(islands, contacts);
+  out.memories(islands, ties);
 }
 
 // Places and contacts changed, too: the whole change is booked.
-void bookImpacts(const Registry& registry, const ContactSet& contacts, const StepContext& context, Diary& diary) {
-  Balance now = balanceNow(registry.bodies, contacts, context);
+void bookImpacts(const Registry& registry, const StepContext& context, Diary& diary) {
+  Balance now = balanceNow(registry.bodies, context);
   diary.ledgerState.bookElastic(diary.report.ledger->impacts, now.elastic);
   diary.ledgerState.book(diary.report.ledger->impacts, now);
 }

@@ -21,7 +21,7 @@ struct Integration {
   BodySet& bodies;
   const Registry& registry;
   Proximity& proximity;
-  ContactSet& contacts;
+  Ties& ties;
   const StepContext& context;
   Quarantine& quarantine;
 
@@ -71,12 +71,7 @@ void Integration::salvage(Island& island) {
     bodies.motion[body].angularVelocity = context.free[body].startSpin;
     bodies.still[body] = 0;
   }
-  for (ContactIndex contact : island.rows.contacts.contactOf) {
-    Contact& c = contacts.contacts[contact];
-    for (int i = 0; i < 4; i++) clearPoint(c.points, i);
-    c.touching = false;
-    c.fresh = true;
-  }
+  island.rows.eachKind([&](const auto& kind) { kind.startAfresh(ties); });
   island.ending = IslandEnding::unsolved;
   quarantine.hold(culprit);
 }
@@ -92,7 +87,7 @@ void Integration::finishIsland(Island& island) {
     salvage(island);
     return;
   }
-  advanceRows(island, Ties{contacts}, context);
+  advanceRows(island, ties, context);
   for (BodyIndex body : island.bodies) finishBody(body);
 }
 
@@ -108,8 +103,8 @@ void Integration::drive(BodyIndex body) {
 }  // namespace
 
 void integrate(const Clock& clock, const StepContext& context, Registry& registry, Activity& activity,
-               Proximity& proximity, Quarantine& quarantine) {
-  Integration all{clock, registry.bodies, registry, proximity, proximity.contacts, context, quarantine};
+               Proximity& proximity, Ties& ties, Quarantine& quarantine) {
+  Integration all{clock, registry.bodies, registry, proximity, ties, context, quarantine};
   for (IslandPointer& island : activity.islands.awake) all.finishIsland(*island);
   for (BodyIndex body : activity.islands.single) all.finishBody(body);
   activity.settleUnmoved(registry.bodies);
@@ -117,7 +112,7 @@ void integrate(const Clock& clock, const StepContext& context, Registry& registr
   quarantine.isolateHeld();
 }
 
-void hashIntegrate(const Registry& registry, const Activity& activity, const ContactSet& contacts, HashItems& out) {
+void hashIntegrate(const Registry& registry, const Activity& activity, const Ties& ties, HashItems& out) {
   const BodySet& bodies = registry.bodies;
   for (const auto* list : {&activity.awake, &activity.moving})
     out.bodies(*list, [&](Mix& h, BodyIndex body) {
@@ -125,11 +120,10 @@ void hashIntegrate(const Registry& registry, const Activity& activity, const Con
       h(bodies.still[body], bodies.data[body].quarantined, bodies.data[body].linearAcceleration,
         bodies.data[body].angularAcceleration);
     });
-  out.contacts(activity.islands, contacts);
+  out.memories(activity.islands, ties);
 }
 
-void bookIntegrate(const Registry& registry, const Activity& activity, const ContactSet& contacts,
-                   const StepContext& context, Diary& diary) {
+void bookIntegrate(const Registry& registry, const Activity& activity, const StepContext& context, Diary& diary) {
   const BodySet& bodies = registry.bodies;
   LedgerState& s = diary.ledgerState;
   StepLedger& ledger = *diary.report.ledger;
@@ -137,7 +131,7 @@ void bookIntegrate(const Registry& registry, const Activity& activity, const Con
   for (BodyIndex body : activity.pushed)
     work +=
         dot(bodies.data[body].force, context.solved[body].d) + dot(bodies.data[body].torque, context.solved[body].th);
-  Balance now = balanceNow(bodies, contacts, context);
+  Balance now = balanceNow(bodies, context);
   double fallen = now.potential - s.now.potential;
   ledger.forces.energy += work;
   ledger.solve.energy += fallen - work;

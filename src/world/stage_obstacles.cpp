@@ -258,6 +258,7 @@ void Obstacles::obstruct(ShapeIndex shape, bool everything, double thickness, Ob
   broadPhase.query(sweptBounds(s, own), [&](std::uint32_t other) {
     const ShapeData& o = shapes.data[other];
     if (o.body == s.body || !filtersAllow(s.def.filter, o.def.filter)) return true;
+    if (!context.ties->mayCollide(s.body, o.body)) return true;
     BodyType type = bodies.data[o.body].type;
     const bool fly = context.solved[s.body].flying && type == BodyType::dynamic && context.solved[o.body].flying;
     if (type == BodyType::dynamic && !fly && farHeavier(s.body, o.body)) return true;

@@ -1,6 +1,7 @@
 // Broad phase: bounds of bodies that moved, and new candidate pairs.
 #include <algorithm>
 
+#include "dynamics/ties.h"
 #include "world/activity.h"
 #include "world/proximity.h"
 #include "world/stage_hash.h"
@@ -8,7 +9,7 @@
 
 namespace brickfall {
 
-void findPairs(const Registry& registry, const Activity& activity, double dt, Proximity& proximity) {
+void findPairs(const Registry& registry, const Activity& activity, double dt, Proximity& proximity, Ties& ties) {
   const BodySet& bodies = registry.bodies;
   const ShapeSet& shapes = registry.shapes;
   proximity.following.clear();
@@ -22,8 +23,10 @@ void findPairs(const Registry& registry, const Activity& activity, double dt, Pr
     }
   proximity.broadPhase->updateAll(proximity.following);
 
-  auto wanted = [&](std::uint32_t a, std::uint32_t b) { return registry.mayMeet(a, b); };
-  ContactSet& contacts = proximity.contacts;
+  auto wanted = [&](std::uint32_t a, std::uint32_t b) {
+    return registry.mayMeet(a, b) && ties.mayCollide(shapes.data[a].body, shapes.data[b].body);
+  };
+  ContactSet& contacts = ties.contacts;
   proximity.foundPairs.clear();
   proximity.broadPhase->newPairs(wanted, proximity.foundPairs);
   proximity.newPairs.clear();

@@ -10,16 +10,16 @@
 
 namespace brickfall {
 
-void prepare(Registry& registry, IslandSet& islands, ContactSet& contacts, StepContext& context) {
+void prepare(Registry& registry, IslandSet& islands, Ties& ties, StepContext& context) {
   BodySet& bodies = registry.bodies;
   context.free.resize(bodies.slots());
   context.solved.resize(bodies.slots());
   predictFreeMotions(context, bodies, islands.single, context.dt, false);
-  for (IslandPointer& island : islands.awake) prepareIsland(*island, Ties{contacts}, bodies, context);
+  for (IslandPointer& island : islands.awake) prepareIsland(*island, ties, bodies, context);
 }
 
-void hashPrepare(const Registry& registry, const IslandSet& islands, const ContactSet& contacts,
-                 const StepContext& context, HashItems& out) {
+void hashPrepare(const Registry& registry, const IslandSet& islands, const Ties& ties, const StepContext& context,
+                 HashItems& out) {
   out.bodies(islands.single, [&](Mix& h, BodyIndex body) { mix(h, context.free[body]); });
   for (const IslandPointer& island : islands.awake) {
     if (island->settled()) continue;
@@ -28,9 +28,9 @@ void hashPrepare(const Registry& registry, const IslandSet& islands, const Conta
       mix(h, registry.bodies.motion[body]);
     });
   }
-  out.records(islands, contacts, [](Mix& h, const Island& island, std::size_t k, const Contact& c) {
-    mix(h, c);
-    mix(h, island.rows.contacts.records[k], c.count);
+  out.rows(islands, ties, [&](Mix& h, const Island&, const auto& kind, std::size_t k) {
+    kind.hashMemory(h, k, ties);
+    kind.hashRecord(h, k, ties);
   });
 }
 
@@ -53,13 +53,12 @@ Balance atStart(const BodySet& bodies, const IslandSet& islands, const StepConte
 
 }  // namespace
 
-void bookPrepare(const Registry& registry, const Activity& activity, const ContactSet& contacts,
-                 const StepContext& context, Diary& diary) {
+void bookPrepare(const Registry& registry, const Activity& activity, const StepContext& context, Diary& diary) {
   const BodySet& bodies = registry.bodies;
   LedgerState& s = diary.ledgerState;
   StepLedger& ledger = *diary.report.ledger;
   s.book(ledger.stopped, s.moving(atStart(bodies, activity.islands, context)));
-  Balance start = balanceNow(bodies, contacts, context);
+  Balance start = balanceNow(bodies, context);
   s.bookElastic(ledger.renewed, start.elastic);
   s.book(ledger.damping, start);
   BalanceChange gravity, forces;

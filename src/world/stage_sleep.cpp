@@ -12,8 +12,7 @@
 
 namespace brickfall {
 
-void fallAsleep(const WorldDef& def, double dt, Registry& registry, Activity& activity, ContactSet& contacts,
-                Diary& diary) {
+void fallAsleep(const WorldDef& def, double dt, Registry& registry, Activity& activity, Ties& ties, Diary& diary) {
   BodySet& bodies = registry.bodies;
   IslandSet& islands = activity.islands;
   activity.sleptNow = 0;
@@ -39,8 +38,8 @@ void fallAsleep(const WorldDef& def, double dt, Registry& registry, Activity& ac
   activity.renumberIslands();
   auto isAwake = [&](BodyIndex body) { return bodies.data[body].activity == BodyActivity::awake; };
   std::erase_if(activity.awake, [&](BodyIndex body) { return !isAwake(body); });
-  contacts.moveToSleep([&](const CandidatePair& p) {
-    return !isAwake(p.bodyA) && !isAwake(p.bodyB) && !bodies.isDriven(p.bodyA) && !bodies.isDriven(p.bodyB);
+  ties.sleepWhere([&](BodyIndex a, BodyIndex b) {
+    return !isAwake(a) && !isAwake(b) && !bodies.isDriven(a) && !bodies.isDriven(b);
   });
 }
 

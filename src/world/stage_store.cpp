@@ -2,9 +2,9 @@
 // forces of the solve.
 #include <algorithm>
 
-#include "solver/contact/energy.h"
 #include "solver/finish/motion.h"
 #include "solver/island_step.h"
+#include "solver/store.h"
 #include "world/activity.h"
 #include "world/diary.h"
 #include "world/hits.h"
@@ -18,43 +18,42 @@ namespace {
 
 void collectHits(const WorldDef& def, const Registry& registry, const Island& island, const StepContext& context,
                  std::vector<HitEvent>& out) {
-  std::pmr::vector<ContactImpact> impacts(island.memory);
-  island.rows.contacts.findHits(island, context, def.hitEventSpeed, impacts);
-  tellHits(def, registry, island, impacts, context, out);
+  std::pmr::vector<TieImpact> impacts(island.memory);
+  island.rows.eachKind([&](const auto& kind) { kind.findHits(island, context, def.hitEventSpeed, impacts); });
+  tellHits(def, registry, impacts, out);
 }
 
 }  // namespace
 
-void storeSolution(const WorldDef& def, const Registry& registry, IslandSet& islands, ContactSet& contacts,
-                   StepContext& context, Events& events) {
+void storeSolution(const WorldDef& def, const Registry& registry, IslandSet& islands, Ties& ties, StepContext& context,
+                   Events& events) {
   for (BodyIndex body : islands.single) storeFreeBody(body, context.dt, context);
   for (IslandPointer& island : islands.awake) {
     const bool solved = !island->resting();  // even if it is put to rest in place below
-    storeIsland(*island, Ties{contacts}, context);
+    storeIsland(*island, ties, context);
     if (solved) collectHits(def, registry, *island, context, events.hits);
   }
 }
 
-void hashStore(const IslandSet& islands, const ContactSet& contacts, const StepContext& context, HashItems& out) {
+void hashStore(const IslandSet& islands, const Ties& ties, const StepContext& context, HashItems& out) {
   out.solved(islands, context);
-  out.records(islands, contacts, [](Mix& h, const Island& island, std::size_t, const Contact& c) {
-    mix(h, c);
+  out.rows(islands, ties, [&](Mix& h, const Island& island, const auto& kind, std::size_t k) {
+    kind.hashMemory(h, k, ties);
     h(int(island.ending), island.inPlaceTime);
   });
 }
 
 namespace {
 
-// The work of contacts, and how it changed their elastic energy.
-BalanceChange contactsNow(const IslandSet& islands, const ContactSet& contacts, const StepContext& context,
-                          double elasticBefore, double& rebound) {
+// The work of ties, and how it changed their elastic energy.
+BalanceChange tiesNow(const IslandSet& islands, const StepContext& context, double elasticBefore, double& rebound) {
   BalanceChange out;
-  double elastic = elasticOf(contacts.asleep, contacts, context);
+  double elastic = elasticAsleep(context);
   for (const IslandPointer& island : islands.awake) {
-    ContactWork ofContacts = contactWork(*island, context);
-    out.energy += ofContacts.work;
-    rebound += ofContacts.rebound;
-    elastic += ofContacts.elastic;
+    TieWork ofTies = workOf(*island, context);
+    out.energy += ofTies.work;
+    rebound += ofTies.rebound;
+    elastic += ofTies.elastic;
   }
   out.elastic = elastic - elasticBefore;
   return out;
@@ -62,13 +61,12 @@ BalanceChange contactsNow(const IslandSet& islands, const ContactSet& contacts, 
 
 }  // namespace
 
-void bookStore(const Registry& registry, const Activity& activity, const ContactSet& contacts,
-               const StepContext& context, Diary& diary) {
+void bookStore(const Registry& registry, const Activity& activity, const StepContext& context, Diary& diary) {
   const BodySet& bodies = registry.bodies;
   LedgerState& s = diary.ledgerState;
   StepLedger& ledger = *diary.report.ledger;
   BalanceChange supports;
-  for (const IslandPointer& island : activity.islands.awake) supports += supportImpulses(*island, context);
+  for (const IslandPointer& island : activity.islands.awake) supports += supportOf(*island, context);
   Vec3 inFlight, inContact;
   for (BodyIndex body : activity.awake) {
     const SolvedMotion& m = context.solved[body];
@@ -79,12 +77,12 @@ void bookStore(const Registry& registry, const Activity& activity, const Contact
   ledger.gravity.angular += inFlight;
   Balance now = s.moving(solvedBalance(activity.awake, bodies, context));
   double rebound = 0;
-  BalanceChange ofContacts = contactsNow(activity.islands, contacts, context, s.now.elastic, rebound);
-  ledger.solve += now - s.now - s.push - supports - BalanceChange{{}, inFlight, ofContacts.energy + rebound};
+  BalanceChange ofTies = tiesNow(activity.islands, context, s.now.elastic, rebound);
+  ledger.solve += now - s.now - s.push - supports - BalanceChange{{}, inFlight, ofTies.energy + rebound};
   ledger.rebound.energy += rebound;
   s.now = now;
-  s.now.elastic += ofContacts.elastic;
-  ledger.contacts += ofContacts;
+  s.now.elastic += ofTies.elastic;
+  ledger.contacts += ofTies;
 }
 
 }  // namespace brickfall

@@ -11,34 +11,34 @@
 namespace brickfall {
 
 class Activity;
-class ContactSet;
 class Diary;
 class HashItems;
 class Proximity;
 class Quarantine;
 class Registry;
+class Ties;
 class Upkeep;
 struct IslandSet;
 struct SolveState;
 struct StepContext;
 
-void findPairs(const Registry&, const Activity&, double dt, Proximity&);
+void findPairs(const Registry&, const Activity&, double dt, Proximity&, Ties&);
 void hashPairs(const Registry&, const Activity&, const Proximity&, HashItems&);
 
-void updateContacts(const Registry&, const Activity&, const StepContext&, Proximity&, StepReport&, Upkeep&);
-void hashContacts(const ContactSet&, HashItems&);
+void updateContacts(const Registry&, const Activity&, const StepContext&, Proximity&, Ties&, StepReport&, Upkeep&);
+void hashContacts(const Ties&, HashItems&);
 
-void renewIslands(const Registry&, const StepContext&, Activity&, ContactSet&);
-void hashIslands(const ContactSet&, const IslandSet&, HashItems&);
-void bookIslands(const Registry&, const ContactSet&, const StepContext&, Diary&);
+void renewIslands(const Registry&, const StepContext&, Activity&, Ties&);
+void hashIslands(const Ties&, const IslandSet&, HashItems&);
+void bookIslands(const Registry&, const StepContext&, Diary&);
 
-void meetImpacts(const WorldDef&, Registry&, IslandSet&, Proximity&, StepContext&, StepReport&, Events&);
-void hashImpacts(const Registry&, const IslandSet&, const ContactSet&, HashItems&);
-void bookImpacts(const Registry&, const ContactSet&, const StepContext&, Diary&);
+void meetImpacts(const WorldDef&, Registry&, IslandSet&, Proximity&, Ties&, StepContext&, StepReport&, Events&);
+void hashImpacts(const Registry&, const IslandSet&, const Ties&, HashItems&);
+void bookImpacts(const Registry&, const StepContext&, Diary&);
 
-void prepare(Registry&, IslandSet&, ContactSet&, StepContext&);
-void hashPrepare(const Registry&, const IslandSet&, const ContactSet&, const StepContext&, HashItems&);
-void bookPrepare(const Registry&, const Activity&, const ContactSet&, const StepContext&, Diary&);
+void prepare(Registry&, IslandSet&, Ties&, StepContext&);
+void hashPrepare(const Registry&, const IslandSet&, const Ties&, const StepContext&, HashItems&);
+void bookPrepare(const Registry&, const Activity&, const StepContext&, Diary&);
 
 void checkRest(IslandSet&, StepContext&);
 void hashRest(const IslandSet&, HashItems&);
@@ -46,9 +46,9 @@ void hashRest(const IslandSet&, HashItems&);
 void solveIslands(IslandSet&, SolveState&);
 void hashSolve(const Registry&, const IslandSet&, HashItems&);
 
-void storeSolution(const WorldDef&, const Registry&, IslandSet&, ContactSet&, StepContext&, Events&);
-void hashStore(const IslandSet&, const ContactSet&, const StepContext&, HashItems&);
-void bookStore(const Registry&, const Activity&, const ContactSet&, const StepContext&, Diary&);
+void storeSolution(const WorldDef&, const Registry&, IslandSet&, Ties&, StepContext&, Events&);
+void hashStore(const IslandSet&, const Ties&, const StepContext&, HashItems&);
+void bookStore(const Registry&, const Activity&, const StepContext&, Diary&);
 
 void stopAtObstacles(const Registry&, const Activity&, const Proximity&, StepContext&);
 void hashObstacles(const IslandSet&, const StepContext&, HashItems&);
@@ -58,14 +58,14 @@ void balanceIslands(const IslandSet&, StepContext&);
 void hashBalance(const IslandSet&, const StepContext&, HashItems&);
 void bookBalance(const Registry&, const Activity&, const StepContext&, Diary&);
 
-void integrate(const Clock&, const StepContext&, Registry&, Activity&, Proximity&, Quarantine&);
-void hashIntegrate(const Registry&, const Activity&, const ContactSet&, HashItems&);
-void bookIntegrate(const Registry&, const Activity&, const ContactSet&, const StepContext&, Diary&);
+void integrate(const Clock&, const StepContext&, Registry&, Activity&, Proximity&, Ties&, Quarantine&);
+void hashIntegrate(const Registry&, const Activity&, const Ties&, HashItems&);
+void bookIntegrate(const Registry&, const Activity&, const StepContext&, Diary&);
 
-void fallAsleep(const WorldDef&, double dt, Registry&, Activity&, ContactSet&, Diary&);
+void fallAsleep(const WorldDef&, double dt, Registry&, Activity&, Ties&, Diary&);
 void hashSleep(const Registry&, const IslandSet&, HashItems&);
 
-void collectEvents(const Registry&, Activity&, ContactSet&, Diary&);
+void collectEvents(const Registry&, Activity&, Ties&, Diary&);
 void hashEvents(const Events&, HashItems&);
 
 }  // namespace brickfall

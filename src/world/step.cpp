@@ -23,33 +23,31 @@ std::span<const World::Impl::StageRow> World::Impl::stageRows() {
   using W = Impl;
   using H = HashItems;
   static constexpr StageRow kRows[] = {
-      {Stage::pairs, [](W& w) { findPairs(w.registry, w.activity, w.solve.context.dt, w.proximity); },
+      {Stage::pairs, [](W& w) { findPairs(w.registry, w.activity, w.solve.context.dt, w.proximity, w.ties); },
        [](const W& w, H& out) { hashPairs(w.registry, w.activity, w.proximity, out); }},
 
       {Stage::contacts,
        [](W& w) {
          Upkeep upkeep = w.upkeep();
-         updateContacts(w.registry, w.activity, w.solve.context, w.proximity, w.diary.report, upkeep);
+         updateContacts(w.registry, w.activity, w.solve.context, w.proximity, w.ties, w.diary.report, upkeep);
        },
-       [](const W& w, H& out) { hashContacts(w.proximity.contacts, out); }},
+       [](const W& w, H& out) { hashContacts(w.ties, out); }},
 
-      {Stage::islands, [](W& w) { renewIslands(w.registry, w.solve.context, w.activity, w.proximity.contacts); },
-       [](const W& w, H& out) { hashIslands(w.proximity.contacts, w.activity.islands, out); },
-       [](W& w) { bookIslands(w.registry, w.proximity.contacts, w.solve.context, w.diary); }},
+      {Stage::islands, [](W& w) { renewIslands(w.registry, w.solve.context, w.activity, w.ties); },
+       [](const W& w, H& out) { hashIslands(w.ties, w.activity.islands, out); },
+       [](W& w) { bookIslands(w.registry, w.solve.context, w.diary); }},
 
       {Stage::impacts,
        [](W& w) {
-         meetImpacts(w.def, w.registry, w.activity.islands, w.proximity, w.solve.context, w.diary.report,
+         meetImpacts(w.def, w.registry, w.activity.islands, w.proximity, w.ties, w.solve.context, w.diary.report,
                      w.diary.events);
        },
-       [](const W& w, H& out) { hashImpacts(w.registry, w.activity.islands, w.proximity.contacts, out); },
-       [](W& w) { bookImpacts(w.registry, w.proximity.contacts, w.solve.context, w.diary); }},
+       [](const W& w, H& out) { hashImpacts(w.registry, w.activity.islands, w.ties, out); },
+       [](W& w) { bookImpacts(w.registry, w.solve.context, w.diary); }},
 
-      {Stage::prepare, [](W& w) { prepare(w.registry, w.activity.islands, w.proximity.contacts, w.solve.context); },
-       [](const W& w, H& out) {
-         hashPrepare(w.registry, w.activity.islands, w.proximity.contacts, w.solve.context, out);
-       },
-       [](W& w) { bookPrepare(w.registry, w.activity, w.proximity.contacts, w.solve.context, w.diary); }},
+      {Stage::prepare, [](W& w) { prepare(w.registry, w.activity.islands, w.ties, w.solve.context); },
+       [](const W& w, H& out) { hashPrepare(w.registry, w.activity.islands, w.ties, w.solve.context, out); },
+       [](W& w) { bookPrepare(w.registry, w.activity, w.solve.context, w.diary); }},
 
       {Stage::rest, [](W& w) { checkRest(w.activity.islands, w.solve.context); },
        [](const W& w, H& out) { hashRest(w.activity.islands, out); }},
@@ -58,11 +56,9 @@ std::span<const World::Impl::StageRow> World::Impl::stageRows() {
        [](const W& w, H& out) { hashSolve(w.registry, w.activity.islands, out); }},
 
       {Stage::store,
-       [](W& w) {
-         storeSolution(w.def, w.registry, w.activity.islands, w.proximity.contacts, w.solve.context, w.diary.events);
-       },
-       [](const W& w, H& out) { hashStore(w.activity.islands, w.proximity.contacts, w.solve.context, out); },
-       [](W& w) { bookStore(w.registry, w.activity, w.proximity.contacts, w.solve.context, w.diary); }},
+       [](W& w) { storeSolution(w.def, w.registry, w.activity.islands, w.ties, w.solve.context, w.diary.events); },
+       [](const W& w, H& out) { hashStore(w.activity.islands, w.ties, w.solve.context, out); },
+       [](W& w) { bookStore(w.registry, w.activity, w.solve.context, w.diary); }},
 
       {Stage::obstacles, [](W& w) { stopAtObstacles(w.registry, w.activity, w.proximity, w.solve.context); },
        [](const W& w, H& out) { hashObstacles(w.activity.islands, w.solve.context, out); },
@@ -75,16 +71,15 @@ std::span<const World::Impl::StageRow> World::Impl::stageRows() {
       {Stage::integrate,
        [](W& w) {
          Quarantine quarantine = w.quarantine();
-         integrate(w.clock, w.solve.context, w.registry, w.activity, w.proximity, quarantine);
+         integrate(w.clock, w.solve.context, w.registry, w.activity, w.proximity, w.ties, quarantine);
        },
-       [](const W& w, H& out) { hashIntegrate(w.registry, w.activity, w.proximity.contacts, out); },
-       [](W& w) { bookIntegrate(w.registry, w.activity, w.proximity.contacts, w.solve.context, w.diary); }},
+       [](const W& w, H& out) { hashIntegrate(w.registry, w.activity, w.ties, out); },
+       [](W& w) { bookIntegrate(w.registry, w.activity, w.solve.context, w.diary); }},
 
-      {Stage::sleep,
-       [](W& w) { fallAsleep(w.def, w.solve.context.dt, w.registry, w.activity, w.proximity.contacts, w.diary); },
+      {Stage::sleep, [](W& w) { fallAsleep(w.def, w.solve.context.dt, w.registry, w.activity, w.ties, w.diary); },
        [](const W& w, H& out) { hashSleep(w.registry, w.activity.islands, out); }},
 
-      {Stage::events, [](W& w) { collectEvents(w.registry, w.activity, w.proximity.contacts, w.diary); },
+      {Stage::events, [](W& w) { collectEvents(w.registry, w.activity, w.ties, w.diary); },
        [](const W& w, H& out) { hashEvents(w.diary.events, out); }},
   };
   static_assert(std::size(kRows) == kStageCount);
@@ -132,15 +127,15 @@ void World::Impl::beginPart(double dt) {
   context.settings = def.solver;
   context.integrator = def.integrator;
   context.bodies = &registry.bodies;
-  context.contacts = &proximity.contacts;
+  context.ties = &ties;
   context.memory = &solve.memory;
   context.statistics = {};
   context.part = dt / clock.lastDt;
   context.stretch = clock.lastDt / clock.stiffnessDt;
   traceStage(
-      {}, [](const Impl& w, HashItems& out) { hashGiven(w.registry, w.activity.islands, w.proximity.contacts, out); },
+      {}, [](const Impl& w, HashItems& out) { hashGiven(w.registry, w.activity.islands, w.ties, out); },
       [](Impl& w) {
-        Balance now = balanceNow(w.registry.bodies, w.proximity.contacts, w.solve.context);
+        Balance now = balanceNow(w.registry.bodies, w.solve.context);
         w.diary.beginLedger(now, w.clock.part == 0);
       });
   Quarantine out = quarantine();
@@ -164,7 +159,7 @@ void World::Impl::endPart() {
 void World::Impl::runSubstep(double dt, bool last) {
   // No island stays settled when the time step changes.
   if (clock.beginSubstep(dt)) activity.unsettleAll();
-  const int parts = partsForHits(registry, activity, proximity, dt, def.solver.maxHitParts);
+  const int parts = partsForHits(registry, activity, proximity, ties, dt, def.solver.maxHitParts);
   for (int i = 0; i < parts; i++) {
     diary.report.manifolds = diary.report.contactPoints = diary.report.touchingPoints = 0;
     clock.lastPart = last && i == parts - 1;
@@ -182,7 +177,8 @@ void World::Impl::runSubstep(double dt, bool last) {
 void World::Impl::keepRoom() {
   std::size_t dynamic = std::size_t(registry.dynamicBodies), touching = kTouchingPerBody * dynamic;
   std::size_t slots = registry.bodies.slots();
-  proximity.keepRoom(registry.shapes.slots(), touching);
+  ties.keepRoom(registry.shapes.slots());
+  proximity.keepRoom(registry.shapes.slots(), ties.contacts.pairs.capacity(), touching);
   activity.keepRoom(dynamic, slots);
   solve.keepRoom(dynamic, slots);
   diary.keepRoom(slots, touching);

@@ -36,17 +36,17 @@ Succession::Succession(const Registry& registry, const ContactSet& contacts, Bod
 }
 
 std::vector<CandidatePair> Succession::meet(const Registry& registry, const std::vector<BodyIndex>& pieces,
-                                            Proximity& proximity) const {
+                                            Proximity& proximity, Ties& ties) const {
   std::vector<ShapeIndex> neighbours;
   for (const Estate& estate : estates_) neighbours.push_back(estate.neighbour);
   std::sort(neighbours.begin(), neighbours.end());
   neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
-  NarrowPhase narrow(registry, 0, proximity);
+  NarrowPhase narrow(registry, 0, proximity, ties.contacts);
   std::vector<CandidatePair> found;
   for (BodyIndex piece : pieces)
     for (ShapeIndex own : registry.bodies.shapes[piece])
       for (ShapeIndex other : neighbours) {
-        if (!registry.mayMeet(own, other)) continue;
+        if (!registry.mayMeet(own, other) || !ties.mayCollide(piece, registry.shapes.data[other].body)) continue;
         ShapeIndex a = std::min(own, other), b = std::max(own, other);
         narrow.meet({a, b, registry.shapes.data[a].body, registry.shapes.data[b].body, kNoIndex, 0}, found);
       }
@@ -79,9 +79,10 @@ std::vector<Succession::Bequest> Succession::bequests(const std::vector<Estate>&
   return out;
 }
 
-void Succession::pass(const Registry& registry, const std::vector<BodyIndex>& pieces, Proximity& proximity) const {
-  ContactSet& contacts = proximity.contacts;
-  std::vector<CandidatePair> pairs = meet(registry, pieces, proximity);
+void Succession::pass(const Registry& registry, const std::vector<BodyIndex>& pieces, Proximity& proximity,
+                      Ties& ties) const {
+  ContactSet& contacts = ties.contacts;
+  std::vector<CandidatePair> pairs = meet(registry, pieces, proximity, ties);
   std::vector<bool> isB;
   std::vector<Estate> heirs;
   for (const CandidatePair& pair : pairs) {

@@ -4,6 +4,7 @@
 #pragma once
 #include <vector>
 
+#include "dynamics/ties.h"
 #include "world/proximity.h"
 
 namespace brickfall {
@@ -13,7 +14,7 @@ class Succession {
   // Remembers all contacts of the body here: to be called before the body is taken out.
   Succession(const Registry& registry, const ContactSet& contacts, BodyIndex body);
   // Makes the contacts of the pieces with the body's neighbours, and hands the memory on.
-  void pass(const Registry& registry, const std::vector<BodyIndex>& pieces, Proximity& proximity) const;
+  void pass(const Registry& registry, const std::vector<BodyIndex>& pieces, Proximity& proximity, Ties& ties) const;
 
  private:
   // A contact of the body, seen from it, in world axes.
@@ -33,8 +34,8 @@ class Succession {
   };
 
   static Estate seenFrom(const Registry& registry, const Contact& c, const ContactGeometry& g, bool bodyIsB);
-  std::vector<CandidatePair> meet(const Registry& registry, const std::vector<BodyIndex>& pieces,
-                                  Proximity& proximity) const;
+  std::vector<CandidatePair> meet(const Registry& registry, const std::vector<BodyIndex>& pieces, Proximity& proximity,
+                                  Ties& ties) const;
   std::vector<Bequest> bequests(const std::vector<Estate>& heirs) const;
 
   std::vector<Estate> estates_;

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "solver/rigid_sum.h"
-#include "world/narrow_phase.h"
 #include "world/succession.h"
 
 namespace brickfall {
@@ -17,7 +16,7 @@ BodyIndex Upkeep::create(BodyPlan&& plan) {
 
 void Upkeep::destroy(BodyIndex body) {
   wakeIslandOf(body);
-  removeContactsOf(body);
+  endTiesOf(body);
   proximity_.leave(registry_, body);
   activity_.delist(registry_.bodies, body);
   activity_.forgetIslandsOf(body);
@@ -26,14 +25,14 @@ void Upkeep::destroy(BodyIndex body) {
 
 std::vector<BodyIndex> Upkeep::replace(BodyIndex body, std::vector<BodyPlan>&& pieces) {
   wakeIslandOf(body);
-  wakeTouching(body);  // now all contacts of the body are among the pairs that are awake
-  Succession succession(registry_, proximity_.contacts, body);
+  wakeTied(body);  // now all contacts of the body are among the pairs that are awake
+  Succession succession(registry_, ties_.contacts, body);
   const Vec3 centre = registry_.bodies.motion[body].position;
   const Vec3 force = registry_.bodies.data[body].force, torque = registry_.bodies.data[body].torque;
   destroy(body);
   std::vector<BodyIndex> made;
   for (BodyPlan& piece : pieces) made.push_back(create(std::move(piece)));
-  succession.pass(registry_, made, proximity_);
+  succession.pass(registry_, made, proximity_, ties_);
   if (force != Vec3{} || torque != Vec3{}) push(made, centre, force, torque);
   return made;
 }
@@ -59,7 +58,7 @@ void Upkeep::push(const std::vector<BodyIndex>& pieces, Vec3 at, Vec3 force, Vec
 
 void Upkeep::setType(BodyIndex body, BodyType type) {
   wakeIslandOf(body);
-  removeContactsOf(body);
+  displace(body);
   activity_.delist(registry_.bodies, body);
   registry_.setType(body, type);
   renewProxies(body);
@@ -69,7 +68,7 @@ void Upkeep::setType(BodyIndex body, BodyType type) {
 
 void Upkeep::setPose(BodyIndex body, Vec3 position, Quat rotation) {
   disturb(body);
-  removeContactsOf(body);
+  displace(body);
   registry_.setPose(body, position, rotation);
   renewProxies(body);
 }
@@ -78,17 +77,13 @@ void Upkeep::setMaterial(ShapeIndex shape, const Material& material) {
   const BodyIndex body = registry_.shapes.data[shape].body;
   const bool densityChanged = registry_.shapes.data[shape].def.material.density != material.density;
   disturb(body);
-  wakeTouching(body);  // of a fixed body, too
+  wakeTied(body);  // of a fixed body, too
   // Anchors of contacts are measured from the centre of mass.
   if (registry_.setMaterial(shape, material)) {
-    removeContactsOf(body);
+    displace(body);
     renewProxies(body);
   }
-  ContactSet& contacts = proximity_.contacts;
-  for (auto* list : {&contacts.pairs, &contacts.asleep})
-    for (const CandidatePair& pair : *list)
-      if ((pair.bodyA == body || pair.bodyB == body) && pair.contact != kNoIndex)
-        takeConstants(contacts.contacts[pair.contact], registry_.shapes, registry_.bodies);
+  ties_.renewConstants(body, registry_.shapes, registry_.bodies);
   if (densityChanged) activity_.forgetIslandsOf(body);
   activity_.unsettlePartnersOf(body);
 }
@@ -101,7 +96,7 @@ void Upkeep::relist(BodyIndex body) {
 }
 
 void Upkeep::isolate(BodyIndex body) {
-  removeContactsOf(body);
+  endTiesOf(body);
   proximity_.leave(registry_, body);
   activity_.delist(registry_.bodies, body);
 }
@@ -112,9 +107,19 @@ void Upkeep::renewProxies(BodyIndex body) {
   proximity_.enter(registry_, body);
 }
 
-void Upkeep::removeContactsOf(BodyIndex body) {
-  wakeTouching(body);
-  proximity_.dropPairsOf(body);
+void Upkeep::endTiesOf(BodyIndex body) {
+  wakeTied(body);
+  ties_.dropOf(body);
+  tiesEnded(body);
+}
+
+void Upkeep::displace(BodyIndex body) {
+  wakeTied(body);
+  ties_.displace(body);
+  tiesEnded(body);
+}
+
+void Upkeep::tiesEnded(BodyIndex body) {
   diary_.endTouchingOf(body, registry_);
   activity_.membershipChanged = true;
 }
@@ -124,9 +129,9 @@ void Upkeep::disturb(BodyIndex body) {
   bodies.still[body] = 0;
   if (bodies.data[body].type != BodyType::dynamic) {
     activity_.countAsMoved(bodies, body);
-    wakeTouching(body);
+    wakeTied(body);
     // The body may begin to move: its pairs are looked at, whichever bodies sleep.
-    proximity_.contacts.moveFromSleep([&](const CandidatePair& p) { return p.bodyA == body || p.bodyB == body; });
+    ties_.wakeWhere([&](BodyIndex a, BodyIndex b) { return a == body || b == body; });
     activity_.unsettlePartnersOf(body);
     return;
   }
@@ -157,8 +162,8 @@ void Upkeep::wakeIsland(std::size_t asleepIndex) {
   }
   std::sort(activity_.awake.begin(), activity_.awake.end());
   auto isAwake = [&](BodyIndex body) { return bodies.data[body].activity == BodyActivity::awake; };
-  proximity_.contacts.moveFromSleep([&](const CandidatePair& p) { return isAwake(p.bodyA) || isAwake(p.bodyB); });
-  diary_.addTouching(*island, proximity_.contacts);
+  ties_.wakeWhere([&](BodyIndex a, BodyIndex b) { return isAwake(a) || isAwake(b); });
+  diary_.addTouching(*island, ties_);
   island->restTime = 0;
   island->ending = IslandEnding::unsolved;
   auto place = std::lower_bound(islands.awake.begin(), islands.awake.end(), island,
@@ -173,11 +178,11 @@ void Upkeep::wakeAll() {
   for (auto& island : activity_.islands.awake) island->restTime = 0;
 }
 
-void Upkeep::wakeTouching(BodyIndex body) {
+void Upkeep::wakeTied(BodyIndex body) {
   std::vector<BodyIndex> wake;
-  for (const CandidatePair& pair : proximity_.contacts.asleep)
-    if ((pair.bodyA == body || pair.bodyB == body) && pair.contact != kNoIndex)
-      wake.push_back(pair.bodyA == body ? pair.bodyB : pair.bodyA);
+  ties_.eachAsleep([&](const Link& link) {
+    if (link.names(body)) wake.push_back(link.bodyA == body ? link.bodyB : link.bodyA);
+  });
   for (BodyIndex other : wake) wakeIslandOf(other);
 }
 

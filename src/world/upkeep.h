@@ -1,6 +1,7 @@
 // Keeps the owners in step with each other when a body is made, changed, woken or taken out: it makes the changes in
 // every list. A call of the API or a stage changes several owners at once only in this way.
 #pragma once
+#include "dynamics/ties.h"
 #include "world/activity.h"
 #include "world/diary.h"
 #include "world/proximity.h"
@@ -10,8 +11,8 @@ namespace brickfall {
 
 class Upkeep {
  public:
-  Upkeep(Registry& registry, Activity& activity, Proximity& proximity, Diary& diary)
-      : registry_(registry), activity_(activity), proximity_(proximity), diary_(diary) {}
+  Upkeep(Registry& registry, Activity& activity, Proximity& proximity, Ties& ties, Diary& diary)
+      : registry_(registry), activity_(activity), proximity_(proximity), ties_(ties), diary_(diary) {}
 
   BodyIndex create(BodyPlan&& plan);
   void destroy(BodyIndex body);
@@ -22,7 +23,7 @@ class Upkeep {
   void setPose(BodyIndex body, Vec3 position, Quat rotation);
   void setMaterial(ShapeIndex shape, const Material& material);
   void relist(BodyIndex body);   // its velocity was set
-  void isolate(BodyIndex body);  // a quarantined body: out of all contacts and of every list that the step walks
+  void isolate(BodyIndex body);  // a quarantined body: out of all ties and of every list that the step walks
 
   void disturb(BodyIndex body);       // its state was changed from outside: wakes the body and unsettles its island
   void wakeIslandOf(BodyIndex body);  // if the body sleeps
@@ -32,14 +33,17 @@ class Upkeep {
   // A force and a torque about `at` for the coming step, shared by dynamic pieces so that they gain speed as one rigid
   // body would.
   void push(const std::vector<BodyIndex>& pieces, Vec3 at, Vec3 force, Vec3 torque);
-  void removeContactsOf(BodyIndex body);
+  void endTiesOf(BodyIndex body);  // of a body that goes
+  void displace(BodyIndex body);   // a body that is put elsewhere, or becomes another: ties to its place end
+  void tiesEnded(BodyIndex body);
   void renewProxies(BodyIndex body);
-  void wakeTouching(BodyIndex body);  // sleeping islands in contact with the body
+  void wakeTied(BodyIndex body);  // sleeping islands that something ties to the body
   void wakeIsland(std::size_t asleepIndex);
 
   Registry& registry_;
   Activity& activity_;
   Proximity& proximity_;
+  Ties& ties_;
   Diary& diary_;
 };
 

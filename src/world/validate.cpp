@@ -11,14 +11,15 @@ void World::Impl::checkStructure(Findings& f) const {
   const BodySet& bodies = registry.bodies;
   registry.checkStructure(f);
   if (!f.any()) proximity.checkStructure(f, registry);
-  if (!f.any()) activity.checkStructure(f, bodies, proximity.contacts);
+  if (!f.any()) ties.checkStructure(f, bodies, registry.shapes);
+  if (!f.any()) activity.checkStructure(f, bodies, ties);
   if (!f.any()) diary.checkStructure(f, registry);
 }
 
 void World::Impl::checkLinks(Findings& f) const {
   registry.check(f);
-  proximity.check(f, registry);
-  activity.check(f, registry.bodies, proximity.contacts);
+  ties.check(f, registry.bodies, registry.shapes);
+  activity.check(f, registry.bodies, ties);
   diary.check(f, registry);
   auto isStep = [](double dt) { return dt >= 0 && dt <= limits::kLongestTimeStep; };
   f.expect(clock.time >= 0 && std::isfinite(clock.time) && isStep(clock.lastDt) && isStep(clock.stiffnessDt) &&

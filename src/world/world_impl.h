@@ -1,4 +1,4 @@
-// The parts of a World: its definition, five owners of its state, and its clock. Only the files of the API and the step
+// The parts of a World: its definition, six owners of its state, and its clock. Only the files of the API and the step
 // see it whole. A stage, or any other action of a world, is a function of the owners that it names.
 #pragma once
 #include <optional>
@@ -6,6 +6,7 @@
 #include <string>
 
 #include "brickfall/world.h"
+#include "dynamics/ties.h"
 #include "world/activity.h"
 #include "world/clock.h"
 #include "world/diary.h"
@@ -26,6 +27,7 @@ struct World::Impl {
   SolveState solve;  // first: the islands of `activity` lie in its memory
   Registry registry;
   Proximity proximity;
+  Ties ties;
   Activity activity;
   Diary diary;
   Clock clock;
@@ -39,7 +41,7 @@ struct World::Impl {
   void runStages(Stage first, Stage end);
   void endPart();
 
-  Upkeep upkeep() { return {registry, activity, proximity, diary}; }
+  Upkeep upkeep() { return {registry, activity, proximity, ties, diary}; }
   Quarantine quarantine() { return {registry, diary.report, upkeep()}; }
   // Checks of every call that changes something: not while stepping or from a callback, then a live body and sound
   // arguments.

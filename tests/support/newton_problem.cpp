@@ -78,9 +78,9 @@ Problem problemOf(const Island& island, const StepContext& context) {
     out.partners.push_back({m.linearVelocity * dt, m.angularVelocity * dt});
   }
   for (ContactIndex index : island.rows.contacts.contactOf) {
-    const Contact& c = context.contacts->contacts[index];
+    const Contact& c = context.ties->contacts.contacts[index];
     for (int i = 0; i < c.count; i++) {
-      ProblemPoint p = pointOf(c, context.contacts->geometry[index], i, context, dt);
+      ProblemPoint p = pointOf(c, context.ties->contacts.geometry[index], i, context, dt);
       p.a = number.at(c.bodyA);
       p.b = number.at(c.bodyB);
       p.contact = index;
@@ -91,7 +91,7 @@ Problem problemOf(const Island& island, const StepContext& context) {
 }
 
 void takeLimits(Problem& problem, const Island& island) {
-  std::map<ContactIndex, const ContactRecord*> records;
+  std::map<ContactIndex, const FaceRecord*> records;
   for (std::size_t k = 0; k < island.rows.contacts.contactOf.size(); k++)
     records[island.rows.contacts.contactOf[k]] = &island.rows.contacts.records[k];
   for (ProblemPoint& p : problem.points) p.limit = double(records.at(p.contact)->limit[p.lane]);

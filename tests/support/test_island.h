@@ -32,7 +32,7 @@ class TestIsland {
     context.dt = dt;
     context.gravity = {0, -kG, 0};
     context.bodies = &bodies;
-    context.contacts = &contacts;
+    context.ties = &allTies;
   }
   TestIsland(const TestIsland&) = delete;
   TestIsland& operator=(const TestIsland&) = delete;
@@ -92,7 +92,7 @@ class TestIsland {
     }
     return add(a, b, m, toA * bodies.pose(b), friction);
   }
-  Ties ties() { return {contacts}; }
+  Ties& ties() { return allTies; }
   Contact& contact(ContactIndex index) { return contacts.contacts[index]; }
   PointMemory& points(ContactIndex index) { return contacts.contacts[index].points; }
   // u, N/m: of the pair's effective mass and this time step
@@ -125,7 +125,7 @@ class TestIsland {
     EXPECT_EQ(islands.awake.size(), 1u) << "not one island";
     return *islands.awake.front();
   }
-  const ContactRecord& record(std::size_t row = 0) { return island().rows.contacts.records[row]; }
+  const FaceRecord& record(std::size_t row = 0) { return island().rows.contacts.records[row]; }
   void link() {
     if (contacts.changed) buildIslands(islands, ties(), context, awake);
     contacts.changed = false;
@@ -175,7 +175,8 @@ class TestIsland {
   }
 
   BodySet bodies;
-  ContactSet contacts;
+  Ties allTies;
+  ContactSet& contacts = allTies.contacts;
   StepContext context;
   IslandSet islands;
   std::vector<BodyIndex> awake;

@@ -23,7 +23,7 @@ Velocity startOf(const BodySet& bodies, BodyIndex body) {
 }
 
 // Normal speed of B against A at each point: negative = closing.
-void speedsOf(const ContactRecord& r, int count, const Velocity& a, const Velocity& b, double* out) {
+void speedsOf(const FaceRecord& r, int count, const Velocity& a, const Velocity& b, double* out) {
   Vec3 n = toDouble(r.n), t1 = toDouble(r.t1), t2 = cross(n, t1);
   Vec3 u = b.linear + cross(b.angular, toDouble(r.armB)) - a.linear - cross(a.angular, toDouble(r.armA));
   Vec3 w = b.angular - a.angular;
@@ -59,7 +59,7 @@ bool ContactRows::mayClose(const StepContext& context, double ahead) const {
   const BodySet& bodies = *context.bodies;
   const double fall = length(context.gravity) * context.dt * context.dt;
   for (ContactIndex contact : contactOf) {
-    const Contact& c = context.contacts->contacts[contact];
+    const Contact& c = context.ties->contacts.contacts[contact];
     const BodyMotion &a = bodies.motion[c.bodyA], &b = bodies.motion[c.bodyB];
     double most = length(b.linearVelocity - a.linearVelocity) +
                   length(a.angularVelocity) * bodies.mass[c.bodyA].outerRadius +
@@ -72,7 +72,7 @@ bool ContactRows::mayClose(const StepContext& context, double ahead) const {
 
 bool ContactRows::touchNothing(const StepContext& context) const {
   for (ContactIndex contact : contactOf) {
-    const Contact& c = context.contacts->contacts[contact];
+    const Contact& c = context.ties->contacts.contacts[contact];
     if (c.touching) return false;
     for (int i = 0; i < c.count; i++)
       if (!isOpen(c, i, context)) return false;
@@ -80,7 +80,7 @@ bool ContactRows::touchNothing(const StepContext& context) const {
   return true;
 }
 
-void ContactRows::leaveOut(Ties ties, const StepContext& context) {
+void ContactRows::leaveOut(Ties& ties, const StepContext& context) {
   for (std::size_t k = 0; k < size(); k++) {
     Contact& c = ties.contacts.contacts[contactOf[k]];
     for (int i = 0; i < c.count; i++) {
@@ -103,8 +103,8 @@ double ContactRows::firstClosing(const Island& island, double dt, const StepCont
   };
   double first = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < size(); k++) {
-    const Contact& c = context.contacts->contacts[contactOf[k]];
-    const ContactRecord& r = records[k];
+    const Contact& c = context.ties->contacts.contacts[contactOf[k]];
+    const FaceRecord& r = records[k];
     Velocity startA, startB, endA, endB;
     velocities(r.bodyA, startA, endA);
     velocities(r.bodyB, startB, endB);

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "solver/contact/kernel.h"
 #include "solver/contact/stiffness.h"
+#include "solver/face/kernel.h"
 
 namespace brickfall {
 
@@ -42,13 +42,14 @@ double elasticEnergy(const Contact& c, const StepContext& context) {
   return sum;
 }
 
-ContactWork contactWork(const Island& island, const StepContext& context) {
-  ContactWork out;
-  for (std::size_t n = 0; n < island.rows.contacts.records.size(); n++) {
-    Contact c =
-        context.contacts->contacts[island.rows.contacts.contactOf[n]];  // as if the multiplier were all of the force
-    auto m = kernel::pointMotion(island.rows.contacts.records[n], kernel::frame(island.rows.contacts.records[n]),
-                                 island.motion.data());
+double ContactRows::elasticEnergy(ContactIndex contact, const StepContext& context) {
+  return brickfall::elasticEnergy(context.ties->contacts.contacts[contact], context);
+}
+
+void ContactRows::addWork(const Island& island, const StepContext& context, TieWork& sum) const {
+  for (std::size_t k = 0; k < size(); k++) {
+    Contact c = context.ties->contacts.contacts[contactOf[k]];  // as if the multiplier were all of the force
+    auto m = kernel::pointMotion(records[k], kernel::frame(records[k]), island.motion.data());
     alignas(16) float way[3][4];
     kernel::store(m.n, way[0]);
     kernel::store(m.t1, way[1]);
@@ -58,9 +59,8 @@ ContactWork contactWork(const Island& island, const StepContext& context) {
         return double(normal[i]) * double(way[0][i]) + double(along1[i]) * double(way[1][i]) +
                double(along2[i]) * double(way[2][i]);
       };
-      const ContactStart& start = island.rows.contacts.starts[n];
-      out.work += work(c.points.forceN, c.points.force1, c.points.force2);
-      out.rebound += work(start.back, start.back1, start.back2);
+      sum.work += work(c.points.forceN, c.points.force1, c.points.force2);
+      sum.rebound += work(starts[k].back, starts[k].back1, starts[k].back2);
       c.points.gap[i] += way[0][i];
       c.points.drift1[i] += way[1][i];
       c.points.drift2[i] += way[2][i];
@@ -68,16 +68,15 @@ ContactWork contactWork(const Island& island, const StepContext& context) {
     std::copy(c.points.forceN, c.points.forceN + 4, c.points.multiplierN);
     std::copy(c.points.force1, c.points.force1 + 4, c.points.multiplier1);
     std::copy(c.points.force2, c.points.force2 + 4, c.points.multiplier2);
-    out.elastic += elasticEnergy(c, context);
+    sum.elastic += brickfall::elasticEnergy(c, context);
   }
-  return out;
 }
 
 namespace {
 
 // Adds the impulse of a contact with a fixed or kinematic body on the island's body, about the world's origin. Its work
 // is that of the partner's motion.
-void addImpulse(const Contact& c, const ContactRecord& r, const ContactStart& start, const BodySet& bodies, bool onB,
+void addImpulse(const Contact& c, const FaceRecord& r, const ContactStart& start, const BodySet& bodies, bool onB,
                 double dt, BalanceChange& sum) {
   Vec3 n = toDouble(r.n), t1 = toDouble(r.t1), t2 = cross(n, t1);
   Vec3 centre = bodies.motion[c.bodyA].position + toDouble(r.armA);
@@ -98,17 +97,14 @@ void addImpulse(const Contact& c, const ContactRecord& r, const ContactStart& st
 
 }  // namespace
 
-BalanceChange supportImpulses(const Island& island, const StepContext& context) {
-  const ContactRows& rows = island.rows.contacts;
-  BalanceChange sum;
-  for (std::size_t k = 0; k < rows.size(); k++) {
-    const ContactRecord& r = rows.records[k];
+void ContactRows::addSupport(const Island& island, const StepContext& context, BalanceChange& sum) const {
+  for (std::size_t k = 0; k < size(); k++) {
+    const FaceRecord& r = records[k];
     bool partnerA = r.bodyA >= island.bodies.size(), partnerB = r.bodyB >= island.bodies.size();
     if (partnerA || partnerB)
-      addImpulse(context.contacts->contacts[rows.contactOf[k]], r, rows.starts[k], *context.bodies, partnerA, island.dt,
+      addImpulse(context.ties->contacts.contacts[contactOf[k]], r, starts[k], *context.bodies, partnerA, island.dt,
                  sum);
   }
-  return sum;
 }
 
 }  // namespace brickfall

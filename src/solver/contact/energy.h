@@ -1,6 +1,5 @@
-// Elastic energy of contacts, and the work that they do: for the ledger.
+// Elastic energy of contacts: for the ledger.
 #pragma once
-#include "brickfall/step_trace.h"
 #include "solver/island.h"
 
 namespace brickfall {
@@ -13,17 +12,5 @@ namespace brickfall {
 // softer than a resting one and turns plastic when the impact is over. So it counts with the energy of a resting point
 // under the force that is then left, in the softest island (plan.h).
 double elasticEnergy(const Contact& contact, const StepContext& context);
-
-// Work and elastic energy of all contacts of an island, by the solved motion: between forces and new poses.
-struct ContactWork {
-  double work = 0;     // J, done on the bodies and on kinematic partners
-  double rebound = 0;  // J, done by the forces that rebounds add: not part of `work`
-  double elastic = 0;  // J, elastic energy after it
-};
-ContactWork contactWork(const Island& island, const StepContext& context);
-
-// Impulses of fixed and kinematic bodies on the island in the step, about the world's origin. Their work is that of
-// these bodies' motion.
-BalanceChange supportImpulses(const Island& island, const StepContext& context);
 
 }  // namespace brickfall

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "solver/contact/point_forces.h"
 #include "solver/contact/rebound.h"
+#include "solver/face/point_forces.h"
 
 namespace brickfall {
 
@@ -23,15 +23,19 @@ bool comesOn(const ContactStart& start, double least) {
   return !(least > 0);
 }
 
+TieImpact impactAt(const Contact& c, const FaceRecord& r, const StepContext& context) {
+  return {c.bodyA, c.bodyB, context.bodies->motion[c.bodyA].position + toDouble(r.armA), toDouble(r.n)};
+}
+
 }  // namespace
 
 void ContactRows::findHits(const Island& island, const StepContext& context, double least,
-                           std::pmr::vector<ContactImpact>& out) const {
+                           std::pmr::vector<TieImpact>& out) const {
   if (double(fastestApproach) < least) return;
   for (std::size_t k = 0; k < size(); k++) {
-    const Contact& c = context.contacts->contacts[contactOf[k]];
+    const Contact& c = context.ties->contacts.contacts[contactOf[k]];
     if (!comesOn(starts[k], least) || !c.touching) continue;
-    ContactImpact impact{std::uint32_t(k)};
+    TieImpact impact = impactAt(c, records[k], context);
     for (int i = 0; i < c.count; i++) {
       if (!(c.points.forceN[i] > 0)) continue;
       impact.speed = std::max(impact.speed, double(-starts[k].approach[i]));
@@ -45,8 +49,8 @@ void ContactRows::startImpact(const Island& island, const StepContext& context, 
   double fastest = 0, heaviest = 0;
   for (BodyIndex body : island.bodies) heaviest = std::max(heaviest, context.bodies->mass[body].mass);
   for (std::size_t k = 0; k < size(); k++) {
-    const Contact& c = context.contacts->contacts[contactOf[k]];
-    ContactRecord& r = records[k];
+    const Contact& c = context.ties->contacts.contacts[contactOf[k]];
+    FaceRecord& r = records[k];
     for (int i = 0; i < c.count; i++) {
       double approach = std::max(0.0, -double(starts[k].approach[i]));
       bool closed = double(c.points.gap[i]) <= std::max(kClosedGap * starts[k].scale.length, approach * blink);
@@ -62,7 +66,7 @@ void ContactRows::startImpact(const Island& island, const StepContext& context, 
 }
 
 void ContactRows::keepImpactForces(const Island& island) {
-  for (ContactRecord& r : records) {
+  for (FaceRecord& r : records) {
     PointForces f = pointForcesAt(r, island.motion.data());
     for (int i = 0; i < 4; i++) {
       if (!(f.n[i] > 0)) continue;
@@ -74,20 +78,20 @@ void ContactRows::keepImpactForces(const Island& island) {
 }
 
 bool ContactRows::reboundImpact(const Island& island, const StepContext& context,
-                                std::pmr::vector<ContactImpact>& impacts) {
+                                std::pmr::vector<TieImpact>& impacts) {
   double least = slowestRebound(island, context);
   bool rebounds = false;
   for (std::size_t k = 0; k < size(); k++) {
-    const Contact& c = context.contacts->contacts[contactOf[k]];
+    const Contact& c = context.ties->contacts.contacts[contactOf[k]];
     PointForces f = pointForcesAt(records[k], island.motion.data());
-    ContactImpact impact{std::uint32_t(k)};
+    TieImpact impact = impactAt(c, records[k], context);
     for (int i = 0; i < c.count; i++) {
       if (!(f.n[i] > 0)) continue;
       double approach = -double(starts[k].approach[i]);
       impact.speed = std::max(impact.speed, approach);
       impact.impulse += double(f.n[i]) * island.dt;
       if (c.restitution == 0 || approach <= least) continue;
-      records[k].tensionCap[i] = -(1 + c.restitution) * f.n[i];
+      records[k].leastN[i] = (1 + c.restitution) * f.n[i];
       rebounds = true;
     }
     if (impact.impulse > 0) impacts.push_back(impact);
@@ -95,11 +99,11 @@ bool ContactRows::reboundImpact(const Island& island, const StepContext& context
   return rebounds;
 }
 
-void ContactRows::endImpact(const Island& island, Ties ties, const StepContext& context, bool solved) {
+void ContactRows::endImpact(const Island& island, Ties& ties, const StepContext& context, bool solved) {
   for (std::size_t k = 0; k < size(); k++) {
     Contact& c = ties.contacts.contacts[contactOf[k]];
     PointForces f = pointForcesAt(records[k], island.motion.data());
-    for (float& cap : records[k].tensionCap) cap = 0;
+    for (float& least : records[k].leastN) least = 0;
     if (!solved) continue;
     for (int i = 0; i < c.count; i++) {
       // A point that was hit begins anew, and so does a point that the impact parts: its last force must not act on.

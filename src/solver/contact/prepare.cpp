@@ -17,7 +17,7 @@ namespace brickfall {
 
 namespace {
 
-void updateFrame(ContactRecord& r, const Contact& c, const ContactGeometry& g, const BodySet& bodies) {
+void updateFrame(FaceRecord& r, const Contact& c, const ContactGeometry& g, const BodySet& bodies) {
   const BodyMotion &a = bodies.motion[c.bodyA], &b = bodies.motion[c.bodyB];
   Vec3 armA = a.orientation * g.centre;
   r.n = toFloat(a.orientation * g.normal);
@@ -30,7 +30,7 @@ void updateFrame(ContactRecord& r, const Contact& c, const ContactGeometry& g, c
   }
 }
 
-void findApproach(const ContactRecord& r, const Contact& c, const BodySet& bodies, ContactStart& start) {
+void findApproach(const FaceRecord& r, const Contact& c, const BodySet& bodies, ContactStart& start) {
   const BodyMotion &a = bodies.motion[c.bodyA], &b = bodies.motion[c.bodyB];
   Vec3 n = toDouble(r.n), t1 = toDouble(r.t1), t2 = cross(n, t1);
   Vec3 u = b.linearVelocity + cross(b.angularVelocity, toDouble(r.armB)) - a.linearVelocity -
@@ -45,7 +45,7 @@ void findApproach(const ContactRecord& r, const Contact& c, const BodySet& bodie
 
 // A partner's surface goes on turning while the body goes along with it: over a step its way is an arc. For a touching
 // body the way is th x arm + th x (way of the body) / 2. The solve knows the first part.
-Vec3f bendOf(const Island& island, const ContactRecord& r, const Contact& c, const BodySet& bodies, double dt) {
+Vec3f bendOf(const Island& island, const FaceRecord& r, const Contact& c, const BodySet& bodies, double dt) {
   const std::size_t own = island.bodies.size();
   if (r.bodyA < own && r.bodyB < own) return {};
   auto half = [&](BodyIndex partner, BodyIndex body) {
@@ -122,7 +122,7 @@ float mapNormalOffset(PointMemory& m, int i, float approach, const PointRules& r
   return m.gap[i] - m.offset[i];
 }
 
-void mapFrictionAnchor(Contact& c, int i, ContactGeometry& g, const ContactRecord& r, double largest,
+void mapFrictionAnchor(Contact& c, int i, ContactGeometry& g, const FaceRecord& r, double largest,
                        const BodySet& bodies) {
   bool sticking = c.points.stickingMask >> i & 1;
   bool tooFar = c.points.drift1[i] * c.points.drift1[i] + c.points.drift2[i] * c.points.drift2[i] > largest * largest;
@@ -149,7 +149,7 @@ bool boundFollows(const PointMemory& m, int i, float approach, const PointRules&
 // soft, as in an impact, until it rests. A contact that bears more than a sudden load can do still stands, though it
 // shakes: storeys would sink into soft ones as into rubber. So would a ball into a still body under it, and the next
 // brick's edge would brake it.
-bool isDebris(const Island& island, const ContactRecord& r, const Contact& c, float cap) {
+bool isDebris(const Island& island, const FaceRecord& r, const Contact& c, float cap) {
   if (!island.plan.softDebris) return false;
   for (int i = 0; i < c.count; i++)
     if (c.points.multiplierN[i] > cap) return false;
@@ -161,13 +161,13 @@ bool isDebris(const Island& island, const ContactRecord& r, const Contact& c, fl
 
 }  // namespace
 
-void ContactRows::prepare(const Island& island, Ties ties, const StepContext& context) {
+void ContactRows::prepare(const Island& island, Ties& ties, const StepContext& context) {
   const BodySet& bodies = *context.bodies;
   ContactSet& set = ties.contacts;
   fastestApproach = 0;
   for (std::size_t k = 0; k < size(); k++) {
     Contact& c = set.contacts[contactOf[k]];
-    ContactRecord& r = records[k];
+    FaceRecord& r = records[k];
     ContactStart& start = starts[k];
     bool still = bodies.still[c.bodyA] && bodies.still[c.bodyB];
     if (c.fresh || !still) updateFrame(r, c, set.geometry[contactOf[k]], bodies);
@@ -190,7 +190,7 @@ void ContactRows::prepare(const Island& island, Ties ties, const StepContext& co
     for (int i = 0; i < 4; i++) {
       start.taken[i] = start.back[i] = start.back1[i] = start.back2[i] = 0;
       if (i >= c.count) {
-        r.trialN[i] = r.trial1[i] = r.trial2[i] = r.k[i] = r.limit[i] = r.tensionCap[i] = 0;
+        r.trialN[i] = r.trial1[i] = r.trial2[i] = r.k[i] = r.limit[i] = r.leastN[i] = 0;
         continue;
       }
       if (-start.approach[i] > fastestApproach) fastestApproach = -start.approach[i];
@@ -210,7 +210,7 @@ void ContactRows::prepare(const Island& island, Ties ties, const StepContext& co
                           float(island.dt);
       if (falls) start.stopping[i] = std::max(0.0f, c.points.forceN[i]);
       r.limit[i] = c.friction * std::max(0.0f, c.points.forceN[i]);
-      r.tensionCap[i] = 0;
+      r.leastN[i] = 0;
     }
   }
 }

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solver/contact/point_forces.h"
+#include "solver/face/point_forces.h"
 #include "solver/support.h"
 
 namespace brickfall {
@@ -19,7 +19,7 @@ namespace {
 constexpr float kOverShare = 0.1f;  // of the speed at which an impact began: slower points have been stopped
 
 // Normal ways as if this impact did not act: a body that others support does not fall with the body that lands on it.
-PointForces pointsWithout(const Island& island, const ContactRecord& record, const std::pmr::vector<char>& supported,
+PointForces pointsWithout(const Island& island, const FaceRecord& record, const std::pmr::vector<char>& supported,
                           const StepContext& context) {
   SolveMotion pair[2];
   auto take = [&](std::uint32_t body, SolveMotion& out) {
@@ -31,7 +31,7 @@ PointForces pointsWithout(const Island& island, const ContactRecord& record, con
   };
   take(record.bodyA, pair[0]);
   take(record.bodyB, pair[1]);
-  ContactRecord r = record;
+  FaceRecord r = record;
   r.bodyA = 0;
   r.bodyB = 1;
   return pointForcesAt(r, pair);
@@ -74,10 +74,10 @@ bool ContactRows::startRebounds(const Island& island, const StepContext& context
   std::pmr::vector<char> supported(island.memory);  // bodies; found where there is an impact
   bool any = false;
   for (std::size_t k = 0; k < size(); k++) {
-    const Contact& c = context.contacts->contacts[contactOf[k]];
+    const Contact& c = context.ties->contacts.contacts[contactOf[k]];
     if (c.restitution == 0) continue;
     ContactStart& start = starts[k];
-    ContactRecord& r = records[k];
+    FaceRecord& r = records[k];
     const std::uint32_t impacts = impactsOf(c, start, slowest);
     if (impacts == 0) continue;
     if (supported.empty()) findSupportedBefore(island, context, supported);
@@ -95,7 +95,7 @@ bool ContactRows::startRebounds(const Island& island, const StepContext& context
       const float found = std::min(start.taken[i], now.n[i] * dt), left = start.taken[i] - found;
       start.back[i] = c.restitution * (c.points.impulse[i] + start.taken[i] + left) / dt;
       if (!(start.back[i] > 0)) continue;
-      r.tensionCap[i] = -(found / dt + start.back[i]);
+      r.leastN[i] = found / dt + start.back[i];
       if (r.newPoints >> i & 1)
         start.stopping[i] += start.back[i];
       else

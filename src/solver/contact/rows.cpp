@@ -9,10 +9,10 @@ namespace brickfall {
 bool ContactRows::continues(const ContactRows& old, const StepContext& context) const {
   if (contactOf != old.contactOf) return false;
   return std::none_of(contactOf.begin(), contactOf.end(),
-                      [&](ContactIndex c) { return context.contacts->contacts[c].born; });
+                      [&](ContactIndex c) { return context.ties->contacts.contacts[c].born; });
 }
 
-void ContactRows::remember(Ties ties, Memory& out) const {
+void ContactRows::remember(const Ties& ties, Memory& out) const {
   for (ContactIndex contact : contactOf) {
     out.contacts.push_back(ties.contacts.contacts[contact]);
     out.geometry.push_back(ties.contacts.geometry[contact]);
@@ -20,7 +20,7 @@ void ContactRows::remember(Ties ties, Memory& out) const {
   out.struck = ties.contacts.struck.size();
   out.touchingChanged = ties.contacts.touchingChanged;
 }
-void ContactRows::restore(Ties ties, const Memory& memory) const {
+void ContactRows::restore(Ties& ties, const Memory& memory) const {
   for (std::size_t k = 0; k < size(); k++) {
     ties.contacts.contacts[contactOf[k]] = memory.contacts[k];
     ties.contacts.geometry[contactOf[k]] = memory.geometry[k];
@@ -31,7 +31,7 @@ void ContactRows::restore(Ties ties, const Memory& memory) const {
 
 // Each point counts 1, and 100 per effective weight that it carries.
 float ContactRows::strength(std::size_t k, const StepContext& context) const {
-  const Contact& c = context.contacts->contacts[contactOf[k]];
+  const Contact& c = context.ties->contacts.contacts[contactOf[k]];
   float sum = 0;
   for (int i = 0; i < c.count; i++)
     sum += 1 + 100 * std::fabs(c.points.multiplierN[i]) / (c.effectiveMass * float(context.judgingGravity));
@@ -39,7 +39,7 @@ float ContactRows::strength(std::size_t k, const StepContext& context) const {
 }
 
 bool ContactRows::holds(std::size_t k, const StepContext& context) const {
-  const Contact& c = context.contacts->contacts[contactOf[k]];
+  const Contact& c = context.ties->contacts.contacts[contactOf[k]];
   const float leaves = float(context.settings.restingApproachSpeed * starts[k].scale.speed);
   bool any = false;
   for (int i = 0; i < c.count; i++)
@@ -48,14 +48,14 @@ bool ContactRows::holds(std::size_t k, const StepContext& context) const {
 }
 
 RowGrip ContactRows::grip(std::size_t k, const StepContext& context) const {
-  const Contact& c = context.contacts->contacts[contactOf[k]];
+  const Contact& c = context.ties->contacts.contacts[contactOf[k]];
   double force = 0;
   for (int i = 0; i < c.count; i++) force += double(c.points.forceN[i]);
   return {toDouble(records[k].n) * force, double(c.friction) * force};
 }
 
 bool ContactRows::meetsWithin(std::size_t k, Vec3f way, const SolveMotion* motion, const StepContext& context) const {
-  const Contact& c = context.contacts->contacts[contactOf[k]];
+  const Contact& c = context.ties->contacts.contacts[contactOf[k]];
   if (c.touching) return true;
   alignas(16) float n[4];
   kernel::store(kernel::pointMotion(records[k], kernel::frame(records[k]), motion).n, n);
@@ -73,7 +73,7 @@ constexpr float kMostOver = 1e4f;  // of ContactStart::stopping
 // force, but no more than stops the approach and carries the pair's weight; `over`: up to kMostOver times that. A point
 // whose limit only falls after an impact gets no more than it had.
 bool ContactRows::renewNewPoints(std::size_t k, const SolveMotion* motion, float slack, bool over) {
-  ContactRecord& r = records[k];
+  FaceRecord& r = records[k];
   const ContactStart& start = starts[k];
   alignas(16) float fn[4];
   kernel::store(kernel::pointForces(r, kernel::pointMotion(r, kernel::frame(r), motion)).n, fn);
@@ -90,7 +90,7 @@ bool ContactRows::renewNewPoints(std::size_t k, const SolveMotion* motion, float
 }
 
 bool ContactRows::owes(std::size_t k, const StepContext& context) const {
-  const PointMemory& m = context.contacts->contacts[contactOf[k]].points;
+  const PointMemory& m = context.ties->contacts.contacts[contactOf[k]].points;
   return std::any_of(m.impulse, m.impulse + starts[k].points, [](float taken) { return taken > 0; });
 }
 
@@ -110,7 +110,7 @@ double ContactRows::reboundWork(std::size_t k, const SolveMotion* motion) const 
 }
 
 bool ContactRows::dropBounds(std::size_t k, const SolveMotion* motion) {
-  ContactRecord& r = records[k];
+  FaceRecord& r = records[k];
   alignas(16) float fn[4];
   kernel::store(kernel::pointForces(r, kernel::pointMotion(r, kernel::frame(r), motion)).n, fn);
   bool changed = false;

@@ -2,14 +2,14 @@
 #pragma once
 #include <cstdint>
 #include <memory_resource>
+#include <utility>
 #include <vector>
 
-#include "dynamics/contact_set.h"
-#include "solver/contact/kernel.h"
-#include "solver/contact/pairs.h"
-#include "solver/contact/record.h"
+#include "brickfall/step_trace.h"
+#include "solver/face/rows.h"
 #include "solver/hierarchy.h"
 #include "solver/step_context.h"
+#include "solver/tie_report.h"
 
 namespace brickfall {
 
@@ -31,22 +31,15 @@ struct ContactStart {
   Scale scale;                // of the pair
 };
 
-// The impulse that stopped a contact.
-struct ContactImpact {
-  std::uint32_t row = 0;
-  double speed = 0;    // m/s, fastest approach of its points
-  double impulse = 0;  // N s; after an impact at its moment: rebound left out
-};
-
-struct ContactRows {
-  explicit ContactRows(std::pmr::memory_resource* memory) : contactOf(memory), records(memory), starts(memory) {}
+struct ContactRows : FaceRows {
+  explicit ContactRows(std::pmr::memory_resource* memory) : FaceRows(memory), contactOf(memory), starts(memory) {}
   std::pmr::vector<ContactIndex> contactOf;  // by row, in pair order
-  std::pmr::vector<ContactRecord> records;   // by row
   std::pmr::vector<ContactStart> starts;     // by row
   float fastestApproach = 0;                 // m/s, of any point at the start of the step
 
-  // --- functions of every kind of row (rows.h)
-  static constexpr double kPoints = 4;  // visits that a row counts as
+  // --- functions of every kind of row (row_kind.h)
+  static constexpr double kPoints = 4;  // visits that a row counts as; points at most
+  static constexpr std::size_t kRecordSize = sizeof(FaceRecord);
   std::size_t size() const { return contactOf.size(); }
   void reserve(std::size_t rows) { contactOf.reserve(rows); }
   void add(std::uint32_t index) { contactOf.push_back(index); }
@@ -55,7 +48,7 @@ struct ContactRows {
   // The same contacts as in `old`; no slot has gone to another contact.
   bool continues(const ContactRows& old, const StepContext& context) const;
   // New rows: `number` gives a body's place in Island::motion.
-  template <class Number> void bind(Ties ties, Number number) {
+  template <class Number> void bind(Ties& ties, Number number) {
     records.assign(size(), {});
     starts.assign(size(), {});
     for (std::size_t k = 0; k < size(); k++) {
@@ -66,16 +59,25 @@ struct ContactRows {
       c.born = false;
     }
   }
-  RowEnds ends(std::size_t k) const { return {records[k].bodyA, records[k].bodyB}; }
   // How firmly the contact ties its two bodies: more than 0.
   float strength(std::size_t k, const StepContext& context) const;
+  bool ties(std::size_t k, const StepContext& context) const { return carriesForce(k, context); }
   bool carriesForce(std::size_t k, const StepContext& context) const {
-    return context.contacts->contacts[contactOf[k]].touching;
+    return context.ties->contacts.contacts[contactOf[k]].touching;
   }
   // The contact carries force, and at one point at least it sticks.
   bool sticks(std::size_t k, const StepContext& context) const {
-    return carriesForce(k, context) && context.contacts->contacts[contactOf[k]].points.stickingMask != 0;
+    return carriesForce(k, context) && context.ties->contacts.contacts[contactOf[k]].points.stickingMask != 0;
   }
+  // After the forces are stored: how they go on, if the velocities of the row's bodies change so in the step.
+  RowCourse courseOf(std::size_t k, const EndChanges& change, double dt, const StepContext& context) const;
+  // At the end of the step an open point is nearer to its partner than `nearer`, over half of the step, would move the
+  // two towards each other.
+  bool wouldMeet(std::size_t k, const EndChanges& nearer, const EndChanges& change, double dt) const;
+  // Adds the friction of the last step on B, or on A, along a direction.
+  void addFriction(std::size_t k, Vec3 along, bool onB, const StepContext& context, FrictionAlong& sum) const;
+  // What the ties hold on to is to be where the step ends: the contacts' anchors.
+  void letGo(Ties& ties) const;
   // In the last step the contact carried force that was no impact's, and its bodies do not part.
   bool holds(std::size_t k, const StepContext& context) const;
   // N: the force from A on B in the last step, along the normal, and the friction that this allows.
@@ -83,7 +85,7 @@ struct ContactRows {
   // The contact carries force, or would at the present motion if one of its bodies went `way` (m) further.
   bool meetsWithin(std::size_t k, Vec3f way, const SolveMotion* motion, const StepContext& context) const;
 
-  void prepare(const Island& island, Ties ties, const StepContext& context);
+  void prepare(const Island& island, Ties& ties, const StepContext& context);
   // Friction limits that follow the solve: those of points that carried nothing in the last step, or an impact. While
   // the solve goes on, the pair's own weight and approach cap them: forces met on the solve's way are no measure.
   // Changes of less than `slack` of a limit are left. True if any changed.
@@ -106,11 +108,11 @@ struct ContactRows {
   double reboundWork(std::size_t k, const SolveMotion* motion) const;
   // Writes the forces at the final motion into the contacts. True if any changed by more than rounding. For an island
   // that does not rest this is not compared, and the result is true.
-  bool store(Island& island, Ties ties, StepContext& context);
+  bool store(Island& island, Ties& ties, StepContext& context);
   // Adds this share of the stored forces to the forces that are told of the step.
-  void tellShare(Ties ties, float share) const;
+  void tellShare(Ties& ties, float share) const;
   // Gaps and drifts go on by the motion that was finally made.
-  void advance(const Island& island, Ties ties) const;
+  void advance(const Island& island, Ties& ties) const;
   // All that the contacts remember. restore puts it back, whatever a trial has made of it.
   struct Memory {
     explicit Memory(std::pmr::memory_resource* memory) : contacts(memory), geometry(memory) {}
@@ -119,17 +121,55 @@ struct ContactRows {
     std::size_t struck = 0;                      // of ContactSet
     bool touchingChanged = false;                // of ContactSet
   };
-  void remember(Ties ties, Memory& out) const;
-  void restore(Ties ties, const Memory& memory) const;
+  void remember(const Ties& ties, Memory& out) const;
+  void restore(Ties& ties, const Memory& memory) const;
 
+  // --- what the world asks of the rows of an island
+  // The bodies that a row's tie names.
+  std::pair<BodyIndex, BodyIndex> bodies(std::size_t k, const Ties& ties) const {
+    const Contact& c = ties.contacts.contacts[contactOf[k]];
+    return {c.bodyA, c.bodyB};
+  }
+  // A snapshot of the rows, and of their number.
+  void archive(WriteArchive& a) const;
+  void archive(ReadArchive& a);
+  // Hashes: which tie it is; what it remembers; what the solve reads.
+  void hashName(Mix& h, std::size_t k, const Ties& ties) const;
+  void hashMemory(Mix& h, std::size_t k, const Ties& ties) const;
+  void hashRecord(Mix& h, std::size_t k, const Ties& ties) const;
+  // What must hold before a row may be followed; values that a snapshot may have; all the rest. `current`: no tie came
+  // or went since the island was built.
+  void checkStructure(Findings& f, const Island& island, const Ties& ties, const BodySet& bodies, bool current) const;
+  void checkRanges(Findings& f) const;
+  void check(Findings& f, const Island& island, const Ties& ties, bool current) const;
+  // visit(contact): the manifolds that the rows stand on, for the narrow phase.
+  template <class Visit> void eachManifold(Visit&& visit) const {
+    for (ContactIndex contact : contactOf) visit(contact);
+  }
+  PointCount countPoints(const Ties& ties) const;
+  // visit(body, body): the bodies of a tie that pressed in the last step, as listeners are told.
+  template <class Visit> void eachTouching(const Ties& ties, Visit&& visit) const {
+    for (ContactIndex contact : contactOf) {
+      const Contact& c = ties.contacts.contacts[contact];
+      if (c.touching || c.struck) visit(c.bodyA, c.bodyB);
+    }
+  }
+  // The solve failed: the ties remember nothing of it, nor of the steps before.
+  void startAfresh(Ties& ties) const;
+  // J: elastic energy that a tie of this kind holds (energy.h).
+  static double elasticEnergy(ContactIndex contact, const StepContext& context);
+  // After store(): adds the rows' work in the step, by the solved motion.
+  void addWork(const Island& island, const StepContext& context, TieWork& sum) const;
+  // Adds the impulses of fixed and kinematic bodies on the island, about the world's origin. Their work is that of the
+  // motion of these bodies.
+  void addSupport(const Island& island, const StepContext& context, BalanceChange& sum) const;
   // After store(): the impulses that stopped contacts which closed at `least` m/s or faster.
-  void findHits(const Island& island, const StepContext& context, double least,
-                std::pmr::vector<ContactImpact>& out) const;
+  void findHits(const Island& island, const StepContext& context, double least, std::pmr::vector<TieImpact>& out) const;
 
   // --- impacts at their moment (solver/impact.h)
   bool mayClose(const StepContext& context, double ahead) const;
   bool touchNothing(const StepContext& context) const;
-  void leaveOut(Ties ties, const StepContext& context);
+  void leaveOut(Ties& ties, const StepContext& context);
   double firstClosing(const Island& island, double dt, const StepContext& context) const;
   // Prepared rows become those of an impact. Closed points may not close further, open points do not exist, and no
   // point has a memory.
@@ -138,31 +178,9 @@ struct ContactRows {
   void keepImpactForces(const Island& island);
   // The impulse that stopped each contact; true if any gives a part of it back. The points that do then press at least
   // so hard.
-  bool reboundImpact(const Island& island, const StepContext& context, std::pmr::vector<ContactImpact>& impacts);
+  bool reboundImpact(const Island& island, const StepContext& context, std::pmr::vector<TieImpact>& impacts);
   // Points that were hit begin anew, and so do points that the impact parts. Not if it was not solved.
-  void endImpact(const Island& island, Ties ties, const StepContext& context, bool solved);
-
-  Arms arms(std::size_t k) const { return {wide::load3Padded(records[k].armA), wide::load3Padded(records[k].armB)}; }
-  // Reads `count` rows from k on.
-  void read(std::size_t k, std::size_t count, const SolveMotion* motion, Reading* out) const {
-    readContacts(records.data() + k, count, motion, out);
-  }
-  // Sums the rows of this kind on a cluster's boundary.
-  void sumBoundary(const Boundary& boundary, BoundarySums& sums) const { sumContacts(boundary, records.data(), sums); }
-  Reaction react(std::size_t k, const SolveMotion* motion) const {
-    const ContactRecord& r = records[k];
-    auto frame = kernel::frame(r);
-    auto w = kernel::wrench(r, frame, kernel::pointForces(r, kernel::pointMotion(r, frame, motion)));
-    return {w.force, w.torque, frame.armA, frame.armB};
-  }
-  // Exact: open points are searched for; near ones do not count as closed.
-  StiffReaction reactStiff(std::size_t k, const SolveMotion* motion, bool exact) const {
-    const ContactRecord& r = records[k];
-    auto frame = kernel::frame(r);
-    auto f = kernel::pointForces(r, kernel::pointMotion(r, frame, motion));
-    auto w = kernel::wrench(r, frame, f);
-    return {{w.force, w.torque, frame.armA, frame.armB}, kernel::stiffness(r, frame, f, exact)};
-  }
+  void endImpact(const Island& island, Ties& ties, const StepContext& context, bool solved);
 
  private:
   bool renewNewPoints(std::size_t k, const SolveMotion* motion, float slack, bool over);

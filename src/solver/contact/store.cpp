@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solver/contact/kernel.h"
+#include "solver/face/kernel.h"
 #include "solver/island.h"
 
 namespace brickfall {
@@ -16,7 +16,7 @@ struct StoredForces {
   alignas(16) float slipWork[4];  // J, taken where a point slides
 };
 
-StoredForces forcesAt(const ContactRecord& r, const SolveMotion* motion) {
+StoredForces forcesAt(const FaceRecord& r, const SolveMotion* motion) {
   auto moved = kernel::pointMotion(r, kernel::frame(r), motion);
   auto f = kernel::pointForces(r, moved);
   StoredForces out;
@@ -94,11 +94,10 @@ bool sameForces(const PointMemory& was, const PointMemory& now, int count) {
 
 }  // namespace
 
-bool ContactRows::store(Island& island, Ties ties, StepContext& context) {
+bool ContactRows::store(Island& island, Ties& ties, StepContext& context) {
   const bool compare = island.resting();
   bool changed = !compare;
   PointMemory before;
-  island.slipWork = 0;
   for (std::size_t k = 0; k < size(); k++) {
     Contact& c = ties.contacts.contacts[contactOf[k]];
     c.points.impactMask = records[k].newPoints & ~starts[k].falling;
@@ -114,7 +113,7 @@ bool ContactRows::store(Island& island, Ties ties, StepContext& context) {
       bool rebounds = starts[k].back[i] > 0;
       keepImpact(c, i, starts[k], f);
       if (rebounds) ties.contacts.strike(contactOf[k]);
-      records[k].tensionCap[i] = 0;
+      records[k].leastN[i] = 0;
       holdForce(c, i, f, context.judgingGravity);
       if (f.n[i] > 0 && !sliding) c.points.stickingMask |= 1u << i;
       placeSlip(c, i, sliding, float(kLargestDrift * starts[k].scale.length));
@@ -126,11 +125,10 @@ bool ContactRows::store(Island& island, Ties ties, StepContext& context) {
     else
       changed = true;
   }
-  context.statistics.lightVisits += 4.0 * double(size());
   return changed;
 }
 
-void ContactRows::tellShare(Ties ties, float share) const {
+void ContactRows::tellShare(Ties& ties, float share) const {
   for (ContactIndex contact : contactOf) {
     PointMemory& m = ties.contacts.contacts[contact].points;
     for (int i = 0; i < ties.contacts.contacts[contact].count; i++) {
@@ -141,10 +139,10 @@ void ContactRows::tellShare(Ties ties, float share) const {
   }
 }
 
-void ContactRows::advance(const Island& island, Ties ties) const {
+void ContactRows::advance(const Island& island, Ties& ties) const {
   for (std::size_t k = 0; k < size(); k++) {
     Contact& c = ties.contacts.contacts[contactOf[k]];
-    const ContactRecord& r = records[k];
+    const FaceRecord& r = records[k];
     auto m = kernel::pointMotion(r, kernel::frame(r), island.motion.data());
     alignas(16) float n[4], t1[4], u2[4];
     kernel::store(m.n, n);

@@ -7,7 +7,7 @@
 
 namespace brickfall {
 
-void finishMotion(Island& island, Ties ties, StepContext& context) {
+void finishMotion(Island& island, Ties& ties, StepContext& context) {
   island.groups.find(island, context);
   storeMotion(island, context);
   if (island.resting()) return;

@@ -17,6 +17,6 @@ namespace brickfall {
 
 // To be called after the forces of the step are stored. Sets the groups of the island, and StepContext::solved of its
 // bodies.
-void finishMotion(Island& island, Ties ties, StepContext& context);
+void finishMotion(Island& island, Ties& ties, StepContext& context);
 
 }  // namespace brickfall

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solver/finish/steady.h"
+#include "solver/finish/motion.h"
 #include "solver/rigid_sum.h"
 #include "solver/support.h"
 #include "solver/union_find.h"
@@ -20,8 +20,6 @@ namespace {
 //! - | too small: rounding of normals leaves slides short
 //! | too large: groups that slide in a corner are lifted out of it
 constexpr double kFlat = 1e-3;  // sine of the angle between normals that count as one
-//! m | too small: bricks side by side leave each other's slides short | too large: bodies are moved into each other
-constexpr double kNoWay = 1e-6;  // a group that comes no more than this nearer to another counts as no nearer
 
 // Velocities of a group along the ground, as those of a rigid body, or their changes.
 struct Slide {
@@ -36,9 +34,8 @@ struct Slide {
 
 class GroupSlides {
  public:
-  GroupSlides(Island& island, StepContext& context)
-      : rows_(island.rows.contacts),
-        island_(island),
+  GroupSlides(const Island& island, StepContext& context)
+      : island_(island),
         context_(context),
         count_(std::uint32_t(island.bodies.size())),
         held_(island.memory),
@@ -62,12 +59,14 @@ class GroupSlides {
   VelocityChange solvedChange(std::uint32_t body) const {
     return body < count_ ? changeOf(island_.bodies[body], context_) : VelocityChange{};
   }
-  const PointMemory& points(std::size_t k) const { return context_.contacts->contacts[rows_.contactOf[k]].points; }
-  bool goesOn(std::size_t k) const;
-  bool wouldMeet(std::size_t k) const;
+  EndChanges solvedChanges(RowEnds ends) const { return {solvedChange(ends.a), solvedChange(ends.b)}; }
+  // How a correction would move the bodies back.
+  EndChanges takenBack(RowEnds ends) const {
+    auto of = [this](std::uint32_t body) { return slides(body) ? changes_[body] : VelocityChange{}; };
+    return {of(ends.a), of(ends.b)};
+  }
 
-  const ContactRows& rows_;
-  Island& island_;
+  const Island& island_;
   StepContext& context_;
   std::uint32_t count_;
   std::pmr::vector<char> held_;              // bodies and partners: counts as ground
@@ -85,34 +84,26 @@ bool GroupSlides::findGroups() {
   findSupported(island_, held_, [&](const auto& kind, std::size_t k) { return kind.sticks(k, context_); });
   if (std::find(held_.begin(), held_.end(), 0) == held_.end()) return false;
   UnionFind sets(count_, island_.memory);
-  for (std::size_t k = 0; k < rows_.size(); k++) {
-    RowEnds ends = rows_.ends(k);
-    if (!isGround(ends.a) && !isGround(ends.b) && rows_.carriesForce(k, context_)) sets.join(ends.a, ends.b);
-  }
+  island_.rows.each([&](const auto& kind, std::size_t k) {
+    RowEnds ends = kind.ends(k);
+    if (!isGround(ends.a) && !isGround(ends.b) && kind.ties(k, context_)) sets.join(ends.a, ends.b);
+  });
   for (std::uint32_t i = 0; i < count_; i++) groupOf_[i] = sets.find(i);
-  return true;
-}
-
-// The contact's points that press on the ground neither land nor leave.
-bool GroupSlides::goesOn(std::size_t k) const {
-  const ContactRecord& row = rows_.records[k];
-  const VelocityChange a = solvedChange(row.bodyA), b = solvedChange(row.bodyB);
-  for (int i = 0; i < rows_.starts[k].points; i++)
-    if (points(k).forceN[i] > 0 && !isSteady(row, rows_.starts[k], i, a, b, island_.dt)) return false;
   return true;
 }
 
 // True if there is a group that slides.
 bool GroupSlides::judgeGround() {
-  for (std::size_t k = 0; k < rows_.size(); k++) {
-    RowEnds ends = rows_.ends(k);
-    if (isGround(ends.a) == isGround(ends.b) || !rows_.carriesForce(k, context_)) continue;
+  island_.rows.each([&](const auto& kind, std::size_t k) {
+    RowEnds ends = kind.ends(k);
+    if (isGround(ends.a) == isGround(ends.b) || !kind.carriesForce(k, context_)) return;
     const std::uint32_t group = groupOf_[isGround(ends.a) ? ends.b : ends.a];
-    if (stays_[group]) continue;
-    const Vec3 n = toDouble(rows_.records[k].n);
+    if (stays_[group]) return;
+    const Vec3 n = kind.normal(k);
     if (normals_[group] == Vec3{}) normals_[group] = n;
-    stays_[group] = !(length(cross(normals_[group], n)) <= kFlat) || !goesOn(k);
-  }
+    stays_[group] = !(length(cross(normals_[group], n)) <= kFlat) ||
+                    kind.courseOf(k, solvedChanges(ends), island_.dt, context_) == RowCourse::changes;
+  });
   for (std::uint32_t i = 0; i < count_; i++)
     if (slides(i)) return true;
   return false;
@@ -152,29 +143,16 @@ void GroupSlides::findChanges() {
     if (!fast[i]) stays_[i] = 1;
 }
 
-// At the end of the step an open point is nearer to its partner than the two would be moved towards each other.
-bool GroupSlides::wouldMeet(std::size_t k) const {
-  const ContactRecord& row = rows_.records[k];
-  auto takenBack = [&](std::uint32_t body) { return slides(body) ? changes_[body] : VelocityChange{}; };
-  const VelocityChange a = solvedChange(row.bodyA), b = solvedChange(row.bodyB);
-  for (int i = 0; i < rows_.starts[k].points; i++) {
-    const double by = 0.5 * island_.dt * changeAtPoint(row, i, takenBack(row.bodyA), takenBack(row.bodyB));
-    if (by <= kNoWay * rows_.starts[k].scale.length) continue;
-    const double speed = rows_.starts[k].approach[i] + changeAtPoint(row, i, a, b);
-    if (rows_.starts[k].gap[i] + speed * island_.dt < by) return true;
-  }
-  return false;
-}
-
+// A group that would be moved towards a body that one of its open points is about to meet is not corrected.
 void GroupSlides::judgeOpen() {
-  for (std::size_t k = 0; k < rows_.size(); k++) {
-    RowEnds ends = rows_.ends(k);
-    if ((!slides(ends.a) && !slides(ends.b)) || rows_.carriesForce(k, context_)) continue;
-    if (!isGround(ends.a) && !isGround(ends.b) && groupOf_[ends.a] == groupOf_[ends.b]) continue;
-    if (!wouldMeet(k)) continue;
+  island_.rows.each([&](const auto& kind, std::size_t k) {
+    RowEnds ends = kind.ends(k);
+    if ((!slides(ends.a) && !slides(ends.b)) || kind.carriesForce(k, context_)) return;
+    if (!isGround(ends.a) && !isGround(ends.b) && groupOf_[ends.a] == groupOf_[ends.b]) return;
+    if (!kind.wouldMeet(k, takenBack(ends), solvedChanges(ends), island_.dt)) return;
     for (std::uint32_t body : {ends.a, ends.b})
       if (!isGround(body)) stays_[groupOf_[body]] = 1;
-  }
+  });
 }
 
 void GroupSlides::correct() {

@@ -21,7 +21,7 @@ void Groups::find(const Island& island, const StepContext& context) {
   UnionFind sets(count, island.memory);
   std::uint32_t supported = kNone, under = kNone;  // a body, and a partner that it presses on
   island.rows.each([&](const auto& kind, std::size_t k) {
-    if (!kind.carriesForce(k, context)) return;
+    if (!kind.ties(k, context)) return;
     const RowEnds ends = kind.ends(k);
     if (ends.a < count && ends.b < count) return sets.join(ends.a, ends.b);
     const std::uint32_t body = std::min(ends.a, ends.b);

@@ -1,7 +1,7 @@
-// Groups of an island, found once a step when its forces are known: bodies joined by ties that carry force, directly or
-// through others. Nothing acts between two groups, so momentum and energy are booked by group. Every correction of the
-// finish treats all bodies of a group alike. All bodies that something fixed or kinematic supports are one group: they
-// act on each other through it.
+// Groups of an island, found once a step when its forces are known: bodies that rows tie to each other, directly or
+// through others. A contact ties while it carries force. Nothing acts between two groups, so momentum and energy are
+// booked by group. Every correction of the finish treats all bodies of a group alike. All bodies that something fixed
+// or kinematic supports are one group: they act on each other through it.
 #pragma once
 #include <cstdint>
 #include <memory_resource>

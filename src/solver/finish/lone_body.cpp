@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-#include "solver/finish/steady.h"
+#include "solver/finish/motion.h"
 
 namespace brickfall {
 
@@ -18,18 +18,15 @@ constexpr double kStopped = 1e-2;  // of the speed at the start of the step
 
 // All points that carry force neither land nor leave in this step, and there is one.
 bool steadyContacts(const Island& island, const StepContext& context, const VelocityChange& change) {
-  bool carried = false;
-  for (std::size_t k = 0; k < island.rows.contacts.records.size(); k++) {
-    const ContactRecord& r = island.rows.contacts.records[k];
-    const Contact& c = context.contacts->contacts[island.rows.contacts.contactOf[k]];
-    const VelocityChange a = r.bodyA == 0 ? change : VelocityChange{}, b = r.bodyA == 0 ? VelocityChange{} : change;
-    for (int i = 0; i < c.count; i++) {
-      if (!(c.points.forceN[i] > 0)) continue;
-      carried = true;
-      if (!isSteady(r, island.rows.contacts.starts[k], i, a, b, island.dt)) return false;
-    }
-  }
-  return carried;
+  bool carried = false, steady = true;
+  island.rows.each([&](const auto& kind, std::size_t k) {
+    if (!steady) return;
+    const EndChanges changes = kind.ends(k).a == 0 ? EndChanges{change, {}} : EndChanges{{}, change};
+    const RowCourse course = kind.courseOf(k, changes, island.dt, context);
+    carried = carried || course != RowCourse::idle;
+    steady = course != RowCourse::changes;
+  });
+  return carried && steady;
 }
 
 //! of the last step's | too small: a rocking body loses half a step wherever its forces change
@@ -38,7 +35,7 @@ constexpr double kSameForces = 0.4;  // changes of velocity that differ by no mo
 
 // Share of the step for which a sliding body slows down, from its true velocity and at the full friction. It is 1 if
 // friction does not stop the body within the step. Its points stop where it does.
-double partUntilStopped(const Island& island, Ties ties, const StepContext& context, const VelocityChange& change) {
+double partUntilStopped(const Island& island, const StepContext& context, const VelocityChange& change) {
   const BodyIndex body = island.bodies[0];
   const Vec3 start = context.free[body].startVelocity, solved = context.solved[body].velocity;
   const double speed = length(start), mass = context.bodies->mass[body].mass, h = island.dt;
@@ -47,25 +44,16 @@ double partUntilStopped(const Island& island, Ties ties, const StepContext& cont
   const double late = 0.5 * context.bodies->data[body].steady.dt / h;
   const bool turnsBack = dot(solved + change.move * late, back) > 0;
   if (!turnsBack && length(solved) > kStopped * length(start - context.free[body].late)) return 1;
-  double limit = 0, given = 0;  // N, along `back`: the friction limit, and the friction that acted
-  for (std::size_t k = 0; k < island.rows.contacts.records.size(); k++) {
-    const ContactRecord& r = island.rows.contacts.records[k];
-    const Contact& c = ties.contacts.contacts[island.rows.contacts.contactOf[k]];
-    Vec3 t1 = toDouble(r.t1), t2 = cross(toDouble(r.n), t1);
-    for (int i = 0; i < c.count; i++) {
-      if (!(c.points.forceN[i] > 0)) continue;
-      limit += double(c.friction) * double(c.points.forceN[i]);
-      Vec3 friction = t1 * double(c.points.force1[i]) + t2 * double(c.points.force2[i]);
-      given += dot(friction, back) * (r.bodyA == 0 ? -1 : 1);
-    }
-  }
-  const double others = dot(change.move, back) * mass / h - given, slowing = speed * mass / h;
-  return limit + others > slowing ? slowing / (limit + others) : 1;
+  FrictionAlong friction;  // along `back`
+  island.rows.each(
+      [&](const auto& kind, std::size_t k) { kind.addFriction(k, back, kind.ends(k).a != 0, context, friction); });
+  const double others = dot(change.move, back) * mass / h - friction.given, slowing = speed * mass / h;
+  return friction.limit + others > slowing ? slowing / (friction.limit + others) : 1;
 }
 
 // The contacts' anchors are to be where the body stops.
-void letGo(const Island& island, Ties ties) {
-  for (ContactIndex contact : island.rows.contacts.contactOf) ties.contacts.contacts[contact].points.stickingMask = 0;
+void letGo(const Island& island, Ties& ties) {
+  island.rows.eachKind([&](const auto& kind) { kind.letGo(ties); });
 }
 
 // The forces of this step are about those of the last: no body has hit, and late velocities can be brought up to date.
@@ -77,22 +65,21 @@ bool goesOn(const SteadyChange& last, const SteadyChange& now, double radius) {
 
 }  // namespace
 
-void finishLoneBody(const Island& island, Ties ties, StepContext& context) {
+void finishLoneBody(const Island& island, Ties& ties, StepContext& context) {
   if (island.bodies.size() != 1 || island.groups.flies(0) || island.facts.partnersMove) return;
   const BodyIndex body = island.bodies[0];
   const VelocityChange change = changeOf(body, context);
   if (!steadyContacts(island, context, change)) return;
   const double h = island.dt;
   const Vec3 start = context.free[body].startVelocity, solved = context.solved[body].velocity;
-  if (const double part = partUntilStopped(island, ties, context, change); part < 1) {
+  if (const double part = partUntilStopped(island, context, change); part < 1) {
     const Vec3 along = start * (dot(solved, start) / lengthSquared(start));
     shift(body, start * (0.5 * part * h) - along * h, {}, context);
     accelerate(body, -along, {}, context);
     return letGo(island, ties);
   }
   bool sticks = false;
-  for (std::size_t k = 0; k < island.rows.contacts.size(); k++)
-    sticks = sticks || island.rows.contacts.sticks(k, context);
+  island.rows.each([&](const auto& kind, std::size_t k) { sticks = sticks || kind.sticks(k, context); });
   const SteadyChange& last = context.bodies->data[body].steady;
   const SteadyChange now{change.move * (1 / h), change.turn * (1 / h), h, sticks};
   if (last.dt > 0 && !goesOn(last, now, context.bodies->mass[body].outerRadius)) return;

@@ -13,11 +13,7 @@ void storeFreeBody(BodyIndex body, double dt, StepContext& context);
 // Whether the solved motion is finite, of every body.
 bool solvedWell(const Island& island, const StepContext& context);
 
-// How velocities of a body change; zero for a fixed body.
-struct VelocityChange {
-  Vec3 move, turn;  // m/s of the centre of mass; rad/s
-};
-// The change in this step, so far.
+// How the body's velocities change in this step, so far.
 VelocityChange changeOf(BodyIndex body, const StepContext& context);
 
 // Moves the body's place at the end of the step by so much; a body that turns freely keeps its turn.

@@ -3,6 +3,7 @@
 
 #include "dynamics/contact_set.h"
 #include "dynamics/shape_set.h"
+#include "dynamics/ties.h"
 
 namespace brickfall {
 namespace {
@@ -93,6 +94,58 @@ TEST(ContactSet, ReusesSlotsFresh) {
   EXPECT_EQ(set.contacts[a].count, 0);
   EXPECT_EQ(set.contacts[a].points.multiplierN[1], 0);
   EXPECT_TRUE(set.contacts[a].born);
+}
+
+// A set that lacks a function of the contract is none.
+static_assert(TieSet<ContactSet>);
+struct CannotBeDropped : ContactSet {
+  void dropOf();
+};
+static_assert(!TieSet<CannotBeDropped>);
+struct NeverSleeps : ContactSet {
+  void sleepWhere();
+};
+static_assert(!TieSet<NeverSleeps>);
+struct CannotBeChecked : ContactSet {
+  void check();
+};
+static_assert(!TieSet<CannotBeChecked>);
+
+TEST(Ties, SleepWakeAndGoWithTheirBodies) {
+  auto pair = [](ShapeIndex a, ShapeIndex b) { return CandidatePair{a, b, a, b, kNoIndex, 0}; };
+  Ties ties;
+  ties.contacts.insert({pair(0, 1), pair(1, 2), pair(3, 4)});
+  for (CandidatePair& p : ties.contacts.pairs)
+    if (p.shapeA != 1) p.contact = ties.contacts.create();
+  auto namesOf = [&](bool asleep) {
+    std::vector<BodyIndex> out;
+    auto take = [&](const Link& link) {
+      EXPECT_EQ(link.kind, LinkKind::contact);
+      out.push_back(link.bodyA);
+    };
+    if (asleep)
+      ties.eachAsleep(take);
+    else
+      ties.eachAwake(take);
+    return out;
+  };
+  using Bodies = std::vector<BodyIndex>;
+  EXPECT_EQ(namesOf(false), (Bodies{0, 3})) << "a pair without points ties nothing";
+  EXPECT_FALSE(ties.anyAsleep());
+  ties.sleepWhere([](BodyIndex a, BodyIndex b) { return a == 3 && b == 4; });
+  EXPECT_TRUE(ties.anyAsleep());
+  EXPECT_EQ(namesOf(false), (Bodies{0}));
+  EXPECT_EQ(namesOf(true), (Bodies{3}));
+  ties.islandsAreBuilt();
+  EXPECT_FALSE(ties.changed());
+  ties.dropOf(4);
+  EXPECT_EQ(namesOf(true), Bodies{}) << "asleep or not";
+  EXPECT_TRUE(ties.changed());
+  ties.sleepWhere([](BodyIndex, BodyIndex) { return true; });
+  ties.wakeWhere([](BodyIndex a, BodyIndex) { return a == 0; });
+  EXPECT_EQ(namesOf(false), (Bodies{0}));
+  EXPECT_TRUE(ties.anyAsleep()) << "the pair without points";
+  EXPECT_TRUE(ties.mayCollide(0, 1)) << "a contact forbids nothing";
 }
 
 TEST(Mixing, EveryRuleIsSymmetricAndTheLaterWins) {

@@ -47,7 +47,7 @@ struct Scene {
     }
     const std::uint32_t ends[3][2] = {{0, 1}, {2, 0}, {1, 2}};
     for (std::uint32_t k = 0; k < 3; k++) {
-      ContactRecord r;
+      FaceRecord r;
       Vec3 n = normalized(toDouble(vector(1))), t1 = normalized(cross(n, toDouble(vector(1))));
       r.n = toFloat(n);
       r.t1 = toFloat(t1);
@@ -128,7 +128,7 @@ WrenchD direct(const Scene& s, bool both) {
     sum.force += force;
     sum.torque += inertia * t + cross(toDouble(m.position) - centre, force);
   }
-  for (const ContactRecord& r : s.island.rows.contacts.records) {
+  for (const FaceRecord& r : s.island.rows.contacts.records) {
     bool inA = r.bodyA == 0 || (both && r.bodyA == 1), inB = r.bodyB == 0 || (both && r.bodyB == 1);
     if (inA == inB) continue;
     Vec3 n = toDouble(r.n), t1 = toDouble(r.t1), t2 = cross(n, t1);
@@ -138,7 +138,7 @@ WrenchD direct(const Scene& s, bool both) {
       Vec3 place = t1 * double(r.s1[i]) + t2 * double(r.s2[i]);
       Vec3 armA = toDouble(r.armA) + place, armB = toDouble(r.armB) + place;
       Vec3 u = toDouble(b.d) + cross(toDouble(b.th), armB) - toDouble(a.d) - cross(toDouble(a.th), armA);
-      double fn = std::max(double(r.trialN[i]) - double(r.k[i]) * dot(n, u), -double(r.tensionCap[i]));
+      double fn = std::max(double(r.trialN[i]) - double(r.k[i]) * dot(n, u), double(r.leastN[i]));
       double f1 = double(r.trial1[i]) - double(r.k[i]) * dot(t1, u),
              f2 = double(r.trial2[i]) - double(r.k[i]) * dot(t2, u);
       double size = std::hypot(f1, f2), limit = double(r.limit[i]);
@@ -205,7 +205,7 @@ TEST(Cluster, MatrixIsTheDerivativeOfTheResidual) {
 TEST(Cluster, NearOpenPointsBraceTheMatrixButPullNothing) {
   Random random(23);
   Scene s(random, Regime::open, false);
-  for (ContactRecord& r : s.island.rows.contacts.records) {
+  for (FaceRecord& r : s.island.rows.contacts.records) {
     r.near = float(kNearContact);
     for (int i = 0; i < 4; i++) {
       r.trialN[i] = -r.k[i] * 1e-6f;  // a micrometre apart
@@ -235,7 +235,7 @@ TEST(Cluster, ForcesTooSmallForTheirProductLeaveTheMotionFinite) {
           m.thFree *= scale;
         }
         for (SolveMotion& m : s.island.motion) m = {};
-        for (ContactRecord& r : s.island.rows.contacts.records)
+        for (FaceRecord& r : s.island.rows.contacts.records)
           for (int i = 0; i < 4; i++)
             for (float* force : {r.trialN, r.trial1, r.trial2, r.limit}) force[i] *= scale;
         Wrench start = s.residual();
@@ -250,8 +250,8 @@ TEST(Cluster, ForcesTooSmallForTheirProductLeaveTheMotionFinite) {
 // A linear cluster of one body, its residual and what a step has read of its boundary.
 struct LinearScene : Scene {
   explicit LinearScene(Random& random) : Scene(random, Regime::sticks, false) {
-    for (ContactRecord& r : island.rows.contacts.records)
-      for (float& cap : r.tensionCap) cap = 1e9f;  // nothing opens
+    for (FaceRecord& r : island.rows.contacts.records)
+      for (float& least : r.leastN) least = -1e9f;  // nothing opens
   }
   double force() { return double(length(residual().force)); }
   double readings() { return counts.solveSides / (4.0 * level.sides.size()); }
@@ -281,12 +281,12 @@ TEST(Cluster, AFactorThatIsOffIsMadeAnew) {
     // Of a boundary a tenth as stiff: steps go too far, and are tried again.
     ClusterFactor soft, firm;
     auto scaled = [&](float by, ClusterFactor& factor) {
-      for (ContactRecord& r : s.island.rows.contacts.records)
+      for (FaceRecord& r : s.island.rows.contacts.records)
         for (float& k : r.k) k *= by;
       s.residual(&factor.matrix);
       ASSERT_TRUE(factor.matrix.factor());
       factor.valid = factor.kept = true;
-      for (ContactRecord& r : s.island.rows.contacts.records)
+      for (FaceRecord& r : s.island.rows.contacts.records)
         for (float& k : r.k) k /= by;
     };
     scaled(0.1f, soft);
@@ -313,8 +313,8 @@ TEST(Cluster, StepBringsTheResidualOfALinearClusterToZero) {
   for (int n = 0; n < 50; n++)
     for (bool both : {false, true}) {
       Scene s(random, Regime::sticks, both);
-      for (ContactRecord& r : s.island.rows.contacts.records)
-        for (float& cap : r.tensionCap) cap = 1e9f;  // nothing opens
+      for (FaceRecord& r : s.island.rows.contacts.records)
+        for (float& least : r.leastN) least = -1e9f;  // nothing opens
       double before = double(length(s.residual().force));
       if (both) {  // the inertia of the pair about its centre
         Cluster& c = s.level.clusters[0];

@@ -105,7 +105,7 @@ TEST(ContactEnergy, NoMotionDrawsMoreThanIsHeld) {
       moved.th = {some(10.0 * double(way)), some(10.0 * double(way)), some(10.0 * double(way))};
       lab.island().ending = IslandEnding::balanced;
       storeRows(lab.island(), lab.ties(), lab.context);
-      ContactWork ofContacts = contactWork(lab.island(), lab.context);
+      TieWork ofContacts = workOf(lab.island(), lab.context);
       double scale = before + std::fabs(ofContacts.work) + ofContacts.elastic,
              gain = ofContacts.work + ofContacts.elastic - before;
       EXPECT_LE(gain, 1e-5 * scale) << "start " << int(start) << ": held " << before << " J, then "
@@ -130,7 +130,7 @@ TEST(ContactEnergy, TheLossIsThatOfTheProof) {
     lab.island().motion[0].d = {0, float(C), 0};
     lab.island().ending = IslandEnding::balanced;
     storeRows(lab.island(), lab.ties(), lab.context);
-    ContactWork ofContacts = contactWork(lab.island(), lab.context);
+    TieWork ofContacts = workOf(lab.island(), lab.context);
     EXPECT_NEAR(ofContacts.work, 4 * C * (f + more / 2 - k * C), 2e-5 * f * f / k);
     EXPECT_NEAR(ofContacts.work + ofContacts.elastic - before, -4 * (k * C - m / 2) * (k * C - m / 2) / (2 * k),
                 2e-5 * f * f / k);

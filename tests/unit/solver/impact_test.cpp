@@ -117,14 +117,14 @@ Knock knock(Vec3 velocity, double friction, double e, double gap = 0) {
   Island& island = lab.island();
   island.dt = lab.context.dt;
   updateHierarchy(island, lab.context);
-  std::pmr::vector<ContactImpact> impacts;
+  std::pmr::vector<TieImpact> impacts;
   SolveStatistics statistics;
   Knock out;
   out.solved = solveImpact(island, lab.ties(), lab.bodies, lab.context, 1e-5, statistics, impacts);
   out.velocity = lab.at(cube).linearVelocity;
   out.spin = lab.at(cube).angularVelocity;
   out.impacts = impacts.size();
-  for (const ContactImpact& impact : impacts) out.impulse += impact.impulse;
+  for (const TieImpact& impact : impacts) out.impulse += impact.impulse;
   return out;
 }
 
@@ -166,7 +166,7 @@ TEST(Impact, LeavesFrictionAnchorsWhereTheyWere) {
   island.dt = lab.context.dt;
   updateHierarchy(island, lab.context);
   const ContactGeometry before = lab.contacts.geometry[face];
-  std::pmr::vector<ContactImpact> impacts;
+  std::pmr::vector<TieImpact> impacts;
   SolveStatistics statistics;
   ASSERT_TRUE(solveImpact(island, lab.ties(), lab.bodies, lab.context, 1e-5, statistics, impacts));
   for (int i = 0; i < 4; i++) EXPECT_EQ(lab.contacts.geometry[face].anchorA[i], before.anchorA[i]) << i;

@@ -1,5 +1,5 @@
 // Contacts read two at a time, in halves and in eight lanes, against one at a time in four: the same bits.
-#include "solver/contact/pairs.h"
+#include "solver/face/pairs.h"
 
 #include <gtest/gtest.h>
 
@@ -33,7 +33,7 @@ struct PairScene {
       masses[i].mass = 1000;
     }
     for (std::uint32_t k = 0; k < count; k++) {
-      ContactRecord r;
+      FaceRecord r;
       Vec3 n = normalized(toDouble(vector(1)));
       r.n = toFloat(n);
       r.t1 = toFloat(normalized(cross(n, toDouble(vector(1)))));
@@ -50,7 +50,7 @@ struct PairScene {
         r.trial1[i] = float(random.between(-500, 500));
         r.trial2[i] = float(random.between(-500, 500));
         r.limit[i] = random.between(0, 1) < 0.3 ? 0 : float(random.between(0, 800));
-        r.tensionCap[i] = random.between(0, 1) < 0.8 ? 0 : float(random.between(-300, 300));
+        r.leastN[i] = random.between(0, 1) < 0.8 ? 0 : float(random.between(-300, 300));
       }
       rows.contactOf.push_back(k);
       rows.records.push_back(r);

@@ -73,7 +73,7 @@ TEST(Prepare, APointBornSlowlyRests) {
   slow.prepare();
   EXPECT_EQ(slow.phase(), PointPhase::resting);
   EXPECT_NEAR(slow.stiffness(), 1000, 1e-3);
-  const ContactRecord& r = slow.record();
+  const FaceRecord& r = slow.record();
   for (int i = 0; i < 4; i++) {
     EXPECT_NEAR(double(slow.island().rows.contacts.starts[0].approach[i]), -0.299, 1e-6);
     EXPECT_EQ(r.k[i], slow.points(slow.face).stiffness[i]);
@@ -185,7 +185,7 @@ TEST(Prepare, ASlidingPointGetsTheAnchorAtWhichItsSpringCarriesItsForce) {
   lab.prepare();
   const PointMemory& m = lab.points(lab.face);
   const ContactGeometry& g = lab.contacts.geometry[lab.face];
-  const ContactRecord& r = lab.record();
+  const FaceRecord& r = lab.record();
   Vec3 t1 = toDouble(r.t1), t2 = cross(toDouble(r.n), t1);
   for (int i = 0; i < 4; i++) {
     double size = std::hypot(double(m.force1[i]), double(m.force2[i]));
@@ -253,12 +253,12 @@ TEST(Prepare, UnusedLanesDoNothing) {
   ASSERT_EQ(lab.contact(edge).count, 2);
   lab.points(edge).forceN[0] = lab.points(edge).multiplierN[0] = 3;
   lab.prepare();
-  const ContactRecord& r = lab.record();
+  const FaceRecord& r = lab.record();
   EXPECT_EQ(r.newPoints, 2u);
   EXPECT_FLOAT_EQ(r.limit[0], 0.6f * 3);
   for (int i : {2, 3})
     EXPECT_TRUE(r.k[i] == 0 && r.trialN[i] == 0 && r.trial1[i] == 0 && r.trial2[i] == 0 && r.limit[i] == 0 &&
-                r.tensionCap[i] == 0);
+                r.leastN[i] == 0);
 }
 
 }  // namespace

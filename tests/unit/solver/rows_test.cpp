@@ -14,6 +14,29 @@ using test::kBrick;
 using test::kBrickWeight;
 using test::TestIsland;
 
+// A kind that lacks a function of the contract, or has it with another signature, is none.
+static_assert(RowKind<ContactRows>);
+struct CannotBeHashed : ContactRows {
+  void hashMemory();
+};
+static_assert(!RowKind<CannotBeHashed>);
+struct DoesNotSayWhatItTies : ContactRows {
+  void ties();
+};
+static_assert(!RowKind<DoesNotSayWhatItTies>);
+struct HasNoEnergy : ContactRows {
+  double elasticEnergy();
+};
+static_assert(!RowKind<HasNoEnergy>);
+struct ForgetsItsSupports : ContactRows {
+  void addSupport();
+};
+static_assert(!RowKind<ForgetsItsSupports>);
+struct CannotBeKept : ContactRows {
+  void archive();
+};
+static_assert(!RowKind<CannotBeKept>);
+
 TEST(Rows, AreNumberedThroughAllKindsInTheOrderOfTheirPairs) {
   TestIsland lab;
   std::vector<BodyIndex> pile = lab.pile(lab.ground(), 5);
@@ -41,7 +64,7 @@ TEST(Rows, NameTheirLinks) {
   std::vector<BodyIndex> pile = lab.pile(lab.ground(), 4);
   Rows& rows = lab.island().rows;
   std::size_t k = 0;
-  LinkSet(lab.contacts).eachAwake([&](const Link& link) {
+  lab.ties().eachAwake([&](const Link& link) {
     EXPECT_TRUE(rows.names(link, k));
     EXPECT_FALSE(rows.names(link, k + 1)) << "another one, or none";
     k++;
@@ -49,7 +72,7 @@ TEST(Rows, NameTheirLinks) {
   EXPECT_EQ(k, rows.size());
   Rows copy(std::pmr::get_default_resource());
   copy.reserve(rows.counts());
-  LinkSet(lab.contacts).eachAwake([&](const Link& link) { copy.add(link); });
+  lab.ties().eachAwake([&](const Link& link) { copy.add(link); });
   EXPECT_EQ(copy.counts(), rows.counts());
   EXPECT_TRUE(copy.continues(rows, lab.context));
   lab.contact(2).born = true;
@@ -96,7 +119,7 @@ TEST(Rows, WhatHasOpenedSinceItWasFirstReadHoldsNothing) {
   lab.prepare();
   ContactRows& rows = lab.island().rows.contacts;
   SolveMotion* motion = lab.island().motion.data();
-  ContactRecord& r = rows.records[0];
+  FaceRecord& r = rows.records[0];
   r.newPoints = 0b0111;  // three that carried nothing before the step, and one that did
   for (float& limit : r.limit) limit = 5;
   motion[0] = {};

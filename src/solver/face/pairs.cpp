@@ -1,7 +1,7 @@
-#include "solver/contact/pairs.h"
+#include "solver/face/pairs.h"
 
 #include "math/wide_pair.h"
-#include "solver/contact/pairs_kernel.h"
+#include "solver/face/pairs_kernel.h"
 
 namespace brickfall {
 
@@ -23,11 +23,11 @@ const PairFunctions& chosen() {
 
 PairFunctions pairsInHalves() { return kernel::pairFunctions<wide::Halves>(); }
 
-void sumContacts(const Boundary& boundary, const ContactRecord* records, BoundarySums& sums) {
+void sumFaces(const Boundary& boundary, const FaceRecord* records, BoundarySums& sums) {
   (sums.matrix ? chosen().sumWithMatrix : chosen().sum)(boundary, records, sums);
 }
 
-void readContacts(const ContactRecord* records, std::size_t count, const SolveMotion* motion, Reading* out) {
+void readFaces(const FaceRecord* records, std::size_t count, const SolveMotion* motion, Reading* out) {
   chosen().read(records, count, motion, out);
 }
 

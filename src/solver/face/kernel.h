@@ -1,11 +1,11 @@
-// The contact law and its derivatives, four points at a time, or the points of two contacts side by side.
+// The law of a face and its derivatives, four points at a time, or the points of two faces side by side.
 //
-//   fn = max(trialN - k Cn, -cap)
+//   fn = max(trialN - k Cn, leastN)
 //   ft = (trial1 - k C1, trial2 - k C2), scaled back onto |ft| <= limit: scaled back = slides
 //
 #pragma once
 #include "math/wide.h"
-#include "solver/contact/record.h"
+#include "solver/face/record.h"
 #include "solver/reaction.h"
 #include "solver/solve_body.h"
 
@@ -23,43 +23,43 @@ using wide::store;
 using wide::sums;
 using wide::V;
 
-// Two contacts, in lanes of two halves: L is one of math/wide_pair.h.
-template <class L> struct RecordPair { const ContactRecord &first, &second; };
+// Two faces, in lanes of two halves: L is one of math/wide_pair.h.
+template <class L> struct RecordPair { const FaceRecord &first, &second; };
 
 // The result of `read` for a record, in its lanes; for a pair of records, in the halves.
-template <class Read> BRICKFALL_LANES V lanesOf(const ContactRecord& r, Read read) { return read(r); }
+template <class Read> BRICKFALL_LANES V lanesOf(const FaceRecord& r, Read read) { return read(r); }
 template <class L, class Read> BRICKFALL_LANES L lanesOf(const RecordPair<L>& r, Read read) {
   return L(read(r.first), read(r.second));
 }
 // A number of each point, and a vector.
-using PointField = float (ContactRecord::*)[4];
+using PointField = float (FaceRecord::*)[4];
 template <class R> BRICKFALL_LANES auto pointsOf(const R& r, PointField field) {
-  return lanesOf(r, [field](const ContactRecord& one) { return load(one.*field); });
+  return lanesOf(r, [field](const FaceRecord& one) { return load(one.*field); });
 }
-template <class R> BRICKFALL_LANES auto vectorOf(const R& r, Vec3f ContactRecord::*field) {
-  return lanesOf(r, [field](const ContactRecord& one) { return wide::load3Padded(one.*field); });
+template <class R> BRICKFALL_LANES auto vectorOf(const R& r, Vec3f FaceRecord::*field) {
+  return lanesOf(r, [field](const FaceRecord& one) { return wide::load3Padded(one.*field); });
 }
 
-// The manifold's frame and arms, unpacked.
+// The face's frame and arms, unpacked.
 template <class L> struct Frame { L n, t1, t2, armA, armB; };
 template <class R> BRICKFALL_LANES auto frame(const R& r) {
-  auto n = vectorOf(r, &ContactRecord::n), t1 = vectorOf(r, &ContactRecord::t1);
-  return Frame<decltype(n)>{n, t1, cross3(n, t1), vectorOf(r, &ContactRecord::armA), vectorOf(r, &ContactRecord::armB)};
+  auto n = vectorOf(r, &FaceRecord::n), t1 = vectorOf(r, &FaceRecord::t1);
+  return Frame<decltype(n)>{n, t1, cross3(n, t1), vectorOf(r, &FaceRecord::armA), vectorOf(r, &FaceRecord::armB)};
 }
 
 // Displacements of the four points.
 template <class L> struct PointMotion { L n, t1, t2; };
 template <class R, class L>
 BRICKFALL_LANES PointMotion<L> pointMotion(const R& r, const Frame<L>& f, const SolveMotion* motion) {
-  L dA = lanesOf(r, [motion](const ContactRecord& one) { return load(&motion[one.bodyA].d.x); });
-  L dB = lanesOf(r, [motion](const ContactRecord& one) { return load(&motion[one.bodyB].d.x); });
-  L thA = lanesOf(r, [motion](const ContactRecord& one) { return load(&motion[one.bodyA].th.x); });
-  L thB = lanesOf(r, [motion](const ContactRecord& one) { return load(&motion[one.bodyB].th.x); });
+  L dA = lanesOf(r, [motion](const FaceRecord& one) { return load(&motion[one.bodyA].d.x); });
+  L dB = lanesOf(r, [motion](const FaceRecord& one) { return load(&motion[one.bodyB].d.x); });
+  L thA = lanesOf(r, [motion](const FaceRecord& one) { return load(&motion[one.bodyA].th.x); });
+  L thB = lanesOf(r, [motion](const FaceRecord& one) { return load(&motion[one.bodyB].th.x); });
   L u = (dB + cross3(thB, f.armB)) - (dA + cross3(thA, f.armA));
   L w = thB - thA;
   L along = sums(u * f.n, u * f.t1, u * f.t2, w * f.n);  // un u1 u2 wn
   L tilt = sums(w * f.t1, w * f.t2, L{}, L{});           // w1 w2
-  L s1 = pointsOf(r, &ContactRecord::s1), s2 = pointsOf(r, &ContactRecord::s2);
+  L s1 = pointsOf(r, &FaceRecord::s1), s2 = pointsOf(r, &FaceRecord::s2);
   L wn = spread<3>(along);
   return {spread<0>(along) + spread<0>(tilt) * s2 - spread<1>(tilt) * s1, spread<1>(along) - wn * s2,
           spread<2>(along) + wn * s1};
@@ -74,12 +74,12 @@ template <class L> struct PointForces {
 
 template <class R, class L> BRICKFALL_LANES PointForces<L> pointForces(const R& r, const PointMotion<L>& moved) {
   PointForces<L> f;
-  L k = pointsOf(r, &ContactRecord::k);
-  f.trialN = pointsOf(r, &ContactRecord::trialN) - (k * moved.n);
-  f.n = max(f.trialN, -pointsOf(r, &ContactRecord::tensionCap));
-  f.trial1 = pointsOf(r, &ContactRecord::trial1) - (k * moved.t1);
-  f.trial2 = pointsOf(r, &ContactRecord::trial2) - (k * moved.t2);
-  L limit = pointsOf(r, &ContactRecord::limit);
+  L k = pointsOf(r, &FaceRecord::k);
+  f.trialN = pointsOf(r, &FaceRecord::trialN) - (k * moved.n);
+  f.n = max(f.trialN, pointsOf(r, &FaceRecord::leastN));
+  f.trial1 = pointsOf(r, &FaceRecord::trial1) - (k * moved.t1);
+  f.trial2 = pointsOf(r, &FaceRecord::trial2) - (k * moved.t2);
+  L limit = pointsOf(r, &FaceRecord::limit);
   L trialSquared = (f.trial1 * f.trial1) + (f.trial2 * f.trial2);
   f.slides = trialSquared > (limit * limit);
   // No branch: which points slide is hard to foresee, and a root and a division are cheap. For sticking points they may
@@ -91,36 +91,35 @@ template <class R, class L> BRICKFALL_LANES PointForces<L> pointForces(const R& 
   return f;
 }
 
-// Force and torque on B about the manifold's centre, world axes.
+// Force and torque on B about the face's centre, world axes.
 template <class L> struct WideWrench { L force, torque; };
 template <class R, class L>
 BRICKFALL_LANES WideWrench<L> wrench(const R& r, const Frame<L>& frame, const PointForces<L>& f) {
-  L s1 = pointsOf(r, &ContactRecord::s1), s2 = pointsOf(r, &ContactRecord::s2);
+  L s1 = pointsOf(r, &FaceRecord::s1), s2 = pointsOf(r, &FaceRecord::s2);
   L force = sums(f.n, f.t1, f.t2, s1 * f.t2 - s2 * f.t1);  // Fn F1 F2 Mn
   L tilt = sums(s2 * f.n, s1 * f.n, L{}, L{});             // M1 -M2
   return {frame.n * spread<0>(force) + frame.t1 * spread<1>(force) + frame.t2 * spread<2>(force),
           frame.n * spread<3>(force) + frame.t1 * spread<0>(tilt) - frame.t2 * spread<1>(tilt)};
 }
 
-// N: points count as closed up to this tension. Unless `exact`, open points that are near count as closed, too. A point
-// that a rebound pushes apart does not.
-template <class R> BRICKFALL_LANES auto closedReach(const R& r, bool exact) {
-  auto cap = pointsOf(r, &ContactRecord::tensionCap);
-  using L = decltype(cap);
+// N: points count as closed above this normal force. Unless `exact`, open points that are near count as closed, too. A
+// point that a rebound pushes apart does not.
+template <class R> BRICKFALL_LANES auto closedAbove(const R& r, bool exact) {
+  auto least = pointsOf(r, &FaceRecord::leastN);
+  using L = decltype(least);
   L reach{};
   if (!exact)
-    reach =
-        pointsOf(r, &ContactRecord::k) * lanesOf(r, [](const ContactRecord& one) { return wide::all<V>(one.near); });
-  return select(L{} > cap, cap, max(cap, reach));
+    reach = pointsOf(r, &FaceRecord::k) * lanesOf(r, [](const FaceRecord& one) { return wide::all<V>(one.near); });
+  return select(least > L{}, least, -max(-least, reach));
 }
 
 // Loaded points resist along the normal, and so do near open points, unless `exact`: a Newton step must not run through
 // them. Sticking points resist tangentially; sliding ones only across their slip.
 template <class R, class L>
 BRICKFALL_LANES StiffnessOf<L> stiffness(const R& r, const Frame<L>& frame, const PointForces<L>& f, bool exact) {
-  L s1 = pointsOf(r, &ContactRecord::s1), s2 = pointsOf(r, &ContactRecord::s2), k = pointsOf(r, &ContactRecord::k);
-  L limit = pointsOf(r, &ContactRecord::limit), zero{};
-  auto normalOn = f.trialN > -closedReach(r, exact);
+  L s1 = pointsOf(r, &FaceRecord::s1), s2 = pointsOf(r, &FaceRecord::s2), k = pointsOf(r, &FaceRecord::k);
+  L limit = pointsOf(r, &FaceRecord::limit), zero{};
+  auto normalOn = f.trialN > closedAbove(r, exact);
   L kn = keepIf(normalOn, k);
   auto frictional = limit > zero;
   L kt = keepIf(frictional, k);

@@ -2,8 +2,8 @@
 // may leave a function behind that other files use, too. Hence the lanes have their own type, and all else is always
 // inlined.
 #include "math/wide_pair.h"
-#include "solver/contact/pairs.h"
-#include "solver/contact/pairs_kernel.h"
+#include "solver/face/pairs.h"
+#include "solver/face/pairs_kernel.h"
 
 namespace brickfall {
 

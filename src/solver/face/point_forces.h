@@ -1,6 +1,6 @@
-// The forces of a contact's points at a motion, lane by lane.
+// The forces of a face's points at a motion, lane by lane.
 #pragma once
-#include "solver/contact/kernel.h"
+#include "solver/face/kernel.h"
 
 namespace brickfall {
 
@@ -9,7 +9,7 @@ struct PointForces {
   alignas(16) float way[4];              // m, along the normal, of B against A
 };
 
-inline PointForces pointForcesAt(const ContactRecord& r, const SolveMotion* motion) {
+inline PointForces pointForcesAt(const FaceRecord& r, const SolveMotion* motion) {
   auto moved = kernel::pointMotion(r, kernel::frame(r), motion);
   auto f = kernel::pointForces(r, moved);
   PointForces out;

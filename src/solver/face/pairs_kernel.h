@@ -1,10 +1,10 @@
-// Contacts read two at a time: for pairs.cpp and pairs_avx2.cpp, which differ in their lanes.
+// Faces read two at a time: for pairs.cpp and pairs_avx2.cpp, which differ in their lanes.
 #pragma once
 #include <cstddef>
 
 #include "solver/boundary.h"
-#include "solver/contact/kernel.h"
-#include "solver/contact/pairs.h"
+#include "solver/face/kernel.h"
+#include "solver/face/pairs.h"
 #include "solver/step_context.h"
 
 namespace brickfall::kernel {
@@ -12,7 +12,7 @@ namespace brickfall::kernel {
 //! not of the method: sides by which a record is asked for before its turn
 inline constexpr std::uint32_t kAhead = 4;
 
-BRICKFALL_LANES void fetch(const ContactRecord& r) {
+BRICKFALL_LANES void fetch(const FaceRecord& r) {
   const char* line = reinterpret_cast<const char*>(&r);
   __builtin_prefetch(line);
   __builtin_prefetch(line + 64);
@@ -20,23 +20,23 @@ BRICKFALL_LANES void fetch(const ContactRecord& r) {
 }
 
 // Without a branch: which end is ours changes from row to row.
-static_assert(offsetof(ContactRecord, armB) == offsetof(ContactRecord, armA) + sizeof(Vec3f));
-BRICKFALL_LANES V armOf(const ContactRecord& r, std::uint32_t end) {
+static_assert(offsetof(FaceRecord, armB) == offsetof(FaceRecord, armA) + sizeof(Vec3f));
+BRICKFALL_LANES V armOf(const FaceRecord& r, std::uint32_t end) {
   V arm;
   std::memcpy(&arm, reinterpret_cast<const char*>(&r.armA) + end * sizeof(Vec3f), sizeof arm);
   return V(M(arm) & M{-1, -1, -1, 0});
 }
 
 template <class L, bool withMatrix>
-BRICKFALL_LANES void sumPair(const Boundary& b, const ContactRecord* records, SidePair<L> sides, BoundarySums& sums,
+BRICKFALL_LANES void sumPair(const Boundary& b, const FaceRecord* records, SidePair<L> sides, BoundarySums& sums,
                              MatrixSums* matrix) {
-  auto recordAt = [&](std::uint32_t side) -> const ContactRecord& { return records[side / 2 - b.firstRow]; };
+  auto recordAt = [&](std::uint32_t side) -> const FaceRecord& { return records[side / 2 - b.firstRow]; };
   RecordPair<L> r{recordAt(b.sides[sides.first]), recordAt(b.sides[sides.second])};
   Frame<L> f = frame(r);
   PointForces<L> forces = pointForces(r, pointMotion(r, f, b.motion));
   WideWrench<L> w = wrench(r, f, forces);
   L arm = sides.halves([&](std::uint32_t side) {
-    const ContactRecord& one = recordAt(side);
+    const FaceRecord& one = recordAt(side);
     V own = armOf(one, side & 1);
     if (b.single) return own;
     return own + (wide::load3Padded(b.masses[(side & 1) ? one.bodyB : one.bodyA].position) - b.centre);
@@ -45,8 +45,7 @@ BRICKFALL_LANES void sumPair(const Boundary& b, const ContactRecord* records, Si
   if constexpr (withMatrix) matrix->add(stiffness(r, f, forces, b.exact), arm, sides.both());
 }
 
-template <class L, bool withMatrix>
-void sumContacts(const Boundary& b, const ContactRecord* records, BoundarySums& out) {
+template <class L, bool withMatrix> void sumFaces(const Boundary& b, const FaceRecord* records, BoundarySums& out) {
   BoundarySums sums = out;
   for (std::uint32_t i = 0; i < b.count; i += 2) {
     if (i + kAhead + 1 < b.count) {
@@ -59,7 +58,7 @@ void sumContacts(const Boundary& b, const ContactRecord* records, BoundarySums& 
 }
 
 template <class L>
-void readContacts(const ContactRecord* records, std::size_t count, const SolveMotion* motion, Reading* out) {
+void readFaces(const FaceRecord* records, std::size_t count, const SolveMotion* motion, Reading* out) {
   for (std::size_t i = 0; i < count; i += 2) {
     const std::size_t j = i + 1 < count ? i + 1 : i;
     RecordPair<L> r{records[i], records[j]};
@@ -70,8 +69,6 @@ void readContacts(const ContactRecord* records, std::size_t count, const SolveMo
   }
 }
 
-template <class L> PairFunctions pairFunctions() {
-  return {sumContacts<L, false>, sumContacts<L, true>, readContacts<L>};
-}
+template <class L> PairFunctions pairFunctions() { return {sumFaces<L, false>, sumFaces<L, true>, readFaces<L>}; }
 
 }  // namespace brickfall::kernel

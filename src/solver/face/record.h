@@ -1,0 +1,31 @@
+// A face between two bodies as the solve reads it: up to four points, each with a normal law and friction. 192 bytes,
+// made once per step by the kind of tie that the face belongs to: a contact, mortar. Nothing in it changes during a
+// cycle but what that kind lets follow the solve (the friction limit of new points). Points are stored field by field,
+// four lanes. What a point stands for (its area, its strength) is in its stiffness, its limit and its least force.
+//
+// All motion is relative to the face's own frame (normal n, tangents t1 and t2 = n x t1) at its centre.
+#pragma once
+#include <cstdint>
+
+#include "math/float3.h"
+
+namespace brickfall {
+
+struct alignas(64) FaceRecord {
+  Vec3f n, t1;                         // unit, world; n from A to B
+  Vec3f armA, armB;                    // m, from the centres of mass to the face's centre
+  std::uint32_t bodyA = 0, bodyB = 0;  // in Island::motion
+  float near = 0;                      // m: open points nearer than this stay in the Newton matrix
+  std::uint32_t newPoints = 0;         // bit per point whose friction limit follows: it carried nothing, or an impact
+
+  float s1[4] = {}, s2[4] = {};  // m
+  float trialN[4] = {};          // N, force at zero motion: share of the multiplier - k (correctable gap)
+  float trial1[4] = {}, trial2[4] = {};
+  float k[4] = {};      // N/m; 0 in unused lanes
+  float limit[4] = {};  // N, friction cone
+  float leastN[4] =
+      {};  // N, least normal force: 0 of a dry point, below 0 of a bonded one, above 0 of one that rebounds
+};
+static_assert(sizeof(FaceRecord) == 192);
+
+}  // namespace brickfall

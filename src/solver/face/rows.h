@@ -1,0 +1,42 @@
+// Faces as rows: what the solve reads of every kind of tie whose rows are faces. The life of a face (what it remembers,
+// what it becomes at the start of a step, what is kept at its end) is its kind's own (contact/rows.h).
+#pragma once
+#include <memory_resource>
+#include <vector>
+
+#include "solver/face/kernel.h"
+#include "solver/face/pairs.h"
+
+namespace brickfall {
+
+struct FaceRows {
+  explicit FaceRows(std::pmr::memory_resource* memory) : records(memory) {}
+  std::pmr::vector<FaceRecord> records;  // by row
+
+  RowEnds ends(std::size_t k) const { return {records[k].bodyA, records[k].bodyB}; }
+  // The direction from A to B along which the face presses.
+  Vec3 normal(std::size_t k) const { return toDouble(records[k].n); }
+  Arms arms(std::size_t k) const { return {wide::load3Padded(records[k].armA), wide::load3Padded(records[k].armB)}; }
+  // Reads `count` rows from k on.
+  void read(std::size_t k, std::size_t count, const SolveMotion* motion, Reading* out) const {
+    readFaces(records.data() + k, count, motion, out);
+  }
+  // Sums the rows of this kind on a cluster's boundary.
+  void sumBoundary(const Boundary& boundary, BoundarySums& sums) const { sumFaces(boundary, records.data(), sums); }
+  Reaction react(std::size_t k, const SolveMotion* motion) const {
+    const FaceRecord& r = records[k];
+    auto frame = kernel::frame(r);
+    auto w = kernel::wrench(r, frame, kernel::pointForces(r, kernel::pointMotion(r, frame, motion)));
+    return {w.force, w.torque, frame.armA, frame.armB};
+  }
+  // Exact: open points are searched for; near ones do not count as closed.
+  StiffReaction reactStiff(std::size_t k, const SolveMotion* motion, bool exact) const {
+    const FaceRecord& r = records[k];
+    auto frame = kernel::frame(r);
+    auto f = kernel::pointForces(r, kernel::pointMotion(r, frame, motion));
+    auto w = kernel::wrench(r, frame, f);
+    return {{w.force, w.torque, frame.armA, frame.armB}, kernel::stiffness(r, frame, f, exact)};
+  }
+};
+
+}  // namespace brickfall
