@@ -1,12 +1,12 @@
 // What the contacts of a step can't see: they are found along the velocities before it, with normals and arms that stay
 // as they are. A body that a hit throws somewhere else, or spins through most of a turn, or that a force accelerates
 // from rest, could end the step behind something thin. So the core of every fast body, a ball a fourth as thick as its
-// shape, is swept along the way that the solve found, against the ways of the others, and the body stops for this step
-// where its core would enter something, or where it would run over the core of something smaller. Of two that both
-// move, both stop; what a kinematic body runs into is taken along. What is long and turns is looked at in its own
-// frame, where ways are arcs, in parts of 0.1 rad. A body that contacts would spin too far in one step first has its
-// turn cut, as far as frozen arms are true, and its way alike. Velocities stay: the next step finds the contact and
-// does the rest.
+// shape, is swept along the way that the solve found, against the ways of the others. Where it would enter something,
+// or run over the core of something smaller, the two go on together for the rest of the step. So debris that flies
+// along together never stands still. Before a fixed thing the body stops; what a kinematic body runs into is taken
+// along. What is long and turns is looked at in its own frame, where ways are arcs, in parts of 0.1 rad. A body that
+// contacts would spin too far in one step first has its turn cut, as far as frozen arms are true, and so much of its
+// way as that turn made. Velocities stay: the next step finds the contact and does the rest.
 #include <algorithm>
 #include <cmath>
 
@@ -26,13 +26,8 @@ namespace {
 //! times the mass | too small: a body goes on through what is only a little lighter
 //! | too large: bricks pressed into a wrecking ball hold it in the air
 constexpr double kFarHeavier = 30;  // times the mass
-//! of a way | too small: bricks that hit each other deep hold each other there
-//! | too large: cores pass that have not met
-[[maybe_unused]] constexpr double kHeld = 1e-3;
-//! - | too small: what turns freely ends beyond what it met | too large: cost
-constexpr int kLooks = 4;  // along a free turn: a part of it is not on the arc that all of it makes
-//! of the outer radius | too small: thin plates are crept through | too large: with kHeld
-[[maybe_unused]] constexpr double kThick = 0.2;
+//! - | too small: what turns freely, or what another was held up for, ends beyond what it met | too large: cost
+constexpr int kLooks = 4;  // a part of a free turn is not on the arc of all of it, and a way that was cut is in the way
 bool exceeds(Vec3 way, double limit) { return lengthSquared(way) > limit * limit; }
 
 struct Motion {
@@ -62,6 +57,7 @@ struct Obstacles {
     Vec3 way, velocity;  // m in this step, m/s: of the centre of mass
     bool flies = false;
   };
+  bool moves(BodyIndex body) const;
   Group groupOf(BodyIndex body) const;
   void divert(BodyIndex body, const Group& group, Vec3 way, double turnShare);
   void meet(BodyIndex body, const Obstruction& first);
@@ -76,7 +72,6 @@ struct Obstacles {
   Vec3 pushedAt(BodyIndex body) const;
   void cut(BodyIndex body, double share, double turnShare, Vec3 carried = {});
   bool farHeavier(BodyIndex body, BodyIndex other) const;
-  bool isThick(BodyIndex body) const;
 };
 
 const Island* Obstacles::islandWith(BodyIndex body) const {
@@ -118,11 +113,6 @@ void Obstacles::cut(BodyIndex body, double share, double turnShare, Vec3 carried
 // air.
 bool Obstacles::farHeavier(BodyIndex body, BodyIndex other) const {
   return bodies.mass[body].mass > kFarHeavier * bodies.mass[other].mass;
-}
-
-// Contacts see what is in it: a thin plate may be crept through from one step to the next.
-bool Obstacles::isThick(BodyIndex body) const {
-  return bodies.mass[body].innerRadius > kThick * bodies.mass[body].outerRadius;
 }
 
 // m, from the centre of mass: the nearest place on the line along which contacts pushed, within the body.
@@ -176,17 +166,21 @@ bool Obstacles::hold(BodyIndex body, bool everything, double thickness) {
   return elsewhere;
 }
 
+bool Obstacles::moves(BodyIndex body) const {
+  return bodies.data[body].activity == BodyActivity::awake && !context.solved[body].rest;
+}
+
 Obstacles::Group Obstacles::groupOf(BodyIndex body) const {
   Group out;
-  const Island* island = islandWith(body);
+  if (!moves(body)) return out;
   out.flies = context.solved[body].flying;
   auto add = [&](BodyIndex b) {
     const double m = bodies.mass[b].mass;
     out.mass += m;
-    out.way += motionOf(b).way * m;
+    out.way += context.solved[b].d * m;
     out.velocity += context.solved[b].velocity * m;
   };
-  if (island)
+  if (const Island* island = islandWith(body))
     for (std::uint32_t i : movesWith(*island, body)) add(island->bodies[i]);
   else
     add(body);
@@ -195,13 +189,14 @@ Obstacles::Group Obstacles::groupOf(BodyIndex body) const {
   return out;
 }
 
+// Adds to the ways of the body's group, and leaves it a share of its turn about its centre of mass.
 void Obstacles::divert(BodyIndex body, const Group& group, Vec3 way, double turnShare) {
   const Island* island = islandWith(body);
   if (!island) return shorten(body, 1, turnShare, way, false, context);
   for (std::uint32_t i : movesWith(*island, body)) {
     const BodyIndex b = island->bodies[i];
-    const Vec3 own = movesWith(*island, body).size() > 1 ? (group.way - context.solved[b].d) * (1 - turnShare) : Vec3{};
-    shorten(b, 1, turnShare, way + own, false, context);
+    const Vec3 turned = context.solved[b].d - group.way;  // of a body alone: none
+    shorten(b, 1, turnShare, way - turned * (1 - turnShare), false, context);
   }
 }
 
@@ -225,7 +220,7 @@ void Obstacles::meet(BodyIndex body, const Obstruction& first) {
     shareOfA = 0, shareOfB = 1;
   }
   divert(body, a, toB * shareOfA, first.turnShare);
-  divert(first.body, b, toB * -shareOfB, otherTurns ? first.share : 1);
+  if (moves(first.body)) divert(first.body, b, toB * -shareOfB, otherTurns ? first.share : 1);
 }
 
 // All turns are cut before anything is looked for: a body is held against the ways that others will go.
