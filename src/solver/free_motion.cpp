@@ -41,7 +41,8 @@ void limitTurn(FreeMotion& free, const BodyMass& mass, const BodyMotion& m, Vec3
   Vec3 visible = visibleTurn(mass, m.orientation, turn);
   double size = length(visible);
   free.turnsFaster = size > kLargestTurn;
-  free.th = turn - visible + visible * (free.turnsFaster ? kLargestTurn / size : 1);
+  free.seen = free.turnsFaster ? kLargestTurn / size : 1;
+  free.th = turn - visible + visible * free.seen;
 }
 
 // Free motion by one of the integrators that are there to be compared.
@@ -132,6 +133,7 @@ void predictFreeMotions(StepContext& context, BodySet& bodies, std::span<const B
     FreeMotion& free = context.free[body];
     free.dt = free.turnTime = dt;
     free.turnsFaster = false;
+    free.seen = 1;
     free.startVelocity = m.linearVelocity;
     free.startSpin = m.angularVelocity;
     free.late = free.lateSpin = {};

@@ -72,6 +72,7 @@ struct FreeMotion {
   double dt = 0;                  // s, of the whole motion
   double turnTime = 0;            // s, of the turn: less than dt if the body was stopped
   bool turnsFaster = false;       // the body turns further than th shows
+  double seen = 1;                // ... which is so much of the turn
   Vec3 angularMomentum;           // kg m2/s, at the end
   Vec3 startVelocity, startSpin;  // before forces
   Vec3 late, lateSpin;            // m/s, rad/s: the solve starts with so much less (finish/lone_body.cpp)
@@ -90,6 +91,7 @@ struct SolvedMotion {
   bool flying = false;    // no chain of forces leads to anything fixed or kinematic
   SteadyChange steady;    // BodyData::steady
   double impactLoss = 0;  // BodyData::impactLoss
+  double fromHit = 0;     // J: given by another group in a hit that contacts did not see
 };
 
 struct SolveStatistics {

@@ -11,6 +11,7 @@
 #include <cmath>
 
 #include "solver/finish/motion.h"
+#include "solver/finish/plastic_hit.h"
 #include "solver/free_motion.h"
 #include "world/activity.h"
 #include "world/core_sweep.h"
@@ -33,6 +34,9 @@ constexpr double kHeld = 1e-3;
 constexpr int kLooks = 4;  // along a free turn: a part of it is not on the arc that all of it makes
 //! of the outer radius | too small: thin plates are crept through | too large: with kHeld
 constexpr double kThick = 0.2;
+//! rad | too small: heavy bodies that spin are held up by what they hit
+//! | too large: they turn on through what they hit
+constexpr double kLargestStuckTurn = 0.1;
 bool exceeds(Vec3 way, double limit) { return lengthSquared(way) > limit * limit; }
 
 struct Motion {
@@ -46,6 +50,13 @@ struct Obstruction {
   Vec3 carried;               // m: how far that takes along, from there, what does not get past it
 };
 
+// A body that something far heavier has run over, after a share of the heavy one's way.
+struct Stuck {
+  BodyIndex body, heavy;
+  double share;
+  double went;  // of the body's own way, until then
+};
+
 struct Obstacles {
   const BodySet& bodies;
   const ShapeSet& shapes;
@@ -53,6 +64,7 @@ struct Obstacles {
   const Activity& activity;
   const IslandSet& islands;
   StepContext& context;
+  std::pmr::vector<Stuck> stuck;
 
   void stopAll();
   void cutTurn(BodyIndex body);
@@ -65,6 +77,9 @@ struct Obstacles {
   Vec3 commonWay(const Island& island, std::span<const std::uint32_t> group) const;
   void cut(BodyIndex body, double share, double turnShare, Vec3 carried = {});
   bool farHeavier(BodyIndex body, BodyIndex other) const;
+  bool fliesAlone(BodyIndex body) const;
+  void stick(BodyIndex body, const Obstruction& first);
+  void hitAll();
   bool isThick(BodyIndex body) const;
 };
 
@@ -107,6 +122,31 @@ void Obstacles::cut(BodyIndex body, double share, double turnShare, Vec3 carried
 // air.
 bool Obstacles::farHeavier(BodyIndex body, BodyIndex other) const {
   return bodies.mass[body].mass > kFarHeavier * bodies.mass[other].mass;
+}
+
+bool Obstacles::fliesAlone(BodyIndex body) const {
+  const Island* island = islandWith(body);
+  return context.solved[body].flying && (!island || movesWith(*island, body).size() == 1);
+}
+
+// Something far heavier that flies has run over a body that flies alone. Both end there if the heavy one turns: its
+// surface goes along an arc then, but what it hits goes straight on.
+void Obstacles::stick(BodyIndex body, const Obstruction& first) {
+  const SolvedMotion& heavy = context.solved[first.body];
+  const double turn = length(spinAtEnd(first.body, heavy.angularMomentum, context)) * context.free[first.body].dt;
+  cut(body, first.share, first.turnShare);
+  if (turn * (1 - first.share) > kLargestStuckTurn) cut(first.body, first.share, first.share);
+  stuck.push_back({body, first.body, first.share, context.solved[body].went});
+}
+
+// The hits that no contact has seen, when no way is cut any more. What is hit goes on with the place where it was met;
+// the impulse of that acts on both, so the momenta of the two stay as they are.
+void Obstacles::hitAll() {
+  std::stable_sort(stuck.begin(), stuck.end(), [](const Stuck& a, const Stuck& b) { return a.share < b.share; });
+  for (const Stuck& s : stuck) {
+    const bool goesOn = context.solved[s.heavy].went == 1 && context.solved[s.body].went == s.went;
+    hitPlastically(s.body, s.heavy, goesOn ? 1 - s.share : 0, context);
+  }
 }
 
 // Contacts see what is in it: a thin plate may be crept through from one step to the next.
@@ -162,7 +202,12 @@ bool Obstacles::hold(BodyIndex body, bool everything, double thickness) {
   for (ShapeIndex shape : bodies.shapes[body]) obstruct(shape, everything, thickness, first);
   if (first.share == 1) return false;
   const bool elsewhere = context.solved[body].freeTurn && first.turnShare < 1;
-  if (bodies.data[first.body].type != BodyType::dynamic || farHeavier(first.body, body)) {
+  const bool dynamic = bodies.data[first.body].type == BodyType::dynamic;
+  if (dynamic && farHeavier(first.body, body) && context.solved[first.body].flying && fliesAlone(body)) {
+    stick(body, first);
+    return false;
+  }
+  if (!dynamic || farHeavier(first.body, body)) {
     cut(body, first.share, first.turnShare, first.carried);
     return false;
   }
@@ -183,6 +228,7 @@ void Obstacles::stopAll() {
   };
   each(&Obstacles::cutTurn);
   each(&Obstacles::stop);
+  hitAll();
 }
 
 // The first thing on a body's way, for one shape of the body. `everything`: it may be the other that does the moving.
@@ -225,7 +271,9 @@ void Obstacles::obstruct(ShapeIndex shape, bool everything, double thickness, Ob
 
 void stopAtObstacles(const Registry& registry, const Activity& activity, const Proximity& proximity,
                      StepContext& context) {
-  Obstacles{registry.bodies, registry.shapes, *proximity.broadPhase, activity, activity.islands, context}.stopAll();
+  Obstacles{registry.bodies, registry.shapes, *proximity.broadPhase, activity, activity.islands, context,
+            std::pmr::vector<Stuck>(context.memory)}
+      .stopAll();
 }
 
 void hashObstacles(const IslandSet& islands, const StepContext& context, HashItems& out) {

@@ -20,6 +20,13 @@ struct VelocityChange {
 // The change in this step, so far.
 VelocityChange changeOf(BodyIndex body, const StepContext& context);
 
+// Where the body points at the end of the step.
+Quat rotationAtEnd(BodyIndex body, const StepContext& context);
+// rad/s, at the end of the step: the momentum stays, the body turns under it, and its inertia with it.
+Vec3 spinAtEnd(BodyIndex body, Vec3 angularMomentum, const StepContext& context);
+// J, at the end of the step, seen from a frame that moves at `frame` (m/s).
+double kineticEnergyAtEnd(BodyIndex body, Vec3 frame, const StepContext& context);
+
 // Moves the body's place at the end of the step by so much; a body that turns freely keeps its turn.
 void shift(BodyIndex body, Vec3 way, Vec3 turn, StepContext& context);
 // Adds to the body's velocities.
@@ -27,6 +34,8 @@ void accelerate(BodyIndex body, Vec3 velocity, Vec3 angularMomentum, StepContext
 // Leaves the body a share of its way, then `carried` (m), and a share of its turn. The body keeps its velocities,
 // unless it `falls`: gravity and other outside forces act for as long as it moves.
 void shorten(BodyIndex body, double share, double turnShare, Vec3 carried, bool falls, StepContext& context);
+// J: energy that a hit between two groups moved to the body.
+void keepHit(BodyIndex body, double energy, StepContext& context);
 // The body's part of the energy that impacts which go on have taken so far, J.
 void keepLoss(BodyIndex body, double loss, StepContext& context);
 // The body's contacts went on through the step: it remembers how its velocities changed (per second).
