@@ -134,7 +134,10 @@ struct StepContext {
   std::pmr::memory_resource* memory = std::pmr::get_default_resource();  // for all scratch of a step
   std::vector<FreeMotion> free;                                          // by body slot
   std::vector<SolvedMotion> solved;                                      // by body slot
+  std::vector<double> ahead;  // by body slot: the share of the step that it has flown already (world/fly_ahead.h)
   SolveStatistics statistics;
+
+  double aheadOf(BodyIndex body) const { return body < ahead.size() ? ahead[body] : 0; }
 };
 
 }  // namespace brickfall

@@ -36,7 +36,7 @@ constexpr int kLooks = 4;  // along a free turn: a part of it is not on the arc 
 constexpr double kThick = 0.2;
 //! rad | too small: heavy bodies that spin are held up by what they hit
 //! | too large: they turn on through what they hit
-constexpr double kLargestStuckTurn = 0.1;
+constexpr double kLargestStuckTurn = 0.3;
 bool exceeds(Vec3 way, double limit) { return lengthSquared(way) > limit * limit; }
 
 struct Motion {
@@ -68,6 +68,7 @@ struct Obstacles {
 
   void stopAll();
   void cutTurn(BodyIndex body);
+  void takeBack(BodyIndex body);
   void stop(BodyIndex body);
   bool hold(BodyIndex body, bool everything, double thickness);
   void obstruct(ShapeIndex shape, bool everything, double thickness, Obstruction& first) const;
@@ -78,6 +79,7 @@ struct Obstacles {
   void cut(BodyIndex body, double share, double turnShare, Vec3 carried = {});
   bool farHeavier(BodyIndex body, BodyIndex other) const;
   bool fliesAlone(BodyIndex body) const;
+  bool driven(BodyIndex body, BodyIndex other) const;
   void stick(BodyIndex body, const Obstruction& first);
   void hitAll();
   bool isThick(BodyIndex body) const;
@@ -129,11 +131,24 @@ bool Obstacles::fliesAlone(BodyIndex body) const {
   return context.solved[body].flying && (!island || movesWith(*island, body).size() == 1);
 }
 
+// Something far heavier presses the two into each other, and flies with them: as a group they would stop it.
+bool Obstacles::driven(BodyIndex body, BodyIndex other) const {
+  const Island* island = islandWith(body);
+  if (!island || island != islandWith(other) || !context.solved[body].flying) return false;
+  const std::span<const std::uint32_t> group = movesWith(*island, body);
+  auto isIn = [&](auto&& test) {
+    return std::any_of(group.begin(), group.end(), [&](std::uint32_t i) { return test(island->bodies[i]); });
+  };
+  return isIn([&](BodyIndex i) { return i == other; }) && isIn([&](BodyIndex i) { return farHeavier(i, body); });
+}
+
 // Something far heavier that flies has run over a body that flies alone. Both end there if the heavy one turns: its
 // surface goes along an arc then, but what it hits goes straight on.
 void Obstacles::stick(BodyIndex body, const Obstruction& first) {
   const SolvedMotion& heavy = context.solved[first.body];
-  const double turn = length(spinAtEnd(first.body, heavy.angularMomentum, context)) * context.free[first.body].dt;
+  const Vec3 spin = spinAtEnd(first.body, heavy.angularMomentum, context);
+  const double turn = length(
+      visibleTurn(bodies.mass[first.body], bodies.motion[first.body].orientation, spin * context.free[first.body].dt));
   cut(body, first.share, first.turnShare);
   if (turn * (1 - first.share) > kLargestStuckTurn) cut(first.body, first.share, first.share);
   stuck.push_back({body, first.body, first.share, context.solved[body].went});
@@ -144,7 +159,8 @@ void Obstacles::stick(BodyIndex body, const Obstruction& first) {
 void Obstacles::hitAll() {
   std::stable_sort(stuck.begin(), stuck.end(), [](const Stuck& a, const Stuck& b) { return a.share < b.share; });
   for (const Stuck& s : stuck) {
-    const bool goesOn = context.solved[s.heavy].went == 1 && context.solved[s.body].went == s.went;
+    const bool goesOn =
+        context.solved[s.heavy].went == 1 && context.ahead[s.heavy] == 0 && context.solved[s.body].went == s.went;
     hitPlastically(s.body, s.heavy, goesOn ? 1 - s.share : 0, context);
   }
 }
@@ -182,6 +198,11 @@ void Obstacles::cutTurn(BodyIndex body) {
   const std::span<const std::uint32_t> group = movesWith(*island, body);
   const Vec3 common = commonWay(*island, group);
   for (std::uint32_t i : group) shorten(island->bodies[i], share, share, common * (1 - share), false, context);
+}
+
+// The share of the step that the body flew before it was solved.
+void Obstacles::takeBack(BodyIndex body) {
+  if (context.ahead[body] > 0 && !context.solved[body].rest) takeBackAhead(body, context);
 }
 
 void Obstacles::stop(BodyIndex body) {
@@ -227,6 +248,7 @@ void Obstacles::stopAll() {
     for (BodyIndex body : islands.single) (this->*act)(body);
   };
   each(&Obstacles::cutTurn);
+  each(&Obstacles::takeBack);
   each(&Obstacles::stop);
   hitAll();
 }
@@ -258,7 +280,9 @@ void Obstacles::obstruct(ShapeIndex shape, bool everything, double thickness, Ob
       share = std::min(share, over), turnShare = std::min(turnShare, over);
     }
     // Bricks that have pressed into each other would stay so for ever: their contacts part them.
-    if (type == BodyType::dynamic && share < kHeld && isThick(s.body) && isThick(o.body)) return true;
+    if (type == BodyType::dynamic && isThick(s.body) && isThick(o.body) &&
+        (share < kHeld || (share < 1 && driven(s.body, o.body))))
+      return true;
     if (own.turns) first.turnShare = std::min(first.turnShare, turnShare);
     if (!(share < first.share)) return true;
     first.share = share, first.body = o.body;
@@ -271,7 +295,12 @@ void Obstacles::obstruct(ShapeIndex shape, bool everything, double thickness, Ob
 
 void stopAtObstacles(const Registry& registry, const Activity& activity, const Proximity& proximity,
                      StepContext& context) {
-  Obstacles{registry.bodies, registry.shapes, *proximity.broadPhase, activity, activity.islands, context,
+  Obstacles{registry.bodies,
+            registry.shapes,
+            *proximity.broadPhase,
+            activity,
+            activity.islands,
+            context,
             std::pmr::vector<Stuck>(context.memory)}
       .stopAll();
 }

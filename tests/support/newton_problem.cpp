@@ -22,7 +22,7 @@ ProblemBody bodyOf(BodyIndex index, const StepContext& context, double dt) {
   b.inner = set.mass[index].innerRadius;
   b.outer = set.mass[index].outerRadius;
   Vec3 acceleration = context.gravity * data.gravityScale + data.force * (1 / b.mass);
-  b.dFree = (m.linearVelocity - context.free[index].late) * dt + acceleration * (dt * dt);
+  b.dFree = (m.linearVelocity - context.free[index].late) * dt + acceleration * (dt * dt * (1 - context.aheadOf(index)));
   b.thFree = context.free[index].th;
   return b;
 }

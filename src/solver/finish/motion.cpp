@@ -106,10 +106,33 @@ double kineticEnergyAtEnd(BodyIndex body, Vec3 frame, const StepContext& context
          0.5 * dot(s.angularMomentum, spinAtEnd(body, s.angularMomentum, context));
 }
 
+namespace {
+
+void shortenTurn(BodyIndex body, double share, StepContext& context) {
+  SolvedMotion& s = context.solved[body];
+  s.th *= share;
+  if (!s.freeTurn && !context.free[body].turnsFaster) return;
+  const Vec3 turned = shortenFreeTurn(context, body, share);
+  if (s.freeTurn && lengthSquared(s.th) <= kHalfTurn * kHalfTurn) s.th = turned;
+}
+
+}  // namespace
+
 void shift(BodyIndex body, Vec3 way, Vec3 turn, StepContext& context) {
   SolvedMotion& s = context.solved[body];
   s.d += way;
   if (!s.freeTurn) s.th += turn;
+}
+
+// Along its velocity: then the angular momentum of its group stays.
+void takeBackAhead(BodyIndex body, StepContext& context) {
+  SolvedMotion& s = context.solved[body];
+  const double share = context.ahead[body];
+  if (s.went < 1)
+    s.d -= s.velocity * (s.went * share * context.free[body].dt);
+  else
+    s.d *= 1 - share;
+  shortenTurn(body, 1 - share, context);
 }
 
 void accelerate(BodyIndex body, Vec3 velocity, Vec3 angularMomentum, StepContext& context) {
@@ -127,11 +150,7 @@ void shorten(BodyIndex body, double share, double turnShare, Vec3 carried, bool 
     s.velocity -= (free.d * (1 / free.dt) - free.startVelocity) * lost;
     s.angularMomentum -= context.bodies->data[body].torque * (lost * free.dt);
   }
-  if (!(turnShare < 1)) return;
-  s.th *= turnShare;
-  if (!s.freeTurn && !free.turnsFaster) return;
-  const Vec3 turned = shortenFreeTurn(context, body, turnShare);
-  if (s.freeTurn && lengthSquared(s.th) <= kHalfTurn * kHalfTurn) s.th = turned;
+  if (turnShare < 1) shortenTurn(body, turnShare, context);
 }
 
 void keepHit(BodyIndex body, double energy, StepContext& context) { context.solved[body].fromHit += energy; }
