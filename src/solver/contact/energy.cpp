@@ -53,7 +53,10 @@ ContactWork contactWork(const Island& island, const StepContext& context) {
     kernel::store(m.n, way[0]);
     kernel::store(m.t1, way[1]);
     kernel::store(m.t2, way[2]);
+    const ContactRecord& r = island.rows.contacts.records[n];
+    const Vec3f bend = island.rows.contacts.starts[n].bend;  // the law sees it as a part of the way
     for (int i = 0; i < c.count; i++) {
+      way[0][i] += dot(r.n, bend), way[1][i] += dot(r.t1, bend), way[2][i] += dot(cross(r.n, r.t1), bend);
       auto work = [&](const float* normal, const float* along1, const float* along2) {
         return double(normal[i]) * double(way[0][i]) + double(along1[i]) * double(way[1][i]) +
                double(along2[i]) * double(way[2][i]);

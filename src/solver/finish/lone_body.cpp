@@ -5,6 +5,7 @@
 // other would have to give), unless they slide as one: finish/group_slide.h.
 #include "solver/finish/lone_body.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "solver/finish/steady.h"
@@ -19,6 +20,7 @@ constexpr double kStopped = 1e-2;  // of the speed at the start of the step
 // All points that carry force neither land nor leave in this step, and there is one.
 bool steadyContacts(const Island& island, const StepContext& context, const VelocityChange& change) {
   bool carried = false;
+  const double before = context.bodies->data[island.bodies[0]].steady.dt, late = 0.5 * before / island.dt;
   for (std::size_t k = 0; k < island.rows.contacts.records.size(); k++) {
     const ContactRecord& r = island.rows.contacts.records[k];
     const Contact& c = context.contacts->contacts[island.rows.contacts.contactOf[k]];
@@ -26,7 +28,9 @@ bool steadyContacts(const Island& island, const StepContext& context, const Velo
     for (int i = 0; i < c.count; i++) {
       if (!(c.points.forceN[i] > 0)) continue;
       carried = true;
-      if (!isSteady(r, island.rows.contacts.starts[k], i, a, b, island.dt)) return false;
+      const ContactStart& start = island.rows.contacts.starts[k];
+      const double arc = double(dot(r.n, start.bend)) / (-island.dt * (1 - late));
+      if (!isSteady(r, start, i, a, b, std::max(island.dt, before), arc)) return false;
     }
   }
   return carried;
@@ -68,6 +72,12 @@ void letGo(const Island& island, Ties ties) {
   for (ContactIndex contact : island.rows.contacts.contactOf) ties.contacts.contacts[contact].points.stickingMask = 0;
 }
 
+// Gives back by how much the body started late.
+void catchUp(BodyIndex body, StepContext& context) {
+  const FreeMotion& free = context.free[body];
+  accelerate(body, free.late, context.bodies->worldInertia(body) * free.lateSpin, context);
+}
+
 // The forces of this step are about those of the last: no body has hit, and late velocities can be brought up to date.
 bool goesOn(const SteadyChange& last, const SteadyChange& now, double radius) {
   auto size = [radius](Vec3 linear, Vec3 angular) { return length(linear) + radius * length(angular); };
@@ -95,7 +105,10 @@ void finishLoneBody(const Island& island, Ties ties, StepContext& context) {
     sticks = sticks || island.rows.contacts.sticks(k, context);
   const SteadyChange& last = context.bodies->data[body].steady;
   const SteadyChange now{change.move * (1 / h), change.turn * (1 / h), h, sticks};
-  if (last.dt > 0 && !goesOn(last, now, context.bodies->mass[body].outerRadius)) return;
+  if (last.dt > 0 && !goesOn(last, now, context.bodies->mass[body].outerRadius)) {
+    if (last.sticks == now.sticks && last.dt > 2 * h) catchUp(body, context);
+    return;
+  }
   // In steps: by how much the start was late. From there it is half a step more to the middle of this step.
   const double late = 0.5 * last.dt / h;
   shift(body, change.move * ((late - 0.5) * h), change.turn * ((late - 0.5) * h), context);

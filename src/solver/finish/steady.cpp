@@ -19,9 +19,9 @@ double changeAtPoint(const ContactRecord& row, int i, const VelocityChange& a, c
 }
 
 bool isSteady(const ContactRecord& row, const ContactStart& start, int i, const VelocityChange& a,
-              const VelocityChange& b, double dt) {
+              const VelocityChange& b, double dt, double expected) {
   const double most = kSteadyShare * start.scale.gravity * dt;
-  return std::fabs(changeAtPoint(row, i, a, b)) <= most && std::fabs(start.approach[i]) <= most;
+  return std::fabs(changeAtPoint(row, i, a, b) - expected) <= most && std::fabs(start.approach[i]) <= most;
 }
 
 }  // namespace brickfall

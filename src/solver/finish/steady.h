@@ -8,7 +8,8 @@ namespace brickfall {
 double changeAtPoint(const ContactRecord& row, int i, const VelocityChange& a, const VelocityChange& b);
 
 // Point i neither lands nor leaves: it closes and parts by no more than small shocks do.
+// `expected` (m/s): the change that the arc of a turning body makes.
 bool isSteady(const ContactRecord& row, const ContactStart& start, int i, const VelocityChange& a,
-              const VelocityChange& b, double dt);
+              const VelocityChange& b, double dt, double expected = 0);
 
 }  // namespace brickfall
