@@ -12,7 +12,9 @@ namespace brickfall {
 namespace {
 
 //! rad | too small: cost | too large: energy of a spinning brick drifts
-constexpr double kTurnPerSubstep = 0.1;                  // rad: energy error of a substep ~ its fourth power
+constexpr double kTurnPerSubstep = 0.1;  // rad: energy error of a substep ~ its fourth power
+//! - | too small: bodies that spin by hundreds of radians in a step point elsewhere | too large: cost of such bodies
+constexpr double kMostSubsteps = 4096;  // a longer turn ends short: on its way, where its energy is the same
 constexpr double kSuzukiShare = 0.41449077179437571194;  // 1 / (4 - 4^(1/3))
 constexpr double kSuzuki[] = {kSuzukiShare, kSuzukiShare, 1 - 4 * kSuzukiShare, kSuzukiShare, kSuzukiShare};
 
@@ -29,9 +31,11 @@ namespace {
 Vec3 principalMomentum(Quat rotation, Vec3 angularMomentum, const PrincipalInertia& inertia) {
   return inertia.axes * rotate(conjugate(rotation), angularMomentum);
 }
+double turnIn(Vec3 momentum, const PrincipalInertia& inertia, double dt) {
+  return length(scaled(inertia.inverse, momentum)) * dt;
+}
 int substepsFor(Vec3 momentum, const PrincipalInertia& inertia, double dt) {
-  double spin = length(scaled(inertia.inverse, momentum));
-  return int(std::min(4096.0, std::floor(spin * dt / kTurnPerSubstep) + 1));
+  return int(std::min(kMostSubsteps, std::floor(turnIn(momentum, inertia, dt) / kTurnPerSubstep) + 1));
 }
 // `turned`: since the start, in principal axes.
 Quat afterTurn(Quat rotation, Quat turned, const PrincipalInertia& inertia) {
@@ -57,6 +61,8 @@ template <class TimeFor, class Turn> void splitTurn(TimeFor&& timeFor, Turn&& tu
 Quat turnFreely(Quat rotation, Vec3 angularMomentum, const PrincipalInertia& inertia, double dt) {
   Vec3 momentum = principalMomentum(rotation, angularMomentum, inertia);
   int substeps = substepsFor(momentum, inertia, dt);
+  const double most = kMostSubsteps * kTurnPerSubstep, whole = turnIn(momentum, inertia, dt);
+  if (whole > most) dt *= most / whole;
   Quat turned;
   auto turn = [&](int axis, double t) {
     Vec3 w;

@@ -41,7 +41,8 @@ void limitTurn(FreeMotion& free, const BodyMass& mass, const BodyMotion& m, Vec3
   Vec3 visible = visibleTurn(mass, m.orientation, turn);
   double size = length(visible);
   free.turnsFaster = size > kLargestTurn;
-  free.th = turn - visible + visible * (free.turnsFaster ? kLargestTurn / size : 1);
+  free.seen = free.turnsFaster ? kLargestTurn / size : 1;
+  free.th = turn - visible + visible * free.seen;
 }
 
 // Free motion by one of the integrators that are there to be compared.
@@ -61,20 +62,20 @@ void integrateFreely(StepContext& context, BodyIndex body, Vec3 acceleration, do
   free.angularMomentum = spinMomentum(end, mass);
 }
 
-// Applies forces, damping and drag, and finds the way of the body's centre.
-void predictWay(StepContext& context, BodySet& bodies, BodyIndex body, double dt, Vec3 acceleration) {
+// Applies forces, damping and drag, all for `forces` s, and finds the way of the body's centre in `dt` s.
+void predictWay(StepContext& context, BodySet& bodies, BodyIndex body, double dt, double forces, Vec3 acceleration) {
   BodyMotion& m = bodies.motion[body];
   const BodyData& data = bodies.data[body];
   FreeMotion& free = context.free[body];
-  if (data.linearDamping > 0) m.linearVelocity *= decay(data.linearDamping * dt);
-  if (data.angularDamping > 0) m.angularVelocity *= decay(data.angularDamping * dt);
+  if (data.linearDamping > 0) m.linearVelocity *= decay(data.linearDamping * forces);
+  if (data.angularDamping > 0) m.angularVelocity *= decay(data.angularDamping * forces);
   if (data.dragArea > 0) {  // dv/dt = -c |v| v solved exactly: v / (1 + c |v| t); gravity is split off (second order)
     double c = 0.5 * context.airDensity * data.dragArea * bodies.mass[body].invMass;
-    Vec3 half = context.gravity * (0.5 * dt * data.gravityScale);
+    Vec3 half = context.gravity * (0.5 * forces * data.gravityScale);
     Vec3 v = m.linearVelocity + half;
-    m.linearVelocity = v * (1 / (1 + c * length(v) * dt)) - half;
+    m.linearVelocity = v * (1 / (1 + c * length(v) * forces)) - half;
   }
-  free.d = (m.linearVelocity - free.late + acceleration * dt) * dt;
+  free.d = (m.linearVelocity - free.late + acceleration * forces) * dt;
   free.way = (free.startVelocity * dt + free.d) * 0.5;
 }
 
@@ -132,6 +133,7 @@ void predictFreeMotions(StepContext& context, BodySet& bodies, std::span<const B
     FreeMotion& free = context.free[body];
     free.dt = free.turnTime = dt;
     free.turnsFaster = false;
+    free.seen = 1;
     free.startVelocity = m.linearVelocity;
     free.startSpin = m.angularVelocity;
     free.late = free.lateSpin = {};
@@ -140,12 +142,13 @@ void predictFreeMotions(StepContext& context, BodySet& bodies, std::span<const B
       free.lateSpin = data.steady.angular * (0.5 * data.steady.dt);
     }
     Vec3 acceleration = context.gravity * data.gravityScale + data.force * mass.invMass;
-    predictWay(context, bodies, body, dt, acceleration);
+    const double left = hasContacts ? dt * (1 - context.aheadOf(body)) : dt;  // forces act for so long
+    predictWay(context, bodies, body, dt, left, acceleration);
     if (!hasContacts && context.integrator != Integrator::splitting) {
       integrateFreely(context, body, acceleration, dt);
       continue;
     }
-    Vec3 momentum = bodies.worldInertia(body) * (m.angularVelocity - free.lateSpin) + data.torque * dt;
+    Vec3 momentum = bodies.worldInertia(body) * (m.angularVelocity - free.lateSpin) + data.torque * left;
     free.angularMomentum = momentum;
     Vec3 spin = bodies.worldInvInertia(body) * momentum;
     if (!mass.isotropic && !(lengthSquared(spin) * dt * dt < 1e-12)) {

@@ -19,6 +19,13 @@ struct RowGrip {
   double friction = 0;
 };
 
+// The step that changes velocities, and what of it rows expect.
+struct StepSpan {
+  double dt;          // s
+  double before = 0;  // s, of the last step, half of which velocities are late; 0: they are not
+  bool arcs = false;  // the body is alone, and turns about its points
+};
+
 // How velocities of a body change; zero for a fixed body.
 struct VelocityChange {
   Vec3 move, turn;  // m/s of the centre of mass; rad/s

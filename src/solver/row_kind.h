@@ -46,8 +46,8 @@ concept ListsRows = requires(Kind& kind, const Kind& seen, std::size_t k, std::u
 // What walks over the rows of an island ask of a row, whatever its kind.
 template <class Kind>
 concept HoldsBodies = requires(const Kind& seen, std::size_t k, Vec3 direction, Vec3f way, bool onB, double dt,
-                               const EndChanges& change, const SolveMotion* motion, const StepContext& context,
-                               FrictionAlong& friction, Ties& ties) {
+                               const EndChanges& change, const StepSpan& span, const SolveMotion* motion,
+                               const StepContext& context, FrictionAlong& friction, Ties& ties) {
   // Its bodies are one group in this step: they fly, slide and rest together. A contact ties while it carries force, a
   // joint always.
   { seen.ties(k, context) } -> std::same_as<bool>;
@@ -56,7 +56,7 @@ concept HoldsBodies = requires(const Kind& seen, std::size_t k, Vec3 direction, 
   { seen.holds(k, context) } -> std::same_as<bool>;   // ... that is no impact's, and they do not part
   { seen.grip(k, context) } -> std::same_as<RowGrip>;
   { seen.normal(k) } -> std::same_as<Vec3>;
-  { seen.courseOf(k, change, dt, context) } -> std::same_as<RowCourse>;
+  { seen.courseOf(k, change, span, context) } -> std::same_as<RowCourse>;
   { seen.wouldMeet(k, change, change, dt) } -> std::same_as<bool>;
   { seen.meetsWithin(k, way, motion, context) } -> std::same_as<bool>;
   seen.addFriction(k, direction, onB, context, friction);

@@ -72,6 +72,7 @@ struct FreeMotion {
   double dt = 0;                  // s, of the whole motion
   double turnTime = 0;            // s, of the turn: less than dt if the body was stopped
   bool turnsFaster = false;       // the body turns further than th shows
+  double seen = 1;                // ... which is so much of the turn
   Vec3 angularMomentum;           // kg m2/s, at the end
   Vec3 startVelocity, startSpin;  // before forces
   Vec3 late, lateSpin;            // m/s, rad/s: the solve starts with so much less (finish/lone_body.cpp)
@@ -127,7 +128,10 @@ struct StepContext {
   std::pmr::memory_resource* memory = std::pmr::get_default_resource();  // for all scratch of a step
   std::vector<FreeMotion> free;                                          // by body slot
   std::vector<SolvedMotion> solved;                                      // by body slot
+  std::vector<double> ahead;  // by body slot: the share of the step that it has flown already (world/fly_ahead.h)
   SolveStatistics statistics;
+
+  double aheadOf(BodyIndex body) const { return body < ahead.size() ? ahead[body] : 0; }
 };
 
 }  // namespace brickfall

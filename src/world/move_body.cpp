@@ -1,16 +1,16 @@
 #include "world/move_body.h"
 
+#include "solver/finish/motion.h"
 #include "world/quarantine.h"
 
 namespace brickfall {
 
 bool moveBody(BodyIndex body, BodySet& bodies, const StepContext& context) {
   const SolvedMotion& s = context.solved[body];
-  const FreeMotion& free = context.free[body];
   BodyMotion& m = bodies.motion[body];
   BodyMotion next = m;
   next.position = m.position + s.d;
-  next.rotation = s.freeTurn ? free.rotation : normalized(quatFromRotationVector(s.th) * m.rotation);
+  next.rotation = rotationAtEnd(body, context);
   next.linearVelocity = s.velocity;
   next.orientation = toMatrix(next.rotation);
   // Angular momentum carries over exactly; the spin follows from the new orientation.

@@ -176,6 +176,17 @@ void NarrowPhase::renew(ContactIndex contact) {
   if (now.count > 0) makeContact(pair, now, approach.relative);
 }
 
+void NarrowPhase::follow(ContactIndex contact) {
+  const Contact& old = contacts_.contacts[contact];
+  const CandidatePair pair{old.shapeA, old.shapeB, old.bodyA, old.bodyB, contact, 0};
+  Contact& c = contacts_.contacts[contact];
+  const Approach approach = approachOf(pair);
+  measurePoints(c, contacts_.geometry[contact], approach.relative);
+  const float away = float(length(approach.velocity) * dt_);
+  for (int i = 0; i < c.count; i++) c.points.gap[i] = std::max(c.points.gap[i], away);
+  renew(contact);
+}
+
 bool NarrowPhase::isStill(const CandidatePair& pair) const {
   return bodies_.still[pair.bodyA] && bodies_.still[pair.bodyB];
 }

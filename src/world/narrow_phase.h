@@ -15,6 +15,8 @@ class NarrowPhase {
   // Renews a contact in the middle of a step, after its bodies moved: its points where they are now. Shapes that have
   // parted keep their old points.
   void renew(ContactIndex contact);
+  // Likewise after a body flew far: old points are out of reach.
+  void follow(ContactIndex contact);
   // Contacts of a pair that the broad phase has not found yet: pairs with their contacts, to be inserted.
   void meet(CandidatePair pair, std::vector<CandidatePair>& out);
 

@@ -13,6 +13,7 @@
 #include "solver/store.h"
 #include "world/activity.h"
 #include "world/diary.h"
+#include "world/fly_ahead.h"
 #include "world/hits.h"
 #include "world/impact_parts.h"
 #include "world/move_body.h"
@@ -115,7 +116,7 @@ bool ImpactWalk::impact(Island& island) {
 }
 
 void ImpactWalk::run(Island& island) {
-  if (!parts_.mayBeCut(island)) return;
+  if (!parts_.mayBeCut(island)) return flyAhead(island, registry_, proximity_, ties_, context_, report_);
   double left = context_.dt;
   const double blink = kBlink * context_.dt;
   constexpr int kMost = ImpactParts::kMostImpacts;
@@ -143,6 +144,7 @@ void meetImpacts(const WorldDef& def, Registry& registry, IslandSet& islands, Pr
                  StepContext& context, StepReport& report, Events& events) {
   context.free.resize(registry.bodies.slots());
   context.solved.resize(registry.bodies.slots());
+  context.ahead.assign(registry.bodies.slots(), 0);
   ties.beginStep();
   ImpactWalk walk(def, registry, proximity, ties, context, report, events);
   for (IslandPointer& island : islands.awake) {

@@ -28,6 +28,9 @@ namespace {
 constexpr double kFarHeavier = 30;  // times the mass
 //! - | too small: what turns freely, or what another was held up for, ends beyond what it met | too large: cost
 constexpr int kLooks = 4;  // a part of a free turn is not on the arc of all of it, and a way that was cut is in the way
+//! of the outer radius | too small: bodies creep through a thin plate that flies with them
+//! | too large: bricks pressed into a wrecking ball hold it in the air
+constexpr double kThick = 0.2;
 bool exceeds(Vec3 way, double limit) { return lengthSquared(way) > limit * limit; }
 
 struct Motion {
@@ -59,10 +62,12 @@ struct Obstacles {
   };
   bool moves(BodyIndex body) const;
   Group groupOf(BodyIndex body) const;
+  bool goTogether(BodyIndex body, BodyIndex other) const;
   void divert(BodyIndex body, const Group& group, Vec3 way, double turnShare);
   void meet(BodyIndex body, const Obstruction& first);
   void stopAll();
   void cutTurn(BodyIndex body);
+  void takeBack(BodyIndex body);
   void stop(BodyIndex body);
   bool hold(BodyIndex body, bool everything, double thickness);
   void obstruct(ShapeIndex shape, bool everything, double thickness, Obstruction& first) const;
@@ -72,6 +77,7 @@ struct Obstacles {
   Vec3 pushedAt(BodyIndex body) const;
   void cut(BodyIndex body, double share, double turnShare, Vec3 carried = {});
   bool farHeavier(BodyIndex body, BodyIndex other) const;
+  bool isThick(BodyIndex body) const;
 };
 
 const Island* Obstacles::islandWith(BodyIndex body) const {
@@ -115,6 +121,10 @@ bool Obstacles::farHeavier(BodyIndex body, BodyIndex other) const {
   return bodies.mass[body].mass > kFarHeavier * bodies.mass[other].mass;
 }
 
+bool Obstacles::isThick(BodyIndex body) const {
+  return bodies.mass[body].innerRadius > kThick * bodies.mass[body].outerRadius;
+}
+
 // m, from the centre of mass: the nearest place on the line along which contacts pushed, within the body.
 Vec3 Obstacles::pushedAt(BodyIndex body) const {
   const SolvedMotion& s = context.solved[body];
@@ -138,6 +148,11 @@ void Obstacles::cutTurn(BodyIndex body) {
   const Vec3 ofTurn = cross(pushedAt(body), s.th);
   const double size2 = lengthSquared(ofTurn), made = size2 > 0 ? std::clamp(dot(s.d, ofTurn) / size2, 0.0, 1.0) : 0;
   shorten(body, 1, share, ofTurn * (made * (share - 1)), false, context);
+}
+
+// The share of the step that the body flew before it was solved.
+void Obstacles::takeBack(BodyIndex body) {
+  if (context.ahead[body] > 0 && !context.solved[body].rest) takeBackAhead(body, context);
 }
 
 void Obstacles::stop(BodyIndex body) {
@@ -189,6 +204,13 @@ Obstacles::Group Obstacles::groupOf(BodyIndex body) const {
   return out;
 }
 
+bool Obstacles::goTogether(BodyIndex body, BodyIndex other) const {
+  const Island* island = islandWith(body);
+  if (!island || island != islandWith(other) || !context.solved[body].flying) return false;
+  const auto group = movesWith(*island, body);
+  return std::any_of(group.begin(), group.end(), [&](std::uint32_t i) { return island->bodies[i] == other; });
+}
+
 // Adds to the ways of the body's group, and leaves it a share of its turn about its centre of mass.
 void Obstacles::divert(BodyIndex body, const Group& group, Vec3 way, double turnShare) {
   const Island* island = islandWith(body);
@@ -200,13 +222,24 @@ void Obstacles::divert(BodyIndex body, const Group& group, Vec3 way, double turn
   }
 }
 
-// Two that meet go on together for the rest of the step. What flies has the way of both masses: the shift is along the
+// Two of one group are not parted: contacts part what is thick, and the whole group ends its step before something thin.
+// Else two that meet go on together for the rest of the step. What flies has the way of both masses: the shift is along the
 // relative velocity, so neither the centre of mass nor a momentum changes. Else the faster follows the slower, and what
 // is far lighter the heavier one.
 void Obstacles::meet(BodyIndex body, const Obstruction& first) {
+  if (goTogether(body, first.body)) {
+    if (!isThick(body) || !isThick(first.body)) cut(body, first.share, first.turnShare);
+    return;
+  }
   const Group a = groupOf(body), b = groupOf(first.body);
   const double rest = 1 - first.share;
   const bool otherTurns = turnsFar(bodies, first.body, motionOf(first.body).turn);
+  const double otherShare = otherTurns ? first.share : 1;
+  if (a.flies && b.flies && (context.ahead[body] > 0 || context.ahead[first.body] > 0)) {
+    // One has flown ahead: their ways are not of one time, so both end along their own.
+    cut(body, first.share, first.turnShare);
+    return cut(first.body, first.share, otherShare);
+  }
   Vec3 toB = (b.way - a.way) * rest;  // what the body needs to go with the other
   double shareOfA = 1, shareOfB = 0;
   if (a.flies && b.flies) {
@@ -220,7 +253,7 @@ void Obstacles::meet(BodyIndex body, const Obstruction& first) {
     shareOfA = 0, shareOfB = 1;
   }
   divert(body, a, toB * shareOfA, first.turnShare);
-  if (moves(first.body)) divert(first.body, b, toB * -shareOfB, otherTurns ? first.share : 1);
+  if (moves(first.body)) divert(first.body, b, toB * -shareOfB, otherShare);
 }
 
 // All turns are cut before anything is looked for: a body is held against the ways that others will go.
@@ -232,6 +265,7 @@ void Obstacles::stopAll() {
     for (BodyIndex body : islands.single) (this->*act)(body);
   };
   each(&Obstacles::cutTurn);
+  each(&Obstacles::takeBack);
   for (int look = 0; look < kLooks; look++) {
     changed = false;
     each(&Obstacles::stop);

@@ -155,7 +155,7 @@ double energyOf(const RandomWorld& r) {
 
 // The centre went from above what is thrown at to below it, through its face.
 bool passes(const RandomWorld& r, Vec3 before, Vec3 now, double time) {
-  before -= r.drive * time, now -= r.drive * time;  // all along as it lies now: nothing wide
+  before -= r.drive * (time - r.dt), now -= r.drive * time;
   const double level = -r.halfExtents.y;
   if (!(before.y > level && now.y <= level)) return false;
   if (r.halfExtents == Vec3{}) return true;

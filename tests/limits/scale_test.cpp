@@ -70,7 +70,7 @@ TEST(Limits, HitsOnSmallBricksAreHits) {
       wall.shoot(6 * std::sqrt(kG * size));
       wall.runFor(0.75, 1 / per);
       EXPECT_GE(wall.moved(), 0.1) << "glued";
-      EXPECT_LE(wall.movedBricks(0.5), 40) << "blown away";
+      EXPECT_LE(wall.movedBricks(0.5), 50) << "blown away";  // at 1/60 s what is above the hole falls
       expectSound(wall.world);
     }
 }

@@ -22,13 +22,24 @@ ProblemBody bodyOf(BodyIndex index, const StepContext& context, double dt) {
   b.inner = set.mass[index].innerRadius;
   b.outer = set.mass[index].outerRadius;
   Vec3 acceleration = context.gravity * data.gravityScale + data.force * (1 / b.mass);
-  b.dFree = (m.linearVelocity - context.free[index].late) * dt + acceleration * (dt * dt);
+  b.dFree =
+      (m.linearVelocity - context.free[index].late) * dt + acceleration * (dt * dt * (1 - context.aheadOf(index)));
   b.thFree = context.free[index].th;
   return b;
 }
 
+// m: what the way of a body alone that turns about its points bends by, beyond what its arms at the start say.
+Vec3 arcOf(BodyIndex alone, Vec3 arm, const Island& island, const StepContext& context, double dt) {
+  constexpr double kFarTurn = 0.5;  // rad
+  const Vec3 w = context.bodies->motion[alone].angularVelocity;
+  if (length(w) * dt > kFarTurn) return {};
+  const double late = island.facts.partnersMove ? 0.5 * dt : 0.5 * context.bodies->data[alone].steady.dt;
+  return cross(w, cross(w, arm)) * (dt * (dt - late));
+}
+
 // Point i of a contact, all but its bodies' numbers.
-ProblemPoint pointOf(const Contact& c, const ContactGeometry& g, int i, const StepContext& context, double dt) {
+ProblemPoint pointOf(const Contact& c, const ContactGeometry& g, int i, const Island& island,
+                     const StepContext& context, double dt) {
   const BodyMotion &a = context.bodies->motion[c.bodyA], &b = context.bodies->motion[c.bodyB];
   Mat3 axes = toMatrix(a.rotation);
   std::size_t lane = std::size_t(i);
@@ -44,6 +55,13 @@ ProblemPoint pointOf(const Contact& c, const ContactGeometry& g, int i, const St
   p.trialN = kHalf * c.points.multiplierN[lane] - p.k * (gap > 0 ? gap : kHalf * gap);
   p.trialT = p.t1 * (kHalf * c.points.multiplier1[lane] - p.k * kHalf * c.points.drift1[lane]) +
              p.t2 * (kHalf * c.points.multiplier2[lane] - p.k * kHalf * c.points.drift2[lane]);
+  if (island.bodies.size() == 1 && !c.rolls) {
+    const bool isB = c.bodyB == island.bodies[0];
+    const Vec3 arm = axes * g.centre - (isB ? b.position - a.position : Vec3{});
+    const Vec3 bend = arcOf(island.bodies[0], arm, island, context, dt) * (isB ? 1.0 : -1.0);
+    p.trialN -= p.k * dot(p.n, bend);
+    p.trialT -= (p.t1 * dot(p.t1, bend) + p.t2 * dot(p.t2, bend)) * p.k;
+  }
   p.friction = c.friction;
   p.limit = p.friction * std::max(0.0, double(c.points.forceN[lane]));
   p.carriedNothing = c.points.forceN[lane] == 0;
@@ -80,7 +98,7 @@ Problem problemOf(const Island& island, const StepContext& context) {
   for (ContactIndex index : island.rows.contacts.contactOf) {
     const Contact& c = context.ties->contacts.contacts[index];
     for (int i = 0; i < c.count; i++) {
-      ProblemPoint p = pointOf(c, context.ties->contacts.geometry[index], i, context, dt);
+      ProblemPoint p = pointOf(c, context.ties->contacts.geometry[index], i, island, context, dt);
       p.a = number.at(c.bodyA);
       p.b = number.at(c.bodyB);
       p.contact = index;

@@ -1,5 +1,6 @@
 // How contacts go through a step: only where they go on as they are may motions be made of second order in the time
 // step (finish/finish.h).
+#include <algorithm>
 #include <cmath>
 
 #include "solver/contact/rows.h"
@@ -23,20 +24,23 @@ double changeAtPoint(const FaceRecord& row, int i, const EndChanges& by) {
 }
 
 // Point i neither lands nor leaves: it closes and parts by no more than small shocks do.
-bool isSteady(const FaceRecord& row, const ContactStart& start, int i, const EndChanges& change, double dt) {
-  const double most = kSteadyShare * start.scale.gravity * dt;
-  return std::fabs(changeAtPoint(row, i, change)) <= most && std::fabs(start.approach[i]) <= most;
+bool isSteady(const FaceRecord& row, const ContactStart& start, int i, const EndChanges& change, const StepSpan& span) {
+  const double most = kSteadyShare * start.scale.gravity * std::max(span.dt, span.before);
+  // m/s: the change that the arc of a turning body makes.
+  const double arc = span.arcs ? double(dot(row.n, start.bend)) / (0.5 * span.before - span.dt) : 0;
+  return std::fabs(changeAtPoint(row, i, change) - arc) <= most && std::fabs(start.approach[i]) <= most;
 }
 
 }  // namespace
 
-RowCourse ContactRows::courseOf(std::size_t k, const EndChanges& change, double dt, const StepContext& context) const {
+RowCourse ContactRows::courseOf(std::size_t k, const EndChanges& change, const StepSpan& span,
+                                const StepContext& context) const {
   const PointMemory& points = context.ties->contacts.contacts[contactOf[k]].points;
   RowCourse course = RowCourse::idle;
   for (int i = 0; i < starts[k].points; i++) {
     if (!(points.forceN[i] > 0)) continue;
     course = RowCourse::goesOn;
-    if (!isSteady(records[k], starts[k], i, change, dt)) return RowCourse::changes;
+    if (!isSteady(records[k], starts[k], i, change, span)) return RowCourse::changes;
   }
   return course;
 }

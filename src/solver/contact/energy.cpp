@@ -54,7 +54,10 @@ void ContactRows::addWork(const Island& island, const StepContext& context, TieW
     kernel::store(m.n, way[0]);
     kernel::store(m.t1, way[1]);
     kernel::store(m.t2, way[2]);
+    const FaceRecord& r = records[k];
+    const Vec3f bend = starts[k].bend;  // the law sees it as a part of the way
     for (int i = 0; i < c.count; i++) {
+      way[0][i] += dot(r.n, bend), way[1][i] += dot(r.t1, bend), way[2][i] += dot(cross(r.n, r.t1), bend);
       auto work = [&](const float* normal, const float* along1, const float* along2) {
         return double(normal[i]) * double(way[0][i]) + double(along1[i]) * double(way[1][i]) +
                double(along2[i]) * double(way[2][i]);

@@ -52,7 +52,17 @@ Vec3f bendOf(const Island& island, const FaceRecord& r, const Contact& c, const 
     if (bodies.mass[partner].invMass > 0) return Vec3{};
     return cross(bodies.motion[partner].angularVelocity, bodies.motion[body].linearVelocity) * (0.5 * dt * dt);
   };
-  return toFloat(half(c.bodyB, c.bodyA) - half(c.bodyA, c.bodyB));
+  // A body alone that turns about its points itself: its arms stay those of the start of the step. Its way is to end on
+  // the arc, and its velocity, once it is up to date (finish/lone_body.cpp), along the end of the arc.
+  auto ownArc = [&](BodyIndex body, Vec3 arm) {
+    const Vec3 w = bodies.motion[body].angularVelocity;
+    const bool far = lengthSquared(w) * dt * dt > kLargestTurn * kLargestTurn;
+    if (own != 1 || c.rolls || far || !(bodies.mass[body].invMass > 0)) return Vec3{};
+    const double late = island.facts.partnersMove ? 0.5 : 0.5 * bodies.data[body].steady.dt / dt;
+    return cross(w, cross(w, arm)) * ((1 - late) * dt * dt);
+  };
+  return toFloat(half(c.bodyB, c.bodyA) - half(c.bodyA, c.bodyB) + ownArc(c.bodyB, toDouble(r.armB)) -
+                 ownArc(c.bodyA, toDouble(r.armA)));
 }
 
 // Rules for the points of a contact at the start of a step.

@@ -70,7 +70,7 @@ struct ContactRows : FaceRows {
     return carriesForce(k, context) && context.ties->contacts.contacts[contactOf[k]].points.stickingMask != 0;
   }
   // After the forces are stored: how they go on, if the velocities of the row's bodies change so in the step.
-  RowCourse courseOf(std::size_t k, const EndChanges& change, double dt, const StepContext& context) const;
+  RowCourse courseOf(std::size_t k, const EndChanges& change, const StepSpan& span, const StepContext& context) const;
   // At the end of the step an open point is nearer to its partner than `nearer`, over half of the step, would move the
   // two towards each other.
   bool wouldMeet(std::size_t k, const EndChanges& nearer, const EndChanges& change, double dt) const;

@@ -21,23 +21,6 @@ constexpr double kSwaySpeed = 0.1;
 
 using Bodies = std::span<const std::uint32_t>;
 
-// Orientation at the end of the step: the momentum stays, the body turns under it, and its inertia with it.
-Mat3 orientationAtEnd(const StepContext& context, BodyIndex body) {
-  const SolvedMotion& s = context.solved[body];
-  const BodyMotion& m = context.bodies->motion[body];
-  return toMatrix(s.freeTurn ? context.free[body].rotation : normalized(quatFromRotationVector(s.th) * m.rotation));
-}
-Vec3 spinOf(const StepContext& context, BodyIndex body, Vec3 angularMomentum) {
-  Mat3 end = orientationAtEnd(context, body);
-  return end * (context.bodies->mass[body].invInertia * transposeTimes(end, angularMomentum));
-}
-
-double kineticEnergy(const StepContext& context, BodyIndex body, Vec3 frame) {
-  const SolvedMotion& s = context.solved[body];
-  return 0.5 * context.bodies->mass[body].mass * lengthSquared(s.velocity - frame) +
-         0.5 * dot(s.angularMomentum, spinOf(context, body, s.angularMomentum));
-}
-
 // The impulse of ties on a body in this step, N s and N m s. It is the change of the body's momenta beyond outside
 // forces, plus the residual that the solve left, which no tie gave.
 struct Impulse {
@@ -59,7 +42,6 @@ Impulse fromTies(const Island& island, std::size_t i, const StepContext& context
 
 // The rebounds at a group's ties in this step.
 struct Rebounds {
-  bool any = false;
   bool owed = false;  // impacts go on: their rebound is to come
   double work = 0;    // J
 };
@@ -70,9 +52,10 @@ struct GroupEnergy {
   double ties = 0;            // J, work of ties: from energy stored in them, and by kinematic bodies through them
   double lent = 0;            // J, that impacts took in earlier steps
   double moved = 0;           // J, work of outside forces, gains and losses both counted positive
-  // `rebounds`: energy that rebounds gave may be energy that impacts took before. Without a rebound that energy is
-  // still to come.
-  double gain(const Rebounds& rebounds) const { return end - start - outside - (rebounds.any ? lent : 0); }
+  // `rebounds`: energy that rebounds gave may be energy that impacts took before.
+  double gain(const Rebounds& rebounds) const {
+    return end - start - outside - std::min(lent, std::max(0.0, rebounds.work));
+  }
   double fromTies(const Rebounds& rebounds) const { return std::max(0.0, ties - rebounds.work); }
   double slack() const { return kSlack * (start + end + moved); }
 };
@@ -89,7 +72,7 @@ GroupEnergy energyOf(const Island& island, Bodies group, Vec3 frame, const StepC
     const double m = context.bodies->mass[body].mass;
     sum.start += 0.5 * m * lengthSquared(free.startVelocity - frame) +
                  0.5 * dot(free.startSpin, context.bodies->worldInertia(body) * free.startSpin);
-    sum.end += kineticEnergy(context, body, frame);
+    sum.end += kineticEnergyAtEnd(body, frame, context);
     const double work =
         dot(context.gravity * (m * data.gravityScale) + data.force, s.d - carried) + dot(data.torque, s.th);
     const Impulse given = fromTies(island, i, context);
@@ -111,7 +94,7 @@ double takeResidual(const Island& island, Bodies group, Vec3 frame, StepContext&
     const BodyIndex body = island.bodies[i];
     const SolvedMotion& s = context.solved[body];
     const Impulse left = leftOver(island, i);
-    const Vec3 spin = spinOf(context, body, left.angular);
+    const Vec3 spin = spinAtEnd(body, left.angular, context);
     linear += dot(left.linear, s.velocity - frame) + dot(spin, s.angularMomentum);
     square += 0.5 * lengthSquared(left.linear) * context.bodies->mass[body].invMass + 0.5 * dot(left.angular, spin);
   }
@@ -127,7 +110,7 @@ double takeResidual(const Island& island, Bodies group, Vec3 frame, StepContext&
 }
 
 Mat3 inertiaAtEnd(const StepContext& context, BodyIndex body) {
-  Mat3 end = orientationAtEnd(context, body);
+  const Mat3 end = toMatrix(rotationAtEnd(body, context));
   return end * context.bodies->mass[body].inertia * transpose(end);
 }
 
@@ -174,7 +157,7 @@ double takeRelative(const Island& island, Bodies group, const RigidMotion& rigid
     const auto [v, l] = parts(body);
     const Vec3 dv = s.velocity - v, dl = s.angularMomentum - l;
     const double m = context.bodies->mass[body].mass;
-    relative += 0.5 * m * lengthSquared(dv) + 0.5 * dot(dl, spinOf(context, body, dl));
+    relative += 0.5 * m * lengthSquared(dv) + 0.5 * dot(dl, spinAtEnd(body, dl, context));
     cross += m * dot(v - frame, dv) + dot(rigid.spin, dl);
   }
   if (!(relative > 0)) return excess;
@@ -205,7 +188,7 @@ void dampSway(const Island& island, StepContext& context, double excess) {
     const BodyIndex body = island.bodies[i];
     const Vec3 spin = context.solved[body].angularMomentum;
     energy += 0.5 * context.bodies->mass[body].mass * lengthSquared(context.solved[body].velocity - slide) +
-              0.5 * dot(spin, spinOf(context, body, spin));
+              0.5 * dot(spin, spinAtEnd(body, spin, context));
   }
   if (!(energy > 0)) return;
   const double lost = 1 - std::sqrt(std::max(0.0, 1 - excess / energy));
@@ -222,9 +205,7 @@ std::pmr::vector<Rebounds> reboundsOf(const Island& island, const StepContext& c
   island.rows.each([&](const auto& kind, std::size_t k) {
     const RowEnds ends = kind.ends(k);
     Rebounds& group = out[island.groups.groupOf(ends.a < count ? ends.a : ends.b)];
-    const double work = kind.reboundWork(k, island.motion.data());
-    group.any = group.any || work != 0;
-    group.work += work;
+    group.work += kind.reboundWork(k, island.motion.data());
     group.owed = group.owed || kind.owes(k, context);
   });
   return out;

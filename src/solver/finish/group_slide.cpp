@@ -102,7 +102,7 @@ bool GroupSlides::judgeGround() {
     const Vec3 n = kind.normal(k);
     if (normals_[group] == Vec3{}) normals_[group] = n;
     stays_[group] = !(length(cross(normals_[group], n)) <= kFlat) ||
-                    kind.courseOf(k, solvedChanges(ends), island_.dt, context_) == RowCourse::changes;
+                    kind.courseOf(k, solvedChanges(ends), {island_.dt}, context_) == RowCourse::changes;
   });
   for (std::uint32_t i = 0; i < count_; i++)
     if (slides(i)) return true;

@@ -5,6 +5,7 @@
 // other would have to give), unless they slide as one: finish/group_slide.h.
 #include "solver/finish/lone_body.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "solver/finish/motion.h"
@@ -19,10 +20,11 @@ constexpr double kStopped = 1e-2;  // of the speed at the start of the step
 // All points that carry force neither land nor leave in this step, and there is one.
 bool steadyContacts(const Island& island, const StepContext& context, const VelocityChange& change) {
   bool carried = false, steady = true;
+  const StepSpan span{island.dt, context.bodies->data[island.bodies[0]].steady.dt, true};
   island.rows.each([&](const auto& kind, std::size_t k) {
     if (!steady) return;
     const EndChanges changes = kind.ends(k).a == 0 ? EndChanges{change, {}} : EndChanges{{}, change};
-    const RowCourse course = kind.courseOf(k, changes, island.dt, context);
+    const RowCourse course = kind.courseOf(k, changes, span, context);
     carried = carried || course != RowCourse::idle;
     steady = course != RowCourse::changes;
   });
@@ -56,6 +58,12 @@ void letGo(const Island& island, Ties& ties) {
   island.rows.eachKind([&](const auto& kind) { kind.letGo(ties); });
 }
 
+// Gives back by how much the body started late.
+void catchUp(BodyIndex body, StepContext& context) {
+  const FreeMotion& free = context.free[body];
+  accelerate(body, free.late, context.bodies->worldInertia(body) * free.lateSpin, context);
+}
+
 // The forces of this step are about those of the last: no body has hit, and late velocities can be brought up to date.
 bool goesOn(const SteadyChange& last, const SteadyChange& now, double radius) {
   auto size = [radius](Vec3 linear, Vec3 angular) { return length(linear) + radius * length(angular); };
@@ -82,7 +90,10 @@ void finishLoneBody(const Island& island, Ties& ties, StepContext& context) {
   island.rows.each([&](const auto& kind, std::size_t k) { sticks = sticks || kind.sticks(k, context); });
   const SteadyChange& last = context.bodies->data[body].steady;
   const SteadyChange now{change.move * (1 / h), change.turn * (1 / h), h, sticks};
-  if (last.dt > 0 && !goesOn(last, now, context.bodies->mass[body].outerRadius)) return;
+  if (last.dt > 0 && !goesOn(last, now, context.bodies->mass[body].outerRadius)) {
+    if (last.sticks == now.sticks && last.dt > 2 * h) catchUp(body, context);
+    return;
+  }
   // In steps: by how much the start was late. From there it is half a step more to the middle of this step.
   const double late = 0.5 * last.dt / h;
   shift(body, change.move * ((late - 0.5) * h), change.turn * ((late - 0.5) * h), context);

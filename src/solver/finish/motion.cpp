@@ -55,6 +55,8 @@ void storeMotion(const Island& island, StepContext& context) {
     if (free.turnsFaster && !out.flying)
       turned = effectiveTurn(turned, toDouble(m.th), free, bodies.worldInvInertia(body), island.dt);
     out.angularMomentum += bodies.worldInertia(body) * turned * perDt;
+    // What the solve saw of a fast turn lies on the way of the whole turn: all along it, energy stays as it is.
+    if (!out.freeTurn && free.turnsFaster) shortenFreeTurn(context, body, free.seen);
   }
 }
 
@@ -84,10 +86,53 @@ VelocityChange changeOf(BodyIndex body, const StepContext& context) {
           context.bodies->worldInvInertia(body) * s.angularMomentum - (free.startSpin - free.lateSpin)};
 }
 
+Quat rotationAtEnd(BodyIndex body, const StepContext& context) {
+  const SolvedMotion& s = context.solved[body];
+  const FreeMotion& free = context.free[body];
+  if (s.freeTurn) return free.rotation;
+  const bool faster = free.turnsFaster;
+  const Vec3 turn = faster ? s.th - free.th * (free.turnTime / (free.dt * free.seen)) : s.th;
+  return normalized(quatFromRotationVector(turn) * (faster ? free.rotation : context.bodies->motion[body].rotation));
+}
+
+Vec3 spinAtEnd(BodyIndex body, Vec3 angularMomentum, const StepContext& context) {
+  const Mat3 end = toMatrix(rotationAtEnd(body, context));
+  return end * (context.bodies->mass[body].invInertia * transposeTimes(end, angularMomentum));
+}
+
+double kineticEnergyAtEnd(BodyIndex body, Vec3 frame, const StepContext& context) {
+  const SolvedMotion& s = context.solved[body];
+  return 0.5 * context.bodies->mass[body].mass * lengthSquared(s.velocity - frame) +
+         0.5 * dot(s.angularMomentum, spinAtEnd(body, s.angularMomentum, context));
+}
+
+namespace {
+
+void shortenTurn(BodyIndex body, double share, StepContext& context) {
+  SolvedMotion& s = context.solved[body];
+  s.th *= share;
+  if (!s.freeTurn && !context.free[body].turnsFaster) return;
+  const Vec3 turned = shortenFreeTurn(context, body, share);
+  if (s.freeTurn && lengthSquared(s.th) <= kHalfTurn * kHalfTurn) s.th = turned;
+}
+
+}  // namespace
+
 void shift(BodyIndex body, Vec3 way, Vec3 turn, StepContext& context) {
   SolvedMotion& s = context.solved[body];
   s.d += way;
   if (!s.freeTurn) s.th += turn;
+}
+
+// Along its velocity: then the angular momentum of its group stays.
+void takeBackAhead(BodyIndex body, StepContext& context) {
+  SolvedMotion& s = context.solved[body];
+  const double share = context.ahead[body];
+  if (s.went < 1)
+    s.d -= s.velocity * (s.went * share * context.free[body].dt);
+  else
+    s.d *= 1 - share;
+  shortenTurn(body, 1 - share, context);
 }
 
 void accelerate(BodyIndex body, Vec3 velocity, Vec3 angularMomentum, StepContext& context) {
@@ -105,11 +150,7 @@ void shorten(BodyIndex body, double share, double turnShare, Vec3 carried, bool 
     s.velocity -= (free.d * (1 / free.dt) - free.startVelocity) * lost;
     s.angularMomentum -= context.bodies->data[body].torque * (lost * free.dt);
   }
-  if (!(turnShare < 1)) return;
-  s.th *= turnShare;
-  if (!s.freeTurn) return;
-  const Vec3 turned = shortenFreeTurn(context, body, turnShare);
-  if (lengthSquared(s.th) <= kHalfTurn * kHalfTurn) s.th = turned;
+  if (turnShare < 1) shortenTurn(body, turnShare, context);
 }
 
 void keepLoss(BodyIndex body, double loss, StepContext& context) { context.solved[body].impactLoss = loss; }

@@ -16,8 +16,17 @@ bool solvedWell(const Island& island, const StepContext& context);
 // How the body's velocities change in this step, so far.
 VelocityChange changeOf(BodyIndex body, const StepContext& context);
 
+// Where the body points at the end of the step.
+Quat rotationAtEnd(BodyIndex body, const StepContext& context);
+// rad/s, at the end of the step: the momentum stays, the body turns under it, and its inertia with it.
+Vec3 spinAtEnd(BodyIndex body, Vec3 angularMomentum, const StepContext& context);
+// J, at the end of the step, seen from a frame that moves at `frame` (m/s).
+double kineticEnergyAtEnd(BodyIndex body, Vec3 frame, const StepContext& context);
+
 // Moves the body's place at the end of the step by so much; a body that turns freely keeps its turn.
 void shift(BodyIndex body, Vec3 way, Vec3 turn, StepContext& context);
+// Takes back the share of the step that the body has flown ahead; its velocities stay.
+void takeBackAhead(BodyIndex body, StepContext& context);
 // Adds to the body's velocities.
 void accelerate(BodyIndex body, Vec3 velocity, Vec3 angularMomentum, StepContext& context);
 // Leaves the body a share of its way, then `carried` (m), and a share of its turn. The body keeps its velocities,

@@ -1,0 +1,107 @@
+#include "world/fly_ahead.h"
+
+#include <algorithm>
+
+#include "geometry/queries.h"
+#include "solver/finish/motion.h"
+#include "solver/free_motion.h"
+#include "world/core_sweep.h"
+#include "world/move_body.h"
+#include "world/narrow_phase.h"
+
+namespace brickfall {
+
+namespace {
+
+//! outer radii, in a step | too small: cost of debris | too large: hits from afar act along the wrong line
+constexpr double kFarAhead = 4;
+//! outer radii | too small: bodies meet before their contacts are found | too large: as kFarAhead
+constexpr double kShortOf = 0.1;
+
+class Ahead {
+ public:
+  Ahead(const Registry& registry, const Proximity& proximity, const StepContext& context)
+      : registry_(registry), proximity_(proximity), context_(context) {}
+
+  // Share of the step that the body may fly: 0 if that is not worth it.
+  double shareOf(BodyIndex body) const {
+    const BodyMass& mass = registry_.bodies.mass[body];
+    const Vec3 way = registry_.bodies.motion[body].linearVelocity * context_.dt;
+    const double least = kFarAhead * mass.outerRadius;
+    if (!(lengthSquared(way) > least * least)) return 0;
+    double share = 1;
+    for (ShapeIndex shape : registry_.bodies.shapes[body]) share = std::min(share, untilMet(body, shape, way));
+    return share < 1 && share * length(way) > mass.outerRadius ? share : 0;
+  }
+
+ private:
+  // By the ball around the body: however it turns, it is inside.
+  double untilMet(BodyIndex body, ShapeIndex shape, Vec3 way) const {
+    const BodySet& bodies = registry_.bodies;
+    const BodyData& data = bodies.data[body];
+    const ShapeData& s = registry_.shapes.data[shape];
+    Shape ball;
+    ball.type = ShapeType::sphere;
+    ball.radius = bodies.mass[body].outerRadius;
+    // m: so far from what it meets it ends, and so far its way bends.
+    const Vec3 acceleration = context_.gravity * data.gravityScale + data.force * bodies.mass[body].invMass;
+    const double bend = 0.5 * length(acceleration) * context_.dt * context_.dt, apart = kShortOf * ball.radius + bend;
+    const double side = ball.radius + 2 * apart;
+    const Vec3 at = bodies.motion[body].position, room{side, side, side};
+    double share = 1;
+    proximity_.broadPhase->query({min(at, at + way) - room, max(at, at + way) + room}, [&](std::uint32_t other) {
+      const ShapeData& o = registry_.shapes.data[other];
+      if (o.body == body || !filtersAllow(s.def.filter, o.def.filter)) return true;
+      share = std::min(share, untilNear(o, ball, at, way, apart));
+      return share > 0;
+    });
+    return share;
+  }
+
+  // From where the other is, and from where it goes: each of the two may be moved before the other.
+  double untilNear(const ShapeData& other, const Shape& ball, Vec3 at, Vec3 way, double apart) const {
+    const BodySet& bodies = registry_.bodies;
+    const BodyMotion& m = bodies.motion[other.body];
+    const bool dynamic = bodies.data[other.body].type == BodyType::dynamic;
+    if (bodies.isDriven(other.body)) return 0;
+    if (dynamic && turnsFar(bodies, other.body, m.angularVelocity * context_.dt)) return 0;
+    const Vec3 othersWay = dynamic ? m.linearVelocity * context_.dt : Vec3{};
+    const Transform back = inverse(bodies.pose(other.body) * other.inCentreFrame);
+    const Transform ballInOther{transformPoint(back, at), {}};
+    auto until = [&](Vec3 motion) {
+      return timeOfImpact(other.geometry, ball, ballInOther, rotate(back.rotation, motion), apart).value_or(1);
+    };
+    return othersWay == Vec3{} ? until(way) : std::min(until(way), until(way - othersWay));
+  }
+
+  const Registry& registry_;
+  const Proximity& proximity_;
+  const StepContext& context_;
+};
+
+void fly(BodyIndex body, double dt, BodySet& bodies, StepContext& context) {
+  predictFreeMotion(context, bodies, body, dt, false);
+  storeFreeBody(body, dt, context);
+  moveBody(body, bodies, context);
+}
+
+}  // namespace
+
+void flyAhead(const Island& island, Registry& registry, Proximity& proximity, Ties& ties, StepContext& context,
+              StepReport& report) {
+  const Ahead ahead(registry, proximity, context);
+  bool any = false;
+  for (BodyIndex body : island.bodies) any = (context.ahead[body] = ahead.shareOf(body)) > 0 || any;
+  if (!any) return;
+  for (BodyIndex body : island.bodies)
+    if (context.ahead[body] > 0) fly(body, context.ahead[body] * context.dt, registry.bodies, context);
+  auto moved = [&](BodyIndex body) { return context.ahead[body] > 0; };
+  NarrowPhase narrow(registry, context.dt, proximity, ties.contacts);
+  island.rows.eachManifold([&](ContactIndex contact) {
+    const Contact& c = ties.contacts.contacts[contact];
+    if (moved(c.bodyA) || moved(c.bodyB)) narrow.follow(contact);
+  });
+  report.manifoldsComputed += narrow.computed();
+}
+
+}  // namespace brickfall
