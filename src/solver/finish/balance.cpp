@@ -56,7 +56,7 @@ struct GroupEnergy {
   double gain(const Rebounds& rebounds) const {
     return end - start - outside - std::min(lent, std::max(0.0, rebounds.work));
   }
-  double fromTies(const Rebounds& rebounds) const { return std::max(0.0, ties - rebounds.work); }
+  double fromTies(const Rebounds& rebounds) const { return std::max(0.0, ties - std::max(0.0, rebounds.work)); }
   double slack() const { return kSlack * (start + end + moved); }
 };
 // Energies in a frame that moves at `frame` (m/s) with the body that the group presses on. Otherwise the work of a body
