@@ -52,7 +52,7 @@ struct Obstacles {
   const IslandSet& islands;
   StepContext& context;
 
-  bool changed = false;
+  bool changed = false, last = false;  // in this look along all ways; it is the last one
 
   // Bodies that go the same way: a group that flies, or one body that is supported.
   struct Group {
@@ -222,23 +222,29 @@ void Obstacles::divert(BodyIndex body, const Group& group, Vec3 way, double turn
   }
 }
 
-// Two of one group are not parted: contacts part what is thick, and the whole group ends its step before something thin.
+// Two of one group are not held: contacts part what is thick, and for what is thin the group ends its turn.
 // Else two that meet go on together for the rest of the step. What flies has the way of both masses: the shift is along the
 // relative velocity, so neither the centre of mass nor a momentum changes. Else the faster follows the slower, and what
 // is far lighter the heavier one.
 void Obstacles::meet(BodyIndex body, const Obstruction& first) {
+  // What of a group's way lies along its velocity.
+  auto endOf = [](const Group& g) {
+    const double size2 = lengthSquared(g.velocity);
+    return size2 > 0 ? g.velocity * (dot(g.way, g.velocity) / size2) : Vec3{};
+  };
   if (goTogether(body, first.body)) {
-    if (!isThick(body) || !isThick(first.body)) cut(body, first.share, first.turnShare);
+    const double share = std::min(first.share, first.turnShare);
+    if (!isThick(body) || !isThick(first.body)) divert(body, groupOf(body), {}, share);
     return;
   }
   const Group a = groupOf(body), b = groupOf(first.body);
   const double rest = 1 - first.share;
   const bool otherTurns = turnsFar(bodies, first.body, motionOf(first.body).turn);
   const double otherShare = otherTurns ? first.share : 1;
-  if (a.flies && b.flies && (context.ahead[body] > 0 || context.ahead[first.body] > 0)) {
-    // One has flown ahead: their ways are not of one time, so both end along their own.
-    cut(body, first.share, first.turnShare);
-    return cut(first.body, first.share, otherShare);
+  if (last || (a.flies && b.flies && (context.ahead[body] > 0 || context.ahead[first.body] > 0))) {
+    // One has flown ahead, so their ways are not of one time; or nobody looks where a new way leads. Each ends its own.
+    divert(body, a, endOf(a) * -rest, first.turnShare);
+    return divert(first.body, b, endOf(b) * -rest, otherShare);
   }
   Vec3 toB = (b.way - a.way) * rest;  // what the body needs to go with the other
   double shareOfA = 1, shareOfB = 0;
@@ -268,6 +274,7 @@ void Obstacles::stopAll() {
   each(&Obstacles::takeBack);
   for (int look = 0; look < kLooks; look++) {
     changed = false;
+    last = look + 1 == kLooks;
     each(&Obstacles::stop);
     if (!changed) return;
   }
@@ -313,8 +320,7 @@ void Obstacles::obstruct(ShapeIndex shape, bool everything, double thickness, Ob
 
 void stopAtObstacles(const Registry& registry, const Activity& activity, const Proximity& proximity,
                      StepContext& context) {
-  Obstacles{registry.bodies, registry.shapes, *proximity.broadPhase, activity, activity.islands, context, false}
-      .stopAll();
+  Obstacles{registry.bodies, registry.shapes, *proximity.broadPhase, activity, activity.islands, context}.stopAll();
 }
 
 void hashObstacles(const IslandSet& islands, const StepContext& context, HashItems& out) {

@@ -127,11 +127,10 @@ void shift(BodyIndex body, Vec3 way, Vec3 turn, StepContext& context) {
 // Along its velocity: then the angular momentum of its group stays.
 void takeBackAhead(BodyIndex body, StepContext& context) {
   SolvedMotion& s = context.solved[body];
+  const FreeMotion& free = context.free[body];
   const double share = context.ahead[body];
-  if (s.went < 1)
-    s.d -= s.velocity * (s.went * share * context.free[body].dt);
-  else
-    s.d *= 1 - share;
+  const Vec3 forces = s.flying ? (free.d * (1 / free.dt) - free.startVelocity) * 0.5 : Vec3{};
+  s.d -= (s.velocity - forces) * (share * free.dt);
   shortenTurn(body, 1 - share, context);
 }
 
