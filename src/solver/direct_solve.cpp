@@ -7,12 +7,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "solver/block_envelope.h"
+#include "solver/imbalance.h"
 #include "solver/light_pass.h"
 #include "solver/numbering.h"
+#include "solver/row_forces.h"
 
 namespace brickfall {
 
@@ -21,16 +22,9 @@ namespace {
 // Half of all solves are done after 1 step, 99 % after 45, all after 51: scene `wall`, its rubble.
 //! - | too small: rubble is left with many weights unbalanced | too large: cost of rubble
 constexpr int kDirectSteps = 100;
-//! - | too small: slow ways to balance are given up | too large: cost where floats round
-constexpr int kStalledSteps = 4;  // after so many steps in a row without gain ten times the residual is good enough,
-                                  // after twice as many a hundred times, if nothing is to rest
-//! - | too small: steps of rounding are taken for progress: cost | too large: slow ways to balance are given up
-constexpr double kBetterStep = 0.8;  // of the least residual so far
 //! - | too small: new points slide under friction limits that are not theirs
 //! | too large: friction limits and forces may chase each other, and no step is the last
 constexpr int kBoundSteps = 6;  // so many steps renew the friction limits of new points, then they are frozen
-//! - | too small: stacks that land, or are made leaning, shear | too large: cost
-constexpr int kBoundSolves = 3;  // so often the island is solved again, with friction limits by the forces found
 //! of the friction limit | too small: cost | too large: new points slide under friction limits that are not theirs
 constexpr float kBoundChange = 0.02f;  // a smaller change is left
 //! - | too small: steps end short of their minimum: more of them
@@ -210,18 +204,16 @@ class Newton {
 
 void solveDirectly(Island& island, const StepContext& context, double tolerance, SolveStatistics& statistics) {
   Newton newton(island, statistics);
-  constexpr double kNone = std::numeric_limits<double>::infinity();
-  double least = kNone;
-  int stalled = 0, boundSolves = 0;
+  Stall stall;
+  int boundSolves = 0;
   for (int k = 0; k < kDirectSteps; k++) {
     const double worst = worstResidual(island, *context.bodies);
-    stalled = worst < kBetterStep * least ? 0 : stalled + 1;
-    least = std::min(least, worst);
+    const int stalled = stall.after(worst);
+    // Stalled, ten times the residual is good enough; after twice as many steps a hundred times, if nothing is to rest.
     const double enough = stalled < kStalledSteps ? 1 : stalled < 2 * kStalledSteps || island.plan.slow ? 10 : 100;
     if (worst < enough * tolerance) {
-      if (boundSolves++ < kBoundSolves && newton.settleBounds()) {
-        least = kNone;
-        stalled = 0;
+      if (boundSolves++ < kBoundRounds && newton.settleBounds()) {
+        stall = {};
         k = std::max(k, kBoundSteps);
       } else if (!newton.dropBounds()) {
         return;

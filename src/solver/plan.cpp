@@ -20,13 +20,12 @@ constexpr int kMostCycles = 3;  // while many bodies of a large island are out o
 //! of its heaviest body | too small: light blocks under a great load tilt and slip out
 //! | too large: floats round away balance
 constexpr double kHeavyShare = 0.01;  // effective mass of the softest contact of a small island
-//! - | too small: Newton's method starts far off | too large: cost of cycles in place of better Newton steps
-constexpr int kCyclesBeforeDirect = 1;  // of exact steps
 //! m/s | too small: a body that rocks by itself rests late
 //! | too large: a ball that rolls up a slope turns back too early
 constexpr double kAloneSpeed = 5e-4;  // of a body alone, which may be stopped
-//! weights | too small: cost | too large: large walls creep before they rest
-constexpr double kStandingTolerance = 1e-2;  // weights: of a body in a large slow island
+
+//! weights | too small: cost | too large: islands repeat an error for ever and do not rest
+constexpr double kSlowTolerance = 5e-4;  // of a body in a small island
 
 // Small islands are cheap. They take exact steps, since open points counted as closed delay their collapses. They are
 // stiffer when calm, since they converge all the same. Larger islands would lose walls by it. A body alone: its cycle
@@ -114,8 +113,10 @@ SolvePlan planFor(const IslandFacts& facts, const SolverSettings& settings, doub
   plan.large = row.large;
   plan.startsFree = !row.large || !facts.grounded;
   plan.softDebris = row.large && facts.fastest > kDebrisSpeed;
-  plan.tolerance = !row.large ? kSlowTolerance : plan.slow ? kStandingTolerance : settings.cycleTolerance;
-  plan.minCycles = row.direct && row.exactSteps ? kCyclesBeforeDirect : settings.minCycles;
+  plan.tolerance = !row.large  ? kSlowTolerance
+                   : plan.slow ? kToRest * settings.cycleTolerance
+                               : settings.cycleTolerance;
+  plan.minCycles = row.direct && row.exactSteps ? kSweepsBeforeDirect : settings.minCycles;
   plan.maxCycles = row.direct ? plan.minCycles : cycleBudget(facts, plan.slow, settings);
   plan.mostCycles = row.large ? std::max(plan.maxCycles, kMostCycles * settings.maxCycles) : plan.maxCycles;
   return plan;

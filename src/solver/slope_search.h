@@ -5,6 +5,11 @@
 
 namespace brickfall {
 
+//! - | too small: searches and new matrices that change little | too large: steps end beyond their minimum; walls lean
+constexpr float kNearMinimum = 0.3f;  // of the slope at the start: a step that ends with less either way fits
+//! - | too small: searches that change little | too large: steps end short of their minimum
+constexpr float kFarFromMinimum = 0.5f;  // of the slope at the start: a search goes on above it
+
 // `way`: moveTo(part) goes to a part of the step and returns the downward slope there; start() is the slope at 0; a
 // slope between lowest() and highest() is near enough. `slope`: the slope at 1, where the way is now.
 template <class Way> void searchAlong(Way& way, float slope, int evaluations) {

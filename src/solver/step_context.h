@@ -18,8 +18,8 @@ namespace brickfall {
 //! - | too small: gaps and drifts of the last step are corrected more slowly
 //! | too large: oscillation from step to step
 constexpr float kCorrect = 0.5f;  // 1 - alpha: share of an old gap or drift that a step corrects
-//! - | too small: loads are carried by overlap: walls sag further | too large: oscillation from step to step
-constexpr float kMultiplierShare = 0.5f;  // share of the last force kept as multiplier
+//! not of the method: follows from kCorrect
+constexpr float kMultiplierShare = 1 - kCorrect;  // of the last force, kept as multiplier: at rest fn = -k gap
 //! - | too small: loads build up over many steps | too large: an impact's force acts twice
 constexpr float kMultiplierGrowth = 2;  // the multiplier grows to at most this x its old value ...
 //! mEff g | with kMultiplierGrowth
@@ -38,8 +38,8 @@ constexpr double kCalmShare = 0.1;  // of g dt, added to the rest speed: an isla
 constexpr int kLineSearchSteps = 8;
 //! - | too small: a block just past its balance can hang (seen with 8) | too large: cost of small islands
 constexpr int kLineSearchStepsExact = 16;  // in exact steps: sticking is a very narrow range of motion to find
-//! weights | too small: cost | too large: islands repeat an error for ever and do not rest
-constexpr double kSlowTolerance = 5e-4;  // worst residual / weight at which a slow island's cycles stop
+//! - | too small: cost | too large: islands repeat an error for ever and do not rest
+constexpr double kToRest = 0.5;  // of the tolerance: so far islands are solved that may rest
 //! - | too small: slow islands keep their last error and do not rest | too large: cost
 constexpr int kMaxCyclesSlow = 16;
 //! m | too small: walls with points at an edge never rest | too large: a very slow start of a fall is stopped
@@ -62,6 +62,24 @@ constexpr double kRestByLoadSpeed = 1e-3;  // m/s: ... if no body of it is faste
 constexpr double kLoadShare = 0.3;  // of a body's load: so much counts like its weight
 //! - | too small: floats leave bodies under a great load out of balance: cost | too large: such bodies are solved badly
 constexpr double kHeavyLoad = 0.02;  // of a body's load: this counts like its weight where islands are solved directly
+
+//! - | too small: rounding is taken for change: islands do not settle, sound impacts are dropped
+//! | too large: forces stop short of their end, energy may creep up
+constexpr double kFloatsRound = 1e-6;  // of a sum that floats found
+
+//! m | too small: rounding opens points in contact; bricks side by side leave each other's slides short
+//! | too large: impacts at near points are let through; bodies are moved into each other
+constexpr double kNoGap = 1e-6;
+//! m | too small: points that landed together are hit one by one; cost of bodies that hardly move
+//! | too large: near points are hit before they close; slow landings are first order in the time step
+constexpr double kNearlyClosed = 20e-6;  // way that an impact may leave out, in a step or to its end
+
+//! of the speed at its start | too small: points under pressure rebound late; balls lose speed at seams
+//! | too large: impacts that still go on give back too little; balls pass edges that they should glance off
+constexpr double kOver = 0.1;  // an approach that has become so slow is over
+
+//! - | too small: Newton's method starts far off | too large: cost of cycles in place of better Newton steps
+constexpr int kSweepsBeforeDirect = 1;  // over the bodies, in islands of few: a cycle of one sweep
 
 // Motion of a body in this step if nothing touched it.
 struct FreeMotion {

@@ -18,8 +18,6 @@ constexpr std::size_t kMostBodies = 5;
 constexpr double kFarWay = 2, kFarWayAlone = 4;  // outer radii, in a step; of a body that touches fixed bodies only
 //! rad | too small: a body that falls fast without a spin rebounds late | too large: as kFarWay
 constexpr double kNoTurn = 0.01;  // visible, in a step, of a body alone: below it a way of any length may be parted
-//! rad | too small: cost of tumbling bodies | too large: tops precess too slowly, then fall
-constexpr double kMostTurn = 0.2;  // visible, of a body in contact, in a part
 
 // Contacts of these shapes are true from afar: a shape that moves without a turn cannot pass the other one unseen.
 bool isFoundExactly(ShapeType a, ShapeType b) {

@@ -17,12 +17,7 @@ namespace {
 //! m | too small: manifolds made anew for nothing | too large: frozen normals and arms are wrong
 constexpr double kReusePosition = 1e-4;  // m: relative motion since the manifold was made below which it is kept,
 //! rad | with kReusePosition
-constexpr double kReuseTurn = 5e-4;  // rad,
-//! m a step | with kReusePosition
-constexpr double kReuseStep = 1e-3;  // m, and relative motion expected in the coming step
-
-//! - | too small: memory goes to another face | too large: memory is lost where a mesh is curved
-constexpr double kSamePart = 0.9;  // cosine between the normals of a part of a mesh contact and of its successor
+constexpr double kReuseTurn = 5e-4;  // rad; besides, less than kLittleWay is expected in the coming step
 
 LoadedPoints loadedPoints(const Contact& c) {
   LoadedPoints out;
@@ -38,7 +33,7 @@ bool canReuse(const Contact& c, const ContactGeometry& g, const Transform& relat
   if (c.rolls || (c.partial && loadedPoints(c).count < c.count)) return false;
   Quat turned = conjugate(g.relativeRotation) * relative.rotation;
   double turned2 = 4 * (turned.x * turned.x + turned.y * turned.y + turned.z * turned.z);
-  const double most = kReusePosition * scale, mostInStep = kReuseStep * scale;
+  const double most = kReusePosition * scale, mostInStep = kLittleWay * scale;
   return lengthSquared(relative.position - g.relativePosition) < most * most && turned2 < kReuseTurn * kReuseTurn &&
          lengthSquared(relativeVelocity) * dt * dt < mostInStep * mostInStep;
 }
@@ -71,7 +66,7 @@ void assignParts(const ContactSet& contacts, const CandidatePair* parts, int cou
     partOf[m] = -1;
     if (found.list[m].count == 0) continue;
     Vec3 normal = rotate(aInBody, found.list[m].normal);
-    double most = kSamePart;
+    double most = kSameFace;
     for (int i = 0; i < count; i++) {
       if (parts[i].contact == kNoIndex || taken >> parts[i].part & 1) continue;
       double alike = dot(contacts.geometry[parts[i].contact].normal, normal);
@@ -165,7 +160,7 @@ void NarrowPhase::renew(ContactIndex contact) {
     MeshManifolds found;
     findParts(pair, approach, found);
     const Quat aInBody = shapes_.data[pair.shapeA].inCentreFrame.rotation;
-    double most = kSamePart;
+    double most = kSameFace;
     for (int i = 0; i < found.count; i++) {
       double alike = dot(contacts_.geometry[contact].normal, rotate(aInBody, found.list[i].normal));
       if (found.list[i].count > 0 && alike > most) most = alike, now = found.list[i];

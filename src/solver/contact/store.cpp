@@ -76,13 +76,9 @@ void placeSlip(Contact& c, int i, bool sliding, float largest) {
   }
 }
 
-//! - | too small: points at the edge of sliding change their last bits for ever
-//! | too large: forces stop short of their end
-constexpr float kSameForce = 1e-6f;  // of the pressing force: a change of less is rounding
-
 bool sameForces(const PointMemory& was, const PointMemory& now, int count) {
   for (int i = 0; i < count; i++) {
-    auto same = [most = kSameForce * now.forceN[i], i](const float(&a)[4], const float(&b)[4]) {
+    auto same = [most = float(kFloatsRound) * now.forceN[i], i](const float(&a)[4], const float(&b)[4]) {
       return std::fabs(a[i] - b[i]) <= most;
     };
     if (!(same(was.forceN, now.forceN) && same(was.force1, now.force1) && same(was.force2, now.force2) &&

@@ -20,8 +20,6 @@ namespace {
 //! - | too small: rounding of normals leaves slides short
 //! | too large: groups that slide in a corner are lifted out of it
 constexpr double kFlat = 1e-3;  // sine of the angle between normals that count as one
-//! m | too small: bricks side by side leave each other's slides short | too large: bodies are moved into each other
-constexpr double kNoWay = 1e-6;  // a group that comes no more than this nearer to another counts as no nearer
 
 // Velocities of a group along the ground, as those of a rigid body, or their changes.
 struct Slide {
@@ -159,7 +157,7 @@ bool GroupSlides::wouldMeet(std::size_t k) const {
   const VelocityChange a = solvedChange(row.bodyA), b = solvedChange(row.bodyB);
   for (int i = 0; i < rows_.starts[k].points; i++) {
     const double by = 0.5 * island_.dt * changeAtPoint(row, i, takenBack(row.bodyA), takenBack(row.bodyB));
-    if (by <= kNoWay * rows_.starts[k].scale.length) continue;
+    if (by <= kNoGap * rows_.starts[k].scale.length) continue;
     const double speed = rows_.starts[k].approach[i] + changeAtPoint(row, i, a, b);
     if (rows_.starts[k].gap[i] + speed * island_.dt < by) return true;
   }
