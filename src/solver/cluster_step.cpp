@@ -119,7 +119,7 @@ ClusterStep tryStep(RowForces& forces, const Level& level, const Cluster& cluste
       return {way.whole(), 1};
     }
     if (!kept) {
-      searchAlong(way, slope, exact ? kLineSearchStepsExact : kLineSearchSteps);
+      searchAlong(way, slope);
       return {way.whole(), way.at()};
     }
     way.moveTo(0);

@@ -14,6 +14,7 @@
 #include "solver/light_pass.h"
 #include "solver/numbering.h"
 #include "solver/row_forces.h"
+#include "solver/slope_search.h"
 
 namespace brickfall {
 
@@ -27,9 +28,6 @@ constexpr int kDirectSteps = 100;
 constexpr int kBoundSteps = 6;  // so many steps renew the friction limits of new points, then they are frozen
 //! of the friction limit | too small: cost | too large: new points slide under friction limits that are not theirs
 constexpr float kBoundChange = 0.02f;  // a smaller change is left
-//! - | too small: steps end short of their minimum: more of them
-//! | too large: cost where float rounding hides the minimum
-constexpr int kSearchSteps = 30;  // evaluations along a step
 //! - | too small: cost of searches that change little | too large: steps end far beyond their minimum
 constexpr double kEnough = 0.8;  // of the slope at the start: a search ends below it
 //! - | too small: cost | too large: steps jump to and fro over edges that open and close: leaning bodies stay up

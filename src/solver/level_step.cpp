@@ -85,7 +85,7 @@ void LevelStep::apply() {
     }
     if (!std::isfinite(slope)) return way.goBack();
     if (!kept) {
-      searchAlong(way, slope, kLineSearchSteps);
+      searchAlong(way, slope);
       return;
     }
     way.goBack();

@@ -20,9 +20,6 @@ constexpr int kMostCycles = 3;  // while many bodies of a large island are out o
 //! of its heaviest body | too small: light blocks under a great load tilt and slip out
 //! | too large: floats round away balance
 constexpr double kHeavyShare = 0.01;  // effective mass of the softest contact of a small island
-//! m/s | too small: a body that rocks by itself rests late
-//! | too large: a ball that rolls up a slope turns back too early
-constexpr double kAloneSpeed = 5e-4;  // of a body alone, which may be stopped
 
 //! weights | too small: cost | too large: islands repeat an error for ever and do not rest
 constexpr double kSlowTolerance = 5e-4;  // of a body in a small island
@@ -40,10 +37,9 @@ constexpr PlanRow kRows[] = {
 };
 
 // Small islands, when they collapse, need more cycles than a wall to move at their true speed.
-int cycleBudget(const IslandFacts& facts, bool slow, const SolverSettings& settings) {
+int cycleBudget(const IslandFacts& facts, const SolverSettings& settings) {
   int bySize = int(640 / facts.bodies);
-  int budget = std::clamp(bySize, settings.maxCycles, std::max(settings.maxCycles, settings.maxCyclesSmall));
-  return std::max(budget, slow ? kMaxCyclesSlow : 0);
+  return std::clamp(bySize, settings.maxCycles, std::max(settings.maxCycles, settings.maxCyclesSmall));
 }
 
 const PlanRow& rowOf(const IslandFacts& facts) {
@@ -105,7 +101,7 @@ SolvePlan planFor(const IslandFacts& facts, const SolverSettings& settings, doub
   plan.slow = supported && facts.fastest <= settings.restSpeed;
   plan.sways = supported && row.large && !plan.slow && facts.fastest <= kMovingSpeed;
   plan.alone = facts.bodies == 1;
-  plan.mayBeStopped = plan.slow && !(plan.alone && facts.fastest > kAloneSpeed);
+  plan.mayBeStopped = plan.slow && !(plan.alone && facts.fastest > kStillSpeed);
   plan.exactSteps = row.exactSteps;
   plan.direct = row.direct;
   plan.calmStiffening = calm ? double(row.calmStiffening) : 1;
@@ -117,7 +113,7 @@ SolvePlan planFor(const IslandFacts& facts, const SolverSettings& settings, doub
                    : plan.slow ? kToRest * settings.cycleTolerance
                                : settings.cycleTolerance;
   plan.minCycles = row.direct && row.exactSteps ? kSweepsBeforeDirect : settings.minCycles;
-  plan.maxCycles = row.direct ? plan.minCycles : cycleBudget(facts, plan.slow, settings);
+  plan.maxCycles = row.direct ? plan.minCycles : cycleBudget(facts, settings);
   plan.mostCycles = row.large ? std::max(plan.maxCycles, kMostCycles * settings.maxCycles) : plan.maxCycles;
   return plan;
 }

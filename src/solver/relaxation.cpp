@@ -24,8 +24,6 @@ constexpr float kGoal = 0.3f, kGoalExact = 0.01f;  // x a body's allowed residua
 constexpr float kFloatsTell = 0x1p-21f;  // of the forces on a body: floats tell its residual no better
 //! - | too small: bodies are polished while all around them still moves: cost | too large: more cycles
 constexpr float kLessened = 0.25f;  // of the residual's square: exact steps in a large island end there, too
-//! - | too small: standing walls are searched through: cost | too large: bodies that hang are not found
-constexpr float kBarely = 0.5f;  // of the residual's square: a step that leaves so much has not found the way
 //! - | too small: new points slide under friction limits that are not theirs
 //! | too large: friction limits and forces chase each other
 constexpr int kBoundCycles = 2;  // in which the friction limits of new points follow
@@ -189,7 +187,7 @@ class Relaxation {
     if (!island_.plan.exactSteps && !moves(body)) {
       float before = squareOf(body);
       step(level, cluster, factor, island_.residual[body], false);
-      if (balanced(body, 0.5f) || squareOf(body) < kBarely * before) return;
+      if (balanced(body, 0.5f) || squareOf(body) < kLessened * before) return;
     }
     float goal = island_.plan.exactSteps ? kGoalExact : kGoal;
     float enough = island_.plan.exactSteps ? 0 : kLessened * squareOf(body);

@@ -28,24 +28,14 @@ constexpr float kMultiplierWeights = 5;  // ... plus this many effective weights
 constexpr float kOffsetKept = 0.9f;  // of the plastic offset, per step
 //! m/s | too small: a body that lies on parted overlap rests late | too large: with kOffsetKept
 constexpr double kLeastRelease = 1e-4;  // m/s: the offset shrinks at least so fast, until nothing is left of it
-//! m | too small: anchors are placed anew while they stick: creep | too large: old forces come back after a slide
-constexpr double kLargestDrift = 1e-3;  // m: an anchor further away is placed anew
 //! m | too small: steps run through open points | too large: short steps: late collapses
 constexpr double kNearContact = 5e-3;  // m: open points nearer than this stay in the Newton matrix
 //! g h | too small: overhangs of 99 % fall | too large: float noise moves sliding bodies
 constexpr double kCalmShare = 0.1;  // of g dt, added to the rest speed: an island no faster settles
-//! - | too small: sliding groups stay unbalanced | too large: cost
-constexpr int kLineSearchSteps = 8;
-//! - | too small: a block just past its balance can hang (seen with 8) | too large: cost of small islands
-constexpr int kLineSearchStepsExact = 16;  // in exact steps: sticking is a very narrow range of motion to find
 //! - | too small: cost | too large: islands repeat an error for ever and do not rest
 constexpr double kToRest = 0.5;  // of the tolerance: so far islands are solved that may rest
-//! - | too small: slow islands keep their last error and do not rest | too large: cost
-constexpr int kMaxCyclesSlow = 16;
-//! m | too small: walls with points at an edge never rest | too large: a very slow start of a fall is stopped
-constexpr double kInPlaceMove = 25e-6;  // m: a slow island of which no point strays further than this from its place
 //! s | too small: a very slow start of a fall is stopped | too large: walls with points at an edge rest late
-constexpr double kInPlaceTime = 0.5;  // s: ... in this time counts as at rest; an acceleration of 2e-5 g goes further
+constexpr double kInPlaceTime = 0.5;  // a slow island of which no point strays by kNearlyClosed so long is at rest
 //! m/s | too small: a hit wall that sways is taken for debris, and sways on for seconds: walls sag
 //! | too large: rubble is treated like a standing wall, and a body that begins to fall slowly may be stopped
 constexpr double kMovingSpeed = 0.03;  // of a body of a large island: faster ones move, slower ones sway at most
@@ -54,10 +44,9 @@ constexpr double kLargestTurn = 0.5;  // rad per step of a body in contact: arms
 //! - | too small: counts residuals that nobody sees | too large: hides bodies that hang in the air
 constexpr double kLeftOver = 0.05;  // of max(weight, load): bodies that a solve leaves with more are counted
 
-//! - | too small: large walls stay awake over the last of their residual | too large: slow topples are stopped
-constexpr double kRestByLoad = 1.5e-2;  // of max(weight, kLoadShare x load): a large slow island with less rests,
-//! m/s | with kRestByLoad
-constexpr double kRestByLoadSpeed = 1e-3;  // m/s: ... if no body of it is faster
+//! m/s | too small: large walls stay awake over the last of their residual; a body that rocks by itself rests late
+//! | too large: slow topples are stopped; a ball that rolls up a slope turns back too early
+constexpr double kStillSpeed = 5e-4;  // of each body of a large island that rests by load, and of a body alone
 //! - | too small: heavily loaded bodies are solved too finely: cost | too large: heavily loaded bodies hang
 constexpr double kLoadShare = 0.3;  // of a body's load: so much counts like its weight
 //! - | too small: floats leave bodies under a great load out of balance: cost | too large: such bodies are solved badly

@@ -15,7 +15,7 @@ namespace {
 //! | too large: cost, impacts that are not solved well
 constexpr std::size_t kMostBodies = 5;
 //! - | too small: fast bodies are left whole | too large: contacts found from so far away say little about the impact
-constexpr double kFarWay = 2, kFarWayAlone = 4;  // outer radii, in a step; of a body that touches fixed bodies only
+constexpr double kFarWay = 4;  // outer radii, in a step
 //! rad | too small: a body that falls fast without a spin rebounds late | too large: as kFarWay
 constexpr double kNoTurn = 0.01;  // visible, in a step, of a body alone: below it a way of any length may be parted
 
@@ -44,16 +44,15 @@ bool ImpactParts::mayBeCut(const Island& island) const {
   if (std::any_of(island.partners.begin(), island.partners.end(), isDriven)) return false;
   const bool alone = island.bodies.size() == 1;
   if (alone && length(turnOf(island.bodies[0])) < kNoTurn && foundExactly(island)) return true;
-  const double far = alone ? kFarWayAlone : kFarWay;
   return std::all_of(island.bodies.begin(), island.bodies.end(), [&](BodyIndex body) {
-    return length(bodies.motion[body].linearVelocity) * context_.dt <= far * bodies.mass[body].outerRadius;
+    return length(bodies.motion[body].linearVelocity) * context_.dt <= kFarWay * bodies.mass[body].outerRadius;
   });
 }
 
 double ImpactParts::longest(const Island& island) const {
   if (island.bodies.size() > 1 || touchesNothing(island, context_) || onMesh(island)) return context_.dt;
   double speed = length(turnOf(island.bodies[0])) / context_.dt;
-  return std::max(context_.dt / kMostTurnParts, kMostTurn / std::max(speed, 1e-9));
+  return std::max(context_.dt / kMostParts, kMostTurn / std::max(speed, 1e-9));
 }
 
 bool ImpactParts::foundExactly(const Island& island) const {

@@ -23,8 +23,6 @@ constexpr double kGrazes = 2e-4;  // by which a round body may overlap a body th
 // Way of the edge by which a hit is told from an edge that slides over a face.
 //! m | too small: boxes that slide over seams stop at them | too large: a box that hits an edge goes over it
 constexpr double kOverlapAhead = 2e-3;
-//! - | too small: glancing hits keep the normal of the start | too large: cost
-constexpr int kMostAdvances = 12;
 //! - | too small: hits on edges are left out | too large: thin plates that meet face on go through each other
 constexpr double kTurnedOver = -0.5;  // cosine: such a normal says that the shapes have passed through each other
 
@@ -105,14 +103,13 @@ class LookAhead {
 // of that length pass over nothing. Ends where the shapes touch, where they are nearest, or with the step.
 Moment advance(const LookAhead& ahead, Moment now, double dt) {
   Moment before = now;
-  for (int k = 0; k < kMostAdvances; k++) {
+  for (int k = 0; k < kMostLooks; k++) {
     if (now.manifold.count == 0 || now.apart <= ahead.touches() || now.time >= dt) return now;
     if (!(now.closing > 0)) break;
     before = now;
     now = ahead.at(std::min(dt, now.time + now.apart / now.closing));
   }
-  for (int k = 0; k < kMostHalvings && now.manifold.count > 0 && now.apart > ahead.touches() && !(now.closing > 0);
-       k++) {
+  for (int k = 0; k < kMostLooks && now.manifold.count > 0 && now.apart > ahead.touches() && !(now.closing > 0); k++) {
     Moment middle = ahead.at(0.5 * (before.time + now.time));
     if (middle.closing > 0)
       before = middle;
@@ -125,7 +122,7 @@ Moment advance(const LookAhead& ahead, Moment now, double dt) {
 // Whether touching shapes overlap by no more than kGrazes before they are past each other.
 bool grazes(const LookAhead& ahead, Moment now, double dt) {
   const double past = kOver * now.closing;
-  for (int k = 0; k < kMostAdvances && now.closing > past && now.apart > -ahead.grazes(); k++) {
+  for (int k = 0; k < kMostLooks && now.closing > past && now.apart > -ahead.grazes(); k++) {
     const double until = now.time + (now.apart + 1.1 * ahead.grazes()) / now.closing;
     if (until >= dt) return false;
     now = ahead.at(until);

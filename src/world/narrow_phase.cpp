@@ -15,9 +15,8 @@ namespace brickfall {
 namespace {
 
 //! m | too small: manifolds made anew for nothing | too large: frozen normals and arms are wrong
-constexpr double kReusePosition = 1e-4;  // m: relative motion since the manifold was made below which it is kept,
-//! rad | with kReusePosition
-constexpr double kReuseTurn = 5e-4;  // rad; besides, less than kLittleWay is expected in the coming step
+constexpr double kReusePosition =
+    1e-4;  // a manifold is kept until a point has moved further, or soon will by kLittleWay
 
 LoadedPoints loadedPoints(const Contact& c) {
   LoadedPoints out;
@@ -29,13 +28,13 @@ LoadedPoints loadedPoints(const Contact& c) {
 // Of more than four points, the four chosen serve as long as all of them carry. Else the load may be moving to another
 // point.
 bool canReuse(const Contact& c, const ContactGeometry& g, const Transform& relative, Vec3 relativeVelocity, double dt,
-              double scale) {
+              double scale, double reach) {
   if (c.rolls || (c.partial && loadedPoints(c).count < c.count)) return false;
   Quat turned = conjugate(g.relativeRotation) * relative.rotation;
-  double turned2 = 4 * (turned.x * turned.x + turned.y * turned.y + turned.z * turned.z);
-  const double most = kReusePosition * scale, mostInStep = kLittleWay * scale;
-  return lengthSquared(relative.position - g.relativePosition) < most * most && turned2 < kReuseTurn * kReuseTurn &&
-         lengthSquared(relativeVelocity) * dt * dt < mostInStep * mostInStep;
+  const double moved =
+      length(relative.position - g.relativePosition) + 2 * length(Vec3{turned.x, turned.y, turned.z}) * reach;
+  const double mostInStep = kLittleWay * scale;
+  return moved < kReusePosition * scale && lengthSquared(relativeVelocity) * dt * dt < mostInStep * mostInStep;
 }
 
 Vec3 anyPerpendicular(Vec3 n) {
@@ -215,7 +214,8 @@ double NarrowPhase::reachOf(const CandidatePair& pair, const Approach& approach)
 bool NarrowPhase::mayReuse(const CandidatePair& pair, const Approach& approach) const {
   return canReuse(contacts_.contacts[pair.contact], contacts_.geometry[pair.contact], approach.relative,
                   approach.velocity, dt_,
-                  lengthScale(shapes_.data[pair.shapeA].innerRadius, shapes_.data[pair.shapeB].innerRadius));
+                  lengthScale(shapes_.data[pair.shapeA].innerRadius, shapes_.data[pair.shapeB].innerRadius),
+                  std::min(bodies_.mass[pair.bodyA].outerRadius, bodies_.mass[pair.bodyB].outerRadius));
 }
 
 void NarrowPhase::collidePair(const CandidatePair& pair, const Approach& approach, Look look, Manifold& m) {

@@ -118,9 +118,7 @@ void ImpactWalk::run(Island& island) {
   if (!parts_.mayBeCut(island)) return;
   double left = context_.dt;
   const double blink = kBlink * context_.dt;
-  constexpr int kMost = ImpactParts::kMostImpacts;
-  for (int made = 0, impacts = 0; made < ImpactParts::kMostTurnParts + kMost && impacts < kMost && left > blink;
-       made++) {
+  for (int made = 0; made < ImpactParts::kMostParts && left > blink; made++) {
     double part = std::min(left, parts_.longest(island));
     double next = mayClose(island, context_, kAhead) ? nextImpact(island, part) : kNever;
     bool ahead = next <= kAhead * part;  // a point that closes a little later must not stop the island short
@@ -130,9 +128,7 @@ void ImpactWalk::run(Island& island) {
       if (!goTo(island, way, ahead)) break;
       left -= way;
     }
-    if (!(next <= part)) continue;
-    if (!impact(island)) break;
-    impacts++;
+    if (next <= part && !impact(island)) break;
   }
   island.dt = left;
 }

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dynamics/point_matcher.h"
 #include "solver/contact/kernel.h"
 #include "solver/island.h"
 
@@ -113,7 +114,7 @@ bool ContactRows::store(Island& island, Ties ties, StepContext& context) {
       records[k].tensionCap[i] = 0;
       holdForce(c, i, f, context.judgingGravity);
       if (f.n[i] > 0 && !sliding) c.points.stickingMask |= 1u << i;
-      placeSlip(c, i, sliding, float(kLargestDrift * starts[k].scale.length));
+      placeSlip(c, i, sliding, float(kSamePlace * starts[k].scale.size));
     }
     c.touching = touches;
     if (c.touching != touched) ties.contacts.touchingChanged = true;
