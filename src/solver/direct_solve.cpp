@@ -75,15 +75,6 @@ class Newton {
     if (any) readForces(false);
     return any;
   }
-  // New points that have opened lose their friction. True if any did.
-  bool dropBounds() {
-    bool any = false;
-    island_.rows.each([&](auto& kind, std::size_t k) {
-      any = (kind.boundsFollow(k) && kind.dropBounds(k, island_.motion.data())) || any;
-    });
-    if (any) readForces(false);
-    return any;
-  }
 
  private:
   double& entry(std::size_t body, int k) { return step_[6 * place_[body] + std::size_t(k)]; }
@@ -210,12 +201,9 @@ void solveDirectly(Island& island, const StepContext& context, double tolerance,
     // Stalled, ten times the residual is good enough; after twice as many steps a hundred times, if nothing is to rest.
     const double enough = stalled < kStalledSteps ? 1 : stalled < 2 * kStalledSteps || island.plan.slow ? 10 : 100;
     if (worst < enough * tolerance) {
-      if (boundSolves++ < kBoundRounds && newton.settleBounds()) {
-        stall = {};
-        k = std::max(k, kBoundSteps);
-      } else if (!newton.dropBounds()) {
-        return;
-      }
+      if (boundSolves++ >= kBoundRounds || !newton.settleBounds()) return;
+      stall = {};
+      k = std::max(k, kBoundSteps);
     }
     if (!newton.step(k < kBoundSteps, stalled < kStalledSteps ? kEnough : kEnoughStalled)) return;
     statistics.cycles++;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "narrowphase/mesh_collide.h"
 #include "solver/free_motion.h"
 #include "solver/impact.h"
 #include "world/core_sweep.h"
@@ -25,16 +24,6 @@ bool isFoundExactly(ShapeType a, ShapeType b) {
   return (isRound(a) && (isRound(b) || b == ShapeType::box)) || (isRound(b) && a == ShapeType::box);
 }
 
-// test(geometry of A, geometry of B) for the contacts of an island, until one is true.
-template <class Test>
-bool anyPair(const Island& island, const ContactSet& contacts, const ShapeSet& shapes, Test test) {
-  const auto& all = island.rows.contacts.contactOf;
-  return std::any_of(all.begin(), all.end(), [&](ContactIndex contact) {
-    const Contact& c = contacts.contacts[contact];
-    return test(shapes.data[c.shapeA].geometry, shapes.data[c.shapeB].geometry);
-  });
-}
-
 }  // namespace
 
 bool ImpactParts::mayBeCut(const Island& island) const {
@@ -50,20 +39,18 @@ bool ImpactParts::mayBeCut(const Island& island) const {
 }
 
 double ImpactParts::longest(const Island& island) const {
-  if (island.bodies.size() > 1 || touchesNothing(island, context_) || onMesh(island)) return context_.dt;
+  if (island.bodies.size() > 1 || touchesNothing(island, context_)) return context_.dt;
   double speed = length(turnOf(island.bodies[0])) / context_.dt;
   return std::max(context_.dt / kMostParts, kMostTurn / std::max(speed, 1e-9));
 }
 
 bool ImpactParts::foundExactly(const Island& island) const {
-  return !anyPair(island, *context_.contacts, registry_.shapes,
-                  [](const Shape& a, const Shape& b) { return !isFoundExactly(a.type, b.type); });
-}
-
-// In the hollows of a mesh contacts come and go with each part: a body that spins there would sink deeper in parts than
-// in the whole step.
-bool ImpactParts::onMesh(const Island& island) const {
-  return anyPair(island, *context_.contacts, registry_.shapes, isMeshPair);
+  const auto& all = island.rows.contacts.contactOf;
+  const auto& shapes = registry_.shapes.data;
+  return std::all_of(all.begin(), all.end(), [&](ContactIndex contact) {
+    const Contact& c = context_.contacts->contacts[contact];
+    return isFoundExactly(shapes[c.shapeA].geometry.type, shapes[c.shapeB].geometry.type);
+  });
 }
 
 // Visible turn (rad) in a step at the present spin.

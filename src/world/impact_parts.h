@@ -24,7 +24,6 @@ class ImpactParts {
 
  private:
   bool foundExactly(const Island& island) const;
-  bool onMesh(const Island& island) const;
   Vec3 turnOf(BodyIndex body) const;
 
   const Registry& registry_;
