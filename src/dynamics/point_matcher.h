@@ -11,7 +11,8 @@ namespace brickfall {
 constexpr double kMatchShare = 0.6;  // of the thinner shape: an old point this near may hand its memory to a new one
 //! inner radii | too small: points that stick creep where the polygon of a contact is cut anew
 //! | too large: a body that rolls on short faces stands on a corner that it has left, and sinks in at the next
-constexpr double kSamePlace = 0.03;  // of the thinner shape: a point this near is the same one, whatever its feature
+constexpr double kSamePlace = 0.03;  // of the thinner shape: a point this near is the same one, whatever its feature;
+                                     // an anchor further away is placed anew
 // Cosines between two normals.
 //! - | too small: a contact takes over the force that it had on another face
 //! | too large: a rocking brick forgets its force: it sinks for a step

@@ -2,14 +2,14 @@
 
 #include <algorithm>
 
+#include "solver/slope_search.h"
+
 namespace brickfall {
 
 namespace {
 
 //! - | too small: rounding is taken for a direction of its own | too large: changes that are alike are lost
 constexpr double kAlike = 1e-4;  // of a change's own curvature: share of it that must be left across the newer changes
-//! - | too small: cost | too large: P may end far beyond its minimum
-constexpr double kTooFar = 0.5;  // of the slope at its start
 //! not of the method: bodies that are summed as floats before a double takes over
 constexpr std::size_t kRun = 64;
 
@@ -152,12 +152,12 @@ void Acceleration::apply(RowForces& forces) {
   moveBy(shares, part);
   forces.readAgain();
   double slope = slopeAlong(shares);
-  if (!(slope > -kTooFar * start)) {
+  if (!(slope > -kFarFromMinimum * start)) {
     double shorter = start / (start - slope);
     moveBy(shares, shorter - part);
     part = shorter;
     forces.readAgain();
-    if (!(slopeAlong(shares) > -kTooFar * start)) {  // also if it is not a number
+    if (!(slopeAlong(shares) > -kFarFromMinimum * start)) {  // also if it is not a number
       std::copy(startMotion_.begin(), startMotion_.end(), island_.motion.begin());
       forces.readAgain();
       return;

@@ -30,16 +30,9 @@ namespace {
 
 using wide::V;
 
-//! - | too small: searches that change little | too large: steps end beyond their minimum
-constexpr float kOvershoot = 0.3f, kOvershootExact = 0.15f;  // of the slope at the start: less is no reason to search
 //! weights | too small: searches that change little
 //! | too large: a body that overlaps by a micrometre is thrown by millimetres, and little pulls it back
 constexpr float kOvershootWeights = 0.3f;  // for a cluster of a large island: most force by which it may end beyond
-//! - | too small: searches that change little | too large: steps end short of their minimum
-constexpr float kUndershoot = 0.5f, kUndershootExact = 0.3f;  // of the slope at the start: a search ends below it
-
-//! - | too small: factors are made that change little: cost | too large: walls out of true lean
-constexpr float kStale = 0.3f;  // of the slope at the start, left either way: then a kept factor is off
 
 float power(const Wrench& a, const Wrench& b) { return dot(a.force, b.force) + dot(a.torque, b.torque); }
 
@@ -80,9 +73,10 @@ class Way {
   float at() const { return at_; }
   float start() const { return start_; }
   // Slopes between which a step ends near enough to its minimum.
-  float lowest() const { return lowest(exact_ ? kOvershootExact : kOvershoot); }
+  // Exact steps end nearer.
+  float lowest() const { return lowest(exact_ ? 0.5f * kNearMinimum : kNearMinimum); }
   float lowest(float share) const { return -std::min(share * start_, most_); }
-  float highest() const { return (exact_ ? kUndershootExact : kUndershoot) * start_; }
+  float highest() const { return (exact_ ? kNearMinimum : kFarFromMinimum) * start_; }
 
  private:
   RowForces& forces_;
@@ -120,12 +114,12 @@ ClusterStep tryStep(RowForces& forces, const Level& level, const Cluster& cluste
     Way way(forces, level, cluster, factor.matrix.solve(residual), residual, exact);
     if (!(way.start() > 0)) return {};
     float slope = way.moveTo(1);
-    if (slope >= (kept ? way.lowest(kStale) : way.lowest())) {
-      factor.valid = slope <= kStale * way.start();
+    if (slope >= (kept ? way.lowest(kNearMinimum) : way.lowest())) {
+      factor.valid = slope <= kNearMinimum * way.start();
       return {way.whole(), 1};
     }
     if (!kept) {
-      searchAlong(way, slope, exact ? kLineSearchStepsExact : kLineSearchSteps);
+      searchAlong(way, slope);
       return {way.whole(), way.at()};
     }
     way.moveTo(0);

@@ -61,8 +61,8 @@ void countLeftOver(const Island& island, const StepContext& context, SolveStatis
 bool goOn(Island& island, const StepContext& context, SolveStatistics& statistics) {
   bool done = relax(island, context, statistics);
   if (!island.plan.direct) return done;
-  solveDirectly(island, context, kSlowTolerance, statistics);
-  return worstResidual(island, *context.bodies) < kSlowTolerance;
+  solveDirectly(island, context, island.plan.tolerance, statistics);
+  return worstResidual(island, *context.bodies) < island.plan.tolerance;
 }
 
 void startCycles(Island& island, const StepContext& context) {

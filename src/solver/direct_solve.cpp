@@ -7,12 +7,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "solver/block_envelope.h"
+#include "solver/imbalance.h"
 #include "solver/light_pass.h"
 #include "solver/numbering.h"
+#include "solver/row_forces.h"
+#include "solver/slope_search.h"
 
 namespace brickfall {
 
@@ -21,21 +23,11 @@ namespace {
 // Half of all solves are done after 1 step, 99 % after 45, all after 51: scene `wall`, its rubble.
 //! - | too small: rubble is left with many weights unbalanced | too large: cost of rubble
 constexpr int kDirectSteps = 100;
-//! - | too small: slow ways to balance are given up | too large: cost where floats round
-constexpr int kStalledSteps = 4;  // after so many steps in a row without gain ten times the residual is good enough,
-                                  // after twice as many a hundred times, if nothing is to rest
-//! - | too small: steps of rounding are taken for progress: cost | too large: slow ways to balance are given up
-constexpr double kBetterStep = 0.8;  // of the least residual so far
 //! - | too small: new points slide under friction limits that are not theirs
 //! | too large: friction limits and forces may chase each other, and no step is the last
 constexpr int kBoundSteps = 6;  // so many steps renew the friction limits of new points, then they are frozen
-//! - | too small: stacks that land, or are made leaning, shear | too large: cost
-constexpr int kBoundSolves = 3;  // so often the island is solved again, with friction limits by the forces found
 //! of the friction limit | too small: cost | too large: new points slide under friction limits that are not theirs
 constexpr float kBoundChange = 0.02f;  // a smaller change is left
-//! - | too small: steps end short of their minimum: more of them
-//! | too large: cost where float rounding hides the minimum
-constexpr int kSearchSteps = 30;  // evaluations along a step
 //! - | too small: cost of searches that change little | too large: steps end far beyond their minimum
 constexpr double kEnough = 0.8;  // of the slope at the start: a search ends below it
 //! - | too small: cost | too large: steps jump to and fro over edges that open and close: leaning bodies stay up
@@ -79,15 +71,6 @@ class Newton {
     bool any = false;
     island_.rows.each([&](auto& kind, std::size_t k) {
       any = (kind.boundsFollow(k) && kind.settleBounds(k, island_.motion.data(), kBoundChange)) || any;
-    });
-    if (any) readForces(false);
-    return any;
-  }
-  // New points that have opened lose their friction. True if any did.
-  bool dropBounds() {
-    bool any = false;
-    island_.rows.each([&](auto& kind, std::size_t k) {
-      any = (kind.boundsFollow(k) && kind.dropBounds(k, island_.motion.data())) || any;
     });
     if (any) readForces(false);
     return any;
@@ -210,22 +193,17 @@ class Newton {
 
 void solveDirectly(Island& island, const StepContext& context, double tolerance, SolveStatistics& statistics) {
   Newton newton(island, statistics);
-  constexpr double kNone = std::numeric_limits<double>::infinity();
-  double least = kNone;
-  int stalled = 0, boundSolves = 0;
+  Stall stall;
+  int boundSolves = 0;
   for (int k = 0; k < kDirectSteps; k++) {
     const double worst = worstResidual(island, *context.bodies);
-    stalled = worst < kBetterStep * least ? 0 : stalled + 1;
-    least = std::min(least, worst);
+    const int stalled = stall.after(worst);
+    // Stalled, ten times the residual is good enough; after twice as many steps a hundred times, if nothing is to rest.
     const double enough = stalled < kStalledSteps ? 1 : stalled < 2 * kStalledSteps || island.plan.slow ? 10 : 100;
     if (worst < enough * tolerance) {
-      if (boundSolves++ < kBoundSolves && newton.settleBounds()) {
-        least = kNone;
-        stalled = 0;
-        k = std::max(k, kBoundSteps);
-      } else if (!newton.dropBounds()) {
-        return;
-      }
+      if (boundSolves++ >= kBoundRounds || !newton.settleBounds()) return;
+      stall = {};
+      k = std::max(k, kBoundSteps);
     }
     if (!newton.step(k < kBoundSteps, stalled < kStalledSteps ? kEnough : kEnoughStalled)) return;
     statistics.cycles++;

@@ -3,11 +3,31 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/take_larger.h"
 #include "solver/rigid_cluster.h"
 
 namespace brickfall {
+
+//! - | too small: steps of rounding are taken for progress: cost | too large: slow ways to balance are given up
+constexpr double kBetter = 0.8;  // of the least residual so far, or of its square: a step that leaves more is no better
+//! - | too small: bodies whose points open and close are given up | too large: cost where floats round
+constexpr int kStalledSteps = 4;  // so many steps in a row that are no better: rounding is all that is left
+
+// Counts the steps in a row that bettered nothing.
+class Stall {
+ public:
+  int after(double residual) {
+    steps_ = residual < kBetter * least_ ? 0 : steps_ + 1;
+    least_ = std::min(least_, residual);
+    return steps_;
+  }
+
+ private:
+  double least_ = std::numeric_limits<double>::infinity();
+  int steps_ = 0;
+};
 
 struct Measure {
   double force = 0;  // N

@@ -15,8 +15,6 @@ namespace {
 
 //! - | too small: impacts that are solved well are dropped | too large: badly solved impacts change momentum and energy
 constexpr double kImpactTolerance = 0.01;  // of the forces on a body
-//! - | too small: sound impacts are dropped | too large: energy may creep up
-constexpr double kRounding = 1e-6;  // of the energy: the float solve may add so much
 
 // Free motion as if no time passed: velocities alone say where bodies would go.
 void goOnFreely(const Island& island, const BodySet& bodies, StepContext& context) {
@@ -81,7 +79,7 @@ bool changeVelocities(const Island& island, BodySet& bodies) {
     finite = finite && isFinite(m.linearVelocity) && isFinite(m.angularVelocity);
   }
   if (finite) keepMomenta(island, before, bodies);
-  if (finite && kineticEnergy(island, bodies) <= had * (1 + kRounding)) return true;
+  if (finite && kineticEnergy(island, bodies) <= had * (1 + kFloatsRound)) return true;
   for (std::size_t i = 0; i < before.size(); i++) {
     bodies.motion[island.bodies[i]].linearVelocity = before[i].linear;
     bodies.motion[island.bodies[i]].angularVelocity = before[i].angular;

@@ -9,18 +9,7 @@
 
 namespace brickfall {
 
-namespace {
-
 using wide::V;
-
-//! - | too small: searches that change little | too large: steps end beyond their minimum
-constexpr float kOvershootAll = 0.3f;  // of the slope at the start: less is no reason to search
-//! - | too small: searches that change little | too large: steps end short of their minimum
-constexpr float kUndershootAll = 0.5f;  // of the slope at the start: a search ends below it
-//! - | too small: matrices are made that change little: cost | too large: steps that do not fit
-constexpr float kStaleAll = 0.3f;  // of the slope at the start, left by a step: then its matrix is off
-
-}  // namespace
 
 // The step of a level, and how far along it the island is.
 struct LevelWay {
@@ -58,8 +47,8 @@ struct LevelWay {
     of.forces_.readAgain();
   }
   float start() const { return startSlope; }
-  float lowest() const { return -kOvershootAll * startSlope; }
-  float highest() const { return kUndershootAll * startSlope; }
+  float lowest() const { return -kNearMinimum * startSlope; }
+  float highest() const { return kFarFromMinimum * startSlope; }
 };
 
 LevelStep::LevelStep(RowForces& forces, const Hierarchy& hierarchy)
@@ -91,12 +80,12 @@ void LevelStep::apply() {
     if (!(way.start() > 0)) return;
     const float slope = way.moveTo(1);
     if (slope >= way.lowest()) {
-      valid_ = slope <= kStaleAll * way.start();
+      valid_ = slope <= kNearMinimum * way.start();
       return;
     }
     if (!std::isfinite(slope)) return way.goBack();
     if (!kept) {
-      searchAlong(way, slope, kLineSearchSteps);
+      searchAlong(way, slope);
       return;
     }
     way.goBack();

@@ -11,9 +11,9 @@ namespace {
 //! | too large: cost of factors
 constexpr double kMostProducts = 2;  // in a factorisation of the coarse level
 //! - | too small: steps that do not fit the whole | too large: cost of motion that the next step finds again
-constexpr int kMostIterations = 4, kMostIterationsSmall = 20;
+constexpr int kMostIterations = 4;
 //! of the error | too small: cost of motion that the next step finds again | too large: steps that do not fit the whole
-constexpr double kSolvedTo = 0.2, kSolvedToSmall = 1e-3;
+constexpr double kSolvedTo = 0.2;
 
 using wide::cross3;
 using wide::spread;
@@ -220,16 +220,14 @@ void LevelSystem::solve(const Wrenches& right, Wrenches& x) {
   precondition(left_, better_);
   direction_.assign(better_.begin(), better_.end());
   double now = dotOf(left_, better_);
-  const bool large = island_.plan.large;
-  const double to = large ? kSolvedTo : kSolvedToSmall, enough = to * to * now;
-  const int most = large ? kMostIterations : kMostIterationsSmall;
+  const double enough = kSolvedTo * kSolvedTo * now;
   for (int k = 0; now > enough; k++) {
     matrix_.multiply(direction_, product_);
     const double curvature = dotOf(direction_, product_);
     if (!(curvature > 0)) return;
     const float part = float(now / curvature);
     addTimes(x, direction_, part);
-    if (k + 1 == most) return;
+    if (k + 1 == kMostIterations) return;
     addTimes(left_, product_, -part);
     precondition(left_, better_);
     const double before = std::exchange(now, dotOf(left_, better_));

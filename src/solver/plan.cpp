@@ -20,13 +20,9 @@ constexpr int kMostCycles = 3;  // while many bodies of a large island are out o
 //! of its heaviest body | too small: light blocks under a great load tilt and slip out
 //! | too large: floats round away balance
 constexpr double kHeavyShare = 0.01;  // effective mass of the softest contact of a small island
-//! - | too small: Newton's method starts far off | too large: cost of cycles in place of better Newton steps
-constexpr int kCyclesBeforeDirect = 1;  // of exact steps
-//! m/s | too small: a body that rocks by itself rests late
-//! | too large: a ball that rolls up a slope turns back too early
-constexpr double kAloneSpeed = 5e-4;  // of a body alone, which may be stopped
-//! weights | too small: cost | too large: large walls creep before they rest
-constexpr double kStandingTolerance = 1e-2;  // weights: of a body in a large slow island
+
+//! weights | too small: cost | too large: islands repeat an error for ever and do not rest
+constexpr double kSlowTolerance = 5e-4;  // of a body in a small island
 
 // Small islands are cheap. They take exact steps, since open points counted as closed delay their collapses. They are
 // stiffer when calm, since they converge all the same. Larger islands would lose walls by it. A body alone: its cycle
@@ -41,10 +37,9 @@ constexpr PlanRow kRows[] = {
 };
 
 // Small islands, when they collapse, need more cycles than a wall to move at their true speed.
-int cycleBudget(const IslandFacts& facts, bool slow, const SolverSettings& settings) {
+int cycleBudget(const IslandFacts& facts, const SolverSettings& settings) {
   int bySize = int(640 / facts.bodies);
-  int budget = std::clamp(bySize, settings.maxCycles, std::max(settings.maxCycles, settings.maxCyclesSmall));
-  return std::max(budget, slow ? kMaxCyclesSlow : 0);
+  return std::clamp(bySize, settings.maxCycles, std::max(settings.maxCycles, settings.maxCyclesSmall));
 }
 
 const PlanRow& rowOf(const IslandFacts& facts) {
@@ -106,7 +101,7 @@ SolvePlan planFor(const IslandFacts& facts, const SolverSettings& settings, doub
   plan.slow = supported && facts.fastest <= settings.restSpeed;
   plan.sways = supported && row.large && !plan.slow && facts.fastest <= kMovingSpeed;
   plan.alone = facts.bodies == 1;
-  plan.mayBeStopped = plan.slow && !(plan.alone && facts.fastest > kAloneSpeed);
+  plan.mayBeStopped = plan.slow && !(plan.alone && facts.fastest > kStillSpeed);
   plan.exactSteps = row.exactSteps;
   plan.direct = row.direct;
   plan.calmStiffening = calm ? double(row.calmStiffening) : 1;
@@ -114,9 +109,11 @@ SolvePlan planFor(const IslandFacts& facts, const SolverSettings& settings, doub
   plan.large = row.large;
   plan.startsFree = !row.large || !facts.grounded;
   plan.softDebris = row.large && facts.fastest > kDebrisSpeed;
-  plan.tolerance = !row.large ? kSlowTolerance : plan.slow ? kStandingTolerance : settings.cycleTolerance;
-  plan.minCycles = row.direct && row.exactSteps ? kCyclesBeforeDirect : settings.minCycles;
-  plan.maxCycles = row.direct ? plan.minCycles : cycleBudget(facts, plan.slow, settings);
+  plan.tolerance = !row.large  ? kSlowTolerance
+                   : plan.slow ? kToRest * settings.cycleTolerance
+                               : settings.cycleTolerance;
+  plan.minCycles = row.direct && row.exactSteps ? kSweepsBeforeDirect : settings.minCycles;
+  plan.maxCycles = row.direct ? plan.minCycles : cycleBudget(facts, settings);
   plan.mostCycles = row.large ? std::max(plan.maxCycles, kMostCycles * settings.maxCycles) : plan.maxCycles;
   return plan;
 }

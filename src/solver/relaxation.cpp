@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "solver/acceleration.h"
 #include "solver/cluster_step.h"
@@ -15,7 +14,7 @@ namespace brickfall {
 namespace {
 
 //! - | too small: bodies that hang by one corner take all cycles | too large: cost
-constexpr int kRounds = 3, kRoundsSmall = 1;  // sweeps over the bodies in a cycle, forwards and backwards in turn
+constexpr int kRounds = 3;  // sweeps over the bodies in a cycle, forwards and backwards in turn
 //! - | too small: a body whose points flip open and shut is left to the next round | too large: cost
 constexpr int kExactSteps = 4;  // of one body in a row
 //! - | too small: cost | too large: bodies are taken up again and again; a body that slides alone is a little off
@@ -25,30 +24,17 @@ constexpr float kGoal = 0.3f, kGoalExact = 0.01f;  // x a body's allowed residua
 constexpr float kFloatsTell = 0x1p-21f;  // of the forces on a body: floats tell its residual no better
 //! - | too small: bodies are polished while all around them still moves: cost | too large: more cycles
 constexpr float kLessened = 0.25f;  // of the residual's square: exact steps in a large island end there, too
-//! - | too small: standing walls are searched through: cost | too large: bodies that hang are not found
-constexpr float kBarely = 0.5f;  // of the residual's square: a step that leaves so much has not found the way
 //! - | too small: new points slide under friction limits that are not theirs
 //! | too large: friction limits and forces chase each other
 constexpr int kBoundCycles = 2;  // in which the friction limits of new points follow
-//! - | too small: bodies at dropped points are left unbalanced
-//! | too large: points that open for a moment lose their friction
-constexpr int kDropCycles = 3;  // the last ones: in these, new points that have opened lose their friction
 //! weights | too small: cost | too large: bodies that are flung about are left unbalanced
 constexpr float kMovingWeights = 2.5f;  // x tolerance: what a faster, lightly loaded body may be left with
 
 //! - | too small: standing islands are thrown out of balance at their foot
 //! | too large: momentum on smooth ground drifts
 constexpr float kFree = 0.2f;  // of a force's way without contacts: an island that a force moves further is free
-//! - | too small: cycles of rounding are taken for progress: cost | too large: slow ways to balance are given up
-constexpr float kBetter = 0.8f;  // of the least square of residuals: a cycle that leaves more is no better
-//! - | too small: a body whose points open and close is given up | too large: cost
-constexpr int kMostStalled = 4;  // cycles of a body alone that are no better
-
 //! of the bodies | too small: cost | too large: residuals of a few bodies are left as they are
 constexpr double kManyOut = 0.05;  // more bodies out of balance are worth cycles beyond maxCycles
-
-//! of all rows, read in a cycle | too small: cost where few bodies move | too large: slow settling is not seen through
-constexpr double kWorthReading = 1;  // beyond it, moving all at once in the next cycle pays, though it reads all rows
 
 class Relaxation {
  public:
@@ -81,7 +67,7 @@ class Relaxation {
       // More cycles would find nothing to do.
       const bool idle = island_.plan.large && !changed && out_ == 0;
       done = out_ == 0 && (idle || cycle + 1 >= island_.plan.minCycles);
-      bool ends = done || cycle + kDropCycles >= island_.plan.maxCycles;
+      bool ends = done || cycle + kBoundRounds >= island_.plan.maxCycles;
       if (island_.plan.large && ends && (idle || cycle >= kBoundCycles) && dropBounds()) done = false;
       if (stalls()) break;
     }
@@ -132,13 +118,7 @@ class Relaxation {
   }
   // A cycle of a body alone is all of Newton's method. Where rounding leaves the body out of balance, more cycles
   // change nothing.
-  bool stalls() {
-    if (!island_.plan.alone) return false;
-    float now = squareOf(0);
-    stalled_ = now < kBetter * least_ ? 0 : stalled_ + 1;
-    least_ = std::min(least_, now);
-    return stalled_ > kMostStalled;
-  }
+  bool stalls() { return island_.plan.alone && stall_.after(double(squareOf(0))) > kStalledSteps; }
   // To compare residuals of one body: a torque counts as a force at its inner radius.
   float squareOf(std::size_t i) const {
     const Wrench& g = island_.residual[i];
@@ -167,12 +147,12 @@ class Relaxation {
       moved = true;
     }
     const std::size_t before = forces_.sidesRead();
-    const int rounds = few ? kRoundsSmall : kRounds;
+    const int rounds = few ? kSweepsBeforeDirect : kRounds;
     for (int round = 0; round < rounds && singleSweep(round % 2 != 0); round++) {
     }
     if (large) acceleration_.end();
     const std::size_t sides = forces_.sidesRead() - before;
-    worthReading_ = double(sides) > kWorthReading * double(island_.rows.size());
+    worthReading_ = sides > island_.rows.size();
     return moved || sides > 0;
   }
 
@@ -207,7 +187,7 @@ class Relaxation {
     if (!island_.plan.exactSteps && !moves(body)) {
       float before = squareOf(body);
       step(level, cluster, factor, island_.residual[body], false);
-      if (balanced(body, 0.5f) || squareOf(body) < kBarely * before) return;
+      if (balanced(body, 0.5f) || squareOf(body) < kLessened * before) return;
     }
     float goal = island_.plan.exactSteps ? kGoalExact : kGoal;
     float enough = island_.plan.exactSteps ? 0 : kLessened * squareOf(body);
@@ -240,13 +220,12 @@ class Relaxation {
   RowForces forces_;
   Acceleration acceleration_;
   LevelStep together_;
-  std::pmr::vector<float> allowed_;                       // N, by body
-  float least_ = std::numeric_limits<float>::infinity();  // N2, of a body alone: the least square left by a cycle
-  int stalled_ = 0;                                       // cycles since that one
-  std::size_t out_ = 0;                                   // bodies out of balance
-  bool worthReading_ = false;                             // the last cycle moved enough to read all rows again
-  std::pmr::vector<ClusterFactor> factors_;               // by body
-  std::pmr::vector<ClusterFactor> exactFactors_;          // by body, of exact steps
+  std::pmr::vector<float> allowed_;               // N, by body
+  Stall stall_;                                   // of a body alone
+  std::size_t out_ = 0;                           // bodies out of balance
+  bool worthReading_ = false;                     // the last cycle moved enough to read all rows again
+  std::pmr::vector<ClusterFactor> factors_;       // by body
+  std::pmr::vector<ClusterFactor> exactFactors_;  // by body, of exact steps
 };
 
 }  // namespace

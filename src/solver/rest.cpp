@@ -45,14 +45,18 @@ namespace {
 // as a whole is out of balance as a whole, however little each of its bodies is.
 bool balancedByLoad(const Island& island, const StepContext& context) {
   for (std::size_t i = 0; i < island.bodies.size(); i++) {
-    if (!(island.speeds[i] < float(kRestByLoadSpeed))) return false;
-    if (!isWithin(island.residual[i], measureOf(island, *context.bodies, i, kLoadShare), kRestByLoad)) return false;
+    if (!(island.speeds[i] < float(kStillSpeed))) return false;
+    if (!isWithin(island.residual[i], measureOf(island, *context.bodies, i, kLoadShare),
+                  context.settings.cycleTolerance))
+      return false;
   }
   if (!island.hierarchy.valid) return true;
   for (const Level& level : island.hierarchy.levels)
     for (const Cluster& c : level.clusters) {
       if (c.bodyEnd - c.bodyBegin == 1) continue;
-      if (!isWithin(residualOf(island, level, c), measureOf(island, level, c, kLoadShare), kRestByLoad)) return false;
+      if (!isWithin(residualOf(island, level, c), measureOf(island, level, c, kLoadShare),
+                    context.settings.cycleTolerance))
+        return false;
     }
   return true;
 }
@@ -92,7 +96,7 @@ void restInPlace(Island& island, const StepContext& context) {
   bool inPlace = island.placePoses.size() == island.bodies.size();
   for (std::size_t i = 0; inPlace && i < island.bodies.size(); i++)
     inPlace = strayed(bodies, island.bodies[i], island.placePoses[i]) <
-              kInPlaceMove * island.facts.scale.ofBody(bodies.mass[island.bodies[i]].innerRadius).length;
+              kNearlyClosed * island.facts.scale.ofBody(bodies.mass[island.bodies[i]].innerRadius).length;
   if (!inPlace) {
     island.inPlaceTime = 0;
     island.placePoses.clear();

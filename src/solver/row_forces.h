@@ -11,6 +11,11 @@
 
 namespace brickfall {
 
+//! - | too small: stacks that land, or are made leaning, shear; points that open for a moment lose their friction
+//! | too large: cost
+constexpr int kBoundRounds =
+    3;  // so often the direct solve begins anew; so many last cycles drop opened points' limits
+
 class RowForces {
  public:
   RowForces(Island& island, SolveStatistics& statistics)

@@ -5,11 +5,20 @@
 
 namespace brickfall {
 
+//! - | too small: searches and new matrices that change little | too large: steps end beyond their minimum; walls lean
+constexpr float kNearMinimum = 0.3f;  // of the slope at the start: a step that ends with less either way fits
+//! - | too small: searches that change little | too large: steps end short of their minimum
+constexpr float kFarFromMinimum = 0.5f;  // of the slope at the start: a search goes on above it
+
+//! - | too small: a block just past its balance can hang (seen with 8)
+//! | too large: cost where float rounding hides the minimum
+constexpr int kSearchSteps = 16;  // evaluations along a step: sticking is a very narrow range of motion to find
+
 // `way`: moveTo(part) goes to a part of the step and returns the downward slope there; start() is the slope at 0; a
 // slope between lowest() and highest() is near enough. `slope`: the slope at 1, where the way is now.
-template <class Way> void searchAlong(Way& way, float slope, int evaluations) {
+template <class Way> void searchAlong(Way& way, float slope) {
   float low = 0, slopeLow = way.start(), high = 1, slopeHigh = slope;
-  for (int k = 0; k < evaluations; k++) {
+  for (int k = 0; k < kSearchSteps; k++) {
     float fall = slopeLow - slopeHigh, width = high - low;
     if (!(fall > 0)) return;  // both have underflowed: forces that a float can hardly express are balanced
     float next = k % 3 == 2 ? 0.5f * (low + high) : low + width * slopeLow / fall;

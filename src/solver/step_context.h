@@ -18,8 +18,8 @@ namespace brickfall {
 //! - | too small: gaps and drifts of the last step are corrected more slowly
 //! | too large: oscillation from step to step
 constexpr float kCorrect = 0.5f;  // 1 - alpha: share of an old gap or drift that a step corrects
-//! - | too small: loads are carried by overlap: walls sag further | too large: oscillation from step to step
-constexpr float kMultiplierShare = 0.5f;  // share of the last force kept as multiplier
+//! not of the method: follows from kCorrect
+constexpr float kMultiplierShare = 1 - kCorrect;  // of the last force, kept as multiplier: at rest fn = -k gap
 //! - | too small: loads build up over many steps | too large: an impact's force acts twice
 constexpr float kMultiplierGrowth = 2;  // the multiplier grows to at most this x its old value ...
 //! mEff g | with kMultiplierGrowth
@@ -28,24 +28,14 @@ constexpr float kMultiplierWeights = 5;  // ... plus this many effective weights
 constexpr float kOffsetKept = 0.9f;  // of the plastic offset, per step
 //! m/s | too small: a body that lies on parted overlap rests late | too large: with kOffsetKept
 constexpr double kLeastRelease = 1e-4;  // m/s: the offset shrinks at least so fast, until nothing is left of it
-//! m | too small: anchors are placed anew while they stick: creep | too large: old forces come back after a slide
-constexpr double kLargestDrift = 1e-3;  // m: an anchor further away is placed anew
 //! m | too small: steps run through open points | too large: short steps: late collapses
 constexpr double kNearContact = 5e-3;  // m: open points nearer than this stay in the Newton matrix
 //! g h | too small: overhangs of 99 % fall | too large: float noise moves sliding bodies
 constexpr double kCalmShare = 0.1;  // of g dt, added to the rest speed: an island no faster settles
-//! - | too small: sliding groups stay unbalanced | too large: cost
-constexpr int kLineSearchSteps = 8;
-//! - | too small: a block just past its balance can hang (seen with 8) | too large: cost of small islands
-constexpr int kLineSearchStepsExact = 16;  // in exact steps: sticking is a very narrow range of motion to find
-//! weights | too small: cost | too large: islands repeat an error for ever and do not rest
-constexpr double kSlowTolerance = 5e-4;  // worst residual / weight at which a slow island's cycles stop
-//! - | too small: slow islands keep their last error and do not rest | too large: cost
-constexpr int kMaxCyclesSlow = 16;
-//! m | too small: walls with points at an edge never rest | too large: a very slow start of a fall is stopped
-constexpr double kInPlaceMove = 25e-6;  // m: a slow island of which no point strays further than this from its place
+//! - | too small: cost | too large: islands repeat an error for ever and do not rest
+constexpr double kToRest = 0.5;  // of the tolerance: so far islands are solved that may rest
 //! s | too small: a very slow start of a fall is stopped | too large: walls with points at an edge rest late
-constexpr double kInPlaceTime = 0.5;  // s: ... in this time counts as at rest; an acceleration of 2e-5 g goes further
+constexpr double kInPlaceTime = 0.5;  // a slow island of which no point strays by kNearlyClosed so long is at rest
 //! m/s | too small: a hit wall that sways is taken for debris, and sways on for seconds: walls sag
 //! | too large: rubble is treated like a standing wall, and a body that begins to fall slowly may be stopped
 constexpr double kMovingSpeed = 0.03;  // of a body of a large island: faster ones move, slower ones sway at most
@@ -54,14 +44,31 @@ constexpr double kLargestTurn = 0.5;  // rad per step of a body in contact: arms
 //! - | too small: counts residuals that nobody sees | too large: hides bodies that hang in the air
 constexpr double kLeftOver = 0.05;  // of max(weight, load): bodies that a solve leaves with more are counted
 
-//! - | too small: large walls stay awake over the last of their residual | too large: slow topples are stopped
-constexpr double kRestByLoad = 1.5e-2;  // of max(weight, kLoadShare x load): a large slow island with less rests,
-//! m/s | with kRestByLoad
-constexpr double kRestByLoadSpeed = 1e-3;  // m/s: ... if no body of it is faster
+//! m/s | too small: large walls stay awake over the last of their residual; a body that rocks by itself rests late
+//! | too large: slow topples are stopped; a ball that rolls up a slope turns back too early
+constexpr double kStillSpeed = 5e-4;  // of each body of a large island that rests by load, and of a body alone
 //! - | too small: heavily loaded bodies are solved too finely: cost | too large: heavily loaded bodies hang
 constexpr double kLoadShare = 0.3;  // of a body's load: so much counts like its weight
 //! - | too small: floats leave bodies under a great load out of balance: cost | too large: such bodies are solved badly
 constexpr double kHeavyLoad = 0.02;  // of a body's load: this counts like its weight where islands are solved directly
+
+//! - | too small: rounding is taken for change: islands do not settle, sound impacts are dropped
+//! | too large: forces stop short of their end, energy may creep up
+constexpr double kFloatsRound = 1e-6;  // of a sum that floats found
+
+//! m | too small: rounding opens points in contact; bricks side by side leave each other's slides short
+//! | too large: impacts at near points are let through; bodies are moved into each other
+constexpr double kNoGap = 1e-6;
+//! m | too small: points that landed together are hit one by one; cost of bodies that hardly move
+//! | too large: near points are hit before they close; slow landings are first order in the time step
+constexpr double kNearlyClosed = 20e-6;  // way that an impact may leave out, in a step or to its end
+
+//! of the speed at its start | too small: points under pressure rebound late; balls lose speed at seams
+//! | too large: impacts that still go on give back too little; balls pass edges that they should glance off
+constexpr double kOver = 0.1;  // an approach that has become so slow is over
+
+//! - | too small: Newton's method starts far off | too large: cost of cycles in place of better Newton steps
+constexpr int kSweepsBeforeDirect = 1;  // over the bodies, in islands of few: a cycle of one sweep
 
 // Motion of a body in this step if nothing touched it.
 struct FreeMotion {

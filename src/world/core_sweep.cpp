@@ -9,10 +9,6 @@ namespace brickfall {
 
 namespace {
 
-//! - | too small: a turning body stops earlier than it needs to | too large: cost
-constexpr int kHalvings = 6;  // of the way, where it turned out to end inside the other shape
-//! rad | too small: cost | too large: an arc passes over a thin corner between two chords
-constexpr double kChord = 0.1;  // rad: arcs are looked at as straight in parts of this
 //! - | too small: chords of fast spins get long | too large: cost of fast spins
 constexpr int kMostChords = 32;
 
@@ -55,7 +51,7 @@ double coreWayOnArc(const ShapeData& moving, const Sweep& way, const ShapeData& 
     return transformPoint(inverse(of.at(share) * still.inCentreFrame), transformPoint(way.at(share), moving.middle));
   };
   double angle = std::max(length(way.turn), length(of.turn));
-  int parts = angle < kChord * kMostChords ? 1 + int(angle / kChord) : kMostChords;
+  int parts = angle < kMostTurn * kMostChords ? 1 + int(angle / kMostTurn) : kMostChords;
   for (int part = 0; part < parts; part++) {
     double begin = double(part) / parts, step = 1.0 / parts;
     Transform coreInOther{placeAt(begin), {}};
@@ -64,7 +60,7 @@ double coreWayOnArc(const ShapeData& moving, const Sweep& way, const ShapeData& 
     // The part was taken as straight. The place on the arc where it really ends must be outside, too.
     double share = begin + step * met.value_or(1);
     bool outside = false;
-    for (int halving = 0; halving < kHalvings && !outside; halving++) {
+    for (int halving = 0; halving < kMostLooks && !outside; halving++) {
       outside = shapeDistance(still.geometry, core, {placeAt(share), {}}).distance > 0.5 * target;
       if (outside && (met || halving > 0)) return share;
       share = begin + 0.5 * (share - begin);

@@ -9,6 +9,14 @@ namespace brickfall {
 //! | too large: bodies in contact stop each other in their ordinary overlap
 constexpr double kCoreShare = 0.25;  // of a shape's inner radius
 
+//! rad | too small: cost of tumbling bodies
+//! | too large: tops precess too slowly, then fall; ends of spinning bodies, and arcs, pass over thin corners
+constexpr double kMostTurn = 0.2;  // visible: beyond it points, normals and arms do not stand for the motion
+
+//! - | too small: turning bodies stop earlier than they need to; glancing hits keep the normal of the start
+//! | too large: cost
+constexpr int kMostLooks = 12;  // along a way, where a place on it is looked for
+
 struct Sweep {
   Transform start;     // of a body's centre frame
   Vec3 way, turn;      // m, rad

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "narrowphase/mesh_collide.h"
 #include "solver/free_motion.h"
 #include "solver/impact.h"
 #include "world/core_sweep.h"
@@ -15,27 +14,14 @@ namespace {
 //! | too large: cost, impacts that are not solved well
 constexpr std::size_t kMostBodies = 5;
 //! - | too small: fast bodies are left whole | too large: contacts found from so far away say little about the impact
-constexpr double kFarWay = 2, kFarWayAlone = 4;  // outer radii, in a step; of a body that touches fixed bodies only
+constexpr double kFarWay = 4;  // outer radii, in a step
 //! rad | too small: a body that falls fast without a spin rebounds late | too large: as kFarWay
 constexpr double kNoTurn = 0.01;  // visible, in a step, of a body alone: below it a way of any length may be parted
-//! rad | too small: cost of tumbling bodies | too large: tops precess too slowly, then fall
-constexpr double kMostTurn = 0.2;  // visible, of a body in contact, in a part
 
 // Contacts of these shapes are true from afar: a shape that moves without a turn cannot pass the other one unseen.
 bool isFoundExactly(ShapeType a, ShapeType b) {
   if (a == ShapeType::plane || b == ShapeType::plane) return true;
   return (isRound(a) && (isRound(b) || b == ShapeType::box)) || (isRound(b) && a == ShapeType::box);
-}
-
-// test(geometry of A, geometry of B) for the contacts of an island: whether one is true.
-template <class Test>
-bool anyPair(const Island& island, const ContactSet& contacts, const ShapeSet& shapes, Test test) {
-  bool any = false;
-  island.rows.eachManifold([&](ContactIndex contact) {
-    const Contact& c = contacts.contacts[contact];
-    any = any || test(shapes.data[c.shapeA].geometry, shapes.data[c.shapeB].geometry);
-  });
-  return any;
 }
 
 }  // namespace
@@ -47,27 +33,25 @@ bool ImpactParts::mayBeCut(const Island& island) const {
   if (std::any_of(island.partners.begin(), island.partners.end(), isDriven)) return false;
   const bool alone = island.bodies.size() == 1;
   if (alone && length(turnOf(island.bodies[0])) < kNoTurn && foundExactly(island)) return true;
-  const double far = alone ? kFarWayAlone : kFarWay;
   return std::all_of(island.bodies.begin(), island.bodies.end(), [&](BodyIndex body) {
-    return length(bodies.motion[body].linearVelocity) * context_.dt <= far * bodies.mass[body].outerRadius;
+    return length(bodies.motion[body].linearVelocity) * context_.dt <= kFarWay * bodies.mass[body].outerRadius;
   });
 }
 
 double ImpactParts::longest(const Island& island) const {
-  if (island.bodies.size() > 1 || touchesNothing(island, context_) || onMesh(island)) return context_.dt;
+  if (island.bodies.size() > 1 || touchesNothing(island, context_)) return context_.dt;
   double speed = length(turnOf(island.bodies[0])) / context_.dt;
-  return std::max(context_.dt / kMostTurnParts, kMostTurn / std::max(speed, 1e-9));
+  return std::max(context_.dt / kMostParts, kMostTurn / std::max(speed, 1e-9));
 }
 
 bool ImpactParts::foundExactly(const Island& island) const {
-  return !anyPair(island, context_.ties->contacts, registry_.shapes,
-                  [](const Shape& a, const Shape& b) { return !isFoundExactly(a.type, b.type); });
-}
-
-// In the hollows of a mesh contacts come and go with each part: a body that spins there would sink deeper in parts than
-// in the whole step.
-bool ImpactParts::onMesh(const Island& island) const {
-  return anyPair(island, context_.ties->contacts, registry_.shapes, isMeshPair);
+  bool all = true;
+  island.rows.eachManifold([&](ContactIndex contact) {
+    const Contact& c = context_.ties->contacts.contacts[contact];
+    const auto& shapes = registry_.shapes.data;
+    all = all && isFoundExactly(shapes[c.shapeA].geometry.type, shapes[c.shapeB].geometry.type);
+  });
+  return all;
 }
 
 // Visible turn (rad) in a step at the present spin.

@@ -19,14 +19,11 @@ class ImpactParts {
   // tell it: they may be wrong about a body that is still far away, or turns.
   bool runThrough(const Island& island, double dt, const Proximity& proximity) const;
 
-  //! - | too small: quick series of impacts end first order | too large: cost
-  static constexpr int kMostImpacts = 8;  // of an island in a step
-  //! - | too small: the fastest tops fall | too large: cost
-  static constexpr int kMostTurnParts = 24;  // of a step
+  //! - | too small: quick series of impacts end first order, the fastest tops fall | too large: cost
+  static constexpr int kMostParts = 24;  // of an island's step
 
  private:
   bool foundExactly(const Island& island) const;
-  bool onMesh(const Island& island) const;
   Vec3 turnOf(BodyIndex body) const;
 
   const Registry& registry_;

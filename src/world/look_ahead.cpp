@@ -2,16 +2,16 @@
 
 #include <algorithm>
 
+#include "dynamics/point_matcher.h"
 #include "geometry/core.h"
 #include "narrowphase/collide.h"
-#include "solver/scale.h"
+#include "solver/step_context.h"
+#include "world/core_sweep.h"
 
 namespace brickfall {
 
 namespace {
 
-//! m | too small: cost of pairs that hardly move | too large: slow balls catch on edges that they pass
-constexpr double kLeastAhead = 1e-3;  // way in the step: a slower pair meets the surface that is nearest now
 //! inner radii | too small: fast bodies bounce off bodies that they pass
 //! | too large: tiny bodies slip past the corners that they hit
 constexpr double kMostAhead = 64;  // of way in the step
@@ -20,21 +20,11 @@ constexpr double kTouches = 1e-5;  // a gap this small is a touch
 //! m | too small: balls lose speed at the seams that they roll over
 //! | too large: balls pass edges that they should glance off
 constexpr double kGrazes = 2e-4;  // by which a round body may overlap a body that it goes past
-//! of the speed at the touch | too small: balls lose speed at the seams of blocks that give way a little
-//! | too large: balls pass edges that they should glance off
-constexpr double kPast = 0.1;  // a pair that closes no faster has passed
 // Way of the edge by which a hit is told from an edge that slides over a face.
 //! m | too small: boxes that slide over seams stop at them | too large: a box that hits an edge goes over it
 constexpr double kOverlapAhead = 2e-3;
-//! - | too small: glancing hits keep the normal of the start | too large: cost
-constexpr int kMostAdvances = 12, kMostHalvings = 6;
-//! - | too small: boxes that slide over seams stop at them | too large: hits whose normal turns a little are left out
-constexpr double kSameNormal = 0.9;  // cosine
 //! - | too small: hits on edges are left out | too large: thin plates that meet face on go through each other
 constexpr double kTurnedOver = -0.5;  // cosine: such a normal says that the shapes have passed through each other
-
-//! rad | too small: spinning bodies bounce off bodies that they pass | too large: ends of spinning bodies pass through
-constexpr double kMostTurnAhead = 0.2;  // in the step: a body that turns further sweeps over more than its points
 
 // The shapes at a moment of the step.
 struct Moment {
@@ -113,14 +103,13 @@ class LookAhead {
 // of that length pass over nothing. Ends where the shapes touch, where they are nearest, or with the step.
 Moment advance(const LookAhead& ahead, Moment now, double dt) {
   Moment before = now;
-  for (int k = 0; k < kMostAdvances; k++) {
+  for (int k = 0; k < kMostLooks; k++) {
     if (now.manifold.count == 0 || now.apart <= ahead.touches() || now.time >= dt) return now;
     if (!(now.closing > 0)) break;
     before = now;
     now = ahead.at(std::min(dt, now.time + now.apart / now.closing));
   }
-  for (int k = 0; k < kMostHalvings && now.manifold.count > 0 && now.apart > ahead.touches() && !(now.closing > 0);
-       k++) {
+  for (int k = 0; k < kMostLooks && now.manifold.count > 0 && now.apart > ahead.touches() && !(now.closing > 0); k++) {
     Moment middle = ahead.at(0.5 * (before.time + now.time));
     if (middle.closing > 0)
       before = middle;
@@ -132,8 +121,8 @@ Moment advance(const LookAhead& ahead, Moment now, double dt) {
 
 // Whether touching shapes overlap by no more than kGrazes before they are past each other.
 bool grazes(const LookAhead& ahead, Moment now, double dt) {
-  const double past = kPast * now.closing;
-  for (int k = 0; k < kMostAdvances && now.closing > past && now.apart > -ahead.grazes(); k++) {
+  const double past = kOver * now.closing;
+  for (int k = 0; k < kMostLooks && now.closing > past && now.apart > -ahead.grazes(); k++) {
     const double until = now.time + (now.apart + 1.1 * ahead.grazes()) / now.closing;
     if (until >= dt) return false;
     now = ahead.at(until);
@@ -170,7 +159,7 @@ bool slidesOver(const LookAhead& ahead, const Moment& now, double dt, double ove
   if (until >= dt) return false;
   const Moment then = ahead.at(until);
   const double turned = dot(then.manifold.normal, now.manifold.normal);
-  return then.manifold.count > 0 && turned < kSameNormal && turned > kTurnedOver && then.apart > -0.5 * overlap &&
+  return then.manifold.count > 0 && turned < kSameFace && turned > kTurnedOver && then.apart > -0.5 * overlap &&
          then.closing * dt < overlap && !endsIn(ahead, dt, overlap);
 }
 
@@ -182,14 +171,14 @@ bool turnsTooFar(const ShapeData& shape, Vec3 spin, double dt) {
     const Vec3 axis = rotate(shape.inCentreFrame.rotation, Vec3{0, 1, 0});
     spin -= axis * dot(axis, spin);
   }
-  return !(length(spin) * dt < kMostTurnAhead);
+  return !(length(spin) * dt < kMostTurn);
 }
 
 }  // namespace
 
 Ahead lookAhead(const ShapeData& a, const ShapeData& b, const RelativeMotion& motion, double dt, double reach,
                 double margin, Manifold& m) {
-  const double scale = lengthScale(a.innerRadius, b.innerRadius), most = kLeastAhead * scale / dt;
+  const double scale = lengthScale(a.innerRadius, b.innerRadius), most = kLittleWay * scale / dt;
   if (a.geometry.type == ShapeType::plane || b.geometry.type == ShapeType::plane) return {};  // a plane has one normal
   if (lengthSquared(motion.velocity) < most * most) return {};
   const double far = kMostAhead * std::min(a.innerRadius, b.innerRadius) / dt;

@@ -8,6 +8,10 @@
 
 namespace brickfall {
 
+//! m | too small: cost of bodies that hardly move
+//! | too large: frozen normals and arms are wrong: balls catch on edges that they pass
+constexpr double kLittleWay = 1e-3;  // in a step: the surface that is nearest now is the one that is met
+
 // Two bodies at the start of a step, in A's centre frame.
 struct RelativeMotion {
   Transform pose;     // B's centre frame

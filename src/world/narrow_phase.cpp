@@ -15,14 +15,8 @@ namespace brickfall {
 namespace {
 
 //! m | too small: manifolds made anew for nothing | too large: frozen normals and arms are wrong
-constexpr double kReusePosition = 1e-4;  // m: relative motion since the manifold was made below which it is kept,
-//! rad | with kReusePosition
-constexpr double kReuseTurn = 5e-4;  // rad,
-//! m a step | with kReusePosition
-constexpr double kReuseStep = 1e-3;  // m, and relative motion expected in the coming step
-
-//! - | too small: memory goes to another face | too large: memory is lost where a mesh is curved
-constexpr double kSamePart = 0.9;  // cosine between the normals of a part of a mesh contact and of its successor
+constexpr double kReusePosition =
+    1e-4;  // a manifold is kept until a point has moved further, or soon will by kLittleWay
 
 LoadedPoints loadedPoints(const Contact& c) {
   LoadedPoints out;
@@ -34,13 +28,13 @@ LoadedPoints loadedPoints(const Contact& c) {
 // Of more than four points, the four chosen serve as long as all of them carry. Else the load may be moving to another
 // point.
 bool canReuse(const Contact& c, const ContactGeometry& g, const Transform& relative, Vec3 relativeVelocity, double dt,
-              double scale) {
+              double scale, double reach) {
   if (c.rolls || (c.partial && loadedPoints(c).count < c.count)) return false;
   Quat turned = conjugate(g.relativeRotation) * relative.rotation;
-  double turned2 = 4 * (turned.x * turned.x + turned.y * turned.y + turned.z * turned.z);
-  const double most = kReusePosition * scale, mostInStep = kReuseStep * scale;
-  return lengthSquared(relative.position - g.relativePosition) < most * most && turned2 < kReuseTurn * kReuseTurn &&
-         lengthSquared(relativeVelocity) * dt * dt < mostInStep * mostInStep;
+  const double moved =
+      length(relative.position - g.relativePosition) + 2 * length(Vec3{turned.x, turned.y, turned.z}) * reach;
+  const double mostInStep = kLittleWay * scale;
+  return moved < kReusePosition * scale && lengthSquared(relativeVelocity) * dt * dt < mostInStep * mostInStep;
 }
 
 Vec3 anyPerpendicular(Vec3 n) {
@@ -71,7 +65,7 @@ void assignParts(const ContactSet& contacts, const CandidatePair* parts, int cou
     partOf[m] = -1;
     if (found.list[m].count == 0) continue;
     Vec3 normal = rotate(aInBody, found.list[m].normal);
-    double most = kSamePart;
+    double most = kSameFace;
     for (int i = 0; i < count; i++) {
       if (parts[i].contact == kNoIndex || taken >> parts[i].part & 1) continue;
       double alike = dot(contacts.geometry[parts[i].contact].normal, normal);
@@ -165,7 +159,7 @@ void NarrowPhase::renew(ContactIndex contact) {
     MeshManifolds found;
     findParts(pair, approach, found);
     const Quat aInBody = shapes_.data[pair.shapeA].inCentreFrame.rotation;
-    double most = kSamePart;
+    double most = kSameFace;
     for (int i = 0; i < found.count; i++) {
       double alike = dot(contacts_.geometry[contact].normal, rotate(aInBody, found.list[i].normal));
       if (found.list[i].count > 0 && alike > most) most = alike, now = found.list[i];
@@ -231,7 +225,8 @@ double NarrowPhase::reachOf(const CandidatePair& pair, const Approach& approach)
 bool NarrowPhase::mayReuse(const CandidatePair& pair, const Approach& approach) const {
   return canReuse(contacts_.contacts[pair.contact], contacts_.geometry[pair.contact], approach.relative,
                   approach.velocity, dt_,
-                  lengthScale(shapes_.data[pair.shapeA].innerRadius, shapes_.data[pair.shapeB].innerRadius));
+                  lengthScale(shapes_.data[pair.shapeA].innerRadius, shapes_.data[pair.shapeB].innerRadius),
+                  std::min(bodies_.mass[pair.bodyA].outerRadius, bodies_.mass[pair.bodyB].outerRadius));
 }
 
 void NarrowPhase::collidePair(const CandidatePair& pair, const Approach& approach, Look look, Manifold& m) {

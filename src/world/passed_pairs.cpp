@@ -4,14 +4,11 @@
 #include <limits>
 
 #include "solver/scale.h"
+#include "world/look_ahead.h"
 
 namespace brickfall {
 
 namespace {
-
-//! m | too small: rolling bodies bounce off bodies that they pass
-//! | too large: bouncing bodies go into a body that they then meet
-constexpr double kAside = 1e-3;  // by which a touch turns a body aside from the way past another
 
 // Closing speed (m/s) at the middle of a contact's points.
 double closingSpeed(const BodyMotion& a, const BodyMotion& b, const ContactGeometry& g) {
@@ -44,7 +41,8 @@ void findCourses(const BodySet& bodies, const ContactSet& contacts, std::span<co
     if (!(closing > 0)) continue;
     const Contact& c = contacts.contacts[pair.contact];
     const double gap = double(*std::min_element(c.points.gap, c.points.gap + c.count));
-    const double slack = kAside * lengthScale(bodies.mass[pair.bodyA].innerRadius, bodies.mass[pair.bodyB].innerRadius);
+    const double slack =
+        kLittleWay * lengthScale(bodies.mass[pair.bodyA].innerRadius, bodies.mass[pair.bodyB].innerRadius);
     const double until = (std::max(0.0, gap) + slack) / closing;
     for (BodyIndex body : {pair.bodyA, pair.bodyB}) {
       if (!(bodies.mass[body].invMass > 0)) continue;

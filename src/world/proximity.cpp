@@ -11,18 +11,15 @@ namespace brickfall {
 
 namespace {
 
-//! inner radii | too small: debris overlaps before it meets: hits on large bricks move fewer
-//! | too large: more points that carry nothing
-constexpr double kMostMargin = 0.3;
-//! inner radii | too small: bounds are made anew in most steps of a slow body
-//! | too large: more candidate pairs that never touch
-constexpr double kKeptSlack = 0.3;  // of a shape's inner radius: kept bounds are this much larger than they need be
+//! inner radii | too small: debris overlaps before it meets: hits on large bricks move fewer; bounds are made anew
+//! | too large: more pairs and points that carry nothing
+constexpr double kRoom = 0.3;  // around a shape: its margin at most; kept bounds are this much larger than they need be
 //! not of the method: room
 constexpr std::size_t kMeshScratch = 4096;  // faces near one shape, points on them
 
 // Planes and meshes have no size: the shapes that come near them have.
 bool hasSize(const ShapeData& shape) { return shape.innerRadius < 1e29; }
-double slackOf(const ShapeData& shape) { return hasSize(shape) ? kKeptSlack * shape.innerRadius : 0; }
+double slackOf(const ShapeData& shape) { return hasSize(shape) ? kRoom * shape.innerRadius : 0; }
 
 }  // namespace
 
@@ -32,7 +29,7 @@ void Proximity::open(BroadPhaseMethod method, double margin) {
 }
 
 double Proximity::marginOf(const ShapeData& shape, double speed, double dt) const {
-  return std::min(kMostMargin * shape.innerRadius, contactMargin / kReferenceSize * shape.innerRadius + speed * dt);
+  return std::min(kRoom * shape.innerRadius, contactMargin / kReferenceSize * shape.innerRadius + speed * dt);
 }
 
 // Swept bounds: the shape's motion at the present velocity, and the contact margin. Contacts are made only where these

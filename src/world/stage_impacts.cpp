@@ -119,9 +119,7 @@ void ImpactWalk::run(Island& island) {
   if (!parts_.mayBeCut(island)) return flyAhead(island, registry_, proximity_, ties_, context_, report_);
   double left = context_.dt;
   const double blink = kBlink * context_.dt;
-  constexpr int kMost = ImpactParts::kMostImpacts;
-  for (int made = 0, impacts = 0; made < ImpactParts::kMostTurnParts + kMost && impacts < kMost && left > blink;
-       made++) {
+  for (int made = 0; made < ImpactParts::kMostParts && left > blink; made++) {
     double part = std::min(left, parts_.longest(island));
     double next = mayClose(island, context_, kAhead) ? nextImpact(island, part) : kNever;
     bool ahead = next <= kAhead * part;  // a point that closes a little later must not stop the island short
@@ -131,9 +129,7 @@ void ImpactWalk::run(Island& island) {
       if (!goTo(island, way, ahead)) break;
       left -= way;
     }
-    if (!(next <= part)) continue;
-    if (!impact(island)) break;
-    impacts++;
+    if (next <= part && !impact(island)) break;
   }
   island.dt = left;
 }

@@ -242,7 +242,7 @@ void Obstacles::meet(BodyIndex body, const Obstruction& first) {
   const bool otherTurns = turnsFar(bodies, first.body, motionOf(first.body).turn);
   const double otherShare = otherTurns ? first.share : 1;
   if (last || (a.flies && b.flies && (context.ahead[body] > 0 || context.ahead[first.body] > 0))) {
-    // One has flown ahead, so their ways are not of one time; or nobody looks where a new way leads. Each ends its own.
+    // One has flown ahead, so their ways are not of one time, or nobody looks where a new way leads: each ends its own.
     divert(body, a, endOf(a) * -rest, first.turnShare);
     return divert(first.body, b, endOf(b) * -rest, otherShare);
   }

@@ -30,7 +30,7 @@ Ending endingOf(const Island& island) {
 double allowedIn(const Island& island, const BodySet& bodies, double restTolerance) {
   bool rests = island.resting();
   const bool large = island.plan.large;
-  double tolerance = !rests ? island.plan.tolerance : large ? kRestByLoad : restTolerance, most = 0;
+  double tolerance = !rests ? island.plan.tolerance : large ? 2e-2 : restTolerance, most = 0;
   for (std::size_t i = 0; i < island.bodies.size(); i++) {
     double load = double(island.loads[i]) / (bodies.mass[island.bodies[i]].mass * kReferenceGravity);
     bool moves = !island.plan.slow && island.speeds[i] > 0.03f;

@@ -10,11 +10,6 @@ namespace brickfall {
 
 namespace {
 
-//! m | too small: points in contact count as open by their rounding | too large: impacts at near points are let through
-constexpr double kOpenGap = 1e-6;
-//! m | too small: cost of bodies that hardly move | too large: slow landings are first order in the time step
-constexpr double kLeastWay = 20e-6;  // in a step, at the speed of an impact: slower ones need no moment of their own
-
 struct Velocity {
   Vec3 linear, angular;
 };
@@ -43,7 +38,7 @@ double closingTime(double gap, double speed, double acceleration, double least) 
 
 // The point carried nothing in the last step, was not hit in this one, and is further apart than a closed point may be.
 bool isOpen(const Contact& c, int i, const StepContext& context) {
-  const float open = float(kOpenGap * scaleOfPair(c, context).length);
+  const float open = float(kNoGap * scaleOfPair(c, context).length);
   return c.points.forceN[i] == 0 && c.points.gap[i] > open && !(c.points.metMask >> i & 1);
 }
 
@@ -51,7 +46,7 @@ bool isOpen(const Contact& c, int i, const StepContext& context) {
 
 double slowestImpact(const Island& island, const StepContext& context) {
   const Scale& scale = island.facts.scale;
-  double unseen = kLeastWay * scale.length / context.dt;
+  double unseen = kNearlyClosed * scale.length / context.dt;
   return island.plan.alone ? unseen : std::max(unseen, context.settings.restingApproachSpeed * scale.speed);
 }
 
@@ -114,7 +109,7 @@ double ContactRows::firstClosing(const Island& island, double dt, const StepCont
     for (int i = 0; i < c.count; i++) {
       if (c.points.forceN[i] > 0) continue;
       double acceleration = (end[i] - start[i]) / dt;
-      double gap = c.points.gap[i] > float(kOpenGap * starts[k].scale.length) ? double(c.points.gap[i]) : 0;
+      double gap = c.points.gap[i] > float(kNoGap * starts[k].scale.length) ? double(c.points.gap[i]) : 0;
       first = std::min(first, closingTime(gap, start[i], acceleration, least));
     }
   }

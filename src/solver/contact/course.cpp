@@ -12,8 +12,6 @@ namespace {
 //! g h | too small: slides and rolls lose half a step of way
 //! | too large: bodies that land or leave get a correction that is not theirs
 constexpr double kSteadyShare = 0.2;  // of g dt: a smaller change of a normal velocity counts as none
-//! m | too small: bricks side by side leave each other's slides short | too large: bodies are moved into each other
-constexpr double kNoWay = 1e-6;  // bodies that come no more than this nearer to each other count as no nearer
 
 // m/s, along the normal: by how much the velocity of point i of a contact, of B against A, changes.
 double changeAtPoint(const FaceRecord& row, int i, const EndChanges& by) {
@@ -50,7 +48,7 @@ bool ContactRows::wouldMeet(std::size_t k, const EndChanges& nearer, const EndCh
   const ContactStart& start = starts[k];
   for (int i = 0; i < start.points; i++) {
     const double by = 0.5 * dt * changeAtPoint(row, i, nearer);
-    if (by <= kNoWay * start.scale.length) continue;
+    if (by <= kNoGap * start.scale.length) continue;
     const double speed = start.approach[i] + changeAtPoint(row, i, change);
     if (start.gap[i] + speed * dt < by) return true;
   }

@@ -11,8 +11,6 @@ namespace brickfall {
 
 namespace {
 
-//! m | too small: points that landed together are hit one by one | too large: near points are hit before they close
-constexpr double kClosedGap = 20e-6;
 //! - | too small: impacts under a load rub too little | too large: friction limits and forces chase each other
 constexpr double kMostImpulse = 2;  // x mass of the heaviest x fastest approach: no point takes more
 
@@ -53,7 +51,7 @@ void ContactRows::startImpact(const Island& island, const StepContext& context, 
     FaceRecord& r = records[k];
     for (int i = 0; i < c.count; i++) {
       double approach = std::max(0.0, -double(starts[k].approach[i]));
-      bool closed = double(c.points.gap[i]) <= std::max(kClosedGap * starts[k].scale.length, approach * blink);
+      bool closed = double(c.points.gap[i]) <= std::max(kNearlyClosed * starts[k].scale.length, approach * blink);
       r.k[i] = float(context.settings.restingStiffness * double(c.effectiveMass) / (island.dt * island.dt));
       r.trialN[i] = closed ? 0 : -kNoForce;
       r.trial1[i] = r.trial2[i] = r.limit[i] = 0;

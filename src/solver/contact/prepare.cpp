@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dynamics/point_matcher.h"
 #include "solver/contact/stiffness.h"
 
 namespace brickfall {
@@ -209,7 +210,7 @@ void ContactRows::prepare(const Island& island, Ties& ties, const StepContext& c
       if (follows || falls) r.newPoints |= 1u << i;
       if (falls) start.falling |= 1u << i;
       float gap = mapNormalOffset(c.points, i, start.approach[i], rules);
-      mapFrictionAnchor(c, i, set.geometry[contactOf[k]], r, kLargestDrift * start.scale.length, bodies);
+      mapFrictionAnchor(c, i, set.geometry[contactOf[k]], r, kSamePlace * start.scale.size, bodies);
       float stiffness = c.points.stiffness[i];
       r.k[i] = stiffness;
       r.trialN[i] = kMultiplierShare * c.points.multiplierN[i] - stiffness * ((gap > 0 ? gap : kCorrect * gap) + bendN);

@@ -15,9 +15,6 @@ namespace brickfall {
 
 namespace {
 
-//! - | too small: points under pressure rebound late | too large: impacts that still go on give back too little
-constexpr float kOverShare = 0.1f;  // of the speed at which an impact began: slower points have been stopped
-
 // Normal ways as if this impact did not act: a body that others support does not fall with the body that lands on it.
 PointForces pointsWithout(const Island& island, const FaceRecord& record, const std::pmr::vector<char>& supported,
                           const StepContext& context) {
@@ -48,7 +45,7 @@ void findSupportedBefore(const Island& island, const StepContext& context, std::
 float impactShare(float approach, float without, float closing, bool over) {
   if (!(approach > 0)) return 0;
   float all = std::max(without, approach);
-  return approach / (over ? std::max(all - closing, (1 - kOverShare) * approach) : all);
+  return approach / (over ? std::max(all - closing, (1 - float(kOver)) * approach) : all);
 }
 
 // Bits of the points of an impact that will rebound.
@@ -88,7 +85,7 @@ bool ContactRows::startRebounds(const Island& island, const StepContext& context
       float approach = std::max(0.0f, -start.approach[i]), closing = -now.way[i] / dt;
       bool wentOn = c.points.impulse[i] > 0;
       float born = wentOn ? c.points.impactSpeed[i] : approach;
-      bool over = closing <= kOverShare * born;
+      bool over = closing <= float(kOver) * born;
       start.taken[i] = impactShare(approach, -without.way[i] / dt, closing, over) * now.n[i] * dt;
       if (!over) continue;
       // Closing speed that is left is stopped, too, as far as it rebounds.

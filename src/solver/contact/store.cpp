@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dynamics/point_matcher.h"
 #include "solver/face/kernel.h"
 #include "solver/island.h"
 
@@ -76,13 +77,9 @@ void placeSlip(Contact& c, int i, bool sliding, float largest) {
   }
 }
 
-//! - | too small: points at the edge of sliding change their last bits for ever
-//! | too large: forces stop short of their end
-constexpr float kSameForce = 1e-6f;  // of the pressing force: a change of less is rounding
-
 bool sameForces(const PointMemory& was, const PointMemory& now, int count) {
   for (int i = 0; i < count; i++) {
-    auto same = [most = kSameForce * now.forceN[i], i](const float(&a)[4], const float(&b)[4]) {
+    auto same = [most = float(kFloatsRound) * now.forceN[i], i](const float(&a)[4], const float(&b)[4]) {
       return std::fabs(a[i] - b[i]) <= most;
     };
     if (!(same(was.forceN, now.forceN) && same(was.force1, now.force1) && same(was.force2, now.force2) &&
@@ -116,7 +113,7 @@ bool ContactRows::store(Island& island, Ties& ties, StepContext& context) {
       records[k].leastN[i] = 0;
       holdForce(c, i, f, context.judgingGravity);
       if (f.n[i] > 0 && !sliding) c.points.stickingMask |= 1u << i;
-      placeSlip(c, i, sliding, float(kLargestDrift * starts[k].scale.length));
+      placeSlip(c, i, sliding, float(kSamePlace * starts[k].scale.size));
     }
     c.touching = touches;
     if (c.touching != touched) ties.contacts.touchingChanged = true;

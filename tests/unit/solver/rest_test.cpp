@@ -179,10 +179,10 @@ template <class Place> int stepsUntilInPlace(OnGround& lab, int most, Place plac
   return -1;
 }
 
-TEST(Rest, InPlaceAfterHalfASecondWithinTwentyFiveMicrometres) {
+TEST(Rest, InPlaceAfterHalfASecondWithinTwentyMicrometres) {
   for (double dt : {1.0 / 64, 1.0 / 128}) {  // exact in binary: sums of steps have no rounding
     OnGround lab({}, 0, dt);
-    int steps = stepsUntilInPlace(lab, 200, [](int n) { return Vec3{n % 2 ? 24e-6 : 0, 0, 0}; });
+    int steps = stepsUntilInPlace(lab, 200, [](int n) { return Vec3{n % 2 ? 19e-6 : 0, 0, 0}; });
     EXPECT_EQ(steps, int(0.5 / dt)) << "not a step sooner";
     storeMotion(lab.island(), lab.context);
     const SolvedMotion& s = lab.context.solved[lab.body];
@@ -193,7 +193,7 @@ TEST(Rest, InPlaceAfterHalfASecondWithinTwentyFiveMicrometres) {
 TEST(Rest, GoingFurtherBeginsTheWatchAnew) {
   constexpr double kStep = 1.0 / 64;
   OnGround once({}, 0, kStep);
-  EXPECT_EQ(stepsUntilInPlace(once, 200, [](int n) { return Vec3{0, n < 20 ? 0 : 26e-6, 0}; }), 19 + 32);
+  EXPECT_EQ(stepsUntilInPlace(once, 200, [](int n) { return Vec3{0, n < 20 ? 0 : 21e-6, 0}; }), 19 + 32);
   OnGround creeps({}, 0, kStep);  // 1 mm/s: 15.6 um a step
   EXPECT_EQ(stepsUntilInPlace(creeps, 500, [](int n) { return Vec3{0, 0, 15.6e-6 * n}; }), -1);
   OnGround starts({}, 0, kStep);  // falls slowly at 2e-5 g: 24.5 um in 0.5 s, then faster
@@ -209,7 +209,7 @@ TEST(Rest, ATurnCountsAtTheOuterRadius) {
   for (double share : {0.9, 1.1}) {
     OnGround lab({}, 0, 1.0 / 64);
     int steps = stepsUntilInPlace(lab, 40, [&](int n) {
-      double turn = n % 2 ? share * 25e-6 / reach : 0;
+      double turn = n % 2 ? share * 20e-6 / reach : 0;
       lab.bodies.setRotation(lab.body, quatFromRotationVector(Vec3{0, turn, 0}));
       return Vec3{};
     });
