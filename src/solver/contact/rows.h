@@ -76,6 +76,10 @@ struct ContactRows {
   bool sticks(std::size_t k, const StepContext& context) const {
     return carriesForce(k, context) && context.contacts->contacts[contactOf[k]].points.stickingMask != 0;
   }
+  // The contact sticks, and nothing rolls on it: it holds one body in its place on the other.
+  bool pins(std::size_t k, const StepContext& context) const {
+    return sticks(k, context) && !context.contacts->contacts[contactOf[k]].rolls;
+  }
   // In the last step the contact carried force that was no impact's, and its bodies do not part.
   bool holds(std::size_t k, const StepContext& context) const;
   // N: the force from A on B in the last step, along the normal, and the friction that this allows.
