@@ -67,10 +67,11 @@ double typicalSize(const Island& island, const BodySet& bodies) {
 // What holds the island to what is fixed or kinematic.
 void findSupport(const Island& island, const StepContext& context, IslandFacts& facts) {
   island.rows.each([&](const auto& kind, std::size_t k) {
+    if (facts.pinned) return;  // in a wall, one of the first rows tells
     const RowEnds ends = kind.ends(k);
     if (ends.a < facts.bodies && ends.b < facts.bodies) return;
     facts.pressed = facts.pressed || kind.carriesForce(k, context);
-    facts.pinned = facts.pinned || kind.pins(k, context);
+    facts.pinned = kind.pins(k, context);
   });
 }
 
