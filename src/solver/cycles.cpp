@@ -20,6 +20,21 @@ float fallShare(const Island& island, std::size_t i, const StepContext& context)
   return most > 0 ? float(std::clamp(had / most, 0.0, 1.0)) : 0;
 }
 
+// The change of velocity of the last step once more, but no more than that of free motion: an impact's is over. Goes on
+// with that what rolls or slides under a constant force: all of it is in balance from the start.
+void goOnAccelerating(const Island& island, std::size_t i, const StepContext& context, SolveMotion& out) {
+  const BodyIndex body = island.bodies[i];
+  const BodyMotion& m = context.bodies->motion[body];
+  const BodyData& data = context.bodies->data[body];
+  const FreeMotion& free = context.free[body];
+  const double most = length(free.d * (1 / island.dt) - free.startVelocity) / island.dt;
+  const double had =
+      length(data.linearAcceleration) + length(data.angularAcceleration) * context.bodies->mass[body].innerRadius;
+  const double time = island.dt * (had > most ? most / had : 1);
+  out.d = toFloat((m.linearVelocity + data.linearAcceleration * time) * island.dt);
+  out.th = toFloat((m.angularVelocity + data.angularAcceleration * time) * island.dt);
+}
+
 // Free motion is the honest start: motion that cycles leave undone then falls. In large islands on the ground each body
 // goes on with as much of its fall as it had. Otherwise a wall or a heap would fall by the undone motion, a little in
 // every step. No brick hangs by this start: each one out of balance by itself is moved until it is in balance. A slow
@@ -34,6 +49,10 @@ void startMotion(Island& island, const StepContext& context) {
     out.d = free.dFree;
     out.th = free.thFree;
     if (island.plan.startsFree) continue;
+    if (island.plan.goesOn) {
+      goOnAccelerating(island, i, context, out);
+      continue;
+    }
     const BodyMotion& m = context.bodies->motion[island.bodies[i]];
     float share = fallShare(island, i, context);
     Vec3f way = toFloat(m.linearVelocity * island.dt), turn = toFloat(m.angularVelocity * island.dt);

@@ -59,6 +59,17 @@ double typicalSize(const Island& island, const BodySet& bodies) {
   return *middle;
 }
 
+// What holds the island to what is fixed or kinematic.
+void findSupport(const Island& island, const StepContext& context, IslandFacts& facts) {
+  island.rows.each([&](const auto& kind, std::size_t k) {
+    if (facts.pinned) return;  // in a wall, one of the first rows tells
+    const RowEnds ends = kind.ends(k);
+    if (ends.a < facts.bodies && ends.b < facts.bodies) return;
+    facts.pressed = facts.pressed || kind.carriesForce(k, context);
+    facts.pinned = kind.pins(k, context);
+  });
+}
+
 }  // namespace
 
 std::span<const PlanRow> planRows() { return kRows; }
@@ -85,6 +96,7 @@ IslandFacts findFacts(const Island& island, const StepContext& context) {
     facts.partnersMove =
         facts.partnersMove || lengthSquared(m.linearVelocity) > 0 || lengthSquared(m.angularVelocity) > 0;
   }
+  if (facts.grounded && facts.fastest > context.settings.restSpeed) findSupport(island, context, facts);
   return facts;
 }
 
@@ -108,6 +120,7 @@ SolvePlan planFor(const IslandFacts& facts, const SolverSettings& settings, doub
   plan.leastMass = row.direct ? kHeavyShare * facts.heaviest : 0;
   plan.large = row.large;
   plan.startsFree = !row.large || !facts.grounded;
+  plan.goesOn = row.large && facts.pressed && !facts.pinned && !plan.slow;
   plan.softDebris = row.large && facts.fastest > kDebrisSpeed;
   plan.tolerance = !row.large  ? kSlowTolerance
                    : plan.slow ? kToRest * settings.cycleTolerance

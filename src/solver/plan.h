@@ -24,12 +24,14 @@ struct IslandFacts {
   std::size_t bodies = 0;
   bool grounded = false;      // touches something fixed or kinematic
   bool partnersMove = false;  // a kinematic partner moves
-  Scale scale;                // of its typical body
-  double fastest = 0;         // m/s at the reference's scale, largest |v| + |w| outer radius of a body
-  double fastestCentre = 0;   // m/s at the reference's scale, largest |v|
-  double heaviest = 0;        // kg
-  double energy = 0;          // J, kinetic
-  double energyBefore = 0;    // J, at the start of the last step
+  // Of islands that may go on (not asked of slow ones): what is fixed or kinematic carries force, and pins a body.
+  bool pressed = false, pinned = false;
+  Scale scale;               // of its typical body
+  double fastest = 0;        // m/s at the reference's scale, largest |v| + |w| outer radius of a body
+  double fastestCentre = 0;  // m/s at the reference's scale, largest |v|
+  double heaviest = 0;       // kg
+  double energy = 0;         // J, kinetic
+  double energyBefore = 0;   // J, at the start of the last step
 };
 
 // One row of the table: the first row that an island fits decides.
@@ -53,6 +55,7 @@ struct SolvePlan {
   bool direct = false;      // see PlanRow
   bool large = false;       // see PlanRow
   bool startsFree = true;   // from free motion; else with as much of its fall as each body had
+  bool goesOn = false;      // large, not slow, supported by what rolls or slides alone: it goes on as it did
   bool softDebris = false;  // contacts of moving bodies in it have impactStiffness
   double calmStiffening = 1;  // x restingStiffness
   double leastMass = 0;       // kg: contacts are as firm as between bodies of this effective mass

@@ -36,6 +36,10 @@ constexpr float kFree = 0.2f;  // of a force's way without contacts: an island t
 //! of the bodies | too small: cost | too large: residuals of a few bodies are left as they are
 constexpr double kManyOut = 0.05;  // more bodies out of balance are worth cycles beyond maxCycles
 
+//! of the way of the last velocities | too small: rounding of forces is taken for their change
+//! | too large: points open and close on the way
+constexpr double kAlongMotion = 0.05;  // so far an island that goes on is moved to find how its forces change
+
 class Relaxation {
  public:
   Relaxation(Island& island, const StepContext& context, SolveStatistics& statistics)
@@ -51,6 +55,7 @@ class Relaxation {
 
   bool run() {
     forces_.readAll();
+    if (island_.plan.goesOn) moveAlong();
     findAllowed();
     bool done = false;
     for (int cycle = 0; goesOn(cycle) && !done; cycle++) {
@@ -194,6 +199,22 @@ class Relaxation {
     for (int k = 0; k < kExactSteps && !balanced(body, goal) && (k == 0 || squareOf(body) > enough); k++) {
       if (!step(level, cluster, exactFactors_[body], island_.residual[body], true)) break;
     }
+  }
+
+  // Where nothing holds an island, its own motion is a way that contacts leave open: a plate rolls on a hundred balls.
+  // No cluster moves so, and on each body alone the force may be under what counts as balance, but all of them together
+  // lag. So the island first moves along its motion to where no force along it is left.
+  void moveAlong() {
+    acceleration_.begin();
+    const double part = kAlongMotion * island_.dt;
+    for (std::size_t i = 0; i < allowed_.size(); i++) {
+      const BodyMotion& m = context_.bodies->motion[island_.bodies[i]];
+      island_.motion[i].d += toFloat(m.linearVelocity * part);
+      island_.motion[i].th += toFloat(m.angularVelocity * part);
+    }
+    forces_.readAgain();
+    acceleration_.end();
+    acceleration_.apply(forces_);
   }
 
   // On smooth ground the island as a whole takes one exact Newton step, which makes its momentum exact. Not where

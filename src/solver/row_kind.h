@@ -53,6 +53,7 @@ concept HoldsBodies = requires(const Kind& seen, std::size_t k, Vec3 direction, 
   { seen.ties(k, context) } -> std::same_as<bool>;
   { seen.carriesForce(k, context) } -> std::same_as<bool>;
   { seen.sticks(k, context) } -> std::same_as<bool>;  // ... and lets its bodies slide nowhere
+  { seen.pins(k, context) } -> std::same_as<bool>;    // ... and lets them roll on each other nowhere
   { seen.holds(k, context) } -> std::same_as<bool>;   // ... that is no impact's, and they do not part
   { seen.grip(k, context) } -> std::same_as<RowGrip>;
   { seen.normal(k) } -> std::same_as<Vec3>;

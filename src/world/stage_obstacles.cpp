@@ -222,8 +222,8 @@ void Obstacles::divert(BodyIndex body, const Group& group, Vec3 way, double turn
   }
 }
 
-// Two of one group are not held: contacts part what is thick, and for what is thin the group ends its turn.
-// Else two that meet go on together for the rest of the step. What flies has the way of both masses: the shift is along the
+// Two of one group are not held: contacts part what is thick, and for what is thin the group ends its turn. Else two
+// that meet go on together for the rest of the step. What flies has the way of both masses: the shift is along the
 // relative velocity, so neither the centre of mass nor a momentum changes. Else the faster follows the slower, and what
 // is far lighter the heavier one.
 void Obstacles::meet(BodyIndex body, const Obstruction& first) {

@@ -69,6 +69,10 @@ struct ContactRows : FaceRows {
   bool sticks(std::size_t k, const StepContext& context) const {
     return carriesForce(k, context) && context.ties->contacts.contacts[contactOf[k]].points.stickingMask != 0;
   }
+  // The contact sticks, and nothing rolls on it: it holds one body in its place on the other.
+  bool pins(std::size_t k, const StepContext& context) const {
+    return sticks(k, context) && !context.ties->contacts.contacts[contactOf[k]].rolls;
+  }
   // After the forces are stored: how they go on, if the velocities of the row's bodies change so in the step.
   RowCourse courseOf(std::size_t k, const EndChanges& change, const StepSpan& span, const StepContext& context) const;
   // At the end of the step an open point is nearer to its partner than `nearer`, over half of the step, would move the

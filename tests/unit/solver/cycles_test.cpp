@@ -110,6 +110,33 @@ TEST(Cycles, BodiesOfALargeIslandStartWithAsMuchOfTheirFallAsTheyHad) {
   }
 }
 
+// Where all that presses on the ground rolls or slides, each body goes on with the whole change of velocity that it had,
+// up to that of free motion.
+TEST(Cycles, BodiesOfAnIslandThatNothingPinsStartWithTheAccelerationThatTheyHad) {
+  for (bool pinned : {false, true}) {
+    TestIsland lab;
+    std::vector<BodyIndex> pile = lab.pile(lab.ground(), 100);
+    const double had[] = {-3, 5, 2 * kG};
+    for (std::size_t i = 0; i < pile.size(); i++) {
+      lab.at(pile[i]).linearVelocity = {0.02, 0, 0};
+      lab.bodies.data[pile[i]].linearAcceleration = {had[i % 3], 0, 0};
+    }
+    lab.prepare();
+    for (Contact& contact : lab.contacts.contacts) {
+      contact.touching = true;
+      contact.points.stickingMask = pinned;
+    }
+    lab.prepare();
+    Island& island = lab.island();
+    ASSERT_EQ(island.plan.goesOn, !pinned);
+    startCycles(island, lab.context);
+    for (std::size_t i = 0; i < pile.size(); i++) {
+      const double acceleration = pinned ? 0 : std::min(had[i % 3], kG), h = lab.context.dt;
+      EXPECT_NEAR(island.motion[i].d.x, 0.02 * h + acceleration * h * h, 1e-7) << i;
+    }
+  }
+}
+
 // One that may be stopped starts from where it is: the motion that it had is forces on its stiff joints.
 TEST(Cycles, ALargeSlowIslandStartsFromWhereItIs) {
   TestIsland lab;
