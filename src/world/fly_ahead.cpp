@@ -18,9 +18,9 @@ constexpr double kFarAhead = 4;
 //! outer radii | too small: bodies meet before their contacts are found | too large: as kFarAhead
 constexpr double kShortOf = 0.1;
 
-class Ahead {
+class FlightAhead {
  public:
-  Ahead(const Registry& registry, const Proximity& proximity, const StepContext& context)
+  FlightAhead(const Registry& registry, const Proximity& proximity, const StepContext& context)
       : registry_(registry), proximity_(proximity), context_(context) {}
 
   // Share of the step that the body may fly: 0 if that is not worth it.
@@ -89,7 +89,7 @@ void fly(BodyIndex body, double dt, BodySet& bodies, StepContext& context) {
 
 void flyAhead(const Island& island, Registry& registry, Proximity& proximity, Ties& ties, StepContext& context,
               StepReport& report) {
-  const Ahead ahead(registry, proximity, context);
+  const FlightAhead ahead(registry, proximity, context);
   bool any = false;
   for (BodyIndex body : island.bodies) any = (context.ahead[body] = ahead.shareOf(body)) > 0 || any;
   if (!any) return;
