@@ -29,13 +29,11 @@ constexpr float kLessened = 0.25f;  // of the residual's square: exact steps in 
 constexpr int kBoundCycles = 2;  // in which the friction limits of new points follow
 //! weights | too small: cost | too large: bodies that are flung about are left unbalanced
 constexpr float kMovingWeights = 2.5f;  // x tolerance: what a faster, lightly loaded body may be left with
-
 //! - | too small: standing islands are thrown out of balance at their foot
 //! | too large: momentum on smooth ground drifts
 constexpr float kFree = 0.2f;  // of a force's way without contacts: an island that a force moves further is free
 //! of the bodies | too small: cost | too large: residuals of a few bodies are left as they are
 constexpr double kManyOut = 0.05;  // more bodies out of balance are worth cycles beyond maxCycles
-
 //! of the way of the last velocities | too small: rounding of forces is taken for their change
 //! | too large: points open and close on the way
 constexpr double kAlongMotion = 0.05;  // so far an island that goes on is moved to find how its forces change
