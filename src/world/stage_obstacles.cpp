@@ -211,14 +211,25 @@ bool Obstacles::goTogether(BodyIndex body, BodyIndex other) const {
   return std::any_of(group.begin(), group.end(), [&](std::uint32_t i) { return island->bodies[i] == other; });
 }
 
-// Adds to the ways of the body's group, and leaves it a share of its turn about its centre of mass.
+// Adds to the ways of the body's group, and leaves it a share of its turn about its centre of mass. Bodies are moved
+// along their velocities against the group's, and the centre of mass stays: so does the angular momentum.
 void Obstacles::divert(BodyIndex body, const Group& group, Vec3 way, double turnShare) {
   const Island* island = islandWith(body);
   if (!island) return shorten(body, 1, turnShare, way, false, context);
-  for (std::uint32_t i : movesWith(*island, body)) {
+  const std::span<const std::uint32_t> members = movesWith(*island, body);
+  auto turned = [&](BodyIndex b) {
+    const Vec3 against = context.solved[b].velocity - group.velocity, own = context.solved[b].d - group.way;
+    const double size2 = lengthSquared(against);
+    return size2 > 0 ? against * (dot(own, against) / size2 * (turnShare - 1)) : Vec3{};
+  };
+  Vec3 mean;
+  if (members.size() > 1 && turnShare < 1)
+    for (std::uint32_t i : members)
+      mean += turned(island->bodies[i]) * (bodies.mass[island->bodies[i]].mass / group.mass);
+  for (std::uint32_t i : members) {
     const BodyIndex b = island->bodies[i];
-    const Vec3 turned = context.solved[b].d - group.way;  // of a body alone: none
-    shorten(b, 1, turnShare, way - turned * (1 - turnShare), false, context);
+    const Vec3 own = members.size() > 1 && turnShare < 1 ? turned(b) - mean : Vec3{};
+    shorten(b, 1, turnShare, way + own, false, context);
   }
 }
 
