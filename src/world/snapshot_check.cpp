@@ -31,6 +31,9 @@ void checkBody(Checks& check, const BodyData& d, const BodyMotion& m) {
                       isFinite(d.lastAngularVelocity) && isFinite(d.linearAcceleration) &&
                       isFinite(d.angularAcceleration) && d.lastKineticEnergy >= 0,
                   "a body's forces or accelerations are not finite");
+  check.condition(inRange(d.steady.linear, kFarthest) && inRange(d.steady.angular, kFarthest) && d.steady.dt >= 0 &&
+                      d.steady.dt <= 1 && d.impactLoss >= 0 && std::isfinite(d.impactLoss),
+                  "what a body remembers of its last step is out of range");
 }
 
 void checkShapeData(Checks& check, const ShapeData& s, const Aabb& b, BodyType type) {

@@ -158,7 +158,7 @@ std::string faultOf(const Manifold& m, const Shape& a, const Shape& b, const Tra
   if (std::fabs(length(m.normal) - 1) > 1e-12) return "normal not unit";
   Transform aInB = inverse(bInA);
   double offsetA = dot(m.normal, m.points[0].onA), offsetB = dot(m.normal, m.points[0].onB);
-  bool planarA = true, planarB = true;
+  bool planar = true;  // each point in the plane through the first, on one of the two shapes
   for (int i = 0; i < m.count; i++) {
     const ManifoldPoint& p = m.points[i];
     if (!isFinite(p.onA) || !isFinite(p.onB)) return "not finite";
@@ -167,12 +167,12 @@ std::string faultOf(const Manifold& m, const Shape& a, const Shape& b, const Tra
     if (double d = outside(a, p.onA); d > tolerance) return "onA is outside a by " + std::to_string(d);
     if (double d = outside(b, transformPoint(aInB, p.onB)); d > tolerance)
       return "onB is outside b by " + std::to_string(d);
-    planarA = planarA && std::fabs(dot(m.normal, p.onA) - offsetA) < 1e-9;
-    planarB = planarB && std::fabs(dot(m.normal, p.onB) - offsetB) < 1e-9;
+    planar = planar &&
+             (std::fabs(dot(m.normal, p.onA) - offsetA) < 1e-9 || std::fabs(dot(m.normal, p.onB) - offsetB) < 1e-9);
     for (int k = 0; k < i; k++)
       if (m.points[k].feature == p.feature) return "two points of one name";
   }
-  if (!planarA && !planarB) return "points are on no plane";
+  if (!planar) return "points are on no plane";
   return "";
 }
 
