@@ -23,14 +23,16 @@ double shareOfPlasticHit(int seed, double dt) {
     return s;
   };
   BodyDef p = bodyOf(shaped(boxOf({kSide / 2, 0.001, kSide / 2}, kDensity)), {});
-  p.rotation = turn(draw.direction(), draw.between(0, 28));
+  const double degrees = draw.between(0, 28);  // one draw a statement: compilers may draw arguments in any order
+  p.rotation = turn(draw.direction(), degrees);
   const BodyId plate = add(world, p);
   const Vec3 aim{draw.between(-.3, .3), 0, draw.between(-.3, .3)};
   const Vec3 way = normalized(Vec3{draw.between(-.3, .3), -1, draw.between(-.3, .3)});
   const double speed = draw.between(200, 400);
   BodyDef b = bodyOf(shaped(sphereOf(kRadius, 7800)), aim - way * (1 + speed * dt * draw.between(0, 3)));
   b.linearVelocity = way * speed;
-  b.angularVelocity = draw.direction() * draw.scale(1, 400);
+  const Vec3 axis = draw.direction();
+  b.angularVelocity = axis * draw.scale(1, 400);
   const BodyId ball = add(world, b);
   const Vec3 normal = rotate(p.rotation, Vec3{0, 1, 0});
   const Vec3 met = aim - way * (dot(aim, normal) / dot(way, normal));
