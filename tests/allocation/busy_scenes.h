@@ -67,12 +67,12 @@ inline BusyScene stirredPile() {
   }
   addRandomBodies(s.world, 80, 0.3, 0.05);
   BodyDef paddle = bodyOf(boxOf({0.7, 0.3, 0.05}), {0, 0.35, 0}, BodyType::kinematic);
-  paddle.angularVelocity = {0, 2, 0};
+  paddle.angularVelocity = {0, 2.1, 0};
   BodyId id = add(s.world, paddle);
   // It rests for a while now and then, so that what it stirred falls asleep and is woken again.
   s.before = [id](World& world, int step) {
     if (step % 300 != 100 && step % 300 != 299) return;
-    EXPECT_TRUE(world.setAngularVelocity(id, {0, step % 300 == 100 ? 0.0 : 2.0, 0}).ok());
+    EXPECT_TRUE(world.setAngularVelocity(id, {0, step % 300 == 100 ? 0.0 : 2.1, 0}).ok());
   };
   return s;
 }
