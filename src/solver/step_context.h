@@ -92,7 +92,7 @@ struct SolvedMotion {
   Vec3 th;                // rad
   Vec3 velocity;          // m/s
   Vec3 angularMomentum;   // kg m2/s
-  double went = 1;        // share of its way that obstacles and frozen arms left it
+  double went = 1;        // share of its way that obstacles left it
   bool freeTurn = true;   // no torque acted: take FreeMotion::rotation
   bool rest = false;      // does not move
   bool flying = false;    // no chain of forces leads to anything fixed or kinematic

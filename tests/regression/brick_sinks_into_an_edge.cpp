@@ -20,9 +20,10 @@ TEST(Regression, BrickSinksIntoAnEdge) {
     World world = awakeWorld();
     const BodyId floor = add(world, bodyOf(boxOf({0.6, 0.06, 0.6}), {0, -0.06, -0.6}, BodyType::fixed));
     BodyDef brick = bodyOf(boxOf({0.1075, 0.0325, 0.05125}, 1700), {0, 0, between(-0.02, 0.03)});
-    const double roll = between(0.2, 0.8) * (n % 2 ? 1 : -1);
-    brick.rotation = quatFromRotationVector({0, between(-0.1, 0.1), 0}) *
-                     quatFromRotationVector({0, 0, between(-0.08, 0.08)}) * quatFromRotationVector({roll, 0, 0});
+    // One draw a statement: compilers may draw operands in any order.
+    const double roll = between(0.2, 0.8) * (n % 2 ? 1 : -1), yaw = between(-0.1, 0.1), tilt = between(-0.08, 0.08);
+    brick.rotation = quatFromRotationVector({0, yaw, 0}) * quatFromRotationVector({0, 0, tilt}) *
+                     quatFromRotationVector({roll, 0, 0});
     brick.angularVelocity = {0, 0, between(-3, 3)};
     const double pressedIn = between(0.01, 0.03);
     auto overlapOf = [&](BodyId body) { return *world.penetration(world.shapes(floor)[0], world.shapes(body)[0]); };
