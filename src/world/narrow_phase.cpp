@@ -18,6 +18,9 @@ namespace {
 constexpr double kReusePosition =
     1e-4;  // a manifold is kept until a point has moved further, or soon will by kLittleWay
 
+//! - | too small: what lands on an edge falls through with the other | too large: points that carry nothing
+constexpr double kWhip = 2;  // times the speed at which an end is hit: what the other end may gain by it
+
 LoadedPoints loadedPoints(const Contact& c) {
   LoadedPoints out;
   for (int i = 0; i < c.count; i++)
@@ -41,17 +44,23 @@ Vec3 anyPerpendicular(Vec3 n) {
   return normalized(std::fabs(n.x) < 0.7 ? cross(n, Vec3{1, 0, 0}) : cross(n, Vec3{0, 1, 0}));
 }
 
-// Points further away than the margin and the approach of the coming step cannot touch: they are left out.
+// Points that cannot touch in the coming step are left out: they are further away than the margin and what they come
+// nearer by their velocity, by a fall from rest, and by the turn that a hit on the nearest point gives.
 void dropFarPoints(Manifold& m, const BodyMotion& a, const BodyMotion& b, const Transform& poseA, double margin,
-                   double dt) {
-  Vec3 n = rotate(poseA.rotation, m.normal);
-  int kept = 0;
+                   Vec3 falls, double dt) {
+  const Vec3 n = rotate(poseA.rotation, m.normal);
+  const double fall = std::fabs(dot(n, falls));  // m/s
+  double speeds[4], hit = 0, nearest = 1e30;     // m/s of approach
   for (int i = 0; i < m.count; i++) {
-    Vec3 onA = transformPoint(poseA, m.points[i].onA), onB = transformPoint(poseA, m.points[i].onB);
-    Vec3 v = b.linearVelocity + cross(b.angularVelocity, onB - b.position) - a.linearVelocity -
-             cross(a.angularVelocity, onA - a.position);
-    if (m.points[i].separation <= margin + std::max(0.0, -dot(n, v)) * dt) m.points[kept++] = m.points[i];
+    const Vec3 onA = transformPoint(poseA, m.points[i].onA), onB = transformPoint(poseA, m.points[i].onB);
+    speeds[i] = -dot(n, b.linearVelocity + cross(b.angularVelocity, onB - b.position) - a.linearVelocity -
+                            cross(a.angularVelocity, onA - a.position));
+    if (m.points[i].separation < nearest) nearest = m.points[i].separation, hit = std::max(0.0, speeds[i]);
   }
+  const double whip = nearest <= margin + (hit + fall) * dt ? kWhip * (hit + fall) : 0;
+  int kept = 0;
+  for (int i = 0; i < m.count; i++)
+    if (m.points[i].separation <= margin + (std::max(0.0, speeds[i]) + whip) * dt) m.points[kept++] = m.points[i];
   m.count = kept;
 }
 
@@ -219,7 +228,8 @@ double NarrowPhase::reachOf(const CandidatePair& pair, const Approach& approach)
     return std::min(0.5, length(bodies_.motion[body].angularVelocity) * dt_) * bodies_.mass[body].outerRadius;
   };
   double spin = turn(pair.bodyA) + turn(pair.bodyB);
-  return marginOf(pair) + length(approach.velocity) * dt_ + (std::isfinite(spin) ? spin : 0.0);
+  const double speed = (1 + kWhip) * length(approach.velocity) + kWhip * length(proximity_.fall);
+  return marginOf(pair) + speed * dt_ + (std::isfinite(spin) ? spin : 0.0);
 }
 
 bool NarrowPhase::mayReuse(const CandidatePair& pair, const Approach& approach) const {
@@ -240,7 +250,7 @@ void NarrowPhase::collidePair(const CandidatePair& pair, const Approach& approac
   if (m.count > 0 && look == Look::ahead && !touches) lookAheadOf(pair, approach, m);
   if (m.count > 0)
     dropFarPoints(m, bodies_.motion[pair.bodyA], bodies_.motion[pair.bodyB], bodies_.pose(pair.bodyA) * a.inCentreFrame,
-                  marginOf(pair), dt_);
+                  marginOf(pair), proximity_.fall, dt_);
 }
 
 void NarrowPhase::lookAheadOf(const CandidatePair& pair, const Approach& approach, Manifold& m) {
@@ -319,7 +329,8 @@ void NarrowPhase::findParts(const CandidatePair& pair, const Approach& approach,
               reachOf(pair, approach), proximity_.meshScratch, found);
   Transform poseA = bodies_.pose(pair.bodyA) * a.inCentreFrame;
   for (int i = 0; i < found.count; i++) {
-    dropFarPoints(found.list[i], bodies_.motion[pair.bodyA], bodies_.motion[pair.bodyB], poseA, marginOf(pair), dt_);
+    dropFarPoints(found.list[i], bodies_.motion[pair.bodyA], bodies_.motion[pair.bodyB], poseA, marginOf(pair),
+                  proximity_.fall, dt_);
     computed_ += found.list[i].count > 0;
   }
 }

@@ -39,10 +39,13 @@ void Proximity::updateSwept(const Registry& registry, ShapeIndex shape, double d
   const BodyMotion& m = registry.bodies.motion[s.body];
   Aabb box = bounds(s.geometry, registry.shapes.worldPose(shape, registry.bodies));
   if (s.geometry.type != ShapeType::plane) {
-    Vec3 move = m.linearVelocity * dt;
+    const Vec3 move = m.linearVelocity * dt;
+    const bool falls = registry.bodies.mass[s.body].invMass > 0;
+    const Vec3 fallen = move + (falls ? fall * (registry.bodies.data[s.body].gravityScale * dt) : Vec3{});
     double turn = std::min(1.0, length(m.angularVelocity) * dt) * registry.bodies.mass[s.body].outerRadius;
     double pad = (hasSize(s) ? marginOf(s, length(m.linearVelocity), dt) : 0) + turn;
-    box = {box.lower + min(move, Vec3{}) - Vec3{pad, pad, pad}, box.upper + max(move, Vec3{}) + Vec3{pad, pad, pad}};
+    box = {box.lower + min(min(move, fallen), Vec3{}) - Vec3{pad, pad, pad},
+           box.upper + max(max(move, fallen), Vec3{}) + Vec3{pad, pad, pad}};
   }
   around[shape].swept = box;
 }

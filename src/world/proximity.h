@@ -28,6 +28,7 @@ class Proximity {
   std::unique_ptr<BroadPhase> broadPhase;  // never null in a world
   double contactMargin = 0;                // m, for bodies that do not move
   std::vector<Surroundings> around;        // by shape
+  Vec3 fall;                               // m/s: what gravity adds to velocities in the coming step
   // Scratch, kept for its memory.
   BroadPhase::Pairs foundPairs;
   std::vector<CandidatePair> newPairs;

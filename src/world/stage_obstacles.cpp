@@ -5,8 +5,8 @@
 // or run over the core of something smaller, the two go on together for the rest of the step. So debris that flies
 // along together never stands still. Before a fixed thing the body stops; what a kinematic body runs into is taken
 // along. What is long and turns is looked at in its own frame, where ways are arcs, in parts of 0.1 rad. A body that
-// contacts would spin too far in one step first has its turn cut, as far as frozen arms are true, and so much of its
-// way as that turn made. Velocities stay: the next step finds the contact and does the rest.
+// contacts would spin too far in one step first has its turn cut. Velocities stay: the next step finds the contact and
+// does the rest.
 #include <algorithm>
 #include <cmath>
 
@@ -66,7 +66,8 @@ struct Obstacles {
   void divert(BodyIndex body, const Group& group, Vec3 way, double turnShare);
   void meet(BodyIndex body, const Obstruction& first);
   void stopAll();
-  void cutTurn(BodyIndex body);
+  double turnLeft(BodyIndex body) const;
+  void cutTurns(const Island& island);
   void takeBack(BodyIndex body);
   void stop(BodyIndex body);
   bool hold(BodyIndex body, bool everything, double thickness);
@@ -74,7 +75,6 @@ struct Obstacles {
   const Island* islandWith(BodyIndex body) const;
   Motion motionOf(BodyIndex body) const;
   std::span<const std::uint32_t> movesWith(const Island& island, BodyIndex body) const;
-  Vec3 pushedAt(BodyIndex body) const;
   void cut(BodyIndex body, double share, double turnShare, Vec3 carried = {});
   bool farHeavier(BodyIndex body, BodyIndex other) const;
   bool isThick(BodyIndex body) const;
@@ -125,29 +125,49 @@ bool Obstacles::isThick(BodyIndex body) const {
   return bodies.mass[body].innerRadius > kThick * bodies.mass[body].outerRadius;
 }
 
-// m, from the centre of mass: the nearest place on the line along which contacts pushed, within the body.
-Vec3 Obstacles::pushedAt(BodyIndex body) const {
+// The share of its turn that a body in contact is left: as far as frozen arms are true, and no less than it turned
+// before.
+double Obstacles::turnLeft(BodyIndex body) const {
   const SolvedMotion& s = context.solved[body];
+  if (s.rest || s.freeTurn || !isFinite(s.d)) return 1;
   const FreeMotion& free = context.free[body];
-  const Vec3 push = (s.velocity - free.d * (1 / free.dt)) * bodies.mass[body].mass;
-  const Vec3 moment = cross(push, s.angularMomentum - free.angularMomentum);  // its part across the push, turned
-  const double size = length(moment), radius = bodies.mass[body].outerRadius, push2 = lengthSquared(push);
-  return size > radius * push2 ? moment * (radius / size) : size > 0 ? moment * (1 / push2) : Vec3{};
+  auto visible = [&](Vec3 th) { return length(visibleTurn(bodies.mass[body], bodies.motion[body].orientation, th)); };
+  const double turn = visible(s.th), had = visible(free.th) * free.seen;
+  const double most = std::min(kLargestTurn, std::max(kMostTurn, had));
+  return turn > most ? most / turn : 1;
 }
 
-// Cuts the turn of a body in contact to the angle for which frozen arms are true, and so much of its way as the turn
-// about the place where it is pushed has made. (A brick that slides and spins slides on.)
-void Obstacles::cutTurn(BodyIndex body) {
-  const SolvedMotion& s = context.solved[body];
-  const Island* island = islandWith(body);
-  if (!island || s.rest || s.freeTurn || !isFinite(s.d)) return;
-  const double turn = length(visibleTurn(bodies.mass[body], bodies.motion[body].orientation, s.th));
-  if (!(turn > kLargestTurn)) return;
-  const double share = kLargestTurn / turn;
-  if (s.flying) return divert(body, groupOf(body), {}, share);
-  const Vec3 ofTurn = cross(pushedAt(body), s.th);
-  const double size2 = lengthSquared(ofTurn), made = size2 > 0 ? std::clamp(dot(s.d, ofTurn) / size2, 0.0, 1.0) : 0;
-  shorten(body, 1, share, ofTurn * (made * (share - 1)), false, context);
+// Cuts turns that contacts made too large, and of the ways what keeps the contacts' points as far apart as they were
+// solved: a brick that slides and spins slides on. Of a group that flies, what turned about its centre of mass.
+void Obstacles::cutTurns(const Island& island) {
+  struct Cut {
+    double share = 1;  // of the turn
+    Vec3 less, way;    // rad that it turns less; m that this adds to its way
+  };
+  const std::size_t count = island.bodies.size();
+  std::pmr::vector<Cut> cuts(context.memory);  // by body, if there is any
+  for (std::size_t i = 0; i < count; i++) {
+    const BodyIndex body = island.bodies[i];
+    const double share = turnLeft(body);
+    if (share == 1) continue;
+    if (context.solved[body].flying) {
+      divert(body, groupOf(body), {}, share);
+      continue;
+    }
+    cuts.resize(count);
+    cuts[i] = {share, context.solved[body].th * (1 - share), {}};
+  }
+  if (cuts.empty()) return;
+  for (int sweep = 0; sweep < 3; sweep++)  // a body has few contacts
+    island.rows.each([&](const auto& kind, std::size_t k) {
+      const RowEnds ends = kind.ends(k);
+      for (const bool ofB : {false, true}) {
+        const std::uint32_t i = ofB ? ends.b : ends.a;
+        if (i < count && cuts[i].share < 1) kind.keepApart(k, ofB, cuts[i].less, island.motion.data(), cuts[i].way);
+      }
+    });
+  for (std::size_t i = 0; i < count; i++)
+    if (cuts[i].share < 1) shorten(island.bodies[i], 1, cuts[i].share, cuts[i].way, false, context);
 }
 
 // The share of the step that the body flew before it was solved.
@@ -281,7 +301,8 @@ void Obstacles::stopAll() {
         for (BodyIndex body : island->bodies) (this->*act)(body);
     for (BodyIndex body : islands.single) (this->*act)(body);
   };
-  each(&Obstacles::cutTurn);
+  for (const IslandPointer& island : islands.awake)
+    if (!island->resting()) cutTurns(*island);
   each(&Obstacles::takeBack);
   for (int look = 0; look < kLooks; look++) {
     changed = false;

@@ -9,15 +9,17 @@
 
 namespace brickfall {
 
-void findPairs(const Registry& registry, const Activity& activity, double dt, Proximity& proximity, Ties& ties) {
+void findPairs(const Registry& registry, const Activity& activity, const StepContext& context, Proximity& proximity,
+               Ties& ties) {
   const BodySet& bodies = registry.bodies;
   const ShapeSet& shapes = registry.shapes;
+  proximity.fall = context.gravity * context.dt;
   proximity.following.clear();
   for (const auto* list : {&activity.awake, &activity.moving})
     for (BodyIndex body : *list) {
       if (bodies.still[body]) continue;
       for (ShapeIndex shape : bodies.shapes[body]) {
-        proximity.updateSwept(registry, shape, dt);
+        proximity.updateSwept(registry, shape, context.dt);
         proximity.follow(registry, shape);
       }
     }

@@ -22,7 +22,7 @@ struct IslandSet;
 struct SolveState;
 struct StepContext;
 
-void findPairs(const Registry&, const Activity&, double dt, Proximity&, Ties&);
+void findPairs(const Registry&, const Activity&, const StepContext&, Proximity&, Ties&);
 void hashPairs(const Registry&, const Activity&, const Proximity&, HashItems&);
 
 void updateContacts(const Registry&, const Activity&, const StepContext&, Proximity&, Ties&, StepReport&, Upkeep&);

@@ -23,7 +23,7 @@ std::span<const World::Impl::StageRow> World::Impl::stageRows() {
   using W = Impl;
   using H = HashItems;
   static constexpr StageRow kRows[] = {
-      {Stage::pairs, [](W& w) { findPairs(w.registry, w.activity, w.solve.context.dt, w.proximity, w.ties); },
+      {Stage::pairs, [](W& w) { findPairs(w.registry, w.activity, w.solve.context, w.proximity, w.ties); },
        [](const W& w, H& out) { hashPairs(w.registry, w.activity, w.proximity, out); }},
 
       {Stage::contacts,

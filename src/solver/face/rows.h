@@ -21,6 +21,17 @@ struct FaceRows {
   void read(std::size_t k, std::size_t count, const SolveMotion* motion, Reading* out) const {
     readFaces(records.data() + k, count, motion, out);
   }
+  // J: the most that the face's law gives in a step, by whatever way: that of a spring which is released halfway.
+  double held(std::size_t k) const {
+    const FaceRecord& r = records[k];
+    double sum = 0;
+    for (int i = 0; i < 4; i++) {
+      if (!(r.k[i] > 0)) continue;
+      const double n = r.leastN[i] < 0 ? r.trialN[i] : std::max(0.0f, r.trialN[i]);
+      sum += (n * n + double(r.trial1[i]) * r.trial1[i] + double(r.trial2[i]) * r.trial2[i]) / (4 * double(r.k[i]));
+    }
+    return sum;
+  }
   // Sums the rows of this kind on a cluster's boundary.
   void sumBoundary(const Boundary& boundary, BoundarySums& sums) const { sumFaces(boundary, records.data(), sums); }
   Reaction react(std::size_t k, const SolveMotion* motion) const {

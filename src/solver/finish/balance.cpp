@@ -15,6 +15,9 @@ namespace {
 //! - | too small: rounding of the float solve is taken for a gain | too large: energy may creep up
 constexpr double kSlack = 1e-7;  // of the energy that moves: rounding of the float solve
 
+//! - | too small: groups that fall from rest hang for a step | too large: groups that fly gain as much
+constexpr double kUnsound = 1e-4;  // of the energy that moves: an excess that no rounding makes
+
 //! m/s | too small: columns that lean under a great load fall
 //! | too large: bodies that rock in a small island are braked
 constexpr double kSwaySpeed = 0.1;
@@ -57,7 +60,8 @@ struct GroupEnergy {
     return end - start - outside - std::min(lent, std::max(0.0, rebounds.work));
   }
   double fromTies(const Rebounds& rebounds) const { return std::max(0.0, ties - std::max(0.0, rebounds.work)); }
-  double slack() const { return kSlack * (start + end + moved); }
+  double all() const { return start + end + moved; }
+  double slack() const { return kSlack * all(); }
 };
 // Energies in a frame that moves at `frame` (m/s) with the body that the group presses on. Otherwise the work of a body
 // that slides on a belt is lost in the rounding of the belt's work.
@@ -138,39 +142,58 @@ RigidMotion motionOf(const Island& island, std::uint32_t partner, const StepCont
   return {m.position, m.linearVelocity, m.angularVelocity};
 }
 
+// Energy of a group as a function of the share x that is left of its motion against a rigid motion:
+// rigid + cross x + relative x^2.
+struct RelativeEnergy {
+  double relative = 0, cross = 0;  // J
+  double all() const { return relative + cross; }
+};
+
+// The velocity and the angular momentum that the body would have in a rigid motion, at the end of the step.
+std::pair<Vec3, Vec3> inRigidMotion(BodyIndex body, const RigidMotion& rigid, const StepContext& context) {
+  return {rigid.at(context.bodies->motion[body].position + context.solved[body].d),
+          inertiaAtEnd(context, body) * rigid.spin};
+}
+
+RelativeEnergy energyAgainst(const Island& island, Bodies group, const RigidMotion& rigid, Vec3 frame,
+                             const StepContext& context) {
+  RelativeEnergy out;
+  for (std::uint32_t i : group) {
+    const BodyIndex body = island.bodies[i];
+    const SolvedMotion& s = context.solved[body];
+    const auto [v, l] = inRigidMotion(body, rigid, context);
+    const Vec3 dv = s.velocity - v, dl = s.angularMomentum - l;
+    const double m = context.bodies->mass[body].mass;
+    out.relative += 0.5 * m * lengthSquared(dv) + 0.5 * dot(dl, spinAtEnd(body, dl, context));
+    out.cross += m * dot(v - frame, dv) + dot(rigid.spin, dl);
+  }
+  return out;
+}
+
 // Takes `excess` (J) from the motion of the bodies against a rigid motion. A group that flies is taken against its own
 // rigid motion: linear and angular momentum are kept. Returns the rest of the excess, if the bodies had no more to
 // give.
 double takeRelative(const Island& island, Bodies group, const RigidMotion& rigid, Vec3 frame, StepContext& context,
                     double excess) {
-  // Energy as a function of the kept share of the relative motion: rigid + cross share + relative share^2.
-  double relative = 0, cross = 0;
-  auto parts = [&](BodyIndex body) {
-    const SolvedMotion& s = context.solved[body];
-    const Vec3 v = rigid.at(context.bodies->motion[body].position + s.d);
-    const Vec3 l = inertiaAtEnd(context, body) * rigid.spin;
-    return std::pair{v, l};
-  };
-  for (std::uint32_t i : group) {
-    const BodyIndex body = island.bodies[i];
-    const SolvedMotion& s = context.solved[body];
-    const auto [v, l] = parts(body);
-    const Vec3 dv = s.velocity - v, dl = s.angularMomentum - l;
-    const double m = context.bodies->mass[body].mass;
-    relative += 0.5 * m * lengthSquared(dv) + 0.5 * dot(dl, spinAtEnd(body, dl, context));
-    cross += m * dot(v - frame, dv) + dot(rigid.spin, dl);
-  }
+  const auto [relative, cross] = energyAgainst(island, group, rigid, frame, context);
   if (!(relative > 0)) return excess;
   // relative (1 - x^2) + cross (1 - x) = excess; if no x fits, x = 0 takes most.
-  const double had = relative + cross, root = cross * cross + 4 * relative * (had - excess);
+  const double root = cross * cross + 4 * relative * (relative + cross - excess);
   const double kept = root > 0 ? std::clamp((-cross + std::sqrt(root)) / (2 * relative), 0.0, 1.0) : 0;
   for (std::uint32_t i : group) {
     const BodyIndex body = island.bodies[i];
     const SolvedMotion& s = context.solved[body];
-    const auto [v, l] = parts(body);
+    const auto [v, l] = inRigidMotion(body, rigid, context);
     accelerate(body, (v - s.velocity) * (1 - kept), (l - s.angularMomentum) * (1 - kept), context);
   }
   return excess - relative * (1 - kept * kept) - cross * (1 - kept);
+}
+
+// Not all that the bodies have makes up for an excess: then their ways are wrong, too. They are left a share of them,
+// in a frame that moves at `frame`. That changes no momentum.
+void goLess(const Island& island, Bodies group, double share, Vec3 frame, StepContext& context) {
+  for (std::uint32_t i : group)
+    shorten(island.bodies[i], share, share, frame * ((1 - share) * island.dt), false, context);
 }
 
 // Energy that compressed contacts give back is no error, but it keeps standing columns swaying. While no body of a
@@ -243,22 +266,43 @@ class LastCheck {
       dampSway(island_, context_, excess);
       return 0;
     }
-    excess -= energy.fromTies(rebounds);
+    const double fromTies = energy.fromTies(rebounds);
+    excess -= driven ? fromTies : std::min(fromTies, heldBy(g));
     if (!(excess > energy.slack())) return 0;
     // First from the motion of its bodies against each other: their common momentum is theirs to keep on smooth ground.
     double left = takeRelative(island_, group, motionOf(island_, group, context_), under.move, context_, excess);
     if (left > energy.slack()) left = takeRelative(island_, group, under, under.move, context_, left);
+    if (left > energy.slack() && -energy.outside > left)
+      goLess(island_, group, 1 + left / energy.outside, under.move, context_);
     return excess - left;
+  }
+
+  // J: the most that the group's ties can give against partners at rest. In a solve that failed they do more.
+  double heldBy(std::size_t g) const {
+    const std::size_t count = island_.bodies.size();
+    double sum = 0;
+    island_.rows.each([&](const auto& kind, std::size_t k) {
+      const RowEnds ends = kind.ends(k);
+      if (island_.groups.groupOf(ends.a < count ? ends.a : ends.b) == g) sum += kind.held(k);
+    });
+    return sum;
   }
 
   // For a group that flies: any gain went into its own motion. Energy that compression took in one step and gives back
   // in the next counts as a gain, too, unless a rebound gives it.
   double checkFlying(std::size_t g, const Rebounds& rebounds) {
     const Bodies group = island_.groups.bodies(g);
-    const GroupEnergy energy = energyOf(island_, group, {}, context_);
+    GroupEnergy energy = energyOf(island_, group, {}, context_);
+    if (!(energy.gain(rebounds) > energy.slack())) return 0;
+    RigidMotion rigid = motionOf(island_, group, context_);
+    if (energyAgainst(island_, group, rigid, {}, context_).all() < energy.gain(rebounds) - kUnsound * energy.all()) {
+      goLess(island_, group, 0, {}, context_);
+      energy = energyOf(island_, group, {}, context_);
+      rigid = motionOf(island_, group, context_);
+    }
     const double excess = energy.gain(rebounds);
     if (!(excess > energy.slack())) return 0;
-    return excess - takeRelative(island_, group, motionOf(island_, group, context_), {}, context_, excess);
+    return excess - takeRelative(island_, group, rigid, {}, context_, excess);
   }
 
   // While impacts go on, all that the group has lost since they began may come back.

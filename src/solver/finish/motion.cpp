@@ -92,7 +92,10 @@ Quat rotationAtEnd(BodyIndex body, const StepContext& context) {
   if (s.freeTurn) return free.rotation;
   const bool faster = free.turnsFaster;
   const Vec3 turn = faster ? s.th - free.th * (free.turnTime / (free.dt * free.seen)) : s.th;
-  return normalized(quatFromRotationVector(turn) * (faster ? free.rotation : context.bodies->motion[body].rotation));
+  const Quat from = faster ? free.rotation : context.bodies->motion[body].rotation;
+  // The spin about an axis of symmetry goes with the axis: it does not tilt it on the arc of both.
+  const Vec3 visible = visibleTurn(context.bodies->mass[body], toMatrix(from), turn);
+  return normalized(quatFromRotationVector(visible) * (quatFromRotationVector(turn - visible) * from));
 }
 
 Vec3 spinAtEnd(BodyIndex body, Vec3 angularMomentum, const StepContext& context) {
