@@ -150,10 +150,6 @@ void Obstacles::cutTurns(const Island& island) {
     const BodyIndex body = island.bodies[i];
     const double share = turnLeft(body);
     if (share == 1) continue;
-    if (context.solved[body].flying) {
-      divert(body, groupOf(body), {}, share);
-      continue;
-    }
     cuts.resize(count);
     cuts[i] = {share, context.solved[body].th * (1 - share), {}};
   }
@@ -166,8 +162,14 @@ void Obstacles::cutTurns(const Island& island) {
         if (i < count && cuts[i].share < 1) kind.keepApart(k, ofB, cuts[i].less, island.motion.data(), cuts[i].way);
       }
     });
-  for (std::size_t i = 0; i < count; i++)
-    if (cuts[i].share < 1) shorten(island.bodies[i], 1, cuts[i].share, cuts[i].way, false, context);
+  for (std::size_t i = 0; i < count; i++) {
+    const BodyIndex body = island.bodies[i];
+    if (!(cuts[i].share < 1)) continue;
+    if (context.solved[body].flying && cuts[i].way != Vec3{})
+      divert(body, groupOf(body), {}, cuts[i].share);
+    else
+      shorten(body, 1, cuts[i].share, cuts[i].way, false, context);
+  }
 }
 
 // The share of the step that the body flew before it was solved.
