@@ -60,7 +60,7 @@ struct GroupEnergy {
     return end - start - outside - std::min(lent, std::max(0.0, rebounds.work));
   }
   double fromTies(const Rebounds& rebounds) const { return std::max(0.0, ties - std::max(0.0, rebounds.work)); }
-  double all() const { return start + end + moved; }
+  double all() const { return start + moved; }  // the end of a step that failed is no measure
   double slack() const { return kSlack * all(); }
 };
 // Energies in a frame that moves at `frame` (m/s) with the body that the group presses on. Otherwise the work of a body
