@@ -3,6 +3,7 @@
 
 #include "brickfall/geometry/mesh_tree.h"
 #include "geometry/core.h"
+#include "geometry/frustum.h"
 #include "narrowphase/hull_view.h"
 
 namespace brickfall {
@@ -19,6 +20,9 @@ void collectPoints(const MeshTree& tree, const Shape& shape, const Transform& po
     for (std::uint32_t f : scratch.faces)
       collideFaceRound(MeshFace(tree.mesh(), f), pose.position - tip, pose.position + tip, shape.radius, margin,
                        scratch.points);
+  } else if (isFrustum(shape.type)) {
+    for (std::uint32_t f : scratch.faces)
+      collideFaceFrustum(MeshFace(tree.mesh(), f), shape, pose, margin, scratch.triangle, scratch.points);
   } else {
     HullStorage storage;
     HullView hull = viewOf(shape, pose, storage);

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "geometry/hull.h"
 #include "geometry/shape.h"
 #include "narrowphase/manifold.h"
 #include "narrowphase/mesh_face.h"
@@ -19,6 +20,7 @@ constexpr int kMaxMeshManifolds = 8;
 struct MeshScratch {
   std::vector<std::uint32_t> faces;
   std::vector<MeshContactPoint> points;
+  Hull triangle;  // of cylinders and cones
 };
 
 struct MeshManifolds {
@@ -40,6 +42,9 @@ void collideFaceRound(const MeshFace& face, Vec3 start, Vec3 end, double radius,
                       std::vector<MeshContactPoint>& out);
 struct HullView;
 void collideFaceHull(const MeshFace& face, const HullView& hull, double margin, std::vector<MeshContactPoint>& out);
+// A cylinder or cone.
+void collideFaceFrustum(const MeshFace& face, const Shape& shape, const Transform& pose, double margin, Hull& triangle,
+                        std::vector<MeshContactPoint>& out);
 
 // Sorts points into manifolds of up to four points by their normals. Frame and sides as the points have them.
 void gatherPoints(std::vector<MeshContactPoint>& points, double size, MeshManifolds& out);

@@ -83,10 +83,12 @@ void fill(Manifold& m, Vec3 normal, const MeshContactPoint* points, int count, d
   picker.pick(1e30);
   m.normal = normal;
   m.count = 0;
+  m.rolls = false;
   for (int k = 0; k < picker.chosenCount; k++) {
     const MeshContactPoint& p = points[picker.chosen[k]];
     // Along the common normal.
     double separation = dot(normal, p.onShape - p.onMesh);
+    m.rolls = m.rolls || p.wanders;
     m.points[m.count++] = {p.onMesh, p.onMesh + normal * separation, separation, p.feature};
   }
 }

@@ -30,7 +30,8 @@ void addShape(std::vector<KeySpec>& keys, const char* table) {
   keys.push_back({table, "shape", K::choice, "", 0, 0, "\"box\"", kShapeChoices, "form"});
   keys.push_back({table, "size", K::positive, "m", kSmall, kLarge, "[1, 1, 1]", "", "box: whole lengths along x, y, z"});
   keys.push_back({table, "radius", K::number, "m", kSmall, kLarge, "0.5", "", "sphere and capsule"});
-  keys.push_back({table, "height", K::number, "m", kSmall, kLarge, "1", "", "capsule: between the centres of its caps, along y"});
+  keys.push_back({table, "height", K::number, "m", kSmall, kLarge, "1", "", "along y: of a cylinder or cone; of a capsule between the centres of its caps"});
+  keys.push_back({table, "top_radius", K::number, "m", 0, kLarge, "0", "", "cone: at its top; 0 is a point"});
   keys.push_back({table, "vertices", K::points, "m", -kLarge, kLarge, "-", "", "hull: 4 .. 64 points that span a volume"});
   keys.push_back({table, "file", K::text, "", 1, 1000, "-", "", "mesh: an .obj, .gltf or .glb file, relative to the scene file"});
   keys.push_back({table, "scale", K::positive, "", 1e-6, 1e6, "-", "", "mesh: factors along x, y, z; default 1"});

@@ -367,7 +367,7 @@ void NarrowPhase::makeContact(CandidatePair& pair, const Manifold& m, const Tran
   c.bodyA = pair.bodyA;
   c.bodyB = pair.bodyB;
   c.count = m.count;
-  c.rolls = isRound(a.geometry.type) || isRound(b.geometry.type);
+  c.rolls = isRound(a.geometry.type) || isRound(b.geometry.type) || m.rolls;
   c.partial = m.partial;
   takeConstants(c, shapes_, bodies_);
   c.born = old.born;
