@@ -33,13 +33,16 @@ void collectPoints(const MeshTree& tree, const Shape& shape, const Transform& po
 }  // namespace
 
 void collideMesh(const Shape& a, const Shape& b, const Transform& bInA, double margin, MeshScratch& scratch,
-                 MeshManifolds& out) {
+                 MeshManifolds& out, std::span<const std::uint32_t> loaded) {
   out.count = 0;
   bool meshFirst = a.type == ShapeType::mesh;
   const Shape &mesh = meshFirst ? a : b, &shape = meshFirst ? b : a;
   if (shape.type == ShapeType::mesh || shape.type == ShapeType::plane) return;
   collectPoints(*mesh.mesh, shape, meshFirst ? bInA : inverse(bInA), margin, scratch);
-  gatherPoints(scratch.points, innerRadius(shape), out);
+  if (isFrustum(shape.type))
+    gatherCapPoints(scratch.points, innerRadius(shape), loaded, out);
+  else
+    gatherPoints(scratch.points, innerRadius(shape), out);
   if (meshFirst) return;
   // Found in the frame of b, from b to a: as seen from a.
   Mat3 turn = toMatrix(bInA.rotation);

@@ -5,6 +5,7 @@
 // face feel it. What is further behind moves freely.
 #pragma once
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "geometry/hull.h"
@@ -32,9 +33,10 @@ inline bool isMeshPair(const Shape& a, const Shape& b) {
   return a.type == ShapeType::mesh || b.type == ShapeType::mesh;
 }
 
-// As collide() in collide.h; exactly one of the two is a mesh. Two meshes or a mesh and a plane: nothing.
+// As collide() in collide.h; exactly one of the two is a mesh. Two meshes or a mesh and a plane: nothing. `loaded`: of all
+// manifolds of the pair; only a cylinder or cone, whose cap has more points than others, asks for it.
 void collideMesh(const Shape& a, const Shape& b, const Transform& bInA, double margin, MeshScratch& scratch,
-                 MeshManifolds& out);
+                 MeshManifolds& out, std::span<const std::uint32_t> loaded = {});
 
 // Points of one face, in the frame of the mesh, nearer than `margin`.
 // A ball of `radius` around the segment from `start` to `end` (a sphere: both the same).
@@ -48,5 +50,8 @@ void collideFaceFrustum(const MeshFace& face, const Shape& shape, const Transfor
 
 // Sorts points into manifolds of up to four points by their normals. Frame and sides as the points have them.
 void gatherPoints(std::vector<MeshContactPoint>& points, double size, MeshManifolds& out);
+// Likewise, for a cap: of the outermost points those that carry already are kept, and what it would tip onto.
+void gatherCapPoints(std::vector<MeshContactPoint>& points, double size, std::span<const std::uint32_t> loaded,
+                     MeshManifolds& out);
 
 }  // namespace brickfall
