@@ -12,6 +12,9 @@ constexpr int kRimPoints = 32;
 constexpr double kFlushCap = 0.02;  // sine of the tilt up to which a cap stands on fixed points of its rim
 constexpr double kAcross = 0.0632;  // sine of 3.6 degrees: a line lies across a direction
 
+// A quarter of a right angle: as far from the lowest point are those that a coin may come down on within the step.
+constexpr double kCosineBeside = 0.92387953251128675613, kSineBeside = 0.38268343236508977173;
+
 // Numbers of corners: 0 .. 63 fixed points of the two rims, then those that wander.
 constexpr int kLowestOnRim = 2 * kRimPoints, kEndOfSide = kLowestOnRim + 8;
 
@@ -65,12 +68,13 @@ struct FrustumOutline {
     out.normal = turn.column(1) * (end == 1 ? 1.0 : -1.0);
     out.wanders = !(across < kFlushCap);
     const Vec3 beside{towards.z, 0, -towards.x};  // a quarter turn counter-clockwise
-    const Vec3 square[4] = {towards, beside, -towards, -beside};
+    const Vec3 lowest[4] = {towards, towards * kCosineBeside + beside * kSineBeside, -towards,
+                            towards * kCosineBeside - beside * kSineBeside};
     const int count = out.wanders ? 4 : kRimPoints;
     for (int i = 0; i < count; i++) {
       const int k = end == 1 ? i : count - 1 - i;
       if (out.wanders)
-        out.add(place(square[k], end), names | std::uint32_t(kLowestOnRim + 4 * end + k));
+        out.add(place(lowest[k], end), names | std::uint32_t(kLowestOnRim + 4 * end + k));
       else
         out.add(place(rimDirection(k), end), names | std::uint32_t(kRimPoints * end + k));
     }
