@@ -56,7 +56,7 @@ class AxisSearch {
       const DistanceResult now = shapeDistance(a_, b_, {pose_.position + shift, pose_.rotation});
       out.onA = now.onA, out.onB = now.onB - shift;
       if (!(now.distance > clear_ + kUphill * clear_ + 1e-14 * size_)) break;
-      const Vec3 next = (now.onB - now.onA) * (1 / now.distance);
+      const Vec3 next = normalized(now.onB - now.onA);
       const double found = along(next);
       if (!(found > out.separation)) break;
       out.normal = next, out.separation = found;
@@ -142,7 +142,7 @@ std::optional<TouchAxis> findTouchAxis(const Shape& a, const Shape& b, const Tra
   if (apart.distance - radiusA - radiusB > margin) return {};
   TouchAxis axis;
   if (apart.distance > search.clear()) {
-    axis = {(apart.onB - apart.onA) * (1 / apart.distance), apart.distance, apart.onA, apart.onB};
+    axis = {normalized(apart.onB - apart.onA), apart.distance, apart.onA, apart.onB};
   } else {
     axis = search.climb(search.best());
   }
