@@ -29,7 +29,8 @@ double topOf(const ShapeDef& shape, const Transform& body, Vec3 up) {
     case ShapeType::cone: {
       const double across = std::sqrt(upLocal.x * upLocal.x + upLocal.z * upLocal.z);
       const double top = shape.type == ShapeType::cone ? shape.topRadius : shape.radius;
-      return centre + std::max(upLocal.y * shape.halfHeight + across * top, across * shape.radius - upLocal.y * shape.halfHeight);
+      return centre + std::max(upLocal.y * shape.halfHeight + across * top,
+                               across * shape.radius - upLocal.y * shape.halfHeight);
     }
     case ShapeType::box:
       return centre + dot(abs(upLocal), shape.halfExtents);

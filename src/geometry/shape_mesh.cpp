@@ -67,7 +67,8 @@ ShapeMesh turnedMesh(double low, double high, double half, RoundDetail detail) {
   for (int row = 0; row < 2; row++) {
     for (int k = 0; k <= sectors; k++) {
       const Vec3 out = around(k), normal = (out * rise + Vec3{0, inward, 0}) * (1 / slant);
-      addVertex(mesh, out * (row == 0 ? high : low) + Vec3{0, row == 0 ? half : -half, 0}, normal, double(k) / sectors, row);
+      addVertex(mesh, out * (row == 0 ? high : low) + Vec3{0, row == 0 ? half : -half, 0}, normal, double(k) / sectors,
+                row);
     }
   }
   for (std::uint32_t a = 0; a < std::uint32_t(sectors); a++) {

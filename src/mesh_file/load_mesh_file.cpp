@@ -35,7 +35,8 @@ Result<MeshFileData> loadMeshFile(const std::string& path) {
                  [](char c) { return c >= 'A' && c <= 'Z' ? char(c + 32) : c; });
   bool obj = ending == ".obj", heights = ending == ".csv";
   if (!obj && !heights && ending != ".gltf" && ending != ".glb")
-    return Error{ErrorCode::badFormat, path + ": found the ending \"" + ending + "\", expected .obj, .gltf, .glb or .csv"};
+    return Error{ErrorCode::badFormat,
+                 path + ": found the ending \"" + ending + "\", expected .obj, .gltf, .glb or .csv"};
   Result<std::vector<std::byte>> bytes = readWhole(path);
   if (!bytes) return bytes.error();
   const std::string_view text{reinterpret_cast<const char*>(bytes->data()), bytes->size()};

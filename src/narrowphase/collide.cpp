@@ -16,7 +16,8 @@ void few(const Shape& a, const Shape& b, const Transform& bInA, double margin, c
 
 // The order in which a pair's function takes its arguments. Two planes have none.
 constexpr int kRanks = 6;
-static_assert(kRanks == kShapeTypeCount - 2, "a new shape needs a row and a column in kPairs; meshes have none, cones a cylinder's");
+static_assert(kRanks == kShapeTypeCount - 2,
+              "a new shape needs a row and a column in kPairs; meshes have none, cones a cylinder's");
 int rank(ShapeType type) {
   switch (type) {
     case ShapeType::plane:

@@ -30,7 +30,8 @@ struct FrustumPair {
 
   // What one shows over a face of the other. False: it says something else than the axis.
   bool faceContact(const Outline& flush, bool refIsA, Manifold& out) const {
-    const Outline ref = refIsA ? outlineOf(a, {}, flush.normal, cornerOfA(0)) : outlineOf(b, bInA, flush.normal, cornerOfB(0));
+    const Outline ref =
+        refIsA ? outlineOf(a, {}, flush.normal, cornerOfA(0)) : outlineOf(b, bInA, flush.normal, cornerOfB(0));
     const Vec3 normal = ref.normal;
     Outline over = refIsA ? outlineOf(b, bInA, -normal, cornerOfB(0)) : outlineOf(a, {}, -normal, cornerOfA(0));
     const ContactTolerances tolerances = contactTolerances(smaller);
@@ -63,7 +64,8 @@ struct FrustumPair {
     const Outline one = lineOf(a, {}, axis.normal, cornerOfA(0)), other = lineOf(b, bInA, -axis.normal, cornerOfB(0));
     if (one.count < 2 || other.count < 2) return false;
     const Vec3 p = one.corner[0].p, along = one.corner[1].p - p, q = other.corner[0].p, beside = other.corner[1].p - q;
-    const double squared = lengthSquared(along), pace = dot(along, beside) / squared, start = dot(along, q - p) / squared;
+    const double squared = lengthSquared(along), pace = dot(along, beside) / squared,
+                 start = dot(along, q - p) / squared;
     const double from = std::max(0.0, std::min(start, start + pace)), to = std::min(1.0, std::max(start, start + pace));
     const double stretch = (to - from) * std::sqrt(squared);
     const double sine = length(cross(along, beside)) / std::sqrt(squared * lengthSquared(beside));
@@ -77,7 +79,8 @@ struct FrustumPair {
       const double separation = dot(axis.normal, onOther - onOne) - radii;
       least = std::min(least, separation);
       const Vec3 onA = onOne + axis.normal * one.radius;
-      if (separation <= margin) out.points[out.count++] = {onA, onA + axis.normal * separation, separation, roundPoint(end)};
+      if (separation <= margin)
+        out.points[out.count++] = {onA, onA + axis.normal * separation, separation, roundPoint(end)};
     }
     out.normal = axis.normal;
     out.rolls = true;
@@ -108,7 +111,8 @@ void collidePlaneFrustum(const Shape&, const Shape& shape, const Transform& bInA
   }
 }
 
-void collideSphereFrustum(const Shape& sphere, const Shape& shape, const Transform& bInA, double margin, Manifold& out) {
+void collideSphereFrustum(const Shape& sphere, const Shape& shape, const Transform& bInA, double margin,
+                          Manifold& out) {
   const Mat3 turn = toMatrix(bInA.rotation);
   const FrustumFoot foot = footOn(frustumOf(shape), transposeTimes(turn, -bInA.position));
   const double separation = foot.distance - sphere.radius;
@@ -124,7 +128,8 @@ void collideConvexFrustum(const Shape& a, const Shape& b, const Transform& bInA,
   const std::optional<TouchAxis> axis = findTouchAxis(a, b, bInA, margin);
   if (!axis) return;
   const FrustumPair pair{a, b, bInA, margin, std::min(innerRadius(a), innerRadius(b)), loaded, *axis};
-  const Outline fromA = outlineOf(a, {}, axis->normal, cornerOfA(0)), fromB = outlineOf(b, bInA, -axis->normal, cornerOfB(0));
+  const Outline fromA = outlineOf(a, {}, axis->normal, cornerOfA(0)),
+                fromB = outlineOf(b, bInA, -axis->normal, cornerOfB(0));
   const double flushA = fromA.face ? dot(fromA.normal, axis->normal) : -1,
                flushB = fromB.face ? -dot(fromB.normal, axis->normal) : -1;
   const bool refIsA = flushA >= flushB - kEquallyFlush;

@@ -21,7 +21,9 @@ constexpr int kMaxMeshManifolds = 8;
 struct MeshScratch {
   std::vector<std::uint32_t> faces;
   std::vector<MeshContactPoint> points;
-  Hull triangle;  // of cylinders and cones
+  Hull triangle;  // of cylinders and cones: a face as a shape
+
+  MeshScratch() { triangle.vertices.resize(3), triangle.edges.resize(6), triangle.planes.resize(2); }
 };
 
 struct MeshManifolds {

@@ -16,7 +16,6 @@ constexpr double kFlushCapOnEdge = 0.998;  // cosine of 3.6 degrees
 // A triangle as the search for the axis takes it: corners and edges; its face is offered as such.
 const Shape& triangleShape(const MeshFace& face, Hull& hull) {
   thread_local Shape shape;
-  hull.vertices.resize(3), hull.edges.resize(6), hull.planes.resize(2);
   for (int k = 0; k < 3; k++) {
     hull.vertices[std::size_t(k)] = face.corner(k);
     hull.edges[std::size_t(2 * k)].origin = std::uint8_t(k);
@@ -40,7 +39,8 @@ struct FrustumOnFace {
   std::vector<MeshContactPoint>& out;
 
   void add(Vec3 normal, Vec3 onMesh, double separation, std::uint32_t feature, bool wanders = true) const {
-    if (separation <= margin) out.push_back({normal, onMesh, onMesh + normal * separation, separation, feature, wanders});
+    if (separation <= margin)
+      out.push_back({normal, onMesh, onMesh + normal * separation, separation, feature, wanders});
   }
 
   void addFace() const {
@@ -72,14 +72,17 @@ struct FrustumOnFace {
     const Vec3 e = face.edge(k);
     if (line.count == 2) {
       const Vec3 start = line.corner[0].p, along = line.corner[1].p - start;
-      const double squared = lengthSquared(e), pace = dot(along, e) / squared, first = dot(start - face.corner(k), e) / squared;
-      const double low = first < first + pace ? first : first + pace, high = first < first + pace ? first + pace : first;
+      const double squared = lengthSquared(e), pace = dot(along, e) / squared,
+                   first = dot(start - face.corner(k), e) / squared;
+      const double low = first < first + pace ? first : first + pace,
+                   high = first < first + pace ? first + pace : first;
       const double from = low > 0 ? low : 0, to = high < 1 ? high : 1;
       const double sine = length(cross(along, e)) / std::sqrt(squared * lengthSquared(along));
       if (to > from && (to - from) * std::sqrt(squared) * sine < 0.05 * inner) {
         for (double t : {from, to}) {
           const Vec3 onMesh = face.corner(k) + e * t, onSide = start + along * ((t - first) / pace);
-          add(axis.normal, onMesh, dot(axis.normal, onSide - onMesh), 0x10000000u | (face.name(k) + (t == to ? 3u : 0u)));
+          add(axis.normal, onMesh, dot(axis.normal, onSide - onMesh),
+              0x10000000u | (face.name(k) + (t == to ? 3u : 0u)));
         }
         return;
       }

@@ -59,7 +59,9 @@ struct FrustumOutline {
     f.sideNormal(sideOut, sideUp);
   }
 
-  Vec3 place(Vec3 onRim, int end) const { return turn * (onRim * f.radius(end) + Vec3{0, f.height(end), 0}) + pose.position; }
+  Vec3 place(Vec3 onRim, int end) const {
+    return turn * (onRim * f.radius(end) + Vec3{0, f.height(end), 0}) + pose.position;
+  }
   double alongSide() const { return sideOut * across + sideUp * local.y; }
 
   Outline cap(int end) const {

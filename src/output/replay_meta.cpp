@@ -25,10 +25,8 @@ json shapeJson(const ShapeDef& shape) {
     case ShapeType::cylinder:
       return {{"type", "cylinder"}, {"radius", shape.radius}, {"halfHeight", shape.halfHeight}};
     case ShapeType::cone:
-      return {{"type", "cone"},
-              {"radius", shape.radius},
-              {"topRadius", shape.topRadius},
-              {"halfHeight", shape.halfHeight}};
+      return {
+          {"type", "cone"}, {"radius", shape.radius}, {"topRadius", shape.topRadius}, {"halfHeight", shape.halfHeight}};
     case ShapeType::plane:
       return {{"type", "plane"}};
     case ShapeType::hull:

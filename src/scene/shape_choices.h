@@ -12,12 +12,9 @@ struct ShapeChoice {
   std::string_view name;
 };
 
-constexpr ShapeChoice kShapes[] = {{ShapeType::box, "box"},
-                                   {ShapeType::sphere, "sphere"},
-                                   {ShapeType::capsule, "capsule"},
-                                   {ShapeType::hull, "hull"},
-                                   {ShapeType::mesh, "mesh"},
-                                   {ShapeType::cylinder, "cylinder"},
+constexpr ShapeChoice kShapes[] = {{ShapeType::box, "box"},         {ShapeType::sphere, "sphere"},
+                                   {ShapeType::capsule, "capsule"}, {ShapeType::hull, "hull"},
+                                   {ShapeType::mesh, "mesh"},       {ShapeType::cylinder, "cylinder"},
                                    {ShapeType::cone, "cone"}};
 static_assert(std::size(kShapes) == kShapeTypeCount - 1, "a new shape needs a name in scene files");
 

@@ -52,7 +52,7 @@ void checkShape(Checks& check, const std::string& at, const ShapeDef& s, BodyTyp
       check.range(at + ".halfExtents.z", s.halfExtents.z, limits::kSmallestSize, limits::kLargestSize);
       return;
     case ShapeType::cone:
-      check.range(at + ".topRadius", s.topRadius, 0, limits::kLargestSize);
+      if (s.topRadius != 0) check.range(at + ".topRadius", s.topRadius, limits::kSmallestSize, limits::kLargestSize);
       [[fallthrough]];
     case ShapeType::cylinder:
     case ShapeType::capsule:

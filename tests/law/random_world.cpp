@@ -155,10 +155,10 @@ RandomWorld drawWorld(RandomKind kind, int seed, bool turned) {
     out.sizes.push_back(innerOf(d));
     out.bodies.push_back(add(out.world, d));
   }
-  out.text = std::string(turned ? "turned bodies, " : "") + nameOf(kind) + label(" %g", seed) + label(": dt 1/%.4g s", 1 / out.dt) +
-             label(" / %g", out.substeps) + label(", %g bodies", count) + label(" to %.3g m", largest) +
-             label(", %.3g m/s", speed) + label(", g %.3g", gravity) + label(", e %.2f", material.restitution) +
-             label(", mu %.2f", material.friction);
+  out.text = std::string(turned ? "turned bodies, " : "") + nameOf(kind) + label(" %g", seed) +
+             label(": dt 1/%.4g s", 1 / out.dt) + label(" / %g", out.substeps) + label(", %g bodies", count) +
+             label(" to %.3g m", largest) + label(", %.3g m/s", speed) + label(", g %.3g", gravity) +
+             label(", e %.2f", material.restitution) + label(", mu %.2f", material.friction);
   return out;
 }
 

@@ -20,7 +20,8 @@ TEST(Law, Row19aCylinderRollsDownWithTwoThirds) {
     for (double degrees : {5.0, 20.0})
       for (double dt : kTurnedSteps) {
         Lab lab(LabSetup{.dt = dt}, degrees, kG, 0);
-        lab.add(box ? bodyOf(boxOf({30, 0.5, 30}), {0, -0.5, 0}, BodyType::fixed) : bodyOf(planeOf(), {}, BodyType::fixed));
+        lab.add(box ? bodyOf(boxOf({30, 0.5, 30}), {0, -0.5, 0}, BodyType::fixed)
+                    : bodyOf(planeOf(), {}, BodyType::fixed));
         BodyId drum = lab.add(lying(cylinderOf(0.2, 0.4)));
         lab.run(0.5);
         const double before = lab.state(drum).linearVelocity.x;
@@ -63,7 +64,8 @@ TEST(Law, Row19bCoinGainsNothing) {
       const double start = energy();
       double most = start;
       for (int n = 0; n < std::lround(8 / dt) && lab.step(); n++) most = std::max(most, energy());
-      atMost("coin leaning by " + text(lean, 1) + " rad: energy gained", dt, most / start - 1, 1e-3, "of that of the start");
+      atMost("coin leaning by " + text(lean, 1) + " rad: energy gained", dt, most / start - 1, 1e-3,
+             "of that of the start");
     }
 }
 
@@ -80,8 +82,8 @@ TEST(Law, Row19cDrumStandsUpToItsTiltLimit) {
         BodyId drum = lab.add(d);
         lab.run(4);
         const bool stands = rotate(lab.state(drum).rotation, Vec3{0, 1, 0}).y > 0.95;
-        reached({"drum turned by " + text(yaw, 1) + " degrees at " + text(share, 2) + " of its limit stands (1 = yes)", dt,
-                 stands ? 1.0 : 0.0, share < 1 ? 1.0 : 0.0, 0, ""});
+        reached({"drum turned by " + text(yaw, 1) + " degrees at " + text(share, 2) + " of its limit stands (1 = yes)",
+                 dt, stands ? 1.0 : 0.0, share < 1 ? 1.0 : 0.0, 0, ""});
       }
 }
 

@@ -24,8 +24,10 @@ double turnedReach(const Shape& shape, Vec3 direction) {
     for (Vec3 c : outline.corners) furthest = std::max(furthest, dot(c, direction));
     return furthest + outline.radius;
   }
-  double across = std::hypot(direction.x, direction.z), top = shape.type == ShapeType::cone ? shape.topRadius : shape.radius;
-  return std::max(across * shape.radius - direction.y * shape.halfHeight, across * top + direction.y * shape.halfHeight);
+  double across = std::hypot(direction.x, direction.z),
+         top = shape.type == ShapeType::cone ? shape.topRadius : shape.radius;
+  return std::max(across * shape.radius - direction.y * shape.halfHeight,
+                  across * top + direction.y * shape.halfHeight);
 }
 
 double gapAlong(const Shape& a, const Shape& b, const Transform& bInA, Vec3 n) {
@@ -140,7 +142,8 @@ TEST(Frustum, PenetrationIsTheLeastOverlap) {
     double depth = penetrationDepth(a, b, pose), least = 1e300;
     if (!(depth > 0)) continue;
     deep++;
-    for (int k = 0; k < 2000; k++) least = std::min(least, -gapAlong(a, b, pose, test::randomDirection(samples.random())));
+    for (int k = 0; k < 2000; k++)
+      least = std::min(least, -gapAlong(a, b, pose, test::randomDirection(samples.random())));
     missed += depth > least + 1e-6;
   }
   EXPECT_GT(deep, 200);

@@ -59,7 +59,9 @@ TEST(FrustumContact, AgainstEverythingByTheAxisOfTouch) {
     Manifold other = swapped(a, b, pose, kMargin);
     ASSERT_EQ(m.count > 0, other.count > 0) << i;
     if (m.count == 0) continue;
-    if (deepest(m) > -0.01) ASSERT_NEAR(deepest(m), deepest(other), 0.003) << i;
+    if (deepest(m) > -0.01) {
+      ASSERT_NEAR(deepest(m), deepest(other), 0.003) << i;
+    }
     (m.count > 2 ? faces : m.count == 2 ? lines : points)++;
     if (a.type == ShapeType::plane) continue;
     std::optional<TouchAxis> axis = findTouchAxis(a, b, pose, kMargin);
@@ -98,7 +100,8 @@ TEST(FrustumContact, CapKeepsThePointsThatCarry) {
   collide(planeShape(), drumShape(0.3, 0.2), {pose.position, quatFromAxisAngle({1, 0, 0}, 1e-6)}, 0.01, next, loaded);
   int kept = 0;
   double low = 1;
-  for (int k = 0; k < next.count; k++) kept += loaded.has(next.points[k].feature), low = std::min(low, next.points[k].separation);
+  for (int k = 0; k < next.count; k++)
+    kept += loaded.has(next.points[k].feature), low = std::min(low, next.points[k].separation);
   EXPECT_EQ(kept, 2);
   EXPECT_NEAR(low, -1e-5 - 0.3e-6, 1e-11);
 }
@@ -120,11 +123,13 @@ TEST(FrustumContact, LyingItTouchesAlongALine) {
 
 TEST(FrustumContact, CoinOnItsRimTouchesAtTheLowestPoint) {
   const double tilt = 0.6, radius = 0.2, half = 0.01, height = radius * std::sin(tilt) + half * std::cos(tilt);
-  Manifold m = manifoldOf(boxShape({1, 0.5, 1}), drumShape(radius, half), {{0, 0.5 + height, 0}, quatFromAxisAngle({0, 0, 1}, tilt)});
+  Manifold m = manifoldOf(boxShape({1, 0.5, 1}), drumShape(radius, half),
+                          {{0, 0.5 + height, 0}, quatFromAxisAngle({0, 0, 1}, tilt)});
   ASSERT_GE(m.count, 1);
   EXPECT_TRUE(m.rolls);
   EXPECT_NEAR(deepest(m), 0, 1e-12);
-  const ManifoldPoint& low = *std::min_element(m.points, m.points + m.count, [](auto& p, auto& q) { return p.separation < q.separation; });
+  const ManifoldPoint& low =
+      *std::min_element(m.points, m.points + m.count, [](auto& p, auto& q) { return p.separation < q.separation; });
   EXPECT_NEAR(low.onB.x, half * std::sin(tilt) - radius * std::cos(tilt), 1e-9);
   EXPECT_NEAR(low.onB.z, 0, 1e-9);
 }
@@ -173,7 +178,11 @@ TEST(FrustumContact, FlatMeshIsAPlane) {
       ASSERT_NEAR(m.points[k].separation, -1e-5, 1e-9) << round;
       double nearest = 1;
       for (int j = 0; j < flat.count; j++) nearest = std::min(nearest, length(flat.points[j].onB - m.points[k].onB));
-      ASSERT_LT(lies ? nearest : std::fabs(std::hypot(m.points[k].onB.x - pose.position.x, m.points[k].onB.z - pose.position.z) - shape.radius), 1e-3) << round;
+      ASSERT_LT(lies ? nearest
+                     : std::fabs(std::hypot(m.points[k].onB.x - pose.position.x, m.points[k].onB.z - pose.position.z) -
+                                 shape.radius),
+                1e-3)
+          << round;
     }
   }
 }
