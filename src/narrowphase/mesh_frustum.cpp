@@ -14,8 +14,8 @@ namespace {
 constexpr double kFlushCapOnEdge = 0.998;  // cosine of 3.6 degrees
 
 // A triangle as the search for the axis takes it: corners and edges; its face is offered as such.
-const Shape& triangleShape(const MeshFace& face, Hull& hull) {
-  thread_local Shape shape;
+Shape triangleShape(const MeshFace& face, Hull& hull) {
+  Shape shape;
   for (int k = 0; k < 3; k++) {
     hull.vertices[std::size_t(k)] = face.corner(k);
     hull.edges[std::size_t(2 * k)].origin = std::uint8_t(k);

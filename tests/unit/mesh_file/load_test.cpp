@@ -176,7 +176,7 @@ TEST_F(MeshFiles, SceneFilesSayWhatIsWrong) {
   std::string fixed = "type = \"fixed\"\nshape = \"mesh\"\n";
   refused(fixed, "body[0].file", "not given");
   refused(fixed + "file = \"none.obj\"\n", "body[0].file", "there is no such file");
-  refused(fixed + "file = \"floor.stl\"\n", "body[0].file", ".obj, .gltf or .glb");
+  refused(fixed + "file = \"floor.stl\"\n", "body[0].file", ".obj, .gltf, .glb or .csv");
   refused(fixed + "file = \"floor.obj\"\nscale = [1, 0, 1]\n", "body[0].scale[1]", "expected");
   refused(fixed + "file = \"floor.obj\"\nsize = [1, 1, 1]\n", "body[0].size", "mesh does not have");
   refused("shape = \"mesh\"\nfile = \"floor.obj\"\n", "body[0].type", "which means \"dynamic\"");
