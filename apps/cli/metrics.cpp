@@ -25,6 +25,13 @@ double topOf(const ShapeDef& shape, const Transform& body, Vec3 up) {
       return centre + shape.radius;
     case ShapeType::capsule:
       return centre + shape.radius + std::fabs(upLocal.y) * shape.halfHeight;
+    case ShapeType::cylinder:
+    case ShapeType::cone: {
+      const double across = std::sqrt(upLocal.x * upLocal.x + upLocal.z * upLocal.z);
+      const double top = shape.type == ShapeType::cone ? shape.topRadius : shape.radius;
+      return centre + std::max(upLocal.y * shape.halfHeight + across * top,
+                               across * shape.radius - upLocal.y * shape.halfHeight);
+    }
     case ShapeType::box:
       return centre + dot(abs(upLocal), shape.halfExtents);
     case ShapeType::hull: {

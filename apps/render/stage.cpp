@@ -23,13 +23,16 @@ Vec3f toFloat(Vec3 v) { return {float(v.x), float(v.y), float(v.z)}; }
 Mat3f toFloat(const Mat3& m) { return {{toFloat(m.row[0]), toFloat(m.row[1]), toFloat(m.row[2])}}; }
 
 // Equal shapes have equal keys.
-static_assert(kShapeTypeCount == 6, "a new shape: what tells two of its kind apart");
+static_assert(kShapeTypeCount == 8, "a new shape: what tells two of its kind apart");
 std::string keyOf(const ShapeDef& shape) {
   std::string key(1, char(shape.type));
   const auto add = [&](const void* bytes, std::size_t size) { key.append(static_cast<const char*>(bytes), size); };
   if (shape.type == ShapeType::box) add(&shape.halfExtents, sizeof shape.halfExtents);
-  if (shape.type == ShapeType::sphere || shape.type == ShapeType::capsule) add(&shape.radius, sizeof shape.radius);
-  if (shape.type == ShapeType::capsule) add(&shape.halfHeight, sizeof shape.halfHeight);
+  const bool cone = shape.type == ShapeType::cone;
+  const bool high = shape.type == ShapeType::capsule || shape.type == ShapeType::cylinder || cone;
+  if (shape.type == ShapeType::sphere || high) add(&shape.radius, sizeof shape.radius);
+  if (high) add(&shape.halfHeight, sizeof shape.halfHeight);
+  if (cone) add(&shape.topRadius, sizeof shape.topRadius);
   for (const Vec3& v : shape.type == ShapeType::hull ? shape.vertices : std::vector<Vec3>()) add(&v, sizeof v);
   const MeshTree* mesh = shape.mesh.get();
   if (shape.type == ShapeType::mesh) add(&mesh, sizeof mesh);

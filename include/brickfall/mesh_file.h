@@ -1,4 +1,4 @@
-// Reading triangle meshes from files: Wavefront OBJ and glTF 2.0 (.gltf, .glb). docs/mesh.md says what of each is read.
+// Reading triangle meshes from files: Wavefront OBJ, glTF 2.0 (.gltf, .glb), heights over a grid (.csv). docs/mesh.md says what of each is read.
 #pragma once
 #include <cstddef>
 #include <functional>
@@ -27,7 +27,10 @@ using MeshFileOpener = std::function<Result<std::vector<std::byte>>(const std::s
 Result<MeshFileData> readGltf(std::span<const std::byte> bytes, const std::string& name,
                               const MeshFileOpener& open = {});
 
-// By the ending: .obj, .gltf, .glb (any case). A file of at most 256 MiB; buffers of a .gltf lie in its folder or below.
+// Ground from heights (geometry/height_field.h), a metre apart.
+Result<MeshFileData> readHeights(std::string_view text, const std::string& name);
+
+// By the ending: .obj, .gltf, .glb, .csv (any case). A file of at most 256 MiB; buffers of a .gltf lie in its folder or below.
 Result<MeshFileData> loadMeshFile(const std::string& path);
 
 }  // namespace brickfall

@@ -10,8 +10,8 @@ namespace brickfall {
 
 class MeshTree;  // brickfall/geometry/mesh_tree.h
 
-enum class ShapeType : std::uint8_t { box, sphere, capsule, hull, plane, mesh };
-constexpr int kShapeTypeCount = int(ShapeType::mesh) + 1;  // a new one goes to the end (docs/how-to-add.md)
+enum class ShapeType : std::uint8_t { box, sphere, capsule, hull, plane, mesh, cylinder, cone };
+constexpr int kShapeTypeCount = int(ShapeType::cone) + 1;  // a new one goes to the end (docs/how-to-add.md)
 
 // How the values of two touching materials become one. If the two shapes ask for different rules, the later in this list
 // wins.
@@ -39,8 +39,9 @@ constexpr int kMaxHullVertices = 64;
 struct ShapeDef {
   ShapeType type = ShapeType::box;
   Vec3 halfExtents{0.5, 0.5, 0.5};  // box: m, each > 0
-  double radius = 0.5;              // sphere, capsule: m, > 0
-  double halfHeight = 0.5;          // capsule: half the distance of the two cap centres along local y, m, > 0
+  double radius = 0.5;              // sphere, capsule, cylinder: m, > 0; cone: at y = -halfHeight
+  double topRadius = 0;             // cone: at y = +halfHeight, m, >= 0; 0: a point, else the cone is cut off
+  double halfHeight = 0.5;          // capsule, cylinder, cone: half the distance of the two caps along local y, m, > 0
   std::vector<Vec3> vertices;       // hull: 4 .. 64 points that span a volume; inner points are dropped
   // plane: the half space y <= 0 of the shape's frame is solid; static bodies only
   // mesh: a surface of triangles that pushes towards the front of each; fixed and kinematic bodies only. Shared, not copied:

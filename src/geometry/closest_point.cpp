@@ -1,5 +1,6 @@
 // The point of a solid nearest to a given one.
 #include "brickfall/geometry/mesh_tree.h"
+#include "geometry/frustum.h"
 #include "geometry/hull.h"
 #include "geometry/queries.h"
 
@@ -65,6 +66,11 @@ Vec3 closestPoint(const Shape& shape, Vec3 point) {
       return ontoHull(*shape.hull, point);
     case ShapeType::plane:
       return {point.x, point.y < 0 ? point.y : 0, point.z};
+    case ShapeType::cylinder:
+    case ShapeType::cone: {
+      FrustumFoot foot = footOn(frustumOf(shape), point);
+      return foot.distance > 0 ? foot.point : point;
+    }
     case ShapeType::mesh:
       return shape.mesh->closestPoint(point, 1e300)->point;
   }

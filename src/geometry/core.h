@@ -1,6 +1,7 @@
-// Every convex shape is a core (point, segment or polytope) plus a ball of some radius. Distance and depth are found
-// between cores, where all is straight, and the radii are put on at the end.
+// Every convex shape is a core (point, segment, polytope, cylinder or cone) plus a ball of some radius. Distance and depth are
+// found between cores, and the radii are put on at the end.
 #pragma once
+#include "geometry/frustum.h"
 #include "geometry/hull.h"
 #include "geometry/shape.h"
 
@@ -8,7 +9,7 @@ namespace brickfall {
 
 inline double coreRadius(const Shape& shape) { return isRound(shape.type) ? shape.radius : 0; }
 
-// The corner of the core furthest along `direction`; of equals the first. Not for planes.
+// The point of the core furthest along `direction`; of equals the first. Not for planes.
 inline Vec3 coreSupport(const Shape& shape, Vec3 direction) {
   switch (shape.type) {
     case ShapeType::box: {
@@ -27,6 +28,9 @@ inline Vec3 coreSupport(const Shape& shape, Vec3 direction) {
       }
       return best;
     }
+    case ShapeType::cylinder:
+    case ShapeType::cone:
+      return frustumOf(shape).furthest(direction);
     case ShapeType::sphere:
     case ShapeType::plane:
     case ShapeType::mesh:
@@ -44,6 +48,9 @@ inline double coreSize(const Shape& shape) {
       return shape.halfHeight;
     case ShapeType::hull:
       return outerRadius(shape, shape.hull->centroid);
+    case ShapeType::cylinder:
+    case ShapeType::cone:
+      return outerRadius(shape, {});
     case ShapeType::sphere:
     case ShapeType::plane:
     case ShapeType::mesh:

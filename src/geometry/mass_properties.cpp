@@ -1,6 +1,7 @@
 // Closed forms for the round and square shapes; hulls as a sum of tetrahedra (divergence theorem).
 #include "geometry/mass_properties.h"
 
+#include "geometry/frustum.h"
 #include "geometry/hull.h"
 
 namespace brickfall {
@@ -34,6 +35,18 @@ MassProperties capsuleMass(double r, double h, double density) {
   double along = 0.5 * cylinder * r * r + 0.4 * ball * r * r;
   double across = cylinder * (0.25 * r * r + h * h / 3) + ball * (0.4 * r * r + h * h + 0.75 * h * r);
   return {cylinder + ball, {}, diagonal(Vec3{across, along, across})};
+}
+
+// Discs from end to end: with radii from R to r over the height, the integrals of r^2, y r^2, y^2 r^2 and r^4.
+MassProperties frustumMass(const Frustum& f, double density) {
+  const double R = f.low, r = f.high, height = 2 * f.half, squares = R * R + R * r + r * r;
+  const double mass = density * kPi * height * squares / 3;
+  const double fromLow = f.centre() + f.half;
+  const double fourth = R * R * R * R + R * R * R * r + R * R * r * r + R * r * r * r + r * r * r * r;
+  const double along = 0.3 * mass * fourth / squares;
+  const double up = mass * height * height * 0.1 * (R * R + 3 * R * r + 6 * r * r) / squares;  // about the low end
+  const double across = 0.5 * along + up - mass * fromLow * fromLow;
+  return {mass, {0, f.centre(), 0}, diagonal(Vec3{across, along, across})};
 }
 
 // Tetrahedra from the centroid to a fan of triangles on each face. Over a tetrahedron (0, a, b, c) of volume V, with
@@ -71,6 +84,9 @@ MassProperties shapeMass(const Shape& shape, double density) {
       return capsuleMass(shape.radius, shape.halfHeight, density);
     case ShapeType::hull:
       return hullMass(*shape.hull, density);
+    case ShapeType::cylinder:
+    case ShapeType::cone:
+      return frustumMass(frustumOf(shape), density);
     case ShapeType::plane:
     case ShapeType::mesh:
       break;

@@ -5,6 +5,7 @@
 #include "brickfall/geometry/mesh_tree.h"
 #include "geometry/core.h"
 #include "geometry/polytope.h"
+#include "geometry/touch_axis.h"
 
 namespace brickfall {
 
@@ -93,6 +94,11 @@ double roundOverlap(const Triangle& t, const Shape& face, const Shape& shape, co
   return shape.radius - (up < down ? up : down);
 }
 
+double frustumOverlap(const Shape& face, const Shape& shape, const Transform& pose) {
+  std::optional<TouchAxis> axis = findTouchAxis(face, shape, pose, 0);
+  return axis ? -axis->separation : 0;
+}
+
 Vec3 middleOf(const Shape& shape, const Transform& pose) {
   return shape.type == ShapeType::hull ? transformPoint(pose, shape.hull->centroid) : pose.position;
 }
@@ -108,13 +114,15 @@ double meshPenetration(const Shape& mesh, const Shape& shape, const Transform& p
   auto& [face, faces] = scratch();
   mesh.mesh->facesNear(bounds(shape, pose), faces);
   if (faces.empty()) return 0;
-  bool round = isRound(shape.type);
+  bool round = isRound(shape.type), turned = isFrustum(shape.type);
   std::optional<Polytope> polytope;
-  if (!round) polytope.emplace(shape, pose);
+  if (!round && !turned) polytope.emplace(shape, pose);
   double depth = 0;
   for (std::uint32_t f : faces) {
     Triangle t = mesh.mesh->mesh().triangle(f);
-    double overlap = round ? roundOverlap(t, face(t), shape, pose) : polytopeOverlap(t, *polytope);
+    double overlap = round    ? roundOverlap(t, face(t), shape, pose)
+                     : turned ? frustumOverlap(face(t), shape, pose)
+                              : polytopeOverlap(t, *polytope);
     depth = overlap > depth ? overlap : depth;
   }
   return depth;

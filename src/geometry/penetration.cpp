@@ -5,6 +5,7 @@
 #include "geometry/mesh_shape.h"
 #include "geometry/polytope.h"
 #include "geometry/queries.h"
+#include "geometry/touch_axis.h"
 
 namespace brickfall {
 
@@ -138,7 +139,10 @@ double penetrationDepth(const Shape& a, const Shape& b, const Transform& bInA) {
   if (hasMesh(a, b))
     return a.type == ShapeType::mesh ? meshPenetration(a, b, bInA) : meshPenetration(b, a, inverse(bInA));
   double depth = 0;
-  if (a.type == ShapeType::plane) {
+  const bool turned = isFrustum(a.type) || isFrustum(b.type);
+  if (turned && a.type != ShapeType::plane && b.type != ShapeType::plane) {
+    if (auto axis = findTouchAxis(a, b, bInA, 0)) depth = -axis->separation;
+  } else if (a.type == ShapeType::plane) {
     depth = planeOverlap(b, bInA);
   } else if (b.type == ShapeType::plane) {
     depth = planeOverlap(a, inverse(bInA));

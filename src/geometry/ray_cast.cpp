@@ -1,5 +1,6 @@
 // Rays against single shapes. A solid is met where the ray enters it; a ray that starts inside hits at once.
 #include "brickfall/geometry/mesh_tree.h"
+#include "geometry/frustum.h"
 #include "geometry/hull.h"
 #include "geometry/queries.h"
 
@@ -85,6 +86,38 @@ std::optional<ShapeRayHit> castCapsule(double radius, double halfHeight, Vec3 or
   return top ? top : bottom;
 }
 
+// The two caps as discs, then the side: where the distance from the axis is what the height asks for. Measured from the point
+// of the ray nearest to the middle, so that a far origin costs no precision.
+std::optional<ShapeRayHit> castFrustum(const Frustum& f, Vec3 origin, Vec3 direction, double maxDistance) {
+  std::optional<ShapeRayHit> best;
+  const double middle = -dot(origin, direction);
+  const Vec3 o = origin + direction * middle, d = direction;
+  auto offer = [&](double t, Vec3 point, Vec3 normal) {
+    const double distance = middle + t;
+    if (!(distance >= 0 && distance <= maxDistance) || !(dot(normal, d) < 0)) return;
+    if (!best || distance < best->distance) best = ShapeRayHit{point, normal, distance};
+  };
+  for (int end = 0; end < 2; end++) {
+    const double t = (f.height(end) - o.y) / d.y;
+    const Vec3 p{o.x + d.x * t, f.height(end), o.z + d.z * t};
+    if (p.x * p.x + p.z * p.z <= f.radius(end) * f.radius(end)) offer(t, p, {0, end == 0 ? -1.0 : 1.0, 0});
+  }
+  const double slope = 0.5 * (f.high - f.low) / f.half, radius = f.radiusAt(o.y);
+  const double a = d.x * d.x + d.z * d.z - slope * slope * d.y * d.y;
+  const double b = o.x * d.x + o.z * d.z - slope * d.y * radius, c = o.x * o.x + o.z * o.z - radius * radius;
+  const double left = b * b - a * c;
+  if (!(left >= 0)) return best;
+  const double q = b > 0 ? -b - std::sqrt(left) : -b + std::sqrt(left);
+  double out, up;
+  f.sideNormal(out, up);
+  for (double t : {q / a, c / q}) {
+    const Vec3 p = o + d * t;
+    const double at = std::sqrt(p.x * p.x + p.z * p.z);
+    if (std::fabs(p.y) <= f.half && at > 0) offer(t, p, {p.x / at * out, up, p.z / at * out});
+  }
+  return best;
+}
+
 }  // namespace
 
 std::optional<ShapeRayHit> castRay(const Shape& shape, Vec3 origin, Vec3 direction, double maxDistance) {
@@ -105,6 +138,10 @@ std::optional<ShapeRayHit> castRay(const Shape& shape, Vec3 origin, Vec3 directi
       if (lengthSquared(origin - Vec3{0, y, 0}) <= shape.radius * shape.radius) return inside;
       return castCapsule(shape.radius, shape.halfHeight, origin, direction, maxDistance);
     }
+    case ShapeType::cylinder:
+    case ShapeType::cone:
+      if (!(footOn(frustumOf(shape), origin).distance > 0)) return inside;
+      return castFrustum(frustumOf(shape), origin, direction, maxDistance);
     case ShapeType::plane: {
       if (origin.y <= 0) return inside;
       double distance = origin.y / -direction.y;

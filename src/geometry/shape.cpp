@@ -2,6 +2,7 @@
 #include "geometry/shape.h"
 
 #include "brickfall/geometry/mesh_tree.h"
+#include "geometry/frustum.h"
 #include "geometry/hull.h"
 
 namespace brickfall {
@@ -29,6 +30,17 @@ Aabb hullBounds(const std::vector<Vec3>& vertices, const Transform& pose) {
     lower = min(lower, p), upper = max(upper, p);
   }
   return {lower + pose.position, upper + pose.position};
+}
+
+Aabb frustumBounds(const Frustum& frustum, const Transform& pose) {
+  Vec3 axis = rotate(pose.rotation, Vec3{0, 1, 0}), wide;  // extent of a circle of radius 1 across the axis
+  for (int k = 0; k < 3; k++) {
+    double u = axis[(k + 1) % 3], v = axis[(k + 2) % 3];
+    wide[k] = std::sqrt(u * u + v * v);
+  }
+  Vec3 low = axis * -frustum.half, high = axis * frustum.half;
+  return {min(low - wide * frustum.low, high - wide * frustum.high) + pose.position,
+          max(low + wide * frustum.low, high + wide * frustum.high) + pose.position};
 }
 
 Aabb meshBounds(const Aabb& box, const Transform& pose) {
@@ -60,6 +72,9 @@ Aabb bounds(const Shape& shape, const Transform& pose) {
       return planeBounds(pose);
     case ShapeType::mesh:
       return meshBounds(shape.mesh->bounds(), pose);
+    case ShapeType::cylinder:
+    case ShapeType::cone:
+      return frustumBounds(frustumOf(shape), pose);
   }
   return {pose.position - half, pose.position + half};
 }
@@ -74,6 +89,7 @@ Aabb bounds(const ShapeDef& shape, const Transform& body) {
   form.type = shape.type;
   form.halfExtents = shape.halfExtents;
   form.radius = shape.radius;
+  form.topRadius = shape.topRadius;
   form.halfHeight = shape.halfHeight;
   form.mesh = shape.mesh.get();
   return bounds(form, pose);
@@ -96,6 +112,11 @@ double innerRadius(const Shape& shape) {
         if (distance < nearest) nearest = distance;
       }
       return nearest;
+    }
+    case ShapeType::cylinder:
+    case ShapeType::cone: {
+      Frustum frustum = frustumOf(shape);
+      return -footOn(frustum, {0, frustum.centre(), 0}).distance;
     }
     case ShapeType::plane:
     case ShapeType::mesh:
@@ -127,6 +148,16 @@ double outerRadius(const Shape& shape, Vec3 point) {
         if (distance > furthest) furthest = distance;
       }
       return std::sqrt(furthest);
+    }
+    case ShapeType::cylinder:
+    case ShapeType::cone: {
+      Frustum frustum = frustumOf(shape);
+      double across = std::sqrt(point.x * point.x + point.z * point.z), furthest = 0;
+      for (int end = 0; end < 2; end++) {
+        double out = across + frustum.radius(end), up = point.y - frustum.height(end);
+        furthest = std::fmax(furthest, std::sqrt(out * out + up * up));
+      }
+      return furthest;
     }
     case ShapeType::plane:
       break;

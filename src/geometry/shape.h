@@ -11,13 +11,14 @@ class MeshTree;  // brickfall/geometry/mesh_tree.h
 struct Shape {
   ShapeType type = ShapeType::box;
   Vec3 halfExtents;                // box, m
-  double radius = 0;               // sphere, capsule, m
-  double halfHeight = 0;           // capsule, m, along local y
+  double radius = 0;               // sphere, capsule, cylinder, cone (at -y), m
+  double topRadius = 0;            // cone (at +y), m
+  double halfHeight = 0;           // capsule, cylinder, cone, m, along local y
   const Hull* hull = nullptr;      // hull; owned by the world, outlives the shape
   const MeshTree* mesh = nullptr;  // mesh; the same
 };
 
-// Its contacts wander as it moves: they are found anew in every step.
+// A core and a ball around it: its contacts wander as it moves, and are found anew in every step.
 inline bool isRound(ShapeType type) {
   switch (type) {
     case ShapeType::sphere:
@@ -27,6 +28,8 @@ inline bool isRound(ShapeType type) {
     case ShapeType::hull:
     case ShapeType::plane:
     case ShapeType::mesh:
+    case ShapeType::cylinder:  // some do: narrowphase/manifold.h
+    case ShapeType::cone:
       return false;
   }
   return false;

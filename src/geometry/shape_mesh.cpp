@@ -54,6 +54,43 @@ ShapeMesh roundMesh(double radius, double halfHeight, RoundDetail detail) {
   return mesh;
 }
 
+// The side has normals of its own, also where it ends in a point; caps are flat.
+ShapeMesh turnedMesh(double low, double high, double half, RoundDetail detail) {
+  const int sectors = std::clamp(detail.sectors, 3, 2048);
+  const double rise = 2 * half, inward = low - high, slant = std::sqrt(rise * rise + inward * inward);
+  ShapeMesh mesh;
+  auto around = [&](int k) {
+    double sine, cosine;
+    sinCos(2 * std::numbers::pi * (k % sectors) / sectors, sine, cosine);
+    return Vec3{cosine, 0, sine};
+  };
+  for (int row = 0; row < 2; row++) {
+    for (int k = 0; k <= sectors; k++) {
+      const Vec3 out = around(k), normal = (out * rise + Vec3{0, inward, 0}) * (1 / slant);
+      addVertex(mesh, out * (row == 0 ? high : low) + Vec3{0, row == 0 ? half : -half, 0}, normal, double(k) / sectors,
+                row);
+    }
+  }
+  for (std::uint32_t a = 0; a < std::uint32_t(sectors); a++) {
+    const std::uint32_t b = a + 1, c = a + std::uint32_t(sectors) + 1, d = c + 1;
+    if (high > 0) mesh.indices.insert(mesh.indices.end(), {a, b, c});
+    mesh.indices.insert(mesh.indices.end(), {b, d, c});
+  }
+  for (const double side : {1.0, -1.0}) {
+    const double radius = side > 0 ? high : low;
+    if (!(radius > 0)) continue;
+    const auto first = std::uint32_t(mesh.positions.size());
+    for (int k = 0; k < sectors; k++) {
+      const Vec3 p = around(k) * radius;
+      addVertex(mesh, p + Vec3{0, side * half, 0}, {0, side, 0}, p.x, p.z);
+      const std::uint32_t one = first + std::uint32_t(k) - 1, next = first + std::uint32_t(k);
+      if (k >= 2 && side > 0) mesh.indices.insert(mesh.indices.end(), {first, next, one});
+      if (k >= 2 && side < 0) mesh.indices.insert(mesh.indices.end(), {first, one, next});
+    }
+  }
+  return mesh;
+}
+
 Error badLength(const char* field, double found) {
   return {ErrorCode::invalidArgument,
           std::string(field) + ": found " + std::to_string(found) + ", expected a finite length above 0"};
@@ -87,6 +124,13 @@ ShapeMesh boxMesh(Vec3 half) {
 ShapeMesh sphereMesh(double radius, RoundDetail detail) { return roundMesh(radius, 0, detail); }
 ShapeMesh capsuleMesh(double radius, double halfHeight, RoundDetail detail) {
   return roundMesh(radius, halfHeight, detail);
+}
+
+ShapeMesh cylinderMesh(double radius, double halfHeight, RoundDetail detail) {
+  return turnedMesh(radius, radius, halfHeight, detail);
+}
+ShapeMesh coneMesh(double radius, double topRadius, double halfHeight, RoundDetail detail) {
+  return turnedMesh(radius, topRadius, halfHeight, detail);
 }
 
 Result<ShapeMesh> hullMesh(std::span<const Vec3> vertices) {
@@ -134,6 +178,13 @@ Result<ShapeMesh> makeShapeMesh(const ShapeDef& shape, RoundDetail detail) {
       if (!isLength(shape.radius)) return badLength("radius", shape.radius);
       if (!isLength(shape.halfHeight)) return badLength("halfHeight", shape.halfHeight);
       return capsuleMesh(shape.radius, shape.halfHeight, detail);
+    case ShapeType::cylinder:
+    case ShapeType::cone:
+      if (!isLength(shape.radius)) return badLength("radius", shape.radius);
+      if (!isLength(shape.halfHeight)) return badLength("halfHeight", shape.halfHeight);
+      if (shape.type == ShapeType::cylinder) return cylinderMesh(shape.radius, shape.halfHeight, detail);
+      if (shape.topRadius != 0 && !isLength(shape.topRadius)) return badLength("topRadius", shape.topRadius);
+      return coneMesh(shape.radius, shape.topRadius, shape.halfHeight, detail);
     case ShapeType::hull:
       return hullMesh(shape.vertices);
     case ShapeType::plane:

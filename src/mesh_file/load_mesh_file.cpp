@@ -33,12 +33,15 @@ Result<MeshFileData> loadMeshFile(const std::string& path) {
   std::string ending = fs::path(path).extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(),
                  [](char c) { return c >= 'A' && c <= 'Z' ? char(c + 32) : c; });
-  bool obj = ending == ".obj";
-  if (!obj && ending != ".gltf" && ending != ".glb")
-    return Error{ErrorCode::badFormat, path + ": found the ending \"" + ending + "\", expected .obj, .gltf or .glb"};
+  bool obj = ending == ".obj", heights = ending == ".csv";
+  if (!obj && !heights && ending != ".gltf" && ending != ".glb")
+    return Error{ErrorCode::badFormat,
+                 path + ": found the ending \"" + ending + "\", expected .obj, .gltf, .glb or .csv"};
   Result<std::vector<std::byte>> bytes = readWhole(path);
   if (!bytes) return bytes.error();
-  if (obj) return readObj({reinterpret_cast<const char*>(bytes->data()), bytes->size()}, path);
+  const std::string_view text{reinterpret_cast<const char*>(bytes->data()), bytes->size()};
+  if (obj) return readObj(text, path);
+  if (heights) return readHeights(text, path);
   fs::path folder = fs::path(path).parent_path();
   return readGltf(*bytes, path, [&](const std::string& name) -> Result<std::vector<std::byte>> {
     fs::path relative(name);

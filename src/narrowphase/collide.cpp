@@ -15,8 +15,9 @@ void few(const Shape& a, const Shape& b, const Transform& bInA, double margin, c
 }
 
 // The order in which a pair's function takes its arguments. Two planes have none.
-constexpr int kRanks = 5;
-static_assert(kRanks == kShapeTypeCount - 1, "a new shape needs a row and a column in kPairs; only meshes have none");
+constexpr int kRanks = 6;
+static_assert(kRanks == kShapeTypeCount - 2,
+              "a new shape needs a row and a column in kPairs; meshes have none, cones a cylinder's");
 int rank(ShapeType type) {
   switch (type) {
     case ShapeType::plane:
@@ -29,6 +30,9 @@ int rank(ShapeType type) {
       return 3;
     case ShapeType::hull:
       return 4;
+    case ShapeType::cylinder:
+    case ShapeType::cone:
+      return 5;
     case ShapeType::mesh:
       return -1;
   }
@@ -37,12 +41,13 @@ int rank(ShapeType type) {
 
 // clang-format off
 constexpr PairFunction kPairs[kRanks][kRanks] = {
-    // plane    sphere                     capsule                      box                       hull
-    {nullptr, few<collidePlaneSphere>,  few<collidePlaneCapsule>,   few<collidePlaneBox>,    collidePlaneHull},         // plane
-    {nullptr, few<collideSphereSphere>, few<collideSphereCapsule>,  few<collideSphereBox>,   few<collideSphereHull>},   // sphere
-    {nullptr, nullptr,                  few<collideCapsuleCapsule>, few<collideCapsuleHull>, few<collideCapsuleHull>},  // capsule
-    {nullptr, nullptr,                  nullptr,                    collideBoxBox,           collideHullHull},          // box
-    {nullptr, nullptr,                  nullptr,                    nullptr,                 collideHullHull},          // hull
+    // plane    sphere                     capsule                      box                       hull                     cylinder, cone
+    {nullptr, few<collidePlaneSphere>,  few<collidePlaneCapsule>,   few<collidePlaneBox>,    collidePlaneHull,        collidePlaneFrustum},        // plane
+    {nullptr, few<collideSphereSphere>, few<collideSphereCapsule>,  few<collideSphereBox>,   few<collideSphereHull>,  few<collideSphereFrustum>},  // sphere
+    {nullptr, nullptr,                  few<collideCapsuleCapsule>, few<collideCapsuleHull>, few<collideCapsuleHull>, collideConvexFrustum},       // capsule
+    {nullptr, nullptr,                  nullptr,                    collideBoxBox,           collideHullHull,         collideConvexFrustum},       // box
+    {nullptr, nullptr,                  nullptr,                    nullptr,                 collideHullHull,         collideConvexFrustum},       // hull
+    {nullptr, nullptr,                  nullptr,                    nullptr,                 nullptr,                 collideConvexFrustum},       // cylinder, cone
 };
 // clang-format on
 
@@ -62,7 +67,7 @@ void mirror(const Transform& bInA, Manifold& m) {
 void collide(const Shape& a, const Shape& b, const Transform& bInA, double margin, Manifold& out,
              const LoadedPoints& loaded) {
   out.count = 0;
-  out.partial = false;
+  out.partial = out.rolls = false;
   int ra = rank(a.type), rb = rank(b.type);
   if (ra < 0 || rb < 0) return;  // mesh_collide.h: several manifolds
   PairFunction function = ra <= rb ? kPairs[ra][rb] : kPairs[rb][ra];

@@ -20,6 +20,7 @@ struct Manifold {
   int count = 0;  // 0 = further apart than the margin
   ManifoldPoint points[kMaxManifoldPoints];
   bool partial = false;  // there are more than these
+  bool rolls = false;    // its points are no fixed places of a cylinder or cone: they wander as it moves
 };
 
 // The points that carried force when two shapes were last seen. Where more than four corners touch, micrometres would decide which

@@ -3,6 +3,7 @@
 
 #include "brickfall/geometry/mesh_tree.h"
 #include "geometry/core.h"
+#include "geometry/frustum.h"
 #include "narrowphase/hull_view.h"
 
 namespace brickfall {
@@ -19,6 +20,9 @@ void collectPoints(const MeshTree& tree, const Shape& shape, const Transform& po
     for (std::uint32_t f : scratch.faces)
       collideFaceRound(MeshFace(tree.mesh(), f), pose.position - tip, pose.position + tip, shape.radius, margin,
                        scratch.points);
+  } else if (isFrustum(shape.type)) {
+    for (std::uint32_t f : scratch.faces)
+      collideFaceFrustum(MeshFace(tree.mesh(), f), shape, pose, margin, scratch.triangle, scratch.points);
   } else {
     HullStorage storage;
     HullView hull = viewOf(shape, pose, storage);
@@ -29,13 +33,16 @@ void collectPoints(const MeshTree& tree, const Shape& shape, const Transform& po
 }  // namespace
 
 void collideMesh(const Shape& a, const Shape& b, const Transform& bInA, double margin, MeshScratch& scratch,
-                 MeshManifolds& out) {
+                 MeshManifolds& out, std::span<const std::uint32_t> loaded) {
   out.count = 0;
   bool meshFirst = a.type == ShapeType::mesh;
   const Shape &mesh = meshFirst ? a : b, &shape = meshFirst ? b : a;
   if (shape.type == ShapeType::mesh || shape.type == ShapeType::plane) return;
   collectPoints(*mesh.mesh, shape, meshFirst ? bInA : inverse(bInA), margin, scratch);
-  gatherPoints(scratch.points, innerRadius(shape), out);
+  if (isFrustum(shape.type))
+    gatherCapPoints(scratch.points, innerRadius(shape), loaded, out);
+  else
+    gatherPoints(scratch.points, innerRadius(shape), out);
   if (meshFirst) return;
   // Found in the frame of b, from b to a: as seen from a.
   Mat3 turn = toMatrix(bInA.rotation);

@@ -40,6 +40,7 @@ struct MeshContactPoint {
   Vec3 onMesh, onShape;
   double separation = 0;
   std::uint32_t feature = 0;
+  bool wanders = false;  // no fixed place of a cylinder or cone
 };
 
 }  // namespace brickfall

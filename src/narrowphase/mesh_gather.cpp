@@ -3,6 +3,7 @@
 // that are only near.
 #include <algorithm>
 
+#include "narrowphase/clipping.h"
 #include "narrowphase/mesh_collide.h"
 
 namespace brickfall {
@@ -83,19 +84,71 @@ void fill(Manifold& m, Vec3 normal, const MeshContactPoint* points, int count, d
   picker.pick(1e30);
   m.normal = normal;
   m.count = 0;
+  m.rolls = false;
   for (int k = 0; k < picker.chosenCount; k++) {
     const MeshContactPoint& p = points[picker.chosen[k]];
     // Along the common normal.
     double separation = dot(normal, p.onShape - p.onMesh);
+    m.rolls = m.rolls || p.wanders;
     m.points[m.count++] = {p.onMesh, p.onMesh + normal * separation, separation, p.feature};
   }
 }
 
-}  // namespace
+// Corners of the outline of points in a plane, in order, by their numbers: the lower side from left to right, then the upper
+// one (Andrew 1979). Sorts the points.
+int outlineOfPoints(PatchPoint* sorted, int count, PatchPoint* out) {
+  std::sort(sorted, sorted + count, [](const PatchPoint& p, const PatchPoint& q) {
+    return p.u != q.u ? p.u < q.u : p.v != q.v ? p.v < q.v : p.separation < q.separation;
+  });
+  int kept = 0;
+  auto walk = [&](int i, int base) {
+    const PatchPoint& next = sorted[i];
+    auto isLeft = [&] {
+      const PatchPoint &p = out[kept - 2], &q = out[kept - 1];
+      return (q.u - p.u) * (next.v - p.v) - (q.v - p.v) * (next.u - p.u) > 0;
+    };
+    while (kept >= base + 2 && !isLeft()) kept--;
+    if (kept < kMaxPatchPoints) out[kept++] = next;
+  };
+  for (int i = 0; i < count; i++) walk(i, 0);
+  const int lower = kept - 1;
+  for (int i = count - 2; i >= 0; i--) walk(i, lower);
+  return kept > 1 ? kept - 1 : kept;
+}
 
-void gatherPoints(std::vector<MeshContactPoint>& points, double size, MeshManifolds& out) {
+constexpr int kMostCapPoints = 512;
+
+void fillCap(Manifold& m, Vec3 normal, const MeshContactPoint* points, int count, double size,
+             std::span<const std::uint32_t> loaded) {
+  const Vec3 a = std::fabs(normal.x) < 0.7 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
+  const Vec3 u = normalized(cross(normal, a)), v = cross(normal, u), origin = points[0].onMesh;
+  PatchPoint flat[kMostCapPoints], corners[kMaxPatchPoints];
+  LoadedPoints carry;
+  count = std::min(count, kMostCapPoints);
+  for (int i = 0; i < count; i++) {
+    const Vec3 p = points[i].onMesh - origin;
+    flat[i] = {dot(u, p), dot(v, p), points[i].separation, std::uint32_t(i)};
+  }
+  const int around = outlineOfPoints(flat, count, corners);
+  for (int i = 0; i < around && carry.count < kMaxManifoldPoints; i++)
+    if (std::find(loaded.begin(), loaded.end(), points[corners[i].feature].feature) != loaded.end())
+      carry.add(corners[i].feature);
+  const ReducedPatch reduced = reducePatch(corners, around, contactTolerances(size), carry);
+  m.normal = normal;
+  m.count = reduced.count;
+  m.partial = reduced.partial;
+  m.rolls = false;
+  for (int i = 0; i < m.count; i++) {
+    const MeshContactPoint& p = points[corners[i].feature];
+    const double separation = dot(normal, p.onShape - p.onMesh);
+    m.rolls = m.rolls || p.wanders;
+    m.points[i] = {p.onMesh, p.onMesh + normal * separation, separation, p.feature};
+  }
+}
+
+// The nearest point that is left gives a normal; all like it go with it. In place: what is taken moves to the front.
+template <class Fill> void gather(std::vector<MeshContactPoint>& points, MeshManifolds& out, const Fill& fillOne) {
   out.count = 0;
-  // The nearest point that is left gives a normal; all like it go with it. In place: what is taken moves to the front.
   std::size_t taken = 0;
   while (taken < points.size() && out.count < kMaxMeshManifolds) {
     std::size_t nearest = taken;
@@ -105,9 +158,27 @@ void gatherPoints(std::vector<MeshContactPoint>& points, double size, MeshManifo
     std::size_t end = taken;
     for (std::size_t i = taken; i < points.size(); i++)
       if (dot(points[i].normal, normal) > kSameNormal) std::swap(points[i], points[end++]);
-    fill(out.list[out.count++], normal, points.data() + taken, int(end - taken), size);
+    fillOne(out.list[out.count++], normal, points.data() + taken, int(end - taken));
     taken = end;
   }
+}
+
+}  // namespace
+
+void gatherPoints(std::vector<MeshContactPoint>& points, double size, MeshManifolds& out) {
+  gather(points, out, [&](Manifold& m, Vec3 normal, const MeshContactPoint* group, int count) {
+    fill(m, normal, group, count, size);
+  });
+}
+
+void gatherCapPoints(std::vector<MeshContactPoint>& points, double size, std::span<const std::uint32_t> loaded,
+                     MeshManifolds& out) {
+  gather(points, out, [&](Manifold& m, Vec3 normal, const MeshContactPoint* group, int count) {
+    if (std::any_of(group, group + count, [](const MeshContactPoint& p) { return p.wanders; }))
+      fill(m, normal, group, count, size);
+    else
+      fillCap(m, normal, group, count, size, loaded);
+  });
 }
 
 }  // namespace brickfall

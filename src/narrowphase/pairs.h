@@ -24,5 +24,11 @@ void collideBoxBox(const Shape& a, const Shape& b, const Transform& bInA, double
 // Each a box or a hull
 void collideHullHull(const Shape& a, const Shape& b, const Transform& bInA, double margin, const LoadedPoints& loaded,
                      Manifold& out);
+// Cylinders and cones. The last: a capsule, box, hull, cylinder or cone with one of the two.
+void collidePlaneFrustum(const Shape& plane, const Shape& b, const Transform& bInA, double margin,
+                         const LoadedPoints& loaded, Manifold& out);
+void collideSphereFrustum(const Shape& sphere, const Shape& b, const Transform& bInA, double margin, Manifold& out);
+void collideConvexFrustum(const Shape& a, const Shape& b, const Transform& bInA, double margin,
+                          const LoadedPoints& loaded, Manifold& out);
 
 }  // namespace brickfall

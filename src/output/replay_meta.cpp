@@ -22,6 +22,11 @@ json shapeJson(const ShapeDef& shape) {
       return {{"type", "sphere"}, {"radius", shape.radius}};
     case ShapeType::capsule:
       return {{"type", "capsule"}, {"radius", shape.radius}, {"halfHeight", shape.halfHeight}};
+    case ShapeType::cylinder:
+      return {{"type", "cylinder"}, {"radius", shape.radius}, {"halfHeight", shape.halfHeight}};
+    case ShapeType::cone:
+      return {
+          {"type", "cone"}, {"radius", shape.radius}, {"topRadius", shape.topRadius}, {"halfHeight", shape.halfHeight}};
     case ShapeType::plane:
       return {{"type", "plane"}};
     case ShapeType::hull:

@@ -24,6 +24,10 @@ std::string shapeFault(const ShapeDef& shape) {
         return "halfExtents are not all positive";
       }
       return {};
+    case ShapeType::cone:
+      if (!(shape.topRadius >= 0 && shape.topRadius <= kMostTakeSize)) return "topRadius is not 0 or positive";
+      [[fallthrough]];
+    case ShapeType::cylinder:
     case ShapeType::capsule:
       if (!positive(shape.halfHeight)) return "halfHeight is not positive";
       [[fallthrough]];
@@ -46,7 +50,14 @@ std::string shapeFault(const ShapeDef& shape) {
   return "unknown shape type " + std::to_string(int(shape.type));
 }
 
-static_assert(kShapeTypeCount == 6, "a new shape: put() and getShape(), and docs/take-format.md");
+static_assert(kShapeTypeCount == 8, "a new shape: put() and getShape(), and docs/take-format.md");
+
+bool hasHeight(ShapeType type) {
+  return type == ShapeType::capsule || type == ShapeType::cylinder || type == ShapeType::cone;
+}
+
+bool hasRadius(ShapeType type) { return type == ShapeType::sphere || hasHeight(type); }
+
 void put(ByteWriter& out, const ShapeDef& shape) {
   out.u8(std::uint8_t(shape.type));
   put(out, shape.local.position);
@@ -55,8 +66,9 @@ void put(ByteWriter& out, const ShapeDef& shape) {
   out.f64(shape.local.rotation.z);
   out.f64(shape.local.rotation.w);
   if (shape.type == ShapeType::box) put(out, shape.halfExtents);
-  if (shape.type == ShapeType::sphere || shape.type == ShapeType::capsule) out.f64(shape.radius);
-  if (shape.type == ShapeType::capsule) out.f64(shape.halfHeight);
+  if (hasRadius(shape.type)) out.f64(shape.radius);
+  if (hasHeight(shape.type)) out.f64(shape.halfHeight);
+  if (shape.type == ShapeType::cone) out.f64(shape.topRadius);
   if (shape.type == ShapeType::hull) {
     out.varint(shape.vertices.size());
     for (Vec3 v : shape.vertices) put(out, v);
@@ -98,8 +110,9 @@ ShapeDef getShape(ByteReader& in, bool& sound) {
   shape.local.rotation.z = in.f64();
   shape.local.rotation.w = in.f64();
   if (shape.type == ShapeType::box) shape.halfExtents = getVec3(in);
-  if (shape.type == ShapeType::sphere || shape.type == ShapeType::capsule) shape.radius = in.f64();
-  if (shape.type == ShapeType::capsule) shape.halfHeight = in.f64();
+  if (hasRadius(shape.type)) shape.radius = in.f64();
+  if (hasHeight(shape.type)) shape.halfHeight = in.f64();
+  if (shape.type == ShapeType::cone) shape.topRadius = in.f64();
   if (shape.type == ShapeType::hull) {
     std::uint64_t count = in.varint();
     sound = sound && in.canHold(count, 24);

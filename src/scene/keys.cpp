@@ -29,11 +29,12 @@ void addMotion(std::vector<KeySpec>& keys, const char* table) {
 void addShape(std::vector<KeySpec>& keys, const char* table) {
   keys.push_back({table, "shape", K::choice, "", 0, 0, "\"box\"", kShapeChoices, "form"});
   keys.push_back({table, "size", K::positive, "m", kSmall, kLarge, "[1, 1, 1]", "", "box: whole lengths along x, y, z"});
-  keys.push_back({table, "radius", K::number, "m", kSmall, kLarge, "0.5", "", "sphere and capsule"});
-  keys.push_back({table, "height", K::number, "m", kSmall, kLarge, "1", "", "capsule: between the centres of its caps, along y"});
+  keys.push_back({table, "radius", K::number, "m", kSmall, kLarge, "0.5", "", "sphere, capsule, cylinder, and a cone at its foot"});
+  keys.push_back({table, "height", K::number, "m", kSmall, kLarge, "1", "", "along y: of a cylinder or cone; of a capsule between the centres of its caps"});
+  keys.push_back({table, "top_radius", K::number, "m", 0, kLarge, "0", "", "cone: at its top; 0 is a point"});
   keys.push_back({table, "vertices", K::points, "m", -kLarge, kLarge, "-", "", "hull: 4 .. 64 points that span a volume"});
-  keys.push_back({table, "file", K::text, "", 1, 1000, "-", "", "mesh: an .obj, .gltf or .glb file, relative to the scene file"});
-  keys.push_back({table, "scale", K::positive, "", 1e-6, 1e6, "-", "", "mesh: factors along x, y, z; default 1"});
+  keys.push_back({table, "file", K::text, "", 1, 1000, "-", "", "mesh: an .obj, .gltf or .glb file, or heights as .csv, relative to the scene file"});
+  keys.push_back({table, "scale", K::positive, "", 1e-6, 1e6, "-", "", "mesh: factors along x, y, z; default 1; of heights, the spacing along x and z"});
 }
 
 // One function a table, in the order of docs/scene-file.md.
@@ -185,10 +186,11 @@ void addArrayKeys(std::vector<KeySpec>& keys) {
   keys.push_back({"array", "base", K::integer, "", 1, 10000, "10", "", "pyramid: bodies in the lowest row, along x"});
   keys.push_back({"array", "spacing", K::positive, "m", 0.0001, kLarge, "-", "", "between centres; default: they touch"});
   keys.push_back({"array", "jitter", K::number, "m", 0, 100, "0", "", "random shift of each body, up to this on each axis"});
-  keys.push_back({"array", "shape", K::choice, "", 0, 0, "\"box\"", "box|sphere", "form"});
+  keys.push_back({"array", "shape", K::choice, "", 0, 0, "\"box\"", "box|sphere|cylinder", "form"});
   keys.push_back({"array", "size", K::positive, "m", kSmall, kLarge, "[1, 1, 1]", "", "box: whole lengths"});
   keys.push_back({"array", "size_min", K::positive, "m", kSmall, kLarge, "-", "", "box: random lengths from this to `size`"});
-  keys.push_back({"array", "radius", K::number, "m", kSmall, kLarge, "0.5", "", "sphere"});
+  keys.push_back({"array", "radius", K::number, "m", kSmall, kLarge, "0.5", "", "sphere, cylinder"});
+  keys.push_back({"array", "height", K::number, "m", kSmall, kLarge, "1", "", "cylinder: along y"});
   keys.push_back({"array", "material", K::material, "", 0, 0, "\"brick\"", "", "of all bodies"});
   keys.push_back({"array", "position", K::vector, "m", -kFar, kFar, "[0, 0, 0]", "", "middle of the lowest layer's underside"});
   addMotion(keys, "array");

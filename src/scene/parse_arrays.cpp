@@ -11,6 +11,8 @@ namespace brickfall::scene {
 namespace {
 
 enum class Arrangement { lattice, pyramid };
+enum class ArrayShape { box, sphere, cylinder };  // as the keys list them
+constexpr const char* kArrayShapes[] = {"box", "sphere", "cylinder"};
 
 struct ArrayDef {
   Arrangement arrangement = Arrangement::lattice;
@@ -18,19 +20,27 @@ struct ArrayDef {
   int base = 10;
   Vec3 spacing;
   double jitter = 0;
-  bool sphere = false;
+  ArrayShape form = ArrayShape::box;
   Vec3 size{1, 1, 1}, sizeMin;
   bool randomSize = false;
-  double radius = 0.5;
+  double radius = 0.5, height = 1;
   Vec3 position;
   SceneBody model;
 
   ShapeDef shape(Vec3 lengths) const {
     ShapeDef out;
-    out.type = sphere ? ShapeType::sphere : ShapeType::box;
+    out.type = form == ArrayShape::sphere     ? ShapeType::sphere
+               : form == ArrayShape::cylinder ? ShapeType::cylinder
+                                              : ShapeType::box;
     out.radius = radius;
+    out.halfHeight = 0.5 * height;
     out.halfExtents = lengths * 0.5;
     return out;
+  }
+
+  Vec3 extent() const {
+    if (form == ArrayShape::box) return size;
+    return {2 * radius, form == ArrayShape::sphere ? 2 * radius : height, 2 * radius};
   }
 
   std::int64_t bodies() const {
@@ -44,11 +54,12 @@ void readNumbers(TableReader& reader, ArrayDef& def) {
   reader.vector("count", def.count);
   reader.integer("base", def.base);
   reader.number("jitter", def.jitter);
-  reader.choice("shape", def.sphere);
+  reader.choice("shape", def.form);
   reader.vector("size", def.size);
   reader.number("radius", def.radius);
+  reader.number("height", def.height);
   def.randomSize = reader.vector("size_min", def.sizeMin);
-  def.spacing = def.sphere ? Vec3{2, 2, 2} * def.radius : def.size;
+  def.spacing = def.extent();
   reader.vector("spacing", def.spacing);
   reader.vector("position", def.position);
   reader.material("material", def.model.material);
@@ -68,7 +79,8 @@ void checkTogether(TableReader& reader, const ArrayDef& def) {
                             (def.arrangement == Arrangement::pyramid ? "pyramid" : "lattice") +
                             "\", expected it only with the other arrangement");
   for (const char* key : {"size", "size_min"})
-    if (def.sphere && reader.has(key)) reader.error(key, "found with shape \"sphere\", expected radius");
+    if (def.form != ArrayShape::box && reader.has(key))
+      reader.error(key, "found with shape \"" + std::string(kArrayShapes[int(def.form)]) + "\", expected radius");
   double reach = 0;
   for (int i = 0; i < 3; i++) {
     double rows = def.arrangement == Arrangement::pyramid ? (i == 2 ? 1 : def.base) : def.count[i];
@@ -77,7 +89,10 @@ void checkTogether(TableReader& reader, const ArrayDef& def) {
   if (!(reach <= limits::kLargestCoordinate))
     reader.error("spacing", "the array reaches " + numberText(reach) + " m from the origin, expected at most " +
                                 numberText(limits::kLargestCoordinate) + " m");
-  if (!def.sphere && reader.has("radius")) reader.error("radius", "found with shape \"box\", expected size");
+  if (def.form == ArrayShape::box && reader.has("radius"))
+    reader.error("radius", "found with shape \"box\", expected size");
+  if (def.form != ArrayShape::cylinder && reader.has("height"))
+    reader.error("height", "found with another shape than \"cylinder\"");
 }
 
 class ArrayBuilder {
@@ -87,7 +102,7 @@ class ArrayBuilder {
 
   void run() {
     Vec3 s = def_.spacing;
-    double bottom = def_.position.y + (def_.sphere ? def_.radius : 0.5 * def_.size.y);
+    double bottom = def_.position.y + 0.5 * def_.extent().y;
     if (def_.arrangement == Arrangement::pyramid) {
       for (int row = 0; row < def_.base; row++)
         for (int i = 0; i < def_.base - row; i++)

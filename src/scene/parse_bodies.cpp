@@ -28,7 +28,7 @@ bool spansVolume(const std::vector<Vec3>& points) {
   return height > 1e-6 * scale && lengthSquared(normal) > 1e-12 * scale * scale * scale * scale;
 }
 
-constexpr const char* kShapeKeys[] = {"size", "radius", "height", "vertices", "file", "scale"};
+constexpr const char* kShapeKeys[] = {"size", "radius", "height", "top_radius", "vertices", "file", "scale"};
 
 bool hasKey(ShapeType shape, std::string_view key) {
   switch (shape) {
@@ -37,7 +37,10 @@ bool hasKey(ShapeType shape, std::string_view key) {
     case ShapeType::sphere:
       return key == "radius";
     case ShapeType::capsule:
+    case ShapeType::cylinder:
       return key == "radius" || key == "height";
+    case ShapeType::cone:
+      return key == "radius" || key == "height" || key == "top_radius";
     case ShapeType::hull:
       return key == "vertices";
     case ShapeType::mesh:
@@ -67,6 +70,7 @@ ShapeDef readShape(SceneBuild& build, TableReader& reader) {
   reader.vector("size", size);
   reader.number("radius", shape.radius);
   reader.number("height", height);
+  reader.number("top_radius", shape.topRadius);
   shape.halfExtents = size * 0.5;
   shape.halfHeight = height * 0.5;
   bool points = reader.points("vertices", shape.vertices);
@@ -85,7 +89,7 @@ void readParts(SceneBuild& build, TableReader& reader, SceneBody& body) {
     body.def.shapes.push_back(readShape(build, reader));
     return;
   }
-  for (const char* key : {"shape", "size", "radius", "height", "vertices", "file", "scale"})
+  for (const char* key : {"shape", "size", "radius", "height", "top_radius", "vertices", "file", "scale"})
     if (reader.has(key)) reader.error(key, "found beside [[body.part]], expected the shape in the parts only");
   for (TableReader& part : parts) {
     ShapeDef shape = readShape(build, part);

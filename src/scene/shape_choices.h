@@ -12,15 +12,14 @@ struct ShapeChoice {
   std::string_view name;
 };
 
-constexpr ShapeChoice kShapes[] = {{ShapeType::box, "box"},
-                                   {ShapeType::sphere, "sphere"},
-                                   {ShapeType::capsule, "capsule"},
-                                   {ShapeType::hull, "hull"},
-                                   {ShapeType::mesh, "mesh"}};
+constexpr ShapeChoice kShapes[] = {{ShapeType::box, "box"},         {ShapeType::sphere, "sphere"},
+                                   {ShapeType::capsule, "capsule"}, {ShapeType::hull, "hull"},
+                                   {ShapeType::mesh, "mesh"},       {ShapeType::cylinder, "cylinder"},
+                                   {ShapeType::cone, "cone"}};
 static_assert(std::size(kShapes) == kShapeTypeCount - 1, "a new shape needs a name in scene files");
 
 // The same as a KeySpec has it.
-constexpr const char* kShapeChoices = "box|sphere|capsule|hull|mesh";
+constexpr const char* kShapeChoices = "box|sphere|capsule|hull|mesh|cylinder|cone";
 
 constexpr bool sameChoices(std::string_view text) {
   for (const ShapeChoice& shape : kShapes) {

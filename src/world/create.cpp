@@ -51,6 +51,10 @@ void checkShape(Checks& check, const std::string& at, const ShapeDef& s, BodyTyp
       check.range(at + ".halfExtents.y", s.halfExtents.y, limits::kSmallestSize, limits::kLargestSize);
       check.range(at + ".halfExtents.z", s.halfExtents.z, limits::kSmallestSize, limits::kLargestSize);
       return;
+    case ShapeType::cone:
+      if (s.topRadius != 0) check.range(at + ".topRadius", s.topRadius, limits::kSmallestSize, limits::kLargestSize);
+      [[fallthrough]];
+    case ShapeType::cylinder:
     case ShapeType::capsule:
       check.range(at + ".halfHeight", s.halfHeight, limits::kSmallestSize, limits::kLargestSize);
       [[fallthrough]];

@@ -4,6 +4,7 @@
 
 #include "dynamics/point_matcher.h"
 #include "geometry/core.h"
+#include "geometry/frustum.h"
 #include "narrowphase/collide.h"
 #include "solver/step_context.h"
 #include "world/core_sweep.h"
@@ -163,11 +164,17 @@ bool slidesOver(const LookAhead& ahead, const Moment& now, double dt, double ove
          then.closing * dt < overlap && !endsIn(ahead, dt, overlap);
 }
 
+// The axis of a cylinder or cone goes through the body's centre.
+bool isOnAxis(const ShapeData& shape) {
+  const Vec3 centre = transformPoint(inverse(shape.inCentreFrame), Vec3{});
+  return centre.x == 0 && centre.z == 0;
+}
+
 // `spin` in the body's own frame. A shape that is round about an axis through its centre turns into itself.
 bool turnsTooFar(const ShapeData& shape, Vec3 spin, double dt) {
   const bool centred = lengthSquared(shape.inCentreFrame.position) == 0;
   if (centred && shape.geometry.type == ShapeType::sphere) return false;
-  if (centred && shape.geometry.type == ShapeType::capsule) {
+  if (shape.geometry.type == ShapeType::capsule ? centred : isFrustum(shape.geometry.type) && isOnAxis(shape)) {
     const Vec3 axis = rotate(shape.inCentreFrame.rotation, Vec3{0, 1, 0});
     spin -= axis * dot(axis, spin);
   }

@@ -166,7 +166,7 @@ void NarrowPhase::renew(ContactIndex contact) {
   Manifold now;
   if (meetsMesh(pair)) {
     MeshManifolds found;
-    findParts(pair, approach, found);
+    findParts(&pair, 1, approach, found);
     const Quat aInBody = shapes_.data[pair.shapeA].inCentreFrame.rotation;
     double most = kSameFace;
     for (int i = 0; i < found.count; i++) {
@@ -319,14 +319,22 @@ int NarrowPhase::updateParts(CandidatePair* parts, int count) {
     return count;
   }
   MeshManifolds found;
-  if (approach.near) findParts(first, approach, found);
+  if (approach.near) findParts(parts, count, approach, found);
   return takeParts(parts, count, found, approach.relative);
 }
 
-void NarrowPhase::findParts(const CandidatePair& pair, const Approach& approach, MeshManifolds& found) {
+void NarrowPhase::findParts(const CandidatePair* parts, int count, const Approach& approach, MeshManifolds& found) {
+  const CandidatePair& pair = parts[0];
+  std::uint32_t loaded[kMaxMeshManifolds * kMaxManifoldPoints];
+  std::size_t carrying = 0;
+  for (int i = 0; i < count; i++) {
+    if (parts[i].contact == kNoIndex) continue;
+    const LoadedPoints points = loadedPoints(contacts_.contacts[parts[i].contact]);
+    for (int k = 0; k < points.count; k++) loaded[carrying++] = points.features[k];
+  }
   const ShapeData &a = shapes_.data[pair.shapeA], &b = shapes_.data[pair.shapeB];
   collideMesh(a.geometry, b.geometry, inverse(a.inCentreFrame) * approach.relative * b.inCentreFrame,
-              reachOf(pair, approach), proximity_.meshScratch, found);
+              reachOf(pair, approach), proximity_.meshScratch, found, {loaded, carrying});
   Transform poseA = bodies_.pose(pair.bodyA) * a.inCentreFrame;
   for (int i = 0; i < found.count; i++) {
     dropFarPoints(found.list[i], bodies_.motion[pair.bodyA], bodies_.motion[pair.bodyB], poseA, marginOf(pair),
@@ -378,7 +386,7 @@ void NarrowPhase::makeContact(CandidatePair& pair, const Manifold& m, const Tran
   c.bodyA = pair.bodyA;
   c.bodyB = pair.bodyB;
   c.count = m.count;
-  c.rolls = isRound(a.geometry.type) || isRound(b.geometry.type);
+  c.rolls = isRound(a.geometry.type) || isRound(b.geometry.type) || m.rolls;
   c.partial = m.partial;
   takeConstants(c, shapes_, bodies_);
   c.born = old.born;

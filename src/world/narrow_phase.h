@@ -42,7 +42,7 @@ class NarrowPhase {
   void restorePassed();
   // All parts of a shape and a mesh. As many of the first ones as the returned count are kept.
   int updateParts(CandidatePair* parts, int count);
-  void findParts(const CandidatePair& pair, const Approach& approach, MeshManifolds& found);
+  void findParts(const CandidatePair* parts, int count, const Approach& approach, MeshManifolds& found);
   int takeParts(CandidatePair* parts, int count, const MeshManifolds& found, const Transform& relative);
   bool isStill(const CandidatePair& pair) const;
   bool haveParted(const CandidatePair& pair) const;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "brickfall/geometry/mesh_tree.h"
+#include "geometry/frustum.h"
 #include "geometry/mass_properties.h"
 #include "math/free_turn.h"
 
@@ -32,6 +33,7 @@ Shape geometryOf(const ShapeDef& def, const Hull* hull) {
   g.type = def.type;
   g.halfExtents = def.halfExtents;
   g.radius = def.radius;
+  g.topRadius = def.topRadius;
   g.halfHeight = def.halfHeight;
   g.hull = hull;
   g.mesh = def.mesh.get();
@@ -159,7 +161,9 @@ void Registry::updateMass(BodyIndex body, Vec3 origin) {
   if (bodies.shapes[body].size() == 1) {
     const ShapeData& only = shapes.data[bodies.shapes[body][0]];
     mass.round = only.geometry.type == ShapeType::sphere;
-    if (only.geometry.type == ShapeType::capsule) mass.symmetryAxis = rotate(only.def.local.rotation, Vec3{0, 1, 0});
+    const ShapeType type = only.geometry.type;
+    const bool turned = type == ShapeType::capsule || isFrustum(type);
+    if (turned) mass.symmetryAxis = rotate(only.def.local.rotation, Vec3{0, 1, 0});
   }
   if (data.type != BodyType::dynamic) return;
   mass.mass = data.bodyFrameMass.mass;

@@ -139,6 +139,7 @@ class SnapshotArchive {
     a.choice(s.def.type, ShapeType(kShapeTypeCount - 1));
     a.value(s.def.halfExtents);
     a.value(s.def.radius);
+    if (s.def.type == ShapeType::cone) a.value(s.def.topRadius);
     a.value(s.def.halfHeight);
     a.list(s.def.vertices);
     a.value(s.def.local);

@@ -41,11 +41,11 @@ void printPile() {
   ground.shapes[0].type = ShapeType::plane;
   bool fine = world.createBody(ground).ok();
   lab::LabRandom random(3);
-  for (int i = 0; i < 24; i++) {
+  for (int i = 0; i < 32; i++) {
     BodyDef d;
     d.shapes.resize(1);
     ShapeDef& s = d.shapes[0];
-    s.type = ShapeType(i % 4);
+    s.type = i < 24 ? ShapeType(i % 4) : i % 2 ? ShapeType::cylinder : ShapeType::cone;
     s.halfExtents = {0.1, 0.15, 0.2};
     s.radius = 0.1;
     s.halfHeight = 0.15;

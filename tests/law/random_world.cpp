@@ -12,6 +12,27 @@ namespace {
 constexpr double kThinnest = 2e-4;  // m, half of a plate
 constexpr double kStepsBefore = 4;  // bodies are thrown so that they arrive after so many steps at most
 
+// A rod, a drum, a coin or a cone, cut off or not.
+BodyDef turnedBody(Draw& draw, double size, const Material& material) {
+  const double slim = std::max(kThinnest, size * draw.scale(.1, 1));
+  ShapeDef s;
+  switch (draw.below(4)) {
+    case 0:
+      s = cylinderOf(slim, size, material.density);
+      break;
+    case 1:
+      s = cylinderOf(size, std::max(kThinnest, size * draw.scale(.03, .3)), material.density);
+      break;
+    case 2:
+      s = coneOf(slim, 0, size * draw.between(.5, 1), material.density);
+      break;
+    default:
+      s = coneOf(size, slim, size * draw.between(.2, 1), material.density);
+  }
+  s.material = material;
+  return bodyOf(s, {});
+}
+
 // A body of any shape, of about `size` m (half its extent).
 BodyDef anyBody(Draw& draw, double size, const Material& material) {
   auto shaped = [&](ShapeDef s) {
@@ -98,7 +119,7 @@ const char* nameOf(RandomKind kind) {
   return kNames[int(kind)];
 }
 
-RandomWorld drawWorld(RandomKind kind, int seed) {
+RandomWorld drawWorld(RandomKind kind, int seed, bool turned) {
   Draw draw(seed * kRandomKinds + int(kind) + 7000000);
   WorldDef def;
   def.enableSleep = false;
@@ -120,7 +141,7 @@ RandomWorld drawWorld(RandomKind kind, int seed) {
     const double size =
         i == 0 || draw.oneIn(2) ? largest * draw.between(.5, 1) : std::max(1e-3, largest * draw.scale(1e-3, 1));
     material.density = draw.scale(50, 12000);
-    BodyDef d = anyBody(draw, size, material);
+    BodyDef d = turned && draw.oneIn(2) ? turnedBody(draw, size, material) : anyBody(draw, size, material);
     Vec3 from = draw.direction();
     if (!space) from.y = std::fabs(from.y) + .2, from = normalized(from);
     const double own = speed * draw.between(.5, 1), way = own * out.dt * draw.between(0, kStepsBefore);
@@ -134,10 +155,10 @@ RandomWorld drawWorld(RandomKind kind, int seed) {
     out.sizes.push_back(innerOf(d));
     out.bodies.push_back(add(out.world, d));
   }
-  out.text = std::string(nameOf(kind)) + label(" %g", seed) + label(": dt 1/%.4g s", 1 / out.dt) +
-             label(" / %g", out.substeps) + label(", %g bodies", count) + label(" to %.3g m", largest) +
-             label(", %.3g m/s", speed) + label(", g %.3g", gravity) + label(", e %.2f", material.restitution) +
-             label(", mu %.2f", material.friction);
+  out.text = std::string(turned ? "turned bodies, " : "") + nameOf(kind) + label(" %g", seed) +
+             label(": dt 1/%.4g s", 1 / out.dt) + label(" / %g", out.substeps) + label(", %g bodies", count) +
+             label(" to %.3g m", largest) + label(", %.3g m/s", speed) + label(", g %.3g", gravity) +
+             label(", e %.2f", material.restitution) + label(", mu %.2f", material.friction);
   return out;
 }
 
@@ -185,7 +206,7 @@ RandomOutcome runWorld(RandomWorld& r) {
   };
   double scale = energyOf(r), momentum = 0, angular = 0;
   masses([&](const BodyState& s) {
-    scale -= s.mass * dot(r.world.gravity(), -s.position);
+    scale += s.mass * dot(r.world.gravity(), s.centreOfMass);
     momentum = std::max(momentum, s.mass * length(s.linearVelocity));
     angular = std::max(angular, s.mass * length(s.linearVelocity) * (length(s.position) + 0));
   });
@@ -203,7 +224,7 @@ RandomOutcome runWorld(RandomWorld& r) {
       return out;
     }
     double fallen = 0;
-    masses([&](const BodyState& s) { fallen += s.mass * dot(r.world.gravity(), s.position); });
+    masses([&](const BodyState& s) { fallen += s.mass * dot(r.world.gravity(), s.centreOfMass); });
     const double kinetic = energyOf(r) + fallen;
     highest = std::max(highest, kinetic);
     out.gain = std::max(out.gain, (energyOf(r) - start) / highest);

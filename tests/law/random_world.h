@@ -1,4 +1,5 @@
-// Worlds drawn at random, for laws that hold in all of them: one to six bodies of any shape, 1 mm to 30 m, thrown at each other or
+// Worlds drawn at random, for laws that hold in all of them: one to six bodies of any shape (half of them cylinders and cones
+// where these are asked for, else none), 1 mm to 30 m, thrown at each other or
 // at something that does not give way, at any speed, spin, time step, restitution and friction.
 #pragma once
 #include <optional>
@@ -26,7 +27,7 @@ struct RandomWorld {
   Vec3 halfExtents;              // m, of a target that is a box
   Vec3 drive;                    // m/s, of a belt
 };
-RandomWorld drawWorld(RandomKind kind, int seed);
+RandomWorld drawWorld(RandomKind kind, int seed, bool turned = false);
 
 struct RandomOutcome {
   double gain = 0;     // highest energy / that of the start - 1, in the frame of what is driven

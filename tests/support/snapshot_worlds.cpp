@@ -12,6 +12,7 @@ ShapeDef shapeOf(ShapeType type) {
   s.halfExtents = {0.1, 0.05, 0.06};
   s.radius = 0.08;
   s.halfHeight = 0.1;
+  if (type == ShapeType::cone) s.topRadius = 0.03;
   if (type == ShapeType::hull) s.vertices = {{.1, 0, 0}, {-.1, 0, 0}, {0, .1, 0}, {0, -.1, 0}, {0, 0, .1}, {0, 0, -.1}};
   return s;
 }
@@ -61,6 +62,8 @@ World busy() {
   add(world, ShapeType::sphere, {0.1, 0.2, 0.3}, {0, 0, -4});
   add(world, ShapeType::box, {1, 0.05, 0}, {0.1, 0.1, 0}, BodyType::kinematic);
   add(world, ShapeType::capsule, {1, 0.3, 0});
+  add(world, ShapeType::cylinder, {1.3, 0.2, 0});
+  add(world, ShapeType::cone, {1.3, 0.5, 0});
   advance(world, 8);
   return world;
 }

@@ -44,6 +44,18 @@ inline ShapeDef capsuleOf(double radius, double halfHeight, double density = 100
   s.halfHeight = halfHeight;
   return s;
 }
+inline ShapeDef cylinderOf(double radius, double halfHeight, double density = 1000, double friction = 0.6) {
+  ShapeDef s = sphereOf(radius, density, friction);
+  s.type = ShapeType::cylinder;
+  s.halfHeight = halfHeight;
+  return s;
+}
+inline ShapeDef coneOf(double radius, double topRadius, double halfHeight, double density = 1000) {
+  ShapeDef s = cylinderOf(radius, halfHeight, density);
+  s.type = ShapeType::cone;
+  s.topRadius = topRadius;
+  return s;
+}
 inline ShapeDef planeOf(double friction = 0.6) {
   ShapeDef s = boxOf({}, 1000, friction);
   s.type = ShapeType::plane;

@@ -41,13 +41,14 @@ void addShape(Lines& lines, const ShapeDef& shape, const Transform& body, std::u
       lines.addCircle(pose.position, y * r, z * r, colour);
       lines.addCircle(pose.position, z * r, x * r, colour);
       break;
-    case ShapeType::capsule: {
-      const Vec3 end = y * shape.halfHeight;
-      for (const Vec3 middle : {pose.position - end, pose.position + end})
-        lines.addCircle(middle, x * r, z * r, colour);
-      for (const Vec3 side : {x * r, z * r, x * -r, z * -r}) {
-        lines.add(pose.position - end + side, pose.position + end + side, colour);
-      }
+    case ShapeType::capsule:
+    case ShapeType::cylinder:
+    case ShapeType::cone: {
+      const Vec3 low = pose.position - y * shape.halfHeight, high = pose.position + y * shape.halfHeight;
+      const double top = shape.type == ShapeType::cone ? shape.topRadius : r;
+      lines.addCircle(low, x * r, z * r, colour);
+      if (top > 0) lines.addCircle(high, x * top, z * top, colour);
+      for (const Vec3 side : {x, z, -x, -z}) lines.add(low + side * r, high + side * top, colour);
       break;
     }
     case ShapeType::hull:

@@ -97,6 +97,12 @@ std::string meshKey(const ShapeDef& shape) {
     case ShapeType::box:
       std::snprintf(text, sizeof text, "box %.4f %.4f %.4f", half.x, half.y, half.z);
       return text;
+    case ShapeType::cylinder:
+      std::snprintf(text, sizeof text, "cylinder %.4f %.4f", shape.radius, shape.halfHeight);
+      return text;
+    case ShapeType::cone:
+      std::snprintf(text, sizeof text, "cone %.4f %.4f %.4f", shape.radius, shape.topRadius, shape.halfHeight);
+      return text;
     case ShapeType::capsule:
       std::snprintf(text, sizeof text, "capsule %.4f %.4f", shape.radius, shape.halfHeight);
       return text;

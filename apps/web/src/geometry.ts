@@ -1,6 +1,6 @@
 // Meshes of shapes. Boxes get a small bevel: it catches the light along the edges, which is what makes single bricks of a
 // wall without mortar tell apart.
-import { BufferAttribute, BufferGeometry, CapsuleGeometry, SphereGeometry, Vector3 } from 'three';
+import { BufferAttribute, BufferGeometry, CapsuleGeometry, CylinderGeometry, SphereGeometry, Vector3 } from 'three';
 import type { ShapeMeta } from './tracks';
 
 const kBevel = 0.0022; // m
@@ -66,6 +66,10 @@ export function geometryOf(shape: ShapeMeta): BufferGeometry | null {
       return new SphereGeometry(shape.radius, 40, 24);
     case 'capsule':
       return new CapsuleGeometry(shape.radius, 2 * shape.halfHeight!, 12, 28);
+    case 'cylinder':
+      return new CylinderGeometry(shape.radius, shape.radius, 2 * shape.halfHeight!, 48);
+    case 'cone':
+      return new CylinderGeometry(shape.topRadius!, shape.radius, 2 * shape.halfHeight!, 48);
     case 'hull': {
       const geometry = new BufferGeometry();
       geometry.setAttribute('position', new BufferAttribute(new Float32Array(shape.positions!), 3));

@@ -2,9 +2,10 @@
 import { decompress } from 'fzstd';
 
 export interface ShapeMeta {
-  type: 'box' | 'sphere' | 'capsule' | 'hull' | 'plane';
+  type: 'box' | 'sphere' | 'capsule' | 'cylinder' | 'cone' | 'hull' | 'plane';
   half?: [number, number, number];
   radius?: number;
+  topRadius?: number;
   halfHeight?: number;
   positions?: number[];
   normals?: number[];

@@ -37,6 +37,8 @@ Result<ShapeMesh> makeShapeMesh(const ShapeDef& shape, RoundDetail detail = {});
 ShapeMesh boxMesh(Vec3 halfExtents);
 ShapeMesh sphereMesh(double radius, RoundDetail detail = {});
 ShapeMesh capsuleMesh(double radius, double halfHeight, RoundDetail detail = {});
+ShapeMesh cylinderMesh(double radius, double halfHeight, RoundDetail detail = {});
+ShapeMesh coneMesh(double radius, double topRadius, double halfHeight, RoundDetail detail = {});
 // Faces of the convex hull as the engine has it: at most 64 corners. The errors are those of the shape: too few points,
 // not finite, all in a plane, too many corners.
 Result<ShapeMesh> hullMesh(std::span<const Vec3> vertices);

@@ -63,6 +63,8 @@ std::string text(const Shape& s) {
       return "capsule " + std::to_string(s.radius) + " " + std::to_string(s.halfHeight);
     case ShapeType::plane:
     case ShapeType::mesh:  // not in these sweeps
+    case ShapeType::cylinder:
+    case ShapeType::cone:
       return "plane";
     case ShapeType::hull:
       return "hull of " + std::to_string(s.hull->vertices.size());

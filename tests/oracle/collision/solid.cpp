@@ -149,7 +149,9 @@ Solid solidOf(const Shape& shape, const Transform& pose) {
       out.normals = {turn * Vector{0, 1, 0}};
       out.offsets = {dot(out.normals[0], origin)};
       break;
-    case ShapeType::mesh:  // not convex
+    case ShapeType::mesh:      // not convex
+    case ShapeType::cylinder:  // frustum_test.cpp
+    case ShapeType::cone:
       break;
     case ShapeType::sphere:
       out.radius = shape.radius;

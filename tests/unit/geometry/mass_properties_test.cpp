@@ -43,7 +43,8 @@ MassProperties sumOfCells(const Shape& shape, double density, int cells) {
 
 TEST(MassProperties, AgreeWithSumsOverCells) {
   test::ShapeSamples samples(1);
-  for (ShapeType type : {ShapeType::box, ShapeType::sphere, ShapeType::capsule, ShapeType::hull}) {
+  for (ShapeType type :
+       {ShapeType::box, ShapeType::sphere, ShapeType::capsule, ShapeType::hull, ShapeType::cylinder, ShapeType::cone}) {
     for (int round = 0; round < 4; round++) {
       Shape shape = samples.make(type);
       MassProperties exact = shapeMass(shape, 1900);

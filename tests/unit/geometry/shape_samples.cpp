@@ -33,6 +33,12 @@ Shape ShapeSamples::make(ShapeType type) {
       shape.radius = size();
       shape.halfHeight = size();
       break;
+    case ShapeType::cylinder:
+    case ShapeType::cone:
+      shape.radius = size();
+      shape.halfHeight = size();
+      if (type == ShapeType::cone && random_.below(2) == 0) shape.topRadius = size();
+      break;
     case ShapeType::hull: {
       double x = size(), y = size();
       Vec3 axes{x, y, size()};
@@ -79,9 +85,11 @@ Outline outlineOf(const Shape& shape) {
         out.edges.push_back({hull.vertices[hull.edges[e].origin], hull.vertices[hull.edges[e + 1].origin]});
       }
       break;
+    case ShapeType::cylinder:
+    case ShapeType::cone:
     case ShapeType::plane:
     case ShapeType::mesh:
-      break;
+      break;  // no polytopes
   }
   return out;
 }

@@ -53,6 +53,26 @@ TEST_F(MeshFiles, LoadsByEndingAndSaysWhatIsMissing) {
   EXPECT_NE(message("empty.glb").find("JSON"), std::string::npos);
 }
 
+TEST_F(MeshFiles, HeightsAreGroundAndMistakesNameTheLine) {
+  write("ground.csv", "# metres\n0, 1, 0\n\n0;0.5;0\n0 -1 0\n");
+  Result<MeshFileData> ground = loadMeshFile((folder / "ground.csv").string());
+  ASSERT_TRUE(ground) << ground.error().message;
+  EXPECT_EQ(ground->indices.size(), 3u * 8);
+  ASSERT_EQ(ground->vertices.size(), 9u);
+  for (const Vec3& v : ground->vertices) EXPECT_EQ(v.y, v.x != 0 ? 0 : v.z < 0 ? 1 : v.z > 0 ? -1 : 0.5);
+  SceneLoad scene = load("type = \"fixed\"\nshape = \"mesh\"\nfile = \"ground.csv\"\nscale = [2, 1, 2]\n");
+  EXPECT_TRUE(scene.scene) << firstMessage(scene);
+  auto message = [&](const std::string& text) {
+    Result<MeshFileData> data = readHeights(text, "h");
+    return data ? std::string() : data.error().message;
+  };
+  EXPECT_NE(message("0 1\n0 x\n").find("h:2: found \"x\""), std::string::npos);
+  EXPECT_NE(message("0 1\n0 nan\n").find("h:2"), std::string::npos);
+  EXPECT_NE(message("0 1\n0 1 2\n").find("h:2: found 3 heights, expected 2"), std::string::npos);
+  EXPECT_NE(message("0 1\n").find("expected two whole rows"), std::string::npos);
+  EXPECT_NE(message("").find("expected two whole rows"), std::string::npos);
+}
+
 TEST_F(MeshFiles, BuffersLieBesideOrBelow) {
   auto gltf = [](const std::string& uri) {
     return R"({"asset":{"version":"2.0"},"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],"accessors":[{"bufferView":0,)"
@@ -156,7 +176,7 @@ TEST_F(MeshFiles, SceneFilesSayWhatIsWrong) {
   std::string fixed = "type = \"fixed\"\nshape = \"mesh\"\n";
   refused(fixed, "body[0].file", "not given");
   refused(fixed + "file = \"none.obj\"\n", "body[0].file", "there is no such file");
-  refused(fixed + "file = \"floor.stl\"\n", "body[0].file", ".obj, .gltf or .glb");
+  refused(fixed + "file = \"floor.stl\"\n", "body[0].file", ".obj, .gltf, .glb or .csv");
   refused(fixed + "file = \"floor.obj\"\nscale = [1, 0, 1]\n", "body[0].scale[1]", "expected");
   refused(fixed + "file = \"floor.obj\"\nsize = [1, 1, 1]\n", "body[0].size", "mesh does not have");
   refused("shape = \"mesh\"\nfile = \"floor.obj\"\n", "body[0].type", "which means \"dynamic\"");

@@ -143,6 +143,9 @@ double outside(const Shape& shape, Vec3 p) {
       for (const HullPlane& plane : shape.hull->planes) most = std::max(most, dot(plane.normal, p) - plane.offset);
       return most;
     }
+    case ShapeType::cylinder:
+    case ShapeType::cone:
+      return length(closestPoint(shape, p) - p);
     case ShapeType::mesh:
       break;  // not asked here: it is no solid
   }

@@ -136,6 +136,22 @@ TEST(Replay, PageIsOneFileWithEverythingInItsPlace) {
   EXPECT_EQ(meta["cameras"][0]["name"], "front");
 }
 
+TEST(Replay, PageIsToldOfCylindersAndCones) {
+  OutputFolder folder;
+  test::SyntheticTake take = test::makeSyntheticTake({.frames = 2});
+  ShapeDef &drum = take.bodies[3].shapes[0], &cone = take.bodies[4].shapes[0];
+  drum.type = ShapeType::cylinder, drum.radius = 0.5, drum.halfHeight = 0.25;
+  cone.type = ShapeType::cone, cone.radius = 0.5, cone.halfHeight = 0.25, cone.topRadius = 0.125;
+  TakeReader reader = test::opened(take, folder.file("a.take"));
+  ASSERT_TRUE(writeReplayHtml(reader, folder.file("a.html")));
+  auto meta = nlohmann::json::parse(between(test::contentOf(folder.file("a.html")), "id=\"meta\">", "</script>"));
+  auto shapeOf = [&](std::size_t body) {
+    return meta["shapes"][meta["bodies"][body]["parts"][0]["shape"].get<std::size_t>()];
+  };
+  EXPECT_EQ(shapeOf(3).dump(), R"({"halfHeight":0.25,"radius":0.5,"type":"cylinder"})");
+  EXPECT_EQ(shapeOf(4).dump(), R"({"halfHeight":0.25,"radius":0.5,"topRadius":0.125,"type":"cone"})");
+}
+
 TEST(Replay, PageKnowsWhoComesAndGoes) {
   OutputFolder folder;
   test::SyntheticTake take = test::makeSyntheticTake(

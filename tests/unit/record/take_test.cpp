@@ -74,6 +74,9 @@ TEST(Take, FramesComeBackAsWritten) {
 TEST(Take, HeaderComesBackAsWritten) {
   RemovedAtEnd file{temporaryFile("header.take")};
   SyntheticTake take = makeSyntheticTake({.frames = 1});
+  ShapeDef &drum = take.bodies[3].shapes[0], &cone = take.bodies[4].shapes[0];
+  drum.type = ShapeType::cylinder, drum.radius = 0.08, drum.halfHeight = 0.1;
+  cone.type = ShapeType::cone, cone.radius = 0.09, cone.halfHeight = 0.2, cone.topRadius = 0.03;
   ASSERT_EQ(test::writeTake(take, file.path), "");
   Result<TakeReader> reader = TakeReader::open(file.path);
   ASSERT_TRUE(reader) << reader.error().message;
@@ -102,8 +105,13 @@ TEST(Take, HeaderComesBackAsWritten) {
       if (a.shapes[s].type == ShapeType::box) {
         EXPECT_EQ(a.shapes[s].halfExtents, b.shapes[s].halfExtents);
       }
-      if (a.shapes[s].type == ShapeType::capsule) {
+      const ShapeType type = a.shapes[s].type;
+      if (type == ShapeType::capsule || type == ShapeType::cylinder || type == ShapeType::cone) {
+        EXPECT_EQ(a.shapes[s].radius, b.shapes[s].radius);
         EXPECT_EQ(a.shapes[s].halfHeight, b.shapes[s].halfHeight);
+      }
+      if (type == ShapeType::cone) {
+        EXPECT_EQ(a.shapes[s].topRadius, b.shapes[s].topRadius);
       }
     }
   }

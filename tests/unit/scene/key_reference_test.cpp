@@ -128,8 +128,9 @@ TEST(KeyReference, DocumentedDefaultsAreTheRealOnes) {
     return from == std::string::npos ? text : text.erase(from, text.find('\n', from + 1) - from);
   };
   // Keys of other shapes and arrangements are refused where they would do nothing.
-  std::string body = without(without(without("\n" + allDefaults("body"), "radius"), "height"), "size");
-  std::string array = without(without("\n" + allDefaults("array"), "radius"), "base");
+  std::string body =
+      without(without(without(without("\n" + allDefaults("body"), "radius"), "height"), "size"), "top_radius");
+  std::string array = without(without(without("\n" + allDefaults("array"), "radius"), "height"), "base");
   std::string ground = without("\n" + allDefaults("ground"), "size");
   std::string full = "[world]\n" + allDefaults("world") + "[solver]\n" + allDefaults("solver") + "[report]\n" +
                      allDefaults("report") + "[ground]" + ground + "[[wall]]\n" + allDefaults("wall") +

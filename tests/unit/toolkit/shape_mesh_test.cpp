@@ -63,6 +63,24 @@ TEST(ShapeMesh, RoundShapesComeCloseToTheirVolume) {
   EXPECT_NEAR(top, 1.2, 1e-6);
 }
 
+TEST(ShapeMesh, DrumsAndConesAreClosedWithFlatCapsAndSlantedSides) {
+  for (double top : {0.5, 0.2, 0.0}) {
+    const ShapeMesh mesh = top == 0.5 ? cylinderMesh(0.5, 0.7) : coneMesh(0.5, top, 0.7);
+    expectSound(mesh, 0.99);
+    const double exact = std::numbers::pi * 1.4 / 3 * (0.25 + 0.5 * top + top * top);
+    EXPECT_NEAR(volumeOf(mesh), exact, 0.01 * exact);
+    const double rise = 1.4, inward = 0.5 - top, up = inward / std::sqrt(rise * rise + inward * inward);
+    int caps = 0;
+    for (const auto& n : mesh.normals) {
+      caps += std::fabs(n[1]) == 1;
+      if (std::fabs(n[1]) != 1) {
+        EXPECT_NEAR(n[1], up, 1e-6);
+      }
+    }
+    EXPECT_EQ(caps, top > 0 ? 64 : 32);
+  }
+}
+
 TEST(ShapeMesh, HullOfACubeHasSixSquareFaces) {
   std::vector<Vec3> points;
   for (double x : {-1.0, 1.0})
@@ -164,7 +182,8 @@ TEST(ShapeMesh, DetailIsPutIntoItsRange) {
 TEST(ShapeMesh, EveryShapeHasOne) {
   ShapeDef shape;
   shape.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-  for (ShapeType type : {ShapeType::box, ShapeType::sphere, ShapeType::capsule, ShapeType::hull, ShapeType::plane}) {
+  for (ShapeType type : {ShapeType::box, ShapeType::sphere, ShapeType::capsule, ShapeType::hull, ShapeType::plane,
+                         ShapeType::cylinder, ShapeType::cone}) {
     shape.type = type;
     Result<ShapeMesh> mesh = makeShapeMesh(shape);
     ASSERT_TRUE(mesh) << mesh.error().message;
