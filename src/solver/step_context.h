@@ -67,9 +67,6 @@ constexpr double kNearlyClosed = 20e-6;  // way that an impact may leave out, in
 //! | too large: impacts that still go on give back too little; balls pass edges that they should glance off
 constexpr double kOver = 0.1;  // an approach that has become so slow is over
 
-//! - | too small: Newton's method starts far off | too large: cost of cycles in place of better Newton steps
-constexpr int kSweepsBeforeDirect = 1;  // over the bodies, in islands of few: a cycle of one sweep
-
 // Motion of a body in this step if nothing touched it.
 struct FreeMotion {
   Vec3 d;                         // m: velocity at the end x dt

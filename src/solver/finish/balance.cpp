@@ -12,10 +12,7 @@ namespace brickfall {
 
 namespace {
 
-//! - | too small: rounding of the float solve is taken for a gain | too large: energy may creep up
-constexpr double kSlack = 1e-7;  // of the energy that moves: rounding of the float solve
-
-//! m/s | too small: columns that lean under a great load fall
+//! m/s | too small: columns that lean under a great load fall; stacks sway on
 //! | too large: bodies that rock in a small island are braked
 constexpr double kSwaySpeed = 0.1;
 
@@ -57,7 +54,7 @@ struct GroupEnergy {
     return end - start - outside - std::min(lent, std::max(0.0, rebounds.work));
   }
   double fromTies(const Rebounds& rebounds) const { return std::max(0.0, ties - std::max(0.0, rebounds.work)); }
-  double slack() const { return kSlack * (start + end + moved); }
+  double slack() const { return kFloatsRound * (start + end + moved); }
 };
 // Energies in a frame that moves at `frame` (m/s) with the body that the group presses on. Otherwise the work of a body
 // that slides on a belt is lost in the rounding of the belt's work.
