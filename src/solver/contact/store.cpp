@@ -50,8 +50,7 @@ void keepImpact(Contact& c, int i, ContactStart& start, StoredForces& f) {
 
 // Multiplier for the next step: the force, but an impact's force must not act again, explicitly.
 void holdForce(Contact& c, int i, const StoredForces& f, double gravity) {
-  float kept = kMultiplierShare * c.points.multiplierN[i];
-  float cap = kMultiplierGrowth * kept + kMultiplierWeights * float(gravity) * c.effectiveMass;
+  float cap = c.points.multiplierN[i] + kMultiplierWeights * float(gravity) * c.effectiveMass;
   float share = f.n[i] > cap ? cap / f.n[i] : 1;
   c.points.forceN[i] = f.n[i];
   c.points.force1[i] = f.t1[i];
