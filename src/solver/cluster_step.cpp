@@ -30,10 +30,6 @@ namespace {
 
 using wide::V;
 
-//! weights | too small: searches that change little
-//! | too large: a body that overlaps by a micrometre is thrown by millimetres, and little pulls it back
-constexpr float kOvershootWeights = 0.3f;  // for a cluster of a large island: most force by which it may end beyond
-
 float power(const Wrench& a, const Wrench& b) { return dot(a.force, b.force) + dot(a.torque, b.torque); }
 
 // Uses the arithmetic of the solve's loads: a body's lanes are stored as they will be read.
@@ -60,8 +56,7 @@ class Way {
     if (!forces.island().plan.large) return;
     const Island& island = forces.island();
     float weight = cluster.mass * float(island.dt * island.dt * island.facts.scale.gravity);
-    most_ =
-        kOvershootWeights * weight * (length(step_.force) + std::sqrt(gyrationSquared(cluster)) * length(step_.torque));
+    most_ = kNearMinimum * weight * (length(step_.force) + std::sqrt(gyrationSquared(cluster)) * length(step_.torque));
   }
   // Returns the slope there.
   float moveTo(float part) {

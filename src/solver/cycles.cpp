@@ -1,7 +1,5 @@
 #include "solver/cycles.h"
 
-#include <algorithm>
-
 #include "base/take_larger.h"
 #include "solver/direct_solve.h"
 #include "solver/light_pass.h"
@@ -10,15 +8,6 @@
 namespace brickfall {
 
 namespace {
-
-// How much of its free fall a body had in the step before: 1 in flight, 0 on firm ground.
-float fallShare(const Island& island, std::size_t i, const StepContext& context) {
-  BodyIndex body = island.bodies[i];
-  const FreeMotion& free = context.free[body];
-  Vec3 fall = (free.d * (1 / island.dt) - free.startVelocity) * (1 / island.dt);
-  double most = lengthSquared(fall), had = dot(context.bodies->data[body].linearAcceleration, fall);
-  return most > 0 ? float(std::clamp(had / most, 0.0, 1.0)) : 0;
-}
 
 // The change of velocity of the last step once more, but no more than that of free motion: an impact's is over. Goes on
 // with that what rolls or slides under a constant force: all of it is in balance from the start.
@@ -35,29 +24,18 @@ void goOnAccelerating(const Island& island, std::size_t i, const StepContext& co
   out.th = toFloat((m.angularVelocity + data.angularAcceleration * time) * island.dt);
 }
 
-// Free motion is the honest start: motion that cycles leave undone then falls. In large islands on the ground each body
-// goes on with as much of its fall as it had. Otherwise a wall or a heap would fall by the undone motion, a little in
-// every step. No brick hangs by this start: each one out of balance by itself is moved until it is in balance. A slow
-// island there starts from where it is: on stiff contacts even micrometres a second of the last step are forces to be
-// solved away.
+// Free motion is the honest start: motion that cycles leave undone then falls. Large islands on the ground start from
+// where their velocities lead. Otherwise a wall or a heap would fall by the undone motion, a little in every step. No
+// brick hangs by this start: each one out of balance by itself is moved until it is in balance.
 void startMotion(Island& island, const StepContext& context) {
   for (std::size_t i = 0; i < island.bodies.size(); i++) {
     const SolveMass& free = island.masses[i];
+    const BodyMotion& m = context.bodies->motion[island.bodies[i]];
     SolveMotion& out = island.motion[i];
     out = {};
-    if (!island.plan.startsFree && island.plan.slow) continue;
-    out.d = free.dFree;
-    out.th = free.thFree;
-    if (island.plan.startsFree) continue;
-    if (island.plan.goesOn) {
-      goOnAccelerating(island, i, context, out);
-      continue;
-    }
-    const BodyMotion& m = context.bodies->motion[island.bodies[i]];
-    float share = fallShare(island, i, context);
-    Vec3f way = toFloat(m.linearVelocity * island.dt), turn = toFloat(m.angularVelocity * island.dt);
-    out.d = way + (out.d - way) * share;
-    out.th = turn + (out.th - turn) * share;
+    out.d = island.plan.startsFree ? free.dFree : toFloat(m.linearVelocity * island.dt);
+    out.th = island.plan.startsFree ? free.thFree : toFloat(m.angularVelocity * island.dt);
+    if (island.plan.goesOn) goOnAccelerating(island, i, context, out);
   }
 }
 

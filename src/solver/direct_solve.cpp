@@ -26,10 +26,8 @@ constexpr int kDirectSteps = 100;
 //! - | too small: new points slide under friction limits that are not theirs
 //! | too large: friction limits and forces may chase each other, and no step is the last
 constexpr int kBoundSteps = 6;  // so many steps renew the friction limits of new points, then they are frozen
-//! of the friction limit | too small: cost | too large: new points slide under friction limits that are not theirs
-constexpr float kBoundChange = 0.02f;  // a smaller change is left
-//! - | too small: cost of searches that change little | too large: steps end far beyond their minimum
-constexpr double kEnough = 0.8;  // of the slope at the start: a search ends below it
+//! - | too small: stacks that land, or are made leaning, shear | too large: cost
+constexpr int kBoundRounds = 3;  // so often the solve begins anew with the friction limits of the forces found
 //! - | too small: cost | too large: steps jump to and fro over edges that open and close: leaning bodies stay up
 constexpr double kEnoughStalled = 0.1;  // the same after kStalledSteps
 
@@ -70,7 +68,7 @@ class Newton {
   bool settleBounds() {
     bool any = false;
     island_.rows.each([&](auto& kind, std::size_t k) {
-      any = (kind.boundsFollow(k) && kind.settleBounds(k, island_.motion.data(), kBoundChange)) || any;
+      any = (kind.boundsFollow(k) && kind.settleBounds(k, island_.motion.data(), kBoundSlack)) || any;
     });
     if (any) readForces(false);
     return any;
@@ -205,7 +203,7 @@ void solveDirectly(Island& island, const StepContext& context, double tolerance,
       stall = {};
       k = std::max(k, kBoundSteps);
     }
-    if (!newton.step(k < kBoundSteps, stalled < kStalledSteps ? kEnough : kEnoughStalled)) return;
+    if (!newton.step(k < kBoundSteps, stalled < kStalledSteps ? double(kFarFromMinimum) : kEnoughStalled)) return;
     statistics.cycles++;
   }
 }

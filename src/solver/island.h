@@ -51,7 +51,6 @@ struct Island {
   std::int32_t points = 0, touchingPoints = 0;  // counted in the last step in which the island was not passed over
   // Bodies: poses of a slow island when its present watch began; empty = none.
   std::pmr::vector<Transform> placePoses{memory};
-  double slipWork = 0;     // J, that sliding points took in the last step
   double inPlaceTime = 0;  // s, since the watch began
   double restTime = 0;     // s, rested without a break
 

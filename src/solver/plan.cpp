@@ -10,10 +10,9 @@ namespace brickfall {
 
 namespace {
 
-//! m/s | too small: late collapses | too large: cost
-constexpr double kDirectSpeed = 1;  // m/s: grounded islands of dozens of bodies are solved directly if none is faster
-//! m/s | too small: walls that sway are softened, and sag | too large: debris does not converge
-constexpr double kDebrisSpeed = 0.5;  // m/s: in a large island with a faster body, contacts of moving bodies are soft
+//! m/s | too small: late collapses; walls that sway are softened, and sag | too large: cost; debris does not converge
+constexpr double kDebrisSpeed = 0.5;  // of a body: its island is debris. It is not solved directly, and its contacts of
+                                      // moving bodies are soft
 //! x `maxCycles` | too small: large islands that are widely out of balance stay so: they shake on, and rest late
 //! | too large: cost
 constexpr int kMostCycles = 3;  // while many bodies of a large island are out of balance
@@ -32,7 +31,7 @@ constexpr std::size_t kAny = std::size_t(-1);
 constexpr PlanRow kRows[] = {
     {"one body", 1, false, true, 10, false, false},
     {"2 to 24", 24, false, true, 10, true, false},
-    {"25 to 80, grounded, none faster than 1 m/s", 80, true, false, 1, true, false},
+    {"25 to 80, grounded, none faster than 0.5 m/s", 80, true, false, 1, true, false},
     {"25 and more", kAny, false, false, 1, false, true},
 };
 
@@ -43,7 +42,7 @@ int cycleBudget(const IslandFacts& facts, const SolverSettings& settings) {
 }
 
 const PlanRow& rowOf(const IslandFacts& facts) {
-  bool slow = facts.grounded && facts.fastestCentre < kDirectSpeed;
+  bool slow = facts.grounded && facts.fastestCentre < kDebrisSpeed;
   return *std::find_if(std::begin(kRows), std::end(kRows),
                        [&](const PlanRow& row) { return facts.bodies <= row.mostBodies && (slow || !row.onlySlow); });
 }
@@ -125,7 +124,7 @@ SolvePlan planFor(const IslandFacts& facts, const SolverSettings& settings, doub
   plan.tolerance = !row.large  ? kSlowTolerance
                    : plan.slow ? kToRest * settings.cycleTolerance
                                : settings.cycleTolerance;
-  plan.minCycles = row.direct && row.exactSteps ? kSweepsBeforeDirect : settings.minCycles;
+  plan.minCycles = row.direct && row.exactSteps ? 1 : settings.minCycles;
   plan.maxCycles = row.direct ? plan.minCycles : cycleBudget(facts, settings);
   plan.mostCycles = row.large ? std::max(plan.maxCycles, kMostCycles * settings.maxCycles) : plan.maxCycles;
   return plan;

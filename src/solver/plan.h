@@ -38,7 +38,7 @@ struct IslandFacts {
 struct PlanRow {
   std::string_view islands;  // in words
   std::size_t mostBodies;
-  bool onlySlow;         // grounded, and no centre of mass faster than kDirectSpeed
+  bool onlySlow;         // grounded, and no centre of mass faster than kDebrisSpeed
   bool exactSteps;       // open points are left out of the matrix and searched for instead
   float calmStiffening;  // x restingStiffness while the island is calm
   bool direct;           // Newton on all bodies at once, after the first cycles

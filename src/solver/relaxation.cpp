@@ -70,8 +70,6 @@ class Relaxation {
       // More cycles would find nothing to do.
       const bool idle = island_.plan.large && !changed && out_ == 0;
       done = out_ == 0 && (idle || cycle + 1 >= island_.plan.minCycles);
-      bool ends = done || cycle + kBoundRounds >= island_.plan.maxCycles;
-      if (island_.plan.large && ends && (idle || cycle >= kBoundCycles) && dropBounds()) done = false;
       if (stalls()) break;
     }
     if (island_.grounded() && !island_.plan.exactSteps && (!island_.plan.slow || slides(island_, context_)))
@@ -96,11 +94,6 @@ class Relaxation {
     if (!island_.plan.large) return measureOf(island_, *context_.bodies, i, 0);
     if (moves(i)) return measureOf(island_, *context_.bodies, i, 1, kMovingWeights);
     return measureOf(island_, *context_.bodies, i, kLoadShare);
-  }
-  // Only for moving bodies: where a wall sways, points open for a moment, and their friction keeps it standing.
-  bool dropBounds() {
-    auto flies = [this](std::uint32_t body) { return body < allowed_.size() && moves(body); };
-    return forces_.dropBounds([&](RowEnds ends) { return flies(ends.a) || flies(ends.b); });
   }
   bool moves(std::size_t i) const { return !island_.plan.slow && island_.speeds[i] > float(kMovingSpeed); }
 
@@ -150,7 +143,7 @@ class Relaxation {
       moved = true;
     }
     const std::size_t before = forces_.sidesRead();
-    const int rounds = few ? kSweepsBeforeDirect : kRounds;
+    const int rounds = few ? 1 : kRounds;
     for (int round = 0; round < rounds && singleSweep(round % 2 != 0); round++) {
     }
     if (large) acceleration_.end();

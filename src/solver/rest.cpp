@@ -11,8 +11,6 @@ namespace brickfall {
 
 namespace {
 
-//! - | too small: bodies that rub a little sway for longer | too large: slow slides stop short
-constexpr double kSlide = 0.5;  // of the loss of kinetic energy: share that sliding friction took
 //! - | too small: a ball that rolls on a wall is stopped | too large: walls sway for longer
 constexpr double kSwing = 0.01;  // of the kinetic energy: if a step takes more, a wall has swung through its middle
 
@@ -22,9 +20,6 @@ void dampSlowIsland(const Island& island, const StepContext& context, BodySet& b
   const double lost = island.facts.energyBefore - island.facts.energy;
   if (!(island.plan.mayBeStopped && lost > 0) && !(island.plan.sways && lost > kSwing * island.facts.energyBefore))
     return;
-  // Two losses of a body alone are no vibration: friction that slows its slide, and height that it gains when it rolls
-  // up a slope. Both end by themselves. Towers rub somewhere whenever they sway.
-  if (island.plan.alone && island.slipWork >= kSlide * lost) return;
   // A body that nothing presses on has no part in a vibration: it falls.
   std::pmr::vector<char> touched(island.memory);
   findTouched(island, touched, [&](const auto& kind, std::size_t k) { return kind.ties(k, context); });

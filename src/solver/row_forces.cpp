@@ -39,8 +39,16 @@ void RowForces::readAgain() {
 }
 
 bool RowForces::renewBounds() {
-  return changeBounds(
-      [this](auto& kind, std::uint32_t index) { return kind.renewBounds(index, island_.motion.data(), kBoundSlack); });
+  bool any = false;
+  for (std::uint32_t row : following_)
+    island_.rows.at(row, [&](auto& kind, std::uint32_t index) {
+      if (!kind.renewBounds(index, island_.motion.data(), kBoundSlack)) return;
+      any = true;
+      statistics_.lightVisits += kind.kPoints;
+      Reaction now = kind.react(index, island_.motion.data());
+      take(row, kind.ends(index), {now.armA, now.armB}, {now.force, now.torque});
+    });
+  return any;
 }
 
 void RowForces::acceptBoundary(const Level& level, const Cluster& cluster) {

@@ -11,10 +11,8 @@
 
 namespace brickfall {
 
-//! - | too small: stacks that land, or are made leaning, shear; points that open for a moment lose their friction
-//! | too large: cost
-constexpr int kBoundRounds =
-    3;  // so often the direct solve begins anew; so many last cycles drop opened points' limits
+//! of the friction limit | too small: cost | too large: new points slide under friction limits that are not theirs
+constexpr float kBoundSlack = 0.01f;  // a smaller change is left
 
 class RowForces {
  public:
@@ -32,12 +30,6 @@ class RowForces {
   void readAgain();
   // Renews friction limits that follow the solve, where they changed by more than a hundredth. True if any did.
   bool renewBounds();
-  // Drops the friction limits of opened points where `wanted(ends)`. True if any was dropped.
-  template <class Wanted> bool dropBounds(Wanted wanted) {
-    return changeBounds([&](auto& kind, std::uint32_t index) {
-      return wanted(kind.ends(index)) && kind.dropBounds(index, island_.motion.data());
-    });
-  }
   // Half the sum of the forces on each body: Island::loads.
   void findLoads();
 
@@ -51,23 +43,7 @@ class RowForces {
   std::size_t sidesRead() const { return sidesRead_; }
 
  private:
-  //! - | too small: cost | too large: new points slide under friction limits that are not theirs
-  static constexpr float kBoundSlack = 0.01f;  // of a friction limit: a smaller change is left
-
   void take(std::uint32_t row, RowEnds ends, Arms arms, Reading now);
-  // change(kind, index): true if the row's friction limits have changed. Returns true if any were changed.
-  template <class Change> bool changeBounds(Change change) {
-    bool any = false;
-    for (std::uint32_t row : following_)
-      island_.rows.at(row, [&](auto& kind, std::uint32_t index) {
-        if (!change(kind, index)) return;
-        any = true;
-        statistics_.lightVisits += kind.kPoints;
-        Reaction now = kind.react(index, island_.motion.data());
-        take(row, kind.ends(index), {now.armA, now.armB}, {now.force, now.torque});
-      });
-    return any;
-  }
 
   Island& island_;
   SolveStatistics& statistics_;

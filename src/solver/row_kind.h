@@ -84,7 +84,6 @@ concept GoesThroughAStep = requires(Kind& kind, const Kind& seen, std::size_t k,
   { seen.boundsFollow(k) } -> std::same_as<bool>;                 // asked once: whether the next three are called
   { kind.renewBounds(k, motion, share) } -> std::same_as<bool>;   // after each cycle
   { kind.settleBounds(k, motion, share) } -> std::same_as<bool>;  // after a direct solve has ended, up to three times
-  { kind.dropBounds(k, motion) } -> std::same_as<bool>;           // after limits have followed long enough
   { kind.startRebounds(solved, given) } -> std::same_as<bool>;    // after the solve; true: it goes on
   // After it.
   { kind.store(island, ties, context) } -> std::same_as<bool>;

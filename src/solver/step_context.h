@@ -20,10 +20,8 @@ namespace brickfall {
 constexpr float kCorrect = 0.5f;  // 1 - alpha: share of an old gap or drift that a step corrects
 //! not of the method: follows from kCorrect
 constexpr float kMultiplierShare = 1 - kCorrect;  // of the last force, kept as multiplier: at rest fn = -k gap
-//! - | too small: loads build up over many steps | too large: an impact's force acts twice
-constexpr float kMultiplierGrowth = 2;  // the multiplier grows to at most this x its old value ...
-//! mEff g | with kMultiplierGrowth
-constexpr float kMultiplierWeights = 5;  // ... plus this many effective weights per step
+//! mEff g | too small: loads build up over many steps | too large: an impact's force acts twice
+constexpr float kMultiplierWeights = 5;  // by which a multiplier grows at most in a step
 //! - | too small: overlap from a landing is released at once, as a rebound | too large: the overlap stays for long
 constexpr float kOffsetKept = 0.9f;  // of the plastic offset, per step
 //! m/s | too small: a body that lies on parted overlap rests late | too large: with kOffsetKept
@@ -66,9 +64,6 @@ constexpr double kNearlyClosed = 20e-6;  // way that an impact may leave out, in
 //! of the speed at its start | too small: points under pressure rebound late; balls lose speed at seams
 //! | too large: impacts that still go on give back too little; balls pass edges that they should glance off
 constexpr double kOver = 0.1;  // an approach that has become so slow is over
-
-//! - | too small: Newton's method starts far off | too large: cost of cycles in place of better Newton steps
-constexpr int kSweepsBeforeDirect = 1;  // over the bodies, in islands of few: a cycle of one sweep
 
 // Motion of a body in this step if nothing touched it.
 struct FreeMotion {

@@ -4,7 +4,6 @@ namespace brickfall {
 
 bool storeRows(Island& island, Ties& ties, StepContext& context) {
   bool changed = false;
-  island.slipWork = 0;
   island.rows.eachKind([&](auto& kind) {
     changed = kind.store(island, ties, context) || changed;
     context.statistics.lightVisits += kind.kPoints * double(kind.size());

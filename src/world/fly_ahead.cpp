@@ -6,6 +6,7 @@
 #include "solver/finish/motion.h"
 #include "solver/free_motion.h"
 #include "world/core_sweep.h"
+#include "world/impact_parts.h"
 #include "world/move_body.h"
 #include "world/narrow_phase.h"
 
@@ -13,9 +14,7 @@ namespace brickfall {
 
 namespace {
 
-//! outer radii, in a step | too small: cost of debris | too large: hits from afar act along the wrong line
-constexpr double kFarAhead = 4;
-//! outer radii | too small: bodies meet before their contacts are found | too large: as kFarAhead
+//! outer radii | too small: bodies meet before their contacts are found | too large: hits act along the wrong line
 constexpr double kShortOf = 0.1;
 
 class FlightAhead {
@@ -27,7 +26,7 @@ class FlightAhead {
   double shareOf(BodyIndex body) const {
     const BodyMass& mass = registry_.bodies.mass[body];
     const Vec3 way = registry_.bodies.motion[body].linearVelocity * context_.dt;
-    const double least = kFarAhead * mass.outerRadius;
+    const double least = kFarWay * mass.outerRadius;
     if (!(lengthSquared(way) > least * least)) return 0;
     double share = 1;
     for (ShapeIndex shape : registry_.bodies.shapes[body]) share = std::min(share, untilMet(body, shape, way));

@@ -13,8 +13,6 @@ namespace {
 //! - | too small: impacts of larger islands are first order in the time step
 //! | too large: cost, impacts that are not solved well
 constexpr std::size_t kMostBodies = 5;
-//! - | too small: fast bodies are left whole | too large: contacts found from so far away say little about the impact
-constexpr double kFarWay = 4;  // outer radii, in a step
 //! rad | too small: a body that falls fast without a spin rebounds late | too large: as kFarWay
 constexpr double kNoTurn = 0.01;  // visible, in a step, of a body alone: below it a way of any length may be parted
 

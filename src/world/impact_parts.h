@@ -6,6 +6,10 @@
 
 namespace brickfall {
 
+//! outer radii, in a step | too small: fast bodies are left whole; cost of debris
+//! | too large: contacts found from so far away say little about the hit, which acts along the wrong line
+constexpr double kFarWay = 4;
+
 class ImpactParts {
  public:
   ImpactParts(const Registry& registry, const StepContext& context) : registry_(registry), context_(context) {}

@@ -13,17 +13,6 @@ namespace brickfall {
 
 namespace {
 
-//! inner radii | too small: fast bodies bounce off bodies that they pass
-//! | too large: tiny bodies slip past the corners that they hit
-constexpr double kMostAhead = 64;  // of way in the step
-//! m | too small: cost of glancing bodies | too large: round bodies are turned aside before they touch
-constexpr double kTouches = 1e-5;  // a gap this small is a touch
-//! m | too small: balls lose speed at the seams that they roll over
-//! | too large: balls pass edges that they should glance off
-constexpr double kGrazes = 2e-4;  // by which a round body may overlap a body that it goes past
-// Way of the edge by which a hit is told from an edge that slides over a face.
-//! m | too small: boxes that slide over seams stop at them | too large: a box that hits an edge goes over it
-constexpr double kOverlapAhead = 2e-3;
 //! - | too small: hits on edges are left out | too large: thin plates that meet face on go through each other
 constexpr double kTurnedOver = -0.5;  // cosine: such a normal says that the shapes have passed through each other
 
@@ -41,8 +30,8 @@ class LookAhead {
   LookAhead(const ShapeData& a, const ShapeData& b, const RelativeMotion& motion, double reach)
       : a_(a), b_(b), motion_(motion), reach_(reach), scale_(lengthScale(a.innerRadius, b.innerRadius)) {}
 
-  double touches() const { return kTouches * scale_; }  // m
-  double grazes() const { return kGrazes * scale_; }    // m
+  double touches() const { return kNearlyClosed * scale_; }  // m: a gap this small is a touch
+  double grazes() const { return kHardlyMoved * scale_; }    // m: by so much a round body may overlap what it goes past
 
   Moment start(const Manifold& m) const { return measured(0, m); }
   // Without points the shapes are out of reach.
@@ -120,7 +109,7 @@ Moment advance(const LookAhead& ahead, Moment now, double dt) {
   return now;
 }
 
-// Whether touching shapes overlap by no more than kGrazes before they are past each other.
+// Whether touching shapes overlap by no more than kHardlyMoved before they are past each other.
 bool grazes(const LookAhead& ahead, Moment now, double dt) {
   const double past = kOver * now.closing;
   for (int k = 0; k < kMostLooks && now.closing > past && now.apart > -ahead.grazes(); k++) {
@@ -188,14 +177,12 @@ Ahead lookAhead(const ShapeData& a, const ShapeData& b, const RelativeMotion& mo
   const double scale = lengthScale(a.innerRadius, b.innerRadius), most = kLittleWay * scale / dt;
   if (a.geometry.type == ShapeType::plane || b.geometry.type == ShapeType::plane) return {};  // a plane has one normal
   if (lengthSquared(motion.velocity) < most * most) return {};
-  const double far = kMostAhead * std::min(a.innerRadius, b.innerRadius) / dt;
-  if (lengthSquared(motion.velocity) > far * far) return {};
   const Vec3 spinB = rotate(conjugate(motion.pose.rotation), motion.spinB);
   if (turnsTooFar(a, motion.spinA, dt) || turnsTooFar(b, spinB, dt)) return {};
   const LookAhead ahead(a, b, motion, reach);
   const Moment now = ahead.start(m);
   if (isRound(a.geometry.type) || isRound(b.geometry.type)) return lookAheadRound(ahead, now, dt, margin, m);
-  const double overlap = kOverlapAhead * scale;
+  const double overlap = 2 * kLittleWay * scale;  // by which a hit is told from an edge that slides over a face
   if (!(now.closing > most) || now.apart < -overlap || !slidesOver(ahead, now, dt, overlap)) return {};
   return {AheadFound::passes};
 }

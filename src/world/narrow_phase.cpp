@@ -14,10 +14,6 @@ namespace brickfall {
 
 namespace {
 
-//! m | too small: manifolds made anew for nothing | too large: frozen normals and arms are wrong
-constexpr double kReusePosition =
-    1e-4;  // a manifold is kept until a point has moved further, or soon will by kLittleWay
-
 //! - | too small: what lands on an edge falls through with the other | too large: points that carry nothing
 constexpr double kWhip = 2;  // times the speed at which an end is hit: what the other end may gain by it
 
@@ -28,7 +24,8 @@ LoadedPoints loadedPoints(const Contact& c) {
   return out;
 }
 
-// Of more than four points, the four chosen serve as long as all of them carry. Else the load may be moving to another
+// A manifold is kept until a point has moved by kHardlyMoved, or soon will by kLittleWay. Of more than four points, the
+// four chosen serve as long as all of them carry. Else the load may be moving to another
 // point.
 bool canReuse(const Contact& c, const ContactGeometry& g, const Transform& relative, Vec3 relativeVelocity, double dt,
               double scale, double reach) {
@@ -37,7 +34,7 @@ bool canReuse(const Contact& c, const ContactGeometry& g, const Transform& relat
   const double moved =
       length(relative.position - g.relativePosition) + 2 * length(Vec3{turned.x, turned.y, turned.z}) * reach;
   const double mostInStep = kLittleWay * scale;
-  return moved < kReusePosition * scale && lengthSquared(relativeVelocity) * dt * dt < mostInStep * mostInStep;
+  return moved < kHardlyMoved * scale && lengthSquared(relativeVelocity) * dt * dt < mostInStep * mostInStep;
 }
 
 Vec3 anyPerpendicular(Vec3 n) {
@@ -208,15 +205,8 @@ NarrowPhase::Approach NarrowPhase::approachOf(const CandidatePair& pair) const {
   return out;
 }
 
-// Nothing in the step sets a fixed or kinematic body in motion: a pair with one has the margin of bodies that do not
-// move.
 double NarrowPhase::marginOf(const CandidatePair& pair) const {
-  const bool bothDynamic = bodies_.mass[pair.bodyA].invMass > 0 && bodies_.mass[pair.bodyB].invMass > 0;
-  const double fastest = std::sqrt(std::max(lengthSquared(bodies_.motion[pair.bodyA].linearVelocity),
-                                            lengthSquared(bodies_.motion[pair.bodyB].linearVelocity)));
-  const double speed = bothDynamic ? fastest : 0;
-  return std::min(proximity_.marginOf(shapes_.data[pair.shapeA], speed, dt_),
-                  proximity_.marginOf(shapes_.data[pair.shapeB], speed, dt_));
+  return std::min(proximity_.marginOf(shapes_.data[pair.shapeA]), proximity_.marginOf(shapes_.data[pair.shapeB]));
 }
 
 bool NarrowPhase::meetsMesh(const CandidatePair& pair) const {

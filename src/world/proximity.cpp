@@ -28,8 +28,8 @@ void Proximity::open(BroadPhaseMethod method, double margin) {
   contactMargin = margin;
 }
 
-double Proximity::marginOf(const ShapeData& shape, double speed, double dt) const {
-  return std::min(kRoom * shape.innerRadius, contactMargin / kReferenceSize * shape.innerRadius + speed * dt);
+double Proximity::marginOf(const ShapeData& shape) const {
+  return std::min(kRoom, contactMargin / kReferenceSize) * shape.innerRadius;
 }
 
 // Swept bounds: the shape's motion at the present velocity, and the contact margin. Contacts are made only where these
@@ -43,7 +43,7 @@ void Proximity::updateSwept(const Registry& registry, ShapeIndex shape, double d
     const bool falls = registry.bodies.mass[s.body].invMass > 0;
     const Vec3 fallen = move + (falls ? fall * (registry.bodies.data[s.body].gravityScale * dt) : Vec3{});
     double turn = std::min(1.0, length(m.angularVelocity) * dt) * registry.bodies.mass[s.body].outerRadius;
-    double pad = (hasSize(s) ? marginOf(s, length(m.linearVelocity), dt) : 0) + turn;
+    double pad = (hasSize(s) ? marginOf(s) : 0) + turn;
     box = {box.lower + min(min(move, fallen), Vec3{}) - Vec3{pad, pad, pad},
            box.upper + max(max(move, fallen), Vec3{}) + Vec3{pad, pad, pad}};
   }

@@ -38,9 +38,8 @@ class Proximity {
   std::vector<BoundsUpdate> following;  // bounds of which the broad phase is to be told
   MeshScratch meshScratch;
 
-  // m: how early contacts of a shape are made in a step of dt, where the shape or its neighbour has this speed (m/s). A
-  // body beside a fast one is so set in motion within the step.
-  double marginOf(const ShapeData& shape, double speed, double dt) const;
+  // m: how early contacts of a shape are made.
+  double marginOf(const ShapeData& shape) const;
   // Bounds that anything must meet to be able to touch the shape in the coming step.
   void updateSwept(const Registry& registry, ShapeIndex shape, double dt);
   void enter(const Registry& registry, BodyIndex body);  // all its shapes, where they are

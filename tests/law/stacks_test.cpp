@@ -163,5 +163,32 @@ TEST(Law, Row15bWallDroppedFlatLandsAndStands) {
   record(curve);
 }
 
+// Where points change sides in every step, what keeps its place rests. (Otherwise none of these heaps ever does.)
+TEST(Law, HeapsOfBoxesAndCapsulesComeToRest) {
+  constexpr int kHeaps = 8;
+  int resting = 0;
+  for (int seed = 0; seed < kHeaps; seed++) {
+    World world = awakeWorld();
+    addGround(world);
+    for (int side : {-1, 1}) {
+      add(world, bodyOf(boxOf({0.05, 1, 0.4}), {side * 0.2, 1, 0}, BodyType::fixed));
+      add(world, bodyOf(boxOf({0.4, 1, 0.05}), {0, 1, side * 0.2}, BodyType::fixed));
+    }
+    lab::LabRandom random(seed);
+    auto part = [&] { return random.unit() - 0.5; };
+    for (int i = 0; i < 8; i++) {
+      const double k = 0.5 + 0.5 * random.unit();
+      const ShapeDef shape = i % 2 ? capsuleOf(0.03 * k, 0.05 * k, 1900) : boxOf(Vec3{0.08, 0.0325, 0.05} * k, 1900);
+      BodyDef body = bodyOf(shape, {0.1 * part(), 0.15 + 0.12 * i, 0.1 * part()});
+      body.rotation = normalized(Quat{part(), part(), part(), part()});
+      add(world, body);
+    }
+    StepReport last;
+    for (int step = 0; step < 480; step++) last = stepSound(world, 1.0 / 120);
+    resting += last.restingIslands == last.islands;
+  }
+  EXPECT_GE(resting, kHeaps / 2) << "of " << kHeaps;
+}
+
 }  // namespace
 }  // namespace brickfall::law

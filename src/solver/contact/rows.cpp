@@ -109,17 +109,4 @@ double ContactRows::reboundWork(std::size_t k, const SolveMotion* motion) const 
   return work;
 }
 
-bool ContactRows::dropBounds(std::size_t k, const SolveMotion* motion) {
-  FaceRecord& r = records[k];
-  alignas(16) float fn[4];
-  kernel::store(kernel::pointForces(r, kernel::pointMotion(r, kernel::frame(r), motion)).n, fn);
-  bool changed = false;
-  for (int i = 0; i < starts[k].points; i++) {
-    if (!(r.newPoints >> i & 1) || fn[i] > 0 || r.limit[i] == 0) continue;
-    r.limit[i] = 0;
-    changed = true;
-  }
-  return changed;
-}
-
 }  // namespace brickfall

@@ -104,9 +104,6 @@ struct ContactRows : FaceRows {
   bool settleBounds(std::size_t k, const SolveMotion* motion, float slack) {
     return records[k].newPoints && renewNewPoints(k, motion, slack, true);
   }
-  // After limits have followed long enough: points that have opened since get no friction any more. True if any limit
-  // changed.
-  bool dropBounds(std::size_t k, const SolveMotion* motion);
   // After a solve: impacts that are over give back their share, in a solve that goes on from there. True if any does.
   bool startRebounds(const Island& island, const StepContext& context);
   // After the contact's forces are stored: an impact goes on at one of its points that will rebound later.

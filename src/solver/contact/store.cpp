@@ -14,14 +14,12 @@ struct StoredForces {
   alignas(16) float n[4], t1[4], t2[4];
   alignas(16) float trialN[4];
   std::uint32_t sliding = 0;
-  alignas(16) float slipWork[4];  // J, taken where a point slides
 };
 
 StoredForces forcesAt(const FaceRecord& r, const SolveMotion* motion) {
   auto moved = kernel::pointMotion(r, kernel::frame(r), motion);
   auto f = kernel::pointForces(r, moved);
   StoredForces out;
-  kernel::store(wide::keepIf(f.slides, -((f.t1 * moved.t1) + (f.t2 * moved.t2))), out.slipWork);
   kernel::store(f.n, out.n);
   kernel::store(f.trialN, out.trialN);
   kernel::store(f.t1, out.t1);
@@ -52,8 +50,7 @@ void keepImpact(Contact& c, int i, ContactStart& start, StoredForces& f) {
 
 // Multiplier for the next step: the force, but an impact's force must not act again, explicitly.
 void holdForce(Contact& c, int i, const StoredForces& f, double gravity) {
-  float kept = kMultiplierShare * c.points.multiplierN[i];
-  float cap = kMultiplierGrowth * kept + kMultiplierWeights * float(gravity) * c.effectiveMass;
+  float cap = c.points.multiplierN[i] + kMultiplierWeights * float(gravity) * c.effectiveMass;
   float share = f.n[i] > cap ? cap / f.n[i] : 1;
   c.points.forceN[i] = f.n[i];
   c.points.force1[i] = f.t1[i];
@@ -105,7 +102,6 @@ bool ContactRows::store(Island& island, Ties& ties, StepContext& context) {
     c.points.stickingMask = 0;
     for (int i = 0; i < c.count; i++) {
       bool sliding = f.sliding >> i & 1;
-      island.slipWork += double(f.slipWork[i]);
       touches = touches || f.n[i] > 0;
       bool rebounds = starts[k].back[i] > 0;
       keepImpact(c, i, starts[k], f);

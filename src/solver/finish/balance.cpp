@@ -12,13 +12,10 @@ namespace brickfall {
 
 namespace {
 
-//! - | too small: rounding of the float solve is taken for a gain | too large: energy may creep up
-constexpr double kSlack = 1e-7;  // of the energy that moves: rounding of the float solve
-
 //! - | too small: groups that fall from rest hang for a step | too large: groups that fly gain as much
 constexpr double kUnsound = 1e-4;  // of the energy that moves: an excess that no rounding makes
 
-//! m/s | too small: columns that lean under a great load fall
+//! m/s | too small: columns that lean under a great load fall; stacks sway on
 //! | too large: bodies that rock in a small island are braked
 constexpr double kSwaySpeed = 0.1;
 
@@ -61,7 +58,7 @@ struct GroupEnergy {
   }
   double fromTies(const Rebounds& rebounds) const { return std::max(0.0, ties - std::max(0.0, rebounds.work)); }
   double all() const { return start + moved; }  // the end of a step that failed is no measure
-  double slack() const { return kSlack * all(); }
+  double slack() const { return kFloatsRound * all(); }
 };
 // Energies in a frame that moves at `frame` (m/s) with the body that the group presses on. Otherwise the work of a body
 // that slides on a belt is lost in the rounding of the belt's work.

@@ -49,7 +49,7 @@ TEST(IslandTrial, PutsBackAllThatAPartOfTheStepChanged) {
     const std::vector<Contact> contacts = lab.contacts.contacts;
     const std::vector<ContactGeometry> geometry = lab.contacts.geometry;
     const std::size_t struck = lab.contacts.struck.size();
-    const double slipWork = island.slipWork, dt = island.dt;
+    const double dt = island.dt;
     const IslandEnding ending = island.ending;
     std::vector<double> losses;
     for (BodyIndex body : lab.awake) losses.push_back(lab.bodies.data[body].impactLoss = 1e-3);
@@ -58,11 +58,9 @@ TEST(IslandTrial, PutsBackAllThatAPartOfTheStepChanged) {
     stepIsland(island, part, 0.3 * lab.context.dt, lab.ties(), lab.bodies, lab.context, lab.context.statistics);
     for (BodyIndex body : lab.awake) lab.bodies.data[body].impactLoss = 2e-3;
     lab.move();
-    ASSERT_NE(island.slipWork, slipWork);
     ASSERT_FALSE(samePoints(contacts[0].points, lab.contacts.contacts[0].points));
     trial.restore();
 
-    EXPECT_EQ(island.slipWork, slipWork);
     EXPECT_EQ(island.dt, dt);
     EXPECT_EQ(island.ending, ending);
     EXPECT_EQ(island.part, IslandPart::last);

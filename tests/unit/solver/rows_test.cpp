@@ -112,27 +112,6 @@ TEST(Rows, HoldWhatTheyPressOrWhatIsWithinReach) {
   EXPECT_TRUE(rows.meetsWithin(0, {}, motion, lab.context));
 }
 
-TEST(Rows, WhatHasOpenedSinceItWasFirstReadHoldsNothing) {
-  TestIsland lab;
-  BodyIndex under = lab.ground(), body = lab.brick({0, kBrick.y, 0});
-  lab.touch(under, body);
-  lab.prepare();
-  ContactRows& rows = lab.island().rows.contacts;
-  SolveMotion* motion = lab.island().motion.data();
-  FaceRecord& r = rows.records[0];
-  r.newPoints = 0b0111;  // three that carried nothing before the step, and one that did
-  for (float& limit : r.limit) limit = 5;
-  motion[0] = {};
-  motion[0].d.y = -1e-4f;
-  motion[0].th.z = 2e-3f;  // pressed on one side, open on the other
-  alignas(16) float fn[4];
-  kernel::store(kernel::pointForces(r, kernel::pointMotion(r, kernel::frame(r), motion)).n, fn);
-  EXPECT_EQ(std::count_if(fn, fn + 4, [](float f) { return f > 0; }), 2);
-  EXPECT_TRUE(rows.dropBounds(0, motion));
-  for (int i = 0; i < 4; i++) EXPECT_EQ(r.limit[i], fn[i] > 0 || i == 3 ? 5 : 0) << i;
-  EXPECT_FALSE(rows.dropBounds(0, motion)) << "once";
-}
-
 // --- island_builder.h
 
 TEST(IslandBuilder, JoinsWhatHangsTogetherButNotThroughWhatIsFixed) {
