@@ -39,6 +39,7 @@ struct ContactRows : FaceRows {
 
   // --- functions of every kind of row (row_kind.h)
   static constexpr double kPoints = 4;  // visits that a row counts as; points at most
+  static constexpr bool kLasts = false;  // its ties stay, and bodies swing on them
   static constexpr std::size_t kRecordSize = sizeof(FaceRecord);
   std::size_t size() const { return contactOf.size(); }
   void reserve(std::size_t rows) { contactOf.reserve(rows); }
