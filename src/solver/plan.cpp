@@ -113,7 +113,9 @@ SolvePlan planFor(const IslandFacts& facts, const SolverSettings& settings, doub
   bool calm =
       supported && facts.fastest <= settings.restSpeed + kCalmShare * facts.scale.gravity * dt / facts.scale.speed;
   SolvePlan plan;
-  plan.slow = supported && facts.fastest <= settings.restSpeed;
+  // What swings on joints is in balance wherever it swings through its middle.
+  plan.slow =
+      supported && facts.fastest <= (facts.jointed ? std::min(kStillSpeed, settings.restSpeed) : settings.restSpeed);
   plan.sways = supported && row.large && !plan.slow && facts.fastest <= kMovingSpeed;
   plan.alone = facts.bodies == 1;
   plan.mayBeStopped = plan.slow && !(plan.alone && facts.fastest > kStillSpeed);

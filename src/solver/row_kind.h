@@ -91,6 +91,7 @@ concept GoesThroughAStep = requires(Kind& kind, const Kind& seen, std::size_t k,
   seen.tellShare(ties, share);
   { seen.owes(k, given) } -> std::same_as<bool>;
   { seen.reboundWork(k, motion) } -> std::same_as<double>;
+  { seen.heldWork(k) } -> std::same_as<HeldWork>;
   seen.advance(solved, ties);
 };
 

@@ -24,6 +24,9 @@ constexpr double kJointCorrect = 0.5;  // that a step corrects
 //! of the force | too small: cost | too large: joints stretch
 constexpr float kFollowed = 1e-3f;  // a smaller change of a multiplier is left
 
+//! of the time | too small: errors of long steps are blows in short ones | too large: they stay for long
+constexpr double kForgets = 0.8;  // of Joint::over, a step
+
 constexpr float kNoLimit = 1e30f;  // N, N m
 
 // Geometric stiffness of a force at the end of an arm that turns with a body, beside its inertia. Of pressure as of
@@ -43,6 +46,7 @@ void addBending(SolveMass& mass, Vec3 arm, Vec3 force, double share) {
 struct Firmness {
   double hard = 0;  // N/m or N m/rad
   double dt = 0;
+  double correct = 0;  // of an old error
 };
 
 // One equation from its law.
@@ -57,14 +61,14 @@ void write(const Joint& joint, const JointEquation& from, const Firmness& firm, 
       out.k[lane] = out.trial[lane] = out.least[lane] = out.most[lane] = 0;
       return;
     case JointLaw::hard:
-      out.trial[lane] = place(kJointCorrect);
+      out.trial[lane] = place(firm.correct);
       return;
     case JointLaw::atMost:
-      out.trial[lane] = place(from.error > 0 ? kJointCorrect : 1);
+      out.trial[lane] = place(from.error > 0 ? firm.correct : 1);
       out.most[lane] = 0;
       return;
     case JointLaw::atLeast:
-      out.trial[lane] = place(from.error < 0 ? kJointCorrect : 1);
+      out.trial[lane] = place(from.error < 0 ? firm.correct : 1);
       out.least[lane] = 0;
       return;
     case JointLaw::motor:
@@ -164,10 +168,13 @@ void JointRows::prepare(Island& island, Ties& ties, const StepContext& context) 
     start.span = float(system.span);
     start.bent = {};
     start.follows = start.hard = 0;
+    start.created = start.returned = 0;
     const Vec3 speed =
         b.linearVelocity + cross(b.angularVelocity, armB) - a.linearVelocity - cross(a.angularVelocity, armA);
     const double size = std::max(bodies.mass[joint.bodyA].outerRadius * (r.bodyA < island.bodies.size()),
                                  bodies.mass[joint.bodyB].outerRadius * (r.bodyB < island.bodies.size()));
+    // A way that grew over a longer step is an arc of it: corrected at once, it would be a blow.
+    const double part = island.dt / std::max(island.dt, joint.over), correct = kJointCorrect * part * part;
     const double firm = kFirmness * double(start.heaviest) / (island.dt * island.dt);
     auto writeSet = [&](const EquationSet& set, const double(&held)[kJointLanes], Vec3 moves, double hard, int first,
                         JointEquations& out) {
@@ -176,10 +183,12 @@ void JointRows::prepare(Island& island, Ties& ties, const StepContext& context) 
         const JointLaw law = set.of[i].law;
         const bool follows = isHard(law) || law == JointLaw::motor;
         start.before[first + i] = float(dot(set.axes[i % 3], moves) * island.dt);
+        start.error[first + i] = float(set.of[i].error);
         start.held[first + i] = follows ? float(held[i]) : 0;
         if (follows) start.follows |= 1u << (first + i);
         if (isHard(law)) start.hard |= 1u << (first + i);
-        write(joint, set.of[i], {hard, island.dt}, double(start.before[first + i]), start.held[first + i], i, out);
+        write(joint, set.of[i], {hard, island.dt, correct}, double(start.before[first + i]), start.held[first + i], i,
+              out);
       }
     };
     writeSet(system.way, joint.way, speed, firm, 0, r.way);
@@ -253,10 +262,34 @@ bool JointRows::store(Island& island, Ties& ties, StepContext&) {
       joint.way[i] = double(f.way[i]);
       joint.turn[i] = double(f.turn[i]);
     }
+    book(k, island.motion.data(), joint);
+    joint.over = std::max(island.dt, kForgets * joint.over);
     joint.force = toDouble(wide::store3(joint::sumOf(records[k].way, f.way)));
     joint.torque = toDouble(wide::store3(joint::sumOf(records[k].turn, f.turn)));
   }
   return changed;
+}
+
+// The errors of a joint hold energy, as a spring would: a bob that swings faster draws its joint apart, and gets that
+// back where it swings more slowly. No more comes back than that, and no more than was taken.
+void JointRows::book(std::size_t k, const SolveMotion* motion, Joint& joint) {
+  const JointRecord& r = records[k];
+  JointStart& start = starts[k];
+  const joint::Relative moved = joint::relativeMotion(r, motion);
+  const wide::V way = joint::alongAxes(r.way, moved.way), turn = joint::alongAxes(r.turn, moved.turn);
+  double work = 0, most = 0;
+  for (int i = 0; i < kJointLanes; i++) {
+    auto add = [&](int lane, double force, double by) {
+      if (!(start.hard >> lane & 1)) return;
+      work += 0.5 * force * (by + double(start.before[lane]));
+      most += std::fabs(force * double(start.error[lane]));
+    };
+    add(i, joint.way[i], double(way[i]));
+    add(i + kJointLanes, joint.turn[i], double(turn[i]));
+  }
+  start.returned = float(std::clamp(work, 0.0, joint.lent));
+  start.created = float(std::max(0.0, work - joint.lent));
+  joint.lent = std::clamp(joint.lent - work, 0.0, most);
 }
 
 void JointRows::tellShare(Ties& ties, float share) const {

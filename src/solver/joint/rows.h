@@ -32,6 +32,8 @@ struct JointStart {
   float heaviest = 0;                  // kg, of the bodies that hang together by joints, and what touches them
   float held[2 * kJointLanes] = {};    // N, N m: multiplier in `trial`, ways and then turns
   float before[2 * kJointLanes] = {};  // m, rad: way of the last step along each axis
+  float error[2 * kJointLanes] = {};   // m, rad: of hard equations
+  float created = 0, returned = 0;     // J: heldWork
   std::uint32_t follows = 0;           // bit per equation that has a multiplier
   std::uint32_t hard = 0;              // bit per equation that gives no energy: holds a place
 };
@@ -109,6 +111,7 @@ struct JointRows {
   void tellShare(Ties& ties, float share) const;
   bool owes(std::size_t, const StepContext&) const { return false; }
   double reboundWork(std::size_t, const SolveMotion*) const { return 0; }
+  HeldWork heldWork(std::size_t k) const { return {double(starts[k].created), double(starts[k].returned)}; }
   void advance(const Island&, Ties&) const {}
   // What a trial of a step changes.
   struct Memory {
@@ -154,6 +157,7 @@ struct JointRows {
   void findHeaviest(const Island& island, const BodySet& bodies);
   void bend(std::size_t k, Vec3f force);
   bool follow(std::size_t k, const SolveMotion* motion, float slack);
+  void book(std::size_t k, const SolveMotion* motion, Joint& joint);
 
   std::pmr::vector<SolveMass>* masses_ = nullptr;  // of the island, since prepare
   bool timePasses_ = true;                         // no impact is solved
