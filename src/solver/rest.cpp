@@ -19,11 +19,12 @@ constexpr double kSwing = 0.01;  // of the kinetic energy: if a step takes more,
 //! - | too small: swings are stopped at their turning points | too large: what hangs swings for ever
 constexpr double kRisen = 2;  // of the energy that gravity took: an island that lost no more swings
 
-// J, that gravity takes in a step at the present velocities.
+// J, that gravity took in the last step.
 double risenBy(const Island& island, const StepContext& context, const BodySet& bodies) {
   double sum = 0;
   for (BodyIndex body : island.bodies)
-    sum -= dot(context.gravity, bodies.motion[body].linearVelocity) *
+    sum -= dot(context.gravity,
+               bodies.motion[body].linearVelocity - bodies.data[body].linearAcceleration * (0.5 * island.dt)) *
            (bodies.mass[body].mass * bodies.data[body].gravityScale * island.dt);
   return sum;
 }
