@@ -15,8 +15,8 @@ namespace {
 //! x the heaviest body that hangs by it | too small: more rounds until a heavy body is held
 //! | too large: floats leave light bodies out of balance
 constexpr double kFirmness = 100;  // in units of mass / dt^2: of a hard equation
-//! of the second difference | too small: chains under a great load fly apart | too large: fast turns are slowed
-constexpr double kBending = 1;  // of the geometric stiffness of forces, that the solve knows
+//! of a body's inertia / dt^2 | too small: swings lose energy | too large: chains under a great load fly apart
+constexpr double kSlow = 0.5;  // a force whose geometric stiffness is less turns slowly enough for the step by itself
 //! of the second difference | too small: stiff springs fly apart | too large: their period grows with the step
 constexpr double kSpringShare = 0.5;  // of a spring's stiffness, that the solve knows
 //! of an old error | too small: joints drift apart | too large: error and correction chase each other
@@ -40,9 +40,10 @@ constexpr float kFallsTo = 0.5f;  // geometric stiffness follows a force that fa
 constexpr float kNoLimit = 1e30f;  // N, N m
 
 // Geometric stiffness of a force at the end of an arm that turns with a body, beside its inertia. Of pressure as of
-// tension, or what buckles would buckle at any speed.
-void addBending(SolveMass& mass, Vec3 arm, Vec3 force, double share) {
+// tension, or what buckles would buckle at any speed. `resist`: the body's inertia about that end.
+void addBending(SolveMass& mass, Vec3 arm, Vec3 force, double resist, double sign) {
   if (dot(arm, force) < 0) force = -force;
+  const double turning = length(arm) * length(force), share = sign * turning / (turning + kSlow * resist);
   const double one = share * 0.5 * (dot(arm, force) + length(arm) * length(force));
   auto pair = [&](int i, int j) { return share * 0.5 * (arm[i] * force[j] + force[i] * arm[j]); };
   mass.inertia[0] += float(one - pair(0, 0));
@@ -165,11 +166,15 @@ void JointRows::bend(std::size_t k, Vec3f force) {
   const JointRecord& r = records[k];
   auto change = [&](Vec3f f, double share) {
     if (f == Vec3f{}) return;
-    if (r.bodyA < masses_->size()) addBending((*masses_)[r.bodyA], toDouble(start.anchorA), -toDouble(f), share);
-    if (r.bodyB < masses_->size()) addBending((*masses_)[r.bodyB], toDouble(start.anchorB), toDouble(f), share);
+    for (int end = 0; end < 2; end++) {
+      if (start.resist[end] == 0) continue;
+      SolveMass& mass = (*masses_)[end == 0 ? r.bodyA : r.bodyB];
+      const Vec3 arm = toDouble(end == 0 ? start.anchorA : start.anchorB);
+      addBending(mass, arm, toDouble(end == 0 ? -f : f), double(start.resist[end]), share);
+    }
   };
-  change(start.bent, -kBending);
-  change(force, kBending);
+  change(start.bent, -1);
+  change(force, 1);
   start.bent = force;
 }
 
@@ -192,6 +197,12 @@ void JointRows::prepare(Island& island, Ties& ties, const StepContext& context) 
     start.anchorA = toFloat(pose.armA);
     start.anchorB = toFloat(pose.armB);
     start.span = float(system.span);
+    for (int end = 0; end < 2; end++) {
+      const BodyMass& mass = bodies.mass[end == 0 ? joint.bodyA : joint.bodyB];
+      const Vec3 arm = end == 0 ? pose.armA : pose.armB;
+      const double own = (mass.inertia.row[0].x + mass.inertia.row[1].y + mass.inertia.row[2].z) / 3;
+      start.resist[end] = float((own + mass.mass * lengthSquared(arm)) / (island.dt * island.dt));
+    }
     start.bent = {};
     start.follows = start.hard = 0;
     start.created = start.returned = 0;

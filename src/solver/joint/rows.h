@@ -7,7 +7,7 @@
 // Arms are frozen in a step, which makes the solve a leapfrog: no loss, but it is explicit in the direction of forces,
 // and flies apart where light bodies turn under large ones. So the stiffness that forces have by their direction
 // (geometric stiffness) goes into the solve, against the change of each body's turn from step to step: that is a
-// matrix beside the body's inertia. It keeps energy, and is stable at any step.
+// matrix beside the body's inertia. It is stable at any step; where steps are short enough to do without, it fades.
 //
 // The end of an arm goes along an arc: by the frozen arm alone, a joint gapes by a second order of the turn, which the
 // next steps correct. In small islands the solve knows the arc, and linkages stay closed. In large ones it does not:
@@ -33,6 +33,7 @@ struct JointStart {
   Vec3f anchorA, anchorB;              // m, from the centres of mass: where forces turn with the bodies
   Vec3f bent;                          // N, on B: the force whose geometric stiffness is in the masses
   Vec3f arc;                           // m: what the arcs of both anchors add to the way of B against A; in `trial`
+  float resist[2] = {};                // N m: inertia of each body about its anchor / dt^2; 0: nothing moves it
   float span = 0;                      // m: JointSystem::span
   float heaviest = 0;                  // kg, of the bodies that hang together by joints, and what touches them
   float held[2 * kJointLanes] = {};    // N, N m: multiplier in `trial`, ways and then turns
