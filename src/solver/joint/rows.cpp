@@ -182,6 +182,7 @@ void JointRows::prepare(Island& island, Ties& ties, const StepContext& context) 
   if (size() == 0) return;
   const BodySet& bodies = *context.bodies;
   masses_ = &island.masses;
+  held_ = {};
   timePasses_ = true;
   findHeaviest(island, bodies);
   for (std::size_t k = 0; k < size(); k++) {
@@ -205,7 +206,6 @@ void JointRows::prepare(Island& island, Ties& ties, const StepContext& context) 
     }
     start.bent = {};
     start.follows = start.hard = 0;
-    start.created = start.returned = 0;
     const Vec3 speed =
         b.linearVelocity + cross(b.angularVelocity, armB) - a.linearVelocity - cross(a.angularVelocity, armA);
     const double size = std::max(bodies.mass[joint.bodyA].outerRadius * (r.bodyA < island.bodies.size()),
@@ -325,37 +325,59 @@ bool JointRows::store(Island& island, Ties& ties, StepContext&) {
       joint.way[i] = double(f.way[i]);
       joint.turn[i] = double(f.turn[i]);
     }
-    book(k, island.motion.data(), joint);
     joint.over = std::max(island.dt, kForgets * joint.over);
     joint.force = toDouble(wide::store3(joint::sumOf(records[k].way, f.way)));
     joint.torque = toDouble(wide::store3(joint::sumOf(records[k].turn, f.turn)));
   }
+  if (changed) book(island, ties.joints);
   return changed;
 }
 
-// The errors of a joint hold energy, as a spring would: a bob that swings faster draws its joint apart, and gets that
-// back where it swings more slowly. Arcs hold some, too, of either sign. No more comes back than that, and no more than
-// was taken. What a joint owes when its arcs get smaller is taken from its bodies.
-void JointRows::book(std::size_t k, const SolveMotion* motion, Joint& joint) {
+// J: work of the joint on the mean of the ways of this step and of the last, and what its errors and its arcs hold.
+JointRows::Held JointRows::heldBy(std::size_t k, const SolveMotion* motion, const Joint& joint) const {
   const JointRecord& r = records[k];
-  JointStart& start = starts[k];
+  const JointStart& start = starts[k];
   const joint::Relative moved = joint::relativeMotion(r, motion);
   const wide::V way = joint::alongAxes(r.way, moved.way), turn = joint::alongAxes(r.turn, moved.turn);
-  double work = 0, errors = 0, arcs = 0;
+  Held sum;
   for (int i = 0; i < kJointLanes; i++) {
     auto add = [&](int lane, double force, double by, double arc) {
       if (!(start.hard >> lane & 1)) return;
-      work += 0.5 * force * (by + double(start.before[lane]));
-      errors += std::fabs(force * double(start.error[lane]));
-      arcs += std::fabs(force * arc);
+      sum.work += 0.5 * force * (by + double(start.before[lane]));
+      sum.errors += std::fabs(force * double(start.error[lane]));
+      sum.arcs += std::fabs(force * arc);
     };
     add(i, joint.way[i], double(way[i]), double(dot(r.way.axes[i % 3].unit, start.arc)));
     add(i + kJointLanes, joint.turn[i], double(turn[i]), 0);
   }
-  const double left = joint.lent - work, least = -kOwed * arcs;
-  start.returned = float(std::clamp(work, 0.0, std::max(0.0, joint.lent - least)));
-  start.created = float(std::max(0.0, least - left));
-  joint.lent = std::clamp(left, least, errors + 2 * arcs);
+  return sum;
+}
+
+// The errors of joints hold energy, as springs would: a bob that swings faster draws its joint apart, and gets that back
+// where it swings more slowly. Arcs hold some, too, of either sign. No more comes back than that, and no more than was
+// taken. What joints owe when their arcs get smaller is taken from the bodies. All joints of an island have one account,
+// since they hand work on to each other; each keeps a part of it.
+void JointRows::book(const Island& island, JointSet& set) {
+  const SolveMotion* motion = island.motion.data();
+  Held sum;
+  double lent = 0;
+  for (std::size_t k = 0; k < size(); k++) {
+    const Joint& joint = set.joints[jointOf[k]];
+    const Held held = heldBy(k, motion, joint);
+    sum.work += held.work;
+    sum.errors += held.errors;
+    sum.arcs += held.arcs;
+    lent += joint.lent;
+  }
+  const double left = lent - sum.work, least = -kOwed * sum.arcs, most = sum.errors + 2 * sum.arcs;
+  held_.returned = std::clamp(sum.work, 0.0, std::max(0.0, lent - least));
+  held_.created = std::max(0.0, least - left);
+  const double kept = std::clamp(left, least, most);
+  for (std::size_t k = 0; k < size(); k++) {
+    Joint& joint = set.joints[jointOf[k]];
+    const Held held = heldBy(k, motion, joint);
+    joint.lent = most > 0 ? kept * (held.errors + 2 * held.arcs) / most : 0;
+  }
 }
 
 void JointRows::tellShare(Ties& ties, float share) const {

@@ -39,7 +39,6 @@ struct JointStart {
   float held[2 * kJointLanes] = {};    // N, N m: multiplier in `trial`, ways and then turns
   float before[2 * kJointLanes] = {};  // m, rad: way of the last step along each axis
   float error[2 * kJointLanes] = {};   // m, rad: of hard equations
-  float created = 0, returned = 0;     // J: heldWork
   std::uint32_t follows = 0;           // bit per equation that has a multiplier
   std::uint32_t arcs = 0;              // 1: arcs count
   std::uint32_t hard = 0;              // bit per equation that gives no energy: holds a place
@@ -118,7 +117,7 @@ struct JointRows {
   void tellShare(Ties& ties, float share) const;
   bool owes(std::size_t, const StepContext&) const { return false; }
   double reboundWork(std::size_t, const SolveMotion*) const { return 0; }
-  HeldWork heldWork(std::size_t k) const { return {double(starts[k].created), double(starts[k].returned)}; }
+  HeldWork heldWork(std::size_t k) const { return k == 0 ? held_ : HeldWork(); }  // told with the first row
   void advance(const Island&, Ties&) const {}
   // What a trial of a step changes.
   struct Memory {
@@ -165,9 +164,14 @@ struct JointRows {
   void bend(std::size_t k, Vec3f force);
   bool followArcs(std::size_t k, const SolveMotion* motion, float slack);
   bool follow(std::size_t k, const SolveMotion* motion, float slack);
-  void book(std::size_t k, const SolveMotion* motion, Joint& joint);
+  struct Held {
+    double work = 0, errors = 0, arcs = 0;  // J
+  };
+  Held heldBy(std::size_t k, const SolveMotion* motion, const Joint& joint) const;
+  void book(const Island& island, JointSet& set);
 
   std::pmr::vector<SolveMass>* masses_ = nullptr;  // of the island, since prepare
+  HeldWork held_;                                  // of the step, of all rows
   bool timePasses_ = true;                         // no impact is solved
 };
 
