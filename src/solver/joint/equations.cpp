@@ -80,13 +80,13 @@ void prismatic(const Joint& joint, const JointPose& pose, JointSystem& out) {
 }
 
 void alongLine(const Joint& joint, const JointPose& pose, JointSystem& out) {
-  out.span = length(pose.way);
-  if (out.span > kNoSpan) out.way.axes[0] = pose.way * (1 / out.span);
+  const double span = length(pose.way);
+  if (span > kNoSpan) out.way.axes[0] = pose.way * (1 / span);
   completeAxes(out.way.axes);
   const JointLaw law = joint.type == JointType::distance ? JointLaw::hard
                        : joint.type == JointType::rope   ? JointLaw::atMost
                                                          : JointLaw::spring;
-  out.way.of[0] = {law, out.span - joint.length};
+  out.way.of[0] = {law, span - joint.length};
 }
 
 void drag(const Joint&, const JointPose& pose, JointSystem& out) {

@@ -29,7 +29,6 @@ struct EquationSet {
 
 struct JointSystem {
   EquationSet way, turn;
-  double span = 0;  // m, between the two points that it ties, of a type with a length: its direction turns with them
   double centre = 0.5;  // of the way from the anchor of A to that of B: where its forces act
   double position = 0;  // JointState::position
 };

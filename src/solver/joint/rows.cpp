@@ -224,7 +224,6 @@ void JointRows::prepare(Island& island, Ties& ties, const StepContext& context) 
     r.armB = toFloat(armB);
     start.anchorA = toFloat(pose.armA);
     start.anchorB = toFloat(pose.armB);
-    start.span = float(system.span);
     for (int end = 0; end < 2; end++) {
       const BodyMass& mass = bodies.mass[end == 0 ? joint.bodyA : joint.bodyB];
       const Vec3 arm = end == 0 ? pose.armA : pose.armB;

@@ -34,7 +34,6 @@ struct JointStart {
   Vec3f bent;                          // N, on B: the force whose geometric stiffness is in the masses
   Vec3f arc;                           // m: what the arcs of both anchors add to the way of B against A; in `trial`
   float resist[2] = {};                // N m: inertia of each body about its anchor / dt^2; 0: nothing moves it
-  float span = 0;                      // m: JointSystem::span
   float heaviest = 0;                  // kg, of the bodies that hang together by joints, and what touches them
   float held[2 * kJointLanes] = {};    // N, N m: multiplier in `trial`, ways and then turns
   float before[2 * kJointLanes] = {};  // m, rad: way of the last step along each axis
