@@ -20,6 +20,10 @@ constexpr int kMostCycles = 3;  // while many bodies of a large island are out o
 //! | too large: floats round away balance
 constexpr double kHeavyShare = 0.01;  // effective mass of the softest contact of a small island
 
+//! bodies | too small: linkages gape by a second order of their turns
+//! | too large: links of long chains shake on, since nothing damps them
+constexpr std::size_t kMostArcs = 24;
+
 //! weights | too small: cost | too large: islands repeat an error for ever and do not rest
 constexpr double kSlowTolerance = 5e-4;  // of a body in a small island
 
@@ -29,10 +33,11 @@ constexpr double kSlowTolerance = 5e-4;  // of a body in a small island
 //! not of the method: docs/step.md prints the table
 constexpr std::size_t kAny = std::size_t(-1);
 constexpr PlanRow kRows[] = {
-    {"one body", 1, false, true, 10, false, false},
-    {"2 to 24", 24, false, true, 10, true, false},
-    {"25 to 80, grounded, none faster than 0.5 m/s", 80, true, false, 1, true, false},
-    {"25 and more", kAny, false, false, 1, false, true},
+    {"1 to 80, with joints", 80, true, false, true, 1, true, false},
+    {"one body", 1, false, false, true, 10, false, false},
+    {"2 to 24", 24, false, false, true, 10, true, false},
+    {"25 to 80, grounded, none faster than 0.5 m/s", 80, false, true, false, 1, true, false},
+    {"25 and more", kAny, false, false, false, 1, false, true},
 };
 
 // Small islands, when they collapse, need more cycles than a wall to move at their true speed.
@@ -43,8 +48,9 @@ int cycleBudget(const IslandFacts& facts, const SolverSettings& settings) {
 
 const PlanRow& rowOf(const IslandFacts& facts) {
   bool slow = facts.grounded && facts.fastestCentre < kDebrisSpeed;
-  return *std::find_if(std::begin(kRows), std::end(kRows),
-                       [&](const PlanRow& row) { return facts.bodies <= row.mostBodies && (slow || !row.onlySlow); });
+  return *std::find_if(std::begin(kRows), std::end(kRows), [&](const PlanRow& row) {
+    return facts.bodies <= row.mostBodies && (facts.jointed || !row.jointed) && (slow || !row.onlySlow);
+  });
 }
 
 // m: the median of the inner radii. By the least size a shard between blocks would decide for all of them. By a mean by
@@ -79,6 +85,7 @@ IslandFacts findFacts(const Island& island, const StepContext& context) {
   facts.scale = scaleOf(typicalSize(island, bodies), context.judgingGravity);
   facts.bodies = island.bodies.size();
   facts.grounded = island.grounded();
+  facts.jointed = island.rows.anyLasting();
   for (BodyIndex body : island.bodies) {
     const BodyMotion& m = bodies.motion[body];
     facts.energyBefore += bodies.data[body].lastKineticEnergy;
@@ -109,7 +116,9 @@ SolvePlan planFor(const IslandFacts& facts, const SolverSettings& settings, doub
   bool calm =
       supported && facts.fastest <= settings.restSpeed + kCalmShare * facts.scale.gravity * dt / facts.scale.speed;
   SolvePlan plan;
-  plan.slow = supported && facts.fastest <= settings.restSpeed;
+  // What swings on joints is in balance wherever it swings through its middle.
+  plan.slow =
+      supported && facts.fastest <= (facts.jointed ? std::min(kStillSpeed, settings.restSpeed) : settings.restSpeed);
   plan.sways = supported && row.large && !plan.slow && facts.fastest <= kMovingSpeed;
   plan.alone = facts.bodies == 1;
   plan.mayBeStopped = plan.slow && !(plan.alone && facts.fastest > kStillSpeed);
@@ -118,6 +127,7 @@ SolvePlan planFor(const IslandFacts& facts, const SolverSettings& settings, doub
   plan.calmStiffening = calm ? double(row.calmStiffening) : 1;
   plan.leastMass = row.direct ? kHeavyShare * facts.heaviest : 0;
   plan.large = row.large;
+  plan.arcs = facts.jointed && facts.bodies <= kMostArcs;
   plan.startsFree = !row.large || !facts.grounded;
   plan.goesOn = row.large && facts.pressed && !facts.pinned && !plan.slow;
   plan.softDebris = row.large && facts.fastest > kDebrisSpeed;

@@ -30,6 +30,10 @@ class RowForces {
   void readAgain();
   // Renews friction limits that follow the solve, where they changed by more than a hundredth. True if any did.
   bool renewBounds();
+  // These rows once more, at the present motion.
+  void readRows(const std::pmr::vector<std::uint32_t>& rows);
+  // What a row keeps frozen follows the force found.
+  void settle(std::uint32_t row);
   // Half the sum of the forces on each body: Island::loads.
   void findLoads();
 

@@ -22,7 +22,7 @@ struct FaceRows {
     readFaces(records.data() + k, count, motion, out);
   }
   // J: the most that the face's law gives in a step, by whatever way: that of a spring which is released halfway.
-  double held(std::size_t k) const {
+  double mostWork(std::size_t k) const {
     const FaceRecord& r = records[k];
     double sum = 0;
     for (int i = 0; i < 4; i++) {

@@ -44,6 +44,7 @@ Impulse fromTies(const Island& island, std::size_t i, const StepContext& context
 struct Rebounds {
   bool owed = false;  // impacts go on: their rebound is to come
   double work = 0;    // J
+  HeldWork held;      // work of ties that hold places
 };
 
 struct GroupEnergy {
@@ -56,14 +57,19 @@ struct GroupEnergy {
   double gain(const Rebounds& rebounds) const {
     return end - start - outside - std::min(lent, std::max(0.0, rebounds.work));
   }
-  double fromTies(const Rebounds& rebounds) const { return std::max(0.0, ties - std::max(0.0, rebounds.work)); }
+  double fromTies(const Rebounds& rebounds) const {
+    return std::max(0.0, ties - std::max(0.0, rebounds.work)) - rebounds.held.created;
+  }
   double all() const { return start + moved; }  // the end of a step that failed is no measure
   double slack() const { return kFloatsRound * all(); }
 };
 // Energies in a frame that moves at `frame` (m/s) with the body that the group presses on. Otherwise the work of a body
 // that slides on a belt is lost in the rounding of the belt's work.
+//
+// The steps of bodies that swing on joints are those of a leapfrog: energy is kept on the mean of old and new velocity.
 GroupEnergy energyOf(const Island& island, Bodies group, Vec3 frame, const StepContext& context) {
   GroupEnergy sum;
+  const bool leaps = island.facts.jointed;
   const Vec3 carried = frame * island.dt;
   for (std::uint32_t i : group) {
     const BodyIndex body = island.bodies[i];
@@ -74,13 +80,14 @@ GroupEnergy energyOf(const Island& island, Bodies group, Vec3 frame, const StepC
     sum.start += 0.5 * m * lengthSquared(free.startVelocity - frame) +
                  0.5 * dot(free.startSpin, context.bodies->worldInertia(body) * free.startSpin);
     sum.end += kineticEnergyAtEnd(body, frame, context);
-    const double work =
-        dot(context.gravity * (m * data.gravityScale) + data.force, s.d - carried) + dot(data.torque, s.th);
+    const Vec3 way = leaps ? (free.startVelocity + s.velocity) * (0.5 * island.dt) - carried : s.d - carried;
+    const Vec3 turn = leaps ? (free.startSpin + spinAtEnd(body, s.angularMomentum, context)) * (0.5 * island.dt) : s.th;
+    const double work = dot(context.gravity * (m * data.gravityScale) + data.force, way) + dot(data.torque, turn);
     const Impulse given = fromTies(island, i, context);
     sum.outside += work;
     sum.moved += std::fabs(work);
     sum.lent += data.impactLoss;
-    sum.ties += (dot(given.linear, s.d - carried) + dot(given.angular, s.th)) * (1 / island.dt);
+    sum.ties += (dot(given.linear, way) + dot(given.angular, turn)) * (1 / island.dt);
   }
   return sum;
 }
@@ -226,6 +233,9 @@ std::pmr::vector<Rebounds> reboundsOf(const Island& island, const StepContext& c
     const RowEnds ends = kind.ends(k);
     Rebounds& group = out[island.groups.groupOf(ends.a < count ? ends.a : ends.b)];
     group.work += kind.reboundWork(k, island.motion.data());
+    const HeldWork held = kind.heldWork(k);
+    group.held.created += held.created;
+    group.held.returned += held.returned;
     group.owed = group.owed || kind.owes(k, context);
   });
   return out;
@@ -252,22 +262,25 @@ class LastCheck {
   double checkSupported(std::size_t g, const Rebounds& rebounds) {
     const Bodies group = island_.groups.bodies(g);
     const RigidMotion under = motionOf(island_, island_.groups.partner(g), context_);
-    const bool driven = island_.facts.partnersMove;
+    const bool driven = island_.facts.partnersMove, jointed = island_.facts.jointed;
     GroupEnergy energy = energyOf(island_, group, under.move, context_);
-    double excess = energy.gain(rebounds) - (driven ? energy.fromTies(rebounds) : 0);
+    double excess = energy.gain(rebounds) - (driven || jointed ? energy.fromTies(rebounds) : 0);
     if (!(excess > energy.slack())) return 0;
     takeResidual(island_, group, under.move, context_, excess);
     energy = energyOf(island_, group, under.move, context_);
     excess = energy.gain(rebounds);
-    if (excess > energy.slack() && !driven && !island_.plan.large && island_.facts.fastest <= kSwaySpeed) {
+    if (excess > energy.slack() && !driven && !island_.plan.large && !jointed && island_.facts.fastest <= kSwaySpeed) {
       dampSway(island_, context_, excess);
       return 0;
     }
     const double fromTies = energy.fromTies(rebounds);
-    excess -= driven ? fromTies : std::min(fromTies, heldBy(g));
+    excess -= driven ? fromTies : std::min(fromTies, mostWork(g));
     if (!(excess > energy.slack())) return 0;
     // First from the motion of its bodies against each other: their common momentum is theirs to keep on smooth ground.
-    double left = takeRelative(island_, group, motionOf(island_, group, context_), under.move, context_, excess);
+    // On joints it would part what they hold.
+    double left = jointed
+                      ? excess
+                      : takeRelative(island_, group, motionOf(island_, group, context_), under.move, context_, excess);
     if (left > energy.slack()) left = takeRelative(island_, group, under, under.move, context_, left);
     if (left > energy.slack() && -energy.outside > left)
       goLess(island_, group, 1 + left / energy.outside, under.move, context_);
@@ -275,12 +288,12 @@ class LastCheck {
   }
 
   // J: the most that the group's ties can give against partners at rest. In a solve that failed they do more.
-  double heldBy(std::size_t g) const {
+  double mostWork(std::size_t g) const {
     const std::size_t count = island_.bodies.size();
     double sum = 0;
     island_.rows.each([&](const auto& kind, std::size_t k) {
       const RowEnds ends = kind.ends(k);
-      if (island_.groups.groupOf(ends.a < count ? ends.a : ends.b) == g) sum += kind.held(k);
+      if (island_.groups.groupOf(ends.a < count ? ends.a : ends.b) == g) sum += kind.mostWork(k);
     });
     return sum;
   }
@@ -290,14 +303,15 @@ class LastCheck {
   double checkFlying(std::size_t g, const Rebounds& rebounds) {
     const Bodies group = island_.groups.bodies(g);
     GroupEnergy energy = energyOf(island_, group, {}, context_);
-    if (!(energy.gain(rebounds) > energy.slack())) return 0;
+    auto gain = [&] { return energy.gain(rebounds) - rebounds.held.returned; };
+    if (!(gain() > energy.slack())) return 0;
     RigidMotion rigid = motionOf(island_, group, context_);
-    if (energyAgainst(island_, group, rigid, {}, context_).all() < energy.gain(rebounds) - kUnsound * energy.all()) {
+    if (energyAgainst(island_, group, rigid, {}, context_).all() < gain() - kUnsound * energy.all()) {
       goLess(island_, group, 0, {}, context_);
       energy = energyOf(island_, group, {}, context_);
       rigid = motionOf(island_, group, context_);
     }
-    const double excess = energy.gain(rebounds);
+    const double excess = gain();
     if (!(excess > energy.slack())) return 0;
     return excess - takeRelative(island_, group, rigid, {}, context_, excess);
   }

@@ -1,0 +1,463 @@
+#include "solver/joint/rows.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "solver/island.h"
+#include "solver/joint/equations.h"
+#include "solver/union_find.h"
+
+namespace brickfall {
+
+namespace {
+
+//! x the heaviest body that hangs by it | too small: more rounds until a heavy body is held
+//! | too large: floats leave light bodies out of balance
+constexpr double kFirmness = 100;  // in units of mass / dt^2: of a hard equation
+//! of a body's inertia / dt^2 | too small: swings lose energy | too large: chains under a great load fly apart
+constexpr double kSlow = 0.5;  // a force whose geometric stiffness is less turns slowly enough for the step by itself
+//! of the second difference | too small: stiff springs fly apart | too large: their period grows with the step
+constexpr double kSpringShare = 0.5;  // of a spring's stiffness, that the solve knows
+//! of an old error | too small: joints drift apart | too large: error and correction chase each other
+constexpr double kJointCorrect = 0.5;  // that a step corrects
+//! of the force | too small: cost | too large: joints stretch
+constexpr float kFollowed = 1e-3f;  // a smaller change of a multiplier is left
+
+//! of the time | too small: errors of long steps are blows in short ones | too large: they stay for long
+constexpr double kForgets = 0.8;  // of Joint::over, a step
+
+//! rad | too small: fast linkages gape | too large: what snaps gains energy
+constexpr double kFarArc = 0.2;  // of further turns, joints know less and less of the arc
+
+//! of force x arc | too small: small linkages lose their swing | too large: what snaps gains energy for a while
+constexpr double kOwed = 0.5;
+
+//! of the force | too small: in a snap, the stiffness of forces is gone before they are
+//! | too large: swings lose energy, since that stiffness comes late
+constexpr float kFallsTo = 0.5f;  // geometric stiffness follows a force that falls no further within a solve
+
+//! rad | too small: fast pendulums are braked | too large: light links tear the joints of a chain
+constexpr double kFarTurn = 0.3;  // of B against A, in a step: further turns are braked
+//! of the arm's inertia / dt^2 | too small: as too large a kFarTurn | too large: links move as one
+constexpr double kBrake = 10;
+
+//! not of the method: more than any force
+constexpr float kNoLimit = 1e30f;  // N, N m
+
+// Geometric stiffness of a force at the end of an arm that turns with a body, beside its inertia. Of pressure as of
+// tension, or what buckles would buckle at any speed. `resist`: the body's inertia about that end.
+void addBending(SolveMass& mass, Vec3 arm, Vec3 force, double resist, double sign) {
+  if (dot(arm, force) < 0) force = -force;
+  const double turning = length(arm) * length(force), share = sign * turning / (turning + kSlow * resist);
+  const double one = share * 0.5 * (dot(arm, force) + length(arm) * length(force));
+  auto pair = [&](int i, int j) { return share * 0.5 * (arm[i] * force[j] + force[i] * arm[j]); };
+  mass.inertia[0] += float(one - pair(0, 0));
+  mass.inertia[1] -= float(pair(1, 0));
+  mass.inertia[2] += float(one - pair(1, 1));
+  mass.inertia[3] -= float(pair(2, 0));
+  mass.inertia[4] -= float(pair(2, 1));
+  mass.inertia[5] += float(one - pair(2, 2));
+}
+
+// m: what a turn moves the end of an arm besides turn x arm. Of far turns not all, since arms are frozen.
+Vec3 arcOf(Vec3 turn, Vec3 arm) {
+  const double angle = length(turn);
+  if (!(angle > 1e-12)) return {};
+  const double part = angle > kFarArc ? kFarArc * kFarArc / (angle * angle) : 1;
+  double sine, cosine;
+  sinCos(angle, sine, cosine);
+  const Vec3 once = cross(turn, arm), twice = cross(turn, once);
+  return once * (part * (sine / angle - 1)) + twice * (part * (1 - cosine) / (angle * angle));
+}
+
+// Its ways are held in all directions: its points are points of both bodies.
+bool holdsPoint(JointType type) {
+  return type == JointType::spherical || type == JointType::fixed || type == JointType::revolute;
+}
+
+struct Firmness {
+  double hard = 0;  // N/m or N m/rad
+  double dt = 0;
+  double correct = 0;  // of an old error
+};
+
+// One equation from its law.
+void write(const Joint& joint, const JointEquation& from, const Firmness& firm, double before, float held, int lane,
+           JointEquations& out) {
+  out.least[lane] = -kNoLimit;
+  out.most[lane] = kNoLimit;
+  out.k[lane] = float(firm.hard);
+  auto place = [&](double share) { return held - float(firm.hard * share * from.error); };
+  switch (from.law) {
+    case JointLaw::none:
+      out.k[lane] = out.trial[lane] = out.least[lane] = out.most[lane] = 0;
+      return;
+    case JointLaw::hard:
+      out.trial[lane] = place(firm.correct);
+      return;
+    case JointLaw::atMost:
+      out.trial[lane] = place(from.error > 0 ? firm.correct : 1);
+      out.most[lane] = 0;
+      return;
+    case JointLaw::atLeast:
+      out.trial[lane] = place(from.error < 0 ? firm.correct : 1);
+      out.least[lane] = 0;
+      return;
+    case JointLaw::motor:
+      out.trial[lane] = held + float(firm.hard * from.speed * firm.dt);
+      out.most[lane] = float(joint.strength);
+      out.least[lane] = -out.most[lane];
+      return;
+    case JointLaw::spring: {
+      const double implicit = kSpringShare * joint.stiffness;
+      out.k[lane] = float(implicit + joint.damping / firm.dt);
+      out.trial[lane] = float(implicit * before - joint.stiffness * from.error);
+      if (joint.type == JointType::drag) {
+        out.most[lane] = float(joint.strength);
+        out.least[lane] = -out.most[lane];
+      }
+      return;
+    }
+  }
+}
+
+bool isHard(JointLaw law) { return law == JointLaw::hard || law == JointLaw::atMost || law == JointLaw::atLeast; }
+
+}  // namespace
+
+bool JointRows::continues(const JointRows& old, const StepContext& context) const {
+  if (jointOf != old.jointOf) return false;
+  return std::none_of(jointOf.begin(), jointOf.end(),
+                      [&](JointIndex joint) { return context.ties->joints.joints[joint].born; });
+}
+
+RowGrip JointRows::grip(std::size_t k, const StepContext& context) const {
+  Vec3 force = jointAt(k, *context.ties).force;
+  if (!ties(k, context)) return {};
+  if (force == Vec3{}) force = {0, 1e-30, 0};
+  return {force, double(kNoLimit)};
+}
+
+// The bodies that joints join, directly or through others, and what touches one of them.
+void JointRows::findHeaviest(const Island& island, const BodySet& bodies) {
+  const std::size_t count = island.bodies.size();
+  UnionFind sets(count, island.memory);
+  std::pmr::vector<char> joined(count, 0, island.memory);
+  for (const JointRecord& r : records) {
+    if (r.bodyA < count) joined[r.bodyA] = 1;
+    if (r.bodyB < count) joined[r.bodyB] = 1;
+    if (r.bodyA < count && r.bodyB < count) sets.join(r.bodyA, r.bodyB);
+  }
+  std::pmr::vector<float> heaviest(count, 0, island.memory);
+  auto take = [&](std::uint32_t body, std::uint32_t into) {
+    float& most = heaviest[sets.find(into)];
+    most = std::max(most, float(bodies.mass[island.bodies[body]].mass));
+  };
+  for (std::uint32_t i = 0; i < count; i++)
+    if (joined[i]) take(i, i);
+  island.rows.each([&](const auto& kind, std::size_t k) {
+    const RowEnds ends = kind.ends(k);
+    if (ends.a >= count || ends.b >= count) return;
+    if (joined[ends.a]) take(ends.b, ends.a);
+    if (joined[ends.b]) take(ends.a, ends.b);
+  });
+  for (std::size_t k = 0; k < size(); k++)
+    starts[k].heaviest = heaviest[sets.find(std::min(records[k].bodyA, records[k].bodyB))];
+}
+
+// Puts the geometric stiffness of this force into the masses, in the place of that which is there.
+void JointRows::bend(std::size_t k, Vec3f force) {
+  JointStart& start = starts[k];
+  const JointRecord& r = records[k];
+  auto change = [&](Vec3f f, double share) {
+    if (f == Vec3f{}) return;
+    for (int end = 0; end < 2; end++) {
+      if (start.resist[end] == 0) continue;
+      SolveMass& mass = (*masses_)[end == 0 ? r.bodyA : r.bodyB];
+      const Vec3 arm = toDouble(end == 0 ? start.anchorA : start.anchorB);
+      addBending(mass, arm, toDouble(end == 0 ? -f : f), double(start.resist[end]), share);
+    }
+  };
+  change(start.bent, -1);
+  change(force, 1);
+  start.bent = force;
+}
+
+namespace {
+
+// Arms are frozen in a step. Where they turn too far for that, friction takes from the turn: of a pendulum nothing, of
+// links that are flung about what no step could follow.
+void brake(const JointStart& start, Vec3 spin, double dt, JointEquations& turn) {
+  const double far = length(spin) * dt / kFarTurn - 1;
+  if (!(far > 0)) return;
+  double least = std::numeric_limits<double>::infinity();
+  for (float swung : start.swung)
+    if (swung > 0) least = std::min(least, double(swung));
+  if (!(least < std::numeric_limits<double>::infinity())) return;
+  for (int i = 0; i < 3; i++)
+    if (turn.k[i] == 0 && turn.most[i] == 0 && turn.least[i] == 0) {
+      turn.k[i] = float(std::min(far, 1.0) * kBrake * least);
+      turn.most[i] = kNoLimit;
+      turn.least[i] = -kNoLimit;
+    }
+}
+
+}  // namespace
+
+void JointRows::prepare(Island& island, Ties& ties, const StepContext& context) {
+  if (size() == 0) return;
+  const BodySet& bodies = *context.bodies;
+  masses_ = &island.masses;
+  held_ = {};
+  timePasses_ = true;
+  findHeaviest(island, bodies);
+  for (std::size_t k = 0; k < size(); k++) {
+    const Joint& joint = jointAt(k, ties);
+    JointRecord& r = records[k];
+    JointStart& start = starts[k];
+    const JointPose pose(joint, bodies);
+    const JointSystem system = equationsOf(joint, pose);
+    const BodyMotion &a = bodies.motion[joint.bodyA], &b = bodies.motion[joint.bodyB];
+    const Vec3 armA = pose.armA + pose.way * system.centre, armB = pose.armB - pose.way * (1 - system.centre);
+    r.armA = toFloat(armA);
+    r.armB = toFloat(armB);
+    start.anchorA = toFloat(pose.armA);
+    start.anchorB = toFloat(pose.armB);
+    for (int end = 0; end < 2; end++) {
+      const BodyMass& mass = bodies.mass[end == 0 ? joint.bodyA : joint.bodyB];
+      const Vec3 arm = end == 0 ? pose.armA : pose.armB;
+      const double own = (mass.inertia.row[0].x + mass.inertia.row[1].y + mass.inertia.row[2].z) / 3;
+      start.swung[end] = float(mass.mass * lengthSquared(arm) / (island.dt * island.dt));
+      start.resist[end] = float((own + mass.mass * lengthSquared(arm)) / (island.dt * island.dt));
+    }
+    start.bent = {};
+    start.follows = start.hard = 0;
+    const Vec3 speed =
+        b.linearVelocity + cross(b.angularVelocity, armB) - a.linearVelocity - cross(a.angularVelocity, armA);
+    const double size = std::max(bodies.mass[joint.bodyA].outerRadius * (r.bodyA < island.bodies.size()),
+                                 bodies.mass[joint.bodyB].outerRadius * (r.bodyB < island.bodies.size()));
+    // A way that grew over a longer step is an arc of it: corrected at once, it would be a blow.
+    const double part = island.dt / std::max(island.dt, joint.over), correct = kJointCorrect * part * part;
+    const double firm = kFirmness * double(start.heaviest) / (island.dt * island.dt);
+    auto writeSet = [&](const EquationSet& set, const double(&held)[kJointLanes], Vec3 moves, double hard, int first,
+                        JointEquations& out) {
+      for (int i = 0; i < 3; i++) out.axes[i].unit = toFloat(set.axes[i]);
+      for (int i = 0; i < kJointLanes; i++) {
+        const JointLaw law = set.of[i].law;
+        const bool follows = isHard(law) || law == JointLaw::motor;
+        start.before[first + i] = float(dot(set.axes[i % 3], moves) * island.dt);
+        start.error[first + i] = float(set.of[i].error);
+        start.held[first + i] = follows ? float(held[i]) : 0;
+        if (follows) start.follows |= 1u << (first + i);
+        if (isHard(law)) start.hard |= 1u << (first + i);
+        write(joint, set.of[i], {hard, island.dt, correct}, double(start.before[first + i]), start.held[first + i], i,
+              out);
+      }
+    };
+    writeSet(system.way, joint.way, speed, firm, 0, r.way);
+    writeSet(system.turn, joint.turn, b.angularVelocity - a.angularVelocity, firm * size * size, kJointLanes, r.turn);
+    brake(start, b.angularVelocity - a.angularVelocity, island.dt, r.turn);
+    bend(k, toFloat(joint.force));
+    start.arc = {};
+    start.arcs = island.plan.arcs && holdsPoint(joint.type);
+    if (start.arcs == 0) continue;
+    start.arc =
+        toFloat(arcOf(b.angularVelocity * island.dt, pose.armB) - arcOf(a.angularVelocity * island.dt, pose.armA));
+    for (int i = 0; i < 3; i++) r.way.trial[i] -= r.way.k[i] * start.arc[i];
+  }
+}
+
+// Force and torque on B.
+bool JointRows::follow(std::size_t k, const SolveMotion* motion, float slack) {
+  JointRecord& r = records[k];
+  JointStart& start = starts[k];
+  const joint::Forces f = joint::forcesAt(r, motion);
+  float by[2] = {}, all[2] = {};
+  auto larger = [](float& most, float value) { most = std::max(most, value); };
+  for (int i = 0; i < kJointLanes; i++) {
+    if (start.follows >> i & 1) larger(by[0], std::fabs(f.way[i] - start.held[i]));
+    if (start.follows >> (i + kJointLanes) & 1) larger(by[1], std::fabs(f.turn[i] - start.held[i + kJointLanes]));
+    larger(all[0], std::fabs(f.way[i]));
+    larger(all[1], std::fabs(f.turn[i]));
+  }
+  if (by[0] <= slack * all[0] && by[1] <= slack * all[1]) return false;
+  for (int i = 0; i < kJointLanes; i++) {
+    auto take = [&](int lane, float force, float& trial) {
+      if (!(start.follows >> lane & 1)) return;
+      trial += force - start.held[lane];
+      start.held[lane] = force;
+    };
+    take(i, f.way[i], r.way.trial[i]);
+    take(i + kJointLanes, f.turn[i], r.turn.trial[i]);
+  }
+  return true;
+}
+
+// True if the arcs have changed.
+bool JointRows::followArcs(std::size_t k, const SolveMotion* motion, float slack) {
+  JointRecord& r = records[k];
+  JointStart& start = starts[k];
+  if (start.arcs == 0) return false;
+  const Vec3f arc = toFloat(arcOf(toDouble(motion[r.bodyB].th), toDouble(start.anchorB)) -
+                            arcOf(toDouble(motion[r.bodyA].th), toDouble(start.anchorA)));
+  const Vec3f by = arc - start.arc;
+  float most = 0, force = 0;
+  for (int i = 0; i < 3; i++) {
+    most = std::max(most, std::fabs(r.way.k[i] * by[i]));
+    force = std::max(force, std::fabs(start.held[i]));
+  }
+  if (!(most > slack * force)) return false;
+  for (int i = 0; i < 3; i++) r.way.trial[i] -= r.way.k[i] * dot(r.way.axes[i].unit, by);
+  start.arc = arc;
+  return true;
+}
+
+bool JointRows::settleBounds(std::size_t k, const SolveMotion* motion, float) {
+  const bool followed = follow(k, motion, kFollowed);
+  if (!timePasses_) return followed;
+  if (!followArcs(k, motion, kFollowed) && !followed) return false;
+  const Vec3f force = wide::store3(joint::readingAt(records[k], motion).force);
+  if (length(force) > kFallsTo * length(starts[k].bent)) bend(k, force);
+  return true;
+}
+
+void JointRows::sumBoundary(const Boundary& b, BoundarySums& sums) const {
+  for (std::uint32_t i = 0; i < b.count; i++) {
+    const SidePair<wide::Halves> side(b, i, i);
+    const JointRecord& r = records[b.sides[i] / 2 - b.firstRow];
+    const bool onB = b.sides[i] & 1;
+    const Reading now = joint::readingAt(r, b.motion);
+    wide::V arm = wide::load3Padded(onB ? r.armB : r.armA);
+    if (!b.single) arm = arm + (wide::load3Padded(b.masses[onB ? r.bodyB : r.bodyA].position) - b.centre);
+    side.add({now.force, now.force}, {now.torque, now.torque}, {arm, arm}, sums);
+    if (!sums.matrix) continue;
+    const Stiffness s = joint::stiffnessAt(r, b.motion);
+    StiffnessOf<wide::Halves> two;
+    for (int n = 0; n < 3; n++) {
+      two.A[n] = {s.A[n], s.A[n]};
+      two.B[n] = {wide::V{}, wide::V{}};
+      two.C[n] = {s.C[n], s.C[n]};
+    }
+    sums.matrix->add(two, wide::Halves(arm, arm), false);
+  }
+}
+
+// An island that rests goes on with the forces that it has: what is left of errors would add up.
+bool JointRows::store(Island& island, Ties& ties, StepContext&) {
+  const bool changed = !island.resting();
+  for (std::size_t k = 0; k < size() && changed; k++) {
+    Joint& joint = ties.joints.joints[jointOf[k]];
+    const joint::Forces f = joint::forcesAt(records[k], island.motion.data());
+    for (int i = 0; i < kJointLanes; i++) {
+      joint.way[i] = double(f.way[i]);
+      joint.turn[i] = double(f.turn[i]);
+    }
+    joint.over = std::max(island.dt, kForgets * joint.over);
+    joint.force = toDouble(wide::store3(joint::sumOf(records[k].way, f.way)));
+    joint.torque = toDouble(wide::store3(joint::sumOf(records[k].turn, f.turn)));
+  }
+  if (changed) book(island, ties.joints);
+  return changed;
+}
+
+// J: work of the joint on the mean of the ways of this step and of the last, and what its errors and its arcs hold.
+JointRows::Held JointRows::heldBy(std::size_t k, const SolveMotion* motion, const Joint& joint) const {
+  const JointRecord& r = records[k];
+  const JointStart& start = starts[k];
+  const joint::Relative moved = joint::relativeMotion(r, motion);
+  const wide::V way = joint::alongAxes(r.way, moved.way), turn = joint::alongAxes(r.turn, moved.turn);
+  Held sum;
+  for (int i = 0; i < kJointLanes; i++) {
+    auto add = [&](int lane, double force, double by, double arc) {
+      if (!(start.hard >> lane & 1)) return;
+      sum.work += 0.5 * force * (by + double(start.before[lane]));
+      sum.errors += std::fabs(force * double(start.error[lane]));
+      sum.arcs += std::fabs(force * arc);
+    };
+    add(i, joint.way[i], double(way[i]), double(dot(r.way.axes[i % 3].unit, start.arc)));
+    add(i + kJointLanes, joint.turn[i], double(turn[i]), 0);
+  }
+  return sum;
+}
+
+// The errors of joints hold energy, as springs would: a bob that swings faster draws its joint apart, and gets that
+// back where it swings more slowly. Arcs hold some, too, of either sign. No more comes back than that, and no more than
+// was taken. What joints owe when their arcs get smaller is taken from the bodies. All joints of an island have one
+// account, since they hand work on to each other; each keeps a part of it.
+void JointRows::book(const Island& island, JointSet& set) {
+  const SolveMotion* motion = island.motion.data();
+  Held sum;
+  double lent = 0;
+  for (std::size_t k = 0; k < size(); k++) {
+    const Joint& joint = set.joints[jointOf[k]];
+    const Held held = heldBy(k, motion, joint);
+    sum.work += held.work;
+    sum.errors += held.errors;
+    sum.arcs += held.arcs;
+    lent += joint.lent;
+  }
+  const double left = lent - sum.work, least = -kOwed * sum.arcs, most = sum.errors + 2 * sum.arcs;
+  held_.returned = std::clamp(sum.work, 0.0, std::max(0.0, lent - least));
+  held_.created = std::max(0.0, least - left);
+  const double kept = std::clamp(left, least, most);
+  for (std::size_t k = 0; k < size(); k++) {
+    Joint& joint = set.joints[jointOf[k]];
+    const Held held = heldBy(k, motion, joint);
+    joint.lent = most > 0 ? kept * (held.errors + 2 * held.arcs) / most : 0;
+  }
+}
+
+void JointRows::tellShare(Ties& ties, float share) const {
+  for (JointIndex index : jointOf) {
+    Joint& joint = ties.joints.joints[index];
+    joint.earlierForce += joint.force * double(share);
+    joint.earlierTorque += joint.torque * double(share);
+  }
+}
+
+void JointRows::remember(const Ties& ties, Memory& out) const {
+  for (JointIndex joint : jointOf) out.joints.push_back(ties.joints.joints[joint]);
+}
+void JointRows::restore(Ties& ties, const Memory& memory) const {
+  for (std::size_t k = 0; k < size(); k++) ties.joints.joints[jointOf[k]] = memory.joints[k];
+}
+
+double JointRows::firstClosing(const Island&, double, const StepContext&) const {
+  return std::numeric_limits<double>::infinity();
+}
+
+// No time passes: places stay, and what takes time gives nothing.
+void JointRows::startImpact(const Island&, const StepContext&, double) {
+  timePasses_ = false;
+  for (std::size_t k = 0; k < size(); k++) {
+    bend(k, {});
+    JointRecord& r = records[k];
+    JointStart& start = starts[k];
+    for (int i = 0; i < 2 * kJointLanes; i++) {
+      JointEquations& e = i < kJointLanes ? r.way : r.turn;
+      const int lane = i % kJointLanes;
+      // What is not hard, and limits that are not reached.
+      const bool open = (e.most[lane] == 0 && e.trial[lane] > 0) || (e.least[lane] == 0 && e.trial[lane] < 0);
+      if (!(start.hard >> i & 1) || open) e.k[lane] = 0;
+      e.trial[lane] = start.held[i] = 0;
+    }
+  }
+}
+
+void JointRows::keepImpactForces(const Island& island) {
+  for (std::size_t k = 0; k < size(); k++) follow(k, island.motion.data(), 0);
+}
+
+void JointRows::endImpact(const Island& island, Ties& ties, const StepContext& context, bool solved) {
+  if (!solved) return;
+  for (std::size_t k = 0; k < size(); k++) {
+    Joint& joint = ties.joints.joints[jointOf[k]];
+    const Reading f = joint::readingAt(records[k], island.motion.data());
+    const double share = island.dt / context.dt;
+    joint.earlierForce += toDouble(wide::store3(f.force)) * share;
+    joint.earlierTorque += toDouble(wide::store3(f.torque)) * share;
+  }
+}
+
+}  // namespace brickfall
