@@ -38,7 +38,7 @@ TEST(Plan, EveryRowOfTheTableIsReached) {
   };
   const Case cases[] = {{1, true, 0, 1},       {1, false, 50, 1},     {2, true, 0, 2},       {24, false, 50, 2},
                         {13, true, 0.49, 2},   {24, true, 50, 2},     {25, true, 0.49, 3},   {80, true, 0, 3},
-                        {25, true, 0.5, 4},      {25, false, 0, 4},     {80, false, 0, 4},     {81, true, 0, 4},
+                        {25, true, 0.5, 4},    {25, false, 0, 4},     {80, false, 0, 4},     {81, true, 0, 4},
                         {100000, true, 0, 4},  {100000, false, 9, 4}, {1, true, 0, 0, true}, {80, false, 50, 0, true},
                         {81, true, 0, 4, true}};
   std::set<std::size_t> reached;
