@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "brickfall/machines.h"
 #include "brickfall/masonry.h"
 #include "brickfall/report.h"
 #include "brickfall/scenery.h"
@@ -57,7 +58,19 @@ struct SceneBody {
   std::vector<std::string> shapeMaterials;  // one per shape; empty: `material` for all
   BodyDef def;                              // shapes get the material's values when the scene is built
   double launchTime = 0;  // s: until then the body is held where it is, then it is let go with its velocity
+  std::vector<double> shots;  // s, ascending: at each of them one more such body appears ("name/0"); empty: it is there by itself
+  MotionPath path;            // of a kinematic body; no keys: it has none
   SourcePlace place;
+};
+
+// A machine and what it moves: a kinematic body by its name, or with none everything, in the frame of the ground.
+struct SceneTilt {
+  std::string body;
+  Tilt tilt;
+};
+struct SceneShake {
+  std::string body;
+  Shake shake;
 };
 
 // What moves the bodies of a scene.
@@ -81,6 +94,10 @@ struct SceneDescription {
   std::vector<MaterialDef> materials;
   std::vector<SceneWall> walls;
   std::vector<SceneBody> bodies;  // the ground, balls and free bodies
+  std::vector<SceneTilt> tilts;
+  std::vector<SceneShake> shakes;
+  std::vector<Wind> winds;
+  std::vector<Blast> blasts;
   std::vector<Camera> cameras;
 };
 
@@ -131,7 +148,7 @@ struct PlacedBody {
 class SceneRun {
  public:
   static Result<SceneRun> create(const SceneDescription& scene);
-  // One time step of the scene; launches what is due first. Under SceneMethod::report the world's own clock stands still.
+  // One time step of the scene; launches what is due first, and lets its machines act. Under SceneMethod::report the world's own clock stands still.
   Result<StepReport> step();
   World& world() { return world_; }
   const World& world() const { return world_; }
@@ -165,11 +182,20 @@ class SceneRun {
   friend class RunArchive;
   void list(std::vector<PlacedBody> bodies);
   SceneRun(SceneDescription scene, World world);
+  struct Shot {
+    double time = 0;
+    PlacedBody body;
+  };
+  Status placeMachines();
+  Status launchWaiting();
+  Status shoot();
   SceneDescription scene_;
   World world_;
   std::vector<PlacedBody> bodies_;
   std::vector<std::size_t> placeByIndex_;  // by BodyId::index: position in bodies_, where that id is
   std::vector<BodyId> waiting_;            // still to be launched
+  std::vector<Shot> shots_;                // all of the scene
+  Machines machines_;
   std::optional<ReportRun> reported_;      // SceneMethod::report
   std::uint64_t stepsDone_ = 0;
   double time_ = 0;

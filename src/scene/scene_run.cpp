@@ -11,6 +11,8 @@ namespace brickfall {
 
 namespace {
 
+constexpr double kLate = 1e-9;  // s: a step that begins so little before its time counts as on time
+
 Error inBody(const std::string& name, const Error& error) {
   return {error.code, "body \"" + name + "\": " + error.message};
 }
@@ -39,6 +41,7 @@ class Placer {
     return {};
   }
   std::vector<PlacedBody> bodies;
+  std::vector<std::pair<double, PlacedBody>> shots;  // in the order of the scene
 
  private:
   Result<MaterialDef> material(const std::string& name) const {
@@ -62,7 +65,11 @@ class Placer {
       placed.def.shapes[i].material = other->material;
       placed.materials.push_back(other->name);
     }
-    bodies.push_back(std::move(placed));
+    for (std::size_t k = 0; k < body.shots.size(); k++) {
+      shots.push_back({body.shots[k], placed});
+      shots.back().second.name += "/" + std::to_string(k);
+    }
+    if (body.shots.empty()) bodies.push_back(std::move(placed));
     return {};
   }
 
@@ -112,7 +119,7 @@ Result<SceneRun> SceneRun::create(const SceneDescription& scene) {
   Placer placer(scene);
   if (Status status = placer.place(); !status) return status.error();
   WorldDef def = scene.world;
-  def.maxBodies = std::max(def.maxBodies, int(placer.bodies.size()));
+  def.maxBodies = std::max(def.maxBodies, int(placer.bodies.size() + placer.shots.size()));
   Result<World> world = World::create(def);
   if (!world) return world.error();
   SceneRun run(scene, std::move(*world));
@@ -124,7 +131,35 @@ Result<SceneRun> SceneRun::create(const SceneDescription& scene) {
   }
   for (PlacedBody& body : placer.bodies)
     if (Result<BodyId> made = run.createBody(std::move(body)); !made) return made.error();
+  for (auto& [time, body] : placer.shots) run.shots_.push_back({time, std::move(body)});
+  if (Status placed = run.placeMachines(); !placed) return placed.error();
   return run;
+}
+
+Status SceneRun::placeMachines() {
+  const auto idOf = [&](const std::string& name) {
+    for (const PlacedBody& body : bodies_)
+      if (body.name == name) return body.id;
+    return BodyId{};
+  };
+  for (const SceneBody& body : scene_.bodies)
+    if (!body.path.keys.empty())
+      if (Status led = machines_.follow(world_, idOf(body.name), body.path); !led) return inBody(body.name, led.error());
+  for (const SceneTilt& tilt : scene_.tilts) {
+    Status placed = tilt.body.empty() ? machines_.tiltAll(world_, tilt.tilt)
+                                      : machines_.tilt(world_, idOf(tilt.body), tilt.tilt);
+    if (!placed) return Error{placed.error().code, "tilt: " + placed.error().message};
+  }
+  for (const SceneShake& shake : scene_.shakes) {
+    Status placed = shake.body.empty() ? machines_.shakeAll(world_, shake.shake)
+                                       : machines_.shake(world_, idOf(shake.body), shake.shake);
+    if (!placed) return Error{placed.error().code, "shake: " + placed.error().message};
+  }
+  for (const Wind& wind : scene_.winds)
+    if (Status blown = machines_.add(wind); !blown) return Error{blown.error().code, "wind: " + blown.error().message};
+  for (const Blast& blast : scene_.blasts)
+    if (Status set = machines_.add(blast); !set) return Error{set.error().code, "blast: " + set.error().message};
+  return {};
 }
 
 Result<BodyId> SceneRun::createBody(PlacedBody body) {
@@ -168,12 +203,20 @@ const PlacedBody* SceneRun::find(BodyId id) const {
   return place < bodies_.size() && bodies_[place].id == id ? &bodies_[place] : nullptr;
 }
 
-Result<StepReport> SceneRun::step() {
+// Each at the first step that begins at its time; actedUntil() tells which had theirs.
+Status SceneRun::shoot() {
+  for (const Shot& shot : shots_)
+    if (machines_.actedUntil() < shot.time - kLate && shot.time - kLate <= time_)
+      if (Result<BodyId> made = createBody(shot.body); !made) return made.error();
+  return {};
+}
+
+Status SceneRun::launchWaiting() {
   std::vector<BodyId> stillWaiting;
   for (BodyId id : waiting_) {
     const PlacedBody* body = find(id);
     if (!body || !world_.isValid(id)) continue;  // destroyed meanwhile
-    if (time_ < body->launchTime - 1e-9) {
+    if (time_ < body->launchTime - kLate) {
       stillWaiting.push_back(id);
       continue;
     }
@@ -183,6 +226,13 @@ Result<StepReport> SceneRun::step() {
     if (!status) return inBody(body->name, status.error());
   }
   waiting_ = std::move(stillWaiting);
+  return {};
+}
+
+Result<StepReport> SceneRun::step() {
+  if (Status launched = launchWaiting(); !launched) return launched.error();
+  if (Status shot = shoot(); !shot) return shot.error();
+  if (Status acted = machines_.act(world_, time_, scene_.timeStep); !acted) return acted.error();
   Result<StepReport> report = reported_ ? reported_->step(world_, scene_.timeStep, scene_.substeps)
                                         : world_.step(scene_.timeStep, scene_.substeps);
   if (!report) return report;
