@@ -14,7 +14,7 @@ void readAim(SceneBuild& build, TableReader& reader, SceneBody& body) {
   const bool aimed = reader.vector("target", target), fast = reader.number("speed", speed);
   reader.boolean("high_shot", high);
   if (!reader.has("target") && !reader.has("speed")) {
-    if (reader.has("high_shot")) reader.error("high_shot", "found without a target, expected target and speed");
+    if (high) reader.error("high_shot", "found without a target, expected target and speed");
     return;
   }
   if (reader.has("velocity"))
@@ -51,7 +51,7 @@ void readPath(TableReader& reader, SceneBody& body) {
   reader.choice("interpolation", body.path.interpolation);
   std::vector<TableReader> tables = reader.tables("key");
   if (tables.empty()) {
-    if (reader.has("interpolation"))
+    if (body.path.interpolation != Interpolation::smooth)
       reader.error("interpolation", "found without [[body.key]], expected keys to pass through");
     return;
   }

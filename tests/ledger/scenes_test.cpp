@@ -139,7 +139,7 @@ std::vector<std::string> sceneNames() {
   return names;
 }
 INSTANTIATE_TEST_SUITE_P(Scenes, LedgerOfScene, testing::ValuesIn(sceneNames()),
-                         [](const auto& scene) { return scene.param; });
+                         [](const auto& scene) { return testNameOf(scene.param); });
 
 }  // namespace
 }  // namespace brickfall::test
