@@ -67,11 +67,11 @@ Result<AccelerationRecord> readAccelerationRecord(std::string_view text, const s
                                                   const RecordFormat& format);
 
 enum class ShakeSignal : std::uint8_t {
-  record,         // of Shake::record
-  sine,           // of `amplitude` and `frequency` for `seconds`, grown and died away over `ramp` each; ends where it began
-  fullPulse,      // one whole sine of `seconds`: ends at rest, elsewhere
-  halfPulse,      // half a sine of `seconds`: ends with a speed, and goes on at it
-  squarePulse,    // `amplitude` for `seconds`; the same
+  record,     // of Shake::record
+  sine,       // of `amplitude` and `frequency` for `seconds`, grown and died away over `ramp` each; ends where it began
+  fullPulse,  // one whole sine of `seconds`: ends at rest, elsewhere
+  halfPulse,  // half a sine of `seconds`: ends with a speed, and goes on at it
+  squarePulse,  // `amplitude` for `seconds`; the same
 };
 // The speed and the place that the sums of a record end with. none: kept; a body goes on at that speed. rest: the one straight line
 // is taken from the accelerations after which both are 0.
@@ -117,7 +117,7 @@ class ShakeMotion {
 // Presses on faces towards it and draws at faces away from it, by the air's density and the square of the relative speed along
 // the normal. Nothing gains more than the wind has: the force follows the speed within the step.
 struct Wind {
-  Vec3 velocity;  // m/s
+  Vec3 velocity;                                                     // m/s
   double from = 0, until = std::numeric_limits<double>::infinity();  // s
   double ramp = 0;                                                   // s: so long it grows, and so long it dies away
   double dragCoefficient = 1.3;  // of a plate across the wind; 8/13 of it press, 5/13 draw

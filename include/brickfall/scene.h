@@ -58,8 +58,9 @@ struct SceneBody {
   std::vector<std::string> shapeMaterials;  // one per shape; empty: `material` for all
   BodyDef def;                              // shapes get the material's values when the scene is built
   double launchTime = 0;  // s: until then the body is held where it is, then it is let go with its velocity
-  std::vector<double> shots;  // s, ascending: at each of them one more such body appears ("name/0"); empty: it is there by itself
-  MotionPath path;            // of a kinematic body; no keys: it has none
+  std::vector<double>
+      shots;        // s, ascending: at each of them one more such body appears ("name/0"); empty: it is there by itself
+  MotionPath path;  // of a kinematic body; no keys: it has none
   SourcePlace place;
 };
 
@@ -196,7 +197,7 @@ class SceneRun {
   std::vector<BodyId> waiting_;            // still to be launched
   std::vector<Shot> shots_;                // all of the scene
   Machines machines_;
-  std::optional<ReportRun> reported_;      // SceneMethod::report
+  std::optional<ReportRun> reported_;  // SceneMethod::report
   std::uint64_t stepsDone_ = 0;
   double time_ = 0;
 };

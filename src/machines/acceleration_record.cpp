@@ -110,8 +110,9 @@ class RecordReader {
     const double usual = sorted[sorted.size() / 2];
     for (std::size_t k = 0; k < intervals.size(); k++)
       if (intervals[k] > kGap * usual)
-        return fail(lines_[k + 1], "found " + std::to_string(intervals[k]) + " s since the sample before, expected no gap (usual: " +
-                                       std::to_string(usual) + " s)");
+        return fail(lines_[k + 1], "found " + std::to_string(intervals[k]) +
+                                       " s since the sample before, expected no gap (usual: " + std::to_string(usual) +
+                                       " s)");
   }
 
   const std::string& name_;
@@ -128,8 +129,7 @@ class RecordReader {
 Result<AccelerationRecord> readAccelerationRecord(std::string_view text, const std::string& name,
                                                   const RecordFormat& format) {
   if (!(format.column >= 1 && format.column <= 1000))
-    return Error{ErrorCode::invalidArgument,
-                 "column: found " + std::to_string(format.column) + ", expected 1 .. 1000"};
+    return Error{ErrorCode::invalidArgument, "column: found " + std::to_string(format.column) + ", expected 1 .. 1000"};
   if (!(format.unit > 0 && format.timeUnit > 0))
     return Error{ErrorCode::invalidArgument, "unit: found one that is not above 0, expected one above 0"};
   return RecordReader(name, format).read(text);

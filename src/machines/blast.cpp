@@ -29,9 +29,11 @@ double solidAngle(Vec3 a, Vec3 b, Vec3 c) {
 // One body in the blast.
 class Target {
  public:
-  Target(const World& world, const Blast& blast, BodyId body, Vec3 mass) : world_(world), blast_(blast), body_(body), mass_(mass) {}
+  Target(const World& world, const Blast& blast, BodyId body, Vec3 mass)
+      : world_(world), blast_(blast), body_(body), mass_(mass) {}
   void take(const Face& face, int cuts = 0) {
-    const Vec3 a = face.corners[0] - blast_.centre, b = face.corners[1] - blast_.centre, c = face.corners[2] - blast_.centre;
+    const Vec3 a = face.corners[0] - blast_.centre, b = face.corners[1] - blast_.centre,
+               c = face.corners[2] - blast_.centre;
     if (!(dot(face.area(), face.centre() - blast_.centre) < 0)) return;  // its back
     const double longest = std::sqrt(std::max({lengthSquared(a - b), lengthSquared(b - c), lengthSquared(c - a)}));
     const double distance = length(face.centre() - blast_.centre);
@@ -50,7 +52,8 @@ class Target {
   void cut(const Face& face, int cuts) {
     const auto& [a, b, c] = face.corners;
     const Vec3 ab = (a + b) * 0.5, bc = (b + c) * 0.5, ca = (c + a) * 0.5;
-    for (const Face& part : {Face{{a, ab, ca}}, Face{{ab, b, bc}}, Face{{ca, bc, c}}, Face{{ab, bc, ca}}}) take(part, cuts);
+    for (const Face& part : {Face{{a, ab, ca}}, Face{{ab, b, bc}}, Face{{ca, bc, c}}, Face{{ab, bc, ca}}})
+      take(part, cuts);
   }
   bool seen(Vec3 point, double distance) const {
     if (!blast_.occlusion) return true;

@@ -12,7 +12,8 @@ void appendFaces(const ShapeDef& shape, const Transform& pose, std::vector<Face>
     const auto& p = mesh->positions[mesh->indices[k]];
     return transformPoint(all, Vec3{double(p[0]), double(p[1]), double(p[2])});
   };
-  for (std::size_t k = 0; k + 2 < mesh->indices.size(); k += 3) out.push_back({{corner(k), corner(k + 1), corner(k + 2)}});
+  for (std::size_t k = 0; k + 2 < mesh->indices.size(); k += 3)
+    out.push_back({{corner(k), corner(k + 1), corner(k + 2)}});
 }
 
 bool meets(const World& world, Vec3 origin, Vec3 direction, double farthest) {

@@ -27,9 +27,9 @@ class Fields {
   Status status_;
 };
 
-constexpr double kLatest = 1e9;          // s
-constexpr double kStrongest = 1e4;       // m/s2
-constexpr double kFarthest = 1e6;        // m
-constexpr double kFastest = 1e4;         // m/s
+constexpr double kLatest = 1e9;     // s
+constexpr double kStrongest = 1e4;  // m/s2
+constexpr double kFarthest = 1e6;   // m
+constexpr double kFastest = 1e4;    // m/s
 
 }  // namespace brickfall::machines

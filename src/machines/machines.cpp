@@ -17,9 +17,9 @@ constexpr double kArrived = 1e-9;  // of its place in m, and rad: so near a body
 template <class Keys, class TimeOf> void checkTimes(Fields& check, const char* field, const Keys& keys, TimeOf timeOf) {
   check.condition(!keys.empty(), field, "no key", "at least one");
   for (std::size_t k = 0; k < keys.size(); k++)
-    check.condition(std::fabs(timeOf(keys[k])) <= machines::kLatest && (k == 0 || timeOf(keys[k]) > timeOf(keys[k - 1])),
-                    field + std::string("[") + std::to_string(k) + "].time", std::to_string(timeOf(keys[k])),
-                    "times that ascend");
+    check.condition(
+        std::fabs(timeOf(keys[k])) <= machines::kLatest && (k == 0 || timeOf(keys[k]) > timeOf(keys[k - 1])),
+        field + std::string("[") + std::to_string(k) + "].time", std::to_string(timeOf(keys[k])), "times that ascend");
 }
 
 Status checkPath(const MotionPath& path) {
@@ -72,7 +72,8 @@ Status driveTo(World& world, BodyId body, const Transform& target, double dt) {
   if (!(dt > 0 && dt <= 1e6)) return machines::refused("dt", std::to_string(dt), "a time step above 0");
   const Result<BodyState> state = world.state(body);
   if (!state) return state.error();
-  if (state->type != BodyType::kinematic) return machines::refused("body", "one that is not kinematic", "a kinematic one");
+  if (state->type != BodyType::kinematic)
+    return machines::refused("body", "one that is not kinematic", "a kinematic one");
   const Quat rotation = normalized(target.rotation);
   const Vec3 arm = rotate(conjugate(state->rotation), state->centreOfMass - state->position);
   const Vec3 way = target.position + rotate(rotation, arm) - state->centreOfMass;
@@ -110,7 +111,8 @@ Transform Machines::Drive::at(double time) const {
 Result<Machines::Drive*> Machines::driveOf(const World& world, BodyId body) {
   const Result<BodyState> state = world.state(body);
   if (!state) return state.error();
-  if (state->type != BodyType::kinematic) return machines::refused("body", "one that is not kinematic", "a kinematic one");
+  if (state->type != BodyType::kinematic)
+    return machines::refused("body", "one that is not kinematic", "a kinematic one");
   for (Drive& drive : drives_)
     if (drive.body == body) return &drive;
   drives_.push_back({body, {state->position, state->rotation}, {}, {}, {}});

@@ -68,13 +68,15 @@ State sinePulse(double amplitude, double w, double t) {
 
 Status checkRecord(const AccelerationRecord& record) {
   machines::Fields check;
-  check.condition(record.times.size() >= 2 && record.times.size() == record.values.size(), "record",
-                  std::to_string(record.times.size()) + " times and " + std::to_string(record.values.size()) + " values",
-                  "as many of both, at least 2");
+  check.condition(
+      record.times.size() >= 2 && record.times.size() == record.values.size(), "record",
+      std::to_string(record.times.size()) + " times and " + std::to_string(record.values.size()) + " values",
+      "as many of both, at least 2");
   for (std::size_t k = 0; check.status() && k < record.times.size(); k++) {
     const std::string at = "[" + std::to_string(k) + "]";
-    check.condition(std::fabs(record.times[k]) <= machines::kLatest && (k == 0 || record.times[k] > record.times[k - 1]),
-                    "record.times" + at, std::to_string(record.times[k]), "times that ascend");
+    check.condition(
+        std::fabs(record.times[k]) <= machines::kLatest && (k == 0 || record.times[k] > record.times[k - 1]),
+        "record.times" + at, std::to_string(record.times[k]), "times that ascend");
     check.condition(std::fabs(record.values[k]) <= machines::kStrongest, "record.values" + at,
                     std::to_string(record.values[k]), "at most " + std::to_string(machines::kStrongest) + " m/s2");
   }
@@ -137,7 +139,8 @@ Result<ShakeMotion> ShakeMotion::create(const Shake& shake) {
   motion.end_ = shake.start + length;
   motion.last_ = motion.inside(length);
   // Where the sums end at rest but for rounding, they end at rest.
-  const bool backAgain = shake.signal == ShakeSignal::sine || (shake.signal == ShakeSignal::record && shake.baseline == Baseline::rest);
+  const bool backAgain =
+      shake.signal == ShakeSignal::sine || (shake.signal == ShakeSignal::record && shake.baseline == Baseline::rest);
   if (backAgain) motion.last_ = {};
   if (shake.signal == ShakeSignal::fullPulse) motion.last_.velocity = 0;
   motion.last_.acceleration = 0;

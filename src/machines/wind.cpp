@@ -24,7 +24,8 @@ double strengthAt(const Wind& wind, double time) {
 
 Status checkWind(const Wind& wind) {
   machines::Fields check;
-  check.range("velocity", std::max({std::fabs(wind.velocity.x), std::fabs(wind.velocity.y), std::fabs(wind.velocity.z)}), 0,
+  check.range("velocity",
+              std::max({std::fabs(wind.velocity.x), std::fabs(wind.velocity.y), std::fabs(wind.velocity.z)}), 0,
               machines::kFastest);
   check.range("ramp", wind.ramp, 0, machines::kLatest);
   check.range("dragCoefficient", wind.dragCoefficient, 0, 100);
@@ -46,7 +47,8 @@ class Exposed {
     const double size = length(area);
     if (!(size > 0)) return;
     const Vec3 normal = area * (1 / size);
-    const double speed = dot(velocity - state_.linearVelocity - cross(state_.angularVelocity, arm), normal);  // of the wind, outwards
+    const double speed =
+        dot(velocity - state_.linearVelocity - cross(state_.angularVelocity, arm), normal);  // of the wind, outwards
     if (speed == 0) return;
     const Vec3 away = normalized(speed < 0 ? velocity * -1.0 : velocity);
     const double share = (speed < 0 ? kPress : kDraw) * wind_.dragCoefficient;

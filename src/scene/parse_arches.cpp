@@ -63,14 +63,15 @@ void readArches(SceneBuild& build, TableReader& top) {
     def.angle = degrees * (std::numbers::pi / 180);
     def.yaw = quatFromAxisAngle({0, 1, 0}, yaw * (std::numbers::pi / 180));
     if (!(def.thickness < 2 * def.radius))
-      reader.error("thickness", "found " + numberText(def.thickness) + " m, expected less than twice the radius = " +
-                                    numberText(2 * def.radius) + " m");
+      reader.error("thickness", "found " + numberText(def.thickness) +
+                                    " m, expected less than twice the radius = " + numberText(2 * def.radius) + " m");
     if (!(def.angle / def.stones <= 0.5 * std::numbers::pi))
       reader.error("stones", "found stones of " + numberText(degrees / def.stones) + " degrees, expected at most 90");
     if (build.context.diagnostics.size() != before) continue;
     def.model.def.shapes = {wedgeOf(def)};
     build.checkBuildable(reader, def.model);
-    if (build.context.diagnostics.size() == before && build.roomFor(reader, "stones", def.stones)) layStones(def, build);
+    if (build.context.diagnostics.size() == before && build.roomFor(reader, "stones", def.stones))
+      layStones(def, build);
   }
 }
 

@@ -42,7 +42,8 @@ void readRate(TableReader& reader, Track& angle) {
   reader.number("from", from);
   const bool rated = reader.number("rate_degrees", rate), aimed = reader.number("to_degrees", to);
   if (!reader.has("rate_degrees") || !reader.has("to_degrees"))
-    return reader.error("", "found no [[tilt.key]] and not both of rate_degrees and to_degrees, expected one or the other");
+    return reader.error("",
+                        "found no [[tilt.key]] and not both of rate_degrees and to_degrees, expected one or the other");
   if (!rated || !aimed) return;
   angle.interpolation = Interpolation::linear;
   angle.keys = {{from, 0}};
@@ -132,8 +133,8 @@ void readSignal(SceneBuild& build, TableReader& reader, Shake& shake) {
   shake.ramp = std::min(1 / shake.frequency, shake.seconds / 2);
   reader.number("ramp", shake.ramp);
   if (!(shake.ramp <= shake.seconds / 2))
-    reader.error("ramp", "found " + numberText(shake.ramp) + " s, expected at most half of seconds = " +
-                             numberText(shake.seconds) + " s");
+    reader.error("ramp", "found " + numberText(shake.ramp) +
+                             " s, expected at most half of seconds = " + numberText(shake.seconds) + " s");
 }
 
 }  // namespace
@@ -162,8 +163,7 @@ void readShakes(SceneBuild& build, TableReader& top) {
     reader.number("from", shake.shake.start);
     readSignal(build, reader, shake.shake);
     if (build.context.diagnostics.size() == before)
-      if (const auto motion = ShakeMotion::create(shake.shake); !motion)
-        reader.error("", motion.error().message);
+      if (const auto motion = ShakeMotion::create(shake.shake); !motion) reader.error("", motion.error().message);
     build.scene.shakes.push_back(std::move(shake));
   }
 }
@@ -178,8 +178,8 @@ void readWinds(SceneBuild& build, TableReader& top) {
     reader.number("drag_coefficient", wind.dragCoefficient);
     reader.boolean("shelter", wind.shelter);
     if (!(wind.until > wind.from))
-      reader.error("until", "found " + numberText(wind.until) + " s, expected later than from = " +
-                                numberText(wind.from) + " s");
+      reader.error("until", "found " + numberText(wind.until) +
+                                " s, expected later than from = " + numberText(wind.from) + " s");
     build.scene.winds.push_back(wind);
   }
 }

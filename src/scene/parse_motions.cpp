@@ -75,8 +75,8 @@ void readPath(TableReader& reader, SceneBody& body) {
     }
     const double span = key.time - keys.back().time, way = length(key.position - keys.back().position);
     if (!first && !(way <= scene_limits::kLargestSpeed * span))
-      at.error("position", "found a move of " + numberText(way) + " m in " + numberText(span) + " s, expected at most " +
-                               numberText(scene_limits::kLargestSpeed) + " m/s");
+      at.error("position", "found a move of " + numberText(way) + " m in " + numberText(span) +
+                               " s, expected at most " + numberText(scene_limits::kLargestSpeed) + " m/s");
     if (first) keys.pop_back();
     keys.push_back(key);
   }

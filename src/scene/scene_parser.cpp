@@ -45,8 +45,9 @@ void readAll(scene::SceneBuild& build, const scene::Node& root) {
   bool anything = top.has("wall") || top.has("body") || top.has("ball") || top.has("array") || top.has("arch");
   if (!anything && !build.context.syntaxErrors) {
     scene::Node file;
-    build.context.error(file, "",
-                        "found nothing to simulate, expected at least one [[wall]], [[body]], [[ball]], [[array]] or [[arch]]");
+    build.context.error(
+        file, "",
+        "found nothing to simulate, expected at least one [[wall]], [[body]], [[ball]], [[array]] or [[arch]]");
   }
 }
 

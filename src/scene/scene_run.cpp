@@ -144,10 +144,11 @@ Status SceneRun::placeMachines() {
   };
   for (const SceneBody& body : scene_.bodies)
     if (!body.path.keys.empty())
-      if (Status led = machines_.follow(world_, idOf(body.name), body.path); !led) return inBody(body.name, led.error());
+      if (Status led = machines_.follow(world_, idOf(body.name), body.path); !led)
+        return inBody(body.name, led.error());
   for (const SceneTilt& tilt : scene_.tilts) {
-    Status placed = tilt.body.empty() ? machines_.tiltAll(world_, tilt.tilt)
-                                      : machines_.tilt(world_, idOf(tilt.body), tilt.tilt);
+    Status placed =
+        tilt.body.empty() ? machines_.tiltAll(world_, tilt.tilt) : machines_.tilt(world_, idOf(tilt.body), tilt.tilt);
     if (!placed) return Error{placed.error().code, "tilt: " + placed.error().message};
   }
   for (const SceneShake& shake : scene_.shakes) {

@@ -391,8 +391,9 @@ bool TableReader::times(const char* key, std::vector<double>& out) {
     double time = 0;
     if (!numberOf(node->items[i], path, element, false, time)) return false;
     if (!times.empty() && !(time > times.back())) {
-      context_->error(node->items[i], path,
-                      "found " + numberText(time) + " after " + numberText(times.back()) + ", expected times that ascend");
+      context_->error(
+          node->items[i], path,
+          "found " + numberText(time) + " after " + numberText(times.back()) + ", expected times that ascend");
       return false;
     }
     times.push_back(time);

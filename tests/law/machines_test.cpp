@@ -11,8 +11,8 @@ constexpr double kRadian = kPi / 180;
 // from the angle of friction on: x = g rate t^3 / (6 cos) at first.
 double angleOfSliding(bool loads, double friction, double dt) {
   World world = makeWorld();
-  const BodyId table = add(world, bodyOf(boxOf({2, 0.1, 2}, 1000, friction), {0, -0.1, 0},
-                                         loads ? BodyType::fixed : BodyType::kinematic));
+  const BodyId table = add(
+      world, bodyOf(boxOf({2, 0.1, 2}, 1000, friction), {0, -0.1, 0}, loads ? BodyType::fixed : BodyType::kinematic));
   const BodyId block = add(world, bodyOf(boxOf({0.1, 0.0325, 0.05}, 1900, friction), {1.5, 0.0325, 0}));
   add(world, bodyOf(boxOf({0.1, 0.0325, 0.05}, 1900, friction), {1.5, 0.0975, 0}));
   Machines machines;
@@ -34,8 +34,9 @@ TEST(Law, Row20aBlocksOnATiltTableSlideAtTheAngleOfFriction) {
   for (bool loads : {false, true})
     for (double friction : {0.3, 0.65}) {
       const double limit = std::atan(friction) / kRadian;
-      reached({std::string(loads ? "gravity turned" : "table turned") + ", mu " + text(friction, 2) + ": angle of sliding",
-               kDt, angleOfSliding(loads, friction, kDt), limit, 0.01 * limit, "degrees"});
+      reached(
+          {std::string(loads ? "gravity turned" : "table turned") + ", mu " + text(friction, 2) + ": angle of sliding",
+           kDt, angleOfSliding(loads, friction, kDt), limit, 0.01 * limit, "degrees"});
     }
 }
 
@@ -97,8 +98,7 @@ TEST(Law, Row20bPulsesOverturnASingleBlock) {
       const auto pulse = [&](double amplitude) {
         return Shake{.signal = signal, .amplitude = amplitude, .seconds = seconds};
       };
-      const double right =
-          leastAmplitude([&](double a) { return rocking.overturns(*ShakeMotion::create(pulse(a))); });
+      const double right = leastAmplitude([&](double a) { return rocking.overturns(*ShakeMotion::create(pulse(a))); });
       const double found = leastAmplitude([&](double a) { return engineOverturns(rocking, pulse(a), kDt); });
       reached({std::string(signal == ShakeSignal::halfPulse ? "half a sine" : "square") + " of " + text(seconds, 1) +
                    " s: least acceleration that overturns",

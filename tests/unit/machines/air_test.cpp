@@ -83,7 +83,8 @@ TEST(Wind, NothingOutrunsIt) {
       ASSERT_TRUE(world.step(dt).ok());
       const BodyState s = *world.state(body);
       const Vec3 relative = s.linearVelocity - Vec3{0, 0, 40};
-      EXPECT_LE(0.5 * mass * lengthSquared(relative), 0.5 * mass * 1600 * 1.0001) << "in the wind's frame it only loses";
+      EXPECT_LE(0.5 * mass * lengthSquared(relative), 0.5 * mass * 1600 * 1.0001)
+          << "in the wind's frame it only loses";
     }
     EXPECT_NEAR(world.state(body)->linearVelocity.z, 40, 4);
   }
@@ -92,7 +93,8 @@ TEST(Wind, NothingOutrunsIt) {
 TEST(Wind, WhatStandsBehindAnotherFeelsNothingAndStillAirIsNothing) {
   World world = emptySpace();
   add(world, bodyOf(boxOf({1, 1, 0.1}), {0, 0, -5}, BodyType::fixed));
-  const BodyId front = addBox(world, {0.5, 0.5, 0.1}, {0, 0, 0}), touching = addBox(world, {0.5, 0.5, 0.1}, {0, 0, 0.2});
+  const BodyId front = addBox(world, {0.5, 0.5, 0.1}, {0, 0, 0}),
+               touching = addBox(world, {0.5, 0.5, 0.1}, {0, 0, 0.2});
   ASSERT_TRUE(applyWind(world, {.velocity = {0, 0, 20}}, 0, 1e-5).ok());
   ASSERT_TRUE(world.step(1e-5).ok());
   EXPECT_EQ(world.state(front)->linearVelocity.z, 0);

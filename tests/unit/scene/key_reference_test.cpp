@@ -138,7 +138,8 @@ void expectSameMachines(const SceneDescription& a, const SceneDescription& b) {
 TEST(KeyReference, DocumentedDefaultsAreTheRealOnes) {
   std::string bare =
       "[[wall]]\n[[wall.opening]]\nfrom = 0.5\nwidth = 0.5\nheight = 0.3\n[[body]]\n[[ball]]\nposition = "
-      "[0, 9, 0]\n[[array]]\n[[material]]\nname = \"own\"\n[[camera]]\n[[arch]]\n[[tilt]]\nrate_degrees = 2\nto_degrees = 3\n"
+      "[0, 9, 0]\n[[array]]\n[[material]]\nname = \"own\"\n[[camera]]\n[[arch]]\n[[tilt]]\nrate_degrees = "
+      "2\nto_degrees = 3\n"
       "[[shake]]\n[[wind]]\nvelocity = [1, 0, 0]\n[[blast]]\ncentre = [1, 2, 3]\nimpulse = 4\nradius = 5\n";
   auto without = [](std::string text, const std::string& key) {
     std::size_t from = text.find("\n" + key + " = ");
