@@ -5,6 +5,7 @@
 #include "brickfall/debug_draw.h"
 #include "brickfall/events.h"
 #include "brickfall/ids.h"
+#include "brickfall/joint.h"
 #include "brickfall/limits.h"
 #include "brickfall/math.h"
 #include "brickfall/result.h"

@@ -22,10 +22,19 @@ struct HitEvent {
   double impulse = 0;        // N s along the normal during the step
 };
 
+// A joint broke. It is gone, its id stale.
+struct BreakEvent {
+  JointId joint;
+  BodyId bodyA, bodyB;
+  Vec3 pointWorld;     // m: where it held
+  Vec3 force, torque;  // N, N m, from A on B: under which it broke
+};
+
 struct Events {
   std::vector<ContactEvent> begin;
   std::vector<ContactEvent> end;
   std::vector<HitEvent> hits;
+  std::vector<BreakEvent> breaks;
   std::vector<BodyId> moved;  // bodies whose pose changed in the step
   std::vector<BodyId> fellAsleep;
   std::vector<BodyId> woke;

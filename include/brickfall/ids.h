@@ -24,4 +24,12 @@ struct ShapeId {
   auto operator<=>(const ShapeId&) const = default;
 };
 
+struct JointId {
+  std::uint32_t index = 0;
+  std::uint16_t generation = 0;
+  std::uint16_t world = 0;
+  explicit operator bool() const { return index != 0; }
+  auto operator<=>(const JointId&) const = default;
+};
+
 }  // namespace brickfall

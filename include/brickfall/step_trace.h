@@ -25,14 +25,15 @@ enum class Stage : std::uint8_t {
   obstacles,  // fast bodies stop before what they would pass through
   balance,    // the last check on energy, once
   integrate,  // new poses, quarantine
+  breaking,   // joints end whose force was more than they bear
   sleep,      // falling asleep
   events,
   count
 };
 constexpr int kStageCount = int(Stage::count);
 constexpr std::array<std::string_view, kStageCount> kStageNames = {
-    "pairs", "contacts",  "islands", "impacts",   "prepare", "rest",  "solve",
-    "store", "obstacles", "balance", "integrate", "sleep",   "events"};
+    "pairs", "contacts",  "islands", "impacts",   "prepare",  "rest",  "solve",
+    "store", "obstacles", "balance", "integrate", "breaking", "sleep", "events"};
 
 struct TraceOptions {
   bool stages = false;  // StepReport::stageHashes

@@ -16,6 +16,7 @@
 #include "brickfall/ids.h"
 #include "brickfall/integrators.h"
 #include "brickfall/island_ending.h"
+#include "brickfall/joint.h"
 #include "brickfall/math.h"
 #include "brickfall/result.h"
 #include "brickfall/shapes.h"
@@ -117,6 +118,22 @@ class World {
   // Whether setMaterial would take all of these for the body's shapes, one for each in the order of shapes(body), whichever comes
   // first; if not, why. Nothing changes: for who changes many bodies, all or none.
   Status checkMaterials(BodyId body, std::span<const Material> materials) const;
+
+  // --- Joints (joint.h). What is not finite or out of range, and stale ids, are refused with the name of the field, and
+  // then nothing changes. A joint wakes its bodies when it is made, changed or destroyed. It ends with either of its
+  // bodies, silently, also when one is replaced or quarantined, and when it breaks (Events::breaks).
+  Result<JointId> createJoint(const JointDef& def);
+  Status destroyJoint(JointId joint);
+  bool isValid(JointId joint) const;
+  Result<JointState> state(JointId joint) const;
+  Result<JointDef> definition(JointId joint) const;  // with anchors and axis where they are now, and what was set since
+  std::vector<JointId> joints() const;               // in order of creation
+  std::vector<JointId> joints(BodyId body) const;    // of the body, in order of creation; empty for a stale id
+  Status setMotor(JointId joint, std::optional<JointDef::Motor> motor);  // revolute, prismatic
+  Status setLimit(JointId joint, std::optional<JointDef::Limit> limit);  // spherical (twist), revolute, prismatic
+  Status setLength(JointId joint, double length);                        // distance, rope, spring: a winch
+  Status setTarget(JointId joint, Vec3 pointWorld);                      // drag: the point of A that it pulls to
+  Status setBreaking(JointId joint, double breakForce, double breakTorque);
 
   // --- Settings, as the world has them now. All are changed at once, or none on an error. maxBodies, broadPhase and
   // solver.contactMargin are for the life of a world: what differs there is refused. New loads or solver settings wake who

@@ -22,12 +22,12 @@ void ContactSet::beginStep() {
 }
 
 void ContactSet::dropOf(BodyIndex body) {
-  for (auto* list : {&pairs, &asleep})
-    std::erase_if(*list, [&](const CandidatePair& pair) {
-      if (pair.bodyA != body && pair.bodyB != body) return false;
-      if (pair.contact != kNoIndex) destroy(pair.contact);
-      return true;
-    });
+  dropWhere([&](const CandidatePair& pair) { return pair.bodyA == body || pair.bodyB == body; });
+}
+void ContactSet::dropBetween(BodyIndex a, BodyIndex b) {
+  dropWhere([&](const CandidatePair& pair) {
+    return (pair.bodyA == a && pair.bodyB == b) || (pair.bodyA == b && pair.bodyB == a);
+  });
 }
 
 void takeConstants(Contact& c, const ShapeSet& shapes, const BodySet& bodies) {

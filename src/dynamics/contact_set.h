@@ -30,6 +30,7 @@ class ContactSet {
   const std::vector<ContactIndex>& unused() const { return free_; }
   // Takes in pairs, sorted; those that are known stay as they are.
   void insert(const std::vector<CandidatePair>& found);
+  void dropBetween(BodyIndex a, BodyIndex b);  // they may no longer collide
 
   // --- functions of every kind of tie (link.h). Pairs without points sleep and go as those with a contact do.
   static constexpr LinkKind kLink = LinkKind::contact;
@@ -77,6 +78,14 @@ class ContactSet {
     }
     from.resize(kept);
     mergeInto(to, moved_);
+  }
+  template <class Names> void dropWhere(Names names) {
+    for (auto* list : {&pairs, &asleep})
+      std::erase_if(*list, [&](const CandidatePair& pair) {
+        if (!names(pair)) return false;
+        if (pair.contact != kNoIndex) destroy(pair.contact);
+        return true;
+      });
   }
   static void mergeInto(std::vector<CandidatePair>& sorted, const std::vector<CandidatePair>& more);
 

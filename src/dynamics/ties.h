@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "dynamics/contact_set.h"
+#include "dynamics/joint_set.h"
 #include "dynamics/link.h"
 
 namespace brickfall {
@@ -18,10 +19,11 @@ class Ties {
   Ties& operator=(const Ties&) = delete;
 
   ContactSet contacts;
+  JointSet joints;
 
   // In the order of LinkKind.
-  auto kinds() { return std::tie(contacts); }
-  auto kinds() const { return std::tie(contacts); }
+  auto kinds() { return std::tie(contacts, joints); }
+  auto kinds() const { return std::tie(contacts, joints); }
 
   // visit(set) for each kind.
   template <class Visit> void eachKind(Visit&& visit) {

@@ -33,6 +33,9 @@ constexpr double kEnough = 0.8;  // of the slope at the start: a search ends bel
 //! - | too small: cost | too large: steps jump to and fro over edges that open and close: leaning bodies stay up
 constexpr double kEnoughStalled = 0.1;  // the same after kStalledSteps
 
+//! - | too small: steps are spent on rounding | too large: light bodies on a firm joint are left out of balance
+constexpr double kWayRounds = 0x1p-23;  // of a way: what floats leave of it
+
 using Block = double[6][6];
 
 class Newton {
@@ -43,7 +46,9 @@ class Newton {
         place_(island.bodies.size(), 0, island.memory),
         step_(6 * island.bodies.size(), 0.0, island.memory),
         from_(island.memory),
+        rounding_(island.memory),
         matrix_(island.memory) {
+    if (island.facts.jointed) rounding_.resize(island.bodies.size(), 0.0);
     Adjacency neighbours(island.memory);
     neighbours.fill(std::uint32_t(place_.size()), [this](auto visit) { eachTie(visit); });
     place_ = nearPlaces(neighbours);
@@ -64,6 +69,19 @@ class Newton {
     search(enough);
     readForces(boundsFollow);
     return true;
+  }
+
+  // The largest residual over its body's measure. Joints are so firm that the rounding of their bodies' ways is a force:
+  // it counts as balance, or no step of a fast island would be the last.
+  double worst(const BodySet& bodies) const {
+    if (rounding_.empty()) return worstResidual(island_, bodies);
+    double worst = 0;
+    for (std::size_t i = 0; i < place_.size(); i++) {
+      Measure measure = measureOf(island_, bodies, i, kHeavyLoad);
+      measure.force += rounding_[i] / island_.plan.tolerance;
+      takeLarger(worst, measure.of(island_.residual[i]));
+    }
+    return worst;
   }
 
   // Sets the friction limits of new points by the forces that were found. True if any changed.
@@ -104,6 +122,7 @@ class Newton {
 
   void assemble() {
     matrix_.clear();
+    std::fill(rounding_.begin(), rounding_.end(), 0.0);
     for (std::size_t i = 0; i < place_.size(); i++) {
       const SolveMass& m = island_.masses[i];
       Block b = {};
@@ -133,6 +152,7 @@ class Newton {
     } ends[2] = {{rowEnds.a, toDouble(wide::store3(x.armA))}, {rowEnds.b, toDouble(wide::store3(x.armB))}};
     for (const End& end : ends) {
       if (end.body >= place_.size()) continue;
+      if (!rounding_.empty()) rounding_[end.body] += kWayRounds * K[0][0] * double(length(island_.motion[end.body].d));
       congruence(K, end.arm, end.arm, 1, b);
       matrix_.add(place_[end.body], place_[end.body], b);
     }
@@ -186,6 +206,7 @@ class Newton {
   std::pmr::vector<std::uint32_t> place_;  // of a body in the matrix
   std::pmr::vector<double> step_;          // by place
   std::pmr::vector<SolveMotion> from_;
+  std::pmr::vector<double> rounding_;  // N, by body; empty without joints
   BlockEnvelope matrix_;
 };
 
@@ -196,7 +217,7 @@ void solveDirectly(Island& island, const StepContext& context, double tolerance,
   Stall stall;
   int boundSolves = 0;
   for (int k = 0; k < kDirectSteps; k++) {
-    const double worst = worstResidual(island, *context.bodies);
+    const double worst = newton.worst(*context.bodies);
     const int stalled = stall.after(worst);
     // Stalled, ten times the residual is good enough; after twice as many steps a hundred times, if nothing is to rest.
     const double enough = stalled < kStalledSteps ? 1 : stalled < 2 * kStalledSteps || island.plan.slow ? 10 : 100;

@@ -30,10 +30,11 @@ constexpr double kSlowTolerance = 5e-4;  // of a body in a small island
 //! not of the method: docs/step.md prints the table
 constexpr std::size_t kAny = std::size_t(-1);
 constexpr PlanRow kRows[] = {
-    {"one body", 1, false, true, 10, false, false},
-    {"2 to 24", 24, false, true, 10, true, false},
-    {"25 to 80, grounded, none faster than 1 m/s", 80, true, false, 1, true, false},
-    {"25 and more", kAny, false, false, 1, false, true},
+    {"1 to 80, with joints", 80, true, false, true, 1, true, false},
+    {"one body", 1, false, false, true, 10, false, false},
+    {"2 to 24", 24, false, false, true, 10, true, false},
+    {"25 to 80, grounded, none faster than 1 m/s", 80, false, true, false, 1, true, false},
+    {"25 and more", kAny, false, false, false, 1, false, true},
 };
 
 // Small islands, when they collapse, need more cycles than a wall to move at their true speed.
@@ -44,8 +45,9 @@ int cycleBudget(const IslandFacts& facts, const SolverSettings& settings) {
 
 const PlanRow& rowOf(const IslandFacts& facts) {
   bool slow = facts.grounded && facts.fastestCentre < kDirectSpeed;
-  return *std::find_if(std::begin(kRows), std::end(kRows),
-                       [&](const PlanRow& row) { return facts.bodies <= row.mostBodies && (slow || !row.onlySlow); });
+  return *std::find_if(std::begin(kRows), std::end(kRows), [&](const PlanRow& row) {
+    return facts.bodies <= row.mostBodies && (facts.jointed || !row.jointed) && (slow || !row.onlySlow);
+  });
 }
 
 // m: the median of the inner radii. By the least size a shard between blocks would decide for all of them. By a mean by
@@ -80,6 +82,7 @@ IslandFacts findFacts(const Island& island, const StepContext& context) {
   facts.scale = scaleOf(typicalSize(island, bodies), context.judgingGravity);
   facts.bodies = island.bodies.size();
   facts.grounded = island.grounded();
+  facts.jointed = island.rows.anyLasting();
   for (BodyIndex body : island.bodies) {
     const BodyMotion& m = bodies.motion[body];
     facts.energyBefore += bodies.data[body].lastKineticEnergy;
@@ -110,7 +113,9 @@ SolvePlan planFor(const IslandFacts& facts, const SolverSettings& settings, doub
   bool calm =
       supported && facts.fastest <= settings.restSpeed + kCalmShare * facts.scale.gravity * dt / facts.scale.speed;
   SolvePlan plan;
-  plan.slow = supported && facts.fastest <= settings.restSpeed;
+  // What swings on joints is in balance wherever it swings through its middle.
+  plan.slow =
+      supported && facts.fastest <= (facts.jointed ? std::min(kStillSpeed, settings.restSpeed) : settings.restSpeed);
   plan.sways = supported && row.large && !plan.slow && facts.fastest <= kMovingSpeed;
   plan.alone = facts.bodies == 1;
   plan.mayBeStopped = plan.slow && !(plan.alone && facts.fastest > kStillSpeed);

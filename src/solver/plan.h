@@ -23,6 +23,7 @@ struct StepContext;
 struct IslandFacts {
   std::size_t bodies = 0;
   bool grounded = false;      // touches something fixed or kinematic
+  bool jointed = false;       // has ties that stay, and on which bodies swing
   bool partnersMove = false;  // a kinematic partner moves
   // Of islands that may go on (not asked of slow ones): what is fixed or kinematic carries force, and pins a body.
   bool pressed = false, pinned = false;
@@ -38,6 +39,7 @@ struct IslandFacts {
 struct PlanRow {
   std::string_view islands;  // in words
   std::size_t mostBodies;
+  bool jointed;          // has joints
   bool onlySlow;         // grounded, and no centre of mass faster than kDirectSpeed
   bool exactSteps;       // open points are left out of the matrix and searched for instead
   float calmStiffening;  // x restingStiffness while the island is calm

@@ -16,6 +16,19 @@ constexpr double kSlide = 0.5;  // of the loss of kinetic energy: share that sli
 //! - | too small: a ball that rolls on a wall is stopped | too large: walls sway for longer
 constexpr double kSwing = 0.01;  // of the kinetic energy: if a step takes more, a wall has swung through its middle
 
+//! - | too small: swings are stopped at their turning points | too large: what hangs swings for ever
+constexpr double kRisen = 2;  // of the energy that gravity took: an island that lost no more swings
+
+// J, that gravity took in the last step.
+double risenBy(const Island& island, const StepContext& context, const BodySet& bodies) {
+  double sum = 0;
+  for (BodyIndex body : island.bodies)
+    sum -= dot(context.gravity,
+               bodies.motion[body].linearVelocity - bodies.data[body].linearAcceleration * (0.5 * island.dt)) *
+           (bodies.mass[body].mass * bodies.data[body].gravityScale * island.dt);
+  return sum;
+}
+
 }  // namespace
 
 void dampSlowIsland(const Island& island, const StepContext& context, BodySet& bodies) {
@@ -25,6 +38,8 @@ void dampSlowIsland(const Island& island, const StepContext& context, BodySet& b
   // Two losses of a body alone are no vibration: friction that slows its slide, and height that it gains when it rolls
   // up a slope. Both end by themselves. Towers rub somewhere whenever they sway.
   if (island.plan.alone && island.slipWork >= kSlide * lost) return;
+  // On joints bodies swing, and gravity takes what the island has lost.
+  if (island.facts.jointed && lost < kRisen * risenBy(island, context, bodies)) return;
   // A body that nothing presses on has no part in a vibration: it falls.
   std::pmr::vector<char> touched(island.memory);
   findTouched(island, touched, [&](const auto& kind, std::size_t k) { return kind.ties(k, context); });
@@ -61,12 +76,22 @@ bool balancedByLoad(const Island& island, const StepContext& context) {
   return true;
 }
 
+// Where a swing turns back, the last of its velocity and gravity balance for a step: that is no rest.
+bool turnsBack(const Island& island, const StepContext& context) {
+  if (!island.facts.jointed) return false;
+  const double least = context.settings.restTolerance * island.facts.scale.gravity * island.dt;
+  return std::any_of(island.bodies.begin(), island.bodies.end(), [&](BodyIndex body) {
+    const BodyMotion& m = context.bodies->motion[body];
+    return !(length(m.linearVelocity) + length(m.angularVelocity) * context.bodies->mass[body].outerRadius <= least);
+  });
+}
+
 }  // namespace
 
 void restCheck(Island& island, StepContext& context) {
   island.ending = IslandEnding::unsolved;
   for (std::size_t i = 0; i < island.bodies.size(); i++) island.motion[i] = {};
-  if (!island.plan.slow) return;
+  if (!island.plan.slow || turnsBack(island, context)) return;
   lightPass(island, false, context.statistics.lightVisits);
   bool balanced = worstResidual(island, *context.bodies) < context.settings.restTolerance ||
                   (island.plan.large && balancedByLoad(island, context));

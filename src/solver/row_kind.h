@@ -31,6 +31,7 @@ template <class Kind>
 concept ListsRows = requires(Kind& kind, const Kind& seen, std::size_t k, std::uint32_t index, Ties& ties,
                              const Ties& ofAll, const StepContext& context) {
   { Kind::kPoints } -> std::convertible_to<double>;           // visits that a row counts as; its points at most
+  { Kind::kLasts } -> std::convertible_to<bool>;              // its ties stay, and bodies swing on them
   { Kind::kRecordSize } -> std::convertible_to<std::size_t>;  // bytes of what the solve reads of a row
   { seen.size() } -> std::same_as<std::size_t>;
   kind.reserve(k);
@@ -90,6 +91,7 @@ concept GoesThroughAStep = requires(Kind& kind, const Kind& seen, std::size_t k,
   seen.tellShare(ties, share);
   { seen.owes(k, given) } -> std::same_as<bool>;
   { seen.reboundWork(k, motion) } -> std::same_as<double>;
+  { seen.heldWork(k) } -> std::same_as<HeldWork>;
   seen.advance(solved, ties);
 };
 

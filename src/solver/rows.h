@@ -15,17 +15,19 @@
 
 #include "dynamics/ties.h"
 #include "solver/contact/rows.h"
+#include "solver/joint/rows.h"
 #include "solver/row_kind.h"
 
 namespace brickfall {
 
 struct Rows {
-  explicit Rows(std::pmr::memory_resource* memory) : contacts(memory) {}
+  explicit Rows(std::pmr::memory_resource* memory) : contacts(memory), joints(memory) {}
   ContactRows contacts;
+  JointRows joints;
 
   // In the order of LinkKind.
-  auto kinds() { return std::tie(contacts); }
-  auto kinds() const { return std::tie(contacts); }
+  auto kinds() { return std::tie(contacts, joints); }
+  auto kinds() const { return std::tie(contacts, joints); }
   static constexpr std::size_t kKinds = kLinkKinds;
 
   // visit(kind) for each list.
@@ -64,6 +66,12 @@ struct Rows {
     std::size_t rows = 0;
     eachKind([&](const auto& kind) { rows += kind.size(); });
     return rows;
+  }
+  // There are ties that stay, and on which bodies swing.
+  bool anyLasting() const {
+    bool any = false;
+    eachKind([&]<class Kind>(const Kind& kind) { any = any || (Kind::kLasts && kind.size() > 0); });
+    return any;
   }
   using Counts = std::array<std::size_t, kKinds>;  // rows by kind
   Counts counts() const {
@@ -121,7 +129,7 @@ struct Rows {
     }(static_cast<decltype(std::declval<Rows&>().kinds())*>(nullptr));
   }
   // The memory of all ties, by kind; restore puts it back, whatever a trial has made of it (island_trial.h).
-  using Memory = std::tuple<ContactRows::Memory>;
+  using Memory = std::tuple<ContactRows::Memory, JointRows::Memory>;
   static Memory memoryFrom(std::pmr::memory_resource* from) {
     return [from]<std::size_t... i>(std::index_sequence<i...>) {
       return Memory{std::tuple_element_t<i, Memory>(from)...};

@@ -22,6 +22,7 @@ void appendTouching(const Island& island, const Ties& ties, BodyPairs& out) {
 void Diary::tellPending() {
   events.begin.clear();
   events.hits.clear();
+  events.breaks.clear();
   events.moved.clear();
   events.fellAsleep.clear();
   events.end.assign(pending.end.begin(), pending.end.end());

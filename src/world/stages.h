@@ -62,6 +62,9 @@ void integrate(const Clock&, const StepContext&, Registry&, Activity&, Proximity
 void hashIntegrate(const Registry&, const Activity&, const Ties&, HashItems&);
 void bookIntegrate(const Registry&, const Activity&, const StepContext&, Diary&);
 
+void breakJoints(const Registry&, double dt, Ties&, Diary&, Upkeep&);
+void hashBreaking(const Ties&, HashItems&);
+
 void fallAsleep(const WorldDef&, double dt, Registry&, Activity&, Ties&, Diary&);
 void hashSleep(const Registry&, const IslandSet&, HashItems&);
 

@@ -76,6 +76,13 @@ std::span<const World::Impl::StageRow> World::Impl::stageRows() {
        [](const W& w, H& out) { hashIntegrate(w.registry, w.activity, w.ties, out); },
        [](W& w) { bookIntegrate(w.registry, w.activity, w.solve.context, w.diary); }},
 
+      {Stage::breaking,
+       [](W& w) {
+         Upkeep upkeep = w.upkeep();
+         breakJoints(w.registry, w.solve.context.dt, w.ties, w.diary, upkeep);
+       },
+       [](const W& w, H& out) { hashBreaking(w.ties, out); }},
+
       {Stage::sleep, [](W& w) { fallAsleep(w.def, w.solve.context.dt, w.registry, w.activity, w.ties, w.diary); },
        [](const W& w, H& out) { hashSleep(w.registry, w.activity.islands, out); }},
 

@@ -61,6 +61,7 @@ void Upkeep::setType(BodyIndex body, BodyType type) {
   displace(body);
   activity_.delist(registry_.bodies, body);
   registry_.setType(body, type);
+  ties_.renewConstants(body, registry_.shapes, registry_.bodies);
   renewProxies(body);
   activity_.enlist(registry_.bodies, body);
   activity_.forgetIslandsOf(body);
@@ -86,6 +87,28 @@ void Upkeep::setMaterial(ShapeIndex shape, const Material& material) {
   ties_.renewConstants(body, registry_.shapes, registry_.bodies);
   if (densityChanged) activity_.forgetIslandsOf(body);
   activity_.unsettlePartnersOf(body);
+}
+
+JointIndex Upkeep::join(const Joint& joint) {
+  const JointIndex made = ties_.joints.create(joint);
+  ties_.renewConstants(joint.bodyA, registry_.shapes, registry_.bodies);
+  disturbJoint(made);
+  if (!joint.collide) ties_.contacts.dropBetween(joint.bodyA, joint.bodyB);
+  return made;
+}
+
+void Upkeep::disturbJoint(JointIndex joint) {
+  for (BodyIndex body : {ties_.joints.joints[joint].bodyA, ties_.joints.joints[joint].bodyB})
+    if (registry_.bodies.data[body].type == BodyType::dynamic) disturb(body);
+}
+
+// A pair that was refused is reported again only if its shapes enter anew, also where they lie at rest.
+void Upkeep::unjoin(JointIndex joint) {
+  disturbJoint(joint);
+  const Joint was = ties_.joints.joints[joint];
+  ties_.joints.destroy(joint);
+  if (was.collide) return;
+  for (BodyIndex body : {was.bodyA, was.bodyB}) renewProxies(body);
 }
 
 // A kinematic body joins or leaves the moving bodies as its velocity says.

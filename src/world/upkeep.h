@@ -22,8 +22,12 @@ class Upkeep {
   void setType(BodyIndex body, BodyType type);
   void setPose(BodyIndex body, Vec3 position, Quat rotation);
   void setMaterial(ShapeIndex shape, const Material& material);
-  void relist(BodyIndex body);   // its velocity was set
-  void isolate(BodyIndex body);  // a quarantined body: out of all ties and of every list that the step walks
+  // Ties its bodies, which it wakes; contacts between them end unless it lets them collide.
+  JointIndex join(const Joint& joint);
+  void disturbJoint(JointIndex joint);  // it was changed from outside
+  void unjoin(JointIndex joint);        // what it tied may collide from now on
+  void relist(BodyIndex body);          // its velocity was set
+  void isolate(BodyIndex body);         // a quarantined body: out of all ties and of every list that the step walks
 
   void disturb(BodyIndex body);       // its state was changed from outside: wakes the body and unsettles its island
   void wakeIslandOf(BodyIndex body);  // if the body sleeps

@@ -47,6 +47,10 @@ struct World::Impl {
   // arguments.
   Status openForChange(const std::string& call) const;
   Result<BodyIndex> openForChange(BodyId id, const Error& bad) const;
+  Result<JointIndex> openForChange(const std::string& call, JointId id) const;
+  // Changes a joint if check(checks, its type) finds nothing wrong.
+  template <class Check, class Change>
+  Status changeJoint(const std::string& call, JointId id, Check&& check, Change&& change);
   Status push(BodyId id, Vec3 linear, Vec3 angular, Vec3* pointWorld, bool impulse);
   void loadsChanged();
   Status setVelocity(BodyId id, Vec3 velocity, Vec3 BodyMotion::*which, Vec3 BodyData::*last);

@@ -39,6 +39,7 @@ struct ContactRows : FaceRows {
 
   // --- functions of every kind of row (row_kind.h)
   static constexpr double kPoints = 4;  // visits that a row counts as; points at most
+  static constexpr bool kLasts = false;  // its ties stay, and bodies swing on them
   static constexpr std::size_t kRecordSize = sizeof(FaceRecord);
   std::size_t size() const { return contactOf.size(); }
   void reserve(std::size_t rows) { contactOf.reserve(rows); }
@@ -110,6 +111,7 @@ struct ContactRows : FaceRows {
   bool owes(std::size_t k, const StepContext& context) const;
   // J: work of the contact's rebounds in this step, on the way that was solved; 0 if there was none.
   double reboundWork(std::size_t k, const SolveMotion* motion) const;
+  HeldWork heldWork(std::size_t) const { return {}; }  // contacts are elastic
   // Writes the forces at the final motion into the contacts. True if any changed by more than rounding. For an island
   // that does not rest this is not compared, and the result is true.
   bool store(Island& island, Ties& ties, StepContext& context);

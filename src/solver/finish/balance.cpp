@@ -44,6 +44,7 @@ Impulse fromTies(const Island& island, std::size_t i, const StepContext& context
 struct Rebounds {
   bool owed = false;  // impacts go on: their rebound is to come
   double work = 0;    // J
+  HeldWork held;      // work of ties that hold places
 };
 
 struct GroupEnergy {
@@ -56,13 +57,18 @@ struct GroupEnergy {
   double gain(const Rebounds& rebounds) const {
     return end - start - outside - std::min(lent, std::max(0.0, rebounds.work));
   }
-  double fromTies(const Rebounds& rebounds) const { return std::max(0.0, ties - std::max(0.0, rebounds.work)); }
+  double fromTies(const Rebounds& rebounds) const {
+    return std::max(0.0, ties - rebounds.held.created - std::max(0.0, rebounds.work));
+  }
   double slack() const { return kSlack * (start + end + moved); }
 };
 // Energies in a frame that moves at `frame` (m/s) with the body that the group presses on. Otherwise the work of a body
 // that slides on a belt is lost in the rounding of the belt's work.
+//
+// The steps of bodies that swing on joints are those of a leapfrog: energy is kept on the mean of old and new velocity.
 GroupEnergy energyOf(const Island& island, Bodies group, Vec3 frame, const StepContext& context) {
   GroupEnergy sum;
+  const bool leaps = island.facts.jointed;
   const Vec3 carried = frame * island.dt;
   for (std::uint32_t i : group) {
     const BodyIndex body = island.bodies[i];
@@ -73,13 +79,14 @@ GroupEnergy energyOf(const Island& island, Bodies group, Vec3 frame, const StepC
     sum.start += 0.5 * m * lengthSquared(free.startVelocity - frame) +
                  0.5 * dot(free.startSpin, context.bodies->worldInertia(body) * free.startSpin);
     sum.end += kineticEnergyAtEnd(body, frame, context);
-    const double work =
-        dot(context.gravity * (m * data.gravityScale) + data.force, s.d - carried) + dot(data.torque, s.th);
+    const Vec3 way = leaps ? (free.startVelocity + s.velocity) * (0.5 * island.dt) - carried : s.d - carried;
+    const Vec3 turn = leaps ? (free.startSpin + spinAtEnd(body, s.angularMomentum, context)) * (0.5 * island.dt) : s.th;
+    const double work = dot(context.gravity * (m * data.gravityScale) + data.force, way) + dot(data.torque, turn);
     const Impulse given = fromTies(island, i, context);
     sum.outside += work;
     sum.moved += std::fabs(work);
     sum.lent += data.impactLoss;
-    sum.ties += (dot(given.linear, s.d - carried) + dot(given.angular, s.th)) * (1 / island.dt);
+    sum.ties += (dot(given.linear, way) + dot(given.angular, turn)) * (1 / island.dt);
   }
   return sum;
 }
@@ -206,6 +213,9 @@ std::pmr::vector<Rebounds> reboundsOf(const Island& island, const StepContext& c
     const RowEnds ends = kind.ends(k);
     Rebounds& group = out[island.groups.groupOf(ends.a < count ? ends.a : ends.b)];
     group.work += kind.reboundWork(k, island.motion.data());
+    const HeldWork held = kind.heldWork(k);
+    group.held.created += held.created;
+    group.held.returned += held.returned;
     group.owed = group.owed || kind.owes(k, context);
   });
   return out;
@@ -239,14 +249,18 @@ class LastCheck {
     takeResidual(island_, group, under.move, context_, excess);
     energy = energyOf(island_, group, under.move, context_);
     excess = energy.gain(rebounds);
-    if (excess > energy.slack() && !driven && !island_.plan.large && island_.facts.fastest <= kSwaySpeed) {
+    if (excess > energy.slack() && !driven && !island_.plan.large && !island_.facts.jointed &&
+        island_.facts.fastest <= kSwaySpeed) {
       dampSway(island_, context_, excess);
       return 0;
     }
     excess -= energy.fromTies(rebounds);
     if (!(excess > energy.slack())) return 0;
     // First from the motion of its bodies against each other: their common momentum is theirs to keep on smooth ground.
-    double left = takeRelative(island_, group, motionOf(island_, group, context_), under.move, context_, excess);
+    // On joints it would part what they hold.
+    double left = island_.facts.jointed
+                      ? excess
+                      : takeRelative(island_, group, motionOf(island_, group, context_), under.move, context_, excess);
     if (left > energy.slack()) left = takeRelative(island_, group, under, under.move, context_, left);
     return excess - left;
   }
@@ -256,7 +270,7 @@ class LastCheck {
   double checkFlying(std::size_t g, const Rebounds& rebounds) {
     const Bodies group = island_.groups.bodies(g);
     const GroupEnergy energy = energyOf(island_, group, {}, context_);
-    const double excess = energy.gain(rebounds);
+    const double excess = energy.gain(rebounds) - rebounds.held.returned;
     if (!(excess > energy.slack())) return 0;
     return excess - takeRelative(island_, group, motionOf(island_, group, context_), {}, context_, excess);
   }

@@ -1,0 +1,39 @@
+// The types of joints: each is a list of equations, written from the poses of its bodies at the start of a step. A new
+// type is a function here.
+#pragma once
+#include "dynamics/joint.h"
+
+namespace brickfall {
+
+// How an equation answers.
+enum class JointLaw : std::uint8_t {
+  none,
+  hard,     // holds what it measures at 0: firm, with a multiplier
+  atMost,   // the same, from one side: pulls back what is above 0 ...
+  atLeast,  // ... pushes back what is below 0
+  motor,    // reaches a speed, with no more than its strength
+  spring    // pulls what it measures to 0 with its stiffness and damping, with no more than its strength
+};
+
+struct JointEquation {
+  JointLaw law = JointLaw::none;
+  double error = 0;  // m or rad: what it measures
+  double speed = 0;  // m/s or rad/s, of a motor
+};
+
+// Along or about three axes, and the first once more.
+struct EquationSet {
+  Vec3 axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};  // unit, world
+  JointEquation of[kJointLanes];
+};
+
+struct JointSystem {
+  EquationSet way, turn;
+  double span = 0;  // m, between the two points that it ties, of a type with a length: its direction turns with them
+  double centre = 0.5;  // of the way from the anchor of A to that of B: where its forces act
+  double position = 0;  // JointState::position
+};
+
+JointSystem equationsOf(const Joint& joint, const JointPose& pose);
+
+}  // namespace brickfall

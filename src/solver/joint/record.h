@@ -1,0 +1,106 @@
+// A joint as the solve reads it: up to eight equations at its centre, the middle of its two anchors. Four are along
+// ways of B against A: three axes, and the first axis once more, for a limit beside a motor. Four are about axes of
+// turns in the same way. The law of each:
+//
+//   f = trial - k C, not below `least`, not above `most`        C: way (m) or turn (rad) in the step, along its axis
+//
+// Hard joints have a multiplier in `trial`, which follows the force within the solve (rows.h). Limits, ropes, motors
+// and springs differ from them in k, trial and range alone.
+#pragma once
+#include <cstdint>
+
+#include "dynamics/joint.h"
+#include "math/wide.h"
+#include "solver/reaction.h"
+#include "solver/solve_body.h"
+
+namespace brickfall {
+
+// Four equations, field by field.
+struct alignas(16) JointEquations {
+  struct Axis {
+    Vec3f unit;
+    float pad = 0;
+  };
+  Axis axes[3] = {};
+  float k[kJointLanes] = {};  // N/m, or N m/rad; 0: no equation, or a force that is given
+  float trial[kJointLanes] = {};
+  float least[kJointLanes] = {}, most[kJointLanes] = {};
+};
+
+struct alignas(16) JointRecord {
+  Vec3f armA;  // m, from the centres of mass to the joint's centre
+  std::uint32_t bodyA = 0;
+  Vec3f armB;
+  std::uint32_t bodyB = 0;
+  JointEquations way, turn;
+};
+static_assert(sizeof(JointRecord) == 256);
+
+namespace joint {
+
+using wide::V;
+
+// The motion along each equation's axis.
+BRICKFALL_LANES V alongAxes(const JointEquations& e, V motion) {
+  const V first = wide::load(&e.axes[0].unit.x) * motion;
+  return wide::sums(first, wide::load(&e.axes[1].unit.x) * motion, wide::load(&e.axes[2].unit.x) * motion, first);
+}
+BRICKFALL_LANES V clamped(const JointEquations& e, V trial) {
+  return -wide::max(-wide::max(trial, wide::load(e.least)), -wide::load(e.most));
+}
+BRICKFALL_LANES V trialOf(const JointEquations& e, V motion) {
+  return wide::load(e.trial) - wide::load(e.k) * alongAxes(e, motion);
+}
+// The vector that the equations' forces sum to.
+BRICKFALL_LANES V sumOf(const JointEquations& e, V forces) {
+  return wide::load(&e.axes[0].unit.x) * (wide::spread<0>(forces) + wide::spread<3>(forces)) +
+         wide::load(&e.axes[1].unit.x) * wide::spread<1>(forces) +
+         wide::load(&e.axes[2].unit.x) * wide::spread<2>(forces);
+}
+
+// Way and turn of B against A at the centre.
+struct Relative {
+  V way, turn;
+};
+BRICKFALL_LANES Relative relativeMotion(const JointRecord& r, const SolveMotion* motion) {
+  const SolveMotion &a = motion[r.bodyA], &b = motion[r.bodyB];
+  const V thA = wide::load(&a.th.x), thB = wide::load(&b.th.x);
+  return {(wide::load(&b.d.x) + wide::cross3(thB, wide::load3Padded(r.armB))) -
+              (wide::load(&a.d.x) + wide::cross3(thA, wide::load3Padded(r.armA))),
+          thB - thA};
+}
+
+// By equation.
+struct Forces {
+  V way, turn;
+};
+BRICKFALL_LANES Forces forcesAt(const JointRecord& r, const SolveMotion* motion) {
+  const Relative moved = relativeMotion(r, motion);
+  return {clamped(r.way, trialOf(r.way, moved.way)), clamped(r.turn, trialOf(r.turn, moved.turn))};
+}
+inline Reading readingAt(const JointRecord& r, const SolveMotion* motion) {
+  const Forces f = forcesAt(r, motion);
+  return {sumOf(r.way, f.way), sumOf(r.turn, f.turn)};
+}
+
+// Equations within their range resist.
+inline void addStiffness(const JointEquations& e, V motion, V out[3]) {
+  const V trial = trialOf(e, motion);
+  const V k = wide::keepIf((trial > wide::load(e.least)) & (wide::load(e.most) > trial), wide::load(e.k));
+  const float by[3] = {k[0] + k[3], k[1], k[2]};
+  for (int lane = 0; lane < 3; lane++) {
+    const V axis = wide::load(&e.axes[lane].unit.x), weighted = axis * by[lane];
+    for (int i = 0; i < 3; i++) out[i] += weighted * axis[i];
+  }
+}
+inline Stiffness stiffnessAt(const JointRecord& r, const SolveMotion* motion) {
+  const Relative moved = relativeMotion(r, motion);
+  Stiffness s = {};
+  addStiffness(r.way, moved.way, s.A);
+  addStiffness(r.turn, moved.turn, s.C);
+  return s;
+}
+
+}  // namespace joint
+}  // namespace brickfall

@@ -1,0 +1,347 @@
+#include "solver/joint/rows.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "solver/island.h"
+#include "solver/joint/equations.h"
+#include "solver/union_find.h"
+
+namespace brickfall {
+
+namespace {
+
+//! x the heaviest body that hangs by it | too small: more rounds until a heavy body is held
+//! | too large: floats leave light bodies out of balance
+constexpr double kFirmness = 100;  // in units of mass / dt^2: of a hard equation
+//! of the second difference | too small: chains under a great load fly apart | too large: fast turns are slowed
+constexpr double kBending = 1;  // of the geometric stiffness of forces, that the solve knows
+//! of the second difference | too small: stiff springs fly apart | too large: their period grows with the step
+constexpr double kSpringShare = 0.5;  // of a spring's stiffness, that the solve knows
+//! of an old error | too small: joints drift apart | too large: error and correction chase each other
+constexpr double kJointCorrect = 0.5;  // that a step corrects
+//! of the force | too small: cost | too large: joints stretch
+constexpr float kFollowed = 1e-3f;  // a smaller change of a multiplier is left
+
+//! of the time | too small: errors of long steps are blows in short ones | too large: they stay for long
+constexpr double kForgets = 0.8;  // of Joint::over, a step
+
+constexpr float kNoLimit = 1e30f;  // N, N m
+
+// Geometric stiffness of a force at the end of an arm that turns with a body, beside its inertia. Of pressure as of
+// tension, or what buckles would buckle at any speed.
+void addBending(SolveMass& mass, Vec3 arm, Vec3 force, double share) {
+  if (dot(arm, force) < 0) force = -force;
+  const double one = share * 0.5 * (dot(arm, force) + length(arm) * length(force));
+  auto pair = [&](int i, int j) { return share * 0.5 * (arm[i] * force[j] + force[i] * arm[j]); };
+  mass.inertia[0] += float(one - pair(0, 0));
+  mass.inertia[1] -= float(pair(1, 0));
+  mass.inertia[2] += float(one - pair(1, 1));
+  mass.inertia[3] -= float(pair(2, 0));
+  mass.inertia[4] -= float(pair(2, 1));
+  mass.inertia[5] += float(one - pair(2, 2));
+}
+
+struct Firmness {
+  double hard = 0;  // N/m or N m/rad
+  double dt = 0;
+  double correct = 0;  // of an old error
+};
+
+// One equation from its law.
+void write(const Joint& joint, const JointEquation& from, const Firmness& firm, double before, float held, int lane,
+           JointEquations& out) {
+  out.least[lane] = -kNoLimit;
+  out.most[lane] = kNoLimit;
+  out.k[lane] = float(firm.hard);
+  auto place = [&](double share) { return held - float(firm.hard * share * from.error); };
+  switch (from.law) {
+    case JointLaw::none:
+      out.k[lane] = out.trial[lane] = out.least[lane] = out.most[lane] = 0;
+      return;
+    case JointLaw::hard:
+      out.trial[lane] = place(firm.correct);
+      return;
+    case JointLaw::atMost:
+      out.trial[lane] = place(from.error > 0 ? firm.correct : 1);
+      out.most[lane] = 0;
+      return;
+    case JointLaw::atLeast:
+      out.trial[lane] = place(from.error < 0 ? firm.correct : 1);
+      out.least[lane] = 0;
+      return;
+    case JointLaw::motor:
+      out.trial[lane] = held + float(firm.hard * from.speed * firm.dt);
+      out.most[lane] = float(joint.strength);
+      out.least[lane] = -out.most[lane];
+      return;
+    case JointLaw::spring: {
+      const double implicit = kSpringShare * joint.stiffness;
+      out.k[lane] = float(implicit + joint.damping / firm.dt);
+      out.trial[lane] = float(implicit * before - joint.stiffness * from.error);
+      if (joint.type == JointType::drag) {
+        out.most[lane] = float(joint.strength);
+        out.least[lane] = -out.most[lane];
+      }
+      return;
+    }
+  }
+}
+
+bool isHard(JointLaw law) { return law == JointLaw::hard || law == JointLaw::atMost || law == JointLaw::atLeast; }
+
+}  // namespace
+
+bool JointRows::continues(const JointRows& old, const StepContext& context) const {
+  if (jointOf != old.jointOf) return false;
+  return std::none_of(jointOf.begin(), jointOf.end(),
+                      [&](JointIndex joint) { return context.ties->joints.joints[joint].born; });
+}
+
+RowGrip JointRows::grip(std::size_t k, const StepContext& context) const {
+  Vec3 force = jointAt(k, *context.ties).force;
+  if (!ties(k, context)) return {};
+  if (force == Vec3{}) force = {0, 1e-30, 0};
+  return {force, double(kNoLimit)};
+}
+
+// The bodies that joints join, directly or through others, and what touches one of them.
+void JointRows::findHeaviest(const Island& island, const BodySet& bodies) {
+  const std::size_t count = island.bodies.size();
+  UnionFind sets(count, island.memory);
+  std::pmr::vector<char> joined(count, 0, island.memory);
+  for (const JointRecord& r : records) {
+    if (r.bodyA < count) joined[r.bodyA] = 1;
+    if (r.bodyB < count) joined[r.bodyB] = 1;
+    if (r.bodyA < count && r.bodyB < count) sets.join(r.bodyA, r.bodyB);
+  }
+  std::pmr::vector<float> heaviest(count, 0, island.memory);
+  auto take = [&](std::uint32_t body, std::uint32_t into) {
+    float& most = heaviest[sets.find(into)];
+    most = std::max(most, float(bodies.mass[island.bodies[body]].mass));
+  };
+  for (std::uint32_t i = 0; i < count; i++)
+    if (joined[i]) take(i, i);
+  island.rows.each([&](const auto& kind, std::size_t k) {
+    const RowEnds ends = kind.ends(k);
+    if (ends.a >= count || ends.b >= count) return;
+    if (joined[ends.a]) take(ends.b, ends.a);
+    if (joined[ends.b]) take(ends.a, ends.b);
+  });
+  for (std::size_t k = 0; k < size(); k++)
+    starts[k].heaviest = heaviest[sets.find(std::min(records[k].bodyA, records[k].bodyB))];
+}
+
+// Puts the geometric stiffness of this force into the masses, in the place of that which is there.
+void JointRows::bend(std::size_t k, Vec3f force) {
+  JointStart& start = starts[k];
+  const JointRecord& r = records[k];
+  auto change = [&](Vec3f f, double share) {
+    if (f == Vec3f{}) return;
+    if (r.bodyA < masses_->size()) addBending((*masses_)[r.bodyA], toDouble(start.anchorA), -toDouble(f), share);
+    if (r.bodyB < masses_->size()) addBending((*masses_)[r.bodyB], toDouble(start.anchorB), toDouble(f), share);
+  };
+  change(start.bent, -kBending);
+  change(force, kBending);
+  start.bent = force;
+}
+
+void JointRows::prepare(Island& island, Ties& ties, const StepContext& context) {
+  if (size() == 0) return;
+  const BodySet& bodies = *context.bodies;
+  masses_ = &island.masses;
+  timePasses_ = true;
+  findHeaviest(island, bodies);
+  for (std::size_t k = 0; k < size(); k++) {
+    const Joint& joint = jointAt(k, ties);
+    JointRecord& r = records[k];
+    JointStart& start = starts[k];
+    const JointPose pose(joint, bodies);
+    const JointSystem system = equationsOf(joint, pose);
+    const BodyMotion &a = bodies.motion[joint.bodyA], &b = bodies.motion[joint.bodyB];
+    const Vec3 armA = pose.armA + pose.way * system.centre, armB = pose.armB - pose.way * (1 - system.centre);
+    r.armA = toFloat(armA);
+    r.armB = toFloat(armB);
+    start.anchorA = toFloat(pose.armA);
+    start.anchorB = toFloat(pose.armB);
+    start.span = float(system.span);
+    start.bent = {};
+    start.follows = start.hard = 0;
+    start.created = start.returned = 0;
+    const Vec3 speed =
+        b.linearVelocity + cross(b.angularVelocity, armB) - a.linearVelocity - cross(a.angularVelocity, armA);
+    const double size = std::max(bodies.mass[joint.bodyA].outerRadius * (r.bodyA < island.bodies.size()),
+                                 bodies.mass[joint.bodyB].outerRadius * (r.bodyB < island.bodies.size()));
+    // A way that grew over a longer step is an arc of it: corrected at once, it would be a blow.
+    const double part = island.dt / std::max(island.dt, joint.over), correct = kJointCorrect * part * part;
+    const double firm = kFirmness * double(start.heaviest) / (island.dt * island.dt);
+    auto writeSet = [&](const EquationSet& set, const double(&held)[kJointLanes], Vec3 moves, double hard, int first,
+                        JointEquations& out) {
+      for (int i = 0; i < 3; i++) out.axes[i].unit = toFloat(set.axes[i]);
+      for (int i = 0; i < kJointLanes; i++) {
+        const JointLaw law = set.of[i].law;
+        const bool follows = isHard(law) || law == JointLaw::motor;
+        start.before[first + i] = float(dot(set.axes[i % 3], moves) * island.dt);
+        start.error[first + i] = float(set.of[i].error);
+        start.held[first + i] = follows ? float(held[i]) : 0;
+        if (follows) start.follows |= 1u << (first + i);
+        if (isHard(law)) start.hard |= 1u << (first + i);
+        write(joint, set.of[i], {hard, island.dt, correct}, double(start.before[first + i]), start.held[first + i], i,
+              out);
+      }
+    };
+    writeSet(system.way, joint.way, speed, firm, 0, r.way);
+    writeSet(system.turn, joint.turn, b.angularVelocity - a.angularVelocity, firm * size * size, kJointLanes, r.turn);
+    bend(k, toFloat(joint.force));
+  }
+}
+
+// Force and torque on B.
+bool JointRows::follow(std::size_t k, const SolveMotion* motion, float slack) {
+  JointRecord& r = records[k];
+  JointStart& start = starts[k];
+  const joint::Forces f = joint::forcesAt(r, motion);
+  float by[2] = {}, all[2] = {};
+  auto larger = [](float& most, float value) { most = std::max(most, value); };
+  for (int i = 0; i < kJointLanes; i++) {
+    if (start.follows >> i & 1) larger(by[0], std::fabs(f.way[i] - start.held[i]));
+    if (start.follows >> (i + kJointLanes) & 1) larger(by[1], std::fabs(f.turn[i] - start.held[i + kJointLanes]));
+    larger(all[0], std::fabs(f.way[i]));
+    larger(all[1], std::fabs(f.turn[i]));
+  }
+  if (by[0] <= slack * all[0] && by[1] <= slack * all[1]) return false;
+  for (int i = 0; i < kJointLanes; i++) {
+    auto take = [&](int lane, float force, float& trial) {
+      if (!(start.follows >> lane & 1)) return;
+      trial += force - start.held[lane];
+      start.held[lane] = force;
+    };
+    take(i, f.way[i], r.way.trial[i]);
+    take(i + kJointLanes, f.turn[i], r.turn.trial[i]);
+  }
+  return true;
+}
+
+bool JointRows::settleBounds(std::size_t k, const SolveMotion* motion, float) {
+  if (!follow(k, motion, kFollowed)) return false;
+  if (!timePasses_) return true;
+  const Vec3f force = wide::store3(joint::readingAt(records[k], motion).force);
+  if (length(force) > length(starts[k].bent)) bend(k, force);
+  return true;
+}
+
+void JointRows::sumBoundary(const Boundary& b, BoundarySums& sums) const {
+  for (std::uint32_t i = 0; i < b.count; i++) {
+    const SidePair<wide::Halves> side(b, i, i);
+    const JointRecord& r = records[b.sides[i] / 2 - b.firstRow];
+    const bool onB = b.sides[i] & 1;
+    const Reading now = joint::readingAt(r, b.motion);
+    wide::V arm = wide::load3Padded(onB ? r.armB : r.armA);
+    if (!b.single) arm = arm + (wide::load3Padded(b.masses[onB ? r.bodyB : r.bodyA].position) - b.centre);
+    side.add({now.force, now.force}, {now.torque, now.torque}, {arm, arm}, sums);
+    if (!sums.matrix) continue;
+    const Stiffness s = joint::stiffnessAt(r, b.motion);
+    StiffnessOf<wide::Halves> two;
+    for (int n = 0; n < 3; n++) {
+      two.A[n] = {s.A[n], s.A[n]};
+      two.B[n] = {wide::V{}, wide::V{}};
+      two.C[n] = {s.C[n], s.C[n]};
+    }
+    sums.matrix->add(two, wide::Halves(arm, arm), false);
+  }
+}
+
+// An island that rests goes on with the forces that it has: what is left of errors would add up.
+bool JointRows::store(Island& island, Ties& ties, StepContext&) {
+  const bool changed = !island.resting();
+  for (std::size_t k = 0; k < size() && changed; k++) {
+    Joint& joint = ties.joints.joints[jointOf[k]];
+    const joint::Forces f = joint::forcesAt(records[k], island.motion.data());
+    for (int i = 0; i < kJointLanes; i++) {
+      joint.way[i] = double(f.way[i]);
+      joint.turn[i] = double(f.turn[i]);
+    }
+    book(k, island.motion.data(), joint);
+    joint.over = std::max(island.dt, kForgets * joint.over);
+    joint.force = toDouble(wide::store3(joint::sumOf(records[k].way, f.way)));
+    joint.torque = toDouble(wide::store3(joint::sumOf(records[k].turn, f.turn)));
+  }
+  return changed;
+}
+
+// The errors of a joint hold energy, as a spring would: a bob that swings faster draws its joint apart, and gets that
+// back where it swings more slowly. No more comes back than that, and no more than was taken.
+void JointRows::book(std::size_t k, const SolveMotion* motion, Joint& joint) {
+  const JointRecord& r = records[k];
+  JointStart& start = starts[k];
+  const joint::Relative moved = joint::relativeMotion(r, motion);
+  const wide::V way = joint::alongAxes(r.way, moved.way), turn = joint::alongAxes(r.turn, moved.turn);
+  double work = 0, most = 0;
+  for (int i = 0; i < kJointLanes; i++) {
+    auto add = [&](int lane, double force, double by) {
+      if (!(start.hard >> lane & 1)) return;
+      work += 0.5 * force * (by + double(start.before[lane]));
+      most += std::fabs(force * double(start.error[lane]));
+    };
+    add(i, joint.way[i], double(way[i]));
+    add(i + kJointLanes, joint.turn[i], double(turn[i]));
+  }
+  start.returned = float(std::clamp(work, 0.0, joint.lent));
+  start.created = float(std::max(0.0, work - joint.lent));
+  joint.lent = std::clamp(joint.lent - work, 0.0, most);
+}
+
+void JointRows::tellShare(Ties& ties, float share) const {
+  for (JointIndex index : jointOf) {
+    Joint& joint = ties.joints.joints[index];
+    joint.earlierForce += joint.force * double(share);
+    joint.earlierTorque += joint.torque * double(share);
+  }
+}
+
+void JointRows::remember(const Ties& ties, Memory& out) const {
+  for (JointIndex joint : jointOf) out.joints.push_back(ties.joints.joints[joint]);
+}
+void JointRows::restore(Ties& ties, const Memory& memory) const {
+  for (std::size_t k = 0; k < size(); k++) ties.joints.joints[jointOf[k]] = memory.joints[k];
+}
+
+double JointRows::firstClosing(const Island&, double, const StepContext&) const {
+  return std::numeric_limits<double>::infinity();
+}
+
+// No time passes: places stay, and what takes time gives nothing.
+void JointRows::startImpact(const Island&, const StepContext&, double) {
+  timePasses_ = false;
+  for (std::size_t k = 0; k < size(); k++) {
+    bend(k, {});
+    JointRecord& r = records[k];
+    JointStart& start = starts[k];
+    for (int i = 0; i < 2 * kJointLanes; i++) {
+      JointEquations& e = i < kJointLanes ? r.way : r.turn;
+      const int lane = i % kJointLanes;
+      // What is not hard, and limits that are not reached.
+      const bool open = (e.most[lane] == 0 && e.trial[lane] > 0) || (e.least[lane] == 0 && e.trial[lane] < 0);
+      if (!(start.hard >> i & 1) || open) e.k[lane] = 0;
+      e.trial[lane] = start.held[i] = 0;
+    }
+  }
+}
+
+void JointRows::keepImpactForces(const Island& island) {
+  for (std::size_t k = 0; k < size(); k++) follow(k, island.motion.data(), 0);
+}
+
+void JointRows::endImpact(const Island& island, Ties& ties, const StepContext& context, bool solved) {
+  if (!solved) return;
+  for (std::size_t k = 0; k < size(); k++) {
+    Joint& joint = ties.joints.joints[jointOf[k]];
+    const Reading f = joint::readingAt(records[k], island.motion.data());
+    const double share = island.dt / context.dt;
+    joint.earlierForce += toDouble(wide::store3(f.force)) * share;
+    joint.earlierTorque += toDouble(wide::store3(f.torque)) * share;
+  }
+}
+
+}  // namespace brickfall

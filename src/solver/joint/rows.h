@@ -1,0 +1,166 @@
+// Joints as rows of an island's solve.
+//
+// A hard equation is as firm as a hundred of the heaviest bodies that hang together by it, whatever it ties itself: a
+// chain of light links must hold a heavy ball. Its multiplier is the whole force of the last step, and follows the
+// force within the solve (Uzawa): then stiffness is no physics, it only says how many rounds that takes.
+//
+// Arms are frozen in a step, which makes the solve a leapfrog: no loss, but it is explicit in the direction of forces,
+// and flies apart where light bodies turn under large ones. So the stiffness that forces have by their direction
+// (geometric stiffness) goes into the solve, against the change of each body's turn from step to step: that is a
+// matrix beside the body's inertia. It keeps energy, and is stable at any step.
+#pragma once
+#include <cstdint>
+#include <memory_resource>
+#include <utility>
+#include <vector>
+
+#include "brickfall/step_trace.h"
+#include "solver/boundary.h"
+#include "solver/joint/record.h"
+#include "solver/step_context.h"
+#include "solver/tie_report.h"
+
+namespace brickfall {
+
+struct Island;
+
+// Facts of a joint at the start of a step that the record does not have.
+struct JointStart {
+  Vec3f anchorA, anchorB;              // m, from the centres of mass: where forces turn with the bodies
+  Vec3f bent;                          // N, on B: the force whose geometric stiffness is in the masses
+  float span = 0;                      // m: JointSystem::span
+  float heaviest = 0;                  // kg, of the bodies that hang together by joints, and what touches them
+  float held[2 * kJointLanes] = {};    // N, N m: multiplier in `trial`, ways and then turns
+  float before[2 * kJointLanes] = {};  // m, rad: way of the last step along each axis
+  float error[2 * kJointLanes] = {};   // m, rad: of hard equations
+  float created = 0, returned = 0;     // J: heldWork
+  std::uint32_t follows = 0;           // bit per equation that has a multiplier
+  std::uint32_t hard = 0;              // bit per equation that gives no energy: holds a place
+};
+
+struct JointRows {
+  explicit JointRows(std::pmr::memory_resource* memory) : jointOf(memory), records(memory), starts(memory) {}
+  std::pmr::vector<JointIndex> jointOf;  // by row, ascending
+  std::pmr::vector<JointRecord> records;
+  std::pmr::vector<JointStart> starts;
+
+  // --- functions of every kind of row (row_kind.h)
+  static constexpr double kPoints = 2;
+  static constexpr bool kLasts = true;
+  static constexpr std::size_t kRecordSize = sizeof(JointRecord) + sizeof(JointStart);
+  std::size_t size() const { return jointOf.size(); }
+  void reserve(std::size_t rows) { jointOf.reserve(rows); }
+  void add(std::uint32_t index) { jointOf.push_back(index); }
+  std::uint32_t indexOf(std::size_t k) const { return jointOf[k]; }
+  bool continues(const JointRows& old, const StepContext& context) const;
+  template <class Number> void bind(Ties& ties, Number number) {
+    records.assign(size(), JointRecord());
+    starts.assign(size(), JointStart());
+    for (std::size_t k = 0; k < size(); k++) {
+      Joint& joint = ties.joints.joints[jointOf[k]];
+      records[k].bodyA = number(joint.bodyA);
+      records[k].bodyB = number(joint.bodyB);
+      joint.born = false;
+    }
+  }
+  RowEnds ends(std::size_t k) const { return {records[k].bodyA, records[k].bodyB}; }
+  float strength(std::size_t, const StepContext&) const { return 1e4f; }  // chains share clusters
+  // A slack rope ties nothing.
+  bool ties(std::size_t k, const StepContext& context) const {
+    const Joint& joint = jointAt(k, *context.ties);
+    return joint.type != JointType::rope || joint.way[0] != 0;
+  }
+  bool carriesForce(std::size_t k, const StepContext& context) const { return ties(k, context); }
+  bool sticks(std::size_t k, const StepContext& context) const { return ties(k, context); }
+  bool pins(std::size_t k, const StepContext& context) const { return ties(k, context); }
+  bool holds(std::size_t k, const StepContext& context) const { return ties(k, context); }
+  RowGrip grip(std::size_t k, const StepContext& context) const;
+  Vec3 normal(std::size_t k) const { return toDouble(records[k].way.axes[0].unit); }
+  // The solve makes joints' motions of second order by itself.
+  RowCourse courseOf(std::size_t k, const EndChanges&, const StepSpan&, const StepContext& context) const {
+    return ties(k, context) ? RowCourse::changes : RowCourse::idle;
+  }
+  bool wouldMeet(std::size_t, const EndChanges&, const EndChanges&, double) const { return false; }
+  bool meetsWithin(std::size_t k, Vec3f, const SolveMotion*, const StepContext& context) const {
+    return ties(k, context);
+  }
+  void addFriction(std::size_t, Vec3, bool, const StepContext&, FrictionAlong&) const {}
+  void letGo(Ties&) const {}
+
+  void prepare(Island& island, Ties& ties, const StepContext& context);
+  Arms arms(std::size_t k) const { return {wide::load3Padded(records[k].armA), wide::load3Padded(records[k].armB)}; }
+  void read(std::size_t k, std::size_t count, const SolveMotion* motion, Reading* out) const {
+    for (std::size_t i = 0; i < count; i++) out[i] = joint::readingAt(records[k + i], motion);
+  }
+  void sumBoundary(const Boundary& boundary, BoundarySums& sums) const;
+  Reaction react(std::size_t k, const SolveMotion* motion) const {
+    const Reading now = joint::readingAt(records[k], motion);
+    const Arms at = arms(k);
+    return {now.force, now.torque, at.a, at.b};
+  }
+  StiffReaction reactStiff(std::size_t k, const SolveMotion* motion, bool) const {
+    return {react(k, motion), joint::stiffnessAt(records[k], motion)};
+  }
+  bool boundsFollow(std::size_t) const { return true; }
+  bool renewBounds(std::size_t, const SolveMotion*, float = 0) { return false; }
+  // The forces found become multipliers; geometric stiffness grows with them.
+  bool settleBounds(std::size_t k, const SolveMotion* motion, float slack);
+  bool dropBounds(std::size_t, const SolveMotion*) { return false; }
+  bool startRebounds(const Island&, const StepContext&) { return false; }
+  bool store(Island& island, Ties& ties, StepContext& context);
+  void tellShare(Ties& ties, float share) const;
+  bool owes(std::size_t, const StepContext&) const { return false; }
+  double reboundWork(std::size_t, const SolveMotion*) const { return 0; }
+  HeldWork heldWork(std::size_t k) const { return {double(starts[k].created), double(starts[k].returned)}; }
+  void advance(const Island&, Ties&) const {}
+  // What a trial of a step changes.
+  struct Memory {
+    explicit Memory(std::pmr::memory_resource* memory) : joints(memory) {}
+    std::pmr::vector<Joint> joints;
+  };
+  void remember(const Ties& ties, Memory& out) const;
+  void restore(Ties& ties, const Memory& memory) const;
+
+  // --- what the world asks of the rows of an island
+  std::pair<BodyIndex, BodyIndex> bodies(std::size_t k, const Ties& ties) const {
+    return {jointAt(k, ties).bodyA, jointAt(k, ties).bodyB};
+  }
+  void archive(WriteArchive& a) const;
+  void archive(ReadArchive& a);
+  void hashName(Mix& h, std::size_t k, const Ties& ties) const { h(jointAt(k, ties).order); }
+  void hashMemory(Mix& h, std::size_t k, const Ties& ties) const { ties.joints.hash(h, jointOf[k]); }
+  void hashRecord(Mix& h, std::size_t k, const Ties& ties) const;
+  void checkStructure(Findings& f, const Island& island, const Ties& ties, const BodySet& bodies, bool current) const;
+  void checkRanges(Findings& f) const;
+  void check(Findings& f, const Island& island, const Ties& ties, bool current) const;
+  template <class Visit> void eachManifold(Visit&&) const {}
+  PointCount countPoints(const Ties&) const { return {}; }
+  template <class Visit> void eachTouching(const Ties&, Visit&&) const {}
+  void startAfresh(Ties& ties) const;
+  static double elasticEnergy(JointIndex joint, const StepContext& context);
+  void addWork(const Island& island, const StepContext& context, TieWork& sum) const;
+  void addSupport(const Island& island, const StepContext& context, BalanceChange& sum) const;
+  void findHits(const Island&, const StepContext&, double, std::pmr::vector<TieImpact>&) const {}
+
+  // --- impacts at their moment (solver/impact.h). Joints hold velocities in them, not places.
+  bool mayClose(const StepContext&, double) const { return false; }
+  bool touchNothing(const StepContext&) const { return size() == 0; }
+  void leaveOut(Ties&, const StepContext&) {}
+  double firstClosing(const Island& island, double dt, const StepContext& context) const;
+  void startImpact(const Island& island, const StepContext& context, double blink);
+  void keepImpactForces(const Island& island);
+  bool reboundImpact(const Island&, const StepContext&, std::pmr::vector<TieImpact>&) { return false; }
+  void endImpact(const Island& island, Ties& ties, const StepContext& context, bool solved);
+
+ private:
+  const Joint& jointAt(std::size_t k, const Ties& ties) const { return ties.joints.joints[jointOf[k]]; }
+  void findHeaviest(const Island& island, const BodySet& bodies);
+  void bend(std::size_t k, Vec3f force);
+  bool follow(std::size_t k, const SolveMotion* motion, float slack);
+  void book(std::size_t k, const SolveMotion* motion, Joint& joint);
+
+  std::pmr::vector<SolveMass>* masses_ = nullptr;  // of the island, since prepare
+  bool timePasses_ = true;                         // no impact is solved
+};
+
+}  // namespace brickfall

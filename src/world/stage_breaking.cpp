@@ -1,0 +1,53 @@
+// Joints break that bore too much. A blow is told as its mean over the step, so what a joint bore is judged over the same
+// time whatever the step: its mean over kBreakTime, or the step if that is longer.
+#include <algorithm>
+
+#include "world/diary.h"
+#include "world/registry.h"
+#include "world/stage_hash.h"
+#include "world/stages.h"
+#include "world/upkeep.h"
+
+namespace brickfall {
+
+namespace {
+
+//! s | too small: the same blow breaks more joints at short steps | too large: short blows break none
+constexpr double kBreakTime = 1.0 / 60;
+
+// True if the joint breaks.
+bool bear(Joint& joint, double dt) {
+  const double share = std::min(1.0, dt / kBreakTime);
+  joint.meanForce += (length(joint.force + joint.earlierForce) - joint.meanForce) * share;
+  joint.meanTorque += (length(joint.torque + joint.earlierTorque) - joint.meanTorque) * share;
+  return joint.meanForce > joint.breakForce || joint.meanTorque > joint.breakTorque;
+}
+
+void tellBreak(JointIndex index, const Ties& ties, const Registry& registry, std::vector<BreakEvent>& out) {
+  const Joint& joint = ties.joints.joints[index];
+  const JointPose pose(joint, registry.bodies);
+  out.push_back({{index + 1, joint.generation, registry.worldNumber},
+                 registry.idOf(joint.bodyA),
+                 registry.idOf(joint.bodyB),
+                 pose.pointA + pose.way * 0.5,
+                 joint.force + joint.earlierForce,
+                 joint.torque + joint.earlierTorque});
+}
+
+}  // namespace
+
+void breakJoints(const Registry& registry, double dt, Ties& ties, Diary& diary, Upkeep& upkeep) {
+  if (!ties.joints.any()) return;
+  std::vector<JointIndex> broken;
+  ties.joints.eachAwake([&](const Link& link) {
+    if (bear(ties.joints.joints[link.index], dt)) broken.push_back(link.index);
+  });
+  for (JointIndex joint : broken) {
+    tellBreak(joint, ties, registry, diary.events.breaks);
+    upkeep.unjoin(joint);
+  }
+}
+
+void hashBreaking(const Ties& ties, HashItems& out) { ties.joints.eachAwake(out.links(ties)); }
+
+}  // namespace brickfall
