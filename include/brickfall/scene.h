@@ -64,6 +64,13 @@ struct SceneBody {
   SourcePlace place;
 };
 
+// A joint between two bodies by their names.
+struct SceneJoint {
+  std::string name, bodyA, bodyB;
+  JointDef def;  // bodyA and bodyB are set when the scene is built
+  SourcePlace place;
+};
+
 // A machine and what it moves: a kinematic body by its name, or with none everything, in the frame of the ground.
 struct SceneTilt {
   std::string body;
@@ -95,6 +102,7 @@ struct SceneDescription {
   std::vector<MaterialDef> materials;
   std::vector<SceneWall> walls;
   std::vector<SceneBody> bodies;  // the ground, balls and free bodies
+  std::vector<SceneJoint> joints;
   std::vector<SceneTilt> tilts;
   std::vector<SceneShake> shakes;
   std::vector<Wind> winds;
@@ -156,6 +164,8 @@ class SceneRun {
   const SceneDescription& scene() const { return scene_; }
   // As they were placed, those of the scene first. One that was destroyed through world() is still listed.
   const std::vector<PlacedBody>& bodies() const { return bodies_; }
+  // The scene's joints that are still there, in its order. Others are in world().joints().
+  std::vector<std::pair<JointId, std::string>> joints() const;
   const PlacedBody* find(BodyId id) const;  // null for a body that is not listed
   // `id` of what is given is not read; with a launchTime to come a body that can move is held until then.
   Result<BodyId> createBody(PlacedBody body);
@@ -187,6 +197,9 @@ class SceneRun {
     double time = 0;
     PlacedBody body;
   };
+  Result<BodyId> place(PlacedBody body);
+  Status hold(BodyId id);
+  Status join();
   Status placeMachines();
   Status launchWaiting();
   Status shoot();
@@ -195,6 +208,7 @@ class SceneRun {
   std::vector<PlacedBody> bodies_;
   std::vector<std::size_t> placeByIndex_;  // by BodyId::index: position in bodies_, where that id is
   std::vector<BodyId> waiting_;            // still to be launched
+  std::vector<JointId> joints_;            // of scene_.joints
   std::vector<Shot> shots_;                // all of the scene
   Machines machines_;
   std::optional<ReportRun> reported_;  // SceneMethod::report

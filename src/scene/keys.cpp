@@ -61,6 +61,8 @@ void addSceneKeys(std::vector<KeySpec>& keys) {
   keys.push_back({"", "ball", K::tables, "", 0, 0, "-", "", "balls to throw"});
   keys.push_back({"", "array", K::tables, "", 0, 0, "-", "", "many equal bodies: lattices, columns, pyramids, piles"});
   keys.push_back({"", "arch", K::tables, "", 0, 0, "-", "", "arches of wedge-shaped stones"});
+  keys.push_back({"", "joint", K::tables, "", 0, 0, "-", "", "what ties two bodies"});
+  keys.push_back({"", "chain", K::tables, "", 0, 0, "-", "", "rows of links or boards with their joints"});
   keys.push_back({"", "tilt", K::tables, "", 0, 0, "-", "", "tables that turn"});
   keys.push_back({"", "shake", K::tables, "", 0, 0, "-", "", "tables that shake: records, sines, pulses"});
   keys.push_back({"", "wind", K::tables, "", 0, 0, "-", "", "air that moves"});
@@ -229,6 +231,47 @@ void addArchKeys(std::vector<KeySpec>& keys) {
   keys.push_back({"arch", "material", K::material, "", 0, 0, "\"brick\"", "", "of the stones"});
 }
 
+void addJointKeys(std::vector<KeySpec>& keys) {
+  keys.push_back({"joint", "name", K::name, "", 0, 0, "-", "", "its name"});
+  keys.push_back({"joint", "type", K::choice, "", 0, 0, "\"spherical\"", "spherical|fixed|revolute|prismatic|distance|rope|spring", "what it holds"});
+  keys.push_back({"joint", "body_a", K::name, "", 0, 0, "-", "", "one body; default: the ground"});
+  keys.push_back({"joint", "body_b", K::name, "", 0, 0, "", "", "the other"});
+  keys.push_back({"joint", "anchor", K::vector, "m", -kFar, kFar, "", "", "point where it holds; of distance, rope and spring: the point of body_a"});
+  keys.push_back({"joint", "anchor_b", K::vector, "m", -kFar, kFar, "-", "", "distance, rope, spring: the point of body_b; default: `anchor`"});
+  keys.push_back({"joint", "axis", K::vector, "", -1000, 1000, "[0, 1, 0]", "", "spherical (of the twist), revolute, prismatic"});
+  keys.push_back({"joint", "lower_degrees", K::number, "degrees", -180, 0, "-", "", "spherical, revolute: least turn of body_b about the axis"});
+  keys.push_back({"joint", "upper_degrees", K::number, "degrees", 0, 180, "-", "", "most turn; both or none"});
+  keys.push_back({"joint", "lower", K::number, "m", -kLarge, 0, "-", "", "prismatic: least way of body_b along the axis"});
+  keys.push_back({"joint", "upper", K::number, "m", 0, kLarge, "-", "", "most way; both or none"});
+  keys.push_back({"joint", "cone_degrees", K::number, "degrees", 0.6, 171, "-", "", "spherical: the axes of both stay within this angle"});
+  keys.push_back({"joint", "motor_speed", K::number, "rad/s, m/s", -kFast, kFast, "-", "", "revolute, prismatic: what a motor drives it at"});
+  keys.push_back({"joint", "motor_strength", K::number, "N m, N", 0, 1e12, "-", "", "the most that the motor gives"});
+  keys.push_back({"joint", "length", K::number, "m", limits::kSmallestSize, limits::kLargestSize, "-", "", "distance, rope, spring; default: as far as the anchors are apart"});
+  keys.push_back({"joint", "stiffness", K::number, "N/m", 0, 1e12, "1000", "", "spring"});
+  keys.push_back({"joint", "damping", K::number, "N s/m", 0, 1e12, "0", "", "spring"});
+  keys.push_back({"joint", "break_force", K::number, "N", 1e-6, 1e12, "-", "", "it breaks under more, as a mean over 1/60 s; default: never"});
+  keys.push_back({"joint", "break_torque", K::number, "N m", 1e-6, 1e12, "-", "", "the same"});
+  keys.push_back({"joint", "collide", K::boolean, "", 0, 0, "false", "", "its two bodies may touch each other"});
+}
+
+void addChainKeys(std::vector<KeySpec>& keys) {
+  keys.push_back({"chain", "name", K::name, "", 0, 0, "-", "", "links are called name/0, name/1, ..., joints name.0, name.1, ..."});
+  keys.push_back({"chain", "body_a", K::name, "", 0, 0, "-", "", "what its first link hangs on; default: the ground"});
+  keys.push_back({"chain", "body_b", K::name, "", 0, 0, "-", "", "what hangs on its last; default: nothing"});
+  keys.push_back({"chain", "from", K::vector, "m", -kFar, kFar, "", "", "where it begins"});
+  keys.push_back({"chain", "to", K::vector, "m", -kFar, kFar, "", "", "where it ends"});
+  keys.push_back({"chain", "links", K::integer, "", 1, 10000, "10", "", "how many"});
+  keys.push_back({"chain", "link", K::choice, "", 0, 0, "\"rod\"", "rod|board", "rods with round ends, or boards"});
+  keys.push_back({"chain", "radius", K::number, "m", kSmall, kLarge, "0.02", "", "of a rod"});
+  keys.push_back({"chain", "thickness", K::number, "m", kSmall, kLarge, "0.05", "", "of a board"});
+  keys.push_back({"chain", "width", K::number, "m", kSmall, kLarge, "0.5", "", "of a board"});
+  keys.push_back({"chain", "sag", K::number, "m", 0, kLarge, "0", "", "so much lower is its middle at the start"});
+  keys.push_back({"chain", "hinge_axis", K::vector, "", -1000, 1000, "-", "", "joints are hinges about it; default: ball joints"});
+  keys.push_back({"chain", "material", K::material, "", 0, 0, "\"steel\"", "", "of the links"});
+  keys.push_back({"chain", "break_force", K::number, "N", 1e-6, 1e12, "-", "", "of each joint, as that of [[joint]]"});
+  keys.push_back({"chain", "break_torque", K::number, "N m", 1e-6, 1e12, "-", "", "the same"});
+}
+
 void addTiltKeys(std::vector<KeySpec>& keys) {
   keys.push_back({"tilt", "body", K::name, "", 0, 0, "-", "", "a kinematic body; default: everything, by turning gravity"});
   keys.push_back({"tilt", "axis", K::vector, "", -1000, 1000, "[0, 0, 1]", "", "direction of the axis"});
@@ -304,6 +347,8 @@ std::vector<KeySpec> makeKeys() {
   addBallKeys(keys);
   addArrayKeys(keys);
   addArchKeys(keys);
+  addJointKeys(keys);
+  addChainKeys(keys);
   addTiltKeys(keys);
   addShakeKeys(keys);
   addAirKeys(keys);

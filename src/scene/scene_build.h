@@ -35,6 +35,8 @@ void readBodies(SceneBuild& build, TableReader& top);
 void readBalls(SceneBuild& build, TableReader& top);
 void readArrays(SceneBuild& build, TableReader& top);
 void readArches(SceneBuild& build, TableReader& top);
+void readJoints(SceneBuild& build, TableReader& top);
+void readChains(SceneBuild& build, TableReader& top);
 void readTilts(SceneBuild& build, TableReader& top);
 void readShakes(SceneBuild& build, TableReader& top);
 void readWinds(SceneBuild& build, TableReader& top);

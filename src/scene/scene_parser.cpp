@@ -37,6 +37,8 @@ void readAll(scene::SceneBuild& build, const scene::Node& root) {
   scene::readArches(build, top);
   scene::readBodies(build, top);
   scene::readBalls(build, top);
+  scene::readChains(build, top);
+  scene::readJoints(build, top);  // they name links, too
   scene::readTilts(build, top);  // they name bodies
   scene::readShakes(build, top);
   scene::readWinds(build, top);

@@ -1,6 +1,7 @@
 // A description becomes a World: the ground, then the bricks course by course, then everything else.
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "brickfall/limits.h"
 #include "brickfall/scene.h"
@@ -130,7 +131,11 @@ Result<SceneRun> SceneRun::create(const SceneDescription& scene) {
     run.reported_ = std::move(reported).value();
   }
   for (PlacedBody& body : placer.bodies)
-    if (Result<BodyId> made = run.createBody(std::move(body)); !made) return made.error();
+    if (Result<BodyId> made = run.place(std::move(body)); !made) return made.error();
+  // First joined, then held: of two bodies that nothing moves no joint can be made.
+  if (Status joined = run.join(); !joined) return joined.error();
+  for (const PlacedBody& body : run.bodies_)
+    if (Status held = run.hold(body.id); !held) return held.error();
   for (auto& [time, body] : placer.shots) run.shots_.push_back({time, std::move(body)});
   if (Status placed = run.placeMachines(); !placed) return placed.error();
   return run;
@@ -163,18 +168,57 @@ Status SceneRun::placeMachines() {
   return {};
 }
 
+Status SceneRun::join() {
+  std::map<std::string, BodyId> byName;
+  for (const PlacedBody& body : bodies_) byName.emplace(body.name, body.id);
+  for (const SceneJoint& joint : scene_.joints) {
+    const auto inJoint = [&](const Error& error) {
+      return Error{error.code, "joint \"" + joint.name + "\": " + error.message};
+    };
+    JointDef def = joint.def;
+    for (const auto& [name, id] : {std::pair(&joint.bodyA, &def.bodyA), std::pair(&joint.bodyB, &def.bodyB)}) {
+      const auto found = byName.find(*name);
+      if (found == byName.end())
+        return inJoint({ErrorCode::invalidArgument, "found \"" + *name + "\", expected the name of a body"});
+      *id = found->second;
+    }
+    Result<JointId> made = world_.createJoint(def);
+    if (!made) return inJoint(made.error());
+    joints_.push_back(*made);
+  }
+  return {};
+}
+
+std::vector<std::pair<JointId, std::string>> SceneRun::joints() const {
+  std::vector<std::pair<JointId, std::string>> there;
+  for (std::size_t k = 0; k < joints_.size(); k++)
+    if (world_.isValid(joints_[k])) there.push_back({joints_[k], scene_.joints[k].name});
+  return there;
+}
+
 Result<BodyId> SceneRun::createBody(PlacedBody body) {
+  Result<BodyId> id = place(std::move(body));
+  if (!id) return id;
+  if (Status held = hold(*id); !held) return held.error();
+  return id;
+}
+
+// Everything else already feels it.
+Status SceneRun::hold(BodyId id) {
+  const PlacedBody& body = *find(id);
+  if (!(body.launchTime > time_) || body.def.type == BodyType::fixed) return {};
+  if (Status held = world_.setType(id, BodyType::fixed); !held) return inBody(body.name, held.error());
+  waiting_.push_back(id);
+  return {};
+}
+
+Result<BodyId> SceneRun::place(PlacedBody body) {
   if (std::isnan(body.launchTime))
     return inBody(body.name, {ErrorCode::invalidArgument, "launchTime: found nan, expected a time in s"});
   // Made as it will be, so that what could not be launched is refused now.
   Result<BodyId> id = world_.createBody(body.def);
   if (!id) return inBody(body.name, id.error());
   body.id = *id;
-  if (body.launchTime > time_ && body.def.type != BodyType::fixed) {
-    // Held until then; everything else already feels it.
-    if (Status held = world_.setType(*id, BodyType::fixed); !held) return inBody(body.name, held.error());
-    waiting_.push_back(*id);
-  }
   if (id->index >= placeByIndex_.size()) placeByIndex_.resize(id->index + 1);
   placeByIndex_[id->index] = bodies_.size();
   bodies_.push_back(std::move(body));
