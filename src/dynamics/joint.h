@@ -39,7 +39,7 @@ struct Joint {
   double way[kJointLanes] = {}, turn[kJointLanes] = {};  // N, N m: by equation, of the last part of the step
   Vec3 force, torque;                // N, N m: from A on B at the middle of the anchors, of the last part of the step
   Vec3 earlierForce, earlierTorque;  // of the parts before, and of impacts: by their share of the step
-  double lent = 0;  // J: work that it took and may give back, since its errors hold it
+  double lent = 0;  // J: work that it took and may give back, or owes, since its errors and arcs hold it
   double over = 0;  // s: the step over which its errors grew
   double meanForce = 0, meanTorque = 0;  // N, N m: over kBreakTime, what a break is judged by
 

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "solver/block_envelope.h"
+#include "solver/body_matrix.h"
 #include "solver/imbalance.h"
 #include "solver/light_pass.h"
 #include "solver/numbering.h"
@@ -35,8 +36,6 @@ constexpr double kEnoughStalled = 0.1;  // the same after kStalledSteps
 
 //! - | too small: steps are spent on rounding | too large: light bodies on a firm joint are left out of balance
 constexpr double kWayRounds = 0x1p-23;  // of a way: what floats leave of it
-
-using Block = double[6][6];
 
 class Newton {
  public:
@@ -105,61 +104,23 @@ class Newton {
   }
   void readForces(bool boundsFollow) { lightPass(island_, boundsFollow, statistics_.lightVisits); }
 
-  // J(left)^T K J(right) times sign, where J = [1 -[r]; 0 1] gives (u, w) at the row from a body's (d, th).
-  static void congruence(const Block& K, Vec3 left, Vec3 right, double sign, Block& out) {
-    for (int i = 0; i < 6; i++) {
-      Vec3 d{K[i][0], K[i][1], K[i][2]}, t = Vec3{K[i][3], K[i][4], K[i][5]} + cross(right, d);
-      for (int k = 0; k < 3; k++) {
-        out[i][k] = sign * d[k];
-        out[i][k + 3] = sign * t[k];
-      }
-    }
-    for (int j = 0; j < 6; j++) {
-      Vec3 t = cross(left, Vec3{out[0][j], out[1][j], out[2][j]});
-      for (int k = 0; k < 3; k++) out[k + 3][j] += t[k];
-    }
-  }
-
   void assemble() {
     matrix_.clear();
     std::fill(rounding_.begin(), rounding_.end(), 0.0);
-    for (std::size_t i = 0; i < place_.size(); i++) {
-      const SolveMass& m = island_.masses[i];
-      Block b = {};
-      for (int k = 0; k < 3; k++) b[k][k] = double(m.mass);
-      for (int row = 0, at = 0; row < 3; row++)
-        for (int column = 0; column <= row; column++, at++)
-          b[3 + row][3 + column] = b[3 + column][3 + row] = double(m.inertia[at]);
-      matrix_.add(place_[i], place_[i], b);
-    }
+    for (std::size_t i = 0; i < place_.size(); i++) addBody(matrix_, place_[i], island_.masses[i]);
+    auto placeOf = [this](std::uint32_t body) { return body < place_.size() ? place_[body] : kNoPlace; };
     std::as_const(island_.rows).each([&](const auto& kind, std::size_t k) {
-      addRow(kind.ends(k), kind.reactStiff(k, island_.motion.data(), true));
+      const StiffReaction x = kind.reactStiff(k, island_.motion.data(), true);
+      addRow(matrix_, kind.ends(k), x, placeOf);
+      addRounding(kind.ends(k), x);
     });
   }
 
-  void addRow(RowEnds rowEnds, const StiffReaction& x) {
-    const Stiffness& s = x.stiffness;
-    Block K, b;
-    for (int i = 0; i < 3; i++)
-      for (int j = 0; j < 3; j++) {
-        K[i][j] = double(s.A[i][j]);
-        K[i][j + 3] = K[j + 3][i] = double(s.B[i][j]);
-        K[i + 3][j + 3] = double(s.C[i][j]);
-      }
-    struct End {
-      std::uint32_t body;
-      Vec3 arm;
-    } ends[2] = {{rowEnds.a, toDouble(wide::store3(x.armA))}, {rowEnds.b, toDouble(wide::store3(x.armB))}};
-    for (const End& end : ends) {
-      if (end.body >= place_.size()) continue;
-      if (!rounding_.empty()) rounding_[end.body] += kWayRounds * K[0][0] * double(length(island_.motion[end.body].d));
-      congruence(K, end.arm, end.arm, 1, b);
-      matrix_.add(place_[end.body], place_[end.body], b);
-    }
-    if (!inside(rowEnds)) return;
-    if (place_[ends[0].body] < place_[ends[1].body]) std::swap(ends[0], ends[1]);
-    congruence(K, ends[0].arm, ends[1].arm, -1, b);
-    matrix_.add(place_[ends[0].body], place_[ends[1].body], b);
+  void addRounding(RowEnds ends, const StiffReaction& x) {
+    if (rounding_.empty()) return;
+    for (std::uint32_t body : {ends.a, ends.b})
+      if (body < place_.size())
+        rounding_[body] += kWayRounds * double(x.stiffness.A[0][0]) * double(length(island_.motion[body].d));
   }
 
   // How fast the energy falls along the step. The slope itself falls along the step, and is zero at the minimum.

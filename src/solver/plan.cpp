@@ -21,6 +21,10 @@ constexpr int kMostCycles = 3;  // while many bodies of a large island are out o
 //! | too large: floats round away balance
 constexpr double kHeavyShare = 0.01;  // effective mass of the softest contact of a small island
 
+//! bodies | too small: linkages gape by a second order of their turns
+//! | too large: links of long chains shake on, since nothing damps them
+constexpr std::size_t kMostArcs = 24;
+
 //! weights | too small: cost | too large: islands repeat an error for ever and do not rest
 constexpr double kSlowTolerance = 5e-4;  // of a body in a small island
 
@@ -124,6 +128,7 @@ SolvePlan planFor(const IslandFacts& facts, const SolverSettings& settings, doub
   plan.calmStiffening = calm ? double(row.calmStiffening) : 1;
   plan.leastMass = row.direct ? kHeavyShare * facts.heaviest : 0;
   plan.large = row.large;
+  plan.arcs = facts.jointed && facts.bodies <= kMostArcs;
   plan.startsFree = !row.large || !facts.grounded;
   plan.goesOn = row.large && facts.pressed && !facts.pinned && !plan.slow;
   plan.softDebris = row.large && facts.fastest > kDebrisSpeed;

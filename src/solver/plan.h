@@ -56,6 +56,7 @@ struct SolvePlan {
   bool exactSteps = false;  // see PlanRow
   bool direct = false;      // see PlanRow
   bool large = false;       // see PlanRow
+  bool arcs = false;        // joints know that the ends of their arms go along arcs
   bool startsFree = true;   // from free motion; else with as much of its fall as each body had
   bool goesOn = false;      // large, not slow, supported by what rolls or slides alone: it goes on as it did
   bool softDebris = false;  // contacts of moving bodies in it have impactStiffness

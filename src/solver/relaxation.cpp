@@ -6,6 +6,7 @@
 #include "solver/acceleration.h"
 #include "solver/cluster_step.h"
 #include "solver/imbalance.h"
+#include "solver/joint_block.h"
 #include "solver/level_step.h"
 #include "solver/support.h"
 
@@ -47,6 +48,7 @@ class Relaxation {
         forces_(island, statistics),
         acceleration_(island),
         together_(forces_, island.hierarchy),
+        block_(forces_),
         allowed_(island.bodies.size(), 0, island.memory),
         factors_(island.bodies.size(), island.memory),
         exactFactors_(island.bodies.size(), island.memory) {}
@@ -151,12 +153,14 @@ class Relaxation {
     }
     const std::size_t before = forces_.sidesRead();
     const int rounds = few ? kSweepsBeforeDirect : kRounds;
-    for (int round = 0; round < rounds && singleSweep(round % 2 != 0); round++) {
+    for (int round = 0; round < rounds; round++) {
+      if (block_.any()) block_.apply(round == 0);
+      if (!singleSweep(round % 2 != 0) && !block_.any()) break;
     }
     if (large) acceleration_.end();
     const std::size_t sides = forces_.sidesRead() - before;
     worthReading_ = sides > island_.rows.size();
-    return moved || sides > 0;
+    return moved || sides > 0 || block_.any();
   }
 
   // Whether a cluster is out of balance, of the level that is moved at once.
@@ -177,7 +181,7 @@ class Relaxation {
       std::size_t c = backwards ? count - 1 - n : n;
       const Cluster& cluster = level.clusters[c];
       std::uint32_t body = level.bodies[cluster.bodyBegin];
-      if (cluster.sideBegin == cluster.sideEnd || balanced(body)) continue;
+      if (cluster.sideBegin == cluster.sideEnd || balanced(body) || block_.has(body)) continue;
       any = true;
       solveBody(level, cluster, factors_[c], body);
     }
@@ -239,6 +243,7 @@ class Relaxation {
   RowForces forces_;
   Acceleration acceleration_;
   LevelStep together_;
+  JointBlock block_;
   std::pmr::vector<float> allowed_;               // N, by body
   Stall stall_;                                   // of a body alone
   std::size_t out_ = 0;                           // bodies out of balance

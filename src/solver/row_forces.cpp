@@ -38,6 +38,23 @@ void RowForces::readAgain() {
   });
 }
 
+void RowForces::readRows(const std::pmr::vector<std::uint32_t>& rows) {
+  for (std::uint32_t row : rows)
+    island_.rows.at(row, [&](auto& kind, std::uint32_t index) {
+      const Reaction now = kind.react(index, island_.motion.data());
+      statistics_.lightVisits += kind.kPoints;
+      take(row, kind.ends(index), {now.armA, now.armB}, {now.force, now.torque});
+    });
+}
+
+void RowForces::settle(std::uint32_t row) {
+  island_.rows.at(row, [&](auto& kind, std::uint32_t index) {
+    if (!kind.settleBounds(index, island_.motion.data(), 0)) return;
+    const Reaction now = kind.react(index, island_.motion.data());
+    take(row, kind.ends(index), {now.armA, now.armB}, {now.force, now.torque});
+  });
+}
+
 bool RowForces::renewBounds() {
   return changeBounds(
       [this](auto& kind, std::uint32_t index) { return kind.renewBounds(index, island_.motion.data(), kBoundSlack); });

@@ -58,7 +58,7 @@ struct GroupEnergy {
     return end - start - outside - std::min(lent, std::max(0.0, rebounds.work));
   }
   double fromTies(const Rebounds& rebounds) const {
-    return std::max(0.0, ties - rebounds.held.created - std::max(0.0, rebounds.work));
+    return std::max(0.0, ties - std::max(0.0, rebounds.work)) - rebounds.held.created;
   }
   double slack() const { return kSlack * (start + end + moved); }
 };
@@ -242,15 +242,14 @@ class LastCheck {
   double checkSupported(std::size_t g, const Rebounds& rebounds) {
     const Bodies group = island_.groups.bodies(g);
     const RigidMotion under = motionOf(island_, island_.groups.partner(g), context_);
-    const bool driven = island_.facts.partnersMove;
+    const bool driven = island_.facts.partnersMove, jointed = island_.facts.jointed;
     GroupEnergy energy = energyOf(island_, group, under.move, context_);
-    double excess = energy.gain(rebounds) - (driven ? energy.fromTies(rebounds) : 0);
+    double excess = energy.gain(rebounds) - (driven || jointed ? energy.fromTies(rebounds) : 0);
     if (!(excess > energy.slack())) return 0;
     takeResidual(island_, group, under.move, context_, excess);
     energy = energyOf(island_, group, under.move, context_);
     excess = energy.gain(rebounds);
-    if (excess > energy.slack() && !driven && !island_.plan.large && !island_.facts.jointed &&
-        island_.facts.fastest <= kSwaySpeed) {
+    if (excess > energy.slack() && !driven && !island_.plan.large && !jointed && island_.facts.fastest <= kSwaySpeed) {
       dampSway(island_, context_, excess);
       return 0;
     }
@@ -258,7 +257,7 @@ class LastCheck {
     if (!(excess > energy.slack())) return 0;
     // First from the motion of its bodies against each other: their common momentum is theirs to keep on smooth ground.
     // On joints it would part what they hold.
-    double left = island_.facts.jointed
+    double left = jointed
                       ? excess
                       : takeRelative(island_, group, motionOf(island_, group, context_), under.move, context_, excess);
     if (left > energy.slack()) left = takeRelative(island_, group, under, under.move, context_, left);

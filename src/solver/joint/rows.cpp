@@ -27,6 +27,16 @@ constexpr float kFollowed = 1e-3f;  // a smaller change of a multiplier is left
 //! of the time | too small: errors of long steps are blows in short ones | too large: they stay for long
 constexpr double kForgets = 0.8;  // of Joint::over, a step
 
+//! rad | too small: fast linkages gape | too large: what snaps gains energy
+constexpr double kFarArc = 0.2;  // of further turns, joints know less and less of the arc
+
+//! of force x arc | too small: small linkages lose their swing | too large: what snaps gains energy for a while
+constexpr double kOwed = 0.5;
+
+//! of the force | too small: in a snap, the stiffness of forces is gone before they are
+//! | too large: swings lose energy, since that stiffness comes late
+constexpr float kFallsTo = 0.5f;  // geometric stiffness follows a force that falls no further within a solve
+
 constexpr float kNoLimit = 1e30f;  // N, N m
 
 // Geometric stiffness of a force at the end of an arm that turns with a body, beside its inertia. Of pressure as of
@@ -41,6 +51,22 @@ void addBending(SolveMass& mass, Vec3 arm, Vec3 force, double share) {
   mass.inertia[3] -= float(pair(2, 0));
   mass.inertia[4] -= float(pair(2, 1));
   mass.inertia[5] += float(one - pair(2, 2));
+}
+
+// m: what a turn moves the end of an arm besides turn x arm. Of far turns not all, since arms are frozen.
+Vec3 arcOf(Vec3 turn, Vec3 arm) {
+  const double angle = length(turn);
+  if (!(angle > 1e-12)) return {};
+  const double part = angle > kFarArc ? kFarArc * kFarArc / (angle * angle) : 1;
+  double sine, cosine;
+  sinCos(angle, sine, cosine);
+  const Vec3 once = cross(turn, arm), twice = cross(turn, once);
+  return once * (part * (sine / angle - 1)) + twice * (part * (1 - cosine) / (angle * angle));
+}
+
+// Its ways are held in all directions: its points are points of both bodies.
+bool holdsPoint(JointType type) {
+  return type == JointType::spherical || type == JointType::fixed || type == JointType::revolute;
 }
 
 struct Firmness {
@@ -194,6 +220,12 @@ void JointRows::prepare(Island& island, Ties& ties, const StepContext& context) 
     writeSet(system.way, joint.way, speed, firm, 0, r.way);
     writeSet(system.turn, joint.turn, b.angularVelocity - a.angularVelocity, firm * size * size, kJointLanes, r.turn);
     bend(k, toFloat(joint.force));
+    start.arc = {};
+    start.arcs = island.plan.arcs && holdsPoint(joint.type);
+    if (start.arcs == 0) continue;
+    start.arc =
+        toFloat(arcOf(b.angularVelocity * island.dt, pose.armB) - arcOf(a.angularVelocity * island.dt, pose.armA));
+    for (int i = 0; i < 3; i++) r.way.trial[i] -= r.way.k[i] * start.arc[i];
   }
 }
 
@@ -223,11 +255,31 @@ bool JointRows::follow(std::size_t k, const SolveMotion* motion, float slack) {
   return true;
 }
 
+// True if the arcs have changed.
+bool JointRows::followArcs(std::size_t k, const SolveMotion* motion, float slack) {
+  JointRecord& r = records[k];
+  JointStart& start = starts[k];
+  if (start.arcs == 0) return false;
+  const Vec3f arc = toFloat(arcOf(toDouble(motion[r.bodyB].th), toDouble(start.anchorB)) -
+                            arcOf(toDouble(motion[r.bodyA].th), toDouble(start.anchorA)));
+  const Vec3f by = arc - start.arc;
+  float most = 0, force = 0;
+  for (int i = 0; i < 3; i++) {
+    most = std::max(most, std::fabs(r.way.k[i] * by[i]));
+    force = std::max(force, std::fabs(start.held[i]));
+  }
+  if (!(most > slack * force)) return false;
+  for (int i = 0; i < 3; i++) r.way.trial[i] -= r.way.k[i] * dot(r.way.axes[i].unit, by);
+  start.arc = arc;
+  return true;
+}
+
 bool JointRows::settleBounds(std::size_t k, const SolveMotion* motion, float) {
-  if (!follow(k, motion, kFollowed)) return false;
-  if (!timePasses_) return true;
+  const bool followed = follow(k, motion, kFollowed);
+  if (!timePasses_) return followed;
+  if (!followArcs(k, motion, kFollowed) && !followed) return false;
   const Vec3f force = wide::store3(joint::readingAt(records[k], motion).force);
-  if (length(force) > length(starts[k].bent)) bend(k, force);
+  if (length(force) > kFallsTo * length(starts[k].bent)) bend(k, force);
   return true;
 }
 
@@ -271,25 +323,28 @@ bool JointRows::store(Island& island, Ties& ties, StepContext&) {
 }
 
 // The errors of a joint hold energy, as a spring would: a bob that swings faster draws its joint apart, and gets that
-// back where it swings more slowly. No more comes back than that, and no more than was taken.
+// back where it swings more slowly. Arcs hold some, too, of either sign. No more comes back than that, and no more than
+// was taken. What a joint owes when its arcs get smaller is taken from its bodies.
 void JointRows::book(std::size_t k, const SolveMotion* motion, Joint& joint) {
   const JointRecord& r = records[k];
   JointStart& start = starts[k];
   const joint::Relative moved = joint::relativeMotion(r, motion);
   const wide::V way = joint::alongAxes(r.way, moved.way), turn = joint::alongAxes(r.turn, moved.turn);
-  double work = 0, most = 0;
+  double work = 0, errors = 0, arcs = 0;
   for (int i = 0; i < kJointLanes; i++) {
-    auto add = [&](int lane, double force, double by) {
+    auto add = [&](int lane, double force, double by, double arc) {
       if (!(start.hard >> lane & 1)) return;
       work += 0.5 * force * (by + double(start.before[lane]));
-      most += std::fabs(force * double(start.error[lane]));
+      errors += std::fabs(force * double(start.error[lane]));
+      arcs += std::fabs(force * arc);
     };
-    add(i, joint.way[i], double(way[i]));
-    add(i + kJointLanes, joint.turn[i], double(turn[i]));
+    add(i, joint.way[i], double(way[i]), double(dot(r.way.axes[i % 3].unit, start.arc)));
+    add(i + kJointLanes, joint.turn[i], double(turn[i]), 0);
   }
-  start.returned = float(std::clamp(work, 0.0, joint.lent));
-  start.created = float(std::max(0.0, work - joint.lent));
-  joint.lent = std::clamp(joint.lent - work, 0.0, most);
+  const double left = joint.lent - work, least = -kOwed * arcs;
+  start.returned = float(std::clamp(work, 0.0, std::max(0.0, joint.lent - least)));
+  start.created = float(std::max(0.0, least - left));
+  joint.lent = std::clamp(left, least, errors + 2 * arcs);
 }
 
 void JointRows::tellShare(Ties& ties, float share) const {

@@ -8,6 +8,10 @@
 // and flies apart where light bodies turn under large ones. So the stiffness that forces have by their direction
 // (geometric stiffness) goes into the solve, against the change of each body's turn from step to step: that is a
 // matrix beside the body's inertia. It keeps energy, and is stable at any step.
+//
+// The end of an arm goes along an arc: by the frozen arm alone, a joint gapes by a second order of the turn, which the
+// next steps correct. In small islands the solve knows the arc, and linkages stay closed. In large ones it does not:
+// that gaping is what damps the links of a chain.
 #pragma once
 #include <cstdint>
 #include <memory_resource>
@@ -28,6 +32,7 @@ struct Island;
 struct JointStart {
   Vec3f anchorA, anchorB;              // m, from the centres of mass: where forces turn with the bodies
   Vec3f bent;                          // N, on B: the force whose geometric stiffness is in the masses
+  Vec3f arc;                           // m: what the arcs of both anchors add to the way of B against A; in `trial`
   float span = 0;                      // m: JointSystem::span
   float heaviest = 0;                  // kg, of the bodies that hang together by joints, and what touches them
   float held[2 * kJointLanes] = {};    // N, N m: multiplier in `trial`, ways and then turns
@@ -35,6 +40,7 @@ struct JointStart {
   float error[2 * kJointLanes] = {};   // m, rad: of hard equations
   float created = 0, returned = 0;     // J: heldWork
   std::uint32_t follows = 0;           // bit per equation that has a multiplier
+  std::uint32_t arcs = 0;              // 1: arcs count
   std::uint32_t hard = 0;              // bit per equation that gives no energy: holds a place
 };
 
@@ -156,6 +162,7 @@ struct JointRows {
   const Joint& jointAt(std::size_t k, const Ties& ties) const { return ties.joints.joints[jointOf[k]]; }
   void findHeaviest(const Island& island, const BodySet& bodies);
   void bend(std::size_t k, Vec3f force);
+  bool followArcs(std::size_t k, const SolveMotion* motion, float slack);
   bool follow(std::size_t k, const SolveMotion* motion, float slack);
   void book(std::size_t k, const SolveMotion* motion, Joint& joint);
 

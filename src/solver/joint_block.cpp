@@ -1,0 +1,154 @@
+#include "solver/joint_block.h"
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+#include <utility>
+
+#include "solver/body_matrix.h"
+#include "solver/numbering.h"
+
+namespace brickfall {
+
+namespace {
+
+//! of the slope at the start | too small: cost of searches | too large: steps end beyond their minimum
+constexpr double kBlockEnough = 0.3;  // a step that ends with less either way fits
+//! - | too small: a step that does not fit is taken | too large: cost
+constexpr int kBlockSearch = 8;
+
+}  // namespace
+
+JointBlock::JointBlock(RowForces& forces)
+    : island_(forces.island()),
+      forces_(forces),
+      place_(island_.memory),
+      bodies_(island_.memory),
+      rows_(island_.memory),
+      lasting_(island_.memory),
+      step_(island_.memory),
+      from_(island_.memory),
+      matrix_(island_.memory) {
+  if (!island_.plan.large || !island_.facts.jointed) return;
+  findBodies();
+  findRows();
+}
+
+// The bodies, in places that make the envelope narrow.
+void JointBlock::findBodies() {
+  const std::size_t own = island_.bodies.size();
+  place_.assign(own, kNone);
+  auto enter = [&](std::uint32_t body) {
+    if (body >= own || place_[body] != kNone) return;
+    place_[body] = std::uint32_t(bodies_.size());
+    bodies_.push_back(body);
+  };
+  island_.rows.each([&]<class Kind>(const Kind& kind, std::size_t k) {
+    if constexpr (std::remove_cvref_t<Kind>::kLasts) {
+      enter(kind.ends(k).a);
+      enter(kind.ends(k).b);
+    }
+  });
+  Adjacency near(island_.memory);
+  near.fill(std::uint32_t(bodies_.size()), [&](auto visit) {
+    std::as_const(island_.rows).each([&](const auto& kind, std::size_t k) {
+      const RowEnds ends = kind.ends(k);
+      if (ends.a < own && ends.b < own && has(ends.a) && has(ends.b)) visit(place_[ends.a], place_[ends.b]);
+    });
+  });
+  const auto places = nearPlaces(near);
+  matrix_.shape(lowestPlaces(near, places));
+  const std::pmr::vector<std::uint32_t> found(bodies_, island_.memory);
+  for (std::size_t i = 0; i < found.size(); i++) {
+    bodies_[places[i]] = found[i];
+    place_[found[i]] = places[i];
+  }
+  step_.resize(6 * bodies_.size());
+}
+
+void JointBlock::findRows() {
+  const std::size_t own = island_.bodies.size();
+  std::uint32_t row = 0;
+  island_.rows.each([&]<class Kind>(const Kind& kind, std::size_t k) {
+    const RowEnds ends = kind.ends(k);
+    if ((ends.a < own && has(ends.a)) || (ends.b < own && has(ends.b))) rows_.push_back(row);
+    if (std::remove_cvref_t<Kind>::kLasts) lasting_.push_back(row);
+    row++;
+  });
+}
+
+void JointBlock::assemble() {
+  matrix_.clear();
+  for (std::uint32_t i = 0; i < bodies_.size(); i++) addBody(matrix_, i, island_.masses[bodies_[i]]);
+  auto placeOf = [this](std::uint32_t body) { return body < place_.size() ? place_[body] : kNone; };
+  for (std::uint32_t row : rows_)
+    std::as_const(island_.rows).at(row, [&](const auto& kind, std::size_t k) {
+      addRow(matrix_, kind.ends(k), kind.reactStiff(k, island_.motion.data(), true), placeOf);
+    });
+}
+
+// How fast the energy falls along the step.
+double JointBlock::slope() const {
+  double sum = 0;
+  for (std::size_t i = 0; i < bodies_.size(); i++)
+    for (int k = 0; k < 3; k++)
+      sum += double(island_.residual[bodies_[i]].force[k]) * step_[6 * i + std::size_t(k)] +
+             double(island_.residual[bodies_[i]].torque[k]) * step_[6 * i + 3 + std::size_t(k)];
+  return sum;
+}
+
+void JointBlock::addInertias(float sign) {
+  for (std::uint32_t body : bodies_) {
+    const Wrench of = inertiaResidual(island_.masses[body], island_.motion[body]);
+    island_.residual[body].force += of.force * sign;
+    island_.residual[body].torque += of.torque * sign;
+  }
+}
+
+// Returns the slope there.
+double JointBlock::moveTo(double part) {
+  addInertias(-1);
+  for (std::size_t i = 0; i < bodies_.size(); i++) {
+    SolveMotion& m = island_.motion[bodies_[i]];
+    for (int k = 0; k < 3; k++) {
+      m.d[k] = float(double(from_[i].d[k]) + part * step_[6 * i + std::size_t(k)]);
+      m.th[k] = float(double(from_[i].th[k]) + part * step_[6 * i + 3 + std::size_t(k)]);
+    }
+  }
+  addInertias(1);
+  forces_.readRows(rows_);
+  return slope();
+}
+
+void JointBlock::search(double start) {
+  double low = 0, slopeLow = start, high = 1, slopeHigh = moveTo(1), s = slopeHigh;
+  for (int k = 0; k < kBlockSearch && slopeHigh < 0 && std::fabs(s) > kBlockEnough * start; k++) {
+    const double part = k % 3 == 2 ? 0.5 * (low + high) : low + (high - low) * slopeLow / (slopeLow - slopeHigh);
+    s = moveTo(part);
+    (s > 0 ? low : high) = part;
+    (s > 0 ? slopeLow : slopeHigh) = s;
+    (s > 0 ? slopeHigh : slopeLow) *= 0.5;
+  }
+}
+
+void JointBlock::apply(bool follow) {
+  assemble();
+  if (!matrix_.factor()) return;
+  for (std::size_t i = 0; i < bodies_.size(); i++)
+    for (int k = 0; k < 3; k++) {
+      step_[6 * i + std::size_t(k)] = double(island_.residual[bodies_[i]].force[k]);
+      step_[6 * i + 3 + std::size_t(k)] = double(island_.residual[bodies_[i]].torque[k]);
+    }
+  matrix_.solve(step_.data());
+  from_.clear();
+  for (std::uint32_t body : bodies_) from_.push_back(island_.motion[body]);
+  const double start = slope();
+  if (!(start > 0)) return;
+  search(start);
+  if (!follow) return;
+  addInertias(-1);  // geometric stiffness may grow
+  for (std::uint32_t row : lasting_) forces_.settle(row);
+  addInertias(1);
+}
+
+}  // namespace brickfall
