@@ -63,7 +63,8 @@ void readLimits(TableReader& reader, JointDef& def) {
   if (!reader.has(lower) || !reader.has(upper))
     reader.error(reader.has(lower) ? lower : upper, "found one end of the range alone, expected both");
   if (!(limit.lower <= 0 && limit.upper >= 0))
-    reader.error(limit.lower > 0 ? lower : upper, "found a range without 0, expected the joint's place as it is made in it");
+    reader.error(limit.lower > 0 ? lower : upper,
+                 "found a range without 0, expected the joint's place as it is made in it");
   const double unit = way ? 1 : kRadians;
   def.limit = {limit.lower * unit, limit.upper * unit};
 }
@@ -81,7 +82,8 @@ void readJointNumbers(TableReader& reader, JointDef& def) {
   const bool driven = reader.number("motor_speed", motor.speed);
   const bool strong = reader.number("motor_strength", motor.strength);
   if (driven != strong)
-    reader.error(driven ? "motor_speed" : "motor_strength", "found one of motor_speed and motor_strength alone, expected both");
+    reader.error(driven ? "motor_speed" : "motor_strength",
+                 "found one of motor_speed and motor_strength alone, expected both");
   if (driven && strong) def.motor = motor;
   if (reader.number("length", length)) def.length = length;
   reader.number("stiffness", def.stiffness);
@@ -106,7 +108,8 @@ void checkJoinable(SceneBuild& build, TableReader& reader, const SceneJoint& joi
   if (!build.trial) build.trial = std::make_unique<World>(std::move(World::create({})).value());
   World& trial = *build.trial;
   JointDef def = joint.def;
-  const Result<BodyId> a = trial.createBody(trialBody(build, joint.bodyA)), b = trial.createBody(trialBody(build, joint.bodyB));
+  const Result<BodyId> a = trial.createBody(trialBody(build, joint.bodyA)),
+                       b = trial.createBody(trialBody(build, joint.bodyB));
   if (a && b) {
     def.bodyA = *a;
     def.bodyB = *b;
@@ -198,7 +201,8 @@ void readChainNumbers(TableReader& reader, ChainDef& def) {
 void checkChain(TableReader& reader, ChainDef& def) {
   const Vec3 way = def.to - def.from;
   if (!(length(way) / def.links >= 1e-3))
-    return reader.error("to", "found links of " + numberText(length(way) / def.links) + " m, expected at least 0.001 m");
+    return reader.error("to",
+                        "found links of " + numberText(length(way) / def.links) + " m, expected at least 0.001 m");
   // Boards lie flat and rods have no side: any axis across will do for them.
   if (!def.hinged) def.axis = cross(way, Vec3{0, 1, 0});
   if (!def.hinged && !(length(def.axis) > 1e-6 * length(way))) def.axis = {0, 0, 1};

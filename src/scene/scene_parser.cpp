@@ -39,7 +39,7 @@ void readAll(scene::SceneBuild& build, const scene::Node& root) {
   scene::readBalls(build, top);
   scene::readChains(build, top);
   scene::readJoints(build, top);  // they name links, too
-  scene::readTilts(build, top);  // they name bodies
+  scene::readTilts(build, top);   // they name bodies
   scene::readShakes(build, top);
   scene::readWinds(build, top);
   scene::readBlasts(build, top);

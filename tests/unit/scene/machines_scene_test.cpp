@@ -119,6 +119,65 @@ TEST(MachineScene, TellsWhereSomethingIsWrong) {
   EXPECT_TRUE(has(faults(table + "[[arch]]\nthickness = 3\n"), "arch[0].thickness: found 3 m"));
 }
 
+TEST(JointScene, TellsWhereSomethingIsWrong) {
+  const std::string body = "[[body]]\nname = \"b\"\nposition = [0, 2, 0]\n[[joint]]\n";
+  const std::string to = body + "body_b = \"b\"\nanchor = [0, 3, 0]\n";
+  EXPECT_TRUE(has(faults(body + "anchor = [0, 3, 0]\n"), "test.toml:4:1: error: joint[0].body_b: not given"));
+  EXPECT_TRUE(
+      has(faults(body + "body_b = \"c\"\nanchor = [0, 3, 0]\n"),
+          "test.toml:5:10: error: joint[0].body_b: found \"c\", expected the name of a body (did you mean \"b\"?)"));
+  EXPECT_TRUE(has(faults(body + "body_b = \"b\"\nbody_a = \"b\"\nanchor = [0, 3, 0]\n"),
+                  "test.toml:4:1: error: joint[0]: bodyB: found the same body as bodyA"));
+  EXPECT_TRUE(has(faults("[ground]\nenabled = false\n" + to),
+                  "joint[0].body_a: not given, expected the name of a body: there is no"));
+  EXPECT_TRUE(has(faults(to + "lower_degrees = -3\n"), "joint[0].lower_degrees: found one end of the range alone"));
+  EXPECT_TRUE(has(faults(to + "axis = [0, 0, 0]\n"), "joint[0].axis: found a vector of length 0"));
+  EXPECT_TRUE(
+      has(faults(to + "stiffness = 3\n"), "joint[0].stiffness: found a key that this type of joint does not have"));
+  EXPECT_TRUE(has(faults(to + "type = \"distance\"\n"), "found"));
+  EXPECT_TRUE(
+      has(faults("[[body]]\n[[chain]]\nfrom = [0, 1, 0]\nto = [0, 1, 0]\n"), "chain[0].to: found links of 0 m"));
+  EXPECT_TRUE(has(faults("[[body]]\n[[chain]]\nfrom = [0, 9, 0]\nto = [0, 8, 0]\nradius = 0.2\n"),
+                  "chain[0].radius: found 0.2 m with links of 0.1 m"));
+  EXPECT_TRUE(has(faults("[[body]]\n[[chain]]\nfrom = [0, 9, 0]\nto = [0, 8, 0]\nhinge_axis = [0, 1, 0]\n"),
+                  "chain[0].hinge_axis: found one along the chain"));
+}
+
+// A ball that waits is joined, and held; then it swings, and its chain holds it. Snapshots keep all of it.
+TEST(JointScene, ABallOnAChainWaitsAndSwings) {
+  const char* const text = R"(
+[[ball]]
+name = "bob"
+radius = 0.1
+position = [1.1, 3, 0]
+launch_time = 0.2
+[[chain]]
+name = "c"
+body_b = "bob"
+from = [0, 3, 0]
+to = [1, 3, 0]
+links = 5
+radius = 0.01
+)";
+  Result<SceneRun> run = SceneRun::create(sound(text));
+  ASSERT_TRUE(run.ok()) << run.error().message;
+  ASSERT_EQ(run->joints().size(), 6u);
+  EXPECT_EQ(run->joints()[5].second, "c.5");
+  const BodyId bob =
+      std::find_if(run->bodies().begin(), run->bodies().end(), [](auto& b) { return b.name == "bob"; })->id;
+  for (int k = 0; k < 12; k++) ASSERT_TRUE(run->step().ok());
+  EXPECT_EQ(run->world().state(bob)->position.y, 3);
+  const std::vector<std::byte> kept = run->snapshot();
+  for (int k = 0; k < 40; k++) ASSERT_TRUE(run->step().ok());
+  EXPECT_LT(run->world().state(bob)->position.y, 2.3);
+  EXPECT_NEAR(length(run->world().state(bob)->position - Vec3{0, 3, 0}), 1.1, 0.01);
+  EXPECT_TRUE(run->world().validate().empty());
+  Result<SceneRun> other = SceneRun::create(sound(text));
+  ASSERT_TRUE(other->restore(kept).ok());
+  for (int k = 0; k < 40; k++) ASSERT_TRUE(other->step().ok());
+  EXPECT_EQ(other->world().stateHash(), run->world().stateHash());
+}
+
 // Of a record the line is named, in its own file.
 TEST(MachineScene, TellsTheLineOfARecord) {
   const std::string path = (std::filesystem::temp_directory_path() / "brickfall_gap_record.csv").string();
