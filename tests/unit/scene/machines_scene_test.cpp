@@ -137,8 +137,8 @@ TEST(JointScene, TellsWhereSomethingIsWrong) {
   EXPECT_TRUE(has(faults(to + "type = \"distance\"\n"), "found"));
   EXPECT_TRUE(
       has(faults("[[body]]\n[[chain]]\nfrom = [0, 1, 0]\nto = [0, 1, 0]\n"), "chain[0].to: found links of 0 m"));
-  EXPECT_TRUE(has(faults("[[body]]\n[[chain]]\nfrom = [0, 9, 0]\nto = [0, 8, 0]\nradius = 0.2\n"),
-                  "chain[0].radius: found 0.2 m with links of 0.1 m"));
+  EXPECT_TRUE(has(faults("[[body]]\n[[chain]]\nfrom = [0, 9, 0]\nto = [0, 8, 0]\nlinks = 4\nradius = 0.2\n"),
+                  "chain[0].radius: found 0.2 m with links of 0.25 m"));
   EXPECT_TRUE(has(faults("[[body]]\n[[chain]]\nfrom = [0, 9, 0]\nto = [0, 8, 0]\nhinge_axis = [0, 1, 0]\n"),
                   "chain[0].hinge_axis: found one along the chain"));
 }
