@@ -179,8 +179,9 @@ bool isSoundJoint(const Joint& j) {
               j.upper <= kFarthest && j.cone >= 0 && j.cone <= kFarthest && isFinite(Vec3{j.speed, 0, 0}) &&
               j.strength >= 0 && j.strength <= kLargestMemory && j.length >= 0 && j.length <= kFarthest &&
               j.stiffness >= 0 && j.stiffness <= kLargestMemory && j.damping >= 0 && j.damping <= kLargestMemory &&
-              j.breakForce > 0 && j.breakTorque > 0 && std::fabs(j.lent) <= kLargestMemory && j.over >= 0 && j.over <= 1 && j.meanForce >= 0 && j.meanForce <= kLargestMemory &&
-              j.meanTorque >= 0 && j.meanTorque <= kLargestMemory;
+              j.breakForce > 0 && j.breakTorque > 0 && std::fabs(j.lent) <= kLargestMemory && j.over >= 0 &&
+              j.over <= 1 && j.meanForce >= 0 && j.meanForce <= kLargestMemory && j.meanTorque >= 0 &&
+              j.meanTorque <= kLargestMemory;
   for (Vec3 v : {j.force, j.torque, j.earlierForce, j.earlierTorque}) fine = fine && isNear(v, kLargestMemory);
   for (int i = 0; i < kJointLanes; i++)
     fine = fine && std::fabs(j.way[i]) <= kLargestMemory && std::fabs(j.turn[i]) <= kLargestMemory;

@@ -49,6 +49,7 @@ void JointBlock::findBodies() {
       enter(kind.ends(k).b);
     }
   });
+  enterLoads();
   Adjacency near(island_.memory);
   near.fill(std::uint32_t(bodies_.size()), [&](auto visit) {
     std::as_const(island_.rows).each([&](const auto& kind, std::size_t k) {
@@ -64,6 +65,23 @@ void JointBlock::findBodies() {
     place_[found[i]] = places[i];
   }
   step_.resize(6 * bodies_.size());
+}
+
+// What lies on a jointed body and is heavier moves with it: one after the other, the two would take turns for ever.
+void JointBlock::enterLoads() {
+  const std::size_t own = island_.bodies.size(), jointed = bodies_.size();
+  auto isJointed = [&](std::uint32_t body) { return place_[body] < jointed; };
+  auto enter = [&](std::uint32_t load, std::uint32_t under) {
+    if (!isJointed(under) || place_[load] != kNone || !(island_.masses[load].mass > island_.masses[under].mass)) return;
+    place_[load] = std::uint32_t(bodies_.size());
+    bodies_.push_back(load);
+  };
+  island_.rows.each([&](const auto& kind, std::size_t k) {
+    const RowEnds ends = kind.ends(k);
+    if (ends.a >= own || ends.b >= own) return;
+    enter(ends.a, ends.b);
+    enter(ends.b, ends.a);
+  });
 }
 
 void JointBlock::findRows() {

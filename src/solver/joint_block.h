@@ -23,6 +23,7 @@ class JointBlock {
  private:
   static constexpr std::uint32_t kNone = 0xffffffffu;
   void findBodies();
+  void enterLoads();
   void findRows();
   void assemble();
   double slope() const;

@@ -15,8 +15,8 @@ namespace {
 //! x the heaviest body that hangs by it | too small: more rounds until a heavy body is held
 //! | too large: floats leave light bodies out of balance
 constexpr double kFirmness = 100;  // in units of mass / dt^2: of a hard equation
-//! of the second difference | too small: chains under a great load fly apart | too large: fast turns are slowed
-constexpr double kBending = 1;  // of the geometric stiffness of forces, that the solve knows
+//! of a body's inertia / dt^2 | too small: swings lose energy | too large: chains under a great load fly apart
+constexpr double kSlow = 0.5;  // a force whose geometric stiffness is less turns slowly enough for the step by itself
 //! of the second difference | too small: stiff springs fly apart | too large: their period grows with the step
 constexpr double kSpringShare = 0.5;  // of a spring's stiffness, that the solve knows
 //! of an old error | too small: joints drift apart | too large: error and correction chase each other
@@ -40,9 +40,10 @@ constexpr float kFallsTo = 0.5f;  // geometric stiffness follows a force that fa
 constexpr float kNoLimit = 1e30f;  // N, N m
 
 // Geometric stiffness of a force at the end of an arm that turns with a body, beside its inertia. Of pressure as of
-// tension, or what buckles would buckle at any speed.
-void addBending(SolveMass& mass, Vec3 arm, Vec3 force, double share) {
+// tension, or what buckles would buckle at any speed. `resist`: the body's inertia about that end.
+void addBending(SolveMass& mass, Vec3 arm, Vec3 force, double resist, double sign) {
   if (dot(arm, force) < 0) force = -force;
+  const double turning = length(arm) * length(force), share = sign * turning / (turning + kSlow * resist);
   const double one = share * 0.5 * (dot(arm, force) + length(arm) * length(force));
   auto pair = [&](int i, int j) { return share * 0.5 * (arm[i] * force[j] + force[i] * arm[j]); };
   mass.inertia[0] += float(one - pair(0, 0));
@@ -165,11 +166,15 @@ void JointRows::bend(std::size_t k, Vec3f force) {
   const JointRecord& r = records[k];
   auto change = [&](Vec3f f, double share) {
     if (f == Vec3f{}) return;
-    if (r.bodyA < masses_->size()) addBending((*masses_)[r.bodyA], toDouble(start.anchorA), -toDouble(f), share);
-    if (r.bodyB < masses_->size()) addBending((*masses_)[r.bodyB], toDouble(start.anchorB), toDouble(f), share);
+    for (int end = 0; end < 2; end++) {
+      if (start.resist[end] == 0) continue;
+      SolveMass& mass = (*masses_)[end == 0 ? r.bodyA : r.bodyB];
+      const Vec3 arm = toDouble(end == 0 ? start.anchorA : start.anchorB);
+      addBending(mass, arm, toDouble(end == 0 ? -f : f), double(start.resist[end]), share);
+    }
   };
-  change(start.bent, -kBending);
-  change(force, kBending);
+  change(start.bent, -1);
+  change(force, 1);
   start.bent = force;
 }
 
@@ -177,6 +182,7 @@ void JointRows::prepare(Island& island, Ties& ties, const StepContext& context) 
   if (size() == 0) return;
   const BodySet& bodies = *context.bodies;
   masses_ = &island.masses;
+  held_ = {};
   timePasses_ = true;
   findHeaviest(island, bodies);
   for (std::size_t k = 0; k < size(); k++) {
@@ -192,9 +198,14 @@ void JointRows::prepare(Island& island, Ties& ties, const StepContext& context) 
     start.anchorA = toFloat(pose.armA);
     start.anchorB = toFloat(pose.armB);
     start.span = float(system.span);
+    for (int end = 0; end < 2; end++) {
+      const BodyMass& mass = bodies.mass[end == 0 ? joint.bodyA : joint.bodyB];
+      const Vec3 arm = end == 0 ? pose.armA : pose.armB;
+      const double own = (mass.inertia.row[0].x + mass.inertia.row[1].y + mass.inertia.row[2].z) / 3;
+      start.resist[end] = float((own + mass.mass * lengthSquared(arm)) / (island.dt * island.dt));
+    }
     start.bent = {};
     start.follows = start.hard = 0;
-    start.created = start.returned = 0;
     const Vec3 speed =
         b.linearVelocity + cross(b.angularVelocity, armB) - a.linearVelocity - cross(a.angularVelocity, armA);
     const double size = std::max(bodies.mass[joint.bodyA].outerRadius * (r.bodyA < island.bodies.size()),
@@ -314,37 +325,59 @@ bool JointRows::store(Island& island, Ties& ties, StepContext&) {
       joint.way[i] = double(f.way[i]);
       joint.turn[i] = double(f.turn[i]);
     }
-    book(k, island.motion.data(), joint);
     joint.over = std::max(island.dt, kForgets * joint.over);
     joint.force = toDouble(wide::store3(joint::sumOf(records[k].way, f.way)));
     joint.torque = toDouble(wide::store3(joint::sumOf(records[k].turn, f.turn)));
   }
+  if (changed) book(island, ties.joints);
   return changed;
 }
 
-// The errors of a joint hold energy, as a spring would: a bob that swings faster draws its joint apart, and gets that
-// back where it swings more slowly. Arcs hold some, too, of either sign. No more comes back than that, and no more than
-// was taken. What a joint owes when its arcs get smaller is taken from its bodies.
-void JointRows::book(std::size_t k, const SolveMotion* motion, Joint& joint) {
+// J: work of the joint on the mean of the ways of this step and of the last, and what its errors and its arcs hold.
+JointRows::Held JointRows::heldBy(std::size_t k, const SolveMotion* motion, const Joint& joint) const {
   const JointRecord& r = records[k];
-  JointStart& start = starts[k];
+  const JointStart& start = starts[k];
   const joint::Relative moved = joint::relativeMotion(r, motion);
   const wide::V way = joint::alongAxes(r.way, moved.way), turn = joint::alongAxes(r.turn, moved.turn);
-  double work = 0, errors = 0, arcs = 0;
+  Held sum;
   for (int i = 0; i < kJointLanes; i++) {
     auto add = [&](int lane, double force, double by, double arc) {
       if (!(start.hard >> lane & 1)) return;
-      work += 0.5 * force * (by + double(start.before[lane]));
-      errors += std::fabs(force * double(start.error[lane]));
-      arcs += std::fabs(force * arc);
+      sum.work += 0.5 * force * (by + double(start.before[lane]));
+      sum.errors += std::fabs(force * double(start.error[lane]));
+      sum.arcs += std::fabs(force * arc);
     };
     add(i, joint.way[i], double(way[i]), double(dot(r.way.axes[i % 3].unit, start.arc)));
     add(i + kJointLanes, joint.turn[i], double(turn[i]), 0);
   }
-  const double left = joint.lent - work, least = -kOwed * arcs;
-  start.returned = float(std::clamp(work, 0.0, std::max(0.0, joint.lent - least)));
-  start.created = float(std::max(0.0, least - left));
-  joint.lent = std::clamp(left, least, errors + 2 * arcs);
+  return sum;
+}
+
+// The errors of joints hold energy, as springs would: a bob that swings faster draws its joint apart, and gets that back
+// where it swings more slowly. Arcs hold some, too, of either sign. No more comes back than that, and no more than was
+// taken. What joints owe when their arcs get smaller is taken from the bodies. All joints of an island have one account,
+// since they hand work on to each other; each keeps a part of it.
+void JointRows::book(const Island& island, JointSet& set) {
+  const SolveMotion* motion = island.motion.data();
+  Held sum;
+  double lent = 0;
+  for (std::size_t k = 0; k < size(); k++) {
+    const Joint& joint = set.joints[jointOf[k]];
+    const Held held = heldBy(k, motion, joint);
+    sum.work += held.work;
+    sum.errors += held.errors;
+    sum.arcs += held.arcs;
+    lent += joint.lent;
+  }
+  const double left = lent - sum.work, least = -kOwed * sum.arcs, most = sum.errors + 2 * sum.arcs;
+  held_.returned = std::clamp(sum.work, 0.0, std::max(0.0, lent - least));
+  held_.created = std::max(0.0, least - left);
+  const double kept = std::clamp(left, least, most);
+  for (std::size_t k = 0; k < size(); k++) {
+    Joint& joint = set.joints[jointOf[k]];
+    const Held held = heldBy(k, motion, joint);
+    joint.lent = most > 0 ? kept * (held.errors + 2 * held.arcs) / most : 0;
+  }
 }
 
 void JointRows::tellShare(Ties& ties, float share) const {

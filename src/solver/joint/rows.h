@@ -7,7 +7,7 @@
 // Arms are frozen in a step, which makes the solve a leapfrog: no loss, but it is explicit in the direction of forces,
 // and flies apart where light bodies turn under large ones. So the stiffness that forces have by their direction
 // (geometric stiffness) goes into the solve, against the change of each body's turn from step to step: that is a
-// matrix beside the body's inertia. It keeps energy, and is stable at any step.
+// matrix beside the body's inertia. It is stable at any step; where steps are short enough to do without, it fades.
 //
 // The end of an arm goes along an arc: by the frozen arm alone, a joint gapes by a second order of the turn, which the
 // next steps correct. In small islands the solve knows the arc, and linkages stay closed. In large ones it does not:
@@ -33,12 +33,12 @@ struct JointStart {
   Vec3f anchorA, anchorB;              // m, from the centres of mass: where forces turn with the bodies
   Vec3f bent;                          // N, on B: the force whose geometric stiffness is in the masses
   Vec3f arc;                           // m: what the arcs of both anchors add to the way of B against A; in `trial`
+  float resist[2] = {};                // N m: inertia of each body about its anchor / dt^2; 0: nothing moves it
   float span = 0;                      // m: JointSystem::span
   float heaviest = 0;                  // kg, of the bodies that hang together by joints, and what touches them
   float held[2 * kJointLanes] = {};    // N, N m: multiplier in `trial`, ways and then turns
   float before[2 * kJointLanes] = {};  // m, rad: way of the last step along each axis
   float error[2 * kJointLanes] = {};   // m, rad: of hard equations
-  float created = 0, returned = 0;     // J: heldWork
   std::uint32_t follows = 0;           // bit per equation that has a multiplier
   std::uint32_t arcs = 0;              // 1: arcs count
   std::uint32_t hard = 0;              // bit per equation that gives no energy: holds a place
@@ -117,7 +117,7 @@ struct JointRows {
   void tellShare(Ties& ties, float share) const;
   bool owes(std::size_t, const StepContext&) const { return false; }
   double reboundWork(std::size_t, const SolveMotion*) const { return 0; }
-  HeldWork heldWork(std::size_t k) const { return {double(starts[k].created), double(starts[k].returned)}; }
+  HeldWork heldWork(std::size_t k) const { return k == 0 ? held_ : HeldWork(); }  // told with the first row
   void advance(const Island&, Ties&) const {}
   // What a trial of a step changes.
   struct Memory {
@@ -164,9 +164,14 @@ struct JointRows {
   void bend(std::size_t k, Vec3f force);
   bool followArcs(std::size_t k, const SolveMotion* motion, float slack);
   bool follow(std::size_t k, const SolveMotion* motion, float slack);
-  void book(std::size_t k, const SolveMotion* motion, Joint& joint);
+  struct Held {
+    double work = 0, errors = 0, arcs = 0;  // J
+  };
+  Held heldBy(std::size_t k, const SolveMotion* motion, const Joint& joint) const;
+  void book(const Island& island, JointSet& set);
 
   std::pmr::vector<SolveMass>* masses_ = nullptr;  // of the island, since prepare
+  HeldWork held_;                                  // of the step, of all rows
   bool timePasses_ = true;                         // no impact is solved
 };
 
