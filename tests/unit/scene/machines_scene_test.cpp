@@ -178,6 +178,34 @@ radius = 0.01
   EXPECT_EQ(other->world().stateHash(), run->world().stateHash());
 }
 
+// A joint of two bodies that are held sleeps with whatever falls asleep beside it; it must hold from the launch on.
+TEST(JointScene, APendulumThatWaitedWhileOthersFellAsleepSwings) {
+  const char* const text = R"(
+[[body]]
+name = "box"
+position = [5, 0.5, 0]
+[[body]]
+name = "arm"
+size = [1, 0.1, 0.1]
+position = [0.5, 3, 0]
+launch_time = 1
+[[joint]]
+type = "revolute"
+body_b = "arm"
+anchor = [0, 3, 0]
+axis = [0, 0, 1]
+)";
+  Result<SceneRun> run = SceneRun::create(sound(text));
+  ASSERT_TRUE(run.ok()) << run.error().message;
+  while (run->time() < 0.99) ASSERT_TRUE(run->step().ok());
+  ASSERT_FALSE(run->world().state(run->bodies()[1].id)->awake);
+  while (run->time() < 2) {
+    ASSERT_TRUE(run->step().ok());
+    EXPECT_NEAR(length(run->world().state(run->bodies()[2].id)->position - Vec3{0, 3, 0}), 0.5, 1e-3);
+  }
+  EXPECT_TRUE(run->world().validate().empty());
+}
+
 // Of a record the line is named, in its own file.
 TEST(MachineScene, TellsTheLineOfARecord) {
   const std::string path = (std::filesystem::temp_directory_path() / "brickfall_gap_record.csv").string();
