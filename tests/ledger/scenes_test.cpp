@@ -17,7 +17,8 @@ namespace {
 
 bool wholeScenes() { return std::getenv("BRICKFALL_WHOLE_SCENES") != nullptr; }
 
-// What forEachContact tells of contacts with static bodies: another way to the same impulse. Directions are told in the
+// What forEachContact tells of contacts with static and kinematic bodies, and what joints with such tell: another way to the same
+// impulse. Directions are told in the
 // frame of body A as it is now; the forces acted in that of the start of the step.
 struct SupportImpulse {
   Vec3 sum;
@@ -27,7 +28,7 @@ SupportImpulse supportImpulse(const World& world, double dt) {
   SupportImpulse out;
   world.forEachContact([&](const ContactView& c) {
     const BodyState a = *world.state(c.bodyA);
-    const bool fixedA = a.type == BodyType::fixed, fixedB = world.state(c.bodyB)->type == BodyType::fixed;
+    const bool fixedA = a.type != BodyType::dynamic, fixedB = world.state(c.bodyB)->type != BodyType::dynamic;
     if (fixedA == fixedB) return;
     for (int i = 0; i < c.pointCount; i++) {
       const Vec3 onB = c.normalWorld * c.points[i].normalForce + c.points[i].frictionForce;
@@ -35,6 +36,12 @@ SupportImpulse supportImpulse(const World& world, double dt) {
       out.turned += length(onB) * dt * length(a.angularVelocity) * dt;
     }
   });
+  for (JointId id : world.joints()) {
+    const JointState joint = *world.state(id);
+    const bool movesA = world.state(joint.bodyA)->type == BodyType::dynamic,
+               movesB = world.state(joint.bodyB)->type == BodyType::dynamic;
+    if (movesA != movesB) out.sum += joint.force * (movesB ? dt : -dt);
+  }
   return out;
 }
 
