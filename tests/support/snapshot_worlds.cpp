@@ -109,6 +109,33 @@ World quarantined() {
   return world;
 }
 
+// Joints of every type, asleep and awake, one of them destroyed, one made since the last step.
+World jointed(int steps) {
+  World world = ground();
+  const BodyId base = add(world, ShapeType::box, {0, 5, 0}, {}, BodyType::fixed);
+  std::vector<JointId> joints;
+  for (int i = 0; i < kJointTypeCount; i++) {
+    JointDef d;
+    d.type = JointType(i);
+    d.bodyA = base;
+    d.bodyB = add(world, ShapeType::box, {0.5 * i, 4.5, 0});
+    d.anchor = {0.5 * i, 5, 0};
+    d.anchorB = Vec3{0.5 * i, 4.6, 0};
+    d.limit = JointDef::Limit{-0.2, 0.3};
+    d.cone = 1;
+    d.motor = JointDef::Motor{1, 2};
+    joints.push_back(*world.createJoint(d));
+  }
+  advance(world, steps);
+  (void)world.destroyJoint(joints[2]).ok();
+  JointDef last;
+  last.bodyA = world.bodies()[2];
+  last.bodyB = world.bodies()[4];
+  last.anchor = {0.5, 5, 0};
+  (void)world.createJoint(last).ok();
+  return world;
+}
+
 }  // namespace
 
 World smallWorld() {
@@ -127,6 +154,8 @@ std::vector<World> worldsOfEachKind() {
   out.push_back(changed());
   out.push_back(quarantined());
   out.push_back(onTriangles());
+  out.push_back(jointed(0));
+  out.push_back(jointed(20));
   out.push_back(std::move(World::create({})).value());
   return out;
 }

@@ -37,6 +37,11 @@ constexpr double kOwed = 0.5;
 //! | too large: swings lose energy, since that stiffness comes late
 constexpr float kFallsTo = 0.5f;  // geometric stiffness follows a force that falls no further within a solve
 
+//! rad | too small: fast pendulums are braked | too large: light links tear the joints of a chain
+constexpr double kFarTurn = 0.3;  // of B against A, in a step: further turns are braked
+//! of the arm's inertia / dt^2 | too small: as too large a kFarTurn | too large: links move as one
+constexpr double kBrake = 10;
+
 constexpr float kNoLimit = 1e30f;  // N, N m
 
 // Geometric stiffness of a force at the end of an arm that turns with a body, beside its inertia. Of pressure as of
@@ -178,6 +183,27 @@ void JointRows::bend(std::size_t k, Vec3f force) {
   start.bent = force;
 }
 
+namespace {
+
+// Arms are frozen in a step. Where they turn too far for that, friction takes from the turn: of a pendulum nothing, of
+// links that are flung about what no step could follow.
+void brake(const JointStart& start, Vec3 spin, double dt, JointEquations& turn) {
+  const double far = length(spin) * dt / kFarTurn - 1;
+  if (!(far > 0)) return;
+  double least = std::numeric_limits<double>::infinity();
+  for (float swung : start.swung)
+    if (swung > 0) least = std::min(least, double(swung));
+  if (!(least < std::numeric_limits<double>::infinity())) return;
+  for (int i = 0; i < 3; i++)
+    if (turn.k[i] == 0 && turn.most[i] == 0 && turn.least[i] == 0) {
+      turn.k[i] = float(std::min(far, 1.0) * kBrake * least);
+      turn.most[i] = kNoLimit;
+      turn.least[i] = -kNoLimit;
+    }
+}
+
+}  // namespace
+
 void JointRows::prepare(Island& island, Ties& ties, const StepContext& context) {
   if (size() == 0) return;
   const BodySet& bodies = *context.bodies;
@@ -202,6 +228,7 @@ void JointRows::prepare(Island& island, Ties& ties, const StepContext& context) 
       const BodyMass& mass = bodies.mass[end == 0 ? joint.bodyA : joint.bodyB];
       const Vec3 arm = end == 0 ? pose.armA : pose.armB;
       const double own = (mass.inertia.row[0].x + mass.inertia.row[1].y + mass.inertia.row[2].z) / 3;
+      start.swung[end] = float(mass.mass * lengthSquared(arm) / (island.dt * island.dt));
       start.resist[end] = float((own + mass.mass * lengthSquared(arm)) / (island.dt * island.dt));
     }
     start.bent = {};
@@ -230,6 +257,7 @@ void JointRows::prepare(Island& island, Ties& ties, const StepContext& context) 
     };
     writeSet(system.way, joint.way, speed, firm, 0, r.way);
     writeSet(system.turn, joint.turn, b.angularVelocity - a.angularVelocity, firm * size * size, kJointLanes, r.turn);
+    brake(start, b.angularVelocity - a.angularVelocity, island.dt, r.turn);
     bend(k, toFloat(joint.force));
     start.arc = {};
     start.arcs = island.plan.arcs && holdsPoint(joint.type);

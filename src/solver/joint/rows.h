@@ -40,7 +40,8 @@ struct JointStart {
   float before[2 * kJointLanes] = {};  // m, rad: way of the last step along each axis
   float error[2 * kJointLanes] = {};   // m, rad: of hard equations
   std::uint32_t follows = 0;           // bit per equation that has a multiplier
-  std::uint32_t arcs = 0;              // 1: arcs count
+  float swung[2] = {};                 // N m: the part of `resist` that is the arm's
+  float arcs = 0;                      // share of the arcs that counts
   std::uint32_t hard = 0;              // bit per equation that gives no energy: holds a place
 };
 

@@ -1,0 +1,388 @@
+// Joints: pendulums against closed forms, a heavy ball on light links, linkages that stay closed, loads, breaking.
+#include <algorithm>
+#include <functional>
+
+#include "law/law.h"
+
+namespace brickfall::law {
+namespace {
+
+JointId join(World& world, JointDef def, BodyId a, BodyId b) {
+  def.bodyA = a;
+  def.bodyB = b;
+  Result<JointId> joint = world.createJoint(def);
+  EXPECT_TRUE(joint.ok()) << joint.error().message;
+  return joint.ok() ? *joint : JointId{};
+}
+JointDef at(JointType type, Vec3 anchor, Vec3 axis = {0, 0, 1}) {
+  JointDef def;
+  def.type = type;
+  def.anchor = anchor;
+  def.axis = axis;
+  return def;
+}
+BodyId addFixed(World& world, Vec3 position) {
+  return add(world, bodyOf(boxOf({0.1, 0.1, 0.1}), position, BodyType::fixed));
+}
+double energyOf(const World& world) { return world.energy().kinetic + world.energy().potential; }
+// s: of a swing of this amplitude, by the arithmetic-geometric mean.
+double periodOf(double length, double amplitude) {
+  double a = 1, b = std::cos(0.5 * amplitude);
+  for (int i = 0; i < 20; i++) {
+    const double mean = 0.5 * (a + b);
+    b = std::sqrt(a * b);
+    a = mean;
+  }
+  return 2 * kPi * std::sqrt(length / kG) / a;
+}
+
+// What a swing about z does, from its angle after each step.
+struct Swing {
+  double last = 0, first = -1, latest = 0, amplitude = 0, reached = 0;
+  int periods = -1;
+  void look(double time, double dt, double angle) {
+    if (last > 0 && angle <= 0) {
+      latest = time - dt + dt * last / (last - angle);
+      if (first < 0) first = latest;
+      periods++;
+      amplitude = reached;
+      reached = 0;
+    }
+    reached = std::max(reached, std::fabs(angle));
+    last = angle;
+  }
+  double period() const { return (latest - first) / periods; }
+};
+
+// Hangs a ball under (0, 10, 0) at an angle; the turning part of its inertia counts as length.
+struct Pendulum {
+  static constexpr double kLength = 2, kRadius = 0.2;
+  World world = makeWorld();
+  BodyId bob;
+  JointId joint;
+  Swing swing;
+  double start = 0, rise = 0;  // J
+
+  explicit Pendulum(double angle, JointType type = JointType::spherical) {
+    const BodyId base = addFixed(world, {0, 10, 0});
+    BodyDef def = bodyOf(sphereOf(kRadius), {kLength * std::sin(angle), 10 - kLength * std::cos(angle), 0});
+    def.rotation = quatFromAxisAngle({0, 0, 1}, angle);
+    bob = add(world, def);
+    joint = join(world, at(type, {0, 10, 0}), base, bob);
+    swing.last = angle;
+    start = energyOf(world);
+  }
+  void go(double seconds, double dt) {
+    for (int i = 0; i < std::lround(seconds / dt); i++) {
+      ASSERT_TRUE(world.step(dt).ok());
+      const Vec3 p = world.state(bob)->centreOfMass;
+      swing.look((i + 1) * dt, dt, std::atan2(p.x, 10 - p.y));
+      rise = std::max(rise, energyOf(world) - start);
+    }
+  }
+  static double formula(double angle) { return periodOf(kLength + 0.4 * kRadius * kRadius / kLength, angle); }
+};
+
+TEST(Law, Row30aAPendulumKeepsPeriodAndAmplitude) {
+  for (JointType type : {JointType::spherical, JointType::revolute})
+    for (double dt : {1.0 / 60, 1.0 / 240}) {
+      Pendulum p(0.5, type);
+      p.go(30, dt);
+      reached(
+          {"period of a pendulum, .5 rad", dt, 100 * (p.swing.period() / Pendulum::formula(0.5) - 1), 0, 0.05, "%"});
+      reached({"its amplitude after ten swings", dt, 100 * (p.swing.amplitude / 0.5 - 1), 0, 0.1, "%"});
+      atMost("its joint's error", dt, 1e3 * p.world.state(p.joint)->error, 0.01, "mm");
+    }
+}
+
+TEST(Law, Row30bSmallSwingsAreNotBraked) {
+  for (double dt : {1.0 / 60, 1.0 / 240}) {
+    Pendulum p(0.01);
+    p.go(60, dt);
+    reached({"period of a swing of .01 rad", dt, 100 * (p.swing.period() / Pendulum::formula(0.01) - 1), 0, 0.3, "%"});
+    reached({"its amplitude, of a swing", dt, 100 * (p.swing.amplitude / 0.01 - 1) / p.swing.periods, 0, 0.1, "%"});
+  }
+}
+
+// Forty links of 5 kg and a ball of 2000 kg, from (0, 20, 0) at an angle.
+struct Chain {
+  static constexpr int kLinks = 40;
+  static constexpr double kLink = 0.2, kWidth = 0.03, kRadius = 0.4, kLength = kLinks * kLink + kRadius;
+  World world = makeWorld();
+  BodyId ball;
+  std::vector<JointId> joints;
+  double start = 0, stretch = 0;
+
+  explicit Chain(double angle) {
+    const Vec3 down{std::sin(angle), -std::cos(angle), 0}, top{0, 20, 0};
+    BodyId last = addFixed(world, top);
+    auto hang = [&](const ShapeDef& shape, double centre, double anchor) {
+      BodyDef def = bodyOf(shape, top + down * centre);
+      def.rotation = quatFromAxisAngle({0, 0, 1}, angle);
+      const BodyId next = add(world, def);
+      joints.push_back(join(world, at(JointType::spherical, top + down * anchor), last, next));
+      last = next;
+    };
+    const double density = 5 / (4 * kWidth * kWidth * kLink),
+                 heavy = 2000 / (4.0 / 3 * kPi * kRadius * kRadius * kRadius);
+    for (int i = 0; i < kLinks; i++) hang(boxOf({kWidth, 0.5 * kLink, kWidth}, density), (i + 0.5) * kLink, i * kLink);
+    hang(sphereOf(kRadius, heavy), kLength, kLinks * kLink);
+    ball = last;
+    start = energyOf(world);
+  }
+  StepReport step(double dt) {
+    Result<StepReport> report = world.step(dt);
+    EXPECT_TRUE(report.ok());
+    stretch = std::max(stretch, length(world.state(ball)->centreOfMass - Vec3{0, 20, 0}) - kLength);
+    return report ? *report : StepReport{};
+  }
+};
+
+TEST(Law, Row30cAHeavyBallHangsStillOnLightLinks) {
+  Chain chain(0);
+  for (int i = 0; i < 90; i++) chain.step(kDt);
+  EXPECT_FALSE(chain.world.state(chain.ball)->awake);
+  expectSound(chain.world);
+  atMost("stretch of forty links under 400 times their weight", kDt, 100 * chain.stretch / Chain::kLength, 0.05, "%");
+  const double weight = (2000 + 5 * Chain::kLinks) * kG;
+  reached({"force of its uppermost joint", kDt, chain.world.state(chain.joints[0])->force.y / weight, 1, 2e-3, ""});
+}
+
+TEST(Law, Row30dAHeavyBallSwingsOnLightLinks) {
+  Chain chain(0.3);
+  Swing swing;
+  swing.last = 0.3;
+  for (int i = 0; i < 900; i++) {
+    chain.step(kDt);
+    const Vec3 p = chain.world.state(chain.ball)->centreOfMass;
+    swing.look((i + 1) * kDt, kDt, std::atan2(p.x, 20 - p.y));
+  }
+  const double reach = Chain::kLinks * Chain::kLink;
+  double moment = 2000 * Chain::kLength, inertia = 2000 * (Chain::kLength * Chain::kLength + 0.4 * 0.16);
+  moment += 5 * Chain::kLinks * 0.5 * reach;
+  inertia += 5 * Chain::kLinks * reach * reach / 3;
+  reached({"period of the chain", kDt, 100 * (swing.period() / periodOf(inertia / moment, 0.3) - 1), 0, 0.1, "%"});
+  reached({"its amplitude", kDt, 100 * (swing.amplitude / 0.3 - 1), 0, 0.1, "%"});
+  atMost("its stretch", kDt, 100 * chain.stretch / Chain::kLength, 0.05, "%");
+}
+
+// A ring of ten bars with a hinge between each two, thrown into space and turning.
+TEST(Law, Row30eALinkageInFlightStaysClosedAndKeepsItsMomenta) {
+  World world = emptySpace();
+  const int count = 10;
+  auto corner = [](int i) { return Vec3{std::cos(2 * kPi * i / 10), 5 + std::sin(2 * kPi * i / 10), 0}; };
+  std::vector<BodyId> bars;
+  std::vector<JointId> joints;
+  for (int i = 0; i < count; i++) {
+    const Vec3 middle = (corner(i) + corner(i + 1)) * 0.5, along = corner(i + 1) - corner(i);
+    BodyDef def = bodyOf(boxOf({0.5 * length(along) - 0.03, 0.03, 0.03}), middle);
+    def.rotation = quatFromAxisAngle({0, 0, 1}, std::atan2(along.y, along.x));
+    def.angularVelocity = {0, 0, 3};
+    def.linearVelocity = cross(def.angularVelocity, middle - Vec3{0, 5, 0}) + Vec3{0.3 * (i % 3 - 1), 0.2 * (i % 2), 0};
+    bars.push_back(add(world, def));
+  }
+  for (int i = 0; i < count; i++)
+    joints.push_back(
+        join(world, at(JointType::revolute, corner(i + 1)), bars[std::size_t(i)], bars[std::size_t((i + 1) % count)]));
+  const Vec3 before = world.angularMomentum();
+  const double start = energyOf(world);
+  double gape = 0, rise = 0;
+  for (int i = 0; i < 300; i++) {
+    ASSERT_TRUE(world.step(kDt).ok());
+    for (JointId joint : joints) gape = std::max(gape, world.state(joint)->error);
+    rise = std::max(rise, energyOf(world) - start);
+  }
+  expectSound(world);
+  atMost("error of ten hinges in a ring", kDt, 1e3 * gape, 0.1, "mm");
+  atMost("its angular momentum, relative", kDt, length(world.angularMomentum() - before) / length(before), 1e-9, "");
+  atMost("its gain of energy", kDt, rise, 1e-6 * start, "J");
+}
+
+// The bob meets a fixed block at its lowest point.
+TEST(Law, Row30fABobThatHitsABlockStaysOnItsJoint) {
+  Pendulum p(-1);
+  add(p.world, bodyOf(boxOf({0.3, 0.3, 0.3}), {Pendulum::kRadius + 0.3, 8, 0}, BodyType::fixed));
+  const double had = 33.5 * kG * Pendulum::kLength * (1 - std::cos(1.0));
+  double error = 0;
+  for (int i = 0; i < 60; i++) {
+    ASSERT_TRUE(p.world.step(kDt).ok());
+    error = std::max(error, p.world.state(p.joint)->error);
+    EXPECT_LT(energyOf(p.world) - p.start, 0.01 * had);
+  }
+  expectSound(p.world);
+  atMost("error of the joint of a bob that hits a block", kDt, 1e3 * error, 0.01, "mm");
+  EXPECT_LT(p.world.state(p.bob)->centreOfMass.x, 0.002);
+}
+
+// From above its pivot a heavy ball falls, its chain goes slack, and snaps.
+TEST(Law, Row30kAChainThatSnapsGainsNothing) {
+  for (double angle : {2.2, 2.6}) {
+    Chain chain(angle);
+    double rise = 0;
+    for (int i = 0; i < 240; i++) {
+      EXPECT_TRUE(chain.step(kDt).quarantined.empty());
+      rise = std::max(rise, energyOf(chain.world) - chain.start);
+    }
+    expectSound(chain.world);
+    atMost("energy gained by a chain that snaps from " + text(angle, 1) + " rad", kDt, rise, 0, "J");
+    atMost("stretch of it", kDt, 100 * chain.stretch / Chain::kLength, 2, "%");
+  }
+}
+
+// Twenty tight boards bear 500 kg that fall on them from 0.1 m.
+TEST(Law, Row30lABridgeOfTightBoardsBearsABlow) {
+  World world = makeWorld();
+  const int boards = 20;
+  const double step = 0.3, span = boards * step, sag = std::sqrt(3 * span * span * 0.03 / 8);
+  auto height = [&](double x) { return 5 - 4 * sag * (x / span) * (1 - x / span); };
+  BodyId last = add(world, bodyOf(boxOf({0.2, 0.2, 0.6}), {-0.21, 5, 0}, BodyType::fixed));
+  std::vector<JointId> hinges;
+  Vec3 at0{0, height(0), 0};
+  for (int i = 0; i < boards; i++) {
+    double low = at0.x, high = at0.x + step;
+    for (int k = 0; k < 50; k++) {
+      const double middle = 0.5 * (low + high);
+      (length(Vec3{middle, height(middle), 0} - at0) < step ? low : high) = middle;
+    }
+    const Vec3 at1{high, height(high), 0}, along = at1 - at0;
+    BodyDef def = bodyOf(boxOf({0.5 * step - 0.01, 0.02, 0.5}, 600), (at0 + at1) * 0.5);
+    def.rotation = quatFromAxisAngle({0, 0, 1}, std::atan2(along.y, along.x));
+    const BodyId board = add(world, def);
+    hinges.push_back(join(world, at(JointType::revolute, at0), last, board));
+    last = board;
+    at0 = at1;
+  }
+  hinges.push_back(join(world, at(JointType::revolute, at0), last,
+                        add(world, bodyOf(boxOf({0.2, 0.2, 0.6}), at0 + Vec3{0.25, 0, 0}, BodyType::fixed))));
+  const double radius = 0.3, middle = 0.5 * at0.x;
+  const BodyId ball = add(world, bodyOf(sphereOf(radius, 500 / (4.0 / 3 * kPi * radius * radius * radius)),
+                                        {middle, height(middle) + radius + 0.1, 0}));
+  const double start = energyOf(world), fall = 500 * kG * 0.1;
+  double gape = 0, rise = 0;
+  for (int i = 0; i < 120; i++) {
+    ASSERT_TRUE(world.step(kDt).ok());
+    for (JointId hinge : hinges) gape = std::max(gape, world.state(hinge)->error);
+    rise = std::max(rise, energyOf(world) - start);
+  }
+  expectSound(world);
+  atMost("error of a hinge under the blow", kDt, 1e3 * gape, 1, "mm");
+  atMost("gain of energy, of that of the fall", kDt, 100 * rise / fall, 1, "%");
+  EXPECT_GT(world.state(ball)->centreOfMass.y, height(middle) - 0.5);
+}
+
+// Each type under its own weight: what it holds, what it tells, that it comes to rest.
+TEST(Law, Row30gEachTypeHoldsWhatItIsToHold) {
+  World world = makeWorld();
+  const double mass = 64;
+  double x = 0;
+  auto hang = [&](JointDef def, Vec3 offset, std::optional<Vec3> anchorB = {}) {
+    const Vec3 top{x += 3, 10, 0};
+    const BodyId base = addFixed(world, top), body = add(world, bodyOf(boxOf({0.2, 0.2, 0.2}), top + offset));
+    def.anchor = top + def.anchor;
+    if (anchorB) def.anchorB = top + *anchorB;
+    return join(world, def, base, body);
+  };
+  JointDef fixed = at(JointType::fixed, {0, 0, 0}), slide = at(JointType::prismatic, {0, -0.5, 0}, {0, -1, 0});
+  JointDef hinge = at(JointType::revolute, {0, 0, 0}), rope = at(JointType::rope, {0, 0, 0});
+  slide.limit = JointDef::Limit{-1, 0.5};
+  hinge.limit = JointDef::Limit{-0.5, 0.25};
+  rope.length = 1.5;
+  JointDef spring = at(JointType::spring, {0, 0, 0});
+  spring.stiffness = 5000, spring.damping = 800;
+  const JointId f = hang(fixed, {1, 0, 0}), s = hang(slide, {0, -0.5, 0}), h = hang(hinge, {-1, 0, 0});
+  const JointId d = hang(at(JointType::distance, {0, 0, 0}), {0, -1, 0}, Vec3{0, -0.8, 0});
+  const JointId r = hang(rope, {0, -1, 0}, Vec3{0, -0.8, 0}), k = hang(spring, {0, -1, 0}, Vec3{0, -0.8, 0});
+  run(world, 5);
+  auto told = [&](JointId joint) { return *world.state(joint); };
+  const double weight = mass * kG;
+  reached({"torque of a fixed joint", kDt, told(f).torque.z, weight * 1, 0.002 * weight, "N m"});
+  reached({"way of a slide to its limit", kDt, told(s).position, 0.5, 1e-4, "m"});
+  reached({"turn of a hinge to its limit", kDt, told(h).position, 0.25, 1e-4, "rad"});
+  reached({"length of a distance joint", kDt, told(d).position, 0.8, 1e-4, "m"});
+  reached({"length of a rope", kDt, told(r).position, 1.5, 1e-4, "m"});
+  reached({"length of a spring", kDt, told(k).position, 0.8 + weight / 5000, 1e-3, "m"});
+  for (JointId joint : {f, s, h, d, r, k}) {
+    EXPECT_NEAR(length(told(joint).force), weight, 0.005 * weight);
+    EXPECT_FALSE(told(joint).awake);
+  }
+}
+
+TEST(Law, Row30hMotorsDriveAndAreNoStrongerThanTheyAre) {
+  World world = emptySpace();
+  const BodyId base = addFixed(world, {}), wheel = add(world, bodyOf(sphereOf(0.3), {0, 0, 1}));
+  JointDef def = at(JointType::revolute, {0, 0, 1});
+  def.motor = JointDef::Motor{100, 5};
+  const JointId joint = join(world, def, base, wheel);
+  run(world, 1);
+  const double inertia = 0.4 * world.state(wheel)->mass * 0.09;
+  reached({"speed that a torque of 5 N m gives in 1 s", kDt, world.state(joint)->speed, 5 / inertia, 0.001, "rad/s"});
+  EXPECT_TRUE(world.setMotor(joint, JointDef::Motor{-1, 1e4}).ok());
+  run(world, 0.1);
+  reached({"speed of a strong motor", kDt, world.state(joint)->speed, -1, 1e-3, "rad/s"});
+}
+
+// A joint that bears less than what hangs on it breaks, is told, and lets its bodies collide.
+TEST(Law, Row30iAJointBreaksAndItsBodiesCollideThen) {
+  World world = makeWorld();
+  addGround(world);
+  const BodyId lower = addBox(world, {0.2, 0.2, 0.2}, {0, 0.2, 0}),
+               upper = addBox(world, {0.2, 0.2, 0.2}, {0, 0.55, 0});
+  JointDef def = at(JointType::fixed, {0, 0.4, 0});
+  const JointId joint = join(world, def, lower, upper);
+  run(world, 2);
+  EXPECT_FALSE(world.state(upper)->awake);
+  reached({"height of a box that a joint holds over another", kDt, world.state(upper)->position.y, 0.55, 1e-3, "m"});
+  EXPECT_TRUE(world.setBreaking(joint, 0.9 * 64 * kG, 1e9).ok());
+  ASSERT_TRUE(world.step(kDt).ok());
+  ASSERT_EQ(world.events().breaks.size(), 1u);
+  EXPECT_EQ(world.events().breaks[0].joint, joint);
+  EXPECT_NEAR(length(world.events().breaks[0].force), 64 * kG, 1);
+  EXPECT_FALSE(world.isValid(joint));
+  EXPECT_FALSE(world.state(joint).ok());
+  run(world, 2);
+  reached({"and after the joint broke: it lies on it", kDt, world.state(upper)->position.y, 0.6, 2e-3, "m"});
+}
+
+// A ball on a chain goes into a small wall: the chain holds, and the wall is solved as well as under a free ball.
+TEST(Law, Row30jAChainHoldsInAHitOfAWall) {
+  double unbalanced[2] = {};
+  for (int chained = 0; chained < 2; chained++) {
+    World world = makeWorld();
+    addGround(world);
+    for (int y = 0; y < 12; y++)
+      for (int z = 0; z < 10; z++)
+        addBox(world, {0.055, 0.0325, 0.11}, {0.255, 0.0325 + 0.065 * y, 0.22 * (z - 4.5) + 0.11 * (y % 2)});
+    const double speed = 5, reach = 2;
+    const Vec3 top{0, 0.4 + reach, 0};
+    BodyId last = addFixed(world, top);
+    BodyDef ball = bodyOf(sphereOf(0.19, 7000), top - Vec3{0, reach, 0});
+    ball.linearVelocity = {speed, 0, 0};
+    const int links = 16;
+    std::vector<JointId> joints;
+    for (int i = 0; i < links * chained; i++) {
+      const double link = (reach - 0.19) / links;
+      BodyDef def = bodyOf(boxOf({0.01, 0.5 * link - 0.002, 0.01}, 7000), top - Vec3{0, (i + 0.5) * link, 0});
+      def.linearVelocity = {speed * (i + 0.5) * link / reach, 0, 0};
+      def.angularVelocity = {0, 0, speed / reach};
+      const BodyId next = add(world, def);
+      joints.push_back(join(world, at(JointType::spherical, top - Vec3{0, i * link, 0}), last, next));
+      last = next;
+    }
+    ball.angularVelocity = {0, 0, chained ? speed / reach : 0};
+    const BodyId body = add(world, ball);
+    if (chained) joints.push_back(join(world, at(JointType::spherical, top - Vec3{0, reach - 0.19, 0}), last, body));
+    double stretch = 0;
+    for (int i = 0; i < 45; i++) {
+      Result<StepReport> report = world.step(kDt);
+      ASSERT_TRUE(report.ok() && report->quarantined.empty());
+      unbalanced[chained] += report->unbalancedBodies / 45.0;
+      if (chained) stretch = std::max(stretch, length(world.state(body)->centreOfMass - top) - reach);
+    }
+    expectSound(world);
+    if (chained) atMost("stretch of a chain of 5 kg in a hit by 200 kg", kDt, 100 * stretch / reach, 0.5, "%");
+  }
+  atMost("bodies out of balance, beside a free ball", kDt, unbalanced[1] - unbalanced[0], 1, "");
+}
+
+}  // namespace
+}  // namespace brickfall::law
