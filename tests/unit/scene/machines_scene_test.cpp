@@ -246,6 +246,26 @@ TEST(MachineScene, AnArchStandsOrFallsByItsThickness) {
   EXPECT_LT(heightOf(ranTo("arch", 4, {{"ratio", "0.1"}}), "arch/10"), 0.5);
 }
 
+// One of five equal balls comes, one goes, with its speed.
+TEST(JointScene, ACradleHandsTheBlowThrough) {
+  SceneLoad load = loadSceneFile(findScene("cradle"));
+  ASSERT_TRUE(load.scene.has_value()) << allOf(load.diagnostics);
+  Result<SceneRun> run = SceneRun::create(*load.scene);
+  const auto spinOf = [&](const char* name) {
+    for (const PlacedBody& body : run->bodies())
+      if (body.name == name) return run->world().state(body.id)->angularVelocity.z;
+    return 0.0;
+  };
+  double came = 0, went = 0;
+  while (run->time() < 0.46) {
+    ASSERT_TRUE(run->step().ok());
+    came = std::max(came, spinOf("first"));
+    went = std::max(went, spinOf("fifth"));
+  }
+  EXPECT_NEAR(went, came, 0.02 * came);
+  for (const char* name : {"first", "second", "third", "fourth"}) EXPECT_NEAR(spinOf(name), 0, 0.02 * came) << name;
+}
+
 TEST(MachineScene, ABlastThrowsWhatItSees) {
   const SceneRun run = ranTo("blast", 2, {{"courses", "6"}, {"bricks", "8"}});
   int thrown[2] = {0, 0};
