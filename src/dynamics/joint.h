@@ -12,6 +12,7 @@ using JointIndex = std::uint32_t;
 
 // The equations of a joint: ways along three axes and turns about three axes, and one more of each along the first
 // axis, for a limit beside a motor (solver/joint/equations.h).
+//! not of the method: a count
 constexpr int kJointLanes = 4;
 
 struct Joint {

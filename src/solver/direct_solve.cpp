@@ -70,8 +70,8 @@ class Newton {
     return true;
   }
 
-  // The largest residual over its body's measure. Joints are so firm that the rounding of their bodies' ways is a force:
-  // it counts as balance, or no step of a fast island would be the last.
+  // The largest residual over its body's measure. Joints are so firm that the rounding of their bodies' ways is a
+  // force: it counts as balance, or no step of a fast island would be the last.
   double worst(const BodySet& bodies) const {
     if (rounding_.empty()) return worstResidual(island_, bodies);
     double worst = 0;

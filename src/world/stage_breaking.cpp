@@ -1,5 +1,5 @@
-// Joints break that bore too much. A blow is told as its mean over the step, so what a joint bore is judged over the same
-// time whatever the step: its mean over kBreakTime, or the step if that is longer.
+// Joints break that bore too much. A blow is told as its mean over the step. So what a joint bore is judged over the
+// same time whatever the step: its mean over kBreakTime, or the step if that is longer.
 #include <algorithm>
 
 #include "world/diary.h"

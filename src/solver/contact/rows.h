@@ -38,7 +38,7 @@ struct ContactRows : FaceRows {
   float fastestApproach = 0;                 // m/s, of any point at the start of the step
 
   // --- functions of every kind of row (row_kind.h)
-  static constexpr double kPoints = 4;  // visits that a row counts as; points at most
+  static constexpr double kPoints = 4;   // visits that a row counts as; points at most
   static constexpr bool kLasts = false;  // its ties stay, and bodies swing on them
   static constexpr std::size_t kRecordSize = sizeof(FaceRecord);
   std::size_t size() const { return contactOf.size(); }

@@ -42,6 +42,7 @@ constexpr double kFarTurn = 0.3;  // of B against A, in a step: further turns ar
 //! of the arm's inertia / dt^2 | too small: as too large a kFarTurn | too large: links move as one
 constexpr double kBrake = 10;
 
+//! not of the method: more than any force
 constexpr float kNoLimit = 1e30f;  // N, N m
 
 // Geometric stiffness of a force at the end of an arm that turns with a body, beside its inertia. Of pressure as of
@@ -381,10 +382,10 @@ JointRows::Held JointRows::heldBy(std::size_t k, const SolveMotion* motion, cons
   return sum;
 }
 
-// The errors of joints hold energy, as springs would: a bob that swings faster draws its joint apart, and gets that back
-// where it swings more slowly. Arcs hold some, too, of either sign. No more comes back than that, and no more than was
-// taken. What joints owe when their arcs get smaller is taken from the bodies. All joints of an island have one account,
-// since they hand work on to each other; each keeps a part of it.
+// The errors of joints hold energy, as springs would: a bob that swings faster draws its joint apart, and gets that
+// back where it swings more slowly. Arcs hold some, too, of either sign. No more comes back than that, and no more than
+// was taken. What joints owe when their arcs get smaller is taken from the bodies. All joints of an island have one
+// account, since they hand work on to each other; each keeps a part of it.
 void JointRows::book(const Island& island, JointSet& set) {
   const SolveMotion* motion = island.motion.data();
   Held sum;
