@@ -1,15 +1,15 @@
 # What `cmake --install` puts in place: the command with its scenes, and the CMake package that find_package(brickfall)
-# finds: brickfall::brickfall (the engine), brickfall::report (docs/report.md) and, where they were built, brickfall::scene,
-# brickfall::take and brickfall::output.
+# finds: brickfall::brickfall (the engine), brickfall::report (docs/report.md), brickfall::machines and, where they were built,
+# brickfall::scene, brickfall::take and brickfall::output.
 include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/brickfall)
 
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/brickfall DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-set(libraries brickfall brickfall_report)
+set(libraries brickfall brickfall_report brickfall_machines)
 if(BRICKFALL_APPS)
   list(APPEND libraries brickfall_scene brickfall_take)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/brickfall
-    FILES_MATCHING PATTERN "*.toml" PATTERN "*.obj")
+    FILES_MATCHING PATTERN "*.toml" PATTERN "*.obj" PATTERN "*.csv")
 endif()
 if(BRICKFALL_OUTPUT)
   list(APPEND libraries brickfall_output)

@@ -42,8 +42,16 @@ struct TraceCommand {
   bool quiet = false;
 };
 
+struct CheckDtCommand {
+  std::string scene;
+  std::optional<double> seconds;
+  std::optional<int> threads;
+  std::vector<std::pair<std::string, std::string>> overrides;
+};
+
 int run(const RunOptions& options);
 int check(const std::vector<std::string>& scenes);
+int checkDt(const CheckDtCommand& options);
 int listScenes();
 int replay(const std::string& take, const OutputOptions& options);
 int trace(const TraceCommand& options);

@@ -29,6 +29,7 @@ struct Arguments {
   std::string take;
   OutputOptions replay;
   TraceCommand trace;
+  CheckDtCommand checkDt;
   std::string items;
   std::vector<std::string> compared;
 };
@@ -76,6 +77,19 @@ void defineTrace(CLI::App& app, Arguments& arguments) {
       kExitCodes);
 }
 
+void defineCheckDt(CLI::App& app, Arguments& arguments) {
+  CLI::App& command = *app.add_subcommand("check-dt", "Tell how far the outcome depends on the time step");
+  command.add_option("scene", arguments.checkDt.scene, "A scene file, or a shipped scene")
+      ->required()
+      ->type_name("SCENE");
+  addRunOptions(command, arguments);
+  command.footer(
+      std::string(
+          "Runs it at 1/60, 1/120, 1/240 and 1/480 s: what moved, what broke, and how much of that is the same.\n\n"
+          "Examples:\n  brickfall check-dt wall\n  brickfall check-dt hole --seconds 3\n\n") +
+      kExitCodes);
+}
+
 void defineCommands(CLI::App& app, Arguments& arguments) {
   app.name("brickfall");
   app.set_version_flag("--version", std::string("brickfall ") + versionString());
@@ -117,6 +131,7 @@ void defineCommands(CLI::App& app, Arguments& arguments) {
                             "  brickfall replay wall.take -o again --no-html\n\n") +
                 kExitCodes);
   defineTrace(app, arguments);
+  defineCheckDt(app, arguments);
   // Only so that they are in the list: what follows their word is for them alone (dispatch).
   for (const Companion& companion : companions()) app.add_subcommand(companion.word, companion.purpose);
 }
@@ -126,18 +141,19 @@ bool readValues(Arguments& arguments, const CLI::App& command) {
   if (command.count("--seconds") > 0) {
     const Result<double> seconds = parseSeconds(arguments.seconds);
     if (!seconds) return complain(seconds.error().message), false;
-    arguments.run.seconds = arguments.trace.seconds = *seconds;
+    arguments.run.seconds = arguments.trace.seconds = arguments.checkDt.seconds = *seconds;
   }
   if (command.count("--threads") > 0) {
     const Result<int> threads = parseThreads(arguments.threads);
     if (!threads) return complain(threads.error().message), false;
-    arguments.run.threads = arguments.trace.threads = *threads;
+    arguments.run.threads = arguments.trace.threads = arguments.checkDt.threads = *threads;
   }
   for (const std::string& text : arguments.overrides) {
     const auto pair = parseOverride(text);
     if (!pair) return complain(pair.error().message), false;
     arguments.run.overrides.push_back(*pair);
     arguments.trace.overrides.push_back(*pair);
+    arguments.checkDt.overrides.push_back(*pair);
   }
   return true;
 }
@@ -215,6 +231,8 @@ int dispatch(int argc, char** argv) {
   if (app.got_subcommand("run"))
     return readValues(arguments, *app.get_subcommand("run")) ? run(arguments.run) : kBadInput;
   if (app.got_subcommand("check")) return check(arguments.checked);
+  if (app.got_subcommand("check-dt"))
+    return readValues(arguments, *app.get_subcommand("check-dt")) ? checkDt(arguments.checkDt) : kBadInput;
   if (app.got_subcommand("replay")) return replay(arguments.take, arguments.replay);
   if (app.got_subcommand("trace")) return traceCommand(arguments, *app.get_subcommand("trace"));
   return listScenes();

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "brickfall/machines.h"
 #include "brickfall/masonry.h"
 #include "brickfall/report.h"
 #include "brickfall/scenery.h"
@@ -57,7 +58,27 @@ struct SceneBody {
   std::vector<std::string> shapeMaterials;  // one per shape; empty: `material` for all
   BodyDef def;                              // shapes get the material's values when the scene is built
   double launchTime = 0;  // s: until then the body is held where it is, then it is let go with its velocity
+  std::vector<double>
+      shots;        // s, ascending: at each of them one more such body appears ("name/0"); empty: it is there by itself
+  MotionPath path;  // of a kinematic body; no keys: it has none
   SourcePlace place;
+};
+
+// A joint between two bodies by their names.
+struct SceneJoint {
+  std::string name, bodyA, bodyB;
+  JointDef def;  // bodyA and bodyB are set when the scene is built
+  SourcePlace place;
+};
+
+// A machine and what it moves: a kinematic body by its name, or with none everything, in the frame of the ground.
+struct SceneTilt {
+  std::string body;
+  Tilt tilt;
+};
+struct SceneShake {
+  std::string body;
+  Shake shake;
 };
 
 // What moves the bodies of a scene.
@@ -81,6 +102,11 @@ struct SceneDescription {
   std::vector<MaterialDef> materials;
   std::vector<SceneWall> walls;
   std::vector<SceneBody> bodies;  // the ground, balls and free bodies
+  std::vector<SceneJoint> joints;
+  std::vector<SceneTilt> tilts;
+  std::vector<SceneShake> shakes;
+  std::vector<Wind> winds;
+  std::vector<Blast> blasts;
   std::vector<Camera> cameras;
 };
 
@@ -131,13 +157,15 @@ struct PlacedBody {
 class SceneRun {
  public:
   static Result<SceneRun> create(const SceneDescription& scene);
-  // One time step of the scene; launches what is due first. Under SceneMethod::report the world's own clock stands still.
+  // One time step of the scene; launches what is due first, and lets its machines act. Under SceneMethod::report the world's own clock stands still.
   Result<StepReport> step();
   World& world() { return world_; }
   const World& world() const { return world_; }
   const SceneDescription& scene() const { return scene_; }
   // As they were placed, those of the scene first. One that was destroyed through world() is still listed.
   const std::vector<PlacedBody>& bodies() const { return bodies_; }
+  // The scene's joints that are still there, in its order. Others are in world().joints().
+  std::vector<std::pair<JointId, std::string>> joints() const;
   const PlacedBody* find(BodyId id) const;  // null for a body that is not listed
   // `id` of what is given is not read; with a launchTime to come a body that can move is held until then.
   Result<BodyId> createBody(PlacedBody body);
@@ -165,12 +193,25 @@ class SceneRun {
   friend class RunArchive;
   void list(std::vector<PlacedBody> bodies);
   SceneRun(SceneDescription scene, World world);
+  struct Shot {
+    double time = 0;
+    PlacedBody body;
+  };
+  Result<BodyId> place(PlacedBody body);
+  Status hold(BodyId id);
+  Status join();
+  Status placeMachines();
+  Status launchWaiting();
+  Status shoot();
   SceneDescription scene_;
   World world_;
   std::vector<PlacedBody> bodies_;
   std::vector<std::size_t> placeByIndex_;  // by BodyId::index: position in bodies_, where that id is
   std::vector<BodyId> waiting_;            // still to be launched
-  std::optional<ReportRun> reported_;      // SceneMethod::report
+  std::vector<JointId> joints_;            // of scene_.joints
+  std::vector<Shot> shots_;                // all of the scene
+  Machines machines_;
+  std::optional<ReportRun> reported_;  // SceneMethod::report
   std::uint64_t stepsDone_ = 0;
   double time_ = 0;
 };

@@ -46,7 +46,7 @@ class OverlapFinder {
   void test(std::size_t a, std::size_t b) {
     const PlacedBody &bodyA = run_.bodies()[a], &bodyB = run_.bodies()[b];
     bool moves = bodyA.def.type == BodyType::dynamic || bodyB.def.type == BodyType::dynamic;
-    if (!moves || !overlaps(boxes_[a], boxes_[b])) return;
+    if (!moves || !overlaps(boxes_[a], boxes_[b]) || joined(bodyA.id, bodyB.id)) return;
     double depth = 0;
     for (ShapeId shapeA : run_.world().shapes(bodyA.id))
       for (ShapeId shapeB : run_.world().shapes(bodyB.id)) {
@@ -54,6 +54,15 @@ class OverlapFinder {
         if (found) depth = std::max(depth, *found);
       }
     if (depth > kDeepest) overlaps_.push_back({a, b, depth});
+  }
+
+  // Joined bodies may lie in each other, unless their joint lets them touch.
+  bool joined(BodyId a, BodyId b) const {
+    for (JointId id : run_.world().joints(a)) {
+      const Result<JointDef> joint = run_.world().definition(id);
+      if (joint && !joint->collide && (joint->bodyA == b || joint->bodyB == b)) return true;
+    }
+    return false;
   }
 
   const SceneRun& run_;

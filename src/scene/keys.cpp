@@ -11,6 +11,7 @@ namespace {
 
 using K = KeyKind;
 constexpr double kFar = scene_limits::kLargestCoordinate, kFast = scene_limits::kLargestSpeed;
+constexpr double kLate = 86400;  // s
 constexpr double kSmall = scene_limits::kSmallestSize, kLarge = scene_limits::kLargestSize;
 
 // One row a key, wider than a page.
@@ -24,6 +25,15 @@ void addMotion(std::vector<KeySpec>& keys, const char* table) {
   keys.push_back({table, "angular_damping", K::number, "1/s", 0, 1000, "0", "", "the same for the spin"});
   keys.push_back({table, "drag_area", K::number, "m2", 0, 1000, "0", "", "Cd A of quadratic air drag; 0 = no drag"});
   keys.push_back({table, "allow_sleep", K::boolean, "", 0, 0, "true", "", "false keeps it and what touches it awake"});
+}
+
+// How a body is let go: the same for [[body]] and [[ball]].
+void addLaunch(std::vector<KeySpec>& keys, const char* table) {
+  keys.push_back({table, "launch_time", K::number, "s", 0, kLate, "0", "", "held in place until then"});
+  keys.push_back({table, "launch_times", K::times, "s", 0, kLate, "-", "", "several shots: at each time one more such body appears, name/0, name/1, ..."});
+  keys.push_back({table, "target", K::vector, "m", -kFar, kFar, "-", "", "with `speed`, instead of `velocity`: a point that it flies through"});
+  keys.push_back({table, "speed", K::number, "m/s", 0.001, kFast, "-", "", "of the shot at `target`"});
+  keys.push_back({table, "high_shot", K::boolean, "", 0, 0, "false", "", "of the two ways to `target` the higher"});
 }
 
 void addShape(std::vector<KeySpec>& keys, const char* table) {
@@ -51,6 +61,13 @@ void addSceneKeys(std::vector<KeySpec>& keys) {
   keys.push_back({"", "body", K::tables, "", 0, 0, "-", "", "bodies placed one by one"});
   keys.push_back({"", "ball", K::tables, "", 0, 0, "-", "", "balls to throw"});
   keys.push_back({"", "array", K::tables, "", 0, 0, "-", "", "many equal bodies: lattices, columns, pyramids, piles"});
+  keys.push_back({"", "arch", K::tables, "", 0, 0, "-", "", "arches of wedge-shaped stones"});
+  keys.push_back({"", "joint", K::tables, "", 0, 0, "-", "", "what ties two bodies"});
+  keys.push_back({"", "chain", K::tables, "", 0, 0, "-", "", "rows of links or boards with their joints"});
+  keys.push_back({"", "tilt", K::tables, "", 0, 0, "-", "", "tables that turn"});
+  keys.push_back({"", "shake", K::tables, "", 0, 0, "-", "", "tables that shake: records, sines, pulses"});
+  keys.push_back({"", "wind", K::tables, "", 0, 0, "-", "", "air that moves"});
+  keys.push_back({"", "blast", K::tables, "", 0, 0, "-", "", "impulses that spread from a point"});
   keys.push_back({"", "camera", K::tables, "", 0, 0, "-", "", "views for the replay"});
 }
 
@@ -157,7 +174,9 @@ void addBodyKeys(std::vector<KeySpec>& keys) {
   keys.push_back({"body", "position", K::vector, "m", -kFar, kFar, "[0, 0, 0]", "", "origin of the body: the middle of a shape"});
   keys.push_back({"body", "rotation_degrees", K::vector, "degrees", -3600, 3600, "[0, 0, 0]", "", "about the world's x, then y, then z axis"});
   addMotion(keys, "body");
-  keys.push_back({"body", "launch_time", K::number, "s", 0, 86400, "0", "", "held in place until then"});
+  addLaunch(keys, "body");
+  keys.push_back({"body", "interpolation", K::choice, "", 0, 0, "\"smooth\"", "smooth|linear", "between keys: without a jerk, or straight"});
+  keys.push_back({"body", "key", K::tables, "", 0, 0, "-", "", "kinematic: poses that it passes through"});
 }
 
 void addPartKeys(std::vector<KeySpec>& keys) {
@@ -165,6 +184,12 @@ void addPartKeys(std::vector<KeySpec>& keys) {
   keys.push_back({"body.part", "material", K::material, "", 0, 0, "-", "", "of this part; default: the body's"});
   keys.push_back({"body.part", "position", K::vector, "m", -kLarge, kLarge, "[0, 0, 0]", "", "in the body's frame"});
   keys.push_back({"body.part", "rotation_degrees", K::vector, "degrees", -3600, 3600, "[0, 0, 0]", "", "in the body's frame"});
+}
+
+void addBodyKeyKeys(std::vector<KeySpec>& keys) {
+  keys.push_back({"body.key", "time", K::number, "s", 0, kLate, "", "", "later than that of the key before"});
+  keys.push_back({"body.key", "position", K::vector, "m", -kFar, kFar, "-", "", "where it then is; default: as before"});
+  keys.push_back({"body.key", "rotation_degrees", K::vector, "degrees", -3600, 3600, "-", "", "how it then lies; default: as before"});
 }
 
 void addBallKeys(std::vector<KeySpec>& keys) {
@@ -176,7 +201,7 @@ void addBallKeys(std::vector<KeySpec>& keys) {
   keys.push_back({"ball", "restitution", K::number, "", 0, 1, "-", "", "instead of the material's"});
   keys.push_back({"ball", "position", K::vector, "m", -kFar, kFar, "", "", "of its centre"});
   addMotion(keys, "ball");
-  keys.push_back({"ball", "launch_time", K::number, "s", 0, 86400, "0", "", "held in place until then"});
+  addLaunch(keys, "ball");
 }
 
 void addArrayKeys(std::vector<KeySpec>& keys) {
@@ -194,6 +219,103 @@ void addArrayKeys(std::vector<KeySpec>& keys) {
   keys.push_back({"array", "material", K::material, "", 0, 0, "\"brick\"", "", "of all bodies"});
   keys.push_back({"array", "position", K::vector, "m", -kFar, kFar, "[0, 0, 0]", "", "middle of the lowest layer's underside"});
   addMotion(keys, "array");
+}
+
+void addArchKeys(std::vector<KeySpec>& keys) {
+  keys.push_back({"arch", "name", K::name, "", 0, 0, "-", "", "stones are called name/0, name/1, ..."});
+  keys.push_back({"arch", "stones", K::integer, "", 2, 1000, "21", "", "how many"});
+  keys.push_back({"arch", "radius", K::number, "m", kSmall, kLarge, "1", "", "of the line through the middle of the stones"});
+  keys.push_back({"arch", "thickness", K::number, "m", kSmall, kLarge, "0.2", "", "along the radius"});
+  keys.push_back({"arch", "depth", K::number, "m", kSmall, kLarge, "0.3", "", "along the arch's axis (z)"});
+  keys.push_back({"arch", "angle_degrees", K::number, "degrees", 1, 180, "180", "", "that it spans; 180: half a circle, its feet flat"});
+  keys.push_back({"arch", "position", K::vector, "m", -kFar, kFar, "[0, 0, 0]", "", "the circle's centre"});
+  keys.push_back({"arch", "yaw_degrees", K::number, "degrees", -3600, 3600, "0", "", "about the vertical; 0: it spans along x"});
+  keys.push_back({"arch", "material", K::material, "", 0, 0, "\"brick\"", "", "of the stones"});
+}
+
+void addJointKeys(std::vector<KeySpec>& keys) {
+  keys.push_back({"joint", "name", K::name, "", 0, 0, "-", "", "its name"});
+  keys.push_back({"joint", "type", K::choice, "", 0, 0, "\"spherical\"", "spherical|fixed|revolute|prismatic|distance|rope|spring", "what it holds"});
+  keys.push_back({"joint", "body_a", K::name, "", 0, 0, "-", "", "one body; default: the ground"});
+  keys.push_back({"joint", "body_b", K::name, "", 0, 0, "", "", "the other"});
+  keys.push_back({"joint", "anchor", K::vector, "m", -kFar, kFar, "", "", "point where it holds; of distance, rope and spring: the point of body_a"});
+  keys.push_back({"joint", "anchor_b", K::vector, "m", -kFar, kFar, "-", "", "distance, rope, spring: the point of body_b; default: `anchor`"});
+  keys.push_back({"joint", "axis", K::vector, "", -1000, 1000, "[0, 1, 0]", "", "spherical (of the twist), revolute, prismatic"});
+  keys.push_back({"joint", "lower_degrees", K::number, "degrees", -180, 0, "-", "", "spherical, revolute: least turn of body_b about the axis"});
+  keys.push_back({"joint", "upper_degrees", K::number, "degrees", 0, 180, "-", "", "most turn; both or none"});
+  keys.push_back({"joint", "lower", K::number, "m", -kLarge, 0, "-", "", "prismatic: least way of body_b along the axis"});
+  keys.push_back({"joint", "upper", K::number, "m", 0, kLarge, "-", "", "most way; both or none"});
+  keys.push_back({"joint", "cone_degrees", K::number, "degrees", 0.6, 171, "-", "", "spherical: the axes of both stay within this angle"});
+  keys.push_back({"joint", "motor_speed", K::number, "rad/s, m/s", -kFast, kFast, "-", "", "revolute, prismatic: what a motor drives it at"});
+  keys.push_back({"joint", "motor_strength", K::number, "N m, N", 0, 1e12, "-", "", "the most that the motor gives"});
+  keys.push_back({"joint", "length", K::number, "m", limits::kSmallestSize, limits::kLargestSize, "-", "", "distance, rope, spring; default: as far as the anchors are apart"});
+  keys.push_back({"joint", "stiffness", K::number, "N/m", 0, 1e12, "1000", "", "spring"});
+  keys.push_back({"joint", "damping", K::number, "N s/m", 0, 1e12, "0", "", "spring"});
+  keys.push_back({"joint", "break_force", K::number, "N", 1e-6, 1e12, "-", "", "it breaks under more, as a mean over 1/60 s; default: never"});
+  keys.push_back({"joint", "break_torque", K::number, "N m", 1e-6, 1e12, "-", "", "the same"});
+  keys.push_back({"joint", "collide", K::boolean, "", 0, 0, "false", "", "its two bodies may touch each other"});
+}
+
+void addChainKeys(std::vector<KeySpec>& keys) {
+  keys.push_back({"chain", "name", K::name, "", 0, 0, "-", "", "links are called name/0, name/1, ..., joints name.0, name.1, ..."});
+  keys.push_back({"chain", "body_a", K::name, "", 0, 0, "-", "", "what its first link hangs on; default: the ground"});
+  keys.push_back({"chain", "body_b", K::name, "", 0, 0, "-", "", "what hangs on its last; default: nothing"});
+  keys.push_back({"chain", "from", K::vector, "m", -kFar, kFar, "", "", "where it begins"});
+  keys.push_back({"chain", "to", K::vector, "m", -kFar, kFar, "", "", "where it ends"});
+  keys.push_back({"chain", "links", K::integer, "", 1, 10000, "10", "", "how many"});
+  keys.push_back({"chain", "link", K::choice, "", 0, 0, "\"rod\"", "rod|board", "rods with round ends, or boards"});
+  keys.push_back({"chain", "radius", K::number, "m", kSmall, kLarge, "0.02", "", "of a rod"});
+  keys.push_back({"chain", "thickness", K::number, "m", kSmall, kLarge, "0.05", "", "of a board"});
+  keys.push_back({"chain", "width", K::number, "m", kSmall, kLarge, "0.5", "", "of a board"});
+  keys.push_back({"chain", "sag", K::number, "m", 0, kLarge, "0", "", "so much lower is its middle at the start"});
+  keys.push_back({"chain", "hinge_axis", K::vector, "", -1000, 1000, "-", "", "joints are hinges about it; default: ball joints"});
+  keys.push_back({"chain", "material", K::material, "", 0, 0, "\"steel\"", "", "of the links"});
+  keys.push_back({"chain", "break_force", K::number, "N", 1e-6, 1e12, "-", "", "of each joint, as that of [[joint]]"});
+  keys.push_back({"chain", "break_torque", K::number, "N m", 1e-6, 1e12, "-", "", "the same"});
+}
+
+void addTiltKeys(std::vector<KeySpec>& keys) {
+  keys.push_back({"tilt", "body", K::name, "", 0, 0, "-", "", "a kinematic body; default: everything, by turning gravity"});
+  keys.push_back({"tilt", "axis", K::vector, "", -1000, 1000, "[0, 0, 1]", "", "direction of the axis"});
+  keys.push_back({"tilt", "pivot", K::vector, "m", -kFar, kFar, "[0, 0, 0]", "", "a point of the axis"});
+  keys.push_back({"tilt", "from", K::number, "s", 0, kLate, "0", "", "when it begins, with `rate_degrees`"});
+  keys.push_back({"tilt", "rate_degrees", K::number, "degrees/s", 1e-6, 3600, "-", "", "how fast it turns"});
+  keys.push_back({"tilt", "to_degrees", K::number, "degrees", -3600, 3600, "-", "", "how far it turns"});
+  keys.push_back({"tilt", "interpolation", K::choice, "", 0, 0, "\"smooth\"", "smooth|linear", "between keys: without a jerk, or straight"});
+  keys.push_back({"tilt", "key", K::tables, "", 0, 0, "-", "", "angles that it passes through, instead of a rate"});
+  keys.push_back({"tilt.key", "time", K::number, "s", 0, kLate, "", "", "later than that of the key before"});
+  keys.push_back({"tilt.key", "degrees", K::number, "degrees", -3600, 3600, "", "", "how far it then is turned"});
+}
+
+void addShakeKeys(std::vector<KeySpec>& keys) {
+  keys.push_back({"shake", "body", K::name, "", 0, 0, "-", "", "a kinematic body; default: everything, as seen from the ground"});
+  keys.push_back({"shake", "direction", K::vector, "", -1000, 1000, "[1, 0, 0]", "", "of the accelerations"});
+  keys.push_back({"shake", "from", K::number, "s", 0, kLate, "0", "", "when it begins"});
+  keys.push_back({"shake", "signal", K::choice, "", 0, 0, "\"sine\"", "record|sine|full_pulse|half_pulse|square_pulse", "a file, a sine that grows and dies away, or one pulse"});
+  keys.push_back({"shake", "amplitude", K::number, "m/s2", -1000, 1000, "1", "", "sine and pulses: the largest acceleration"});
+  keys.push_back({"shake", "frequency", K::number, "1/s", 0.01, 100, "1", "", "sine"});
+  keys.push_back({"shake", "seconds", K::number, "s", 0.001, kLate, "1", "", "sine and pulses: how long"});
+  keys.push_back({"shake", "ramp", K::number, "s", 0.001, kLate, "-", "", "sine: so long it grows, and so long it dies away; default: a period, at most half of `seconds`"});
+  keys.push_back({"shake", "file", K::text, "", 1, 1000, "-", "", "record: a .csv file, relative to the scene file"});
+  keys.push_back({"shake", "unit", K::choice, "", 0, 0, "-", "m/s2|cm/s2|mm/s2|g", "record: of its accelerations; must be given (g = 9.80665 m/s2)"});
+  keys.push_back({"shake", "time_unit", K::choice, "", 0, 0, "\"s\"", "s|ms", "record: of its times"});
+  keys.push_back({"shake", "column", K::integer, "", 1, 1000, "1", "", "record: that is read, the one after the time is 1"});
+  keys.push_back({"shake", "scale", K::number, "", -1000, 1000, "1", "", "record: factor of its accelerations"});
+  keys.push_back({"shake", "baseline", K::choice, "", 0, 0, "\"rest\"", "rest|none", "record: ends at rest where it began, by a straight line taken from it; or as its sums have it"});
+}
+
+void addAirKeys(std::vector<KeySpec>& keys) {
+  keys.push_back({"wind", "velocity", K::vector, "m/s", -1000, 1000, "", "", "of the air"});
+  keys.push_back({"wind", "from", K::number, "s", 0, kLate, "0", "", "when it begins"});
+  keys.push_back({"wind", "until", K::number, "s", 0, kLate, "-", "", "when it is over; default: never"});
+  keys.push_back({"wind", "ramp", K::number, "s", 0, kLate, "0", "", "so long it grows, and so long it dies away"});
+  keys.push_back({"wind", "drag_coefficient", K::number, "", 0, 100, "1.3", "", "of a plate across the wind: 8/13 press on it, 5/13 draw"});
+  keys.push_back({"wind", "shelter", K::boolean, "", 0, 0, "true", "", "what stands before a face keeps the wind from it"});
+  keys.push_back({"blast", "centre", K::vector, "m", -kFar, kFar, "", "", "where it spreads from"});
+  keys.push_back({"blast", "impulse", K::number, "N s", 0, 1e9, "", "", "over all directions together; the share of a face is its solid angle"});
+  keys.push_back({"blast", "radius", K::number, "m", 0.001, 10000, "", "", "no face beyond feels it"});
+  keys.push_back({"blast", "time", K::number, "s", 0, kLate, "0", "", "when it goes off"});
+  keys.push_back({"blast", "occlusion", K::boolean, "", 0, 0, "true", "", "what is hidden from the centre feels nothing"});
 }
 
 void addCameraKeys(std::vector<KeySpec>& keys) {
@@ -223,8 +345,15 @@ std::vector<KeySpec> makeKeys() {
   addOpeningKeys(keys);
   addBodyKeys(keys);
   addPartKeys(keys);
+  addBodyKeyKeys(keys);
   addBallKeys(keys);
   addArrayKeys(keys);
+  addArchKeys(keys);
+  addJointKeys(keys);
+  addChainKeys(keys);
+  addTiltKeys(keys);
+  addShakeKeys(keys);
+  addAirKeys(keys);
   addCameraKeys(keys);
   addCameraKeyKeys(keys);
   return keys;
@@ -312,6 +441,8 @@ std::string expectation(const KeySpec& spec) {
       return list + ", or [length, height, width], each " + range + unit;
     case K::points:
       return "4 .. 64 points [[x, y, z], ...], each coordinate " + range + unit;
+    case K::times:
+      return "1 .. 1000 times [t, ...], each " + range + unit + ", that ascend";
     case K::parameters:
       return "a table of numbers";
     case K::table:

@@ -22,6 +22,7 @@ enum class KeyKind : std::uint8_t {
   gravity,     // a number (downwards) or [x, y, z]
   brick,       // "uk", "as3700" or [length, height, width]
   points,      // [[x, y, z], ...]
+  times,       // [t, ...], ascending
   parameters,  // a table of numbers with names of the user's choice
   table,       // [name]
   tables,      // [[name]]

@@ -104,12 +104,6 @@ void readParts(SceneBuild& build, TableReader& reader, SceneBody& body) {
   }
 }
 
-void readLaunch(TableReader& reader, SceneBody& body) {
-  reader.number("launch_time", body.launchTime);
-  if (body.launchTime > 0 && body.def.type != BodyType::dynamic)
-    reader.error("launch_time", "found on a body that is not dynamic, expected type \"dynamic\"");
-}
-
 // A ball with values of its own gets a material of its own.
 void readBallMaterial(SceneBuild& build, TableReader& reader, SceneBody& ball) {
   reader.material("material", ball.material);
@@ -170,9 +164,10 @@ void readBodies(SceneBuild& build, TableReader& top) {
     if (body.def.type == BodyType::fixed && moves)
       reader.error(reader.has("velocity") ? "velocity" : "angular_velocity",
                    "found a velocity on a fixed body, expected type \"kinematic\" or \"dynamic\"");
-    readLaunch(reader, body);
+    readLaunch(build, reader, body);
+    readPath(reader, body);
     if (build.context.diagnostics.size() == before) build.checkBuildable(reader, body);
-    build.roomFor(reader, "", 1);
+    build.roomFor(reader, "", std::int64_t(std::max<std::size_t>(1, body.shots.size())));
     build.scene.bodies.push_back(std::move(body));
   }
 }
@@ -193,10 +188,10 @@ void readBalls(SceneBuild& build, TableReader& top) {
     readBallMaterial(build, reader, ball);
     reader.vector("position", ball.def.position);
     readMotion(reader, ball.def);
-    readLaunch(reader, ball);
+    readLaunch(build, reader, ball);
     ball.def.shapes.push_back(std::move(shape));
     if (build.context.diagnostics.size() == before) build.checkBuildable(reader, ball);
-    build.roomFor(reader, "", 1);
+    build.roomFor(reader, "", std::int64_t(std::max<std::size_t>(1, ball.shots.size())));
     build.scene.bodies.push_back(std::move(ball));
   }
 }

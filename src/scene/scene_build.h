@@ -34,6 +34,13 @@ void readWalls(SceneBuild& build, TableReader& top);
 void readBodies(SceneBuild& build, TableReader& top);
 void readBalls(SceneBuild& build, TableReader& top);
 void readArrays(SceneBuild& build, TableReader& top);
+void readArches(SceneBuild& build, TableReader& top);
+void readJoints(SceneBuild& build, TableReader& top);
+void readChains(SceneBuild& build, TableReader& top);
+void readTilts(SceneBuild& build, TableReader& top);
+void readShakes(SceneBuild& build, TableReader& top);
+void readWinds(SceneBuild& build, TableReader& top);
+void readBlasts(SceneBuild& build, TableReader& top);
 
 // The mesh that a table's `file` and `scale` ask for; null if it could not be read, which is said at `file`.
 std::shared_ptr<const MeshTree> readMesh(SceneBuild& build, TableReader& reader);
@@ -45,6 +52,10 @@ void frameScene(SceneDescription& scene);
 
 // The keys that bodies, balls and arrays share.
 void readMotion(TableReader& reader, BodyDef& def);
+// How a body is let go: when, how often, and where it is aimed.
+void readLaunch(SceneBuild& build, TableReader& reader, SceneBody& body);
+// [[body.key]]; a body that is not kinematic has none.
+void readPath(TableReader& reader, SceneBody& body);
 // Turns about the world's x, then y, then z axis.
 Quat rotationFromDegrees(Vec3 degrees);
 

@@ -34,14 +34,22 @@ void readAll(scene::SceneBuild& build, const scene::Node& root) {
   scene::readGround(build, top);
   scene::readWalls(build, top);
   scene::readArrays(build, top);
+  scene::readArches(build, top);
   scene::readBodies(build, top);
   scene::readBalls(build, top);
+  scene::readChains(build, top);
+  scene::readJoints(build, top);  // they name links, too
+  scene::readTilts(build, top);   // they name bodies
+  scene::readShakes(build, top);
+  scene::readWinds(build, top);
+  scene::readBlasts(build, top);
   scene::readCameras(build, top);
-  bool anything = top.has("wall") || top.has("body") || top.has("ball") || top.has("array");
+  bool anything = top.has("wall") || top.has("body") || top.has("ball") || top.has("array") || top.has("arch");
   if (!anything && !build.context.syntaxErrors) {
     scene::Node file;
-    build.context.error(file, "",
-                        "found nothing to simulate, expected at least one [[wall]], [[body]], [[ball]] or [[array]]");
+    build.context.error(
+        file, "",
+        "found nothing to simulate, expected at least one [[wall]], [[body]], [[ball]], [[array]] or [[arch]]");
   }
 }
 

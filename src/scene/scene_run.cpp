@@ -1,6 +1,7 @@
 // A description becomes a World: the ground, then the bricks course by course, then everything else.
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "brickfall/limits.h"
 #include "brickfall/scene.h"
@@ -10,6 +11,8 @@
 namespace brickfall {
 
 namespace {
+
+constexpr double kLate = 1e-9;  // s: a step that begins so little before its time counts as on time
 
 Error inBody(const std::string& name, const Error& error) {
   return {error.code, "body \"" + name + "\": " + error.message};
@@ -39,6 +42,7 @@ class Placer {
     return {};
   }
   std::vector<PlacedBody> bodies;
+  std::vector<std::pair<double, PlacedBody>> shots;  // in the order of the scene
 
  private:
   Result<MaterialDef> material(const std::string& name) const {
@@ -62,7 +66,11 @@ class Placer {
       placed.def.shapes[i].material = other->material;
       placed.materials.push_back(other->name);
     }
-    bodies.push_back(std::move(placed));
+    for (std::size_t k = 0; k < body.shots.size(); k++) {
+      shots.push_back({body.shots[k], placed});
+      shots.back().second.name += "/" + std::to_string(k);
+    }
+    if (body.shots.empty()) bodies.push_back(std::move(placed));
     return {};
   }
 
@@ -112,7 +120,7 @@ Result<SceneRun> SceneRun::create(const SceneDescription& scene) {
   Placer placer(scene);
   if (Status status = placer.place(); !status) return status.error();
   WorldDef def = scene.world;
-  def.maxBodies = std::max(def.maxBodies, int(placer.bodies.size()));
+  def.maxBodies = std::max(def.maxBodies, int(placer.bodies.size() + placer.shots.size()));
   Result<World> world = World::create(def);
   if (!world) return world.error();
   SceneRun run(scene, std::move(*world));
@@ -123,22 +131,94 @@ Result<SceneRun> SceneRun::create(const SceneDescription& scene) {
     run.reported_ = std::move(reported).value();
   }
   for (PlacedBody& body : placer.bodies)
-    if (Result<BodyId> made = run.createBody(std::move(body)); !made) return made.error();
+    if (Result<BodyId> made = run.place(std::move(body)); !made) return made.error();
+  // First joined, then held: of two bodies that nothing moves no joint can be made.
+  if (Status joined = run.join(); !joined) return joined.error();
+  for (const PlacedBody& body : run.bodies_)
+    if (Status held = run.hold(body.id); !held) return held.error();
+  for (auto& [time, body] : placer.shots) run.shots_.push_back({time, std::move(body)});
+  if (Status placed = run.placeMachines(); !placed) return placed.error();
   return run;
 }
 
+Status SceneRun::placeMachines() {
+  const auto idOf = [&](const std::string& name) {
+    for (const PlacedBody& body : bodies_)
+      if (body.name == name) return body.id;
+    return BodyId{};
+  };
+  for (const SceneBody& body : scene_.bodies)
+    if (!body.path.keys.empty())
+      if (Status led = machines_.follow(world_, idOf(body.name), body.path); !led)
+        return inBody(body.name, led.error());
+  for (const SceneTilt& tilt : scene_.tilts) {
+    Status placed =
+        tilt.body.empty() ? machines_.tiltAll(world_, tilt.tilt) : machines_.tilt(world_, idOf(tilt.body), tilt.tilt);
+    if (!placed) return Error{placed.error().code, "tilt: " + placed.error().message};
+  }
+  for (const SceneShake& shake : scene_.shakes) {
+    Status placed = shake.body.empty() ? machines_.shakeAll(world_, shake.shake)
+                                       : machines_.shake(world_, idOf(shake.body), shake.shake);
+    if (!placed) return Error{placed.error().code, "shake: " + placed.error().message};
+  }
+  for (const Wind& wind : scene_.winds)
+    if (Status blown = machines_.add(wind); !blown) return Error{blown.error().code, "wind: " + blown.error().message};
+  for (const Blast& blast : scene_.blasts)
+    if (Status set = machines_.add(blast); !set) return Error{set.error().code, "blast: " + set.error().message};
+  return {};
+}
+
+Status SceneRun::join() {
+  std::map<std::string, BodyId> byName;
+  for (const PlacedBody& body : bodies_) byName.emplace(body.name, body.id);
+  for (const SceneJoint& joint : scene_.joints) {
+    const auto inJoint = [&](const Error& error) {
+      return Error{error.code, "joint \"" + joint.name + "\": " + error.message};
+    };
+    JointDef def = joint.def;
+    for (const auto& [name, id] : {std::pair(&joint.bodyA, &def.bodyA), std::pair(&joint.bodyB, &def.bodyB)}) {
+      const auto found = byName.find(*name);
+      if (found == byName.end())
+        return inJoint({ErrorCode::invalidArgument, "found \"" + *name + "\", expected the name of a body"});
+      *id = found->second;
+    }
+    Result<JointId> made = world_.createJoint(def);
+    if (!made) return inJoint(made.error());
+    joints_.push_back(*made);
+  }
+  return {};
+}
+
+std::vector<std::pair<JointId, std::string>> SceneRun::joints() const {
+  std::vector<std::pair<JointId, std::string>> there;
+  for (std::size_t k = 0; k < joints_.size(); k++)
+    if (world_.isValid(joints_[k])) there.push_back({joints_[k], scene_.joints[k].name});
+  return there;
+}
+
 Result<BodyId> SceneRun::createBody(PlacedBody body) {
+  Result<BodyId> id = place(std::move(body));
+  if (!id) return id;
+  if (Status held = hold(*id); !held) return held.error();
+  return id;
+}
+
+// Everything else already feels it.
+Status SceneRun::hold(BodyId id) {
+  const PlacedBody& body = *find(id);
+  if (!(body.launchTime > time_) || body.def.type == BodyType::fixed) return {};
+  if (Status held = world_.setType(id, BodyType::fixed); !held) return inBody(body.name, held.error());
+  waiting_.push_back(id);
+  return {};
+}
+
+Result<BodyId> SceneRun::place(PlacedBody body) {
   if (std::isnan(body.launchTime))
     return inBody(body.name, {ErrorCode::invalidArgument, "launchTime: found nan, expected a time in s"});
   // Made as it will be, so that what could not be launched is refused now.
   Result<BodyId> id = world_.createBody(body.def);
   if (!id) return inBody(body.name, id.error());
   body.id = *id;
-  if (body.launchTime > time_ && body.def.type != BodyType::fixed) {
-    // Held until then; everything else already feels it.
-    if (Status held = world_.setType(*id, BodyType::fixed); !held) return inBody(body.name, held.error());
-    waiting_.push_back(*id);
-  }
   if (id->index >= placeByIndex_.size()) placeByIndex_.resize(id->index + 1);
   placeByIndex_[id->index] = bodies_.size();
   bodies_.push_back(std::move(body));
@@ -168,12 +248,20 @@ const PlacedBody* SceneRun::find(BodyId id) const {
   return place < bodies_.size() && bodies_[place].id == id ? &bodies_[place] : nullptr;
 }
 
-Result<StepReport> SceneRun::step() {
+// Each at the first step that begins at its time; actedUntil() tells which had theirs.
+Status SceneRun::shoot() {
+  for (const Shot& shot : shots_)
+    if (machines_.actedUntil() < shot.time - kLate && shot.time - kLate <= time_)
+      if (Result<BodyId> made = createBody(shot.body); !made) return made.error();
+  return {};
+}
+
+Status SceneRun::launchWaiting() {
   std::vector<BodyId> stillWaiting;
   for (BodyId id : waiting_) {
     const PlacedBody* body = find(id);
     if (!body || !world_.isValid(id)) continue;  // destroyed meanwhile
-    if (time_ < body->launchTime - 1e-9) {
+    if (time_ < body->launchTime - kLate) {
       stillWaiting.push_back(id);
       continue;
     }
@@ -183,6 +271,13 @@ Result<StepReport> SceneRun::step() {
     if (!status) return inBody(body->name, status.error());
   }
   waiting_ = std::move(stillWaiting);
+  return {};
+}
+
+Result<StepReport> SceneRun::step() {
+  if (Status launched = launchWaiting(); !launched) return launched.error();
+  if (Status shot = shoot(); !shot) return shot.error();
+  if (Status acted = machines_.act(world_, time_, scene_.timeStep); !acted) return acted.error();
   Result<StepReport> report = reported_ ? reported_->step(world_, scene_.timeStep, scene_.substeps)
                                         : world_.step(scene_.timeStep, scene_.substeps);
   if (!report) return report;

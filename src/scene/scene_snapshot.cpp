@@ -16,7 +16,7 @@ namespace brickfall {
 namespace {
 
 constexpr std::uint64_t kMagic = 0x314e5552464b5242ull;
-constexpr std::uint32_t kLayout = 2;
+constexpr std::uint32_t kLayout = 3;
 constexpr std::size_t kLeastBody = 100, kLeastMaterial = 20;  // bytes: a forged count can't claim much more memory
 
 struct Header {
@@ -54,7 +54,7 @@ struct RunState {
     PlacedBody placed;
     bool waits = false;  // for its launch
   };
-  double time = 0, timeStep = 0;
+  double time = 0, timeStep = 0, actedUntil = 0;
   std::int32_t substeps = 1;
   std::uint64_t stepsDone = 0;
   std::vector<MaterialDef> materials;
@@ -67,6 +67,7 @@ class RunArchive {
   template <class Archive, class State> static void state(Archive& a, State& s) {
     a.value(s.time);
     a.value(s.timeStep);
+    a.value(s.actedUntil);
     a.value(s.substeps);
     a.value(s.stepsDone);
     length(a, s.materials, kLeastMaterial);
@@ -84,6 +85,7 @@ class RunArchive {
     s.time = run.time_;
     s.timeStep = run.scene_.timeStep;
     s.substeps = run.scene_.substeps;
+    s.actedUntil = run.machines_.actedUntil();
     s.stepsDone = run.stepsDone_;
     s.materials = run.scene_.materials;
     std::vector<bool> waits(run.bodies_.size(), false);
@@ -149,7 +151,7 @@ bool soundMaking(const PlacedBody& body) {
 }
 
 Status checkState(const RunState& s) {
-  if (!(s.time >= 0 && std::isfinite(s.time)) ||
+  if (!(s.time >= 0 && std::isfinite(s.time)) || !(s.actedUntil <= s.time) ||
       !(s.timeStep >= limits::kShortestTimeStep && s.timeStep <= limits::kLongestTimeStep) ||
       !(s.substeps >= 1 && s.substeps <= limits::kMostSubsteps))
     return badSnapshot("its time is out of range");
@@ -207,6 +209,7 @@ Status RunArchive::put(RunState&& s, std::span<const std::byte> world, SceneRun&
   run.scene_.materials = std::move(s.materials);
   run.stepsDone_ = s.stepsDone;
   run.time_ = s.time;
+  run.machines_.setActedUntil(s.actedUntil);
   return {};
 }
 

@@ -376,6 +376,32 @@ bool TableReader::points(const char* key, std::vector<Vec3>& out) {
   return sound;
 }
 
+bool TableReader::times(const char* key, std::vector<double>& out) {
+  const Node* node = sought(key);
+  if (!node) return false;
+  if (node->kind != NodeKind::array || node->items.empty() || node->items.size() > 1000) {
+    wrong(*node, pathOf(key), spec(key));
+    return false;
+  }
+  std::vector<double> times;
+  KeySpec element = spec(key);
+  element.kind = KeyKind::number;
+  for (std::size_t i = 0; i < node->items.size(); i++) {
+    const std::string path = pathOf(key) + "[" + std::to_string(i) + "]";
+    double time = 0;
+    if (!numberOf(node->items[i], path, element, false, time)) return false;
+    if (!times.empty() && !(time > times.back())) {
+      context_->error(
+          node->items[i], path,
+          "found " + numberText(time) + " after " + numberText(times.back()) + ", expected times that ascend");
+      return false;
+    }
+    times.push_back(time);
+  }
+  out = std::move(times);
+  return true;
+}
+
 bool TableReader::choiceIndex(const char* key, int& out) {
   const Node* node = sought(key);
   if (!node) return false;

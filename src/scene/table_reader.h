@@ -55,6 +55,7 @@ class TableReader {
   bool gravity(const char* key, Vec3& out);
   bool brick(const char* key, BrickFormat& out);
   bool points(const char* key, std::vector<Vec3>& out);
+  bool times(const char* key, std::vector<double>& out);
   template <class E> bool choice(const char* key, E& out) {
     int index = 0;
     if (!choiceIndex(key, index)) return false;

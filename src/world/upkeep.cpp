@@ -59,6 +59,8 @@ void Upkeep::push(const std::vector<BodyIndex>& pieces, Vec3 at, Vec3 force, Vec
 void Upkeep::setType(BodyIndex body, BodyType type) {
   wakeIslandOf(body);
   displace(body);
+  // A joint of two bodies that nothing moved may sleep though none of its bodies does.
+  ties_.wakeWhere([&](BodyIndex a, BodyIndex b) { return a == body || b == body; });
   activity_.delist(registry_.bodies, body);
   registry_.setType(body, type);
   ties_.renewConstants(body, registry_.shapes, registry_.bodies);

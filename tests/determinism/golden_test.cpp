@@ -37,7 +37,7 @@ TEST_P(GoldenScene, comesToTheHashOfTheRepository) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Golden, GoldenScene, testing::ValuesIn(goldenLines()),
-                         [](const auto& scene) { return firstWord(scene.param); });
+                         [](const auto& scene) { return test::testNameOf(firstWord(scene.param)); });
 
 TEST(Golden, everyShippedSceneIsInTheTable) {
   std::vector<std::string> shipped, listed;

@@ -18,6 +18,12 @@ struct Golden {
   std::string problem;
 };
 
+// A scene's name as a test may have it.
+inline std::string testNameOf(std::string scene) {
+  std::replace(scene.begin(), scene.end(), '-', '_');
+  return scene;
+}
+
 inline std::string toLine(const Golden& g) {
   char text[200];
   std::snprintf(text, sizeof text, "%-16s %4d  %016" PRIx64 "  %d", g.scene.c_str(), g.steps, g.hash, g.firstSleep);

@@ -78,6 +78,25 @@ struct RemoveBody {
 struct WakeBody {
   Serial body = 0;  // 0: all
 };
+// A blast (brickfall/machines.h).
+struct Explode {
+  Vec3 centre;            // m
+  double impulse = 5000;  // N s, over all directions
+  double radius = 5;      // m
+};
+// All joints of a body end: a chain is cut.
+struct CutJoints {
+  Serial body = 0;
+};
+// The ground tilts by so much about an axis, as seen by who stands on it: gravity turns.
+struct TiltGround {
+  Vec3 axis;  // its length does not matter
+  double degrees = 0;
+};
+// The ground is jerked: all that can move has lost this velocity against it.
+struct KickGround {
+  Vec3 velocity;  // m/s
+};
 // For the panel only: changes nothing. 0: none.
 struct Select {
   Serial body = 0;
@@ -103,9 +122,9 @@ struct StartRecording {
 };
 struct StopRecording {};
 
-using Command =
-    std::variant<Open, Restart, Run, Pause, Step, SetSpeed, Rewind, Undo, ShootBall, DragBegin, DragMove, DragEnd,
-                 RemoveBody, WakeBody, Select, ChangeSetting, ChangeMaterial, SaveState, StartRecording, StopRecording>;
+using Command = std::variant<Open, Restart, Run, Pause, Step, SetSpeed, Rewind, Undo, ShootBall, DragBegin, DragMove,
+                             DragEnd, RemoveBody, WakeBody, Explode, CutJoints, TiltGround, KickGround, Select,
+                             ChangeSetting, ChangeMaterial, SaveState, StartRecording, StopRecording>;
 
 // "shoot a ball", for messages and the log.
 const char* nameOf(const Command& command);

@@ -29,9 +29,14 @@ constexpr KeyBinding kBindings[] = {
     {A::shootTool, "2", "Hands", "Tool: shoot balls"},
     {A::dragTool, "3", "Hands", "Tool: drag a body by a spring"},
     {A::removeTool, "4", "Hands", "Tool: remove a body"},
+    {A::blastTool, "5", "Hands", "Tool: a blast"},
+    {A::cutTool, "6", "Hands", "Tool: cut a body off its joints"},
     {A::shootCentre, "F", "Hands", "Shoot a ball at the middle of the picture"},
     {A::removeSelected, "Delete", "Hands", "Remove the selected body"},
     {A::wakeAll, "K", "Hands", "Wake everything"},
+    {A::tiltLeft, "N", "Hands", "Tilt the ground to the left"},
+    {A::tiltRight, "M", "Hands", "Tilt the ground to the right"},
+    {A::jerkGround, "B", "Hands", "Shake the ground: a jerk to one side and the other in turn"},
     {A::smallerBall, "-", "Hands", "Smaller balls"},
     {A::largerBall, "=", "Hands", "Larger balls"},
     {A::slowerBall, "9", "Hands", "Slower balls"},
@@ -75,7 +80,7 @@ constexpr KeyBinding kBindings[] = {
 };
 
 constexpr MouseBinding kMouse[] = {
-    {"Left button", "The tool: select, shoot, drag or remove"},
+    {"Left button", "The tool: select, shoot, drag, remove, blast or cut"},
     {"Right button, drag", "Turn the camera"},
     {"Middle button, drag", "Move the camera across the picture"},
     {"Wheel", "Nearer and further; while dragging a body, bring it nearer or push it away"},

@@ -1,5 +1,6 @@
 // What the user does to a live run.
 #include <algorithm>
+#include <cmath>
 
 #include "viewer_core/live_run.h"
 #include "viewer_core/settings_table.h"
@@ -19,6 +20,10 @@ std::string changeOf(const Command& command) {
   if (std::holds_alternative<ShootBall>(command)) return "the ball";
   if (std::holds_alternative<DragBegin>(command)) return "dragging";
   if (std::holds_alternative<RemoveBody>(command)) return "the removal";
+  if (std::holds_alternative<Explode>(command)) return "the blast";
+  if (std::holds_alternative<CutJoints>(command)) return "the cut";
+  if (std::holds_alternative<TiltGround>(command)) return "the tilt";
+  if (std::holds_alternative<KickGround>(command)) return "the jerk";
   if (const auto* setting = std::get_if<ChangeSetting>(&command)) return setting->key;
   if (const auto* material = std::get_if<ChangeMaterial>(&command)) return "material " + material->name;
   return {};
@@ -81,6 +86,10 @@ Result<std::string> LiveRun::carryOut(const Command& command, Serial& made) {
   if (const auto* c = std::get_if<DragEnd>(&command)) return carryOut(*c);
   if (const auto* c = std::get_if<RemoveBody>(&command)) return carryOut(*c);
   if (const auto* c = std::get_if<WakeBody>(&command)) return carryOut(*c);
+  if (const auto* c = std::get_if<Explode>(&command)) return carryOut(*c);
+  if (const auto* c = std::get_if<CutJoints>(&command)) return carryOut(*c);
+  if (const auto* c = std::get_if<TiltGround>(&command)) return carryOut(*c);
+  if (const auto* c = std::get_if<KickGround>(&command)) return carryOut(*c);
   if (const auto* c = std::get_if<ChangeSetting>(&command)) return carryOut(*c);
   if (const auto* c = std::get_if<ChangeMaterial>(&command)) return carryOut(*c);
   return Error{ErrorCode::wrongState, std::string(nameOf(command)) + ": not a change of a run"};
@@ -202,6 +211,54 @@ Result<std::string> LiveRun::carryOut(const WakeBody& wake) {
     if (state && state->type == BodyType::dynamic && !state->quarantined) (void)run_.world().wake(body.id).ok();
   }
   return std::string("all were woken");
+}
+
+Result<std::string> LiveRun::carryOut(const Explode& blast) {
+  const Result<BlastReport> done =
+      applyBlast(run_.world(), {.centre = blast.centre, .impulse = blast.impulse, .radius = blast.radius});
+  if (!done) return Error{done.error().code, "blast: " + done.error().message};
+  const std::string what =
+      "a blast pushed " + std::to_string(done->bodies) + " bodies, " + shortNumber(done->impulse) + " N s in all";
+  if (!quiet_) log_->add(run_.time(), LogKind::note, what);
+  return what;
+}
+
+Result<std::string> LiveRun::carryOut(const CutJoints& cut) {
+  const Result<BodyId> id = bodyOf(cut.body);
+  if (!id) return Error{id.error().code, "cut: " + id.error().message};
+  const std::vector<JointId> joints = run_.world().joints(*id);
+  if (joints.empty()) return Error{ErrorCode::wrongState, "cut: no joint holds " + nameOfBody(*id)};
+  for (JointId joint : joints)
+    if (Status gone = run_.world().destroyJoint(joint); !gone)
+      return Error{gone.error().code, "cut: " + gone.error().message};
+  const std::string what = nameOfBody(*id) + " was cut off";
+  if (!quiet_) log_->add(run_.time(), LogKind::note, what);
+  return what;
+}
+
+Result<std::string> LiveRun::carryOut(const TiltGround& tilt) {
+  const double size = length(tilt.axis);
+  if (!(size > 1e-6 && size < 1e6)) return outOfRange("tilt: axis", size, "a length that is not zero");
+  if (!(std::fabs(tilt.degrees) <= 180)) return outOfRange("tilt: degrees", tilt.degrees, "-180 .. 180");
+  constexpr double kRadians = 3.14159265358979323846 / 180;
+  WorldDef world = run_.scene().world;
+  world.gravity = rotate(quatFromAxisAngle(tilt.axis * (1 / size), -tilt.degrees * kRadians), run_.world().gravity());
+  if (Status done = run_.setWorld(world); !done) return done.error();
+  wanted_.world.gravity = world.gravity;
+  changes_++;
+  return "the ground tilts by " + shortNumber(tilt.degrees) + " degrees";
+}
+
+Result<std::string> LiveRun::carryOut(const KickGround& kick) {
+  if (!(length(kick.velocity) <= 100)) return outOfRange("shake: velocity", length(kick.velocity), "at most 100 m/s");
+  World& world = run_.world();
+  for (const ListedBody& body : list_->bodies) {
+    const Result<BodyState> state = world.state(body.id);
+    if (!state || state->type != BodyType::dynamic || state->quarantined) continue;
+    if (Status set = world.setLinearVelocity(body.id, state->linearVelocity - kick.velocity); !set)
+      return Error{set.error().code, "shake: " + set.error().message};
+  }
+  return std::string("the ground is jerked");
 }
 
 Result<std::string> LiveRun::carryOut(const ChangeSetting& change) {

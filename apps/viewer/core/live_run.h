@@ -81,6 +81,10 @@ class LiveRun {
   Result<std::string> carryOut(const DragEnd&);
   Result<std::string> carryOut(const RemoveBody& remove);
   Result<std::string> carryOut(const WakeBody& wake);
+  Result<std::string> carryOut(const Explode& blast);
+  Result<std::string> carryOut(const CutJoints& cut);
+  Result<std::string> carryOut(const TiltGround& tilt);
+  Result<std::string> carryOut(const KickGround& kick);
   Result<std::string> carryOut(const ChangeSetting& change);
   Result<std::string> carryOut(const ChangeMaterial& change);
   Result<std::string> save(const std::string& path) const;

@@ -10,6 +10,8 @@ namespace {
 
 constexpr double kNearest = 0.05;    // m: what is dragged stays in front of the eye
 constexpr double kWheel = 1.1;       // of the distance, a notch
+constexpr double kTiltStep = 2;      // degrees
+constexpr double kJerk = 0.5;        // m/s
 constexpr double kBallAhead = 3;     // radii: where a ball starts, in front of the eye
 constexpr double kLeastSpeed = 0.5;  // m/s: from where a ball gets faster by factors
 
@@ -23,7 +25,7 @@ double rounded(double value) {
 }  // namespace
 
 const char* nameOf(Tool tool) {
-  static constexpr std::array<const char*, kToolCount> kNames = {"Select", "Shoot", "Drag", "Remove"};
+  static constexpr std::array<const char*, kToolCount> kNames = {"Select", "Shoot", "Drag", "Remove", "Blast", "Cut"};
   return kNames[std::size_t(tool)];
 }
 
@@ -46,9 +48,21 @@ Command Hand::shot(const Ray& ray) const {
   return shot;
 }
 
+Command Hand::tilt(const View& view, double side) const { return TiltGround{view.forward() * -1.0, side * kTiltStep}; }
+
+Command Hand::jerk(const View& view) {
+  const Vec3 velocity = view.right() * (kJerk * side_);
+  side_ = -side_;
+  return KickGround{{velocity.x, 0, velocity.z}};
+}
+
 std::vector<Command> Hand::press(const Ray& ray, const View& view, const std::optional<PickHit>& picked) {
   if (tool == Tool::shoot) return {shot(ray)};
   if (!picked) return tool == Tool::select ? std::vector<Command>{Select{0}} : std::vector<Command>{};
+  if (tool == Tool::cut) return {CutJoints{picked->serial}};
+  // A little before what was pointed at: a charge inside a body pushes nothing.
+  if (tool == Tool::blast)
+    return {Explode{picked->point - ray.direction * settings.ballRadius, settings.blastImpulse, settings.blastRadius}};
   if (tool == Tool::remove) return {RemoveBody{picked->serial}};
   if (tool == Tool::select) return {Select{picked->serial}};
   dragging_ = true;

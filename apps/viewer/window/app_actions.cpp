@@ -72,6 +72,19 @@ bool App::actOnHands(Action action) {
     case Action::removeTool:
       desk_.hand.tool = Tool::remove;
       return true;
+    case Action::blastTool:
+      desk_.hand.tool = Tool::blast;
+      return true;
+    case Action::cutTool:
+      desk_.hand.tool = Tool::cut;
+      return true;
+    case Action::tiltLeft:
+    case Action::tiltRight:
+      desk_.send(desk_.hand.tilt(desk_.rig.view(), action == Action::tiltLeft ? 1 : -1));
+      return true;
+    case Action::jerkGround:
+      desk_.send(desk_.hand.jerk(desk_.rig.view()));
+      return true;
     case Action::shootCentre:
       desk_.send(desk_.hand.shot(rayAt(desk_.size.width / 2.0 + shift().x, desk_.size.height / 2.0 + shift().y)));
       return true;

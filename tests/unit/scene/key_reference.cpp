@@ -45,6 +45,8 @@ std::string typeWords(const KeySpec& spec) {
       return "text or [l, h, w]";
     case K::points:
       return "[[x, y, z], ...]";
+    case K::times:
+      return "[t, ...]";
     case K::parameters:
       return "[parameters]";
     case K::table:
@@ -67,6 +69,7 @@ std::string rangeWords(const KeySpec& spec) {
     case K::counts:
     case K::gravity:
     case K::points:
+    case K::times:
       return "each " + rangeOf(spec);
     case K::brick:
       return choices + ", or each " + rangeOf(spec);
@@ -142,6 +145,8 @@ std::string valueSchema(const KeySpec& spec, const std::string& indent) {
       return "{\"anyOf\": [{\"enum\": [" + choices + "]}, " + arraySchema(number, 3, 3) + "]}";
     case K::points:
       return arraySchema(arraySchema(number, 3, 3), 4, 64);
+    case K::times:
+      return arraySchema(number, 1, 1000);
     case K::parameters:
       return "{\"type\": \"object\", \"additionalProperties\": {\"anyOf\": [{\"type\": \"number\"}, "
              "{\"$ref\": \"#/definitions/expression\"}]}}";

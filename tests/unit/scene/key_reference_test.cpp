@@ -118,11 +118,41 @@ void expectSameWorld(const SceneDescription& a, const SceneDescription& b) {
   EXPECT_EQ(a.world.solver.maxHitParts, b.world.solver.maxHitParts);
 }
 
+void expectSameMachines(const SceneDescription& a, const SceneDescription& b) {
+  ASSERT_EQ(a.joints.size(), 1u + 10);
+  ASSERT_EQ(b.joints.size(), 1u + 10);
+  for (std::size_t i = 0; i < a.joints.size(); i++) {
+    const JointDef &one = a.joints[i].def, &other = b.joints[i].def;
+    EXPECT_EQ(one.type, other.type);
+    EXPECT_EQ(one.anchor, other.anchor);
+    EXPECT_EQ(one.axis, other.axis);
+    EXPECT_EQ(one.collide, other.collide);
+    EXPECT_EQ(one.limit.has_value() || one.motor.has_value(), other.limit.has_value() || other.motor.has_value());
+    EXPECT_EQ(one.breakForce, other.breakForce);
+  }
+  EXPECT_EQ(a.tilts.at(0).tilt.axis, b.tilts.at(0).tilt.axis);
+  EXPECT_EQ(a.tilts[0].tilt.pivot, b.tilts[0].tilt.pivot);
+  EXPECT_EQ(a.tilts[0].tilt.angle.keys, b.tilts[0].tilt.angle.keys);
+  const Shake &one = a.shakes.at(0).shake, &other = b.shakes.at(0).shake;
+  EXPECT_EQ(one.direction, other.direction);
+  EXPECT_EQ(one.signal, other.signal);
+  for (auto field : {&Shake::start, &Shake::amplitude, &Shake::frequency, &Shake::seconds, &Shake::ramp})
+    EXPECT_EQ(one.*field, other.*field);
+  for (auto field : {&Wind::from, &Wind::until, &Wind::ramp, &Wind::dragCoefficient})
+    EXPECT_EQ(a.winds.at(0).*field, b.winds.at(0).*field);
+  EXPECT_EQ(a.winds[0].shelter, b.winds[0].shelter);
+  EXPECT_EQ(a.blasts.at(0).time, b.blasts.at(0).time);
+  EXPECT_EQ(a.blasts[0].occlusion, b.blasts[0].occlusion);
+}
+
 // The documented defaults are the real ones: a scene that states them all is the scene that states none.
 TEST(KeyReference, DocumentedDefaultsAreTheRealOnes) {
   std::string bare =
       "[[wall]]\n[[wall.opening]]\nfrom = 0.5\nwidth = 0.5\nheight = 0.3\n[[body]]\n[[ball]]\nposition = "
-      "[0, 9, 0]\n[[array]]\n[[material]]\nname = \"own\"\n[[camera]]\n";
+      "[0, 9, 0]\n[[array]]\n[[material]]\nname = \"own\"\n[[camera]]\n[[arch]]\n[[tilt]]\nrate_degrees = "
+      "2\nto_degrees = 3\n"
+      "[[joint]]\nbody_b = \"body1\"\nanchor = [0, 0, 0]\n[[chain]]\nfrom = [0, 9, 3]\nto = [3, 9, 3]\n"
+      "[[shake]]\n[[wind]]\nvelocity = [1, 0, 0]\n[[blast]]\ncentre = [1, 2, 3]\nimpulse = 4\nradius = 5\n";
   auto without = [](std::string text, const std::string& key) {
     std::size_t from = text.find("\n" + key + " = ");
     return from == std::string::npos ? text : text.erase(from, text.find('\n', from + 1) - from);
@@ -131,18 +161,27 @@ TEST(KeyReference, DocumentedDefaultsAreTheRealOnes) {
   std::string body =
       without(without(without(without("\n" + allDefaults("body"), "radius"), "height"), "size"), "top_radius");
   std::string array = without(without(without("\n" + allDefaults("array"), "radius"), "height"), "base");
+  std::string shake = "\n" + allDefaults("shake");
+  for (const char* key : {"time_unit", "column", "scale", "baseline"}) shake = without(shake, key);
+  std::string joint = without(without("\n" + allDefaults("joint"), "stiffness"), "damping");
+  std::string chain = without(without("\n" + allDefaults("chain"), "thickness"), "width");
   std::string ground = without("\n" + allDefaults("ground"), "size");
-  std::string full = "[world]\n" + allDefaults("world") + "[solver]\n" + allDefaults("solver") + "[report]\n" +
-                     allDefaults("report") + "[ground]" + ground + "[[wall]]\n" + allDefaults("wall") +
-                     "[[wall.opening]]\nfrom = 0.5\nwidth = 0.5\nheight = 0.3\n" + allDefaults("wall.opening") +
-                     "[[body]]\nsize = [1, 1, 1]" + body + "[[ball]]\nposition = [0, 9, 0]\n" + allDefaults("ball") +
-                     "[[array]]" + array + "[[material]]\nname = \"own\"\n" + allDefaults("material") + "[[camera]]\n" +
-                     allDefaults("camera");
+  std::string full =
+      "[world]\n" + allDefaults("world") + "[solver]\n" + allDefaults("solver") + "[report]\n" + allDefaults("report") +
+      "[ground]" + ground + "[[wall]]\n" + allDefaults("wall") +
+      "[[wall.opening]]\nfrom = 0.5\nwidth = 0.5\nheight = 0.3\n" + allDefaults("wall.opening") +
+      "[[body]]\nsize = [1, 1, 1]" + body + "[[ball]]\nposition = [0, 9, 0]\n" + allDefaults("ball") + "[[array]]" +
+      array + "[[material]]\nname = \"own\"\n" + allDefaults("material") + "[[camera]]\n" + allDefaults("camera") +
+      "[[arch]]\n" + allDefaults("arch") + "[[tilt]]\nrate_degrees = 2\nto_degrees = 3\n" + allDefaults("tilt") +
+      "[[joint]]\nbody_b = \"body1\"\nanchor = [0, 0, 0]" + joint + "[[chain]]\nfrom = [0, 9, 3]\nto = [3, 9, 3]" +
+      chain + "[[shake]]" + shake + "[[wind]]\nvelocity = [1, 0, 0]\n" + allDefaults("wind") +
+      "[[blast]]\ncentre = [1, 2, 3]\nimpulse = 4\nradius = 5\n" + allDefaults("blast");
   SceneDescription a = sound(bare), b = sound(full);
   expectSameWorld(a, b);
-  ASSERT_EQ(a.bodies.size(), 4u);
-  ASSERT_EQ(b.bodies.size(), 4u);
-  for (std::size_t i = 0; i < 4; i++) expectSameBody(a.bodies[i], b.bodies[i]);
+  ASSERT_EQ(a.bodies.size(), 4u + 21 + 10);
+  ASSERT_EQ(b.bodies.size(), 4u + 21 + 10);
+  for (std::size_t i = 0; i < a.bodies.size(); i++) expectSameBody(a.bodies[i], b.bodies[i]);
+  expectSameMachines(a, b);
   const WallDef &wallA = a.walls[0].wall, &wallB = b.walls[0].wall;
   EXPECT_EQ(wallA.bond, wallB.bond);
   EXPECT_EQ(wallA.bondShift, wallB.bondShift);

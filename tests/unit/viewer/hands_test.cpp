@@ -115,6 +115,29 @@ TEST(Hands, ABodyThatWaitsForItsLaunchIsHeld) {
   EXPECT_EQ(t.body("b").activity, Activity::awake);
 }
 
+TEST(Hands, ABlastPushesACutFreesTheGroundTiltsAndIsJerked) {
+  TestSession t(
+      "[[body]]\nname = \"hung\"\nsize = [0.2, 0.2, 0.2]\nposition = [0, 2, 0]\n[[body]]\nname = \"box\"\nsize = [0.2, "
+      "0.2, "
+      "0.2]\nposition = [3, 0.1, 0]\n[[joint]]\nbody_b = \"hung\"\nanchor = [0, 2.5, 0]\n",
+      true);
+  t.pass(0.5);
+  EXPECT_NEAR(t.body("hung").pose.position.y, 2, 0.01);
+  EXPECT_FALSE(t.does(CutJoints{t.serialOf("box")}));
+  ASSERT_TRUE(t.does(CutJoints{t.serialOf("hung")}));
+  EXPECT_FALSE(t.does(CutJoints{t.serialOf("hung")}));
+  t.pass(0.3);
+  EXPECT_LT(t.body("hung").pose.position.y, 1.8);
+  ASSERT_TRUE(t.does(Explode{{2.5, 0.3, 0}, 300, 2}));
+  EXPECT_FALSE(t.does(Explode{{2.5, 0.3, 0}, -1, 2}));
+  t.pass(0.1);
+  EXPECT_GT(t.body("box").pose.position.x, 3.002);
+  ASSERT_TRUE(t.does(TiltGround{{0, 0, 1}, 10}));
+  EXPECT_FALSE(t.does(TiltGround{{0, 0, 0}, 10}));
+  ASSERT_TRUE(t.does(KickGround{{1, 0, 0}}));
+  EXPECT_FALSE(t.does(KickGround{{1e9, 0, 0}}));
+}
+
 View frontView() {
   View view;
   view.position = {0, 1, 5};
@@ -138,6 +161,14 @@ TEST(Tools, EachMakesItsCommands) {
   hand.tool = Tool::remove;
   EXPECT_TRUE(hand.press(ray, view, {}).empty());
   EXPECT_EQ(std::get<RemoveBody>(hand.press(ray, view, hit).at(0)).body, 7u);
+  hand.tool = Tool::cut;
+  EXPECT_EQ(std::get<CutJoints>(hand.press(ray, view, hit).at(0)).body, 7u);
+  hand.tool = Tool::blast;
+  EXPECT_TRUE(hand.press(ray, view, {}).empty());
+  EXPECT_NEAR(std::get<Explode>(hand.press(ray, view, hit).at(0)).centre.z, hand.settings.ballRadius, 1e-12);
+  EXPECT_LT(std::get<TiltGround>(hand.tilt(view, 1)).axis.z * -1.0, 0);
+  const double first = std::get<KickGround>(hand.jerk(view)).velocity.x;
+  EXPECT_EQ(std::get<KickGround>(hand.jerk(view)).velocity.x, -first);
   hand.tool = Tool::select;
   EXPECT_EQ(std::get<Select>(hand.press(ray, view, hit).at(0)).body, 7u);
   EXPECT_EQ(std::get<Select>(hand.press(ray, view, {}).at(0)).body, 0u);

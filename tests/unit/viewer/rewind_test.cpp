@@ -66,6 +66,15 @@ struct Lone {
       case 120:
         does(ChangeSetting{"restingStiffness", 500});
         break;
+      case 124:
+        does(Explode{{0.4, 0.3, 0.5}, 30, 2});
+        break;
+      case 126:
+        does(TiltGround{{0, 0, 1}, 3});
+        break;
+      case 128:
+        does(KickGround{{0.2, 0, 0.1}});
+        break;
       case 130:
         does(ShootBall{{{0.3, 0.3, 1}, {0, 0, -1}}, 0.05, 9, "rubber"});
         break;

@@ -20,7 +20,8 @@ bool slider(const char* label, double& value, double least, double most, const c
 void showToolChoice(Desk& desk) {
   heading("The left button");
   const float width = (ImGui::GetContentRegionAvail().x - 3 * ImGui::GetStyle().ItemSpacing.x) / kToolCount;
-  constexpr Action kActions[kToolCount] = {Action::selectTool, Action::shootTool, Action::dragTool, Action::removeTool};
+  constexpr Action kActions[kToolCount] = {Action::selectTool, Action::shootTool, Action::dragTool,
+                                           Action::removeTool, Action::blastTool, Action::cutTool};
   for (int i = 0; i < kToolCount; i++) {
     if (i > 0) ImGui::SameLine();
     const bool chosen = int(desk.hand.tool) == i;
@@ -53,6 +54,11 @@ void showBall(Desk& desk, const Frame& frame) {
   if (desk.hand.tool == Tool::drag) {
     heading("The spring");
     slider("Strength", settings.dragStrength, 1, 1000, "%.0f weights", true);
+  }
+  if (desk.hand.tool == Tool::blast) {
+    heading("The blast");
+    slider("Impulse", settings.blastImpulse, 1, 1e6, "%.0f N s", true);
+    slider("Radius", settings.blastRadius, 0.1, 100, "%.1f m", true);
   }
   ImGui::PopItemWidth();
 }

@@ -1,0 +1,69 @@
+// brickfall check-dt: how far the outcomes of a scene agree from one time step to another.
+#include <chrono>
+#include <cmath>
+#include <optional>
+
+#include "cli/commands.h"
+#include "cli/console.h"
+#include "cli/interrupt.h"
+#include "cli/outcome.h"
+#include "cli/scene_choice.h"
+
+namespace brickfall::cli {
+namespace {
+
+constexpr int kRates[] = {60, 120, 240, 480};
+
+// None after a complaint, or when it was interrupted.
+std::optional<Outcome> outcomeAt(SceneDescription scene, int rate) {
+  scene.timeStep = 1.0 / rate;
+  scene.substeps = 1;
+  Result<SceneRun> run = SceneRun::create(scene);
+  if (!run) {
+    complainf("1/{} s: {}", rate, run.error().message);
+    return std::nullopt;
+  }
+  OutcomeWatch watch(*run);
+  const auto begin = std::chrono::steady_clock::now();
+  const long steps = std::max(1L, std::lround(scene.seconds * rate));
+  for (long step = 1; step <= steps; step++) {
+    const Result<StepReport> report = run->step();
+    if (!report) complainf("1/{} s, step {}: {}", rate, step, report.error().message);
+    if (!report || interruptCount() > 0) return std::nullopt;
+    watch.afterStep(*run);
+  }
+  Outcome out = watch.outcomeOf(*run);
+  out.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return out;
+}
+
+}  // namespace
+
+int checkDt(const CheckDtCommand& options) {
+  SceneChoice choice = chooseScene(options.scene, options.overrides);
+  if (!choice.problem.empty()) complain(choice.problem);
+  showDiagnostics(choice.diagnostics);
+  if (!choice.scene) return choice.exitCode;
+  if (options.seconds) choice.scene->seconds = *options.seconds;
+  if (options.threads) choice.scene->world.threads = *options.threads;
+  watchInterrupts();
+  std::vector<Outcome> outcomes;
+  for (int rate : kRates) {
+    std::optional<Outcome> outcome = outcomeAt(*choice.scene, rate);
+    if (!outcome) return interruptCount() > 0 ? interruptExitCode() : kInternalError;
+    outcomes.push_back(std::move(*outcome));
+  }
+  const Outcome& finest = outcomes.back();
+  sayf("{}: {} s of {} bodies that can move", printable(choice.scene->name), choice.scene->seconds, finest.ends.size());
+  sayf("{:>9}  {:>6}  {:>16}  {:>14}  {:>6}  {:>16}  {:>9}", "time step", "moved", "same as 1/480 s", "ends apart, m",
+       "broken", "same as 1/480 s", "took, s");
+  for (std::size_t k = 0; k < outcomes.size(); k++) {
+    const Outcome& out = outcomes[k];
+    sayf("{:>9}  {:>6}  {:>14.1f} %  {:>14.3f}  {:>6}  {:>14.1f} %  {:>9.1f}", fmt::format("1/{} s", kRates[k]),
+         out.moved.size(), 100 * overlapOf(out.moved, finest.moved), apartOf(out, finest), out.broken.size(),
+         100 * overlapOf(out.broken, finest.broken), out.seconds);
+  }
+  return kOk;
+}
+
+}  // namespace brickfall::cli

@@ -1,0 +1,78 @@
+// [[arch]]: rings of wedge-shaped stones.
+#include <numbers>
+
+#include "scene/scene_build.h"
+
+namespace brickfall::scene {
+
+namespace {
+
+struct ArchDef {
+  int stones = 21;
+  double radius = 1, thickness = 0.2, depth = 0.3, angle = std::numbers::pi;
+  Vec3 position;
+  Quat yaw;
+  SceneBody model;
+};
+
+// A stone at the top: its joints are radial, its long faces flat.
+ShapeDef wedgeOf(const ArchDef& def) {
+  ShapeDef shape;
+  shape.type = ShapeType::hull;
+  double sine, cosine;
+  sinCos(def.angle / def.stones / 2, sine, cosine);
+  for (double radius : {def.radius - def.thickness / 2, def.radius + def.thickness / 2})
+    for (double side : {-1.0, 1.0})
+      for (double front : {-0.5, 0.5})
+        shape.vertices.push_back({side * radius * sine, radius * cosine - def.radius, front * def.depth});
+  return shape;
+}
+
+void layStones(const ArchDef& def, SceneBuild& build) {
+  for (int k = 0; k < def.stones; k++) {
+    // From the left foot to the right.
+    const double angle = def.angle * (0.5 - (k + 0.5) / def.stones);
+    const Quat turn = quatFromAxisAngle({0, 0, 1}, angle);
+    SceneBody stone = def.model;
+    stone.name += "/" + std::to_string(k);
+    stone.def.position = def.position + rotate(def.yaw, rotate(turn, Vec3{0, def.radius, 0}));
+    stone.def.rotation = normalized(def.yaw * turn);
+    build.scene.bodies.push_back(std::move(stone));
+  }
+}
+
+}  // namespace
+
+void readArches(SceneBuild& build, TableReader& top) {
+  std::size_t index = 0;
+  for (TableReader& reader : top.tables("arch")) {
+    ArchDef def;
+    const std::size_t before = build.context.diagnostics.size();
+    def.model.name = build.nameOf(reader, "arch", index++);
+    def.model.material = "brick";
+    def.model.place = placeOf(reader);
+    double degrees = 180, yaw = 0;
+    reader.integer("stones", def.stones);
+    reader.number("radius", def.radius);
+    reader.number("thickness", def.thickness);
+    reader.number("depth", def.depth);
+    reader.number("angle_degrees", degrees);
+    reader.vector("position", def.position);
+    reader.number("yaw_degrees", yaw);
+    reader.material("material", def.model.material);
+    def.angle = degrees * (std::numbers::pi / 180);
+    def.yaw = quatFromAxisAngle({0, 1, 0}, yaw * (std::numbers::pi / 180));
+    if (!(def.thickness < 2 * def.radius))
+      reader.error("thickness", "found " + numberText(def.thickness) +
+                                    " m, expected less than twice the radius = " + numberText(2 * def.radius) + " m");
+    if (!(def.angle / def.stones <= 0.5 * std::numbers::pi))
+      reader.error("stones", "found stones of " + numberText(degrees / def.stones) + " degrees, expected at most 90");
+    if (build.context.diagnostics.size() != before) continue;
+    def.model.def.shapes = {wedgeOf(def)};
+    build.checkBuildable(reader, def.model);
+    if (build.context.diagnostics.size() == before && build.roomFor(reader, "stones", def.stones))
+      layStones(def, build);
+  }
+}
+
+}  // namespace brickfall::scene

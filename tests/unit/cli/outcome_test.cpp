@@ -1,0 +1,45 @@
+#include "cli/outcome.h"
+
+#include <gtest/gtest.h>
+
+namespace brickfall::cli {
+namespace {
+
+TEST(Outcome, overlapIsTheShareOfThoseInBoth) {
+  EXPECT_EQ(overlapOf({}, {}), 1);
+  EXPECT_EQ(overlapOf({"a"}, {}), 0);
+  EXPECT_DOUBLE_EQ(overlapOf({"a", "b", "c"}, {"b", "c", "d"}), 0.5);
+}
+
+TEST(Outcome, endsAreComparedOfThoseThatMovedInEither) {
+  Outcome a, b;
+  a.moved = {"x"};
+  b.moved = {"y"};
+  a.ends = {{"x", {1, 0, 0}}, {"y", {0, 0, 0}}, {"z", {9, 0, 0}}};
+  b.ends = {{"x", {0, 0, 0}}, {"y", {0, 3, 0}}, {"z", {0, 0, 0}}};
+  EXPECT_DOUBLE_EQ(apartOf(a, b), 2);
+  EXPECT_EQ(apartOf(Outcome{}, b), 0);
+}
+
+// A brick that falls by its own height has moved; one that stands has not; a joint too weak for its load breaks.
+TEST(Outcome, tellsWhatMovedAndWhatBroke) {
+  const SceneLoad load = parseScene(
+      "[[body]]\nname = \"standing\"\nsize = [1, 1, 1]\nposition = [5, 0.5, 0]\n"
+      "[[body]]\nname = \"hung\"\nsize = [1, 1, 1]\nposition = [0, 2, 0]\n"
+      "[[joint]]\nname = \"thread\"\nbody_b = \"hung\"\nanchor = [0, 3, 0]\nbreak_force = 10\n",
+      "test.toml");
+  ASSERT_TRUE(load.scene.has_value()) << format(load.diagnostics.front());
+  Result<SceneRun> run = SceneRun::create(*load.scene);
+  ASSERT_TRUE(run.ok());
+  OutcomeWatch watch(*run);
+  for (int k = 0; k < 60; k++) {
+    ASSERT_TRUE(run->step().ok());
+    watch.afterStep(*run);
+  }
+  const Outcome outcome = watch.outcomeOf(*run);
+  EXPECT_EQ(outcome.moved, (std::set<std::string>{"hung"}));
+  EXPECT_EQ(outcome.broken, (std::set<std::string>{"thread"}));
+}
+
+}  // namespace
+}  // namespace brickfall::cli
