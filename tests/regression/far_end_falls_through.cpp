@@ -7,7 +7,7 @@ namespace {
 
 using law::RandomKind;
 
-void expectSound(RandomKind kind, int seed) {
+void expectWorldSound(RandomKind kind, int seed) {
   law::RandomWorld random = law::drawWorld(kind, seed);
   const law::RandomOutcome found = law::runWorld(random);
   EXPECT_LE(found.deep, 1) << random.text;
@@ -16,20 +16,20 @@ void expectSound(RandomKind kind, int seed) {
 }
 
 TEST(Regression, FarEndOfAPlateStaysAboveGround) {
-  for (int seed : {703, 2847, 3047, 6855, 7484, 8809, 9745}) expectSound(RandomKind::ground, seed);
+  for (int seed : {703, 2847, 3047, 6855, 7484, 8809, 9745}) expectWorldSound(RandomKind::ground, seed);
 }
 
 // Grains that gravity moved by more than their size in a step were found by nothing but the cores of the obstacles.
 TEST(Regression, GrainsThatFallFarStayAboveGround) {
-  for (int seed : {5664, 6100, 9149}) expectSound(RandomKind::ground, seed);
+  for (int seed : {5664, 6100, 9149}) expectWorldSound(RandomKind::ground, seed);
 }
 
 // Ties of a solve that failed gave more than they held, or bodies had gone where no energy could have taken them: up to three
 // times what there was.
 TEST(Regression, FailedSolvesGainNothing) {
-  for (int seed : {2606, 3836}) expectSound(RandomKind::ground, seed);
-  for (int seed : {668, 1179}) expectSound(RandomKind::plate, seed);
-  expectSound(RandomKind::space, 1280);
+  for (int seed : {2606, 3836}) expectWorldSound(RandomKind::ground, seed);
+  for (int seed : {668, 1179}) expectWorldSound(RandomKind::plate, seed);
+  expectWorldSound(RandomKind::space, 1280);
 }
 
 }  // namespace
