@@ -60,8 +60,8 @@ void readArches(SceneBuild& build, TableReader& top) {
     reader.vector("position", def.position);
     reader.number("yaw_degrees", yaw);
     reader.material("material", def.model.material);
-    def.angle = degrees * (std::numbers::pi / 180);
-    def.yaw = quatFromAxisAngle({0, 1, 0}, yaw * (std::numbers::pi / 180));
+    def.angle = degrees * kRadians;
+    def.yaw = quatFromAxisAngle({0, 1, 0}, yaw * kRadians);
     if (!(def.thickness < 2 * def.radius))
       reader.error("thickness", "found " + numberText(def.thickness) +
                                     " m, expected less than twice the radius = " + numberText(2 * def.radius) + " m");

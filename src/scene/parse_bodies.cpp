@@ -1,7 +1,6 @@
 // [[body]], [[body.part]] and [[ball]].
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "scene/scene_build.h"
 #include "scene/shape_choices.h"
@@ -122,7 +121,6 @@ void readBallMaterial(SceneBuild& build, TableReader& reader, SceneBody& ball) {
 }  // namespace
 
 Quat rotationFromDegrees(Vec3 degrees) {
-  constexpr double kRadians = std::numbers::pi / 180;
   Quat x = quatFromAxisAngle({1, 0, 0}, degrees.x * kRadians);
   Quat y = quatFromAxisAngle({0, 1, 0}, degrees.y * kRadians);
   Quat z = quatFromAxisAngle({0, 0, 1}, degrees.z * kRadians);

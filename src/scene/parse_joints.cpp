@@ -1,15 +1,12 @@
 // [[joint]] and [[chain]].
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "scene/scene_build.h"
 
 namespace brickfall::scene {
 
 namespace {
-
-constexpr double kRadians = std::numbers::pi / 180;
 
 const SceneBody* bodyNamed(const SceneBuild& build, const std::string& name) {
   for (const SceneBody& body : build.scene.bodies)

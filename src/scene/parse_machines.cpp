@@ -3,7 +3,6 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <numbers>
 #include <sstream>
 
 #include "scene/scene_build.h"
@@ -12,7 +11,6 @@ namespace brickfall::scene {
 
 namespace {
 
-constexpr double kRadians = std::numbers::pi / 180;
 constexpr std::uintmax_t kMostRecordBytes = 64u << 20;
 
 // The name of a kinematic body of the file, read before; none: everything.

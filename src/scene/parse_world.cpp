@@ -1,5 +1,4 @@
 // [world], [solver], [ground], [[material]] and [[camera]].
-#include <numbers>
 #include <set>
 
 #include "scene/scene_build.h"
@@ -95,7 +94,7 @@ void readGround(SceneBuild& build, TableReader& top) {
   if (!(lengthSquared(axis) > 1e-12))
     reader.error("tilt_axis", "found a vector of length 0, expected the direction of an axis");
   if (!enabled) return;
-  ground.def.rotation = quatFromAxisAngle(normalized(axis), tilt * (std::numbers::pi / 180));
+  ground.def.rotation = quatFromAxisAngle(normalized(axis), tilt * kRadians);
   ShapeDef shape;
   shape.type = type == GroundType::plane ? ShapeType::plane : ShapeType::box;
   shape.halfExtents = size * 0.5;

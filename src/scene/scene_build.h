@@ -2,6 +2,7 @@
 #pragma once
 #include <map>
 #include <memory>
+#include <numbers>
 #include <string>
 
 #include "brickfall/limits.h"
@@ -9,6 +10,8 @@
 #include "scene/table_reader.h"
 
 namespace brickfall::scene {
+
+constexpr double kRadians = std::numbers::pi / 180;  // in a degree
 
 struct SceneBuild {
   ReadContext context;
