@@ -45,7 +45,7 @@ Glb readGlb(const std::string& path) {
 }
 
 // As a player: the value at a time, between two keys; before the first and after the last they hold.
-struct Track {
+struct NodeTrack {
   std::vector<float> times, values;
 
   std::pair<std::size_t, double> at(double time) const {
@@ -116,7 +116,7 @@ TEST(Glb, AnimationStaysWithinToleranceOfEveryFrameAndIsThinned) {
   std::size_t keys = 0;
   for (const json& channel : animation["channels"]) {
     const json& sampler = animation["samplers"][channel["sampler"].get<int>()];
-    Track track{glb.floats(sampler["input"]), glb.floats(sampler["output"])};
+    NodeTrack track{glb.floats(sampler["input"]), glb.floats(sampler["output"])};
     int body = channel["target"]["node"].get<int>();
     moving.insert(body);
     keys += track.times.size();
@@ -156,7 +156,7 @@ TEST(Glb, BodiesComeAndGoByTheirScale) {
   std::set<int> scaled;
   for (const json& channel : animation["channels"]) {
     const json& sampler = animation["samplers"][channel["sampler"].get<int>()];
-    Track track{glb.floats(sampler["input"]), glb.floats(sampler["output"])};
+    NodeTrack track{glb.floats(sampler["input"]), glb.floats(sampler["output"])};
     const int body = channel["target"]["node"].get<int>();
     const TakeLife life = reader.lives()[std::size_t(body)];
     if (channel["target"]["path"] == "scale") {
