@@ -16,6 +16,13 @@ namespace {
 //! - | too small: hits on edges are left out | too large: thin plates that meet face on go through each other
 constexpr double kTurnedOver = -0.5;  // cosine: such a normal says that the shapes have passed through each other
 
+//! m | too small: cost of glancing bodies | too large: round bodies are turned aside before they touch
+constexpr double kTouches = 1e-5;  // a gap this small is a touch
+
+//! m | too small: balls lose speed at the seams that they roll over
+//! | too large: balls pass edges that they should glance off
+constexpr double kGrazes = 2e-4;  // by which a round body may overlap a body that it goes past
+
 // The shapes at a moment of the step.
 struct Moment {
   double time = 0;     // s
@@ -30,8 +37,8 @@ class LookAhead {
   LookAhead(const ShapeData& a, const ShapeData& b, const RelativeMotion& motion, double reach)
       : a_(a), b_(b), motion_(motion), reach_(reach), scale_(lengthScale(a.innerRadius, b.innerRadius)) {}
 
-  double touches() const { return kNearlyClosed * scale_; }  // m: a gap this small is a touch
-  double grazes() const { return kHardlyMoved * scale_; }    // m: by so much a round body may overlap what it goes past
+  double touches() const { return kTouches * scale_; }  // m
+  double grazes() const { return kGrazes * scale_; }    // m
 
   Moment start(const Manifold& m) const { return measured(0, m); }
   // Without points the shapes are out of reach.
@@ -109,7 +116,7 @@ Moment advance(const LookAhead& ahead, Moment now, double dt) {
   return now;
 }
 
-// Whether touching shapes overlap by no more than kHardlyMoved before they are past each other.
+// Whether touching shapes overlap by no more than kGrazes before they are past each other.
 bool grazes(const LookAhead& ahead, Moment now, double dt) {
   const double past = kOver * now.closing;
   for (int k = 0; k < kMostLooks && now.closing > past && now.apart > -ahead.grazes(); k++) {

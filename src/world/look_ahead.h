@@ -11,8 +11,7 @@ namespace brickfall {
 //! m | too small: cost of bodies that hardly move
 //! | too large: frozen normals and arms are wrong: balls catch on edges that they pass
 constexpr double kLittleWay = 1e-3;  // in a step: the surface that is nearest now is the one that is met
-//! m | too small: manifolds made anew for nothing; balls lose speed at the seams that they roll over
-//! | too large: frozen normals and arms are wrong: balls pass edges that they should glance off
+//! m | too small: manifolds made anew for nothing | too large: frozen normals and arms are wrong
 constexpr double kHardlyMoved = 1e-4;  // a contact whose bodies have moved against each other by less is as it was
 
 // Two bodies at the start of a step, in A's centre frame.

@@ -149,7 +149,8 @@ RandomWorld drawWorld(RandomKind kind, int seed, bool turned) {
     d.position =
         from * (2 * size + way) + draw.direction() * (space ? 0 : largest * 4) + from * (spread * i * largest * 2);
     if (!space) d.position.y = std::max(d.position.y, (kind == RandomKind::terrain ? 3.0 * largest : 0) + 2.1 * size);
-    d.rotation = turn(draw.direction(), draw.between(0, 180));
+    const double degrees = draw.between(0, 180);
+    d.rotation = turn(draw.direction(), degrees);
     d.linearVelocity = from * -own + out.drive;
     d.angularVelocity = draw.direction() * (draw.oneIn(3) ? 0 : draw.scale(.1, 400));
     out.sizes.push_back(innerOf(d));
