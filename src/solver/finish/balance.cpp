@@ -264,7 +264,11 @@ class LastCheck {
     const RigidMotion under = motionOf(island_, island_.groups.partner(g), context_);
     const bool driven = island_.facts.partnersMove, jointed = island_.facts.jointed;
     GroupEnergy energy = energyOf(island_, group, under.move, context_);
-    double excess = energy.gain(rebounds) - (driven || jointed ? energy.fromTies(rebounds) : 0);
+    auto given = [&] {
+      const double fromTies = energy.fromTies(rebounds);
+      return driven ? fromTies : std::min(fromTies, mostWork(g));
+    };
+    double excess = energy.gain(rebounds) - (driven || jointed ? given() : 0);
     if (!(excess > energy.slack())) return 0;
     takeResidual(island_, group, under.move, context_, excess);
     energy = energyOf(island_, group, under.move, context_);
@@ -273,8 +277,7 @@ class LastCheck {
       dampSway(island_, context_, excess);
       return 0;
     }
-    const double fromTies = energy.fromTies(rebounds);
-    excess -= driven ? fromTies : std::min(fromTies, mostWork(g));
+    excess -= given();
     if (!(excess > energy.slack())) return 0;
     // First from the motion of its bodies against each other: their common momentum is theirs to keep on smooth ground.
     // On joints it would part what they hold.

@@ -381,6 +381,18 @@ JointRows::Held JointRows::heldBy(std::size_t k, const SolveMotion* motion, cons
   return sum;
 }
 
+// Motors, springs and brakes by their law, whatever the way; what holds places by the account of all joints.
+double JointRows::mostWork(std::size_t k) const {
+  double sum = held_.returned / double(size());
+  for (int i = 0; i < 2 * kJointLanes; i++) {
+    if (starts[k].hard >> i & 1) continue;
+    const JointEquations& e = i < kJointLanes ? records[k].way : records[k].turn;
+    const double stiffness = e.k[i % kJointLanes], trial = e.trial[i % kJointLanes];
+    if (trial != 0) sum += stiffness > 0 ? trial * trial / (4 * stiffness) : std::numeric_limits<double>::infinity();
+  }
+  return sum;
+}
+
 // The errors of joints hold energy, as springs would: a bob that swings faster draws its joint apart, and gets that
 // back where it swings more slowly. Arcs hold some, too, of either sign. No more comes back than that, and no more than
 // was taken. What joints owe when their arcs get smaller is taken from the bodies. All joints of an island have one

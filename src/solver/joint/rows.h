@@ -14,7 +14,6 @@
 // that gaping is what damps the links of a chain.
 #pragma once
 #include <cstdint>
-#include <limits>
 #include <memory_resource>
 #include <utility>
 #include <vector>
@@ -127,8 +126,7 @@ struct JointRows {
   void tellShare(Ties& ties, float share) const;
   bool owes(std::size_t, const StepContext&) const { return false; }
   double reboundWork(std::size_t, const SolveMotion*) const { return 0; }
-  // Joints have an account of their own.
-  double mostWork(std::size_t) const { return std::numeric_limits<double>::infinity(); }
+  double mostWork(std::size_t k) const;
   HeldWork heldWork(std::size_t k) const { return k == 0 ? held_ : HeldWork(); }  // told with the first row
   void advance(const Island&, Ties&) const {}
   // What a trial of a step changes.
