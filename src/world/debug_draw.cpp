@@ -7,7 +7,7 @@ namespace {
 
 //! not of the method: drawing
 constexpr std::uint32_t kFixedColour = 0x808080, kAwakeColour = 0xD08050, kAsleepColour = 0x5070A0,
-                        kQuarantineColour = 0xFF00FF, kVelocityColour = 0x40C040;
+                        kQuarantineColour = 0xFF00FF, kVelocityColour = 0x40C040, kJointColour = 0xE0C040;
 
 std::uint32_t colourOf(const BodyData& data) {
   if (data.quarantined) return kQuarantineColour;
@@ -32,6 +32,13 @@ void World::draw(const DebugDraw& draw) const {
     if (draw.line && lengthSquared(m.linearVelocity) > 0)
       draw.line(m.position, m.position + m.linearVelocity * 0.1, kVelocityColour);
   }
+  if (draw.line)
+    for (JointId id : joints()) {  // from centre to anchor, to anchor, to centre
+      const JointState joint = *state(id);
+      draw.line(state(joint.bodyA)->centreOfMass, joint.anchorA, kJointColour);
+      draw.line(joint.anchorA, joint.anchorB, kJointColour);
+      draw.line(joint.anchorB, state(joint.bodyB)->centreOfMass, kJointColour);
+    }
   if (draw.contact)
     forEachContact([&](const ContactView& c) {
       for (int i = 0; i < c.pointCount; i++)

@@ -134,5 +134,24 @@ TEST(Joints, ARopeIsWoundUp) {
   EXPECT_NEAR(two.world.state(rope)->position, 0.605, 1e-3);
 }
 
+TEST(Joints, DebugDrawShowsThemFromCentreToCentre) {
+  Two two;
+  JointDef def = two.def(JointType::rope);
+  def.anchorB = Vec3{0.1, 1.1, 0};
+  ASSERT_TRUE(two.world.createJoint(def).ok());
+  std::vector<Vec3> ends;
+  DebugDraw draw;
+  draw.line = [&](Vec3 from, Vec3 to, std::uint32_t) {
+    ends.push_back(from);
+    ends.push_back(to);
+  };
+  two.world.draw(draw);
+  ASSERT_EQ(ends.size(), 6u);
+  expectNear(ends[0], {0, 2, 0}, 1e-12);
+  expectNear(ends[2], {0, 2, 0}, 1e-12);
+  expectNear(ends[3], {0.1, 1.1, 0}, 1e-12);
+  expectNear(ends[5], {0, 1, 0}, 1e-12);
+}
+
 }  // namespace
 }  // namespace brickfall::test
