@@ -138,7 +138,8 @@ double Obstacles::turnLeft(BodyIndex body) const {
 }
 
 // Cuts turns that contacts made too large, and of the ways what keeps the contacts' points as far apart as they were
-// solved: a brick that slides and spins slides on. Of a group that flies, what turned about its centre of mass.
+// solved: a brick that slides and spins slides on. A group that flies loses way against its centre of mass instead, and
+// only where a point would end deeper.
 void Obstacles::cutTurns(const Island& island) {
   struct Cut {
     double share = 1;  // of the turn

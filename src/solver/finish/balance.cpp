@@ -40,7 +40,7 @@ Impulse fromTies(const Island& island, std::size_t i, const StepContext& context
           context.bodies->worldInertia(body) * turn * (1 / island.dt) + left.angular};
 }
 
-// The rebounds at a group's ties in this step.
+// The rebounds at a group's ties in this step, and the work of those that hold places.
 struct Rebounds {
   bool owed = false;  // impacts go on: their rebound is to come
   double work = 0;    // J
