@@ -12,8 +12,9 @@ bool isForce(float x) { return std::fabs(x) <= kLargestPointForce; }
 
 bool isSound(const FaceRecord& r, const ContactStart& start) {
   bool fine =
-      r.newPoints < 16 && start.falling < 16 && isForce(start.friction) && start.points >= 0 && start.points <= 4;
-  for (const Vec3f& v : {r.n, r.t1, r.armA, r.armB, start.bend})
+      r.newPoints < 16 && r.rolls <= 1 && start.falling < 16 && isForce(start.friction) && isForce(start.rolling) &&
+              start.points >= 0 && start.points <= (r.rolls ? kRollingLane : 4);
+  for (const Vec3f& v : {r.n, r.t1, r.armA, r.armB, start.bend, start.run})
     fine = fine && isLength(v.x) && isLength(v.y) && isLength(v.z);
   for (int i = 0; i < 4; i++)
     fine = fine && isLength(r.s1[i]) && isLength(r.s2[i]) && isForce(r.trialN[i]) && isForce(r.trial1[i]) &&
