@@ -25,7 +25,7 @@ std::vector<BrickPlacement> bricksOf(const SceneDescription& scene) {
 
 TEST(ShippedScenes, AreAllSoundTitledAndFoundByName) {
   std::vector<ShippedScene> scenes = shippedScenes();
-  std::vector<std::string> wanted = {"arch",          "blast",         "bridge",      "cradle",     "dominoes",
+  std::vector<std::string> wanted = {"arch",          "blast",         "bridge",      "cradle",     "dome", "dominoes",
                                      "pendulum-wall", "wrecking-ball", "shake-table", "tilt-table", "cube",
                                      "hole",          "house",         "mass_ratio",  "pile",       "pyramid",
                                      "tower",         "wall",          "wall_hit",    "wall_stand", "wall_stand_tall"};
