@@ -120,7 +120,8 @@ void defineCommands(CLI::App& app, Arguments& arguments) {
   check.add_option("file", arguments.checked, "Scene files, or shipped scenes by name")
       ->required()
       ->type_name("FILE...");
-  check.footer(std::string("Examples:\n  brickfall check mine.toml\n  brickfall check scenes/*.toml\n\n") + exitCodes());
+  check.footer(std::string("Examples:\n  brickfall check mine.toml\n  brickfall check scenes/*.toml\n\n") +
+               exitCodes());
 
   CLI::App& scenes = *app.add_subcommand("scenes", "List the shipped scenes");
   scenes.footer(std::string("Examples:\n  brickfall scenes\n\n") + exitCodes());

@@ -27,8 +27,8 @@ struct BodyDef {
   // only. Friction acts on what lies on it by the speed against the surface; what part of it points into a face does
   // nothing there.
   Vec3 surfaceVelocity;
-  bool allowSleep = true;        // false keeps the body's island awake
-  std::uint64_t userData = 0;    // yours; never read
+  bool allowSleep = true;      // false keeps the body's island awake
+  std::uint64_t userData = 0;  // yours; never read
 };
 
 struct MassProperties {

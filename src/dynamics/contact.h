@@ -33,6 +33,7 @@ struct Contact {
 
 // What is read only when the geometry is made anew.
 // Lane of PointMemory in which a contact that resists rolling keeps the force of that, where no point needs it.
+//! not of the method: a place
 constexpr int kRollingLane = 3;
 inline bool resistsRolling(const Contact& c) {
   return c.rolls && c.rolling > 0 && c.rollingRadius > 0 && c.count <= kRollingLane;

@@ -165,8 +165,7 @@ void readBodies(SceneBuild& build, TableReader& top) {
                    "found a velocity on a fixed body, expected type \"kinematic\" or \"dynamic\"");
     reader.vector("surface_velocity", body.def.surfaceVelocity);
     if (body.def.type == BodyType::dynamic && body.def.surfaceVelocity != Vec3{})
-      reader.error("surface_velocity",
-                   "found one on a dynamic body, expected type \"fixed\" or \"kinematic\"");
+      reader.error("surface_velocity", "found one on a dynamic body, expected type \"fixed\" or \"kinematic\"");
     readLaunch(build, reader, body);
     readPath(reader, body);
     if (build.context.diagnostics.size() == before) build.checkBuildable(reader, body);

@@ -28,8 +28,8 @@ struct DomeDef {
 // One ring's stone, its corners turned so that its middle looks along +x: between two radii from the axis at its lower
 // edge, and two at its upper one. Each face is flat: joints between rings are parts of planes through the centre.
 struct RingStone {
-  double lowerInner, lowerOuter, upperInner, upperOuter;                      // m, from the axis
-  double lowerInnerY, lowerOuterY, upperInnerY, upperOuterY;                  // m, above the centre
+  double lowerInner, lowerOuter, upperInner, upperOuter;      // m, from the axis
+  double lowerInnerY, lowerOuterY, upperInnerY, upperOuterY;  // m, above the centre
 };
 
 RingStone stoneBetween(const DomeDef& def, double lower, double upper) {
@@ -129,8 +129,8 @@ void readDome(TableReader& reader, DomeDef& def) {
     reader.error("thickness", "found " + numberText(def.thickness) +
                                   " m, expected less than twice the radius = " + numberText(2 * def.radius) + " m");
   if (!(oculus < degrees))
-    reader.error("oculus_degrees", "found " + numberText(oculus) +
-                                       ", expected less than angle_degrees = " + numberText(degrees));
+    reader.error("oculus_degrees",
+                 "found " + numberText(oculus) + ", expected less than angle_degrees = " + numberText(degrees));
   if (def.drumRings > 0 && degrees < 90)
     reader.error("drum_rings", "found a drum under a dome of angle_degrees = " + numberText(degrees) +
                                    ", whose foot is not level, expected it only with 90");
@@ -157,7 +157,8 @@ void readDomes(SceneBuild& build, TableReader& top) {
     if (!build.roomFor(reader, "stones", all)) continue;
     layDome(def, build);
     for (std::size_t k = first; k < build.scene.bodies.size() && build.context.diagnostics.size() == before; k++)
-      if (k == first || !(build.scene.bodies[k].def.shapes[0].vertices == build.scene.bodies[k - 1].def.shapes[0].vertices))
+      if (k == first ||
+          !(build.scene.bodies[k].def.shapes[0].vertices == build.scene.bodies[k - 1].def.shapes[0].vertices))
         build.checkBuildable(reader, build.scene.bodies[k]);
   }
 }

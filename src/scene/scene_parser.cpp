@@ -45,13 +45,13 @@ void readAll(scene::SceneBuild& build, const scene::Node& root) {
   scene::readWinds(build, top);
   scene::readBlasts(build, top);
   scene::readCameras(build, top);
-  bool anything = top.has("wall") || top.has("body") || top.has("ball") || top.has("array") || top.has("arch") ||
-                  top.has("dome");
+  bool anything =
+      top.has("wall") || top.has("body") || top.has("ball") || top.has("array") || top.has("arch") || top.has("dome");
   if (!anything && !build.context.syntaxErrors) {
     scene::Node file;
-    build.context.error(
-        file, "",
-        "found nothing to simulate, expected at least one [[wall]], [[body]], [[ball]], [[array]], [[arch]] or [[dome]]");
+    build.context.error(file, "",
+                        "found nothing to simulate, expected at least one [[wall]], [[body]], [[ball]], [[array]], "
+                        "[[arch]] or [[dome]]");
   }
 }
 

@@ -145,8 +145,8 @@ bool inRange(Vec3 v, double limit) {  // in the positive form: NaN is not
 bool soundMaking(const PlacedBody& body) {
   const BodyDef& d = body.def;
   return inRange(d.position, limits::kLargestCoordinate) && isFinite(d.rotation) &&
-         inRange(d.linearVelocity, limits::kLargestSpeed) &&
-         inRange(d.surfaceVelocity, limits::kLargestSpeed) && inRange(d.angularVelocity, limits::kLargestSpeed) &&
+         inRange(d.linearVelocity, limits::kLargestSpeed) && inRange(d.surfaceVelocity, limits::kLargestSpeed) &&
+         inRange(d.angularVelocity, limits::kLargestSpeed) &&
          std::fabs(d.gravityScale) <= limits::kLargestGravityScale && d.linearDamping >= 0 &&
          d.linearDamping <= limits::kLargestDamping && d.angularDamping >= 0 &&
          d.angularDamping <= limits::kLargestDamping && d.dragArea >= 0 && d.dragArea <= limits::kLargestDragArea &&

@@ -55,7 +55,12 @@ class Ragdoll {
     if (joint) joints.push_back(*joint);
   }
   void ball(BodyId a, BodyId b, Vec3 anchor, Vec3 axis, double cone, double twist) {
-    join({.bodyA = a, .bodyB = b, .anchor = anchor, .axis = axis, .limit = JointDef::Limit{-twist, twist}, .cone = cone});
+    join({.bodyA = a,
+          .bodyB = b,
+          .anchor = anchor,
+          .axis = axis,
+          .limit = JointDef::Limit{-twist, twist},
+          .cone = cone});
   }
   void hinge(BodyId a, BodyId b, Vec3 anchor, JointDef::Limit limit) {
     join({.type = JointType::revolute, .bodyA = a, .bodyB = b, .anchor = anchor, .axis = {0, 0, 1}, .limit = limit});

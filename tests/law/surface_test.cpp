@@ -33,11 +33,13 @@ TEST(Law, Row21aABeltTakesABoxAlong) {
       }
       const BodyState s = *world.state(box);
       const double slide = v / (kFriction * kG);
-      reached({"belt at " + text(v, 1) + " m/s: time of the slide", dt, 2 * (t - s.position.x / v), slide, 0.01 * slide, "s"});
+      reached({"belt at " + text(v, 1) + " m/s: time of the slide", dt, 2 * (t - s.position.x / v), slide, 0.01 * slide,
+               "s"});
       atMost("belt at " + text(v, 1) + " m/s: speed off, once it goes along", dt, off, 1e-4 * v, "m/s");
       atMost("belt at " + text(v, 1) + " m/s: energy that contacts give", dt, gained, 1e-6, "J");
       const double work = s.mass * v * v;  // half of it becomes heat
-      reached({"belt at " + text(v, 1) + " m/s: work of the belt", dt, given, work, work * (v * dt / (slide * v) + 0.01), "J"});
+      reached({"belt at " + text(v, 1) + " m/s: work of the belt", dt, given, work,
+               work * (v * dt / (slide * v) + 0.01), "J"});
       EXPECT_TRUE(s.awake);
       EXPECT_TRUE(world.validate().empty());
     }
@@ -82,7 +84,8 @@ TEST(Law, Row21aStacksGoWithABelt) {
     add(world, beltOf(0.5, {1, 0, 0}));
     std::vector<BodyId> all;
     for (int i = 0; i < 30; i++)
-      all.push_back(add(world, bodyOf(boxOf({0.1, 0.05, 0.05}, 1900, 0.5), {0.25 * (i % 6), 0.06 + 0.13 * (i / 6), 0})));
+      all.push_back(
+          add(world, bodyOf(boxOf({0.1, 0.05, 0.05}, 1900, 0.5), {0.25 * (i % 6), 0.06 + 0.13 * (i / 6), 0})));
     double off = 0, made = 0;
     for (long n = std::lround(3 / dt); n > 0; n--) {
       const Result<StepReport> report = world.step(dt);
@@ -122,7 +125,8 @@ TEST(Law, Row21bWhatRollsComesToRest) {
       def.angularVelocity = {0, 0, -10 * v};
       const BodyId body = add(world, def);
       const MassProperties m = *world.massProperties(body);
-      const double k = 1 + (roller.type == ShapeType::sphere ? m.inertia.row[0].x : m.inertia.row[1].y) / (m.mass * 0.01);
+      const double k =
+          1 + (roller.type == ShapeType::sphere ? m.inertia.row[0].x : m.inertia.row[1].y) / (m.mass * 0.01);
       double last = world.energy().kinetic, gained = 0;
       for (long n = std::lround(4.5 / dt); n > 0; n--) {
         ASSERT_TRUE(world.step(dt).ok());
@@ -130,7 +134,8 @@ TEST(Law, Row21bWhatRollsComesToRest) {
         last = world.energy().kinetic;
       }
       const double way = k * v * v / (2 * c * kG);
-      reached({std::string(roller.name) + " at 1 m/s, c .05: way", dt, world.state(body)->position.x, way, 2e-3 * way, "m"});
+      reached({std::string(roller.name) + " at 1 m/s, c .05: way", dt, world.state(body)->position.x, way, 2e-3 * way,
+               "m"});
       atMost(std::string(roller.name) + ": energy gained in a step", dt, gained, 1e-12, "J");
       EXPECT_FALSE(world.state(body)->awake);
       EXPECT_TRUE(world.validate().empty());
@@ -149,7 +154,8 @@ TEST(Law, Row21bABallStandsOnASlopeUpToItsResistance) {
       const BodyId ball = add(world, rollerOf(ShapeType::sphere, c));
       run(world, 4, dt);
       const double way = share > 1 ? 8 * kG * cosine * (tangent - c) * 5 / 7 : 0;
-      reached({"slope of " + text(share, 2) + " c: way in 4 s", dt, world.state(ball)->position.x, way, 0.01 * way + 1e-4, "m"});
+      reached({"slope of " + text(share, 2) + " c: way in 4 s", dt, world.state(ball)->position.x, way,
+               0.01 * way + 1e-4, "m"});
       EXPECT_EQ(world.state(ball)->awake, share > 1);
     }
 }
@@ -164,8 +170,9 @@ TEST(Law, Row21bAHeapOfBallsStandsByItsResistance) {
       const int layer = i < 9 ? 0 : i < 13 ? 1 : 2, side = 3 - layer, k = i - (layer == 0 ? 0 : layer == 1 ? 9 : 13);
       const double first = -0.1 * (side - 1);
       all.push_back(add(world, rollerOf(ShapeType::sphere, c)));
-      ASSERT_TRUE(world.setTransform(all.back(), {first + 0.2 * (k % side), 0.1 + 0.1415 * layer, first + 0.2 * (k / side)}, {})
-                      .ok());
+      ASSERT_TRUE(
+          world.setTransform(all.back(), {first + 0.2 * (k % side), 0.1 + 0.1415 * layer, first + 0.2 * (k / side)}, {})
+              .ok());
     }
     const auto all_ = [&] { return world.energy().kinetic + world.energy().potential; };
     double last = all_(), gained = 0;
@@ -176,7 +183,8 @@ TEST(Law, Row21bAHeapOfBallsStandsByItsResistance) {
     }
     if (c > 0) atMost("pyramid of 14 balls, c " + text(c, 1) + ": energy gained in a step", kDt, gained, 1e-5, "J");
     const double top = world.state(all.back())->position.y;
-    reached({"pyramid of 14 balls, c " + text(c, 1) + ": stands (1 = yes)", kDt, top > 0.37 ? 1.0 : 0.0, c > 0 ? 1.0 : 0.0, 0, ""});
+    reached({"pyramid of 14 balls, c " + text(c, 1) + ": stands (1 = yes)", kDt, top > 0.37 ? 1.0 : 0.0,
+             c > 0 ? 1.0 : 0.0, 0, ""});
   }
 }
 

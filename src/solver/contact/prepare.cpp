@@ -178,8 +178,8 @@ bool isDebris(const Island& island, const FaceRecord& r, const Contact& c, float
   return c.rolls ? moves(r.bodyA) && moves(r.bodyB) : moves(r.bodyA) || moves(r.bodyB);
 }
 
-// The lane that resists rolling goes on with its last force, which is all that it remembers: a spring that gives no more
-// than it was given, and that a slide shortens.
+// The lane that resists rolling goes on with its last force, which is all that it remembers: a spring that gives no
+// more than it was given, and that a slide shortens.
 void prepareRolling(const Contact& c, FaceRecord& r, ContactStart& start) {
   r.rolls = 0;
   start.rolling = 0;

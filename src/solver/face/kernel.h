@@ -3,8 +3,8 @@
 //   fn = max(trialN - k Cn, leastN)
 //   ft = (trial1 - k C1, trial2 - k C2), scaled back onto |ft| <= limit: scaled back = slides
 //
-// Resistance to rolling is the same law for (C1, C2) = radius x (turn about t1, turn about t2): a torque radius x ft. It
-// is in the last lane of faces that have no fourth point (FaceRecord::rolls); others pass it by.
+// Resistance to rolling is the same law for (C1, C2) = radius x (turn about t1, turn about t2): a torque radius x ft.
+// It is in the last lane of faces that have no fourth point (FaceRecord::rolls); others pass it by.
 //
 #pragma once
 #include "math/wide.h"
@@ -124,8 +124,8 @@ BRICKFALL_LANES WideWrench<L> wrench(const R& r, const Frame<L>& frame, const Po
     t1 = select(rolling, L{}, t1);
     t2 = select(rolling, L{}, t2);
   }
-  L force = sums(f.n, t1, t2, s1 * t2 - s2 * t1);      // Fn F1 F2 Mn
-  L tilt = sums(s2 * f.n, s1 * f.n, L{}, L{});         // M1 -M2
+  L force = sums(f.n, t1, t2, s1 * t2 - s2 * t1);  // Fn F1 F2 Mn
+  L tilt = sums(s2 * f.n, s1 * f.n, L{}, L{});     // M1 -M2
   if (rolls) tilt = tilt + sums(roll1, -roll2, L{}, L{});
   return {frame.n * spread<0>(force) + frame.t1 * spread<1>(force) + frame.t2 * spread<2>(force),
           frame.n * spread<3>(force) + frame.t1 * spread<0>(tilt) - frame.t2 * spread<1>(tilt)};

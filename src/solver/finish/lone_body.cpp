@@ -1,8 +1,8 @@
-// One body on something fixed, or on a surface that runs, whose contacts go on through the step: the leapfrog, as Verlet wrote it. A step starts
-// the solve with velocities that are late by half of the last step. That makes its ways and times of second order and
-// keeps energy. A body remembers velocities that are up to date, and how they changed in the last step. From rest,
-// after flight and after an impact no velocity is late. Bodies that push each other are left alone (what one gains the
-// other would have to give), unless they slide as one: finish/group_slide.h.
+// One body on something fixed, or on a surface that runs, whose contacts go on through the step: the leapfrog, as
+// Verlet wrote it. A step starts the solve with velocities that are late by half of the last step. That makes its ways
+// and times of second order and keeps energy. A body remembers velocities that are up to date, and how they changed in
+// the last step. From rest, after flight and after an impact no velocity is late. Bodies that push each other are left
+// alone (what one gains the other would have to give), unless they slide as one: finish/group_slide.h.
 #include "solver/finish/lone_body.h"
 
 #include <algorithm>

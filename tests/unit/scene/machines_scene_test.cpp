@@ -259,10 +259,10 @@ TEST(MachineScene, ADomeStandsUntilABallComes) {
     return all;
   };
   const double crown = heightOf(ranTo("dome", 0.1, few), "dome/key");
-  EXPECT_GT(heightOf(ranTo("dome", 2.5, few), "dome/key"), crown - 1e-3);
-  EXPECT_LT(heightOf(ranTo("dome", 2.5, with("ratio", "0.03")), "dome/key"), crown - 0.5);
-  EXPECT_LT(heightOf(ranTo("dome", 2.5, with("drum", "0.05")), "dome/key"), crown - 0.5);
-  EXPECT_LT(heightOf(ranTo("dome", 2.5, with("launch", "0.2")), "dome/key"), crown - 0.5);
+  EXPECT_GT(heightOf(ranTo("dome", 2, few), "dome/key"), crown - 1e-3);
+  EXPECT_LT(heightOf(ranTo("dome", 1.5, with("ratio", "0.03")), "dome/key"), crown - 0.5);
+  EXPECT_LT(heightOf(ranTo("dome", 1.5, with("drum", "0.05")), "dome/key"), crown - 0.5);
+  EXPECT_LT(heightOf(ranTo("dome", 1.5, with("launch", "0.2")), "dome/key"), crown - 0.5);
 }
 
 // A small house is broken, the chain stays whole: its links are as long as they were.
