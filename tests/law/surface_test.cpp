@@ -142,6 +142,24 @@ TEST(Law, Row21bWhatRollsComesToRest) {
     }
 }
 
+// Over bricks that lie loose, in an island of many bodies, of which each is left a fiftieth of its weight.
+TEST(Law, Row21bABallComesToRestOnLooseBricks) {
+  for (double dt : {1.0 / 60, 1.0 / 240}) {
+    const double c = 0.02;
+    World world = makeWorld();
+    addGround(world);
+    for (int i = 0; i < 25; i++) add(world, bodyOf(boxOf({0.1075, 0.0325, 0.2}, 1900), {0.215 * i - 0.1, 0.0325, 0}));
+    BodyDef def = rollerOf(ShapeType::sphere, c);
+    def.position.y = 0.165;
+    def.linearVelocity = {0.7, 0, 0};
+    def.angularVelocity = {0, 0, -7};
+    const BodyId ball = add(world, def);
+    for (long n = std::lround(6 / dt); n > 0; n--) ASSERT_TRUE(world.step(dt).ok());
+    const double way = 0.7 * 0.49 / (c * kG);
+    reached({"ball over loose bricks, c .02: way", dt, world.state(ball)->position.x, way, 0.08 * way, "m"});
+  }
+}
+
 // On a slope of tangent t a ball stands up to t = c, and rolls with 5/7 (t - c) cos g beyond.
 TEST(Law, Row21bABallStandsOnASlopeUpToItsResistance) {
   for (double dt : {1.0 / 30, 1.0 / 60, 1.0 / 480})

@@ -203,6 +203,7 @@ void ContactRows::prepare(const Island& island, Ties& ties, const StepContext& c
   const BodySet& bodies = *context.bodies;
   ContactSet& set = ties.contacts;
   fastestApproach = 0;
+  rolls = false;
   for (std::size_t k = 0; k < size(); k++) {
     Contact& c = set.contacts[contactOf[k]];
     FaceRecord& r = records[k];
@@ -253,6 +254,7 @@ void ContactRows::prepare(const Island& island, Ties& ties, const StepContext& c
       r.leastN[i] = 0;
     }
     prepareRolling(c, r, start);
+    rolls = rolls || r.rolls;
   }
 }
 
