@@ -134,7 +134,7 @@ void defineCommands(CLI::App& app, Arguments& arguments) {
   replay.footer(std::string("Examples:\n"
                             "  brickfall replay out/wall/wall.take\n"
                             "  brickfall replay wall.take -o again --no-html\n\n") +
-                exitCodes());
+                exitCodes("130 interrupted, the take stays as it is"));
   defineTrace(app, arguments);
   defineCheckDt(app, arguments);
   // Only so that they are in the list: what follows their word is for them alone (dispatch).
