@@ -53,6 +53,8 @@ void ContactRows::hashRecord(Mix& h, std::size_t k, const Ties& ties) const {
   h(r.n, r.t1, r.armA, r.armB, r.newPoints);
   for (const float* field : {r.s1, r.s2, r.trialN, r.trial1, r.trial2, r.k, r.limit, r.leastN})
     h.list(field, ties.contacts.contacts[contactOf[k]].count);
+  if (r.rolls)
+    h(r.s1[kRollingLane], r.k[kRollingLane], r.trial1[kRollingLane], r.trial2[kRollingLane], r.limit[kRollingLane]);
 }
 
 void ContactRows::checkStructure(Findings& f, const Island& island, const Ties& ties, const BodySet& bodies,
