@@ -7,6 +7,7 @@
 #include "cli/console.h"
 #include "cli/interrupt.h"
 #include "cli/outcome.h"
+#include "cli/progress.h"
 #include "cli/scene_choice.h"
 
 namespace brickfall::cli {
@@ -14,8 +15,33 @@ namespace {
 
 constexpr int kRates[] = {60, 120, 240, 480};
 
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+std::uint64_t stepsOf(const SceneDescription& scene, int rate) {
+  return std::uint64_t(std::max(1L, std::lround(scene.seconds * rate)));
+}
+
+// How far all runs together are.
+struct Progress {
+  ProgressDisplay display;
+  WorkState work;
+  Clock::time_point begin = Clock::now();
+
+  Progress(const SceneDescription& scene, bool quiet) : display(ProgressDisplay::modeForOutput(quiet)) {
+    work.unit = "step";
+    for (int rate : kRates) work.total += stepsOf(scene, rate);
+  }
+  void afterStep() {
+    work.done++;
+    work.wallSeconds = secondsSince(begin);
+    display.updateWork(work);
+  }
+};
+
 // None after a complaint, or when it was interrupted.
-std::optional<Outcome> outcomeAt(SceneDescription scene, int rate) {
+std::optional<Outcome> outcomeAt(SceneDescription scene, int rate, Progress& progress) {
   scene.timeStep = 1.0 / rate;
   scene.substeps = 1;
   Result<SceneRun> run = SceneRun::create(scene);
@@ -24,35 +50,37 @@ std::optional<Outcome> outcomeAt(SceneDescription scene, int rate) {
     return std::nullopt;
   }
   OutcomeWatch watch(*run);
-  const auto begin = std::chrono::steady_clock::now();
-  const long steps = std::max(1L, std::lround(scene.seconds * rate));
-  for (long step = 1; step <= steps; step++) {
+  const Clock::time_point begin = Clock::now();
+  const std::uint64_t steps = stepsOf(scene, rate);
+  for (std::uint64_t step = 1; step <= steps; step++) {
     const Result<StepReport> report = run->step();
+    if (!report) progress.display.finish();
     if (!report) complainf("1/{} s, step {}: {}", rate, step, report.error().message);
     if (!report || interruptCount() > 0) return std::nullopt;
     watch.afterStep(*run);
+    progress.afterStep();
   }
   Outcome out = watch.outcomeOf(*run);
-  out.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  out.seconds = secondsSince(begin);
   return out;
 }
 
 }  // namespace
 
 int checkDt(const CheckDtCommand& options) {
-  SceneChoice choice = chooseScene(options.scene, options.overrides);
-  if (!choice.problem.empty()) complain(choice.problem);
-  showDiagnostics(choice.diagnostics);
+  SceneChoice choice = chooseSceneToRun(options.scene, options.overrides, options.seconds, options.threads);
   if (!choice.scene) return choice.exitCode;
-  if (options.seconds) choice.scene->seconds = *options.seconds;
-  if (options.threads) choice.scene->world.threads = *options.threads;
   watchInterrupts();
+  Progress progress(*choice.scene, options.quiet);
   std::vector<Outcome> outcomes;
   for (int rate : kRates) {
-    std::optional<Outcome> outcome = outcomeAt(*choice.scene, rate);
+    std::optional<Outcome> outcome = outcomeAt(*choice.scene, rate, progress);
+    if (!outcome) progress.display.finish();
+    if (!outcome && interruptCount() > 0) complainf("interrupted at 1/{} s: there is nothing to compare", rate);
     if (!outcome) return interruptCount() > 0 ? interruptExitCode() : kInternalError;
     outcomes.push_back(std::move(*outcome));
   }
+  progress.display.finish();
   const Outcome& finest = outcomes.back();
   sayf("{}: {} s of {} bodies that can move", printable(choice.scene->name), choice.scene->seconds, finest.ends.size());
   sayf("{:>9}  {:>6}  {:>16}  {:>14}  {:>6}  {:>16}  {:>9}", "time step", "moved", "same as 1/480 s", "ends apart, m",

@@ -47,6 +47,7 @@ struct CheckDtCommand {
   std::optional<double> seconds;
   std::optional<int> threads;
   std::vector<std::pair<std::string, std::string>> overrides;
+  bool quiet = false;  // no progress
 };
 
 int run(const RunOptions& options);

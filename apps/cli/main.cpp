@@ -17,9 +17,12 @@
 namespace brickfall::cli {
 namespace {
 
-constexpr const char* kExitCodes =
-    "Exit codes: 0 done; 1 internal error; 2 bad arguments or scene; 3 a file cannot be read or written;\n"
-    "4 done, but bodies became non-finite; 130 interrupted, what was simulated is kept.";
+// `more`: those that the command has besides.
+std::string exitCodes(const std::string& more = {}) {
+  return "Exit codes: 0 done; 1 internal error; 2 bad arguments or scene; 3 a file cannot be read or written" +
+         (more.empty() ? "." : ";\n" + more + ".");
+}
+constexpr const char* kRunCodes = "4 done, but bodies became non-finite; 130 interrupted, what was simulated is kept";
 
 struct Arguments {
   RunOptions run;
@@ -74,7 +77,7 @@ void defineTrace(CLI::App& app, Arguments& arguments) {
                   "  brickfall trace --compare here.trace there.trace\n"
                   "  brickfall trace wall -o here.trace --items 17   which body or contact it was, in step 17\n\n"
                   "--compare: exit code 1 if the runs part.\n") +
-      kExitCodes);
+      exitCodes("130 interrupted, what was traced is kept"));
 }
 
 void defineCheckDt(CLI::App& app, Arguments& arguments) {
@@ -83,11 +86,12 @@ void defineCheckDt(CLI::App& app, Arguments& arguments) {
       ->required()
       ->type_name("SCENE");
   addRunOptions(command, arguments);
+  command.add_flag("--quiet", arguments.checkDt.quiet, "Leave out the progress");
   command.footer(
       std::string(
           "Runs it at 1/60, 1/120, 1/240 and 1/480 s: what moved, what broke, and how much of that is the same.\n\n"
           "Examples:\n  brickfall check-dt wall\n  brickfall check-dt hole --seconds 3\n\n") +
-      kExitCodes);
+      exitCodes("130 interrupted, nothing is told"));
 }
 
 void defineCommands(CLI::App& app, Arguments& arguments) {
@@ -97,7 +101,7 @@ void defineCommands(CLI::App& app, Arguments& arguments) {
                          "  brickfall run wall                 knock down the shipped wall, into out/wall/\n"
                          "  brickfall check mine.toml          all mistakes of a scene file\n"
                          "  brickfall run --help               more on a command\n\n") +
-             kExitCodes);
+             exitCodes(kRunCodes));
 
   CLI::App& run = *app.add_subcommand("run", "Simulate a scene: replay.html, <scene>.glb, summary.json, <scene>.take");
   run.add_option("scene", arguments.run.scene, "A scene file, or a shipped scene (brickfall scenes)")
@@ -110,16 +114,17 @@ void defineCommands(CLI::App& app, Arguments& arguments) {
                          "  brickfall run hole -o short --seconds 3\n"
                          "  brickfall run wall --set world.seed=7 --no-glb\n\n"
                          "Ctrl-C ends the simulation and still writes the results of what was simulated.\n") +
-             kExitCodes);
+             exitCodes(kRunCodes));
 
   CLI::App& check = *app.add_subcommand("check", "Report all mistakes of scene files, with line and column");
   check.add_option("file", arguments.checked, "Scene files, or shipped scenes by name")
       ->required()
       ->type_name("FILE...");
-  check.footer(std::string("Examples:\n  brickfall check mine.toml\n  brickfall check scenes/*.toml\n\n") + kExitCodes);
+  check.footer(std::string("Examples:\n  brickfall check mine.toml\n  brickfall check scenes/*.toml\n\n") +
+               exitCodes());
 
   CLI::App& scenes = *app.add_subcommand("scenes", "List the shipped scenes");
-  scenes.footer(std::string("Examples:\n  brickfall scenes\n\n") + kExitCodes);
+  scenes.footer(std::string("Examples:\n  brickfall scenes\n\n") + exitCodes());
 
   CLI::App& replay = *app.add_subcommand("replay", "Make the results again from a recorded take");
   replay.add_option("take", arguments.take, "A recording made by brickfall run, also one that was cut off")
@@ -129,7 +134,7 @@ void defineCommands(CLI::App& app, Arguments& arguments) {
   replay.footer(std::string("Examples:\n"
                             "  brickfall replay out/wall/wall.take\n"
                             "  brickfall replay wall.take -o again --no-html\n\n") +
-                kExitCodes);
+                exitCodes("130 interrupted, the take stays as it is"));
   defineTrace(app, arguments);
   defineCheckDt(app, arguments);
   // Only so that they are in the list: what follows their word is for them alone (dispatch).

@@ -64,7 +64,10 @@ std::string workText(const WorkState& s) {
   std::string text = fmt::format("{} {} of {}", s.unit, s.done, s.total);
   if (!(s.wallSeconds > 0) || s.done <= s.doneBefore) return text;
   const double each = s.wallSeconds / double(s.done - s.doneBefore);
-  text += fmt::format("  {:.{}f} s each", each, each < 9.95 ? 2 : 0);
+  if (each < 0.00995)
+    text += fmt::format("  {:.2f} ms each", 1000 * each);
+  else
+    text += fmt::format("  {:.{}f} s each", each, each < 9.95 ? 2 : 0);
   if (s.done < s.total) text += "  " + durationText(each * double(s.total - s.done)) + " left";
   return text;
 }

@@ -58,11 +58,6 @@ Simulated simulate(SceneRun& run, std::uint64_t steps, RunMetrics& metrics, Take
   return result;
 }
 
-void applyOptions(const RunOptions& options, SceneDescription& scene) {
-  if (options.seconds) scene.seconds = *options.seconds;
-  if (options.threads) scene.world.threads = *options.threads;
-}
-
 Summary summaryOf(const SceneRun& run, const RunFigures& figures, double wallSeconds) {
   const SceneDescription& scene = run.scene();
   return {scene.name, scene.seed, run.world().stateHash(), scene.timeStep, scene.world.threads, wallSeconds, figures};
@@ -110,11 +105,8 @@ int firstProblem(std::initializer_list<int> exitCodes) {
 }  // namespace
 
 int run(const RunOptions& options) {
-  SceneChoice choice = chooseScene(options.scene, options.overrides);
-  if (!choice.problem.empty()) complain(choice.problem);
-  showDiagnostics(choice.diagnostics);
+  SceneChoice choice = chooseSceneToRun(options.scene, options.overrides, options.seconds, options.threads);
   if (!choice.scene) return choice.exitCode;
-  applyOptions(options, *choice.scene);
 
   const std::string name = safeFileName(choice.scene->name);
   const std::string folder = options.output.folder.empty() ? joinPath("out", name) : options.output.folder;

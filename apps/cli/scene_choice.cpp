@@ -69,6 +69,17 @@ SceneChoice chooseScene(const std::string& nameOrPath, const Overrides& override
   return choice;
 }
 
+SceneChoice chooseSceneToRun(const std::string& nameOrPath, const Overrides& overrides, std::optional<double> seconds,
+                             std::optional<int> threads) {
+  SceneChoice choice = chooseScene(nameOrPath, overrides);
+  if (!choice.problem.empty()) complain(choice.problem);
+  showDiagnostics(choice.diagnostics);
+  if (!choice.scene) return choice;
+  if (seconds) choice.scene->seconds = *seconds;
+  if (threads) choice.scene->world.threads = *threads;
+  return choice;
+}
+
 void showDiagnostics(const std::vector<Diagnostic>& diagnostics) {
   for (const Diagnostic& diagnostic : diagnostics) {
     const std::string line = printable(format(diagnostic)) + "\n";

@@ -17,6 +17,9 @@ struct SceneChoice {
 
 // A scene file, or a shipped scene by its name, with overrides.
 SceneChoice chooseScene(const std::string& nameOrPath, const Overrides& overrides);
+// The same for a command that runs the scene, for so long and on so many threads: complains of whatever is wrong.
+SceneChoice chooseSceneToRun(const std::string& nameOrPath, const Overrides& overrides, std::optional<double> seconds,
+                             std::optional<int> threads);
 // Each diagnostic as a line on standard error.
 void showDiagnostics(const std::vector<Diagnostic>& diagnostics);
 

@@ -42,12 +42,8 @@ Result<Trace> readTrace(const std::string& path) {
 }  // namespace
 
 int trace(const TraceCommand& options) {
-  SceneChoice choice = chooseScene(options.scene, options.overrides);
-  if (!choice.problem.empty()) complain(choice.problem);
-  showDiagnostics(choice.diagnostics);
+  SceneChoice choice = chooseSceneToRun(options.scene, options.overrides, options.seconds, options.threads);
   if (!choice.scene) return choice.exitCode;
-  if (options.seconds) choice.scene->seconds = *options.seconds;
-  if (options.threads) choice.scene->world.threads = *options.threads;
   Result<SceneRun> created = SceneRun::create(*choice.scene);
   if (!created) {
     complainf("{}: {}", choice.path, created.error().message);

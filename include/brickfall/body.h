@@ -23,8 +23,12 @@ struct BodyDef {
   double linearDamping = 0;      // 1/s, >= 0: v decays as exp(-damping t)
   double angularDamping = 0;     // 1/s, >= 0
   double dragArea = 0;           // m2, >= 0: Cd A of quadratic air drag, F = -rho/2 CdA |v| v; 0 = no drag
-  bool allowSleep = true;        // false keeps the body's island awake
-  std::uint64_t userData = 0;    // yours; never read
+  // m/s, body axes: how its surface runs, as that of a conveyor does; the body itself stays. Fixed and kinematic bodies
+  // only. Friction acts on what lies on it by the speed against the surface; what part of it points into a face does
+  // nothing there.
+  Vec3 surfaceVelocity;
+  bool allowSleep = true;      // false keeps the body's island awake
+  std::uint64_t userData = 0;  // yours; never read
 };
 
 struct MassProperties {
@@ -42,6 +46,7 @@ struct BodyState {
   Vec3 angularVelocity;      // rad/s, world axes
   Vec3 linearAcceleration;   // m/s2, mean over the last step
   Vec3 angularAcceleration;  // rad/s2, mean over the last step
+  Vec3 surfaceVelocity;      // m/s, body axes
   double mass = 0;           // kg; 0 for fixed and kinematic bodies
   bool awake = true;
   bool quarantined = false;  // became non-finite; held still and out of all contacts since then

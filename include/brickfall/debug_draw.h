@@ -17,7 +17,7 @@ struct DebugDraw {
   std::function<void(Vec3 pointWorld, Vec3 normalWorld, double force)> contact;
   // Bounds kept by the broad phase (grown by the margin).
   std::function<void(const Aabb&)> bounds;
-  // A line: velocities; a joint, from a body's centre to its anchor, to the other anchor, to the other centre.
+  // A line: velocities, also those of surfaces that run; a joint, from a body's centre to its anchor, to the other anchor, to the other centre.
   std::function<void(Vec3 from, Vec3 to, std::uint32_t colour)> line;
 };
 

@@ -21,6 +21,9 @@ struct Material {
   double density = 1900;   // kg/m3, > 0; sets mass and inertia of dynamic bodies
   double friction = 0.6;   // Coulomb coefficient, 0 .. 100
   double restitution = 0;  // rebound speed / impact speed, 0 .. 1; see SolverSettings::restitutionSpeed
+  // 0 .. 100: the torque that rolling takes to go on / (normal force x radius), of what is round. Of two materials the
+  // larger counts. Car tyres 0.01, a stone ball on turf some 0.1.
+  double rollingResistance = 0;
   CombineRule frictionRule = CombineRule::geometricMean;
   CombineRule restitutionRule = CombineRule::maximum;
 };

@@ -109,6 +109,8 @@ class World {
   Status setGravityScale(BodyId body, double scale);
   Status setDamping(BodyId body, double linear, double angular);
   Status setDragArea(BodyId body, double dragArea);
+  // Of a fixed or kinematic body: see BodyDef::surfaceVelocity. setType ends it where the body becomes dynamic.
+  Status setSurfaceVelocity(BodyId body, Vec3 velocity);
   Status setGravity(Vec3 gravity);
   Vec3 gravity() const;
   Status wake(BodyId body);

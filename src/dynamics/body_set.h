@@ -58,6 +58,7 @@ struct BodyData {
   std::uint16_t generation = 0;
   Vec3 localCentre;  // m, centre of mass in the body frame
   double gravityScale = 1, linearDamping = 0, angularDamping = 0, dragArea = 0;
+  Vec3 surfaceVelocity;                          // m/s, body axes; 0 of a dynamic body
   Vec3 force, torque;                            // N, N m: for the next step
   Vec3 lastLinearVelocity, lastAngularVelocity;  // at the start of the last step, for accelerations
   Vec3 linearAcceleration, angularAcceleration;
@@ -93,6 +94,10 @@ class BodySet {
     return data[body].type == BodyType::kinematic &&
            (lengthSquared(m.linearVelocity) > 0 || lengthSquared(m.angularVelocity) > 0);
   }
+  // m/s, world axes: of the body's surface against the body.
+  Vec3 surfaceVelocity(BodyIndex body) const { return motion[body].orientation * data[body].surfaceVelocity; }
+  // What lies on the body may be carried along, though nothing pushes it: the body is driven, or its surface runs.
+  bool carries(BodyIndex body) const { return isDriven(body) || data[body].surfaceVelocity != Vec3{}; }
   void setRotation(BodyIndex body, Quat unit) {
     motion[body].rotation = unit;
     motion[body].orientation = toMatrix(unit);

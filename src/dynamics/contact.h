@@ -25,11 +25,20 @@ struct Contact {
   bool fresh = true;       // geometry changed since the solver's record was made
   bool born = true;        // made since islands were built
   float friction = 0, restitution = 0;
+  float rolling = 0;        // coefficient of rolling resistance; 0: none, or nothing round is on its side
+  float rollingRadius = 0;  // m, of the curvature by which the two surfaces part
   float effectiveMass = 0;  // kg, 1 / (1/mA + 1/mB)
   PointMemory points;
 };
 
 // What is read only when the geometry is made anew.
+// Lane of PointMemory in which a contact that resists rolling keeps the force of that, where no point needs it.
+//! not of the method: a place
+constexpr int kRollingLane = 3;
+inline bool resistsRolling(const Contact& c) {
+  return c.rolls && c.rolling > 0 && c.rollingRadius > 0 && c.count <= kRollingLane;
+}
+
 struct ContactGeometry {
   Vec3 relativePosition;  // pose of B's centre frame in A's when the manifold was made
   Quat relativeRotation;

@@ -34,6 +34,8 @@ void takeConstants(Contact& c, const ShapeSet& shapes, const BodySet& bodies) {
   const Material &a = shapes.data[c.shapeA].def.material, &b = shapes.data[c.shapeB].def.material;
   c.friction = float(mixFriction(a, b));
   c.restitution = float(mixRestitution(a, b));
+  c.rolling = float(std::max(a.rollingResistance, b.rollingResistance));
+  c.rollingRadius = float(rollingRadius(shapes.data[c.shapeA].def, shapes.data[c.shapeB].def));
   c.effectiveMass = float(1 / (bodies.mass[c.bodyA].invMass + bodies.mass[c.bodyB].invMass));
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/frustum.h"
+
 namespace brickfall {
 
 ShapeIndex ShapeSet::create() {
@@ -55,6 +57,19 @@ double mixFriction(const Material& a, const Material& b) {
 }
 double mixRestitution(const Material& a, const Material& b) {
   return mix(a.restitution, b.restitution, a.restitutionRule, b.restitutionRule);
+}
+namespace {
+
+double curvature(const ShapeDef& s) {  // 1/m, across the direction in which it is straight
+  if (!isRound(s.type) && !isFrustum(s.type)) return 0;
+  return 1 / (s.type == ShapeType::cone ? 0.5 * (s.radius + s.topRadius) : s.radius);
+}
+
+}  // namespace
+
+double rollingRadius(const ShapeDef& a, const ShapeDef& b) {
+  const double sum = curvature(a) + curvature(b);
+  return sum > 0 ? 1 / sum : 0;
 }
 bool filtersAllow(const CollisionFilter& a, const CollisionFilter& b) {
   if (a.group == b.group && a.group != 0) return a.group > 0;

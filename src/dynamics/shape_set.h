@@ -45,6 +45,9 @@ class ShapeSet {
 // Combined values of two touching materials.
 double mixFriction(const Material& a, const Material& b);
 double mixRestitution(const Material& a, const Material& b);
+// m: of a body that rolls on something flat, its radius; where two round ones roll on each other, as their curvatures add
+// up. 0 if neither is round.
+double rollingRadius(const ShapeDef& a, const ShapeDef& b);
 bool filtersAllow(const CollisionFilter& a, const CollisionFilter& b);
 
 }  // namespace brickfall

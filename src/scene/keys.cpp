@@ -62,6 +62,7 @@ void addSceneKeys(std::vector<KeySpec>& keys) {
   keys.push_back({"", "ball", K::tables, "", 0, 0, "-", "", "balls to throw"});
   keys.push_back({"", "array", K::tables, "", 0, 0, "-", "", "many equal bodies: lattices, columns, pyramids, piles"});
   keys.push_back({"", "arch", K::tables, "", 0, 0, "-", "", "arches of wedge-shaped stones"});
+  keys.push_back({"", "dome", K::tables, "", 0, 0, "-", "", "domes of wedge-shaped stones, with a drum under them"});
   keys.push_back({"", "joint", K::tables, "", 0, 0, "-", "", "what ties two bodies"});
   keys.push_back({"", "chain", K::tables, "", 0, 0, "-", "", "rows of links or boards with their joints"});
   keys.push_back({"", "tilt", K::tables, "", 0, 0, "-", "", "tables that turn"});
@@ -131,6 +132,7 @@ void addMaterialKeys(std::vector<KeySpec>& keys) {
   keys.push_back({"material", "density", K::number, "kg/m3", scene_limits::kSmallestDensity, scene_limits::kLargestDensity, "1900", "", "mass by volume"});
   keys.push_back({"material", "friction", K::number, "", 0, limits::kLargestFriction, "0.6", "", "Coulomb coefficient"});
   keys.push_back({"material", "restitution", K::number, "", 0, 1, "0", "", "rebound speed / impact speed; impacts slower than restitution_speed do not rebound"});
+  keys.push_back({"material", "rolling_resistance", K::number, "", 0, limits::kLargestFriction, "0", "", "torque that rolling takes / (normal force x radius); the larger of two counts"});
   keys.push_back({"material", "friction_rule", K::choice, "", 0, 0, "\"geometric_mean\"", "geometric_mean|average|minimum|multiply|maximum", "how two materials' values become one"});
   keys.push_back({"material", "restitution_rule", K::choice, "", 0, 0, "\"maximum\"", "geometric_mean|average|minimum|multiply|maximum", "the same for restitution"});
   keys.push_back({"material", "colour", K::colour, "", 0, 0, "\"#B5543A\"", "", "of what is made from it"});
@@ -174,6 +176,7 @@ void addBodyKeys(std::vector<KeySpec>& keys) {
   keys.push_back({"body", "position", K::vector, "m", -kFar, kFar, "[0, 0, 0]", "", "origin of the body: the middle of a shape"});
   keys.push_back({"body", "rotation_degrees", K::vector, "degrees", -3600, 3600, "[0, 0, 0]", "", "about the world's x, then y, then z axis"});
   addMotion(keys, "body");
+  keys.push_back({"body", "surface_velocity", K::vector, "m/s", -kFast, kFast, "[0, 0, 0]", "", "fixed, kinematic: its surface runs so in the body's own axes, as a conveyor's does"});
   addLaunch(keys, "body");
   keys.push_back({"body", "interpolation", K::choice, "", 0, 0, "\"smooth\"", "smooth|linear", "between keys: without a jerk, or straight"});
   keys.push_back({"body", "key", K::tables, "", 0, 0, "-", "", "kinematic: poses that it passes through"});
@@ -199,6 +202,7 @@ void addBallKeys(std::vector<KeySpec>& keys) {
   keys.push_back({"ball", "density", K::number, "kg/m3", scene_limits::kSmallestDensity, scene_limits::kLargestDensity, "-", "", "instead of the material's"});
   keys.push_back({"ball", "friction", K::number, "", 0, 100, "-", "", "instead of the material's"});
   keys.push_back({"ball", "restitution", K::number, "", 0, 1, "-", "", "instead of the material's"});
+  keys.push_back({"ball", "rolling_resistance", K::number, "", 0, limits::kLargestFriction, "-", "", "instead of the material's"});
   keys.push_back({"ball", "position", K::vector, "m", -kFar, kFar, "", "", "of its centre"});
   addMotion(keys, "ball");
   addLaunch(keys, "ball");
@@ -231,6 +235,22 @@ void addArchKeys(std::vector<KeySpec>& keys) {
   keys.push_back({"arch", "position", K::vector, "m", -kFar, kFar, "[0, 0, 0]", "", "the circle's centre"});
   keys.push_back({"arch", "yaw_degrees", K::number, "degrees", -3600, 3600, "0", "", "about the vertical; 0: it spans along x"});
   keys.push_back({"arch", "material", K::material, "", 0, 0, "\"brick\"", "", "of the stones"});
+}
+
+void addDomeKeys(std::vector<KeySpec>& keys) {
+  keys.push_back({"dome", "name", K::name, "", 0, 0, "-", "", "stones are called name/ring/0, ..., those of the drum name/drum/ring/0, ..."});
+  keys.push_back({"dome", "rings", K::integer, "", 1, 100, "8", "", "of stones, from the springing to the crown"});
+  keys.push_back({"dome", "stones", K::integer, "", 3, 32, "16", "", "of each ring; their upright joints stand above each other"});
+  keys.push_back({"dome", "radius", K::number, "m", kSmall, kLarge, "1", "", "of the surface through the middle of the stones"});
+  keys.push_back({"dome", "thickness", K::number, "m", kSmall, kLarge, "0.15", "", "along the radius"});
+  keys.push_back({"dome", "angle_degrees", K::number, "degrees", 1, 90, "90", "", "from the crown to the springing; 90: half a sphere"});
+  keys.push_back({"dome", "oculus_degrees", K::number, "degrees", 0, 89, "0", "", "from the crown to the edge of a round opening; 0: a keystone closes it"});
+  keys.push_back({"dome", "drum_rings", K::integer, "", 0, 100, "0", "", "of stones in the round wall under it"});
+  keys.push_back({"dome", "drum_height", K::number, "m", kSmall, kLarge, "0.5", "", "of that wall"});
+  keys.push_back({"dome", "drum_thickness", K::number, "m", kSmall, kLarge, "-", "", "of that wall, its middle under that of the dome's foot; default: that of the dome"});
+  keys.push_back({"dome", "position", K::vector, "m", -kFar, kFar, "[0, 0, 0]", "", "middle of the foot, that of the drum if it has one"});
+  keys.push_back({"dome", "yaw_degrees", K::number, "degrees", -3600, 3600, "0", "", "about the vertical"});
+  keys.push_back({"dome", "material", K::material, "", 0, 0, "\"brick\"", "", "of the stones"});
 }
 
 void addJointKeys(std::vector<KeySpec>& keys) {
@@ -349,6 +369,7 @@ std::vector<KeySpec> makeKeys() {
   addBallKeys(keys);
   addArrayKeys(keys);
   addArchKeys(keys);
+  addDomeKeys(keys);
   addJointKeys(keys);
   addChainKeys(keys);
   addTiltKeys(keys);

@@ -112,7 +112,8 @@ void readBallMaterial(SceneBuild& build, TableReader& reader, SceneBody& ball) {
   bool density = reader.number("density", own.material.density);
   bool friction = reader.number("friction", own.material.friction);
   bool restitution = reader.number("restitution", own.material.restitution);
-  if (!density && !friction && !restitution) return;
+  bool rolling = reader.number("rolling_resistance", own.material.rollingResistance);
+  if (!density && !friction && !restitution && !rolling) return;
   own.name = ball.material + " of " + ball.name;
   ball.material = own.name;
   build.scene.materials.push_back(std::move(own));
@@ -162,6 +163,9 @@ void readBodies(SceneBuild& build, TableReader& top) {
     if (body.def.type == BodyType::fixed && moves)
       reader.error(reader.has("velocity") ? "velocity" : "angular_velocity",
                    "found a velocity on a fixed body, expected type \"kinematic\" or \"dynamic\"");
+    reader.vector("surface_velocity", body.def.surfaceVelocity);
+    if (body.def.type == BodyType::dynamic && body.def.surfaceVelocity != Vec3{})
+      reader.error("surface_velocity", "found one on a dynamic body, expected type \"fixed\" or \"kinematic\"");
     readLaunch(build, reader, body);
     readPath(reader, body);
     if (build.context.diagnostics.size() == before) build.checkBuildable(reader, body);

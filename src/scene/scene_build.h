@@ -38,6 +38,7 @@ void readBodies(SceneBuild& build, TableReader& top);
 void readBalls(SceneBuild& build, TableReader& top);
 void readArrays(SceneBuild& build, TableReader& top);
 void readArches(SceneBuild& build, TableReader& top);
+void readDomes(SceneBuild& build, TableReader& top);
 void readJoints(SceneBuild& build, TableReader& top);
 void readChains(SceneBuild& build, TableReader& top);
 void readTilts(SceneBuild& build, TableReader& top);

@@ -35,6 +35,7 @@ void readAll(scene::SceneBuild& build, const scene::Node& root) {
   scene::readWalls(build, top);
   scene::readArrays(build, top);
   scene::readArches(build, top);
+  scene::readDomes(build, top);
   scene::readBodies(build, top);
   scene::readBalls(build, top);
   scene::readChains(build, top);
@@ -44,12 +45,13 @@ void readAll(scene::SceneBuild& build, const scene::Node& root) {
   scene::readWinds(build, top);
   scene::readBlasts(build, top);
   scene::readCameras(build, top);
-  bool anything = top.has("wall") || top.has("body") || top.has("ball") || top.has("array") || top.has("arch");
+  bool anything =
+      top.has("wall") || top.has("body") || top.has("ball") || top.has("array") || top.has("arch") || top.has("dome");
   if (!anything && !build.context.syntaxErrors) {
     scene::Node file;
-    build.context.error(
-        file, "",
-        "found nothing to simulate, expected at least one [[wall]], [[body]], [[ball]], [[array]] or [[arch]]");
+    build.context.error(file, "",
+                        "found nothing to simulate, expected at least one [[wall]], [[body]], [[ball]], [[array]], "
+                        "[[arch]] or [[dome]]");
   }
 }
 

@@ -16,7 +16,7 @@ namespace brickfall {
 namespace {
 
 constexpr std::uint64_t kMagic = 0x314e5552464b5242ull;
-constexpr std::uint32_t kLayout = 3;
+constexpr std::uint32_t kLayout = 4;
 constexpr std::size_t kLeastBody = 100, kLeastMaterial = 20;  // bytes: a forged count can't claim much more memory
 
 struct Header {
@@ -105,6 +105,7 @@ class RunArchive {
     a.value(d.material.density);
     a.value(d.material.friction);
     a.value(d.material.restitution);
+    a.value(d.material.rollingResistance);
     a.choice(d.material.frictionRule, CombineRule::maximum);
     a.choice(d.material.restitutionRule, CombineRule::maximum);
     a.value(d.colour);
@@ -127,6 +128,7 @@ class RunArchive {
     a.value(d.rotation);
     a.value(d.linearVelocity);
     a.value(d.angularVelocity);
+    a.value(d.surfaceVelocity);
     for (auto* number : {&d.gravityScale, &d.linearDamping, &d.angularDamping, &d.dragArea}) a.value(*number);
     a.flag(d.allowSleep);
     a.value(d.userData);
@@ -143,7 +145,8 @@ bool inRange(Vec3 v, double limit) {  // in the positive form: NaN is not
 bool soundMaking(const PlacedBody& body) {
   const BodyDef& d = body.def;
   return inRange(d.position, limits::kLargestCoordinate) && isFinite(d.rotation) &&
-         inRange(d.linearVelocity, limits::kLargestSpeed) && inRange(d.angularVelocity, limits::kLargestSpeed) &&
+         inRange(d.linearVelocity, limits::kLargestSpeed) && inRange(d.surfaceVelocity, limits::kLargestSpeed) &&
+         inRange(d.angularVelocity, limits::kLargestSpeed) &&
          std::fabs(d.gravityScale) <= limits::kLargestGravityScale && d.linearDamping >= 0 &&
          d.linearDamping <= limits::kLargestDamping && d.angularDamping >= 0 &&
          d.angularDamping <= limits::kLargestDamping && d.dragArea >= 0 && d.dragArea <= limits::kLargestDragArea &&

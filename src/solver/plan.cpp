@@ -99,8 +99,8 @@ IslandFacts findFacts(const Island& island, const StepContext& context) {
   }
   for (BodyIndex body : island.partners) {
     const BodyMotion& m = bodies.motion[body];
-    facts.partnersMove =
-        facts.partnersMove || lengthSquared(m.linearVelocity) > 0 || lengthSquared(m.angularVelocity) > 0;
+    facts.partnersGo = facts.partnersGo || lengthSquared(m.linearVelocity) > 0 || lengthSquared(m.angularVelocity) > 0;
+    facts.partnersMove = facts.partnersMove || facts.partnersGo || bodies.carries(body);
   }
   if (facts.grounded && facts.fastest > context.settings.restSpeed) findSupport(island, context, facts);
   return facts;

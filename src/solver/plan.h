@@ -24,7 +24,8 @@ struct IslandFacts {
   std::size_t bodies = 0;
   bool grounded = false;      // touches something fixed or kinematic
   bool jointed = false;       // has ties that stay, and on which bodies swing
-  bool partnersMove = false;  // a kinematic partner moves
+  bool partnersGo = false;    // a kinematic partner moves
+  bool partnersMove = false;  // ... or a partner's surface runs
   // Of islands that may go on (not asked of slow ones): what is fixed or kinematic carries force, and pins a body.
   bool pressed = false, pinned = false;
   Scale scale;               // of its typical body

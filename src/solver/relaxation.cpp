@@ -39,6 +39,9 @@ constexpr double kManyOut = 0.05;  // more bodies out of balance are worth cycle
 //! | too large: points open and close on the way
 constexpr double kAlongMotion = 0.05;  // so far an island that goes on is moved to find how its forces change
 
+//! of the force that resists rolling | too small: cost | too large: balls on loose bricks roll on
+constexpr float kResistance = 0.05f;  // what bodies on which it acts may be left with
+
 class Relaxation {
  public:
   Relaxation(Island& island, const StepContext& context, SolveStatistics& statistics)
@@ -91,6 +94,20 @@ class Relaxation {
     forces_.findLoads();
     float tolerance = float(island_.plan.tolerance);
     for (std::size_t i = 0; i < allowed_.size(); i++) allowed_[i] = tolerance * float(measure(i).force);
+    if (island_.plan.large) feelResistance();
+  }
+  // What resists rolling is far below what a large island leaves undone, in every step anew: balls would roll on.
+  void feelResistance() {
+    island_.rows.eachKind([&](const auto& kind) {
+      kind.eachResistance([&](RowEnds ends, float force) {
+        for (std::uint32_t i : {ends.a, ends.b}) {
+          if (i >= allowed_.size()) continue;
+          const double least = kToRest * context_.settings.restTolerance;
+          const float rounding = float(least * measureOf(island_, *context_.bodies, i, kLoadShare).force);
+          allowed_[i] = std::min(allowed_[i], std::max(rounding, kResistance * force));
+        }
+      });
+    });
   }
   Measure measure(std::size_t i) const {
     if (!island_.plan.large) return measureOf(island_, *context_.bodies, i, 0);

@@ -78,6 +78,7 @@ concept GoesThroughAStep = requires(Kind& kind, const Kind& seen, std::size_t k,
   { seen.arms(k) } -> std::same_as<Arms>;
   seen.read(k, count, motion, readings);
   seen.sumBoundary(boundary, sums);
+  seen.eachResistance(AnyVisit{});  // to rolling: bodies on which it acts are solved as finely
   { seen.react(k, motion) } -> std::same_as<Reaction>;
   { seen.reactStiff(k, motion, exact) } -> std::same_as<StiffReaction>;
   // Between its cycles, or its Newton steps (direct_solve.cpp): what a row keeps frozen may follow the motion found.

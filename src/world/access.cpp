@@ -24,6 +24,7 @@ Result<BodyState> World::state(BodyId id) const {
   s.angularVelocity = m.angularVelocity;
   s.linearAcceleration = data.linearAcceleration;
   s.angularAcceleration = data.angularAcceleration;
+  s.surfaceVelocity = data.surfaceVelocity;
   s.mass = w.registry.bodies.mass[*body].mass;
   s.awake = data.activity == BodyActivity::awake;
   s.quarantined = data.quarantined;
@@ -160,6 +161,20 @@ Status World::setDragArea(BodyId id, double dragArea) {
   if (!body) return body.error();
   impl_->upkeep().disturb(*body);
   impl_->registry.bodies.data[*body].dragArea = dragArea;
+  return {};
+}
+
+Status World::setSurfaceVelocity(BodyId id, Vec3 velocity) {
+  Checks check;
+  check.vector("surfaceVelocity", velocity, limits::kLargestSpeed);
+  Result<BodyIndex> body = impl_->openForChange(id, check.error());
+  if (!body) return body.error();
+  BodyData& data = impl_->registry.bodies.data[*body];
+  if (data.type == BodyType::dynamic)
+    return Error{ErrorCode::wrongState, "surfaceVelocity: the body is BodyType::dynamic"};
+  if (data.surfaceVelocity == velocity) return {};
+  impl_->upkeep().disturb(*body);
+  data.surfaceVelocity = velocity;
   return {};
 }
 

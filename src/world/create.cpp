@@ -15,6 +15,7 @@ void checkMaterial(Checks& check, const std::string& at, const Material& m) {
   check.above(at + ".density", m.density, 0, limits::kLargestDensity);
   check.range(at + ".friction", m.friction, 0, limits::kLargestFriction);
   check.range(at + ".restitution", m.restitution, 0, 1);
+  check.range(at + ".rollingResistance", m.rollingResistance, 0, limits::kLargestFriction);
   check.condition(m.frictionRule <= CombineRule::maximum,
                   at + ".frictionRule: found " + std::to_string(int(m.frictionRule)) + ", expected a CombineRule");
   check.condition(
@@ -98,6 +99,9 @@ void checkBody(Checks& check, const BodyDef& def) {
   check.vector("linearVelocity", def.linearVelocity, limits::kLargestSpeed);
   check.vector("angularVelocity", def.angularVelocity, limits::kLargestSpeed);
   checkMotionSettings(check, def.gravityScale, def.linearDamping, def.angularDamping, def.dragArea);
+  check.vector("surfaceVelocity", def.surfaceVelocity, limits::kLargestSpeed);
+  check.condition(def.type != BodyType::dynamic || def.surfaceVelocity == Vec3{},
+                  "surfaceVelocity: found one on a dynamic body, expected BodyType::fixed or kinematic");
   for (std::size_t i = 0; i < def.shapes.size() && !check.failed(); i++)
     checkShape(check, "shapes[" + std::to_string(i) + "]", def.shapes[i], def.type);
 }

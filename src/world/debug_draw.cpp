@@ -7,7 +7,8 @@ namespace {
 
 //! not of the method: drawing
 constexpr std::uint32_t kFixedColour = 0x808080, kAwakeColour = 0xD08050, kAsleepColour = 0x5070A0,
-                        kQuarantineColour = 0xFF00FF, kVelocityColour = 0x40C040, kJointColour = 0xE0C040;
+                        kQuarantineColour = 0xFF00FF, kVelocityColour = 0x40C040, kJointColour = 0xE0C040,
+                        kSurfaceColour = 0x40B0E0;
 
 std::uint32_t colourOf(const BodyData& data) {
   if (data.quarantined) return kQuarantineColour;
@@ -31,6 +32,8 @@ void World::draw(const DebugDraw& draw) const {
     }
     if (draw.line && lengthSquared(m.linearVelocity) > 0)
       draw.line(m.position, m.position + m.linearVelocity * 0.1, kVelocityColour);
+    if (const Vec3 runs = w.registry.bodies.surfaceVelocity(body); draw.line && lengthSquared(runs) > 0)
+      draw.line(m.position, m.position + runs * 0.1, kSurfaceColour);
   }
   if (draw.line)
     for (JointId id : joints()) {  // from centre to anchor, to anchor, to centre

@@ -38,8 +38,10 @@ class HitSearch {
     double mass = 0, most = 0;  // kg, of bodies on the way; their thicknesses that the body goes
     for (ShapeIndex shape : bodies_.shapes[body]) {
       const ShapeData& s = shapes_.data[shape];
-      proximity_.broadPhase->query(sweptBounds(s, own), [&](std::uint32_t other) {
+      const Aabb reach = sweptBounds(s, own);
+      proximity_.broadPhase->query(reach, [&](std::uint32_t other) {
         const ShapeData& o = shapes_.data[other];
+        if (!overlaps(reach, proximity_.around[other].swept)) return true;  // kept bounds are the tree's history
         if (o.body == body || !filtersAllow(s.def.filter, o.def.filter) || !isFarHeavier(body, o.body)) return true;
         if (!ties_.mayCollide(body, o.body)) return true;
         const double gone = thicknessesWithin(body, o);

@@ -26,9 +26,9 @@ bool isFoundExactly(ShapeType a, ShapeType b) {
 
 bool ImpactParts::mayBeCut(const Island& island) const {
   const BodySet& bodies = registry_.bodies;
-  auto isDriven = [&](BodyIndex body) { return bodies.isDriven(body); };
+  auto carries = [&](BodyIndex body) { return bodies.carries(body); };
   if (island.bodies.size() > kMostBodies) return false;
-  if (std::any_of(island.partners.begin(), island.partners.end(), isDriven)) return false;
+  if (std::any_of(island.partners.begin(), island.partners.end(), carries)) return false;
   const bool alone = island.bodies.size() == 1;
   if (alone && length(turnOf(island.bodies[0])) < kNoTurn && foundExactly(island)) return true;
   return std::all_of(island.bodies.begin(), island.bodies.end(), [&](BodyIndex body) {

@@ -407,6 +407,9 @@ void NarrowPhase::makeContact(CandidatePair& pair, const Manifold& m, const Tran
       g.anchorB[i] = oldGeometry.anchorB[from];
     }
   }
+  // The force that resists rolling is no point's: it stays the contact's while it goes on at all.
+  if (goesOn != 0 && resistsRolling(c) && old.count <= kRollingLane)
+    carryOver(c.points, kRollingLane, old.points, kRollingLane, matcher.turn());
   // Hits in this step at points that are gone are still told.
   for (int j = 0; had && j < old.count; j++)
     if (!(goesOn >> j & 1)) addHit(c.points, 0, old.points.hitN[j], old.points.hit1[j], old.points.hit2[j]);

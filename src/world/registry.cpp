@@ -49,6 +49,7 @@ BodyIndex Registry::add(BodyPlan&& plan) {
   data.linearDamping = def.linearDamping;
   data.angularDamping = def.angularDamping;
   data.dragArea = def.dragArea;
+  data.surfaceVelocity = def.surfaceVelocity;
   data.allowSleep = def.allowSleep;
   data.userData = def.userData;
   bodies.setRotation(body, normalized(def.rotation));
@@ -82,6 +83,7 @@ void Registry::setType(BodyIndex body, BodyType type) {
   Vec3 origin = bodies.origin(body);
   dynamicBodies += (type == BodyType::dynamic) - (bodies.data[body].type == BodyType::dynamic);
   bodies.data[body].type = type;
+  if (type == BodyType::dynamic) bodies.data[body].surfaceVelocity = {};
   if (type == BodyType::fixed) bodies.motion[body].linearVelocity = bodies.motion[body].angularVelocity = {};
   updateMass(body, origin);
 }
@@ -272,6 +274,7 @@ void Registry::check(Findings& f) const {
     checkMotion(f, m, i);
     bool rests = m.linearVelocity == Vec3{} && m.angularVelocity == Vec3{};
     f.expect(d.type != BodyType::fixed || rests, "bodies: a fixed one has a velocity");
+    f.expect(d.type != BodyType::dynamic || d.surfaceVelocity == Vec3{}, "bodies: the surface of a dynamic one runs");
     for (ShapeIndex shape : bodies.shapes[i]) {
       f.expect(!seen[shape], "shapes: one is listed twice");
       seen[shape] = true;

@@ -18,7 +18,7 @@ namespace {
 
 //! not of the method: the file's
 constexpr std::uint64_t kMagic = 0x30504e5346424b42ull;
-constexpr std::uint32_t kLayout = 16;
+constexpr std::uint32_t kLayout = 17;
 
 struct Header {
   std::uint64_t magic = kMagic;
@@ -114,7 +114,7 @@ class SnapshotArchive {
                          &d.steady.dt, &d.impactLoss})
       a.value(*number);
     for (auto* vector : {&d.force, &d.torque, &d.lastLinearVelocity, &d.lastAngularVelocity, &d.linearAcceleration,
-                         &d.angularAcceleration, &d.steady.linear, &d.steady.angular})
+                         &d.angularAcceleration, &d.surfaceVelocity, &d.steady.linear, &d.steady.angular})
       a.value(*vector);
     a.value(d.userData);
     a.value(d.order);
@@ -146,6 +146,7 @@ class SnapshotArchive {
     a.value(s.def.material.density);
     a.value(s.def.material.friction);
     a.value(s.def.material.restitution);
+    a.value(s.def.material.rollingResistance);
     a.choice(s.def.material.frictionRule, CombineRule::maximum);
     a.choice(s.def.material.restitutionRule, CombineRule::maximum);
     a.value(s.def.filter);

@@ -20,6 +20,7 @@ bool inRange(Vec3 v, double limit) {
 
 void checkBody(Checks& check, const BodyData& d, const BodyMotion& m) {
   checkMotionSettings(check, d.gravityScale, d.linearDamping, d.angularDamping, d.dragArea);
+  check.vector("surfaceVelocity", d.surfaceVelocity, limits::kLargestSpeed);
   check.condition(inRange(m.position, kFarthest), "a body is not in the world");
   check.condition(unitLength(m.rotation), "a body's quaternion is not of unit length");
   check.condition(isFinite(m.linearVelocity) && isFinite(m.angularVelocity), "a body's motion is not finite");

@@ -159,5 +159,40 @@ TEST(LongRun, HitsToEightyMetresASecond) {
     }
 }
 
+// A net of boards on ball joints, hung up flat by its rim, falls into its curve. (One of 70 x 70 boards has 9940 joints
+// and takes some 8 s a step.)
+TEST(LongRun, ANetHangsByItsRim) {
+  constexpr int kSide = 20;
+  constexpr double kPitch = 0.1;
+  World world = makeWorld();
+  const BodyId frame = add(world, bodyOf(boxOf({0.1, 0.1, 0.1}), {0, 50, 0}, BodyType::fixed));
+  std::vector<BodyId> boards;
+  std::vector<JointId> joints;
+  for (int i = 0; i < kSide * kSide; i++)
+    boards.push_back(add(world, bodyOf(boxOf({0.04, 0.01, 0.04}), {kPitch * (i / kSide), 2, kPitch * (i % kSide)})));
+  const auto at = [&](int row, int column) {
+    const bool inside = row >= 0 && row < kSide && column >= 0 && column < kSide;
+    return inside ? boards[std::size_t(row * kSide + column)] : frame;
+  };
+  const auto tie = [&](BodyId a, BodyId b, double row, double column) {
+    joints.push_back(*world.createJoint({.bodyA = a, .bodyB = b, .anchor = {kPitch * row, 2, kPitch * column}}));
+  };
+  for (int i = -1; i < kSide; i++)
+    for (int k = 0; k < kSide; k++) {
+      tie(at(i, k), at(i + 1, k), i + 0.5, k);
+      tie(at(k, i), at(k, i + 1), k, i + 0.5);
+    }
+  double gap = 0, gained = 0, last = world.energy().kinetic + world.energy().potential;
+  for (int i = 0; i < 60; i++) {
+    ASSERT_TRUE(world.step(kDt).ok());
+    for (JointId joint : joints) gap = std::max(gap, world.state(joint)->error);
+    const double now = world.energy().kinetic + world.energy().potential;
+    gained = std::max(gained, now - last);
+    last = now;
+  }
+  atMost("net of 20 x 20 boards, 840 joints: joints gape", kDt, gap, 1e-3, "m");
+  atMost("net of 20 x 20 boards, 840 joints: energy gained in a step", kDt, gained, 1e-3, "J", 20);
+}
+
 }  // namespace
 }  // namespace brickfall::law

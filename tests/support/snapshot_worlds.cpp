@@ -139,6 +139,30 @@ World jointed(int steps) {
   return world;
 }
 
+// A box and a ball that resists rolling on a surface that runs; another ball that its resistance holds on a slope.
+World carried() {
+  WorldDef def;
+  def.gravity = {0.3, -9.8, 0};
+  World world = ground(def);
+  BodyDef belt;
+  belt.type = BodyType::fixed;
+  belt.shapes = {shapeOf(ShapeType::box)};
+  belt.shapes[0].halfExtents = {1, 0.1, 1};
+  belt.position = {0, 0.2, 0};
+  belt.surfaceVelocity = {0, 0, 0.5};
+  (void)world.createBody(belt).ok();
+  add(world, ShapeType::box, {0, 0.35, 0});
+  BodyDef ball;
+  ball.shapes = {shapeOf(ShapeType::sphere)};
+  ball.shapes[0].material.rollingResistance = 0.05;
+  for (Vec3 place : {Vec3{0.5, 0.38, 0}, Vec3{3, 0.08, 0}}) {
+    ball.position = place;
+    (void)world.createBody(ball).ok();
+  }
+  advance(world, 20);
+  return world;
+}
+
 }  // namespace
 
 World smallWorld() {
@@ -159,6 +183,7 @@ std::vector<World> worldsOfEachKind() {
   out.push_back(onTriangles());
   out.push_back(jointed(0));
   out.push_back(jointed(20));
+  out.push_back(carried());
   out.push_back(std::move(World::create({})).value());
   return out;
 }

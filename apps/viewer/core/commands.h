@@ -109,7 +109,7 @@ struct ChangeSetting {
 };
 struct ChangeMaterial {
   std::string name;
-  double density = 0, friction = 0, restitution = 0;
+  double density = 0, friction = 0, restitution = 0, rollingResistance = 0;
 };
 
 // --- Files: whole or not at all.

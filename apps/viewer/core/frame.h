@@ -90,10 +90,11 @@ struct SelectedContact {
 struct SelectedBody {
   Serial serial = 0;
   std::string name, material;
-  double mass = 0;    // kg
-  double speed = 0;   // m/s
-  double spin = 0;    // rad/s
-  Vec3 centreOfMass;  // m (take: the body's origin)
+  double mass = 0;          // kg
+  double speed = 0;         // m/s
+  double spin = 0;          // rad/s
+  double surfaceSpeed = 0;  // m/s, of a conveyor's surface (take: 0)
+  Vec3 centreOfMass;        // m (take: the body's origin)
   // What is not known is not there: in a take none but the sum of normal forces, under the report's system no contacts.
   std::optional<double> kineticEnergy;  // J
   std::optional<Vec3> acceleration;     // m/s2, mean over the last step
@@ -120,7 +121,7 @@ struct LogLine {
 struct MaterialRow {
   std::string name;
   std::uint32_t colour = 0;
-  double density = 0, friction = 0, restitution = 0;
+  double density = 0, friction = 0, restitution = 0, rollingResistance = 0;
   int shapes = 0;  // made of it
 };
 

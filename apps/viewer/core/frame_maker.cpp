@@ -42,7 +42,7 @@ std::vector<MaterialRow> materialsIn(const SceneRun& run) {
     const std::optional<MaterialDef> def = run.material(name);
     if (!def) continue;
     const Material& m = def->material;
-    rows.push_back({name, def->colour, m.density, m.friction, m.restitution, count});
+    rows.push_back({name, def->colour, m.density, m.friction, m.restitution, m.rollingResistance, count});
   }
   return rows;
 }
@@ -236,6 +236,7 @@ void FrameMaker::select(Frame& frame, const LiveRun& run, int place) const {
   s.mass = listed.mass;
   s.speed = length(state->linearVelocity);
   s.spin = length(state->angularVelocity);
+  s.surfaceSpeed = length(state->surfaceVelocity);
   const Vec3 spin = transposeTimes(toMatrix(state->rotation), state->angularVelocity);
   s.kineticEnergy = 0.5 * listed.mass * s.speed * s.speed + 0.5 * dot(spin, mass->inertia * spin);
   s.centreOfMass = state->centreOfMass;

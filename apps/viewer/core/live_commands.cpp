@@ -293,6 +293,7 @@ Result<std::string> LiveRun::carryOut(const ChangeMaterial& change) {
   material.density = change.density;
   material.friction = change.friction;
   material.restitution = change.restitution;
+  material.rollingResistance = change.rollingResistance;
   if (Status done = run_.setMaterial(change.name, material); !done) return done.error();
   wanted_.materials = run_.scene().materials;
   changes_++;

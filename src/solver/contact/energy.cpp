@@ -39,6 +39,10 @@ double elasticEnergy(const Contact& c, const StepContext& context) {
     sum += springEnergy(k, sticks ? c.points.drift1[i] : c.points.slip1[i], c.points.multiplier1[i]);
     sum += springEnergy(k, sticks ? c.points.drift2[i] : c.points.slip2[i], c.points.multiplier2[i]);
   }
+  if (resistsRolling(c) && c.points.stiffness[0] > 0) {
+    const double one = c.points.force1[kRollingLane], two = c.points.force2[kRollingLane];
+    sum += 0.5 * (one * one + two * two) / double(c.points.stiffness[0]);
+  }
   return sum;
 }
 
@@ -55,7 +59,7 @@ void ContactRows::addWork(const Island& island, const StepContext& context, TieW
     kernel::store(m.t1, way[1]);
     kernel::store(m.t2, way[2]);
     const FaceRecord& r = records[k];
-    const Vec3f bend = starts[k].bend;  // the law sees it as a part of the way
+    const Vec3f bend = starts[k].bend + starts[k].run;  // the law sees it as a part of the way
     for (int i = 0; i < c.count; i++) {
       way[0][i] += dot(r.n, bend), way[1][i] += dot(r.t1, bend), way[2][i] += dot(cross(r.n, r.t1), bend);
       auto work = [&](const float* normal, const float* along1, const float* along2) {
@@ -68,6 +72,9 @@ void ContactRows::addWork(const Island& island, const StepContext& context, TieW
       c.points.drift1[i] += way[1][i];
       c.points.drift2[i] += way[2][i];
     }
+    if (r.rolls)
+      sum.work += double(c.points.force1[kRollingLane]) * double(way[1][kRollingLane]) +
+                  double(c.points.force2[kRollingLane]) * double(way[2][kRollingLane]);
     std::copy(c.points.forceN, c.points.forceN + 4, c.points.multiplierN);
     std::copy(c.points.force1, c.points.force1 + 4, c.points.multiplier1);
     std::copy(c.points.force2, c.points.force2 + 4, c.points.multiplier2);
@@ -85,13 +92,14 @@ void addImpulse(const Contact& c, const FaceRecord& r, const ContactStart& start
   Vec3 centre = bodies.motion[c.bodyA].position + toDouble(r.armA);
   const BodyMotion& partner = bodies.motion[onB ? c.bodyA : c.bodyB];
   double sign = onB ? dt : -dt;
+  const Vec3 surface = toDouble(start.run) * (onB ? -1 / dt : 1 / dt);
   for (int i = 0; i < c.count; i++) {
     auto force = [&](float kept, float back) { return double(kept) + double(back); };
     Vec3 impulse = (n * force(c.points.forceN[i], start.back[i]) + t1 * force(c.points.force1[i], start.back1[i]) +
                     t2 * force(c.points.force2[i], start.back2[i])) *
                    sign;
     Vec3 point = centre + t1 * double(r.s1[i]) + t2 * double(r.s2[i]);
-    Vec3 velocity = partner.linearVelocity + cross(partner.angularVelocity, point - partner.position);
+    Vec3 velocity = partner.linearVelocity + cross(partner.angularVelocity, point - partner.position) + surface;
     sum.linear += impulse;
     sum.angular += cross(point, impulse);
     sum.energy += dot(impulse, velocity);

@@ -58,6 +58,7 @@ void ContactRows::startImpact(const Island& island, const StepContext& context, 
       r.newPoints |= 1u << i;
       if (closed) fastest = std::max(fastest, approach);
     }
+    if (r.rolls) r.trial1[kRollingLane] = r.trial2[kRollingLane] = r.limit[kRollingLane] = 0;
   }
   for (ContactStart& start : starts)
     for (float& most : start.stopping) most = float(kMostImpulse * heaviest * fastest / island.dt);

@@ -59,11 +59,19 @@ Vec3f bendOf(const Island& island, const FaceRecord& r, const Contact& c, const 
     const Vec3 w = bodies.motion[body].angularVelocity;
     const bool far = lengthSquared(w) * dt * dt > kLargestTurn * kLargestTurn;
     if (own != 1 || c.rolls || far || !(bodies.mass[body].invMass > 0)) return Vec3{};
-    const double late = island.facts.partnersMove ? 0.5 : 0.5 * bodies.data[body].steady.dt / dt;
+    const double late = island.facts.partnersGo ? 0.5 : 0.5 * bodies.data[body].steady.dt / dt;
     return cross(w, cross(w, arm)) * ((1 - late) * dt * dt);
   };
   return toFloat(half(c.bodyB, c.bodyA) - half(c.bodyA, c.bodyB) + ownArc(c.bodyB, toDouble(r.armB)) -
                  ownArc(c.bodyA, toDouble(r.armA)));
+}
+
+// The way of B's surface against A's in this step, as far as it lies along the face.
+Vec3f runOf(const Contact& c, const FaceRecord& r, const BodySet& bodies, double dt) {
+  const Vec3 run = bodies.surfaceVelocity(c.bodyB) - bodies.surfaceVelocity(c.bodyA);
+  if (run == Vec3{}) return {};
+  const Vec3 n = toDouble(r.n);
+  return toFloat((run - n * dot(n, run)) * dt);
 }
 
 // Rules for the points of a contact at the start of a step.
@@ -170,12 +178,32 @@ bool isDebris(const Island& island, const FaceRecord& r, const Contact& c, float
   return c.rolls ? moves(r.bodyA) && moves(r.bodyB) : moves(r.bodyA) || moves(r.bodyB);
 }
 
+// The lane that resists rolling goes on with its last force, which is all that it remembers: a spring that gives no
+// more than it was given, and that a slide shortens.
+void prepareRolling(const Contact& c, FaceRecord& r, ContactStart& start) {
+  r.rolls = 0;
+  start.rolling = 0;
+  if (!resistsRolling(c)) return;
+  float load = 0;
+  for (int i = 0; i < c.count; i++) load += std::max(0.0f, c.points.forceN[i]);
+  r.rolls = 1;
+  start.rolling = c.rolling;
+  r.s1[kRollingLane] = c.rollingRadius;
+  r.s2[kRollingLane] = 0;
+  r.trialN[kRollingLane] = -kLargestPointForce;  // never closed
+  r.k[kRollingLane] = c.points.stiffness[0];
+  r.trial1[kRollingLane] = c.points.force1[kRollingLane];
+  r.trial2[kRollingLane] = c.points.force2[kRollingLane];
+  r.limit[kRollingLane] = c.rolling * load;
+}
+
 }  // namespace
 
 void ContactRows::prepare(const Island& island, Ties& ties, const StepContext& context) {
   const BodySet& bodies = *context.bodies;
   ContactSet& set = ties.contacts;
   fastestApproach = 0;
+  rolls = false;
   for (std::size_t k = 0; k < size(); k++) {
     Contact& c = set.contacts[contactOf[k]];
     FaceRecord& r = records[k];
@@ -197,7 +225,9 @@ void ContactRows::prepare(const Island& island, Ties& ties, const StepContext& c
     start.points = c.count;
     start.friction = c.friction;
     start.bend = bendOf(island, r, c, bodies, island.dt);
-    float bendN = dot(r.n, start.bend), bend1 = dot(r.t1, start.bend), bend2 = dot(cross(r.n, r.t1), start.bend);
+    start.run = runOf(c, r, bodies, island.dt);
+    const Vec3f carried = start.bend + start.run;
+    float bendN = dot(r.n, start.bend), bend1 = dot(r.t1, carried), bend2 = dot(cross(r.n, r.t1), carried);
     for (int i = 0; i < 4; i++) {
       start.taken[i] = start.back[i] = start.back1[i] = start.back2[i] = 0;
       if (i >= c.count) {
@@ -223,6 +253,8 @@ void ContactRows::prepare(const Island& island, Ties& ties, const StepContext& c
       r.limit[i] = c.friction * std::max(0.0f, c.points.forceN[i]);
       r.leastN[i] = 0;
     }
+    prepareRolling(c, r, start);
+    rolls = rolls || r.rolls;
   }
 }
 

@@ -11,9 +11,9 @@ bool isLength(float x) { return std::fabs(x) <= kLargestPointLength; }
 bool isForce(float x) { return std::fabs(x) <= kLargestPointForce; }
 
 bool isSound(const FaceRecord& r, const ContactStart& start) {
-  bool fine =
-      r.newPoints < 16 && start.falling < 16 && isForce(start.friction) && start.points >= 0 && start.points <= 4;
-  for (const Vec3f& v : {r.n, r.t1, r.armA, r.armB, start.bend})
+  bool fine = r.newPoints < 16 && r.rolls <= 1 && start.falling < 16 && isForce(start.friction) &&
+              isForce(start.rolling) && start.points >= 0 && start.points <= (r.rolls ? kRollingLane : 4);
+  for (const Vec3f& v : {r.n, r.t1, r.armA, r.armB, start.bend, start.run})
     fine = fine && isLength(v.x) && isLength(v.y) && isLength(v.z);
   for (int i = 0; i < 4; i++)
     fine = fine && isLength(r.s1[i]) && isLength(r.s2[i]) && isForce(r.trialN[i]) && isForce(r.trial1[i]) &&
@@ -53,6 +53,8 @@ void ContactRows::hashRecord(Mix& h, std::size_t k, const Ties& ties) const {
   h(r.n, r.t1, r.armA, r.armB, r.newPoints);
   for (const float* field : {r.s1, r.s2, r.trialN, r.trial1, r.trial2, r.k, r.limit, r.leastN})
     h.list(field, ties.contacts.contacts[contactOf[k]].count);
+  if (r.rolls)
+    h(r.s1[kRollingLane], r.k[kRollingLane], r.trial1[kRollingLane], r.trial2[kRollingLane], r.limit[kRollingLane]);
 }
 
 void ContactRows::checkStructure(Findings& f, const Island& island, const Ties& ties, const BodySet& bodies,

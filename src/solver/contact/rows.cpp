@@ -86,6 +86,12 @@ bool ContactRows::renewNewPoints(std::size_t k, const SolveMotion* motion, float
     r.limit[i] = limit;
     changed = true;
   }
+  if (changed && r.rolls) {
+    float load = 0;
+    for (int i = 0; i < start.points; i++)
+      load += std::max(0.0f, r.newPoints >> i & 1 ? std::min(fn[i], start.stopping[i]) : fn[i]);
+    r.limit[kRollingLane] = start.rolling * load;
+  }
   return changed;
 }
 

@@ -25,7 +25,9 @@ struct ContactStart {
   float back[4] = {}, back1[4] = {},
         back2[4] = {};        // N, that a rebound gives in this step, beside the point's remembered force
   Vec3f bend;                 // m, of B against A: the arc of a turning partner adds this to the ways along its tangent
+  Vec3f run;                  // m, of B against A: the way of surfaces that run in this step, along the face
   float friction = 0;         // coefficient
+  float rolling = 0;          // coefficient, where a lane of the record resists rolling
   std::uint32_t falling = 0;  // bit per point whose friction limit follows downwards only: after an impact
   std::int32_t points = 0;    // 0 .. 4
   Scale scale;                // of the pair

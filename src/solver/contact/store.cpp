@@ -74,6 +74,14 @@ void placeSlip(Contact& c, int i, bool sliding, float largest) {
   }
 }
 
+// Anchors on a surface that runs go with it; `ofA`: that of A.
+void runAnchors(ContactGeometry& g, float run1, float run2, bool ofA) {
+  if (run1 == 0 && run2 == 0) return;
+  const Vec3 run = g.tangent1 * double(run1) + cross(g.normal, g.tangent1) * double(run2);
+  for (int i = 0; i < 4; i++)
+    (ofA ? g.anchorA[i] : g.anchorB[i]) += ofA ? -run : rotate(conjugate(g.relativeRotation), run);
+}
+
 bool sameForces(const PointMemory& was, const PointMemory& now, int count) {
   for (int i = 0; i < count; i++) {
     auto same = [most = float(kFloatsRound) * now.forceN[i], i](const float(&a)[4], const float(&b)[4]) {
@@ -111,6 +119,10 @@ bool ContactRows::store(Island& island, Ties& ties, StepContext& context) {
       if (f.n[i] > 0 && !sliding) c.points.stickingMask |= 1u << i;
       placeSlip(c, i, sliding, float(kSamePlace * starts[k].scale.size));
     }
+    if (records[k].rolls) {
+      c.points.force1[kRollingLane] = touches ? f.t1[kRollingLane] : 0;
+      c.points.force2[kRollingLane] = touches ? f.t2[kRollingLane] : 0;
+    }
     c.touching = touches;
     if (c.touching != touched) ties.contacts.touchingChanged = true;
     if (!changed && c.touching == touched && sameForces(before, c.points, c.count))
@@ -141,8 +153,10 @@ void ContactRows::advance(const Island& island, Ties& ties) const {
     kernel::store(m.n, n);
     kernel::store(m.t1, t1);
     kernel::store(m.t2, u2);
-    const Vec3f bend = starts[k].bend;
-    float bendN = dot(r.n, bend), bend1 = dot(r.t1, bend), bend2 = dot(cross(r.n, r.t1), bend);
+    const Vec3f bend = starts[k].bend, carried = bend + starts[k].run;
+    float bendN = dot(r.n, bend), bend1 = dot(r.t1, carried), bend2 = dot(cross(r.n, r.t1), carried);
+    runAnchors(ties.contacts.geometry[contactOf[k]], dot(r.t1, starts[k].run), dot(cross(r.n, r.t1), starts[k].run),
+               r.bodyA >= island.bodies.size());
     for (int i = 0; i < c.count; i++) {
       c.points.gap[i] += n[i] + bendN;
       c.points.drift1[i] += t1[i] + bend1;

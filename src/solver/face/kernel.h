@@ -3,6 +3,9 @@
 //   fn = max(trialN - k Cn, leastN)
 //   ft = (trial1 - k C1, trial2 - k C2), scaled back onto |ft| <= limit: scaled back = slides
 //
+// Resistance to rolling is the same law for (C1, C2) = radius x (turn about t1, turn about t2): a torque radius x ft.
+// It is in the last lane of faces that have no fourth point (FaceRecord::rolls); others pass it by.
+//
 #pragma once
 #include "math/wide.h"
 #include "solver/face/record.h"
@@ -47,6 +50,16 @@ template <class R> BRICKFALL_LANES auto frame(const R& r) {
   return Frame<decltype(n)>{n, t1, cross3(n, t1), vectorOf(r, &FaceRecord::armA), vectorOf(r, &FaceRecord::armB)};
 }
 
+// Whether a lane resists rolling, in any of the records; the lanes that do.
+BRICKFALL_LANES bool anyRolls(const FaceRecord& r) { return r.rolls != 0; }
+template <class L> BRICKFALL_LANES bool anyRolls(const RecordPair<L>& r) {
+  return (r.first.rolls | r.second.rolls) != 0;
+}
+template <class R> BRICKFALL_LANES auto rollingLanes(const R& r) {
+  auto marks = lanesOf(r, [](const FaceRecord& one) { return V{0, 0, 0, float(one.rolls)}; });
+  return marks > decltype(marks){};
+}
+
 // Displacements of the four points.
 template <class L> struct PointMotion { L n, t1, t2; };
 template <class R, class L>
@@ -61,8 +74,14 @@ BRICKFALL_LANES PointMotion<L> pointMotion(const R& r, const Frame<L>& f, const 
   L tilt = sums(w * f.t1, w * f.t2, L{}, L{});           // w1 w2
   L s1 = pointsOf(r, &FaceRecord::s1), s2 = pointsOf(r, &FaceRecord::s2);
   L wn = spread<3>(along);
-  return {spread<0>(along) + spread<0>(tilt) * s2 - spread<1>(tilt) * s1, spread<1>(along) - wn * s2,
-          spread<2>(along) + wn * s1};
+  PointMotion<L> moved{spread<0>(along) + spread<0>(tilt) * s2 - spread<1>(tilt) * s1, spread<1>(along) - wn * s2,
+                       spread<2>(along) + wn * s1};
+  if (anyRolls(r)) {
+    auto rolling = rollingLanes(r);
+    moved.t1 = select(rolling, spread<0>(tilt) * s1, moved.t1);
+    moved.t2 = select(rolling, spread<1>(tilt) * s1, moved.t2);
+  }
+  return moved;
 }
 
 template <class L> struct PointForces {
@@ -95,9 +114,19 @@ template <class R, class L> BRICKFALL_LANES PointForces<L> pointForces(const R& 
 template <class L> struct WideWrench { L force, torque; };
 template <class R, class L>
 BRICKFALL_LANES WideWrench<L> wrench(const R& r, const Frame<L>& frame, const PointForces<L>& f) {
-  L s1 = pointsOf(r, &FaceRecord::s1), s2 = pointsOf(r, &FaceRecord::s2);
-  L force = sums(f.n, f.t1, f.t2, s1 * f.t2 - s2 * f.t1);  // Fn F1 F2 Mn
-  L tilt = sums(s2 * f.n, s1 * f.n, L{}, L{});             // M1 -M2
+  L s1 = pointsOf(r, &FaceRecord::s1), s2 = pointsOf(r, &FaceRecord::s2), t1 = f.t1, t2 = f.t2;
+  L roll1{}, roll2{};  // N m, about t1 and t2
+  const bool rolls = anyRolls(r);
+  if (rolls) {
+    auto rolling = rollingLanes(r);
+    roll1 = keepIf(rolling, s1 * t1);
+    roll2 = keepIf(rolling, s1 * t2);
+    t1 = select(rolling, L{}, t1);
+    t2 = select(rolling, L{}, t2);
+  }
+  L force = sums(f.n, t1, t2, s1 * t2 - s2 * t1);  // Fn F1 F2 Mn
+  L tilt = sums(s2 * f.n, s1 * f.n, L{}, L{});     // M1 -M2
+  if (rolls) tilt = tilt + sums(roll1, -roll2, L{}, L{});
   return {frame.n * spread<0>(force) + frame.t1 * spread<1>(force) + frame.t2 * spread<2>(force),
           frame.n * spread<3>(force) + frame.t1 * spread<0>(tilt) - frame.t2 * spread<1>(tilt)};
 }
@@ -129,6 +158,17 @@ BRICKFALL_LANES StiffnessOf<L> stiffness(const R& r, const Frame<L>& frame, cons
   L t11 = select(sliding, share * (along2 * along2), kt);
   L t22 = select(sliding, share * (along1 * along1), kt);
   L t12 = select(sliding, -(share * (along1 * along2)), zero);
+  L roll11{}, roll12{}, roll22{};  // torque against turns about t1 and t2
+  const bool rolls = anyRolls(r);
+  if (rolls) {
+    auto rolling = rollingLanes(r);
+    roll11 = keepIf(rolling, t11 * s1 * s1);
+    roll12 = keepIf(rolling, t12 * s1 * s1);
+    roll22 = keepIf(rolling, t22 * s1 * s1);
+    t11 = select(rolling, zero, t11);
+    t12 = select(rolling, zero, t12);
+    t22 = select(rolling, zero, t22);
+  }
   L kn1 = kn * s1, kn2 = kn * s2;
   L ta = s1 * t12 - s2 * t11;  // turning about n couples to t1 ...
   L tb = s1 * t22 - s2 * t12;  // ... and t2
@@ -143,6 +183,11 @@ BRICKFALL_LANES StiffnessOf<L> stiffness(const R& r, const Frame<L>& frame, cons
   L bt = frame.t1 * spread<3>(q) + frame.t2 * spread<3>(t);  // tangential force against the turn about n
   L cn = frame.n * spread<3>(n), c1 = frame.t1 * spread<2>(q) - frame.t2 * spread<1>(q),
     c2 = frame.t2 * spread<0>(q) - frame.t1 * spread<1>(q);
+  if (rolls) {
+    L roll = sums(roll11, roll12, roll22, zero);
+    c1 = c1 + frame.t1 * spread<0>(roll) + frame.t2 * spread<1>(roll);
+    c2 = c2 + frame.t1 * spread<1>(roll) + frame.t2 * spread<2>(roll);
+  }
   auto row = [&](L ni, L t1i, L t2i, L bti, int i) {
     out.A[i] = an * ni + a1 * t1i + a2 * t2i;
     out.B[i] = bn * ni + frame.n * bti;

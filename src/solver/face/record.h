@@ -16,7 +16,10 @@ struct alignas(64) FaceRecord {
   Vec3f armA, armB;                    // m, from the centres of mass to the face's centre
   std::uint32_t bodyA = 0, bodyB = 0;  // in Island::motion
   float near = 0;                      // m: open points nearer than this stay in the Newton matrix
-  std::uint32_t newPoints = 0;         // bit per point whose friction limit follows: it carried nothing, or an impact
+  std::uint16_t newPoints = 0;         // bit per point whose friction limit follows: it carried nothing, or an impact
+  // 1: the last lane is no point. It resists rolling: its way is the turn of B against A about t1 and t2 times s1, a
+  // radius, and its friction is a torque over that radius.
+  std::uint16_t rolls = 0;
 
   float s1[4] = {}, s2[4] = {};  // m
   float trialN[4] = {};          // N, force at zero motion: share of the multiplier - k (correctable gap)

@@ -12,6 +12,7 @@ namespace brickfall {
 struct FaceRows {
   explicit FaceRows(std::pmr::memory_resource* memory) : records(memory) {}
   std::pmr::vector<FaceRecord> records;  // by row
+  bool rolls = false;                    // any of them resists rolling in this step
 
   RowEnds ends(std::size_t k) const { return {records[k].bodyA, records[k].bodyB}; }
   // The direction from A to B along which the face presses.
@@ -20,6 +21,12 @@ struct FaceRows {
   // Reads `count` rows from k on.
   void read(std::size_t k, std::size_t count, const SolveMotion* motion, Reading* out) const {
     readFaces(records.data() + k, count, motion, out);
+  }
+  // visit(ends, force): of rows that resist rolling, the most with which they do, N.
+  template <class Visit> void eachResistance(Visit&& visit) const {
+    if (!rolls) return;
+    for (std::size_t k = 0; k < records.size(); k++)
+      if (records[k].rolls) visit(ends(k), records[k].limit[3]);
   }
   // J: the most that the face's law gives in a step, by whatever way: that of a spring which is released halfway.
   double mostWork(std::size_t k) const {

@@ -142,8 +142,9 @@ RigidMotion motionOf(const Island& island, Bodies group, const StepContext& cont
 }
 // The motion of the body that a group presses on.
 RigidMotion motionOf(const Island& island, std::uint32_t partner, const StepContext& context) {
-  const BodyMotion& m = context.bodies->motion[island.partners[partner - island.bodies.size()]];
-  return {m.position, m.linearVelocity, m.angularVelocity};
+  const BodyIndex body = island.partners[partner - island.bodies.size()];
+  const BodyMotion& m = context.bodies->motion[body];
+  return {m.position, m.linearVelocity + context.bodies->surfaceVelocity(body), m.angularVelocity};
 }
 
 // Energy of a group as a function of the share x that is left of its motion against a rigid motion:

@@ -167,7 +167,7 @@ void GroupSlides::correct() {
 
 void finishSlides(Island& island, StepContext& context) {
   if (!island.grounded() || island.facts.fastest <= context.settings.restSpeed) return;
-  if (island.bodies.size() == 1 && !island.facts.partnersMove) return;
+  if (island.bodies.size() == 1 && !island.facts.partnersGo) return;
   for (BodyIndex partner : island.partners)
     if (context.bodies->motion[partner].angularVelocity != Vec3{}) return;
   GroupSlides slides(island, context);

@@ -1,12 +1,13 @@
-// One body on something fixed whose contacts go on through the step: the leapfrog, as Verlet wrote it. A step starts
-// the solve with velocities that are late by half of the last step. That makes its ways and times of second order and
-// keeps energy. A body remembers velocities that are up to date, and how they changed in the last step. From rest,
-// after flight and after an impact no velocity is late. Bodies that push each other are left alone (what one gains the
-// other would have to give), unless they slide as one: finish/group_slide.h.
+// One body on something fixed, or on a surface that runs, whose contacts go on through the step: the leapfrog, as
+// Verlet wrote it. A step starts the solve with velocities that are late by half of the last step. That makes its ways
+// and times of second order and keeps energy. A body remembers velocities that are up to date, and how they changed in
+// the last step. From rest, after flight and after an impact no velocity is late. Bodies that push each other are left
+// alone (what one gains the other would have to give), unless they slide as one: finish/group_slide.h.
 #include "solver/finish/lone_body.h"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "solver/finish/motion.h"
 
@@ -35,11 +36,23 @@ bool steadyContacts(const Island& island, const StepContext& context, const Velo
 //! | too large: a velocity changed by a hit or a start counts as a force that goes on
 constexpr double kSameForces = 0.4;  // changes of velocity that differ by no more come from the same forces
 
+// m/s: of the surfaces that the body may touch, if they run alike.
+std::optional<Vec3> runUnder(const Island& island, const BodySet& bodies) {
+  std::optional<Vec3> run;
+  for (BodyIndex partner : island.partners) {
+    const Vec3 own = bodies.surfaceVelocity(partner);
+    if (run && !(*run == own)) return std::nullopt;
+    run = own;
+  }
+  return run;
+}
+
 // Share of the step for which a sliding body slows down, from its true velocity and at the full friction. It is 1 if
 // friction does not stop the body within the step. Its points stop where it does.
-double partUntilStopped(const Island& island, const StepContext& context, const VelocityChange& change) {
+// Speeds are those against the surface that runs at `run`.
+double partUntilStopped(const Island& island, const StepContext& context, const VelocityChange& change, Vec3 run) {
   const BodyIndex body = island.bodies[0];
-  const Vec3 start = context.free[body].startVelocity, solved = context.solved[body].velocity;
+  const Vec3 start = context.free[body].startVelocity - run, solved = context.solved[body].velocity - run;
   const double speed = length(start), mass = context.bodies->mass[body].mass, h = island.dt;
   if (!(speed > 0)) return 1;
   const Vec3 back = start * (-1 / speed);
@@ -74,13 +87,15 @@ bool goesOn(const SteadyChange& last, const SteadyChange& now, double radius) {
 }  // namespace
 
 void finishLoneBody(const Island& island, Ties& ties, StepContext& context) {
-  if (island.bodies.size() != 1 || island.groups.flies(0) || island.facts.partnersMove) return;
+  if (island.bodies.size() != 1 || island.groups.flies(0) || island.facts.partnersGo) return;
   const BodyIndex body = island.bodies[0];
+  const std::optional<Vec3> run = runUnder(island, *context.bodies);
+  if (!run) return;
   const VelocityChange change = changeOf(body, context);
   if (!steadyContacts(island, context, change)) return;
   const double h = island.dt;
-  const Vec3 start = context.free[body].startVelocity, solved = context.solved[body].velocity;
-  if (const double part = partUntilStopped(island, context, change); part < 1) {
+  const Vec3 start = context.free[body].startVelocity - *run, solved = context.solved[body].velocity - *run;
+  if (const double part = partUntilStopped(island, context, change, *run); part < 1) {
     const Vec3 along = start * (dot(solved, start) / lengthSquared(start));
     shift(body, start * (0.5 * part * h) - along * h, {}, context);
     accelerate(body, -along, {}, context);

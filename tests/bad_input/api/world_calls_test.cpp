@@ -105,6 +105,7 @@ TEST(WorldCalls, EveryNumberOfASetterIsChecked) {
       unchanged.refusesValue(w.setTransform(s.box, v, {}), "position" + name);
       unchanged.refusesValue(w.setLinearVelocity(s.box, v), "velocity" + name);
       unchanged.refusesValue(w.setAngularVelocity(s.paddle, v), "velocity" + name);
+      unchanged.refusesValue(w.setSurfaceVelocity(s.paddle, v), "surfaceVelocity" + name);
       unchanged.refusesValue(w.setGravity(v), "gravity" + name);
       unchanged.refusesValue(w.applyForce(s.box, v), "force" + name);
       unchanged.refusesValue(w.applyForceAtPoint(s.box, v, {}), "force" + name);
@@ -155,6 +156,8 @@ TEST(WorldCalls, BodiesThatCanNotBePushedOrChangedSaySo) {
     unchanged.refuses(w.applyAngularImpulse(body, {1, 0, 0}), ErrorCode::wrongState, "force");
   }
   unchanged.refuses(w.setType(s.ground, BodyType::dynamic), ErrorCode::invalidArgument, "plane");
+  for (BodyId body : {s.box, s.sleeper})
+    unchanged.refuses(w.setSurfaceVelocity(body, {1, 0, 0}), ErrorCode::wrongState, "surfaceVelocity");
 }
 
 TEST(WorldCalls, StepRefusesEveryBadTime) {
@@ -205,6 +208,7 @@ TEST(WorldCalls, EveryFieldOfABodyIsChecked) {
     refuses("dragArea", [=](BodyDef& d) { d.dragArea = bad; });
     refuses("gravityScale", [=](BodyDef& d) { d.gravityScale = 1e4 * bad; });
     refuses("shapes[3].material.friction", [=](BodyDef& d) { d.shapes[3].material.friction = bad; });
+    refuses("shapes[3].material.rollingResistance", [=](BodyDef& d) { d.shapes[3].material.rollingResistance = bad; });
     refuses("shapes[3].material.restitution", [=](BodyDef& d) { d.shapes[3].material.restitution = bad; });
   }
   for (Quat bad : {Quat{0, 0, 0, 0}, Quat{kNan, 0, 0, 1}, Quat{0, kInf, 0, 1}, Quat{0, 0, 1e-9, 0}}) {
@@ -227,7 +231,7 @@ TEST(WorldCalls, EveryFieldOfABodyIsChecked) {
     d.shapes[0].halfExtents = {1e4, 1e4, 1e4};
     d.shapes[0].material.density = 1e7;
   });
-  EXPECT_EQ(wrong, 170);
+  EXPECT_EQ(wrong, 175);
   auto refusesHull = [&](const std::function<void(std::vector<Vec3>&)>& spoil) {
     BodyDef d = bodyOf(hullOf(0.1), {0, 5, 0});
     spoil(d.shapes[0].vertices);

@@ -31,6 +31,7 @@ TEST(Progress, countedWorkTellsWhatIsLeft) {
   EXPECT_EQ(workText({"picture", 100, 300, 0, 50}), "picture 100 of 300  0.50 s each  1 min 40 s left");
   EXPECT_EQ(workText({"picture", 100, 300, 90, 20}), "picture 100 of 300  2.00 s each  6 min 40 s left")
       << "those of an earlier run say nothing of the speed";
+  EXPECT_EQ(workText({"step", 500, 1000, 0, 1}), "step 500 of 1000  2.00 ms each  1.0 s left");
   EXPECT_EQ(workText({"picture", 300, 300, 300, 1}), "picture 300 of 300");
   EXPECT_NE(workLine({"picture", 150, 300, 0, 50}, 200).find("[###############               ]"), std::string::npos);
   testing::internal::CaptureStdout();

@@ -85,6 +85,7 @@ void expectSameBody(const SceneBody& a, const SceneBody& b) {
   EXPECT_EQ(a.def.linearDamping, b.def.linearDamping);
   EXPECT_EQ(a.def.angularDamping, b.def.angularDamping);
   EXPECT_EQ(a.def.dragArea, b.def.dragArea);
+  EXPECT_EQ(a.def.surfaceVelocity, b.def.surfaceVelocity);
   EXPECT_EQ(a.def.allowSleep, b.def.allowSleep);
   EXPECT_EQ(a.launchTime, b.launchTime);
   ASSERT_EQ(a.def.shapes.size(), b.def.shapes.size());
@@ -205,6 +206,7 @@ TEST(KeyReference, DocumentedDefaultsAreTheRealOnes) {
   EXPECT_EQ(materialA.material.density, materialB.material.density);
   EXPECT_EQ(materialA.material.friction, materialB.material.friction);
   EXPECT_EQ(materialA.material.restitution, materialB.material.restitution);
+  EXPECT_EQ(materialA.material.rollingResistance, materialB.material.rollingResistance);
   EXPECT_EQ(materialA.material.frictionRule, materialB.material.frictionRule);
   EXPECT_EQ(materialA.material.restitutionRule, materialB.material.restitutionRule);
   EXPECT_EQ(materialA.colour, materialB.colour);

@@ -251,6 +251,20 @@ TEST(MachineScene, AnArchStandsOrFallsByItsThickness) {
   EXPECT_LT(heightOf(ranTo("arch", 4, {{"ratio", "0.1"}}), "arch/10"), 0.5);
 }
 
+TEST(MachineScene, ADomeStandsUntilABallComes) {
+  const Overrides few = {{"rings", "5"}, {"stones", "12"}};
+  const auto with = [&](const char* key, const char* value) {
+    Overrides all = few;
+    all.push_back({key, value});
+    return all;
+  };
+  const double crown = heightOf(ranTo("dome", 0.1, few), "dome/key");
+  EXPECT_GT(heightOf(ranTo("dome", 2, few), "dome/key"), crown - 1e-3);
+  EXPECT_LT(heightOf(ranTo("dome", 1.5, with("ratio", "0.03")), "dome/key"), crown - 0.5);
+  EXPECT_LT(heightOf(ranTo("dome", 1.5, with("drum", "0.05")), "dome/key"), crown - 0.5);
+  EXPECT_LT(heightOf(ranTo("dome", 1.5, with("launch", "0.2")), "dome/key"), crown - 0.5);
+}
+
 // A small house is broken, the chain stays whole: its links are as long as they were.
 TEST(JointScene, AWreckingBallBreaksAHouseAndItsChainHolds) {
   const SceneRun run = ranTo("wrecking-ball", 2.15, {{"front", "7"}, {"side", "4"}});

@@ -150,6 +150,7 @@ height = 1.5
 position = [1, 2, 3]
 rotation_degrees = [0, 0, 90]
 angular_velocity = [0, 1, 0]
+surface_velocity = [0, 0.5, 0]
 [[body]]
 shape = "hull"
 vertices = [[0,0,0],[1,0,0],[0,1,0],[0,0,1]]
@@ -171,6 +172,7 @@ position = [0, 0.5, 0]
 [[ball]]
 radius = 0.3
 density = 5000
+rolling_resistance = 0.02
 position = [0, 1, 2]
 velocity = [0, 0, -5]
 launch_time = 1.5
@@ -184,6 +186,7 @@ launch_time = 1.5
   Vec3 up = rotate(post.def.rotation, Vec3{0, 1, 0});
   EXPECT_NEAR(up.x, -1, 1e-15);
   EXPECT_EQ(post.def.angularVelocity, (Vec3{0, 1, 0}));
+  EXPECT_EQ(post.def.surfaceVelocity, (Vec3{0, 0.5, 0}));
   const BodyDef& hull = scene.bodies[1].def;
   EXPECT_EQ(hull.shapes[0].vertices.size(), 4u);
   EXPECT_EQ(hull.gravityScale, 0.5);
@@ -201,7 +204,36 @@ launch_time = 1.5
   EXPECT_EQ(ball.def.linearVelocity, (Vec3{0, 0, -5}));
   EXPECT_EQ(scene.materials.back().name, ball.material);
   EXPECT_EQ(scene.materials.back().material.density, 5000);
+  EXPECT_EQ(scene.materials.back().material.rollingResistance, 0.02);
   EXPECT_EQ(scene.materials.back().material.friction, 0.5);  // of steel
+}
+
+TEST(ParseScene, ADomeHasItsRingsAndItsKeystone) {
+  SceneDescription scene = sound(R"(
+[[dome]]
+name = "dome"
+rings = 3
+stones = 6
+radius = 2
+thickness = 0.2
+drum_rings = 2
+drum_height = 1
+position = [1, 0, 0]
+[[dome]]
+oculus_degrees = 30
+yaw_degrees = 15
+position = [9, 0, 0]
+)");
+  ASSERT_EQ(scene.bodies.size(), std::size_t(1 + 5 * 6 + 1 + 8 * 16));
+  EXPECT_EQ(scene.bodies[1].name, "dome/drum/0/0");
+  EXPECT_NEAR(scene.bodies[1].def.position.y, 0.25, 1e-12);
+  EXPECT_EQ(scene.bodies[13].name, "dome/0/0");
+  const SceneBody& key = scene.bodies[31];
+  EXPECT_EQ(key.name, "dome/key");
+  EXPECT_EQ(key.def.shapes[0].vertices.size(), 12u);
+  EXPECT_NEAR(key.def.position.x, 1, 1e-12);
+  EXPECT_NEAR(key.def.position.y, 1 + 2 * std::cos(3.14159265358979 / 14), 1e-9);
+  EXPECT_TRUE(checkScene(scene).empty()) << allOf(checkScene(scene));
 }
 
 TEST(ParseScene, RotationTurnsAboutXThenYThenZ) {

@@ -11,7 +11,7 @@
 namespace brickfall {
 namespace {
 
-enum class Regime { sticks, slides, open, mixed };
+enum class Regime { sticks, slides, open, mixed, rolls };
 
 // Two bodies and a fixed partner, one contact between each two, random frames, arms and points.
 struct Scene {
@@ -67,6 +67,12 @@ struct Scene {
         r.trial1[i] = float(random.between(-500, 500));
         r.trial2[i] = float(random.between(200, 500));
         r.limit[i] = slides ? 60.0f : 1e6f;
+      }
+      if (regime == Regime::rolls) {  // against resistance, which two of the three overcome
+        r.rolls = 1;
+        r.s2[3] = 0;
+        r.trialN[3] = -kLargestPointForce;
+        if (k > 0) r.limit[3] = 60;
       }
       island.rows.contacts.contactOf.push_back(k);
       island.rows.contacts.records.push_back(r);
@@ -135,6 +141,14 @@ WrenchD direct(const Scene& s, bool both) {
     const SolveMotion &a = s.island.motion[r.bodyA], &b = s.island.motion[r.bodyB];
     std::uint32_t body = inB ? r.bodyB : r.bodyA;
     for (int i = 0; i < 4; i++) {
+      if (r.rolls && i == 3) {
+        const Vec3 w = toDouble(b.th) - toDouble(a.th);
+        double m1 = double(r.trial1[i]) - double(r.k[i]) * double(r.s1[i]) * dot(t1, w),
+               m2 = double(r.trial2[i]) - double(r.k[i]) * double(r.s1[i]) * dot(t2, w);
+        const double over = std::min(1.0, double(r.limit[i]) / std::hypot(m1, m2));
+        sum.torque += (t1 * m1 + t2 * m2) * (over * double(r.s1[i]) * (inB ? 1.0 : -1.0));
+        continue;
+      }
       Vec3 place = t1 * double(r.s1[i]) + t2 * double(r.s2[i]);
       Vec3 armA = toDouble(r.armA) + place, armB = toDouble(r.armB) + place;
       Vec3 u = toDouble(b.d) + cross(toDouble(b.th), armB) - toDouble(a.d) - cross(toDouble(a.th), armA);
@@ -154,7 +168,7 @@ WrenchD direct(const Scene& s, bool both) {
   return sum;
 }
 
-const Regime kRegimes[] = {Regime::sticks, Regime::slides, Regime::open, Regime::mixed};
+const Regime kRegimes[] = {Regime::sticks, Regime::slides, Regime::open, Regime::mixed, Regime::rolls};
 
 TEST(Cluster, ResidualIsTheContactLawPointByPoint) {
   Random random(21);

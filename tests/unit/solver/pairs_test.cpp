@@ -20,7 +20,7 @@ struct PairScene {
   std::vector<Reading> readings{kFirstRow};  // of rows of some other kind
   std::vector<std::uint32_t> sides;
 
-  // Points that stick, slide, are open or near, are missing, or push apart.
+  // Points that stick, slide, are open or near, are missing, or push apart; resistance to rolling.
   PairScene(Random& random, std::uint32_t count) {
     auto vector = [&](double size) {
       return Vec3f{float(random.between(-size, size)), float(random.between(-size, size)),
@@ -51,6 +51,14 @@ struct PairScene {
         r.trial2[i] = float(random.between(-500, 500));
         r.limit[i] = random.between(0, 1) < 0.3 ? 0 : float(random.between(0, 800));
         r.leastN[i] = random.between(0, 1) < 0.8 ? 0 : float(random.between(-300, 300));
+      }
+      if (points < 4 && random.between(0, 1) < 0.4) {  // the last lane resists rolling
+        r.rolls = 1;
+        r.s1[3] = float(random.between(0.01, 0.5));
+        r.trialN[3] = -kLargestPointForce;
+        r.k[3] = 7e5f;
+        r.trial1[3] = float(random.between(-50, 50));
+        r.limit[3] = float(random.between(0, 60));
       }
       rows.contactOf.push_back(k);
       rows.records.push_back(r);

@@ -106,6 +106,7 @@ std::vector<SpoiledBody> spoiledNumbers() {
     for (int axis = 0; axis < 3; axis++) {
       cases.push_back({"position", [=](BodyDef& d) { d.position[axis] = bad; }});
       cases.push_back({"linearVelocity", [=](BodyDef& d) { d.linearVelocity[axis] = bad; }});
+      cases.push_back({"surfaceVelocity", [=](BodyDef& d) { d.surfaceVelocity[axis] = bad; }});
       cases.push_back({"angularVelocity", [=](BodyDef& d) { d.angularVelocity[axis] = bad; }});
     }
   for (double bad : {kNan, kInf, -kInf, -1.0, 1e300, 0.0})
@@ -125,6 +126,8 @@ std::vector<SpoiledBody> spoiledNumbers() {
   cases.push_back({"restitution", [](BodyDef& d) { d.shapes[0].material.restitution = 1.01; }});
   cases.push_back({"friction", [](BodyDef& d) { d.shapes[0].material.friction = 101; }});
   cases.push_back({"frictionRule", [](BodyDef& d) { d.shapes[0].material.frictionRule = CombineRule(9); }});
+  cases.push_back({"rollingResistance", [](BodyDef& d) { d.shapes[0].material.rollingResistance = -0.1; }});
+  cases.push_back({"surfaceVelocity: found one on a dynamic body", [](BodyDef& d) { d.surfaceVelocity = {0, 0, 1}; }});
   cases.push_back({"restitutionRule", [](BodyDef& d) { d.shapes[0].material.restitutionRule = CombineRule(200); }});
   return cases;
 }

@@ -123,5 +123,27 @@ TEST(Kinematic, TwoKinematicBodiesIgnoreEachOther) {
   EXPECT_NEAR(world.state(b)->position.x, -1, 1e-9);
 }
 
+TEST(Kinematic, ASurfaceThatRunsIsReadAndEndsWithTheBody) {
+  World world = makeWorld();
+  BodyDef belt = bodyOf(boxOf({2, 0.1, 2}), {0, 0.1, 0}, BodyType::kinematic);
+  belt.surfaceVelocity = {0.5, 0, 0};
+  const BodyId body = add(world, belt);
+  const BodyId box = addBox(world, {0.1, 0.1, 0.1}, {0, 0.3, 0});
+  EXPECT_EQ(world.state(body)->surfaceVelocity, (Vec3{0.5, 0, 0}));
+  EXPECT_EQ(world.setSurfaceVelocity(box, {1, 0, 0}).error().code, ErrorCode::wrongState);
+  run(world, 1);
+  EXPECT_NEAR(world.state(box)->linearVelocity.x, 0.5, 1e-5);
+  EXPECT_EQ(world.state(body)->position, (Vec3{0, 0.1, 0})) << "the belt itself stays";
+  // It goes on, turned with the body, and is added to the body's own motion.
+  ASSERT_TRUE(world.setLinearVelocity(body, {0, 0, 0.25}).ok());
+  run(world, 1);
+  expectNear(world.state(box)->linearVelocity, {0.5, 0, 0.25}, 1e-4);
+  ASSERT_TRUE(world.setType(body, BodyType::fixed).ok());
+  EXPECT_EQ(world.state(body)->surfaceVelocity, (Vec3{0.5, 0, 0}));
+  ASSERT_TRUE(world.setType(body, BodyType::dynamic).ok());
+  EXPECT_EQ(world.state(body)->surfaceVelocity, Vec3{});
+  stepSound(world);
+}
+
 }  // namespace
 }  // namespace brickfall

@@ -56,6 +56,7 @@ void showBody(Desk& desk, const Frame& frame) {
     row("Mass", body.mass > 0 ? numberText(body.mass, "kg") : "fixed");
     row("Speed", fmt::format("{:.3f} m/s", body.speed));
     row("Spin", fmt::format("{:.2f} rad/s", body.spin));
+    if (body.surfaceSpeed > 0) row("Surface runs", fmt::format("{:.2f} m/s", body.surfaceSpeed));
     if (body.kineticEnergy) row("Kinetic energy", numberText(*body.kineticEnergy, "J"));
     row(body.kineticEnergy ? "Centre of mass" : "Position", placeText(body.centreOfMass));
     if (body.acceleration) row("Acceleration", fmt::format("{:.2f} m/s2", length(*body.acceleration)));

@@ -81,12 +81,15 @@ void showMaterials(Desk& desk, const Frame& frame) {
     ImGui::Text("%s", material.name.c_str());
     ImGui::SameLine();
     ImGui::TextDisabled("(%d shapes)", material.shapes);
-    ChangeMaterial change{material.name, material.density, material.friction, material.restitution};
+    ChangeMaterial change{material.name, material.density, material.friction, material.restitution,
+                          material.rollingResistance};
     ImGui::PushItemWidth(-1);
     bool send = heldSlider(material.name + ".density", change.density, 100, 12000, "density %.0f kg/m3", true);
     send = heldSlider(material.name + ".friction", change.friction, 0, 2, "friction %.2f", false) || send;
     note(desk, ("friction:" + material.name).c_str());
     send = heldSlider(material.name + ".restitution", change.restitution, 0, 1, "restitution %.2f", false) || send;
+    send = heldSlider(material.name + ".rolling", change.rollingResistance, 0, 0.5, "rolling resistance %.3f", false) ||
+           send;
     ImGui::PopItemWidth();
     if (send) desk.send(change);
     ImGui::PopID();
