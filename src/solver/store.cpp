@@ -23,7 +23,7 @@ void advanceRows(Island& island, Ties& ties, const StepContext& context) {
     island.motion[i].d = toFloat(s.d - island.travel);
     island.motion[i].th = toFloat(s.th);
   }
-  island.rows.eachKind([&](const auto& kind) { kind.advance(island, ties); });
+  island.rows.eachKind([&](const auto& kind) { kind.advance(island, ties, context); });
 }
 
 TieWork workOf(const Island& island, const StepContext& context) {

@@ -16,12 +16,6 @@ constexpr double kLeastFirmness = 0.003;  // of a joint that its bodies' velocit
 //! not of the method: more than any force
 constexpr float kUnbroken = 1e30f;
 
-// m: the end of an arm goes so much further than turn x arm.
-Vec3 arcOfArm(Vec3 turn, Vec3 arm) {
-  if (!(lengthSquared(turn) > 1e-16)) return {};
-  return rotate(quatFromRotationVector(turn), arm) - arm - cross(turn, arm);
-}
-
 // The points of a joint go out as it is damaged. Forces keep their sum and their moments: a force further out is less.
 void placePoints(Mortar& m, const MortarPose& pose) {
   const float arm = mortar::armOf(m.damage), by = m.arm / arm;
@@ -87,7 +81,8 @@ void MortarRows::prepare(Island& island, Ties& ties, const StepContext& context)
     auto turnOf = [&](std::uint32_t local, BodyIndex body) {
       return local < island.bodies.size() ? context.free[body].th : bodies.motion[body].angularVelocity * island.dt;
     };
-    start.arc = toFloat(arcOfArm(turnOf(r.bodyB, m.bodyB), pose.armB) - arcOfArm(turnOf(r.bodyA, m.bodyA), pose.armA));
+    start.arc = toFloat(mortar::arcOfArm(turnOf(r.bodyB, m.bodyB), pose.armB) -
+                        mortar::arcOfArm(turnOf(r.bodyA, m.bodyA), pose.armA));
     const Vec3 u =
         b.linearVelocity + cross(b.angularVelocity, pose.armB) - a.linearVelocity - cross(a.angularVelocity, pose.armA);
     const Vec3 w = b.angularVelocity - a.angularVelocity;
@@ -101,6 +96,7 @@ void MortarRows::prepare(Island& island, Ties& ties, const StepContext& context)
       const Vec3 gap = pose.displaced + pose.along1 * s1 + pose.along2 * s2;
       r.s1[i] = float(s1);
       r.s2[i] = float(s2);
+      start.gapN[i] = float(gap.x), start.gap1[i] = float(gap.y), start.gap2[i] = float(gap.z);
       start.heldN[i] = float(-stiffness * (gap.x - double(m.opening[i])));
       start.held1[i] = float(-stiffness * (gap.y - double(m.slip1[i])));
       start.held2[i] = float(-stiffness * (gap.z - double(m.slip2[i])));
