@@ -43,6 +43,7 @@ void checkContact(Findings& f, const BodySet& bodies, const ShapeSet& shapes, co
   const Material &a = shapes.data[c.shapeA].def.material, &b = shapes.data[c.shapeB].def.material;
   double inverseMass = bodies.mass[c.bodyA].invMass + bodies.mass[c.bodyB].invMass;
   f.expect(c.friction == float(mixFriction(a, b)) && c.restitution == float(mixRestitution(a, b)) &&
+               c.crushing == float(crushingOf(shapes.data[c.shapeA].def, shapes.data[c.shapeB].def)) &&
                c.effectiveMass == float(1 / inverseMass),
            "contacts: a constant is not that of its bodies");
   f.expect(std::fabs(lengthSquared(g.normal) - 1) < 1e-6 && std::fabs(lengthSquared(g.tangent1) - 1) < 1e-6 &&

@@ -124,6 +124,7 @@ void readMaterials(SceneBuild& build, TableReader& top) {
     reader.number("density", material.material.density);
     reader.number("friction", material.material.friction);
     reader.number("restitution", material.material.restitution);
+    reader.number("hardness", material.material.hardness);
     reader.choice("friction_rule", material.material.frictionRule);
     reader.choice("restitution_rule", material.material.restitutionRule);
     reader.colour("colour", material.colour);

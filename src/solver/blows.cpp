@@ -20,13 +20,14 @@ bool findYielding(const Island& island, std::pmr::vector<char>& yielding) {
 
 }  // namespace
 
-void giveBlows(Island& island, Ties& ties, BodySet& bodies, const StepContext& context) {
+void giveBlows(Island& island, bool last, Ties& ties, BodySet& bodies, const StepContext& context) {
   island.blows.impacts.clear();
+  island.blows.crushes.clear();
   island.blows.change = {};
   std::pmr::vector<char> yielding(island.memory);
   if (!findYielding(island, yielding)) return;
   island.rows.eachKind(
-      [&](const auto& kind) { kind.giveBlows(yielding, island.dt, ties, bodies, context, island.blows); });
+      [&](const auto& kind) { kind.giveBlows(yielding, last ? island.dt : 0, ties, bodies, context, island.blows); });
 }
 
 }  // namespace brickfall

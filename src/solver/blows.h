@@ -14,13 +14,22 @@ namespace brickfall {
 struct Island;
 struct StepContext;
 
+// A body that mortar holds was struck by something round.
+struct Crush {
+  BodyIndex body = kNoIndex;
+  Vec3 along;           // unit: of the blow
+  double crushing = 0;  // N, Contact::crushing
+};
+
 struct Blows {
-  explicit Blows(std::pmr::memory_resource* memory) : impacts(memory) {}
+  explicit Blows(std::pmr::memory_resource* memory) : impacts(memory), crushes(memory) {}
+  std::pmr::vector<Crush> crushes;      // of this step
   std::pmr::vector<TieImpact> impacts;  // of this step, to be told
   BalanceChange change;                 // of the bodies' momenta and energy
 };
 
-// Before the step of an island is prepared. Changes velocities.
-void giveBlows(Island& island, Ties& ties, BodySet& bodies, const StepContext& context);
+// Before a part of the step of an island is prepared. In its last part, changes velocities; in the others, tells what
+// impacts at their moment have crushed.
+void giveBlows(Island& island, bool last, Ties& ties, BodySet& bodies, const StepContext& context);
 
 }  // namespace brickfall

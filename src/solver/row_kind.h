@@ -77,7 +77,7 @@ concept GoesThroughAStep = requires(Kind& kind, const Kind& seen, std::size_t k,
                                     const SolveMotion* motion, float share, bool exact, Reading* readings,
                                     const Boundary& boundary, BoundarySums& sums, int pass, double dt, BodySet& bodies,
                                     const std::pmr::vector<char>& yielding, Blows& blows) {
-  seen.giveBlows(yielding, dt, ties, bodies, given, blows);  // before anything of the step is prepared (blows.h)
+  seen.giveBlows(yielding, dt, ties, bodies, given, blows);  // before anything is prepared (blows.h); dt 0: none
   kind.prepare(island, ties, given);
   // In the solve: force at the present motion, of one row, of many, of a cluster's boundary, with stiffness.
   { seen.arms(k) } -> std::same_as<Arms>;

@@ -146,6 +146,7 @@ class SnapshotArchive {
     a.value(s.def.material.density);
     a.value(s.def.material.friction);
     a.value(s.def.material.restitution);
+    a.value(s.def.material.hardness);
     a.choice(s.def.material.frictionRule, CombineRule::maximum);
     a.choice(s.def.material.restitutionRule, CombineRule::maximum);
     a.value(s.def.filter);

@@ -32,6 +32,7 @@ class Pair {
     };
     return 1 / (inverse(a_, armA_) + inverse(b_, armB_));
   }
+  Vec3 at() const { return at_; }
   void push(Vec3 impulse, BalanceChange& change) {
     const double before = energy();
     pushOne(a_, armA_, -impulse, change);
@@ -65,43 +66,91 @@ std::uint32_t closing(const Contact& c, double speed, double dt) {
   return out;
 }
 
+//! of the time of a first blow | too small: a body that meets two at once strikes one of them only
+//! | too large: it strikes what it only passes, since normals are those of the start of the step
+constexpr double kAtOnce = 1.01;
+
+// A contact that closes within the step.
+struct Closing {
+  double time = 0;  // s, from the start of the step
+  std::size_t row = 0;
+};
+
+Pair pairAt(const Contact& c, const ContactGeometry& g, BodySet& bodies) {
+  const BodyMotion& a = bodies.motion[c.bodyA];
+  return {bodies, c.bodyA, c.bodyB, a.position + a.orientation * g.centre};
+}
+Vec3 normalOf(const Contact& c, const ContactGeometry& g, const BodySet& bodies) {
+  return bodies.motion[c.bodyA].orientation * g.normal;
+}
+
+// Stops what closes, with its rebound, and rubs at most until it slides no more.
+TieImpact strikePair(Contact& c, const ContactGeometry& g, double speed, std::uint32_t points, BodySet& bodies,
+                     const StepContext& context, BalanceChange& change) {
+  Pair pair = pairAt(c, g, bodies);
+  const Vec3 n = normalOf(c, g, bodies);
+  const bool rebounds = -speed > context.settings.restitutionSpeed * scaleOfPair(c, context).speed;
+  const double impulse = -speed * (rebounds ? 1 + double(c.restitution) : 1) * pair.massAlong(n);
+  pair.push(n * impulse, change);
+  Vec3 slide = pair.velocity(), friction;
+  slide -= n * dot(n, slide);
+  if (const double fast = length(slide); fast > 0) {
+    const Vec3 along = slide * (-1 / fast);
+    friction = along * std::min(double(c.friction) * impulse, fast * pair.massAlong(along));
+    pair.push(friction, change);
+  }
+  const Vec3 t1 = bodies.motion[c.bodyA].orientation * g.tangent1, t2 = cross(n, t1);
+  double count = 0;
+  for (int i = 0; i < c.count; i++) count += points >> i & 1;
+  const double share = 1 / (count * context.dt);
+  for (int i = 0; i < c.count; i++)
+    if (points >> i & 1)
+      addHit(c.points, i, float(impulse * share), float(dot(friction, t1) * share), float(dot(friction, t2) * share));
+  return {c.bodyA, c.bodyB, pair.at(), n, -speed, impulse};
+}
+
 }  // namespace
 
+// In the order of their times. What is not held by mortar strikes what it meets first, and what it meets at once.
 void ContactRows::giveBlows(const std::pmr::vector<char>& yielding, double dt, Ties& ties, BodySet& bodies,
                             const StepContext& context, Blows& blows) const {
+  const auto memory = yielding.get_allocator();
+  std::pmr::vector<Closing> order(memory);
+  auto speedOf = [&](const Contact& c, const ContactGeometry& g) {
+    return dot(normalOf(c, g, bodies), pairAt(c, g, bodies).velocity());
+  };
+  auto crush = [&](std::size_t k, const Contact& c, Vec3 along) {
+    for (auto [held, body] : {std::pair{yielding[records[k].bodyA], c.bodyA}, {yielding[records[k].bodyB], c.bodyB}})
+      if (held && c.crushing > 0) blows.crushes.push_back({body, along, double(c.crushing)});
+  };
   for (std::size_t k = 0; k < size(); k++) {
     if (!yielding[records[k].bodyA] && !yielding[records[k].bodyB]) continue;
-    Contact& c = ties.contacts.contacts[contactOf[k]];
+    const Contact& c = ties.contacts.contacts[contactOf[k]];
     const ContactGeometry& g = ties.contacts.geometry[contactOf[k]];
-    const BodyMotion& a = bodies.motion[c.bodyA];
-    const Vec3 n = a.orientation * g.normal, at = a.position + a.orientation * g.centre;
-    Pair pair(bodies, c.bodyA, c.bodyB, at);
-    const double speed = dot(n, pair.velocity()), unit = scaleOfPair(c, context).speed;
-    if (!(-speed > context.settings.restingApproachSpeed * unit)) continue;
+    if (c.struck) crush(k, c, normalOf(c, g, bodies));  // at its moment, in an earlier part of the step
+    if (!(dt > 0)) continue;
+    const double speed = speedOf(c, g);
+    if (!(-speed > context.settings.restingApproachSpeed * scaleOfPair(c, context).speed)) continue;
+    if (closing(c, speed, dt) == 0) continue;
+    const double gap = *std::min_element(c.points.gap, c.points.gap + c.count);
+    order.push_back({std::max(0.0, gap) / -speed, k});
+  }
+  std::sort(order.begin(), order.end(),
+            [](const Closing& a, const Closing& b) { return a.time != b.time ? a.time < b.time : a.row < b.row; });
+  std::pmr::vector<double> first(yielding.size(), 2 * dt, memory);  // s: of the first blow of a body; more: none yet
+  for (const Closing& at : order) {
+    Contact& c = ties.contacts.contacts[contactOf[at.row]];
+    const ContactGeometry& g = ties.contacts.geometry[contactOf[at.row]];
+    const RowEnds ends = RowEnds{records[at.row].bodyA, records[at.row].bodyB};
+    auto isLate = [&](std::uint32_t body) { return !yielding[body] && at.time > kAtOnce * first[body]; };
+    if (isLate(ends.a) || isLate(ends.b)) continue;
+    const double speed = speedOf(c, g);
     const std::uint32_t points = closing(c, speed, dt);
-    if (points == 0) continue;
-    const bool rebounds = -speed > context.settings.restitutionSpeed * unit;
-    const double impulse = -speed * (rebounds ? 1 + double(c.restitution) : 1) * pair.massAlong(n);
-    pair.push(n * impulse, blows.change);
-    // What rubs, at most until it slides no more.
-    Vec3 slide = pair.velocity();
-    slide -= n * dot(n, slide);
-    double rubbed = 0;
-    Vec3 along;
-    if (const double fast = length(slide); fast > 0) {
-      along = slide * (-1 / fast);
-      rubbed = std::min(double(c.friction) * impulse, fast * pair.massAlong(along));
-      pair.push(along * rubbed, blows.change);
-    }
-    blows.impacts.push_back({c.bodyA, c.bodyB, at, n, -speed, impulse});
-    const Vec3 t1 = a.orientation * g.tangent1, t2 = cross(n, t1), friction = along * rubbed;
-    double count = 0;
-    for (int i = 0; i < c.count; i++) count += points >> i & 1;
-    const double share = 1 / (count * context.dt);
-    for (int i = 0; i < c.count; i++)
-      if (points >> i & 1)
-        addHit(c.points, i, float(impulse * share), float(dot(friction, t1) * share), float(dot(friction, t2) * share));
-    ties.contacts.strike(contactOf[k]);
+    if (points == 0 || !(-speed > context.settings.restingApproachSpeed * scaleOfPair(c, context).speed)) continue;
+    for (std::uint32_t body : {ends.a, ends.b}) first[body] = std::min(first[body], at.time);
+    crush(at.row, c, normalOf(c, g, bodies));
+    blows.impacts.push_back(strikePair(c, g, speed, points, bodies, context, blows.change));
+    ties.contacts.strike(contactOf[at.row]);
   }
 }
 

@@ -64,8 +64,34 @@ void MortarRows::writeCaps(std::size_t k, const Mortar& m) {
   }
 }
 
+// A blow crushes what it hits until it presses with the force that the struck body's joints bear. That energy comes
+// besides what breaking them takes.
+void MortarRows::takeCrushes(const Island& island, const Ties& ties) {
+  for (MortarStart& start : starts) start.tougher = 1;
+  for (const Crush& crush : island.blows.crushes) {
+    double force = 0, energy = 0;  // N, J: of all joints of the body
+    auto visit = [&](auto&& take) {
+      for (std::size_t k = 0; k < size(); k++)
+        if (mortarAt(k, ties).names(crush.body)) take(k, mortarAt(k, ties));
+    };
+    visit([&](std::size_t k, const Mortar& m) {
+      const double pull = std::fabs(dot(toDouble(records[k].n), crush.along)), left = mortar::strengthLeft(m.damage);
+      const double shear = std::sqrt(std::max(0.0, 1 - pull * pull));
+      force += left * kMortarPoints * (pull * mortar::pullOf(m) + shear * mortar::shearOf(m));
+      energy += (1 - m.damage) * (pull * pull * mortar::pullEnergy(m) + shear * shear * mortar::shearEnergy(m));
+    });
+    const float tougher = energy > 0 ? float(1 + force * force / (crush.crushing * energy)) : 1;
+    visit([&](std::size_t k, const Mortar&) { starts[k].tougher = std::max(starts[k].tougher, tougher); });
+  }
+}
+
 void MortarRows::prepare(Island& island, Ties& ties, const StepContext& context) {
   const BodySet& bodies = *context.bodies;
+  for (std::size_t k = 0; k < size(); k++) {
+    const Mortar& m = mortarAt(k, ties);
+    records[k].n = toFloat(rotate(bodies.motion[m.bodyA].rotation * m.frameA, Vec3{1, 0, 0}));
+  }
+  takeCrushes(island, ties);
   for (std::size_t k = 0; k < size(); k++) {
     Mortar& m = ties.mortar.slots[mortarOf[k]];
     FaceRecord& r = records[k];
@@ -115,7 +141,8 @@ void MortarRows::prepare(Island& island, Ties& ties, const StepContext& context)
     start.worn = start.pull = start.shear = 0;
     // No more than stops the motion that the joint starts with within its energy. What is about to break need not be
     // firm.
-    const double whole = mortar::strengthLeft(m.damage), most = worn > 0 ? (1 - m.damage) / worn : whole;
+    const double whole = mortar::strengthLeft(m.damage),
+                 most = worn > 0 ? (1 - m.damage) * double(start.tougher) / worn : whole;
     start.left = float(std::min(whole, most));
     const double firm = stiffness * (most < whole ? std::max(most / whole, kLeastFirmness) : 1);
     start.stiffness = float(stiffness);

@@ -72,8 +72,9 @@ Taken takenBy(const Mortar& m, const FaceRecord& r, const MortarStart& start, co
     out.shear += cohesive * (worked - held(f1, start.held1[i]) - held(f2, start.held2[i]));
     out.use = std::max({out.use, -pull / mortar::pullOf(m), cohesive * shear / mortar::shearOf(m)});
   }
-  out.pull = std::max(0.0, out.pull);
-  out.shear = std::max(0.0, out.shear);
+  // Of what a blow takes, crushing has its share.
+  out.pull = std::max(0.0, out.pull) / double(start.tougher);
+  out.shear = std::max(0.0, out.shear) / double(start.tougher);
   if (out.yields) return out;
   // Within its strength mortar takes no more than a spring of its stiffness holds.
   const MortarStrength& s = m.strength;
