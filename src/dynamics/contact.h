@@ -25,6 +25,7 @@ struct Contact {
   bool fresh = true;       // geometry changed since the solver's record was made
   bool born = true;        // made since islands were built
   float friction = 0, restitution = 0;
+  bool crushed = false;  // a blow has crushed what it hit: the next press on the same place
   float crushing = 0;  // N, 8 pi x radius x hardness: F^2 / this is what a blow of force F crushes; 0: nothing is round
   float effectiveMass = 0;  // kg, 1 / (1/mA + 1/mB)
   PointMemory points;

@@ -66,9 +66,9 @@ std::uint32_t closing(const Contact& c, double speed, double dt) {
   return out;
 }
 
-//! of the time of a first blow | too small: a body that meets two at once strikes one of them only
-//! | too large: it strikes what it only passes, since normals are those of the start of the step
-constexpr double kAtOnce = 1.01;
+//! of the way from its centre to where it touches | too small: rounding makes it miss what it meets head on
+//! | too large: a body strikes what it only passes
+constexpr double kPassing = 1e-3;
 
 // A contact that closes within the step.
 struct Closing {
@@ -82,6 +82,24 @@ Pair pairAt(const Contact& c, const ContactGeometry& g, BodySet& bodies) {
 }
 Vec3 normalOf(const Contact& c, const ContactGeometry& g, const BodySet& bodies) {
   return bodies.motion[c.bodyA].orientation * g.normal;
+}
+
+// m, world: the places of the deepest point on A and on B.
+std::pair<Vec3, Vec3> nearest(const Contact& c, const ContactGeometry& g, const BodySet& bodies) {
+  const BodyMotion &a = bodies.motion[c.bodyA], &b = bodies.motion[c.bodyB];
+  const auto i = std::min_element(c.points.gap, c.points.gap + c.count) - c.points.gap;
+  return {a.position + a.orientation * g.anchorA[i], b.position + b.orientation * g.anchorB[i]};
+}
+
+// Normals are those of the start of the step. Whether the body, as it moves now, comes as near to the place that it would
+// strike as it is large there: the other's point nearest to it now.
+bool comesTo(BodyIndex body, BodyIndex other, Vec3 own, Vec3 place, const BodySet& bodies, double dt) {
+  const BodyMotion &m = bodies.motion[body], &o = bodies.motion[other];
+  const Vec3 from = m.position - place;
+  const Vec3 velocity = m.linearVelocity - o.linearVelocity - cross(o.angularVelocity, place - o.position);
+  const double square = lengthSquared(velocity);
+  const double time = square > 0 ? std::clamp(-dot(from, velocity) / square, 0.0, dt) : 0.0;
+  return length(from + velocity * time) < (1 + kPassing) * length(own - m.position);
 }
 
 // Stops what closes, with its rebound, and rubs at most until it slides no more.
@@ -111,7 +129,7 @@ TieImpact strikePair(Contact& c, const ContactGeometry& g, double speed, std::ui
 
 }  // namespace
 
-// In the order of their times. What is not held by mortar strikes what it meets first, and what it meets at once.
+// In the order of their times: what a first blow has turned aside or slowed down may strike nothing else.
 void ContactRows::giveBlows(const std::pmr::vector<char>& yielding, double dt, Ties& ties, BodySet& bodies,
                             const StepContext& context, Blows& blows) const {
   const auto memory = yielding.get_allocator();
@@ -119,13 +137,16 @@ void ContactRows::giveBlows(const std::pmr::vector<char>& yielding, double dt, T
   auto speedOf = [&](const Contact& c, const ContactGeometry& g) {
     return dot(normalOf(c, g, bodies), pairAt(c, g, bodies).velocity());
   };
-  auto crush = [&](std::size_t k, const Contact& c, Vec3 along) {
+  // A place is crushed once.
+  auto crush = [&](std::size_t k, Contact& c, Vec3 along) {
+    if (c.crushed) return;
+    c.crushed = true;
     for (auto [held, body] : {std::pair{yielding[records[k].bodyA], c.bodyA}, {yielding[records[k].bodyB], c.bodyB}})
       if (held && c.crushing > 0) blows.crushes.push_back({body, along, double(c.crushing)});
   };
   for (std::size_t k = 0; k < size(); k++) {
     if (!yielding[records[k].bodyA] && !yielding[records[k].bodyB]) continue;
-    const Contact& c = ties.contacts.contacts[contactOf[k]];
+    Contact& c = ties.contacts.contacts[contactOf[k]];
     const ContactGeometry& g = ties.contacts.geometry[contactOf[k]];
     if (c.struck) crush(k, c, normalOf(c, g, bodies));  // at its moment, in an earlier part of the step
     if (!(dt > 0)) continue;
@@ -137,17 +158,18 @@ void ContactRows::giveBlows(const std::pmr::vector<char>& yielding, double dt, T
   }
   std::sort(order.begin(), order.end(),
             [](const Closing& a, const Closing& b) { return a.time != b.time ? a.time < b.time : a.row < b.row; });
-  std::pmr::vector<double> first(yielding.size(), 2 * dt, memory);  // s: of the first blow of a body; more: none yet
   for (const Closing& at : order) {
     Contact& c = ties.contacts.contacts[contactOf[at.row]];
     const ContactGeometry& g = ties.contacts.geometry[contactOf[at.row]];
     const RowEnds ends = RowEnds{records[at.row].bodyA, records[at.row].bodyB};
-    auto isLate = [&](std::uint32_t body) { return !yielding[body] && at.time > kAtOnce * first[body]; };
-    if (isLate(ends.a) || isLate(ends.b)) continue;
+    auto comes = [&](std::uint32_t local, BodyIndex body, BodyIndex other, Vec3 own, Vec3 place) {
+      return yielding[local] || comesTo(body, other, own, place, bodies, dt);
+    };
+    const auto [onA, onB] = nearest(c, g, bodies);
+    if (!comes(ends.a, c.bodyA, c.bodyB, onA, onB) || !comes(ends.b, c.bodyB, c.bodyA, onB, onA)) continue;
     const double speed = speedOf(c, g);
     const std::uint32_t points = closing(c, speed, dt);
     if (points == 0 || !(-speed > context.settings.restingApproachSpeed * scaleOfPair(c, context).speed)) continue;
-    for (std::uint32_t body : {ends.a, ends.b}) first[body] = std::min(first[body], at.time);
     crush(at.row, c, normalOf(c, g, bodies));
     blows.impacts.push_back(strikePair(c, g, speed, points, bodies, context, blows.change));
     ties.contacts.strike(contactOf[at.row]);
