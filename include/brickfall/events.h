@@ -5,6 +5,7 @@
 
 #include "brickfall/ids.h"
 #include "brickfall/math.h"
+#include "brickfall/mortar.h"
 
 namespace brickfall {
 
@@ -30,11 +31,22 @@ struct BreakEvent {
   Vec3 force, torque;  // N, N m, from A on B: under which it broke
 };
 
+// Mortar cracked: the first of the energy that breaks it is spent. Or it broke; its id stays valid.
+struct MortarEvent {
+  MortarId mortar;
+  BodyId bodyA, bodyB;
+  Vec3 pointWorld;                      // m: the face's centre
+  MortarMode mode = MortarMode::none;   // that took more of it
+  double energy = 0;                    // J, spent on it so far
+  bool broken = false;
+};
+
 struct Events {
   std::vector<ContactEvent> begin;
   std::vector<ContactEvent> end;
   std::vector<HitEvent> hits;
   std::vector<BreakEvent> breaks;
+  std::vector<MortarEvent> mortar;
   std::vector<BodyId> moved;  // bodies whose pose changed in the step
   std::vector<BodyId> fellAsleep;
   std::vector<BodyId> woke;

@@ -32,4 +32,12 @@ struct JointId {
   auto operator<=>(const JointId&) const = default;
 };
 
+struct MortarId {
+  std::uint32_t index = 0;
+  std::uint16_t generation = 0;
+  std::uint16_t world = 0;
+  explicit operator bool() const { return index != 0; }
+  auto operator<=>(const MortarId&) const = default;
+};
+
 }  // namespace brickfall

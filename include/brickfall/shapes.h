@@ -20,6 +20,8 @@ enum class CombineRule : std::uint8_t { geometricMean, average, minimum, multipl
 struct Material {
   double density = 1900;   // kg/m3, > 0; sets mass and inertia of dynamic bodies
   double friction = 0.6;   // Coulomb coefficient, 0 .. 100
+  // Pa, 1e3 .. 1e13: the pressure at which a blow crushes it. Read where something round hits what mortar holds.
+  double hardness = 60e6;
   double restitution = 0;  // rebound speed / impact speed, 0 .. 1; see SolverSettings::restitutionSpeed
   // 0 .. 100: the torque that rolling takes to go on / (normal force x radius), of what is round. Of two materials the
   // larger counts. Car tyres 0.01, a stone ball on turf some 0.1.

@@ -18,6 +18,7 @@
 #include "brickfall/island_ending.h"
 #include "brickfall/joint.h"
 #include "brickfall/math.h"
+#include "brickfall/mortar.h"
 #include "brickfall/result.h"
 #include "brickfall/shapes.h"
 #include "brickfall/solver_settings.h"
@@ -136,6 +137,20 @@ class World {
   Status setLength(JointId joint, double length);                        // distance, rope, spring: a winch
   Status setTarget(JointId joint, Vec3 pointWorld);                      // drag: the point of A that it pulls to
   Status setBreaking(JointId joint, double breakForce, double breakTorque);
+
+  // --- Mortar (mortar.h). Refused as joints are. It wakes its bodies when it is made or taken away. It ends with either of
+  // its bodies, silently. Broken (Events::mortar), it stays valid and can be read, but ties nothing.
+  Result<MortarId> createMortar(const MortarDef& def);
+  Status destroyMortar(MortarId mortar);
+  bool isValid(MortarId mortar) const;
+  Result<MortarState> state(MortarId mortar) const;
+  std::vector<MortarId> mortars() const;             // in order of creation, broken ones as well
+  std::vector<MortarId> mortars(BodyId body) const;  // of the body, in order of creation; empty for a stale id
+  // The outline of the face in which two bodies lie on each other, nearer than `gap` m: corners as MortarDef wants them,
+  // in the middle of the gap. Empty where they do not lie face to face. Boxes and hulls, alone or in compounds.
+  Result<std::vector<Vec3>> sharedFace(BodyId a, BodyId b, double gap = 1e-3) const;
+  // Dynamic bodies that reach a fixed or kinematic one through mortar that holds, joints, or contacts that press.
+  std::vector<BodyId> carried() const;
 
   // --- Settings, as the world has them now. All are changed at once, or none on an error. maxBodies, broadPhase and
   // solver.contactMargin are for the life of a world: what differs there is refused. New loads or solver settings wake who

@@ -22,7 +22,9 @@ template <class Archive> struct PointFields {
 template <class Archive, class One> void archiveContact(Archive& a, One& c) {
   for (auto* index : {&c.shapeA, &c.shapeB, &c.bodyA, &c.bodyB}) a.value(*index);
   for (auto* flag : {&c.rolls, &c.partial, &c.touching, &c.struck, &c.fresh, &c.born}) a.flag(*flag);
-  for (auto* number : {&c.friction, &c.restitution, &c.rolling, &c.rollingRadius, &c.effectiveMass}) a.value(*number);
+  a.flag(c.crushed);
+  for (auto* number : {&c.friction, &c.restitution, &c.rolling, &c.rollingRadius, &c.crushing, &c.effectiveMass})
+    a.value(*number);
   eachField(c.points, PointFields<Archive>{a});
 }
 
@@ -61,7 +63,7 @@ void ContactSet::archive(WriteArchive& a) const { archiveAll(a, *this); }
 void ContactSet::archive(ReadArchive& a) { archiveAll(a, *this); }
 
 void mix(Mix& h, const Contact& c) {
-  h(c.shapeA, c.shapeB, c.count, c.rolls, c.partial, c.touching, c.friction, c.restitution, c.effectiveMass);
+  h(c.shapeA, c.shapeB, c.count, c.rolls, c.partial, c.touching, c.friction, c.restitution, c.crushing, c.crushed, c.effectiveMass);
   eachField(c.points, MixPoints{h, c.count});
   if (resistsRolling(c)) h(c.rolling, c.rollingRadius, c.points.force1[kRollingLane], c.points.force2[kRollingLane]);
 }

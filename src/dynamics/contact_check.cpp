@@ -45,6 +45,7 @@ void checkContact(Findings& f, const BodySet& bodies, const ShapeSet& shapes, co
   f.expect(c.friction == float(mixFriction(a, b)) && c.restitution == float(mixRestitution(a, b)) &&
                c.rolling == float(std::max(a.rollingResistance, b.rollingResistance)) &&
                c.rollingRadius == float(rollingRadius(shapes.data[c.shapeA].def, shapes.data[c.shapeB].def)) &&
+               c.crushing == float(crushingOf(shapes.data[c.shapeA].def, shapes.data[c.shapeB].def)) &&
                c.effectiveMass == float(1 / inverseMass),
            "contacts: a constant is not that of its bodies");
   f.expect(std::fabs(lengthSquared(g.normal) - 1) < 1e-6 && std::fabs(lengthSquared(g.tangent1) - 1) < 1e-6 &&

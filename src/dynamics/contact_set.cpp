@@ -30,12 +30,24 @@ void ContactSet::dropBetween(BodyIndex a, BodyIndex b) {
   });
 }
 
+// N: 8 pi x radius x hardness of the softer, where a round shape meets another.
+double crushingOf(const ShapeDef& a, const ShapeDef& b) {
+  auto curvature = [](const ShapeDef& shape) {  // 1/m
+    const bool round = shape.type == ShapeType::sphere || shape.type == ShapeType::capsule ||
+                       shape.type == ShapeType::cylinder || shape.type == ShapeType::cone;
+    return round ? 1 / shape.radius : 0.0;
+  };
+  const double sum = curvature(a) + curvature(b);
+  return sum > 0 ? 8 * 3.14159265358979323846 * std::min(a.material.hardness, b.material.hardness) / sum : 0.0;
+}
+
 void takeConstants(Contact& c, const ShapeSet& shapes, const BodySet& bodies) {
   const Material &a = shapes.data[c.shapeA].def.material, &b = shapes.data[c.shapeB].def.material;
   c.friction = float(mixFriction(a, b));
   c.restitution = float(mixRestitution(a, b));
   c.rolling = float(std::max(a.rollingResistance, b.rollingResistance));
   c.rollingRadius = float(rollingRadius(shapes.data[c.shapeA].def, shapes.data[c.shapeB].def));
+  c.crushing = float(crushingOf(shapes.data[c.shapeA].def, shapes.data[c.shapeB].def));
   c.effectiveMass = float(1 / (bodies.mass[c.bodyA].invMass + bodies.mass[c.bodyB].invMass));
 }
 

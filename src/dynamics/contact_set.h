@@ -93,7 +93,8 @@ class ContactSet {
   std::vector<CandidatePair> moved_;  // scratch
 };
 
-// Constants that a contact takes from its shapes and bodies: friction, restitution, effective mass.
+double crushingOf(const ShapeDef& a, const ShapeDef& b);
+// Constants that a contact takes from its shapes and bodies: friction, restitution, crushing, effective mass.
 void takeConstants(Contact& c, const ShapeSet& shapes, const BodySet& bodies);
 // What a contact remembers, without its geometry.
 void mix(Mix& h, const Contact& c);

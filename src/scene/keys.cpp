@@ -134,6 +134,7 @@ void addMaterialKeys(std::vector<KeySpec>& keys) {
   keys.push_back({"material", "restitution", K::number, "", 0, 1, "0", "", "rebound speed / impact speed; impacts slower than restitution_speed do not rebound"});
   keys.push_back({"material", "rolling_resistance", K::number, "", 0, limits::kLargestFriction, "0", "", "torque that rolling takes / (normal force x radius); the larger of two counts"});
   keys.push_back({"material", "friction_rule", K::choice, "", 0, 0, "\"geometric_mean\"", "geometric_mean|average|minimum|multiply|maximum", "how two materials' values become one"});
+  keys.push_back({"material", "hardness", K::number, "Pa", 1e3, 1e13, "60e6", "", "pressure at which a blow crushes it, where something round hits what mortar holds; of what crushes first"});
   keys.push_back({"material", "restitution_rule", K::choice, "", 0, 0, "\"maximum\"", "geometric_mean|average|minimum|multiply|maximum", "the same for restitution"});
   keys.push_back({"material", "colour", K::colour, "", 0, 0, "\"#B5543A\"", "", "of what is made from it"});
 }

@@ -125,6 +125,7 @@ void readMaterials(SceneBuild& build, TableReader& top) {
     reader.number("friction", material.material.friction);
     reader.number("restitution", material.material.restitution);
     reader.number("rolling_resistance", material.material.rollingResistance);
+    reader.number("hardness", material.material.hardness);
     reader.choice("friction_rule", material.material.frictionRule);
     reader.choice("restitution_rule", material.material.restitutionRule);
     reader.colour("colour", material.colour);

@@ -6,12 +6,14 @@ namespace brickfall {
 
 namespace {
 
-MaterialDef make(const char* name, double density, double friction, double restitution, std::uint32_t colour) {
+MaterialDef make(const char* name, double density, double friction, double restitution, double hardness,
+                 std::uint32_t colour) {
   MaterialDef def;
   def.name = name;
   def.material.density = density;
   def.material.friction = friction;
   def.material.restitution = restitution;
+  def.material.hardness = hardness;
   def.colour = colour;
   return def;
 }
@@ -20,9 +22,9 @@ MaterialDef make(const char* name, double density, double friction, double resti
 
 const std::vector<MaterialDef>& predefinedMaterials() {
   static const std::vector<MaterialDef> materials = {
-      make("brick", 1900, 0.65, 0.1, 0xB5543A),    make("steel", 7800, 0.5, 0.3, 0x70757A),
-      make("concrete", 2400, 0.65, 0.1, 0xA9A69F), make("wood", 600, 0.45, 0.2, 0xB8864B),
-      make("rubber", 1100, 0.9, 0.7, 0x2E2E2E),
+      make("brick", 1900, 0.65, 0.1, 60e6, 0xB5543A),    make("steel", 7800, 0.5, 0.3, 1.5e9, 0x70757A),
+      make("concrete", 2400, 0.65, 0.1, 90e6, 0xA9A69F), make("wood", 600, 0.45, 0.2, 30e6, 0xB8864B),
+      make("rubber", 1100, 0.9, 0.7, 5e6, 0x2E2E2E),
   };
   return materials;
 }

@@ -106,6 +106,7 @@ class RunArchive {
     a.value(d.material.friction);
     a.value(d.material.restitution);
     a.value(d.material.rollingResistance);
+    a.value(d.material.hardness);
     a.choice(d.material.frictionRule, CombineRule::maximum);
     a.choice(d.material.restitutionRule, CombineRule::maximum);
     a.value(d.colour);

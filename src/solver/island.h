@@ -5,9 +5,12 @@
 #include <memory_resource>
 #include <vector>
 
+#include "solver/blows.h"
+#include "solver/chunks.h"
 #include "solver/finish/groups.h"
 #include "solver/hierarchy.h"
 #include "solver/plan.h"
+#include "solver/rigid_way.h"
 #include "solver/rows.h"
 #include "solver/solve_body.h"
 #include "solver/step_context.h"
@@ -38,11 +41,15 @@ struct Island {
   std::pmr::vector<float> speeds{
       memory};  // m/s at the reference's scale, bodies: |v| + |w| outer radius at the start of the step
   Hierarchy hierarchy{memory};
-  double dt = 0;  // s: its time step: the rest of the world's after the impacts that it met (stage_impacts.cpp)
-  Vec3 origin;    // m, of SolveMass::position and Cluster::centre
-  Vec3 travel;    // m: rigid displacement of this step that d and dFree leave out
+  double dt = 0;          // s: its time step: the rest of the world's after the impacts that it met (stage_impacts.cpp)
+  Vec3 origin;            // m, of SolveMass::position and Cluster::centre
+  Chunks chunks{memory};  // of this step
+  // Of this step: unknowns and free motions leave it out, so that a fast island in flight is solved as finely as one at
+  // rest. Floats round ways, and firm ties make forces of that.
+  RigidWay rigid;
 
   IslandPart part = IslandPart::last;
+  Blows blows{memory};    // of this step
   Groups groups{memory};  // of its bodies, by the forces of this step
 
   IslandFacts facts;  // of this step, or of the last one in which the island was not passed over

@@ -14,17 +14,48 @@ void writeInertia(SolveMass& out, const Mat3& world, double perDt2) {
   out.inertia[5] = float(world.row[2].z * perDt2);
 }
 
-// Way of the island as a whole. It is left out of d, so that a fast island in flight is solved as finely as one at
-// rest.
-Vec3 rigidTravel(const Island& island, const StepContext& context) {
-  if (island.grounded()) return {};
+// Way of the island as a whole, where nothing holds it.
+RigidWay rigidWay(const Island& island, const StepContext& context) {
+  RigidWay way;
+  if (island.grounded()) return way;
+  if (const RigidWay* all = island.chunks.ofAll()) return *all;
   Vec3 moment;
   double mass = 0;
   for (BodyIndex body : island.bodies) {
     moment += context.free[body].d * context.bodies->mass[body].mass;
     mass += context.bodies->mass[body].mass;
   }
-  return moment * (1 / mass);
+  way.move = moment * (1 / mass);
+  return way;
+}
+
+// rad: what the solve takes for the free turn of a body, beyond that of the island. Of one that turns, such that its
+// angular momentum is that of the end of the step if it turns with the island.
+Vec3 freeTurnOf(const Island& island, BodyIndex body, const StepContext& context) {
+  const FreeMotion& free = context.free[body];
+  if (!island.rigid.turns()) return free.th;
+  const Mat3& turned = island.rigid.turned;
+  const Vec3 along = turned * (context.bodies->worldInertia(body) * transposeTimes(turned, island.rigid.spin));
+  return context.bodies->worldInvInertia(body) * (free.angularMomentum * island.dt - along);
+}
+
+// Forces act along arms of the start of the step, and hold a chunk that turns on arcs of the middle. The turn that this
+// would give it is left out: its momenta are made exact in the finish.
+void balanceTurn(Island& island, const BodySet& bodies) {
+  RigidSum sum(island.origin);
+  for (std::size_t i = 0; i < island.bodies.size(); i++) {
+    const BodyIndex body = island.bodies[i];
+    const double m = bodies.mass[body].mass;
+    const Mat3 inertia = bodies.worldInertia(body);
+    sum.add(m, bodies.motion[body].position, inertia, toDouble(island.masses[i].dFree) * m,
+            inertia * toDouble(island.masses[i].thFree));
+  }
+  const Vec3 turn = sum.spin(), centre = sum.centre();
+  for (std::size_t i = 0; i < island.bodies.size(); i++) {
+    SolveMass& m = island.masses[i];
+    m.dFree = toFloat(toDouble(m.dFree) - cross(turn, bodies.motion[island.bodies[i]].position - centre));
+    m.thFree = toFloat(toDouble(m.thFree) - turn);
+  }
 }
 
 }  // namespace
@@ -36,7 +67,8 @@ void prepareBodies(Island& island, const StepContext& context) {
   island.masses.resize(count);
   island.speeds.resize(count);
   island.origin = bodies.motion[island.bodies.front()].position;
-  island.travel = rigidTravel(island, context);
+  island.chunks.find(island, context);
+  island.rigid = rigidWay(island, context);
   double perDt2 = 1 / (island.dt * island.dt);
   for (std::size_t i = 0; i < count; i++) {
     BodyIndex body = island.bodies[i];
@@ -47,14 +79,15 @@ void prepareBodies(Island& island, const StepContext& context) {
                              island.facts.scale.ofBody(mass.innerRadius).speed);
     m.mass = float(mass.mass * perDt2);
     writeInertia(m, bodies.worldInertia(body), perDt2);
-    m.dFree = toFloat(free.d - island.travel);
-    m.thFree = toFloat(free.th);
+    m.dFree = toFloat(free.d - island.rigid.endOf(bodies.motion[body].position));
+    m.thFree = toFloat(freeTurnOf(island, body, context));
     m.position = toFloat(bodies.motion[body].position - island.origin);
   }
+  if (island.rigid.turns()) balanceTurn(island, bodies);
   for (std::size_t i = 0; i < island.partners.size(); i++) {
     const BodyMotion& m = bodies.motion[island.partners[i]];
     SolveMotion& out = island.motion[count + i];
-    out.d = toFloat(m.linearVelocity * island.dt - island.travel);
+    out.d = toFloat(m.linearVelocity * island.dt - island.rigid.move);
     out.th = toFloat(m.angularVelocity * island.dt);
   }
 }

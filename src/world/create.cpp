@@ -16,6 +16,7 @@ void checkMaterial(Checks& check, const std::string& at, const Material& m) {
   check.range(at + ".friction", m.friction, 0, limits::kLargestFriction);
   check.range(at + ".restitution", m.restitution, 0, 1);
   check.range(at + ".rollingResistance", m.rollingResistance, 0, limits::kLargestFriction);
+  check.range(at + ".hardness", m.hardness, limits::kLeastHardness, limits::kLargestHardness);
   check.condition(m.frictionRule <= CombineRule::maximum,
                   at + ".frictionRule: found " + std::to_string(int(m.frictionRule)) + ", expected a CombineRule");
   check.condition(

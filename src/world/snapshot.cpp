@@ -18,7 +18,7 @@ namespace {
 
 //! not of the method: the file's
 constexpr std::uint64_t kMagic = 0x30504e5346424b42ull;
-constexpr std::uint32_t kLayout = 17;
+constexpr std::uint32_t kLayout = 19;
 
 struct Header {
   std::uint64_t magic = kMagic;
@@ -147,6 +147,7 @@ class SnapshotArchive {
     a.value(s.def.material.friction);
     a.value(s.def.material.restitution);
     a.value(s.def.material.rollingResistance);
+    a.value(s.def.material.hardness);
     a.choice(s.def.material.frictionRule, CombineRule::maximum);
     a.choice(s.def.material.restitutionRule, CombineRule::maximum);
     a.value(s.def.filter);

@@ -1,0 +1,35 @@
+// Blows: bodies that meet what something of limited strength holds, as mortar does, meet that body alone. A hit lasts a
+// millisecond. What holds the body gives no impulse in that time; over a step of a sixtieth of a second it would give
+// seventeen times as much as it can.
+#pragma once
+#include <memory_resource>
+#include <vector>
+
+#include "brickfall/step_trace.h"
+#include "dynamics/ties.h"
+#include "solver/tie_report.h"
+
+namespace brickfall {
+
+struct Island;
+struct StepContext;
+
+// A body that mortar holds was struck by something round.
+struct Crush {
+  BodyIndex body = kNoIndex;
+  Vec3 along;           // unit: of the blow
+  double crushing = 0;  // N, Contact::crushing
+};
+
+struct Blows {
+  explicit Blows(std::pmr::memory_resource* memory) : impacts(memory), crushes(memory) {}
+  std::pmr::vector<Crush> crushes;      // of this step
+  std::pmr::vector<TieImpact> impacts;  // of this step, to be told
+  BalanceChange change;                 // of the bodies' momenta and energy
+};
+
+// Before a part of the step of an island is prepared. In its last part, changes velocities; in the others, tells what
+// impacts at their moment have crushed.
+void giveBlows(Island& island, bool last, Ties& ties, BodySet& bodies, const StepContext& context);
+
+}  // namespace brickfall
