@@ -1,6 +1,8 @@
 // Walls of bricks: from a bond, a length and a height to the place of every brick. Knows no World.
 #pragma once
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -69,5 +71,43 @@ std::int64_t brickCount(const WallDef& wall);
 
 // The bricks of a wall, lowest course first. Errors name the field of the wall.
 Result<std::vector<BrickPlacement>> layBricks(const WallDef& wall, std::uint64_t seed);
+
+// --- Mortar. Its layer fills the gaps between bricks. In a world each brick is grown to the middle of its layers, so that what
+// is broken does not fall by a layer; a joint's face is that on which the bricks themselves lie opposite each other.
+
+// m: the widest gaps of a wall that are joints, between faces that stand and faces that lie. Wider than headJoint in thick
+// bonds, where headers or leaves are further apart.
+struct JointWidths {
+  double head = 0, bed = 0;
+};
+JointWidths jointWidths(const WallDef& wall);
+
+// The bricks of a wall that is laid in mortar.
+struct MortaredBricks {
+  std::span<const BrickPlacement> bricks;
+  JointWidths widths;
+};
+
+struct MortarJoint {
+  std::size_t a = 0, b = 0;   // bricks, counted through all walls; a < b
+  std::vector<Vec3> outline;  // m, world: in the middle of the layer, anticlockwise as seen from b
+  bool bed = false;           // its faces lie; else they stand: head joints, between leaves, at corners
+  double thickness = 0;       // m, of the layer
+};
+
+// A brick with its half of the layers around it.
+struct GrownBrick {
+  Vec3 centre;  // m, world; turned as the brick
+  Vec3 size;    // m
+};
+
+struct MortarLayout {
+  std::vector<MortarJoint> joints;  // by a, then b
+  std::vector<GrownBrick> grown;    // by brick
+};
+
+// Which bricks are joined: those with parallel faces opposite each other, no further apart than one and a half joints of
+// either wall. Bricks of different walls as well. Openings, lintels and cut bricks are what they are in the placements.
+MortarLayout layMortar(std::span<const MortaredBricks> walls);
 
 }  // namespace brickfall
