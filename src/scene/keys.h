@@ -15,6 +15,8 @@ enum class KeyKind : std::uint8_t {
   name,        // text of 1 .. 64 characters
   choice,      // one of KeySpec::choices
   material,    // name of a material
+  mortarKind,  // name of a kind of mortar
+  mortar,      // the same or "none", or a table of numbers
   colour,      // "#RRGGBB"
   vector,      // [x, y, z]
   positive,    // [x, y, z], each in the range, as sizes are

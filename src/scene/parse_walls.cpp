@@ -81,6 +81,10 @@ void readWalls(SceneBuild& build, TableReader& top) {
     out.wall.name = build.nameOf(reader, "wall", index++);
     std::size_t before = build.context.diagnostics.size();
     readWallNumbers(reader, out);
+    out.mortar = readOwnMortar(build, reader, out.foot);
+    if (out.mortar && out.wall.disorder > 0)
+      reader.error("disorder", "found " + numberText(out.wall.disorder) +
+                                   " m in a mortared wall, expected 0: mortar joins faces that are parallel");
     std::vector<TableReader> openings = reader.tables("opening");
     out.place = placeOf(reader);
     for (TableReader& opening : openings) {

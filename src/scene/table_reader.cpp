@@ -284,20 +284,27 @@ bool TableReader::text(const char* key, std::string& out) {
   return true;
 }
 
-bool TableReader::material(const char* key, std::string& out) {
+bool TableReader::oneOf(const char* key, const std::vector<std::string>& names, std::string& out) {
   const Node* node = sought(key);
   if (!node) return false;
   if (node->kind != NodeKind::text) {
     wrong(*node, pathOf(key), spec(key));
     return false;
   }
-  const std::vector<std::string>& names = context_->materialNames;
   if (std::find(names.begin(), names.end(), node->text) == names.end()) {
     wrong(*node, pathOf(key), spec(key), didYouMean(node->text, names));
     return false;
   }
   out = node->text;
   return true;
+}
+
+bool TableReader::material(const char* key, std::string& out) { return oneOf(key, context_->materialNames, out); }
+
+bool TableReader::mortar(const char* key, std::string& out) {
+  std::vector<std::string> names = context_->mortarNames;
+  if (spec(key).kind == KeyKind::mortar) names.push_back("none");
+  return oneOf(key, names, out);
 }
 
 bool TableReader::colour(const char* key, std::uint32_t& out) {
@@ -440,7 +447,7 @@ TableReader TableReader::table(const char* key) {
     wrong(*node, pathOf(key), spec(key));
     node = nullptr;
   }
-  return TableReader(*context_, node ? *node : kEmptyTable, key, pathOf(key));
+  return TableReader(*context_, node ? *node : kEmptyTable, table_.empty() ? key : table_ + "." + key, pathOf(key));
 }
 
 }  // namespace brickfall::scene

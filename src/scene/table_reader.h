@@ -16,7 +16,7 @@ struct ReadContext {
   std::string file;
   std::vector<Diagnostic> diagnostics;
   std::map<std::string, double> parameters;
-  std::vector<std::string> materialNames;
+  std::vector<std::string> materialNames, mortarNames;
   bool syntaxErrors = false;  // lines were left out: a missing key may be one of them
 
   void add(Severity severity, const Node& at, std::string path, std::string message);
@@ -39,6 +39,7 @@ class TableReader {
   const std::string& path() const { return path_; }
   const Node& node() const { return node_; }
   std::string pathOf(const std::string& key) const { return path_.empty() ? key : path_ + "." + key; }
+  std::size_t mistakes() const { return context_->diagnostics.size(); }  // of the file so far
   // At the key's value, or at the table if the key is absent.
   void error(const std::string& key, std::string message);
   void warning(const std::string& key, std::string message);
@@ -50,6 +51,7 @@ class TableReader {
   bool boolean(const char* key, bool& out);
   bool text(const char* key, std::string& out);  // text, name
   bool material(const char* key, std::string& out);
+  bool mortar(const char* key, std::string& out);  // mortarKind, and mortar where it is a name
   bool colour(const char* key, std::uint32_t& out);
   bool vector(const char* key, Vec3& out);  // vector, positive, counts
   bool gravity(const char* key, Vec3& out);
@@ -73,6 +75,7 @@ class TableReader {
   bool choiceIndex(const char* key, int& out);
   bool numberOf(const Node& node, const std::string& path, const KeySpec& spec, bool whole, double& out);
   bool vectorOf(const Node& node, const std::string& path, const KeySpec& spec, bool whole, Vec3& out);
+  bool oneOf(const char* key, const std::vector<std::string>& names, std::string& out);
   void wrong(const Node& node, const std::string& path, const KeySpec& spec, const std::string& hint = {});
   void reportUnknownKeys();
 

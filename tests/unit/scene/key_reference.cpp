@@ -32,6 +32,10 @@ std::string typeWords(const KeySpec& spec) {
       return "text";
     case K::material:
       return "name of a material";
+    case K::mortarKind:
+      return "name of a mortar";
+    case K::mortar:
+      return "name of a mortar or [" + fullName(spec) + "]";
     case K::colour:
       return "colour";
     case K::vector:
@@ -129,7 +133,10 @@ std::string valueSchema(const KeySpec& spec, const std::string& indent) {
     case K::name:
       return "{\"type\": \"string\", \"minLength\": 1, \"maxLength\": 64}";
     case K::material:
+    case K::mortarKind:
       return "{\"type\": \"string\"}";
+    case K::mortar:
+      return "{\"anyOf\": [{\"type\": \"string\"}, " + tableSchema(fullName(spec), indent) + "]}";
     case K::choice:
       return "{\"enum\": [" + choices + "]}";
     case K::colour:
