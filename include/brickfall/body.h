@@ -14,7 +14,7 @@ enum class BodyType : std::uint8_t { fixed, kinematic, dynamic };
 
 struct BodyDef {
   BodyType type = BodyType::dynamic;
-  std::vector<ShapeDef> shapes;  // at least one; mass, centre of mass and inertia come from shapes and densities
+  std::vector<ShapeDef> shapes;  // at least one; mass, centre of mass and inertia come from them and their densities
   Vec3 position;                 // m, origin of the body frame (not the centre of mass); |coordinate| <= 1e6
   Quat rotation;                 // any non-zero length; normalised
   Vec3 linearVelocity;           // m/s, of the centre of mass
@@ -25,12 +25,6 @@ struct BodyDef {
   double dragArea = 0;           // m2, >= 0: Cd A of quadratic air drag, F = -rho/2 CdA |v| v; 0 = no drag
   bool allowSleep = true;        // false keeps the body's island awake
   std::uint64_t userData = 0;    // yours; never read
-};
-
-struct MassProperties {
-  double mass = 0;                                  // kg
-  Vec3 centre;                                      // m, centre of mass in the frame the shape was given in
-  Mat3 inertia{{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}};  // kg m2, about the centre, axes of that frame
 };
 
 struct BodyState {

@@ -8,6 +8,7 @@
 
 #include "brickfall/math.h"
 #include "brickfall/result.h"
+#include "brickfall/shapes.h"
 
 namespace brickfall {
 
@@ -15,8 +16,29 @@ namespace brickfall {
 // and headers in turn; flemish: stretchers and headers in turn in each course; stack: joints above each other.
 enum class Bond : std::uint8_t { running, header, english, flemish, stack };
 
+// A hollow in a brick's upper face, with flat sides that lean inwards.
+struct Frog {
+  double length = 0, width = 0;            // m, at the face
+  double floorLength = 0, floorWidth = 0;  // m, at its floor
+  double depth = 0;                        // m; 0: none
+};
+
+// Round holes from bed face to bed face, evenly spaced over a brick.
+struct Perforation {
+  int along = 0, across = 0;  // 0: none
+  double radius = 0;          // m
+};
+
 struct BrickFormat {
   Vec3 size{0.215, 0.065, 0.1025};  // m: length (along the wall), height, width (through the wall)
+  Frog frog;                        // not both
+  Perforation holes;
+};
+
+// How a brick's density differs from its mean: by a random linear field and by random noise in 4 x 2 x 2 equal parts of it.
+struct UnevenDensity {
+  double gradient = 0;  // 0 .. 0.2: along each axis, up to so much from the middle to a face
+  double noise = 0;     // 0 .. 0.2: up to so much in each part
 };
 
 // A rectangular hole in the wall; bricks that reach into it are cut or left out. A lintel carries what is above.
@@ -71,6 +93,17 @@ std::int64_t brickCount(const WallDef& wall);
 
 // The bricks of a wall, lowest course first. Errors name the field of the wall.
 Result<std::vector<BrickPlacement>> layBricks(const WallDef& wall, std::uint64_t seed);
+
+// What a brick of the wall is made of, at a mean density of 1 kg/m3, about the middle of the placement, in its axes. Its mass is the
+// volume of what is there. A cut brick has the hollows of a whole one, narrowed with it; lintels are solid. Exact for solid and
+// hollow bricks, and for mass and centre of a solid one of uneven density. Hollows of an uneven brick are taken out at the density of
+// the linear field in their middle: with one of 0.05 and noise of 0.05 that is within 0.2 % of the mass.
+MassProperties brickMass(const WallDef& wall, const BrickPlacement& brick, const UnevenDensity& uneven = {},
+                         std::uint64_t seed = 0);
+// The same in kg, with the mortar that fills its frog and makes it a grown brick; about the middle of the grown brick.
+struct GrownBrick;
+MassProperties mortaredBrickMass(const WallDef& wall, const BrickPlacement& brick, const GrownBrick& grown,
+                                 const MassProperties& atOne, double brickDensity, double mortarDensity);
 
 // --- Mortar. Its layer fills the gaps between bricks. In a world each brick is grown to the middle of its layers, so that what
 // is broken does not fall by a layer; a joint's face is that on which the bricks themselves lie opposite each other.

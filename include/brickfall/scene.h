@@ -46,6 +46,13 @@ struct MortarKind {
   double scatter = 0;      // 0 .. 1: coefficient of variation from joint to joint, of strengths and energies together
 };
 
+// A kind of brick by its name: its size and hollows, and what it is made of unless a wall says so.
+struct BrickKind {
+  std::string name;
+  BrickFormat format;
+  std::string material = "brick";
+};
+
 // Where something stands in its file, from 1; 0 = not in a file.
 struct SourcePlace {
   int line = 0, column = 0;
@@ -56,8 +63,9 @@ struct SceneWall {
   std::string material = "brick";
   std::string lintelMaterial = "concrete";
   double densityScatter = 0;  // 0 .. 0.5: each brick's density is the material's times 1 +- up to this
-  std::optional<MortarKind>
-      mortar;         // none: dry. Fills the joints; mortared walls that meet are joined by the weaker of both
+  UnevenDensity uneven;       // inside each brick, by the scene's seed and the brick's name
+  // None: dry. It fills the joints; mortared walls that meet are joined by the weaker mortar of both.
+  std::optional<MortarKind> mortar;
   bool foot = false;  // mortared to what it stands on: boxes and planes
   SourcePlace place;
   std::vector<SourcePlace> openingPlaces;  // as many as wall.openings, or none
@@ -147,6 +155,8 @@ std::string didYouMean(std::string_view word, const std::vector<std::string>& kn
 const std::vector<MaterialDef>& predefinedMaterials();
 // lime, cement.
 const std::vector<MortarKind>& predefinedMortars();
+// uk, uk_frogged, uk_perforated, as3700, as3700_perforated.
+const std::vector<BrickKind>& predefinedBricks();
 
 // A scene that comes with Brickfall.
 struct ShippedScene {

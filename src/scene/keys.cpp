@@ -71,6 +71,7 @@ void addSceneKeys(std::vector<KeySpec>& keys) {
   keys.push_back({"", "report", K::table, "", 0, 0, "-", "", "parts of the report's system, with method = \"report\""});
   keys.push_back({"", "ground", K::table, "", 0, 0, "-", "", "what everything stands on"});
   keys.push_back({"", "material", K::tables, "", 0, 0, "-", "", "materials by name"});
+  keys.push_back({"", "brick_kind", K::tables, "", 0, 0, "-", "", "kinds of brick by name"});
   keys.push_back({"", "mortar_kind", K::tables, "", 0, 0, "-", "", "kinds of mortar by name"});
   keys.push_back({"", "wall", K::tables, "", 0, 0, "-", "", "walls of bricks"});
   keys.push_back({"", "body", K::tables, "", 0, 0, "-", "", "bodies placed one by one"});
@@ -157,13 +158,24 @@ void addMortarKindKeys(std::vector<KeySpec>& keys) {
   addMortarNumbers(keys, "mortar_kind");
 }
 
+void addBrickKindKeys(std::vector<KeySpec>& keys) {
+  keys.push_back({"brick_kind", "name", K::name, "", 0, 0, "", "", "what walls call it"});
+  keys.push_back({"brick_kind", "size", K::positive, "m", kSmall, 100, "[0.215, 0.065, 0.1025]", "", "length, height, width"});
+  keys.push_back({"brick_kind", "frog", K::pair, "m", kSmall, 100, "-", "", "length and width of a hollow in the upper face"});
+  keys.push_back({"brick_kind", "frog_floor", K::pair, "m", 0, 100, "-", "", "length and width at its floor; default: as at the face"});
+  keys.push_back({"brick_kind", "frog_depth", K::number, "m", kSmall, 100, "-", "", "how deep it is"});
+  keys.push_back({"brick_kind", "holes", K::wholePair, "", 1, 100, "-", "", "upright round holes, evenly spaced: along and across"});
+  keys.push_back({"brick_kind", "hole_radius", K::number, "m", limits::kSmallestSize, 100, "-", "", "of each"});
+  keys.push_back({"brick_kind", "material", K::material, "", 0, 0, "\"brick\"", "", "of walls of it that name no other"});
+}
+
 void addWallKeys(std::vector<KeySpec>& keys) {
   keys.push_back({"wall", "name", K::name, "", 0, 0, "-", "", "bricks are called name/course/position"});
   keys.push_back({"wall", "bond", K::choice, "", 0, 0, "\"running\"", "running|header|english|flemish|stack", "how the bricks overlap"});
   keys.push_back({"wall", "bond_shift", K::number, "brick lengths", 0, 0.999, "0.5", "", "running bond: shift of every second course"});
   keys.push_back({"wall", "courses", K::integer, "", 1, 10000, "10", "", "layers of bricks"});
   keys.push_back({"wall", "bricks", K::integer, "", 1, 10000, "10", "", "whole bricks in a full course; sets the length"});
-  keys.push_back({"wall", "brick", K::brick, "m", kSmall, 100, "\"uk\"", "uk|as3700", "format, or [length, height, width]"});
+  keys.push_back({"wall", "brick", K::brick, "m", kSmall, 100, "\"uk\"", "", "a kind of brick, or [length, height, width] of a solid one"});
   keys.push_back({"wall", "half_bats", K::boolean, "", 0, 0, "true", "", "ends closed by cut bricks; false: whole bricks, toothed ends"});
   keys.push_back({"wall", "head_joint", K::number, "m", 0, 1, "0", "", "gap between neighbours in a course"});
   keys.push_back({"wall", "bed_joint", K::number, "m", 0, 1, "0", "", "gap between courses"});
@@ -174,6 +186,8 @@ void addWallKeys(std::vector<KeySpec>& keys) {
   keys.push_back({"wall", "mortar", K::mortar, "", 0, 0, "\"none\"", "", "what holds the bricks together: a kind of mortar, \"none\", or [wall.mortar]"});
   keys.push_back({"wall", "foot", K::boolean, "", 0, 0, "false", "", "with mortar: the lowest course is mortared to what it stands on"});
   keys.push_back({"wall", "density_scatter", K::number, "", 0, 0.5, "0", "", "each brick's density times 1 +- up to this"});
+  keys.push_back({"wall", "density_gradient", K::number, "", 0, 0.2, "0", "", "in each brick density differs linearly along each axis, by up to this from the middle to a face"});
+  keys.push_back({"wall", "density_noise", K::number, "", 0, 0.2, "0", "", "in each brick sixteen equal parts differ in density, by up to this"});
   keys.push_back({"wall", "disorder", K::number, "m", 0, 0.01, "0", "", "bricks out of true by gaps of up to this"});
   keys.push_back({"wall", "shuffle", K::boolean, "", 0, 0, "false", "", "bricks are created in random order"});
   keys.push_back({"wall", "opening", K::tables, "", 0, 0, "-", "", "doors and windows"});
@@ -378,6 +392,7 @@ std::vector<KeySpec> makeKeys() {
   addReportKeys(keys);
   addGroundKeys(keys);
   addMaterialKeys(keys);
+  addBrickKindKeys(keys);
   addMortarKindKeys(keys);
   addWallKeys(keys);
   addOwnMortarKeys(keys, "wall.mortar");
@@ -484,7 +499,11 @@ std::string expectation(const KeySpec& spec) {
     case K::gravity:
       return "a number or three numbers [x, y, z], each " + range + unit;
     case K::brick:
-      return list + ", or [length, height, width], each " + range + unit;
+      return "the name of a kind of brick, or [length, height, width], each " + range + unit;
+    case K::pair:
+      return "two numbers [a, b], each " + range + unit;
+    case K::wholePair:
+      return "two whole numbers [a, b], each " + range;
     case K::points:
       return "4 .. 64 points [[x, y, z], ...], each coordinate " + range + unit;
     case K::times:

@@ -60,10 +60,21 @@ MortarStrength scattered(const MortarKind& kind, bool bed, std::uint64_t seed, c
   return strength;
 }
 
-double densityInMortar(double brickDensity, Vec3 brickSize, Vec3 grownSize, const MortarKind& mortar) {
-  const double brick = volumeOf(brickSize), all = volumeOf(grownSize);
-  if (!(all > brick)) return brickDensity;
-  return (brickDensity * brick + mortar.density * (all - brick)) / all;
+bool isUneven(const SceneWall& wall) {
+  return wall.wall.brick.frog.depth > 0 || wall.wall.brick.holes.along > 0 || wall.uneven.gradient > 0 ||
+         wall.uneven.noise > 0;
+}
+
+void growBrick(const SceneWall& wall, const BrickPlacement& brick, const GrownBrick& grown, std::uint64_t seed,
+               ShapeDef& shape) {
+  const MassProperties atOne =
+      brickMass(wall.wall, brick, wall.uneven, masonry::namedSeed(seed, brick.name + " density"));
+  MassProperties mass = mortaredBrickMass(wall.wall, brick, grown, atOne, shape.material.density, wall.mortar->density);
+  shape.halfExtents = grown.size * 0.5;
+  shape.material.density = mass.mass / volumeOf(grown.size);
+  mass.mass /= shape.material.density;
+  mass.inertia = mass.inertia * (1 / shape.material.density);
+  shape.distribution = std::make_shared<const MassProperties>(mass);
 }
 
 std::string mortarTitle(const SceneMortar& mortar) {

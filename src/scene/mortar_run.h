@@ -42,8 +42,12 @@ std::vector<BrickJoint> footOf(const LaidWall& wall, const std::vector<PlacedBod
 // The strength of one joint: its kind's, times its own factor, which follows from the seed and the two names.
 MortarStrength scattered(const MortarKind& kind, bool bed, std::uint64_t seed, const std::string& a,
                          const std::string& b);
-// kg/m3: of the grown brick, so that it weighs as much as brick and mortar do.
-double densityInMortar(double brickDensity, Vec3 brickSize, Vec3 grownSize, const MortarKind& mortar);
+// True if its bricks are hollow or of uneven density.
+bool isUneven(const SceneWall& wall);
+// Gives the shape of a brick in mortar its size, its mean density and its mass: that of the brick (of the shape's density), of its share
+// of mortar, and of what fills its frog.
+void growBrick(const SceneWall& wall, const BrickPlacement& brick, const GrownBrick& grown, std::uint64_t seed,
+               ShapeDef& shape);
 std::string mortarTitle(const SceneMortar& mortar);
 
 }  // namespace brickfall::scene

@@ -33,6 +33,7 @@ struct SceneBuild {
 void readWorld(SceneBuild& build, TableReader& top);
 void readGround(SceneBuild& build, TableReader& top);
 void readMaterials(SceneBuild& build, TableReader& top);
+void readBrickKinds(SceneBuild& build, TableReader& top);
 void readMortarKinds(SceneBuild& build, TableReader& top);
 void readCameras(SceneBuild& build, TableReader& top);
 void readWalls(SceneBuild& build, TableReader& top);

@@ -30,6 +30,7 @@ void readAll(scene::SceneBuild& build, const scene::Node& root) {
   top.text("description", build.scene.description);
   scene::readParameters(build.context, root);
   scene::readMaterials(build, top);  // first: the others name them
+  scene::readBrickKinds(build, top);
   scene::readMortarKinds(build, top);
   scene::readWorld(build, top);
   scene::readGround(build, top);

@@ -129,8 +129,10 @@ class Placer {
       if (wall.mortar) {
         const GrownBrick& grown = mortar_.grown[laid.firstBrick + k];
         placed.def.position = grown.centre;
-        shape.halfExtents = grown.size * 0.5;
-        shape.material.density = scene::densityInMortar(shape.material.density, brick.size, grown.size, *wall.mortar);
+        scene::growBrick(wall, brick, grown, scene_.seed, shape);
+      } else if (scene::isUneven(wall)) {
+        const std::uint64_t own = masonry::namedSeed(scene_.seed, brick.name + " density");
+        shape.distribution = std::make_shared<const MassProperties>(brickMass(wall.wall, brick, wall.uneven, own));
       }
       placed.def.shapes.push_back(shape);
       bodies.push_back(std::move(placed));

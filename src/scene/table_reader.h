@@ -17,6 +17,7 @@ struct ReadContext {
   std::vector<Diagnostic> diagnostics;
   std::map<std::string, double> parameters;
   std::vector<std::string> materialNames, mortarNames;
+  std::vector<BrickKind> brickKinds;
   bool syntaxErrors = false;  // lines were left out: a missing key may be one of them
 
   void add(Severity severity, const Node& at, std::string path, std::string message);
@@ -55,7 +56,8 @@ class TableReader {
   bool colour(const char* key, std::uint32_t& out);
   bool vector(const char* key, Vec3& out);  // vector, positive, counts
   bool gravity(const char* key, Vec3& out);
-  bool brick(const char* key, BrickFormat& out);
+  bool brick(const char* key, BrickKind& out);  // without a name: a solid one of that size
+  bool pair(const char* key, double& a, double& b);
   bool points(const char* key, std::vector<Vec3>& out);
   bool times(const char* key, std::vector<double>& out);
   template <class E> bool choice(const char* key, E& out) {

@@ -217,6 +217,58 @@ TEST(MortarScene, ScatterDoesNotDependOnTheOrderOfCreation) {
   for (const auto& [pair, area] : one) EXPECT_NEAR(other.at(pair), area, 1e-12);
 }
 
+double bricksWeigh(const SceneRun& run) {
+  double mass = 0;
+  for (const PlacedBody& body : run.bodies())
+    if (body.role == BodyRole::brick) mass += run.world().state(body.id)->mass;
+  return mass;
+}
+
+TEST(BrickKinds, WeighWhatIsThere) {
+  const double solid = bricksWeigh(mortaredRun("[[wall]]\n"));
+  EXPECT_NEAR(bricksWeigh(mortaredRun("[[wall]]\nbrick = \"uk_perforated\"\n")) / solid, 1 - 0.171, 0.001);
+  const std::string slotted =
+      "[[material]]\nname = \"clinker\"\ndensity = 2200\n[[brick_kind]]\nname = \"mine\"\nfrog = [0.1, 0.05]\n"
+      "frog_depth = 0.02\nmaterial = \"clinker\"\n[[wall]]\nbrick = \"mine\"\n";
+  const double share = 0.1 * 0.05 * 0.02 / (0.215 * 0.065 * 0.1025);
+  EXPECT_NEAR(bricksWeigh(mortaredRun(slotted)) / solid, (1 - share) * 2200 / 1900, 1e-9);
+  EXPECT_NEAR(bricksWeigh(mortaredRun(slotted + "material = \"brick\"\n")) / solid, 1 - share, 1e-9);
+  // Mortar of the bricks' density fills the frogs, and all is as if they were solid.
+  EXPECT_NEAR(bricksWeigh(mortaredRun(slotted + "material = \"brick\"\nmortar = \"cement\"\n")) / solid, 1, 1e-9);
+}
+
+TEST(BrickKinds, DifferInsideByTheirNames) {
+  const std::string wall = "[[wall]]\ndensity_gradient = 0.1\ndensity_noise = 0.1\n";
+  const SceneRun one = mortaredRun(wall), shuffled = mortaredRun(wall + "shuffle = true\n");
+  std::map<std::string, Vec3> centres;
+  for (const PlacedBody& body : one.bodies())
+    if (body.role == BodyRole::brick) centres[body.name] = one.world().massProperties(body.id)->centre;
+  std::set<double> different;
+  for (const PlacedBody& body : shuffled.bodies()) {
+    if (body.role != BodyRole::brick) continue;
+    EXPECT_EQ(shuffled.world().massProperties(body.id)->centre, centres.at(body.name));
+    different.insert(centres.at(body.name).x);
+  }
+  EXPECT_EQ(different.size(), centres.size());
+}
+
+TEST(BrickKinds, MistakesAreNamedAtTheirPlace) {
+  const std::string kind = "[[brick_kind]]\nname = \"x\"\n", wall = "[[wall]]\n";
+  EXPECT_TRUE(
+      has(faults(kind + "frog = [0.1, 0.05]\n" + wall), "brick_kind[0].frog: found one of frog and frog_depth"));
+  EXPECT_TRUE(has(faults(kind + "frog = [0.3, 0.05]\nfrog_depth = 0.02\n" + wall), "brick_kind[0].frog: found 0.3"));
+  EXPECT_TRUE(has(faults(kind + "frog = [0.1]\nfrog_depth = 0.02\n" + wall), "expected two numbers [a, b]"));
+  EXPECT_TRUE(has(faults(kind + "frog_floor = [0.1, 0.1]\n" + wall), "found a floor without a frog"));
+  EXPECT_TRUE(has(faults(kind + "holes = [3, 1.5]\nhole_radius = 0.01\n" + wall), "brick_kind[0].holes[1]: found 1.5"));
+  EXPECT_TRUE(
+      has(faults(kind + "holes = [3, 1]\nhole_radius = 0.05\n" + wall), "brick_kind[0].hole_radius: found 0.05"));
+  EXPECT_TRUE(has(faults(kind + "frog = [0.1, 0.05]\nfrog_depth = 0.02\nholes = [3, 1]\nhole_radius = 0.01\n" + wall),
+                  "brick_kind[0].holes: found holes and a frog"));
+  EXPECT_TRUE(has(faults(kind + kind + wall), "a second time"));
+  EXPECT_TRUE(has(faults("[[wall]]\nbrick = \"uk_froged\"\n"), "(did you mean \"uk_frogged\"?)"));
+  EXPECT_TRUE(has(faults("[[wall]]\ndensity_noise = 0.3\n"), "wall[0].density_noise: found 0.3"));
+}
+
 TEST(Scatter, KnowsExponentialsAndLogarithms) {
   for (double x : {1e-300, 1e-9, 0.3, 0.7071, 0.70711, 1.0, 1.5, 2.0, 1e7, 1e300})
     EXPECT_NEAR(naturalLog(x), std::log(x), 1e-15 + 4e-16 * std::fabs(std::log(x))) << x;
