@@ -1,4 +1,4 @@
-// The face in which two bodies lie on each other: corners of a face of one, cut to the sides of an opposite one of the other.
+// The face in which two bodies lie on each other: a face of one, cut to the sides of an opposite face of the other.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -12,13 +12,14 @@ namespace brickfall {
 
 namespace {
 
-//! 1 - cosine | too small: faces of hulls, whose corners are rounded, are not parallel | too large: wedges lie face to face
+//! 1 - cosine | too small: faces of hulls, rounded as they are, are not parallel | too large: wedges lie face to face
 constexpr double kOpposite = 1e-6;
 //! of the smaller face | too small: edges that touch by rounding share a face | too large: bats don't
 constexpr double kLeastSharedArea = 1e-6;
 //! of a face's size | too small: corners come twice | too large: the outline is not exact
 constexpr double kOneCorner = 1e-7;
-constexpr std::size_t kMostOutline = 16;  // corners, as MortarDef takes them
+//! not of the method: what mortar.h says
+constexpr std::size_t kMostOutline = 16;  // corners
 
 Vec3 twiceArea(const Outline& outline) {
   Vec3 sum;
