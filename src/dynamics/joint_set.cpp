@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "dynamics/tie_ranges.h"
+
 namespace brickfall {
 
 JointPose::JointPose(const Joint& joint, const BodySet& bodies) {
@@ -167,11 +169,7 @@ void JointSet::checkStructure(Findings& f, const BodySet& bodies, const ShapeSet
 
 namespace {
 
-//! not of the method: what a snapshot may say
-constexpr double kFarthest = 1e9, kLargestMemory = 1e30;
-
-bool isNear(Vec3 v, double most) { return std::fabs(v.x) <= most && std::fabs(v.y) <= most && std::fabs(v.z) <= most; }
-bool hasUnitLength(Quat q) { return std::fabs(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w - 1) < 1e-9; }
+using namespace ties;
 
 bool isSoundJoint(const Joint& j) {
   bool fine = isNear(j.anchorA, kFarthest) && isNear(j.anchorB, kFarthest) && hasUnitLength(j.frameA) &&

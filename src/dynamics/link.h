@@ -13,7 +13,7 @@ namespace brickfall {
 
 class ShapeSet;
 
-enum class LinkKind : std::uint8_t { contact, joint, count };
+enum class LinkKind : std::uint8_t { contact, joint, mortar, count };
 //! not of the method: a count
 constexpr std::size_t kLinkKinds = std::size_t(LinkKind::count);
 

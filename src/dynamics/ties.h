@@ -9,6 +9,7 @@
 #include "dynamics/contact_set.h"
 #include "dynamics/joint_set.h"
 #include "dynamics/link.h"
+#include "dynamics/mortar_set.h"
 
 namespace brickfall {
 
@@ -20,10 +21,11 @@ class Ties {
 
   ContactSet contacts;
   JointSet joints;
+  MortarSet mortar;
 
   // In the order of LinkKind.
-  auto kinds() { return std::tie(contacts, joints); }
-  auto kinds() const { return std::tie(contacts, joints); }
+  auto kinds() { return std::tie(contacts, joints, mortar); }
+  auto kinds() const { return std::tie(contacts, joints, mortar); }
 
   // visit(set) for each kind.
   template <class Visit> void eachKind(Visit&& visit) {

@@ -39,10 +39,14 @@ void startMotion(Island& island, const StepContext& context) {
   }
 }
 
-// The impulse that stopped each impact tells how much the impact gives back. Nothing but this is then out of balance.
-bool startRebounds(Island& island, const StepContext& context) {
+//! - | too small: joints that break take more than their energy | too large: cost of steps in which much breaks
+constexpr int kPasses = 6;  // of a solve: so often it goes on
+
+// Quantities that are frozen in a solve follow what it found: rebounds by the impulse that stopped each impact, and caps
+// of what breaks. Nothing but this is then out of balance.
+bool renewFrozen(Island& island, const StepContext& context, int pass) {
   bool any = false;
-  island.rows.eachKind([&](auto& kind) { any = kind.startRebounds(island, context) || any; });
+  island.rows.eachKind([&](auto& kind) { any = kind.renewFrozen(island, context, pass) || any; });
   return any;
 }
 
@@ -70,7 +74,8 @@ void startCycles(Island& island, const StepContext& context) {
 void runCycles(Island& island, const StepContext& context, SolveStatistics& statistics) {
   startCycles(island, context);
   bool done = goOn(island, context, statistics);
-  if (startRebounds(island, context)) done = goOn(island, context, statistics);
+  for (int pass = 0; pass < kPasses && renewFrozen(island, context, pass); pass++)
+    done = goOn(island, context, statistics);
   island.ending = done ? IslandEnding::balanced : IslandEnding::unbalanced;
   countLeftOver(island, context, statistics);
 }

@@ -45,7 +45,7 @@ class Newton {
         from_(island.memory),
         rounding_(island.memory),
         matrix_(island.memory) {
-    if (island.facts.jointed) rounding_.resize(island.bodies.size(), 0.0);
+    if (island.facts.firm) rounding_.resize(island.bodies.size(), 0.0);
     Adjacency neighbours(island.memory);
     neighbours.fill(std::uint32_t(place_.size()), [this](auto visit) { eachTie(visit); });
     place_ = nearPlaces(neighbours);
@@ -165,7 +165,7 @@ class Newton {
   std::pmr::vector<std::uint32_t> place_;  // of a body in the matrix
   std::pmr::vector<double> step_;          // by place
   std::pmr::vector<SolveMotion> from_;
-  std::pmr::vector<double> rounding_;  // N, by body; empty without joints
+  std::pmr::vector<double> rounding_;  // N, by body; empty without firm ties
   BlockEnvelope matrix_;
 };
 

@@ -5,6 +5,7 @@
 #include <memory_resource>
 #include <vector>
 
+#include "solver/blows.h"
 #include "solver/finish/groups.h"
 #include "solver/hierarchy.h"
 #include "solver/plan.h"
@@ -43,6 +44,7 @@ struct Island {
   Vec3 travel;    // m: rigid displacement of this step that d and dFree leave out
 
   IslandPart part = IslandPart::last;
+  Blows blows{memory};    // of this step
   Groups groups{memory};  // of its bodies, by the forces of this step
 
   IslandFacts facts;  // of this step, or of the last one in which the island was not passed over

@@ -19,6 +19,7 @@ void prepareIsland(Island& island, Ties& ties, BodySet& bodies, StepContext& con
     return;
   }
   const bool last = island.part == IslandPart::last;
+  if (last) giveBlows(island, ties, bodies, context);
   island.facts = findFacts(island, context);
   if (last) keepEnergies(island, bodies);
   island.plan = planFor(island.facts, context.settings, island.dt);

@@ -9,6 +9,7 @@
 
 #include "brickfall/step_trace.h"
 #include "dynamics/ties.h"
+#include "solver/blows.h"
 #include "solver/boundary.h"
 #include "solver/reaction.h"
 #include "solver/step_context.h"
@@ -32,6 +33,8 @@ concept ListsRows = requires(Kind& kind, const Kind& seen, std::size_t k, std::u
                              const Ties& ofAll, const StepContext& context) {
   { Kind::kPoints } -> std::convertible_to<double>;           // visits that a row counts as; its points at most
   { Kind::kLasts } -> std::convertible_to<bool>;              // its ties stay, and bodies swing on them
+  { Kind::kYields } -> std::convertible_to<bool>;             // it breaks, and gives no impulse in no time
+  { Kind::kFirm } -> std::convertible_to<bool>;               // the rounding of its bodies' ways is a force
   { Kind::kRecordSize } -> std::convertible_to<std::size_t>;  // bytes of what the solve reads of a row
   { seen.size() } -> std::same_as<std::size_t>;
   kind.reserve(k);
@@ -72,7 +75,9 @@ template <class Kind>
 concept GoesThroughAStep = requires(Kind& kind, const Kind& seen, std::size_t k, std::size_t count, Island& island,
                                     const Island& solved, Ties& ties, StepContext& context, const StepContext& given,
                                     const SolveMotion* motion, float share, bool exact, Reading* readings,
-                                    const Boundary& boundary, BoundarySums& sums) {
+                                    const Boundary& boundary, BoundarySums& sums, int pass, double dt, BodySet& bodies,
+                                    const std::pmr::vector<char>& yielding, Blows& blows) {
+  seen.giveBlows(yielding, dt, ties, bodies, given, blows);  // before anything of the step is prepared (blows.h)
   kind.prepare(island, ties, given);
   // In the solve: force at the present motion, of one row, of many, of a cluster's boundary, with stiffness.
   { seen.arms(k) } -> std::same_as<Arms>;
@@ -85,7 +90,8 @@ concept GoesThroughAStep = requires(Kind& kind, const Kind& seen, std::size_t k,
   { seen.boundsFollow(k) } -> std::same_as<bool>;                 // asked once: whether the next three are called
   { kind.renewBounds(k, motion, share) } -> std::same_as<bool>;   // after each cycle
   { kind.settleBounds(k, motion, share) } -> std::same_as<bool>;  // after a direct solve has ended, up to three times
-  { kind.startRebounds(solved, given) } -> std::same_as<bool>;    // after the solve; true: it goes on
+  // After the solve, as often as it goes on: what was frozen in it is set anew. True: the solve goes on from there.
+  { kind.renewFrozen(solved, given, pass) } -> std::same_as<bool>;
   // After it.
   { kind.store(island, ties, context) } -> std::same_as<bool>;
   seen.tellShare(ties, share);

@@ -16,18 +16,20 @@
 #include "dynamics/ties.h"
 #include "solver/contact/rows.h"
 #include "solver/joint/rows.h"
+#include "solver/mortar/rows.h"
 #include "solver/row_kind.h"
 
 namespace brickfall {
 
 struct Rows {
-  explicit Rows(std::pmr::memory_resource* memory) : contacts(memory), joints(memory) {}
+  explicit Rows(std::pmr::memory_resource* memory) : contacts(memory), joints(memory), mortar(memory) {}
   ContactRows contacts;
   JointRows joints;
+  MortarRows mortar;
 
   // In the order of LinkKind.
-  auto kinds() { return std::tie(contacts, joints); }
-  auto kinds() const { return std::tie(contacts, joints); }
+  auto kinds() { return std::tie(contacts, joints, mortar); }
+  auto kinds() const { return std::tie(contacts, joints, mortar); }
   static constexpr std::size_t kKinds = kLinkKinds;
 
   // visit(kind) for each list.
@@ -71,6 +73,12 @@ struct Rows {
   bool anyLasting() const {
     bool any = false;
     eachKind([&]<class Kind>(const Kind& kind) { any = any || (Kind::kLasts && kind.size() > 0); });
+    return any;
+  }
+  // There are ties so firm that the rounding of ways is a force.
+  bool anyFirm() const {
+    bool any = false;
+    eachKind([&]<class Kind>(const Kind& kind) { any = any || (Kind::kFirm && kind.size() > 0); });
     return any;
   }
   using Counts = std::array<std::size_t, kKinds>;  // rows by kind
@@ -129,7 +137,7 @@ struct Rows {
     }(static_cast<decltype(std::declval<Rows&>().kinds())*>(nullptr));
   }
   // The memory of all ties, by kind; restore puts it back, whatever a trial has made of it (island_trial.h).
-  using Memory = std::tuple<ContactRows::Memory, JointRows::Memory>;
+  using Memory = std::tuple<ContactRows::Memory, JointRows::Memory, MortarRows::Memory>;
   static Memory memoryFrom(std::pmr::memory_resource* from) {
     return [from]<std::size_t... i>(std::index_sequence<i...>) {
       return Memory{std::tuple_element_t<i, Memory>(from)...};

@@ -20,6 +20,7 @@ struct TieWork {
   double work = 0;     // J, done on the bodies and on kinematic partners
   double rebound = 0;  // J, done by the forces that rebounds add: not part of `work`
   double elastic = 0;  // J, elastic energy after it
+  double pull = 0, shear = 0;  // J, spent on breaking ties, by mode: part of `work` and `elastic`
 };
 
 // Work of ties that hold places, on the mean of the ways of this step and of the last. They have no energy but what

@@ -23,6 +23,7 @@ void Diary::tellPending() {
   events.begin.clear();
   events.hits.clear();
   events.breaks.clear();
+  events.mortar.clear();
   events.moved.clear();
   events.fellAsleep.clear();
   events.end.assign(pending.end.begin(), pending.end.end());

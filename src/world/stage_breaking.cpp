@@ -1,7 +1,8 @@
-// Joints break that bore too much. A blow is told as its mean over the step. So what a joint bore is judged over the
+// Mortar crumbles whose energy is spent. Joints break that bore too much. A blow is told as its mean over the step. So what a joint bore is judged over the
 // same time whatever the step: its mean over kBreakTime, or the step if that is longer.
 #include <algorithm>
 
+#include "solver/mortar/law.h"
 #include "world/diary.h"
 #include "world/registry.h"
 #include "world/stage_hash.h"
@@ -48,6 +49,35 @@ void breakJoints(const Registry& registry, double dt, Ties& ties, Diary& diary, 
   }
 }
 
-void hashBreaking(const Ties& ties, HashItems& out) { ties.joints.eachAwake(out.links(ties)); }
+void crumbleMortar(const Registry& registry, Ties& ties, Diary& diary, Upkeep& upkeep) {
+  std::vector<MortarIndex> broken;
+  auto tell = [&](MortarIndex index, bool breaks) {
+    const Mortar& m = ties.mortar.slots[index];
+    diary.events.mortar.push_back({{index + 1, m.generation, registry.worldNumber},
+                                   registry.idOf(m.bodyA),
+                                   registry.idOf(m.bodyB),
+                                   MortarPose(m, registry.bodies).centre,
+                                   modeOf(m),
+                                   m.tensionWork + m.shearWork,
+                                   breaks});
+  };
+  ties.mortar.eachAwake([&](const Link& link) {
+    Mortar& m = ties.mortar.slots[link.index];
+    if (m.damage > 0 && !m.cracked) {
+      m.cracked = true;
+      tell(link.index, false);
+    }
+    if (m.damage >= mortar::kBroken) broken.push_back(link.index);
+  });
+  for (MortarIndex index : broken) {
+    tell(index, true);
+    upkeep.crumble(index);
+  }
+}
+
+void hashBreaking(const Ties& ties, HashItems& out) {
+  ties.joints.eachAwake(out.links(ties));
+  ties.mortar.eachAwake(out.links(ties));
+}
 
 }  // namespace brickfall

@@ -58,6 +58,11 @@ void bookPrepare(const Registry& registry, const Activity& activity, const StepC
   LedgerState& s = diary.ledgerState;
   StepLedger& ledger = *diary.report.ledger;
   s.book(ledger.stopped, s.moving(atStart(bodies, activity.islands, context)));
+  BalanceChange blows;
+  for (const IslandPointer& island : activity.islands.awake)
+    if (!island->settled()) blows += island->blows.change;
+  ledger.stopped = ledger.stopped - blows;
+  ledger.impacts += blows;
   Balance start = balanceNow(bodies, context);
   s.bookElastic(ledger.renewed, start.elastic);
   s.book(ledger.damping, start);

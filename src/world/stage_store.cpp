@@ -19,6 +19,7 @@ namespace {
 void collectHits(const WorldDef& def, const Registry& registry, const Island& island, const StepContext& context,
                  std::vector<HitEvent>& out) {
   std::pmr::vector<TieImpact> impacts(island.memory);
+  impacts.assign(island.blows.impacts.begin(), island.blows.impacts.end());
   island.rows.eachKind([&](const auto& kind) { kind.findHits(island, context, def.hitEventSpeed, impacts); });
   tellHits(def, registry, impacts, out);
 }
@@ -46,13 +47,16 @@ void hashStore(const IslandSet& islands, const Ties& ties, const StepContext& co
 namespace {
 
 // The work of ties, and how it changed their elastic energy.
-BalanceChange tiesNow(const IslandSet& islands, const StepContext& context, double elasticBefore, double& rebound) {
+BalanceChange tiesNow(const IslandSet& islands, const StepContext& context, double elasticBefore, double& rebound,
+                      double& pull, double& shear) {
   BalanceChange out;
   double elastic = elasticAsleep(context);
   for (const IslandPointer& island : islands.awake) {
     TieWork ofTies = workOf(*island, context);
     out.energy += ofTies.work;
     rebound += ofTies.rebound;
+    pull += ofTies.pull;
+    shear += ofTies.shear;
     elastic += ofTies.elastic;
   }
   out.elastic = elastic - elasticBefore;
@@ -77,7 +81,7 @@ void bookStore(const Registry& registry, const Activity& activity, const StepCon
   ledger.gravity.angular += inFlight;
   Balance now = s.moving(solvedBalance(activity.awake, bodies, context));
   double rebound = 0;
-  BalanceChange ofTies = tiesNow(activity.islands, context, s.now.elastic, rebound);
+  BalanceChange ofTies = tiesNow(activity.islands, context, s.now.elastic, rebound, ledger.tensionFracture, ledger.shearFracture);
   ledger.solve += now - s.now - s.push - supports - BalanceChange{{}, inFlight, ofTies.energy + rebound};
   ledger.rebound.energy += rebound;
   s.now = now;

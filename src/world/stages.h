@@ -63,6 +63,7 @@ void hashIntegrate(const Registry&, const Activity&, const Ties&, HashItems&);
 void bookIntegrate(const Registry&, const Activity&, const StepContext&, Diary&);
 
 void breakJoints(const Registry&, double dt, Ties&, Diary&, Upkeep&);
+void crumbleMortar(const Registry&, Ties&, Diary&, Upkeep&);
 void hashBreaking(const Ties&, HashItems&);
 
 void fallAsleep(const WorldDef&, double dt, Registry&, Activity&, Ties&, Diary&);

@@ -104,13 +104,38 @@ void Upkeep::disturbJoint(JointIndex joint) {
     if (registry_.bodies.data[body].type == BodyType::dynamic) disturb(body);
 }
 
-// A pair that was refused is reported again only if its shapes enter anew, also where they lie at rest.
 void Upkeep::unjoin(JointIndex joint) {
   disturbJoint(joint);
   const Joint was = ties_.joints.joints[joint];
   ties_.joints.destroy(joint);
-  if (was.collide) return;
-  for (BodyIndex body : {was.bodyA, was.bodyB}) renewProxies(body);
+  if (!was.collide) meetAnew(was.bodyA, was.bodyB);
+}
+
+// A pair that was refused is reported again only if its shapes enter anew, also where they lie at rest.
+void Upkeep::meetAnew(BodyIndex a, BodyIndex b) {
+  for (BodyIndex body : {a, b}) renewProxies(body);
+}
+
+MortarIndex Upkeep::bond(const Mortar& mortar) {
+  const MortarIndex made = ties_.mortar.create(mortar);
+  for (BodyIndex body : {mortar.bodyA, mortar.bodyB})
+    if (registry_.bodies.data[body].type == BodyType::dynamic) disturb(body);
+  ties_.contacts.dropBetween(mortar.bodyA, mortar.bodyB);
+  return made;
+}
+
+void Upkeep::unbond(MortarIndex mortar) {
+  const Mortar was = ties_.mortar.slots[mortar];
+  for (BodyIndex body : {was.bodyA, was.bodyB})
+    if (registry_.bodies.data[body].type == BodyType::dynamic) disturb(body);
+  ties_.mortar.destroy(mortar);
+  if (!was.broken) meetAnew(was.bodyA, was.bodyB);
+}
+
+void Upkeep::crumble(MortarIndex mortar) {
+  ties_.mortar.breakUp(mortar);
+  const Mortar& m = ties_.mortar.slots[mortar];
+  meetAnew(m.bodyA, m.bodyB);
 }
 
 // A kinematic body joins or leaves the moving bodies as its velocity says.

@@ -26,6 +26,10 @@ class Upkeep {
   JointIndex join(const Joint& joint);
   void disturbJoint(JointIndex joint);  // it was changed from outside
   void unjoin(JointIndex joint);        // what it tied may collide from now on
+  // Glues its bodies, which it wakes; contacts between them end.
+  MortarIndex bond(const Mortar& mortar);
+  void unbond(MortarIndex mortar);   // it was taken away
+  void crumble(MortarIndex mortar);  // it broke: what it held may collide from now on
   void relist(BodyIndex body);          // its velocity was set
   void isolate(BodyIndex body);         // a quarantined body: out of all ties and of every list that the step walks
 
@@ -37,6 +41,7 @@ class Upkeep {
   // A force and a torque about `at` for the coming step, shared by dynamic pieces so that they gain speed as one rigid
   // body would.
   void push(const std::vector<BodyIndex>& pieces, Vec3 at, Vec3 force, Vec3 torque);
+  void meetAnew(BodyIndex a, BodyIndex b);
   void endTiesOf(BodyIndex body);  // of a body that goes
   void displace(BodyIndex body);   // a body that is put elsewhere, or becomes another: ties to its place end
   void tiesEnded(BodyIndex body);

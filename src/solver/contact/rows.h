@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "brickfall/step_trace.h"
+#include "solver/blows.h"
 #include "solver/face/rows.h"
 #include "solver/hierarchy.h"
 #include "solver/step_context.h"
@@ -39,7 +40,9 @@ struct ContactRows : FaceRows {
 
   // --- functions of every kind of row (row_kind.h)
   static constexpr double kPoints = 4;   // visits that a row counts as; points at most
-  static constexpr bool kLasts = false;  // its ties stay, and bodies swing on them
+  static constexpr bool kLasts = false;   // its ties stay, and bodies swing on them
+  static constexpr bool kYields = false;  // it breaks, and gives no impulse in no time
+  static constexpr bool kFirm = false;    // the rounding of its bodies' ways is a force
   static constexpr std::size_t kRecordSize = sizeof(FaceRecord);
   std::size_t size() const { return contactOf.size(); }
   void reserve(std::size_t rows) { contactOf.reserve(rows); }
@@ -105,8 +108,14 @@ struct ContactRows : FaceRows {
   bool settleBounds(std::size_t k, const SolveMotion* motion, float slack) {
     return records[k].newPoints && renewNewPoints(k, motion, slack, true);
   }
-  // After a solve: impacts that are over give back their share, in a solve that goes on from there. True if any does.
-  bool startRebounds(const Island& island, const StepContext& context);
+  // Before the step is prepared: what closes on a body that is marked exchanges the impulse of the two alone.
+  void giveBlows(const std::pmr::vector<char>& yielding, double dt, Ties& ties, BodySet& bodies,
+                 const StepContext& context, Blows& blows) const;
+  // After the first solve: impacts that are over give back their share, in a solve that goes on from there. True if any
+  // does.
+  bool renewFrozen(const Island& island, const StepContext& context, int pass) {
+    return pass == 0 && startRebounds(island, context);
+  }
   // After the contact's forces are stored: an impact goes on at one of its points that will rebound later.
   bool owes(std::size_t k, const StepContext& context) const;
   // J: work of the contact's rebounds in this step, on the way that was solved; 0 if there was none.
@@ -190,6 +199,7 @@ struct ContactRows : FaceRows {
 
  private:
   bool renewNewPoints(std::size_t k, const SolveMotion* motion, float slack, bool over);
+  bool startRebounds(const Island& island, const StepContext& context);
 };
 
 }  // namespace brickfall

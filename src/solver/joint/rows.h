@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "brickfall/step_trace.h"
+#include "solver/blows.h"
 #include "solver/boundary.h"
 #include "solver/joint/record.h"
 #include "solver/step_context.h"
@@ -53,6 +54,8 @@ struct JointRows {
   // --- functions of every kind of row (row_kind.h)
   static constexpr double kPoints = 2;
   static constexpr bool kLasts = true;
+  static constexpr bool kYields = false;
+  static constexpr bool kFirm = true;
   static constexpr std::size_t kRecordSize = sizeof(JointRecord) + sizeof(JointStart);
   std::size_t size() const { return jointOf.size(); }
   void reserve(std::size_t rows) { jointOf.reserve(rows); }
@@ -121,7 +124,8 @@ struct JointRows {
   bool renewBounds(std::size_t, const SolveMotion*, float = 0) { return false; }
   // The forces found become multipliers; geometric stiffness grows with them.
   bool settleBounds(std::size_t k, const SolveMotion* motion, float slack);
-  bool startRebounds(const Island&, const StepContext&) { return false; }
+  void giveBlows(const std::pmr::vector<char>&, double, Ties&, BodySet&, const StepContext&, Blows&) const {}
+  bool renewFrozen(const Island&, const StepContext&, int) { return false; }
   bool store(Island& island, Ties& ties, StepContext& context);
   void tellShare(Ties& ties, float share) const;
   bool owes(std::size_t, const StepContext&) const { return false; }

@@ -1,0 +1,65 @@
+// A mortar joint between two bodies: its face in the frames of both, its strength, and its memory. The displacement of
+// the one face against the other is measured from the bodies' poses in each step.
+//
+// All that happens to the face goes through four points. Intact, they are the corners of its kern: then the stress that
+// a point carries is that at the face's corner, and the face cracks at its true moment. As damage grows they go to the
+// corners of a rectangle with the face's radii of gyration, about which it rocks once it is broken.
+#pragma once
+#include <cstdint>
+
+#include "brickfall/mortar.h"
+#include "dynamics/body_set.h"
+
+namespace brickfall {
+
+using MortarIndex = std::uint32_t;
+
+//! not of the method: a count
+constexpr int kMortarPoints = 4;
+
+struct Mortar {
+  std::uint16_t generation = 0;
+  bool alive = false;
+  bool born = true;      // made since the islands were built
+  bool idle = false;     // neither body is dynamic, or it is broken
+  bool cracked = false;  // its crack was told
+  bool broken = false;
+  BodyIndex bodyA = kNoIndex, bodyB = kNoIndex;
+  std::uint64_t order = 0;  // grows with creation
+  std::uint64_t userData = 0;
+
+  Vec3 centreA, centreB;    // m, body frames: the face's centre
+  Quat frameA, frameB;      // body frames: normal from A to B, and the face's principal axes
+  double area = 0;          // m2
+  double gyration[2] = {};  // m: along the second and the third axis
+  MortarStrength strength;
+  double damage = 0;                      // 0 .. 1
+  double tensionWork = 0, shearWork = 0;  // J, spent
+  float arm = 1;                          // of the kern: how far out the points are
+  // m, in the frame of A: displacement of each point at which it carries nothing.
+  float opening[kMortarPoints] = {}, slip1[kMortarPoints] = {}, slip2[kMortarPoints] = {};
+  Vec3T<float> force, torque;  // N, N m, from A on B, about the face's centre: in the last step
+
+  bool gone() const { return broken; }
+  bool collides() const { return broken; }
+  bool names(BodyIndex body) const { return bodyA == body || bodyB == body; }
+};
+
+// That took more of its energy.
+MortarMode modeOf(const Mortar& mortar);
+
+// Place i of the four: signs along the second and the third axis.
+//! not of the method: the corners in turn
+constexpr float kMortarSide1[kMortarPoints] = {1, 1, -1, -1}, kMortarSide2[kMortarPoints] = {1, -1, -1, 1};
+
+// Where the face is.
+struct MortarPose {
+  MortarPose(const Mortar& mortar, const BodySet& bodies);
+  Vec3 n, t1, t2;   // unit, world: axes of the face on A
+  Vec3 armA, armB;  // m, from the centres of mass to the middle of the two faces' centres
+  Vec3 centre;      // m, world
+  // m, of B against A, along n, t1, t2: of the centre, and by metre along each of the face's axes.
+  Vec3 displaced, along1, along2;
+};
+
+}  // namespace brickfall

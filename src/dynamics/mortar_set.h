@@ -1,0 +1,25 @@
+// All mortar joints of a world. Broken ones stay in their slots, and tie nothing.
+#pragma once
+#include "dynamics/lasting_ties.h"
+#include "dynamics/mortar.h"
+
+namespace brickfall {
+
+class MortarSet : public LastingTies<Mortar, LinkKind::mortar> {
+ public:
+  // The joint has broken: it ties nothing from now on.
+  void breakUp(MortarIndex mortar);
+
+  // --- functions of every kind of tie (link.h)
+  void displace(BodyIndex) {}  // a body that is put elsewhere tears its mortar, or is pulled back
+  void renewConstants(BodyIndex body, const ShapeSet& shapes, const BodySet& bodies);
+  void beginStep() {}
+  void hash(Mix& h, MortarIndex mortar) const;
+  void archive(WriteArchive& a) const;
+  void archive(ReadArchive& a);
+  void checkStructure(Findings& f, const BodySet& bodies, const ShapeSet& shapes) const;
+  void checkRanges(Findings& f) const;
+  void check(Findings& f, const BodySet& bodies, const ShapeSet& shapes) const;
+};
+
+}  // namespace brickfall

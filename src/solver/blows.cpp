@@ -1,0 +1,34 @@
+#include "solver/blows.h"
+
+#include "solver/island.h"
+
+namespace brickfall {
+
+namespace {
+
+// Marks bodies and partners that a row of a kind that yields holds. False if there is none.
+bool findYielding(const Island& island, std::pmr::vector<char>& yielding) {
+  bool any = false;
+  island.rows.eachKind([&]<class Kind>(const Kind& kind) { any = any || (Kind::kYields && kind.size() > 0); });
+  if (!any) return false;
+  yielding.assign(island.bodies.size() + island.partners.size(), 0);
+  island.rows.each([&]<class Kind>(const Kind& kind, std::size_t k) {
+    if (!Kind::kYields) return;
+    const RowEnds ends = kind.ends(k);
+    yielding[ends.a] = yielding[ends.b] = 1;
+  });
+  return true;
+}
+
+}  // namespace
+
+void giveBlows(Island& island, Ties& ties, BodySet& bodies, const StepContext& context) {
+  island.blows.impacts.clear();
+  island.blows.change = {};
+  std::pmr::vector<char> yielding(island.memory);
+  if (!findYielding(island, yielding)) return;
+  island.rows.eachKind(
+      [&](const auto& kind) { kind.giveBlows(yielding, island.dt, ties, bodies, context, island.blows); });
+}
+
+}  // namespace brickfall

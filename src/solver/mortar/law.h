@@ -1,0 +1,34 @@
+// The law of mortar by its damage D, the share of the energy that breaks it which is spent.
+//
+// Four points at a times the corners of its kern carry a quarter of the face each. With
+//
+//   cap  = S ft A / 4           S starts a step at (1 - D) / (1 + 2 D)
+//   arm  = 1 + 2 D              x the kern's: 1 intact, 3 at the corners
+//
+// the face bears a moment of (1 - D) ft W + N (t / 6 + D t / 3): it cracks at the true moment, and broken it rocks about
+// its edge.
+#pragma once
+#include "dynamics/mortar.h"
+
+namespace brickfall::mortar {
+
+//! of the energy | too small: the last of a joint hangs by a thread for long | too large: joints break with some left
+constexpr double kBroken = 0.95;  // damage from which a joint counts as broken
+
+//! not of the method: 1 / sqrt(3): the kern's corners, of the radii of gyration
+constexpr double kKern = 0.57735026918962576;
+//! not of the method: kern points turn a third as firmly as the face
+constexpr double kFirmer = 3;
+
+inline double strengthLeft(double damage) { return (1 - damage) / (1 + 2 * damage); }
+inline float armOf(double damage) { return float(1 + 2 * damage); }
+// N/m, of a point.
+inline double stiffnessOf(const Mortar& m) { return kFirmer * m.strength.stiffness * m.area / kMortarPoints; }
+// N, of a point of intact mortar: pull and, without pressure, shear.
+inline double pullOf(const Mortar& m) { return m.strength.tension * m.area / kMortarPoints; }
+inline double shearOf(const Mortar& m) { return m.strength.cohesion * m.area / kMortarPoints; }
+// J: that breaks it, by mode.
+inline double pullEnergy(const Mortar& m) { return m.strength.tensionEnergy * m.area; }
+inline double shearEnergy(const Mortar& m) { return m.strength.shearEnergy * m.area; }
+
+}  // namespace brickfall::mortar

@@ -1,0 +1,160 @@
+#include "solver/mortar/rows.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/face/point_forces.h"
+#include "solver/island.h"
+
+namespace brickfall {
+
+namespace {
+
+//! of the firmness | too small: what is about to break moves as if it were loose
+//! | too large: cost: thousands of caps are met and left in one solve
+constexpr double kLeastFirmness = 0.003;  // of a joint that its bodies' velocities will break
+//! not of the method: more than any force
+constexpr float kUnbroken = 1e30f;
+
+// m: the end of an arm goes so much further than turn x arm.
+Vec3 arcOfArm(Vec3 turn, Vec3 arm) {
+  if (!(lengthSquared(turn) > 1e-16)) return {};
+  return rotate(quatFromRotationVector(turn), arm) - arm - cross(turn, arm);
+}
+
+// The points of a joint go out as it is damaged. Forces keep their sum and their moments: a force further out is less.
+void placePoints(Mortar& m, const MortarPose& pose) {
+  const float arm = mortar::armOf(m.damage), by = m.arm / arm;
+  if (by == 1) return;
+  const double k = mortar::stiffnessOf(m);
+  auto gapAt = [&](int i, double out, int axis) {
+    const double s1 = kMortarSide1[i] * mortar::kKern * m.gyration[0] * out;
+    const double s2 = kMortarSide2[i] * mortar::kKern * m.gyration[1] * out;
+    return pose.displaced[axis] + pose.along1[axis] * s1 + pose.along2[axis] * s2;
+  };
+  float* const places[3] = {m.opening, m.slip1, m.slip2};
+  for (int axis = 0; axis < 3; axis++) {
+    double force[4], mean = 0;
+    for (int i = 0; i < 4; i++) {
+      force[i] = -k * (gapAt(i, double(m.arm), axis) - double(places[axis][i]));
+      mean += 0.25 * force[i];
+    }
+    for (int i = 0; i < 4; i++)
+      places[axis][i] = float(gapAt(i, double(arm), axis) + (mean + (force[i] - mean) * double(by)) / k);
+  }
+  m.arm = arm;
+}
+
+}  // namespace
+
+bool MortarRows::continues(const MortarRows& old, const StepContext& context) const {
+  if (mortarOf != old.mortarOf) return false;
+  return std::none_of(mortarOf.begin(), mortarOf.end(),
+                      [&](MortarIndex mortar) { return context.ties->mortar.slots[mortar].born; });
+}
+
+RowGrip MortarRows::grip(std::size_t k, const StepContext& context) const {
+  Vec3 force = toDouble(mortarAt(k, *context.ties).force);
+  if (force == Vec3{}) force = {0, 1e-30, 0};
+  return {force, double(kUnbroken)};
+}
+
+void MortarRows::writeCaps(std::size_t k, const Mortar& m) {
+  FaceRecord& r = records[k];
+  const MortarStart& start = starts[k];
+  const float pull = float(double(start.left) * mortar::pullOf(m));
+  const float shear = float(double(start.left) * mortar::shearOf(m) + m.strength.friction * double(start.pressure));
+  for (int i = 0; i < 4; i++) {
+    r.leastN[i] = -pull;
+    r.limit[i] = std::max(0.0f, shear);
+  }
+}
+
+void MortarRows::prepare(Island& island, Ties& ties, const StepContext& context) {
+  const BodySet& bodies = *context.bodies;
+  const float dt = float(island.dt);
+  for (std::size_t k = 0; k < size(); k++) {
+    Mortar& m = ties.mortar.slots[mortarOf[k]];
+    FaceRecord& r = records[k];
+    MortarStart& start = starts[k];
+    const MortarPose pose(m, bodies);
+    placePoints(m, pose);
+    r.n = toFloat(pose.n);
+    r.t1 = toFloat(pose.t1);
+    r.armA = toFloat(pose.armA);
+    r.armB = toFloat(pose.armB);
+    const BodyMotion &a = bodies.motion[m.bodyA], &b = bodies.motion[m.bodyB];
+    auto turnOf = [&](std::uint32_t local, BodyIndex body) {
+      return local < island.bodies.size() ? context.free[body].th : bodies.motion[body].angularVelocity * island.dt;
+    };
+    start.arc = toFloat(arcOfArm(turnOf(r.bodyB, m.bodyB), pose.armB) - arcOfArm(turnOf(r.bodyA, m.bodyA), pose.armA));
+    const Vec3 u =
+        b.linearVelocity + cross(b.angularVelocity, pose.armB) - a.linearVelocity - cross(a.angularVelocity, pose.armA);
+    const Vec3 w = b.angularVelocity - a.angularVelocity;
+    const Vec3 move{dot(pose.n, u), dot(pose.t1, u), dot(pose.t2, u)},
+        turn{dot(pose.n, w), dot(pose.t1, w), dot(pose.t2, w)};
+    const double stiffness = mortar::stiffnessOf(m);
+    const double a1 = mortar::kKern * m.gyration[0] * double(m.arm), a2 = mortar::kKern * m.gyration[1] * double(m.arm);
+    double pressure = 0, worn = 0;
+    for (int i = 0; i < 4; i++) {
+      const double s1 = kMortarSide1[i] * a1, s2 = kMortarSide2[i] * a2;
+      const Vec3 gap = pose.displaced + pose.along1 * s1 + pose.along2 * s2;
+      r.s1[i] = float(s1);
+      r.s2[i] = float(s2);
+      start.heldN[i] = float(-stiffness * (gap.x - double(m.opening[i])));
+      start.held1[i] = float(-stiffness * (gap.y - double(m.slip1[i])));
+      start.held2[i] = float(-stiffness * (gap.z - double(m.slip2[i])));
+      start.opens[i] = float(move.x + turn.y * s2 - turn.z * s1) * dt;
+      start.goes1[i] = float(move.y - turn.x * s2) * dt;
+      start.goes2[i] = float(move.z + turn.x * s1) * dt;
+      pressure += 0.25 * double(start.heldN[i]);
+      const double along = std::sqrt(double(start.goes1[i]) * start.goes1[i] + double(start.goes2[i]) * start.goes2[i]);
+      worn += 0.5 * (mortar::pullOf(m) * std::max(0.0, double(start.opens[i])) / mortar::pullEnergy(m) +
+                     mortar::shearOf(m) * along / mortar::shearEnergy(m));
+    }
+    start.pressure = float(std::max(pressure, -mortar::pullOf(m)));
+    start.worn = start.pull = start.shear = 0;
+    // No more than stops the motion that the joint starts with within its energy. What is about to break need not be
+    // firm.
+    const double whole = mortar::strengthLeft(m.damage), most = worn > 0 ? (1 - m.damage) / worn : whole;
+    start.left = float(std::min(whole, most));
+    const double firm = stiffness * (most < whole ? std::max(most / whole, kLeastFirmness) : 1);
+    start.stiffness = float(stiffness);
+    // What is less firm holds less of its force, or it would give more than it holds.
+    const float held = float(firm / stiffness);
+    const Vec3f bent = start.arc;
+    const float arcN = dot(r.n, bent), arc1 = dot(r.t1, bent), arc2 = dot(cross(r.n, r.t1), bent);
+    for (int i = 0; i < 4; i++) {
+      r.k[i] = float(firm);
+      r.trialN[i] = held * start.heldN[i] - r.k[i] * arcN;
+      r.trial1[i] = held * start.held1[i] - r.k[i] * arc1;
+      r.trial2[i] = held * start.held2[i] - r.k[i] * arc2;
+    }
+    writeCaps(k, m);
+  }
+}
+
+// What springs hold between the bodies of this row, and no more: caps take.
+double MortarRows::mostWork(std::size_t k) const {
+  const MortarStart& start = starts[k];
+  double sum = 0;
+  for (int i = 0; i < 4; i++)
+    sum += double(start.heldN[i]) * start.heldN[i] + double(start.held1[i]) * start.held1[i] +
+           double(start.held2[i]) * start.held2[i];
+  return start.stiffness > 0 ? sum / (2 * double(start.stiffness)) : 0.0;
+}
+
+void MortarRows::remember(const Ties& ties, Memory& out) const {
+  for (MortarIndex mortar : mortarOf) out.mortar.push_back(ties.mortar.slots[mortar]);
+}
+void MortarRows::restore(Ties& ties, const Memory& memory) const {
+  for (std::size_t k = 0; k < size(); k++) ties.mortar.slots[mortarOf[k]] = memory.mortar[k];
+}
+
+// No time passes.
+void MortarRows::startImpact(const Island&, const StepContext&, double) {
+  for (FaceRecord& r : records)
+    for (int i = 0; i < 4; i++) r.k[i] = r.trialN[i] = r.trial1[i] = r.trial2[i] = r.leastN[i] = r.limit[i] = 0;
+}
+
+}  // namespace brickfall

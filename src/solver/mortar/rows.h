@@ -1,0 +1,145 @@
+// Mortar joints as rows of an island's solve: faces of four points that hold both ways, up to caps.
+//
+// A point is a spring from the place at which it carries nothing. Mortar is firm: 1e5 times mass / step^2 of a brick.
+// Its springs are linear within the caps, which the solve finds as easily as soft ones.
+//
+// Softening is the concave part of the law, and stands outside the solve. Caps are frozen in it. After it each joint
+// looks at what it took: its forces x the mean of the way that its bodies would have gone and of the way that they
+// went. If that is more than what is left of its energy, its caps fall (S, law.h), and the solve goes on. So a joint
+// takes no more than its fracture energy in a step of any length.
+#pragma once
+#include <cstdint>
+#include <limits>
+#include <memory_resource>
+#include <utility>
+#include <vector>
+
+#include "brickfall/step_trace.h"
+#include "solver/blows.h"
+#include "solver/face/rows.h"
+#include "solver/mortar/law.h"
+#include "solver/step_context.h"
+#include "solver/tie_report.h"
+
+namespace brickfall {
+
+struct Island;
+
+// Facts of a joint at the start of a step that the record does not have. By point, where there are four.
+struct MortarStart {
+  float heldN[4] = {}, held1[4] = {}, held2[4] = {};  // N: forces at the start
+  float opens[4] = {}, goes1[4] = {}, goes2[4] = {};  // m: ways by the velocities at the start
+  Vec3f arc;                  // m: of B against A beyond its linear way, as the bodies turn at the start
+  float stiffness = 0;        // N/m, of a point, firm as it is
+  float pressure = 0;         // N, of a point: mean of the last step; below 0: pull
+  float left = 1;             // S: share of the caps that is left
+  float worn = 0;             // share of the fracture energy that this step takes
+  float pull = 0, shear = 0;  // J: the same by mode
+};
+
+struct MortarRows : FaceRows {
+  explicit MortarRows(std::pmr::memory_resource* memory) : FaceRows(memory), mortarOf(memory), starts(memory) {}
+  std::pmr::vector<MortarIndex> mortarOf;  // by row, ascending
+  std::pmr::vector<MortarStart> starts;    // by row
+
+  // --- functions of every kind of row (row_kind.h)
+  static constexpr double kPoints = 4;
+  static constexpr bool kLasts = false;
+  static constexpr bool kYields = true;
+  static constexpr bool kFirm = true;
+  static constexpr std::size_t kRecordSize = sizeof(FaceRecord) + sizeof(MortarStart);
+  std::size_t size() const { return mortarOf.size(); }
+  void reserve(std::size_t rows) { mortarOf.reserve(rows); }
+  void add(std::uint32_t index) { mortarOf.push_back(index); }
+  std::uint32_t indexOf(std::size_t k) const { return mortarOf[k]; }
+  bool continues(const MortarRows& old, const StepContext& context) const;
+  template <class Number> void bind(Ties& ties, Number number) {
+    records.assign(size(), {});
+    starts.assign(size(), {});
+    for (std::size_t k = 0; k < size(); k++) {
+      Mortar& m = ties.mortar.slots[mortarOf[k]];
+      records[k].bodyA = number(m.bodyA);
+      records[k].bodyB = number(m.bodyB);
+      m.born = false;
+    }
+  }
+  float strength(std::size_t, const StepContext&) const { return 4e3f; }  // mortared bricks share clusters
+  bool ties(std::size_t, const StepContext&) const { return true; }
+  bool carriesForce(std::size_t, const StepContext&) const { return true; }
+  bool sticks(std::size_t, const StepContext&) const { return true; }
+  bool pins(std::size_t, const StepContext&) const { return true; }
+  bool holds(std::size_t, const StepContext&) const { return true; }
+  RowGrip grip(std::size_t k, const StepContext& context) const;
+  RowCourse courseOf(std::size_t, const EndChanges&, const StepSpan&, const StepContext&) const {
+    return RowCourse::changes;
+  }
+  bool wouldMeet(std::size_t, const EndChanges&, const EndChanges&, double) const { return false; }
+  bool meetsWithin(std::size_t, Vec3f, const SolveMotion*, const StepContext&) const { return true; }
+  void addFriction(std::size_t, Vec3, bool, const StepContext&, FrictionAlong&) const {}
+  // The face's centre on the body stays where it was solved.
+  void keepApart(std::size_t k, bool ofB, Vec3 lessTurn, const SolveMotion*, Vec3& way) const {
+    way = cross(lessTurn, toDouble(ofB ? records[k].armB : records[k].armA));
+  }
+  void letGo(Ties&) const {}
+
+  void giveBlows(const std::pmr::vector<char>&, double, Ties&, BodySet&, const StepContext&, Blows&) const {}
+  void prepare(Island& island, Ties& ties, const StepContext& context);
+  bool boundsFollow(std::size_t) const { return false; }
+  bool renewBounds(std::size_t, const SolveMotion*, float = 0) { return false; }
+  bool settleBounds(std::size_t, const SolveMotion*, float = 0) { return false; }
+  bool renewFrozen(const Island& island, const StepContext& context, int pass);
+  bool store(Island& island, Ties& ties, StepContext& context);
+  void tellShare(Ties&, float) const {}
+  bool owes(std::size_t, const StepContext&) const { return false; }
+  double reboundWork(std::size_t, const SolveMotion*) const { return 0; }
+  // J: what its springs hold.
+  double mostWork(std::size_t k) const;
+  HeldWork heldWork(std::size_t) const { return {}; }
+  void advance(const Island&, Ties&) const {}
+  // What a trial of a step changes.
+  struct Memory {
+    explicit Memory(std::pmr::memory_resource* memory) : mortar(memory) {}
+    std::pmr::vector<Mortar> mortar;
+  };
+  void remember(const Ties& ties, Memory& out) const;
+  void restore(Ties& ties, const Memory& memory) const;
+
+  // --- what the world asks of the rows of an island
+  std::pair<BodyIndex, BodyIndex> bodies(std::size_t k, const Ties& ties) const {
+    return {mortarAt(k, ties).bodyA, mortarAt(k, ties).bodyB};
+  }
+  void archive(WriteArchive& a) const;
+  void archive(ReadArchive& a);
+  void hashName(Mix& h, std::size_t k, const Ties& ties) const { h(mortarAt(k, ties).order); }
+  void hashMemory(Mix& h, std::size_t k, const Ties& ties) const { ties.mortar.hash(h, mortarOf[k]); }
+  void hashRecord(Mix& h, std::size_t k, const Ties& ties) const;
+  void checkStructure(Findings& f, const Island& island, const Ties& ties, const BodySet& bodies, bool current) const;
+  void checkRanges(Findings& f) const;
+  void check(Findings& f, const Island& island, const Ties& ties, bool current) const;
+  template <class Visit> void eachManifold(Visit&&) const {}
+  PointCount countPoints(const Ties&) const { return {}; }
+  template <class Visit> void eachTouching(const Ties&, Visit&&) const {}
+  void startAfresh(Ties&) const {}
+  static double elasticEnergy(MortarIndex mortar, const StepContext& context);
+  void addWork(const Island& island, const StepContext& context, TieWork& sum) const;
+  void addSupport(const Island& island, const StepContext& context, BalanceChange& sum) const;
+  void findHits(const Island&, const StepContext&, double, std::pmr::vector<TieImpact>&) const {}
+
+  // --- impacts at their moment (solver/impact.h). Mortar has a largest force: in no time it gives nothing.
+  bool mayClose(const StepContext&, double) const { return false; }
+  bool touchNothing(const StepContext&) const { return size() == 0; }
+  void leaveOut(Ties&, const StepContext&) {}
+  double firstClosing(const Island&, double, const StepContext&) const {
+    return std::numeric_limits<double>::infinity();
+  }
+  void startImpact(const Island& island, const StepContext& context, double blink);
+  void keepImpactForces(const Island&) {}
+  bool reboundImpact(const Island&, const StepContext&, std::pmr::vector<TieImpact>&) { return false; }
+  void endImpact(const Island&, Ties&, const StepContext&, bool) {}
+
+ private:
+  const Mortar& mortarAt(std::size_t k, const Ties& ties) const { return ties.mortar.slots[mortarOf[k]]; }
+  void writeCaps(std::size_t k, const Mortar& m);
+};
+
+}  // namespace brickfall

@@ -1,0 +1,139 @@
+// What a solve takes from mortar: its caps fall until no joint takes more than its fracture energy has left, and what
+// it took is damage.
+#include <algorithm>
+#include <cmath>
+
+#include "solver/face/point_forces.h"
+#include "solver/island.h"
+#include "solver/mortar/rows.h"
+
+namespace brickfall {
+
+namespace {
+
+//! of the energy left | too small: passes for the last of it | too large: joints take more than their energy
+constexpr double kMoreThanLeft = 1.02;  // a joint may take so much
+//! - | too small: caps fall by trifles: passes | too large: as kMoreThanLeft
+constexpr double kSameCap = 0.98;  // a cap that falls less stays
+//! of the tension stiffness | too small: shear counts as damage within its strength | too large: hits leave no trace
+constexpr double kShearStiffness = 0.44;  // of mortar, ks / kn
+
+// Forces and ways at the present motion, by point.
+struct PointState {
+  alignas(16) float n[4], f1[4], f2[4], trialN[4], way[4], way1[4], way2[4];
+  std::uint32_t slides = 0;
+};
+PointState stateAt(const FaceRecord& r, const MortarStart& start, const SolveMotion* motion) {
+  auto moved = kernel::pointMotion(r, kernel::frame(r), motion);
+  auto f = kernel::pointForces(r, moved);
+  PointState out;
+  kernel::store(f.n, out.n);
+  kernel::store(f.t1, out.f1);
+  kernel::store(f.t2, out.f2);
+  kernel::store(f.trialN, out.trialN);
+  kernel::store(moved.n, out.way);
+  kernel::store(moved.t1, out.way1);
+  kernel::store(moved.t2, out.way2);
+  out.slides = wide::bits(f.slides);
+  const float arcN = dot(r.n, start.arc), arc1 = dot(r.t1, start.arc), arc2 = dot(cross(r.n, r.t1), start.arc);
+  for (int i = 0; i < 4; i++) {
+    out.way[i] += arcN;
+    out.way1[i] += arc1;
+    out.way2[i] += arc2;
+  }
+  return out;
+}
+
+struct Taken {
+  double pull = 0, shear = 0;  // J
+  double use = 0;              // largest force of a point over that of intact mortar
+  bool yields = false;
+};
+
+// The work of a joint's forces over the mean of the ways by its start velocities and by the motion found: by the end
+// motion alone a hit is over before it has begun, and takes nothing. Less what its springs hold then; and of what
+// slides the cohesive share only, since the rest is friction.
+Taken takenBy(const Mortar& m, const FaceRecord& r, const MortarStart& start, const PointState& now) {
+  Taken out;
+  const double k = mortar::stiffnessOf(m), rubs = std::max(0.0, m.strength.friction * double(start.pressure));
+  auto held = [&](double force, double before) { return 0.5 * (force * force - before * before) / k; };
+  for (int i = 0; i < 4; i++) {
+    out.yields = out.yields || now.trialN[i] < r.leastN[i] || (now.slides >> i & 1);
+    const double pull = std::min(0.0, double(now.n[i])), before = std::min(0.0, double(start.heldN[i]));
+    out.pull += -pull * 0.5 * (double(start.opens[i]) + double(now.way[i])) - held(pull, before);
+    const double f1 = now.f1[i], f2 = now.f2[i], shear = std::sqrt(f1 * f1 + f2 * f2);
+    const double cohesive = shear > 0 ? std::max(0.0, shear - rubs) / shear : 0;
+    const double worked = -f1 * 0.5 * (double(start.goes1[i]) + double(now.way1[i])) -
+                          f2 * 0.5 * (double(start.goes2[i]) + double(now.way2[i]));
+    out.shear += cohesive * (worked - held(f1, start.held1[i]) - held(f2, start.held2[i]));
+    out.use = std::max({out.use, -pull / mortar::pullOf(m), cohesive * shear / mortar::shearOf(m)});
+  }
+  out.pull = std::max(0.0, out.pull);
+  out.shear = std::max(0.0, out.shear);
+  if (out.yields) return out;
+  // Within its strength mortar takes no more than a spring of its stiffness holds.
+  const MortarStrength& s = m.strength;
+  const double pull = 0.5 * s.tension * s.tension / s.stiffness * m.area;
+  const double shear = 0.5 * s.cohesion * s.cohesion / (kShearStiffness * s.stiffness) * m.area;
+  const double share = out.pull / pull + out.shear / shear, more = share > 1 ? 1 - 1 / share : 0;
+  out.pull *= more;
+  out.shear *= more;
+  return out;
+}
+
+double shareOf(const Taken& taken, const Mortar& m) {
+  return taken.pull / mortar::pullEnergy(m) + taken.shear / mortar::shearEnergy(m);
+}
+
+}  // namespace
+
+bool MortarRows::renewFrozen(const Island& island, const StepContext& context, int) {
+  bool fell = false;
+  for (std::size_t k = 0; k < size(); k++) {
+    const Mortar& m = mortarAt(k, *context.ties);
+    MortarStart& start = starts[k];
+    const Taken taken = takenBy(m, records[k], start, stateAt(records[k], start, island.motion.data()));
+    const double share = shareOf(taken, m), left = 1 - m.damage;
+    if (!(share > kMoreThanLeft * left)) continue;
+    const float lower = float(taken.use * left / share);
+    if (!(lower < kSameCap * start.left)) continue;
+    start.left = lower;
+    writeCaps(k, m);
+    fell = true;
+  }
+  return fell;
+}
+
+bool MortarRows::store(Island& island, Ties& ties, StepContext&) {
+  if (island.resting()) return false;
+  for (std::size_t k = 0; k < size(); k++) {
+    Mortar& m = ties.mortar.slots[mortarOf[k]];
+    const FaceRecord& r = records[k];
+    MortarStart& start = starts[k];
+    const PointState now = stateAt(r, start, island.motion.data());
+    const Taken taken = takenBy(m, r, start, now);
+    const double share = shareOf(taken, m), most = share > 1 - m.damage ? (1 - m.damage) / share : 1;
+    m.damage = std::min(1.0, m.damage + share * most);
+    start.pull = float(taken.pull * most);
+    start.shear = float(taken.shear * most);
+    m.tensionWork += double(start.pull);
+    m.shearWork += double(start.shear);
+    const double stiffness = mortar::stiffnessOf(m);
+    const bool soft = r.k[0] < 0.999f * float(stiffness);
+    for (int i = 0; i < 4; i++) {
+      const bool opens = soft || now.trialN[i] < r.leastN[i], slips = soft || (now.slides >> i & 1);
+      auto give = [&](float way, float force, float before, float& place) {
+        place = float(double(place) + double(way) + (double(force) - double(before)) / stiffness);
+      };
+      if (opens) give(now.way[i], now.n[i], start.heldN[i], m.opening[i]);
+      if (slips) give(now.way1[i], now.f1[i], start.held1[i], m.slip1[i]);
+      if (slips) give(now.way2[i], now.f2[i], start.held2[i], m.slip2[i]);
+    }
+    const Reaction told = react(k, island.motion.data());
+    m.force = wide::store3(told.force);
+    m.torque = wide::store3(told.torque);
+  }
+  return true;
+}
+
+}  // namespace brickfall
