@@ -134,9 +134,17 @@ struct GrownBrick {
   Vec3 size;    // m
 };
 
+// A layer of mortar as it is drawn with one of the two bricks: it stays there when the joint breaks. On the lower brick, and upright on
+// the one that comes first.
+struct MortarSlab {
+  Vec3 centre;  // m, from the middle of the grown brick, in its axes
+  Vec3 size;    // m
+};
+
 struct MortarLayout {
-  std::vector<MortarJoint> joints;  // by a, then b
-  std::vector<GrownBrick> grown;    // by brick
+  std::vector<MortarJoint> joints;             // by a, then b
+  std::vector<GrownBrick> grown;               // by brick
+  std::vector<std::vector<MortarSlab>> slabs;  // by brick; none of layers without thickness
 };
 
 // Which bricks are joined: those with parallel faces opposite each other, no further apart than one and a half joints of

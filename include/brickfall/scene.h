@@ -191,6 +191,12 @@ struct PlacedBody {
   SourcePlace place;
 };
 
+// What is drawn of a body, where that is not what collides: bricks in mortar are drawn as they are laid, with their mortar.
+struct DrawnBody {
+  std::vector<ShapeDef> shapes;        // their materials are not read
+  std::vector<std::string> materials;  // of each
+};
+
 // A scene being simulated: the world, what is in it, and what is still to be launched. Bodies that come or go while it runs are
 // created and destroyed through it, so that they have a name, a role and a colour, or through world(), which knows none of these.
 class SceneRun {
@@ -208,6 +214,7 @@ class SceneRun {
   // The scene's mortar as it was made, what is broken as well. Ends of bodies end it.
   const std::vector<MortarId>& mortars() const { return mortars_; }
   const PlacedBody* find(BodyId id) const;  // null for a body that is not listed
+  const DrawnBody* drawn(BodyId id) const;  // null: it is drawn as it is
   // `id` of what is given is not read; with a launchTime to come a body that can move is held until then.
   Result<BodyId> createBody(PlacedBody body);
   Status destroyBody(BodyId id);
@@ -254,7 +261,8 @@ class SceneRun {
   std::vector<BodyId> waiting_;            // still to be launched
   std::vector<JointId> joints_;            // of scene_.joints
   std::vector<MortarId> mortars_;
-  std::vector<Shot> shots_;  // all of the scene
+  std::map<std::string, DrawnBody> drawn_;  // by name; nothing changes it
+  std::vector<Shot> shots_;                 // all of the scene
   Machines machines_;
   std::optional<ReportRun> reported_;  // SceneMethod::report
   std::uint64_t stepsDone_ = 0;

@@ -172,30 +172,76 @@ class Mason {
 
   MortarLayout layout() const {
     MortarLayout out;
-    std::vector<std::array<double, 6>> growth(blocks_.size(), {kNone, kNone, kNone, kNone, kNone, kNone});
+    std::vector<Growth> growth(blocks_.size(), {kNone, kNone, kNone, kNone, kNone, kNone});
     for (const Faced& faced : joints_) {
       out.joints.push_back(faced.joint);
       for (double* by : {&growth[faced.joint.a][faced.faceA], &growth[faced.joint.b][faced.faceB]})
         *by = std::min(*by, 0.5 * faced.joint.thickness);
     }
+    for (Growth& one : growth)
+      for (double& by : one) by = by < kNone ? by : 0;
     for (std::size_t k = 0; k < blocks_.size(); k++) {
       GrownBrick brick{blocks_[k].centre, blocks_[k].half * 2.0};
       for (std::size_t face = 0; face < 6; face++) {
-        const double by = growth[k][face] < kNone ? growth[k][face] : 0;
-        brick.size[int(face / 2)] += by;
-        brick.centre += blocks_[k].normal(int(face)) * (0.5 * by);
+        brick.size[int(face / 2)] += growth[k][face];
+        brick.centre += blocks_[k].normal(int(face)) * (0.5 * growth[k][face]);
       }
       out.grown.push_back(brick);
     }
+    out.slabs = slabs(growth);
     return out;
   }
 
  private:
   static constexpr double kNone = 1e30;
+  using Growth = std::array<double, 6>;  // m, by face
   struct Faced {
     MortarJoint joint;
     std::size_t faceA, faceB;
   };
+
+  // Bounds, in a brick's axes from its middle, of the outlines on one of its faces.
+  struct Covered {
+    Vec3 lower{kNone, kNone, kNone}, upper{-kNone, -kNone, -kNone};
+    double thickness = 0;
+  };
+
+  std::vector<std::vector<MortarSlab>> slabs(const std::vector<Growth>& growth) const {
+    std::vector<std::array<Covered, 6>> covered(blocks_.size());
+    for (const Faced& faced : joints_) {
+      const bool onA = !faced.joint.bed || blocks_[faced.joint.a].normal(int(faced.faceA)).y > 0;
+      const std::size_t owner = onA ? faced.joint.a : faced.joint.b;
+      Covered& face = covered[owner][onA ? faced.faceA : faced.faceB];
+      face.thickness = std::max(face.thickness, faced.joint.thickness);
+      for (Vec3 corner : faced.joint.outline) {
+        const Vec3 p = transposeTimes(blocks_[owner].axes, corner - blocks_[owner].centre);
+        face.lower = min(face.lower, p);
+        face.upper = max(face.upper, p);
+      }
+    }
+    std::vector<std::vector<MortarSlab>> out(blocks_.size());
+    for (std::size_t k = 0; k < blocks_.size(); k++)
+      for (std::size_t face = 0; face < 6; face++)
+        if (covered[k][face].thickness > 0) out[k].push_back(slabOf(blocks_[k], growth[k], face, covered[k][face]));
+    return out;
+  }
+
+  // A bed that reaches the end of its brick goes on to the middle of the upright joint there.
+  static MortarSlab slabOf(const Block& block, const Growth& growth, std::size_t face, Covered covered) {
+    const int across = int(face / 2);
+    const bool bed = std::fabs(block.axis(across).y) > 0.7;
+    Vec3 shift;  // of the grown brick's middle
+    for (int i = 0; i < 3; i++) {
+      const double below = growth[std::size_t(2 * i)], above = growth[std::size_t(2 * i + 1)];
+      shift[i] = 0.5 * (above - below);
+      if (bed && covered.lower[i] < -block.half[i] * (1 - kSlack)) covered.lower[i] = -block.half[i] - below;
+      if (bed && covered.upper[i] > block.half[i] * (1 - kSlack)) covered.upper[i] = block.half[i] + above;
+    }
+    const double near = block.half[across], far = near + covered.thickness;
+    covered.lower[across] = face % 2 ? near : -far;
+    covered.upper[across] = face % 2 ? far : -near;
+    return {(covered.lower + covered.upper) * 0.5 - shift, covered.upper - covered.lower};
+  }
 
   void join(std::size_t i, std::size_t k) {
     const std::size_t first = std::min(i, k), second = std::max(i, k);
@@ -216,7 +262,7 @@ class Mason {
     const Block &a = blocks_[first], &b = blocks_[second];
     const Corners corners = sharedCorners(a, faceA, b, faceB);
     if (corners.size() < 3 || !(areaOf(corners) > kLeastShare * std::min(a.area(faceA), b.area(faceB)))) return;
-    Faced faced{{first, second, {}, bed, std::max(0.0, gap)}, std::size_t(faceA), std::size_t(faceB)};
+    Faced faced{{first, second, {}, bed, gap > kSame * a.least ? gap : 0}, std::size_t(faceA), std::size_t(faceB)};
     const Vec3 u = a.axis((faceA / 2 + 1) % 3) * (faceA % 2 ? 1.0 : -1.0), v = a.axis((faceA / 2 + 2) % 3);
     const Vec3 from = a.middle(faceA) + a.normal(faceA) * (0.5 * gap);
     for (Vec2 p : corners) faced.joint.outline.push_back(from + u * p.x + v * p.y);

@@ -77,6 +77,21 @@ void growBrick(const SceneWall& wall, const BrickPlacement& brick, const GrownBr
   shape.distribution = std::make_shared<const MassProperties>(mass);
 }
 
+DrawnBody drawnBrick(const BrickPlacement& brick, const GrownBrick& grown, const std::vector<MortarSlab>& slabs,
+                     const std::string& material) {
+  DrawnBody drawn;
+  const auto add = [&](Vec3 centre, Vec3 size, const std::string& of) {
+    ShapeDef shape;
+    shape.halfExtents = size * 0.5;
+    shape.local.position = centre;
+    drawn.shapes.push_back(shape);
+    drawn.materials.push_back(of);
+  };
+  add(rotate(conjugate(brick.rotation), brick.centre - grown.centre), brick.size, material);
+  for (const MortarSlab& slab : slabs) add(slab.centre, slab.size, "mortar");
+  return drawn;
+}
+
 std::string mortarTitle(const SceneMortar& mortar) {
   std::string title = "mortar of \"" + mortar.bodyA + "\"";
   if (!mortar.bodyB.empty()) title += " and \"" + mortar.bodyB + "\"";
@@ -96,6 +111,7 @@ WallMortar mortarOf(std::vector<LaidWall>& walls, std::uint64_t seed) {
   MortarLayout layout = layMortar(mortared);
   WallMortar out;
   out.grown = std::move(layout.grown);
+  out.slabs = std::move(layout.slabs);
   for (MortarJoint& joint : layout.joints) {
     const auto [wallA, brickA] = brickOf[joint.a];
     const auto [wallB, brickB] = brickOf[joint.b];

@@ -23,7 +23,8 @@ struct BrickJoint {
 };
 
 struct WallMortar {
-  std::vector<GrownBrick> grown;  // by brick of all mortared walls
+  std::vector<GrownBrick> grown;               // by brick of all mortared walls
+  std::vector<std::vector<MortarSlab>> slabs;  // the same
   struct Joint {
     std::size_t wallA, brickA, wallB, brickB;
     std::vector<Vec3> outline;
@@ -48,6 +49,9 @@ bool isUneven(const SceneWall& wall);
 // of mortar, and of what fills its frog.
 void growBrick(const SceneWall& wall, const BrickPlacement& brick, const GrownBrick& grown, std::uint64_t seed,
                ShapeDef& shape);
+// A brick in mortar as it is drawn: as it is laid, and its slabs of mortar.
+DrawnBody drawnBrick(const BrickPlacement& brick, const GrownBrick& grown, const std::vector<MortarSlab>& slabs,
+                     const std::string& material);
 std::string mortarTitle(const SceneMortar& mortar);
 
 }  // namespace brickfall::scene

@@ -68,6 +68,7 @@ class Placer {
   }
   std::vector<PlacedBody> bodies;
   std::vector<std::pair<double, PlacedBody>> shots;  // in the order of the scene
+  std::map<std::string, DrawnBody> drawn;            // bricks in mortar, by name
 
  private:
   Result<MaterialDef> material(const std::string& name) const {
@@ -130,6 +131,7 @@ class Placer {
         const GrownBrick& grown = mortar_.grown[laid.firstBrick + k];
         placed.def.position = grown.centre;
         scene::growBrick(wall, brick, grown, scene_.seed, shape);
+        drawn[brick.name] = scene::drawnBrick(brick, grown, mortar_.slabs[laid.firstBrick + k], from.name);
       } else if (scene::isUneven(wall)) {
         const std::uint64_t own = masonry::namedSeed(scene_.seed, brick.name + " density");
         shape.distribution = std::make_shared<const MassProperties>(brickMass(wall.wall, brick, wall.uneven, own));
@@ -161,6 +163,7 @@ Result<SceneRun> SceneRun::create(const SceneDescription& scene) {
   if (!world) return world.error();
   SceneRun run(scene, std::move(*world));
   run.scene_.world = def;
+  run.drawn_ = std::move(placer.drawn);
   if (scene.method == SceneMethod::report) {
     Result<ReportRun> reported = ReportRun::create(scene.report);
     if (!reported) return reported.error();
@@ -325,6 +328,12 @@ Result<BodyId> SceneRun::place(PlacedBody body) {
   placeByIndex_[id->index] = bodies_.size();
   bodies_.push_back(std::move(body));
   return id;
+}
+
+const DrawnBody* SceneRun::drawn(BodyId id) const {
+  const PlacedBody* body = find(id);
+  const auto found = body ? drawn_.find(body->name) : drawn_.end();
+  return found == drawn_.end() ? nullptr : &found->second;
 }
 
 void SceneRun::list(std::vector<PlacedBody> bodies) {

@@ -242,6 +242,30 @@ TEST(Mortar, TakesTheOverlapOfTurnedFaces) {
   EXPECT_NEAR(areaVector(layout.joints[0].outline).y, 8 * (std::sqrt(2.0) - 1) * 0.0025, 1e-12);
 }
 
+// Bricks as they are laid and the slabs that are drawn with them fill the wall, and none lies in another.
+TEST(Mortar, IsDrawnOnceByOneOfTwoBricks) {
+  WallDef wall = laidIn(Bond::running, 6, 5);
+  wall.yawDegrees = 0;
+  std::vector<BrickPlacement> bricks = lay(wall);
+  const MortarLayout layout = mortarOf(wall);
+  double volume = 0;
+  std::vector<BrickPlacement> all = bricks;
+  for (std::size_t k = 0; k < bricks.size(); k++)
+    for (const MortarSlab& slab : layout.slabs[k]) {
+      BrickPlacement piece;
+      piece.name = bricks[k].name + " mortar";
+      piece.centre = layout.grown[k].centre + slab.centre;
+      piece.size = slab.size;
+      all.push_back(piece);
+    }
+  for (const BrickPlacement& piece : all) volume += piece.size.x * piece.size.y * piece.size.z;
+  EXPECT_NEAR(volume, wallLength(wall) * (6 * 0.075 - 0.01) * 0.1025, 1e-9);
+  expectNoOverlap(all);
+  EXPECT_EQ(layout.slabs[0].size(), 2u);  // above, and to its right
+  EXPECT_EQ(layout.slabs.back().size(), 0u);
+  for (const auto& slabs : mortarOf(laidIn(Bond::running, 3, 3, 0, 0)).slabs) EXPECT_TRUE(slabs.empty());
+}
+
 TEST(Mortar, OfNothingIsNothing) {
   EXPECT_TRUE(layMortar({}).joints.empty());
   EXPECT_TRUE(layMortar(std::vector<MortaredBricks>{{{}, {0.01, 0.01}}}).grown.empty());

@@ -65,6 +65,23 @@ TEST(MortarScene, BricksGrowIntoTheirJointsAndWeighWhatBrickAndMortarDo) {
   EXPECT_TRUE(checkScene(run.scene()).empty());
 }
 
+TEST(MortarScene, BricksAreDrawnAsTheyAreLaid) {
+  const SceneRun run =
+      mortaredRun("[[wall]]\ncourses = 3\nbricks = 4\nhead_joint = 0.01\nbed_joint = 0.01\nmortar = \"lime\"\n");
+  for (const PlacedBody& body : run.bodies()) {
+    const DrawnBody* drawn = run.drawn(body.id);
+    ASSERT_EQ(drawn != nullptr, body.role == BodyRole::brick);
+    if (!drawn) continue;
+    EXPECT_EQ(drawn->materials.size(), drawn->shapes.size());
+    EXPECT_EQ(drawn->materials[0], "brick");
+    EXPECT_NEAR(drawn->shapes[0].halfExtents.y, 0.0325, 1e-12);
+    EXPECT_LE(drawn->shapes.size(), 3u);
+    for (std::size_t k = 1; k < drawn->shapes.size(); k++) EXPECT_EQ(drawn->materials[k], "mortar");
+    const Aabb inside = grown(bounds(body.def.shapes[0], Transform{}), 0.00501);
+    for (const ShapeDef& shape : drawn->shapes) EXPECT_TRUE(contains(inside, bounds(shape, Transform{})));
+  }
+}
+
 double areaOfMortar(const SceneRun& run) {
   double area = 0;
   for (MortarId id : run.mortars()) area += run.world().state(id)->area;
