@@ -8,9 +8,7 @@ namespace {
 
 // Marks bodies and partners that a row of a kind that yields holds. False if there is none.
 bool findYielding(const Island& island, std::pmr::vector<char>& yielding) {
-  bool any = false;
-  island.rows.eachKind([&]<class Kind>(const Kind& kind) { any = any || (Kind::kYields && kind.size() > 0); });
-  if (!any) return false;
+  if (!island.rows.anyYielding()) return false;
   yielding.assign(island.bodies.size() + island.partners.size(), 0);
   island.rows.each([&]<class Kind>(const Kind& kind, std::size_t k) {
     if (!Kind::kYields) return;

@@ -37,6 +37,7 @@ void startMotion(Island& island, const StepContext& context) {
     out.th = island.plan.startsFree ? free.thFree : toFloat(m.angularVelocity * island.dt);
     if (island.plan.goesOn) goOnAccelerating(island, i, context, out);
   }
+  island.chunks.start(island, context);
 }
 
 //! - | too small: joints that break take more than their energy | too large: cost of steps in which much breaks

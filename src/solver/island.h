@@ -6,9 +6,11 @@
 #include <vector>
 
 #include "solver/blows.h"
+#include "solver/chunks.h"
 #include "solver/finish/groups.h"
 #include "solver/hierarchy.h"
 #include "solver/plan.h"
+#include "solver/rigid_way.h"
 #include "solver/rows.h"
 #include "solver/solve_body.h"
 #include "solver/step_context.h"
@@ -41,7 +43,10 @@ struct Island {
   Hierarchy hierarchy{memory};
   double dt = 0;  // s: its time step: the rest of the world's after the impacts that it met (stage_impacts.cpp)
   Vec3 origin;    // m, of SolveMass::position and Cluster::centre
-  Vec3 travel;    // m: rigid displacement of this step that d and dFree leave out
+  Chunks chunks{memory};  // of this step
+  // Of this step: unknowns and free motions leave it out, so that a fast island in flight is solved as finely as one at
+  // rest. Floats round ways, and firm ties make forces of that.
+  RigidWay rigid;
 
   IslandPart part = IslandPart::last;
   Blows blows{memory};    // of this step

@@ -86,6 +86,7 @@ IslandFacts findFacts(const Island& island, const StepContext& context) {
   facts.bodies = island.bodies.size();
   facts.grounded = island.grounded();
   facts.jointed = island.rows.anyLasting();
+  facts.mortared = island.rows.anyYielding();
   facts.firm = island.rows.anyFirm();
   for (BodyIndex body : island.bodies) {
     const BodyMotion& m = bodies.motion[body];

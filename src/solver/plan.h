@@ -24,6 +24,7 @@ struct IslandFacts {
   std::size_t bodies = 0;
   bool grounded = false;      // touches something fixed or kinematic
   bool jointed = false;       // has ties that stay, and on which bodies swing
+  bool mortared = false;      // has ties that break, and give no impulse in no time
   bool firm = false;          // has ties so firm that the rounding of ways is a force
   bool partnersMove = false;  // a kinematic partner moves
   // Of islands that may go on (not asked of slow ones): what is fixed or kinematic carries force, and pins a body.

@@ -99,7 +99,7 @@ concept GoesThroughAStep = requires(Kind& kind, const Kind& seen, std::size_t k,
   { seen.reboundWork(k, motion) } -> std::same_as<double>;
   { seen.mostWork(k) } -> std::same_as<double>;  // J: the most that it can give to bodies while partners are at rest
   { seen.heldWork(k) } -> std::same_as<HeldWork>;
-  seen.advance(solved, ties);
+  seen.advance(solved, ties, given);
 };
 
 // Impacts at their moment (solver/impact.h), and the trials of an island's step that they need.

@@ -75,6 +75,12 @@ struct Rows {
     eachKind([&]<class Kind>(const Kind& kind) { any = any || (Kind::kLasts && kind.size() > 0); });
     return any;
   }
+  // There are ties that break, and give no impulse in no time.
+  bool anyYielding() const {
+    bool any = false;
+    eachKind([&]<class Kind>(const Kind& kind) { any = any || (Kind::kYields && kind.size() > 0); });
+    return any;
+  }
   // There are ties so firm that the rounding of ways is a force.
   bool anyFirm() const {
     bool any = false;

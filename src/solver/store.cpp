@@ -20,10 +20,10 @@ void advanceRows(Island& island, Ties& ties, const StepContext& context) {
   if (island.resting()) return;
   for (std::size_t i = 0; i < island.bodies.size(); i++) {
     const SolvedMotion& s = context.solved[island.bodies[i]];
-    island.motion[i].d = toFloat(s.d - island.travel);
-    island.motion[i].th = toFloat(s.th);
+    island.motion[i].d = toFloat(s.d - island.rigid.of(context.bodies->motion[island.bodies[i]].position));
+    island.motion[i].th = toFloat(s.th - island.rigid.turn);
   }
-  island.rows.eachKind([&](const auto& kind) { kind.advance(island, ties); });
+  island.rows.eachKind([&](const auto& kind) { kind.advance(island, ties, context); });
 }
 
 TieWork workOf(const Island& island, const StepContext& context) {

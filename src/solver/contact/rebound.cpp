@@ -23,7 +23,7 @@ PointForces pointsWithout(const Island& island, const FaceRecord& record, const 
     out = island.motion[body];
     if (body >= island.masses.size()) return;
     const Vec3 velocity = context.bodies->motion[island.bodies[body]].linearVelocity;
-    out.d = supported[body] ? toFloat(velocity * island.dt - island.travel) : island.masses[body].dFree;
+    out.d = supported[body] ? toFloat(velocity * island.dt - island.rigid.move) : island.masses[body].dFree;
     out.th = island.masses[body].thFree;
   };
   take(record.bodyA, pair[0]);

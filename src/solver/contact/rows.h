@@ -39,7 +39,7 @@ struct ContactRows : FaceRows {
   float fastestApproach = 0;                 // m/s, of any point at the start of the step
 
   // --- functions of every kind of row (row_kind.h)
-  static constexpr double kPoints = 4;   // visits that a row counts as; points at most
+  static constexpr double kPoints = 4;    // visits that a row counts as; points at most
   static constexpr bool kLasts = false;   // its ties stay, and bodies swing on them
   static constexpr bool kYields = false;  // it breaks, and gives no impulse in no time
   static constexpr bool kFirm = false;    // the rounding of its bodies' ways is a force
@@ -127,7 +127,7 @@ struct ContactRows : FaceRows {
   // Adds this share of the stored forces to the forces that are told of the step.
   void tellShare(Ties& ties, float share) const;
   // Gaps and drifts go on by the motion that was finally made.
-  void advance(const Island& island, Ties& ties) const;
+  void advance(const Island& island, Ties& ties, const StepContext& context) const;
   // All that the contacts remember. restore puts it back, whatever a trial has made of it.
   struct Memory {
     explicit Memory(std::pmr::memory_resource* memory) : contacts(memory), geometry(memory) {}

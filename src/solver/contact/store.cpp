@@ -132,7 +132,7 @@ void ContactRows::tellShare(Ties& ties, float share) const {
   }
 }
 
-void ContactRows::advance(const Island& island, Ties& ties) const {
+void ContactRows::advance(const Island& island, Ties& ties, const StepContext&) const {
   for (std::size_t k = 0; k < size(); k++) {
     Contact& c = ties.contacts.contacts[contactOf[k]];
     const FaceRecord& r = records[k];

@@ -41,8 +41,8 @@ void storeMotion(const Island& island, StepContext& context) {
     const bool alone = out.flying && island.groups.bodies(group).size() == 1;
     out.freeTurn = alone || m.th == island.masses[i].thFree;
     // A body that nothing presses on goes its own way, whatever part of its weight cycles left.
-    out.d = alone ? free.d : island.travel + toDouble(m.d);
-    out.th = out.freeTurn ? free.th : toDouble(m.th);
+    out.d = alone ? free.d : island.rigid.of(context.bodies->motion[body].position) + toDouble(m.d);
+    out.th = out.freeTurn ? free.th : island.rigid.turn + toDouble(m.th);
     out.velocity = out.d * perDt;
     out.angularMomentum = free.angularMomentum;
     if (alone) {

@@ -132,7 +132,7 @@ struct JointRows {
   double reboundWork(std::size_t, const SolveMotion*) const { return 0; }
   double mostWork(std::size_t k) const;
   HeldWork heldWork(std::size_t k) const { return k == 0 ? held_ : HeldWork(); }  // told with the first row
-  void advance(const Island&, Ties&) const {}
+  void advance(const Island&, Ties&, const StepContext&) const {}
   // What a trial of a step changes.
   struct Memory {
     explicit Memory(std::pmr::memory_resource* memory) : joints(memory) {}

@@ -31,4 +31,10 @@ inline double shearOf(const Mortar& m) { return m.strength.cohesion * m.area / k
 inline double pullEnergy(const Mortar& m) { return m.strength.tensionEnergy * m.area; }
 inline double shearEnergy(const Mortar& m) { return m.strength.shearEnergy * m.area; }
 
+// m: the end of an arm goes so much further than turn x arm.
+inline Vec3 arcOfArm(Vec3 turn, Vec3 arm) {
+  if (!(lengthSquared(turn) > 1e-16)) return {};
+  return rotate(quatFromRotationVector(turn), arm) - arm - cross(turn, arm);
+}
+
 }  // namespace brickfall::mortar

@@ -16,12 +16,6 @@ constexpr double kLeastFirmness = 0.003;  // of a joint that its bodies' velocit
 //! not of the method: more than any force
 constexpr float kUnbroken = 1e30f;
 
-// m: the end of an arm goes so much further than turn x arm.
-Vec3 arcOfArm(Vec3 turn, Vec3 arm) {
-  if (!(lengthSquared(turn) > 1e-16)) return {};
-  return rotate(quatFromRotationVector(turn), arm) - arm - cross(turn, arm);
-}
-
 // The points of a joint go out as it is damaged. Forces keep their sum and their moments: a force further out is less.
 void placePoints(Mortar& m, const MortarPose& pose) {
   const float arm = mortar::armOf(m.damage), by = m.arm / arm;
@@ -72,7 +66,6 @@ void MortarRows::writeCaps(std::size_t k, const Mortar& m) {
 
 void MortarRows::prepare(Island& island, Ties& ties, const StepContext& context) {
   const BodySet& bodies = *context.bodies;
-  const float dt = float(island.dt);
   for (std::size_t k = 0; k < size(); k++) {
     Mortar& m = ties.mortar.slots[mortarOf[k]];
     FaceRecord& r = records[k];
@@ -85,14 +78,19 @@ void MortarRows::prepare(Island& island, Ties& ties, const StepContext& context)
     r.armB = toFloat(pose.armB);
     const BodyMotion &a = bodies.motion[m.bodyA], &b = bodies.motion[m.bodyB];
     auto turnOf = [&](std::uint32_t local, BodyIndex body) {
+      if (const RigidWay* chunk = local < island.bodies.size() ? island.chunks.of(local) : nullptr) return chunk->turn;
       return local < island.bodies.size() ? context.free[body].th : bodies.motion[body].angularVelocity * island.dt;
     };
-    start.arc = toFloat(arcOfArm(turnOf(r.bodyB, m.bodyB), pose.armB) - arcOfArm(turnOf(r.bodyA, m.bodyA), pose.armA));
+    const Vec3 arcs = mortar::arcOfArm(turnOf(r.bodyB, m.bodyB), pose.armB) -
+                      mortar::arcOfArm(turnOf(r.bodyA, m.bodyA), pose.armA);
+    start.arc = toFloat(arcs - mortar::arcOfArm(island.rigid.turn, pose.armB - pose.armA));
     const Vec3 u =
         b.linearVelocity + cross(b.angularVelocity, pose.armB) - a.linearVelocity - cross(a.angularVelocity, pose.armA);
     const Vec3 w = b.angularVelocity - a.angularVelocity;
     const Vec3 move{dot(pose.n, u), dot(pose.t1, u), dot(pose.t2, u)},
         turn{dot(pose.n, w), dot(pose.t1, w), dot(pose.t2, w)};
+    // Velocities are the ways of the last step. What turns goes on along an arc.
+    const Vec3 arc{dot(pose.n, arcs), dot(pose.t1, arcs), dot(pose.t2, arcs)};
     const double stiffness = mortar::stiffnessOf(m);
     const double a1 = mortar::kKern * m.gyration[0] * double(m.arm), a2 = mortar::kKern * m.gyration[1] * double(m.arm);
     double pressure = 0, worn = 0;
@@ -101,12 +99,13 @@ void MortarRows::prepare(Island& island, Ties& ties, const StepContext& context)
       const Vec3 gap = pose.displaced + pose.along1 * s1 + pose.along2 * s2;
       r.s1[i] = float(s1);
       r.s2[i] = float(s2);
+      start.gapN[i] = float(gap.x), start.gap1[i] = float(gap.y), start.gap2[i] = float(gap.z);
       start.heldN[i] = float(-stiffness * (gap.x - double(m.opening[i])));
       start.held1[i] = float(-stiffness * (gap.y - double(m.slip1[i])));
       start.held2[i] = float(-stiffness * (gap.z - double(m.slip2[i])));
-      start.opens[i] = float(move.x + turn.y * s2 - turn.z * s1) * dt;
-      start.goes1[i] = float(move.y - turn.x * s2) * dt;
-      start.goes2[i] = float(move.z + turn.x * s1) * dt;
+      start.opens[i] = float((move.x + turn.y * s2 - turn.z * s1) * island.dt - arc.x);
+      start.goes1[i] = float((move.y - turn.x * s2) * island.dt - arc.y);
+      start.goes2[i] = float((move.z + turn.x * s1) * island.dt - arc.z);
       pressure += 0.25 * double(start.heldN[i]);
       const double along = std::sqrt(double(start.goes1[i]) * start.goes1[i] + double(start.goes2[i]) * start.goes2[i]);
       worn += 0.5 * (mortar::pullOf(m) * std::max(0.0, double(start.opens[i])) / mortar::pullEnergy(m) +

@@ -29,12 +29,14 @@ struct Island;
 struct MortarStart {
   float heldN[4] = {}, held1[4] = {}, held2[4] = {};  // N: forces at the start
   float opens[4] = {}, goes1[4] = {}, goes2[4] = {};  // m: ways by the velocities at the start
-  Vec3f arc;                  // m: of B against A beyond its linear way, as the bodies turn at the start
-  float stiffness = 0;        // N/m, of a point, firm as it is
-  float pressure = 0;         // N, of a point: mean of the last step; below 0: pull
-  float left = 1;             // S: share of the caps that is left
-  float worn = 0;             // share of the fracture energy that this step takes
-  float pull = 0, shear = 0;  // J: the same by mode
+  Vec3f arc;  // m: of B against A beyond its linear way, as the bodies turn at the start
+  float forceN[4] = {}, force1[4] = {}, force2[4] = {};  // N: forces at the end
+  float gapN[4] = {}, gap1[4] = {}, gap2[4] = {};        // m: displacements at the start
+  float stiffness = 0;                                   // N/m, of a point, firm as it is
+  float pressure = 0;                                    // N, of a point: mean of the last step; below 0: pull
+  float left = 1;                                        // S: share of the caps that is left
+  float worn = 0;                                        // share of the fracture energy that this step takes
+  float pull = 0, shear = 0;                             // J: the same by mode
 };
 
 struct MortarRows : FaceRows {
@@ -95,7 +97,7 @@ struct MortarRows : FaceRows {
   // J: what its springs hold.
   double mostWork(std::size_t k) const;
   HeldWork heldWork(std::size_t) const { return {}; }
-  void advance(const Island&, Ties&) const {}
+  void advance(const Island& island, Ties& ties, const StepContext& context) const;
   // What a trial of a step changes.
   struct Memory {
     explicit Memory(std::pmr::memory_resource* memory) : mortar(memory) {}

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "solver/face/point_forces.h"
+#include "solver/finish/motion.h"
 #include "solver/island.h"
 #include "solver/mortar/rows.h"
 
@@ -17,6 +18,9 @@ constexpr double kMoreThanLeft = 1.02;  // a joint may take so much
 constexpr double kSameCap = 0.98;  // a cap that falls less stays
 //! of the tension stiffness | too small: shear counts as damage within its strength | too large: hits leave no trace
 constexpr double kShearStiffness = 0.44;  // of mortar, ks / kn
+
+//! of the strength | too small: shapes of chunks that spin creep | too large: what turns in a hit breaks by its turn
+constexpr double kUnseen = 0.05;  // a force of a joint's place that nobody solved, and that stays
 
 // Forces and ways at the present motion, by point.
 struct PointState {
@@ -120,6 +124,8 @@ bool MortarRows::store(Island& island, Ties& ties, StepContext&) {
     m.shearWork += double(start.shear);
     const double stiffness = mortar::stiffnessOf(m);
     const bool soft = r.k[0] < 0.999f * float(stiffness);
+    auto keep = [](const float(&from)[4], float(&to)[4]) { std::copy(from, from + 4, to); };
+    keep(now.n, start.forceN), keep(now.f1, start.force1), keep(now.f2, start.force2);
     for (int i = 0; i < 4; i++) {
       const bool opens = soft || now.trialN[i] < r.leastN[i], slips = soft || (now.slides >> i & 1);
       auto give = [&](float way, float force, float before, float& place) {
@@ -134,6 +140,47 @@ bool MortarRows::store(Island& island, Ties& ties, StepContext&) {
     m.torque = wide::store3(told.torque);
   }
   return true;
+}
+
+// Arms are frozen in the solve. A body that began to turn in the step, or whose motion was finished otherwise than it
+// was solved, ends where the joint would carry forces that nobody solved. The joint takes such a place as its own.
+void MortarRows::advance(const Island& island, Ties& ties, const StepContext& context) const {
+  const BodySet& bodies = *context.bodies;
+  for (std::size_t k = 0; k < size(); k++) {
+    Mortar& m = ties.mortar.slots[mortarOf[k]];
+    const FaceRecord& r = records[k];
+    const MortarStart& start = starts[k];
+    auto wayOf = [&](std::uint32_t local, BodyIndex body) {
+      return local < island.bodies.size() ? context.solved[body].d : bodies.motion[body].linearVelocity * island.dt;
+    };
+    auto turnOf = [&](std::uint32_t local, BodyIndex body) {
+      const BodyMotion& from = bodies.motion[body];
+      if (local >= island.bodies.size()) return toMatrix(quatFromRotationVector(from.angularVelocity * island.dt));
+      return toMatrix(rotationAtEnd(body, context)) * transpose(from.orientation);
+    };
+    const Mat3 turnA = turnOf(r.bodyA, m.bodyA), turnB = turnOf(r.bodyB, m.bodyB);
+    const Vec3 n = toDouble(r.n), t1 = toDouble(r.t1), t2 = cross(n, t1);
+    const Vec3 moved = wayOf(r.bodyB, m.bodyB) - wayOf(r.bodyA, m.bodyA);
+    const double stiffness = start.stiffness, unseen = kUnseen * mortar::pullOf(m);
+    auto gapAt = [&](int i) {
+      return n * double(start.gapN[i]) + t1 * double(start.gap1[i]) + t2 * double(start.gap2[i]);
+    };
+    // The arms end in the middle between the two faces.
+    const Vec3 half = (gapAt(0) + gapAt(1) + gapAt(2) + gapAt(3)) * 0.125;
+    for (int i = 0; i < 4; i++) {
+      const Vec3 pointA = toDouble(r.armA) - half + t1 * double(r.s1[i]) + t2 * double(r.s2[i]);
+      const Vec3 pointB = pointA + gapAt(i) + toDouble(r.armB) - toDouble(r.armA);
+      const Vec3 gap = gapAt(i) + moved + (turnB * pointB - pointB) - (turnA * pointA - pointA);
+      auto take = [&](Vec3 axis, float force, float& place) {
+        const double now = dot(turnA * axis, gap);
+        if (std::fabs(stiffness * (now - double(place)) + double(force)) > unseen)
+          place = float(now + double(force) / stiffness);
+      };
+      take(n, start.forceN[i], m.opening[i]);
+      take(t1, start.force1[i], m.slip1[i]);
+      take(t2, start.force2[i], m.slip2[i]);
+    }
+  }
 }
 
 }  // namespace brickfall

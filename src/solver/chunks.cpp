@@ -1,0 +1,50 @@
+#include "solver/chunks.h"
+
+#include <type_traits>
+
+#include "solver/island.h"
+#include "solver/rigid_sum.h"
+#include "solver/union_find.h"
+
+namespace brickfall {
+
+void Chunks::find(const Island& island, const StepContext& context) {
+  ways_.clear();
+  chunkOf_.clear();
+  if (!island.facts.mortared || island.grounded()) return;
+  const std::size_t count = island.bodies.size();
+  UnionFind sets(count, island.memory);
+  chunkOf_.assign(count, kNone);
+  island.rows.each([&]<class Kind>(const Kind& kind, std::size_t k) {
+    if (!std::remove_cvref_t<Kind>::kYields) return;
+    const RowEnds ends = kind.ends(k);
+    sets.join(ends.a, ends.b);
+    chunkOf_[ends.a] = chunkOf_[ends.b] = 0;
+  });
+  const BodySet& bodies = *context.bodies;
+  std::pmr::vector<RigidSum> sums(count, RigidSum(island.origin), island.memory);
+  for (std::uint32_t i = 0; i < count; i++) {
+    if (chunkOf_[i] == kNone) continue;
+    chunkOf_[i] = sets.find(i);
+    const BodyIndex body = island.bodies[i];
+    const double m = bodies.mass[body].mass;
+    const Mat3 inertia = bodies.worldInertia(body);
+    sums[chunkOf_[i]].add(m, bodies.motion[body].position, inertia, context.free[body].d * m,
+                          inertia * context.free[body].startSpin * island.dt);
+  }
+  ways_.resize(count);
+  for (std::uint32_t i = 0; i < count; i++)
+    if (chunkOf_[i] == i) ways_[i] = rigidWayOf(sums[i]);
+}
+
+void Chunks::start(Island& island, const StepContext& context) const {
+  for (std::uint32_t i = 0; i < chunkOf_.size(); i++) {
+    const RigidWay* way = of(i);
+    if (!way) continue;
+    const Vec3 at = context.bodies->motion[island.bodies[i]].position;
+    island.motion[i].d = toFloat(way->of(at) - island.rigid.of(at));
+    island.motion[i].th = toFloat(way->turn - island.rigid.turn);
+  }
+}
+
+}  // namespace brickfall

@@ -1,0 +1,34 @@
+// Chunks: bodies of an island in flight that breakable ties join, directly or through others. A chunk moves as one body.
+#pragma once
+#include <memory_resource>
+#include <vector>
+
+#include "solver/rigid_way.h"
+
+namespace brickfall {
+
+struct Island;
+struct StepContext;
+
+class Chunks {
+ public:
+  explicit Chunks(std::pmr::memory_resource* memory) : ways_(memory), chunkOf_(memory) {}
+
+  // Of this step, by free motion. None where anything holds the island.
+  void find(const Island& island, const StepContext& context);
+  bool any() const { return !chunkOf_.empty(); }
+  // The motion of the chunk that a body of the island is in; null for a body in none.
+  const RigidWay* of(std::uint32_t body) const {
+    return any() && chunkOf_[body] != kNone ? &ways_[chunkOf_[body]] : nullptr;
+  }
+  // Starts the solve of each chunk from its motion. Its bodies' velocities are the ways of the last step, chords of their
+  // arcs: from these, firm ties would begin with forces a thousandfold theirs.
+  void start(Island& island, const StepContext& context) const;
+
+ private:
+  static constexpr std::uint32_t kNone = std::uint32_t(-1);
+  std::pmr::vector<RigidWay> ways_;           // by the lowest body of a chunk
+  std::pmr::vector<std::uint32_t> chunkOf_;  // by body; empty: there are no chunks
+};
+
+}  // namespace brickfall
