@@ -1,5 +1,6 @@
 #include "solver/chunks.h"
 
+#include <algorithm>
 #include <type_traits>
 
 #include "solver/island.h"
@@ -11,6 +12,7 @@ namespace brickfall {
 void Chunks::find(const Island& island, const StepContext& context) {
   ways_.clear();
   chunkOf_.clear();
+  all_ = false;
   if (!island.facts.mortared || island.grounded()) return;
   const std::size_t count = island.bodies.size();
   UnionFind sets(count, island.memory);
@@ -32,6 +34,7 @@ void Chunks::find(const Island& island, const StepContext& context) {
     sums[chunkOf_[i]].add(m, bodies.motion[body].position, inertia, context.free[body].d * m,
                           inertia * context.free[body].startSpin * island.dt);
   }
+  all_ = std::all_of(chunkOf_.begin(), chunkOf_.end(), [](std::uint32_t chunk) { return chunk == 0; });
   ways_.resize(count);
   for (std::uint32_t i = 0; i < count; i++)
     if (chunkOf_[i] == i) ways_[i] = rigidWayOf(sums[i]);

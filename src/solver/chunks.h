@@ -16,6 +16,8 @@ class Chunks {
 
   // Of this step, by free motion. None where anything holds the island.
   void find(const Island& island, const StepContext& context);
+  // The motion of the chunk that is all of the island; null if it is not one chunk.
+  const RigidWay* ofAll() const { return all_ ? &ways_[0] : nullptr; }
   bool any() const { return !chunkOf_.empty(); }
   // The motion of the chunk that a body of the island is in; null for a body in none.
   const RigidWay* of(std::uint32_t body) const {
@@ -27,7 +29,8 @@ class Chunks {
 
  private:
   static constexpr std::uint32_t kNone = std::uint32_t(-1);
-  std::pmr::vector<RigidWay> ways_;           // by the lowest body of a chunk
+  bool all_ = false;
+  std::pmr::vector<RigidWay> ways_;          // by the lowest body of a chunk
   std::pmr::vector<std::uint32_t> chunkOf_;  // by body; empty: there are no chunks
 };
 

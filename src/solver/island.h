@@ -41,8 +41,8 @@ struct Island {
   std::pmr::vector<float> speeds{
       memory};  // m/s at the reference's scale, bodies: |v| + |w| outer radius at the start of the step
   Hierarchy hierarchy{memory};
-  double dt = 0;  // s: its time step: the rest of the world's after the impacts that it met (stage_impacts.cpp)
-  Vec3 origin;    // m, of SolveMass::position and Cluster::centre
+  double dt = 0;          // s: its time step: the rest of the world's after the impacts that it met (stage_impacts.cpp)
+  Vec3 origin;            // m, of SolveMass::position and Cluster::centre
   Chunks chunks{memory};  // of this step
   // Of this step: unknowns and free motions leave it out, so that a fast island in flight is solved as finely as one at
   // rest. Floats round ways, and firm ties make forces of that.

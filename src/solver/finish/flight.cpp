@@ -8,19 +8,36 @@ namespace brickfall {
 
 namespace {
 
-// The part of a group's momenta that the solve missed, as a motion of the whole group: kg m and kg m2.
-RigidSum missingOf(const Island& island, std::span<const std::uint32_t> group, const StepContext& context) {
+// A motion of a whole group: ways in the place of velocities.
+struct Missing {
+  Vec3 centre, move, turn;
+  Vec3 at(Vec3 place) const { return move + cross(turn, place - centre); }
+};
+
+// The part of a group's momenta that the solve missed, kg m and kg m2. Bodies of an island that goes along arcs end at
+// other arms than they started.
+Missing missingOf(const Island& island, std::span<const std::uint32_t> group, const StepContext& context) {
   const BodySet& bodies = *context.bodies;
-  RigidSum missing(bodies.motion[island.bodies[group.front()]].position);
+  const Vec3 origin = bodies.motion[island.bodies[group.front()]].position;
+  const bool turns = island.rigid.turns();
+  RigidSum missing(origin), free(origin), solved(origin);
   for (std::uint32_t i : group) {
     const BodyIndex body = island.bodies[i];
-    const FreeMotion& free = context.free[body];
+    const FreeMotion& f = context.free[body];
     const SolvedMotion& s = context.solved[body];
     const double m = bodies.mass[body].mass;
-    missing.add(m, bodies.motion[body].position, bodies.worldInertia(body), (free.d - s.d) * m,
-                (free.angularMomentum - s.angularMomentum) * island.dt);
+    const Vec3 at = bodies.motion[body].position;
+    const Mat3 inertia = bodies.worldInertia(body);
+    if (turns) {
+      free.add(m, at, inertia, f.d * m, f.angularMomentum * island.dt);
+      solved.add(m, at + s.d, inertia, s.velocity * (m * island.dt), s.angularMomentum * island.dt);
+    } else {
+      missing.add(m, at, inertia, (f.d - s.d) * m, (f.angularMomentum - s.angularMomentum) * island.dt);
+    }
   }
-  return missing;
+  if (!turns) return {missing.centre(), missing.velocity(), missing.spin()};
+  return {solved.centre(), free.velocity() - solved.velocity(),
+          inverse(solved.inertia()) * (free.angularMomentum() - solved.angularMomentum())};
 }
 
 // m: half of the way that outside forces add to the way of the group.
@@ -56,13 +73,15 @@ void finishFlights(const Island& island, StepContext& context) {
     if (near.empty()) near = nearSupport(island, context);
     const std::span<const std::uint32_t> group = island.groups.bodies(g);
     if (group.size() > 1) {
-      const RigidSum missing = missingOf(island, group, context);
-      const Vec3 centre = missing.centre(), move = missing.velocity(), turn = missing.spin();
+      const Missing missing = missingOf(island, group, context);
       for (std::uint32_t i : group) {
         const BodyIndex body = island.bodies[i];
-        const Vec3 way = move + cross(turn, context.bodies->motion[body].position - centre);
-        shift(body, way, turn, context);
-        accelerate(body, way * (1 / island.dt), context.bodies->worldInertia(body) * turn * (1 / island.dt), context);
+        const Vec3 at = context.bodies->motion[body].position;
+        const Vec3 way = missing.at(island.rigid.turns() ? at + context.solved[body].d : at);
+        // Ways along arcs are what they should be: by more they would change momenta.
+        if (!island.rigid.turns()) shift(body, way, missing.turn, context);
+        accelerate(body, way * (1 / island.dt), context.bodies->worldInertia(body) * missing.turn * (1 / island.dt),
+                   context);
       }
     }
     if (near[group.front()]) continue;

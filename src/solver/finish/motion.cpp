@@ -41,9 +41,10 @@ void storeMotion(const Island& island, StepContext& context) {
     const bool alone = out.flying && island.groups.bodies(group).size() == 1;
     out.freeTurn = alone || m.th == island.masses[i].thFree;
     // A body that nothing presses on goes its own way, whatever part of its weight cycles left.
-    out.d = alone ? free.d : island.rigid.of(context.bodies->motion[body].position) + toDouble(m.d);
+    const Vec3 at = context.bodies->motion[body].position;
+    out.d = alone ? free.d : island.rigid.of(at) + toDouble(m.d);
     out.th = out.freeTurn ? free.th : island.rigid.turn + toDouble(m.th);
-    out.velocity = out.d * perDt;
+    out.velocity = alone ? free.d * perDt : (island.rigid.endOf(at) + toDouble(m.d)) * perDt;
     out.angularMomentum = free.angularMomentum;
     if (alone) {
       out.d += free.late * island.dt;

@@ -81,8 +81,8 @@ void MortarRows::prepare(Island& island, Ties& ties, const StepContext& context)
       if (const RigidWay* chunk = local < island.bodies.size() ? island.chunks.of(local) : nullptr) return chunk->turn;
       return local < island.bodies.size() ? context.free[body].th : bodies.motion[body].angularVelocity * island.dt;
     };
-    const Vec3 arcs = mortar::arcOfArm(turnOf(r.bodyB, m.bodyB), pose.armB) -
-                      mortar::arcOfArm(turnOf(r.bodyA, m.bodyA), pose.armA);
+    const Vec3 arcs =
+        mortar::arcOfArm(turnOf(r.bodyB, m.bodyB), pose.armB) - mortar::arcOfArm(turnOf(r.bodyA, m.bodyA), pose.armA);
     start.arc = toFloat(arcs - mortar::arcOfArm(island.rigid.turn, pose.armB - pose.armA));
     const Vec3 u =
         b.linearVelocity + cross(b.angularVelocity, pose.armB) - a.linearVelocity - cross(a.angularVelocity, pose.armA);
@@ -90,7 +90,7 @@ void MortarRows::prepare(Island& island, Ties& ties, const StepContext& context)
     const Vec3 move{dot(pose.n, u), dot(pose.t1, u), dot(pose.t2, u)},
         turn{dot(pose.n, w), dot(pose.t1, w), dot(pose.t2, w)};
     // Velocities are the ways of the last step. What turns goes on along an arc.
-    const Vec3 arc{dot(pose.n, arcs), dot(pose.t1, arcs), dot(pose.t2, arcs)};
+    const Vec3 bends = toDouble(start.arc), arc{dot(pose.n, bends), dot(pose.t1, bends), dot(pose.t2, bends)};
     const double stiffness = mortar::stiffnessOf(m);
     const double a1 = mortar::kKern * m.gyration[0] * double(m.arm), a2 = mortar::kKern * m.gyration[1] * double(m.arm);
     double pressure = 0, worn = 0;
