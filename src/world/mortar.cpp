@@ -209,14 +209,14 @@ Result<MortarId> World::createMortar(const MortarDef& def) {
   check.condition(bodies.data[*a].type == BodyType::dynamic || bodies.data[*b].type == BodyType::dynamic,
                   "bodyA, bodyB: found two bodies that nothing moves, expected a dynamic one");
   if (check.failed()) return check.error();
-  return idOf(w.ties.mortar, w.upkeep().bond(mortarFrom(def, *a, *b, bodies)), w.registry.worldNumber);
+  return idOf(w.ties.mortar, w.upkeep().glue(mortarFrom(def, *a, *b, bodies)), w.registry.worldNumber);
 }
 
 Status World::destroyMortar(MortarId id) {
   if (Status open = impl_->openForChange("destroyMortar"); !open) return open.error();
   Result<MortarIndex> mortar = find(impl_->ties.mortar, id, impl_->registry.worldNumber);
   if (!mortar) return mortar.error();
-  impl_->upkeep().unbond(*mortar);
+  impl_->upkeep().unglue(*mortar);
   return {};
 }
 

@@ -116,7 +116,7 @@ void Upkeep::meetAnew(BodyIndex a, BodyIndex b) {
   for (BodyIndex body : {a, b}) renewProxies(body);
 }
 
-MortarIndex Upkeep::bond(const Mortar& mortar) {
+MortarIndex Upkeep::glue(const Mortar& mortar) {
   const MortarIndex made = ties_.mortar.create(mortar);
   for (BodyIndex body : {mortar.bodyA, mortar.bodyB})
     if (registry_.bodies.data[body].type == BodyType::dynamic) disturb(body);
@@ -124,7 +124,7 @@ MortarIndex Upkeep::bond(const Mortar& mortar) {
   return made;
 }
 
-void Upkeep::unbond(MortarIndex mortar) {
+void Upkeep::unglue(MortarIndex mortar) {
   const Mortar was = ties_.mortar.slots[mortar];
   for (BodyIndex body : {was.bodyA, was.bodyB})
     if (registry_.bodies.data[body].type == BodyType::dynamic) disturb(body);

@@ -27,8 +27,8 @@ class Upkeep {
   void disturbJoint(JointIndex joint);  // it was changed from outside
   void unjoin(JointIndex joint);        // what it tied may collide from now on
   // Glues its bodies, which it wakes; contacts between them end.
-  MortarIndex bond(const Mortar& mortar);
-  void unbond(MortarIndex mortar);   // it was taken away
+  MortarIndex glue(const Mortar& mortar);
+  void unglue(MortarIndex mortar);   // it was taken away
   void crumble(MortarIndex mortar);  // it broke: what it held may collide from now on
   void relist(BodyIndex body);          // its velocity was set
   void isolate(BodyIndex body);         // a quarantined body: out of all ties and of every list that the step walks

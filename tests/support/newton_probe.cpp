@@ -140,7 +140,7 @@ ConvergedStep stepConverged(World& world, double dt, double tolerance) {
     for (const ProblemPoint& p : problems[i].points)
       island.rows.contacts.records[record.at(p.contact)].limit[p.lane] = float(p.limit);
     for (std::size_t k = 0; k < s.motion.size(); k++) {
-      island.motion[k].d = toFloat(s.motion[k].d - island.travel);
+      island.motion[k].d = toFloat(s.motion[k].d - island.rigid.move);
       island.motion[k].th = toFloat(s.motion[k].th);
     }
   }

@@ -120,7 +120,7 @@ std::vector<Motion> engineMotion(const Island& island) {
   for (std::size_t i = 0; i < island.bodies.size(); i++) {
     const SolveMotion& m = island.motion[i];
     // A resting island has not moved at all; its drift is that of nothing.
-    out.push_back({toDouble(m.d) + (island.resting() ? Vec3{} : island.travel), toDouble(m.th)});
+    out.push_back({toDouble(m.d) + (island.resting() ? Vec3{} : island.rigid.move), toDouble(m.th)});
   }
   return out;
 }

@@ -139,6 +139,36 @@ World jointed(int steps) {
   return world;
 }
 
+// Mortar that holds, cracks and has broken, a chunk that spins in the air, one joint taken away.
+World mortared(int steps) {
+  World world = ground();
+  std::vector<MortarId> joints;
+  auto glue = [&](BodyId a, BodyId b, Vec3 centre) {
+    MortarDef d;
+    d.bodyA = a;
+    d.bodyB = b;
+    d.outline = {centre + Vec3{-0.1, 0, 0.06}, centre + Vec3{0.1, 0, 0.06}, centre + Vec3{0.1, 0, -0.06},
+                 centre + Vec3{-0.1, 0, -0.06}};
+    d.strength.tension = 2000;
+    d.strength.cohesion = 3000;
+    joints.push_back(*world.createMortar(d));
+  };
+  BodyId below = add(world, ShapeType::box, {0, 0.05, 0});
+  for (int i = 1; i < 4; i++) {
+    const BodyId above = add(world, ShapeType::box, {0, 0.05 + 0.1 * i, 0});
+    glue(below, above, {0, 0.1 * i, 0});
+    below = above;
+  }
+  const BodyId one = add(world, ShapeType::box, {1, 1, 0}), two = add(world, ShapeType::box, {1, 1.1, 0});
+  glue(one, two, {1, 1.05, 0});
+  for (BodyId body : {one, two}) (void)world.setAngularVelocity(body, {1, 2, 0}).ok();
+  advance(world, steps / 2);
+  add(world, ShapeType::sphere, {0.05, 0.33, 0.3}, {0, 0, -6});
+  advance(world, steps - steps / 2);
+  if (steps > 0) (void)world.destroyMortar(joints[1]).ok();
+  return world;
+}
+
 }  // namespace
 
 World smallWorld() {
@@ -159,6 +189,8 @@ std::vector<World> worldsOfEachKind() {
   out.push_back(onTriangles());
   out.push_back(jointed(0));
   out.push_back(jointed(20));
+  out.push_back(mortared(0));
+  out.push_back(mortared(12));
   out.push_back(std::move(World::create({})).value());
   return out;
 }

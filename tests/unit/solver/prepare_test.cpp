@@ -61,9 +61,9 @@ TEST(Prepare, TheCommonWayOfAFloatingIslandIsLeftOut) {
   lab.prepare();
   const Island& island = lab.island();
   double h = lab.context.dt;
-  EXPECT_NEAR(island.travel.x, 40 * h, 1e-15);
-  EXPECT_NEAR(island.travel.y, -kG * h * h, 1e-15);
-  EXPECT_NEAR(island.travel.z, 0.001 * h, 1e-15);
+  EXPECT_NEAR(island.rigid.move.x, 40 * h, 1e-15);
+  EXPECT_NEAR(island.rigid.move.y, -kG * h * h, 1e-15);
+  EXPECT_NEAR(island.rigid.move.z, 0.001 * h, 1e-15);
   EXPECT_NEAR(double(island.masses[0].dFree.z), 0.01 * h, 1e-10);
   EXPECT_NEAR(double(island.masses[1].dFree.z), -0.001 * h, 1e-11);
 }

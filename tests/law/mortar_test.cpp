@@ -1,0 +1,304 @@
+// Mortar: what a face bears by closed forms, what its breaking costs, chunks that fly, walls that stand and are hit.
+#include <algorithm>
+#include <cmath>
+
+#include "law/law.h"
+
+namespace brickfall::law {
+namespace {
+
+constexpr Vec3 kBrickSize{0.215, 0.065, 0.1025};
+constexpr double kBed = 0.215 * 0.1025;  // m2
+
+// Boxes with their faces along the axes, glued wherever two of them touch.
+struct Glued {
+  explicit Glued(World made = makeWorld()) : world(std::move(made)) {}
+
+  BodyId brick(Vec3 centre, BodyType type = BodyType::dynamic, Vec3 size = kBrickSize) {
+    BodyDef def = bodyOf(boxOf(size * 0.5, 1900, 0.75), turn * centre, type);
+    def.rotation = rotation;
+    bodies.push_back(add(world, def));
+    centres.push_back(centre);
+    halves.push_back(size * 0.5);
+    return bodies.back();
+  }
+  void glue() {
+    for (std::size_t i = 0; i < bodies.size(); i++)
+      for (std::size_t j = i + 1; j < bodies.size(); j++) gluePair(i, j);
+  }
+  void gluePair(std::size_t i, std::size_t j) {
+    const Vec3 apart = centres[j] - centres[i], reach = halves[i] + halves[j];
+    for (int axis = 0; axis < 3; axis++) {
+      const int p = (axis + 1) % 3, q = (axis + 2) % 3;
+      if (std::fabs(std::fabs(apart[axis]) - reach[axis]) > 1e-6) continue;
+      auto low = [&](int a) { return std::max(centres[i][a] - halves[i][a], centres[j][a] - halves[j][a]); };
+      auto high = [&](int a) { return std::min(centres[i][a] + halves[i][a], centres[j][a] + halves[j][a]); };
+      if (high(p) - low(p) < 0.01 || high(q) - low(q) < 0.01) continue;
+      MortarDef def;
+      def.bodyA = bodies[i];
+      def.bodyB = bodies[j];
+      def.strength = strength;
+      for (auto [a, b] : {std::pair{low(p), low(q)}, {high(p), low(q)}, {high(p), high(q)}, {low(p), high(q)}}) {
+        Vec3 corner;
+        corner[axis] = centres[i][axis] + std::copysign(halves[i][axis], apart[axis]);
+        corner[p] = a;
+        corner[q] = b;
+        def.outline.push_back(turn * corner);
+      }
+      if (apart[axis] < 0) std::reverse(def.outline.begin(), def.outline.end());
+      Result<MortarId> made = world.createMortar(def);
+      ASSERT_TRUE(made.ok()) << made.error().message;
+      joints.push_back(*made);
+    }
+  }
+  void wall(int courses, int bricks) {
+    for (int course = 0; course < courses; course++)
+      for (int i = 0; i < bricks; i++)
+        brick({(i + (course % 2 ? 0.5 : 0.0)) * kBrickSize.x, (course + 0.5) * kBrickSize.y, 0});
+    glue();
+  }
+  void step(double dt) {
+    ASSERT_TRUE(world.step(dt).ok());
+    for (const MortarEvent& e : world.events().mortar) broken += e.broken;
+  }
+  double work() const {
+    double sum = 0;
+    for (MortarId joint : joints) sum += world.state(joint)->tensionWork + world.state(joint)->shearWork;
+    return sum;
+  }
+  // m: how far any brick is from where it was.
+  double moved() const {
+    double most = 0;
+    for (std::size_t i = 0; i < bodies.size(); i++)
+      most = std::max(most, length(world.state(bodies[i])->position - turn * centres[i]));
+    return most;
+  }
+  void turnBy(double yaw) {
+    rotation = {0, std::sin(0.5 * yaw), 0, std::cos(0.5 * yaw)};
+    turn = toMatrix(rotation);
+  }
+
+  World world;
+  std::vector<BodyId> bodies;
+  std::vector<Vec3> centres, halves;
+  std::vector<MortarId> joints;
+  MortarStrength strength;
+  Quat rotation;
+  Mat3 turn;
+  int broken = 0;
+};
+
+// A brick glued under, or beside, a fixed one, with a force on it that grows. N: the force when the joint breaks.
+struct Couplet : Glued {
+  double breaks(double dt, double rate, Vec3 direction, Vec3 offset) {
+    for (double force = 0; broken == 0 && force < 1e5; force += rate * dt) {
+      EXPECT_TRUE(world.applyForceAtPoint(bodies[1], turn * (direction * force), turn * (centres[1] + offset)).ok());
+      step(dt);
+      last = force;
+    }
+    return last;
+  }
+  double last = 0;
+};
+
+TEST(Law, Row31aAJointBreaksAtItsTensileStrengthAndTakesItsEnergy) {
+  for (double dt : {1.0 / 60, 1.0 / 240}) {
+    Couplet c;
+    c.turnBy(0.65);
+    c.brick({0, 1, 0}, BodyType::fixed);
+    c.brick({0, 1 - kBrickSize.y, 0});
+    c.glue();
+    const double weight = c.world.state(c.bodies[1])->mass * kG;
+    const double force = c.breaks(dt, 2000, {0, -1, 0}, {}) + weight, expected = c.strength.tension * kBed;
+    reached({"pull that breaks a couplet", dt, force / expected, 1, 0.01, "of ft A"});
+    reached({"the energy that it takes", dt, c.work() / (c.strength.tensionEnergy * kBed), 1, 0.03, "of A G"});
+  }
+}
+
+// EN 1052-5: a moment cracks the joint where its edge reaches ft; a load on it adds N t / 6.
+TEST(Law, Row31bAJointCracksAtItsBendingStrength) {
+  for (double load : {0.0, 2000.0}) {
+    Couplet c;
+    c.brick({0, 1, 0}, BodyType::fixed);
+    c.brick({0, 1 + kBrickSize.y, 0});
+    c.glue();
+    const double weight = c.world.state(c.bodies[1])->mass * kG, w = 0.215 * 0.1025 * 0.1025 / 6;
+    const double expected = c.strength.tension * w + (load + weight) * 0.1025 / 6;
+    double moment = 0;
+    while (c.world.state(c.joints[0])->damage == 0 && moment < 1e3) {
+      moment += 0.5;
+      ASSERT_TRUE(c.world.applyForce(c.bodies[1], {0, -load, 0}).ok());
+      ASSERT_TRUE(c.world.applyTorque(c.bodies[1], {moment, 0, 0}).ok());
+      c.step(kDt);
+    }
+    reached({label("moment that cracks a joint under %.0f N", load), kDt, moment / expected, 1, 0.02, ""});
+  }
+}
+
+// EN 1052-3: shear strength grows with pressure by tan phi.
+TEST(Law, Row31cAJointIsShearedByCohesionAndFriction) {
+  for (double pressure : {0.2e6, 1.0e6}) {
+    Couplet c;
+    c.brick({0, 1, 0}, BodyType::fixed);
+    c.brick({0, 1 + kBrickSize.y, 0});
+    c.glue();
+    const double load = pressure * kBed, expected = c.strength.cohesion * kBed + c.strength.friction * load;
+    double force = 0;
+    // In the plane of the joint, so that nothing bends it.
+    while (c.broken == 0 && force < 1e5) {
+      force += 50;
+      ASSERT_TRUE(c.world.applyForce(c.bodies[1], {0, -load, 0}).ok());
+      ASSERT_TRUE(c.world.applyForceAtPoint(c.bodies[1], {force, 0, 0}, {0, 1 + 0.5 * kBrickSize.y, 0}).ok());
+      c.step(kDt);
+    }
+    reached({label("shear that breaks a joint under %.1f MPa", pressure * 1e-6), kDt, force / expected, 1, 0.03, ""});
+  }
+}
+
+// Two free bricks in space that part at a speed: the joint takes A G of their energy, whatever the speed and the step.
+TEST(Law, Row31dOpeningCostsTheFractureEnergyAtAnySpeed) {
+  for (double dt : {1.0 / 60, 1.0 / 480})
+    for (double speed : {0.8, 3.0, 10.0}) {
+      Glued g(emptySpace());
+      g.brick({0, 0, 0});
+      g.brick({0, kBrickSize.y, 0});
+      g.glue();
+      ASSERT_TRUE(g.world.setLinearVelocity(g.bodies[1], {0, speed, 0}).ok());
+      const double before = g.world.energy().kinetic;
+      const Vec3 momentum = g.world.linearMomentum();
+      for (int i = 0; i < 4; i++) g.step(dt);
+      EXPECT_EQ(g.broken, 1) << speed;
+      reached({label("energy of an opening at %.1f m/s", speed), dt,
+               (before - g.world.energy().kinetic) / (g.strength.tensionEnergy * kBed), 1, 0.03, "of A G"});
+      EXPECT_LE(length(g.world.linearMomentum() - momentum), 1e-9 * length(momentum));
+    }
+}
+
+// One brick, glued to four fixed ones, hit by a ball: it comes out where the motion left by the plastic hit has the
+// energy of its joints. Without crushing, which is still to come.
+TEST(Law, Row31eTheSpeedThatBreaksABrickOutIsThatOfItsEnergy) {
+  struct Case {
+    double ball;
+    int joints;
+  };
+  auto comesOut = [](double mass, double speed, double dt) {
+    Glued g;
+    g.brick({0, 1, 0});
+    for (Vec3 off :
+         {Vec3{kBrickSize.x, 0, 0}, Vec3{-kBrickSize.x, 0, 0}, Vec3{0, kBrickSize.y, 0}, Vec3{0, -kBrickSize.y, 0}})
+      g.brick(Vec3{0, 1, 0} + off, BodyType::fixed);
+    for (std::size_t j = 1; j < 5; j++) g.gluePair(0, j);
+    const double radius = std::cbrt(mass / (7800 * 4.0 / 3 * kPi));
+    BodyDef ball = bodyOf(sphereOf(radius, 7800), {0, 1, 0.5 * kBrickSize.z + radius + 0.3 * speed * dt});
+    ball.linearVelocity = {0, 0, -speed};
+    add(g.world, ball);
+    for (int i = 0; i < 6; i++) g.step(dt);
+    return g.broken == 4;
+  };
+  const double area = 2 * kBed + 2 * 0.065 * 0.1025, brick = 1900 * 0.215 * 0.065 * 0.1025;
+  for (double mass : {16.7, 5.0, 1.0}) {
+    const double formula = std::sqrt(2 * area * MortarStrength().shearEnergy * (mass + brick)) / mass;
+    for (double dt : {1.0 / 60, 1.0 / 240, 1.0 / 480}) {
+      double low = 0.5 * formula, high = 2 * formula;
+      EXPECT_FALSE(comesOut(mass, low, dt));
+      EXPECT_TRUE(comesOut(mass, high, dt));
+      while (high > 1.01 * low) {
+        const double middle = 0.5 * (low + high);
+        (comesOut(mass, middle, dt) ? high : low) = middle;
+      }
+      reached({label("speed of %.1f kg that breaks out a brick", mass), dt, high / formula, 1, 0.05, "of the formula"});
+    }
+  }
+}
+
+// A mortared slab that tumbles through space is one rigid body, and costs hardly anything.
+TEST(Law, Row31fAChunkThatSpinsIsRigid) {
+  for (double dt : {1.0 / 60, 1.0 / 240}) {
+    Glued g(emptySpace());
+    g.wall(6, 10);
+    const Vec3 spin{0, 3, 1}, about = g.centres[g.centres.size() / 2];
+    for (std::size_t i = 0; i < g.bodies.size(); i++) {
+      ASSERT_TRUE(g.world.setAngularVelocity(g.bodies[i], spin).ok());
+      ASSERT_TRUE(g.world.setLinearVelocity(g.bodies[i], cross(spin, g.centres[i] - about)).ok());
+    }
+    const double energy = g.world.energy().kinetic;
+    const Vec3 momentum = g.world.angularMomentum();
+    const double apart = length(g.centres.back() - g.centres.front());
+    double visits = 0;
+    for (int i = 0; i < int(std::lround(1 / dt)); i++) {
+      Result<StepReport> report = g.world.step(dt);
+      ASSERT_TRUE(report.ok());
+      if (i > 10) visits = std::max(visits, report->solveVisits);
+    }
+    auto at = [&](BodyId body) { return g.world.state(body)->position; };
+    EXPECT_EQ(g.broken, 0);
+    atMost("change of its length in a second", dt,
+           std::fabs(length(at(g.bodies.back()) - at(g.bodies.front())) / apart - 1), 1e-5, "");
+    atMost("change of its energy", dt, std::fabs(g.world.energy().kinetic / energy - 1), 1e-5, "");
+    atMost("change of its angular momentum", dt, length(g.world.angularMomentum() - momentum) / length(momentum), 1e-9,
+           "");
+    atMost("visits of a step, for each brick", dt, visits / double(g.bodies.size()), 100, "");
+  }
+}
+
+// A wall starts without a shock, rests and sleeps; a hit below its strength leaves it where it was.
+TEST(Law, Row31gAMortaredWallStandsAndComesBack) {
+  Glued g;
+  g.brick({1, -0.5, 0}, BodyType::fixed, {10, 1, 10});
+  const std::size_t ground = g.bodies.size();
+  g.wall(20, 10);
+  ASSERT_EQ(ground, 1u);
+  for (int i = 0; i < 90; i++) g.step(kDt);
+  atMost("a wall of 20 courses moves under its weight", kDt, 1e3 * g.moved(), 0.1, "mm");
+  EXPECT_EQ(g.broken, 0);
+  EXPECT_FALSE(g.world.state(g.bodies.back())->awake);
+  BodyDef ball = bodyOf(sphereOf(0.05, 1900), {1, 0.65, 0.2});
+  ball.linearVelocity = {0, 0, -1.5};
+  ball.gravityScale = 0;
+  const BodyId thrown = add(g.world, ball);
+  for (int i = 0; i < 30; i++) g.step(kDt);
+  ASSERT_TRUE(g.world.destroyBody(thrown).ok());
+  for (int i = 0; i < 90; i++) g.step(kDt);
+  EXPECT_EQ(g.broken, 0);
+  atMost("after a hit below its strength it is off by", kDt, 1e3 * g.moved(), 0.1, "mm");
+}
+
+// A ball into a wall breaks about as many joints at any step; energy never rises, and the ledger has what broke.
+TEST(Law, Row31hAHitBreaksAsMuchAtAnyStep) {
+  int least = 1000, most = 0;
+  for (double dt : {1.0 / 60, 1.0 / 120, 1.0 / 240}) {
+    Glued g;
+    TraceOptions trace;
+    trace.ledger = true;
+    g.world.trace(trace);
+    g.brick({1.3, -0.5, 0}, BodyType::fixed, {10, 1, 10});
+    for (int course = 0; course < 14; course++)
+      for (int i = 0; i < 9; i++)
+        g.brick({(i + (course % 2 ? 0.5 : 0.0)) * kBrickSize.x, (course + 0.5) * kBrickSize.y, 0});
+    for (std::size_t i = 1; i < g.bodies.size(); i++)
+      for (std::size_t j = i + 1; j < std::min(i + 12, g.bodies.size()); j++) g.gluePair(i, j);
+    for (int i = 0; i < int(std::lround(0.3 / dt)); i++) g.step(dt);
+    BodyDef ball = bodyOf(sphereOf(0.08, 7800), {0.97, 0.49, 0.15});
+    ball.linearVelocity = {0, 0, -5};
+    add(g.world, ball);
+    double fracture = 0, rise = 0, last = g.world.energy().kinetic + g.world.energy().potential;
+    for (int i = 0; i < int(std::lround(0.25 / dt)); i++) {
+      Result<StepReport> report = g.world.step(dt);
+      ASSERT_TRUE(report.ok());
+      for (const MortarEvent& e : g.world.events().mortar) g.broken += e.broken;
+      fracture += report->ledger->tensionFracture + report->ledger->shearFracture;
+      const double now = g.world.energy().kinetic + g.world.energy().potential;
+      rise = std::max(rise, now - last);
+      last = now;
+    }
+    least = std::min(least, g.broken);
+    most = std::max(most, g.broken);
+    reached({"fracture in the ledger and in the joints", dt, fracture / g.work(), 1, 0.01, ""});
+    atMost("energy gained in a step, of 210 J", dt, rise, 0.5, "J");
+  }
+  EXPECT_GE(least, 8);
+  atMost("most joints broken at a step over the least", 0, double(most) / least, 1.6, "");
+}
+
+}  // namespace
+}  // namespace brickfall::law
