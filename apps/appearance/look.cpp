@@ -29,6 +29,10 @@ const KindWords kWords[] = {
 struct KindValues {
   float roughness, metalness, relief;
 };
+// Of a part that is of another stuff than its body, of which alone the colour is known.
+constexpr std::uint32_t kUsualColour[kKindCount] = {0xB5543A, 0xA9A69F, 0x8F8D86, 0x9A7048,
+                                                    0x6F747A, 0x2B2B2D, 0x7D7A6C, 0xA0A0A0};
+
 constexpr KindValues kValues[kKindCount] = {
     {0.85f, 0, 0.0006f},  // brick
     {0.80f, 0, 0.0005f},  // concrete
@@ -89,7 +93,8 @@ Look lookOf(const LookQuery& query) {
 
 Look lookOf(const TakeBody& body, std::size_t shape, std::uint32_t bodyNumber) {
   const std::string& material = shape < body.shapeMaterials.size() ? body.shapeMaterials[shape] : body.material;
-  return lookOf({material, body.role, body.colour, bodyNumber});
+  const bool own = material == body.material || body.material.empty();
+  return lookOf({material, body.role, own ? body.colour : kUsualColour[int(kindOf(material, body.role))], bodyNumber});
 }
 
 }  // namespace brickfall::appearance

@@ -7,6 +7,21 @@
 
 namespace brickfall::cli {
 
+namespace {
+
+// ", 540 mortar joints"; nothing of a dry scene.
+std::string mortarWords(const SceneDescription& scene) {
+  const bool any = !scene.mortars.empty() || std::any_of(scene.walls.begin(), scene.walls.end(),
+                                                         [](const SceneWall& wall) { return wall.mortar.has_value(); });
+  if (!any) return {};
+  const Result<SceneRun> run = SceneRun::create(scene);
+  if (!run) return {};
+  const std::size_t count = run->mortars().size();
+  return fmt::format(", {} mortar joint{}", count, count == 1 ? "" : "s");
+}
+
+}  // namespace
+
 int check(const std::vector<std::string>& scenes) {
   int exitCode = kOk;
   for (const std::string& name : scenes) {
@@ -23,10 +38,11 @@ int check(const std::vector<std::string>& scenes) {
     if (!choice.scene) continue;
     const auto isWarning = [](const Diagnostic& d) { return d.severity == Severity::warning; };
     const auto warnings = std::count_if(choice.diagnostics.begin(), choice.diagnostics.end(), isWarning);
+    const std::string mortar = mortarWords(*choice.scene);
     if (warnings == 0)
-      sayf("{}: fine", choice.path);
+      sayf("{}: fine{}", choice.path, mortar);
     else
-      sayf("{}: can be run, {} warning{}", choice.path, warnings, warnings == 1 ? "" : "s");
+      sayf("{}: can be run, {} warning{}{}", choice.path, warnings, warnings == 1 ? "" : "s", mortar);
   }
   return exitCode;
 }

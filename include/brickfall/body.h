@@ -14,7 +14,7 @@ enum class BodyType : std::uint8_t { fixed, kinematic, dynamic };
 
 struct BodyDef {
   BodyType type = BodyType::dynamic;
-  std::vector<ShapeDef> shapes;  // at least one; mass, centre of mass and inertia come from shapes and densities
+  std::vector<ShapeDef> shapes;  // at least one; mass, centre of mass and inertia come from them and their densities
   Vec3 position;                 // m, origin of the body frame (not the centre of mass); |coordinate| <= 1e6
   Quat rotation;                 // any non-zero length; normalised
   Vec3 linearVelocity;           // m/s, of the centre of mass
@@ -29,12 +29,6 @@ struct BodyDef {
   Vec3 surfaceVelocity;
   bool allowSleep = true;      // false keeps the body's island awake
   std::uint64_t userData = 0;  // yours; never read
-};
-
-struct MassProperties {
-  double mass = 0;                                  // kg
-  Vec3 centre;                                      // m, centre of mass in the frame the shape was given in
-  Mat3 inertia{{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}};  // kg m2, about the centre, axes of that frame
 };
 
 struct BodyState {

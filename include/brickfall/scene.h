@@ -2,6 +2,7 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -36,6 +37,22 @@ struct MaterialDef {
   std::uint32_t colour = 0xB5543A;  // 0xRRGGBB
 };
 
+// A kind of mortar by its name.
+struct MortarKind {
+  std::string name;
+  MortarStrength strength;
+  double density = 1900;   // kg/m3
+  double headFilling = 1;  // 0 .. 1: upright joints withstand so much of it; 0: they are open
+  double scatter = 0;      // 0 .. 1: coefficient of variation from joint to joint, of strengths and energies together
+};
+
+// A kind of brick by its name: its size and hollows, and what it is made of unless a wall says so.
+struct BrickKind {
+  std::string name;
+  BrickFormat format;
+  std::string material = "brick";
+};
+
 // Where something stands in its file, from 1; 0 = not in a file.
 struct SourcePlace {
   int line = 0, column = 0;
@@ -46,6 +63,10 @@ struct SceneWall {
   std::string material = "brick";
   std::string lintelMaterial = "concrete";
   double densityScatter = 0;  // 0 .. 0.5: each brick's density is the material's times 1 +- up to this
+  UnevenDensity uneven;       // inside each brick, by the scene's seed and the brick's name
+  // None: dry. It fills the joints; mortared walls that meet are joined by the weaker mortar of both.
+  std::optional<MortarKind> mortar;
+  bool foot = false;  // mortared to what it stands on: boxes and planes
   SourcePlace place;
   std::vector<SourcePlace> openingPlaces;  // as many as wall.openings, or none
 };
@@ -68,6 +89,15 @@ struct SceneBody {
 struct SceneJoint {
   std::string name, bodyA, bodyB;
   JointDef def;  // bodyA and bodyB are set when the scene is built
+  SourcePlace place;
+};
+
+// Mortar between two bodies by their names.
+struct SceneMortar {
+  std::string bodyA, bodyB;  // no bodyB: all that lie face to face with bodyA
+  MortarKind kind;
+  double gap = 1e-3;          // m: faces further apart are not joined
+  std::vector<Vec3> outline;  // as that of MortarDef; none: the face that the two share
   SourcePlace place;
 };
 
@@ -103,6 +133,7 @@ struct SceneDescription {
   std::vector<SceneWall> walls;
   std::vector<SceneBody> bodies;  // the ground, balls and free bodies
   std::vector<SceneJoint> joints;
+  std::vector<SceneMortar> mortars;  // besides those of walls
   std::vector<SceneTilt> tilts;
   std::vector<SceneShake> shakes;
   std::vector<Wind> winds;
@@ -122,6 +153,10 @@ SceneLoad parseScene(std::string_view text, const std::string& fileName, const O
 std::string didYouMean(std::string_view word, const std::vector<std::string>& known);
 // brick, steel, concrete, wood, rubber: what a scene file may name without defining it.
 const std::vector<MaterialDef>& predefinedMaterials();
+// lime, cement.
+const std::vector<MortarKind>& predefinedMortars();
+// uk, uk_frogged, uk_perforated, as3700, as3700_perforated.
+const std::vector<BrickKind>& predefinedBricks();
 
 // A scene that comes with Brickfall.
 struct ShippedScene {
@@ -139,6 +174,10 @@ std::string unknownSceneMessage(const std::string& name, const std::string& expe
 // Overlapping bodies at the start and the like, as warnings at the tables that they come from.
 std::vector<Diagnostic> checkScene(const SceneDescription& scene);
 
+namespace scene {
+struct BrickJoint;
+}
+
 // A body of a scene, placed in a world.
 struct PlacedBody {
   BodyId id;
@@ -150,6 +189,12 @@ struct PlacedBody {
   double launchTime = 0;
   int course = -1;  // of a brick
   SourcePlace place;
+};
+
+// What is drawn of a body, where that is not what collides: bricks in mortar are drawn as they are laid, with their mortar.
+struct DrawnBody {
+  std::vector<ShapeDef> shapes;        // their materials are not read
+  std::vector<std::string> materials;  // of each
 };
 
 // A scene being simulated: the world, what is in it, and what is still to be launched. Bodies that come or go while it runs are
@@ -166,7 +211,10 @@ class SceneRun {
   const std::vector<PlacedBody>& bodies() const { return bodies_; }
   // The scene's joints that are still there, in its order. Others are in world().joints().
   std::vector<std::pair<JointId, std::string>> joints() const;
+  // The scene's mortar as it was made, what is broken as well. Ends of bodies end it.
+  const std::vector<MortarId>& mortars() const { return mortars_; }
   const PlacedBody* find(BodyId id) const;  // null for a body that is not listed
+  const DrawnBody* drawn(BodyId id) const;  // null: it is drawn as it is
   // `id` of what is given is not read; with a launchTime to come a body that can move is held until then.
   Result<BodyId> createBody(PlacedBody body);
   Status destroyBody(BodyId id);
@@ -200,6 +248,9 @@ class SceneRun {
   Result<BodyId> place(PlacedBody body);
   Status hold(BodyId id);
   Status join();
+  Status mortar(const std::vector<scene::BrickJoint>& ofWalls);
+  Result<std::vector<std::pair<BodyId, std::vector<Vec3>>>> facesOf(const SceneMortar& mortar,
+                                                                    const std::map<std::string, BodyId>& byName) const;
   Status placeMachines();
   Status launchWaiting();
   Status shoot();
@@ -209,7 +260,9 @@ class SceneRun {
   std::vector<std::size_t> placeByIndex_;  // by BodyId::index: position in bodies_, where that id is
   std::vector<BodyId> waiting_;            // still to be launched
   std::vector<JointId> joints_;            // of scene_.joints
-  std::vector<Shot> shots_;                // all of the scene
+  std::vector<MortarId> mortars_;
+  std::map<std::string, DrawnBody> drawn_;  // by name; nothing changes it
+  std::vector<Shot> shots_;                 // all of the scene
   Machines machines_;
   std::optional<ReportRun> reported_;  // SceneMethod::report
   std::uint64_t stepsDone_ = 0;

@@ -40,6 +40,12 @@ struct CollisionFilter {
 
 constexpr int kMaxHullVertices = 64;
 
+struct MassProperties {
+  double mass = 0;                                  // kg
+  Vec3 centre;                                      // m, centre of mass in the frame the shape was given in
+  Mat3 inertia{{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}};  // kg m2, about the centre, axes of that frame
+};
+
 // One piece of a body. Only the fields of its type are read.
 struct ShapeDef {
   ShapeType type = ShapeType::box;
@@ -54,6 +60,9 @@ struct ShapeDef {
   std::shared_ptr<const MeshTree> mesh;
   Transform local;  // the shape's frame in the body's frame
   Material material;
+  // box, hull: how the mass of one that is hollow or of uneven density lies, at a density of 1 kg/m3 (its mass is the volume of
+  // what it is made of). None: it is solid. Must be possible within the shape's bounds; hollows do not change what it collides as.
+  std::shared_ptr<const MassProperties> distribution;
   CollisionFilter filter;
   std::uint64_t userData = 0;  // yours; never read
 };

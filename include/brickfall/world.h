@@ -147,7 +147,8 @@ class World {
   std::vector<MortarId> mortars() const;             // in order of creation, broken ones as well
   std::vector<MortarId> mortars(BodyId body) const;  // of the body, in order of creation; empty for a stale id
   // The outline of the face in which two bodies lie on each other, nearer than `gap` m: corners as MortarDef wants them,
-  // in the middle of the gap. Empty where they do not lie face to face. Boxes and hulls, alone or in compounds.
+  // in the middle of the gap. Empty where they do not lie face to face. Boxes and hulls, alone or in compounds, and planes; of
+  // several such faces the largest. It is exact up to 16 corners; of more those are left out that cut off least.
   Result<std::vector<Vec3>> sharedFace(BodyId a, BodyId b, double gap = 1e-3) const;
   // Dynamic bodies that reach a fixed or kinematic one through mortar that holds, joints, or contacts that press.
   std::vector<BodyId> carried() const;

@@ -27,7 +27,7 @@ struct Contact {
   float friction = 0, restitution = 0;
   float rolling = 0;        // coefficient of rolling resistance; 0: none, or nothing round is on its side
   float rollingRadius = 0;  // m, of the curvature by which the two surfaces part
-  bool crushed = false;  // a blow has crushed what it hit: the next press on the same place
+  bool crushed = false;     // a blow has crushed what it hit: the next press on the same place
   float crushing = 0;  // N, 8 pi x radius x hardness: F^2 / this is what a blow of force F crushes; 0: nothing is round
   float effectiveMass = 0;  // kg, 1 / (1/mA + 1/mB)
   PointMemory points;

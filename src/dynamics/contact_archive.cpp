@@ -63,7 +63,8 @@ void ContactSet::archive(WriteArchive& a) const { archiveAll(a, *this); }
 void ContactSet::archive(ReadArchive& a) { archiveAll(a, *this); }
 
 void mix(Mix& h, const Contact& c) {
-  h(c.shapeA, c.shapeB, c.count, c.rolls, c.partial, c.touching, c.friction, c.restitution, c.crushing, c.crushed, c.effectiveMass);
+  h(c.shapeA, c.shapeB, c.count, c.rolls, c.partial, c.touching, c.friction, c.restitution, c.crushing, c.crushed,
+    c.effectiveMass);
   eachField(c.points, MixPoints{h, c.count});
   if (resistsRolling(c)) h(c.rolling, c.rollingRadius, c.points.force1[kRollingLane], c.points.force2[kRollingLane]);
 }

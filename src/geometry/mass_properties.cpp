@@ -1,6 +1,8 @@
 // Closed forms for the round and square shapes; hulls as a sum of tetrahedra (divergence theorem).
 #include "geometry/mass_properties.h"
 
+#include <cmath>
+
 #include "geometry/frustum.h"
 #include "geometry/hull.h"
 
@@ -92,6 +94,37 @@ MassProperties shapeMass(const Shape& shape, double density) {
       break;
   }
   return {};
+}
+
+MassProperties shapeMass(const Shape& shape, double density, const MassProperties* atOne) {
+  if (!atOne) return shapeMass(shape, density);
+  return {atOne->mass * density, atOne->centre, atOne->inertia * density};
+}
+
+// Of a mass m between low and high with its centre at c, the second moment about c is at most m (high - c) (c - low)
+// (Bhatia and Davis 2000). The second moments C = trace(I) / 2 - I are those of some mass if C is positive: then the principal
+// moments of inertia obey the triangle inequality.
+std::string impossibleMass(const MassProperties& p, const Aabb& bounds) {
+  constexpr double kSlack = 1e-9;
+  if (!(p.mass > 0 && p.mass <= 1e15)) return "mass: found " + std::to_string(p.mass) + " m3, expected more than 0";
+  const Mat3& I = p.inertia;
+  if (!isFinite(p.centre) || !isFinite(I.row[0]) || !isFinite(I.row[1]) || !isFinite(I.row[2]))
+    return "found a number that is not finite";
+  const Vec3 size = bounds.upper - bounds.lower;
+  Mat3 c = diagonal(Vec3{1, 1, 1} * (0.5 * trace(I))) + I * -1.0;
+  for (int i = 0; i < 3; i++) {
+    const double above = bounds.upper[i] - p.centre[i], below = p.centre[i] - bounds.lower[i];
+    if (!(above > 0 && below > 0)) return "centre: found it outside the shape";
+    if (!(c.row[i][i] <= p.mass * above * below * (1 + kSlack))) return "inertia: found more than fits into the shape";
+    // Each axis in units of its size, so that thin shapes are judged as others are.
+    for (int k = 0; k < 3; k++) {
+      if (!(std::fabs(I.row[i][k] - I.row[k][i]) <= kSlack * trace(I))) return "inertia: found it not symmetric";
+      c.row[i][k] /= p.mass * size[i] * size[k];
+    }
+  }
+  const double minor = c.row[0].x * c.row[1].y - c.row[0].y * c.row[1].x;
+  const bool positive = c.row[0].x > kSlack && minor > kSlack * kSlack && dot(c.row[0], cross(c.row[1], c.row[2])) > 0;
+  return positive ? "" : "inertia: found principal moments of which one is not less than the sum of the others";
 }
 
 MassProperties transformed(const MassProperties& properties, const Transform& pose) {

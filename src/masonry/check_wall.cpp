@@ -53,6 +53,26 @@ bool checkNumbers(const WallDef& wall, Problems& problems) {
   return problems.list.size() == before;
 }
 
+// Hollows lie within the brick, and not in each other.
+void checkHollows(const BrickFormat& brick, Problems& problems) {
+  const Frog& frog = brick.frog;
+  const Perforation& holes = brick.holes;
+  const double length = brick.size.x, height = brick.size.y, width = brick.size.z;
+  if (frog.depth != 0) {
+    problems.range("brick.frog.depth", frog.depth, 0, 0.9 * height, "m");
+    problems.range("brick.frog.length", frog.length, 0.001 * length, 0.95 * length, "m");
+    problems.range("brick.frog.width", frog.width, 0.001 * width, 0.95 * width, "m");
+    problems.range("brick.frog.floorLength", frog.floorLength, 0, frog.length, "m");
+    problems.range("brick.frog.floorWidth", frog.floorWidth, 0, frog.width, "m");
+  }
+  if (holes.along == 0 && holes.across == 0) return;
+  problems.range("brick.holes.along", holes.along, 1, 100, "");
+  problems.range("brick.holes.across", holes.across, 1, 100, "");
+  const double most = 0.475 * std::min(length / std::max(holes.along, 1), width / std::max(holes.across, 1));
+  problems.range("brick.holes.radius", holes.radius, 1e-4 * most, most, "m");
+  if (frog.depth != 0) problems.add("brick.holes", "found holes and a frog, expected one of them");
+}
+
 void checkBond(const WallDef& wall, Problems& problems) {
   Layout at = masonry::layoutOf(wall);
   if (wall.bond == Bond::running && wall.halfBats && wall.bondShift > 0) {
@@ -153,6 +173,7 @@ std::vector<WallProblem> checkWall(const WallDef& wall) {
   Problems problems;
   if (!checkNumbers(wall, problems)) return problems.list;
   checkBond(wall, problems);
+  checkHollows(wall.brick, problems);
   if (!problems.list.empty()) return problems.list;
   if (std::int64_t bricks = brickCount(wall); !(bricks <= scene_limits::kMostBodies))
     problems.add("courses", "the wall has " + std::to_string(bricks) + " bricks, expected at most " +

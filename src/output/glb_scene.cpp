@@ -20,11 +20,20 @@ double linear(std::uint32_t byte) {
   return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
 }
 
-// A shape that encloses nothing is not drawn.
-ShapeMesh meshOf(const TakeBody& body) {
+constexpr std::uint32_t kMortar = 0xA9A69F;
+
+// The take has one colour for a body; the mortar on a brick has its own.
+std::uint32_t colourOf(const TakeBody& body, std::size_t shape) {
+  const bool mortar = shape < body.shapeMaterials.size() && body.shapeMaterials[shape] == "mortar";
+  return mortar && body.material != "mortar" ? kMortar : body.colour;
+}
+
+// What of a body has this colour. A shape that encloses nothing is not drawn.
+ShapeMesh meshOf(const TakeBody& body, std::uint32_t colour) {
   ShapeMesh mesh;
-  for (const ShapeDef& shape : body.shapes) {
-    if (Result<ShapeMesh> part = makeShapeMesh(shape)) append(mesh, *part, shape.local);
+  for (std::size_t k = 0; k < body.shapes.size(); k++) {
+    if (colourOf(body, k) != colour) continue;
+    if (Result<ShapeMesh> part = makeShapeMesh(body.shapes[k])) append(mesh, *part, body.shapes[k].local);
   }
   return mesh;
 }
@@ -55,7 +64,8 @@ class SceneWriter {
   GlbBuilder& builder() { return glb_; }
 
  private:
-  int material(const TakeBody& body);
+  int material(const TakeBody& body, std::uint32_t colour);
+  const json& geometry(const std::string& key, const ShapeMesh& mesh);
   int mesh(const TakeBody& body);  // -1 = nothing to draw
   int timesOf(const std::vector<std::uint32_t>& keys);
   void addMotion(json& animation, std::size_t body);
@@ -75,42 +85,57 @@ class SceneWriter {
   std::map<std::vector<std::uint32_t>, int> inputs_;
 };
 
-int SceneWriter::material(const TakeBody& body) {
+int SceneWriter::material(const TakeBody& body, std::uint32_t colour) {
   bool ball = body.role == BodyRole::ball;
-  auto [at, added] = materials_.try_emplace({body.colour, ball}, 0);
+  auto [at, added] = materials_.try_emplace({colour, ball}, 0);
   if (!added) return at->second;
-  json factor = {linear(body.colour >> 16 & 255), linear(body.colour >> 8 & 255), linear(body.colour & 255), 1.0};
+  json factor = {linear(colour >> 16 & 255), linear(colour >> 8 & 255), linear(colour & 255), 1.0};
   json pbr = {
       {"baseColorFactor", factor}, {"metallicFactor", ball ? 0.8 : 0.0}, {"roughnessFactor", ball ? 0.35 : 0.9}};
   char name[32];
-  std::snprintf(name, sizeof name, "%s #%06X", roleName(body.role), unsigned(body.colour & 0xFFFFFF));
+  std::snprintf(name, sizeof name, "%s #%06X", colour == body.colour ? roleName(body.role) : "mortar",
+                unsigned(colour & 0xFFFFFF));
   return at->second = glb_.add("materials", {{"name", name}, {"pbrMetallicRoughness", pbr}});
 }
 
-int SceneWriter::mesh(const TakeBody& body) {
-  ShapeMesh mesh = meshOf(body);
-  if (mesh.indices.empty()) return -1;
-  std::string key = keyOf(mesh);
-  int materialPlace = material(body);
-  auto [known, addedMesh] = meshes_.try_emplace(key + ":" + std::to_string(materialPlace), 0);
-  if (!addedMesh) return known->second;
+const json& SceneWriter::geometry(const std::string& key, const ShapeMesh& mesh) {
   auto [geometry, added] = geometries_.try_emplace(key);
-  if (added) {
-    auto flat = [](const auto& list) {
-      std::vector<float> out;
-      for (const auto& item : list) out.insert(out.end(), item.begin(), item.end());
-      return out;
-    };
-    geometry->second = {{"attributes",
-                         {{"POSITION", glb_.addFloats(flat(mesh.positions), 3, GlbBuilder::kVertices, true)},
-                          {"NORMAL", glb_.addFloats(flat(mesh.normals), 3, GlbBuilder::kVertices, false)},
-                          {"TEXCOORD_0", glb_.addFloats(flat(mesh.uvs), 2, GlbBuilder::kVertices, false)}}},
-                        {"indices", glb_.addIndices(mesh.indices)}};
+  if (!added) return geometry->second;
+  auto flat = [](const auto& list) {
+    std::vector<float> out;
+    for (const auto& item : list) out.insert(out.end(), item.begin(), item.end());
+    return out;
+  };
+  geometry->second = {{"attributes",
+                       {{"POSITION", glb_.addFloats(flat(mesh.positions), 3, GlbBuilder::kVertices, true)},
+                        {"NORMAL", glb_.addFloats(flat(mesh.normals), 3, GlbBuilder::kVertices, false)},
+                        {"TEXCOORD_0", glb_.addFloats(flat(mesh.uvs), 2, GlbBuilder::kVertices, false)}}},
+                      {"indices", glb_.addIndices(mesh.indices)}};
+  return geometry->second;
+}
+
+// One primitive for each colour.
+int SceneWriter::mesh(const TakeBody& body) {
+  std::vector<std::pair<std::uint32_t, ShapeMesh>> parts;
+  std::string whole;
+  for (std::uint32_t colour : {body.colour, kMortar}) {
+    if (!parts.empty() && parts[0].first == colour) continue;
+    ShapeMesh part = meshOf(body, colour);
+    if (part.indices.empty()) continue;
+    whole += keyOf(part) + ":" + std::to_string(material(body, colour)) + ";";
+    parts.push_back({colour, std::move(part)});
   }
-  json primitive = geometry->second;
-  primitive["material"] = materialPlace;
+  if (parts.empty()) return -1;
+  auto [known, added] = meshes_.try_emplace(whole, 0);
+  if (!added) return known->second;
+  json primitives = json::array();
+  for (const auto& [colour, part] : parts) {
+    json primitive = geometry(keyOf(part), part);
+    primitive["material"] = material(body, colour);
+    primitives.push_back(std::move(primitive));
+  }
   std::string name = std::string(roleName(body.role)) + " mesh " + std::to_string(meshes_.size() - 1);
-  return known->second = glb_.add("meshes", {{"name", name}, {"primitives", json::array({primitive})}});
+  return known->second = glb_.add("meshes", {{"name", name}, {"primitives", std::move(primitives)}});
 }
 
 json toJson(Vec3 v) { return {float(v.x), float(v.y), float(v.z)}; }

@@ -77,6 +77,10 @@ TakeRecorder::Describe descriptionsOf(const SceneRun& run) {
     const bool differ =
         std::any_of(materials.begin(), materials.end(), [&](const auto& name) { return name != materials[0]; });
     if (differ) body.shapeMaterials = materials;
+    if (const DrawnBody* drawn = run.drawn(id)) {
+      body.shapes = drawn->shapes;
+      body.shapeMaterials = drawn->materials;
+    }
     return body;
   };
 }

@@ -108,7 +108,7 @@ void warnOfLaunches(const SceneDescription& scene, std::vector<Diagnostic>& out)
 
 void warnOfBareOpenings(const SceneDescription& scene, std::vector<Diagnostic>& out) {
   for (const SceneWall& wall : scene.walls)
-    for (std::size_t i = 0; i < wall.wall.openings.size(); i++) {
+    for (std::size_t i = 0; !wall.mortar && i < wall.wall.openings.size(); i++) {  // mortar may hold them
       const Opening& opening = wall.wall.openings[i];
       double height = wall.wall.courses * (wall.wall.brick.size.y + wall.wall.bedJoint);
       bool bricksAbove = opening.sill + opening.height < height - wall.wall.brick.size.y;

@@ -47,6 +47,20 @@ void addShape(std::vector<KeySpec>& keys, const char* table) {
   keys.push_back({table, "scale", K::positive, "", 1e-6, 1e6, "-", "", "mesh: factors along x, y, z; default 1; of heights, the spacing along x and z"});
 }
 
+// The numbers of a mortar: of a kind, of a wall's or arch's own, and of [[mortar]].
+void addMortarNumbers(std::vector<KeySpec>& keys, const char* table) {
+  keys.push_back({table, "tension", K::number, "Pa", 1, 1e9, "-", "", "flexural bond strength: pull at the edge of a mortar joint"});
+  keys.push_back({table, "cohesion", K::number, "Pa", 1, 1e9, "-", "", "shear strength without pressure; more than tension x friction"});
+  keys.push_back({table, "friction", K::number, "", 0, 10, "-", "", "what pressure adds to it"});
+  keys.push_back({table, "tension_energy", K::number, "J/m2", 1e-6, 1e6, "-", "", "that opening a mortar joint takes"});
+  keys.push_back({table, "shear_energy", K::number, "J/m2", 1e-6, 1e6, "-", "", "that shearing it off takes"});
+  keys.push_back({table, "compression", K::number, "Pa", 1, 1e10, "-", "", "crushing strength"});
+  keys.push_back({table, "stiffness", K::number, "N/m3", 1e6, 1e13, "-", "", "of a mortar joint, with what gives in its bricks"});
+  keys.push_back({table, "density", K::number, "kg/m3", scene_limits::kSmallestDensity, scene_limits::kLargestDensity, "-", "", "of the mortar"});
+  keys.push_back({table, "head_filling", K::number, "", 0, 1, "-", "", "share of upright joints that is filled: they are so much weaker; 0: they are open"});
+  keys.push_back({table, "scatter", K::number, "", 0, 1, "-", "", "coefficient of variation of strengths and energies from one to the next (log-normal)"});
+}
+
 // One function a table, in the order of docs/scene-file.md.
 void addSceneKeys(std::vector<KeySpec>& keys) {
   keys.push_back({"", "title", K::text, "", 0, 200, "\"\"", "", "what the scene shows, in a line"});
@@ -57,12 +71,15 @@ void addSceneKeys(std::vector<KeySpec>& keys) {
   keys.push_back({"", "report", K::table, "", 0, 0, "-", "", "parts of the report's system, with method = \"report\""});
   keys.push_back({"", "ground", K::table, "", 0, 0, "-", "", "what everything stands on"});
   keys.push_back({"", "material", K::tables, "", 0, 0, "-", "", "materials by name"});
+  keys.push_back({"", "brick_kind", K::tables, "", 0, 0, "-", "", "kinds of brick by name"});
+  keys.push_back({"", "mortar_kind", K::tables, "", 0, 0, "-", "", "kinds of mortar by name"});
   keys.push_back({"", "wall", K::tables, "", 0, 0, "-", "", "walls of bricks"});
   keys.push_back({"", "body", K::tables, "", 0, 0, "-", "", "bodies placed one by one"});
   keys.push_back({"", "ball", K::tables, "", 0, 0, "-", "", "balls to throw"});
   keys.push_back({"", "array", K::tables, "", 0, 0, "-", "", "many equal bodies: lattices, columns, pyramids, piles"});
   keys.push_back({"", "arch", K::tables, "", 0, 0, "-", "", "arches of wedge-shaped stones"});
   keys.push_back({"", "dome", K::tables, "", 0, 0, "-", "", "domes of wedge-shaped stones, with a drum under them"});
+  keys.push_back({"", "mortar", K::tables, "", 0, 0, "-", "", "mortar between bodies that lie on each other"});
   keys.push_back({"", "joint", K::tables, "", 0, 0, "-", "", "what ties two bodies"});
   keys.push_back({"", "chain", K::tables, "", 0, 0, "-", "", "rows of links or boards with their joints"});
   keys.push_back({"", "tilt", K::tables, "", 0, 0, "-", "", "tables that turn"});
@@ -139,13 +156,29 @@ void addMaterialKeys(std::vector<KeySpec>& keys) {
   keys.push_back({"material", "colour", K::colour, "", 0, 0, "\"#B5543A\"", "", "of what is made from it"});
 }
 
+void addMortarKindKeys(std::vector<KeySpec>& keys) {
+  keys.push_back({"mortar_kind", "name", K::name, "", 0, 0, "", "", "what other tables call it"});
+  addMortarNumbers(keys, "mortar_kind");
+}
+
+void addBrickKindKeys(std::vector<KeySpec>& keys) {
+  keys.push_back({"brick_kind", "name", K::name, "", 0, 0, "", "", "what walls call it"});
+  keys.push_back({"brick_kind", "size", K::positive, "m", kSmall, 100, "[0.215, 0.065, 0.1025]", "", "length, height, width"});
+  keys.push_back({"brick_kind", "frog", K::pair, "m", kSmall, 100, "-", "", "length and width of a hollow in the upper face"});
+  keys.push_back({"brick_kind", "frog_floor", K::pair, "m", 0, 100, "-", "", "length and width at its floor; default: as at the face"});
+  keys.push_back({"brick_kind", "frog_depth", K::number, "m", kSmall, 100, "-", "", "how deep it is"});
+  keys.push_back({"brick_kind", "holes", K::wholePair, "", 1, 100, "-", "", "upright round holes, evenly spaced: along and across"});
+  keys.push_back({"brick_kind", "hole_radius", K::number, "m", limits::kSmallestSize, 100, "-", "", "of each"});
+  keys.push_back({"brick_kind", "material", K::material, "", 0, 0, "\"brick\"", "", "of walls of it that name no other"});
+}
+
 void addWallKeys(std::vector<KeySpec>& keys) {
   keys.push_back({"wall", "name", K::name, "", 0, 0, "-", "", "bricks are called name/course/position"});
   keys.push_back({"wall", "bond", K::choice, "", 0, 0, "\"running\"", "running|header|english|flemish|stack", "how the bricks overlap"});
   keys.push_back({"wall", "bond_shift", K::number, "brick lengths", 0, 0.999, "0.5", "", "running bond: shift of every second course"});
   keys.push_back({"wall", "courses", K::integer, "", 1, 10000, "10", "", "layers of bricks"});
   keys.push_back({"wall", "bricks", K::integer, "", 1, 10000, "10", "", "whole bricks in a full course; sets the length"});
-  keys.push_back({"wall", "brick", K::brick, "m", kSmall, 100, "\"uk\"", "uk|as3700", "format, or [length, height, width]"});
+  keys.push_back({"wall", "brick", K::brick, "m", kSmall, 100, "\"uk\"", "", "a kind of brick, or [length, height, width] of a solid one"});
   keys.push_back({"wall", "half_bats", K::boolean, "", 0, 0, "true", "", "ends closed by cut bricks; false: whole bricks, toothed ends"});
   keys.push_back({"wall", "head_joint", K::number, "m", 0, 1, "0", "", "gap between neighbours in a course"});
   keys.push_back({"wall", "bed_joint", K::number, "m", 0, 1, "0", "", "gap between courses"});
@@ -153,10 +186,19 @@ void addWallKeys(std::vector<KeySpec>& keys) {
   keys.push_back({"wall", "yaw_degrees", K::number, "degrees", -3600, 3600, "0", "", "about the vertical; 0: along +x, 90: along -z"});
   keys.push_back({"wall", "material", K::material, "", 0, 0, "\"brick\"", "", "of the bricks"});
   keys.push_back({"wall", "lintel_material", K::material, "", 0, 0, "\"concrete\"", "", "of the lintels"});
+  keys.push_back({"wall", "mortar", K::mortar, "", 0, 0, "\"none\"", "", "what holds the bricks together: a kind of mortar, \"none\", or [wall.mortar]"});
+  keys.push_back({"wall", "foot", K::boolean, "", 0, 0, "false", "", "with mortar: the lowest course is mortared to what it stands on"});
   keys.push_back({"wall", "density_scatter", K::number, "", 0, 0.5, "0", "", "each brick's density times 1 +- up to this"});
+  keys.push_back({"wall", "density_gradient", K::number, "", 0, 0.2, "0", "", "in each brick density differs linearly along each axis, by up to this from the middle to a face"});
+  keys.push_back({"wall", "density_noise", K::number, "", 0, 0.2, "0", "", "in each brick sixteen equal parts differ in density, by up to this"});
   keys.push_back({"wall", "disorder", K::number, "m", 0, 0.01, "0", "", "bricks out of true by gaps of up to this"});
   keys.push_back({"wall", "shuffle", K::boolean, "", 0, 0, "false", "", "bricks are created in random order"});
   keys.push_back({"wall", "opening", K::tables, "", 0, 0, "-", "", "doors and windows"});
+}
+
+void addOwnMortarKeys(std::vector<KeySpec>& keys, const char* table) {
+  keys.push_back({table, "kind", K::mortarKind, "", 0, 0, "\"cement\"", "", "the kind that has what is not given here"});
+  addMortarNumbers(keys, table);
 }
 
 void addOpeningKeys(std::vector<KeySpec>& keys) {
@@ -236,6 +278,15 @@ void addArchKeys(std::vector<KeySpec>& keys) {
   keys.push_back({"arch", "position", K::vector, "m", -kFar, kFar, "[0, 0, 0]", "", "the circle's centre"});
   keys.push_back({"arch", "yaw_degrees", K::number, "degrees", -3600, 3600, "0", "", "about the vertical; 0: it spans along x"});
   keys.push_back({"arch", "material", K::material, "", 0, 0, "\"brick\"", "", "of the stones"});
+  keys.push_back({"arch", "mortar", K::mortar, "", 0, 0, "\"none\"", "", "between the stones: a kind of mortar, \"none\", or [arch.mortar]"});
+  keys.push_back({"arch", "foot", K::boolean, "", 0, 0, "false", "", "with mortar: its feet are mortared to what they stand on"});
+}
+
+void addMortarKeys(std::vector<KeySpec>& keys) {
+  keys.push_back({"mortar", "body_a", K::name, "", 0, 0, "", "", "one body"});
+  keys.push_back({"mortar", "body_b", K::name, "", 0, 0, "-", "", "the other; default: all that lie face to face with it"});
+  keys.push_back({"mortar", "gap", K::number, "m", 0, 1, "0.001", "", "faces further apart are not joined"});
+  addOwnMortarKeys(keys, "mortar");
 }
 
 void addDomeKeys(std::vector<KeySpec>& keys) {
@@ -362,7 +413,10 @@ std::vector<KeySpec> makeKeys() {
   addReportKeys(keys);
   addGroundKeys(keys);
   addMaterialKeys(keys);
+  addBrickKindKeys(keys);
+  addMortarKindKeys(keys);
   addWallKeys(keys);
+  addOwnMortarKeys(keys, "wall.mortar");
   addOpeningKeys(keys);
   addBodyKeys(keys);
   addPartKeys(keys);
@@ -370,6 +424,8 @@ std::vector<KeySpec> makeKeys() {
   addBallKeys(keys);
   addArrayKeys(keys);
   addArchKeys(keys);
+  addOwnMortarKeys(keys, "arch.mortar");
+  addMortarKeys(keys);
   addDomeKeys(keys);
   addJointKeys(keys);
   addChainKeys(keys);
@@ -450,6 +506,11 @@ std::string expectation(const KeySpec& spec) {
       return list;
     case K::material:
       return "the name of a material";
+    case K::mortarKind:
+      return "the name of a kind of mortar";
+    case K::mortar:
+      return std::string("the name of a kind of mortar, \"none\", or a table: write [") + spec.table + "." + spec.key +
+             "]";
     case K::colour:
       return "a colour as \"#RRGGBB\"";
     case K::vector:
@@ -460,7 +521,11 @@ std::string expectation(const KeySpec& spec) {
     case K::gravity:
       return "a number or three numbers [x, y, z], each " + range + unit;
     case K::brick:
-      return list + ", or [length, height, width], each " + range + unit;
+      return "the name of a kind of brick, or [length, height, width], each " + range + unit;
+    case K::pair:
+      return "two numbers [a, b], each " + range + unit;
+    case K::wholePair:
+      return "two whole numbers [a, b], each " + range;
     case K::points:
       return "4 .. 64 points [[x, y, z], ...], each coordinate " + range + unit;
     case K::times:

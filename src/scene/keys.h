@@ -15,12 +15,16 @@ enum class KeyKind : std::uint8_t {
   name,        // text of 1 .. 64 characters
   choice,      // one of KeySpec::choices
   material,    // name of a material
+  mortarKind,  // name of a kind of mortar
+  mortar,      // the same or "none", or a table of numbers
   colour,      // "#RRGGBB"
   vector,      // [x, y, z]
   positive,    // [x, y, z], each in the range, as sizes are
   counts,      // [nx, ny, nz], whole numbers
   gravity,     // a number (downwards) or [x, y, z]
-  brick,       // "uk", "as3700" or [length, height, width]
+  brick,       // name of a kind of brick, or [length, height, width]
+  pair,        // [a, b], each in the range
+  wholePair,   // [a, b], whole numbers
   points,      // [[x, y, z], ...]
   times,       // [t, ...], ascending
   parameters,  // a table of numbers with names of the user's choice

@@ -12,6 +12,8 @@ struct ArchDef {
   double radius = 1, thickness = 0.2, depth = 0.3, angle = std::numbers::pi;
   Vec3 position;
   Quat yaw;
+  std::optional<MortarKind> mortar;
+  bool foot = false;
   SceneBody model;
 };
 
@@ -41,6 +43,31 @@ void layStones(const ArchDef& def, SceneBuild& build) {
   }
 }
 
+// Between stones k and k + 1, on the face that is theirs; at the feet on what is found there.
+void layArchMortar(const ArchDef& def, SceneBuild& build) {
+  SceneMortar mortar;
+  mortar.kind = *def.mortar;
+  mortar.place = def.model.place;
+  const auto stone = [&](int k) { return def.model.name + "/" + std::to_string(k); };
+  for (int k = 0; k + 1 < def.stones; k++) {
+    double sine, cosine;
+    sinCos(def.angle * (0.5 - (k + 1.0) / def.stones), sine, cosine);
+    const Vec3 out = rotate(def.yaw, Vec3{-sine, cosine, 0}), along = rotate(def.yaw, Vec3{0, 0, 0.5 * def.depth});
+    const Vec3 inner = def.position + out * (def.radius - 0.5 * def.thickness);
+    const Vec3 outer = def.position + out * (def.radius + 0.5 * def.thickness);
+    mortar.bodyA = stone(k);
+    mortar.bodyB = stone(k + 1);
+    mortar.outline = {inner - along, outer - along, outer + along, inner + along};
+    build.scene.mortars.push_back(mortar);
+  }
+  mortar.outline.clear();
+  mortar.bodyB.clear();
+  for (int k : {0, def.stones - 1}) {
+    mortar.bodyA = stone(k);
+    if (def.foot) build.scene.mortars.push_back(mortar);
+  }
+}
+
 }  // namespace
 
 void readArches(SceneBuild& build, TableReader& top) {
@@ -60,6 +87,7 @@ void readArches(SceneBuild& build, TableReader& top) {
     reader.vector("position", def.position);
     reader.number("yaw_degrees", yaw);
     reader.material("material", def.model.material);
+    def.mortar = readOwnMortar(build, reader, def.foot);
     def.angle = degrees * kRadians;
     def.yaw = quatFromAxisAngle({0, 1, 0}, yaw * kRadians);
     if (!(def.thickness < 2 * def.radius))
@@ -70,8 +98,10 @@ void readArches(SceneBuild& build, TableReader& top) {
     if (build.context.diagnostics.size() != before) continue;
     def.model.def.shapes = {wedgeOf(def)};
     build.checkBuildable(reader, def.model);
-    if (build.context.diagnostics.size() == before && build.roomFor(reader, "stones", def.stones))
+    if (build.context.diagnostics.size() == before && build.roomFor(reader, "stones", def.stones)) {
       layStones(def, build);
+      if (def.mortar) layArchMortar(def, build);
+    }
   }
 }
 

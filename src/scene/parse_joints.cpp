@@ -20,20 +20,6 @@ bool mayBeBrick(const SceneBuild& build, const std::string& name) {
                      [&](const SceneWall& wall) { return name.starts_with(wall.wall.name + "/"); });
 }
 
-// The name of a body that is there; with none the ground's.
-bool readJoined(SceneBuild& build, TableReader& reader, const char* key, std::string& name) {
-  if (!reader.text(key, name)) {
-    if (reader.has(key)) return false;
-    name = "ground";
-  }
-  if (bodyNamed(build, name) || mayBeBrick(build, name)) return true;
-  std::vector<std::string> known;
-  for (const SceneBody& body : build.scene.bodies) known.push_back(body.name);
-  reader.error(key, reader.has(key) ? "found \"" + name + "\", expected the name of a body" + didYouMean(name, known)
-                                    : std::string("not given, expected the name of a body: there is no ground"));
-  return false;
-}
-
 // What a key does nothing with is refused.
 bool reads(JointType type, std::string_view key) {
   const auto oneOf = [&](std::initializer_list<JointType> types) {
@@ -216,6 +202,19 @@ void checkChain(TableReader& reader, ChainDef& def) {
 }
 
 }  // namespace
+
+bool readJoined(SceneBuild& build, TableReader& reader, const char* key, std::string& name) {
+  if (!reader.text(key, name)) {
+    if (reader.has(key)) return false;
+    name = "ground";
+  }
+  if (bodyNamed(build, name) || mayBeBrick(build, name)) return true;
+  std::vector<std::string> known;
+  for (const SceneBody& body : build.scene.bodies) known.push_back(body.name);
+  reader.error(key, reader.has(key) ? "found \"" + name + "\", expected the name of a body" + didYouMean(name, known)
+                                    : std::string("not given, expected the name of a body: there is no ground"));
+  return false;
+}
 
 void readJoints(SceneBuild& build, TableReader& top) {
   std::size_t index = 0;

@@ -35,7 +35,11 @@ void readWallNumbers(TableReader& reader, SceneWall& out) {
   reader.number("bond_shift", wall.bondShift);
   reader.integer("courses", wall.courses);
   reader.integer("bricks", wall.bricksPerCourse);
-  reader.brick("brick", wall.brick);
+  BrickKind kind;
+  if (reader.brick("brick", kind)) {
+    wall.brick = kind.format;
+    out.material = kind.material;
+  }
   reader.boolean("half_bats", wall.halfBats);
   reader.number("head_joint", wall.headJoint);
   reader.number("bed_joint", wall.bedJoint);
@@ -44,6 +48,8 @@ void readWallNumbers(TableReader& reader, SceneWall& out) {
   reader.material("material", out.material);
   reader.material("lintel_material", out.lintelMaterial);
   reader.number("density_scatter", out.densityScatter);
+  reader.number("density_gradient", out.uneven.gradient);
+  reader.number("density_noise", out.uneven.noise);
   reader.number("disorder", wall.disorder);
   reader.boolean("shuffle", wall.shuffle);
 }
@@ -81,6 +87,10 @@ void readWalls(SceneBuild& build, TableReader& top) {
     out.wall.name = build.nameOf(reader, "wall", index++);
     std::size_t before = build.context.diagnostics.size();
     readWallNumbers(reader, out);
+    out.mortar = readOwnMortar(build, reader, out.foot);
+    if (out.mortar && out.wall.disorder > 0)
+      reader.error("disorder", "found " + numberText(out.wall.disorder) +
+                                   " m in a mortared wall, expected 0: mortar joins faces that are parallel");
     std::vector<TableReader> openings = reader.tables("opening");
     out.place = placeOf(reader);
     for (TableReader& opening : openings) {

@@ -19,6 +19,7 @@ struct SceneBuild {
   std::map<std::string, int> names;  // of walls, bodies, balls and arrays, with their lines
   std::int64_t bodyCount = 0;        // bricks included
   std::unique_ptr<World> trial;      // where bodies are made to see whether they can be
+  std::vector<MortarKind> mortarKinds;
   std::map<std::string, std::shared_ptr<const MeshTree>> meshes;  // by file and scale; null: could not be read
 
   // The name in the table, or kind + number ("wall2"); a name given twice is an error.
@@ -32,6 +33,8 @@ struct SceneBuild {
 void readWorld(SceneBuild& build, TableReader& top);
 void readGround(SceneBuild& build, TableReader& top);
 void readMaterials(SceneBuild& build, TableReader& top);
+void readBrickKinds(SceneBuild& build, TableReader& top);
+void readMortarKinds(SceneBuild& build, TableReader& top);
 void readCameras(SceneBuild& build, TableReader& top);
 void readWalls(SceneBuild& build, TableReader& top);
 void readBodies(SceneBuild& build, TableReader& top);
@@ -40,6 +43,7 @@ void readArrays(SceneBuild& build, TableReader& top);
 void readArches(SceneBuild& build, TableReader& top);
 void readDomes(SceneBuild& build, TableReader& top);
 void readJoints(SceneBuild& build, TableReader& top);
+void readMortars(SceneBuild& build, TableReader& top);
 void readChains(SceneBuild& build, TableReader& top);
 void readTilts(SceneBuild& build, TableReader& top);
 void readShakes(SceneBuild& build, TableReader& top);
@@ -53,6 +57,11 @@ inline SourcePlace placeOf(const TableReader& reader) { return {reader.node().li
 
 // A camera that sees the whole scene, for files that have none.
 void frameScene(SceneDescription& scene);
+
+// A table's `mortar` and `foot`; none of "none".
+std::optional<MortarKind> readOwnMortar(SceneBuild& build, TableReader& reader, bool& foot);
+// The name of a body that is there, or may be a brick; without the key it is the ground's.
+bool readJoined(SceneBuild& build, TableReader& reader, const char* key, std::string& name);
 
 // The keys that bodies, balls and arrays share.
 void readMotion(TableReader& reader, BodyDef& def);

@@ -30,6 +30,8 @@ void readAll(scene::SceneBuild& build, const scene::Node& root) {
   top.text("description", build.scene.description);
   scene::readParameters(build.context, root);
   scene::readMaterials(build, top);  // first: the others name them
+  scene::readBrickKinds(build, top);
+  scene::readMortarKinds(build, top);
   scene::readWorld(build, top);
   scene::readGround(build, top);
   scene::readWalls(build, top);
@@ -40,7 +42,8 @@ void readAll(scene::SceneBuild& build, const scene::Node& root) {
   scene::readBalls(build, top);
   scene::readChains(build, top);
   scene::readJoints(build, top);  // they name links, too
-  scene::readTilts(build, top);   // they name bodies
+  scene::readMortars(build, top);
+  scene::readTilts(build, top);  // they name bodies
   scene::readShakes(build, top);
   scene::readWinds(build, top);
   scene::readBlasts(build, top);

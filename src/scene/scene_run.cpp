@@ -2,11 +2,15 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "brickfall/limits.h"
 #include "brickfall/scene.h"
 #include "masonry/named_seed.h"
 #include "math/random.h"
+#include "scene/body_bounds.h"
+#include "scene/mortar_run.h"
+#include "scene/node.h"
 
 namespace brickfall {
 
@@ -31,18 +35,40 @@ class Placer {
   explicit Placer(const SceneDescription& scene) : scene_(scene) {}
 
   Status place() {
+    for (const SceneWall& wall : scene_.walls) {
+      Result<std::vector<BrickPlacement>> bricks = layBricks(wall.wall, scene_.seed);
+      if (!bricks) return bricks.error();
+      walls_.push_back({&wall, std::move(*bricks)});
+    }
+    mortar_ = scene::mortarOf(walls_, scene_.seed);
     for (const SceneBody& body : scene_.bodies)
       if (body.role == BodyRole::ground)
         if (Status status = add(body); !status) return status;
-    for (const SceneWall& wall : scene_.walls)
+    for (scene::LaidWall& wall : walls_)
       if (Status status = add(wall); !status) return status;
     for (const SceneBody& body : scene_.bodies)
       if (body.role != BodyRole::ground)
         if (Status status = add(body); !status) return status;
     return {};
   }
+  // Of all walls, by places in `bodies`; what they stand on is known once all are placed.
+  Result<std::vector<scene::BrickJoint>> joints() const {
+    std::vector<scene::BrickJoint> all = scene::jointsOf(mortar_, walls_);
+    for (const scene::LaidWall& wall : walls_) {
+      if (!wall.scene->foot || !wall.scene->mortar) continue;
+      const std::vector<scene::BrickJoint> feet = scene::footOf(wall, bodies, scene_.seed);
+      if (feet.empty())
+        return Error{ErrorCode::invalidArgument,
+                     "wall \"" + wall.scene->wall.name +
+                         "\": foot: found nothing that its lowest course stands on, expected "
+                         "a box or a plane"};
+      all.insert(all.end(), feet.begin(), feet.end());
+    }
+    return all;
+  }
   std::vector<PlacedBody> bodies;
   std::vector<std::pair<double, PlacedBody>> shots;  // in the order of the scene
+  std::map<std::string, DrawnBody> drawn;            // bricks in mortar, by name
 
  private:
   Result<MaterialDef> material(const std::string& name) const {
@@ -74,15 +100,16 @@ class Placer {
     return {};
   }
 
-  Status add(const SceneWall& wall) {
-    Result<std::vector<BrickPlacement>> bricks = layBricks(wall.wall, scene_.seed);
+  Status add(scene::LaidWall& laid) {
+    const SceneWall& wall = *laid.scene;
     Result<MaterialDef> brickMaterial = material(wall.material), lintelMaterial = material(wall.lintelMaterial);
-    if (!bricks) return bricks.error();
     if (!brickMaterial) return inBody(wall.wall.name, brickMaterial.error());
     if (!lintelMaterial) return inBody(wall.wall.name, lintelMaterial.error());
     if (!(wall.densityScatter >= 0 && wall.densityScatter <= 0.5))
       return inBody(wall.wall.name, {ErrorCode::invalidArgument, "densityScatter: expected 0 .. 0.5"});
-    for (const BrickPlacement& brick : *bricks) {
+    laid.firstBody = bodies.size();
+    for (std::size_t k = 0; k < laid.bricks.size(); k++) {
+      const BrickPlacement& brick = laid.bricks[k];
       const MaterialDef& from = brick.lintel ? *lintelMaterial : *brickMaterial;
       PlacedBody placed;
       placed.name = brick.name;
@@ -100,6 +127,15 @@ class Placer {
         Random random(masonry::namedSeed(scene_.seed, brick.name));
         shape.material.density *= 1 + wall.densityScatter * random.between(-1, 1);
       }
+      if (wall.mortar) {
+        const GrownBrick& grown = mortar_.grown[laid.firstBrick + k];
+        placed.def.position = grown.centre;
+        scene::growBrick(wall, brick, grown, scene_.seed, shape);
+        drawn[brick.name] = scene::drawnBrick(brick, grown, mortar_.slabs[laid.firstBrick + k], from.name);
+      } else if (scene::isUneven(wall)) {
+        const std::uint64_t own = masonry::namedSeed(scene_.seed, brick.name + " density");
+        shape.distribution = std::make_shared<const MassProperties>(brickMass(wall.wall, brick, wall.uneven, own));
+      }
       placed.def.shapes.push_back(shape);
       bodies.push_back(std::move(placed));
     }
@@ -107,6 +143,8 @@ class Placer {
   }
 
   const SceneDescription& scene_;
+  std::vector<scene::LaidWall> walls_;
+  scene::WallMortar mortar_;
 };
 
 }  // namespace
@@ -125,15 +163,19 @@ Result<SceneRun> SceneRun::create(const SceneDescription& scene) {
   if (!world) return world.error();
   SceneRun run(scene, std::move(*world));
   run.scene_.world = def;
+  run.drawn_ = std::move(placer.drawn);
   if (scene.method == SceneMethod::report) {
     Result<ReportRun> reported = ReportRun::create(scene.report);
     if (!reported) return reported.error();
     run.reported_ = std::move(reported).value();
   }
+  const Result<std::vector<scene::BrickJoint>> joints = placer.joints();
+  if (!joints) return joints.error();
   for (PlacedBody& body : placer.bodies)
     if (Result<BodyId> made = run.place(std::move(body)); !made) return made.error();
   // First joined, then held: of two bodies that nothing moves no joint can be made.
   if (Status joined = run.join(); !joined) return joined.error();
+  if (Status mortared = run.mortar(*joints); !mortared) return mortared.error();
   for (const PlacedBody& body : run.bodies_)
     if (Status held = run.hold(body.id); !held) return held.error();
   for (auto& [time, body] : placer.shots) run.shots_.push_back({time, std::move(body)});
@@ -189,6 +231,69 @@ Status SceneRun::join() {
   return {};
 }
 
+Status SceneRun::mortar(const std::vector<scene::BrickJoint>& ofWalls) {
+  std::set<std::pair<BodyId, BodyId>> joined;
+  // Once for two bodies: by a wall before its foot, by either before a [[mortar]].
+  const auto make = [&](BodyId a, BodyId b, std::vector<Vec3> outline, const MortarStrength& strength) -> Status {
+    if (!joined.insert(std::minmax(a, b)).second) return {};
+    Result<MortarId> made = world_.createMortar({a, b, std::move(outline), strength});
+    if (!made)
+      return Error{made.error().code,
+                   "mortar of \"" + find(a)->name + "\" and \"" + find(b)->name + "\": " + made.error().message};
+    mortars_.push_back(*made);
+    return {};
+  };
+  for (const scene::BrickJoint& joint : ofWalls)
+    if (Status made = make(bodies_[joint.a].id, bodies_[joint.b].id, joint.outline, joint.strength); !made) return made;
+  std::map<std::string, BodyId> byName;
+  for (const PlacedBody& body : bodies_) byName.emplace(body.name, body.id);
+  for (const SceneMortar& mortar : scene_.mortars) {
+    Result<std::vector<std::pair<BodyId, std::vector<Vec3>>>> faces = facesOf(mortar, byName);
+    if (!faces) return faces.error();
+    const BodyId a = byName.at(mortar.bodyA);
+    for (auto& [b, outline] : *faces) {
+      const MortarStrength strength = scene::scattered(mortar.kind, true, scene_.seed, mortar.bodyA, find(b)->name);
+      if (Status made = make(a, b, std::move(outline), strength); !made) return made;
+    }
+    if (faces->empty())
+      return Error{ErrorCode::invalidArgument,
+                   scene::mortarTitle(mortar) + ": found nothing that lies face to face within " +
+                       scene::numberText(mortar.gap) + " m, expected boxes, hulls or planes that do"};
+  }
+  return {};
+}
+
+// Whom a table of mortar joins, and on which outlines.
+Result<std::vector<std::pair<BodyId, std::vector<Vec3>>>> SceneRun::facesOf(
+    const SceneMortar& mortar, const std::map<std::string, BodyId>& byName) const {
+  std::vector<BodyId> others;
+  for (const std::string* name : {&mortar.bodyA, &mortar.bodyB})
+    if (!name->empty() && byName.count(*name) == 0)
+      return Error{ErrorCode::invalidArgument,
+                   scene::mortarTitle(mortar) + ": found \"" + *name + "\", expected the name of a body"};
+  const BodyId a = byName.at(mortar.bodyA);
+  std::vector<std::pair<BodyId, std::vector<Vec3>>> faces;
+  if (!mortar.outline.empty()) {
+    faces.push_back({byName.at(mortar.bodyB), mortar.outline});
+    return faces;
+  }
+  if (!mortar.bodyB.empty()) {
+    others.push_back(byName.at(mortar.bodyB));
+  } else {
+    const Aabb reach = grown(scene::bodyBounds(find(a)->def), mortar.gap);
+    for (const PlacedBody& body : bodies_)
+      if (body.id != a && overlaps(reach, scene::bodyBounds(body.def))) others.push_back(body.id);
+  }
+  for (BodyId b : others) {
+    const bool still = find(a)->def.type != BodyType::dynamic && find(b)->def.type != BodyType::dynamic;
+    if (still && mortar.bodyB.empty()) continue;
+    Result<std::vector<Vec3>> outline = world_.sharedFace(a, b, mortar.gap);
+    if (!outline) return Error{outline.error().code, scene::mortarTitle(mortar) + ": " + outline.error().message};
+    if (!outline->empty()) faces.push_back({b, std::move(*outline)});
+  }
+  return faces;
+}
+
 std::vector<std::pair<JointId, std::string>> SceneRun::joints() const {
   std::vector<std::pair<JointId, std::string>> there;
   for (std::size_t k = 0; k < joints_.size(); k++)
@@ -223,6 +328,12 @@ Result<BodyId> SceneRun::place(PlacedBody body) {
   placeByIndex_[id->index] = bodies_.size();
   bodies_.push_back(std::move(body));
   return id;
+}
+
+const DrawnBody* SceneRun::drawn(BodyId id) const {
+  const PlacedBody* body = find(id);
+  const auto found = body ? drawn_.find(body->name) : drawn_.end();
+  return found == drawn_.end() ? nullptr : &found->second;
 }
 
 void SceneRun::list(std::vector<PlacedBody> bodies) {

@@ -284,20 +284,27 @@ bool TableReader::text(const char* key, std::string& out) {
   return true;
 }
 
-bool TableReader::material(const char* key, std::string& out) {
+bool TableReader::oneOf(const char* key, const std::vector<std::string>& names, std::string& out) {
   const Node* node = sought(key);
   if (!node) return false;
   if (node->kind != NodeKind::text) {
     wrong(*node, pathOf(key), spec(key));
     return false;
   }
-  const std::vector<std::string>& names = context_->materialNames;
   if (std::find(names.begin(), names.end(), node->text) == names.end()) {
     wrong(*node, pathOf(key), spec(key), didYouMean(node->text, names));
     return false;
   }
   out = node->text;
   return true;
+}
+
+bool TableReader::material(const char* key, std::string& out) { return oneOf(key, context_->materialNames, out); }
+
+bool TableReader::mortar(const char* key, std::string& out) {
+  std::vector<std::string> names = context_->mortarNames;
+  if (spec(key).kind == KeyKind::mortar) names.push_back("none");
+  return oneOf(key, names, out);
 }
 
 bool TableReader::colour(const char* key, std::uint32_t& out) {
@@ -338,18 +345,40 @@ bool TableReader::gravity(const char* key, Vec3& out) {
   return true;
 }
 
-bool TableReader::brick(const char* key, BrickFormat& out) {
+bool TableReader::brick(const char* key, BrickKind& out) {
   const Node* node = sought(key);
   if (!node) return false;
-  if (node->kind == NodeKind::array) return vectorOf(*node, pathOf(key), spec(key), false, out.size);
-  if (node->kind == NodeKind::text && node->text == "uk") {
-    out.size = {0.215, 0.065, 0.1025};
-  } else if (node->kind == NodeKind::text && node->text == "as3700") {
-    out.size = {0.230, 0.076, 0.110};
-  } else {
-    wrong(*node, pathOf(key), spec(key), didYouMean(node->text, choicesOf(spec(key))));
+  if (node->kind == NodeKind::array) {
+    BrickKind solid;
+    if (!vectorOf(*node, pathOf(key), spec(key), false, solid.format.size)) return false;
+    out = solid;
+    return true;
+  }
+  std::vector<std::string> names;
+  for (const BrickKind& kind : context_->brickKinds) {
+    names.push_back(kind.name);
+    if (node->kind != NodeKind::text || node->text != kind.name) continue;
+    out = kind;
+    return true;
+  }
+  wrong(*node, pathOf(key), spec(key), node->kind == NodeKind::text ? didYouMean(node->text, names) : "");
+  return false;
+}
+
+bool TableReader::pair(const char* key, double& a, double& b) {
+  const Node* node = sought(key);
+  if (!node) return false;
+  if (node->kind != NodeKind::array || node->items.size() != 2) {
+    wrong(*node, pathOf(key), spec(key));
     return false;
   }
+  KeySpec element = spec(key);
+  const bool whole = element.kind == KeyKind::wholePair;
+  element.kind = whole ? KeyKind::integer : KeyKind::number;
+  double values[2] = {a, b};
+  for (std::size_t i = 0; i < 2; i++)
+    if (!numberOf(node->items[i], pathOf(key) + "[" + std::to_string(i) + "]", element, whole, values[i])) return false;
+  a = values[0], b = values[1];
   return true;
 }
 
@@ -440,7 +469,7 @@ TableReader TableReader::table(const char* key) {
     wrong(*node, pathOf(key), spec(key));
     node = nullptr;
   }
-  return TableReader(*context_, node ? *node : kEmptyTable, key, pathOf(key));
+  return TableReader(*context_, node ? *node : kEmptyTable, table_.empty() ? key : table_ + "." + key, pathOf(key));
 }
 
 }  // namespace brickfall::scene

@@ -16,7 +16,8 @@ struct ReadContext {
   std::string file;
   std::vector<Diagnostic> diagnostics;
   std::map<std::string, double> parameters;
-  std::vector<std::string> materialNames;
+  std::vector<std::string> materialNames, mortarNames;
+  std::vector<BrickKind> brickKinds;
   bool syntaxErrors = false;  // lines were left out: a missing key may be one of them
 
   void add(Severity severity, const Node& at, std::string path, std::string message);
@@ -39,6 +40,7 @@ class TableReader {
   const std::string& path() const { return path_; }
   const Node& node() const { return node_; }
   std::string pathOf(const std::string& key) const { return path_.empty() ? key : path_ + "." + key; }
+  std::size_t mistakes() const { return context_->diagnostics.size(); }  // of the file so far
   // At the key's value, or at the table if the key is absent.
   void error(const std::string& key, std::string message);
   void warning(const std::string& key, std::string message);
@@ -50,10 +52,12 @@ class TableReader {
   bool boolean(const char* key, bool& out);
   bool text(const char* key, std::string& out);  // text, name
   bool material(const char* key, std::string& out);
+  bool mortar(const char* key, std::string& out);  // mortarKind, and mortar where it is a name
   bool colour(const char* key, std::uint32_t& out);
   bool vector(const char* key, Vec3& out);  // vector, positive, counts
   bool gravity(const char* key, Vec3& out);
-  bool brick(const char* key, BrickFormat& out);
+  bool brick(const char* key, BrickKind& out);  // without a name: a solid one of that size
+  bool pair(const char* key, double& a, double& b);
   bool points(const char* key, std::vector<Vec3>& out);
   bool times(const char* key, std::vector<double>& out);
   template <class E> bool choice(const char* key, E& out) {
@@ -73,6 +77,7 @@ class TableReader {
   bool choiceIndex(const char* key, int& out);
   bool numberOf(const Node& node, const std::string& path, const KeySpec& spec, bool whole, double& out);
   bool vectorOf(const Node& node, const std::string& path, const KeySpec& spec, bool whole, Vec3& out);
+  bool oneOf(const char* key, const std::vector<std::string>& names, std::string& out);
   void wrong(const Node& node, const std::string& path, const KeySpec& spec, const std::string& hint = {});
   void reportUnknownKeys();
 

@@ -43,7 +43,9 @@ void checkMesh(Checks& check, const std::string& at, const ShapeDef& s, BodyType
 
 }  // namespace
 
-void checkShape(Checks& check, const std::string& at, const ShapeDef& s, BodyType type) {
+namespace {
+
+void checkShapeSize(Checks& check, const std::string& at, const ShapeDef& s, BodyType type) {
   checkMaterial(check, at + ".material", s.material);
   check.vector(at + ".local.position", s.local.position, limits::kLargestSize);
   check.rotation(at + ".local.rotation", s.local.rotation);
@@ -78,6 +80,23 @@ void checkShape(Checks& check, const std::string& at, const ShapeDef& s, BodyTyp
   check.condition(false, at + ".type: found " + std::to_string(int(s.type)) + ", expected a ShapeType");
 }
 
+void checkDistribution(Checks& check, const std::string& at, const ShapeDef& s) {
+  check.condition(s.type == ShapeType::box || s.type == ShapeType::hull,
+                  at + ": found one on another shape, expected a box or a hull");
+  if (check.failed()) return;
+  ShapeDef own = s;
+  own.local = {};
+  const std::string wrong = impossibleMass(*s.distribution, bounds(own, Transform{}));
+  check.condition(wrong.empty(), at + "." + wrong + ", expected mass that can lie so in the shape");
+}
+
+}  // namespace
+
+void checkShape(Checks& check, const std::string& at, const ShapeDef& s, BodyType type) {
+  checkShapeSize(check, at, s, type);
+  if (s.distribution && !check.failed()) checkDistribution(check, at + ".distribution", s);
+}
+
 void checkMotionSettings(Checks& check, double gravityScale, double linearDamping, double angularDamping,
                          double dragArea) {
   check.range("gravityScale", gravityScale, -limits::kLargestGravityScale, limits::kLargestGravityScale);
@@ -110,7 +129,9 @@ void checkBody(Checks& check, const BodyDef& def) {
 double massOf(const BodyDef& def, const std::vector<std::unique_ptr<Hull>>& hulls) {
   double mass = 0;
   for (std::size_t i = 0; i < def.shapes.size(); i++)
-    mass += shapeMass(geometryOf(def.shapes[i], hulls[i].get()), def.shapes[i].material.density).mass;
+    mass += shapeMass(geometryOf(def.shapes[i], hulls[i].get()), def.shapes[i].material.density,
+                      def.shapes[i].distribution.get())
+                .mass;
   return mass;
 }
 

@@ -118,8 +118,10 @@ bool Registry::setMaterial(ShapeIndex shape, const Material& material) {
 
 double Registry::massWith(BodyIndex body, std::span<const Material> materials) const {
   double mass = 0;
-  for (std::size_t i = 0; i < materials.size(); i++)
-    mass += shapeMass(shapes.data[bodies.shapes[body][i]].geometry, materials[i].density).mass;
+  for (std::size_t i = 0; i < materials.size(); i++) {
+    const ShapeData& s = shapes.data[bodies.shapes[body][i]];
+    mass += shapeMass(s.geometry, materials[i].density, s.def.distribution.get()).mass;
+  }
   return mass;
 }
 
@@ -144,7 +146,7 @@ void Registry::updateMass(BodyIndex body, Vec3 origin) {
   std::vector<MassProperties> parts;
   for (ShapeIndex shape : bodies.shapes[body]) {
     const ShapeData& s = shapes.data[shape];
-    parts.push_back(transformed(shapeMass(s.geometry, s.def.material.density), s.def.local));
+    parts.push_back(transformed(shapeMass(s.geometry, s.def.material.density, s.def.distribution.get()), s.def.local));
   }
   data.bodyFrameMass = combined(parts);
   data.localCentre = data.bodyFrameMass.mass > 0 ? data.bodyFrameMass.centre : Vec3{};
@@ -155,7 +157,11 @@ void Registry::updateMass(BodyIndex body, Vec3 origin) {
   for (ShapeIndex shape : bodies.shapes[body]) {
     ShapeData& s = shapes.data[shape];
     s.inCentreFrame = {s.def.local.position - data.localCentre, s.def.local.rotation};
-    s.middle = parts[part++].centre - data.localCentre;
+    // Of the solid shape, wherever the mass lies in it.
+    const Vec3 middle =
+        s.def.distribution ? transformPoint(s.def.local, shapeMass(s.geometry, 1).centre) : parts[part].centre;
+    part++;
+    s.middle = middle - data.localCentre;
     mass.innerRadius = std::min(mass.innerRadius, s.innerRadius);
     Vec3 centreInShape = transformPoint(inverse(s.inCentreFrame), Vec3{});
     mass.outerRadius = std::max(mass.outerRadius, outerRadius(s.geometry, centreInShape));

@@ -152,6 +152,13 @@ class SnapshotArchive {
     a.choice(s.def.material.restitutionRule, CombineRule::maximum);
     a.value(s.def.filter);
     a.value(s.def.userData);
+    bool uneven = s.def.distribution != nullptr;
+    a.flag(uneven);
+    if (!uneven) return;
+    MassProperties mass;
+    if constexpr (!Archive::kReading) mass = *s.def.distribution;
+    a.value(mass);
+    if constexpr (Archive::kReading) s.def.distribution = std::make_shared<const MassProperties>(mass);
   }
 
   // Each mesh once, however many shapes have it, in the order of the first of these shapes. Trees are built anew.

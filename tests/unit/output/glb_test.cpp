@@ -105,6 +105,31 @@ TEST(Glb, ColoursTellMeshesApartButShareTheirVertices) {
   EXPECT_NE(a["material"], b["material"]);
 }
 
+TEST(Glb, MortarOnABrickHasItsOwnColour) {
+  OutputFolder folder;
+  test::SyntheticTake take =
+      test::makeSyntheticTake({.courses = 1, .bricksPerCourse = 2, .frames = 2, .otherShapes = false});
+  for (std::size_t k : {2, 3}) {
+    take.bodies[k].material = "brick";
+    ShapeDef slab = take.bodies[k].shapes[0];
+    slab.halfExtents.y = 0.005;
+    take.bodies[k].shapes.push_back(slab);
+    take.bodies[k].shapeMaterials = {"brick", "mortar"};
+  }
+  take.bodies[3].colour = 0x112233;
+  TakeReader reader = test::opened(take, folder.file("a.take"));
+  ASSERT_TRUE(writeGlb(reader, folder.file("a.glb")));
+  Glb glb = readGlb(folder.file("a.glb"));
+  const json &nodes = glb.root["nodes"], &meshes = glb.root["meshes"];
+  const json &a = meshes[nodes[2]["mesh"].get<int>()]["primitives"],
+             &b = meshes[nodes[3]["mesh"].get<int>()]["primitives"];
+  ASSERT_EQ(a.size(), 2u);
+  EXPECT_NE(a[0]["material"], a[1]["material"]);
+  EXPECT_NE(a[0]["material"], b[0]["material"]);
+  EXPECT_EQ(a[1], b[1]);
+  EXPECT_EQ(glb.root["materials"][a[1]["material"].get<int>()]["name"], "mortar #A9A69F");
+}
+
 TEST(Glb, AnimationStaysWithinToleranceOfEveryFrameAndIsThinned) {
   OutputFolder folder;
   test::SyntheticTake take = test::makeSyntheticTake({});

@@ -32,6 +32,10 @@ std::string typeWords(const KeySpec& spec) {
       return "text";
     case K::material:
       return "name of a material";
+    case K::mortarKind:
+      return "name of a mortar";
+    case K::mortar:
+      return "name of a mortar or [" + fullName(spec) + "]";
     case K::colour:
       return "colour";
     case K::vector:
@@ -42,7 +46,11 @@ std::string typeWords(const KeySpec& spec) {
     case K::gravity:
       return "number or [x, y, z]";
     case K::brick:
-      return "text or [l, h, w]";
+      return "name of a brick or [l, h, w]";
+    case K::pair:
+      return "[a, b]";
+    case K::wholePair:
+      return "[a, b], whole";
     case K::points:
       return "[[x, y, z], ...]";
     case K::times:
@@ -72,7 +80,9 @@ std::string rangeWords(const KeySpec& spec) {
     case K::times:
       return "each " + rangeOf(spec);
     case K::brick:
-      return choices + ", or each " + rangeOf(spec);
+    case K::pair:
+    case K::wholePair:
+      return "each " + rangeOf(spec);
     case K::choice:
       return choices;
     case K::text:
@@ -129,7 +139,10 @@ std::string valueSchema(const KeySpec& spec, const std::string& indent) {
     case K::name:
       return "{\"type\": \"string\", \"minLength\": 1, \"maxLength\": 64}";
     case K::material:
+    case K::mortarKind:
       return "{\"type\": \"string\"}";
+    case K::mortar:
+      return "{\"anyOf\": [{\"type\": \"string\"}, " + tableSchema(fullName(spec), indent) + "]}";
     case K::choice:
       return "{\"enum\": [" + choices + "]}";
     case K::colour:
@@ -142,7 +155,11 @@ std::string valueSchema(const KeySpec& spec, const std::string& indent) {
     case K::gravity:
       return "{\"anyOf\": [" + number + ", " + arraySchema(number, 3, 3) + "]}";
     case K::brick:
-      return "{\"anyOf\": [{\"enum\": [" + choices + "]}, " + arraySchema(number, 3, 3) + "]}";
+      return "{\"anyOf\": [{\"type\": \"string\"}, " + arraySchema(number, 3, 3) + "]}";
+    case K::pair:
+      return arraySchema(number, 2, 2);
+    case K::wholePair:
+      return arraySchema(numberSchema(spec, true), 2, 2);
     case K::points:
       return arraySchema(arraySchema(number, 3, 3), 4, 64);
     case K::times:
