@@ -35,9 +35,9 @@ struct BreakEvent {
 struct MortarEvent {
   MortarId mortar;
   BodyId bodyA, bodyB;
-  Vec3 pointWorld;                      // m: the face's centre
-  MortarMode mode = MortarMode::none;   // that took more of it
-  double energy = 0;                    // J, spent on it so far
+  Vec3 pointWorld;                     // m: the face's centre
+  MortarMode mode = MortarMode::none;  // that took more of it
+  double energy = 0;                   // J, spent on it so far
   bool broken = false;
 };
 

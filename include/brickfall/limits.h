@@ -23,7 +23,7 @@ constexpr double kLargestAirDensity = 1e4;     // kg/m3
 constexpr double kLargestDensity = 1e7;        // kg/m3, of a material
 constexpr double kLargestFriction = 100;
 constexpr double kLeastHardness = 1e3, kLargestHardness = 1e13;  // Pa, of a material
-constexpr double kSmallestMass = 1e-15, kLargestMass = 1e15;  // kg, of a body that may move: sums in float hold it
+constexpr double kSmallestMass = 1e-15, kLargestMass = 1e15;     // kg, of a body that may move: sums in float hold it
 constexpr double kShortestTimeStep = 1e-5, kLongestTimeStep = 0.1;  // s, of a call of step
 constexpr double kLongestDelay = 1e6;                               // s, of sleepDelay
 constexpr double kLargestReach = 1e7;      // m: of queries and of points where forces act: whatever is not lost

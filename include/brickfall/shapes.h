@@ -18,8 +18,8 @@ constexpr int kShapeTypeCount = int(ShapeType::cone) + 1;  // a new one goes to 
 enum class CombineRule : std::uint8_t { geometricMean, average, minimum, multiply, maximum };
 
 struct Material {
-  double density = 1900;   // kg/m3, > 0; sets mass and inertia of dynamic bodies
-  double friction = 0.6;   // Coulomb coefficient, 0 .. 100
+  double density = 1900;  // kg/m3, > 0; sets mass and inertia of dynamic bodies
+  double friction = 0.6;  // Coulomb coefficient, 0 .. 100
   // Pa, 1e3 .. 1e13: the pressure at which a blow crushes it. Read where something round hits what mortar holds.
   double hardness = 60e6;
   double restitution = 0;  // rebound speed / impact speed, 0 .. 1; see SolverSettings::restitutionSpeed

@@ -93,9 +93,9 @@ struct StepLedger {
   BalanceChange
       renewed;  // elastic energy of contacts that remember otherwise without moving: overlap left by an impact
                 // begins to press (a tenth in each step), an impact ends, a sudden load is held in part
-  BalanceChange impacts;     // small islands, from the start of the step through its last impact: all that acted then;
-                             // and blows on what mortar holds
-  BalanceChange rebound;     // restitution of the others
+  BalanceChange impacts;  // small islands, from the start of the step through its last impact: all that acted then;
+                          // and blows on what mortar holds
+  BalanceChange rebound;  // restitution of the others
   double tensionFracture = 0, shearFracture = 0;  // J: part of `contacts`, spent on breaking mortar, by mode
   BalanceChange obstacles;   // bodies that stopped short of what they would pass through: they end, and turn, elsewhere
   BalanceChange balance;     // energy that a group of bodies had gained, taken back by the last check

@@ -22,7 +22,7 @@ struct Crush {
 };
 
 struct Blows {
-  explicit Blows(std::pmr::memory_resource* memory) : impacts(memory), crushes(memory) {}
+  explicit Blows(std::pmr::memory_resource* memory) : crushes(memory), impacts(memory) {}
   std::pmr::vector<Crush> crushes;      // of this step
   std::pmr::vector<TieImpact> impacts;  // of this step, to be told
   BalanceChange change;                 // of the bodies' momenta and energy

@@ -1,4 +1,5 @@
-// Chunks: bodies of an island in flight that breakable ties join, directly or through others. A chunk moves as one body.
+// Chunks: bodies of an island in flight that breakable ties join, directly or through others. A chunk moves as one
+// body.
 #pragma once
 #include <memory_resource>
 #include <vector>
@@ -23,8 +24,8 @@ class Chunks {
   const RigidWay* of(std::uint32_t body) const {
     return any() && chunkOf_[body] != kNone ? &ways_[chunkOf_[body]] : nullptr;
   }
-  // Starts the solve of each chunk from its motion. Its bodies' velocities are the ways of the last step, chords of their
-  // arcs: from these, firm ties would begin with forces a thousandfold theirs.
+  // Starts the solve of each chunk from its motion. Its bodies' velocities are the ways of the last step, chords of
+  // their arcs: from these, firm ties would begin with forces a thousandfold theirs.
   void start(Island& island, const StepContext& context) const;
 
  private:

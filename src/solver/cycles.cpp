@@ -43,8 +43,8 @@ void startMotion(Island& island, const StepContext& context) {
 //! - | too small: joints that break take more than their energy | too large: cost of steps in which much breaks
 constexpr int kPasses = 6;  // of a solve: so often it goes on
 
-// Quantities that are frozen in a solve follow what it found: rebounds by the impulse that stopped each impact, and caps
-// of what breaks. Nothing but this is then out of balance.
+// Quantities that are frozen in a solve follow what it found: rebounds by the impulse that stopped each impact, and
+// caps of what breaks. Nothing but this is then out of balance.
 bool renewFrozen(Island& island, const StepContext& context, int pass) {
   bool any = false;
   island.rows.eachKind([&](auto& kind) { any = kind.renewFrozen(island, context, pass) || any; });

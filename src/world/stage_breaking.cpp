@@ -1,5 +1,7 @@
-// Mortar crumbles whose energy is spent. Joints break that bore too much. A blow is told as its mean over the step. So what a joint bore is judged over the
-// same time whatever the step: its mean over kBreakTime, or the step if that is longer.
+// Ties break: mortar whose energy is spent, and joints that bore too much.
+//
+// A blow on a joint is told as its mean over the step. So what a joint bore is judged over the same time whatever the
+// step: its mean over kBreakTime, or the step if that is longer.
 #include <algorithm>
 
 #include "solver/mortar/law.h"
@@ -34,8 +36,6 @@ void tellBreak(JointIndex index, const Ties& ties, const Registry& registry, std
                  joint.force + joint.earlierForce,
                  joint.torque + joint.earlierTorque});
 }
-
-}  // namespace
 
 void breakJoints(const Registry& registry, double dt, Ties& ties, Diary& diary, Upkeep& upkeep) {
   if (!ties.joints.any()) return;
@@ -73,6 +73,13 @@ void crumbleMortar(const Registry& registry, Ties& ties, Diary& diary, Upkeep& u
     tell(index, true);
     upkeep.crumble(index);
   }
+}
+
+}  // namespace
+
+void breakTies(const Registry& registry, double dt, Ties& ties, Diary& diary, Upkeep& upkeep) {
+  breakJoints(registry, dt, ties, diary, upkeep);
+  crumbleMortar(registry, ties, diary, upkeep);
 }
 
 void hashBreaking(const Ties& ties, HashItems& out) {

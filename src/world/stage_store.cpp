@@ -81,7 +81,8 @@ void bookStore(const Registry& registry, const Activity& activity, const StepCon
   ledger.gravity.angular += inFlight;
   Balance now = s.moving(solvedBalance(activity.awake, bodies, context));
   double rebound = 0;
-  BalanceChange ofTies = tiesNow(activity.islands, context, s.now.elastic, rebound, ledger.tensionFracture, ledger.shearFracture);
+  BalanceChange ofTies =
+      tiesNow(activity.islands, context, s.now.elastic, rebound, ledger.tensionFracture, ledger.shearFracture);
   ledger.solve += now - s.now - s.push - supports - BalanceChange{{}, inFlight, ofTies.energy + rebound};
   ledger.rebound.energy += rebound;
   s.now = now;

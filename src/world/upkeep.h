@@ -30,8 +30,8 @@ class Upkeep {
   MortarIndex glue(const Mortar& mortar);
   void unglue(MortarIndex mortar);   // it was taken away
   void crumble(MortarIndex mortar);  // it broke: what it held may collide from now on
-  void relist(BodyIndex body);          // its velocity was set
-  void isolate(BodyIndex body);         // a quarantined body: out of all ties and of every list that the step walks
+  void relist(BodyIndex body);       // its velocity was set
+  void isolate(BodyIndex body);      // a quarantined body: out of all ties and of every list that the step walks
 
   void disturb(BodyIndex body);       // its state was changed from outside: wakes the body and unsettles its island
   void wakeIslandOf(BodyIndex body);  // if the body sleeps

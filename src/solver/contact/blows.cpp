@@ -91,8 +91,8 @@ std::pair<Vec3, Vec3> nearest(const Contact& c, const ContactGeometry& g, const 
   return {a.position + a.orientation * g.anchorA[i], b.position + b.orientation * g.anchorB[i]};
 }
 
-// Normals are those of the start of the step. Whether the body, as it moves now, comes as near to the place that it would
-// strike as it is large there: the other's point nearest to it now.
+// Normals are those of the start of the step. Whether the body, as it moves now, comes as near to the place that it
+// would strike as it is large there: the other's point nearest to it now.
 bool comesTo(BodyIndex body, BodyIndex other, Vec3 own, Vec3 place, const BodySet& bodies, double dt) {
   const BodyMotion &m = bodies.motion[body], &o = bodies.motion[other];
   const Vec3 from = m.position - place;

@@ -34,7 +34,8 @@ Impulse leftOver(const Island& island, std::size_t i) {
 Impulse fromTies(const Island& island, std::size_t i, const StepContext& context) {
   const BodyIndex body = island.bodies[i];
   const Impulse left = leftOver(island, i);
-  const Vec3 way = island.rigid.endOf(context.bodies->motion[body].position) + toDouble(island.motion[i].d) - context.free[body].d;
+  const Vec3 way =
+      island.rigid.endOf(context.bodies->motion[body].position) + toDouble(island.motion[i].d) - context.free[body].d;
   const Vec3 turn = toDouble(island.motion[i].th) - toDouble(island.masses[i].thFree);
   return {way * (context.bodies->mass[body].mass / island.dt) + left.linear,
           context.bodies->worldInertia(body) * turn * (1 / island.dt) + left.angular};

@@ -5,8 +5,8 @@
 //   cap  = S ft A / 4           S starts a step at (1 - D) / (1 + 2 D)
 //   arm  = 1 + 2 D              x the kern's: 1 intact, 3 at the corners
 //
-// the face bears a moment of (1 - D) ft W + N (t / 6 + D t / 3): it cracks at the true moment, and broken it rocks about
-// its edge.
+// the face bears a moment of (1 - D) ft W + N (t / 6 + D t / 3): it cracks at the true moment, and broken it rocks
+// about its edge.
 #pragma once
 #include "dynamics/mortar.h"
 

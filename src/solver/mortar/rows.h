@@ -34,10 +34,10 @@ struct MortarStart {
   float gapN[4] = {}, gap1[4] = {}, gap2[4] = {};        // m: displacements at the start
   float stiffness = 0;                                   // N/m, of a point, firm as it is
   float pressure = 0;                                    // N, of a point: mean of the last step; below 0: pull
-  float tougher = 1;  // x the fracture energy: what a blow crushes until the joint's force is reached
-  float left = 1;                                        // S: share of the caps that is left
-  float worn = 0;                                        // share of the fracture energy that this step takes
-  float pull = 0, shear = 0;                             // J: the same by mode
+  float tougher = 1;          // x the fracture energy: what a blow crushes until the joint's force is reached
+  float left = 1;             // S: share of the caps that is left
+  float worn = 0;             // share of the fracture energy that this step takes
+  float pull = 0, shear = 0;  // J: the same by mode
 };
 
 struct MortarRows : FaceRows {
