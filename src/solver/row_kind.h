@@ -51,7 +51,7 @@ concept ListsRows = requires(Kind& kind, const Kind& seen, std::size_t k, std::u
 template <class Kind>
 concept HoldsBodies = requires(const Kind& seen, std::size_t k, Vec3 direction, Vec3f way, bool onB, double dt,
                                const EndChanges& change, const StepSpan& span, const SolveMotion* motion,
-                               const StepContext& context, FrictionAlong& friction, Vec3& moved, Ties& ties) {
+                               const StepContext& context, FrictionAlong& friction, Ties& ties) {
   // Its bodies are one group in this step: they fly, slide and rest together. A contact ties while it carries force, a
   // joint always.
   { seen.ties(k, context) } -> std::same_as<bool>;
@@ -65,7 +65,6 @@ concept HoldsBodies = requires(const Kind& seen, std::size_t k, Vec3 direction, 
   { seen.wouldMeet(k, change, change, dt) } -> std::same_as<bool>;
   { seen.meetsWithin(k, way, motion, context) } -> std::same_as<bool>;
   seen.addFriction(k, direction, onB, context, friction);
-  seen.keepApart(k, onB, direction, motion, moved);  // for a body that will turn less than was solved
   seen.letGo(ties);
 };
 

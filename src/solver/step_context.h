@@ -116,6 +116,13 @@ struct SolveStatistics {
   }
 };
 
+// What a body has gone of its step before its island is solved for the rest.
+struct FlownAhead {
+  double share = 0;  // of the step: flown to near what it meets, seen from what drives its island (world/fly_ahead.h)
+  Vec3 frame;        // m/s: of what drives its island
+  double left = 1;   // of the step: what its way is still to be gone in
+};
+
 struct StepContext {
   double dt = 0;
   double part = 1;     // dt / dt of the substep that this step is a part of (heavy_hits.h)
@@ -130,10 +137,10 @@ struct StepContext {
   std::pmr::memory_resource* memory = std::pmr::get_default_resource();  // for all scratch of a step
   std::vector<FreeMotion> free;                                          // by body slot
   std::vector<SolvedMotion> solved;                                      // by body slot
-  std::vector<double> ahead;  // by body slot: the share of the step that it has flown already (world/fly_ahead.h)
+  std::vector<FlownAhead> ahead;                                         // by body slot
   SolveStatistics statistics;
 
-  double aheadOf(BodyIndex body) const { return body < ahead.size() ? ahead[body] : 0; }
+  double aheadOf(BodyIndex body) const { return body < ahead.size() ? ahead[body].share : 0; }
 };
 
 }  // namespace brickfall

@@ -4,6 +4,7 @@
 
 #include "geometry/queries.h"
 #include "solver/free_motion.h"
+#include "solver/step_context.h"
 
 namespace brickfall {
 
@@ -72,7 +73,7 @@ double coreWayOnArc(const ShapeData& moving, const Sweep& way, const ShapeData& 
 
 }  // namespace
 
-double coreWay(const ShapeData& moving, const Sweep& way, const ShapeData& still, const Sweep& of) {
+double coreWay(const ShapeData& moving, const Sweep& way, const ShapeData& still, const Sweep& of, bool* held) {
   Transform pose = of.start * still.inCentreFrame, back = inverse(pose);
   Vec3 from = transformPoint(way.start, moving.middle);
   // Among debris that flies along together, most shapes nearby are out of reach. First their extent shows it, then
@@ -87,6 +88,7 @@ double coreWay(const ShapeData& moving, const Sweep& way, const ShapeData& still
   core.radius = radius;
   // Half the distance: however often the body is stopped there, the core never reaches the other shape.
   double apart = shapeDistance(still.geometry, core, coreInOther).distance, target = core.radius;
+  if (held) *held = apart < (1 + 1e-3) * core.radius;
   if (!(apart > 0)) {  // pressed in: at least its centre must stay outside
     core.radius = 0;
     apart = shapeDistance(still.geometry, core, coreInOther).distance;
@@ -97,6 +99,24 @@ double coreWay(const ShapeData& moving, const Sweep& way, const ShapeData& still
   if (way.turns || of.turns) return coreWayOnArc(moving, way, still, of, core, target);
   Vec3 motion = rotate(back.rotation, way.way - of.way);
   return timeOfImpact(still.geometry, core, coreInOther, motion, target).value_or(1);
+}
+
+double clearWay(const ShapeData& a, const Sweep& wayA, const ShapeData& b, const Sweep& wayB) {
+  auto depthAt = [&](double share) {
+    return penetrationDepth(a.geometry, b.geometry,
+                            inverse(wayA.at(share) * a.inCentreFrame) * (wayB.at(share) * b.inCentreFrame));
+  };
+  const double end = depthAt(1);
+  if (!(end > 0)) return 1;
+  const double thinner = std::min(a.innerRadius, b.innerRadius), had = depthAt(0);
+  const double most = had + kNearlyClosed * lengthScale(a.innerRadius, b.innerRadius);
+  if (!(end > most) || had > kCoreShare * thinner) return 1;  // what is pressed in, contacts push out
+  double share = 0, beyond = 1;
+  for (int k = 0; k < kMostLooks; k++) {
+    const double middle = 0.5 * (share + beyond);
+    (depthAt(middle) > most ? beyond : share) = middle;
+  }
+  return share;
 }
 
 }  // namespace brickfall

@@ -46,7 +46,13 @@ Sweep sweepOf(const BodySet& bodies, BodyIndex body, Vec3 way, Vec3 turn);
 Aabb sweptBounds(const ShapeData& shape, const Sweep& own);
 
 // Share of its way that the core of `moving` gets past `still`. A turning shape is seen from its own frame: the way
-// then leads to the core's last place in that frame.
-double coreWay(const ShapeData& moving, const Sweep& way, const ShapeData& still, const Sweep& of);
+// then leads to the core's last place in that frame. Sets `held`: the core begins where it would have been stopped
+// before.
+double coreWay(const ShapeData& moving, const Sweep& way, const ShapeData& still, const Sweep& of,
+               bool* held = nullptr);
+
+// Share of their ways after which two shapes, of which one turns, are no deeper in each other than they began: all of
+// them, if they are not so at the end.
+double clearWay(const ShapeData& a, const Sweep& wayA, const ShapeData& b, const Sweep& wayB);
 
 }  // namespace brickfall

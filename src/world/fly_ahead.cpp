@@ -19,13 +19,19 @@ constexpr double kShortOf = 0.1;
 
 class FlightAhead {
  public:
-  FlightAhead(const Registry& registry, const Proximity& proximity, const StepContext& context)
-      : registry_(registry), proximity_(proximity), context_(context) {}
+  FlightAhead(const Registry& registry, const Proximity& proximity, const StepContext& context, const Island& island)
+      : registry_(registry), proximity_(proximity), context_(context) {
+    for (BodyIndex partner : island.partners)
+      if (registry.bodies.isDriven(partner)) frame_ = registry.bodies.motion[partner].linearVelocity;
+  }
+
+  // m/s: flights are seen from what moves at this velocity.
+  Vec3 frame() const { return frame_; }
 
   // Share of the step that the body may fly: 0 if that is not worth it.
   double shareOf(BodyIndex body) const {
     const BodyMass& mass = registry_.bodies.mass[body];
-    const Vec3 way = registry_.bodies.motion[body].linearVelocity * context_.dt;
+    const Vec3 way = (registry_.bodies.motion[body].linearVelocity - frame_) * context_.dt;
     const double least = kFarWay * mass.outerRadius;
     if (!(lengthSquared(way) > least * least)) return 0;
     double share = 1;
@@ -57,14 +63,13 @@ class FlightAhead {
     return share;
   }
 
-  // From where the other is, and from where it goes: each of the two may be moved before the other.
+  // From where the other is, and from where it goes: each of the two may be moved before the other. What drives the
+  // island stays where it is.
   double untilNear(const ShapeData& other, const Shape& ball, Vec3 at, Vec3 way, double apart) const {
     const BodySet& bodies = registry_.bodies;
     const BodyMotion& m = bodies.motion[other.body];
-    const bool dynamic = bodies.data[other.body].type == BodyType::dynamic;
-    if (bodies.isDriven(other.body)) return 0;
-    if (dynamic && turnsFar(bodies, other.body, m.angularVelocity * context_.dt)) return 0;
-    const Vec3 othersWay = dynamic ? m.linearVelocity * context_.dt : Vec3{};
+    if (turnsFar(bodies, other.body, m.angularVelocity * context_.dt)) return 0;
+    const Vec3 othersWay = (m.linearVelocity - frame_) * context_.dt;
     const Transform back = inverse(bodies.pose(other.body) * other.inCentreFrame);
     const Transform ballInOther{transformPoint(back, at), {}};
     auto until = [&](Vec3 motion) {
@@ -76,11 +81,13 @@ class FlightAhead {
   const Registry& registry_;
   const Proximity& proximity_;
   const StepContext& context_;
+  Vec3 frame_;
 };
 
-void fly(BodyIndex body, double dt, BodySet& bodies, StepContext& context) {
+void fly(BodyIndex body, double dt, Vec3 frame, BodySet& bodies, StepContext& context) {
   predictFreeMotion(context, bodies, body, dt, false);
   storeFreeBody(body, dt, context);
+  shift(body, frame * -dt, {}, context);
   moveBody(body, bodies, context);
 }
 
@@ -88,13 +95,15 @@ void fly(BodyIndex body, double dt, BodySet& bodies, StepContext& context) {
 
 void flyAhead(const Island& island, Registry& registry, Proximity& proximity, Ties& ties, StepContext& context,
               StepReport& report) {
-  const FlightAhead ahead(registry, proximity, context);
-  bool any = false;
-  for (BodyIndex body : island.bodies) any = (context.ahead[body] = ahead.shareOf(body)) > 0 || any;
-  if (!any) return;
+  const FlightAhead ahead(registry, proximity, context, island);
+  auto moved = [&](BodyIndex body) { return context.aheadOf(body) > 0; };
+  for (BodyIndex body : island.bodies) {
+    const double share = ahead.shareOf(body);
+    context.ahead[body] = {share, ahead.frame(), 1 - share};
+  }
+  if (std::none_of(island.bodies.begin(), island.bodies.end(), moved)) return;
   for (BodyIndex body : island.bodies)
-    if (context.ahead[body] > 0) fly(body, context.ahead[body] * context.dt, registry.bodies, context);
-  auto moved = [&](BodyIndex body) { return context.ahead[body] > 0; };
+    if (moved(body)) fly(body, context.aheadOf(body) * context.dt, ahead.frame(), registry.bodies, context);
   NarrowPhase narrow(registry, context.dt, proximity, ties.contacts);
   island.rows.eachManifold([&](ContactIndex contact) {
     const Contact& c = ties.contacts.contacts[contact];

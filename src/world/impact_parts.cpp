@@ -60,13 +60,18 @@ Vec3 ImpactParts::turnOf(BodyIndex body) const {
 
 bool ImpactParts::runThrough(const Island& island, double dt, const Proximity& proximity) const {
   const BodySet& bodies = registry_.bodies;
+  auto isDynamic = [&](BodyIndex body) { return bodies.data[body].type == BodyType::dynamic; };
+  // Others may be at another moment of their step: they are looked for where they are at that of the island.
+  auto leftOf = [&](BodyIndex body) { return context_.ahead[body].left; };
+  const double left = leftOf(island.bodies[0]);
   auto wayOf = [&](BodyIndex body) {
     if (std::binary_search(island.bodies.begin(), island.bodies.end(), body))
       return sweepOf(bodies, body, context_.solved[body].d, context_.solved[body].th);
     const BodyMotion& m = bodies.motion[body];
-    return sweepOf(bodies, body, m.linearVelocity * dt, m.angularVelocity * dt);
+    Sweep way = sweepOf(bodies, body, m.linearVelocity * dt, m.angularVelocity * dt);
+    if (isDynamic(body)) way.start.position += m.linearVelocity * (leftOf(body) - left) * context_.dt;
+    return way;
   };
-  auto isDynamic = [&](BodyIndex body) { return bodies.data[body].type == BodyType::dynamic; };
   auto meets = [&](ShapeIndex shape, const Sweep& own) {
     const ShapeData& s = registry_.shapes.data[shape];
     bool met = false;

@@ -16,6 +16,7 @@
 #include "world/fly_ahead.h"
 #include "world/hits.h"
 #include "world/impact_parts.h"
+#include "world/keep_out.h"
 #include "world/move_body.h"
 #include "world/narrow_phase.h"
 #include "world/stage_hash.h"
@@ -89,6 +90,7 @@ bool ImpactWalk::goTo(Island& island, double dt, bool toImpact) {
   IslandTrial trial(island, ties_, bodies_);
   SolveStatistics tried;
   solve(island, dt, toImpact, tried);
+  if (!toImpact && keepOut(island, registry_, context_)) tried.energyTaken += balanceIsland(island, context_);
   bool fine = solvedWell(island, context_) && !parts_.runThrough(island, dt, proximity_);
   if (fine) advanceRows(island, ties_, context_);
   for (BodyIndex body : island.bodies) fine = fine && moveBody(body, bodies_, context_);
@@ -128,6 +130,7 @@ void ImpactWalk::run(Island& island) {
     if (way > blink) {
       if (!goTo(island, way, ahead)) break;
       left -= way;
+      for (BodyIndex body : island.bodies) context_.ahead[body].left = left / context_.dt;
     }
     if (next <= part && !impact(island)) break;
   }
@@ -140,7 +143,7 @@ void meetImpacts(const WorldDef& def, Registry& registry, IslandSet& islands, Pr
                  StepContext& context, StepReport& report, Events& events) {
   context.free.resize(registry.bodies.slots());
   context.solved.resize(registry.bodies.slots());
-  context.ahead.assign(registry.bodies.slots(), 0);
+  context.ahead.assign(registry.bodies.slots(), {});
   ties.beginStep();
   ImpactWalk walk(def, registry, proximity, ties, context, report, events);
   for (IslandPointer& island : islands.awake) {

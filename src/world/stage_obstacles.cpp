@@ -1,20 +1,23 @@
-// What the contacts of a step can't see: they are found along the velocities before it, with normals and arms that stay
-// as they are. A body that a hit throws somewhere else, or spins through most of a turn, or that a force accelerates
-// from rest, could end the step behind something thin. So the core of every fast body, a ball a fourth as thick as its
-// shape, is swept along the way that the solve found, against the ways of the others. Where it would enter something,
-// or run over the core of something smaller, the two go on together for the rest of the step. So debris that flies
-// along together never stands still. Before a fixed thing the body stops; what a kinematic body runs into is taken
-// along. What is long and turns is looked at in its own frame, where ways are arcs, in parts of 0.1 rad. A body that
-// contacts would spin too far in one step first has its turn cut. Velocities stay: the next step finds the contact and
-// does the rest.
+// Things that the contacts of a step can't see: they are found along the velocities before it, with normals and arms
+// that stay as they are. A body that a hit throws somewhere else, or spins through most of a turn, or that a force
+// accelerates from rest, could end the step behind something thin, or in it. So first what turned far is kept out of
+// what it touches (keep_out.h). Then the core of every fast body, a ball a fourth as thick as its shape, is swept along
+// the way that the solve found, against the ways of the others. Where it would enter something, or run over the core of
+// something smaller, the two go on together for the rest of the step. So debris that flies along together never stands
+// still. Before a fixed thing the body stops; what a kinematic body runs into is taken along. What is long and turns is
+// looked at in its own frame, where ways are arcs, in parts of 0.2 rad; if it flies, all of it is looked at where it
+// ends. Velocities stay, so that the next step finds the contact and does the rest. If it does not, the two go on as
+// one body.
 #include <algorithm>
 #include <cmath>
 
 #include "solver/finish/motion.h"
 #include "solver/free_motion.h"
+#include "solver/rigid_sum.h"
 #include "world/activity.h"
 #include "world/core_sweep.h"
 #include "world/diary.h"
+#include "world/keep_out.h"
 #include "world/proximity.h"
 #include "world/stage_hash.h"
 #include "world/stages.h"
@@ -38,13 +41,16 @@ struct Motion {
 };
 
 struct Obstruction {
-  double share = 1;           // of a way: where it ends
-  double turnShare = 1;       // of the turn
+  double share = 1;           // of the step: when a way ends
+  double turnShare = 1;       // of the step: when the turn does
+  bool turned = false;        // not its core: its end, which turned into it
+  bool held = false;          // its core began the step where it was stopped before
   BodyIndex body = kNoIndex;  // what ends it
   Vec3 carried;               // m: how far that takes along, from there, what does not get past it
 };
 
 struct Obstacles {
+  const Registry& registry;
   const BodySet& bodies;
   const ShapeSet& shapes;
   const BroadPhase& broadPhase;
@@ -57,20 +63,23 @@ struct Obstacles {
   // Bodies that go the same way: a group that flies, or one body that is supported.
   struct Group {
     double mass = 0;
-    Vec3 way, velocity;  // m in this step, m/s: of the centre of mass
+    Vec3 way, velocity;  // m in what is left of the step, m/s: of the centre of mass
+    Vec3 pace;           // m: its way if all of the step were left
     bool flies = false;
   };
   bool moves(BodyIndex body) const;
+  double leftOf(BodyIndex body) const;
+  double shareLeft(BodyIndex body, double share) const;
+  Vec3 framesWay(BodyIndex body) const;
   Group groupOf(BodyIndex body) const;
   bool goTogether(BodyIndex body, BodyIndex other) const;
   void divert(BodyIndex body, const Group& group, Vec3 way, double turnShare);
   void meet(BodyIndex body, const Obstruction& first);
   void stopAll();
-  double turnLeft(BodyIndex body) const;
-  void cutTurns(const Island& island);
   void takeBack(BodyIndex body);
   void stop(BodyIndex body);
   bool hold(BodyIndex body, bool everything, double thickness);
+  void joinMotions(BodyIndex one, BodyIndex other);
   void obstruct(ShapeIndex shape, bool everything, double thickness, Obstruction& first) const;
   const Island* islandWith(BodyIndex body) const;
   Motion motionOf(BodyIndex body) const;
@@ -125,57 +134,9 @@ bool Obstacles::isThick(BodyIndex body) const {
   return bodies.mass[body].innerRadius > kThick * bodies.mass[body].outerRadius;
 }
 
-// The share of its turn that a body in contact is left: as far as frozen arms are true, and no less than it turned
-// before.
-double Obstacles::turnLeft(BodyIndex body) const {
-  const SolvedMotion& s = context.solved[body];
-  if (s.rest || s.freeTurn || !isFinite(s.d)) return 1;
-  const FreeMotion& free = context.free[body];
-  auto visible = [&](Vec3 th) { return length(visibleTurn(bodies.mass[body], bodies.motion[body].orientation, th)); };
-  const double turn = visible(s.th), had = visible(free.th) * free.seen;
-  const double most = std::min(kLargestTurn, std::max(kMostTurn, had));
-  return turn > most ? most / turn : 1;
-}
-
-// Cuts turns that contacts made too large, and of the ways what keeps the contacts' points as far apart as they were
-// solved: a brick that slides and spins slides on. A group that flies loses way against its centre of mass instead, and
-// only where a point would end deeper.
-void Obstacles::cutTurns(const Island& island) {
-  struct Cut {
-    double share = 1;  // of the turn
-    Vec3 less, way;    // rad that it turns less; m that this adds to its way
-  };
-  const std::size_t count = island.bodies.size();
-  std::pmr::vector<Cut> cuts(context.memory);  // by body, if there is any
-  for (std::size_t i = 0; i < count; i++) {
-    const BodyIndex body = island.bodies[i];
-    const double share = turnLeft(body);
-    if (share == 1) continue;
-    cuts.resize(count);
-    cuts[i] = {share, context.solved[body].th * (1 - share), {}};
-  }
-  if (cuts.empty()) return;
-  for (int sweep = 0; sweep < 3; sweep++)  // a body has few contacts
-    island.rows.each([&](const auto& kind, std::size_t k) {
-      const RowEnds ends = kind.ends(k);
-      for (const bool ofB : {false, true}) {
-        const std::uint32_t i = ofB ? ends.b : ends.a;
-        if (i < count && cuts[i].share < 1) kind.keepApart(k, ofB, cuts[i].less, island.motion.data(), cuts[i].way);
-      }
-    });
-  for (std::size_t i = 0; i < count; i++) {
-    const BodyIndex body = island.bodies[i];
-    if (!(cuts[i].share < 1)) continue;
-    if (context.solved[body].flying && cuts[i].way != Vec3{})
-      divert(body, groupOf(body), {}, cuts[i].share);
-    else
-      shorten(body, 1, cuts[i].share, cuts[i].way, false, context);
-  }
-}
-
 // The share of the step that the body flew before it was solved.
 void Obstacles::takeBack(BodyIndex body) {
-  if (context.ahead[body] > 0 && !context.solved[body].rest) takeBackAhead(body, context);
+  if (context.ahead[body].share > 0 && !context.solved[body].rest) takeBackAhead(body, context);
 }
 
 void Obstacles::stop(BodyIndex body) {
@@ -198,14 +159,51 @@ bool Obstacles::hold(BodyIndex body, bool everything, double thickness) {
   changed = true;
   const bool elsewhere = context.solved[body].freeTurn && first.turnShare < 1;
   if (bodies.data[first.body].type != BodyType::dynamic)
-    cut(body, first.share, first.turnShare, first.carried);
+    cut(body, shareLeft(body, first.share), shareLeft(body, first.turnShare), first.carried);
   else
     meet(body, first);
+  if (first.held && bodies.data[first.body].type == BodyType::dynamic) joinMotions(body, first.body);
   return elsewhere;
+}
+
+// Contacts have not parted two bodies where they were stopped before. Their velocities would lead nowhere, step for
+// step: from now on the two go on as one body, and their momenta stay.
+void Obstacles::joinMotions(BodyIndex one, BodyIndex other) {
+  if (!moves(other)) return;
+  auto placeOf = [&](BodyIndex b) { return bodies.motion[b].position + context.solved[b].d; };
+  auto inertiaOf = [&](BodyIndex b) {
+    const Mat3 end = toMatrix(rotationAtEnd(b, context));
+    return end * bodies.mass[b].inertia * transpose(end);
+  };
+  RigidSum sum(placeOf(one));
+  for (BodyIndex b : {one, other}) {
+    const SolvedMotion& s = context.solved[b];
+    sum.add(bodies.mass[b].mass, placeOf(b), inertiaOf(b), s.velocity * bodies.mass[b].mass, s.angularMomentum);
+  }
+  const Vec3 centre = sum.centre(), move = sum.velocity(), spin = sum.spin();
+  for (BodyIndex b : {one, other}) {
+    const SolvedMotion& s = context.solved[b];
+    accelerate(b, move + cross(spin, placeOf(b) - centre) - s.velocity, inertiaOf(b) * spin - s.angularMomentum,
+               context);
+  }
 }
 
 bool Obstacles::moves(BodyIndex body) const {
   return bodies.data[body].activity == BodyActivity::awake && !context.solved[body].rest;
+}
+
+// Of the step, for the body's way: islands go through impacts, and bodies fly ahead, each on its own.
+double Obstacles::leftOf(BodyIndex body) const { return std::max(1e-6, context.ahead[body].left); }
+
+// Of that way, at a moment of the step.
+double Obstacles::shareLeft(BodyIndex body, double share) const {
+  const double left = leftOf(body);
+  return share < 1 ? std::max(0.0, (share - (1 - left)) / left) : 1;
+}
+
+// m: the part of its way that only takes it out of the frame in which it flew ahead.
+Vec3 Obstacles::framesWay(BodyIndex body) const {
+  return context.ahead[body].frame * (context.ahead[body].share * context.dt);
 }
 
 Obstacles::Group Obstacles::groupOf(BodyIndex body) const {
@@ -216,6 +214,7 @@ Obstacles::Group Obstacles::groupOf(BodyIndex body) const {
     const double m = bodies.mass[b].mass;
     out.mass += m;
     out.way += context.solved[b].d * m;
+    out.pace += (context.solved[b].d - framesWay(b)) * (m / leftOf(b));
     out.velocity += context.solved[b].velocity * m;
   };
   if (const Island* island = islandWith(body))
@@ -223,6 +222,7 @@ Obstacles::Group Obstacles::groupOf(BodyIndex body) const {
   else
     add(body);
   out.way = out.way * (1 / out.mass);
+  out.pace = out.pace * (1 / out.mass);
   out.velocity = out.velocity * (1 / out.mass);
   return out;
 }
@@ -261,26 +261,26 @@ void Obstacles::divert(BodyIndex body, const Group& group, Vec3 way, double turn
 // relative velocity, so neither the centre of mass nor a momentum changes. Else the faster follows the slower, and what
 // is far lighter the heavier one.
 void Obstacles::meet(BodyIndex body, const Obstruction& first) {
-  // What of a group's way lies along its velocity.
+  // What of a group's pace lies along its velocity.
   auto endOf = [](const Group& g) {
     const double size2 = lengthSquared(g.velocity);
-    return size2 > 0 ? g.velocity * (dot(g.way, g.velocity) / size2) : Vec3{};
+    return size2 > 0 ? g.velocity * (dot(g.pace, g.velocity) / size2) : Vec3{};
   };
+  const double turnShare = shareLeft(body, first.turnShare);
   if (goTogether(body, first.body)) {
-    const double share = std::min(first.share, first.turnShare);
-    if (!isThick(body) || !isThick(first.body)) divert(body, groupOf(body), {}, share);
+    const double share = std::min(shareLeft(body, first.share), turnShare);
+    if (first.turned || !isThick(body) || !isThick(first.body)) divert(body, groupOf(body), {}, share);
     return;
   }
   const Group a = groupOf(body), b = groupOf(first.body);
   const double rest = 1 - first.share;
   const bool otherTurns = turnsFar(bodies, first.body, motionOf(first.body).turn);
-  const double otherShare = otherTurns ? first.share : 1;
-  if (last || (a.flies && b.flies && (context.ahead[body] > 0 || context.ahead[first.body] > 0))) {
-    // One has flown ahead, so their ways are not of one time, or nobody looks where a new way leads: each ends its own.
-    divert(body, a, endOf(a) * -rest, first.turnShare);
+  const double otherShare = otherTurns ? shareLeft(first.body, first.share) : 1;
+  if (last) {  // nobody looks where a new way leads: each ends its own
+    divert(body, a, endOf(a) * -rest, turnShare);
     return divert(first.body, b, endOf(b) * -rest, otherShare);
   }
-  Vec3 toB = (b.way - a.way) * rest;  // what the body needs to go with the other
+  Vec3 toB = (b.pace - a.pace) * rest;  // what the body needs to go with the other
   double shareOfA = 1, shareOfB = 0;
   if (a.flies && b.flies) {
     const Vec3 relative = b.velocity - a.velocity;
@@ -289,14 +289,13 @@ void Obstacles::meet(BodyIndex body, const Obstruction& first) {
     shareOfA = b.mass / (a.mass + b.mass);
     shareOfB = 1 - shareOfA;
   } else if (!farHeavier(first.body, body) &&
-             (farHeavier(body, first.body) || lengthSquared(a.way) < lengthSquared(b.way))) {
+             (farHeavier(body, first.body) || lengthSquared(a.pace) < lengthSquared(b.pace))) {
     shareOfA = 0, shareOfB = 1;
   }
-  divert(body, a, toB * shareOfA, first.turnShare);
+  divert(body, a, toB * shareOfA, turnShare);
   if (moves(first.body)) divert(first.body, b, toB * -shareOfB, otherShare);
 }
 
-// All turns are cut before anything is looked for: a body is held against the ways that others will go.
 void Obstacles::stopAll() {
   auto each = [&](void (Obstacles::*act)(BodyIndex)) {
     for (const IslandPointer& island : islands.awake)
@@ -304,9 +303,9 @@ void Obstacles::stopAll() {
         for (BodyIndex body : island->bodies) (this->*act)(body);
     for (BodyIndex body : islands.single) (this->*act)(body);
   };
-  for (const IslandPointer& island : islands.awake)
-    if (!island->resting()) cutTurns(*island);
   each(&Obstacles::takeBack);
+  for (const IslandPointer& island : islands.awake)
+    if (!island->resting()) keepOut(*island, registry, context);
   for (int look = 0; look < kLooks; look++) {
     changed = false;
     last = look + 1 == kLooks;
@@ -318,34 +317,54 @@ void Obstacles::stopAll() {
 // The first thing on a body's way, for one shape of the body. `everything`: it may be the other that does the moving.
 void Obstacles::obstruct(ShapeIndex shape, bool everything, double thickness, Obstruction& first) const {
   auto wayOf = [&](BodyIndex body) {
-    Motion m = motionOf(body);
+    const Motion m = motionOf(body);
     return sweepOf(bodies, body, m.way, m.turn);
   };
+  // Its way from a moment of the step on, as it goes it in what is left of its own.
+  auto wayFrom = [&](BodyIndex body, double from) {
+    Sweep way = wayOf(body);
+    const Vec3 real = way.way - framesWay(body);
+    const double done = (from - 1 + leftOf(body)) / leftOf(body);
+    way.start.position += framesWay(body) + real * done;
+    way.way = real * (1 - done);
+    way.turn *= 1 - done;
+    return way;
+  };
   const ShapeData& s = shapes.data[shape];
-  Sweep own = wayOf(s.body);
-  Vec3 d = own.way;
+  const Sweep all = wayOf(s.body);
   // A turn moves no core that is at the centre. Where the end of a body is pressed in, the turn gets it out.
   bool centred = length(s.middle) < 0.5 * kCoreShare * s.innerRadius;
-  broadPhase.query(sweptBounds(s, own), [&](std::uint32_t other) {
+  broadPhase.query(sweptBounds(s, all), [&](std::uint32_t other) {
     const ShapeData& o = shapes.data[other];
     if (o.body == s.body || !filtersAllow(s.def.filter, o.def.filter)) return true;
     if (!context.ties->mayCollide(s.body, o.body)) return true;
     BodyType type = bodies.data[o.body].type;
     const bool fly = context.solved[s.body].flying && type == BodyType::dynamic && context.solved[o.body].flying;
     if (type == BodyType::dynamic && !fly && farHeavier(s.body, o.body)) return true;
-    Sweep way = wayOf(o.body);
-    Vec3 motion = d - way.way;
-    bool turns = own.turns || way.turns;
-    if (!turns && !exceeds(everything || type == BodyType::kinematic ? motion : d, thickness)) return true;
-    double share = coreWay(s, own, o, way);
+    const bool both = type == BodyType::dynamic && moves(o.body);  // from when both have a way to go
+    const double from = 1 - (both ? std::min(leftOf(s.body), leftOf(o.body)) : leftOf(s.body));
+    const Sweep own = both ? wayFrom(s.body, from) : all, way = both ? wayFrom(o.body, from) : wayOf(o.body);
+    const Vec3 motion = own.way - way.way;
+    const bool turns = own.turns || way.turns;
+    if (!turns && !exceeds(everything || type == BodyType::kinematic ? motion : own.way, thickness)) return true;
+    bool held = false, heldOver = false;
+    double share = coreWay(s, own, o, way, &held);
     double turnShare = centred ? 1 : share;
     if (type == BodyType::dynamic && (turns || exceeds(motion, o.innerRadius))) {
-      double over = coreWay(o, way, s, own);
+      double over = coreWay(o, way, s, own, &heldOver);
+      held = over < share ? heldOver : held;
       share = std::min(share, over), turnShare = std::min(turnShare, over);
     }
-    if (own.turns) first.turnShare = std::min(first.turnShare, turnShare);
-    if (!(share < first.share)) return true;
-    first.share = share, first.body = o.body;
+    bool turned = false;
+    if (turns && context.solved[s.body].flying) {
+      const double clear = clearWay(s, own, o, way);
+      turned = clear < share;
+      share = std::min(share, clear), turnShare = std::min(turnShare, clear);
+    }
+    auto ofStep = [&](double part) { return part < 1 ? from + part * (1 - from) : 1; };
+    if (own.turns) first.turnShare = std::min(first.turnShare, ofStep(turnShare));
+    if (!(ofStep(share) < first.share)) return true;
+    first.share = ofStep(share), first.body = o.body, first.held = held && !turned, first.turned = turned;
     first.carried = way.carry(transformPoint(own.at(share), s.middle), share);
     return true;
   });
@@ -355,7 +374,8 @@ void Obstacles::obstruct(ShapeIndex shape, bool everything, double thickness, Ob
 
 void stopAtObstacles(const Registry& registry, const Activity& activity, const Proximity& proximity,
                      StepContext& context) {
-  Obstacles{registry.bodies, registry.shapes, *proximity.broadPhase, activity, activity.islands, context}.stopAll();
+  Obstacles{registry, registry.bodies, registry.shapes, *proximity.broadPhase, activity, activity.islands, context}
+      .stopAll();
 }
 
 void hashObstacles(const IslandSet& islands, const StepContext& context, HashItems& out) {

@@ -175,14 +175,16 @@ double energyOf(const RandomWorld& r) {
          mass * (0.5 * lengthSquared(r.drive) + dot(r.world.gravity(), r.drive) * r.world.time());
 }
 
-// The centre went from above what is thrown at to below it, through its face.
-bool passes(const RandomWorld& r, Vec3 before, Vec3 now, double time) {
-  before -= r.drive * (time - r.dt), now -= r.drive * time;
+// The centre went from above what is thrown at to below it, through its face: along the chord of the step, and where it
+// comes from by its velocity at the end. What a hit throws over the edge goes round it.
+bool passes(const RandomWorld& r, Vec3 before, Vec3 now, Vec3 velocity, double time) {
+  before -= r.drive * (time - r.dt), now -= r.drive * time, velocity -= r.drive;
   const double level = -r.halfExtents.y;
   if (!(before.y > level && now.y <= level)) return false;
   if (r.halfExtents == Vec3{}) return true;
-  Vec3 at = before + (now - before) * ((before.y - level) / (before.y - now.y));
-  return std::fabs(at.x) < r.halfExtents.x && std::fabs(at.z) < r.halfExtents.z;
+  auto inside = [&](Vec3 at) { return std::fabs(at.x) < r.halfExtents.x && std::fabs(at.z) < r.halfExtents.z; };
+  return inside(before + (now - before) * ((before.y - level) / (before.y - now.y))) &&
+         (!(velocity.y < 0) || inside(now + velocity * ((level - now.y) / velocity.y)));
 }
 
 double deepest(const RandomWorld& r) {
@@ -232,9 +234,9 @@ RandomOutcome runWorld(RandomWorld& r) {
     out.linear = std::max(out.linear, length(r.world.linearMomentum() - p) / momentum);
     out.angular = std::max(out.angular, length(r.world.angularMomentum() - l) / angular);
     for (std::size_t k = 0; k < r.bodies.size(); k++) {
-      Vec3 now = r.world.state(r.bodies[k])->centreOfMass;
-      if (r.target && passes(r, before[k], now, r.world.time())) through[k] = 1;
-      before[k] = now;
+      const BodyState now = *r.world.state(r.bodies[k]);
+      if (r.target && passes(r, before[k], now.centreOfMass, now.linearVelocity, r.world.time())) through[k] = 1;
+      before[k] = now.centreOfMass;
     }
     if (i == r.steps / 2) deepBefore = deepest(r);
   }

@@ -11,7 +11,7 @@ namespace {
 using namespace test;
 
 TEST(Regression, BricksDroppedIntoAShaftComeToLieBesideEachOther) {
-  for (int bricks : {220, 260}) {
+  for (int bricks : {240, 260, 270}) {
     World world = awakeWorld();
     addGround(world, 0.6);
     for (int side : {-1, 1}) {

@@ -55,19 +55,6 @@ bool ContactRows::wouldMeet(std::size_t k, const EndChanges& nearer, const EndCh
   return false;
 }
 
-void ContactRows::keepApart(std::size_t k, bool ofB, Vec3 lessTurn, const SolveMotion* motion, Vec3& way) const {
-  const FaceRecord& row = records[k];
-  const Vec3 n = toDouble(row.n) * (ofB ? 1.0 : -1.0), t1 = toDouble(row.t1), arm = toDouble(ofB ? row.armB : row.armA);
-  alignas(16) float moved[4];
-  kernel::store(kernel::pointMotion(row, kernel::frame(row), motion).n, moved);
-  for (int i = 0; i < starts[k].points; i++) {
-    const Vec3 off = t1 * double(row.s1[i]) + cross(toDouble(row.n), t1) * double(row.s2[i]);
-    const double open = std::max(0.0, double(starts[k].gap[i] + moved[i]));
-    const double nearer = dot(n, cross(lessTurn, arm + off)) - open - dot(n, way);
-    if (nearer > 0) way += n * nearer;
-  }
-}
-
 void ContactRows::addFriction(std::size_t k, Vec3 along, bool onB, const StepContext& context,
                               FrictionAlong& sum) const {
   const Contact& c = context.ties->contacts.contacts[contactOf[k]];

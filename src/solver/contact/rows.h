@@ -86,7 +86,6 @@ struct ContactRows : FaceRows {
   bool wouldMeet(std::size_t k, const EndChanges& nearer, const EndChanges& change, double dt) const;
   // A body of the row will turn by `lessTurn` less than was solved: adds to its way (m) what keeps points from ending
   // deeper than they would have.
-  void keepApart(std::size_t k, bool ofB, Vec3 lessTurn, const SolveMotion* motion, Vec3& way) const;
   // Adds the friction of the last step on B, or on A, along a direction.
   void addFriction(std::size_t k, Vec3 along, bool onB, const StepContext& context, FrictionAlong& sum) const;
   // What the ties hold on to is to be where the step ends: the contacts' anchors.

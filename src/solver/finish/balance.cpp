@@ -264,7 +264,7 @@ class LastCheck {
   double checkSupported(std::size_t g, const Rebounds& rebounds) {
     const Bodies group = island_.groups.bodies(g);
     const RigidMotion under = motionOf(island_, island_.groups.partner(g), context_);
-    const bool driven = island_.facts.partnersMove, jointed = island_.facts.jointed;
+    const bool driven = movesAgainst(under), jointed = island_.facts.jointed;
     GroupEnergy energy = energyOf(island_, group, under.move, context_);
     auto given = [&] {
       const double fromTies = energy.fromTies(rebounds);
@@ -290,6 +290,15 @@ class LastCheck {
     if (left > energy.slack() && -energy.outside > left)
       goLess(island_, group, 1 + left / energy.outside, under.move, context_);
     return excess - left;
+  }
+
+  // A partner of the island moves, seen from a body that goes straight on: its ties work.
+  bool movesAgainst(const RigidMotion& under) const {
+    if (!island_.facts.partnersMove) return false;
+    return std::any_of(island_.partners.begin(), island_.partners.end(), [&](BodyIndex partner) {
+      const BodyMotion& m = context_.bodies->motion[partner];
+      return m.linearVelocity != under.move || m.angularVelocity != Vec3{};
+    });
   }
 
   // J: the most that the group's ties can give against partners at rest. In a solve that failed they do more.

@@ -132,9 +132,9 @@ void shift(BodyIndex body, Vec3 way, Vec3 turn, StepContext& context) {
 void takeBackAhead(BodyIndex body, StepContext& context) {
   SolvedMotion& s = context.solved[body];
   const FreeMotion& free = context.free[body];
-  const double share = context.ahead[body];
+  const double share = context.ahead[body].share;
   const Vec3 forces = s.flying ? (free.d * (1 / free.dt) - free.startVelocity) * 0.5 : Vec3{};
-  s.d -= (s.velocity - forces) * (share * free.dt);
+  s.d -= (s.velocity - forces - context.ahead[body].frame) * (share * free.dt);
   shortenTurn(body, 1 - share, context);
 }
 

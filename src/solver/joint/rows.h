@@ -94,16 +94,6 @@ struct JointRows {
     return ties(k, context);
   }
   void addFriction(std::size_t, Vec3, bool, const StepContext&, FrictionAlong&) const {}
-  // The place that it holds on the body stays where it was solved.
-  void keepApart(std::size_t k, bool ofB, Vec3 lessTurn, const SolveMotion*, Vec3& way) const {
-    const JointEquations& held = records[k].way;
-    const Vec3 needed = cross(lessTurn, toDouble(ofB ? records[k].armB : records[k].armA));
-    for (int i = 0; i < 3; i++) {
-      if (!(held.k[i] > 0)) continue;
-      const Vec3 axis = toDouble(held.axes[i].unit);
-      way += axis * dot(axis, needed - way);
-    }
-  }
   void letGo(Ties&) const {}
 
   void prepare(Island& island, Ties& ties, const StepContext& context);

@@ -79,10 +79,6 @@ struct MortarRows : FaceRows {
   bool wouldMeet(std::size_t, const EndChanges&, const EndChanges&, double) const { return false; }
   bool meetsWithin(std::size_t, Vec3f, const SolveMotion*, const StepContext&) const { return true; }
   void addFriction(std::size_t, Vec3, bool, const StepContext&, FrictionAlong&) const {}
-  // The face's centre on the body stays where it was solved.
-  void keepApart(std::size_t k, bool ofB, Vec3 lessTurn, const SolveMotion*, Vec3& way) const {
-    way = cross(lessTurn, toDouble(ofB ? records[k].armB : records[k].armA));
-  }
   void letGo(Ties&) const {}
 
   void giveBlows(const std::pmr::vector<char>&, double, Ties&, BodySet&, const StepContext&, Blows&) const {}
