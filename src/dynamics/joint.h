@@ -47,8 +47,16 @@ struct Joint {
   bool names(BodyIndex body) const { return bodyA == body || bodyB == body; }
 };
 
+// Where a body is, as its joints ask.
+struct JointPlace {
+  Vec3 position;  // m, of the centre of mass
+  Quat rotation;
+  Mat3 orientation;
+  Vec3 localCentre;  // m, body frame
+};
 // Where a joint's points and axes are.
 struct JointPose {
+  JointPose(const Joint& joint, const JointPlace& a, const JointPlace& b);
   JointPose(const Joint& joint, const BodySet& bodies);
   Vec3 armA, armB;      // m, from the centres of mass to the anchors
   Vec3 pointA, way;     // m: the anchor of A; from it to that of B

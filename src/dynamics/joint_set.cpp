@@ -6,15 +6,25 @@
 
 namespace brickfall {
 
-JointPose::JointPose(const Joint& joint, const BodySet& bodies) {
-  const BodyMotion &a = bodies.motion[joint.bodyA], &b = bodies.motion[joint.bodyB];
-  armA = a.orientation * (joint.anchorA - bodies.data[joint.bodyA].localCentre);
-  armB = b.orientation * (joint.anchorB - bodies.data[joint.bodyB].localCentre);
+namespace {
+
+JointPlace placeOf(BodyIndex body, const BodySet& bodies) {
+  const BodyMotion& m = bodies.motion[body];
+  return {m.position, m.rotation, m.orientation, bodies.data[body].localCentre};
+}
+
+}  // namespace
+
+JointPose::JointPose(const Joint& joint, const JointPlace& a, const JointPlace& b) {
+  armA = a.orientation * (joint.anchorA - a.localCentre);
+  armB = b.orientation * (joint.anchorB - b.localCentre);
   pointA = a.position + armA;
   way = (b.position - a.position) + (armB - armA);
   frameA = a.rotation * joint.frameA;
   frameB = b.rotation * joint.frameB;
 }
+JointPose::JointPose(const Joint& joint, const BodySet& bodies)
+    : JointPose(joint, placeOf(joint.bodyA, bodies), placeOf(joint.bodyB, bodies)) {}
 
 double twistOf(Quat frameA, Quat frameB) {
   const Quat q = conjugate(frameA) * frameB;

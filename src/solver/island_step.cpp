@@ -7,6 +7,7 @@
 #include "solver/free_motion.h"
 #include "solver/impact.h"
 #include "solver/island_builder.h"
+#include "solver/joint/velocities.h"
 #include "solver/prepare.h"
 #include "solver/rest.h"
 #include "solver/store.h"
@@ -58,9 +59,9 @@ void storeIsland(Island& island, Ties& ties, StepContext& context) {
   finishMotion(island, ties, context);
 }
 
-double balanceIsland(const Island& island, StepContext& context) {
+double balanceIsland(Island& island, Ties& ties, StepContext& context) {
   if (island.part == IslandPart::flight || island.resting() || !solvedWell(island, context)) return 0;
-  return checkEnergy(island, context);
+  return holdVelocities(island, ties, context) + checkEnergy(island, context);
 }
 
 void stepIsland(Island& island, IslandPart part, double dt, Ties& ties, BodySet& bodies, StepContext& context,
@@ -71,7 +72,7 @@ void stepIsland(Island& island, IslandPart part, double dt, Ties& ties, BodySet&
   restIsland(island, context);
   solveIsland(island, context, statistics);
   storeIsland(island, ties, context);
-  statistics.energyTaken += balanceIsland(island, context);
+  statistics.energyTaken += balanceIsland(island, ties, context);
   island.part = IslandPart::last;
 }
 

@@ -24,7 +24,7 @@ void solveIsland(Island& island, const StepContext& context, SolveStatistics& st
 void storeIsland(Island& island, Ties& ties, StepContext& context);
 
 // The last check, once, after every other change of the motion. Returns the energy that it took, J.
-double balanceIsland(const Island& island, StepContext& context);
+double balanceIsland(Island& island, Ties& ties, StepContext& context);
 
 // All stages, one after the other, for a part of `dt` s. Moves no body: StepContext::solved says where the part leads.
 void stepIsland(Island& island, IslandPart part, double dt, Ties& ties, BodySet& bodies, StepContext& context,

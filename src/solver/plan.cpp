@@ -20,10 +20,6 @@ constexpr int kMostCycles = 3;  // while many bodies of a large island are out o
 //! | too large: floats round away balance
 constexpr double kHeavyShare = 0.01;  // effective mass of the softest contact of a small island
 
-//! bodies | too small: linkages gape by a second order of their turns
-//! | too large: links of long chains shake on, since nothing damps them
-constexpr std::size_t kMostArcs = 24;
-
 //! weights | too small: cost | too large: islands repeat an error for ever and do not rest
 constexpr double kSlowTolerance = 5e-4;  // of a body in a small island
 
@@ -88,6 +84,7 @@ IslandFacts findFacts(const Island& island, const StepContext& context) {
   facts.jointed = island.rows.anyLasting();
   facts.mortared = island.rows.anyYielding();
   facts.firm = island.rows.anyFirm();
+  island.rows.eachKind([&]<class Kind>(const Kind& kind) { facts.joints += Kind::kLasts ? kind.size() : 0; });
   for (BodyIndex body : island.bodies) {
     const BodyMotion& m = bodies.motion[body];
     facts.energyBefore += bodies.data[body].lastKineticEnergy;
@@ -122,6 +119,7 @@ SolvePlan planFor(const IslandFacts& facts, const SolverSettings& settings, doub
   plan.slow =
       supported && facts.fastest <= (facts.jointed ? std::min(kStillSpeed, settings.restSpeed) : settings.restSpeed);
   plan.sways = supported && row.large && !plan.slow && facts.fastest <= kMovingSpeed;
+  plan.arcs = facts.jointed && !row.large && facts.joints + 1 >= facts.bodies;
   plan.alone = facts.bodies == 1;
   plan.mayBeStopped = plan.slow && !(plan.alone && facts.fastest > kStillSpeed);
   plan.exactSteps = row.exactSteps;
@@ -129,7 +127,6 @@ SolvePlan planFor(const IslandFacts& facts, const SolverSettings& settings, doub
   plan.calmStiffening = calm ? double(row.calmStiffening) : 1;
   plan.leastMass = row.direct ? kHeavyShare * facts.heaviest : 0;
   plan.large = row.large;
-  plan.arcs = facts.jointed && facts.bodies <= kMostArcs;
   plan.startsFree = !row.large || !facts.grounded;
   plan.goesOn = row.large && facts.pressed && !facts.pinned && !plan.slow;
   plan.softDebris = row.large && facts.fastest > kDebrisSpeed;

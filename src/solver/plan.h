@@ -22,7 +22,8 @@ struct StepContext;
 // Facts at the start of a step.
 struct IslandFacts {
   std::size_t bodies = 0;
-  bool grounded = false;      // touches something fixed or kinematic
+  bool grounded = false;  // touches something fixed or kinematic
+  std::size_t joints = 0;
   bool jointed = false;       // has ties that stay, and on which bodies swing
   bool mortared = false;      // has ties that break, and give no impulse in no time
   bool firm = false;          // has ties so firm that the rounding of ways is a force
@@ -52,6 +53,7 @@ struct PlanRow {
 std::span<const PlanRow> planRows();
 
 struct SolvePlan {
+  bool arcs = false;   // joints know that the ends of their arms go along arcs
   bool alone = false;  // one body
   bool slow = false;   // grounded, partners still, no body faster than restSpeed: it may be stopped and put to rest
   bool mayBeStopped = false;  // slow, and no body alone that may be rolling up a slope
@@ -59,7 +61,6 @@ struct SolvePlan {
   bool exactSteps = false;  // see PlanRow
   bool direct = false;      // see PlanRow
   bool large = false;       // see PlanRow
-  bool arcs = false;        // joints know that the ends of their arms go along arcs
   bool startsFree = true;   // from free motion; else with as much of its fall as each body had
   bool goesOn = false;      // large, not slow, supported by what rolls or slides alone: it goes on as it did
   bool softDebris = false;  // contacts of moving bodies in it have impactStiffness

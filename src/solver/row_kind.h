@@ -98,7 +98,7 @@ concept GoesThroughAStep = requires(Kind& kind, const Kind& seen, std::size_t k,
   { seen.owes(k, given) } -> std::same_as<bool>;
   { seen.reboundWork(k, motion) } -> std::same_as<double>;
   { seen.mostWork(k) } -> std::same_as<double>;  // J: the most that it can give to bodies while partners are at rest
-  { seen.heldWork(k) } -> std::same_as<HeldWork>;
+  { seen.returnedWork(k) } -> std::same_as<double>;  // J: taken in earlier steps by what holds places
   seen.advance(solved, ties, given);
 };
 

@@ -23,13 +23,6 @@ struct TieWork {
   double pull = 0, shear = 0;  // J, spent on breaking ties, by mode: part of `work` and `elastic`
 };
 
-// Work of ties that hold places, on the mean of the ways of this step and of the last. They have no energy but what
-// they took.
-struct HeldWork {
-  double created = 0;   // J, from nowhere
-  double returned = 0;  // J, taken in earlier steps
-};
-
 struct PointCount {
   std::int32_t all = 0, touching = 0;
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #include "geometry/queries.h"
 #include "solver/finish/motion.h"
@@ -15,12 +16,26 @@ namespace {
 class KeptOut {
  public:
   KeptOut(const Island& island, const Registry& registry, StepContext& context)
-      : bodies_(registry.bodies), shapes_(registry.shapes), context_(context), alone_(island.bodies.size() == 1) {}
+      : bodies_(registry.bodies),
+        shapes_(registry.shapes),
+        context_(context),
+        alone_(island.bodies.size() == 1),
+        tied_(island.memory) {
+    if (!island.facts.firm) return;
+    island.rows.each([&]<class Kind>(const Kind& kind, std::size_t k) {
+      if (!std::remove_cvref_t<Kind>::kFirm) return;
+      const auto [a, b] = kind.bodies(k, *context.ties);
+      tied_.push_back(a);
+      tied_.push_back(b);
+    });
+    std::sort(tied_.begin(), tied_.end());
+  }
 
   // The body turned so far that the solve, with the arms of its start, may be wrong about where it ends; and a shift
-  // changes nobody else's momentum.
+  // changes nobody else's momentum, and tears no firm tie.
   bool mayBeShifted(BodyIndex body) const {
     if (!moves(body) || (context_.solved[body].flying && !alone_)) return false;
+    if (std::binary_search(tied_.begin(), tied_.end(), body)) return false;
     const FreeMotion& free = context_.free[body];
     auto far = [&](Vec3 turn) {
       const Vec3 visible = visibleTurn(bodies_.mass[body], bodies_.motion[body].orientation, turn);
@@ -80,6 +95,7 @@ class KeptOut {
   const ShapeSet& shapes_;
   StepContext& context_;
   bool alone_;
+  std::pmr::vector<BodyIndex> tied_;  // by firm ties, ascending
 };
 
 }  // namespace

@@ -1,5 +1,6 @@
 // The last check on the energy of each island, once, when nothing changes its motion any more.
 #include "solver/island_step.h"
+#include "solver/joint/velocities.h"
 #include "world/activity.h"
 #include "world/diary.h"
 #include "world/registry.h"
@@ -8,13 +9,19 @@
 
 namespace brickfall {
 
-void balanceIslands(const IslandSet& islands, StepContext& context) {
-  for (const IslandPointer& island : islands.awake) context.statistics.energyTaken += balanceIsland(*island, context);
+void balanceIslands(const IslandSet& islands, Ties& ties, StepContext& context) {
+  for (const IslandPointer& island : islands.awake)
+    context.statistics.energyTaken += balanceIsland(*island, ties, context);
 }
 
 void hashBalance(const IslandSet& islands, const StepContext& context, HashItems& out) { out.solved(islands, context); }
 
 void bookBalance(const Registry& registry, const Activity& activity, const StepContext& context, Diary& diary) {
+  BalanceChange supports;
+  for (const IslandPointer& island : activity.islands.awake)
+    if (!island->resting()) supports += supportAtEnd(*island);
+  diary.report.ledger->supports += supports;
+  diary.report.ledger->balance += BalanceChange() - supports;
   bookSolved(diary.report.ledger->balance, registry.bodies, activity.awake, context, diary.ledgerState);
 }
 

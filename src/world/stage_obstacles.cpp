@@ -14,6 +14,7 @@
 #include "solver/finish/motion.h"
 #include "solver/free_motion.h"
 #include "solver/rigid_sum.h"
+#include "solver/union_find.h"
 #include "world/activity.h"
 #include "world/core_sweep.h"
 #include "world/diary.h"
@@ -49,6 +50,39 @@ struct Obstruction {
   Vec3 carried;               // m: how far that takes along, from there, what does not get past it
 };
 
+// Bodies that hang together by ties that last. The solve has found where their ends meet: a part of their turns would
+// tear them, and what they bend against is held by contacts.
+class LastingGroups {
+ public:
+  LastingGroups(std::size_t slots, const IslandSet& islands, std::pmr::memory_resource* memory)
+      : sets_(any(islands) ? slots : 0, memory), has_(any(islands) ? slots : 0, 0, memory) {
+    if (has_.empty()) return;
+    for (const IslandPointer& island : islands.awake)
+      if (island->plan.arcs)
+        island->rows.eachKind([&]<class Kind>(const Kind& kind) {
+          if constexpr (Kind::kLasts)
+            for (std::size_t k = 0; k < kind.size(); k++) join(*island, kind.ends(k));
+        });
+  }
+  bool has(BodyIndex body) const { return body < has_.size() && has_[body]; }
+  bool together(BodyIndex a, BodyIndex b) const { return has(a) && has(b) && sets_.find(a) == sets_.find(b); }
+
+ private:
+  static bool any(const IslandSet& islands) {
+    return std::any_of(islands.awake.begin(), islands.awake.end(),
+                       [](const IslandPointer& island) { return island->rows.anyLasting(); });
+  }
+  void join(const Island& island, RowEnds ends) {
+    const std::size_t own = island.bodies.size();
+    if (ends.a < own) has_[island.bodies[ends.a]] = 1;
+    if (ends.b < own) has_[island.bodies[ends.b]] = 1;
+    if (ends.a < own && ends.b < own) sets_.join(island.bodies[ends.a], island.bodies[ends.b]);
+  }
+
+  mutable UnionFind sets_;
+  std::pmr::vector<char> has_;
+};
+
 struct Obstacles {
   const Registry& registry;
   const BodySet& bodies;
@@ -57,6 +91,7 @@ struct Obstacles {
   const Activity& activity;
   const IslandSet& islands;
   StepContext& context;
+  LastingGroups joined;
 
   bool changed = false, last = false;  // in this look along all ways; it is the last one
 
@@ -337,7 +372,7 @@ void Obstacles::obstruct(ShapeIndex shape, bool everything, double thickness, Ob
   broadPhase.query(sweptBounds(s, all), [&](std::uint32_t other) {
     const ShapeData& o = shapes.data[other];
     if (o.body == s.body || !filtersAllow(s.def.filter, o.def.filter)) return true;
-    if (!context.ties->mayCollide(s.body, o.body)) return true;
+    if (!context.ties->mayCollide(s.body, o.body) || joined.together(s.body, o.body)) return true;
     BodyType type = bodies.data[o.body].type;
     const bool fly = context.solved[s.body].flying && type == BodyType::dynamic && context.solved[o.body].flying;
     if (type == BodyType::dynamic && !fly && farHeavier(s.body, o.body)) return true;
@@ -374,7 +409,10 @@ void Obstacles::obstruct(ShapeIndex shape, bool everything, double thickness, Ob
 
 void stopAtObstacles(const Registry& registry, const Activity& activity, const Proximity& proximity,
                      StepContext& context) {
-  Obstacles{registry, registry.bodies, registry.shapes, *proximity.broadPhase, activity, activity.islands, context}
+  Obstacles{registry,        registry.bodies,
+            registry.shapes, *proximity.broadPhase,
+            activity,        activity.islands,
+            context,         LastingGroups(registry.bodies.motion.size(), activity.islands, context.memory)}
       .stopAll();
 }
 

@@ -54,7 +54,7 @@ void stopAtObstacles(const Registry&, const Activity&, const Proximity&, StepCon
 void hashObstacles(const IslandSet&, const StepContext&, HashItems&);
 void bookObstacles(const Registry&, const Activity&, const StepContext&, Diary&);
 
-void balanceIslands(const IslandSet&, StepContext&);
+void balanceIslands(const IslandSet&, Ties&, StepContext&);
 void hashBalance(const IslandSet&, const StepContext&, HashItems&);
 void bookBalance(const Registry&, const Activity&, const StepContext&, Diary&);
 

@@ -145,7 +145,7 @@ TEST(Law, Row30cAHeavyBallHangsStillOnLightLinks) {
   expectSound(chain.world);
   atMost("stretch of forty links under 400 times their weight", kDt, 100 * chain.stretch / Chain::kLength, 0.05, "%");
   const double weight = (2000 + 5 * Chain::kLinks) * kG;
-  reached({"force of its uppermost joint", kDt, chain.world.state(chain.joints[0])->force.y / weight, 1, 2e-3, ""});
+  reached({"force of its uppermost joint", kDt, chain.world.state(chain.joints[0])->force.y / weight, 1, 5e-3, ""});
 }
 
 TEST(Law, Row30dAHeavyBallSwingsOnLightLinks) {
@@ -218,15 +218,60 @@ TEST(Law, Row30fABobThatHitsABlockStaysOnItsJoint) {
 TEST(Law, Row30kAChainThatSnapsGainsNothing) {
   for (double angle : {2.2, 2.6}) {
     Chain chain(angle);
-    double rise = 0;
+    double rise = 0, gape = 0;
     for (int i = 0; i < 240; i++) {
       EXPECT_TRUE(chain.step(kDt).quarantined.empty());
+      for (JointId joint : chain.joints) gape = std::max(gape, chain.world.state(joint)->error);
       rise = std::max(rise, energyOf(chain.world) - chain.start);
     }
     expectSound(chain.world);
     atMost("energy gained by a chain that snaps from " + text(angle, 1) + " rad", kDt, rise, 0, "J");
-    atMost("stretch of it", kDt, 100 * chain.stretch / Chain::kLength, 2, "%");
+    atMost("stretch of it", kDt, 100 * chain.stretch / Chain::kLength, 0.1, "%");
+    atMost("error of a joint of it", kDt, 1e3 * gape, 20, "mm");
   }
+}
+
+// A ball on a chain breaks a small wall. What a step gains is what gravity gives before a way instead of along it.
+TEST(Law, Row30mAChainGainsNothingInAHit) {
+  for (int links : {7, 12})
+    for (double dt : {1.0 / 60, 1.0 / 120}) {
+      World world = makeWorld();
+      addGround(world);
+      for (int y = 0; y < 4; y++)
+        for (int z = 0; z < 4; z++)
+          addBox(world, {0.055, 0.0325, 0.11}, {0.255, 0.0325 + 0.065 * y, 0.22 * (z - 1.5) + 0.11 * (y % 2)});
+      const double speed = 8, reach = 2, radius = 0.19, angle = -1.2, link = (reach - radius) / links;
+      const Vec3 top{0, 0.25 + reach, 0}, down{std::sin(angle), -std::cos(angle), 0}, ahead{-down.y, down.x, 0};
+      BodyId last = addFixed(world, top);
+      std::vector<BodyId> bodies;
+      auto hang = [&](const ShapeDef& shape, double centre, double anchor) {
+        BodyDef def = bodyOf(shape, top + down * centre);
+        def.rotation = quatFromAxisAngle({0, 0, 1}, angle);
+        def.angularVelocity = {0, 0, speed / reach};
+        def.linearVelocity = ahead * (speed / reach * centre);
+        const BodyId next = add(world, def);
+        join(world, at(JointType::spherical, top + down * anchor), last, next);
+        bodies.push_back(last = next);
+      };
+      for (int i = 0; i < links; i++) hang(boxOf({0.02, 0.5 * link - 0.002, 0.02}, 7800), (i + 0.5) * link, i * link);
+      hang(sphereOf(radius, 7000), reach, reach - radius);
+      auto upwards = [&] {
+        double sum = 0;
+        for (BodyId body : bodies) sum += world.state(body)->mass * world.state(body)->linearVelocity.y;
+        return sum;
+      };
+      const double start = world.energy().kinetic;
+      double energy = energyOf(world), momentum = upwards(), most = 0;
+      for (int i = 0; i < std::lround(2 / dt); i++) {
+        ASSERT_TRUE(world.step(dt).ok());
+        const double before = energy, had = momentum;
+        energy = energyOf(world), momentum = upwards();
+        most = std::max(most, energy - before - 0.5 * dt * kG * std::fabs(momentum - had));
+      }
+      expectSound(world);
+      atMost("gain of a step of a chain of " + std::to_string(links) + " links in a hit", dt, 100 * most / start, 1,
+             "%");
+    }
 }
 
 // Twenty tight boards bear 500 kg that fall on them from 0.1 m.

@@ -147,7 +147,7 @@ class TestIsland {
     storeIsland(island(), ties(), context);
     return !island().settled();
   }
-  void balance() { balanceIsland(island(), context); }
+  void balance() { balanceIsland(island(), ties(), context); }
   // Velocities, poses, gaps.
   void move() {
     advanceRows(island(), ties(), context);

@@ -121,7 +121,7 @@ struct ContactRows : FaceRows {
   bool owes(std::size_t k, const StepContext& context) const;
   // J: work of the contact's rebounds in this step, on the way that was solved; 0 if there was none.
   double reboundWork(std::size_t k, const SolveMotion* motion) const;
-  HeldWork heldWork(std::size_t) const { return {}; }  // contacts are elastic
+  double returnedWork(std::size_t) const { return 0; }  // contacts are elastic
   // Writes the forces at the final motion into the contacts. True if any changed by more than rounding. For an island
   // that does not rest this is not compared, and the result is true.
   bool store(Island& island, Ties& ties, StepContext& context);

@@ -41,11 +41,11 @@ Impulse fromTies(const Island& island, std::size_t i, const StepContext& context
           context.bodies->worldInertia(body) * turn * (1 / island.dt) + left.angular};
 }
 
-// The rebounds at a group's ties in this step, and the work of those that hold places.
-struct Rebounds {
-  bool owed = false;  // impacts go on: their rebound is to come
-  double work = 0;    // J
-  HeldWork held;      // work of ties that hold places
+// What a group's ties give back in this step of what they took in earlier ones.
+struct Returned {
+  bool owed = false;    // impacts go on: their rebound is to come
+  double rebounds = 0;  // J, work of rebounds
+  double lasting = 0;   // J, by ties that last
 };
 
 struct GroupEnergy {
@@ -54,20 +54,19 @@ struct GroupEnergy {
   double ties = 0;            // J, work of ties: from energy stored in them, and by kinematic bodies through them
   double lent = 0;            // J, that impacts took in earlier steps
   double moved = 0;           // J, work of outside forces, gains and losses both counted positive
-  // `rebounds`: energy that rebounds gave may be energy that impacts took before.
-  double gain(const Rebounds& rebounds) const {
-    return end - start - outside - std::min(lent, std::max(0.0, rebounds.work));
+  // Energy that rebounds gave may be energy that impacts took before.
+  double gain(const Returned& back) const {
+    return end - start - outside - std::min(lent, std::max(0.0, back.rebounds));
   }
-  double fromTies(const Rebounds& rebounds) const {
-    return std::max(0.0, ties - std::max(0.0, rebounds.work)) - rebounds.held.created;
-  }
+  double fromTies(const Returned& back) const { return std::max(0.0, ties - std::max(0.0, back.rebounds)); }
   double all() const { return start + moved; }  // the end of a step that failed is no measure
   double slack() const { return kFloatsRound * all(); }
 };
 // Energies in a frame that moves at `frame` (m/s) with the body that the group presses on. Otherwise the work of a body
 // that slides on a belt is lost in the rounding of the belt's work.
 //
-// The steps of bodies that swing on joints are those of a leapfrog: energy is kept on the mean of old and new velocity.
+// The steps of bodies that swing on joints are those of a leapfrog: gravity acts before a way. So ties act on the mean
+// of old and new velocity, and gravity along the way less half of the change of velocity.
 GroupEnergy energyOf(const Island& island, Bodies group, Vec3 frame, const StepContext& context) {
   GroupEnergy sum;
   const bool leaps = island.facts.jointed;
@@ -83,7 +82,8 @@ GroupEnergy energyOf(const Island& island, Bodies group, Vec3 frame, const StepC
     sum.end += kineticEnergyAtEnd(body, frame, context);
     const Vec3 way = leaps ? (free.startVelocity + s.velocity) * (0.5 * island.dt) - carried : s.d - carried;
     const Vec3 turn = leaps ? (free.startSpin + spinAtEnd(body, s.angularMomentum, context)) * (0.5 * island.dt) : s.th;
-    const double work = dot(context.gravity * (m * data.gravityScale) + data.force, way) + dot(data.torque, turn);
+    const Vec3 fell = leaps ? s.d - (s.velocity - free.startVelocity) * (0.5 * island.dt) - carried : way;
+    const double work = dot(context.gravity * (m * data.gravityScale) + data.force, fell) + dot(data.torque, turn);
     const Impulse given = fromTies(island, i, context);
     sum.outside += work;
     sum.moved += std::fabs(work);
@@ -227,17 +227,15 @@ void dampSway(const Island& island, StepContext& context, double excess) {
   }
 }
 
-// Rebounds by group.
-std::pmr::vector<Rebounds> reboundsOf(const Island& island, const StepContext& context) {
-  std::pmr::vector<Rebounds> out(island.groups.count(), Rebounds{}, island.memory);
+// By group.
+std::pmr::vector<Returned> returnedBy(const Island& island, const StepContext& context) {
+  std::pmr::vector<Returned> out(island.groups.count(), Returned{}, island.memory);
   const std::size_t count = island.bodies.size();
   island.rows.each([&](const auto& kind, std::size_t k) {
     const RowEnds ends = kind.ends(k);
-    Rebounds& group = out[island.groups.groupOf(ends.a < count ? ends.a : ends.b)];
-    group.work += kind.reboundWork(k, island.motion.data());
-    const HeldWork held = kind.heldWork(k);
-    group.held.created += held.created;
-    group.held.returned += held.returned;
+    Returned& group = out[island.groups.groupOf(ends.a < count ? ends.a : ends.b)];
+    group.rebounds += kind.reboundWork(k, island.motion.data());
+    group.lasting += kind.returnedWork(k);
     group.owed = group.owed || kind.owes(k, context);
   });
   return out;
@@ -248,12 +246,12 @@ class LastCheck {
  public:
   LastCheck(const Island& island, StepContext& context) : island_(island), context_(context) {}
   // Returns the energy taken, J.
-  double run(std::size_t g, const Rebounds& rebounds) {
+  double run(std::size_t g, const Returned& back) {
     const Bodies group = island_.groups.bodies(g);
     if (island_.groups.flies(g) && group.size() == 1) return 0;  // free motion
     const bool flies = island_.groups.flies(g);
-    const double taken = flies ? checkFlying(g, rebounds) : checkSupported(g, rebounds);
-    keepLosses(group, flies ? Vec3{} : motionOf(island_, island_.groups.partner(g), context_).move, rebounds);
+    const double taken = flies ? checkFlying(g, back) : checkSupported(g, back);
+    keepLosses(group, flies ? Vec3{} : motionOf(island_, island_.groups.partner(g), context_).move, back);
     return taken;
   }
 
@@ -261,20 +259,20 @@ class LastCheck {
   // For a group that something fixed or kinematic supports. First the residual that the solve left is taken back: all
   // that it can give to make up for any gain, from whatever cause. Then the excess over all work of the ties is taken
   // from the group's motion against the body that it presses on.
-  double checkSupported(std::size_t g, const Rebounds& rebounds) {
+  double checkSupported(std::size_t g, const Returned& back) {
     const Bodies group = island_.groups.bodies(g);
     const RigidMotion under = motionOf(island_, island_.groups.partner(g), context_);
     const bool driven = movesAgainst(under), jointed = island_.facts.jointed;
     GroupEnergy energy = energyOf(island_, group, under.move, context_);
     auto given = [&] {
-      const double fromTies = energy.fromTies(rebounds);
+      const double fromTies = energy.fromTies(back);
       return driven ? fromTies : std::min(fromTies, mostWork(g));
     };
-    double excess = energy.gain(rebounds) - (driven || jointed ? given() : 0);
+    double excess = energy.gain(back) - (driven || jointed ? given() : 0);
     if (!(excess > energy.slack())) return 0;
     takeResidual(island_, group, under.move, context_, excess);
     energy = energyOf(island_, group, under.move, context_);
-    excess = energy.gain(rebounds);
+    excess = energy.gain(back);
     if (excess > energy.slack() && !driven && !island_.plan.large && !jointed && island_.facts.fastest <= kSwaySpeed) {
       dampSway(island_, context_, excess);
       return 0;
@@ -314,10 +312,10 @@ class LastCheck {
 
   // For a group that flies: any gain went into its own motion. Energy that compression took in one step and gives back
   // in the next counts as a gain, too, unless a rebound gives it.
-  double checkFlying(std::size_t g, const Rebounds& rebounds) {
+  double checkFlying(std::size_t g, const Returned& back) {
     const Bodies group = island_.groups.bodies(g);
     GroupEnergy energy = energyOf(island_, group, {}, context_);
-    auto gain = [&] { return energy.gain(rebounds) - rebounds.held.returned; };
+    auto gain = [&] { return energy.gain(back) - back.lasting; };
     if (!(gain() > energy.slack())) return 0;
     RigidMotion rigid = motionOf(island_, group, context_);
     if (energyAgainst(island_, group, rigid, {}, context_).all() < gain() - kUnsound * energy.all()) {
@@ -331,8 +329,8 @@ class LastCheck {
   }
 
   // While impacts go on, all that the group has lost since they began may come back.
-  void keepLosses(Bodies group, Vec3 frame, const Rebounds& rebounds) {
-    if (!rebounds.owed) return;
+  void keepLosses(Bodies group, Vec3 frame, const Returned& back) {
+    if (!back.owed) return;
     const GroupEnergy energy = energyOf(island_, group, frame, context_);
     const double loss = std::max(0.0, energy.lent - (energy.end - energy.start - energy.outside));
     for (std::uint32_t i : group) keepLoss(island_.bodies[i], loss / double(group.size()), context_);
@@ -345,10 +343,10 @@ class LastCheck {
 }  // namespace
 
 double checkEnergy(const Island& island, StepContext& context) {
-  const std::pmr::vector<Rebounds> rebounds = reboundsOf(island, context);
+  const std::pmr::vector<Returned> back = returnedBy(island, context);
   LastCheck check(island, context);
   double taken = 0;
-  for (std::size_t g = 0; g < rebounds.size(); g++) taken += check.run(g, rebounds[g]);
+  for (std::size_t g = 0; g < back.size(); g++) taken += check.run(g, back[g]);
   return taken;
 }
 

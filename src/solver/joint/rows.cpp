@@ -10,28 +10,37 @@
 
 namespace brickfall {
 
+//! of a body's inertia / dt^2 | too small: swings lose energy | too large: chains under a great load fly apart
+constexpr double kSlow = 0.5;  // a force whose geometric stiffness is less turns slowly enough for the step by itself
+
+Mat3 bending(Vec3 arm, Vec3 force, double resist) {
+  if (dot(arm, force) < 0) force = -force;
+  const double turning = length(arm) * length(force), share = turning / (turning + kSlow * resist);
+  const double one = share * 0.5 * (dot(arm, force) + turning);
+  Mat3 out;
+  for (int i = 0; i < 3; i++)
+    for (int j = 0; j < 3; j++)
+      out.row[i][j] = (i == j ? one : 0) - share * 0.5 * (arm[i] * force[j] + force[i] * arm[j]);
+  return out;
+}
+
 namespace {
 
 //! x the heaviest body that hangs by it | too small: more rounds until a heavy body is held
 //! | too large: floats leave light bodies out of balance
 constexpr double kFirmness = 100;  // in units of mass / dt^2: of a hard equation
-//! of a body's inertia / dt^2 | too small: swings lose energy | too large: chains under a great load fly apart
-constexpr double kSlow = 0.5;  // a force whose geometric stiffness is less turns slowly enough for the step by itself
 //! of the second difference | too small: stiff springs fly apart | too large: their period grows with the step
 constexpr double kSpringShare = 0.5;  // of a spring's stiffness, that the solve knows
 //! of an old error | too small: joints drift apart | too large: error and correction chase each other
 constexpr double kJointCorrect = 0.5;  // that a step corrects
+//! of the larger body's radius; rad | too small: torn joints close slowly
+//! | too large: what an obstacle held back is flung after the rest
+constexpr double kMostCorrect = 0.03;  // of an error that a step looks at
 //! of the force | too small: cost | too large: joints stretch
 constexpr float kFollowed = 1e-3f;  // a smaller change of a multiplier is left
 
 //! of the time | too small: errors of long steps are blows in short ones | too large: they stay for long
 constexpr double kForgets = 0.8;  // of Joint::over, a step
-
-//! rad | too small: fast linkages gape | too large: what snaps gains energy
-constexpr double kFarArc = 0.2;  // of further turns, joints know less and less of the arc
-
-//! of force x arc | too small: small linkages lose their swing | too large: what snaps gains energy for a while
-constexpr double kOwed = 0.5;
 
 //! of the force | too small: in a snap, the stiffness of forces is gone before they are
 //! | too large: swings lose energy, since that stiffness comes late
@@ -45,30 +54,20 @@ constexpr double kBrake = 10;
 //! not of the method: more than any force
 constexpr float kNoLimit = 1e30f;  // N, N m
 
-// Geometric stiffness of a force at the end of an arm that turns with a body, beside its inertia. Of pressure as of
-// tension, or what buckles would buckle at any speed. `resist`: the body's inertia about that end.
 void addBending(SolveMass& mass, Vec3 arm, Vec3 force, double resist, double sign) {
-  if (dot(arm, force) < 0) force = -force;
-  const double turning = length(arm) * length(force), share = sign * turning / (turning + kSlow * resist);
-  const double one = share * 0.5 * (dot(arm, force) + length(arm) * length(force));
-  auto pair = [&](int i, int j) { return share * 0.5 * (arm[i] * force[j] + force[i] * arm[j]); };
-  mass.inertia[0] += float(one - pair(0, 0));
-  mass.inertia[1] -= float(pair(1, 0));
-  mass.inertia[2] += float(one - pair(1, 1));
-  mass.inertia[3] -= float(pair(2, 0));
-  mass.inertia[4] -= float(pair(2, 1));
-  mass.inertia[5] += float(one - pair(2, 2));
+  const Mat3 more = bending(arm, force, resist) * sign;
+  for (int row = 0, at = 0; row < 3; row++)
+    for (int column = 0; column <= row; column++, at++) mass.inertia[at] += float(more.row[row][column]);
 }
 
-// m: what a turn moves the end of an arm besides turn x arm. Of far turns not all, since arms are frozen.
+// m: what a turn moves the end of an arm besides turn x arm.
 Vec3 arcOf(Vec3 turn, Vec3 arm) {
   const double angle = length(turn);
   if (!(angle > 1e-12)) return {};
-  const double part = angle > kFarArc ? kFarArc * kFarArc / (angle * angle) : 1;
   double sine, cosine;
   sinCos(angle, sine, cosine);
   const Vec3 once = cross(turn, arm), twice = cross(turn, once);
-  return once * (part * (sine / angle - 1)) + twice * (part * (1 - cosine) / (angle * angle));
+  return once * (sine / angle - 1) + twice * ((1 - cosine) / (angle * angle));
 }
 
 // Its ways are held in all directions: its points are points of both bodies.
@@ -80,6 +79,7 @@ struct Firmness {
   double hard = 0;  // N/m or N m/rad
   double dt = 0;
   double correct = 0;  // of an old error
+  double most = 0;     // m or rad: no more of it is looked at
 };
 
 // One equation from its law.
@@ -88,7 +88,10 @@ void write(const Joint& joint, const JointEquation& from, const Firmness& firm, 
   out.least[lane] = -kNoLimit;
   out.most[lane] = kNoLimit;
   out.k[lane] = float(firm.hard);
-  auto place = [&](double share) { return held - float(firm.hard * share * from.error); };
+  auto place = [&](double share) {
+    const double error = share < 1 ? std::clamp(from.error, -firm.most, firm.most) : from.error;
+    return held - float(firm.hard * share * error);
+  };
   switch (from.law) {
     case JointLaw::none:
       out.k[lane] = out.trial[lane] = out.least[lane] = out.most[lane] = 0;
@@ -209,7 +212,8 @@ void JointRows::prepare(Island& island, Ties& ties, const StepContext& context) 
   if (size() == 0) return;
   const BodySet& bodies = *context.bodies;
   masses_ = &island.masses;
-  held_ = {};
+  returned = 0;
+  support = {};
   timePasses_ = true;
   findHeaviest(island, bodies);
   for (std::size_t k = 0; k < size(); k++) {
@@ -239,6 +243,8 @@ void JointRows::prepare(Island& island, Ties& ties, const StepContext& context) 
                                  bodies.mass[joint.bodyB].outerRadius * (r.bodyB < island.bodies.size()));
     // A way that grew over a longer step is an arc of it: corrected at once, it would be a blow.
     const double part = island.dt / std::max(island.dt, joint.over), correct = kJointCorrect * part * part;
+    const bool arcs = island.plan.arcs;
+    const double most = arcs ? kMostCorrect : double(kNoLimit);
     const double firm = kFirmness * double(start.heaviest) / (island.dt * island.dt);
     auto writeSet = [&](const EquationSet& set, const double(&held)[kJointLanes], Vec3 moves, double hard, int first,
                         JointEquations& out) {
@@ -251,8 +257,8 @@ void JointRows::prepare(Island& island, Ties& ties, const StepContext& context) 
         start.held[first + i] = follows ? float(held[i]) : 0;
         if (follows) start.follows |= 1u << (first + i);
         if (isHard(law)) start.hard |= 1u << (first + i);
-        write(joint, set.of[i], {hard, island.dt, correct}, double(start.before[first + i]), start.held[first + i], i,
-              out);
+        write(joint, set.of[i], {hard, island.dt, correct, most * (first == 0 ? size : 1)},
+              double(start.before[first + i]), start.held[first + i], i, out);
       }
     };
     writeSet(system.way, joint.way, speed, firm, 0, r.way);
@@ -260,7 +266,7 @@ void JointRows::prepare(Island& island, Ties& ties, const StepContext& context) 
     brake(start, b.angularVelocity - a.angularVelocity, island.dt, r.turn);
     bend(k, toFloat(joint.force));
     start.arc = {};
-    start.arcs = island.plan.arcs && holdsPoint(joint.type);
+    start.arcs = holdsPoint(joint.type) && arcs;
     if (start.arcs == 0) continue;
     start.arc =
         toFloat(arcOf(b.angularVelocity * island.dt, pose.armB) - arcOf(a.angularVelocity * island.dt, pose.armA));
@@ -357,33 +363,12 @@ bool JointRows::store(Island& island, Ties& ties, StepContext&) {
     joint.force = toDouble(wide::store3(joint::sumOf(records[k].way, f.way)));
     joint.torque = toDouble(wide::store3(joint::sumOf(records[k].turn, f.turn)));
   }
-  if (changed) book(island, ties.joints);
   return changed;
 }
 
-// J: work of the joint on the mean of the ways of this step and of the last, and what its errors and its arcs hold.
-JointRows::Held JointRows::heldBy(std::size_t k, const SolveMotion* motion, const Joint& joint) const {
-  const JointRecord& r = records[k];
-  const JointStart& start = starts[k];
-  const joint::Relative moved = joint::relativeMotion(r, motion);
-  const wide::V way = joint::alongAxes(r.way, moved.way), turn = joint::alongAxes(r.turn, moved.turn);
-  Held sum;
-  for (int i = 0; i < kJointLanes; i++) {
-    auto add = [&](int lane, double force, double by, double arc) {
-      if (!(start.hard >> lane & 1)) return;
-      sum.work += 0.5 * force * (by + double(start.before[lane]));
-      sum.errors += std::fabs(force * double(start.error[lane]));
-      sum.arcs += std::fabs(force * arc);
-    };
-    add(i, joint.way[i], double(way[i]), double(dot(r.way.axes[i % 3].unit, start.arc)));
-    add(i + kJointLanes, joint.turn[i], double(turn[i]), 0);
-  }
-  return sum;
-}
-
-// Motors, springs and brakes by their law, whatever the way; what holds places by the account of all joints.
+// Motors, springs and brakes by their law, whatever the way; what holds places by what it took before.
 double JointRows::mostWork(std::size_t k) const {
-  double sum = held_.returned / double(size());
+  double sum = returned / double(size());
   for (int i = 0; i < 2 * kJointLanes; i++) {
     if (starts[k].hard >> i & 1) continue;
     const JointEquations& e = i < kJointLanes ? records[k].way : records[k].turn;
@@ -391,33 +376,6 @@ double JointRows::mostWork(std::size_t k) const {
     if (trial != 0) sum += stiffness > 0 ? trial * trial / (4 * stiffness) : std::numeric_limits<double>::infinity();
   }
   return sum;
-}
-
-// The errors of joints hold energy, as springs would: a bob that swings faster draws its joint apart, and gets that
-// back where it swings more slowly. Arcs hold some, too, of either sign. No more comes back than that, and no more than
-// was taken. What joints owe when their arcs get smaller is taken from the bodies. All joints of an island have one
-// account, since they hand work on to each other; each keeps a part of it.
-void JointRows::book(const Island& island, JointSet& set) {
-  const SolveMotion* motion = island.motion.data();
-  Held sum;
-  double lent = 0;
-  for (std::size_t k = 0; k < size(); k++) {
-    const Joint& joint = set.joints[jointOf[k]];
-    const Held held = heldBy(k, motion, joint);
-    sum.work += held.work;
-    sum.errors += held.errors;
-    sum.arcs += held.arcs;
-    lent += joint.lent;
-  }
-  const double left = lent - sum.work, least = -kOwed * sum.arcs, most = sum.errors + 2 * sum.arcs;
-  held_.returned = std::clamp(sum.work, 0.0, std::max(0.0, lent - least));
-  held_.created = std::max(0.0, least - left);
-  const double kept = std::clamp(left, least, most);
-  for (std::size_t k = 0; k < size(); k++) {
-    Joint& joint = set.joints[jointOf[k]];
-    const Held held = heldBy(k, motion, joint);
-    joint.lent = most > 0 ? kept * (held.errors + 2 * held.arcs) / most : 0;
-  }
 }
 
 void JointRows::tellShare(Ties& ties, float share) const {

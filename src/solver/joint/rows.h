@@ -29,6 +29,10 @@ namespace brickfall {
 
 struct Island;
 
+// N m: geometric stiffness of a force at the end of an arm that turns with a body, beside its inertia. Of pressure as
+// of tension, or what buckles would buckle at any speed. `resist`: the body's inertia about that end / dt^2.
+Mat3 bending(Vec3 arm, Vec3 force, double resist);
+
 // Facts of a joint at the start of a step that the record does not have.
 struct JointStart {
   Vec3f anchorA, anchorB;              // m, from the centres of mass: where forces turn with the bodies
@@ -50,6 +54,8 @@ struct JointRows {
   std::pmr::vector<JointIndex> jointOf;  // by row, ascending
   std::pmr::vector<JointRecord> records;
   std::pmr::vector<JointStart> starts;
+  BalanceChange support;  // what partners gave at the end of the step (velocities.h)
+  double returned = 0;    // J: what all of them took in earlier steps and gave back in this one (velocities.h)
 
   // --- functions of every kind of row (row_kind.h)
   static constexpr double kPoints = 2;
@@ -121,7 +127,7 @@ struct JointRows {
   bool owes(std::size_t, const StepContext&) const { return false; }
   double reboundWork(std::size_t, const SolveMotion*) const { return 0; }
   double mostWork(std::size_t k) const;
-  HeldWork heldWork(std::size_t k) const { return k == 0 ? held_ : HeldWork(); }  // told with the first row
+  double returnedWork(std::size_t k) const { return k == 0 ? returned : 0; }  // told with the first row
   void advance(const Island&, Ties&, const StepContext&) const {}
   // What a trial of a step changes.
   struct Memory {
@@ -169,14 +175,8 @@ struct JointRows {
   void bend(std::size_t k, Vec3f force);
   bool followArcs(std::size_t k, const SolveMotion* motion, float slack);
   bool follow(std::size_t k, const SolveMotion* motion, float slack);
-  struct Held {
-    double work = 0, errors = 0, arcs = 0;  // J
-  };
-  Held heldBy(std::size_t k, const SolveMotion* motion, const Joint& joint) const;
-  void book(const Island& island, JointSet& set);
 
   std::pmr::vector<SolveMass>* masses_ = nullptr;  // of the island, since prepare
-  HeldWork held_;                                  // of the step, of all rows
   bool timePasses_ = true;                         // no impact is solved
 };
 

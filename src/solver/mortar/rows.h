@@ -93,7 +93,7 @@ struct MortarRows : FaceRows {
   double reboundWork(std::size_t, const SolveMotion*) const { return 0; }
   // J: what its springs hold.
   double mostWork(std::size_t k) const;
-  HeldWork heldWork(std::size_t) const { return {}; }
+  double returnedWork(std::size_t) const { return 0; }
   void advance(const Island& island, Ties& ties, const StepContext& context) const;
   // What a trial of a step changes.
   struct Memory {
