@@ -15,7 +15,7 @@ class Chunks {
  public:
   explicit Chunks(std::pmr::memory_resource* memory) : ways_(memory), chunkOf_(memory) {}
 
-  // Of this step, by free motion. None where anything holds the island.
+  // Of this step, by free motion. None where anything holds the island, or joints are in it.
   void find(const Island& island, const StepContext& context);
   // The motion of the chunk that is all of the island; null if it is not one chunk.
   const RigidWay* ofAll() const { return all_ ? &ways_[0] : nullptr; }

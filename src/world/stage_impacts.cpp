@@ -90,7 +90,7 @@ bool ImpactWalk::goTo(Island& island, double dt, bool toImpact) {
   IslandTrial trial(island, ties_, bodies_);
   SolveStatistics tried;
   solve(island, dt, toImpact, tried);
-  if (!toImpact && keepOut(island, registry_, context_)) tried.energyTaken += balanceIsland(island, context_);
+  if (!toImpact && keepOut(island, registry_, context_)) tried.energyTaken += balanceIsland(island, ties_, context_);
   bool fine = solvedWell(island, context_) && !parts_.runThrough(island, dt, proximity_);
   if (fine) advanceRows(island, ties_, context_);
   for (BodyIndex body : island.bodies) fine = fine && moveBody(body, bodies_, context_);

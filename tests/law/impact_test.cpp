@@ -5,12 +5,6 @@
 namespace brickfall::law {
 namespace {
 
-World worldOnFloor(double friction) {
-  World world = makeWorld();
-  add(world, bodyOf(boxOf({50, 0.5, 20}, 1000, friction), {0, -0.5, 0}, BodyType::fixed));
-  return world;
-}
-
 // A ball of 0.1 m, without gravity, onto a plane at 4 m/s down and 6 m/s along: the friction impulse is mu (1 + e) J, or what
 // makes it roll.
 TEST(Law, Row18eFrictionInImpacts) {

@@ -15,6 +15,12 @@ using namespace brickfall::test;
 
 constexpr double kSteps[] = {1.0 / 30, 1.0 / 60, 1.0 / 120, 1.0 / 240};
 
+inline World worldOnFloor(double friction) {
+  World world = makeWorld();
+  add(world, bodyOf(boxOf({50, 0.5, 20}, 1000, friction), {0, -0.5, 0}, BodyType::fixed));
+  return world;
+}
+
 // "15a" of a test named Row15a...: the row of laws and of the validation page that a figure belongs to.
 inline std::string section() {
   std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();

@@ -1,4 +1,4 @@
-// Row 31a: fifteen bodies on joints with limits fall down a flight of stairs.
+// Row 30n: fifteen bodies on joints with limits fall down a flight of stairs.
 #include <algorithm>
 
 #include "law/law.h"
@@ -71,7 +71,7 @@ class Ragdoll {
   double speed_;
 };
 
-TEST(Law, Row31aARagdollFallsDownStairs) {
+TEST(Law, Row30nARagdollFallsDownStairs) {
   double error = 0, over = 0, gained = 0, fastest = 0;
   for (int k = 0; k < 2; k++) {
     Ragdoll doll(0.1 + 0.4 * k, {0.2 * k, 0.6 * k, 1}, 1 + 2 * k);
