@@ -35,8 +35,14 @@ namespace {
 
 // The part of a fast turn that the solve sees, of a body with contacts. Taken from the spin: a rotation vector wraps at
 // half a turn, a spin does not.
-void limitTurn(FreeMotion& free, const BodyMass& mass, const BodyMotion& m, Vec3 spin, double dt) {
+//
+// A body that firm ties hold is turned so far by a torque only in its free motion: all of the torque is theirs to bear.
+void limitTurn(FreeMotion& free, const BodyMass& mass, const BodyMotion& m, Vec3 spin, double dt, bool held) {
   if (!(lengthSquared(spin) * dt * dt > kLargestTurn * kLargestTurn)) return;
+  if (held && !(lengthSquared(free.startSpin) * dt * dt > kLargestTurn * kLargestTurn)) {
+    free.th = spin * dt;
+    return;
+  }
   Vec3 turn = spin * dt;
   Vec3 visible = visibleTurn(mass, m.orientation, turn);
   double size = length(visible);
@@ -82,8 +88,8 @@ void predictWay(StepContext& context, BodySet& bodies, BodyIndex body, double dt
 // Bodies whose turn is still to be found, until there are enough of them to find it side by side.
 class WaitingTurns {
  public:
-  WaitingTurns(StepContext& context, const BodySet& bodies, double dt, bool hasContacts)
-      : context_(context), bodies_(bodies), dt_(dt), hasContacts_(hasContacts) {}
+  WaitingTurns(StepContext& context, const BodySet& bodies, double dt, bool hasContacts, bool held)
+      : context_(context), bodies_(bodies), dt_(dt), hasContacts_(hasContacts), held_(held) {}
   ~WaitingTurns() { turnAll(); }
   WaitingTurns(const WaitingTurns&) = delete;
   WaitingTurns& operator=(const WaitingTurns&) = delete;
@@ -106,7 +112,7 @@ class WaitingTurns {
       FreeMotion& free = context_.free[body_[i]];
       free.rotation = turns_[i].rotation;
       free.th = rotationVector(normalized(free.rotation * conjugate(m.rotation)));
-      if (hasContacts_) limitTurn(free, bodies_.mass[body_[i]], m, spin_[i], dt_);
+      if (hasContacts_) limitTurn(free, bodies_.mass[body_[i]], m, spin_[i], dt_, held_);
     }
     count_ = 0;
   }
@@ -114,7 +120,7 @@ class WaitingTurns {
   StepContext& context_;
   const BodySet& bodies_;
   double dt_;
-  bool hasContacts_;
+  bool hasContacts_, held_;
   int count_ = 0;
   FreeTurn turns_[kTurnsAtOnce];
   BodyIndex body_[kTurnsAtOnce];
@@ -124,8 +130,8 @@ class WaitingTurns {
 }  // namespace
 
 void predictFreeMotions(StepContext& context, BodySet& bodies, std::span<const BodyIndex> list, double dt,
-                        bool hasContacts) {
-  WaitingTurns waiting(context, bodies, dt, hasContacts);
+                        bool hasContacts, bool held) {
+  WaitingTurns waiting(context, bodies, dt, hasContacts, held);
   for (BodyIndex body : list) {
     const BodyMotion& m = bodies.motion[body];
     const BodyMass& mass = bodies.mass[body];
@@ -157,7 +163,7 @@ void predictFreeMotions(StepContext& context, BodySet& bodies, std::span<const B
     }
     free.th = spin * dt;
     free.rotation = normalized(quatFromRotationVector(free.th) * m.rotation);
-    if (hasContacts) limitTurn(free, mass, m, spin, dt);
+    if (hasContacts) limitTurn(free, mass, m, spin, dt, held);
   }
 }
 

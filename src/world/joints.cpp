@@ -321,7 +321,11 @@ Status World::setLimit(JointId id, std::optional<JointDef::Limit> limit) {
         checkType(check, "limit", hasAxis(type));
         if (limit) checkLimit(check, type, *limit);
       },
-      [&](Joint& joint) { setLimitOf(joint, limit); });
+      [&](Joint& joint) {
+        const double lower = joint.lower, upper = joint.upper;
+        setLimitOf(joint, limit);
+        joint.wound += std::fabs(joint.lower - lower) + std::fabs(joint.upper - upper);
+      });
 }
 
 Status World::setLength(JointId id, double length) {
@@ -331,7 +335,10 @@ Status World::setLength(JointId id, double length) {
         checkType(check, "length", hasLength(type));
         checkLength(check, "length", length);
       },
-      [&](Joint& joint) { joint.length = length; });
+      [&](Joint& joint) {
+        joint.wound += std::fabs(length - joint.length);
+        joint.length = length;
+      });
 }
 
 Status World::setTarget(JointId id, Vec3 pointWorld) {

@@ -66,7 +66,8 @@ struct GroupEnergy {
 // that slides on a belt is lost in the rounding of the belt's work.
 //
 // The steps of bodies that swing on joints are those of a leapfrog: gravity acts before a way. So ties act on the mean
-// of old and new velocity, and gravity along the way less half of the change of velocity.
+// of old and new velocity, and gravity along the way less half of the change of velocity. Groups that fly have gone the
+// mean of both already.
 GroupEnergy energyOf(const Island& island, Bodies group, Vec3 frame, const StepContext& context) {
   GroupEnergy sum;
   const bool leaps = island.facts.jointed;
@@ -82,7 +83,7 @@ GroupEnergy energyOf(const Island& island, Bodies group, Vec3 frame, const StepC
     sum.end += kineticEnergyAtEnd(body, frame, context);
     const Vec3 way = leaps ? (free.startVelocity + s.velocity) * (0.5 * island.dt) - carried : s.d - carried;
     const Vec3 turn = leaps ? (free.startSpin + spinAtEnd(body, s.angularMomentum, context)) * (0.5 * island.dt) : s.th;
-    const Vec3 fell = leaps ? s.d - (s.velocity - free.startVelocity) * (0.5 * island.dt) - carried : way;
+    const Vec3 fell = leaps && !s.flying ? s.d - (s.velocity - free.startVelocity) * (0.5 * island.dt) - carried : way;
     const double work = dot(context.gravity * (m * data.gravityScale) + data.force, fell) + dot(data.torque, turn);
     const Impulse given = fromTies(island, i, context);
     sum.outside += work;

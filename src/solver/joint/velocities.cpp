@@ -76,6 +76,7 @@ class HeldVelocities {
   // second order. More than that comes from turns that no step can follow: friction takes it.
   double takeGain(Ties& ties) {
     const Gain gain = gainOf(ties);
+    const double wound = windUp(ties);
     JointRows& joints = island_.rows.joints;
     double lent = 0, weights = 0;
     for (JointIndex joint : joints.jointOf) lent += ties.joints.joints[joint].lent;
@@ -83,12 +84,36 @@ class HeldVelocities {
       weights += body.mass * length(context_.gravity) * context_.bodies->mass[body.body].outerRadius;
     const double held = energy();
     const double owed = std::min(kForcesRound * gain.loads, kMostOwed * (held + weights));
-    const double taken = rub(held, gain.sum - lent - owed);
-    const double kept = std::min({lent - gain.sum, kReturns * gain.parts, kMostReturn * held});
+    const double sum = gain.sum - wound;
+    const double taken = rub(held, sum - lent - owed);
+    const double kept = std::min({lent - sum, kReturns * gain.parts, kMostReturn * held});
     for (JointIndex joint : joints.jointOf)
       ties.joints.joints[joint].lent = std::max(-owed, kept) / double(joints.size());
-    joints.returned = std::clamp(gain.sum, 0.0, lent + owed) + owed;
+    joints.returned = std::clamp(sum, 0.0, lent + owed) + owed + wound;
     return taken;
+  }
+
+  // J: work of joints whose length or limits were changed from outside, as far as they went that way.
+  double windUp(Ties& ties) {
+    double sum = 0;
+    const JointRows& joints = island_.rows.joints;
+    for (std::uint32_t k = 0; k < joints.size(); k++) {
+      Joint& joint = ties.joints.joints[joints.jointOf[k]];
+      if (!(joint.wound > 0)) continue;
+      const JointRecord& r = joints.records[k];
+      const Body &a = at(r.bodyA), &b = at(r.bodyB);
+      const Vec3 wA = mean(r.bodyA, a, true), wB = mean(r.bodyB, b, true);
+      const Vec3 u =
+          mean(r.bodyB, b, false) + cross(wB, toDouble(r.armB)) - mean(r.bodyA, a, false) - cross(wA, toDouble(r.armA));
+      const double way = dot(toDouble(r.way.axes[0].unit), u) * island_.dt,
+                   turn = dot(toDouble(r.turn.axes[0].unit), wB - wA) * island_.dt;
+      const bool turns = joint.type == JointType::spherical || joint.type == JointType::revolute;
+      const double force = turns ? joint.turn[0] + joint.turn[3] : joint.way[0] + joint.way[3];
+      const double gone = turns ? turn : way;
+      if (force * gone > 0) sum += std::fabs(force) * std::min(std::fabs(gone), joint.wound);
+      joint.wound = std::max(0.0, joint.wound - std::fabs(gone));
+    }
+    return sum;
   }
 
   // Friction that takes this, if it can. Returns what it took, J.

@@ -105,7 +105,7 @@ void MortarRows::prepare(Island& island, Ties& ties, const StepContext& context)
     const BodyMotion &a = bodies.motion[m.bodyA], &b = bodies.motion[m.bodyB];
     auto turnOf = [&](std::uint32_t local, BodyIndex body) {
       if (const RigidWay* chunk = local < island.bodies.size() ? island.chunks.of(local) : nullptr) return chunk->turn;
-      return local < island.bodies.size() ? context.free[body].th : bodies.motion[body].angularVelocity * island.dt;
+      return bodies.motion[body].angularVelocity * island.dt;
     };
     const Vec3 arcs =
         mortar::arcOfArm(turnOf(r.bodyB, m.bodyB), pose.armB) - mortar::arcOfArm(turnOf(r.bodyA, m.bodyA), pose.armA);
