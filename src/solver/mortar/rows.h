@@ -27,9 +27,9 @@ struct Island;
 
 // Facts of a joint at the start of a step that the record does not have. By point, where there are four.
 struct MortarStart {
-  float heldN[4] = {}, held1[4] = {}, held2[4] = {};     // N: forces at the start
-  float opens[4] = {}, goes1[4] = {}, goes2[4] = {};     // m: ways by the velocities at the start
-  Vec3f arc;                                             // m: of B against A beyond its linear way, as the bodies turn at the start
+  float heldN[4] = {}, held1[4] = {}, held2[4] = {};  // N: forces at the start
+  float opens[4] = {}, goes1[4] = {}, goes2[4] = {};  // m: ways by the velocities at the start
+  Vec3f arc;  // m: of B against A beyond its linear way, as the bodies turn at the start
   float forceN[4] = {}, force1[4] = {}, force2[4] = {};  // N: forces at the end
   float gapN[4] = {}, gap1[4] = {}, gap2[4] = {};        // m: displacements at the start
   float stiffness = 0;                                   // N/m, of a point, firm as it is
