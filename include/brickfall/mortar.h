@@ -16,7 +16,7 @@ struct MortarStrength {
   double friction = 0.75;     // 0 .. 10: what pressure adds to it
   double tensionEnergy = 18;  // J/m2, 1e-6 .. 1e6: that opening the face takes
   double shearEnergy = 125;   // J/m2, 1e-6 .. 1e6: that shearing it off takes
-  double compression = 10e6;  // Pa, 1 .. 1e10: crushing strength
+  double compression = 10e6;  // Pa, 1 .. 1e10: crushing strength: shows in the utilisation only
   double stiffness = 62e9;    // N/m3, 1e6 .. 1e13: of the mortar with what gives in the two bodies
 };
 

@@ -3,34 +3,16 @@
 #include <cmath>
 
 #include "dynamics/point_matcher.h"
-#include "solver/face/kernel.h"
+#include "solver/face/point_forces.h"
 #include "solver/island.h"
 
 namespace brickfall {
 
 namespace {
 
-struct StoredForces {
-  alignas(16) float n[4], t1[4], t2[4];
-  alignas(16) float trialN[4];
-  std::uint32_t sliding = 0;
-};
-
-StoredForces forcesAt(const FaceRecord& r, const SolveMotion* motion) {
-  auto moved = kernel::pointMotion(r, kernel::frame(r), motion);
-  auto f = kernel::pointForces(r, moved);
-  StoredForces out;
-  kernel::store(f.n, out.n);
-  kernel::store(f.trialN, out.trialN);
-  kernel::store(f.t1, out.t1);
-  kernel::store(f.t2, out.t2);
-  out.sliding = wide::bits(f.slides);
-  return out;
-}
-
 // A rebound gives more than the spring of the point: this force is told, but not remembered, so that the smallest
 // restitution changes the least. An impact that goes on remembers the impulse that it took.
-void keepImpact(Contact& c, int i, ContactStart& start, StoredForces& f) {
+void keepImpact(Contact& c, int i, ContactStart& start, PointForces& f) {
   float taken = start.back[i] > 0 ? 0 : start.taken[i];
   c.points.impulse[i] = taken > 0 ? c.points.impulse[i] + taken : 0;
   if (!(taken > 0))
@@ -49,7 +31,7 @@ void keepImpact(Contact& c, int i, ContactStart& start, StoredForces& f) {
 }
 
 // Multiplier for the next step: the force, but an impact's force must not act again, explicitly.
-void holdForce(Contact& c, int i, const StoredForces& f, double gravity) {
+void holdForce(Contact& c, int i, const PointForces& f, double gravity) {
   float cap = c.points.multiplierN[i] + kMultiplierWeights * float(gravity) * c.effectiveMass;
   float share = f.n[i] > cap ? cap / f.n[i] : 1;
   c.points.forceN[i] = f.n[i];
@@ -105,11 +87,11 @@ bool ContactRows::store(Island& island, Ties& ties, StepContext& context) {
     c.points.impactMask = records[k].newPoints & ~starts[k].falling;
     if (!changed) before = c.points;
     const bool touched = c.touching;
-    StoredForces f = forcesAt(records[k], island.motion.data());
+    PointForces f = pointForcesAt(records[k], island.motion.data());
     bool touches = false;
     c.points.stickingMask = 0;
     for (int i = 0; i < c.count; i++) {
-      bool sliding = f.sliding >> i & 1;
+      bool sliding = f.slides >> i & 1;
       touches = touches || f.n[i] > 0;
       bool rebounds = starts[k].back[i] > 0;
       keepImpact(c, i, starts[k], f);

@@ -84,13 +84,9 @@ double MortarRows::elasticEnergy(MortarIndex index, const StepContext& context) 
 void MortarRows::addWork(const Island& island, const StepContext& context, TieWork& sum) const {
   for (std::size_t k = 0; k < size(); k++) {
     const PointForces now = pointForcesAt(records[k], island.motion.data());
-    auto moved = kernel::pointMotion(records[k], kernel::frame(records[k]), island.motion.data());
-    alignas(16) float way1[4], way2[4];
-    kernel::store(moved.t1, way1);
-    kernel::store(moved.t2, way2);
     double held = 0;
     for (int i = 0; i < 4; i++) {
-      sum.work += double(now.n[i]) * now.way[i] + double(now.t1[i]) * way1[i] + double(now.t2[i]) * way2[i];
+      sum.work += double(now.n[i]) * now.way[i] + double(now.t1[i]) * now.way1[i] + double(now.t2[i]) * now.way2[i];
       held += double(now.n[i]) * now.n[i] + double(now.t1[i]) * now.t1[i] + double(now.t2[i]) * now.t2[i];
     }
     sum.elastic += held / (2 * mortar::stiffnessOf(mortarAt(k, *context.ties)));

@@ -138,7 +138,7 @@ void MortarRows::prepare(Island& island, Ties& ties, const StepContext& context)
                      mortar::shearOf(m) * along / mortar::shearEnergy(m));
     }
     start.pressure = float(std::max(pressure, -mortar::pullOf(m)));
-    start.worn = start.pull = start.shear = 0;
+    start.pull = start.shear = 0;
     // No more than stops the motion that the joint starts with within its energy. What is about to break need not be
     // firm.
     const double whole = mortar::strengthLeft(m.damage),

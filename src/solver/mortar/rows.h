@@ -36,8 +36,7 @@ struct MortarStart {
   float pressure = 0;                                    // N, of a point: mean of the last step; below 0: pull
   float tougher = 1;          // x the fracture energy: what a blow crushes until the joint's force is reached
   float left = 1;             // S: share of the caps that is left
-  float worn = 0;             // share of the fracture energy that this step takes
-  float pull = 0, shear = 0;  // J: the same by mode
+  float pull = 0, shear = 0;  // J, that this step takes of the fracture energy, by mode
 };
 
 struct MortarRows : FaceRows {

@@ -16,29 +16,15 @@ namespace {
 constexpr double kMoreThanLeft = 1.02;  // a joint may take so much
 //! - | too small: caps fall by trifles: passes | too large: as kMoreThanLeft
 constexpr double kSameCap = 0.98;  // a cap that falls less stays
-//! of the tension stiffness | too small: shear counts as damage within its strength | too large: hits leave no trace
+//! of the tension stiffness | too small: hits leave no trace | too large: shear within its strength counts as damage
 constexpr double kShearStiffness = 0.44;  // of mortar, ks / kn
 
 //! of the strength | too small: shapes of chunks that spin creep | too large: what turns in a hit breaks by its turn
 constexpr double kUnseen = 0.05;  // a force of a joint's place that nobody solved, and that stays
 
-// Forces and ways at the present motion, by point.
-struct PointState {
-  alignas(16) float n[4], f1[4], f2[4], trialN[4], way[4], way1[4], way2[4];
-  std::uint32_t slides = 0;
-};
-PointState stateAt(const FaceRecord& r, const MortarStart& start, const SolveMotion* motion) {
-  auto moved = kernel::pointMotion(r, kernel::frame(r), motion);
-  auto f = kernel::pointForces(r, moved);
-  PointState out;
-  kernel::store(f.n, out.n);
-  kernel::store(f.t1, out.f1);
-  kernel::store(f.t2, out.f2);
-  kernel::store(f.trialN, out.trialN);
-  kernel::store(moved.n, out.way);
-  kernel::store(moved.t1, out.way1);
-  kernel::store(moved.t2, out.way2);
-  out.slides = wide::bits(f.slides);
+// Forces and ways at the present motion, arcs and all.
+PointForces stateAt(const FaceRecord& r, const MortarStart& start, const SolveMotion* motion) {
+  PointForces out = pointForcesAt(r, motion);
   const float arcN = dot(r.n, start.arc), arc1 = dot(r.t1, start.arc), arc2 = dot(cross(r.n, r.t1), start.arc);
   for (int i = 0; i < 4; i++) {
     out.way[i] += arcN;
@@ -57,7 +43,7 @@ struct Taken {
 // The work of a joint's forces over the mean of the ways by its start velocities and by the motion found: by the end
 // motion alone a hit is over before it has begun, and takes nothing. Less what its springs hold then; and of what
 // slides the cohesive share only, since the rest is friction.
-Taken takenBy(const Mortar& m, const FaceRecord& r, const MortarStart& start, const PointState& now) {
+Taken takenBy(const Mortar& m, const FaceRecord& r, const MortarStart& start, const PointForces& now) {
   Taken out;
   const double k = mortar::stiffnessOf(m), rubs = std::max(0.0, m.strength.friction * double(start.pressure));
   auto held = [&](double force, double before) { return 0.5 * (force * force - before * before) / k; };
@@ -65,7 +51,7 @@ Taken takenBy(const Mortar& m, const FaceRecord& r, const MortarStart& start, co
     out.yields = out.yields || now.trialN[i] < r.leastN[i] || (now.slides >> i & 1);
     const double pull = std::min(0.0, double(now.n[i])), before = std::min(0.0, double(start.heldN[i]));
     out.pull += -pull * 0.5 * (double(start.opens[i]) + double(now.way[i])) - held(pull, before);
-    const double f1 = now.f1[i], f2 = now.f2[i], shear = std::sqrt(f1 * f1 + f2 * f2);
+    const double f1 = now.t1[i], f2 = now.t2[i], shear = std::sqrt(f1 * f1 + f2 * f2);
     const double cohesive = shear > 0 ? std::max(0.0, shear - rubs) / shear : 0;
     const double worked = -f1 * 0.5 * (double(start.goes1[i]) + double(now.way1[i])) -
                           f2 * 0.5 * (double(start.goes2[i]) + double(now.way2[i]));
@@ -115,7 +101,7 @@ bool MortarRows::store(Island& island, Ties& ties, StepContext&) {
     Mortar& m = ties.mortar.slots[mortarOf[k]];
     const FaceRecord& r = records[k];
     MortarStart& start = starts[k];
-    const PointState now = stateAt(r, start, island.motion.data());
+    const PointForces now = stateAt(r, start, island.motion.data());
     const Taken taken = takenBy(m, r, start, now);
     const double share = shareOf(taken, m), most = share > 1 - m.damage ? (1 - m.damage) / share : 1;
     m.damage = std::min(1.0, m.damage + share * most);
@@ -126,15 +112,15 @@ bool MortarRows::store(Island& island, Ties& ties, StepContext&) {
     const double stiffness = mortar::stiffnessOf(m);
     const bool soft = r.k[0] < 0.999f * float(stiffness);
     auto keep = [](const float(&from)[4], float(&to)[4]) { std::copy(from, from + 4, to); };
-    keep(now.n, start.forceN), keep(now.f1, start.force1), keep(now.f2, start.force2);
+    keep(now.n, start.forceN), keep(now.t1, start.force1), keep(now.t2, start.force2);
     for (int i = 0; i < 4; i++) {
       const bool opens = soft || now.trialN[i] < r.leastN[i], slips = soft || (now.slides >> i & 1);
       auto give = [&](float way, float force, float before, float& place) {
         place = float(double(place) + double(way) + (double(force) - double(before)) / stiffness);
       };
       if (opens) give(now.way[i], now.n[i], start.heldN[i], m.opening[i]);
-      if (slips) give(now.way1[i], now.f1[i], start.held1[i], m.slip1[i]);
-      if (slips) give(now.way2[i], now.f2[i], start.held2[i], m.slip2[i]);
+      if (slips) give(now.way1[i], now.t1[i], start.held1[i], m.slip1[i]);
+      if (slips) give(now.way2[i], now.t2[i], start.held2[i], m.slip2[i]);
     }
     const Reaction told = react(k, island.motion.data());
     m.force = wide::store3(told.force);
