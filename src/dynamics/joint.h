@@ -45,6 +45,8 @@ struct Joint {
   double over = 0;   // s: the step over which its errors grew
   double meanForce = 0, meanTorque = 0;  // N, N m: over kBreakTime, what a break is judged by
 
+  bool gone() const { return false; }
+  bool collides() const { return collide; }
   bool names(BodyIndex body) const { return bodyA == body || bodyB == body; }
 };
 

@@ -89,7 +89,7 @@ Result<JointIndex> find(const JointSet& set, JointId id, std::uint16_t world) {
   const JointIndex joint = id.index - 1;
   if (id.index == 0) return Error{ErrorCode::staleId, "joint: the id is null"};
   if (id.world != world) return Error{ErrorCode::staleId, "joint: the id is of another world"};
-  if (!set.has(joint) || set.joints[joint].generation != id.generation)
+  if (!set.has(joint) || set.slots[joint].generation != id.generation)
     return Error{ErrorCode::staleId, "joint: id " + std::to_string(id.index) + " has ended"};
   return joint;
 }
@@ -146,7 +146,7 @@ Joint jointFrom(const JointDef& def, BodyIndex a, BodyIndex b, const BodySet& bo
 }
 
 JointId idOf(const JointSet& set, JointIndex joint, std::uint16_t world) {
-  return {joint + 1, set.joints[joint].generation, world};
+  return {joint + 1, set.slots[joint].generation, world};
 }
 
 // How far a joint is from what it holds.
@@ -257,14 +257,14 @@ Result<JointState> World::state(JointId id) const {
   const Impl& w = *impl_;
   Result<JointIndex> index = find(w.ties.joints, id, w.registry.worldNumber);
   if (!index) return index.error();
-  return stateOf(w.ties.joints.joints[*index], w.registry);
+  return stateOf(w.ties.joints.slots[*index], w.registry);
 }
 
 Result<JointDef> World::definition(JointId id) const {
   const Impl& w = *impl_;
   Result<JointIndex> index = find(w.ties.joints, id, w.registry.worldNumber);
   if (!index) return index.error();
-  return definitionOf(w.ties.joints.joints[*index], w.registry);
+  return definitionOf(w.ties.joints.slots[*index], w.registry);
 }
 
 std::vector<JointId> World::joints() const {
@@ -280,7 +280,7 @@ std::vector<JointId> World::joints(BodyId id) const {
   Result<BodyIndex> body = impl_->registry.find(id);
   if (!body) return out;
   for (JointIndex joint : set.inOrder())
-    if (set.joints[joint].names(*body)) out.push_back(idOf(set, joint, impl_->registry.worldNumber));
+    if (set.slots[joint].names(*body)) out.push_back(idOf(set, joint, impl_->registry.worldNumber));
   return out;
 }
 
@@ -289,9 +289,9 @@ Status World::Impl::changeJoint(const std::string& call, JointId id, Check&& che
   Result<JointIndex> joint = openForChange(call, id);
   if (!joint) return joint.error();
   Checks checks;
-  check(checks, ties.joints.joints[*joint].type);
+  check(checks, ties.joints.slots[*joint].type);
   if (checks.failed()) return checks.error();
-  change(ties.joints.joints[*joint]);
+  change(ties.joints.slots[*joint]);
   upkeep().disturbJoint(*joint);
   return {};
 }

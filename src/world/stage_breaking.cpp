@@ -27,7 +27,7 @@ bool bear(Joint& joint, double dt) {
 }
 
 void tellBreak(JointIndex index, const Ties& ties, const Registry& registry, std::vector<BreakEvent>& out) {
-  const Joint& joint = ties.joints.joints[index];
+  const Joint& joint = ties.joints.slots[index];
   const JointPose pose(joint, registry.bodies);
   out.push_back({{index + 1, joint.generation, registry.worldNumber},
                  registry.idOf(joint.bodyA),
@@ -41,7 +41,7 @@ void breakJoints(const Registry& registry, double dt, Ties& ties, Diary& diary, 
   if (!ties.joints.any()) return;
   std::vector<JointIndex> broken;
   ties.joints.eachAwake([&](const Link& link) {
-    if (bear(ties.joints.joints[link.index], dt)) broken.push_back(link.index);
+    if (bear(ties.joints.slots[link.index], dt)) broken.push_back(link.index);
   });
   for (JointIndex joint : broken) {
     tellBreak(joint, ties, registry, diary.events.breaks);

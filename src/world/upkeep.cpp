@@ -100,13 +100,13 @@ JointIndex Upkeep::join(const Joint& joint) {
 }
 
 void Upkeep::disturbJoint(JointIndex joint) {
-  for (BodyIndex body : {ties_.joints.joints[joint].bodyA, ties_.joints.joints[joint].bodyB})
+  for (BodyIndex body : {ties_.joints.slots[joint].bodyA, ties_.joints.slots[joint].bodyB})
     if (registry_.bodies.data[body].type == BodyType::dynamic) disturb(body);
 }
 
 void Upkeep::unjoin(JointIndex joint) {
   disturbJoint(joint);
-  const Joint was = ties_.joints.joints[joint];
+  const Joint was = ties_.joints.slots[joint];
   ties_.joints.destroy(joint);
   if (!was.collide) meetAnew(was.bodyA, was.bodyB);
 }

@@ -40,7 +40,7 @@ void JointRows::checkStructure(Findings& f, const Island& island, const Ties& ti
                                bool current) const {
   const std::size_t all = island.bodies.size() + island.partners.size();
   f.expect(records.size() == size() && starts.size() == size(), "islands: lists of joints of different lengths");
-  for (JointIndex joint : jointOf) f.expect(joint < ties.joints.joints.size(), "islands: a joint that is not there");
+  for (JointIndex joint : jointOf) f.expect(joint < ties.joints.slots.size(), "islands: a joint that is not there");
   for (const JointRecord& r : records) f.expect(r.bodyA < all && r.bodyB < all, "islands: a joint's row names no body");
   if (f.any() || !current) return;
   for (std::size_t k = 0; k < size(); k++) {
@@ -72,7 +72,7 @@ void JointRows::check(Findings& f, const Island& island, const Ties& ties, bool 
 
 void JointRows::startAfresh(Ties& ties) const {
   for (JointIndex index : jointOf) {
-    Joint& joint = ties.joints.joints[index];
+    Joint& joint = ties.joints.slots[index];
     for (int i = 0; i < kJointLanes; i++) joint.way[i] = joint.turn[i] = 0;
     joint.force = joint.torque = {};
   }
@@ -80,7 +80,7 @@ void JointRows::startAfresh(Ties& ties) const {
 
 // Of springs: all other joints hold places, and store none.
 double JointRows::elasticEnergy(JointIndex index, const StepContext& context) {
-  const Joint& joint = context.ties->joints.joints[index];
+  const Joint& joint = context.ties->joints.slots[index];
   if (joint.type != JointType::spring && joint.type != JointType::drag) return 0;
   const double stretch = length(JointPose(joint, *context.bodies).way) - joint.length;
   return 0.5 * joint.stiffness * stretch * stretch;

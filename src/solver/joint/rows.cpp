@@ -132,7 +132,7 @@ bool isHard(JointLaw law) { return law == JointLaw::hard || law == JointLaw::atM
 bool JointRows::continues(const JointRows& old, const StepContext& context) const {
   if (jointOf != old.jointOf) return false;
   return std::none_of(jointOf.begin(), jointOf.end(),
-                      [&](JointIndex joint) { return context.ties->joints.joints[joint].born; });
+                      [&](JointIndex joint) { return context.ties->joints.slots[joint].born; });
 }
 
 RowGrip JointRows::grip(std::size_t k, const StepContext& context) const {
@@ -353,7 +353,7 @@ void JointRows::sumBoundary(const Boundary& b, BoundarySums& sums) const {
 bool JointRows::store(Island& island, Ties& ties, StepContext&) {
   const bool changed = !island.resting();
   for (std::size_t k = 0; k < size() && changed; k++) {
-    Joint& joint = ties.joints.joints[jointOf[k]];
+    Joint& joint = ties.joints.slots[jointOf[k]];
     const joint::Forces f = joint::forcesAt(records[k], island.motion.data());
     for (int i = 0; i < kJointLanes; i++) {
       joint.way[i] = double(f.way[i]);
@@ -380,17 +380,17 @@ double JointRows::mostWork(std::size_t k) const {
 
 void JointRows::tellShare(Ties& ties, float share) const {
   for (JointIndex index : jointOf) {
-    Joint& joint = ties.joints.joints[index];
+    Joint& joint = ties.joints.slots[index];
     joint.earlierForce += joint.force * double(share);
     joint.earlierTorque += joint.torque * double(share);
   }
 }
 
 void JointRows::remember(const Ties& ties, Memory& out) const {
-  for (JointIndex joint : jointOf) out.joints.push_back(ties.joints.joints[joint]);
+  for (JointIndex joint : jointOf) out.joints.push_back(ties.joints.slots[joint]);
 }
 void JointRows::restore(Ties& ties, const Memory& memory) const {
-  for (std::size_t k = 0; k < size(); k++) ties.joints.joints[jointOf[k]] = memory.joints[k];
+  for (std::size_t k = 0; k < size(); k++) ties.joints.slots[jointOf[k]] = memory.joints[k];
 }
 
 double JointRows::firstClosing(const Island&, double, const StepContext&) const {
@@ -422,7 +422,7 @@ void JointRows::keepImpactForces(const Island& island) {
 void JointRows::endImpact(const Island& island, Ties& ties, const StepContext& context, bool solved) {
   if (!solved) return;
   for (std::size_t k = 0; k < size(); k++) {
-    Joint& joint = ties.joints.joints[jointOf[k]];
+    Joint& joint = ties.joints.slots[jointOf[k]];
     const Reading f = joint::readingAt(records[k], island.motion.data());
     const double share = island.dt / context.dt;
     joint.earlierForce += toDouble(wide::store3(f.force)) * share;

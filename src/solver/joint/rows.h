@@ -72,7 +72,7 @@ struct JointRows {
     records.assign(size(), JointRecord());
     starts.assign(size(), JointStart());
     for (std::size_t k = 0; k < size(); k++) {
-      Joint& joint = ties.joints.joints[jointOf[k]];
+      Joint& joint = ties.joints.slots[jointOf[k]];
       records[k].bodyA = number(joint.bodyA);
       records[k].bodyB = number(joint.bodyB);
       joint.born = false;
@@ -170,7 +170,7 @@ struct JointRows {
   void endImpact(const Island& island, Ties& ties, const StepContext& context, bool solved);
 
  private:
-  const Joint& jointAt(std::size_t k, const Ties& ties) const { return ties.joints.joints[jointOf[k]]; }
+  const Joint& jointAt(std::size_t k, const Ties& ties) const { return ties.joints.slots[jointOf[k]]; }
   void findHeaviest(const Island& island, const BodySet& bodies);
   void bend(std::size_t k, Vec3f force);
   bool followArcs(std::size_t k, const SolveMotion* motion, float slack);

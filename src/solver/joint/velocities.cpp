@@ -79,7 +79,7 @@ class HeldVelocities {
     const double wound = windUp(ties);
     JointRows& joints = island_.rows.joints;
     double lent = 0, weights = 0;
-    for (JointIndex joint : joints.jointOf) lent += ties.joints.joints[joint].lent;
+    for (JointIndex joint : joints.jointOf) lent += ties.joints.slots[joint].lent;
     for (const Body& body : bodies_)
       weights += body.mass * length(context_.gravity) * context_.bodies->mass[body.body].outerRadius;
     const double held = energy();
@@ -88,7 +88,7 @@ class HeldVelocities {
     const double taken = rub(held, sum - lent - owed);
     const double kept = std::min({lent - sum, kReturns * gain.parts, kMostReturn * held});
     for (JointIndex joint : joints.jointOf)
-      ties.joints.joints[joint].lent = std::max(-owed, kept) / double(joints.size());
+      ties.joints.slots[joint].lent = std::max(-owed, kept) / double(joints.size());
     joints.returned = std::clamp(sum, 0.0, lent + owed) + owed + wound;
     return taken;
   }
@@ -98,7 +98,7 @@ class HeldVelocities {
     double sum = 0;
     const JointRows& joints = island_.rows.joints;
     for (std::uint32_t k = 0; k < joints.size(); k++) {
-      Joint& joint = ties.joints.joints[joints.jointOf[k]];
+      Joint& joint = ties.joints.slots[joints.jointOf[k]];
       if (!(joint.wound > 0)) continue;
       const JointRecord& r = joints.records[k];
       const Body &a = at(r.bodyA), &b = at(r.bodyB);
@@ -152,7 +152,7 @@ class HeldVelocities {
     const JointRows& joints = island_.rows.joints;
     for (std::uint32_t k = 0; k < joints.size(); k++) {
       const JointRecord& r = joints.records[k];
-      const Joint& joint = ties.joints.joints[joints.jointOf[k]];
+      const Joint& joint = ties.joints.slots[joints.jointOf[k]];
       const Body &a = at(r.bodyA), &b = at(r.bodyB);
       const Vec3 wA = mean(r.bodyA, a, true), wB = mean(r.bodyB, b, true);
       const Vec3 w = wB - wA, u = mean(r.bodyB, b, false) + cross(wB, toDouble(r.armB)) - mean(r.bodyA, a, false) -
@@ -327,7 +327,7 @@ class HeldVelocities {
     const JointRows& joints = island_.rows.joints;
     for (std::uint32_t k = 0; k < joints.size(); k++) {
       const JointRecord& r = joints.records[k];
-      const Joint& joint = ties.joints.joints[joints.jointOf[k]];
+      const Joint& joint = ties.joints.slots[joints.jointOf[k]];
       const Body &a = at(r.bodyA), &b = at(r.bodyB);
       const JointPose pose(joint, a.place, b.place);
       const JointSystem system = equationsOf(joint, pose);
@@ -497,7 +497,7 @@ class HeldVelocities {
     for (const Equation& e : equations_) support(e.row, e.armA, e.turn, e.axis * e.impulse);
     for (const Friction& f : frictions_) support(f.row, f.armA, f.turn, f.impulse);
     for (const Equation& e : equations_) {
-      Joint& joint = ties.joints.joints[island_.rows.joints.jointOf[e.row]];
+      Joint& joint = ties.joints.slots[island_.rows.joints.jointOf[e.row]];
       (e.turn ? joint.earlierTorque : joint.earlierForce) += e.axis * (e.impulse / context_.dt);
     }
   }
