@@ -72,6 +72,8 @@ class FlightAhead {
     const Vec3 othersWay = (m.linearVelocity - frame_) * context_.dt;
     const Transform back = inverse(bodies.pose(other.body) * other.inCentreFrame);
     const Transform ballInOther{transformPoint(back, at), {}};
+    // Faces that a straight way leaves behind, its bend may meet.
+    if (!(shapeDistance(other.geometry, ball, ballInOther).distance > apart)) return 0;
     auto until = [&](Vec3 motion) {
       return timeOfImpact(other.geometry, ball, ballInOther, rotate(back.rotation, motion), apart).value_or(1);
     };

@@ -97,6 +97,7 @@ BodyDef targetOf(RandomKind kind, Draw& draw, double size, const Material& mater
     d.shapes[0].type = ShapeType::mesh;
     d.shapes[0].mesh = hills(size);
     out.halfExtents = Vec3{40, 1, 40} * size;
+    out.hilly = true;
   } else if (kind != RandomKind::ground) {
     double thin = kind == RandomKind::wall ? draw.between(1, 3) * size : std::max(1e-3, size * draw.scale(.02, .5));
     out.halfExtents = {size * draw.between(10, 60), thin, size * draw.between(10, 60)};
@@ -176,14 +177,16 @@ double energyOf(const RandomWorld& r) {
 }
 
 // The centre went from above what is thrown at to below it, through its face: along the chord of the step, and where it
-// comes from by its velocity at the end. What a hit throws over the edge goes round it.
+// comes from by its velocity at the end. What a hit throws over the edge goes round it, and so does what comes in under
+// the rim of hills.
 bool passes(const RandomWorld& r, Vec3 before, Vec3 now, Vec3 velocity, double time) {
   before -= r.drive * (time - r.dt), now -= r.drive * time, velocity -= r.drive;
-  const double level = -r.halfExtents.y;
+  const double level = -r.halfExtents.y, crests = r.hilly ? r.halfExtents.y : level;
   if (!(before.y > level && now.y <= level)) return false;
   if (r.halfExtents == Vec3{}) return true;
   auto inside = [&](Vec3 at) { return std::fabs(at.x) < r.halfExtents.x && std::fabs(at.z) < r.halfExtents.z; };
-  return inside(before + (now - before) * ((before.y - level) / (before.y - now.y))) &&
+  auto onChord = [&](double y) { return before + (now - before) * ((before.y - y) / (before.y - now.y)); };
+  return inside(onChord(level)) && inside(before.y > crests ? onChord(crests) : before) &&
          (!(velocity.y < 0) || inside(now + velocity * ((level - now.y) / velocity.y)));
 }
 

@@ -24,8 +24,9 @@ struct RandomWorld {
   std::vector<BodyId> bodies;
   std::vector<double> sizes;     // m: inner radius of each body
   std::optional<BodyId> target;  // what they are thrown at; none in space
-  Vec3 halfExtents;              // m, of a target that is a box
+  Vec3 halfExtents;              // m, of a target that is a box or hills
   Vec3 drive;                    // m/s, of a belt
+  bool hilly = false;            // the target: its upper side goes up and down by halfExtents.y
 };
 RandomWorld drawWorld(RandomKind kind, int seed, bool turned = false);
 

@@ -3,6 +3,10 @@
 #include "law/random_world.h"
 #include "law/sweeps.h"
 
+#include <atomic>
+#include <cstdlib>
+#include <thread>
+
 namespace brickfall::law {
 
 namespace {
@@ -17,26 +21,46 @@ struct Count {
   double gain = 0, push = 0, spin = 0;
 };
 
+void countWorld(RandomKind kind, int number, Count& out) {
+  RandomWorld random = drawWorld(kind, number);
+  const RandomOutcome found = runWorld(random);
+  EXPECT_LE(found.gain, kGainKnown) << random.text;
+  EXPECT_TRUE(found.finite) << random.text;
+  out.gained += found.gain > kGain;
+  out.gain = std::max(out.gain, found.gain);
+  out.through += found.through > 0;
+  out.deep += found.deep > 1;
+  out.lost += !found.finite;
+  if (kind != RandomKind::space) return;
+  EXPECT_LE(found.linear, kMomentum) << random.text;
+  EXPECT_LE(found.angular, kMomentum) << random.text;
+  out.pushed += found.linear > kMomentum;
+  out.spun += found.angular > kMomentum;
+  out.push = std::max(out.push, found.linear);
+  out.spin = std::max(out.spin, found.angular);
+}
+
+void add(const Count& from, Count& to) {
+  to.gained += from.gained, to.pushed += from.pushed, to.spun += from.spun;
+  to.through += from.through, to.deep += from.deep, to.lost += from.lost;
+  to.gain = std::max(to.gain, from.gain);
+  to.push = std::max(to.push, from.push), to.spin = std::max(to.spin, from.spin);
+}
+
+// On as many threads as `make validate` says (JOBS); sums and worst cases do not depend on it.
 Count countWorlds(RandomKind kind, int cases) {
+  const char* jobs = std::getenv("BRICKFALL_VALIDATION_JOBS");
+  std::vector<Count> found(std::size_t(std::max(1, jobs ? std::atoi(jobs) : 1)));
+  std::atomic<int> next = 0;
+  const auto work = [&](Count& mine) {
+    for (int i; (i = next++) < cases;) countWorld(kind, i, mine);
+  };
+  std::vector<std::thread> others;
+  for (std::size_t i = 1; i < found.size(); i++) others.emplace_back(work, std::ref(found[i]));
+  work(found[0]);
+  for (std::thread& other : others) other.join();
   Count out;
-  for (int i = 0; i < cases; i++) {
-    RandomWorld random = drawWorld(kind, i);
-    const RandomOutcome found = runWorld(random);
-    EXPECT_LE(found.gain, kGainKnown) << random.text;
-    EXPECT_TRUE(found.finite) << random.text;
-    out.gained += found.gain > kGain;
-    out.gain = std::max(out.gain, found.gain);
-    out.through += found.through > 0;
-    out.deep += found.deep > 1;
-    out.lost += !found.finite;
-    if (kind != RandomKind::space) continue;
-    EXPECT_LE(found.linear, kMomentum) << random.text;
-    EXPECT_LE(found.angular, kMomentum) << random.text;
-    out.pushed += found.linear > kMomentum;
-    out.spun += found.angular > kMomentum;
-    out.push = std::max(out.push, found.linear);
-    out.spin = std::max(out.spin, found.angular);
-  }
+  for (const Count& one : found) add(one, out);
   return out;
 }
 

@@ -39,5 +39,11 @@ TEST(Regression, BodiesThatTurnFarEndAboveGround) {
   for (int seed : {83, 1465, 20472}) expectWorldSound(RandomKind::belt, seed);
 }
 
+// Grains over hills flew ahead along the straight of their velocity. It led away from the slope below, and gravity into it: they
+// were through before anybody looked.
+TEST(Regression, WhatFallsOnItsWayStaysAboveHills) {
+  for (int seed : {1063, 1726, 2581, 4198, 4703, 11362, 13752}) expectWorldSound(RandomKind::terrain, seed);
+}
+
 }  // namespace
 }  // namespace brickfall
