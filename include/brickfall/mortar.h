@@ -61,7 +61,7 @@ struct MortarState {
 struct LoadTaker {
   MortarId mortar;               // null: contacts of the two bodies
   BodyId bodyA, bodyB;           // one of them is a body of the joint
-  double before = 0, after = 0;  // N: in the step before it opened; the most in the first 1/60 s after it broke
+  double before = 0, after = 0;  // N: in the step before it opened; the mean over .05 s after it broke
 };
 
 // How a mortar joint opened. Kept with the joint from the step in which it cracks.

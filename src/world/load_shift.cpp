@@ -9,8 +9,8 @@ namespace {
 
 //! s | too small: an opening that slows down for a step counts as two | too large: a second hit counts as the first
 constexpr double kPause = 0.1;  // without damage, after which a joint opens anew
-//! s | too small: short steps see waves | too large: what falls later counts as having taken the load
-constexpr double kWatch = 1.0 / 60;  // in which the load of a broken joint goes over; one step at least
+//! s | too small: swings of what sprang are told | too large: who falls later counts as having taken the load
+constexpr double kWatch = 0.05;  // after a break: the mean of what ties bear is taken over it, over one step at least
 
 struct LoadOf {
   BodyIndex body;
@@ -104,7 +104,7 @@ std::vector<MortarIndex> beginOpenings(double time, MortarSet& set) {
 
 }  // namespace
 
-void noteOpenings(double time, Ties& ties) {
+void noteOpenings(double time, double dt, Ties& ties) {
   MortarSet& set = ties.mortar;
   const std::vector<MortarIndex> begins = beginOpenings(time, set);
   if (begins.empty() && set.watched.empty()) return;
@@ -125,13 +125,19 @@ void noteOpenings(double time, Ties& ties) {
   }
   for (MortarIndex mortar : set.watched) {
     OpeningMemory& past = *set.pastOf(mortar);
+    const double share = time > past.breakTime ? std::min(1.0, dt / (time - past.breakTime)) : 1;
     eachBeside(mortar, set.slots[mortar], loads, [&](TieLoad load) {
       TieLoad* const end = past.loads + past.count;
       TieLoad* const known = std::find_if(past.loads, end, [&](const TieLoad& old) { return old.isSame(load); });
+      // Of what breaks meanwhile, the mean until then stays.
+      const auto mean = [&](float until) {
+        return float(double(until) + (double(load.after) - double(until)) * share);
+      };
       if (known != end) {
-        known->after = std::max(known->after, load.after);
+        known->after = mean(known->after);
       } else {
         load.before = 0;
+        load.after = mean(0);
         addLoad(past, load);
       }
     });

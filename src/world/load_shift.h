@@ -4,8 +4,9 @@
 
 namespace brickfall {
 
-// Once a step, after the solve is stored and before broken joints are taken out. `time`: s, at the end of the step.
-void noteOpenings(double time, Ties& ties);
+// Once a step, after the solve is stored and before broken joints are taken out. `time`: s, at the end of the
+// step; `dt`: s, of this part of it.
+void noteOpenings(double time, double dt, Ties& ties);
 // The joint breaks in this step.
 void noteBreak(MortarIndex mortar, double time, MortarSet& set);
 

@@ -50,7 +50,7 @@ void breakJoints(const Registry& registry, double dt, Ties& ties, Diary& diary, 
   }
 }
 
-void crumbleMortar(const Registry& registry, double time, Ties& ties, Diary& diary, Upkeep& upkeep) {
+void crumbleMortar(const Registry& registry, double time, double dt, Ties& ties, Diary& diary, Upkeep& upkeep) {
   std::vector<MortarIndex> broken;
   auto tell = [&](MortarIndex index, bool breaks) {
     const Mortar& m = ties.mortar.slots[index];
@@ -62,7 +62,7 @@ void crumbleMortar(const Registry& registry, double time, Ties& ties, Diary& dia
                                    m.tensionWork + m.shearWork,
                                    breaks});
   };
-  noteOpenings(time, ties);
+  noteOpenings(time, dt, ties);
   ties.mortar.eachAwake([&](const Link& link) {
     Mortar& m = ties.mortar.slots[link.index];
     if (m.damage > 0 && !m.cracked) {
@@ -82,7 +82,7 @@ void crumbleMortar(const Registry& registry, double time, Ties& ties, Diary& dia
 
 void breakTies(const Registry& registry, const Clock& clock, double dt, Ties& ties, Diary& diary, Upkeep& upkeep) {
   breakJoints(registry, dt, ties, diary, upkeep);
-  if (ties.mortar.any()) crumbleMortar(registry, clock.time + clock.lastDt, ties, diary, upkeep);
+  if (ties.mortar.any()) crumbleMortar(registry, clock.time + clock.lastDt, dt, ties, diary, upkeep);
 }
 
 void hashBreaking(const Ties& ties, HashItems& out) {

@@ -163,7 +163,7 @@ struct HungBeam {
   BodyId ceiling = add(world, bodyOf(boxOf({1, 0.1, 0.1}), {0, 2.1, 0}, BodyType::fixed));
   BodyId beam = add(world, bodyOf(boxOf({0.3, 0.05, 0.05}), {0, 1.95, 0}));
   BodyId block = add(world, bodyOf(boxOf({0.05, 0.05, 0.05}), {0, 1.85, 0}));
-  MortarId left = glueAcross(world, beam, ceiling, {-0.25, 2, 0}, 0.05, 0.05, 0.2);
+  MortarId left = glueAcross(world, beam, ceiling, {-0.25, 2, 0}, 0.05, 0.05, 0.024);
   MortarId right = glueAcross(world, beam, ceiling, {0.25, 2, 0}, 0.05, 0.05, 5);
   MortarId under = glueAcross(world, block, beam, {0, 1.9, 0}, 0.05, 0.05);
   double weight() const { return (world.state(beam)->mass + world.state(block)->mass) * kG; }
@@ -182,28 +182,29 @@ struct HungBeam {
 
 TEST(Mortar, TellsWhoTookTheLoadOver) {
   HungBeam hung;
+  const double weight = hung.weight();
   EXPECT_FALSE(hung.world.past(hung.left).ok()) << "it has not cracked";
   hung.step(30);
-  EXPECT_NEAR(length(hung.world.state(hung.right)->force), 0.5 * hung.weight(), 0.01 * hung.weight());
-  // A load beside the weak face, in one step: then it is gone again.
-  ASSERT_TRUE(hung.world.applyForceAtPoint(hung.beam, {0, -8000, 0}, {-0.25, 1.95, 0}).ok());
-  hung.step(1);
+  EXPECT_NEAR(length(hung.world.state(hung.right)->force), 0.5 * weight, 0.01 * weight);
+  // Twice the weight is more than the left face bears: the right one has all of it, at its arm.
+  ASSERT_TRUE(hung.world.setGravity({0, -2 * kG, 0}).ok());
+  while (!hung.world.state(hung.left)->broken && hung.world.time() < 2) hung.step(1);
   ASSERT_TRUE(hung.world.state(hung.left)->broken);
   const double broke = hung.world.time();
   hung.step(30);
   const MortarPast past = *hung.world.past(hung.left);
   EXPECT_EQ(past.mortar, hung.left);
   EXPECT_EQ(past.breakTime, broke);
-  EXPECT_EQ(past.crackTime, broke);
+  EXPECT_LE(past.crackTime, broke);
   EXPECT_EQ(past.mode, MortarMode::tension);
   EXPECT_GT(past.tensionShare, 0.9);
   EXPECT_LE(past.tensionShare + past.shearShare, 1 + 1e-9);
   EXPECT_TRUE(past.settled);
-  EXPECT_NEAR(past.force.y, -0.5 * hung.weight(), 0.01 * hung.weight()) << "on the ceiling";
+  EXPECT_NEAR(past.force.y, -0.5 * weight, 0.01 * weight) << "on the ceiling";
   ASSERT_FALSE(past.takers.empty());  // the block under it is jerked, and may come second
   EXPECT_EQ(past.takers[0].mortar, hung.right);
-  EXPECT_NEAR(past.takers[0].before, 0.5 * hung.weight(), 0.01 * hung.weight());
-  EXPECT_NEAR(past.takers[0].after, hung.weight(), 0.05 * hung.weight());
+  EXPECT_NEAR(past.takers[0].before, 0.5 * weight, 0.01 * weight);
+  EXPECT_NEAR(past.takers[0].after, 2 * weight, 0.05 * weight);
   const FallStory story = *hung.world.whyFell(hung.beam);
   EXPECT_TRUE(story.carried);
   ASSERT_EQ(story.opened.size(), 1u);
