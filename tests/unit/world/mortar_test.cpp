@@ -1,7 +1,11 @@
 // Mortar through the API: what is refused and why, what can be read, events, what is carried, sleep, bodies that go.
+#include <algorithm>
 #include <limits>
+#include <map>
+#include <random>
 
 #include "brickfall/fall.h"
+#include "support/mortared_wall.h"
 #include "support/world_helpers.h"
 
 namespace brickfall::test {
@@ -281,6 +285,129 @@ TEST(Mortar, GoesOnWithThePieceThatHasItsFace) {
   EXPECT_LT(world.state(block)->position.y, 1.8) << "fell";
   EXPECT_NEAR(length(world.state(left)->force), world.state(pieces[0])->mass * kG, 0.01 * length(force));
   expectSound(world);
+}
+
+// Any order of calls: the joints that there are, and of which bodies, are those of a simple model.
+class MortarModel {
+ public:
+  explicit MortarModel(unsigned seed) : random_(seed), wall_(mortaredWall(3, 3, 4)) {
+    for (MortarId id : wall_.joints) add(id);
+  }
+  void play(int calls) {
+    for (int i = 0; i < calls && !testing::Test::HasFailure(); i++) {
+      call(int(random_() % 8));
+      compare();
+    }
+  }
+  int dropped = 0, kept = 0, broken = 0;
+
+ private:
+  World& world() { return wall_.world; }
+  BodyId anyBody() {
+    const std::vector<BodyId> all = world().bodies();
+    return all[random_() % all.size()];
+  }
+  void add(MortarId id) { model_[id] = {world().state(id)->bodyA, world().state(id)->bodyB}; }
+  void call(int which) {
+    if (which == 0) {
+      MortarDef def;
+      def.bodyA = anyBody();
+      def.bodyB = anyBody();
+      if (Result<std::vector<Vec3>> face = world().sharedFace(def.bodyA, def.bodyB)) def.outline = *face;
+      if (Result<MortarId> made = world().createMortar(def)) add(*made);
+    } else if (which == 1 && !model_.empty()) {
+      const MortarId id = std::next(model_.begin(), std::ptrdiff_t(random_() % model_.size()))->first;
+      EXPECT_TRUE(world().destroyMortar(id).ok());
+      EXPECT_FALSE(world().destroyMortar(id).ok()) << "twice";
+      model_.erase(id);
+    } else if (which == 2 && random_() % 3 == 0) {
+      end(anyBody());
+    } else if (which == 3) {
+      cut(anyBody());
+    } else if (which == 4) {
+      World copy = makeWorld();
+      ASSERT_TRUE(copy.restore(world().snapshot()).ok());
+      for (World* w : {&copy, &world()}) ASSERT_TRUE(w->step(kDt).ok());
+      EXPECT_EQ(copy.stateHash(), world().stateHash());
+    } else {
+      ASSERT_TRUE(world().step(which == 5 ? 1.0 / 240 : kDt).ok());
+      for (const MortarEvent& event : world().events().mortar) broken += event.broken;
+    }
+  }
+  void end(BodyId body) {
+    ASSERT_TRUE(world().destroyBody(body).ok());
+    std::erase_if(model_, [&](const auto& joint) { return joint.second.first == body || joint.second.second == body; });
+  }
+  // In two, across its longest axis.
+  void cut(BodyId body) {
+    const BodyState state = *world().state(body);
+    const ShapeDef shape = *world().shape(world().shapes(body)[0]);
+    if (shape.type != ShapeType::box || shape.halfExtents.x < 0.03) return;
+    std::vector<BodyDef> halves;
+    for (double side : {-0.5, 0.5}) {
+      BodyDef def = bodyOf(shape, state.position + rotate(state.rotation, Vec3{side * shape.halfExtents.x, 0, 0}));
+      def.rotation = state.rotation;
+      def.linearVelocity = state.linearVelocity;
+      def.shapes[0].halfExtents.x *= 0.5;
+      halves.push_back(def);
+    }
+    const Result<std::vector<BodyId>> pieces = world().replaceBody(body, halves);
+    ASSERT_TRUE(pieces.ok());
+    for (auto joint = model_.begin(); joint != model_.end();) {
+      auto& [a, b] = joint->second;
+      if (a != body && b != body) {
+        ++joint;
+        continue;
+      }
+      const Result<MortarState> now = world().state(joint->first);
+      if (!now) {
+        dropped++;
+        joint = model_.erase(joint);
+        continue;
+      }
+      BodyId& was = a == body ? a : b;
+      was = a == body ? now->bodyA : now->bodyB;
+      EXPECT_TRUE(was == (*pieces)[0] || was == (*pieces)[1]);
+      kept++;
+      ++joint;
+    }
+  }
+  void compare() {
+    std::vector<MortarId> ids;
+    for (const auto& [id, bodies] : model_) {
+      ids.push_back(id);
+      const Result<MortarState> state = world().state(id);
+      ASSERT_TRUE(state.ok()) << id.index;
+      EXPECT_EQ(state->bodyA, bodies.first);
+      EXPECT_EQ(state->bodyB, bodies.second);
+      EXPECT_TRUE(world().isValid(bodies.first) && world().isValid(bodies.second));
+    }
+    std::vector<MortarId> there = world().mortars();
+    std::sort(there.begin(), there.end());
+    EXPECT_EQ(there, ids);
+    for (BodyId body : world().bodies()) ASSERT_TRUE(world().whyFell(body).ok());
+    expectSound(world());
+  }
+
+  std::mt19937 random_;
+  MortaredWall wall_;
+  std::map<MortarId, std::pair<BodyId, BodyId>> model_;
+};
+
+TEST(Mortar, CallsInAnyOrderLeaveWhatAModelSays) {
+  int dropped = 0, kept = 0, broken = 0;
+  for (unsigned seed = 1; seed <= 12; seed++) {
+    SCOPED_TRACE(seed);
+    MortarModel model(seed);
+    model.play(60);
+    dropped += model.dropped;
+    kept += model.kept;
+    broken += model.broken;
+    if (HasFailure()) return;
+  }
+  EXPECT_GT(dropped, 5);
+  EXPECT_GT(kept, 5);
+  EXPECT_GT(broken, 5);
 }
 
 }  // namespace
