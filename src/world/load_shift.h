@@ -1,4 +1,5 @@
-// Where the load of mortar goes that opens: what its neighbours bear before and after. Nothing that moves a body reads it.
+// Where the load of mortar goes that opens: what its neighbours bear before and after. Nothing that moves a body reads
+// it.
 #pragma once
 #include "dynamics/ties.h"
 

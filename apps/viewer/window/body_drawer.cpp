@@ -14,7 +14,7 @@ std::array<float, 3> parts(std::uint32_t colour) {
 }
 
 constexpr double kPlateWider = 1.03, kPlateThick = 0.2;  // of joints: of half edges; of the smaller of these
-constexpr float kPlateGlow = 0.12f;                       // their colours are to be compared with the legend's
+constexpr float kPlateGlow = 0.12f;                      // their colours are to be compared with the legend's
 
 // x and y: unit, at right angles.
 Quat rotationFromAxes(Vec3 x, Vec3 y) {
