@@ -150,11 +150,11 @@ void TakeRecorder::Impl::followMortar(const World& world, TakeChange& change) {
     else
       change.mortarEnds.push_back(joint.number);
   }
-  std::vector<MortarId> known;
-  for (const FollowedMortar& joint : kept) known.push_back(joint.id);
-  std::sort(known.begin(), known.end());
+  std::vector<MortarId> old;
+  for (const FollowedMortar& joint : kept) old.push_back(joint.id);
+  std::sort(old.begin(), old.end());
   for (MortarId id : now) {
-    if (std::binary_search(known.begin(), known.end(), id)) continue;
+    if (std::binary_search(old.begin(), old.end(), id)) continue;
     const MortarState state = *world.state(id);
     const std::uint32_t a = placeOf(state.bodyA), b = placeOf(state.bodyB);
     if (a == kNowhere || b == kNowhere) continue;
