@@ -39,8 +39,9 @@ TEST(ShippedScenes, AreAllSoundTitledAndFoundByName) {
     EXPECT_FALSE(shipped(scene.name).cameras.empty());
   }
   std::string message = unknownSceneMessage("piramid", "a scene file");
-  EXPECT_TRUE(message.starts_with(
-      "scene: found \"piramid\", expected a scene file or one of: arch, arch-load, blast, bridge, column, cradle, cube, "))
+  EXPECT_TRUE(
+      message.starts_with("scene: found \"piramid\", expected a scene file or one of: arch, arch-load, blast, bridge, "
+                          "column, cradle, cube, "))
       << message;
   EXPECT_TRUE(message.ends_with("(did you mean \"pyramid\"?)")) << message;
   EXPECT_EQ(findScene("no such scene"), "");
