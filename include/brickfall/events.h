@@ -31,7 +31,8 @@ struct BreakEvent {
   Vec3 force, torque;  // N, N m, from A on B: under which it broke
 };
 
-// Mortar cracked: the first of the energy that breaks it is spent. Or it broke; its id stays valid.
+// Mortar cracked: the first of the energy that breaks it is spent. Or it broke; its id stays valid. Or it was dropped: a
+// body was replaced by pieces of which none has its whole face; its id has ended, one of its bodies is gone.
 struct MortarEvent {
   MortarId mortar;
   BodyId bodyA, bodyB;
@@ -39,6 +40,7 @@ struct MortarEvent {
   MortarMode mode = MortarMode::none;  // that took more of it
   double energy = 0;                   // J, spent on it so far
   bool broken = false;
+  bool dropped = false;
 };
 
 struct Events {

@@ -2,6 +2,8 @@
 // strength, cracks by what the cracking costs, and broken it is gone: what it glued then touches as any two bodies do.
 #pragma once
 #include <cstdint>
+#include <limits>
+#include <optional>
 #include <vector>
 
 #include "brickfall/ids.h"
@@ -41,6 +43,7 @@ struct MortarState {
   Vec3 centre;                            // m, world: of the face, on A
   Vec3 normal;                            // unit, world: from A to B
   double area = 0;                        // m2
+  Vec3 along1, along2;                    // m, world: half edges of the rectangle that bends as the face does
   Vec3 force;                             // N, from A on B: in the last part of the last step
   Vec3 torque;                            // N m, from A on B, about the face's centre
   double tension = 0;                     // Pa, largest pull at the edge of the face; below 0: all of it is pressed
@@ -52,6 +55,37 @@ struct MortarState {
   bool broken = false;
   bool awake = true;  // a body of it is
   std::uint64_t userData = 0;
+};
+
+// A tie of one of a joint's bodies that bears more since the joint opened.
+struct LoadTaker {
+  MortarId mortar;               // null: contacts of the two bodies
+  BodyId bodyA, bodyB;           // one of them is a body of the joint
+  double before = 0, after = 0;  // N: in the step before it opened; the mean over .05 s after it broke
+};
+
+// How a mortar joint opened. Kept with the joint from the step in which it cracks.
+struct MortarPast {
+  MortarId mortar;
+  BodyId bodyA, bodyB;
+  double crackTime = 0;                                        // s: the first of its energy was spent
+  double openTime = 0;                                         // s: its last opening began (after .1 s without any)
+  double breakTime = std::numeric_limits<double>::infinity();  // s; infinite: it holds
+  MortarMode mode = MortarMode::none;                          // that took more of its energy
+  double tensionShare = 0, shearShare = 0;                     // of the energy that breaks it, by mode
+  Vec3 force;                                                  // N, from A on B, in the step before it opened
+  bool settled = false;                                        // `takers` is complete
+  std::vector<LoadTaker> takers;                               // up to 4, who gained most first; once it is broken
+};
+
+// Why a body fell, as far as mortar tells it. A body that fell with others fell for the same reason as they did.
+struct FallStory {
+  bool carried = false;  // it reaches something fixed (World::carried); what lies on the ground does, too
+  // Of the joints that held the body up, or that held up what it hangs together with, or what carried these until then:
+  // the first that broke. None: no such joint broke.
+  std::optional<MortarPast> first;
+  bool own = false;                // `first` is a joint of the body itself
+  std::vector<MortarPast> opened;  // the body's own joints that broke, in the order of time
 };
 
 }  // namespace brickfall

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "brickfall/math.h"
+#include "brickfall/mortar.h"
 #include "brickfall/result.h"
 #include "brickfall/scenery.h"
 #include "brickfall/shapes.h"
@@ -25,6 +26,13 @@ struct TakeBody {
   std::vector<std::string> shapeMaterials;  // one per shape; empty: `material` for all
 };
 
+// A mortar joint, known by its number: joints are counted as bodies are, by themselves.
+struct TakeMortar {
+  std::uint32_t bodyA = 0, bodyB = 0;  // numbers of bodies
+  Vec3 centre;                         // m, frame of A
+  Vec3 along1, along2;                 // m, frame of A: half edges of its face (MortarState)
+};
+
 struct TakeHeader {
   std::string scene, title, engineVersion;
   std::uint64_t seed = 0;
@@ -32,7 +40,7 @@ struct TakeHeader {
   std::vector<Camera> cameras;
 };
 
-// The frames in which a body is there: from `birth` up to, not including, `end`.
+// The frames in which a body, or a joint, is there: from `birth` up to, not including, `end`.
 struct TakeLife {
   std::size_t birth = 0, end = 0;
   bool holds(std::size_t frame) const { return frame >= birth && frame < end; }
@@ -53,16 +61,44 @@ struct TakeEvent {
   float impulse = 0;  // N s
 };
 
+// 0 .. 1 both, kept to 1 / 255. Broken: damage is 1.
+struct TakeMortarState {
+  float utilisation = 0, damage = 0;
+};
+
+// As LoadTaker.
+struct TakeLoadTaker {
+  static constexpr std::uint32_t kContacts = 0xffffffffu;
+  std::uint32_t mortar = kContacts;    // number of a joint; kContacts: contacts of the two bodies
+  std::uint32_t bodyA = 0, bodyB = 0;  // numbers
+  float before = 0, after = 0;         // N
+};
+
+// How a joint broke, as MortarPast. In the take from .05 s after it broke on.
+struct TakeBreak {
+  std::uint32_t mortar = 0;             // number
+  double crackTime = 0, breakTime = 0;  // s
+  MortarMode mode = MortarMode::none;
+  float tensionShare = 0, shearShare = 0;
+  Vec3 force;  // N, from A on B, before it opened; kept as floats
+  std::vector<TakeLoadTaker> takers;
+};
+
 struct TakeFrame {
-  double time = 0;                // s
-  std::vector<TakePose> poses;    // one per body that is there, in the order of their numbers
-  std::vector<TakeEvent> events;  // since the last frame
+  double time = 0;                      // s
+  std::vector<TakePose> poses;          // one per body that is there, in the order of their numbers
+  std::vector<TakeEvent> events;        // since the last frame
+  std::vector<TakeMortarState> mortar;  // one per joint that is there, in the order of their numbers
+  std::vector<TakeBreak> breaks;        // known since the last frame
 };
 
 // Who comes and who goes with a frame.
 struct TakeChange {
   std::vector<TakeBody> births;     // there from this frame on; their numbers follow those of all bodies before
   std::vector<std::uint32_t> ends;  // numbers of bodies that were there in the last frame and no longer are, ascending
+  std::vector<TakeMortar> mortar;   // joints that come, numbered likewise
+  std::vector<std::uint32_t> mortarEnds;  // numbers of joints that go, ascending
+  bool any() const { return !births.empty() || !ends.empty() || !mortar.empty() || !mortarEnds.empty(); }
 };
 
 // Whether bytes that begin like this are a take's (at least the first 8 are needed): tells takes from other files.
@@ -100,6 +136,10 @@ class TakeReader {
   const std::vector<TakeLife>& lives() const;   // of each body
   // Numbers of the bodies that are there in a frame, ascending: those to which TakeFrame::poses belong.
   std::vector<std::uint32_t> bodiesAt(std::size_t frame) const;
+  // All mortar joints that ever were there, by number, and their lives; those of a frame, ascending.
+  const std::vector<TakeMortar>& mortar() const;
+  const std::vector<TakeLife>& mortarLives() const;
+  std::vector<std::uint32_t> mortarAt(std::size_t frame) const;
   bool complete() const;
   // Of a take that was cut off: bytes after its last whole frame, which belong to a torn one.
   std::uint64_t tornBytes() const;

@@ -95,7 +95,8 @@ class World {
   // nothing. What touches it touches the pieces as before: their contacts go on with what the body's remembered within
   // 0.6 inner radii of the thinner shape, so that what leans on it is held all the while. Places and velocities are
   // those of the definitions. Forces applied for the next step go to the dynamic pieces: the sums of force and of
-  // torque stay, and all of them gain speed as one rigid body would.
+  // torque stay, and all of them gain speed as one rigid body would. Mortar that holds goes on, damage and all, with the
+  // piece that has its whole face; where none has, it ends (Events::mortar, dropped).
   Result<std::vector<BodyId>> replaceBody(BodyId body, std::span<const BodyDef> pieces);
   bool isValid(BodyId body) const;
   Result<BodyState> state(BodyId body) const;
@@ -146,6 +147,11 @@ class World {
   Result<MortarState> state(MortarId mortar) const;
   std::vector<MortarId> mortars() const;             // in order of creation, broken ones as well
   std::vector<MortarId> mortars(BodyId body) const;  // of the body, in order of creation; empty for a stale id
+  // How the joint opened; refused for one that has not cracked.
+  Result<MortarPast> past(MortarId mortar) const;
+  // Which joint gave way first, and who bears its load since. Looks at all joints: many questions cost less with
+  // FallFinder (fall.h).
+  Result<FallStory> whyFell(BodyId body) const;
   // The outline of the face in which two bodies lie on each other, nearer than `gap` m: corners as MortarDef wants them,
   // in the middle of the gap. Empty where they do not lie face to face. Boxes and hulls, alone or in compounds, and planes; of
   // several such faces the largest. It is exact up to 16 corners; of more those are left out that cut off least.

@@ -4,6 +4,7 @@
 // brick's weight): they are found once, in double, when the manifold is made, and then carried on by the displacements
 // that the solver itself computed.
 #pragma once
+#include <cmath>
 #include <cstdint>
 
 #include "dynamics/body_set.h"
@@ -30,6 +31,7 @@ struct Contact {
   bool crushed = false;     // a blow has crushed what it hit: the next press on the same place
   float crushing = 0;  // N, 8 pi x radius x hardness: F^2 / this is what a blow of force F crushes; 0: nothing is round
   float effectiveMass = 0;  // kg, 1 / (1/mA + 1/mB)
+  float earlierForce = 0;   // N: of its points together, in the step before; only where there is mortar, not kept
   PointMemory points;
 };
 
@@ -39,6 +41,13 @@ struct Contact {
 constexpr int kRollingLane = 3;
 inline bool resistsRolling(const Contact& c) {
   return c.rolls && c.rolling > 0 && c.rollingRadius > 0 && c.count <= kRollingLane;
+}
+
+// N: of all its points together.
+inline float forceOf(const Contact& c) {
+  float n = 0, t1 = 0, t2 = 0;
+  for (int i = 0; i < c.count; i++) n += c.points.forceN[i], t1 += c.points.force1[i], t2 += c.points.force2[i];
+  return std::sqrt(n * n + t1 * t1 + t2 * t2);
 }
 
 struct ContactGeometry {

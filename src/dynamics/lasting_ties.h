@@ -88,6 +88,21 @@ template <class Tie, LinkKind kKind> class LastingTies {
     unpart(slots[index]);
   }
 
+  // The tie is no longer one of its body `from`, until it becomes one of another.
+  void takeOff(Index index, BodyIndex from) {
+    changed = true;
+    Tie& tie = slots[index];
+    if (!tie.collides()) unpart(tie);
+    (tie.bodyA == from ? tie.bodyA : tie.bodyB) = kNoIndex;
+  }
+  void putOn(Index index, BodyIndex to) {
+    changed = true;
+    Tie& tie = slots[index];
+    (tie.bodyA == kNoIndex ? tie.bodyA : tie.bodyB) = to;
+    tie.born = true;
+    if (!tie.collides()) part(tie);
+  }
+
   std::vector<Tie> slots;  // by index
   bool changed = false;    // ties came or went since the islands were built
   bool touchingChanged = false;

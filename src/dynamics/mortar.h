@@ -39,6 +39,7 @@ struct Mortar {
   // m, in the frame of A: displacement of each point at which it carries nothing.
   float opening[kMortarPoints] = {}, slip1[kMortarPoints] = {}, slip2[kMortarPoints] = {};
   Vec3T<float> force, torque;  // N, N m, from A on B, about the face's centre: in the last step
+  Vec3T<float> earlierForce;   // N: in the step before the last one; written with `force`, and not kept
 
   bool gone() const { return broken; }
   bool collides() const { return broken; }

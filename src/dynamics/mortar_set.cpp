@@ -1,5 +1,6 @@
 #include "dynamics/mortar_set.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "dynamics/tie_ranges.h"
@@ -38,6 +39,47 @@ void MortarSet::breakUp(MortarIndex index) {
   m.force = m.torque = {};
 }
 
+void MortarSet::destroy(MortarIndex mortar) {
+  LastingTies::destroy(mortar);
+  forget(kNoIndex);
+}
+
+void MortarSet::dropOf(BodyIndex body) {
+  LastingTies::dropOf(body);
+  forget(body);
+}
+
+const OpeningMemory* MortarSet::pastOf(MortarIndex mortar) const {
+  const auto place = std::partition_point(pasts_.begin(), pasts_.end(),
+                                          [&](const OpeningMemory& past) { return past.mortar < mortar; });
+  return place != pasts_.end() && place->mortar == mortar ? &*place : nullptr;
+}
+OpeningMemory* MortarSet::pastOf(MortarIndex mortar) {
+  return const_cast<OpeningMemory*>(std::as_const(*this).pastOf(mortar));
+}
+
+void MortarSet::addPasts(std::vector<OpeningMemory>&& fresh) {
+  const auto isLess = [](const OpeningMemory& a, const OpeningMemory& b) { return a.mortar < b.mortar; };
+  std::sort(fresh.begin(), fresh.end(), isLess);
+  const auto old = std::ptrdiff_t(pasts_.size());
+  pasts_.insert(pasts_.end(), fresh.begin(), fresh.end());
+  std::inplace_merge(pasts_.begin(), pasts_.begin() + old, pasts_.end(), isLess);
+}
+
+// What names joints or a body that are no longer there.
+void MortarSet::forget(BodyIndex gone) {
+  if (pasts_.empty()) return;
+  std::erase_if(watched, [&](MortarIndex mortar) { return !has(mortar); });
+  std::erase_if(pasts_, [&](const OpeningMemory& past) { return !has(past.mortar); });
+  for (OpeningMemory& past : pasts_) {
+    TieLoad* const end = std::remove_if(past.loads, past.loads + past.count, [&](const TieLoad& load) {
+      return load.names(gone) || (load.mortar != kNoIndex && !has(load.mortar));
+    });
+    past.count = std::uint32_t(end - past.loads);
+    std::fill(end, past.loads + kTieLoads, TieLoad{});
+  }
+}
+
 void MortarSet::renewConstants(BodyIndex body, const ShapeSet&, const BodySet& bodies) {
   renewIdle(body, [&](BodyIndex b) { return bodies.data[b].type == BodyType::dynamic; });
 }
@@ -67,6 +109,18 @@ template <class Archive, class One> void archiveMortar(Archive& a, One& m) {
   for (auto* v : {&m.force, &m.torque}) a.value(*v);
 }
 
+template <class Archive, class List> void archivePasts(Archive& a, List& pasts) {
+  const std::uint64_t count = a.count(pasts.size(), sizeof(OpeningMemory::loads));
+  if constexpr (Archive::kReading) pasts.resize(std::size_t(count));
+  for (auto& past : pasts) {
+    for (auto* number : {&past.mortar, &past.count}) a.value(*number);
+    for (auto* number : {&past.crackTime, &past.openTime, &past.grewTime, &past.breakTime, &past.damage})
+      a.value(*number);
+    a.value(past.force);
+    a.value(past.loads);
+  }
+}
+
 //! not of the method: fewest bytes of a slot in a snapshot
 constexpr std::size_t kLeastMortar = 3;
 
@@ -74,14 +128,33 @@ constexpr std::size_t kLeastMortar = 3;
 
 void MortarSet::archive(WriteArchive& a) const {
   archiveSlots(a, *this, kLeastMortar, [](auto& to, const Mortar& m) { archiveMortar(to, m); });
+  a.list(watched);
+  archivePasts(a, pasts_);
 }
 void MortarSet::archive(ReadArchive& a) {
   archiveSlots(a, *this, kLeastMortar, [](auto& from, Mortar& m) { archiveMortar(from, m); });
+  a.list(watched);
+  archivePasts(a, pasts_);
   findApart();
 }
 
 void MortarSet::checkStructure(Findings& f, const BodySet& bodies, const ShapeSet&) const {
   checkLists(f, bodies, "mortar");
+  bool fine =
+      std::is_sorted(pasts_.begin(), pasts_.end(), [](const auto& a, const auto& b) { return a.mortar <= b.mortar; }) &&
+      isAscending(watched);
+  for (MortarIndex mortar : watched) fine = fine && has(mortar) && pastOf(mortar);
+  for (const OpeningMemory& past : pasts_) {
+    fine = fine && has(past.mortar) && past.count <= kTieLoads;
+    if (!fine) break;
+    for (std::uint32_t i = 0; i < past.count; i++) {
+      const TieLoad& load = past.loads[i];
+      fine = fine && bodies.alive(load.bodyA) && bodies.alive(load.bodyB) &&
+             (load.mortar == kNoIndex ||
+              (has(load.mortar) && slots[load.mortar].names(load.bodyA) && slots[load.mortar].names(load.bodyB)));
+    }
+  }
+  f.expect(fine, "mortar: how one opened names what is not there");
 }
 
 namespace {
@@ -105,11 +178,21 @@ bool isSoundMortar(const Mortar& m) {
     for (float way : {m.opening[i], m.slip1[i], m.slip2[i]}) fine = fine && std::fabs(double(way)) <= kFarthest;
   return fine;
 }
+bool isSoundPast(const OpeningMemory& past) {
+  bool fine = isWithin(past.damage, 0, 1) && past.breakTime >= 0 &&
+              isNear({double(past.force.x), double(past.force.y), double(past.force.z)}, kLargestMemory);
+  for (double time : {past.crackTime, past.openTime, past.grewTime}) fine = fine && isWithin(time, 0, kLargestMemory);
+  for (std::uint32_t i = 0; i < past.count && i < kTieLoads; i++)
+    for (float force : {past.loads[i].before, past.loads[i].after})
+      fine = fine && isWithin(double(force), 0, kLargestMemory);
+  return fine;
+}
 
 }  // namespace
 
 void MortarSet::checkRanges(Findings& f) const {
   for (const Mortar& m : slots) f.expect(!m.alive || isSoundMortar(m), "mortar: one's memory is out of range");
+  for (const OpeningMemory& past : pasts_) f.expect(isSoundPast(past), "mortar: how one opened is out of range");
 }
 
 void MortarSet::check(Findings& f, const BodySet& bodies, const ShapeSet&) const { checkAsleep(f, bodies, "mortar"); }

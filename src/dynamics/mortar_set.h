@@ -2,6 +2,7 @@
 #pragma once
 #include "dynamics/lasting_ties.h"
 #include "dynamics/mortar.h"
+#include "dynamics/mortar_past.h"
 
 namespace brickfall {
 
@@ -9,8 +10,14 @@ class MortarSet : public LastingTies<Mortar, LinkKind::mortar> {
  public:
   // The joint has broken: it ties nothing from now on.
   void breakUp(MortarIndex mortar);
+  void destroy(MortarIndex mortar);
+  // How the joint opened; null: it has not cracked.
+  OpeningMemory* pastOf(MortarIndex mortar);
+  const OpeningMemory* pastOf(MortarIndex mortar) const;
+  void addPasts(std::vector<OpeningMemory>&& fresh);
 
   // --- functions of every kind of tie (link.h)
+  void dropOf(BodyIndex body);
   void displace(BodyIndex) {}  // a body that is put elsewhere tears its mortar, or is pulled back
   void renewConstants(BodyIndex body, const ShapeSet& shapes, const BodySet& bodies);
   void beginStep() {}
@@ -20,6 +27,12 @@ class MortarSet : public LastingTies<Mortar, LinkKind::mortar> {
   void checkStructure(Findings& f, const BodySet& bodies, const ShapeSet& shapes) const;
   void checkRanges(Findings& f) const;
   void check(Findings& f, const BodySet& bodies, const ShapeSet& shapes) const;
+
+  std::vector<MortarIndex> watched;  // broken a moment ago: who bears their load is being seen, ascending
+
+ private:
+  void forget(BodyIndex gone);
+  std::vector<OpeningMemory> pasts_;  // of those that have cracked, by mortar ascending
 };
 
 }  // namespace brickfall

@@ -40,7 +40,7 @@ Status writeReplayHtml(const TakeReader& take, const std::string& path, const Pr
   const TakeHeader& header = take.header();
   const std::pair<std::string_view, std::string> places[] = {
       {kTitlePlace, escaped(header.title.empty() ? header.scene : header.title)},
-      {kMetaPlace, replayMeta(take, step)},
+      {kMetaPlace, replayMeta(take, poses->breaks, step)},
       {kDataPlace, base64(tracks)}};
   AtomicFile file(path);
   if (Status opened = file.open(); !opened) return opened;

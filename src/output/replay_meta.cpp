@@ -3,6 +3,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "brickfall/fall.h"
 #include "brickfall/geometry/shape_mesh.h"
 #include "output/replay_tracks.h"
 #include "output/role_name.h"
@@ -42,9 +43,78 @@ json shapeJson(const ShapeDef& shape) {
   return {{"type", "hull"}, {"positions", positions}, {"normals", normals}, {"indices", mesh.indices}};
 }
 
+json mortarJson(const TakeReader& take) {
+  json joints = json::array();
+  for (std::size_t k = 0; k < take.mortar().size(); k++) {
+    const TakeMortar& joint = take.mortar()[k];
+    const TakeLife& life = take.mortarLives()[k];
+    joints.push_back({{"a", joint.bodyA},
+                      {"b", joint.bodyB},
+                      {"centre", toJson(joint.centre)},
+                      {"along1", toJson(joint.along1)},
+                      {"along2", toJson(joint.along2)}});
+    if (life.birth > 0) joints.back()["birth"] = life.birth;
+    if (life.end < take.frameCount()) joints.back()["end"] = life.end;
+  }
+  return joints;
+}
+
+const char* modeName(MortarMode mode) {
+  return mode == MortarMode::tension ? "tension" : mode == MortarMode::shear ? "shear" : "none";
+}
+
+json breaksJson(const std::vector<TakeBreak>& breaks) {
+  json all = json::array();
+  for (const TakeBreak& broken : breaks) {
+    json takers = json::array();
+    for (const TakeLoadTaker& taker : broken.takers)
+      takers.push_back({{"joint", taker.mortar == TakeLoadTaker::kContacts ? -1.0 : double(taker.mortar)},
+                        {"a", taker.bodyA},
+                        {"b", taker.bodyB},
+                        {"before", taker.before},
+                        {"after", taker.after}});
+    all.push_back({{"joint", broken.mortar},
+                   {"crackTime", broken.crackTime},
+                   {"time", broken.breakTime},
+                   {"mode", modeName(broken.mode)},
+                   {"tension", broken.tensionShare},
+                   {"shear", broken.shearShare},
+                   {"force", length(broken.force)},
+                   {"takers", std::move(takers)}});
+  }
+  return all;
+}
+
+// [body, which of the breaks gave way first] of all that fell because of one.
+json fallsJson(const TakeReader& take, const std::vector<TakeBreak>& breaks) {
+  const std::size_t frames = take.frameCount();
+  std::vector<FallJoint> joints;
+  std::vector<std::size_t> breakOf;  // by FallJoint
+  std::vector<std::size_t> of(take.mortar().size(), breaks.size());
+  for (std::size_t k = 0; k < breaks.size(); k++) of[breaks[k].mortar] = k;
+  for (std::size_t k = 0; k < take.mortar().size(); k++) {
+    FallJoint joint{take.mortar()[k].bodyA, take.mortar()[k].bodyB};
+    if (of[k] == breaks.size() && take.mortarLives()[k].end < frames) continue;  // it ended with a body
+    if (of[k] < breaks.size()) {
+      joint.breakTime = breaks[of[k]].breakTime;
+      joint.lift = breaks[of[k]].force.y;
+    }
+    joints.push_back(joint);
+    breakOf.push_back(of[k]);
+  }
+  std::vector<bool> moves;
+  for (const TakeBody& body : take.bodies()) moves.push_back(body.mass > 0);
+  const FallFinder finder(joints, moves);
+  json falls = json::array();
+  for (std::uint32_t body = 0; body < moves.size(); body++)
+    if (const std::optional<std::uint32_t> first = finder.first(body); first && breakOf[*first] < breaks.size())
+      falls.push_back({body, breakOf[*first]});
+  return falls;
+}
+
 }  // namespace
 
-std::string replayMeta(const TakeReader& take, double positionStep) {
+std::string replayMeta(const TakeReader& take, const std::vector<TakeBreak>& breaks, double positionStep) {
   const TakeHeader& header = take.header();
   const std::size_t frames = take.frameCount();
   std::map<std::string, std::size_t> known;  // shapes by their text
@@ -99,6 +169,11 @@ std::string replayMeta(const TakeReader& take, double positionStep) {
                {"shapes", std::move(shapes)},
                {"bodies", std::move(bodies)},
                {"cameras", std::move(cameras)}};
+  if (!take.mortar().empty()) {
+    meta["mortar"] = mortarJson(take);
+    meta["breaks"] = breaksJson(breaks);
+    meta["falls"] = fallsJson(take, breaks);
+  }
   // Pure ASCII, bytes that are no UTF-8 replaced, and no "<": nothing a name holds can end the script element.
   std::string text = meta.dump(-1, ' ', true, json::error_handler_t::replace), safe;
   for (char c : text) safe += c == '<' ? std::string("\\u003c") : std::string(1, c);

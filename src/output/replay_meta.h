@@ -6,6 +6,6 @@
 
 namespace brickfall {
 
-std::string replayMeta(const TakeReader& take, double positionStep);
+std::string replayMeta(const TakeReader& take, const std::vector<TakeBreak>& breaks, double positionStep);
 
 }  // namespace brickfall

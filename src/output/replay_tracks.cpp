@@ -141,8 +141,9 @@ Bytes replayTracks(const TakePoses& poses, double positionStep) {
 
   ByteWriter raw;
   for (double time : poses.times) raw.f64(time);
-  for (const Bytes& part : {start.bytes(), planes.plane[0], planes.plane[1], planes.plane[2], planes.plane[3],
-                            planes.plane[4], planes.plane[5], planes.plane[6], planes.large.bytes(), hits.bytes()}) {
+  for (const Bytes& part :
+       {start.bytes(), planes.plane[0], planes.plane[1], planes.plane[2], planes.plane[3], planes.plane[4],
+        planes.plane[5], planes.plane[6], planes.large.bytes(), hits.bytes(), poses.mortar.bytes()}) {
     raw.u32(std::uint32_t(part.size()));
     raw.append(part);
   }

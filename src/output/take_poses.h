@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "brickfall/output.h"
+#include "record/byte_stream.h"
 
 namespace brickfall {
 
@@ -17,6 +18,10 @@ struct TakePoses {
   std::vector<float> contactForce;        // N, likewise
   std::vector<TakeEvent> events;          // in the order of time
   std::vector<std::uint32_t> eventFrame;  // of each event
+  std::vector<TakeBreak> breaks;          // of mortar, in the order in which they became known
+  // Per frame: a varint count, then for each joint that changed a varint (its number less that of the one before) and two
+  // bytes, utilisation and damage in steps of 1 / 255. Before its first frame a joint has 0 and 0.
+  ByteWriter mortar;
 
   std::span<const Transform> posesOf(std::size_t body) const { return {poses.data() + start[body], count(body)}; }
   std::span<const float> forcesOf(std::size_t body) const { return {contactForce.data() + start[body], count(body)}; }

@@ -182,16 +182,67 @@ TakeBody getBody(ByteReader& in, std::uint32_t version, bool& sound) {
   return body;
 }
 
+std::string mortarFault(const TakeMortar& mortar, std::size_t bodies) {
+  if (mortar.bodyA >= bodies || mortar.bodyB >= bodies || mortar.bodyA == mortar.bodyB)
+    return "a joint of bodies " + std::to_string(mortar.bodyA) + " and " + std::to_string(mortar.bodyB) +
+           ", expected two below " + std::to_string(bodies);
+  for (Vec3 v : {mortar.centre, mortar.along1, mortar.along2})
+    if (!withinTakeSize(v)) return "a joint's place is not a finite number of metres";
+  return {};
+}
+
+namespace {
+
+void put(ByteWriter& out, const TakeMortar& mortar) {
+  out.varint(mortar.bodyA);
+  out.varint(mortar.bodyB);
+  for (Vec3 v : {mortar.centre, mortar.along1, mortar.along2})
+    for (int k = 0; k < 3; k++) out.f32(float(v[k]));
+}
+
+TakeMortar getMortar(ByteReader& in, bool& sound) {
+  const std::uint64_t a = in.varint(), b = in.varint();
+  sound = sound && a <= UINT32_MAX && b <= UINT32_MAX;
+  TakeMortar mortar{std::uint32_t(a), std::uint32_t(b), {}, {}, {}};
+  for (Vec3* v : {&mortar.centre, &mortar.along1, &mortar.along2})
+    for (int k = 0; k < 3; k++) (*v)[k] = double(in.f32());
+  return mortar;
+}
+
+void putNumbers(ByteWriter& out, const std::vector<std::uint32_t>& numbers) {
+  out.varint(numbers.size());
+  std::uint32_t last = 0;
+  for (std::uint32_t number : numbers) {
+    out.varint(number - last);
+    last = number;
+  }
+}
+
+// Ascending; the message says what ends (`noun`).
+Status getNumbers(ByteReader& in, const std::string& noun, std::vector<std::uint32_t>& numbers) {
+  const std::uint64_t count = in.varint();
+  if (!in.canHold(count, 1)) return bad(std::to_string(count) + " ends announced, which cannot fit");
+  std::uint64_t number = 0;
+  for (std::uint64_t k = 0; !in.failed() && k < count; k++) {
+    const std::uint64_t step = in.varint();
+    if (k > 0 && step == 0) return bad(noun + " ends twice");
+    if (step > UINT32_MAX || number + step > UINT32_MAX) return bad(noun + " ends that never was there");
+    number += step;
+    numbers.push_back(std::uint32_t(number));
+  }
+  return {};
+}
+
+}  // namespace
+
 Bytes encodeChange(const TakeChange& change) {
   ByteWriter out;
   out.varint(change.births.size());
   for (const TakeBody& body : change.births) put(out, body);
-  out.varint(change.ends.size());
-  std::uint32_t last = 0;
-  for (std::uint32_t body : change.ends) {
-    out.varint(body - last);
-    last = body;
-  }
+  putNumbers(out, change.ends);
+  out.varint(change.mortar.size());
+  for (const TakeMortar& mortar : change.mortar) put(out, mortar);
+  putNumbers(out, change.mortarEnds);
   return out.bytes();
 }
 
@@ -207,14 +258,14 @@ Result<TakeChange> decodeChange(std::span<const std::uint8_t> bytes, std::uint32
     if (std::string fault = bodyFault(change.births.back()); !fault.empty())
       return bad("body \"" + change.births.back().name + "\": " + fault);
   }
-  std::uint64_t ends = sound ? in.varint() : 0, body = 0;
-  if (!in.canHold(ends, 1)) return bad(std::to_string(ends) + " ends announced, which cannot fit");
-  for (std::uint64_t k = 0; sound && !in.failed() && k < ends; k++) {
-    std::uint64_t step = in.varint();
-    if (k > 0 && step == 0) return bad("a body ends twice");
-    if (step > UINT32_MAX || body + step > UINT32_MAX) return bad("a body ends that never was there");
-    body += step;
-    change.ends.push_back(std::uint32_t(body));
+  if (sound)
+    if (Status ended = getNumbers(in, "a body", change.ends); !ended) return ended.error();
+  if (sound && version >= kVersion4) {
+    const std::uint64_t joints = in.varint();
+    if (!in.canHold(joints, kLeastMortarBytes))
+      return bad(std::to_string(joints) + " joints announced, which cannot fit");
+    for (std::uint64_t k = 0; sound && k < joints; k++) change.mortar.push_back(getMortar(in, sound));
+    if (Status ended = getNumbers(in, "a joint", change.mortarEnds); !ended) return ended.error();
   }
   if (!sound || in.failed() || in.left() != 0) return bad("its lengths do not add up");
   return change;

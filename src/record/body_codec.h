@@ -15,12 +15,16 @@ constexpr double kMostTakeSize = 1e9;  // m, of shapes and of where they and cam
 constexpr std::size_t kLeastBodyBytes = 1 + 1 + 3 + 8 + 1;
 // Of the take format: from here on it has names of materials and paths of cameras.
 constexpr std::uint32_t kVersion3 = 3;
+// From here on it has mortar.
+constexpr std::uint32_t kVersion4 = 4;
+constexpr std::size_t kLeastMortarBytes = 2 + 9 * 4;
 
 bool withinTakeSize(Vec3 v);
 void put(ByteWriter& out, Vec3 v);
 Vec3 getVec3(ByteReader& in);
 
-std::string bodyFault(const TakeBody& body);  // empty: fine
+std::string bodyFault(const TakeBody& body);                            // empty: fine
+std::string mortarFault(const TakeMortar& mortar, std::size_t bodies);  // `bodies`: how many ever were there
 void put(ByteWriter& out, const TakeBody& body);
 // `sound` becomes false where a count cannot be true.
 TakeBody getBody(ByteReader& in, std::uint32_t version, bool& sound);

@@ -1,7 +1,11 @@
 #include "record/frame_codec.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
+#include <utility>
+
+#include "record/body_codec.h"
 
 namespace brickfall {
 namespace {
@@ -9,6 +13,9 @@ namespace {
 // Which parts of a pose differ from what was expected: one byte a body.
 constexpr std::uint8_t kMoved = 1, kTurned = 2, kSpeedChanged = 4, kForceChanged = 8;
 constexpr std::size_t kLeastEventBytes = 1 + 1 + 1 + 3 + 4;
+constexpr std::size_t kLeastBreakBytes = 1 + 8 + 8 + 1 + 5 * 4 + 1, kLeastTakerBytes = 3 + 2 * 4;
+constexpr std::size_t kMostTakers = 4;
+constexpr double kMostForce = 3e38;  // N, of a break
 
 // Two's complement wrap-around: damaged bytes must not run into undefined behaviour.
 std::int64_t wrapAdd(std::int64_t a, std::int64_t b) { return std::int64_t(std::uint64_t(a) + std::uint64_t(b)); }
@@ -108,9 +115,85 @@ std::string readEvents(ByteReader& in, std::size_t bodies, std::vector<TakeEvent
   return {};
 }
 
+bool isShare(float x) { return x >= 0 && x <= 1; }
+
+std::string breakFault(const TakeBreak& broken, const FrameCast& cast) {
+  if (broken.mortar >= cast.knownMortar) return "a break names joint " + std::to_string(broken.mortar);
+  if (!std::isfinite(broken.crackTime) || !std::isfinite(broken.breakTime)) return "a break's time is not finite";
+  if (std::uint8_t(broken.mode) > std::uint8_t(MortarMode::shear)) return "a break's mode is unknown";
+  if (!std::isfinite(broken.tensionShare) || !std::isfinite(broken.shearShare) || !within(broken.force, kMostForce))
+    return "a break's shares or force are out of range";
+  if (broken.takers.size() > kMostTakers) return std::to_string(broken.takers.size()) + " bear the load of one break";
+  for (const TakeLoadTaker& taker : broken.takers) {
+    if (taker.mortar != TakeLoadTaker::kContacts && taker.mortar >= cast.knownMortar)
+      return "a break names joint " + std::to_string(taker.mortar);
+    if (taker.bodyA >= cast.knownBodies || taker.bodyB >= cast.knownBodies)
+      return "a break names body " + std::to_string(std::max(taker.bodyA, taker.bodyB));
+    if (!std::isfinite(taker.before) || !std::isfinite(taker.after)) return "a load is not finite";
+  }
+  return {};
+}
+
+void put(ByteWriter& out, const TakeBreak& broken) {
+  out.varint(broken.mortar);
+  out.f64(broken.crackTime);
+  out.f64(broken.breakTime);
+  out.u8(std::uint8_t(broken.mode));
+  for (float share : {broken.tensionShare, broken.shearShare}) out.f32(share);
+  for (int axis = 0; axis < 3; axis++) out.f32(float(broken.force[axis]));
+  out.varint(broken.takers.size());
+  for (const TakeLoadTaker& taker : broken.takers) {
+    out.varint(taker.mortar == TakeLoadTaker::kContacts ? 0 : std::uint64_t(taker.mortar) + 1);
+    for (std::uint32_t body : {taker.bodyA, taker.bodyB}) out.varint(body);
+    for (float force : {taker.before, taker.after}) out.f32(force);
+  }
+}
+
+std::uint32_t smallNumber(std::uint64_t number) { return std::uint32_t(std::min<std::uint64_t>(number, 0xfffffffeu)); }
+
+TakeBreak getBreak(ByteReader& in, bool& sound) {
+  TakeBreak broken;
+  broken.mortar = smallNumber(in.varint());
+  broken.crackTime = in.f64();
+  broken.breakTime = in.f64();
+  broken.mode = MortarMode(in.u8());
+  for (float* share : {&broken.tensionShare, &broken.shearShare}) *share = in.f32();
+  for (int axis = 0; axis < 3; axis++) broken.force[axis] = double(in.f32());
+  const std::uint64_t takers = in.varint();
+  sound = sound && takers <= kMostTakers && in.canHold(takers, kLeastTakerBytes);
+  for (std::uint64_t k = 0; sound && k < takers; k++) {
+    TakeLoadTaker taker;
+    const std::uint64_t mortar = in.varint();
+    if (mortar > 0) taker.mortar = smallNumber(mortar - 1);
+    for (std::uint32_t* body : {&taker.bodyA, &taker.bodyB}) *body = smallNumber(in.varint());
+    for (float* force : {&taker.before, &taker.after}) *force = in.f32();
+    broken.takers.push_back(taker);
+  }
+  return broken;
+}
+
+std::uint8_t shareCode(float share) { return std::uint8_t(std::lround(share * 255)); }
+
+// Those that are there and do not end; what is kept of them by place goes along.
+template <class Kept>
+void dropEnded(std::span<const std::uint32_t> ends, std::vector<std::uint32_t>& there, std::vector<Kept>& kept) {
+  std::size_t left = 0, next = 0;
+  for (std::size_t k = 0; k < there.size(); k++) {
+    if (next < ends.size() && ends[next] == there[k]) {
+      next++;
+      continue;
+    }
+    there[left] = there[k];
+    kept[left++] = kept[k];
+  }
+  there.resize(left);
+  kept.resize(left);
+}
+
 }  // namespace
 
-Status checkFrame(const TakeFrame& frame, std::span<const std::uint32_t> there, std::span<const std::string> names) {
+Status checkFrame(const TakeFrame& frame, const FrameCast& cast, std::span<const std::string> names) {
+  const std::vector<std::uint32_t>& there = cast.bodies;
   auto wrong = [](std::string message) { return Status(Error{ErrorCode::invalidArgument, std::move(message)}); };
   if (!std::isfinite(frame.time)) return wrong("time is not finite");
   if (frame.poses.size() != there.size()) {
@@ -141,29 +224,79 @@ Status checkFrame(const TakeFrame& frame, std::span<const std::uint32_t> there, 
     if (!within(event.pointWorld, kMostPosition)) return wrong("an event's point is not within 1e9 m");
     if (!std::isfinite(event.impulse)) return wrong("an event's impulse is not finite");
   }
+  if (frame.mortar.size() != cast.mortar.size())
+    return wrong(std::to_string(frame.mortar.size()) + " states of mortar, expected one for each of the " +
+                 std::to_string(cast.mortar.size()) + " joints that are there");
+  for (const TakeMortarState& state : frame.mortar)
+    if (!isShare(state.utilisation) || !isShare(state.damage))
+      return wrong("mortar's utilisation or damage is not 0 .. 1");
+  for (const TakeBreak& broken : frame.breaks)
+    if (std::string fault = breakFault(broken, cast); !fault.empty()) return wrong(fault);
   return {};
 }
 
-void FrameCodec::start(std::vector<std::uint32_t> there, std::size_t known) {
-  there_ = std::move(there);
-  poses_.assign(there_.size(), {});
-  known_ = known;
+void FrameCodec::start(FrameCast cast) {
+  cast_ = std::move(cast);
+  reset();
 }
 
-void FrameCodec::change(std::span<const std::uint32_t> ends, std::size_t births) {
-  std::size_t kept = 0, next = 0;
-  for (std::size_t k = 0; k < there_.size(); k++) {
-    if (next < ends.size() && ends[next] == there_[k]) {
-      next++;
-      continue;
-    }
-    there_[kept] = there_[k];
-    poses_[kept++] = poses_[k];
+void FrameCodec::reset() {
+  poses_.assign(cast_.bodies.size(), {});
+  mortar_.assign(cast_.mortar.size(), {});
+}
+
+void FrameCodec::change(std::span<const std::uint32_t> ends, std::size_t births,
+                        std::span<const std::uint32_t> mortarEnds, std::size_t mortarBirths) {
+  dropEnded(ends, cast_.bodies, poses_);
+  dropEnded(mortarEnds, cast_.mortar, mortar_);
+  for (std::size_t k = 0; k < births; k++) cast_.bodies.push_back(std::uint32_t(cast_.knownBodies++));
+  for (std::size_t k = 0; k < mortarBirths; k++) cast_.mortar.push_back(std::uint32_t(cast_.knownMortar++));
+  poses_.resize(cast_.bodies.size());
+  mortar_.resize(cast_.mortar.size());
+}
+
+// Joints of which something differs from the last frame, by their place less that of the one before.
+void FrameCodec::encodeMortar(const TakeFrame& frame, ByteWriter& out) {
+  ByteWriter changed;
+  std::size_t count = 0, last = 0;
+  for (std::size_t k = 0; k < mortar_.size(); k++) {
+    const CodedMortar now{shareCode(frame.mortar[k].utilisation), shareCode(frame.mortar[k].damage)};
+    if (now.utilisation == mortar_[k].utilisation && now.damage == mortar_[k].damage) continue;
+    mortar_[k] = now;
+    changed.varint(k - last);
+    changed.u8(now.utilisation);
+    changed.u8(now.damage);
+    last = k;
+    count++;
   }
-  there_.resize(kept);
-  for (std::size_t k = 0; k < births; k++) there_.push_back(std::uint32_t(known_++));
-  poses_.resize(kept);
-  poses_.resize(there_.size());
+  out.varint(count);
+  out.append(changed.bytes());
+  out.varint(frame.breaks.size());
+  for (const TakeBreak& broken : frame.breaks) put(out, broken);
+}
+
+std::string FrameCodec::decodeMortar(ByteReader& in, TakeFrame& frame) {
+  std::uint64_t count = in.varint(), place = 0;
+  if (!in.canHold(count, 3)) return std::to_string(count) + " states of mortar announced, which cannot fit";
+  for (std::uint64_t k = 0; k < count; k++) {
+    const std::uint64_t step = in.varint();
+    if (in.failed() || (k > 0 && step == 0) || step >= mortar_.size() || place + step >= mortar_.size())
+      return "a joint changes that is not there";
+    place += step;
+    mortar_[std::size_t(place)].utilisation = in.u8();
+    mortar_[std::size_t(place)].damage = in.u8();
+  }
+  for (const CodedMortar& coded : mortar_)
+    frame.mortar.push_back({float(coded.utilisation) / 255, float(coded.damage) / 255});
+  count = in.varint();
+  if (!in.canHold(count, kLeastBreakBytes)) return std::to_string(count) + " breaks announced, which cannot fit";
+  bool sound = true;
+  for (std::uint64_t k = 0; sound && k < count; k++) {
+    frame.breaks.push_back(getBreak(in, sound));
+    if (!sound || in.failed()) return "the breaks end early";
+    if (std::string fault = breakFault(frame.breaks.back(), cast_); !fault.empty()) return fault;
+  }
+  return {};
 }
 
 Bytes FrameCodec::encode(const TakeFrame& frame, bool key) {
@@ -205,6 +338,7 @@ Bytes FrameCodec::encode(const TakeFrame& frame, bool key) {
     for (int axis = 0; axis < 3; axis++) out.signedVarint(stepsOf(event.pointWorld[axis], kEventPointStep));
     out.f32(event.impulse);
   }
+  if (version_ >= kVersion4) encodeMortar(frame, out);
   return out.bytes();
 }
 
@@ -237,10 +371,12 @@ Result<TakeFrame> FrameCodec::decode(std::span<const std::uint8_t> bytes, bool k
     if (masks[k] & kSpeedChanged) poses_[k].speed = wrapAdd(poses_[k].speed, in.signedVarint());
     if (masks[k] & kForceChanged) poses_[k].force = wrapAdd(poses_[k].force, in.signedVarint());
     if (std::string fault = toPose(poses_[k], frame.poses[k]); !fault.empty()) {
-      return bad("body " + std::to_string(there_[k]) + ": " + fault);
+      return bad("body " + std::to_string(cast_.bodies[k]) + ": " + fault);
     }
   }
-  if (std::string fault = readEvents(in, known_, frame.events); !fault.empty()) return bad(fault);
+  if (std::string fault = readEvents(in, cast_.knownBodies, frame.events); !fault.empty()) return bad(fault);
+  if (version_ >= kVersion4)
+    if (std::string fault = decodeMortar(in, frame); !fault.empty()) return bad(fault);
   if (in.failed() || in.left() != 0) return bad("its lengths do not add up");
   return frame;
 }

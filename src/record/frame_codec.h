@@ -10,6 +10,7 @@
 #include "brickfall/result.h"
 #include "brickfall/take.h"
 #include "record/byte_stream.h"
+#include "record/take_record.h"
 
 namespace brickfall {
 
@@ -31,17 +32,26 @@ struct CodedPose {
   bool fresh = true;       // nothing is known of it: all the above is 0
 };
 
-// What a frame may not hold (not finite, wrong count); the message names body and field. `there`: numbers of the bodies
-// that are there; `names` of all that ever were.
-Status checkFrame(const TakeFrame& frame, std::span<const std::uint32_t> there, std::span<const std::string> names);
+// Whom a frame may name.
+struct FrameCast {
+  std::vector<std::uint32_t> bodies, mortar;     // numbers of those that are there, ascending
+  std::size_t knownBodies = 0, knownMortar = 0;  // how many are or were there
+};
+
+// What a frame may not hold (not finite, wrong count); the message names body and field. `names`: of all bodies that ever
+// were there.
+Status checkFrame(const TakeFrame& frame, const FrameCast& cast, std::span<const std::string> names);
 
 class FrameCodec {
  public:
-  // Who is there when the next frame comes, and how many bodies ever were. Only before a key frame.
-  void start(std::vector<std::uint32_t> there, std::size_t known);
+  explicit FrameCodec(std::uint32_t version = kTakeVersion) : version_(version) {}
+
+  // Only before a key frame.
+  void start(FrameCast cast);
   // Who goes (all of them there, ascending) and how many come with the next frame.
-  void change(std::span<const std::uint32_t> ends, std::size_t births);
-  const std::vector<std::uint32_t>& there() const { return there_; }  // ascending
+  void change(std::span<const std::uint32_t> ends, std::size_t births, std::span<const std::uint32_t> mortarEnds = {},
+              std::size_t mortarBirths = 0);
+  const FrameCast& cast() const { return cast_; }
 
   // Frames must come in order; `key` starts a group. Only after checkFrame().
   Bytes encode(const TakeFrame& frame, bool key);
@@ -49,10 +59,16 @@ class FrameCodec {
   Result<TakeFrame> decode(std::span<const std::uint8_t> bytes, bool key);
 
  private:
-  void reset() { poses_.assign(poses_.size(), {}); }
-  std::vector<std::uint32_t> there_;
-  std::vector<CodedPose> poses_;  // of those
-  std::size_t known_ = 0;         // bodies that are or were there: events name no others
+  struct CodedMortar {
+    std::uint8_t utilisation = 0, damage = 0;  // in steps of 1 / 255
+  };
+  void reset();
+  void encodeMortar(const TakeFrame& frame, ByteWriter& out);
+  std::string decodeMortar(ByteReader& in, TakeFrame& frame);  // empty: fine
+  std::uint32_t version_;
+  FrameCast cast_;
+  std::vector<CodedPose> poses_;     // of the bodies that are there
+  std::vector<CodedMortar> mortar_;  // of the joints
 };
 
 }  // namespace brickfall

@@ -23,11 +23,15 @@ struct TakeReader::Impl {
   std::uint32_t version = kTakeVersion;
   TakeHeader header;
   std::vector<TakeBody> bodies;
+  std::vector<TakeMortar> mortar;
+  std::vector<TakeLife> mortarLives;
   std::vector<TakeLife> lives;  // of each; while the take is being opened kStays for those that have no end yet
   struct Change {
     std::size_t frame = 0;  // with which it comes
     std::vector<std::uint32_t> ends;
     std::size_t births = 0;
+    std::vector<std::uint32_t> mortarEnds;
+    std::size_t mortarBirths = 0;
   };
   std::vector<Change> changes;  // in the order of frames
   std::vector<std::size_t> offsets;
@@ -48,7 +52,7 @@ struct TakeReader::Impl {
   void scan(std::size_t firstFrame);
   bool addChange(std::size_t frame, const Record& record);
   void forgetChanges();
-  std::vector<std::uint32_t> bodiesAt(std::size_t frame) const;
+  FrameCast castOf(std::size_t frame) const;
   void prepareCodec(std::size_t index, bool goesOn);
   Result<TakeFrame> decode(std::size_t index);
 };
@@ -81,6 +85,7 @@ Status TakeReader::Impl::readStart(std::size_t& firstFrame) {
   header = std::move(decoded->header);
   bodies = std::move(decoded->bodies);
   lives.assign(bodies.size(), {0, kStays});
+  codec = FrameCodec(version);
   firstFrame = record->end;
   return {};
 }
@@ -165,15 +170,28 @@ bool TakeReader::Impl::addChange(std::size_t frame, const Record& record) {
   Result<Bytes> raw = unpack(record);
   if (!raw) return false;
   Result<TakeChange> change = decodeChange(*raw, version);
-  if (!change || change->births.size() > UINT32_MAX - bodies.size()) return false;
-  for (std::uint32_t body : change->ends)
-    if (body >= bodies.size() || lives[body].end != kStays) return false;
+  if (!change || change->births.size() > UINT32_MAX - bodies.size() ||
+      change->mortar.size() > UINT32_MAX - mortar.size())
+    return false;
+  auto mayEnd = [](const std::vector<std::uint32_t>& ends, const std::vector<TakeLife>& all) {
+    return std::all_of(ends.begin(), ends.end(),
+                       [&](std::uint32_t one) { return one < all.size() && all[one].end == kStays; });
+  };
+  if (!mayEnd(change->ends, lives) || !mayEnd(change->mortarEnds, mortarLives)) return false;
+  for (const TakeMortar& joint : change->mortar)
+    if (!mortarFault(joint, bodies.size() + change->births.size()).empty()) return false;
   for (std::uint32_t body : change->ends) lives[body].end = frame;
+  for (std::uint32_t joint : change->mortarEnds) mortarLives[joint].end = frame;
+  for (const TakeMortar& joint : change->mortar) {
+    mortar.push_back(joint);
+    mortarLives.push_back({frame, kStays});
+  }
   for (TakeBody& body : change->births) {
     bodies.push_back(std::move(body));
     lives.push_back({frame, kStays});
   }
-  changes.push_back({frame, std::move(change->ends), change->births.size()});
+  changes.push_back(
+      {frame, std::move(change->ends), change->births.size(), std::move(change->mortarEnds), change->mortar.size()});
   return true;
 }
 
@@ -183,25 +201,41 @@ void TakeReader::Impl::forgetChanges() {
   for (const Change& change : changes) births += change.births;
   bodies.resize(bodies.size() - births);
   lives.assign(bodies.size(), {0, kStays});
+  mortar.clear();
+  mortarLives.clear();
   changes.clear();
 }
 
-std::vector<std::uint32_t> TakeReader::Impl::bodiesAt(std::size_t frame) const {
+namespace {
+
+std::vector<std::uint32_t> thereAt(std::size_t frame, const std::vector<TakeLife>& lives) {
   std::vector<std::uint32_t> out;
   for (std::size_t k = 0; k < lives.size(); k++)
     if (lives[k].holds(frame)) out.push_back(std::uint32_t(k));
   return out;
 }
 
+// How many have come up to the frame.
+std::size_t knownAt(std::size_t frame, const std::vector<TakeLife>& lives) {
+  auto later = std::partition_point(lives.begin(), lives.end(), [&](const TakeLife& l) { return l.birth <= frame; });
+  return std::size_t(later - lives.begin());
+}
+
+}  // namespace
+
+FrameCast TakeReader::Impl::castOf(std::size_t frame) const {
+  return {thereAt(frame, lives), thereAt(frame, mortarLives), knownAt(frame, lives), knownAt(frame, mortarLives)};
+}
+
 // Who is there in the frame: from what the codec knows of the one before, or from scratch.
 void TakeReader::Impl::prepareCodec(std::size_t index, bool goesOn) {
   if (!goesOn) {
-    auto later = std::partition_point(lives.begin(), lives.end(), [&](const TakeLife& l) { return l.birth <= index; });
-    codec.start(bodiesAt(index), std::size_t(later - lives.begin()));
+    codec.start(castOf(index));
     return;
   }
   auto change = std::partition_point(changes.begin(), changes.end(), [&](const Change& c) { return c.frame < index; });
-  if (change != changes.end() && change->frame == index) codec.change(change->ends, change->births);
+  if (change != changes.end() && change->frame == index)
+    codec.change(change->ends, change->births, change->mortarEnds, change->mortarBirths);
 }
 
 Result<TakeFrame> TakeReader::Impl::decode(std::size_t index) {
@@ -257,7 +291,8 @@ Result<TakeReader> TakeReader::openImpl(std::unique_ptr<Impl> impl) {
   if (Status started = impl->readStart(firstFrame); !started) return started.error();
   impl->complete = impl->readIndex(firstFrame);
   if (!impl->complete) impl->scan(firstFrame);
-  for (TakeLife& life : impl->lives) life.end = std::min(life.end, impl->offsets.size());
+  for (auto* lives : {&impl->lives, &impl->mortarLives})
+    for (TakeLife& life : *lives) life.end = std::min(life.end, impl->offsets.size());
   return TakeReader(std::move(impl));
 }
 
@@ -265,7 +300,10 @@ const TakeHeader& TakeReader::header() const { return impl_->header; }
 std::size_t TakeReader::frameCount() const { return impl_->offsets.size(); }
 const std::vector<TakeBody>& TakeReader::bodies() const { return impl_->bodies; }
 const std::vector<TakeLife>& TakeReader::lives() const { return impl_->lives; }
-std::vector<std::uint32_t> TakeReader::bodiesAt(std::size_t frame) const { return impl_->bodiesAt(frame); }
+std::vector<std::uint32_t> TakeReader::bodiesAt(std::size_t frame) const { return thereAt(frame, impl_->lives); }
+const std::vector<TakeMortar>& TakeReader::mortar() const { return impl_->mortar; }
+const std::vector<TakeLife>& TakeReader::mortarLives() const { return impl_->mortarLives; }
+std::vector<std::uint32_t> TakeReader::mortarAt(std::size_t frame) const { return thereAt(frame, impl_->mortarLives); }
 bool TakeReader::complete() const { return impl_->complete; }
 std::uint64_t TakeReader::tornBytes() const { return impl_->tornBytes; }
 const std::string& TakeReader::summaryJson() const { return impl_->summary; }

@@ -13,6 +13,13 @@ struct TakeRecorder::Impl {
     BodyId id;
     std::uint32_t number = 0;  // in the take
   };
+  struct FollowedMortar {
+    MortarId id;
+    BodyId a, b;
+    std::uint32_t number = 0;  // in the take
+    TakeMortarState state;     // as it was recorded
+    bool broken = false;       // its break has been heard of
+  };
   struct Heard {
     TakeEvent event;  // numbers are found when it is written
     BodyId a, b;
@@ -27,6 +34,8 @@ struct TakeRecorder::Impl {
   std::vector<std::uint32_t> placeByIndex;  // by BodyId::index: position in `there`, kNowhere = none
   std::vector<BodyId> held;                 // bodies that forces do not move: one that they will has been launched
   std::vector<Heard> heard;                 // since the last frame
+  std::vector<FollowedMortar> mortar;       // in the last frame, by number
+  std::uint32_t knownMortar = 0;            // joints that were ever recorded
   static constexpr std::uint32_t kNowhere = 0xffffffffu;
 
   Impl(AsideFile file, TakeWriter take, double rate)
@@ -39,6 +48,10 @@ struct TakeRecorder::Impl {
   }
   void hear(const World& world, const StepReport& report);
   TakeChange follow(const World& world, const Describe& describe, std::vector<Followed>& gone);
+  void followMortar(const World& world, TakeChange& change);
+  void addMortar(const World& world, TakeFrame& frame);
+  bool addBreak(const World& world, const FollowedMortar& joint, TakeFrame& frame) const;
+  std::uint32_t numberOfMortar(MortarId id) const;
   void listPlaces();
   void addEvents(const std::vector<Followed>& gone, TakeFrame& frame);
   Status writeFrame(const World& world, double time, const Describe& describe);
@@ -125,6 +138,74 @@ TakeChange TakeRecorder::Impl::follow(const World& world, const Describe& descri
   return change;
 }
 
+// A joint that goes on with a piece of its body is another to the take.
+void TakeRecorder::Impl::followMortar(const World& world, TakeChange& change) {
+  const std::vector<MortarId> now = world.mortars();
+  if (now.empty() && mortar.empty()) return;
+  std::vector<FollowedMortar> kept;
+  for (const FollowedMortar& joint : mortar) {
+    const Result<MortarState> state = world.state(joint.id);
+    if (state && state->bodyA == joint.a && state->bodyB == joint.b)
+      kept.push_back(joint);
+    else
+      change.mortarEnds.push_back(joint.number);
+  }
+  std::vector<MortarId> old;
+  for (const FollowedMortar& joint : kept) old.push_back(joint.id);
+  std::sort(old.begin(), old.end());
+  for (MortarId id : now) {
+    if (std::binary_search(old.begin(), old.end(), id)) continue;
+    const MortarState state = *world.state(id);
+    const std::uint32_t a = placeOf(state.bodyA), b = placeOf(state.bodyB);
+    if (a == kNowhere || b == kNowhere) continue;
+    const BodyState of = *world.state(state.bodyA);
+    const Quat back = conjugate(of.rotation);
+    change.mortar.push_back({there[a].number, there[b].number, rotate(back, state.centre - of.position),
+                             rotate(back, state.along1), rotate(back, state.along2)});
+    kept.push_back({id, state.bodyA, state.bodyB, knownMortar++, {}, false});
+  }
+  mortar = std::move(kept);
+}
+
+std::uint32_t TakeRecorder::Impl::numberOfMortar(MortarId id) const {
+  const auto joint = std::find_if(mortar.begin(), mortar.end(), [&](const auto& one) { return one.id == id; });
+  return joint == mortar.end() ? TakeLoadTaker::kContacts : joint->number;
+}
+
+// False: who bears its load is not known yet.
+bool TakeRecorder::Impl::addBreak(const World& world, const FollowedMortar& joint, TakeFrame& frame) const {
+  const Result<MortarPast> past = world.past(joint.id);
+  if (!past) return true;
+  if (!past->settled) return false;
+  TakeBreak out;
+  out.mortar = joint.number;
+  out.crackTime = past->crackTime;
+  out.breakTime = past->breakTime;
+  out.mode = past->mode;
+  out.tensionShare = float(past->tensionShare);
+  out.shearShare = float(past->shearShare);
+  out.force = past->force;
+  for (const LoadTaker& taker : past->takers) {
+    const std::uint32_t a = placeOf(taker.bodyA), b = placeOf(taker.bodyB);
+    const std::uint32_t by = taker.mortar ? numberOfMortar(taker.mortar) : TakeLoadTaker::kContacts;
+    if (a == kNowhere || b == kNowhere || (taker.mortar && by == TakeLoadTaker::kContacts)) continue;
+    out.takers.push_back({by, there[a].number, there[b].number, float(taker.before), float(taker.after)});
+  }
+  frame.breaks.push_back(std::move(out));
+  return true;
+}
+
+void TakeRecorder::Impl::addMortar(const World& world, TakeFrame& frame) {
+  for (FollowedMortar& joint : mortar) {
+    const bool fresh = joint.state.utilisation == 0 && joint.state.damage == 0;
+    if (const Result<MortarState> state = world.state(joint.id); state && (state->awake || fresh))
+      joint.state = {float(state->utilisation), float(state->damage)};
+    frame.mortar.push_back(joint.state);
+    if (joint.broken || joint.state.damage < 1) continue;
+    joint.broken = addBreak(world, joint, frame);
+  }
+}
+
 void TakeRecorder::Impl::listPlaces() {
   std::fill(placeByIndex.begin(), placeByIndex.end(), kNowhere);
   for (std::size_t place = 0; place < there.size(); place++) {
@@ -153,7 +234,8 @@ void TakeRecorder::Impl::addEvents(const std::vector<Followed>& gone, TakeFrame&
 
 Status TakeRecorder::Impl::writeFrame(const World& world, double time, const Describe& describe) {
   std::vector<Followed> gone;
-  const TakeChange change = follow(world, describe, gone);
+  TakeChange change = follow(world, describe, gone);
+  followMortar(world, change);
   TakeFrame frame;
   frame.time = time;
   frame.poses.resize(there.size());
@@ -169,6 +251,7 @@ Status TakeRecorder::Impl::writeFrame(const World& world, double time, const Des
       if (const std::uint32_t place = placeOf(id); place != kNowhere) frame.poses[place].contactForce += force;
   });
   addEvents(gone, frame);
+  addMortar(world, frame);
   return writer.write(frame, change);
 }
 

@@ -61,35 +61,49 @@ struct TakeWriter::Impl {
   }
 };
 
+namespace {
+
+// Empty: all of them are there, in ascending order, and are taken out.
+std::string takeOut(const std::string& noun, const std::vector<std::uint32_t>& ends,
+                    std::vector<std::uint32_t>& there) {
+  for (std::size_t k = 0; k < ends.size(); k++) {
+    if (k > 0 && ends[k] <= ends[k - 1]) return "the ends are not in ascending order";
+    if (!std::binary_search(there.begin(), there.end(), ends[k]))
+      return noun + " " + std::to_string(ends[k]) + " ends, but is not there";
+  }
+  std::erase_if(there, [&](std::uint32_t one) { return std::binary_search(ends.begin(), ends.end(), one); });
+  return {};
+}
+
+}  // namespace
+
 // Nothing is changed.
 Status TakeWriter::Impl::check(const TakeFrame& frame, const TakeChange& change) const {
-  if (change.births.empty() && change.ends.empty()) {
-    Status same = checkFrame(frame, codec.there(), names);
+  if (!change.any()) {
+    Status same = checkFrame(frame, codec.cast(), names);
     return same ? same : Status(wrong(same.error().message));
   }
-  std::vector<std::uint32_t> there = codec.there();
+  FrameCast cast = codec.cast();
   std::vector<std::string> known = names;
-  for (std::size_t k = 0; k < change.ends.size(); k++) {
-    std::uint32_t body = change.ends[k];
-    if (k > 0 && body <= change.ends[k - 1]) return wrong("the ends are not in ascending order");
-    if (!std::binary_search(there.begin(), there.end(), body))
-      return wrong("body " + std::to_string(body) + " ends, but is not there");
-  }
-  std::erase_if(there,
-                [&](std::uint32_t body) { return std::binary_search(change.ends.begin(), change.ends.end(), body); });
+  if (std::string fault = takeOut("body", change.ends, cast.bodies); !fault.empty()) return wrong(fault);
+  if (std::string fault = takeOut("joint", change.mortarEnds, cast.mortar); !fault.empty()) return wrong(fault);
   for (const TakeBody& body : change.births) {
     std::string fault = bodyFault(body);
     if (!fault.empty()) return wrong("body " + std::to_string(known.size()) + " \"" + body.name + "\": " + fault);
-    there.push_back(std::uint32_t(known.size()));
+    cast.bodies.push_back(std::uint32_t(cast.knownBodies++));
     known.push_back(body.name);
   }
-  Status fine = checkFrame(frame, there, known);
+  for (const TakeMortar& mortar : change.mortar) {
+    if (std::string fault = mortarFault(mortar, cast.knownBodies); !fault.empty()) return wrong(fault);
+    cast.mortar.push_back(std::uint32_t(cast.knownMortar++));
+  }
+  Status fine = checkFrame(frame, cast, known);
   return fine ? fine : Status(wrong(fine.error().message));
 }
 
 Bytes TakeWriter::Impl::changeRecord(const TakeChange& change) {
-  if (change.births.empty() && change.ends.empty()) return {};
-  codec.change(change.ends, change.births.size());
+  if (!change.any()) return {};
+  codec.change(change.ends, change.births.size(), change.mortarEnds, change.mortar.size());
   for (const TakeBody& body : change.births) names.push_back(body.name);
   Bytes record = makeRecord(RecordType::life, encodeChange(change));
   changes.varint(offsets.size() - lastChange);

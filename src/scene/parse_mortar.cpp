@@ -45,6 +45,12 @@ MortarKind readKindAndNumbers(SceneBuild& build, TableReader& reader) {
   return kind;
 }
 
+// The report's system would leave it out without a word.
+void refuseUnderReport(const SceneBuild& build, TableReader& reader, const char* key) {
+  if (build.scene.method == SceneMethod::report)
+    reader.error(key, "found mortar, expected none with world.method = \"report\": that system has no mortar");
+}
+
 }  // namespace
 
 void readMortarKinds(SceneBuild& build, TableReader& top) {
@@ -83,6 +89,7 @@ std::optional<MortarKind> readOwnMortar(SceneBuild& build, TableReader& reader, 
   } else if (std::string name = "none"; reader.mortar("mortar", name) && name != "none") {
     kind = kindNamed(build, name);
   }
+  if (kind) refuseUnderReport(build, reader, "mortar");
   reader.boolean("foot", foot);
   if (foot && !kind) reader.error("foot", "found true without mortar, expected a kind of it in `mortar`");
   return kind;
@@ -92,6 +99,7 @@ void readMortars(SceneBuild& build, TableReader& top) {
   for (TableReader& reader : top.tables("mortar")) {
     SceneMortar mortar;
     mortar.place = placeOf(reader);
+    refuseUnderReport(build, reader, "body_a");
     if (reader.has("body_a"))
       readJoined(build, reader, "body_a", mortar.bodyA);
     else

@@ -165,6 +165,9 @@ Result<SceneRun> SceneRun::create(const SceneDescription& scene) {
   run.scene_.world = def;
   run.drawn_ = std::move(placer.drawn);
   if (scene.method == SceneMethod::report) {
+    if (!scene.mortars.empty() || std::any_of(scene.walls.begin(), scene.walls.end(),
+                                              [](const SceneWall& wall) { return wall.mortar.has_value(); }))
+      return Error{ErrorCode::invalidArgument, "mortar: found some, expected none under the report's system"};
     Result<ReportRun> reported = ReportRun::create(scene.report);
     if (!reported) return reported.error();
     run.reported_ = std::move(reported).value();

@@ -23,7 +23,8 @@ void Diary::tellPending() {
   events.begin.clear();
   events.hits.clear();
   events.breaks.clear();
-  events.mortar.clear();
+  events.mortar.assign(pending.mortar.begin(), pending.mortar.end());
+  pending.mortar.clear();
   events.moved.clear();
   events.fellAsleep.clear();
   events.end.assign(pending.end.begin(), pending.end.end());

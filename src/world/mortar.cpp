@@ -1,7 +1,9 @@
 // Mortar: making, reading and removing it. Every call checks first and changes nothing on an error.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "brickfall/fall.h"
 #include "solver/mortar/law.h"
 #include "solver/union_find.h"
 #include "world/checks.h"
@@ -176,6 +178,8 @@ MortarState stateOf(const Mortar& m, const Registry& registry) {
   s.centre = pose.centre;
   s.normal = pose.n;
   s.area = m.area;
+  s.along1 = pose.t1 * (3 * mortar::kKern * m.gyration[0]);
+  s.along2 = pose.t2 * (3 * mortar::kKern * m.gyration[1]);
   s.force = toDouble(m.force);
   s.torque = toDouble(m.torque);
   s.damage = m.damage;
@@ -188,6 +192,43 @@ MortarState stateOf(const Mortar& m, const Registry& registry) {
   s.awake = isAwake(m.bodyA) || isAwake(m.bodyB);
   s.userData = m.userData;
   return s;
+}
+
+//! not of the method: what mortar.h says
+constexpr std::size_t kMostTakers = 4;
+//! of what it bore | too small: rounding counts as a load that went over | too large: small shares are not told
+constexpr double kTakes = 0.01;
+
+std::vector<LoadTaker> takersOf(const OpeningMemory& past, const MortarSet& set, const Registry& registry) {
+  std::vector<LoadTaker> takers;
+  for (std::uint32_t i = 0; i < past.count; i++) {
+    const TieLoad& load = past.loads[i];
+    if (!(load.after > (1 + kTakes) * load.before)) continue;
+    const MortarId mortar = load.mortar == kNoIndex ? MortarId{} : idOf(set, load.mortar, registry.worldNumber);
+    takers.push_back({mortar, registry.idOf(load.bodyA), registry.idOf(load.bodyB), load.before, load.after});
+  }
+  std::stable_sort(takers.begin(), takers.end(),
+                   [](const LoadTaker& a, const LoadTaker& b) { return a.after - a.before > b.after - b.before; });
+  if (takers.size() > kMostTakers) takers.resize(kMostTakers);
+  return takers;
+}
+
+MortarPast pastFrom(const OpeningMemory& memory, const MortarSet& set, const Registry& registry) {
+  const Mortar& m = set.slots[memory.mortar];
+  MortarPast past;
+  past.mortar = idOf(set, memory.mortar, registry.worldNumber);
+  past.bodyA = registry.idOf(m.bodyA);
+  past.bodyB = registry.idOf(m.bodyB);
+  past.crackTime = memory.crackTime;
+  past.openTime = memory.openTime;
+  past.breakTime = memory.breakTime;
+  past.mode = modeOf(m);
+  past.tensionShare = m.tensionWork / mortar::pullEnergy(m);
+  past.shearShare = m.shearWork / mortar::shearEnergy(m);
+  past.force = toDouble(memory.force);
+  past.settled = m.broken && !std::binary_search(set.watched.begin(), set.watched.end(), memory.mortar);
+  if (m.broken) past.takers = takersOf(memory, set, registry);
+  return past;
 }
 
 }  // namespace
@@ -244,6 +285,48 @@ std::vector<MortarId> World::mortars(BodyId id) const {
   for (MortarIndex mortar : set.inOrder())
     if (set.slots[mortar].names(*body)) out.push_back(idOf(set, mortar, impl_->registry.worldNumber));
   return out;
+}
+
+Result<MortarPast> World::past(MortarId id) const {
+  const Impl& w = *impl_;
+  Result<MortarIndex> index = find(w.ties.mortar, id, w.registry.worldNumber);
+  if (!index) return index.error();
+  const OpeningMemory* memory = w.ties.mortar.pastOf(*index);
+  if (!memory) return Error{ErrorCode::wrongState, "mortar: it has not cracked"};
+  return pastFrom(*memory, w.ties.mortar, w.registry);
+}
+
+Result<FallStory> World::whyFell(BodyId id) const {
+  const Impl& w = *impl_;
+  const MortarSet& set = w.ties.mortar;
+  Result<BodyIndex> body = w.registry.find(id);
+  if (!body) return body.error();
+  FallStory story;
+  const std::vector<BodyId> all = carried();
+  story.carried = std::find(all.begin(), all.end(), id) != all.end();
+  std::vector<bool> moves(w.registry.bodies.slots());
+  for (BodyIndex i = 0; i < moves.size(); i++)
+    moves[i] = w.registry.bodies.alive(i) && w.registry.bodies.data[i].type == BodyType::dynamic;
+  const Vec3 up = lengthSquared(w.def.gravity) > 0 ? normalized(-w.def.gravity) : Vec3{};
+  const std::vector<MortarIndex> order = set.inOrder();
+  std::vector<FallJoint> joints;
+  for (MortarIndex mortar : order) {
+    const Mortar& m = set.slots[mortar];
+    FallJoint joint{m.bodyA, m.bodyB};
+    if (const OpeningMemory* memory = m.broken ? set.pastOf(mortar) : nullptr) {
+      joint.breakTime = memory->breakTime;
+      joint.lift = dot(toDouble(memory->force), up);
+      if (m.names(*body)) story.opened.push_back(pastFrom(*memory, set, w.registry));
+    }
+    joints.push_back(joint);
+  }
+  std::stable_sort(story.opened.begin(), story.opened.end(),
+                   [](const MortarPast& a, const MortarPast& b) { return a.breakTime < b.breakTime; });
+  const std::optional<std::uint32_t> first = FallFinder(joints, moves).first(*body);
+  if (!first) return story;
+  story.first = pastFrom(*set.pastOf(order[*first]), set, w.registry);
+  story.own = set.slots[order[*first]].names(*body);
+  return story;
 }
 
 std::vector<BodyId> World::carried() const {

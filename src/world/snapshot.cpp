@@ -18,7 +18,7 @@ namespace {
 
 //! not of the method: the file's
 constexpr std::uint64_t kMagic = 0x30504e5346424b42ull;
-constexpr std::uint32_t kLayout = 19;
+constexpr std::uint32_t kLayout = 20;
 
 struct Header {
   std::uint64_t magic = kMagic;
@@ -64,9 +64,22 @@ class SnapshotArchive {
     a.list(w.activity.unsettled);
     a.list(w.diary.pending.end);
     a.list(w.diary.pending.woke);
+    droppedMortar(a, w.diary.pending.mortar);
   }
 
  private:
+  template <class Archive, class List> static void droppedMortar(Archive& a, List& events) {
+    length(a, events, sizeof(MortarId));
+    for (auto& event : events) {
+      for (auto* body : {&event.bodyA, &event.bodyB}) a.value(*body);
+      a.value(event.mortar);
+      a.value(event.pointWorld);
+      a.choice(event.mode, MortarMode::shear);
+      a.value(event.energy);
+      for (auto* flag : {&event.broken, &event.dropped}) a.flag(*flag);
+    }
+  }
+
   template <class Archive, class Def> static void definition(Archive& a, Def& d) {
     a.value(d.gravity);
     a.value(d.airDensity);

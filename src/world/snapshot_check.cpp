@@ -2,6 +2,7 @@
 // rest is checked as the API checks its arguments. World::restore then asks validate() for every invariant.
 #include <cmath>
 
+#include "dynamics/tie_ranges.h"
 #include "world/checks.h"
 #include "world/world_impl.h"
 
@@ -93,6 +94,11 @@ Status World::Impl::rebuild() {
   }
   for (ContactEvent& event : diary.pending.end) event.bodyA.world = event.bodyB.world = registry.worldNumber;
   for (BodyId& body : diary.pending.woke) body.world = registry.worldNumber;
+  for (MortarEvent& event : diary.pending.mortar) {
+    if (!ties::isNear(event.pointWorld, ties::kFarthest) || !(std::fabs(event.energy) <= ties::kLargestMemory))
+      return Error{ErrorCode::badFormat, "events: mortar that was dropped is out of range"};
+    event.bodyA.world = event.bodyB.world = event.mortar.world = registry.worldNumber;
+  }
   return {};
 }
 

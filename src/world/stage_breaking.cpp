@@ -6,6 +6,7 @@
 
 #include "solver/mortar/law.h"
 #include "world/diary.h"
+#include "world/load_shift.h"
 #include "world/registry.h"
 #include "world/stage_hash.h"
 #include "world/stages.h"
@@ -49,7 +50,7 @@ void breakJoints(const Registry& registry, double dt, Ties& ties, Diary& diary, 
   }
 }
 
-void crumbleMortar(const Registry& registry, Ties& ties, Diary& diary, Upkeep& upkeep) {
+void crumbleMortar(const Registry& registry, double time, double dt, Ties& ties, Diary& diary, Upkeep& upkeep) {
   std::vector<MortarIndex> broken;
   auto tell = [&](MortarIndex index, bool breaks) {
     const Mortar& m = ties.mortar.slots[index];
@@ -61,6 +62,7 @@ void crumbleMortar(const Registry& registry, Ties& ties, Diary& diary, Upkeep& u
                                    m.tensionWork + m.shearWork,
                                    breaks});
   };
+  noteOpenings(time, dt, ties);
   ties.mortar.eachAwake([&](const Link& link) {
     Mortar& m = ties.mortar.slots[link.index];
     if (m.damage > 0 && !m.cracked) {
@@ -71,15 +73,16 @@ void crumbleMortar(const Registry& registry, Ties& ties, Diary& diary, Upkeep& u
   });
   for (MortarIndex index : broken) {
     tell(index, true);
+    noteBreak(index, time, ties.mortar);
     upkeep.crumble(index);
   }
 }
 
 }  // namespace
 
-void breakTies(const Registry& registry, double dt, Ties& ties, Diary& diary, Upkeep& upkeep) {
+void breakTies(const Registry& registry, const Clock& clock, double dt, Ties& ties, Diary& diary, Upkeep& upkeep) {
   breakJoints(registry, dt, ties, diary, upkeep);
-  crumbleMortar(registry, ties, diary, upkeep);
+  if (ties.mortar.any()) crumbleMortar(registry, clock.time + clock.lastDt, dt, ties, diary, upkeep);
 }
 
 void hashBreaking(const Ties& ties, HashItems& out) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "solver/rigid_sum.h"
+#include "world/mortar_succession.h"
 #include "world/succession.h"
 
 namespace brickfall {
@@ -27,11 +28,13 @@ std::vector<BodyIndex> Upkeep::replace(BodyIndex body, std::vector<BodyPlan>&& p
   wakeIslandOf(body);
   wakeTied(body);  // now all contacts of the body are among the pairs that are awake
   Succession succession(registry_, ties_.contacts, body);
+  MortarSuccession mortar(registry_, body, ties_.mortar);
   const Vec3 centre = registry_.bodies.motion[body].position;
   const Vec3 force = registry_.bodies.data[body].force, torque = registry_.bodies.data[body].torque;
   destroy(body);
   std::vector<BodyIndex> made;
   for (BodyPlan& piece : pieces) made.push_back(create(std::move(piece)));
+  mortar.pass(registry_, made, ties_.mortar, diary_);
   succession.pass(registry_, made, proximity_, ties_);
   if (force != Vec3{} || torque != Vec3{}) push(made, centre, force, torque);
   return made;

@@ -1,5 +1,6 @@
 // The same bits from run to run, for any number of threads, and through a snapshot in the middle of a collapse.
 #include "support/lab_scenes.h"
+#include "support/mortared_wall.h"
 #include "support/world_helpers.h"
 
 namespace brickfall {
@@ -109,6 +110,58 @@ TEST(Determinism, RunsFromASnapshotAreTheSameToTheEnd) {
       ASSERT_TRUE(world.restore(kept[k]).ok());
       std::vector<std::uint64_t> rest(wanted.begin() + std::ptrdiff_t(5 * k), wanted.end());
       EXPECT_EQ(hashes(world, int(rest.size())), rest) << c.scene << " from step " << 5 * k;
+    }
+  }
+}
+
+// What a world tells of its mortar, bit for bit, without the world's number in its ids.
+std::vector<double> toldOfMortar(const World& world) {
+  std::vector<double> out;
+  for (MortarId id : world.mortars()) {
+    const MortarState state = *world.state(id);
+    out.insert(out.end(), {double(id.index), state.force.x, state.force.y, state.force.z, state.utilisation,
+                           state.damage, state.tensionWork, state.shearWork});
+    const Result<MortarPast> past = world.past(id);
+    if (!past) continue;
+    out.insert(out.end(), {past->crackTime, past->openTime, past->breakTime, past->force.x, double(past->settled)});
+    for (const LoadTaker& taker : past->takers)
+      out.insert(out.end(), {double(taker.mortar.index), double(taker.bodyA.index), taker.before, taker.after});
+  }
+  return out;
+}
+
+TEST(Determinism, MortarBreaksAlikeOnAnyNumberOfThreadsAndThroughSnapshots) {
+  constexpr int kMortarSteps = 40;
+  MortaredWall one = mortaredWall(5, 5, 12);
+  std::vector<std::uint64_t> wanted;
+  std::vector<std::vector<double>> told;
+  std::vector<std::vector<std::byte>> kept;
+  for (int i = 0; i < kMortarSteps; i++) {
+    kept.push_back(one.world.snapshot());
+    ASSERT_TRUE(one.world.step(kDt).ok());
+    wanted.push_back(one.world.stateHash());
+    told.push_back(toldOfMortar(one.world));
+  }
+  int broken = 0;
+  for (MortarId joint : one.joints) broken += one.world.state(joint)->broken;
+  EXPECT_GT(broken, 5) << "the ball went through nothing";
+  EXPECT_LT(broken, int(one.joints.size()));
+  for (int threads : {2, 4, 8}) {
+    WorldDef def;
+    def.threads = threads;
+    MortaredWall many = mortaredWall(5, 5, 12, def);
+    EXPECT_EQ(hashes(many.world, kMortarSteps), wanted) << threads;
+    EXPECT_EQ(toldOfMortar(many.world), told.back()) << threads;
+  }
+  // From each moment, a broken joint whose load is still going over included.
+  for (std::size_t from = 0; from < kept.size(); from += 3) {
+    World world = makeWorld();
+    ASSERT_TRUE(world.restore(kept[from]).ok());
+    EXPECT_EQ(world.snapshot(), kept[from]) << from;
+    for (std::size_t i = from; i < wanted.size(); i++) {
+      ASSERT_TRUE(world.step(kDt).ok());
+      ASSERT_EQ(world.stateHash(), wanted[i]) << "from " << from << " step " << i;
+      ASSERT_EQ(toldOfMortar(world), told[i]) << "from " << from << " step " << i;
     }
   }
 }

@@ -6,6 +6,7 @@
 
 #include "support/input_list.h"
 #include "support/lab_scenes.h"
+#include "support/mortared_wall.h"
 
 using namespace brickfall;
 
@@ -62,6 +63,16 @@ void printPile() {
   std::printf("pile%s: %016" PRIx64 "\n", fine ? "" : " failed", world.stateHash());
 }
 
+// Joints crack and break; what holds is a chunk.
+void printMortar() {
+  WorldDef def;
+  def.threads = threads;
+  test::MortaredWall wall = test::mortaredWall(5, 5, 12, def);
+  bool fine = true;
+  for (int i = 0; i < 30; i++) fine = wall.world.step(1.0 / 60).ok() && fine;
+  std::printf("mortar%s: %016" PRIx64 "\n", fine ? "" : " failed", wall.world.stateHash());
+}
+
 // Calls of every kind between the steps; the hash is over all of them.
 void printInputs(int seed) {
   World world = makeWorld();
@@ -83,6 +94,7 @@ int main(int argc, char** argv) {
   print("hit0", 0.3, 0, 0.1, 1.0 / 60);
   print("hole10", 0, 0, 0.08, 1.0 / 60);
   printPile();
+  printMortar();
   printInputs(1);
   printInputs(2);
 }

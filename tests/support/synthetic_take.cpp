@@ -138,7 +138,30 @@ void breakBrick(SyntheticTake& out, std::vector<Mover>& movers, std::size_t fram
   }
 }
 
+void addMortar(SyntheticTake& out, const SyntheticOptions& options) {
+  const std::uint32_t bricks = std::uint32_t(options.courses * options.bricksPerCourse);
+  for (std::uint32_t k = 0; k + 1 < bricks; k++)
+    out.mortar.push_back({k + 2, k + 3, {kHalf.x, 0, 0}, {0, kHalf.y, 0}, {0, 0, kHalf.z}});
+  for (std::size_t f = 0; f < out.frames.size(); f++) {
+    TakeFrame& frame = out.frames[f];
+    const bool broken = int(f) >= options.hitFrame;
+    for (std::size_t k = 0; k < out.mortar.size(); k++) {
+      if (out.mortarEnd(k) <= f) continue;
+      frame.mortar.push_back({0.01f * float((k + f / 16) % 90), float(k % 5) / 10});
+      if (k == 2 && broken) frame.mortar.back() = {0, 1};
+    }
+    if (int(f) != options.hitFrame || out.mortar.size() < 4) continue;
+    TakeBreak one{2, frame.time - 0.5, frame.time, MortarMode::shear, 0.25f, 0.75f, {1, 2, -3}, {}};
+    one.takers = {{3, 5, 6, 10, 20}, {TakeLoadTaker::kContacts, 4, 0, 0, 7}};
+    frame.breaks.push_back(one);
+  }
+}
+
 }  // namespace
+
+std::size_t SyntheticTake::mortarEnd(std::size_t joint) const {
+  return std::min(lives[mortar[joint].bodyA].end, lives[mortar[joint].bodyB].end);
+}
 
 TakeChange SyntheticTake::change(std::size_t frame) const {
   TakeChange out;
@@ -147,6 +170,9 @@ TakeChange SyntheticTake::change(std::size_t frame) const {
     if (life.birth == frame) out.births.push_back(bodies[k]);
     if (life.end == frame) out.ends.push_back(std::uint32_t(k));
   }
+  if (frame == 0) out.mortar = mortar;
+  for (std::size_t k = 0; k < mortar.size(); k++)
+    if (mortarEnd(k) == frame) out.mortarEnds.push_back(std::uint32_t(k));
   return out;
 }
 
@@ -221,6 +247,7 @@ SyntheticTake makeSyntheticTake(const SyntheticOptions& options) {
     }
     out.frames.push_back(std::move(frame));
   }
+  if (options.mortared) addMortar(out, options);
   return out;
 }
 

@@ -10,9 +10,11 @@ struct SyntheticTake {
   std::vector<TakeBody> bodies;  // all that ever are there, by number
   std::vector<TakeLife> lives;   // of those; bodies beyond its end are always there
   std::vector<TakeFrame> frames;
+  std::vector<TakeMortar> mortar;  // all from the first frame on; a joint goes with the first of its bodies
 
   // Who comes and goes with a frame.
   TakeChange change(std::size_t frame) const;
+  std::size_t mortarEnd(std::size_t joint) const;  // the frame in which it is no longer there
 };
 
 struct SyntheticOptions {
@@ -23,6 +25,7 @@ struct SyntheticOptions {
   bool otherShapes = true;  // also a capsule, a hull and a body of two shapes beside the wall
   bool breaking =
       false;  // "brick 0" breaks when the ball is there: three pieces come, of which "piece 1" goes 70 frames later
+  bool mortared = false;  // each brick to the next; the third joint breaks at the hit
   std::uint64_t seed = 1;
 };
 

@@ -56,7 +56,7 @@ const std::vector<CameraKey> kMoves = {{0.25, {-3.5, 1, 0.8}, {0, 0.3, 0}, 40}, 
 
 std::string makeBreaking(const std::string& folder) {
   const test::SyntheticOptions options{
-      .courses = 1, .bricksPerCourse = 2, .frames = 150, .otherShapes = false, .breaking = true};
+      .courses = 1, .bricksPerCourse = 2, .frames = 150, .otherShapes = false, .breaking = true, .mortared = true};
   std::string fault = test::writeTake(test::makeSyntheticTake(options), folder + "/breaking.take");
   if (!fault.empty()) return fault;
   Result<TakeReader> take = TakeReader::open(folder + "/breaking.take");

@@ -440,6 +440,15 @@ try {
     // From behind, where the ball does not hide them: the one or the other is under the same point of the picture.
     await seek(kHitFrame);
     await drawn(() => window.brickfall.lookFrom([-0.1, 0.5, -1.2], [-0.1, 0.05, 0]));
+    // The mortar of the two bricks is coloured, with a legend, and goes with the brick that breaks.
+    const mortar = (frame) => page.evaluate((f) => window.brickfall.mortar(0, f), frame);
+    assert.notEqual(await mortar(kHitFrame - 1), null);
+    assert.equal(await mortar(kHitFrame), null);
+    for (const [mode, words] of [['utilisation', /load 0 %.*50.*100 % of its strength/], ['damage', /damage 0 %.*50.*100 %: broken/]]) {
+      await drawn((m) => window.brickfall.setColour(m), mode);
+      assert.match(await page.textContent('#legend'), words);
+    }
+    await drawn(() => window.brickfall.setColour('material'));
     const point = await page.evaluate((k) => window.brickfall.project(k), piece);
     const picked = () => page.evaluate(([x, y]) => window.brickfall.pick(x, y), point);
     assert.equal(await picked(), piece);

@@ -30,6 +30,9 @@ struct ListedBody {
   double mass = 0;                  // kg; 0 = fixed
   double radius = 0;                // m, about its origin: of a ball around all its shapes but planes
   std::vector<ShapeDef> shapes;
+  // Bricks in mortar are drawn as they are laid, with their mortar; empty: the shapes are drawn.
+  std::vector<ShapeDef> drawn;
+  std::vector<std::string> drawnMaterials;  // of what is drawn, shape by shape; empty: `material` for all
 };
 
 // The bodies of a frame. The same object from frame to frame as long as nobody comes or goes: compare pointers.
@@ -62,6 +65,14 @@ struct FrameContact {
   float separation = 0;      // m, negative: overlap
   float normalForce = 0;     // N, on B along the normal; 0: near, not pressing
   Vec3 frictionForce;        // N, on B
+};
+
+// A mortar joint: the face that it glues.
+struct FrameMortar {
+  int body = 0;                       // place in the list: of its body A
+  Vec3 centre;                        // m, frame of that body
+  Vec3 along1, along2;                // m, frame of that body: half edges
+  float utilisation = 0, damage = 0;  // 0 .. 1; damage 1: broken
 };
 
 // Of the broad phase: bounds that are kept for a shape.
@@ -100,6 +111,7 @@ struct SelectedBody {
   std::optional<Vec3> acceleration;     // m/s2, mean over the last step
   std::optional<double> contactForce;   // N, sum of normal forces, where the contacts are not known
   std::optional<std::vector<SelectedContact>> contacts;
+  std::vector<std::string> mortar;  // lines: how its mortar is, and why it fell (mortar_story.h); empty: it has none
 };
 
 // While a body is dragged: the spring as it is drawn.
@@ -160,6 +172,7 @@ struct FrameNeeds {
   bool islands = false;     // FrameBody::island
   bool bounds = false;      // Frame::bounds
   bool plots = false;       // Frame::samples
+  bool mortar = false;      // Frame::mortar
   bool operator==(const FrameNeeds&) const = default;
 };
 
@@ -171,9 +184,10 @@ struct Frame {
   RunStatus status;
   std::shared_ptr<const BodyList> list;
   std::vector<FrameBody> bodies;                   // one for each of the list
-  std::vector<FrameContact> contacts;              // by needs, as the next three
+  std::vector<FrameContact> contacts;              // by needs, as the next four
   std::vector<std::pair<int, int>> touchingPairs;  // places in the list
   std::vector<FrameBounds> bounds;
+  std::vector<FrameMortar> mortar;
   std::vector<StepSample> samples;                  // of the last kSamples steps, oldest first
   int islands = 0;                                  // how many numbers FrameBody::island has
   std::optional<StepReport> report;                 // of the last step; none before the first, and in a take

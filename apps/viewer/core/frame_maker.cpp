@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "viewer_core/mortar_story.h"
 #include "viewer_core/settings_table.h"
 #include "viewer_core/shape_facts.h"
 
@@ -119,6 +120,7 @@ void FrameMaker::fill(Frame& frame, const LiveRun& run, const FrameNeeds& needs,
   if (needs.collisions && run.run().reported()) fillCollisions(frame, *run.run().reported());
   if (needs.islands) fillIslands(frame, world);
   if (needs.bounds) fillBounds(frame, world);
+  if (needs.mortar) fillMortar(frame, world);
   if (needs.plots) frame.samples.assign(run.samples().begin(), run.samples().end());
   frame.report = run.report();
   if (run.drag()) {
@@ -223,6 +225,45 @@ void FrameMaker::fillBounds(Frame& frame, const World& world) const {
   world.draw(draw);
 }
 
+void FrameMaker::fillMortar(Frame& frame, const World& world) const {
+  for (MortarId id : world.mortars()) {
+    const MortarState state = *world.state(id);
+    const int place = placeOf(state.bodyA);
+    if (place < 0) continue;
+    const Transform& pose = frame.bodies[std::size_t(place)].pose;
+    const Quat back = conjugate(pose.rotation);
+    frame.mortar.push_back({place, rotate(back, state.centre - pose.position), rotate(back, state.along1),
+                            rotate(back, state.along2), float(state.utilisation), float(state.damage)});
+  }
+}
+
+std::vector<std::string> FrameMaker::mortarOf(const LiveRun& run, BodyId body) const {
+  const World& world = run.run().world();
+  MortarCount count;
+  for (MortarId id : world.mortars(body)) {
+    const MortarState state = *world.state(id);
+    count.all++;
+    if (state.broken) continue;
+    count.hold++;
+    count.utilisation = std::max(count.utilisation, state.utilisation);
+  }
+  if (count.all == 0) return {};
+  const PlacedBody* placed = run.run().find(body);
+  const Result<FallStory> story = world.whyFell(body);
+  const bool moved = placed && length(world.state(body)->position - placed->def.position) > kFellWay;
+  if (!story || !story->first || !moved) return mortarLines(count, nullptr);
+  auto nameOf = [&](BodyId id) {
+    const int place = placeOf(id);
+    return place >= 0 ? placedList_->bodies[std::size_t(place)].name : std::string("what is gone");
+  };
+  const MortarPast& past = *story->first;
+  ToldBreak told{past.breakTime,     past.mode,          past.tensionShare,  past.shearShare,
+                 length(past.force), nameOf(past.bodyA), nameOf(past.bodyB), {}};
+  for (const LoadTaker& taker : past.takers)
+    told.takers.push_back({!taker.mortar, nameOf(taker.bodyA), nameOf(taker.bodyB), taker.before, taker.after});
+  return mortarLines(count, &told);
+}
+
 void FrameMaker::select(Frame& frame, const LiveRun& run, int place) const {
   const ListedBody& listed = frame.list->bodies[std::size_t(place)];
   const World& world = run.run().world();
@@ -241,6 +282,7 @@ void FrameMaker::select(Frame& frame, const LiveRun& run, int place) const {
   s.kineticEnergy = 0.5 * listed.mass * s.speed * s.speed + 0.5 * dot(spin, mass->inertia * spin);
   s.centreOfMass = state->centreOfMass;
   s.acceleration = state->linearAcceleration;
+  s.mortar = mortarOf(run, listed.id);
   frame.selected = std::move(s);
 }
 

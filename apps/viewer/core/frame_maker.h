@@ -25,6 +25,8 @@ class FrameMaker {
   void fillCollisions(Frame& frame, const ReportRun& run) const;
   void fillIslands(Frame& frame, const World& world) const;
   void fillBounds(Frame& frame, const World& world) const;
+  void fillMortar(Frame& frame, const World& world) const;
+  std::vector<std::string> mortarOf(const LiveRun& run, BodyId body) const;
   void fillSettings(Frame& frame, const LiveRun& run);
   void select(Frame& frame, const LiveRun& run, int place) const;
 

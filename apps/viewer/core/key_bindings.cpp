@@ -66,6 +66,7 @@ constexpr KeyBinding kBindings[] = {
     {A::islands, "F5", "View", "Islands"},
     {A::asleep, "F6", "View", "What sleeps"},
     {A::shadows, "F7", "View", "Shadows: none, stencil, depth"},
+    {A::mortar, "F8", "View", "Mortar: by utilisation, by damage, as it is"},
     {A::panel, "Tab", "View", "Panel"},
     {A::help, "F1", "View", "Help"},
     {A::fullScreen, "F11", "View", "Full screen"},

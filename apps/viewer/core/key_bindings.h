@@ -60,6 +60,7 @@ enum class Action : std::uint8_t {
   islands,
   asleep,
   shadows,
+  mortar,
   panel,
   help,
   fullScreen,

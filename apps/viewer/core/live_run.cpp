@@ -30,6 +30,10 @@ ListedBody listed(const SceneRun& run, BodyId id, Serial serial) {
   body.role = placed->role;
   body.colour = placed->colour;
   if (!placed->materials.empty()) body.material = placed->materials.front();
+  if (const DrawnBody* drawn = run.drawn(id)) {
+    body.drawn = drawn->shapes;
+    body.drawnMaterials = drawn->materials;
+  }
   return body;
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "brickfall/fall.h"
+#include "viewer_core/mortar_story.h"
 #include "viewer_core/shape_facts.h"
 
 namespace brickfall::viewer {
@@ -41,6 +43,7 @@ Result<std::unique_ptr<TakePlayer>> TakePlayer::start(TakeReader take, const std
   const Serial first = nextSerial;
   nextSerial += Serial(take.bodies().size());
   std::unique_ptr<TakePlayer> player(new TakePlayer(std::move(take), path, first));
+  player->readMortar();
   if (Status there = player->go(player->last()); !there) return there.error();
   player->lastTime_ = player->now_.time;
   if (Status there = player->go(0); !there) return there.error();
@@ -56,6 +59,74 @@ Result<std::unique_ptr<TakePlayer>> TakePlayer::start(TakeReader take, const std
   }
   player->info_ = std::move(info);
   return player;
+}
+
+// One walk through the take: how joints broke, and who fell by which of them.
+void TakePlayer::readMortar() {
+  if (take_.mortar().empty()) return;
+  firstPlace_.resize(take_.bodies().size());
+  for (std::size_t f = 0; f <= last(); f++) {
+    const Result<TakeFrame> frame = take_.frame(f);
+    if (!frame) continue;  // told when it is shown
+    breaks_.insert(breaks_.end(), frame->breaks.begin(), frame->breaks.end());
+    const std::vector<std::uint32_t> there = take_.bodiesAt(f);
+    for (std::size_t k = 0; k < there.size(); k++)
+      if (take_.lives()[there[k]].birth == f) firstPlace_[there[k]] = frame->poses[k].position;
+  }
+  std::vector<std::size_t> breakOf(take_.mortar().size(), breaks_.size()), ofJoint;
+  for (std::size_t k = 0; k < breaks_.size(); k++) breakOf[breaks_[k].mortar] = k;
+  std::vector<FallJoint> joints;
+  for (std::size_t k = 0; k < breakOf.size(); k++) {
+    const bool broke = breakOf[k] < breaks_.size();
+    if (!broke && take_.mortarLives()[k].end <= last()) continue;  // it ended with a body
+    FallJoint joint{take_.mortar()[k].bodyA, take_.mortar()[k].bodyB};
+    if (broke) joint.breakTime = breaks_[breakOf[k]].breakTime;
+    if (broke) joint.lift = breaks_[breakOf[k]].force.y;
+    joints.push_back(joint);
+    ofJoint.push_back(breakOf[k]);
+  }
+  std::vector<bool> moves;
+  for (const TakeBody& body : take_.bodies()) moves.push_back(body.mass > 0);
+  const FallFinder finder(joints, moves);
+  fallOf_.assign(moves.size(), breaks_.size());
+  for (std::uint32_t body = 0; body < moves.size(); body++)
+    if (const std::optional<std::uint32_t> first = finder.first(body)) fallOf_[body] = ofJoint[*first];
+}
+
+void TakePlayer::fillMortar(Frame& frame) const {
+  const std::vector<std::uint32_t> there = take_.mortarAt(at_);
+  for (std::size_t k = 0; k < there.size() && k < now_.mortar.size(); k++) {
+    const TakeMortar& joint = take_.mortar()[there[k]];
+    const int place = placeOf(numbers_, joint.bodyA);
+    if (place < 0) continue;
+    frame.mortar.push_back(
+        {place, joint.centre, joint.along1, joint.along2, now_.mortar[k].utilisation, now_.mortar[k].damage});
+  }
+}
+
+std::vector<std::string> TakePlayer::mortarOf(std::uint32_t body, const TakePose& pose) const {
+  MortarCount count;
+  const std::vector<std::uint32_t> there = take_.mortarAt(at_);
+  for (std::size_t k = 0; k < there.size() && k < now_.mortar.size(); k++) {
+    const TakeMortar& joint = take_.mortar()[there[k]];
+    if (joint.bodyA != body && joint.bodyB != body) continue;
+    count.all++;
+    if (now_.mortar[k].damage >= 1) continue;
+    count.hold++;
+    count.utilisation = std::max(count.utilisation, double(now_.mortar[k].utilisation));
+  }
+  if (fallOf_.empty() || fallOf_[body] >= breaks_.size()) return mortarLines(count, nullptr);
+  const TakeBreak& first = breaks_[fallOf_[body]];
+  if (first.breakTime > now_.time + kSlack || length(pose.position - firstPlace_[body]) < kFellWay)
+    return mortarLines(count, nullptr);
+  auto nameOf = [&](std::uint32_t number) { return take_.bodies()[number].name; };
+  const TakeMortar& joint = take_.mortar()[first.mortar];
+  ToldBreak told{first.breakTime,     first.mode,          double(first.tensionShare), double(first.shearShare),
+                 length(first.force), nameOf(joint.bodyA), nameOf(joint.bodyB),        {}};
+  for (const TakeLoadTaker& taker : first.takers)
+    told.takers.push_back({taker.mortar == TakeLoadTaker::kContacts, nameOf(taker.bodyA), nameOf(taker.bodyB),
+                           double(taker.before), double(taker.after)});
+  return mortarLines(count, &told);
 }
 
 // Of what moves, in the first frame.
@@ -104,6 +175,7 @@ void TakePlayer::list() {
     body.material = from.shapeMaterials.empty() ? from.material : from.shapeMaterials.front();
     body.mass = from.mass;
     body.shapes = from.shapes;
+    body.drawnMaterials = from.shapeMaterials;
     body.radius = radiusOf(from.shapes);
     made->bodies.push_back(std::move(body));
   }
@@ -226,8 +298,10 @@ void TakePlayer::fill(Frame& frame, const FrameNeeds& needs, Serial selected) {
     s.spin = length(body.angularVelocity);
     s.centreOfMass = pose.position;
     s.contactForce = pose.contactForce;
+    s.mortar = mortarOf(numbers_[i], pose);
     frame.selected = std::move(s);
   }
+  if (needs.mortar) fillMortar(frame);
   beforeNumbers_ = numbers_;
   before_.resize(frame.bodies.size());
   for (std::size_t i = 0; i < before_.size(); i++) before_[i] = frame.bodies[i].pose;

@@ -42,6 +42,9 @@ class TakePlayer {
   void list();
   void hear(EventLog* log);
   Aabb extent() const;
+  void readMortar();
+  void fillMortar(Frame& frame) const;
+  std::vector<std::string> mortarOf(std::uint32_t body, const TakePose& pose) const;
 
   TakeReader take_;
   Serial firstSerial_;  // of body 0
@@ -59,6 +62,10 @@ class TakePlayer {
     float speed = 0;     // m/s
   };
   std::vector<Hit> lastHit_;  // by number
+  // Of all the take, where it has mortar.
+  std::vector<TakeBreak> breaks_;
+  std::vector<std::size_t> fallOf_;  // by body: which of the breaks gave way first; breaks_.size(): none
+  std::vector<Vec3> firstPlace_;     // m, by body: where it came
   double firstTime_ = 0, lastTime_ = 0;
 };
 

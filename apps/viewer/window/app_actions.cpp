@@ -164,6 +164,9 @@ bool App::actOnView(Action action) {
       view.shadows = ShadowChoice((int(view.shadows) + 1) % kShadowChoiceCount);
       desk_.say(fmt::format("Shadows: {}", nameOf(view.shadows)), false, session_.now());
       return true;
+    case Action::mortar:
+      view.mortar = MortarView((int(view.mortar) + 1) % kMortarViewCount);
+      return true;
     case Action::panel:
       flip(desk_.panelShown);
       return true;

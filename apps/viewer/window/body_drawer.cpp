@@ -13,6 +13,25 @@ std::array<float, 3> parts(std::uint32_t colour) {
   return {float(colour >> 16 & 255) / 255, float(colour >> 8 & 255) / 255, float(colour & 255) / 255};
 }
 
+constexpr double kPlateWider = 1.03, kPlateThick = 0.2;  // of joints: of half edges; of the smaller of these
+constexpr float kPlateGlow = 0.12f;                      // their colours are to be compared with the legend's
+
+// x and y: unit, at right angles.
+Quat rotationFromAxes(Vec3 x, Vec3 y) {
+  const Vec3 z = cross(x, y);
+  const double four[4] = {1 + x.x - y.y - z.z, 1 - x.x + y.y - z.z, 1 - x.x - y.y + z.z, 1 + x.x + y.y + z.z};
+  switch (std::max_element(four, four + 4) - four) {
+    case 0:
+      return normalized(Quat{four[0], x.y + y.x, z.x + x.z, y.z - z.y});
+    case 1:
+      return normalized(Quat{x.y + y.x, four[1], y.z + z.y, z.x - x.z});
+    case 2:
+      return normalized(Quat{z.x + x.z, y.z + z.y, four[2], x.y - y.x});
+    default:
+      return normalized(Quat{y.z - z.y, z.x - x.z, x.y - y.x, four[3]});
+  }
+}
+
 // What flies far off must not stretch the shadow map over a landscape.
 constexpr double kShadowReach = 3;  // sizes of the scene
 
@@ -34,8 +53,8 @@ BodyDrawer::~BodyDrawer() {
   Ogre::Root::getSingleton().removeMovableObjectFactory(&volumesFactory_);
 }
 
-BodyDrawer::Batch& BodyDrawer::batchFor(const ShapeDef& shape, const ListedBody& body) {
-  const SurfaceKey surface = surfaceOf(body, shape);
+BodyDrawer::Batch& BodyDrawer::batchFor(const ShapeDef& shape, const PartLook& look) {
+  const SurfaceKey surface = surfaceOf(look, shape);
   Batch& batch = batches_[{surface, meshKey(shape)}];
   if (batch.drawn) return batch;
   const DrawMesh mesh = drawMeshOf(shape, surface);
@@ -61,19 +80,23 @@ void BodyDrawer::setShadows(ShadowMode mode) {
   renderer_.setShadows(mode);
   volumes_->setVisible(mode == ShadowMode::stencil);
   for (auto& [key, batch] : batches_) useMaterial(batch);
+  if (plates_) plates_->setMaterial(looks_.material(plateSurface_, shadows_));
 }
 
 void BodyDrawer::list(const BodyList& bodies) {
   pieces_.clear();
   for (std::size_t i = 0; i < bodies.bodies.size(); i++) {
     const ListedBody& body = bodies.bodies[i];
-    for (const ShapeDef& shape : body.shapes) {
+    const std::vector<ShapeDef>& shapes = body.drawn.empty() ? body.shapes : body.drawn;
+    for (std::size_t part = 0; part < shapes.size(); part++) {
+      const ShapeDef& shape = shapes[part];
+      const PartLook look = partLook(body, part);
       Piece piece;
       piece.body = int(i);
-      piece.batch = &batchFor(shape, body);
+      piece.batch = &batchFor(shape, look);
       piece.local = shape.local;
       if (isScaled(shape)) piece.scale = Vec3{1, 1, 1} * shape.radius;
-      piece.usual = instanceOf(body, piece.batch->surface);
+      piece.usual = instanceOf(look, piece.batch->surface);
       piece.casts = piece.batch->shadow != nullptr;
       pieces_.push_back(std::move(piece));
     }
@@ -109,7 +132,39 @@ void BodyDrawer::draw(const Frame& frame, double blend, const ViewOptions& optio
     piece.batch->instances.push_back(instance);
   }
   for (auto& [key, batch] : batches_) batch.drawn->setInstances(batch.instances);
+  drawMortar(frame, blend, options);
   castShadows(frame, blend);
+}
+
+// Plates a little larger than the faces, so that their edges are seen.
+void BodyDrawer::drawMortar(const Frame& frame, double blend, const ViewOptions& options) {
+  std::vector<Instance> plates;
+  for (const FrameMortar& joint : frame.mortar) {
+    const bool broken = joint.damage >= 1;
+    if (options.mortar == MortarView::none || (options.mortar == MortarView::utilisation && broken)) continue;
+    const double first = length(joint.along1), second = length(joint.along2);
+    if (!(first > 0 && second > 0)) continue;
+    const Vec3 x = joint.along1 * (1 / first), y = joint.along2 * (1 / second);
+    const Transform place{joint.centre, rotationFromAxes(x, y)};
+    Instance plate;
+    plate.setPose(poseAt(frame.bodies[std::size_t(joint.body)], blend) * place,
+                  {first * kPlateWider, second * kPlateWider, 0.5 * kPlateThick * std::min(first, second)});
+    tint(plate, {scaleColour(double(options.mortar == MortarView::damage ? joint.damage : joint.utilisation)), 1},
+         false);
+    plate.glow = kPlateGlow;
+    plates.push_back(plate);
+  }
+  if (!plates_) {
+    if (plates.empty()) return;
+    ShapeDef unit;
+    unit.halfExtents = {1, 1, 1};
+    plateSurface_ = surfaceOf(PartLook{"mortar", BodyRole::body, 0xFFFFFF, 0}, unit);
+    plates_ = std::make_unique<InstanceBatch>(drawMeshOf(unit, plateSurface_));
+    plates_->setCastShadows(false);
+    plates_->setMaterial(looks_.material(plateSurface_, shadows_));
+    node_->attachObject(plates_.get());
+  }
+  plates_->setInstances(plates);
 }
 
 void BodyDrawer::castShadows(const Frame& frame, double blend) {

@@ -44,7 +44,8 @@ class BodyDrawer {
     bool casts = true;
   };
   void list(const BodyList& bodies);
-  Batch& batchFor(const ShapeDef& shape, const ListedBody& body);
+  Batch& batchFor(const ShapeDef& shape, const PartLook& look);
+  void drawMortar(const Frame& frame, double blend, const ViewOptions& options);
   void useMaterial(Batch& batch);
   static void tint(Instance& instance, const BodyTint& tint, bool flat);
   void castShadows(const Frame& frame, double blend);
@@ -59,6 +60,8 @@ class BodyDrawer {
   std::shared_ptr<const BodyList> listed_;
   std::map<std::pair<SurfaceKey, std::string>, Batch> batches_;  // by surface and shape
   std::vector<Piece> pieces_;
+  std::unique_ptr<InstanceBatch> plates_;  // joints by their numbers; made when they are first shown
+  SurfaceKey plateSurface_;
   ShadowMode shadows_ = ShadowMode::none;
   Vec3 sun_{0, 1, 0};
   bool flat_ = false;

@@ -24,7 +24,8 @@ constexpr double kPlaneReach = 400;  // m: a fixed plane is drawn this far; haze
 // Of a brick's texture, which cut bricks and stones of other sizes wear too: a part of it, or mirrored on.
 constexpr float kBrickHalf[3] = {0.1075f, 0.0325f, 0.05125f};
 constexpr float kTile = 0.5f;  // m: side of all other textures
-constexpr int kPatterns = 4;   // of each surface, so that neighbours differ
+constexpr std::uint32_t kMortarColour = 0xA9A69F;
+constexpr int kPatterns = 4;  // of each surface, so that neighbours differ
 
 struct LayerSize {
   unsigned width = 0, height = 0, layers = 0;
@@ -121,7 +122,16 @@ std::string meshKey(const ShapeDef& shape) {
   return {};
 }
 
-SurfaceKey surfaceOf(const ListedBody& body, const ShapeDef& shape) {
+PartLook partLook(const ListedBody& body, std::size_t part) {
+  PartLook look{body.material, body.role, body.colour, body.serial};
+  if (part >= body.drawnMaterials.size() || body.drawnMaterials[part] == body.material) return look;
+  look.material = body.drawnMaterials[part];
+  // A body has one colour, that of its first material; its mortar has its own.
+  if (look.material == "mortar") look.colour = kMortarColour;
+  return look;
+}
+
+SurfaceKey surfaceOf(const PartLook& body, const ShapeDef& shape) {
   SurfaceKey key;
   key.material = body.material;
   key.role = body.role;
@@ -159,7 +169,7 @@ DrawMesh drawMeshOf(const ShapeDef& shape, const SurfaceKey& surface) {
   return out;
 }
 
-Instance instanceOf(const ListedBody& body, const SurfaceKey& surface) {
+Instance instanceOf(const PartLook& body, const SurfaceKey& surface) {
   const appearance::Look look = appearance::lookOf({body.material, body.role, body.colour, body.serial});
   Instance out;
   const appearance::Rgb usual = usualColour(surface);

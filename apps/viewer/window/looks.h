@@ -29,11 +29,20 @@ struct SurfaceKey {
   bool faces = false;        // a brick: its three pairs of faces differ
   auto operator<=>(const SurfaceKey&) const = default;
 };
-SurfaceKey surfaceOf(const ListedBody& body, const ShapeDef& shape);
+// What of a body's part its look follows from.
+struct PartLook {
+  std::string material;
+  BodyRole role = BodyRole::body;
+  std::uint32_t colour = 0;  // 0xRRGGBB
+  Serial serial = 0;
+};
+// Of what is drawn of the body, by its place.
+PartLook partLook(const ListedBody& body, std::size_t part);
+SurfaceKey surfaceOf(const PartLook& look, const ShapeDef& shape);
 // Texture coordinates as the surface's textures want them.
 DrawMesh drawMeshOf(const ShapeDef& shape, const SurfaceKey& surface);
 // But for its pose.
-Instance instanceOf(const ListedBody& body, const SurfaceKey& surface);
+Instance instanceOf(const PartLook& look, const SurfaceKey& surface);
 
 class Looks {
  public:

@@ -34,7 +34,9 @@ std::string viewsText(const ViewOptions& view) {
                                  {view.bounds, "bounds"},
                                  {view.contacts, "contacts"},
                                  {view.islands, "islands"},
-                                 {view.asleep, "asleep"}}) {
+                                 {view.asleep, "asleep"},
+                                 {view.mortar == MortarView::utilisation, "mortar utilisation"},
+                                 {view.mortar == MortarView::damage, "mortar damage"}}) {
     if (on) out += (out.empty() ? "" : ",") + quoted(name);
   }
   return "[" + out + "]";

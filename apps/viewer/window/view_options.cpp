@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace brickfall::viewer {
 namespace {
 
-constexpr std::uint32_t kRed = 0xE0261C, kAsleepBlue = 0x4F7CC4, kHeldAmber = 0xE0A030, kLostViolet = 0xC040E0;
+constexpr std::uint32_t kRed = 0xE0261C, kAsleepBlue = 0x4F7CC4, kHeldAmber = 0xE0A030, kLostViolet = 0xC040E0,
+                        kBehindMortar = 0xC9C6C0;
 constexpr float kRedSeconds = 0.6f;  // simulated: a hit fades over it
 
 std::uint32_t fromHue(double hue, double saturation, double value) {
@@ -25,6 +27,24 @@ const char* nameOf(ShadowChoice choice) {
   return kNames[int(choice)];
 }
 
+const char* nameOf(MortarView view) {
+  constexpr const char* kNames[kMortarViewCount] = {"none", "utilisation", "damage"};
+  return kNames[int(view)];
+}
+
+std::uint32_t scaleColour(double share) {
+  constexpr std::uint32_t kScale[] = {0x3C4F96, 0x5D52AB, 0x8F52A5, 0xC0548A, 0xE0655C, 0xF29348, 0xF8C862, 0xFDF5C0};
+  constexpr int kSteps = int(std::size(kScale)) - 1;
+  const double x = std::clamp(share, 0.0, 1.0) * kSteps;
+  const int k = std::min(kSteps - 1, int(x));
+  std::uint32_t out = 0;
+  for (int shift : {16, 8, 0}) {
+    const double low = kScale[k] >> shift & 255, high = kScale[k + 1] >> shift & 255;
+    out |= std::uint32_t(std::lround(low + (high - low) * (x - k))) << shift;
+  }
+  return out;
+}
+
 FrameNeeds ViewOptions::needs(bool plots) const {
   FrameNeeds needs;
   needs.contacts = contacts;
@@ -32,6 +52,7 @@ FrameNeeds ViewOptions::needs(bool plots) const {
   needs.islands = islands;
   needs.bounds = bounds;
   needs.plots = plots;
+  needs.mortar = mortar != MortarView::none;
   return needs;
 }
 
@@ -55,6 +76,7 @@ BodyTint tintOf(const ListedBody& listed, const FrameBody& body, const ViewOptio
     if (body.activity == Activity::held) return {kHeldAmber, 0.8f};
   }
   if (options.islands && body.island >= 0) return {islandColour(body.island), 0.85f};
+  if (options.mortar != MortarView::none && listed.role != BodyRole::ground) return {kBehindMortar, 0.9f};
   return {};
 }
 

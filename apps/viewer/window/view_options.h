@@ -14,11 +14,18 @@ const char* nameOf(ShadowChoice choice);  // "stencil"; as --shadows takes it
 // cost hardly does.
 constexpr int kMostStencilBodies = 300;
 
+// Which number of a mortar joint gives it a colour.
+enum class MortarView : std::uint8_t { none, utilisation, damage };
+constexpr int kMortarViewCount = 3;
+const char* nameOf(MortarView view);  // "utilisation"
+
 struct ViewOptions {
   // Views of the bodies; where several are on, the first of these that has something to say about a body gives its colour.
   bool collisions = false;  // colliding bodies red
   bool asleep = false;      // by activity
   bool islands = false;     // a colour for each island
+  MortarView mortar =
+      MortarView::none;  // of joints; bodies are grey behind them unless a view before has something to say
   // How they are drawn.
   bool wireframe = false;  // unshaded polygons
   ShadowChoice shadows = ShadowChoice::automatic;
@@ -38,5 +45,7 @@ struct BodyTint {
 BodyTint tintOf(const ListedBody& listed, const FrameBody& body, const ViewOptions& options);
 // A colour for each island, neighbours in number far apart in hue.
 std::uint32_t islandColour(int island);
+// Of 0 .. 1: blue to pale yellow, ever lighter, so that it reads without colour vision. The page has the same.
+std::uint32_t scaleColour(double share);
 
 }  // namespace brickfall::viewer

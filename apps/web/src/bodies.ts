@@ -4,7 +4,7 @@ import {
   Mesh, MeshStandardMaterial, Quaternion, Raycaster, Scene, Vector2, Vector3,
 } from 'three';
 import type { Camera } from 'three';
-import { chance, forceShare, materialColour, scaleColour, speedShare, type ColourMode } from './colours';
+import { chance, forceShare, kBehindMortar, materialColour, scaleColour, speedShare, type ColourMode } from './colours';
 import { geometryOf } from './geometry';
 import { kindOf } from './materials';
 import type { Shade } from './shade';
@@ -163,6 +163,7 @@ export class Bodies {
   private colourOf(body: number, frame: number): Color | null {
     const { take } = this;
     if (this.mode === 'material' || take.meta.bodies[body].role === 'ground') return null;
+    if (this.mode === 'utilisation' || this.mode === 'damage') return kBehindMortar;
     if (this.mode === 'speed') return scaleColour(speedShare(take, take.speed(frame, body)), scratch.colour);
     return scaleColour(forceShare(take, take.force(frame, body)), scratch.colour);
   }

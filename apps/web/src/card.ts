@@ -1,4 +1,6 @@
 // The card of the selected body: what it is, what it does at this moment, what it has taken.
+import { amountOf as amount } from './colours';
+import { Story } from './story';
 import type { Hit, Take } from './tracks';
 
 const kMostHits = 8;
@@ -10,21 +12,18 @@ function text(tag: string, content: string, className = ''): HTMLElement {
   return element;
 }
 
-export function amount(value: number, unit: string): string {
-  const size = Math.abs(value);
-  const digits = size >= 100 || size === 0 ? 0 : size >= 10 ? 1 : 2;
-  return `${value.toFixed(digits)} ${unit}`;
-}
-
 export class Card {
   private values = new Map<string, HTMLElement>();
   private hits: Hit[] = [];
   private items: HTMLElement[] = [];
   private body = -1;
+  private readonly story: Story;
   onSeek: (frame: number) => void = () => {};
   onClose: () => void = () => {};
 
-  constructor(private readonly element: HTMLElement, private readonly take: Take) {}
+  constructor(private readonly element: HTMLElement, private readonly take: Take) {
+    this.story = new Story(take, (frame) => this.onSeek(frame));
+  }
 
   select(body: number): void {
     this.body = body;
@@ -46,7 +45,7 @@ export class Card {
       this.values.set(name, value);
       list.append(text('dt', name), value);
     }
-    this.element.append(close, title, list, this.hitList(body));
+    this.element.append(close, title, list, this.story.select(body), this.hitList(body));
     this.values.get('Number')!.textContent = String(body);
     this.values.get('Kind')!.textContent = meta.role;
     this.values.get('Mass')!.textContent = meta.mass > 0 ? amount(meta.mass, 'kg') : 'fixed';
@@ -91,6 +90,7 @@ export class Card {
     set('Contact force', amount(take.force(frame, body), 'N'));
     set('Height', amount(here[1], 'm'));
     set('Moved', moved < 0.1 ? amount(moved * 1000, 'mm') : amount(moved, 'm'));
+    this.story.show(frame, moved);
     this.items.forEach((item, k) => item.classList.toggle('now', this.hits[k].frame === frame));
   }
 }

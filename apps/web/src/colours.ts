@@ -3,8 +3,23 @@ import { Color } from 'three';
 import { kindOf, type Kind } from './materials';
 import type { BodyMeta, Take } from './tracks';
 
-export type ColourMode = 'material' | 'speed' | 'force';
-export const kColourModes: ColourMode[] = ['material', 'speed', 'force'];
+export type ColourMode = 'material' | 'speed' | 'force' | 'utilisation' | 'damage';
+// Those that a take can show; of mortar only where it has some.
+export function colourModes(take: Take): ColourMode[] {
+  const modes: ColourMode[] = ['material', 'speed', 'force'];
+  return take.meta.mortar?.length ? [...modes, 'utilisation', 'damage'] : modes;
+}
+export const kColourNames: Record<ColourMode, string> = {
+  material: 'Material', speed: 'Speed', force: 'Contact force', utilisation: 'Mortar use', damage: 'Mortar damage',
+};
+// What the two ends of the scale and its middle stand for.
+export function legendOf(mode: ColourMode, take: Take): [string, string, string] {
+  if (mode === 'speed') return ['0', '', amountOf(take.topSpeed, 'm/s')];
+  if (mode === 'force') return ['0', '', amountOf(take.topForce, 'N')];
+  return mode === 'utilisation' ? ['load 0 %', '50', '100 % of its strength'] : ['damage 0 %', '50', '100 %: broken'];
+}
+// Of bodies while it is the mortar that is coloured.
+export const kBehindMortar = new Color('#c9c6c0');
 
 // Blue to pale yellow, rising evenly in lightness, so that it also reads without colour vision.
 const kScale = ['#3c4f96', '#5d52ab', '#8f52a5', '#c0548a', '#e0655c', '#f29348', '#f8c862', '#fdf5c0'].map((c) => new Color(c));
@@ -61,6 +76,12 @@ export function materialColour(take: Take, body: number, part: number, out: Colo
   if (kind === 'ground') return kindOf({ ...meta, role: 'body' }, part) === 'brick' ? out.setHex(kScreed) : out;
   const spread = kind === 'wood' ? 0.22 : kind === 'stone' ? 0.2 : kind === 'concrete' ? 0.1 : 0;
   return out.multiplyScalar(1 + spread * (chance(body, 1) - 0.5));
+}
+
+export function amountOf(value: number, unit: string): string {
+  const size = Math.abs(value);
+  const digits = size >= 100 || size === 0 ? 0 : size >= 10 ? 1 : 2;
+  return `${value.toFixed(digits)} ${unit}`;
 }
 
 export function speedShare(take: Take, speed: number): number {

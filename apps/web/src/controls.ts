@@ -1,5 +1,5 @@
 // The bar below the picture, and the keys.
-import { kColourModes, type ColourMode } from './colours';
+import { colourModes, kColourNames, type ColourMode } from './colours';
 import { icons } from './icons';
 import type { Player } from './player';
 import type { Take } from './tracks';
@@ -7,7 +7,7 @@ import type { Take } from './tracks';
 const kSpeeds = [0.1, 0.25, 0.5, 1, 2, 4];
 const kKeys: [string, string][] = [
   ['space', 'play or pause'], [', \u2190 and . \u2192', 'one frame back or on (with shift: ten)'], ['home, end', 'first or last frame'],
-  ['- and +', 'slower or faster'], ['c', 'colour: material, speed, contact force'], ['v', 'next camera'], ['l', 'loop'], ['p', 'save the picture'], ['f', 'full screen'],
+  ['- and +', 'slower or faster'], ['c', 'colour: material, speed, contact force; where there is mortar its utilisation, its damage'], ['v', 'next camera'], ['l', 'loop'], ['p', 'save the picture'], ['f', 'full screen'],
   ['esc', 'let go of the selected brick'], ['h', 'this list'],
 ];
 
@@ -35,12 +35,14 @@ export class Controls {
   private readonly camera = byId<HTMLSelectElement>('camera');
   private readonly loop = byId<HTMLButtonElement>('loop');
   private readonly keys = byId<HTMLDialogElement>('keys');
+  private readonly modes: ColourMode[];
   private shownPlaying: boolean | null = null;
 
   constructor(private readonly take: Take, private readonly player: Player, private readonly actions: Actions, viewNames: string[]) {
     this.scrub.max = String(player.frames - 1);
     fill(this.speed, kSpeeds.map((s) => `${s}\u00d7`), kSpeeds.indexOf(1));
-    fill(this.colour, ['Material', 'Speed', 'Contact force'], 0);
+    this.modes = colourModes(take);
+    fill(this.colour, this.modes.map((mode) => kColourNames[mode]), 0);
     fill(this.camera, viewNames, 0);
     byId('back').innerHTML = icons.back;
     byId('forward').innerHTML = icons.forward;
@@ -65,7 +67,7 @@ export class Controls {
     byId('back').onclick = () => player.step(-1);
     byId('forward').onclick = () => player.step(1);
     this.speed.onchange = () => (player.speed = kSpeeds[Number(this.speed.value)]);
-    this.colour.onchange = () => this.actions.setColour(kColourModes[Number(this.colour.value)]);
+    this.colour.onchange = () => this.actions.setColour(this.modes[Number(this.colour.value)]);
     this.camera.onchange = () => this.actions.setView(Number(this.camera.value));
     this.loop.onclick = () => this.setLoop(!player.loop);
     byId('help').onclick = () => this.keys.showModal();
@@ -119,7 +121,7 @@ export class Controls {
     this.loop.setAttribute('aria-pressed', String(on));
   }
   setColour(mode: ColourMode): void {
-    this.colour.selectedIndex = kColourModes.indexOf(mode);
+    this.colour.selectedIndex = this.modes.indexOf(mode);
   }
   setView(index: number): void {
     this.camera.selectedIndex = index;

@@ -4,11 +4,12 @@
 import { Vector2, Vector3 } from 'three';
 import { Bodies } from './bodies';
 import { boundsOf, sizeOf } from './bounds';
-import { Card, amount } from './card';
-import { scaleGradient, type ColourMode } from './colours';
+import { Card } from './card';
+import { legendOf, scaleGradient, type ColourMode } from './colours';
 import { byId, Controls } from './controls';
 import { Dust } from './dust';
 import { kindOf } from './materials';
+import { Mortar } from './mortar';
 import { Player } from './player';
 import { kMostShade } from './shade';
 import { Stage } from './stage';
@@ -44,6 +45,7 @@ function main(): void {
 
   const player = new Player(take.frames, meta.framesPerSecond);
   const bodies = new Bodies(take, stage.scene, stage.shade);
+  const mortar = new Mortar(take, bodies, stage.scene);
   const dust = new Dust(take, stage.scene);
   const card = new Card(byId('card'), take);
   stage.resize();
@@ -86,9 +88,12 @@ function main(): void {
   };
   const setColour = (mode: ColourMode): void => {
     bodies.setColourMode(mode);
+    mortar.setColourMode(mode);
     byId('legend').hidden = mode === 'material';
-    byId('legend-low').textContent = '0';
-    byId('legend-high').textContent = mode === 'speed' ? amount(take.topSpeed, 'm/s') : amount(take.topForce, 'N');
+    const [low, middle, high] = legendOf(mode, take);
+    byId('legend-low').textContent = low;
+    byId('legend-bar').textContent = middle;
+    byId('legend-high').textContent = high;
     dirty = true;
   };
   byId('legend-bar').style.background = scaleGradient();
@@ -111,6 +116,7 @@ function main(): void {
 
   const draw = (): void => {
     bodies.show(player.position);
+    mortar.show(player.position);
     const half = Math.tan((stage.camera.fov * Math.PI) / 360);
     dust.show(player.position, stage.renderer.domElement.height / (2 * half));
     controls.show();
@@ -185,6 +191,7 @@ function main(): void {
     position: (body: number, frame = player.frame) => take.position(frame, body),
     rotation: (body: number, frame = player.frame) => take.rotation(frame, body),
     speed: (body: number, frame = player.frame) => take.speed(frame, body),
+    mortar: (joint: number, frame = player.frame) => take.mortar(frame, joint),
     contactForce: (body: number, frame = player.frame) => take.force(frame, body),
     get camera() {
       return { position: stage.camera.position.toArray(), target: stage.controls.target.toArray(), fieldOfView: stage.camera.fov };

@@ -40,6 +40,33 @@ export interface CameraMeta {
   fieldOfView: number;
   path?: CameraKey[]; // along which it moves while the run plays; left out: it stays
 }
+// A mortar joint: where its face is, in the frame of body a.
+export interface JointMeta {
+  a: number;
+  b: number;
+  centre: [number, number, number];
+  along1: [number, number, number]; // m, half edges
+  along2: [number, number, number];
+  birth?: number; // as of a body
+  end?: number;
+}
+export interface TakerMeta {
+  joint: number; // -1: contacts of the two bodies
+  a: number;
+  b: number;
+  before: number; // N
+  after: number;
+}
+export interface BreakMeta {
+  joint: number;
+  crackTime: number; // s
+  time: number;
+  mode: 'tension' | 'shear' | 'none';
+  tension: number; // share of its energy
+  shear: number;
+  force: number; // N, that it bore before it opened
+  takers: TakerMeta[];
+}
 export interface TakeMeta {
   format: number;
   scene: string;
@@ -54,6 +81,9 @@ export interface TakeMeta {
   shapes: ShapeMeta[];
   bodies: BodyMeta[];
   cameras: CameraMeta[];
+  mortar?: JointMeta[]; // left out: there is none
+  breaks?: BreakMeta[];
+  falls?: [number, number][]; // a body, and which of the breaks gave way first
 }
 
 export interface Hit {
@@ -77,6 +107,11 @@ class ByteReader {
   u32(): number {
     this.at += 4;
     return this.view.getUint32(this.at - 4, true);
+  }
+  u8(): number {
+    const b = this.bytes[this.at++];
+    if (b === undefined) throw new Error('the motion data ends early');
+    return b;
   }
   f32(): number {
     this.at += 4;
@@ -134,6 +169,9 @@ export class Take {
   readonly activity: Float32Array; // per frame: root of the summed squares of all speeds that are seen, but the balls'
   topSpeed = 1; // m/s: 95 % of the moving bodies' frames are below it
   topForce = 1; // N
+  // Of each mortar joint: the frames in which it changed, and its utilisation and damage from then on, 0 .. 255.
+  private readonly mortarFrames: number[][] = [];
+  private readonly mortarStates: [number, number][][] = [];
 
   constructor(readonly meta: TakeMeta, base64: string) {
     if (meta.format !== 2) throw new Error(`replay data of format ${meta.format}; this page reads 2`);
@@ -160,6 +198,7 @@ export class Take {
     const large = reader.section();
     this.readBodies(start, planes, large);
     this.readHits(reader.section());
+    this.readMortar(reader.section());
     this.measure();
   }
 
@@ -281,6 +320,39 @@ export class Take {
         point: [p[at] + x[k] * 1e-3, p[at + 1] + y[k] * 1e-3, p[at + 2] + z[k] * 1e-3],
       });
     }
+  }
+
+  private readMortar(reader: ByteReader): void {
+    for (const _ of this.meta.mortar ?? []) {
+      this.mortarFrames.push([]);
+      this.mortarStates.push([]);
+    }
+    if (this.mortarFrames.length === 0) return;
+    for (let f = 0; f < this.frames; f++) {
+      let joint = 0;
+      for (let count = reader.varint(); count > 0; count--) {
+        joint += reader.varint();
+        this.mortarFrames[joint].push(f);
+        this.mortarStates[joint].push([reader.u8(), reader.u8()]);
+      }
+    }
+  }
+
+  // Utilisation and damage of a joint, 0 .. 1 each; null: it is not there.
+  mortar(frame: number, joint: number): [number, number] | null {
+    const meta = this.meta.mortar![joint];
+    if (frame < (meta.birth ?? 0) || frame >= (meta.end ?? this.frames)) return null;
+    const frames = this.mortarFrames[joint];
+    let low = 0;
+    let high = frames.length;
+    while (low < high) {
+      const middle = (low + high) >> 1;
+      if (frames[middle] <= frame) low = middle + 1;
+      else high = middle;
+    }
+    if (low === 0) return [0, 0];
+    const state = this.mortarStates[joint][low - 1];
+    return [state[0] / 255, state[1] / 255];
   }
 
   // What the colour scales and the timeline need.

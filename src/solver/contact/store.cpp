@@ -79,13 +79,14 @@ bool sameForces(const PointMemory& was, const PointMemory& now, int count) {
 }  // namespace
 
 bool ContactRows::store(Island& island, Ties& ties, StepContext& context) {
-  const bool compare = island.resting();
+  const bool compare = island.resting(), mortar = ties.mortar.any();
   bool changed = !compare;
   PointMemory before;
   for (std::size_t k = 0; k < size(); k++) {
     Contact& c = ties.contacts.contacts[contactOf[k]];
     c.points.impactMask = records[k].newPoints & ~starts[k].falling;
     if (!changed) before = c.points;
+    if (mortar) c.earlierForce = forceOf(c);
     const bool touched = c.touching;
     PointForces f = pointForcesAt(records[k], island.motion.data());
     bool touches = false;

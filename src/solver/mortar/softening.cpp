@@ -123,6 +123,7 @@ bool MortarRows::store(Island& island, Ties& ties, StepContext&) {
       if (slips) give(now.way2[i], now.t2[i], start.held2[i], m.slip2[i]);
     }
     const Reaction told = react(k, island.motion.data());
+    m.earlierForce = m.force;
     m.force = wide::store3(told.force);
     m.torque = wide::store3(told.torque);
   }

@@ -29,7 +29,7 @@ struct Counts {
 class Kill : public Command {
  protected:
   static std::vector<std::string> scene() {
-    return {"run", "wall", "--seconds", "1.5", "-o", "out", "--quiet", "--threads", "1"};
+    return {"run", "wall", "--set", "wall.mortar=lime", "--seconds", "1.5", "-o", "out", "--quiet", "--threads", "1"};
   }
 
   // Of one whole run.

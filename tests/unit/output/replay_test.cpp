@@ -33,7 +33,7 @@ Decoded decode(const Bytes& packed, const TakePoses& poses, double step) {
   ByteReader in(raw);
   in.take(poses.frames * 8);
   std::vector<std::span<const std::uint8_t>> parts;
-  for (int k = 0; k < 10; k++) parts.push_back(in.take(in.u32()));
+  for (int k = 0; k < 11; k++) parts.push_back(in.take(in.u32()));
   EXPECT_FALSE(in.failed());
   EXPECT_EQ(in.left(), 0u);
   ByteReader start(parts[0]), large(parts[8]);
@@ -134,6 +134,25 @@ TEST(Replay, PageIsOneFileWithEverythingInItsPlace) {
   EXPECT_EQ(meta["bodies"][2]["role"], "brick");
   EXPECT_EQ(meta["shapes"].size(), 6u);  // plane, ball, one box for all bricks and the pair, its sphere, capsule, hull
   EXPECT_EQ(meta["cameras"][0]["name"], "front");
+}
+
+TEST(Replay, PageIsToldOfMortarAndOfWhoFellByIt) {
+  OutputFolder folder;
+  const test::SyntheticTake take = test::makeSyntheticTake(
+      {.courses = 2, .bricksPerCourse = 3, .frames = 60, .hitFrame = 30, .otherShapes = false, .mortared = true});
+  TakeReader reader = test::opened(take, folder.file("a.take"));
+  ASSERT_TRUE(writeReplayHtml(reader, folder.file("a.html")));
+  auto meta = nlohmann::json::parse(between(test::contentOf(folder.file("a.html")), "id=\"meta\">", "</script>"));
+  EXPECT_EQ(meta["mortar"].size(), 5u);
+  EXPECT_EQ(meta["mortar"][2]["a"], 4);
+  ASSERT_EQ(meta["breaks"].size(), 1u);
+  EXPECT_EQ(meta["breaks"][0]["joint"], 2);
+  EXPECT_EQ(meta["breaks"][0]["mode"], "shear");
+  EXPECT_EQ(meta["breaks"][0]["takers"].size(), 2u);
+  EXPECT_EQ(meta["breaks"][0]["takers"][1]["joint"], -1);
+  // The row of bricks parted there. The force on the second of the two pointed up: the first held it, with all behind it.
+  EXPECT_EQ(meta["falls"].size(), 6u);
+  for (const auto& fall : meta["falls"]) EXPECT_EQ(fall[1], 0);
 }
 
 TEST(Replay, PageIsToldOfCylindersAndCones) {

@@ -137,16 +137,17 @@ TEST(DamagedTake, RandomDamageNeverCrashes) {
 
 // The same behind the checksums: bytes that are damaged and then sealed again, as an attacker would.
 TEST(DamagedTake, RandomFrameBytesNeverCrash) {
-  test::SyntheticTake take = test::makeSyntheticTake({.courses = 2, .bricksPerCourse = 2, .frames = 3, .hitFrame = 1});
+  test::SyntheticTake take =
+      test::makeSyntheticTake({.courses = 2, .bricksPerCourse = 3, .frames = 3, .hitFrame = 1, .mortared = true});
   FrameCodec encoder;
-  encoder.change({}, take.bodies.size());
+  encoder.change({}, take.bodies.size(), {}, take.mortar.size());
   std::vector<Bytes> frames;
   for (std::size_t f = 0; f < 3; f++) frames.push_back(encoder.encode(take.frames[f], f == 0));
   std::mt19937_64 random(8);
   int refused = 0;
   for (int round = 0; round < 20000; round++) {
     FrameCodec decoder;
-    decoder.change({}, take.bodies.size());
+    decoder.change({}, take.bodies.size(), {}, take.mortar.size());
     bool ok = true;
     for (std::size_t f = 0; f < 3 && ok; f++) {
       Bytes bytes = frames[f];
@@ -156,6 +157,7 @@ TEST(DamagedTake, RandomFrameBytesNeverCrash) {
       ok = frame.ok();
       if (ok) {
         EXPECT_EQ(frame->poses.size(), take.bodies.size());
+        EXPECT_EQ(frame->mortar.size(), take.mortar.size());
       }
     }
     refused += !ok;
@@ -200,11 +202,15 @@ TEST(DamagedTake, RandomChangesNeverCrash) {
   change.births[1].material = "steel";
   change.births.back().shapeMaterials.assign(change.births.back().shapes.size(), "brick");
   change.ends = {0, 1, 300};
+  change.mortar = {{0, 1, {}, {1, 0, 0}, {0, 1, 0}}};
+  change.mortarEnds = {2, 7};
   Bytes whole = encodeChange(change);
   Result<TakeChange> back = decodeChange(whole, kTakeVersion);
   ASSERT_TRUE(back);
   EXPECT_EQ(back->ends, change.ends);
   EXPECT_EQ(back->births.size(), change.births.size());
+  EXPECT_EQ(back->mortar.size(), 1u);
+  EXPECT_EQ(back->mortarEnds, change.mortarEnds);
   expectDistrust(whole, [](const Bytes& bytes) { return decodeChange(bytes, kTakeVersion).ok(); });
 }
 
@@ -264,18 +270,18 @@ TEST(DamagedTake, ImpossibleChangesEndTheTake) {
     return out;
   };
   const Bytes whole = smallTake(2, false);
-  TakeChange comes, goes, never;
+  TakeChange comes, goes, never, lost, alien;
   comes.births.resize(1);
   goes.ends = {1};
   never.ends = {4000};
+  lost.mortarEnds = {0};
+  alien.mortar = {{0, 4000, {}, {}, {}}};
   struct Case {
     std::vector<Bytes> more;
     std::size_t frames;
   };
-  const Case cases[] = {{{framed(comes, 0)}, 3},
-                        {{framed(goes, 0)}, 3},
-                        {{framed(never, 0)}, 2},
-                        {{framed(goes, 0), framed(goes, 0)}, 3}};
+  const Case cases[] = {{{framed(comes, 0)}, 3}, {{framed(goes, 0)}, 3},  {{framed(never, 0)}, 2},
+                        {{framed(lost, 0)}, 2},  {{framed(alien, 0)}, 2}, {{framed(goes, 0), framed(goes, 0)}, 3}};
   for (const Case& c : cases) {
     Bytes bytes = whole;
     for (const Bytes& more : c.more) bytes.insert(bytes.end(), more.begin(), more.end());

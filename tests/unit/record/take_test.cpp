@@ -53,6 +53,31 @@ void expectSame(const TakeFrame& want, const TakeFrame& got, const std::string& 
     EXPECT_EQ(want.events[k].impulse, got.events[k].impulse);
     EXPECT_LE(length(want.events[k].pointWorld - got.events[k].pointWorld), 1e-4);
   }
+  ASSERT_EQ(want.mortar.size(), got.mortar.size()) << where;
+  for (std::size_t k = 0; k < want.mortar.size(); k++) {
+    EXPECT_NEAR(want.mortar[k].utilisation, got.mortar[k].utilisation, 0.002) << where << " joint " << k;
+    EXPECT_NEAR(want.mortar[k].damage, got.mortar[k].damage, 0.002) << where << " joint " << k;
+    EXPECT_EQ(want.mortar[k].damage == 1, got.mortar[k].damage == 1);
+  }
+  ASSERT_EQ(want.breaks.size(), got.breaks.size()) << where;
+  for (std::size_t k = 0; k < want.breaks.size(); k++) {
+    const TakeBreak &a = want.breaks[k], &b = got.breaks[k];
+    EXPECT_EQ(a.mortar, b.mortar);
+    EXPECT_EQ(a.crackTime, b.crackTime);
+    EXPECT_EQ(a.breakTime, b.breakTime);
+    EXPECT_EQ(a.mode, b.mode);
+    EXPECT_EQ(a.tensionShare, b.tensionShare);
+    EXPECT_EQ(a.shearShare, b.shearShare);
+    EXPECT_EQ(a.force, b.force);
+    ASSERT_EQ(a.takers.size(), b.takers.size());
+    for (std::size_t t = 0; t < a.takers.size(); t++) {
+      EXPECT_EQ(a.takers[t].mortar, b.takers[t].mortar);
+      EXPECT_EQ(a.takers[t].bodyA, b.takers[t].bodyA);
+      EXPECT_EQ(a.takers[t].bodyB, b.takers[t].bodyB);
+      EXPECT_EQ(a.takers[t].before, b.takers[t].before);
+      EXPECT_EQ(a.takers[t].after, b.takers[t].after);
+    }
+  }
 }
 
 TEST(Take, FramesComeBackAsWritten) {
@@ -247,6 +272,57 @@ TEST(Take, VersionTwoStillOpens) {
   }
   ASSERT_EQ(reader->frameCount(), 70u);
   for (std::size_t f : {69, 0, 63, 64, 30}) expectSame(take.frames[f], *reader->frame(f), "frame " + std::to_string(f));
+}
+
+// So was version3.take: no mortar.
+TEST(Take, VersionThreeStillOpens) {
+  SyntheticTake take =
+      makeSyntheticTake({.courses = 2, .bricksPerCourse = 2, .frames = 70, .hitFrame = 2, .breaking = true});
+  Result<TakeReader> reader = TakeReader::open(BRICKFALL_SOURCE_DIR "/tests/unit/record/version3.take");
+  ASSERT_TRUE(reader) << reader.error().message;
+  EXPECT_TRUE(reader->complete());
+  EXPECT_EQ(reader->header().cameras[1].path.size(), 2u);
+  ASSERT_EQ(reader->bodies().size(), take.bodies.size());
+  EXPECT_EQ(reader->bodies()[2].material, "brick");
+  EXPECT_TRUE(reader->mortar().empty());
+  ASSERT_EQ(reader->frameCount(), 70u);
+  for (std::size_t f : {69, 0, 63, 64, 30}) expectSame(take.frames[f], *reader->frame(f), "frame " + std::to_string(f));
+}
+
+TEST(Take, MortarComesBackAsWritten) {
+  RemovedAtEnd file{temporaryFile("mortar.take")};
+  SyntheticTake take = makeSyntheticTake(
+      {.courses = 2, .bricksPerCourse = 3, .frames = 100, .hitFrame = 40, .breaking = true, .mortared = true});
+  ASSERT_EQ(test::writeTake(take, file.path), "");
+  Result<TakeReader> reader = TakeReader::open(file.path);
+  ASSERT_TRUE(reader) << reader.error().message;
+  ASSERT_EQ(reader->mortar().size(), take.mortar.size());
+  for (std::size_t k = 0; k < take.mortar.size(); k++) {
+    EXPECT_EQ(reader->mortar()[k].bodyA, take.mortar[k].bodyA);
+    EXPECT_LE(length(reader->mortar()[k].centre - take.mortar[k].centre), 1e-7);
+    EXPECT_LE(length(reader->mortar()[k].along2 - take.mortar[k].along2), 1e-7);
+  }
+  EXPECT_EQ(reader->mortarLives()[0].end, 40u) << "with its brick";
+  EXPECT_EQ(reader->mortarAt(50), (std::vector<std::uint32_t>{1, 2, 3, 4}));
+  for (std::size_t f : {99, 0, 39, 40, 41, 63, 64, 5, 80})
+    expectSame(take.frames[f], *reader->frame(f), "frame " + std::to_string(f));
+
+  auto refused = [&](auto spoil, const std::string& names) {
+    SyntheticTake bad = take;
+    spoil(bad);
+    const std::string error = test::writeTake(bad, file.path + ".bad");
+    std::remove((file.path + ".bad").c_str());
+    EXPECT_NE(error.find(names), std::string::npos) << error;
+  };
+  refused([](SyntheticTake& t) { t.frames[1].mortar.pop_back(); },
+          "frame 1: 4 states of mortar, expected one for each");
+  refused([](SyntheticTake& t) { t.frames[1].mortar[0].damage = 1.5f; }, "not 0 .. 1");
+  refused([](SyntheticTake& t) { t.frames[1].mortar[0].utilisation = std::nanf(""); }, "not 0 .. 1");
+  refused([](SyntheticTake& t) { t.mortar[1].centre.x = std::nan(""); }, "a joint's place");
+  refused([](SyntheticTake& t) { t.frames[40].breaks[0].mortar = 99; }, "names joint 99");
+  refused([](SyntheticTake& t) { t.frames[40].breaks[0].takers[0].bodyA = 99; }, "names body 99");
+  refused([](SyntheticTake& t) { t.frames[40].breaks[0].takers.resize(5); }, "5 bear the load");
+  refused([](SyntheticTake& t) { t.frames[40].breaks[0].breakTime = std::nan(""); }, "time is not finite");
 }
 
 TEST(Take, FarAndFastBodiesKeepTheirPlace) {

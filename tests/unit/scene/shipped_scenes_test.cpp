@@ -26,10 +26,10 @@ std::vector<BrickPlacement> bricksOf(const SceneDescription& scene) {
 TEST(ShippedScenes, AreAllSoundTitledAndFoundByName) {
   std::vector<ShippedScene> scenes = shippedScenes();
   std::vector<std::string> wanted = {
-      "arch",          "blast",       "bridge",          "cradle",      "dome",     "dominoes",   "pendulum-wall",
-      "wrecking-ball", "shake-table", "tilt-table",      "cube",        "hole",     "house",      "mass_ratio",
-      "pile",          "pyramid",     "tower",           "wall",        "wall_hit", "wall_stand", "wall_stand_tall",
-      "mortar-wall",   "wall-hits",   "mortar-strength", "garden-wall", "house-hit"};
+      "arch",          "blast",       "bridge",          "cradle",      "dome",      "dominoes",   "pendulum-wall",
+      "wrecking-ball", "shake-table", "tilt-table",      "cube",        "hole",      "house",      "mass_ratio",
+      "pile",          "pyramid",     "tower",           "wall",        "wall_hit",  "wall_stand", "wall_stand_tall",
+      "mortar-wall",   "wall-hits",   "mortar-strength", "garden-wall", "house-hit", "arch-load"};
   for (const std::string& name : wanted)
     EXPECT_TRUE(std::any_of(scenes.begin(), scenes.end(), [&](auto& scene) { return scene.name == name; })) << name;
   for (const ShippedScene& scene : scenes) {
@@ -39,8 +39,9 @@ TEST(ShippedScenes, AreAllSoundTitledAndFoundByName) {
     EXPECT_FALSE(shipped(scene.name).cameras.empty());
   }
   std::string message = unknownSceneMessage("piramid", "a scene file");
-  EXPECT_TRUE(message.starts_with(
-      "scene: found \"piramid\", expected a scene file or one of: arch, blast, bridge, column, cradle, cube, "))
+  EXPECT_TRUE(
+      message.starts_with("scene: found \"piramid\", expected a scene file or one of: arch, arch-load, blast, bridge, "
+                          "column, cradle, cube, "))
       << message;
   EXPECT_TRUE(message.ends_with("(did you mean \"pyramid\"?)")) << message;
   EXPECT_EQ(findScene("no such scene"), "");

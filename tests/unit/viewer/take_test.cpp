@@ -121,6 +121,57 @@ TEST(Take, OfAChangedTimeStepGoesByItsFrames) {
   EXPECT_NEAR(t.frame()->status.time, 1, 0.06);
 }
 
+// Live and played: joints for their view, layers of mortar that are drawn, and why a brick fell.
+TEST(Take, TellsOfMortarAsTheRunDid) {
+  const std::string wall = std::string(kWall) + R"(
+[[mortar_kind]]
+name = "weak"
+tension = 5e3
+cohesion = 1e4
+tension_energy = 1
+shear_energy = 5
+)";
+  std::string scene = wall;
+  scene.replace(scene.find("courses = 5"), 11, "mortar = \"weak\"\nhead_joint = 0.01\nbed_joint = 0.01\ncourses = 5");
+  TempFile take{"mortar.take"};
+  FrameNeeds needs;
+  needs.mortar = true;
+  std::size_t joints = 0;
+  {
+    TestSession t(scene.c_str(), true);
+    t.session.ask(needs);
+    ASSERT_TRUE(t.does(StartRecording{take.path()}));
+    t.pass(0.2);
+    joints = t.frame()->mortar.size();
+    EXPECT_GT(joints, 20u);
+    const ListedBody& brick = t.frame()->list->bodies[std::size_t(t.frame()->list->find(t.serialOf("w/4/1")))];
+    EXPECT_EQ(brick.shapes.size(), 1u);
+    EXPECT_GT(brick.drawn.size(), 1u) << "with its mortar";
+    EXPECT_EQ(brick.drawnMaterials.back(), "mortar");
+    t.does(ShootBall{{{0.4, 0.34, 0.6}, {0, 0, -1}}, 0.06, 15, "steel"});
+    t.pass(1);
+    t.does(Select{t.serialOf("w/4/1")});
+    t.pass(0.1);
+    ASSERT_TRUE(t.frame()->selected);
+    EXPECT_FALSE(t.frame()->selected->mortar.empty());
+    ASSERT_TRUE(t.does(StopRecording{}));
+  }
+  TestSession t;
+  ASSERT_TRUE(t.does(Open{take.path(), {}, false}));
+  t.session.ask(needs);
+  ASSERT_TRUE(t.does(Rewind{1.2}));
+  EXPECT_EQ(t.frame()->mortar.size(), joints);
+  int broken = 0, told = 0;
+  for (const FrameMortar& joint : t.frame()->mortar) broken += joint.damage >= 1;
+  EXPECT_GT(broken, 0);
+  for (const ListedBody& body : t.frame()->list->bodies) {
+    t.does(Select{body.serial});
+    if (!t.frame()->selected) continue;
+    for (const std::string& line : t.frame()->selected->mortar) told += line.find("Why it fell: ") == 0;
+  }
+  EXPECT_GT(told, 0);
+}
+
 TEST_F(Recorded, RefusesWhatNeedsAScene) {
   TestSession t;
   ASSERT_TRUE(t.does(Open{take.path(), {}, false}));

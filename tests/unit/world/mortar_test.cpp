@@ -1,6 +1,11 @@
 // Mortar through the API: what is refused and why, what can be read, events, what is carried, sleep, bodies that go.
+#include <algorithm>
 #include <limits>
+#include <map>
+#include <random>
 
+#include "brickfall/fall.h"
+#include "support/mortared_wall.h"
 #include "support/world_helpers.h"
 
 namespace brickfall::test {
@@ -141,6 +146,268 @@ TEST(Mortar, EndsWithItsBodies) {
   hung.step(20);
   EXPECT_LT(hung.world.state(hung.below)->position.y, 0.85);
   expectSound(hung.world);
+}
+
+// Glues the horizontal face of that middle and half extents.
+MortarId glueAcross(World& world, BodyId lower, BodyId upper, Vec3 centre, double x, double z, double strength = 1) {
+  MortarDef d;
+  d.bodyA = lower;
+  d.bodyB = upper;
+  d.outline = {centre + Vec3{-x, 0, z}, centre + Vec3{x, 0, z}, centre + Vec3{x, 0, -z}, centre + Vec3{-x, 0, -z}};
+  d.strength.tension *= strength;
+  d.strength.cohesion *= strength;
+  d.strength.tensionEnergy *= strength;
+  d.strength.shearEnergy *= strength;
+  return *world.createMortar(d);
+}
+
+// A beam under a ceiling, on two faces alike; the left one is weak. A block hangs under its middle.
+struct HungBeam {
+  World world = makeWorld();
+  BodyId ceiling = add(world, bodyOf(boxOf({1, 0.1, 0.1}), {0, 2.1, 0}, BodyType::fixed));
+  BodyId beam = add(world, bodyOf(boxOf({0.3, 0.05, 0.05}), {0, 1.95, 0}));
+  BodyId block = add(world, bodyOf(boxOf({0.05, 0.05, 0.05}), {0, 1.85, 0}));
+  MortarId left = glueAcross(world, beam, ceiling, {-0.25, 2, 0}, 0.05, 0.05, 0.024);
+  MortarId right = glueAcross(world, beam, ceiling, {0.25, 2, 0}, 0.05, 0.05, 5);
+  MortarId under = glueAcross(world, block, beam, {0, 1.9, 0}, 0.05, 0.05);
+  double weight() const { return (world.state(beam)->mass + world.state(block)->mass) * kG; }
+  void step(int steps) {
+    for (int i = 0; i < steps; i++) ASSERT_TRUE(world.step(kDt).ok());
+  }
+  // Pulls at the body until the joint has broken; s.
+  void tear(BodyId body, Vec3 point, MortarId joint, double by) {
+    for (double force = 0; !world.state(joint)->broken && force < 1e5; force += by) {
+      ASSERT_TRUE(world.applyForceAtPoint(body, {0, -force, 0}, point).ok());
+      step(1);
+    }
+    ASSERT_TRUE(world.state(joint)->broken);
+  }
+};
+
+TEST(Mortar, TellsWhoTookTheLoadOver) {
+  HungBeam hung;
+  const double weight = hung.weight();
+  EXPECT_FALSE(hung.world.past(hung.left).ok()) << "it has not cracked";
+  hung.step(30);
+  EXPECT_NEAR(length(hung.world.state(hung.right)->force), 0.5 * weight, 0.01 * weight);
+  // Twice the weight is more than the left face bears: the right one has all of it, at its arm.
+  ASSERT_TRUE(hung.world.setGravity({0, -2 * kG, 0}).ok());
+  while (!hung.world.state(hung.left)->broken && hung.world.time() < 2) hung.step(1);
+  ASSERT_TRUE(hung.world.state(hung.left)->broken);
+  const double broke = hung.world.time();
+  hung.step(30);
+  const MortarPast past = *hung.world.past(hung.left);
+  EXPECT_EQ(past.mortar, hung.left);
+  EXPECT_EQ(past.breakTime, broke);
+  EXPECT_LE(past.crackTime, broke);
+  EXPECT_EQ(past.mode, MortarMode::tension);
+  EXPECT_GT(past.tensionShare, 0.9);
+  EXPECT_LE(past.tensionShare + past.shearShare, 1 + 1e-9);
+  EXPECT_TRUE(past.settled);
+  EXPECT_NEAR(past.force.y, -0.5 * weight, 0.01 * weight) << "on the ceiling";
+  ASSERT_FALSE(past.takers.empty());  // the block under it is jerked, and may come second
+  EXPECT_EQ(past.takers[0].mortar, hung.right);
+  EXPECT_NEAR(past.takers[0].before, 0.5 * weight, 0.01 * weight);
+  EXPECT_NEAR(past.takers[0].after, 2 * weight, 0.05 * weight);
+  const FallStory story = *hung.world.whyFell(hung.beam);
+  EXPECT_TRUE(story.carried);
+  ASSERT_EQ(story.opened.size(), 1u);
+  expectSound(hung.world);
+}
+
+TEST(Mortar, WhatFellAsOneFellForOneReason) {
+  HungBeam hung;
+  hung.step(30);
+  EXPECT_FALSE(hung.world.whyFell(hung.block)->first) << "nothing broke";
+  hung.tear(hung.beam, {-0.25, 1.95, 0}, hung.left, 100);
+  hung.tear(hung.beam, {0.25, 1.95, 0}, hung.right, 1000);
+  ASSERT_FALSE(hung.world.state(hung.under)->broken);
+  hung.step(20);
+  const FallStory story = *hung.world.whyFell(hung.block);
+  EXPECT_FALSE(story.carried);
+  ASSERT_TRUE(story.first);
+  EXPECT_EQ(story.first->mortar, hung.left);
+  EXPECT_FALSE(story.own);
+  EXPECT_TRUE(story.opened.empty());
+  EXPECT_TRUE(hung.world.whyFell(hung.beam)->own);
+  EXPECT_FALSE(hung.world.whyFell({}).ok());
+  EXPECT_TRUE(hung.world.destroyBody(hung.ceiling).ok());
+  EXPECT_FALSE(hung.world.whyFell(hung.block)->first) << "the joints ended with it";
+  expectSound(hung.world);
+}
+
+TEST(Mortar, TheBlameGoesDownToWhatBrokeBefore) {
+  // Fixed 0, under it 1, under it 2 and 3. First 0-1 broke, then 1-2; 3 still hangs on 2. 4-5 broke first of all, elsewhere.
+  const std::vector<bool> moves{false, true, true, true, true, false};
+  const double up = 5;
+  std::vector<FallJoint> joints{{0, 1, 2, up}, {1, 2, 3, up}, {2, 3}, {5, 4, 1, up}};
+  const FallFinder finder(joints, moves);
+  for (std::uint32_t body : {1u, 2u, 3u}) EXPECT_EQ(finder.first(body), 0u) << body;
+  EXPECT_EQ(finder.first(4), 3u);
+  EXPECT_FALSE(finder.first(0)) << "fixed";
+  EXPECT_FALSE(finder.first(99));
+  joints[0].breakTime = 4;  // 1-2 broke before: 2 fell by that alone
+  EXPECT_EQ(FallFinder(joints, moves).first(3), 1u);
+  joints[0].lift = -up;  // 1 lay on 0 upside down: 0 did not hold it up
+  joints[0].breakTime = 2;
+  EXPECT_EQ(FallFinder(joints, moves).first(2), 1u);
+}
+
+TEST(Mortar, GoesOnWithThePieceThatHasItsFace) {
+  World world = makeWorld();
+  const BodyId ceiling = add(world, bodyOf(boxOf({1, 0.1, 0.1}), {0, 2.1, 0}, BodyType::fixed));
+  const BodyId beam = add(world, bodyOf(boxOf({0.3, 0.05, 0.05}), {0, 1.95, 0}));
+  const BodyId block = add(world, bodyOf(boxOf({0.05, 0.05, 0.05}), {0, 1.85, 0}));
+  const MortarId left = glueAcross(world, beam, ceiling, {-0.2, 2, 0}, 0.1, 0.05);
+  const MortarId right = glueAcross(world, beam, ceiling, {0.2, 2, 0}, 0.1, 0.05);
+  const MortarId under = glueAcross(world, block, beam, {0, 1.9, 0}, 0.05, 0.05);
+  for (int i = 0; i < 60; i++) ASSERT_TRUE(world.step(kDt).ok());
+  const Vec3 force = world.state(left)->force;
+  // Cut in its middle, through the face of the block.
+  std::vector<BodyDef> halves{bodyOf(boxOf({0.15, 0.05, 0.05}), {-0.15, 1.95, 0}),
+                              bodyOf(boxOf({0.15, 0.05, 0.05}), {0.15, 1.95, 0})};
+  const std::vector<BodyId> pieces = *world.replaceBody(beam, halves);
+  EXPECT_EQ(world.state(left)->bodyA, pieces[0]);
+  EXPECT_EQ(world.state(right)->bodyA, pieces[1]);
+  EXPECT_FALSE(world.isValid(under));
+  expectSound(world);
+  const std::vector<std::byte> bytes = world.snapshot();
+  World copy = makeWorld();
+  ASSERT_TRUE(copy.restore(bytes).ok());
+  for (World* w : {&world, &copy}) {
+    ASSERT_TRUE(w->step(kDt).ok());
+    ASSERT_EQ(w->events().mortar.size(), 1u) << "also after a snapshot between the call and the step";
+    EXPECT_TRUE(w->events().mortar[0].dropped);
+    EXPECT_EQ(w->events().mortar[0].bodyA.index, block.index);
+  }
+  for (int i = 0; i < 30; i++) ASSERT_TRUE(world.step(kDt).ok());
+  EXPECT_NEAR(world.state(pieces[0])->position.y, 1.95, 1e-4) << "holds on";
+  EXPECT_LT(world.state(block)->position.y, 1.8) << "fell";
+  EXPECT_NEAR(length(world.state(left)->force), world.state(pieces[0])->mass * kG, 0.01 * length(force));
+  expectSound(world);
+}
+
+// Any order of calls: the joints that there are, and of which bodies, are those of a simple model.
+class MortarModel {
+ public:
+  explicit MortarModel(unsigned seed) : random_(seed), wall_(mortaredWall(3, 3, 4)) {
+    for (MortarId id : wall_.joints) add(id);
+  }
+  void play(int calls) {
+    for (int i = 0; i < calls && !testing::Test::HasFailure(); i++) {
+      call(int(random_() % 8));
+      compare();
+    }
+  }
+  int dropped = 0, kept = 0, broken = 0;
+
+ private:
+  World& world() { return wall_.world; }
+  BodyId anyBody() {
+    const std::vector<BodyId> all = world().bodies();
+    return all[random_() % all.size()];
+  }
+  void add(MortarId id) { model_[id] = {world().state(id)->bodyA, world().state(id)->bodyB}; }
+  void call(int which) {
+    if (which == 0) {
+      MortarDef def;
+      def.bodyA = anyBody();
+      def.bodyB = anyBody();
+      if (Result<std::vector<Vec3>> face = world().sharedFace(def.bodyA, def.bodyB)) def.outline = *face;
+      if (Result<MortarId> made = world().createMortar(def)) add(*made);
+    } else if (which == 1 && !model_.empty()) {
+      const MortarId id = std::next(model_.begin(), std::ptrdiff_t(random_() % model_.size()))->first;
+      EXPECT_TRUE(world().destroyMortar(id).ok());
+      EXPECT_FALSE(world().destroyMortar(id).ok()) << "twice";
+      model_.erase(id);
+    } else if (which == 2 && random_() % 3 == 0) {
+      end(anyBody());
+    } else if (which == 3) {
+      cut(anyBody());
+    } else if (which == 4) {
+      World copy = makeWorld();
+      ASSERT_TRUE(copy.restore(world().snapshot()).ok());
+      for (World* w : {&copy, &world()}) ASSERT_TRUE(w->step(kDt).ok());
+      EXPECT_EQ(copy.stateHash(), world().stateHash());
+    } else {
+      ASSERT_TRUE(world().step(which == 5 ? 1.0 / 240 : kDt).ok());
+      for (const MortarEvent& event : world().events().mortar) broken += event.broken;
+    }
+  }
+  void end(BodyId body) {
+    ASSERT_TRUE(world().destroyBody(body).ok());
+    std::erase_if(model_, [&](const auto& joint) { return joint.second.first == body || joint.second.second == body; });
+  }
+  // In two, across its longest axis.
+  void cut(BodyId body) {
+    const BodyState state = *world().state(body);
+    const ShapeDef shape = *world().shape(world().shapes(body)[0]);
+    if (shape.type != ShapeType::box || shape.halfExtents.x < 0.03) return;
+    std::vector<BodyDef> halves;
+    for (double side : {-0.5, 0.5}) {
+      BodyDef def = bodyOf(shape, state.position + rotate(state.rotation, Vec3{side * shape.halfExtents.x, 0, 0}));
+      def.rotation = state.rotation;
+      def.linearVelocity = state.linearVelocity;
+      def.shapes[0].halfExtents.x *= 0.5;
+      halves.push_back(def);
+    }
+    const Result<std::vector<BodyId>> pieces = world().replaceBody(body, halves);
+    ASSERT_TRUE(pieces.ok());
+    for (auto joint = model_.begin(); joint != model_.end();) {
+      auto& [a, b] = joint->second;
+      if (a != body && b != body) {
+        ++joint;
+        continue;
+      }
+      const Result<MortarState> now = world().state(joint->first);
+      if (!now) {
+        dropped++;
+        joint = model_.erase(joint);
+        continue;
+      }
+      BodyId& was = a == body ? a : b;
+      was = a == body ? now->bodyA : now->bodyB;
+      EXPECT_TRUE(was == (*pieces)[0] || was == (*pieces)[1]);
+      kept++;
+      ++joint;
+    }
+  }
+  void compare() {
+    std::vector<MortarId> ids;
+    for (const auto& [id, bodies] : model_) {
+      ids.push_back(id);
+      const Result<MortarState> state = world().state(id);
+      ASSERT_TRUE(state.ok()) << id.index;
+      EXPECT_EQ(state->bodyA, bodies.first);
+      EXPECT_EQ(state->bodyB, bodies.second);
+      EXPECT_TRUE(world().isValid(bodies.first) && world().isValid(bodies.second));
+    }
+    std::vector<MortarId> there = world().mortars();
+    std::sort(there.begin(), there.end());
+    EXPECT_EQ(there, ids);
+    for (BodyId body : world().bodies()) ASSERT_TRUE(world().whyFell(body).ok());
+    expectSound(world());
+  }
+
+  std::mt19937 random_;
+  MortaredWall wall_;
+  std::map<MortarId, std::pair<BodyId, BodyId>> model_;
+};
+
+TEST(Mortar, CallsInAnyOrderLeaveWhatAModelSays) {
+  int dropped = 0, kept = 0, broken = 0;
+  for (unsigned seed = 1; seed <= 12; seed++) {
+    SCOPED_TRACE(seed);
+    MortarModel model(seed);
+    model.play(60);
+    dropped += model.dropped;
+    kept += model.kept;
+    broken += model.broken;
+    if (HasFailure()) return;
+  }
+  EXPECT_GT(dropped, 5);
+  EXPECT_GT(kept, 5);
+  EXPECT_GT(broken, 5);
 }
 
 }  // namespace

@@ -67,6 +67,12 @@ void showBody(Desk& desk, const Frame& frame) {
       ImGui::SameLine();
       actionButton(desk, Action::removeSelected, "Remove it", ImVec2(half, 0));
     }
+    if (!body.mortar.empty()) {
+      heading("Mortar");
+      ImGui::PushTextWrapPos(0);
+      for (const std::string& line : body.mortar) ImGui::TextUnformatted(line.c_str());
+      ImGui::PopTextWrapPos();
+    }
     if (body.contacts) showContacts(*body.contacts);
   }
   ImGui::End();

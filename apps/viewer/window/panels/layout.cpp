@@ -57,6 +57,7 @@ void showPanel(Desk& desk, const Frame& frame, double now) {
     showTimeBar(desk, frame);
     if (frame.selected) showBody(desk, frame);
   }
+  if (desk.view.mortar != MortarView::none) showMortarLegend(desk, frame);
   if (desk.helpShown) showHelp(desk);
   showMessages(desk, frame, now);
 }

@@ -20,6 +20,8 @@ void showTimeBar(Desk& desk, const Frame& frame);
 void showBody(Desk& desk, const Frame& frame);
 void showMessages(Desk& desk, const Frame& frame, double now);
 void showHelp(Desk& desk);
+// What the colours of mortar mean, over the picture, with the panel and without it.
+void showMortarLegend(Desk& desk, const Frame& frame);
 
 // Height of the bar at the bottom, pixels; and width of the panel.
 constexpr float kBarHeight = 74, kPanelWidth = 348;

@@ -1,0 +1,156 @@
+#include "world/load_shift.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace brickfall {
+
+namespace {
+
+//! s | too small: an opening that slows down for a step counts as two | too large: a second hit counts as the first
+constexpr double kPause = 0.1;  // without damage, after which a joint opens anew
+//! s | too small: swings of what sprang are told | too large: who falls later counts as having taken the load
+constexpr double kWatch = 0.05;  // after a break: the mean of what ties bear is taken over it, over one step at least
+
+struct LoadOf {
+  BodyIndex body;
+  TieLoad load;  // before, and after the step
+};
+
+// All ties of the bodies listed (ascending), by body; contacts of two bodies together.
+std::vector<LoadOf> loadsOf(const std::vector<BodyIndex>& bodies, const Ties& ties) {
+  std::vector<LoadOf> out;
+  auto add = [&](const TieLoad& load) {
+    for (BodyIndex body : {load.bodyA, load.bodyB})
+      if (std::binary_search(bodies.begin(), bodies.end(), body)) out.push_back({body, load});
+  };
+  ties.mortar.eachAwake([&](const Link& link) {
+    const Mortar& m = ties.mortar.slots[link.index];
+    add({link.index, m.bodyA, m.bodyB, length(m.earlierForce), length(m.force)});
+  });
+  ties.contacts.eachAwake([&](const Link& link) {
+    const Contact& c = ties.contacts.contacts[link.index];
+    add({kNoIndex, std::min(c.bodyA, c.bodyB), std::max(c.bodyA, c.bodyB), c.earlierForce, forceOf(c)});
+  });
+  std::stable_sort(out.begin(), out.end(), [](const LoadOf& a, const LoadOf& b) { return a.body < b.body; });
+  std::size_t kept = 0, start = 0;
+  for (std::size_t i = 0; i < out.size(); i++) {
+    if (kept > 0 && out[kept - 1].body != out[i].body) start = kept;
+    const auto first = std::find_if(
+        out.begin() + std::ptrdiff_t(start), out.begin() + std::ptrdiff_t(kept),
+        [&](const LoadOf& other) { return other.load.mortar == kNoIndex && other.load.isSame(out[i].load); });
+    if (first == out.begin() + std::ptrdiff_t(kept)) {
+      out[kept++] = out[i];
+    } else {
+      first->load.before += out[i].load.before;
+      first->load.after += out[i].load.after;
+    }
+  }
+  out.resize(kept);
+  return out;
+}
+
+float gainOf(const TieLoad& load) { return load.after - load.before; }
+
+// In the place of the one that gains least, where there is no room.
+void addLoad(OpeningMemory& past, const TieLoad& load) {
+  if (past.count < kTieLoads) {
+    past.loads[past.count++] = load;
+    return;
+  }
+  TieLoad* const least = std::min_element(past.loads, past.loads + kTieLoads,
+                                          [](const TieLoad& a, const TieLoad& b) { return gainOf(a) < gainOf(b); });
+  if (gainOf(load) > gainOf(*least)) *least = load;
+}
+
+// visit(load) for the ties of both bodies of the joint but itself.
+template <class Visit>
+void eachBeside(MortarIndex mortar, const Mortar& m, const std::vector<LoadOf>& loads, Visit visit) {
+  for (BodyIndex body : {m.bodyA, m.bodyB}) {
+    auto at = std::partition_point(loads.begin(), loads.end(), [&](const LoadOf& l) { return l.body < body; });
+    for (; at != loads.end() && at->body == body; ++at) {
+      const bool again = body == m.bodyB && at->load.names(m.bodyA);  // a tie of the two
+      if (at->load.mortar != mortar && !again) visit(at->load);
+    }
+  }
+}
+
+// Joints whose opening begins in this step get a memory of their own.
+std::vector<MortarIndex> beginOpenings(double time, MortarSet& set) {
+  std::vector<MortarIndex> begins;
+  std::vector<OpeningMemory> fresh;
+  set.eachAwake([&](const Link& link) {
+    const Mortar& m = set.slots[link.index];
+    if (!(m.damage > 0)) return;
+    OpeningMemory* past = set.pastOf(link.index);
+    if (past && !(m.damage > past->damage)) return;
+    if (!past || time - past->grewTime > kPause) {
+      OpeningMemory opening;
+      opening.mortar = link.index;
+      opening.crackTime = past ? past->crackTime : time;
+      opening.openTime = time;
+      opening.force = m.earlierForce;
+      begins.push_back(link.index);
+      if (!past) fresh.push_back(opening);
+      if (past) *past = opening;
+    }
+    OpeningMemory& told = past ? *past : fresh.back();
+    told.grewTime = time;
+    told.damage = m.damage;
+  });
+  if (!fresh.empty()) set.addPasts(std::move(fresh));
+  return begins;
+}
+
+}  // namespace
+
+void noteOpenings(double time, double dt, Ties& ties) {
+  MortarSet& set = ties.mortar;
+  const std::vector<MortarIndex> begins = beginOpenings(time, set);
+  if (begins.empty() && set.watched.empty()) return;
+  std::vector<BodyIndex> bodies;
+  auto addBodies = [&](const std::vector<MortarIndex>& list) {
+    for (MortarIndex mortar : list)
+      for (BodyIndex body : {set.slots[mortar].bodyA, set.slots[mortar].bodyB}) bodies.push_back(body);
+  };
+  addBodies(begins);
+  addBodies(set.watched);
+  std::sort(bodies.begin(), bodies.end());
+  bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
+  const std::vector<LoadOf> loads = loadsOf(bodies, ties);
+  for (MortarIndex mortar : begins) {
+    OpeningMemory& past = *set.pastOf(mortar);
+    eachBeside(mortar, set.slots[mortar], loads, [&](TieLoad load) { addLoad(past, load); });
+    for (std::uint32_t i = 0; i < past.count; i++) past.loads[i].after = 0;
+  }
+  for (MortarIndex mortar : set.watched) {
+    OpeningMemory& past = *set.pastOf(mortar);
+    const double share = time > past.breakTime ? std::min(1.0, dt / (time - past.breakTime)) : 1;
+    eachBeside(mortar, set.slots[mortar], loads, [&](TieLoad load) {
+      TieLoad* const end = past.loads + past.count;
+      TieLoad* const known = std::find_if(past.loads, end, [&](const TieLoad& old) { return old.isSame(load); });
+      // Of what breaks meanwhile, the mean until then stays.
+      const auto mean = [&](float until) {
+        return float(double(until) + (double(load.after) - double(until)) * share);
+      };
+      if (known != end) {
+        known->after = mean(known->after);
+      } else {
+        load.before = 0;
+        load.after = mean(0);
+        addLoad(past, load);
+      }
+    });
+  }
+  // Slack for rounding.
+  std::erase_if(set.watched, [&](MortarIndex mortar) { return time - set.pastOf(mortar)->breakTime > kWatch * 0.999; });
+}
+
+void noteBreak(MortarIndex mortar, double time, MortarSet& set) {
+  OpeningMemory* const past = set.pastOf(mortar);
+  if (!past) return;
+  past->breakTime = time;
+  set.watched.insert(std::lower_bound(set.watched.begin(), set.watched.end(), mortar), mortar);
+}
+
+}  // namespace brickfall

@@ -1,0 +1,14 @@
+// Where the load of mortar goes that opens: what its neighbours bear before and after. Nothing that moves a body reads
+// it.
+#pragma once
+#include "dynamics/ties.h"
+
+namespace brickfall {
+
+// Once a step, after the solve is stored and before broken joints are taken out. `time`: s, at the end of the
+// step; `dt`: s, of this part of it.
+void noteOpenings(double time, double dt, Ties& ties);
+// The joint breaks in this step.
+void noteBreak(MortarIndex mortar, double time, MortarSet& set);
+
+}  // namespace brickfall
