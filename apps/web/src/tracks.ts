@@ -54,6 +54,7 @@ export interface TakeMeta {
   shapes: ShapeMeta[];
   bodies: BodyMeta[];
   cameras: CameraMeta[];
+  series?: Record<string, number[]>; // figures over time, by their names in series.csv; left out: not known
 }
 
 export interface Hit {
