@@ -130,6 +130,9 @@ class World {
   Status setGravity(Vec3 gravity);
   Vec3 gravity() const;
   Status wake(BodyId body);
+  // All that hangs together with a dynamic body falls asleep in the next step if it rests in it, without waiting for sleepDelay.
+  // What moves goes on; so does what may not sleep (enableSleep, BodyDef::allowSleep).
+  Status sleep(BodyId body);
   // Another friction, restitution or density of a shape that is there. Contacts go on, with the new values; velocities stay as
   // they are. Where a new density moves the body's centre of mass, its contacts are made anew.
   Status setMaterial(ShapeId shape, const Material& material);

@@ -1,4 +1,5 @@
 // Reading and changing bodies. Every setter checks first and changes nothing on an error.
+#include <algorithm>
 #include <string>
 
 #include "world/checks.h"
@@ -233,6 +234,17 @@ Status World::wake(BodyId id) {
   Result<BodyIndex> body = impl_->openForChange(id, {});
   if (!body) return body.error();
   impl_->upkeep().disturb(*body);
+  return {};
+}
+
+Status World::sleep(BodyId id) {
+  Impl& w = *impl_;
+  Result<BodyIndex> body = w.openForChange(id, {});
+  if (!body) return body.error();
+  if (w.registry.bodies.data[*body].type != BodyType::dynamic)
+    return Error{ErrorCode::wrongState, "sleep: the body is not BodyType::dynamic"};
+  for (IslandPointer& island : w.activity.islands.awake)
+    if (std::binary_search(island->bodies.begin(), island->bodies.end(), *body)) island->restTime = w.def.sleepDelay;
   return {};
 }
 

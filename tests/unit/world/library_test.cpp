@@ -289,6 +289,32 @@ TEST(ContactFilter, KeepsWhatItRefusesApartForEver) {
   EXPECT_LT(world.state(ghost)->position.y, -0.5);
 }
 
+// --- Sleep by call
+
+TEST(SleepByCall, WhatRestsSleepsAtOnceAndWhatMovesGoesOn) {
+  WorldDef def;
+  def.sleepDelay = 1000;
+  World world = makeWorld(def);
+  const BodyId ground = addGround(world);
+  const BodyId low = addBox(world, {0.2, 0.1, 0.2}, {0, 0.1, 0}), high = addBox(world, {0.2, 0.1, 0.2}, {0, 0.3, 0});
+  const BodyId falling = addBox(world, {0.1, 0.1, 0.1}, {3, 5, 0});
+  run(world, 0.8);
+  EXPECT_TRUE(world.state(low)->awake);
+  ASSERT_TRUE(world.sleep(high).ok());
+  ASSERT_TRUE(world.sleep(falling).ok());
+  stepSound(world);
+  EXPECT_FALSE(world.state(low)->awake);
+  EXPECT_FALSE(world.state(high)->awake);
+  EXPECT_EQ(world.events().fellAsleep.size(), 2u);
+  EXPECT_TRUE(world.state(falling)->awake);
+  ASSERT_TRUE(world.sleep(low).ok());  // it does
+  ASSERT_TRUE(world.wake(low).ok());
+  stepSound(world);
+  EXPECT_TRUE(world.state(high)->awake);
+  EXPECT_EQ(world.sleep(ground).error().code, ErrorCode::wrongState);
+  EXPECT_EQ(world.sleep({}).error().code, ErrorCode::staleId);
+}
+
 // --- Events that name shapes
 
 TEST(HitEvents, NameTheShapesThatMet) {
