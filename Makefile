@@ -12,7 +12,7 @@ SCENE ?= wall
 # cmake -B build -DBRICKFALL_UNITY=OFF.
 CONFIGURE = cmake -S . -B $(BUILD) $$(test -f $(BUILD)/CMakeCache.txt || echo -G Ninja -DCMAKE_BUILD_TYPE=$(BUILD_TYPE) -DBRICKFALL_UNITY=ON)
 
-.PHONY: help demo build view render test validate fuzz golden same-bits check bench install clean
+.PHONY: help dist deb demo build view render test validate fuzz golden same-bits check bench install clean
 .DEFAULT_GOAL := help
 
 help:
@@ -28,6 +28,8 @@ help:
 	@echo "make check              the tests and the rules of the source (tools/check)"
 	@echo "make bench              figures of the shipped scenes, as a table (tools/bench)"
 	@echo "make install PREFIX=... install command, library, scenes and CMake package (default /usr/local)"
+	@echo "make dist               a release archive, out/brickfall-VERSION.tar.gz: builds without node and without a network"
+	@echo "make deb                a Debian package of what was built, in $(BUILD)/"
 	@echo "make clean              remove $(BUILD)/ and out/"
 	@echo "All but check and clean first install what is missing (Debian packages: apt-get, as root or with sudo)."
 
@@ -104,6 +106,20 @@ bench: build
 install: build
 	@cmake --build $(BUILD) -j $(JOBS) --target brickfall_cli
 	@cmake --install $(BUILD) --prefix $(PREFIX)
+
+# The source as it is committed, with the page bundled.
+VERSION = $(shell sed -n 's/^project(brickfall VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
+dist: build
+	@mkdir -p out/dist/brickfall-$(VERSION)/prebuilt
+	@git archive --prefix=brickfall-$(VERSION)/ HEAD | tar -x -C out/dist
+	@cp $(BUILD)/web/replay_template.cpp out/dist/brickfall-$(VERSION)/prebuilt/
+	@tar -C out/dist --sort=name --owner=0 --group=0 --numeric-owner -czf out/brickfall-$(VERSION).tar.gz brickfall-$(VERSION)
+	@rm -rf out/dist
+	@echo out/brickfall-$(VERSION).tar.gz
+
+deb: build
+	@cmake --build $(BUILD) -j $(JOBS)
+	@cd $(BUILD) && cpack -G DEB >/dev/null && ls *.deb
 
 clean:
 	@rm -rf $(BUILD) out

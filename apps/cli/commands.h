@@ -42,6 +42,13 @@ struct TraceCommand {
   bool quiet = false;
 };
 
+struct ExportCommand {
+  std::string take, folder;        // folder empty: that of the take
+  std::vector<std::string> kinds;  // names of exportKinds()
+  std::uint64_t every = 1;         // frames
+  bool quiet = false;
+};
+
 struct CheckDtCommand {
   std::string scene;
   std::optional<double> seconds;
@@ -51,9 +58,10 @@ struct CheckDtCommand {
 };
 
 int run(const RunOptions& options);
-int check(const std::vector<std::string>& scenes);
+int check(const std::vector<std::string>& scenes, bool asJson);
 int checkDt(const CheckDtCommand& options);
-int listScenes();
+int exportTake(const ExportCommand& command);
+int listScenes(bool asJson);
 int replay(const std::string& take, const OutputOptions& options);
 int trace(const TraceCommand& options);
 int compareTraces(const std::string& a, const std::string& b);

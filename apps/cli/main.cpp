@@ -33,6 +33,9 @@ struct Arguments {
   OutputOptions replay;
   TraceCommand trace;
   CheckDtCommand checkDt;
+  ExportCommand exported;
+  std::string every;
+  bool checkJson = false, scenesJson = false;
   std::string items;
   std::vector<std::string> compared;
 };
@@ -94,6 +97,28 @@ void defineCheckDt(CLI::App& app, Arguments& arguments) {
       exitCodes("130 interrupted, nothing is told"));
 }
 
+void defineExport(CLI::App& app, Arguments& arguments) {
+  CLI::App& command = *app.add_subcommand("export", "A take as numbers: CSV, JSON, NumPy");
+  command.add_option("take", arguments.exported.take, "A recording made by brickfall run, also one that was cut off")
+      ->required()
+      ->type_name("TAKE");
+  command.add_option("--to", arguments.exported.kinds, "csv, json or npz; may be repeated (default: csv)")
+      ->type_name("FORMAT")
+      ->take_all()
+      ->expected(1)
+      ->allow_extra_args(false);
+  command.add_option("--every", arguments.every, "Poses of every N-th frame only")->type_name("N");
+  command
+      .add_option("-o,--output", arguments.exported.folder, "Folder for the files (default: the folder of the take)")
+      ->type_name("DIR");
+  command.add_flag("--quiet", arguments.exported.quiet, "Say nothing but errors");
+  command.footer(std::string("Examples:\n"
+                             "  brickfall export out/wall/wall.take                four tables of text\n"
+                             "  brickfall export out/wall/wall.take --to npz       for numpy.load\n"
+                             "  brickfall export wall.take --to json --every 6\n\n") +
+                 exitCodes("130 interrupted, the take stays as it is"));
+}
+
 void defineCommands(CLI::App& app, Arguments& arguments) {
   app.name("brickfall");
   app.set_version_flag("--version", std::string("brickfall ") + versionString());
@@ -120,10 +145,12 @@ void defineCommands(CLI::App& app, Arguments& arguments) {
   check.add_option("file", arguments.checked, "Scene files, or shipped scenes by name")
       ->required()
       ->type_name("FILE...");
+  check.add_flag("--json", arguments.checkJson, "Answer in JSON, on standard output");
   check.footer(std::string("Examples:\n  brickfall check mine.toml\n  brickfall check scenes/*.toml\n\n") +
                exitCodes());
 
   CLI::App& scenes = *app.add_subcommand("scenes", "List the shipped scenes");
+  scenes.add_flag("--json", arguments.scenesJson, "Answer in JSON");
   scenes.footer(std::string("Examples:\n  brickfall scenes\n\n") + exitCodes());
 
   CLI::App& replay = *app.add_subcommand("replay", "Make the results again from a recorded take");
@@ -135,6 +162,7 @@ void defineCommands(CLI::App& app, Arguments& arguments) {
                             "  brickfall replay out/wall/wall.take\n"
                             "  brickfall replay wall.take -o again --no-html\n\n") +
                 exitCodes("130 interrupted, the take stays as it is"));
+  defineExport(app, arguments);
   defineTrace(app, arguments);
   defineCheckDt(app, arguments);
   // Only so that they are in the list: what follows their word is for them alone (dispatch).
@@ -161,6 +189,17 @@ bool readValues(Arguments& arguments, const CLI::App& command) {
     arguments.checkDt.overrides.push_back(*pair);
   }
   return true;
+}
+
+int exportCommand(Arguments& arguments, const CLI::App& command) {
+  if (command.count("--every") > 0) {
+    const Result<std::uint64_t> every = parseStep(arguments.every);
+    if (!every)
+      return complainf("--every: found \"{}\", expected a number of frames from 1", arguments.every), kBadInput;
+    arguments.exported.every = *every;
+  }
+  if (arguments.exported.kinds.empty()) arguments.exported.kinds = {"csv"};
+  return exportTake(arguments.exported);
 }
 
 int traceCommand(Arguments& arguments, const CLI::App& command) {
@@ -235,12 +274,13 @@ int dispatch(int argc, char** argv) {
   }
   if (app.got_subcommand("run"))
     return readValues(arguments, *app.get_subcommand("run")) ? run(arguments.run) : kBadInput;
-  if (app.got_subcommand("check")) return check(arguments.checked);
+  if (app.got_subcommand("check")) return check(arguments.checked, arguments.checkJson);
   if (app.got_subcommand("check-dt"))
     return readValues(arguments, *app.get_subcommand("check-dt")) ? checkDt(arguments.checkDt) : kBadInput;
   if (app.got_subcommand("replay")) return replay(arguments.take, arguments.replay);
+  if (app.got_subcommand("export")) return exportCommand(arguments, *app.get_subcommand("export"));
   if (app.got_subcommand("trace")) return traceCommand(arguments, *app.get_subcommand("trace"));
-  return listScenes();
+  return listScenes(arguments.scenesJson);
 }
 
 }  // namespace

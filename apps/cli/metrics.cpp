@@ -210,6 +210,15 @@ void RunMetrics::afterStep(const World& world, const StepReport& report) {
   }
 }
 
+int RunMetrics::movedNow(const World& world) const {
+  int moved = 0;
+  for (const Tracked& body : tracked_) {
+    const Result<BodyState> state = world.state(body.id);
+    moved += length((state ? state->centreOfMass : body.last) - body.start) > kMoved;
+  }
+  return moved;
+}
+
 RunFigures RunMetrics::finish(const World& world) {
   RunFigures out = figures_;
   measureCentres(world);

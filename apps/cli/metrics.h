@@ -39,6 +39,10 @@ class RunMetrics {
   // plannedSteps spreads the samples; the run may end earlier.
   RunMetrics(const World& world, std::span<const PlacedBody> bodies, std::uint64_t plannedSteps);
   void afterStep(const World& world, const StepReport& report);
+  // After the last step. J, of what moves by forces: above the scene's lowest place; what was put in and is gone.
+  double potentialNow(const World& world) const { return world.energy().potential - weight_ * lowestHeight_; }
+  double lostNow() const { return ledger_.supplied() - energy_; }
+  int movedNow(const World& world) const;  // bricks further than 50 mm from their place
   // The figures up to the last step.
   RunFigures finish(const World& world);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "brickfall/whole_file.h"
 #include "cli/console.h"
 #include "cli/files.h"
 #include "cli/interrupt.h"
@@ -42,6 +43,16 @@ OutputsResult writeOutputs(const TakeReader& take, const std::string& folder, co
     result.exitCode = interruptExitCode();
   }
   return result;
+}
+
+bool writeText(const std::string& path, const std::string& text, const std::string& purpose,
+               std::vector<WrittenFile>& files) {
+  const Status status = writeWhole(path, text);
+  if (status)
+    files.push_back({path, purpose});
+  else
+    complain(status.error().message);
+  return status.ok();
 }
 
 void listFiles(const std::vector<WrittenFile>& files) {

@@ -1,14 +1,18 @@
 // brickfall replay: the outputs again, from a recorded take.
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <system_error>
 
 #include "brickfall/take.h"
-#include "brickfall/whole_file.h"
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/files.h"
 #include "cli/interrupt.h"
 #include "cli/outputs.h"
+#include "cli/summary.h"
 
 namespace brickfall::cli {
 
@@ -18,6 +22,17 @@ bool exists(const std::string& path, bool empty) {
   std::error_code error;
   const auto bytes = std::filesystem::file_size(path, error);
   return !error && (bytes == 0) == empty;
+}
+
+// Whether the figures in the folder are those of the same run with its cost: they stay. An error if they cannot be read.
+Result<bool> hasOwnSummary(const std::string& path, const std::string& summary) {
+  if (!std::filesystem::exists(path)) return false;
+  errno = 0;
+  std::ifstream in(path, std::ios::binary);
+  const std::string content{std::istreambuf_iterator<char>(in), {}};
+  if (!in.is_open() || in.bad())
+    return Error{ErrorCode::inputOutput, fmt::format("cannot read '{}': {}", path, std::strerror(errno))};
+  return hasCostOf(content, summary);
 }
 
 // Why a take cannot be used; of a run that was killed there may be more to say than that there is no such file.
@@ -61,13 +76,16 @@ int replay(const std::string& takePath, const OutputOptions& options) {
   ProgressDisplay display(ProgressDisplay::modeForOutput(options.quiet));
   OutputsResult written = writeOutputs(*take, folder, options, display);
   if (!take->summaryJson().empty()) {
+    const TakeSummary kept = readTakeSummary(take->summaryJson());
     const std::string path = joinPath(folder, "summary.json");
-    if (const Status status = writeWhole(path, take->summaryJson())) {
-      written.files.push_back({path, "the figures (docs/summary.md)"});
-    } else {
-      complain(status.error().message);
+    const Result<bool> stays = hasOwnSummary(path, kept.summary);
+    if (!stays) complain(stays.error().message);
+    const bool fine =
+        stays && (*stays || writeText(path, kept.summary, "the figures (docs/summary.md)", written.files));
+    if (!fine) written.exitCode = kFileError;
+    if (!kept.series.empty() && !writeText(joinPath(folder, "series.csv"), toCsv(kept.series),
+                                           "the figures over time (docs/series.md)", written.files))
       written.exitCode = kFileError;
-    }
   }
   if (!options.quiet) {
     sayf("{}: {} frames", printable(take->header().scene), take->frameCount());

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "brickfall/take_recorder.h"
-#include "brickfall/whole_file.h"
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/files.h"
@@ -13,6 +12,7 @@
 #include "cli/metrics.h"
 #include "cli/outputs.h"
 #include "cli/scene_choice.h"
+#include "cli/series.h"
 #include "cli/summary.h"
 
 namespace brickfall::cli {
@@ -28,7 +28,7 @@ struct Simulated {
 };
 
 // Until the end, an interrupt or an error. What was simulated until then is in the recording in every case.
-Simulated simulate(SceneRun& run, std::uint64_t steps, RunMetrics& metrics, TakeRecorder& recorder,
+Simulated simulate(SceneRun& run, std::uint64_t steps, RunMetrics& metrics, RunSeries& series, TakeRecorder& recorder,
                    ProgressDisplay& display) {
   Simulated result;
   const Clock::time_point start = Clock::now();
@@ -43,6 +43,7 @@ Simulated simulate(SceneRun& run, std::uint64_t steps, RunMetrics& metrics, Take
       break;
     }
     metrics.afterStep(run.world(), *report);
+    series.afterStep(run, *report, metrics);
     if (const Status written = recorder.afterStep(run, *report); !written) {
       display.finish();
       complainf("{}; what was recorded is kept in '{}'", written.error().message, recorder.file());
@@ -72,7 +73,7 @@ void sayResult(const Summary& summary) {
 
 // From the finished recording to the files; says where they are.
 int deliver(const std::string& takePath, const std::string& folder, const std::string& summaryJson,
-            const OutputOptions& options, ProgressDisplay& display) {
+            const std::string& seriesCsv, const OutputOptions& options, ProgressDisplay& display) {
   std::vector<WrittenFile> files;
   int exitCode = kOk;
   const Result<TakeReader> take = TakeReader::open(takePath);
@@ -84,13 +85,10 @@ int deliver(const std::string& takePath, const std::string& folder, const std::s
     complain(take.error().message);
     exitCode = kFileError;
   }
-  const std::string summaryPath = joinPath(folder, "summary.json");
-  if (const Status status = writeWhole(summaryPath, summaryJson)) {
-    files.push_back({summaryPath, "the figures (docs/summary.md)"});
-  } else {
-    complain(status.error().message);
+  if (!writeText(joinPath(folder, "summary.json"), summaryJson, "the figures (docs/summary.md)", files))
     exitCode = kFileError;
-  }
+  if (!writeText(joinPath(folder, "series.csv"), seriesCsv, "the figures over time (docs/series.md)", files))
+    exitCode = kFileError;
   files.push_back({takePath, "the recording, for brickfall replay"});
   if (!options.quiet) listFiles(files);
   return exitCode;
@@ -131,8 +129,9 @@ int run(const RunOptions& options) {
   const double wanted = std::round(scene.scene().seconds / scene.scene().timeStep);
   const std::uint64_t steps = wanted < 1 ? 1 : std::uint64_t(wanted);
   RunMetrics metrics(scene.world(), scene.bodies(), steps);
+  RunSeries series(scene, metrics);
   ProgressDisplay display(ProgressDisplay::modeForOutput(options.output.quiet));
-  const Simulated simulated = simulate(scene, steps, metrics, *recorder, display);
+  const Simulated simulated = simulate(scene, steps, metrics, series, *recorder, display);
   const int interrupted = interruptCount() > 0 ? interruptExitCode() : kOk;
   if (interrupted != kOk)
     complainf("interrupted after {:.2f} s of {:g} s: what was simulated is kept", scene.time(), scene.scene().seconds);
@@ -140,12 +139,13 @@ int run(const RunOptions& options) {
   const Summary summary = summaryOf(scene, metrics.finish(scene.world()), simulated.wallSeconds);
   const std::string json = toJson(summary);
   int finished = kOk;
-  if (const Status status = recorder->finish(json); !status && simulated.exitCode != kFileError) {
+  if (const Status status = recorder->finish(toTakeJson(summary, series.columns()));
+      !status && simulated.exitCode != kFileError) {
     complainf("{}; what was recorded is kept in '{}'", status.error().message, recorder->file());
     finished = kFileError;
   }
   if (!options.output.quiet) sayResult(summary);
-  const int delivered = deliver(recorder->file(), folder, json, options.output, display);
+  const int delivered = deliver(recorder->file(), folder, json, toCsv(series.columns()), options.output, display);
   if (summary.figures.quarantined > 0)
     complainf("{} bodies became non-finite and were taken out of the simulation", summary.figures.quarantined);
   return firstProblem(

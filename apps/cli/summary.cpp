@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
@@ -16,7 +17,15 @@ double rounded(double value) {
 
 }  // namespace
 
-std::string toJson(const Summary& s) {
+namespace {
+
+using Json = nlohmann::ordered_json;
+constexpr const char* kCostKeys[] = {"wall_clock_s", "step_ms", "stage_ms", "realtime_factor", "threads"};
+
+// Names may hold any bytes; what is not UTF-8 is replaced.
+std::string textOf(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
+
+Json jsonOf(const Summary& s) {
   const RunFigures& f = s.figures;
   nlohmann::ordered_json json;
   json["scene"] = s.scene;
@@ -52,8 +61,42 @@ std::string toJson(const Summary& s) {
   json["contacts_mean"] = rounded(f.contactsMean);
   json["asleep_end"] = f.asleepEnd;
   json["quarantined"] = f.quarantined;
-  // Names may hold any bytes; what is not UTF-8 is replaced.
-  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+  return json;
+}
+
+}  // namespace
+
+std::string toJson(const Summary& summary) { return textOf(jsonOf(summary)); }
+
+std::string toTakeJson(const Summary& summary, const std::vector<SeriesColumn>& series) {
+  Json json = jsonOf(summary);
+  for (const char* key : kCostKeys) json.erase(key);
+  Json columns;
+  for (const SeriesColumn& column : series) {
+    Json values = Json::array();
+    for (double value : column.values) values.push_back(rounded(value));
+    columns[column.name] = std::move(values);
+  }
+  json["series"] = std::move(columns);
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+TakeSummary readTakeSummary(const std::string& text) {
+  TakeSummary out;
+  Json json = Json::parse(text, nullptr, false);
+  if (!json.is_object()) return {text, {}};
+  out.series = seriesOf(text);
+  json.erase("series");
+  out.summary = textOf(json);
+  return out;
+}
+
+bool hasCostOf(const std::string& summaryJson, const std::string& takeSummary) {
+  Json whole = Json::parse(summaryJson, nullptr, false), part = Json::parse(takeSummary, nullptr, false);
+  if (!whole.is_object() || !part.is_object()) return false;
+  for (const char* key : kCostKeys)
+    if (whole.erase(key) == 0) return false;
+  return whole == part;
 }
 
 }  // namespace brickfall::cli

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "cli/metrics.h"
+#include "cli/series.h"
 
 namespace brickfall::cli {
 
@@ -19,5 +20,17 @@ struct Summary {
 
 // Ends with a line break.
 std::string toJson(const Summary& summary);
+// The summary that a take has: without what the run cost and on how many threads, so that the same run gives the same bytes;
+// with the series, as lists by column under "series".
+std::string toTakeJson(const Summary& summary, const std::vector<SeriesColumn>& series);
+
+// Of a take, whoever wrote it: the summary without its series (empty: there is none), and the series (none: it has none).
+struct TakeSummary {
+  std::string summary;
+  std::vector<SeriesColumn> series;
+};
+TakeSummary readTakeSummary(const std::string& json);
+// Whether a summary.json is that of the same run, with its cost besides.
+bool hasCostOf(const std::string& summaryJson, const std::string& takeSummary);
 
 }  // namespace brickfall::cli

@@ -1,6 +1,7 @@
 // What a body is made from, and what can be read from it.
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "brickfall/ids.h"
@@ -15,14 +16,17 @@ enum class BodyType : std::uint8_t { fixed, kinematic, dynamic };
 struct BodyDef {
   BodyType type = BodyType::dynamic;
   std::vector<ShapeDef> shapes;  // at least one; mass, centre of mass and inertia come from them and their densities
-  Vec3 position;                 // m, origin of the body frame (not the centre of mass); |coordinate| <= 1e6
-  Quat rotation;                 // any non-zero length; normalised
-  Vec3 linearVelocity;           // m/s, of the centre of mass
-  Vec3 angularVelocity;          // rad/s, world axes
-  double gravityScale = 1;       // share of the world's gravity, -1e3 .. 1e3
-  double linearDamping = 0;      // 1/s, >= 0: v decays as exp(-damping t)
-  double angularDamping = 0;     // 1/s, >= 0
-  double dragArea = 0;           // m2, >= 0: Cd A of quadratic air drag, F = -rho/2 CdA |v| v; 0 = no drag
+  // In the body frame, instead of what the shapes and their densities give: a mass of 1e-15 .. 1e15 kg that lies so within the
+  // box around the body's shapes (else an error that names what is impossible). What fixed bodies have of it is never read.
+  std::optional<MassProperties> massProperties;
+  Vec3 position;              // m, origin of the body frame (not the centre of mass); |coordinate| <= 1e6
+  Quat rotation;              // any non-zero length; normalised
+  Vec3 linearVelocity;        // m/s, of the centre of mass
+  Vec3 angularVelocity;       // rad/s, world axes
+  double gravityScale = 1;    // share of the world's gravity, -1e3 .. 1e3
+  double linearDamping = 0;   // 1/s, >= 0: v decays as exp(-damping t)
+  double angularDamping = 0;  // 1/s, >= 0
+  double dragArea = 0;        // m2, >= 0: Cd A of quadratic air drag, F = -rho/2 CdA |v| v; 0 = no drag
   // m/s, body axes: how its surface runs, as that of a conveyor does; the body itself stays. Fixed and kinematic bodies
   // only. Friction acts on what lies on it by the speed against the surface; what part of it points into a face does
   // nothing there.

@@ -17,6 +17,7 @@ struct ContactEvent {
 // An impact: two bodies met faster than WorldDef::hitEventSpeed.
 struct HitEvent {
   BodyId bodyA, bodyB;
+  ShapeId shapeA, shapeB;    // of these bodies: those that met
   Vec3 pointWorld;           // m, mean of the contact points
   Vec3 normalWorld;          // unit, from A to B
   double approachSpeed = 0;  // m/s along the normal, before the step
@@ -43,12 +44,22 @@ struct MortarEvent {
   bool dropped = false;
 };
 
+// A shape of a dynamic or kinematic body came into a sensor, or left it: at the poses after the step. Either may be destroyed
+// in `sensorEnd`. Sensors do not sense each other, nor fixed bodies.
+struct SensorEvent {
+  ShapeId sensor, shape;
+  BodyId sensorBody, body;
+  auto operator<=>(const SensorEvent&) const = default;
+};
+
 struct Events {
   std::vector<ContactEvent> begin;
   std::vector<ContactEvent> end;
   std::vector<HitEvent> hits;
   std::vector<BreakEvent> breaks;
   std::vector<MortarEvent> mortar;
+  std::vector<SensorEvent> sensorBegin;  // by sensor, then shape, each in order of its slot
+  std::vector<SensorEvent> sensorEnd;
   std::vector<BodyId> moved;  // bodies whose pose changed in the step
   std::vector<BodyId> fellAsleep;
   std::vector<BodyId> woke;

@@ -2,7 +2,9 @@
 // and answered with an error, never with undefined behaviour.
 #pragma once
 #include <compare>
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 
 namespace brickfall {
 
@@ -40,4 +42,21 @@ struct MortarId {
   auto operator<=>(const MortarId&) const = default;
 };
 
+namespace detail {
+// Every bit of an id decides; neighbours lie apart.
+template <class Id> struct HashOfId {
+  std::size_t operator()(const Id& id) const noexcept {
+    std::uint64_t bits = (std::uint64_t(id.index) << 32) | (std::uint64_t(id.generation) << 16) | id.world;
+    bits = (bits ^ (bits >> 31)) * 0x9e3779b97f4a7c15u;
+    return std::size_t(bits ^ (bits >> 29));
+  }
+};
+}  // namespace detail
+
 }  // namespace brickfall
+
+// Ids as keys of unordered containers.
+template <> struct std::hash<brickfall::BodyId> : brickfall::detail::HashOfId<brickfall::BodyId> {};
+template <> struct std::hash<brickfall::ShapeId> : brickfall::detail::HashOfId<brickfall::ShapeId> {};
+template <> struct std::hash<brickfall::JointId> : brickfall::detail::HashOfId<brickfall::JointId> {};
+template <> struct std::hash<brickfall::MortarId> : brickfall::detail::HashOfId<brickfall::MortarId> {};

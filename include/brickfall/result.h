@@ -5,6 +5,8 @@
 #include <string>
 #include <utility>
 
+#include "brickfall/hooks.h"
+
 namespace brickfall {
 
 enum class ErrorCode : std::uint8_t {
@@ -24,7 +26,8 @@ struct Error {
   std::string message;
 };
 
-// A value or an error. Test with `if (result)`; value() of a failed result is a bug of the caller (asserted).
+// A value or an error. Test with `if (result)`. value(), * and -> of a failed result are a bug of the caller: the program
+// ends with the error's message (hooks.h), in every build. From a temporary both return by value: nothing dangles.
 template <class T> class [[nodiscard]] Result {
  public:
   Result(T value) : value_(std::move(value)) {}
@@ -32,16 +35,29 @@ template <class T> class [[nodiscard]] Result {
 
   explicit operator bool() const { return value_.has_value(); }
   bool ok() const { return value_.has_value(); }
-  T& value() & { return *value_; }
-  const T& value() const& { return *value_; }
-  T&& value() && { return std::move(*value_); }
-  T& operator*() & { return *value_; }
-  const T& operator*() const& { return *value_; }
-  T* operator->() { return &*value_; }
-  const T* operator->() const { return &*value_; }
+  T& value() & { return held(); }
+  const T& value() const& { return held(); }
+  T value() && { return std::move(held()); }
+  T& operator*() & { return held(); }
+  const T& operator*() const& { return held(); }
+  T operator*() && { return std::move(held()); }
+  T* operator->() { return &held(); }
+  const T* operator->() const { return &held(); }
   const Error& error() const { return error_; }
 
  private:
+  T& held() {
+    if (!value_.has_value()) refuse();
+    return *value_;
+  }
+  const T& held() const {
+    if (!value_.has_value()) refuse();
+    return *value_;
+  }
+  [[noreturn]] void refuse() const {
+    const std::string text = "value of a failed result: " + error_.message;
+    fail({"", 0, text.c_str(), ""});
+  }
   std::optional<T> value_;
   Error error_;
 };

@@ -64,6 +64,9 @@ struct ShapeDef {
   // what it is made of). None: it is solid. Must be possible within the shape's bounds; hollows do not change what it collides as.
   std::shared_ptr<const MassProperties> distribution;
   CollisionFilter filter;
+  // It only tells who is in it (Events::sensorBegin, sensorEnd): nothing collides with it, it weighs nothing, and rays and other
+  // queries go past it. Its filter says whom it senses.
+  bool sensor = false;
   std::uint64_t userData = 0;  // yours; never read
 };
 

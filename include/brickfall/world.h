@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <memory_resource>
 #include <optional>
 #include <span>
 #include <string>
@@ -13,6 +14,7 @@
 #include "brickfall/broad_phase.h"
 #include "brickfall/debug_draw.h"
 #include "brickfall/events.h"
+#include "brickfall/host.h"
 #include "brickfall/ids.h"
 #include "brickfall/integrators.h"
 #include "brickfall/island_ending.h"
@@ -38,6 +40,9 @@ struct WorldDef {
   BroadPhaseMethod broadPhase = BroadPhaseMethod::tree;  // changes time only, no result
   Integrator integrator = Integrator::splitting;         // of bodies that touch nothing
   SolverSettings solver;
+  // Of the program that the world is part of; each outlives the world, and stays for its life. Neither changes a result.
+  TaskSystem* tasks = nullptr;                  // null: threads of its own, as many as `threads`; else that is not read
+  std::pmr::memory_resource* memory = nullptr;  // of islands and steps, taken in large chunks; null: operator new
 };
 
 // One touching pair of bodies as the solver left it, in the last part of the step.
@@ -68,6 +73,13 @@ struct RayHit {
   Vec3 pointWorld;
   Vec3 normalWorld;     // unit, out of the shape
   double distance = 0;  // m along the ray
+};
+struct ShapeCastHit {
+  BodyId body;
+  ShapeId shape;
+  Vec3 pointWorld;   // m, of the shape that was hit; where they overlap at the start the middle of the one that asks
+  Vec3 normalWorld;  // unit, out of it; 0 where the two overlap at the start
+  double share = 0;  // 0 .. 1 of the motion until they touch; 0: they overlap at the start
 };
 struct ClosestResult {
   BodyId body;
@@ -113,9 +125,15 @@ class World {
   Status setDragArea(BodyId body, double dragArea);
   // Of a fixed or kinematic body: see BodyDef::surfaceVelocity. setType ends it where the body becomes dynamic.
   Status setSurfaceVelocity(BodyId body, Vec3 velocity);
+  // See BodyDef::massProperties; none: those of its shapes again. Velocities stay as they are. Where the centre of mass moves,
+  // the body's contacts are made anew.
+  Status setMassProperties(BodyId body, const std::optional<MassProperties>& properties);
   Status setGravity(Vec3 gravity);
   Vec3 gravity() const;
   Status wake(BodyId body);
+  // All that hangs together with a dynamic body falls asleep in the next step if it rests in it, without waiting for sleepDelay.
+  // What moves goes on; so does what may not sleep (enableSleep, BodyDef::allowSleep).
+  Status sleep(BodyId body);
   // Another friction, restitution or density of a shape that is there. Contacts go on, with the new values; velocities stay as
   // they are. Where a new density moves the body's centre of mass, its contacts are made anew.
   Status setMaterial(ShapeId shape, const Material& material);
@@ -173,6 +191,14 @@ class World {
   Status applyImpulseAtPoint(BodyId body, Vec3 impulse, Vec3 pointWorld);  // N s
   Status applyAngularImpulse(BodyId body, Vec3 impulse);                   // N m s
 
+  // --- Who may collide, besides CollisionFilter: asked for two shapes of two bodies whose filters allow it, the lower shape id
+  // first; false: they never touch. It must answer by nothing but the two shapes, always the same: it is asked again whenever
+  // the two come near each other, on the thread that steps, and never when they no longer are apart. It must not throw; calls
+  // that change the world answer wrongState meanwhile. Set it before the bodies come that it is for: pairs that are near each
+  // other already are not asked about. A snapshot does not hold it; restore keeps it. Empty: none.
+  using ContactFilter = std::function<bool(ShapeId, ShapeId)>;
+  Status setContactFilter(ContactFilter filter);
+
   // --- Time. Advances by dt seconds (1e-5 .. 0.1), in `substeps` equal parts (1 .. 64), each of which is made in
   // up to SolverSettings::maxHitParts where something heavy hits. dt / substeps may vary from step to step: what rests goes on
   // resting if the longest is no more than four times the shortest. Equal ones cost least.
@@ -185,6 +211,17 @@ class World {
   // --- Queries, at the poses after the last step. Filter: shapes whose category is in the mask.
   Result<std::optional<RayHit>> castRay(Vec3 origin, Vec3 direction, double maxDistance,
                                         std::uint32_t mask = 0xffffffffu) const;
+  // Every shape that the ray meets, each once, nearest first; of equal distances the lower shape id first.
+  Result<std::vector<RayHit>> castRayAll(Vec3 origin, Vec3 direction, double maxDistance,
+                                         std::uint32_t mask = 0xffffffffu) const;
+  // A shape that goes by `motion` m (each component up to 1e7) from where a body at `from` would have it, without a turn: the
+  // first shape that it meets, or the lower shape id of several at once. Any shape but planes and meshes; its material, filter
+  // and place of mass are not read. It stops short by at most 1e-5 of the smaller inner radius. One side of a mesh: its front.
+  Result<std::optional<ShapeCastHit>> castShape(const ShapeDef& shape, const Transform& from, Vec3 motion,
+                                                std::uint32_t mask = 0xffffffffu) const;
+  // Shapes that overlap one, as it would lie on a body at `pose`; by shape id. Any shape but planes and meshes.
+  Result<std::vector<ShapeId>> overlapShape(const ShapeDef& shape, const Transform& pose,
+                                            std::uint32_t mask = 0xffffffffu) const;
   Result<std::vector<BodyId>> overlapBox(const Aabb& box,
                                          std::uint32_t mask = 0xffffffffu) const;  // bounds, exact shape
   Result<std::vector<BodyId>> overlapSphere(Vec3 centre, double radius, std::uint32_t mask = 0xffffffffu) const;

@@ -3,14 +3,10 @@
 #pragma once
 
 #if BRICKFALL_ASSERTS
-#include <cstdio>
-#include <cstdlib>
-#define BRICKFALL_ASSERT(condition, text)                                                               \
-  do {                                                                                                  \
-    if (!(condition)) {                                                                                 \
-      std::fprintf(stderr, "%s:%d: assertion failed: %s (%s)\n", __FILE__, __LINE__, text, #condition); \
-      std::abort();                                                                                     \
-    }                                                                                                   \
+#include "brickfall/hooks.h"
+#define BRICKFALL_ASSERT(condition, text)                                        \
+  do {                                                                           \
+    if (!(condition)) ::brickfall::fail({__FILE__, __LINE__, text, #condition}); \
   } while (false)
 #else
 #define BRICKFALL_ASSERT(condition, text) \

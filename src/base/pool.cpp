@@ -15,7 +15,11 @@ constexpr int kSmallestChunk = 10;  // 64 KiB
 }  // namespace
 
 Pool::~Pool() {
-  for (Chunk& chunk : chunks_) ::operator delete(chunk.memory, std::align_val_t(kUnit));
+  for (Chunk& chunk : chunks_)
+    if (upstream_)
+      upstream_->deallocate(chunk.memory, kUnit << chunk.order, kUnit);
+    else
+      ::operator delete(chunk.memory, std::align_val_t(kUnit));
 }
 
 int Pool::orderFor(std::size_t bytes) {
@@ -31,7 +35,9 @@ void Pool::reserve(std::size_t bytes) {
 void Pool::addChunk(int order) {
   BRICKFALL_ASSERT(order < kOrders, "more memory than a machine has");
   std::size_t units = std::size_t(1) << order;
-  Chunk chunk{static_cast<std::byte*>(::operator new(units* kUnit, std::align_val_t(kUnit))), order, {}};
+  void* memory =
+      upstream_ ? upstream_->allocate(units * kUnit, kUnit) : ::operator new(units* kUnit, std::align_val_t(kUnit));
+  Chunk chunk{static_cast<std::byte*>(memory), order, {}};
   chunk.freeAt.resize(units, 0);
   capacity_ += units * kUnit;
   chunks_.push_back(std::move(chunk));

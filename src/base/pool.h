@@ -24,6 +24,8 @@ class Pool final : public std::pmr::memory_resource {
   Pool(const Pool&) = delete;
   Pool& operator=(const Pool&) = delete;
 
+  // Where chunks come from; null: operator new. Before the first of them.
+  void takeFrom(std::pmr::memory_resource* upstream) { upstream_ = upstream; }
   // Takes from the system what is missing to a capacity of `bytes`.
   void reserve(std::size_t bytes);
   std::size_t capacity() const { return capacity_; }
@@ -55,6 +57,7 @@ class Pool final : public std::pmr::memory_resource {
   mutable std::mutex mutex_;
   std::vector<Chunk> chunks_;
   std::array<FreeBlock*, kOrders> free_{};
+  std::pmr::memory_resource* upstream_ = nullptr;
   std::size_t capacity_ = 0, used_ = 0, peak_ = 0;
 };
 

@@ -7,6 +7,7 @@
 // may then depend.
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "brickfall/body.h"
@@ -66,8 +67,9 @@ struct BodyData {
   SteadyChange steady;
   double impactLoss = 0;  // J: its part of what impacts that go on have taken so far; what rebounds may give back
   std::uint64_t userData = 0;
-  std::uint64_t order = 0;       // grows with creation
-  MassProperties bodyFrameMass;  // as asked for, whatever the type
+  std::uint64_t order = 0;                  // grows with creation
+  MassProperties bodyFrameMass;             // as asked for, whatever the type
+  std::optional<MassProperties> givenMass;  // instead of that of the shapes
 };
 
 class BodySet {

@@ -71,6 +71,12 @@ double rollingRadius(const ShapeDef& a, const ShapeDef& b) {
   const double sum = curvature(a) + curvature(b);
   return sum > 0 ? 1 / sum : 0;
 }
+bool ShapeSet::mayTouch(ShapeIndex a, ShapeIndex b) const {
+  const ShapeDef &first = data[a].def, &second = data[b].def;
+  if (first.sensor || second.sensor || !filtersAllow(first.filter, second.filter)) return false;
+  return !asked || asked(a < b ? a : b, a < b ? b : a);
+}
+
 bool filtersAllow(const CollisionFilter& a, const CollisionFilter& b) {
   if (a.group == b.group && a.group != 0) return a.group > 0;
   return (a.category & b.mask) != 0 && (b.category & a.mask) != 0;

@@ -1,5 +1,6 @@
 // All shapes of a world. A shape keeps its slot for life, as a body does.
 #pragma once
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -35,7 +36,11 @@ class ShapeSet {
     return bodies.pose(s.body) * s.inCentreFrame;
   }
 
+  // Of two bodies: neither is a sensor, their filters allow it, and `asked` does.
+  bool mayTouch(ShapeIndex a, ShapeIndex b) const;
+
   std::vector<ShapeData> data;
+  std::function<bool(ShapeIndex, ShapeIndex)> asked;  // the program's own filter, lower slot first; empty: none
 
  private:
   friend class SnapshotArchive;

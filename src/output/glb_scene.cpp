@@ -1,5 +1,6 @@
 // A take as a glTF 2.0 binary: one node per body, named as the body, so that every brick can be picked and restyled where
 // the file goes. Equal shapes share their vertices, equal shapes of one colour their mesh.
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -21,6 +22,24 @@ double linear(std::uint32_t byte) {
 }
 
 constexpr std::uint32_t kMortar = 0xA9A69F;
+constexpr int kTones = 8;               // of a brick's colour: no two bricks of a wall look quite alike
+constexpr double kToneSpread = 0.14;    // of the light that the lightest and the darkest differ from the mean
+constexpr double kSunElevation = 0.72;  // rad
+constexpr double kSunAside = 1.05;      // rad, to the left of where the first camera looks from, as on the page
+constexpr double kSunLux = 2050;        // 3 W/m2 in Blender
+
+// Bricks by their number, so that neighbours differ; everything else has the one tone.
+int toneOf(const TakeBody& body, std::size_t number) {
+  if (body.role != BodyRole::brick) return -1;
+  const auto mixed = std::uint32_t(number + 1) * 2654435761u;
+  return int(mixed >> 13 & (kTones - 1));
+}
+
+// "wall" of "wall/3/7": bricks of a wall hang on a node of its name. Empty: the body stands by itself.
+std::string groupOf(const std::string& name) {
+  const std::size_t slash = name.find('/');
+  return slash == std::string::npos ? std::string() : name.substr(0, slash);
+}
 
 // The take has one colour for a body; the mortar on a brick has its own.
 std::uint32_t colourOf(const TakeBody& body, std::size_t shape) {
@@ -59,14 +78,16 @@ class SceneWriter {
 
   void addBodies();
   void addCameras();
+  void addGroups();  // after all nodes that animations name by their place
+  void addSun();
   bool addAnimation(const Progress& progress);  // false: cancelled
   void finish();
   GlbBuilder& builder() { return glb_; }
 
  private:
-  int material(const TakeBody& body, std::uint32_t colour);
+  int material(const TakeBody& body, std::uint32_t colour, int tone);
   const json& geometry(const std::string& key, const ShapeMesh& mesh);
-  int mesh(const TakeBody& body);  // -1 = nothing to draw
+  int mesh(const TakeBody& body, int tone);  // -1 = nothing to draw
   int timesOf(const std::vector<std::uint32_t>& keys);
   void addMotion(json& animation, std::size_t body);
   void addLife(json& animation, std::size_t body);
@@ -79,22 +100,31 @@ class SceneWriter {
   std::vector<double> times_;  // from 0
   GlbBuilder glb_;
   json nodes_ = json::array(), scene_ = json::array();
-  std::map<std::pair<std::uint32_t, bool>, int> materials_;
+  std::map<std::string, int> materials_;          // by name
+  std::map<std::string, std::uint32_t> colours_;  // of the first material of a name
   std::map<std::string, json> geometries_;
   std::map<std::string, int> meshes_;
   std::map<std::vector<std::uint32_t>, int> inputs_;
 };
 
-int SceneWriter::material(const TakeBody& body, std::uint32_t colour) {
-  bool ball = body.role == BodyRole::ball;
-  auto [at, added] = materials_.try_emplace({colour, ball}, 0);
+int SceneWriter::material(const TakeBody& body, std::uint32_t colour, int tone) {
+  const bool ball = body.role == BodyRole::ball, mortar = colour != body.colour;
+  std::string name = mortar ? "mortar" : body.material.empty() ? roleName(body.role) : body.material;
+  if (const auto first = colours_.try_emplace(name, colour).first; first->second != colour) {
+    char suffix[16];
+    std::snprintf(suffix, sizeof suffix, " #%06X", unsigned(colour & 0xFFFFFF));
+    name += suffix;
+  }
+  if (ball && name != "ball") name += " ball";
+  const bool toned = tone >= 0 && !mortar;
+  if (toned) name += " " + std::to_string(tone + 1);
+  auto [at, added] = materials_.try_emplace(name, 0);
   if (!added) return at->second;
-  json factor = {linear(colour >> 16 & 255), linear(colour >> 8 & 255), linear(colour & 255), 1.0};
-  json pbr = {
-      {"baseColorFactor", factor}, {"metallicFactor", ball ? 0.8 : 0.0}, {"roughnessFactor", ball ? 0.35 : 0.9}};
-  char name[32];
-  std::snprintf(name, sizeof name, "%s #%06X", colour == body.colour ? roleName(body.role) : "mortar",
-                unsigned(colour & 0xFFFFFF));
+  const double light = toned ? 1 + kToneSpread * (2.0 * tone / (kTones - 1) - 1) : 1;
+  const auto share = [&](int shift) { return std::min(1.0, light * linear(colour >> shift & 255)); };
+  json pbr = {{"baseColorFactor", {share(16), share(8), share(0), 1.0}},
+              {"metallicFactor", ball ? 0.8 : 0.0},
+              {"roughnessFactor", ball ? 0.35 : 0.9}};
   return at->second = glb_.add("materials", {{"name", name}, {"pbrMetallicRoughness", pbr}});
 }
 
@@ -115,14 +145,14 @@ const json& SceneWriter::geometry(const std::string& key, const ShapeMesh& mesh)
 }
 
 // One primitive for each colour.
-int SceneWriter::mesh(const TakeBody& body) {
+int SceneWriter::mesh(const TakeBody& body, int tone) {
   std::vector<std::pair<std::uint32_t, ShapeMesh>> parts;
   std::string whole;
   for (std::uint32_t colour : {body.colour, kMortar}) {
     if (!parts.empty() && parts[0].first == colour) continue;
     ShapeMesh part = meshOf(body, colour);
     if (part.indices.empty()) continue;
-    whole += keyOf(part) + ":" + std::to_string(material(body, colour)) + ";";
+    whole += keyOf(part) + ":" + std::to_string(material(body, colour, tone)) + ";";
     parts.push_back({colour, std::move(part)});
   }
   if (parts.empty()) return -1;
@@ -131,7 +161,7 @@ int SceneWriter::mesh(const TakeBody& body) {
   json primitives = json::array();
   for (const auto& [colour, part] : parts) {
     json primitive = geometry(keyOf(part), part);
-    primitive["material"] = material(body, colour);
+    primitive["material"] = material(body, colour, tone);
     primitives.push_back(std::move(primitive));
   }
   std::string name = std::string(roleName(body.role)) + " mesh " + std::to_string(meshes_.size() - 1);
@@ -149,28 +179,69 @@ void SceneWriter::addBodies() {
                  {"translation", toJson(pose.position)},
                  {"rotation", toJson(pose.rotation)},
                  {"extras", {{"mass", body.mass}, {"role", roleName(body.role)}}}};
-    if (int place = mesh(body); place >= 0) node["mesh"] = place;
+    if (int place = mesh(body, toneOf(body, k)); place >= 0) node["mesh"] = place;
     if (poses_.lives[k].birth > 0) node["scale"] = {0, 0, 0};  // see addLife
-    scene_.push_back(nodes_.size());
+    if (groupOf(body.name).empty()) scene_.push_back(nodes_.size());
     nodes_.push_back(std::move(node));
   }
+}
+
+void SceneWriter::addGroups() {
+  std::map<std::string, std::size_t> places;
+  for (std::size_t k = 0; k < bodies_.size(); k++) {
+    const std::string group = groupOf(bodies_[k].name);
+    if (group.empty()) continue;
+    const auto [at, added] = places.try_emplace(group, nodes_.size());
+    if (added) {
+      scene_.push_back(nodes_.size());
+      nodes_.push_back({{"name", group}, {"children", json::array()}});
+    }
+    nodes_[at->second]["children"].push_back(k);
+  }
+}
+
+// The rotation that takes the axes x, y, z to these: trace form, its largest part first.
+Quat rotationTo(Vec3 right, Vec3 up, Vec3 back) {
+  double m[4] = {1 + right.x - up.y - back.z, 1 - right.x + up.y - back.z, 1 - right.x - up.y + back.z,
+                 1 + right.x + up.y + back.z};
+  Quat candidates[4] = {{m[0], up.x + right.y, back.x + right.z, up.z - back.y},
+                        {up.x + right.y, m[1], back.y + up.z, back.x - right.z},
+                        {back.x + right.z, back.y + up.z, m[2], right.y - up.x},
+                        {up.z - back.y, back.x - right.z, right.y - up.x, m[3]}};
+  return normalized(candidates[std::max_element(m, m + 4) - m]);
+}
+
+// Of something that looks along its own -z, back towards `back`.
+Quat lookingFrom(Vec3 back) {
+  Vec3 right = cross(Vec3{0, 1, 0}, back);
+  right = lengthSquared(right) > 1e-12 ? normalized(right) : Vec3{1, 0, 0};
+  return rotationTo(right, cross(back, right), back);
+}
+
+// A light from where the page has its sun: to the left behind the first camera.
+void SceneWriter::addSun() {
+  Vec3 from{1, 0, 1};
+  if (!header_.cameras.empty()) {
+    const Vec3 back = header_.cameras[0].position - header_.cameras[0].target;
+    if (back.x != 0 || back.z != 0) from = {back.x, 0, back.z};
+  }
+  const Vec3 aside = rotate(quatFromAxisAngle({0, 1, 0}, -kSunAside), normalized(from));
+  const Vec3 sun = aside * std::cos(kSunElevation) + Vec3{0, std::sin(kSunElevation), 0};
+  json& root = glb_.root();
+  root["extensionsUsed"] = {"KHR_lights_punctual"};
+  root["extensions"]["KHR_lights_punctual"]["lights"] =
+      json::array({{{"type", "directional"}, {"name", "sun"}, {"color", {1.0, 0.95, 0.88}}, {"intensity", kSunLux}}});
+  scene_.push_back(nodes_.size());
+  nodes_.push_back({{"name", "sun"},
+                    {"rotation", toJson(lookingFrom(sun))},
+                    {"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
 }
 
 void SceneWriter::addCameras() {
   for (const Camera& camera : header_.cameras) {
     Vec3 back = normalized(camera.position - camera.target);  // a glTF camera looks along -z
     if (lengthSquared(back) == 0) back = {0, 0, 1};
-    Vec3 right = cross(Vec3{0, 1, 0}, back);
-    right = lengthSquared(right) > 1e-12 ? normalized(right) : Vec3{1, 0, 0};
-    Vec3 up = cross(back, right);
-    // The rotation that takes the axes to these: trace form, its largest part first.
-    double m[4] = {1 + right.x - up.y - back.z, 1 - right.x + up.y - back.z, 1 - right.x - up.y + back.z,
-                   1 + right.x + up.y + back.z};
-    Quat candidates[4] = {{m[0], up.x + right.y, back.x + right.z, up.z - back.y},
-                          {up.x + right.y, m[1], back.y + up.z, back.x - right.z},
-                          {back.x + right.z, back.y + up.z, m[2], right.y - up.x},
-                          {up.z - back.y, back.x - right.z, right.y - up.x, m[3]}};
-    Quat rotation = normalized(candidates[std::max_element(m, m + 4) - m]);
+    const Quat rotation = lookingFrom(back);
     json lens = {{"type", "perspective"},
                  {"name", camera.name},
                  {"perspective", {{"yfov", camera.fieldOfViewDegrees * 3.14159265358979 / 180}, {"znear", 0.02}}}};
@@ -266,7 +337,8 @@ void SceneWriter::finish() {
   root["asset"]["extras"] = {{"title", header_.title},
                              {"scene", header_.scene},
                              {"engineVersion", header_.engineVersion},
-                             {"seed", std::to_string(header_.seed)}};
+                             {"seed", std::to_string(header_.seed)},
+                             {"framesPerSecond", header_.framesPerSecond}};
   if (!nodes_.empty()) root["nodes"] = std::move(nodes_);
   json scene = {{"name", header_.scene.empty() ? "take" : header_.scene}};
   if (!scene_.empty()) scene["nodes"] = std::move(scene_);
@@ -291,6 +363,8 @@ Status writeGlb(const TakeReader& take, const std::string& path, const Progress&
   SceneWriter scene(take, *poses);
   scene.addBodies();
   scene.addCameras();
+  scene.addGroups();
+  scene.addSun();
   if (!scene.addAnimation(progress)) return cancelled(path);
   scene.finish();
   AtomicFile file(path);

@@ -3,6 +3,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "brickfall/export.h"
 #include "brickfall/fall.h"
 #include "brickfall/geometry/shape_mesh.h"
 #include "output/replay_tracks.h"
@@ -173,6 +174,10 @@ std::string replayMeta(const TakeReader& take, const std::vector<TakeBreak>& bre
     meta["mortar"] = mortarJson(take);
     meta["breaks"] = breaksJson(breaks);
     meta["falls"] = fallsJson(take, breaks);
+  }
+  for (const TakeColumn& column : seriesOf(take.summaryJson())) {
+    json& values = meta["series"][column.name] = json::array();
+    for (double value : column.values) values.push_back(value);
   }
   // Pure ASCII, bytes that are no UTF-8 replaced, and no "<": nothing a name holds can end the script element.
   std::string text = meta.dump(-1, ' ', true, json::error_handler_t::replace), safe;

@@ -58,6 +58,7 @@ Result<TakePoses> readPoses(const TakeReader& take, const std::string& path, con
   }
   out.poses.resize(total);
   out.contactForce.resize(total);
+  out.speed.resize(total);
   MortarTrack mortar;
   for (std::size_t f = 0; f < out.frames; f++) {
     if (progress && f % 32 == 0 && !progress(share * double(f) / double(out.frames))) return cancelled(path);
@@ -70,6 +71,7 @@ Result<TakePoses> readPoses(const TakeReader& take, const std::string& path, con
       const std::size_t at = out.start[body] + f - out.lives[body].birth;
       out.poses[at] = {pose.position, pose.rotation};
       out.contactForce[at] = pose.contactForce;
+      out.speed[at] = pose.speed;
     }
     out.events.insert(out.events.end(), frame->events.begin(), frame->events.end());
     out.eventFrame.resize(out.events.size(), std::uint32_t(f));

@@ -16,6 +16,7 @@ struct TakePoses {
   std::vector<std::size_t> start;         // of each body: where its poses begin
   std::vector<Transform> poses;           // [start[body] + frame - birth]
   std::vector<float> contactForce;        // N, likewise
+  std::vector<float> speed;               // m/s, likewise
   std::vector<TakeEvent> events;          // in the order of time
   std::vector<std::uint32_t> eventFrame;  // of each event
   std::vector<TakeBreak> breaks;          // of mortar, in the order in which they became known

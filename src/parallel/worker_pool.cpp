@@ -90,6 +90,8 @@ WorkerPool::WorkerPool(int threads) : impl_(std::make_unique<Impl>()) {
   for (int i = 1; i < std::min(threads, 64); i++) impl_->workers.emplace_back([impl = impl_.get()] { impl->run(); });
 }
 
+WorkerPool::WorkerPool(int threads, TaskSystem* host) : WorkerPool(host ? 1 : threads) { host_ = host; }
+
 WorkerPool::~WorkerPool() {
   {
     std::lock_guard<std::mutex> lock(impl_->mutex);
@@ -100,12 +102,20 @@ WorkerPool::~WorkerPool() {
   for (std::thread& worker : impl_->workers) worker.join();
 }
 
-int WorkerPool::threads() const { return int(impl_->workers.size()) + 1; }
+int WorkerPool::threads() const { return host_ ? std::clamp(host_->threads(), 1, 64) : int(impl_->workers.size()) + 1; }
 
 void WorkerPool::forRange(int count, int grain, const std::function<void(int begin, int end)>& body) {
   if (count <= 0) return;
   Job job{&body, count, std::max(1, grain), 0, 0};
   job.pieces = std::uint32_t((count - 1) / job.grain + 1);
+  if (host_ && job.pieces > 1 && !insidePiece && threads() > 1) {
+    host_->forRange(count, job.grain, [&body](int begin, int end) {
+      insidePiece = true;
+      body(begin, end);
+      insidePiece = false;
+    });
+    return;
+  }
   if (impl_->workers.empty() || job.pieces == 1 || insidePiece) {
     for (std::uint32_t piece = 0; piece < job.pieces; piece++) runPiece(job, piece);
     return;

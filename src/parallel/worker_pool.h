@@ -3,12 +3,16 @@
 #include <functional>
 #include <memory>
 
+#include "brickfall/host.h"
+
 namespace brickfall {
 
 class WorkerPool {
  public:
   // threads: 1 .. 64, this thread included; 1 starts none.
   explicit WorkerPool(int threads);
+  // On the threads of a host, which outlives the pool; null: on threads of its own.
+  WorkerPool(int threads, TaskSystem* host);
   ~WorkerPool();
   WorkerPool(const WorkerPool&) = delete;
   WorkerPool& operator=(const WorkerPool&) = delete;
@@ -20,6 +24,7 @@ class WorkerPool {
  private:
   struct Impl;
   std::unique_ptr<Impl> impl_;
+  TaskSystem* host_ = nullptr;
 };
 
 }  // namespace brickfall

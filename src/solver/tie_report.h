@@ -13,6 +13,7 @@ struct TieImpact {
   Vec3 point, normal;  // m, world; unit, from A to B
   double speed = 0;    // m/s, the fastest approach of its points
   double impulse = 0;  // N s; after an impact at its moment: rebound left out
+  ShapeIndex shapeA = kNoIndex, shapeB = kNoIndex;
 };
 
 // By the solved motion of an island, between forces and new poses.

@@ -1,4 +1,5 @@
 // Reading and changing bodies. Every setter checks first and changes nothing on an error.
+#include <algorithm>
 #include <string>
 
 #include "world/checks.h"
@@ -178,6 +179,45 @@ Status World::setSurfaceVelocity(BodyId id, Vec3 velocity) {
   return {};
 }
 
+Status World::setMassProperties(BodyId id, const std::optional<MassProperties>& properties) {
+  Impl& w = *impl_;
+  Result<BodyIndex> body = w.openForChange(id, {});
+  if (!body) return body.error();
+  std::vector<ShapeDef> shapes;
+  std::vector<Material> materials;
+  for (ShapeIndex shape : w.registry.bodies.shapes[*body]) {
+    shapes.push_back(w.registry.shapes.data[shape].def);
+    materials.push_back(shapes.back().material);
+  }
+  Checks check;
+  if (properties) {
+    checkGivenMass(check, *properties, shapes);
+  } else if (w.registry.bodies.data[*body].type != BodyType::fixed && !w.registry.hasMesh(*body)) {
+    checkMass(check, w.registry.massOfShapes(*body, materials));
+  }
+  if (check.failed()) return check.error();
+  w.upkeep().setMass(*body, properties);
+  return {};
+}
+
+Status World::setContactFilter(ContactFilter filter) {
+  Impl& w = *impl_;
+  if (Status open = w.openForChange("setContactFilter"); !open) return open;
+  w.contactFilter = std::move(filter);
+  w.askContactFilter();
+  return {};
+}
+
+// Whatever asks, the world is closed for changes meanwhile.
+void World::Impl::askContactFilter() {
+  registry.shapes.asked = {};
+  if (!contactFilter) return;
+  registry.shapes.asked = [this](ShapeIndex a, ShapeIndex b) {
+    Visit here(visiting);
+    return contactFilter(registry.idOfShape(a), registry.idOfShape(b));
+  };
+}
+
 Status World::setGravity(Vec3 gravity) {
   Checks check;
   check.vector("gravity", gravity, limits::kLargestGravity);
@@ -194,6 +234,17 @@ Status World::wake(BodyId id) {
   Result<BodyIndex> body = impl_->openForChange(id, {});
   if (!body) return body.error();
   impl_->upkeep().disturb(*body);
+  return {};
+}
+
+Status World::sleep(BodyId id) {
+  Impl& w = *impl_;
+  Result<BodyIndex> body = w.openForChange(id, {});
+  if (!body) return body.error();
+  if (w.registry.bodies.data[*body].type != BodyType::dynamic)
+    return Error{ErrorCode::wrongState, "sleep: the body is not BodyType::dynamic"};
+  for (IslandPointer& island : w.activity.islands.awake)
+    if (std::binary_search(island->bodies.begin(), island->bodies.end(), *body)) island->restTime = w.def.sleepDelay;
   return {};
 }
 
@@ -222,6 +273,8 @@ void checkKept(Checks& check, const WorldDef& now, const WorldDef& wanted) {
   check.condition(wanted.broadPhase == now.broadPhase,
                   "broadPhase: found " + std::string(broadPhaseName(wanted.broadPhase)) + ", expected " +
                       std::string(broadPhaseName(now.broadPhase)) + end);
+  check.condition(wanted.tasks == now.tasks && wanted.memory == now.memory,
+                  "tasks, memory: found others, expected those" + end);
   check.condition(wanted.solver.contactMargin == now.solver.contactMargin,
                   "solver.contactMargin: found " + numberText(wanted.solver.contactMargin) + ", expected " +
                       numberText(now.solver.contactMargin) + end);
@@ -239,7 +292,7 @@ Status World::setDefinition(const WorldDef& def) {
   const bool loads = def.gravity != w.def.gravity || def.airDensity != w.def.airDensity ||
                      def.integrator != w.def.integrator || !sameSolver(def.solver, w.def.solver);
   const bool sleepEnds = w.def.enableSleep && !def.enableSleep;
-  if (def.threads != w.def.threads) w.solve.workers = std::make_unique<WorkerPool>(def.threads);
+  if (def.threads != w.def.threads) w.solve.workers = std::make_unique<WorkerPool>(def.threads, def.tasks);
   w.def = def;
   if (loads || sleepEnds) w.loadsChanged();
   return {};

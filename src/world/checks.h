@@ -1,6 +1,7 @@
 // Checks of values that come in through the public API. They are written in the positive form, so that NaN fails them.
 #pragma once
 #include <cmath>
+#include <span>
 #include <string>
 
 #include "brickfall/body.h"
@@ -68,6 +69,7 @@ class Checks {
 // and on a body's constants.
 void checkMaterial(Checks& check, const std::string& at, const Material& material);
 void checkShape(Checks& check, const std::string& at, const ShapeDef& shape, BodyType type);
+void checkGivenMass(Checks& check, const MassProperties& given, std::span<const ShapeDef> shapes);
 void checkMotionSettings(Checks& check, double gravityScale, double linearDamping, double angularDamping,
                          double dragArea);
 

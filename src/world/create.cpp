@@ -97,6 +97,17 @@ void checkShape(Checks& check, const std::string& at, const ShapeDef& s, BodyTyp
   if (s.distribution && !check.failed()) checkDistribution(check, at + ".distribution", s);
 }
 
+// A plane has no box around it: whatever is on it is fixed, and its mass is never read.
+void checkGivenMass(Checks& check, const MassProperties& given, std::span<const ShapeDef> shapes) {
+  check.range("massProperties.mass", given.mass, limits::kSmallestMass, limits::kLargestMass);
+  check.vector("massProperties.centre", given.centre, limits::kLargestSize);
+  if (check.failed()) return;
+  Aabb around = bounds(shapes[0], Transform{});
+  for (const ShapeDef& shape : shapes) around = merged(around, bounds(shape, Transform{}));
+  const std::string wrong = impossibleMass(given, around);
+  check.condition(wrong.empty(), "massProperties." + wrong + ", expected mass that can lie so in the body");
+}
+
 void checkMotionSettings(Checks& check, double gravityScale, double linearDamping, double angularDamping,
                          double dragArea) {
   check.range("gravityScale", gravityScale, -limits::kLargestGravityScale, limits::kLargestGravityScale);
@@ -124,14 +135,17 @@ void checkBody(Checks& check, const BodyDef& def) {
                   "surfaceVelocity: found one on a dynamic body, expected BodyType::fixed or kinematic");
   for (std::size_t i = 0; i < def.shapes.size() && !check.failed(); i++)
     checkShape(check, "shapes[" + std::to_string(i) + "]", def.shapes[i], def.type);
+  if (def.massProperties && !check.failed()) checkGivenMass(check, *def.massProperties, def.shapes);
 }
 
 double massOf(const BodyDef& def, const std::vector<std::unique_ptr<Hull>>& hulls) {
+  if (def.massProperties) return def.massProperties->mass;
   double mass = 0;
   for (std::size_t i = 0; i < def.shapes.size(); i++)
-    mass += shapeMass(geometryOf(def.shapes[i], hulls[i].get()), def.shapes[i].material.density,
-                      def.shapes[i].distribution.get())
-                .mass;
+    if (!def.shapes[i].sensor)
+      mass += shapeMass(geometryOf(def.shapes[i], hulls[i].get()), def.shapes[i].material.density,
+                        def.shapes[i].distribution.get())
+                  .mass;
   return mass;
 }
 
@@ -167,7 +181,8 @@ Result<World> World::create(const WorldDef& def) {
   impl->registry.worldNumber = next++;
   if (impl->registry.worldNumber == 0) impl->registry.worldNumber = next++;
   impl->proximity.open(def.broadPhase, def.solver.contactMargin);
-  impl->solve.workers = std::make_unique<WorkerPool>(def.threads);
+  impl->solve.memory.takeFrom(def.memory);
+  impl->solve.workers = std::make_unique<WorkerPool>(def.threads, def.tasks);
   return World(std::move(impl));
 }
 

@@ -1,6 +1,7 @@
 #include "world/diary.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "base/keep_room.h"
 
@@ -25,6 +26,8 @@ void Diary::tellPending() {
   events.breaks.clear();
   events.mortar.assign(pending.mortar.begin(), pending.mortar.end());
   pending.mortar.clear();
+  events.sensorBegin.clear();
+  events.sensorEnd.clear();
   events.moved.clear();
   events.fellAsleep.clear();
   events.end.assign(pending.end.begin(), pending.end.end());
@@ -45,6 +48,16 @@ void Diary::endTouchingOf(BodyIndex body, const Registry& registry) {
     heard().end.push_back(byCreation(pair, registry));
     return true;
   });
+}
+
+void Diary::tellSensed() {
+  std::sort(sensedNow.begin(), sensedNow.end());
+  sensedNow.erase(std::unique(sensedNow.begin(), sensedNow.end()), sensedNow.end());
+  std::set_difference(sensedNow.begin(), sensedNow.end(), sensed.begin(), sensed.end(),
+                      std::back_inserter(events.sensorBegin));
+  std::set_difference(sensed.begin(), sensed.end(), sensedNow.begin(), sensedNow.end(),
+                      std::back_inserter(events.sensorEnd));
+  sensed.swap(sensedNow);
 }
 
 void Diary::beginLedger(const Balance& now, bool firstPart) {
@@ -76,6 +89,7 @@ void Diary::checkStructure(Findings& f, const Registry& registry) const {
 }
 
 void Diary::check(Findings& f, const Registry& registry) const {
+  f.expect(std::is_sorted(sensed.begin(), sensed.end()), "sensors: what they sense is not sorted");
   f.expect(isAscending(touchingBefore), "touching: not sorted, or twice");
   for (const BodyPair& pair : touchingBefore)
     f.expect(pair.first < pair.second && registry.bodies.alive(pair.first) && registry.bodies.alive(pair.second),

@@ -24,11 +24,12 @@ class Diary {
   StepReport report;
   TraceOptions traceOptions;
   LedgerState ledgerState;
-  Events events;                          // of the last step, or of the one under way
-  Events pending;                         // of calls between steps: the next step tells them
-  BodyPairs touchingNow, touchingBefore;  // of awake islands, sorted
-  BodyPairs slept;                        // pairs of islands that fell asleep in this step
-  BodyPairs room;                         // for merging the lists of pairs
+  Events events;                               // of the last step, or of the one under way
+  Events pending;                              // of calls between steps: the next step tells them
+  BodyPairs touchingNow, touchingBefore;       // of awake islands, sorted
+  BodyPairs slept;                             // pairs of islands that fell asleep in this step
+  BodyPairs room;                              // for merging the lists of pairs
+  std::vector<SensorEvent> sensed, sensedNow;  // who is in which sensor, sorted; after the last step, and scratch
 
   Events& heard() { return inStep ? events : pending; }
   // Events of calls between the steps open the events of the next step.
@@ -36,6 +37,9 @@ class Diary {
   // Pairs of an island that wakes are looked for again; pairs of a body that is taken out end.
   void addTouching(const Island& island, const Ties& ties);
   void endTouchingOf(BodyIndex body, const Registry& registry);
+
+  // Who came into sensors and who left, from sensedNow.
+  void tellSensed();
 
   // The ledger of a step, from the balance before the step.
   void beginLedger(const Balance& now, bool firstPart);

@@ -44,7 +44,6 @@ class FlightAhead {
   double untilMet(BodyIndex body, ShapeIndex shape, Vec3 way) const {
     const BodySet& bodies = registry_.bodies;
     const BodyData& data = bodies.data[body];
-    const ShapeData& s = registry_.shapes.data[shape];
     Shape ball;
     ball.type = ShapeType::sphere;
     ball.radius = bodies.mass[body].outerRadius;
@@ -56,7 +55,7 @@ class FlightAhead {
     double share = 1;
     proximity_.broadPhase->query({min(at, at + way) - room, max(at, at + way) + room}, [&](std::uint32_t other) {
       const ShapeData& o = registry_.shapes.data[other];
-      if (o.body == body || !filtersAllow(s.def.filter, o.def.filter)) return true;
+      if (o.body == body || !registry_.shapes.mayTouch(shape, other)) return true;
       share = std::min(share, untilNear(o, ball, at, way, apart));
       return share > 0;
     });

@@ -42,7 +42,7 @@ class HitSearch {
       proximity_.broadPhase->query(reach, [&](std::uint32_t other) {
         const ShapeData& o = shapes_.data[other];
         if (!overlaps(reach, proximity_.around[other].swept)) return true;  // kept bounds are the tree's history
-        if (o.body == body || !filtersAllow(s.def.filter, o.def.filter) || !isFarHeavier(body, o.body)) return true;
+        if (o.body == body || !isFarHeavier(body, o.body) || !shapes_.mayTouch(shape, other)) return true;
         if (!ties_.mayCollide(body, o.body)) return true;
         const double gone = thicknessesWithin(body, o);
         if (gone > 0) mass += bodies_.mass[o.body].mass / double(bodies_.shapes[o.body].size());

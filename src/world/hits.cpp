@@ -11,10 +11,13 @@ HitEvent hitOf(const Registry& registry, const TieImpact& impact) {
   HitEvent hit;
   hit.bodyA = registry.idOf(impact.bodyA);
   hit.bodyB = registry.idOf(impact.bodyB);
+  hit.shapeA = registry.idOfShape(impact.shapeA);
+  hit.shapeB = registry.idOfShape(impact.shapeB);
   hit.normalWorld = impact.normal;
   hit.pointWorld = impact.point;
   if (bodies.data[impact.bodyB].order < bodies.data[impact.bodyA].order) {
     std::swap(hit.bodyA, hit.bodyB);
+    std::swap(hit.shapeA, hit.shapeB);
     hit.normalWorld = -hit.normalWorld;
   }
   hit.approachSpeed = impact.speed;

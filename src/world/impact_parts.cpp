@@ -77,7 +77,7 @@ bool ImpactParts::runThrough(const Island& island, double dt, const Proximity& p
     bool met = false;
     proximity.broadPhase->query(sweptBounds(s, own), [&](std::uint32_t other) {
       const ShapeData& o = registry_.shapes.data[other];
-      if (o.body == s.body || !filtersAllow(s.def.filter, o.def.filter)) return true;
+      if (o.body == s.body || !registry_.shapes.mayTouch(shape, other)) return true;
       if (!context_.ties->mayCollide(s.body, o.body)) return true;
       Sweep of = wayOf(o.body);
       met = coreWay(s, own, o, of) < 1 || (isDynamic(o.body) && coreWay(o, of, s, own) < 1);

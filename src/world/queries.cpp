@@ -9,6 +9,14 @@
 
 namespace brickfall {
 
+namespace {
+
+bool answers(const ShapeData& shape, std::uint32_t mask) {
+  return (shape.def.filter.category & mask) != 0 && !shape.def.sensor;
+}
+
+}  // namespace
+
 Result<std::optional<RayHit>> World::castRay(Vec3 origin, Vec3 direction, double maxDistance,
                                              std::uint32_t mask) const {
   const Impl& w = *impl_;
@@ -22,7 +30,7 @@ Result<std::optional<RayHit>> World::castRay(Vec3 origin, Vec3 direction, double
   std::optional<RayHit> best;
   w.proximity.broadPhase->queryRay(origin, direction, maxDistance, [&](std::uint32_t shape, double limit) {
     const ShapeData& s = w.registry.shapes.data[shape];
-    if (!(s.def.filter.category & mask)) return limit;
+    if (!answers(s, mask)) return limit;
     Transform pose = w.registry.shapes.worldPose(shape, w.registry.bodies), back = inverse(pose);
     auto hit = brickfall::castRay(s.geometry, transformPoint(back, origin), rotate(back.rotation, direction), limit);
     if (!hit) return limit;
@@ -44,7 +52,7 @@ std::vector<BodyIndex> bodiesNear(const BroadPhase& broadPhase, const ShapeSet& 
                                   std::uint32_t mask, Touches touches) {
   std::vector<BodyIndex> found;
   broadPhase.query(box, [&](std::uint32_t shape) {
-    if ((shapes.data[shape].def.filter.category & mask) && touches(shape)) found.push_back(shapes.data[shape].body);
+    if (answers(shapes.data[shape], mask) && touches(shape)) found.push_back(shapes.data[shape].body);
     return true;
   });
   std::sort(found.begin(), found.end());
@@ -103,7 +111,7 @@ Result<std::optional<ClosestResult>> World::closest(Vec3 point, double maxDistan
   std::optional<ClosestResult> best;
   w.proximity.broadPhase->query(grown({point, point}, maxDistance), [&](std::uint32_t shape) {
     const ShapeData& s = w.registry.shapes.data[shape];
-    if (!(s.def.filter.category & mask)) return true;
+    if (!answers(s, mask)) return true;
     Transform pose = w.registry.shapes.worldPose(shape, w.registry.bodies);
     Vec3 near = transformPoint(pose, closestPoint(s.geometry, transformPoint(inverse(pose), point)));
     double distance = length(near - point);

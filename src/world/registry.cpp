@@ -52,6 +52,7 @@ BodyIndex Registry::add(BodyPlan&& plan) {
   data.surfaceVelocity = def.surfaceVelocity;
   data.allowSleep = def.allowSleep;
   data.userData = def.userData;
+  data.givenMass = def.massProperties;
   bodies.setRotation(body, normalized(def.rotation));
   if (def.type != BodyType::fixed) {
     bodies.motion[body].linearVelocity = data.lastLinearVelocity = def.linearVelocity;
@@ -67,6 +68,7 @@ BodyIndex Registry::add(BodyPlan&& plan) {
     s.geometry = geometryOf(s.def, s.hull.get());
     s.innerRadius = innerRadius(s.geometry);
     bodies.shapes[body].push_back(shape);
+    if (s.def.sensor) sensors.insert(std::lower_bound(sensors.begin(), sensors.end(), shape), shape);
   }
   updateMass(body, def.position);
   dynamicBodies += def.type == BodyType::dynamic;
@@ -74,7 +76,10 @@ BodyIndex Registry::add(BodyPlan&& plan) {
 }
 
 void Registry::remove(BodyIndex body) {
-  for (ShapeIndex shape : bodies.shapes[body]) shapes.destroy(shape);
+  for (ShapeIndex shape : bodies.shapes[body]) {
+    if (shapes.data[shape].def.sensor) std::erase(sensors, shape);
+    shapes.destroy(shape);
+  }
   dynamicBodies -= bodies.data[body].type == BodyType::dynamic;
   bodies.destroy(body);
 }
@@ -107,19 +112,33 @@ bool Registry::setMaterial(ShapeIndex shape, const Material& material) {
   ShapeData& s = shapes.data[shape];
   const bool densityChanged = s.def.material.density != material.density;
   s.def.material = material;
-  if (!densityChanged) return false;
-  const Vec3 centre = bodies.data[s.body].localCentre;
-  const Vec3 place = bodies.motion[s.body].position;
-  updateMass(s.body, bodies.origin(s.body));
-  if (bodies.data[s.body].localCentre != centre) return true;
-  bodies.motion[s.body].position = place;  // bit for bit
+  return densityChanged && renewMass(s.body);
+}
+
+bool Registry::renewMass(BodyIndex body) {
+  const Vec3 centre = bodies.data[body].localCentre;
+  const Vec3 place = bodies.motion[body].position;
+  updateMass(body, bodies.origin(body));
+  if (bodies.data[body].localCentre != centre) return true;
+  bodies.motion[body].position = place;  // bit for bit
   return false;
 }
 
+bool Registry::setMass(BodyIndex body, const std::optional<MassProperties>& given) {
+  bodies.data[body].givenMass = given;
+  return renewMass(body);
+}
+
 double Registry::massWith(BodyIndex body, std::span<const Material> materials) const {
+  const auto& given = bodies.data[body].givenMass;
+  return given ? given->mass : massOfShapes(body, materials);
+}
+
+double Registry::massOfShapes(BodyIndex body, std::span<const Material> materials) const {
   double mass = 0;
   for (std::size_t i = 0; i < materials.size(); i++) {
     const ShapeData& s = shapes.data[bodies.shapes[body][i]];
+    if (s.def.sensor) continue;
     mass += shapeMass(s.geometry, materials[i].density, s.def.distribution.get()).mass;
   }
   return mass;
@@ -135,7 +154,7 @@ bool Registry::mayMeet(ShapeIndex a, ShapeIndex b) const {
   if (first.body == second.body) return false;
   if (bodies.data[first.body].type != BodyType::dynamic && bodies.data[second.body].type != BodyType::dynamic)
     return false;
-  return filtersAllow(first.def.filter, second.def.filter);
+  return shapes.mayTouch(a, b);
 }
 
 // Mass, centre and radii from the shapes; keeps the body's origin where it is.
@@ -143,12 +162,13 @@ void Registry::updateMass(BodyIndex body, Vec3 origin) {
   BodyData& data = bodies.data[body];
   BodyMass& mass = bodies.mass[body];
   BodyMotion& m = bodies.motion[body];
-  std::vector<MassProperties> parts;
+  std::vector<MassProperties> parts, solid;  // of all shapes; without sensors, which weigh nothing
   for (ShapeIndex shape : bodies.shapes[body]) {
     const ShapeData& s = shapes.data[shape];
     parts.push_back(transformed(shapeMass(s.geometry, s.def.material.density, s.def.distribution.get()), s.def.local));
+    if (!s.def.sensor) solid.push_back(parts.back());
   }
-  data.bodyFrameMass = combined(parts);
+  data.bodyFrameMass = data.givenMass ? *data.givenMass : combined(solid);
   data.localCentre = data.bodyFrameMass.mass > 0 ? data.bodyFrameMass.centre : Vec3{};
   m.position = origin + m.orientation * data.localCentre;
   mass = {};
@@ -162,6 +182,7 @@ void Registry::updateMass(BodyIndex body, Vec3 origin) {
         s.def.distribution ? transformPoint(s.def.local, shapeMass(s.geometry, 1).centre) : parts[part].centre;
     part++;
     s.middle = middle - data.localCentre;
+    if (s.def.sensor && !solid.empty()) continue;
     mass.innerRadius = std::min(mass.innerRadius, s.innerRadius);
     Vec3 centreInShape = transformPoint(inverse(s.inCentreFrame), Vec3{});
     mass.outerRadius = std::max(mass.outerRadius, outerRadius(s.geometry, centreInShape));
@@ -203,6 +224,8 @@ Status rebuildGeometry(ShapeData& s) {
 }  // namespace
 
 Status Registry::rebuild() {
+  for (ShapeIndex i = 0; i < shapes.slots(); i++)
+    if (shapes.alive(i) && shapes.data[i].def.sensor) sensors.push_back(i);
   for (ShapeData& s : shapes.data)
     if (s.alive)
       if (Status built = rebuildGeometry(s); !built) return built;
@@ -290,6 +313,10 @@ void Registry::check(Findings& f) const {
     }
   }
   f.expect(alive == listed, "shapes: one is of no body");
+  std::vector<ShapeIndex> sensing;
+  for (ShapeIndex i = 0; i < shapes.slots(); i++)
+    if (shapes.alive(i) && shapes.data[i].def.sensor) sensing.push_back(i);
+  f.expect(sensing == sensors, "sensors: the list is not theirs");
   std::sort(orders.begin(), orders.end());
   f.expect(std::adjacent_find(orders.begin(), orders.end()) == orders.end(), "bodies: two were created at once");
 }

@@ -27,6 +27,7 @@ class Registry {
   ShapeSet shapes;
   std::uint16_t worldNumber = 0;  // in ids
   int dynamicBodies = 0;
+  std::vector<ShapeIndex> sensors;  // ascending
 
   Result<BodyIndex> find(BodyId id) const;
   Result<ShapeIndex> find(ShapeId id) const;
@@ -40,7 +41,10 @@ class Registry {
   void setPose(BodyIndex body, Vec3 position, Quat rotation);  // of the body's frame
   // True if the body's centre of mass is elsewhere in it than before; its frame stays where it is.
   bool setMaterial(ShapeIndex shape, const Material& material);
-  double massWith(BodyIndex body, std::span<const Material> materials) const;  // kg, if the body's shapes were of these
+  bool setMass(BodyIndex body, const std::optional<MassProperties>& given);  // true: as setMaterial
+  // kg, if the body's shapes were of these; what was given instead of their mass, if it was.
+  double massWith(BodyIndex body, std::span<const Material> materials) const;
+  double massOfShapes(BodyIndex body, std::span<const Material> materials) const;
   bool hasMesh(BodyIndex body) const;
   bool mayMeet(ShapeIndex a, ShapeIndex b) const;  // of two bodies, one is dynamic, and their filters allow it
 
@@ -53,6 +57,7 @@ class Registry {
 
  private:
   void updateMass(BodyIndex body, Vec3 origin);
+  bool renewMass(BodyIndex body);  // true if the centre of mass is elsewhere in the body
 };
 
 // The shape as geometry; `hull` of hulls.

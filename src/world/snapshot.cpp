@@ -18,7 +18,7 @@ namespace {
 
 //! not of the method: the file's
 constexpr std::uint64_t kMagic = 0x30504e5346424b42ull;
-constexpr std::uint32_t kLayout = 20;
+constexpr std::uint32_t kLayout = 21;
 
 struct Header {
   std::uint64_t magic = kMagic;
@@ -65,6 +65,7 @@ class SnapshotArchive {
     a.list(w.diary.pending.end);
     a.list(w.diary.pending.woke);
     droppedMortar(a, w.diary.pending.mortar);
+    a.list(w.diary.sensed);
   }
 
  private:
@@ -131,6 +132,13 @@ class SnapshotArchive {
       a.value(*vector);
     a.value(d.userData);
     a.value(d.order);
+    bool given = d.givenMass.has_value();
+    a.flag(given);
+    if (!given) return;
+    MassProperties mass;
+    if constexpr (!Archive::kReading) mass = *d.givenMass;
+    a.value(mass);
+    if constexpr (Archive::kReading) d.givenMass = mass;
   }
 
   template <class Archive, class Shapes, class Around> static void shapes(Archive& a, Shapes& s, Around& around) {
@@ -164,6 +172,7 @@ class SnapshotArchive {
     a.choice(s.def.material.frictionRule, CombineRule::maximum);
     a.choice(s.def.material.restitutionRule, CombineRule::maximum);
     a.value(s.def.filter);
+    a.flag(s.def.sensor);
     a.value(s.def.userData);
     bool uneven = s.def.distribution != nullptr;
     a.flag(uneven);
@@ -276,13 +285,18 @@ Status World::restore(std::span<const std::byte> snapshot) {
   if (header.hash != hashOf(rest)) return badSnapshot("damaged or cut off (its checksum differs)");
 
   auto next = std::make_unique<Impl>();
+  next->def.tasks = impl_->def.tasks;
+  next->def.memory = impl_->def.memory;
+  next->solve.memory.takeFrom(next->def.memory);
   ReadArchive archive(rest);
   SnapshotArchive::world(archive, *next);
   if (archive.failed() || !archive.atEnd()) return badSnapshot("its lists do not fit its length");
   next->registry.worldNumber = impl_->registry.worldNumber;
   if (Status sound = next->rebuild(); !sound) return badSnapshot(sound.error().message);
-  next->solve.workers = std::make_unique<WorkerPool>(next->def.threads);
+  next->solve.workers = std::make_unique<WorkerPool>(next->def.threads, next->def.tasks);
   next->diary.traceOptions = impl_->diary.traceOptions;
+  next->contactFilter = impl_->contactFilter;
+  next->askContactFilter();
   World candidate(std::move(next));
   std::vector<std::string> wrong = candidate.validate();
   if (!wrong.empty()) return badSnapshot(wrong.front());

@@ -67,6 +67,11 @@ Status World::Impl::rebuild() {
   for (BodyIndex i = 0; i < bodies.slots(); i++) {
     if (!bodies.alive(i)) continue;
     checkBody(check, bodies.data[i], bodies.motion[i]);
+    if (bodies.data[i].givenMass) {
+      std::vector<ShapeDef> own;
+      for (ShapeIndex s : bodies.shapes[i]) own.push_back(shapes.data[s].def);
+      if (!check.failed()) checkGivenMass(check, *bodies.data[i].givenMass, own);
+    }
     for (ShapeIndex s : bodies.shapes[i])
       checkShapeData(check, shapes.data[s], proximity.around[s].swept, bodies.data[i].type);
   }
@@ -99,6 +104,8 @@ Status World::Impl::rebuild() {
       return Error{ErrorCode::badFormat, "events: mortar that was dropped is out of range"};
     event.bodyA.world = event.bodyB.world = event.mortar.world = registry.worldNumber;
   }
+  for (SensorEvent& event : diary.sensed)
+    event.sensor.world = event.shape.world = event.sensorBody.world = event.body.world = registry.worldNumber;
   return {};
 }
 

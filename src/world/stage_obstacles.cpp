@@ -367,7 +367,7 @@ void Obstacles::obstruct(ShapeIndex shape, bool everything, double thickness, Ob
   bool centred = length(s.middle) < 0.5 * kCoreShare * s.innerRadius;
   broadPhase.query(sweptBounds(s, all), [&](std::uint32_t other) {
     const ShapeData& o = shapes.data[other];
-    if (o.body == s.body || !filtersAllow(s.def.filter, o.def.filter)) return true;
+    if (o.body == s.body || !shapes.mayTouch(shape, other)) return true;
     if (!context.ties->mayCollide(s.body, o.body) || joined.together(s.body, o.body)) return true;
     BodyType type = bodies.data[o.body].type;
     const bool fly = context.solved[s.body].flying && type == BodyType::dynamic && context.solved[o.body].flying;

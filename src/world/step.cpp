@@ -6,6 +6,7 @@
 
 #include "brickfall/limits.h"
 #include "world/heavy_hits.h"
+#include "world/sense.h"
 #include "world/stage_hash.h"
 #include "world/stages.h"
 #include "world/world_impl.h"
@@ -215,6 +216,7 @@ Result<StepReport> World::step(double dt, int substeps) {
   report.stepIndex = w.clock.stepCount;
   report.time = w.clock.time;
   w.activity.dropForces(w.registry.bodies);
+  sense(w.registry, w.proximity, w.diary);
   report.bodies = w.registry.dynamicBodies;
   report.awakeBodies = int(w.activity.awake.size());
   report.milliseconds = double(nowNanoseconds() - start) * 1e-6;

@@ -94,6 +94,18 @@ void Upkeep::setMaterial(ShapeIndex shape, const Material& material) {
   activity_.unsettlePartnersOf(body);
 }
 
+void Upkeep::setMass(BodyIndex body, const std::optional<MassProperties>& given) {
+  disturb(body);
+  wakeTied(body);
+  if (registry_.setMass(body, given)) {
+    displace(body);
+    renewProxies(body);
+  }
+  ties_.renewConstants(body, registry_.shapes, registry_.bodies);
+  activity_.forgetIslandsOf(body);
+  activity_.unsettlePartnersOf(body);
+}
+
 JointIndex Upkeep::join(const Joint& joint) {
   const JointIndex made = ties_.joints.create(joint);
   ties_.renewConstants(joint.bodyA, registry_.shapes, registry_.bodies);

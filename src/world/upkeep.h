@@ -22,6 +22,7 @@ class Upkeep {
   void setType(BodyIndex body, BodyType type);
   void setPose(BodyIndex body, Vec3 position, Quat rotation);
   void setMaterial(ShapeIndex shape, const Material& material);
+  void setMass(BodyIndex body, const std::optional<MassProperties>& given);
   // Ties its bodies, which it wakes; contacts between them end unless it lets them collide.
   JointIndex join(const Joint& joint);
   void disturbJoint(JointIndex joint);  // it was changed from outside

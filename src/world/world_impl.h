@@ -31,7 +31,8 @@ struct World::Impl {
   Activity activity;
   Diary diary;
   Clock clock;
-  mutable int visiting = 0;  // callbacks of forEachContact, forEachIsland and draw under way
+  mutable int visiting = 0;  // callbacks of forEachContact, forEachIsland, draw and the contact filter under way
+  ContactFilter contactFilter;
 
   // step.cpp. A step is made of substeps. Each is one part, or several where something heavy hits: begin, all stages,
   // end.
@@ -53,6 +54,7 @@ struct World::Impl {
   Status changeJoint(const std::string& call, JointId id, Check&& check, Change&& change);
   Status push(BodyId id, Vec3 linear, Vec3 angular, Vec3* pointWorld, bool impulse);
   void loadsChanged();
+  void askContactFilter();  // it was set, or came with a world that was read
   Status setVelocity(BodyId id, Vec3 velocity, Vec3 BodyMotion::*which, Vec3 BodyData::*last);
   Status rebuild();                        // for a world that was read: works out the rest; an error if it is no world
   void checkStructure(Findings& f) const;  // must hold before anything may be followed

@@ -251,13 +251,13 @@ SyntheticTake makeSyntheticTake(const SyntheticOptions& options) {
   return out;
 }
 
-std::string writeTake(const SyntheticTake& take, const std::string& path) {
+std::string writeTake(const SyntheticTake& take, const std::string& path, const std::string& summary) {
   Result<TakeWriter> writer = TakeWriter::create(path, take.header);
   if (!writer) return writer.error().message;
   for (std::size_t f = 0; f < take.frames.size(); f++) {
     if (Status written = writer->write(take.frames[f], take.change(f)); !written) return written.error().message;
   }
-  Status finished = writer->finish("{\"scene\": \"synthetic\"}");
+  Status finished = writer->finish(summary);
   return finished ? std::string() : finished.error().message;
 }
 

@@ -33,6 +33,7 @@ struct SyntheticOptions {
 SyntheticTake makeSyntheticTake(const SyntheticOptions& options);
 
 // Written to `path` with finish(); the text of an error, or empty.
-std::string writeTake(const SyntheticTake& take, const std::string& path);
+std::string writeTake(const SyntheticTake& take, const std::string& path,
+                      const std::string& summary = "{\"scene\": \"synthetic\"}");
 
 }  // namespace brickfall::test

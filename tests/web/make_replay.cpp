@@ -158,7 +158,13 @@ std::string makeSlab(const std::string& folder) {
 std::string makeAll(const std::string& folder) {
   test::SyntheticTake wall = test::makeSyntheticTake({});
   wall.header.cameras[1].path = kMoves;
-  std::string fault = test::writeTake(wall, folder + "/wall.take");
+  // Figures over time: of all that the page could show, one.
+  json series;
+  for (const TakeFrame& frame : wall.frames) {
+    series["time_s"].push_back(frame.time);
+    series["largest_force_n"].push_back(frame.time < 2 ? 0 : 1234);
+  }
+  std::string fault = test::writeTake(wall, folder + "/wall.take", json{{"series", series}}.dump());
   if (!fault.empty()) return fault;
   Result<TakeReader> take = TakeReader::open(folder + "/wall.take");
   if (!take) return take.error().message;

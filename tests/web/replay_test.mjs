@@ -366,6 +366,23 @@ try {
     assert.equal(await page.isVisible('#legend'), false);
   });
 
+  await check('figures over time are shown for who asks, with the value at the moment', async () => {
+    assert.equal(await page.evaluate(() => window.brickfall.chartShown), false);
+    await seek(90);
+    await page.keyboard.press('e');
+    assert.equal(await page.evaluate(() => window.brickfall.chartShown), true);
+    const figure = () => page.evaluate(() => document.getElementById('chart-value').textContent);
+    assert.equal(await figure(), 'largest force 0 N');
+    await seek(150);
+    assert.equal(await figure(), 'largest force 1230 N');
+    assert.deepEqual(await page.evaluate(() => [...document.getElementById('chart-choice').options].map((o) => o.text)), ['Largest force']);
+    const box = await page.evaluate(() => document.getElementById('chart-canvas').getBoundingClientRect().toJSON());
+    await page.mouse.click(box.x + box.width / 4, box.y + box.height / 2);
+    assert.ok(Math.abs(await page.evaluate(() => window.brickfall.time) - 239 / 240) < 0.06);
+    await page.keyboard.press('e');
+    assert.equal(await page.evaluate(() => window.brickfall.chartShown), false);
+  });
+
   await check('colours by speed and by contact force change the picture', async () => {
     await seek(80);
     const clay = await picture();

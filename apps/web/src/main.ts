@@ -4,7 +4,8 @@
 import { Vector2, Vector3 } from 'three';
 import { Bodies } from './bodies';
 import { boundsOf, sizeOf } from './bounds';
-import { Card } from './card';
+import { Card, amount } from './card';
+import { Chart } from './chart';
 import { legendOf, scaleGradient, type ColourMode } from './colours';
 import { byId, Controls } from './controls';
 import { Dust } from './dust';
@@ -102,6 +103,7 @@ function main(): void {
     stage.renderer.domElement.toBlob((blob) => blob && offer(blob, `${meta.scene}_${take.times[player.frame].toFixed(2)}s.png`), 'image/png');
   };
   const controls = new Controls(take, player, { setColour, setView, savePicture, deselect: () => select(-1) }, views.map((v) => v.name));
+  const chart = new Chart(take, player);
   player.onChange = () => (dirty = true);
   card.onSeek = (frame) => {
     player.pause();
@@ -120,6 +122,7 @@ function main(): void {
     const half = Math.tan((stage.camera.fov * Math.PI) / 360);
     dust.show(player.position, stage.renderer.domElement.height / (2 * half));
     controls.show();
+    chart.show(take.timeAt(player.position));
     card.show(player.frame);
     stage.render(shown !== player.position);
     shown = player.position;
@@ -176,6 +179,7 @@ function main(): void {
     setLoop: (on: boolean) => controls.setLoop(on),
     setColour: (mode: ColourMode) => { controls.setColour(mode); setColour(mode); },
     setView: (index: number) => { controls.setView(index); setView(index); },
+    get chartShown() { return chart.shown; },
     setShade: (level: number) => { stage.shade.hold(level); dirty = true; },
     lookFrom: (position: [number, number, number], target: [number, number, number]) => {
       stage.look(new Vector3(...position), new Vector3(...target), view.fieldOfView);

@@ -84,6 +84,7 @@ export interface TakeMeta {
   mortar?: JointMeta[]; // left out: there is none
   breaks?: BreakMeta[];
   falls?: [number, number][]; // a body, and which of the breaks gave way first
+  series?: Record<string, number[]>; // figures over time, by their names in series.csv; left out: not known
 }
 
 export interface Hit {

@@ -124,7 +124,7 @@ TieImpact strikePair(Contact& c, const ContactGeometry& g, double speed, std::ui
   for (int i = 0; i < c.count; i++)
     if (points >> i & 1)
       addHit(c.points, i, float(impulse * share), float(dot(friction, t1) * share), float(dot(friction, t2) * share));
-  return {c.bodyA, c.bodyB, pair.at(), n, -speed, impulse};
+  return {c.bodyA, c.bodyB, pair.at(), n, -speed, impulse, c.shapeA, c.shapeB};
 }
 
 }  // namespace

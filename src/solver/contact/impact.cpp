@@ -22,7 +22,8 @@ bool comesOn(const ContactStart& start, double least) {
 }
 
 TieImpact impactAt(const Contact& c, const FaceRecord& r, const StepContext& context) {
-  return {c.bodyA, c.bodyB, context.bodies->motion[c.bodyA].position + toDouble(r.armA), toDouble(r.n)};
+  const Vec3 point = context.bodies->motion[c.bodyA].position + toDouble(r.armA);
+  return {c.bodyA, c.bodyB, point, toDouble(r.n), 0, 0, c.shapeA, c.shapeB};
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ TEST_F(BadArguments, aCommandIsExpected) {
   EXPECT_EQ(none.exitCode, 2);
   EXPECT_TRUE(isOneComplaint(
       none.errors,
-      {"command: found nothing, expected one of: run, check, scenes, replay, trace, check-dt, view, render"}));
+      {"command: found nothing, expected one of: run, check, scenes, replay, export, trace, check-dt, view, render"}));
   const Finished typo = run({"rnu", "wall"});
   EXPECT_EQ(typo.exitCode, 2);
   EXPECT_TRUE(isOneComplaint(typo.errors, {"command: found \"rnu\"", "did you mean \"run\"?"}));

@@ -27,10 +27,25 @@ bool isWholeTake(const fs::path& path) {
   return true;
 }
 
+// A line of names, then numbers: as many in each line.
+bool isWholeTable(const std::string& text) {
+  if (!text.starts_with("time_s,") || !text.ends_with('\n')) return false;
+  std::size_t columns = 0, commas = 0;
+  for (char c : text) {
+    commas += c == ',';
+    if (c != '\n') continue;
+    if (columns > 0 && commas != columns) return false;
+    columns = commas;
+    commas = 0;
+  }
+  return true;
+}
+
 bool isWhole(const fs::path& path) {
   const std::string name = path.filename().string(), ending = path.extension().string();
   if (name == "replay.html") return contentOfFile(path).ends_with("</html>\n");
   if (name == "summary.json") return nlohmann::json::accept(contentOfFile(path));
+  if (name == "series.csv") return isWholeTable(contentOfFile(path));
   if (ending == ".glb") return isWholeGlb(contentOfFile(path));
   return ending == ".take" && isWholeTake(path);
 }

@@ -15,7 +15,7 @@ TEST_F(Outputs, aRunLeavesAllItsFiles) {
   const Finished done = run({"run", "cube", "--seconds", "0.5", "-o", "made/here"});
   EXPECT_EQ(done.exitCode, 0) << done.errors;
   EXPECT_EQ(done.errors, "");
-  for (const char* name : {"replay.html", "cube.glb", "summary.json", "cube.take"}) {
+  for (const char* name : {"replay.html", "cube.glb", "summary.json", "series.csv", "cube.take"}) {
     EXPECT_TRUE(exists(std::string("made/here/") + name)) << name;
     EXPECT_NE(done.output.find(std::string("made/here/") + name), std::string::npos) << "not said: " << name;
   }
@@ -66,6 +66,69 @@ TEST_F(Outputs, sameSceneSameBits) {
   const json a = json::parse(read("a/summary.json")), b = json::parse(read("b/summary.json"));
   EXPECT_EQ(a["state_hash"], b["state_hash"]);
   EXPECT_EQ(b["threads"], 2);
+  EXPECT_EQ(read("a/cube.take"), read("b/cube.take"));
+  EXPECT_EQ(read("a/series.csv"), read("b/series.csv"));
+}
+
+// Energy that is there and energy that is lost are what was put in, at every moment; the last row is the summary's.
+TEST_F(Outputs, aSeriesBalancesAndEndsAsTheSummary) {
+  ASSERT_EQ(run({"run", "cube", "--seconds", "1.5", "-o", "a", "--quiet", "--no-html", "--no-glb"}).exitCode, 0);
+  std::istringstream lines(read("a/series.csv"));
+  std::string line;
+  std::getline(lines, line);
+  EXPECT_TRUE(line.starts_with("time_s,kinetic_way_j,kinetic_turn_j,potential_j,lost_j,momentum_x_kg_m_s,")) << line;
+  std::vector<double> row;
+  double whole = 0;
+  int rows = 0;
+  while (std::getline(lines, line)) {
+    row.clear();
+    std::istringstream cells(line);
+    for (std::string cell; std::getline(cells, cell, ',');) row.push_back(std::stod(cell));
+    ASSERT_EQ(row.size(), 17u);
+    const double sum = row[1] + row[2] + row[3] + row[4];
+    if (rows++ == 0) whole = sum;
+    EXPECT_NEAR(sum, whole, 1e-6 * whole) << "row " << rows;
+  }
+  EXPECT_EQ(rows, 91);
+  EXPECT_GT(row[4], 0.5 * whole) << "the fall is lost in the end";
+  const json summary = json::parse(read("a/summary.json"));
+  EXPECT_NEAR(row[1] + row[2], summary["kinetic_energy_end_j"].get<double>(), 1e-5 * whole);
+}
+
+TEST_F(Outputs, exportsWhatTheTakeHas) {
+  ASSERT_EQ(run({"run", "cube", "--seconds", "0.5", "-o", "a", "--quiet", "--no-html", "--no-glb"}).exitCode, 0);
+  const Finished done = run({"export", "a/cube.take", "--to", "csv", "--to", "json", "--to", "npz", "-o", "b"});
+  EXPECT_EQ(done.exitCode, 0) << done.errors;
+  for (const char* name :
+       {"cube.bodies.csv", "cube.poses.csv", "cube.events.csv", "cube.series.csv", "cube.json", "cube.npz"})
+    EXPECT_TRUE(exists(std::string("b/") + name)) << name;
+  // By readers of another make: Python's csv, json and zipfile, and NumPy where it is.
+  const std::string check = "python3 '" BRICKFALL_SOURCE_DIR "/tests/bad_input/cli/read_exports.py' '" +
+                            (folder_ / "b/cube").string() + "' > '" + (folder_ / "said").string() + "' 2>&1";
+  EXPECT_EQ(std::system(check.c_str()), 0) << read("said");
+  EXPECT_EQ(run({"export", "a/cube.take", "--to", "xls"}).exitCode, 2);
+  EXPECT_EQ(run({"export", "a/cube.take", "--every", "0"}).exitCode, 2);
+  EXPECT_EQ(run({"export", "a/summary.json"}).exitCode, 3);
+  EXPECT_EQ(run({"export", "a/cube.take", "--to", "npz", "-o", "a/cube.take/x"}).exitCode, 3);
+}
+
+TEST_F(Outputs, jsonForPrograms) {
+  write("bad.toml", "[world]\ngravty = 1\n");
+  const Finished bad = run({"check", "bad.toml", "cube", "--json"});
+  EXPECT_EQ(bad.exitCode, 2);
+  EXPECT_EQ(bad.errors, "");
+  const json answers = json::parse(bad.output);
+  ASSERT_EQ(answers.size(), 2u);
+  EXPECT_EQ(answers[0]["ok"], false);
+  bool found = false;
+  for (const json& diagnostic : answers[0]["diagnostics"])
+    found = found || (diagnostic["line"] == 2 && diagnostic["key"] == "world.gravty");
+  EXPECT_TRUE(found) << bad.output;
+  EXPECT_EQ(answers[1]["ok"], true);
+  const Finished scenes = run({"scenes", "--json"});
+  bool listed = false;
+  for (const json& scene : json::parse(scenes.output)) listed = listed || scene["name"] == "cube";
+  EXPECT_TRUE(listed);
 }
 
 // The report's system, whose energy grows without end, leaves sound files too.
@@ -168,7 +231,8 @@ TEST_F(Outputs, aFullDiskUnderTheResultsIsSaid) {
   // Whole or not at all; the recording opens as far as it came.
   for (const auto& entry : std::filesystem::directory_iterator(folder_ / "full")) {
     const std::string name = entry.path().filename().string();
-    EXPECT_TRUE(name == "cube.take.part" || name == "summary.json") << name << " is left behind";
+    EXPECT_TRUE(name == "cube.take.part" || name == "summary.json" || name == "series.csv")
+        << name << " is left behind";
   }
   EXPECT_EQ(run({"replay", "full/cube.take.part", "-o", "again", "--quiet"}).exitCode, 0);
 }
@@ -177,8 +241,17 @@ TEST_F(Outputs, replayMakesTheSameAgain) {
   ASSERT_EQ(run({"run", "cube", "--seconds", "0.5", "-o", "a", "--quiet"}).exitCode, 0);
   const Finished again = run({"replay", "a/cube.take", "-o", "b"});
   EXPECT_EQ(again.exitCode, 0) << again.errors;
-  for (const char* name : {"replay.html", "cube.glb", "summary.json"})
+  for (const char* name : {"replay.html", "cube.glb"})
     EXPECT_EQ(read(std::string("a/") + name), read(std::string("b/") + name)) << name;
+  // The take does not know what the run cost, and has its figures with six digits.
+  json whole = json::parse(read("a/summary.json"));
+  for (const char* key : {"wall_clock_s", "step_ms", "stage_ms", "realtime_factor", "threads"}) whole.erase(key);
+  EXPECT_EQ(json::parse(read("b/summary.json")), whole);
+  EXPECT_TRUE(read("b/series.csv").starts_with("time_s,"));
+  // In the folder of the run its own summary stays.
+  const std::string summary = read("a/summary.json");
+  EXPECT_EQ(run({"replay", "a/cube.take"}).exitCode, 0);
+  EXPECT_EQ(read("a/summary.json"), summary);
 }
 
 TEST_F(Outputs, replayOfACutTakeSaysSo) {

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <memory>
+#include <string>
+#include <type_traits>
 
 namespace brickfall {
 namespace {
@@ -32,6 +34,33 @@ TEST(Result, GivesAwayWhatCannotBeCopied) {
   ASSERT_TRUE(result);
   std::unique_ptr<int> taken = std::move(result).value();
   EXPECT_EQ(*taken, 5);
+}
+
+using ResultDeathTest = testing::Test;
+TEST(ResultDeathTest, ValueOfAnErrorEndsTheProgramWithItsMessage) {
+  Result<int> bad = Error{ErrorCode::badFormat, "line 3: found x"};
+  EXPECT_DEATH(bad.value(), "line 3: found x");
+  EXPECT_DEATH((void)*bad, "line 3: found x");
+  Result<std::string> text = Error{ErrorCode::badFormat, "no text"};
+  EXPECT_DEATH((void)text->size(), "no text");
+  EXPECT_DEATH((void)Result<int>(Error{ErrorCode::badFormat, "gone"}).value(), "gone");
+}
+
+TEST(ResultDeathTest, AHandlerIsToldFirst) {
+  EXPECT_DEATH(
+      {
+        setFailureHandler([](const Failure& failure) { std::fprintf(stderr, "told: %s\n", failure.text); });
+        (void)Result<int>(Error{ErrorCode::badFormat, "line 3"}).value();
+      },
+      "told: value of a failed result: line 3");
+}
+
+TEST(Result, OfATemporaryOutlivesIt) {
+  const auto make = [] { return Result<std::string>(std::string("a text that is longer than its object")); };
+  const std::string& text = make().value();
+  const std::string& again = *make();
+  EXPECT_EQ(text, again);
+  static_assert(std::is_same_v<decltype(make().value()), std::string>);
 }
 
 TEST(Status, IsSuccessUnlessToldOtherwise) {

@@ -73,9 +73,9 @@ TEST(Glb, HasOneNodePerBodyAndSharesMeshes) {
   TakeReader reader = test::opened(take, folder.file("a.take"));
   ASSERT_TRUE(writeGlb(reader, folder.file("a.glb")));
   Glb glb = readGlb(folder.file("a.glb"));
-  ASSERT_EQ(glb.root["nodes"].size(), take.bodies.size() + take.header.cameras.size());
+  ASSERT_EQ(glb.root["nodes"].size(), take.bodies.size() + take.header.cameras.size() + 1);  // and the sun
   EXPECT_EQ(glb.root["scenes"][0]["nodes"].size(), glb.root["nodes"].size());
-  EXPECT_EQ(glb.root["meshes"].size(), 6u);  // ground, ball, brick, capsule, hull, pair
+  EXPECT_EQ(glb.root["asset"]["extras"]["framesPerSecond"], take.header.framesPerSecond);
   std::set<int> meshesOfBricks;
   for (std::size_t k = 0; k < take.bodies.size(); k++) {
     const json& node = glb.root["nodes"][k];
@@ -86,7 +86,16 @@ TEST(Glb, HasOneNodePerBodyAndSharesMeshes) {
       EXPECT_EQ(node["extras"]["role"], "brick");
     }
   }
-  EXPECT_EQ(meshesOfBricks.size(), 1u);
+  // A mesh for each of eight tones, all of them with the same vertices; ground, ball, capsule, hull and pair.
+  EXPECT_EQ(meshesOfBricks.size(), 8u);
+  EXPECT_EQ(glb.root["meshes"].size(), 13u);
+  std::set<std::string> vertices, materials;
+  for (int mesh : meshesOfBricks) {
+    vertices.insert(glb.root["meshes"][mesh]["primitives"][0]["attributes"].dump());
+    materials.insert(glb.root["materials"][glb.root["meshes"][mesh]["primitives"][0]["material"].get<int>()]["name"]);
+  }
+  EXPECT_EQ(vertices.size(), 1u);
+  EXPECT_EQ(materials.size(), 8u);
   EXPECT_EQ(glb.root["cameras"].size(), 2u);
 }
 
@@ -103,6 +112,48 @@ TEST(Glb, ColoursTellMeshesApartButShareTheirVertices) {
              &b = meshes[nodes[3]["mesh"].get<int>()]["primitives"][0];
   EXPECT_EQ(a["attributes"], b["attributes"]);
   EXPECT_NE(a["material"], b["material"]);
+}
+
+TEST(Glb, BricksOfAWallHangOnItsNode) {
+  OutputFolder folder;
+  test::SyntheticTake take =
+      test::makeSyntheticTake({.courses = 1, .bricksPerCourse = 2, .frames = 2, .otherShapes = false});
+  take.bodies[2].name = "front/0/0";
+  take.bodies[3].name = "front/0/1";
+  take.bodies[3].material = "clay";
+  TakeReader reader = test::opened(take, folder.file("a.take"));
+  ASSERT_TRUE(writeGlb(reader, folder.file("a.glb")));
+  Glb glb = readGlb(folder.file("a.glb"));
+  const json& nodes = glb.root["nodes"];
+  EXPECT_EQ(nodes[3]["name"], "front/0/1");
+  const json* front = nullptr;
+  for (const json& node : nodes)
+    if (node["name"] == "front") front = &node;
+  ASSERT_NE(front, nullptr);
+  EXPECT_EQ((*front)["children"], (json{2, 3}));
+  const json roots = glb.root["scenes"][0]["nodes"];
+  EXPECT_EQ(std::count(roots.begin(), roots.end(), json(2)), 0);
+  const json& primitive = glb.root["meshes"][nodes[3]["mesh"].get<int>()]["primitives"][0];
+  const std::string name = glb.root["materials"][primitive["material"].get<int>()]["name"];
+  EXPECT_EQ(name.substr(0, 5), "clay ");
+}
+
+// Light comes from the left, behind the camera, and from above.
+TEST(Glb, TheSunIsBehindTheFirstCamera) {
+  OutputFolder folder;
+  test::SyntheticTake take = test::makeSyntheticTake({.frames = 2});
+  take.header.cameras = {{"main", {0, 1, 5}, {0, 1, 0}, 45}};
+  TakeReader reader = test::opened(take, folder.file("a.take"));
+  ASSERT_TRUE(writeGlb(reader, folder.file("a.glb")));
+  Glb glb = readGlb(folder.file("a.glb"));
+  const json& sun = glb.root["nodes"].back();
+  ASSERT_EQ(sun["name"], "sun");
+  EXPECT_EQ(sun["extensions"]["KHR_lights_punctual"]["light"], 0);
+  const json& r = sun["rotation"];
+  const Vec3 shines = rotate(Quat{r[0], r[1], r[2], r[3]}, Vec3{0, 0, -1});
+  EXPECT_LT(shines.y, -0.5);
+  EXPECT_LT(shines.z, -0.2);  // away from the camera
+  EXPECT_GT(shines.x, 0.4);   // from its left to its right
 }
 
 TEST(Glb, MortarOnABrickHasItsOwnColour) {
@@ -127,7 +178,7 @@ TEST(Glb, MortarOnABrickHasItsOwnColour) {
   EXPECT_NE(a[0]["material"], a[1]["material"]);
   EXPECT_NE(a[0]["material"], b[0]["material"]);
   EXPECT_EQ(a[1], b[1]);
-  EXPECT_EQ(glb.root["materials"][a[1]["material"].get<int>()]["name"], "mortar #A9A69F");
+  EXPECT_EQ(glb.root["materials"][a[1]["material"].get<int>()]["name"], "mortar");
 }
 
 TEST(Glb, AnimationStaysWithinToleranceOfEveryFrameAndIsThinned) {

@@ -90,7 +90,7 @@ TEST(RecordedLives, AreToldByTakeAndOutputs) {
 
   ASSERT_TRUE(writeGlb(*take, folder.file("a.glb")));
   const json root = rootOf(test::contentOf(folder.file("a.glb")));
-  ASSERT_EQ(root["nodes"].size(), 10u);
+  ASSERT_EQ(root["nodes"].size(), 11u);
   int scaled = 0;
   for (const json& channel : root["animations"][0]["channels"]) scaled += channel["target"]["path"] == "scale";
   EXPECT_EQ(scaled, 9) << "all but the ground";
