@@ -133,17 +133,15 @@ class Viewer:
         self.tool("mousemove", left + round(x), top + round(y))
 
     def click(self, x, y):
-        # Two pictures between press and release, however long they take: the panel sees the mouse once a picture.
-        self.point(x, y)
-        self.tool("mousedown", 1)
-        self.pause_pictures()
-        self.tool("mouseup", 1)
+        left, top = self.corner()
+        self.tool("mousemove", left + round(x), top + round(y), "click", 1)
 
     def pause_pictures(self):
-        """Until two pictures were begun and drawn after what was just done."""
+        """Until what was just done is shown: pictures were drawn after it, or there was nothing to draw."""
         before, seen = self.now()["pictures"], self.seen
         self.mark()
-        self.wait(lambda s: s["pictures"] >= before + 3, "two more pictures")  # the first may have been begun before
+        # The first picture may have been begun before. A viewer that rests says so once a second.
+        self.wait(lambda s: s["pictures"] >= before + 3 or s["why"] == "rest" or (s["why"] == "second" and s["resting"]), "pictures")
         self.seen = seen
 
     def middle_of(self, place):

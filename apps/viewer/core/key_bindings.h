@@ -18,6 +18,8 @@ enum class Action : std::uint8_t {
   undo,
   rewindSecond,
   forwardSecond,
+  toBeginning,
+  toEnd,
   // hands
   selectTool,
   shootTool,
@@ -67,6 +69,7 @@ enum class Action : std::uint8_t {
   openScene,
   saveState,
   loadState,
+  saveScene,
   record,
   saveStill,
   copyView,

@@ -57,7 +57,9 @@ void showPanel(Desk& desk, const Frame& frame, double now) {
     showTimeBar(desk, frame);
     if (frame.selected) showBody(desk, frame);
   }
+  if (frame.selected && desk.panelShown) showContactNumbers(desk, frame);
   if (desk.helpShown) showHelp(desk);
+  if (desk.filesShown) showFiles(desk);
   showMessages(desk, frame, now);
 }
 

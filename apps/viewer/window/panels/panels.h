@@ -20,6 +20,8 @@ void showTimeBar(Desk& desk, const Frame& frame);
 void showBody(Desk& desk, const Frame& frame);
 void showMessages(Desk& desk, const Frame& frame, double now);
 void showHelp(Desk& desk);
+void showFiles(Desk& desk);
+void showContactNumbers(const Desk& desk, const Frame& frame);  // over the picture, as the table has them
 
 // Height of the bar at the bottom, pixels; and width of the panel.
 constexpr float kBarHeight = 74, kPanelWidth = 348;
