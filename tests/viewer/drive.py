@@ -158,6 +158,21 @@ class Viewer:
         self.click(x, y)
         return self.wait(holds, f"'{place}': {what}")
 
+    def told(self, tell):
+        """What `tell` makes of each line since the mark, equal neighbours once."""
+        values = []
+        for line in self.lines()[max(self.seen - 1, 0):]:
+            value = tell(line)
+            if not values or values[-1] != value:
+                values.append(value)
+        return values
+
+    def processor(self):
+        """Seconds that it has cost so far."""
+        with open(f"/proc/{self.process.pid}/stat") as file:
+            fields = file.read().rpartition(")")[2].split()
+        return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+
     # --- Pictures
     def picture(self, name):
         path = os.path.join(self.folder, name + ".png")
@@ -183,9 +198,10 @@ def colours(path):
     return int(subprocess.run(["identify", "-format", "%k", path], capture_output=True, text=True, check=True).stdout)
 
 
-def differing(a, b):
-    """Share of pixels that differ by more than noise."""
-    out = subprocess.run(["compare", "-metric", "AE", "-fuzz", "4%", a, b, "null:"], capture_output=True, text=True)
+def differing(a, b, part=None):
+    """Share of pixels that differ by more than noise; of a part such as "640x280+0+80"."""
+    cut = ["-extract", part] if part else []
+    out = subprocess.run(["compare", "-metric", "AE", "-fuzz", "4%", *cut, a, b, "null:"], capture_output=True, text=True)
     size = subprocess.run(["identify", "-format", "%w %h", a], capture_output=True, text=True, check=True).stdout.split()
     return float(out.stderr.split()[0]) / (int(size[0]) * int(size[1]))
 

@@ -35,6 +35,7 @@ constexpr KeyBinding kBindings[] = {
     {A::cutTool, "6", "Hands", "Tool: cut a body off its joints"},
     {A::shootCentre, "F", "Hands", "Shoot a ball at the middle of the picture"},
     {A::removeSelected, "Delete", "Hands", "Remove the selected body"},
+    {A::letGo, "Escape", "Hands", "Let go of the selected body; close the list of files or help"},
     {A::wakeAll, "K", "Hands", "Wake everything"},
     {A::tiltLeft, "N", "Hands", "Tilt the ground to the left"},
     {A::tiltRight, "M", "Hands", "Tilt the ground to the right"},

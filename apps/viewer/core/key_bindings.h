@@ -29,6 +29,7 @@ enum class Action : std::uint8_t {
   cutTool,
   shootCentre,
   removeSelected,
+  letGo,
   wakeAll,
   tiltLeft,
   tiltRight,

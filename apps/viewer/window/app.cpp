@@ -88,7 +88,7 @@ int App::run() {
 bool App::changing(bool busy) const {
   const double now = session_.now();
   const auto over = [now](const Message& message) { return !message.error && now > message.until; };
-  return busy || !desk_.actions.empty() || !desk_.commands.empty() || desk_.awaitsText ||
+  return busy || !desk_.actions.empty() || !desk_.commands.empty() || desk_.unsettled ||
          (gui_.wantsKeys() && now - drawn_ > kBlinkSeconds) ||  // the cursor blinks
          std::any_of(desk_.messages.begin(), desk_.messages.end(), over);
 }
@@ -228,16 +228,20 @@ void App::draw(double seconds) {
   sky_.setVisible(!desk_.view.wireframe);
   lines_.clear();
   if (any) {
-    bodies_.draw(frame, blend_, desk_.view, selected());
+    bodies_.draw(frame, blend_, desk_.view, view, selected());
     layers_.addLayers(lines_, frame, blend_, desk_.view);
     layers_.addHands(lines_, frame, blend_, selected());
     dust_.update(frame, view, desk_.view.dust && !desk_.view.wireframe);
   }
   lines_.show();
+  desk_.unsettled = false;
   gui_.begin(seconds);
   showPanel(desk_, frame, session_.now());
   gui_.end();
-  if (std::exchange(desk_.awaitsText, false)) gui_.awaitText();
+  if (std::exchange(desk_.awaitsText, false)) {
+    gui_.awaitText();
+    desk_.unsettled = true;
+  }
   renderer_.render();
   pictures_++;
   drawn_ = session_.now();

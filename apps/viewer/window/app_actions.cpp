@@ -126,6 +126,9 @@ bool App::actOnHands(Action action) {
         }
       }
       return true;
+    case Action::letGo:
+      desk_.send(Select{0});
+      return true;
     case Action::wakeAll:
       desk_.send(WakeBody{0});
       return true;

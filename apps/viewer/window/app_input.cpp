@@ -106,7 +106,10 @@ void App::takeKey(const SDL_Event& event) {
   const char* name = SDL_GetKeyName(key.sym);
   // It may go up with other modifiers than it went down with.
   if (!down) heldKeys_.erase(actionFor(name, false, true));
-  if (down && key.sym == SDLK_ESCAPE) desk_.filesShown = desk_.helpShown = false;
+  if (down && key.sym == SDLK_ESCAPE && (desk_.filesShown || desk_.helpShown)) {
+    desk_.filesShown = desk_.helpShown = false;
+    return;
+  }
   const Action action = actionFor(name, (key.mod & KMOD_CTRL) != 0, fast_);
   if (action == Action::count) return;
   if (bindingOf(action).held) {

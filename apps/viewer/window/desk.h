@@ -54,6 +54,7 @@ struct Desk {
   // About the drawing, for the panel.
   WindowSize size;
   PixelPlace shift;      // of the view's middle: the panel covers a part of the window
+  bool unsettled = false;  // the panel is not laid out as it will be: another picture is wanted
   bool resting = false;  // nothing changes, so nothing is drawn
   ShadowMode shadows = ShadowMode::none;
   std::string card;

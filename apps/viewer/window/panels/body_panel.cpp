@@ -18,7 +18,31 @@ std::string forceText(double newton) {
 
 std::string placeText(Vec3 at) { return fmt::format("{:.2f}  {:.2f}  {:.2f} m", at.x, at.y, at.z); }
 
-void showContacts(const std::vector<SelectedContact>& contacts) {
+// All points of one other body together.
+struct Touching {
+  Serial other = 0;
+  std::string name;
+  int points = 0;
+  Vec3 place, friction;  // place: the points' mean, by their force
+  double force = 0;      // N
+};
+// The strongest first: so they are numbered in the table and in the picture.
+std::vector<Touching> touchingOf(const SelectedBody& body) {
+  std::vector<Touching> all;
+  for (const SelectedContact& contact : *body.contacts) {
+    auto at = std::find_if(all.begin(), all.end(), [&](const Touching& t) { return t.other == contact.other; });
+    if (at == all.end()) at = all.insert(all.end(), Touching{contact.other, contact.otherName, 0, {}, {}, 0});
+    at->points++;
+    at->place += contact.point * contact.normalForce;
+    at->friction += contact.frictionForce;
+    at->force += contact.normalForce;
+  }
+  for (Touching& touching : all) touching.place = touching.place * (1 / touching.force);
+  std::stable_sort(all.begin(), all.end(), [](const Touching& a, const Touching& b) { return a.force > b.force; });
+  return all;
+}
+
+void showContacts(const std::vector<Touching>& contacts) {
   heading(fmt::format("Contacts: {}", contacts.size()).c_str());
   if (contacts.empty() || !ImGui::BeginTable("contacts", 4, ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg)) return;
   ImGui::TableSetupScrollFreeze(0, 1);
@@ -28,16 +52,17 @@ void showContacts(const std::vector<SelectedContact>& contacts) {
   ImGui::TableSetupColumn("friction", ImGuiTableColumnFlags_WidthFixed, 78);
   ImGui::TableHeadersRow();
   int number = 0;
-  for (const SelectedContact& contact : contacts) {
+  for (const Touching& contact : contacts) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::Text("%d", ++number);
     ImGui::TableNextColumn();
-    ImGui::TextUnformatted(contact.otherName.c_str());
+    ImGui::TextUnformatted(contact.name.c_str());
+    hint(fmt::format("{} at {} points", contact.name, contact.points));
     ImGui::TableNextColumn();
-    ImGui::TextUnformatted(forceText(contact.normalForce).c_str());
+    ImGui::TextUnformatted(forceText(contact.force).c_str());
     ImGui::TableNextColumn();
-    ImGui::TextUnformatted(forceText(length(contact.frictionForce)).c_str());
+    ImGui::TextUnformatted(forceText(length(contact.friction)).c_str());
   }
   ImGui::EndTable();
 }
@@ -48,16 +73,17 @@ constexpr std::size_t kMostNumbers = 40;  // more would hide what they name
 
 void showContactNumbers(const Desk& desk, const Frame& frame) {
   const SelectedBody& body = *frame.selected;
-  if (!body.contacts || body.contacts->size() > kMostNumbers) return;
+  if (!body.contacts) return;
+  const std::vector<Touching> contacts = touchingOf(body);
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   const Viewport port{desk.size.width, desk.size.height};
   std::vector<ImVec2> taken;
-  for (std::size_t i = 0; i < body.contacts->size(); i++) {
-    const std::optional<PixelPlace> seen = pixelOf(desk.rig.view(), port, (*body.contacts)[i].point);
+  for (std::size_t i = 0; i < std::min(kMostNumbers, contacts.size()); i++) {
+    const std::optional<PixelPlace> seen = pixelOf(desk.rig.view(), port, contacts[i].place);
     if (!seen) continue;
     const ImVec2 at(float(seen->x + desk.shift.x), float(seen->y + desk.shift.y));
     ImVec2 middle = at;
-    // One below the other where points of several contacts meet.
+    // One below the other where several meet.
     for (const ImVec2& other : taken)
       if (std::abs(other.x - middle.x) < 16 && std::abs(other.y - middle.y) < 16) middle.y = other.y + 17;
     taken.push_back(middle);
@@ -99,7 +125,7 @@ void showBody(Desk& desk, const Frame& frame) {
       ImGui::SameLine();
       actionButton(desk, Action::removeSelected, "Remove it", ImVec2(half, 0));
     }
-    if (body.contacts) showContacts(*body.contacts);
+    if (body.contacts) showContacts(touchingOf(body));
   }
   ImGui::End();
   if (!open) desk.send(Select{0});

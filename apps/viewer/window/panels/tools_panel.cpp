@@ -19,11 +19,11 @@ bool heldValue(const char* label, double& value, double least, double most, cons
 
 void showToolChoice(Desk& desk) {
   heading("The left button");
-  const float width = (ImGui::GetContentRegionAvail().x - 3 * ImGui::GetStyle().ItemSpacing.x) / kToolCount;
+  const float width = (ImGui::GetContentRegionAvail().x - 2 * ImGui::GetStyle().ItemSpacing.x) / 3;
   constexpr Action kActions[kToolCount] = {Action::selectTool, Action::shootTool, Action::dragTool,
                                            Action::removeTool, Action::blastTool, Action::cutTool};
   for (int i = 0; i < kToolCount; i++) {
-    if (i > 0) ImGui::SameLine();
+    if (i % 3 != 0) ImGui::SameLine();
     const bool chosen = int(desk.hand.tool) == i;
     if (chosen) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_TabActive));
     actionButton(desk, kActions[i], nameOf(Tool(i)), ImVec2(width, 0));

@@ -24,7 +24,7 @@ void main() {
   // From afar a cut edge is narrower than a pixel and glitters: it goes over into a sharp one.
   float far = dot(vec4(viewProjection[0].w, viewProjection[1].w, viewProjection[2].w, viewProjection[3].w),
                   vec4(uv1.w, uv2.w, uv3.w, 1.0));
-  local.xyz += sign(vertex.xyz) * (1.0 - abs(normal)) * (kChamfer * faces * smoothstep(2.5, 6.0, far));
+  local.xyz += sign(vertex.xyz) * (1.0 - abs(normal)) * (kChamfer * faces * smoothstep(0.8, 2.2, far));
   worldPoint = vec3(dot(uv1, local), dot(uv2, local), dot(uv3, local));
   worldNormal = vec3(dot(uv1.xyz, normal), dot(uv2.xyz, normal), dot(uv3.xyz, normal));
   place = uv0.xy + uv6.xy;
