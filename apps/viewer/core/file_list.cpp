@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kDepth = 3;                          // folders below the one that is looked at
+constexpr int kDepth = 3;  // folders below the one that is looked at
 constexpr std::size_t kMostFiles = 400, kMostLooked = 20000, kMostRecent = 12;
 
 // Of no other ending.
@@ -48,7 +48,8 @@ std::vector<FileEntry> findFiles(const std::string& folder, const std::vector<st
   std::error_code problem;
   constexpr auto kOptions = fs::directory_options::skip_permission_denied;
   std::size_t looked = 0;
-  for (fs::recursive_directory_iterator at(folder, kOptions, problem), end; !problem && at != end; at.increment(problem)) {
+  for (fs::recursive_directory_iterator at(folder, kOptions, problem), end; !problem && at != end;
+       at.increment(problem)) {
     if (++looked > kMostLooked || found.size() >= kMostFiles) break;
     const std::string name = at->path().filename().string();
     std::error_code unknown;

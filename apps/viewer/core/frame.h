@@ -22,7 +22,7 @@ using Serial = std::uint32_t;
 // What of a body does not change from frame to frame.
 struct ListedBody {
   Serial serial = 0;
-  BodyId id;  // in the world; null in a take
+  BodyId id;                 // in the world; null in a take
   std::uint32_t number = 0;  // its look goes by it: the place in the world, or in the take; a saved state keeps it
   std::string name;
   BodyRole role = BodyRole::body;
@@ -166,10 +166,10 @@ struct FrameNeeds {
 };
 
 struct Frame {
-  std::uint64_t number = 0;  // from 1; a later frame has a higher one
-  double madeAt = 0;         // s of the session's clock
+  std::uint64_t number = 0;      // from 1; a later frame has a higher one
+  double madeAt = 0;             // s of the session's clock
   std::uint64_t carriedOut = 0;  // ticket of the last command before it
-  double shownFor = 0;       // s of that clock over which `before` goes over into `pose`; 0: at once
+  double shownFor = 0;           // s of that clock over which `before` goes over into `pose`; 0: at once
   std::shared_ptr<const RunInfo> info;
   RunStatus status;
   std::shared_ptr<const BodyList> list;

@@ -28,7 +28,8 @@ std::string listOf(Vec3 v) { return fmt::format("[{:.9g}, {:.9g}, {:.9g}]", v.x,
 
 // About the world's x, then y, then z axis.
 Vec3 degreesOf(const Quat& rotation) {
-  const Vec3 x = rotate(rotation, Vec3{1, 0, 0}), y = rotate(rotation, Vec3{0, 1, 0}), z = rotate(rotation, Vec3{0, 0, 1});
+  const Vec3 x = rotate(rotation, Vec3{1, 0, 0}), y = rotate(rotation, Vec3{0, 1, 0}),
+             z = rotate(rotation, Vec3{0, 0, 1});
   const double aboutY = std::asin(std::clamp(-x.z, -1.0, 1.0));
   if (std::fabs(x.z) > 1 - 1e-12) return Vec3{std::atan2(-z.y, y.y), aboutY, 0} * kDegrees;
   return Vec3{std::atan2(y.z, z.z), aboutY, std::atan2(x.y, x.x)} * kDegrees;
@@ -95,7 +96,8 @@ void addHead(std::string& out, const Frame& frame) {
     return usual;
   };
   const RunInfo& info = *frame.info;
-  out += "title = " + quoted(fmt::format("{} at {:.3f} s", info.title.empty() ? info.name : info.title, frame.status.time));
+  out += "title = " +
+         quoted(fmt::format("{} at {:.3f} s", info.title.empty() ? info.name : info.title, frame.status.time));
   out += "\n\n[world]\n";
   out += "gravity = " + listOf({setting("gravity.x", 0), setting("gravity.y", -9.81), setting("gravity.z", 0)}) + "\n";
   out += fmt::format("time_step = {:.12g}\nsubsteps = {:.0f}\nseconds = {:.9g}\n", setting("timeStep", 1.0 / 60),
@@ -132,8 +134,8 @@ SceneText sceneTextOf(const Frame& frame, const Camera& view) {
       const Vec3 axis = cross(Vec3{0, 1, 0}, up);
       out.text += fmt::format("\n[ground]\nheight = {:.9g}\n", state.pose.position.y);
       if (length(axis) > 1e-9)
-        out.text += fmt::format("tilt_degrees = {:.9g}\ntilt_axis = {}\n",
-                                std::atan2(length(axis), up.y) * kDegrees, listOf(axis * (1 / length(axis))));
+        out.text += fmt::format("tilt_degrees = {:.9g}\ntilt_axis = {}\n", std::atan2(length(axis), up.y) * kDegrees,
+                                listOf(axis * (1 / length(axis))));
       if (!body.material.empty()) out.text += "material = " + quoted(body.material) + "\n";
       continue;
     }

@@ -14,8 +14,8 @@
 namespace brickfall::viewer {
 namespace {
 
-constexpr double kFrameSeconds = 1.0 / 60;    // where the display does not set the pace
-constexpr double kIdleSeconds = 0.1;          // between looks at what may have changed
+constexpr double kFrameSeconds = 1.0 / 60;  // where the display does not set the pace
+constexpr double kIdleSeconds = 0.1;        // between looks at what may have changed
 constexpr double kBlinkSeconds = 0.3;
 constexpr double kWatchSeconds = 0.25;        // between looks at the file that is shown
 constexpr int kSettlingPictures = 3;          // after the last change: ImGui takes two to show what came of it

@@ -102,8 +102,8 @@ class App {
   } asked_;
   std::deque<SDL_Event> waiting_;  // events, until a picture has shown those before them
   std::set<Action> heldKeys_;
-  bool fast_ = false;  // Shift, for held keys
-  int turning_ = 0;    // mouse button that turns (3) or moves (2) the camera
+  bool fast_ = false;           // Shift, for held keys
+  int turning_ = 0;             // mouse button that turns (3) or moves (2) the camera
   std::uint32_t sceneHas_ = 0;  // buttons that were pressed on the scene, as SDL's mask
   Vec3 lastView_;
   std::size_t nextCamera_ = 0;

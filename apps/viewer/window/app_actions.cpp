@@ -78,7 +78,8 @@ bool App::actOnTime(Action action) {
 }
 
 void App::goTo(double time) {
-  const double there = std::clamp(time, frame_->status.earliest, std::max(frame_->status.earliest, frame_->status.latest));
+  const double there =
+      std::clamp(time, frame_->status.earliest, std::max(frame_->status.earliest, frame_->status.latest));
   asked_.time = there;
   asked_.running = false;
   asked_.any = true;

@@ -16,7 +16,8 @@ constexpr double kTurnPerSecond = 1.2;   // rad, by keys
 // Of a tool that can do nothing with what it was pointed at; empty: it can.
 std::string refusalOf(Tool tool, const Frame& frame, const std::optional<PickHit>& hit) {
   if (!hit || (tool != Tool::drag && tool != Tool::remove && tool != Tool::cut)) return {};
-  if (frame.info && frame.info->kind == RunKind::take) return "A take is what has happened: open its scene to change things";
+  if (frame.info && frame.info->kind == RunKind::take)
+    return "A take is what has happened: open its scene to change things";
   const ListedBody& body = frame.list->bodies[std::size_t(hit->place)];
   if (body.role == BodyRole::ground) return "The ground stays where it is";
   if (tool == Tool::drag && !(body.mass > 0)) return body.name + " is fixed: it cannot be dragged";

@@ -97,8 +97,7 @@ void BodyDrawer::tint(Instance& instance, const BodyTint& tint, bool flat) {
   instance.tinted = tint.strength;
 }
 
-void BodyDrawer::draw(const Frame& frame, double blend, const ViewOptions& options, const View& view,
-                      Serial glowing) {
+void BodyDrawer::draw(const Frame& frame, double blend, const ViewOptions& options, const View& view, Serial glowing) {
   if (frame.list != listed_) {
     listed_ = frame.list;
     list(*listed_);

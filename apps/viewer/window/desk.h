@@ -36,11 +36,11 @@ struct Desk {
   Hand hand;
   CameraRig rig;
   bool panelShown = true, helpShown = false,
-       figuresShown = false;                  // figuresShown: the tab is open, so plots are gathered
+       figuresShown = false;        // figuresShown: the tab is open, so plots are gathered
   std::string statePath, takePath;  // what is typed into the fields
-  bool filesShown = false;                    // the list of files that can be opened
-  bool filesAsked = false;                    // it is to be made anew
-  bool awaitsText = false;                    // a field is about to have the cursor
+  bool filesShown = false;          // the list of files that can be opened
+  bool filesAsked = false;          // it is to be made anew
+  bool awaitsText = false;          // a field is about to have the cursor
   std::vector<FileEntry> files;
   std::string filesTyped;
   int filesChosen = 0;  // of those that fit what is typed
@@ -53,9 +53,9 @@ struct Desk {
 
   // About the drawing, for the panel.
   WindowSize size;
-  PixelPlace shift;      // of the view's middle: the panel covers a part of the window
+  PixelPlace shift;        // of the view's middle: the panel covers a part of the window
   bool unsettled = false;  // the panel is not laid out as it will be: another picture is wanted
-  bool resting = false;  // nothing changes, so nothing is drawn
+  bool resting = false;    // nothing changes, so nothing is drawn
   ShadowMode shadows = ShadowMode::none;
   std::string card;
   double framesPerSecond = 0;

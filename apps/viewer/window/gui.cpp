@@ -20,23 +20,23 @@ namespace {
 
 // ImGui's own names for keys that mean something in a text; the letters only with Ctrl.
 const std::pair<int, SDL_Scancode> kKeys[] = {{ImGuiKey_Tab, SDL_SCANCODE_TAB},
-                                                {ImGuiKey_LeftArrow, SDL_SCANCODE_LEFT},
-                                                {ImGuiKey_RightArrow, SDL_SCANCODE_RIGHT},
-                                                {ImGuiKey_UpArrow, SDL_SCANCODE_UP},
-                                                {ImGuiKey_DownArrow, SDL_SCANCODE_DOWN},
-                                                {ImGuiKey_Home, SDL_SCANCODE_HOME},
-                                                {ImGuiKey_End, SDL_SCANCODE_END},
-                                                {ImGuiKey_Delete, SDL_SCANCODE_DELETE},
-                                                {ImGuiKey_Backspace, SDL_SCANCODE_BACKSPACE},
-                                                {ImGuiKey_Enter, SDL_SCANCODE_RETURN},
-                                                {ImGuiKey_KeyPadEnter, SDL_SCANCODE_KP_ENTER},
-                                                {ImGuiKey_Escape, SDL_SCANCODE_ESCAPE},
-                                                {ImGuiKey_A, SDL_SCANCODE_A},
-                                                {ImGuiKey_C, SDL_SCANCODE_C},
-                                                {ImGuiKey_V, SDL_SCANCODE_V},
-                                                {ImGuiKey_X, SDL_SCANCODE_X},
-                                                {ImGuiKey_Y, SDL_SCANCODE_Y},
-                                                {ImGuiKey_Z, SDL_SCANCODE_Z}};
+                                              {ImGuiKey_LeftArrow, SDL_SCANCODE_LEFT},
+                                              {ImGuiKey_RightArrow, SDL_SCANCODE_RIGHT},
+                                              {ImGuiKey_UpArrow, SDL_SCANCODE_UP},
+                                              {ImGuiKey_DownArrow, SDL_SCANCODE_DOWN},
+                                              {ImGuiKey_Home, SDL_SCANCODE_HOME},
+                                              {ImGuiKey_End, SDL_SCANCODE_END},
+                                              {ImGuiKey_Delete, SDL_SCANCODE_DELETE},
+                                              {ImGuiKey_Backspace, SDL_SCANCODE_BACKSPACE},
+                                              {ImGuiKey_Enter, SDL_SCANCODE_RETURN},
+                                              {ImGuiKey_KeyPadEnter, SDL_SCANCODE_KP_ENTER},
+                                              {ImGuiKey_Escape, SDL_SCANCODE_ESCAPE},
+                                              {ImGuiKey_A, SDL_SCANCODE_A},
+                                              {ImGuiKey_C, SDL_SCANCODE_C},
+                                              {ImGuiKey_V, SDL_SCANCODE_V},
+                                              {ImGuiKey_X, SDL_SCANCODE_X},
+                                              {ImGuiKey_Y, SDL_SCANCODE_Y},
+                                              {ImGuiKey_Z, SDL_SCANCODE_Z}};
 
 void nameKeys(ImGuiIO& io) {
   for (const auto& [name, code] : kKeys) io.KeyMap[name] = code;
@@ -45,7 +45,8 @@ void nameKeys(ImGuiIO& io) {
 bool means(const SDL_Keysym& key) {
   const bool letter = key.scancode >= SDL_SCANCODE_A && key.scancode <= SDL_SCANCODE_Z;
   if (letter && (key.mod & KMOD_CTRL) == 0) return false;
-  return std::any_of(std::begin(kKeys), std::end(kKeys), [&](const auto& named) { return named.second == key.scancode; });
+  return std::any_of(std::begin(kKeys), std::end(kKeys),
+                     [&](const auto& named) { return named.second == key.scancode; });
 }
 
 int buttonOf(const SDL_Event& event) {
@@ -155,7 +156,8 @@ bool Gui::wantsKeys() const { return ImGui::GetIO().WantTextInput || awaitedPict
 
 void Gui::releaseButtons(std::uint32_t held) {
   ImGuiIO& io = ImGui::GetIO();
-  const std::pair<int, std::uint32_t> kButtons[] = {{0, SDL_BUTTON_LMASK}, {1, SDL_BUTTON_RMASK}, {2, SDL_BUTTON_MMASK}};
+  const std::pair<int, std::uint32_t> kButtons[] = {
+      {0, SDL_BUTTON_LMASK}, {1, SDL_BUTTON_RMASK}, {2, SDL_BUTTON_MMASK}};
   for (const auto& [button, mask] : kButtons) {
     if (!io.MouseDown[button] || (held & mask) != 0) continue;
     io.MouseDown[button] = false;

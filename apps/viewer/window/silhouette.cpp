@@ -68,8 +68,7 @@ void ShadowGeometry::add(const ShadowShape& shape, const Transform& pose, Vec3 s
     return std::copysign(std::min(std::fabs(at) + sharpened, most), at);
   };
   for (Vec3 corner : shape.corners()) {
-    if (sharpened > 0)
-      corner = {drawnOut(corner.x, half.x), drawnOut(corner.y, half.y), drawnOut(corner.z, half.z)};
+    if (sharpened > 0) corner = {drawnOut(corner.x, half.x), drawnOut(corner.y, half.y), drawnOut(corner.z, half.z)};
     const Vec3 at = transformPoint(pose, scaled(corner, scale));
     vertices_.push_back({float(at.x), float(at.y), float(at.z), 1});
   }

@@ -31,7 +31,8 @@ void showField(Desk& desk, const std::vector<const FileEntry*>& shown) {
   }
   ImGui::SetNextItemWidth(-1);
   const std::string before = desk.filesTyped;
-  const bool entered = textField("##typed", desk.filesTyped, "type a part of its name, the name of a shipped scene, or a path");
+  const bool entered =
+      textField("##typed", desk.filesTyped, "type a part of its name, the name of a shipped scene, or a path");
   note(desk, "files field");
   if (desk.filesTyped != before) desk.filesChosen = 0;
   const int last = std::max(0, int(shown.size()) - 1);
@@ -68,8 +69,8 @@ void showFiles(Desk& desk) {
   ImGui::SetNextWindowSize(size);
   if (desk.filesAsked) ImGui::SetNextWindowFocus();
   bool open = true;
-  constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-                                      ImGuiWindowFlags_NoSavedSettings;
+  constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoResize |
+                                      ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings;
   if (ImGui::Begin("Open", &open, kFlags)) {
     cover(desk);
     if (desk.filesAsked) desk.filesTyped.clear(), desk.filesChosen = 0;

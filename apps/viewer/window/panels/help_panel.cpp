@@ -13,7 +13,8 @@ constexpr float kColumnWidth = 292, kLeastScale = 0.75f;  // pixels; of the text
 // Goes on in the next column where one is full, so that all of it fits the window.
 class Columns {
  public:
-  Columns(float width, float height) : width_(width), bottom_(ImGui::GetCursorPosY() + height), top_(ImGui::GetCursorPosY()) {
+  Columns(float width, float height)
+      : width_(width), bottom_(ImGui::GetCursorPosY() + height), top_(ImGui::GetCursorPosY()) {
     left_ = ImGui::GetCursorPosX();
   }
   // Room for a line of this height, and for `more` after it that must not be parted from it.
@@ -93,7 +94,8 @@ void showHelp(Desk& desk) {
       // As high as it takes.
       ImGui::PushClipRect(ImVec2(0, 0), ImVec2(0, 0), true);
       const ImVec2 from = ImGui::GetCursorPos();
-      for (; height < 8000 && showAll(wide / float(columns), height, scale) > columns; height += 40) ImGui::SetCursorPos(from);
+      for (; height < 8000 && showAll(wide / float(columns), height, scale) > columns; height += 40)
+        ImGui::SetCursorPos(from);
       ImGui::SetCursorPos(from);
       ImGui::PopClipRect();
     }

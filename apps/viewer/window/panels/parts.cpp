@@ -64,14 +64,17 @@ bool slider(const char* label, float& value, float least, float most, const char
     char text[64];
     std::snprintf(text, sizeof text, format, double(value));
     const bool byRatio = (flags & ImGuiSliderFlags_Logarithmic) != 0 && least > 0;
-    const float share = byRatio ? std::log(std::max(value, least) / least) / std::log(most / least) : (value - least) / (most - least);
+    const float share =
+        byRatio ? std::log(std::max(value, least) / least) / std::log(most / least) : (value - least) / (most - least);
     const ImVec2 size = ImGui::CalcTextSize(text);
     const float x = share < 0.5f ? to.x - size.x - 8 : from.x + 8;
-    ImGui::GetWindowDrawList()->AddText(ImVec2(x, (from.y + to.y - size.y) / 2), ImGui::GetColorU32(ImGuiCol_Text), text);
+    ImGui::GetWindowDrawList()->AddText(ImVec2(x, (from.y + to.y - size.y) / 2), ImGui::GetColorU32(ImGuiCol_Text),
+                                        text);
   }
   if (named) {
-    ImGui::GetWindowDrawList()->AddText(ImVec2(to.x + ImGui::GetStyle().ItemInnerSpacing.x, from.y + ImGui::GetStyle().FramePadding.y),
-                                        ImGui::GetColorU32(ImGuiCol_Text), label);
+    ImGui::GetWindowDrawList()->AddText(
+        ImVec2(to.x + ImGui::GetStyle().ItemInnerSpacing.x, from.y + ImGui::GetStyle().FramePadding.y),
+        ImGui::GetColorU32(ImGuiCol_Text), label);
   }
   return moved;
 }

@@ -20,7 +20,7 @@ bool heldSlider(const std::string& key, double& value, double least, double most
   const auto at = held.find(key);
   float shown = at != held.end() ? at->second : float(value);
   const bool moved = slider(("##" + key).c_str(), shown, float(least), float(most), format.c_str(),
-                                        logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
+                            logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
   if (moved) held[key] = shown;
   if (ImGui::IsItemDeactivatedAfterEdit() || (moved && !ImGui::IsItemActive())) {
     held.erase(key);

@@ -21,8 +21,7 @@ void showButtons(Desk& desk, const RunStatus& status) {
   ImGui::SameLine();
   ImGui::SetNextItemWidth(150);
   auto speed = float(status.speed);
-  if (slider("##speed", speed, float(kSlowest), float(kFastest), "x %.2f",
-                         ImGuiSliderFlags_Logarithmic)) {
+  if (slider("##speed", speed, float(kSlowest), float(kFastest), "x %.2f", ImGuiSliderFlags_Logarithmic)) {
     // The middle of a slider is hard to meet.
     if (std::fabs(speed - 1) < 0.06f) speed = 1;
     desk.send(SetSpeed{speed});

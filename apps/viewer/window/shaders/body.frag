@@ -35,7 +35,7 @@ void main() {
   float facing = dot(normal, sun);
 #ifdef DEPTH_SHADOWS
   // Where light only grazes, the map's texels would show as steps.
-  float reaching = facing > 0.0 ? sunReaching() * smoothstep(0.0, 0.12, facing) : 0.0;
+  float reaching = turned > 0.0 && facing > 0.0 ? sunReaching() * smoothstep(0.0, 0.12, turned) : 0.0;
 #else
   float reaching = 1.0;
 #endif
