@@ -350,6 +350,10 @@ def drop_files(viewer, folder):
     drop(viewer.display, int(viewer.window_at()), wrong)
     told = viewer.wait(lambda s: s["why"] == "refused: open", "refuses a scene with mistakes")
     check(told["scene"] == "dropped one" and told["messages"], f"the scene before stays, and a message: {told}")
+    viewer.mark()
+    drop(viewer.display, int(viewer.window_at()), wrong)
+    told = viewer.wait(lambda s: s["why"] == "refused: open", "refuses it again")
+    check(sum("wrong.toml" in message for message in told["messages"]) == 1, f"a mistake is told once: {told['messages']}")
 
 
 def quit_at_once(viewer, program, folder):

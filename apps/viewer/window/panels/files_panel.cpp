@@ -23,7 +23,7 @@ std::vector<const FileEntry*> fitting(const Desk& desk) {
   return out;
 }
 
-void showField(Desk& desk, const std::vector<const FileEntry*>& shown) {
+void showField(Desk& desk) {
   // The cursor stays here: a click elsewhere in the list must not make commands of what is typed.
   if (desk.filesAsked || (!ImGui::IsAnyItemActive() && !ImGui::IsMouseDown(0))) {
     ImGui::SetKeyboardFocusHere();
@@ -35,6 +35,7 @@ void showField(Desk& desk, const std::vector<const FileEntry*>& shown) {
       textField("##typed", desk.filesTyped, "type a part of its name, the name of a shipped scene, or a path");
   note(desk, "files field");
   if (desk.filesTyped != before) desk.filesChosen = 0;
+  const std::vector<const FileEntry*> shown = fitting(desk);  // the last letters may have come with Enter
   const int last = std::max(0, int(shown.size()) - 1);
   if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_DownArrow))) desk.filesChosen++;
   if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_UpArrow))) desk.filesChosen--;
@@ -74,10 +75,9 @@ void showFiles(Desk& desk) {
   if (ImGui::Begin("Open", &open, kFlags)) {
     cover(desk);
     if (desk.filesAsked) desk.filesTyped.clear(), desk.filesChosen = 0;
-    const auto shown = fitting(desk);
-    showField(desk, shown);
+    showField(desk);
     ImGui::BeginChild("files", ImVec2(0, -ImGui::GetTextLineHeightWithSpacing()));
-    showList(desk, shown);
+    showList(desk, fitting(desk));
     ImGui::EndChild();
     ImGui::TextDisabled("Enter opens the marked one, arrows move the mark, Escape closes");
   }
