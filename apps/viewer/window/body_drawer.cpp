@@ -82,6 +82,7 @@ void BodyDrawer::list(const BodyList& bodies) {
       if (isScaled(shape)) piece.scale = Vec3{1, 1, 1} * shape.radius;
       piece.usual = instanceOf(body, piece.batch->surface);
       piece.ball = isScaled(shape);
+      piece.usual.ball = piece.ball ? 1 : 0;
       piece.casts = piece.batch->shadow != nullptr;
       pieces_.push_back(std::move(piece));
     }

@@ -6,7 +6,7 @@ uniform sampler2DArray look, relief;
 in vec3 worldPoint, worldNormal, base;
 in vec2 place;
 in vec4 tint;
-flat in float layer, glow;
+flat in float layer, glow, ball;
 out vec4 pixel;
 
 // The baked normal, turned into the world: which way the texture runs is found from what neighbouring pixels see.
@@ -30,7 +30,12 @@ void main() {
   vec3 albedo = mix(toLinear(baked.rgb) * base, toLinear(tint.rgb), tint.a);
   float metal = surface.x * (1.0 - tint.a), rough = baked.a;
   vec3 normal = normalize(worldNormal);
-  float turned = dot(normal, sun);  // of the body itself: shadows know nothing of its bumps
+  // Of the body itself: shadows know nothing of its bumps, and but for balls they begin at an edge of the mesh.
+  float turned = dot(normal, sun);
+#ifndef DEPTH_SHADOWS
+  vec3 facet = cross(dFdx(worldPoint), dFdy(worldPoint));
+  if (ball < 0.5) turned = dot(facet * sign(dot(facet, normal)), sun) * inversesqrt(max(dot(facet, facet), 1e-30));
+#endif
   if (surface.y > 0.5) normal = bumped(normal);
   float facing = dot(normal, sun);
 #ifdef DEPTH_SHADOWS
@@ -56,7 +61,7 @@ void main() {
   }
 #ifndef DEPTH_SHADOWS
   // Modulative shadows darken the finished pixel, that of turned-away sides too: those are lit so that they come out right.
-  light = mix(steady / kStencilLight, steady + light, smoothstep(-0.02, 0.02, turned));
+  light = turned > 0.0 ? steady + light : steady / kStencilLight;
 #else
   light += steady;
 #endif

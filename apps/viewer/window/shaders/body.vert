@@ -11,11 +11,11 @@ in vec3 uv0;            // place in the texture, layer
 in vec4 uv1, uv2, uv3;  // rows of the matrix
 in vec4 uv4;            // colour; layer
 in vec4 uv5;            // tint of the view; how much of it
-in vec4 uv6;            // place in the texture; glow
+in vec4 uv6;            // place in the texture; glow; 1: a ball
 out vec3 worldPoint, worldNormal, base;
 out vec2 place;
 out vec4 tint;
-flat out float layer, glow;
+flat out float layer, glow, ball;
 
 const float kChamfer = 0.0022;  // m, of the mesh
 
@@ -32,6 +32,7 @@ void main() {
   layer = uv0.z + uv4.a;
   tint = uv5;
   glow = uv6.z;
+  ball = uv6.w;
 #ifdef DEPTH_SHADOWS
   // A little out of the surface, so that it does not shadow itself.
   shadowPlace = shadowMatrix * vec4(worldPoint + normalize(worldNormal) * 0.004, 1.0);
