@@ -37,7 +37,8 @@ void define(CLI::App& app, Options& options, Texts& texts) {
   app.set_version_flag("--version", std::string("brickfall ") + versionString());
   app.add_option("opening", options.opening, "A shipped scene, a scene file, a take or a saved state (default: wall)")
       ->type_name("SCENE|TAKE");
-  app.add_flag("--paused", options.paused, "Wait for Space instead of running at once");
+  app.add_flag("--run", options.runs, "Run at once instead of waiting for Space");
+  app.add_flag("--paused", options.paused, "Wait for Space also with --time or --frames, which else run");
   app.add_option("--set", texts.overrides, "Change a parameter or value of the scene file; may be repeated")
       ->type_name("KEY=VALUE")
       ->take_all()
@@ -60,7 +61,7 @@ void define(CLI::App& app, Options& options, Texts& texts) {
   app.footer(
       "Examples:\n"
       "  brickfall-view                         the wall of 100 bricks, live\n"
-      "  brickfall-view hole --paused           look first; Space runs it, the left button shoots\n"
+      "  brickfall-view hole                    look first; Space runs it, the left button shoots\n"
       "  brickfall-view out/wall/wall.take      a recording: scrub it to and fro\n"
       "  brickfall-view mine.toml --set speed=6\n\n"
       "F1 in the window shows all keys. docs/viewer.md has the rest.\n\n"
@@ -113,7 +114,9 @@ int view(const Options& options) {
   Result<NativeWindow> window = NativeWindow::open("Brickfall", options.size);
   if (!window) return complain(window.error().message), kNoDisplay;
   Session session;
-  const std::uint64_t opens = session.send(Open{options.opening, options.overrides, !options.paused, file});
+  const bool unattended = options.frames > 0 || options.seconds > 0;
+  const bool runs = options.runs || (unattended && !options.paused);
+  const std::uint64_t opens = session.send(Open{options.opening, options.overrides, runs, file});
   RendererOptions drawing;
   drawing.log = options.log;
   drawing.fine = NativeWindow::hasGraphicsCard();

@@ -133,17 +133,15 @@ class Viewer:
         self.tool("mousemove", left + round(x), top + round(y))
 
     def click(self, x, y):
-        # Two pictures between press and release, however long they take: the panel sees the mouse once a picture.
-        self.point(x, y)
-        self.tool("mousedown", 1)
-        self.pause_pictures()
-        self.tool("mouseup", 1)
+        left, top = self.corner()
+        self.tool("mousemove", left + round(x), top + round(y), "click", 1)
 
     def pause_pictures(self):
-        """Until two pictures were begun and drawn after what was just done."""
+        """Until what was just done is shown: pictures were drawn after it, or there was nothing to draw."""
         before, seen = self.now()["pictures"], self.seen
         self.mark()
-        self.wait(lambda s: s["pictures"] >= before + 3, "two more pictures")  # the first may have been begun before
+        # The first picture may have been begun before. A viewer that rests says so once a second.
+        self.wait(lambda s: s["pictures"] >= before + 3 or s["why"] == "rest" or (s["why"] == "second" and s["resting"]), "pictures")
         self.seen = seen
 
     def middle_of(self, place):
@@ -159,6 +157,21 @@ class Viewer:
         self.mark()
         self.click(x, y)
         return self.wait(holds, f"'{place}': {what}")
+
+    def told(self, tell):
+        """What `tell` makes of each line since the mark, equal neighbours once."""
+        values = []
+        for line in self.lines()[max(self.seen - 1, 0):]:
+            value = tell(line)
+            if not values or values[-1] != value:
+                values.append(value)
+        return values
+
+    def processor(self):
+        """Seconds that it has cost so far."""
+        with open(f"/proc/{self.process.pid}/stat") as file:
+            fields = file.read().rpartition(")")[2].split()
+        return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
     # --- Pictures
     def picture(self, name):
@@ -185,9 +198,10 @@ def colours(path):
     return int(subprocess.run(["identify", "-format", "%k", path], capture_output=True, text=True, check=True).stdout)
 
 
-def differing(a, b):
-    """Share of pixels that differ by more than noise."""
-    out = subprocess.run(["compare", "-metric", "AE", "-fuzz", "4%", a, b, "null:"], capture_output=True, text=True)
+def differing(a, b, part=None):
+    """Share of pixels that differ by more than noise; of a part such as "640x280+0+80"."""
+    cut = ["-extract", part] if part else []
+    out = subprocess.run(["compare", "-metric", "AE", "-fuzz", "4%", *cut, a, b, "null:"], capture_output=True, text=True)
     size = subprocess.run(["identify", "-format", "%w %h", a], capture_output=True, text=True, check=True).stdout.split()
     return float(out.stderr.split()[0]) / (int(size[0]) * int(size[1]))
 

@@ -4,6 +4,7 @@
 One process for all of it, because starting costs more than the rest.
 """
 import os
+import shutil
 import struct
 import subprocess
 import sys
@@ -19,7 +20,7 @@ PICTURED = {"collisions", "wireframe", "colliders", "contacts"}  # the others de
 
 def shoot_and_step(viewer):
     start = viewer.now()
-    check(not start["running"] and start["step"] == 0, f"--paused does not wait: {start}")
+    check(not start["running"] and start["step"] == 0, f"it does not wait at the beginning: {start}")
     viewer.key("period", lambda s: s["step"] == 1, "makes one step")
     viewer.key("2", lambda s: s["tool"] == "Shoot", "takes the tool")
     viewer.mark()
@@ -57,6 +58,150 @@ def switch_views(viewer):
             check(differing(plain, viewer.picture("depth")) < 0.6, "the other kind of shadow shows another scene")
     check(kinds == {"none", "stencil", "depth"}, f"kinds of shadow: {kinds}")
     viewer.key("Tab", lambda s: "speed" in s["places"], "shows the panel")
+
+
+def come_back(viewer):
+    """A saved state wears the colours that it was saved in."""
+    viewer.key("Tab", lambda s: not s["places"], "hides the panel")
+    fresh = viewer.picture("fresh")
+    viewer.key("ctrl+s", lambda s: s["why"].startswith("done: save"), "saves the state")
+    viewer.key("ctrl+l", lambda s: s["why"] == "done: open", "loads the state")
+    part = "640x260+0+60"  # below what it says about that, above what it says of the beginning
+    changed = differing(fresh, viewer.picture("loaded"), part)
+    check(changed < 0.002, f"a state looks otherwise when it comes back: {100 * changed:.2f} % of the pixels")
+    viewer.key("Tab", lambda s: "speed" in s["places"], "shows the panel")
+
+
+def click_shortly(viewer):
+    """Presses far shorter than a picture takes, on a box of the panel and in a text."""
+    viewer.press("Views", lambda s: "Polygons" in s["places"], "opens the tab")
+    viewer.point(*viewer.middle_of("Polygons"))
+    viewer.pause_pictures()
+    viewer.mark()
+    for milliseconds in (10, 20, 10, 20, 50, 10):
+        viewer.tool("mousedown", 1, "sleep", milliseconds / 1000, "mouseup", 1, "sleep", 0.03)
+    for _ in range(6):
+        viewer.pause_pictures()
+        seen = viewer.told(lambda s: "wireframe" in s["views"])
+        if len(seen) == 7:
+            break
+    check(len(seen) == 7, f"of 6 short clicks {len(seen) - 1} arrived")
+    viewer.press("Scenes", lambda s: "scene:wall" in s["places"], "opens the tab")
+
+
+def add_up(viewer):
+    """What is asked for quickly is reckoned from what was asked for, not from what is shown."""
+    viewer.mark()
+    viewer.tool("key", "--delay", 4, "bracketright", "bracketright", "bracketright", "space")
+    viewer.wait(lambda s: s["speed"] == 8 and s["running"], "three presses make it eight times as fast")
+    viewer.wait(lambda s: s["time"] > 2.1, "2 s are made")
+    viewer.key("space", lambda s: not s["running"], "pauses")
+    viewer.pause_pictures()
+    end = viewer.now()["time"]
+    viewer.mark()
+    viewer.tool("key", "--delay", 4, "j", "j", "l")
+    viewer.wait(lambda s: abs(s["time"] - end + 1) < 0.04, "2 s back and 1 s on make 1 s back")
+    viewer.key("Home", lambda s: s["time"] == s["earliest"], "goes to the beginning")
+    viewer.key("End", lambda s: abs(s["time"] - end) < 0.001, "goes to the end")
+    viewer.key("backslash", lambda s: s["speed"] == 1, "speed as in life")
+
+
+def point_at_ground(viewer):
+    """It can neither be dragged nor removed, and says so once, without a mistake that has to be closed."""
+    viewer.key("3", lambda s: s["tool"] == "Drag", "takes the tool")
+    bodies = viewer.now()["bodies"]
+    viewer.mark()
+    for x in (520, 540, 560):
+        viewer.click(x, 250)
+    told = viewer.wait(lambda s: any("ground stays" in message for message in s["messages"]), "says that the ground stays")
+    check(len(told["messages"]) == 1 and "Close" not in told["places"], f"messages of a drag on the ground: {told['messages']}")
+    viewer.key("1", lambda s: s["tool"] == "Select", "takes the tool")
+    viewer.mark()
+    viewer.click(540, 250)
+    chosen = viewer.wait(lambda s: s["selected"] != 0 and "Follow it" in s["places"], "a click selects the ground")
+    check("Remove it" not in chosen["places"], "the ground offers to be removed")
+    viewer.key("Delete", lambda s: s["why"] == "action", "is asked to remove it")
+    viewer.pause_pictures()
+    check(viewer.now()["bodies"] == bodies, "the ground was removed")
+    viewer.key("Escape", lambda s: s["selected"] == 0, "lets go of it")
+
+
+def let_go_outside(viewer):
+    """A button that goes up where no window of ours is."""
+    viewer.point(600, 240)
+    viewer.tool("mousedown", 3)
+    viewer.pause_pictures()
+    viewer.tool("mousemove", 5, 5)
+    viewer.pause_pictures()
+    viewer.tool("mouseup", 3)
+    viewer.point(600, 240)
+    for _ in range(40):
+        viewer.pause_pictures()
+        last = viewer.now()["camera"]
+        viewer.point(500, 200)
+        viewer.pause_pictures()
+        if viewer.now()["camera"] == last:
+            break
+        viewer.point(600, 240)
+    check(viewer.now()["camera"] == last, "the camera still turns with the mouse, with no button held")
+    viewer.press("Views", lambda s: "Polygons" in s["places"], "the panel still hears clicks")
+
+
+def open_by_name(viewer):
+    """Ctrl+O: what is typed is a name from the first letter on, however quickly it comes."""
+    folder = viewer.folder
+    os.makedirs(os.path.join(folder, "mine"), exist_ok=True)
+    with open(os.path.join(folder, "mine", "few.toml"), "w") as file:
+        file.write('[[wall]]\nname = "w"\ncourses = 2\nbricks = 3\n')
+    before = viewer.now()
+    viewer.mark()
+    viewer.tool("key", "ctrl+o", "type", "--delay", 6, "fff 42")
+    typed = viewer.wait(lambda s: s["files"] and s["typed"] == "fff 42", "the list has the cursor")
+    check(typed["bodies"] == before["bodies"] and typed["tool"] == before["tool"], "what was typed into the list shot or took a tool")
+    viewer.tool("key", "--delay", 6, "ctrl+a", "f", "e", "w")
+    chosen = viewer.wait(lambda s: s["typed"] == "few", "Ctrl+A marks what is typed, however short the press")
+    check("file:mine/few.toml" in chosen["places"], f"the list shows the folder's scenes: {list(chosen['places'])}")
+    viewer.key("Return", lambda s: s["scene"] == "few" and not s["files"], "opens what is marked")
+    check(not viewer.now()["running"], "what is opened waits")
+    viewer.key("ctrl+o", lambda s: s["files"], "shows the list again")
+    viewer.wait(lambda s: any(name.startswith("file:/") and name.endswith("few.toml") for name in s["places"]), "what was opened last stands first")
+    viewer.key("Escape", lambda s: not s["files"], "closes the list")
+
+
+def follow_file(viewer):
+    """A scene that is edited is read again; what is shown becomes a scene."""
+    path, few = os.path.join(viewer.folder, "mine", "few.toml"), viewer.now()["bodies"]
+    viewer.key("period", lambda s: s["step"] == 1, "makes a step")
+    viewer.mark()
+    with open(path, "w") as file:
+        file.write('[[wall]]\nname = "w"\ncourses = 3\nbricks = 3\n')
+    more = viewer.wait(lambda s: s["bodies"] > few and s["step"] == 0, "a file that changes is read again")
+    viewer.key("f", lambda s: s["bodies"] == more["bodies"] + 1, "shoots")
+    for _ in range(2):
+        viewer.key("period", lambda s: s["why"].startswith("done: step"), "makes a step")
+    viewer.mark()
+    viewer.tool("key", "ctrl+e")
+    viewer.wait(lambda s: any("few-1.toml" in message for message in s["messages"]), "saves the moment as a scene")
+    viewer.tool("key", "ctrl+o", "type", "--delay", 6, "few-1")
+    viewer.tool("key", "Return")
+    saved = viewer.wait(lambda s: s["scene"] == "few-1", "opens what was saved")
+    check(saved["bodies"] == more["bodies"] + 1, f"bodies of the scene that was saved: {saved['bodies']}")
+    viewer.mark()
+    viewer.tool("key", "ctrl+o", "type", "--delay", 6, "wall")
+    viewer.wait(lambda s: s["typed"] == "wall", "asks for a shipped scene")
+    viewer.tool("key", "Return")
+    viewer.wait(lambda s: s["scene"] == "wall", "opens it")
+
+
+def rest(viewer):
+    """Nothing changes: nothing is drawn, and it costs next to nothing."""
+    viewer.mark()
+    viewer.wait(lambda s: s["why"] == "second" and s["resting"], "rests")
+    before, cost = viewer.now()["pictures"], viewer.processor()
+    viewer.mark()
+    viewer.wait(lambda s: s["why"] == "second", "a second goes by")
+    drawn, cost = viewer.now()["pictures"] - before, viewer.processor() - cost
+    check(drawn <= 1 and cost < 0.15, f"a paused second: {drawn} pictures, {cost:.2f} s of the processor")
 
 
 def use_panel(viewer):
@@ -205,6 +350,10 @@ def drop_files(viewer, folder):
     drop(viewer.display, int(viewer.window_at()), wrong)
     told = viewer.wait(lambda s: s["why"] == "refused: open", "refuses a scene with mistakes")
     check(told["scene"] == "dropped one" and told["messages"], f"the scene before stays, and a message: {told}")
+    viewer.mark()
+    drop(viewer.display, int(viewer.window_at()), wrong)
+    told = viewer.wait(lambda s: s["why"] == "refused: open", "refuses it again")
+    check(sum("wrong.toml" in message for message in told["messages"]) == 1, f"a mistake is told once: {told['messages']}")
 
 
 def quit_at_once(viewer, program, folder):
@@ -250,10 +399,11 @@ def tests(program):
     os.makedirs(folder, exist_ok=True)
     for name in os.listdir(folder):
         path = os.path.join(folder, name)
-        os.rmdir(path) if os.path.isdir(path) else os.remove(path)
-    viewer = Viewer(program, ["wall", "--paused"], folder)
+        shutil.rmtree(path) if os.path.isdir(path) else os.remove(path)
+    viewer = Viewer(program, ["wall"], folder, environment={"XDG_STATE_HOME": os.path.join(folder, "kept")})
     try:
-        for part in (shoot_and_step, switch_views, use_panel, select_and_drag, turn_camera):
+        for part in (come_back, shoot_and_step, switch_views, use_panel, click_shortly, add_up, select_and_drag, point_at_ground, turn_camera,
+                     let_go_outside, open_by_name, follow_file, rest):
             began = time.monotonic()
             part(viewer)
             print(f"{part.__name__}: {time.monotonic() - began:.1f} s")

@@ -22,7 +22,8 @@ using Serial = std::uint32_t;
 // What of a body does not change from frame to frame.
 struct ListedBody {
   Serial serial = 0;
-  BodyId id;  // in the world; null in a take
+  BodyId id;                 // in the world; null in a take
+  std::uint32_t number = 0;  // its look goes by it: the place in the world, or in the take; a saved state keeps it
   std::string name;
   BodyRole role = BodyRole::body;
   std::string material;             // of its first shape, as the scene names it; empty: not known
@@ -143,6 +144,7 @@ enum class RunKind : std::uint8_t { nothing, live, take };
 struct RunInfo {
   RunKind kind = RunKind::nothing;
   std::string file, name, title, description;
+  std::string watched;          // file that is read again when it changes; empty: none (a saved state, a pipe)
   std::vector<Camera> cameras;  // at least one, but for RunKind::nothing
   Aabb extent;                  // m, of all that can move at the start (of everything if nothing can)
   double ground = 0;            // m: highest top of the ground's planes and boxes; kNoGround (-1e30) without one
@@ -177,9 +179,10 @@ struct FrameNeeds {
 };
 
 struct Frame {
-  std::uint64_t number = 0;  // from 1; a later frame has a higher one
-  double madeAt = 0;         // s of the session's clock
-  double shownFor = 0;       // s of that clock over which `before` goes over into `pose`; 0: at once
+  std::uint64_t number = 0;      // from 1; a later frame has a higher one
+  double madeAt = 0;             // s of the session's clock
+  std::uint64_t carriedOut = 0;  // ticket of the last command before it
+  double shownFor = 0;           // s of that clock over which `before` goes over into `pose`; 0: at once
   std::shared_ptr<const RunInfo> info;
   RunStatus status;
   std::shared_ptr<const BodyList> list;

@@ -19,6 +19,7 @@ ListedBody listed(const SceneRun& run, BodyId id, Serial serial) {
   ListedBody body;
   body.serial = serial;
   body.id = id;
+  body.number = id.index - 1;
   for (ShapeId shape : run.world().shapes(id)) body.shapes.push_back(*run.world().shape(shape));
   body.radius = radiusOf(body.shapes);
   const PlacedBody* placed = run.find(id);

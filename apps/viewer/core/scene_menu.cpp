@@ -1,35 +1,50 @@
 #include "viewer_core/scene_menu.h"
 
 #include <algorithm>
+#include <initializer_list>
+#include <string_view>
 
 namespace brickfall::viewer {
 
 namespace {
 
-struct Named {
-  const char* scene;
+struct Kind {
   const char* label;
+  std::initializer_list<std::string_view> scenes;
 };
 
-// As the report names them.
-constexpr Named kReport[] = {
-    {"cube", "First test: a cube falls to the ground"},
-    {"wall", "Core test: a wall of 100 bricks, and a body thrown in"},
-    {"wall_stand", "Core test without the throw: the wall stands"},
-    {"report_wall", "Core test under the report's own system: the wall falls by itself"},
+// Each scene once; one that stands nowhere here is listed last.
+const Kind kKinds[] = {
+    {"The report's tests", {"cube", "wall", "wall_stand", "report_wall"}},
+    {"Walls", {"hole", "wall_hit", "wall_stand_tall", "pendulum-wall", "hill", "blast", "tilt-table"}},
+    {"Mortar", {"mortar-wall", "wall-hits", "mortar-strength", "garden-wall", "house-hit"}},
+    {"Houses, arches, domes", {"house", "wrecking-ball", "shake-table", "tower", "arch", "dome", "column", "bridge"}},
+    {"Toys and trials", {"dominoes", "cradle", "pyramid", "mass_ratio", "pile"}},
 };
 
 }  // namespace
 
 std::vector<MenuGroup> sceneMenu() {
-  const std::vector<ShippedScene> shipped = shippedScenes();
-  MenuGroup report{"The report's tests", {}}, all{"Scenes", {}};
-  for (const Named& named : kReport)
-    for (const ShippedScene& scene : shipped)
-      if (scene.name == named.scene) report.entries.push_back({named.label, scene.name, scene.title});
-  for (const ShippedScene& scene : shipped)
-    all.entries.push_back({scene.title.empty() ? scene.name : scene.title, scene.name, scene.name});
-  return {report, all};
+  std::vector<ShippedScene> left = shippedScenes();
+  std::vector<MenuGroup> menu;
+  const auto add = [](MenuGroup& group, const ShippedScene& scene) {
+    group.entries.push_back({scene.title.empty() ? scene.name : scene.title, scene.name, scene.name});
+  };
+  for (const Kind& kind : kKinds) {
+    MenuGroup group{kind.label, {}};
+    for (const std::string_view name : kind.scenes) {
+      const auto scene = std::find_if(left.begin(), left.end(), [&](const ShippedScene& s) { return s.name == name; });
+      if (scene == left.end()) continue;
+      add(group, *scene);
+      left.erase(scene);
+    }
+    menu.push_back(std::move(group));
+  }
+  MenuGroup others{"More", {}};
+  for (const ShippedScene& scene : left) add(others, scene);
+  menu.push_back(std::move(others));
+  std::erase_if(menu, [](const MenuGroup& group) { return group.entries.empty(); });
+  return menu;
 }
 
 }  // namespace brickfall::viewer

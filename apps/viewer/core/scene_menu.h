@@ -1,4 +1,4 @@
-// What can be opened: the report's two tests, then all that is shipped.
+// The shipped scenes by kind, each once; the report's tests first.
 #pragma once
 #include <string>
 #include <vector>
@@ -10,7 +10,7 @@ namespace brickfall::viewer {
 struct MenuEntry {
   std::string label;  // as the menu shows it
   std::string scene;  // for Open
-  std::string hint;   // the scene's title
+  std::string hint;   // its name
 };
 struct MenuGroup {
   std::string label;

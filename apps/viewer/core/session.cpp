@@ -31,6 +31,12 @@ Error nothingOpen(const Command& command) {
   return {ErrorCode::wrongState, std::string(nameOf(command)) + ": no scene or take is open"};
 }
 
+std::shared_ptr<const RunInfo> watching(RunInfo info, const std::string& path) {
+  std::error_code problem;
+  info.watched = std::filesystem::is_regular_file(path, problem) ? path : std::string();
+  return std::make_shared<const RunInfo>(std::move(info));
+}
+
 }  // namespace
 
 class Session::Impl {
@@ -148,7 +154,7 @@ class Session::Impl {
   EventLog log_;
   Serial nextSerial_ = 1, selected_ = 0;
   std::string loading_;
-  std::uint64_t frames_ = 0;
+  std::uint64_t frames_ = 0, carriedOut_ = 0;
   double shownTime_ = 0, shownAt_ = 0;  // simulated time of the last frame; when it was made
   bool jumped_ = true;
 };
@@ -173,6 +179,7 @@ double Session::Impl::pump() {
   bool changed = takeSent(sent);
   for (const Sent& one : sent) {
     CommandResult result = perform(one);
+    carriedOut_ = one.ticket;
     {
       std::lock_guard lock(mutex_);
       results_.push_back(std::move(result));
@@ -353,7 +360,7 @@ Result<std::string> Session::Impl::show(OpenedFile& file) {
     if (!take) return take.error();
     endRun();
     take_ = std::move(*take);
-    info_ = take_->info();
+    info_ = watching(*take_->info(), file.opening.path);
   } else {
     const bool saved = file.opening.kind == OpeningKind::state;
     Result<std::unique_ptr<LiveRun>> run =
@@ -364,7 +371,7 @@ Result<std::string> Session::Impl::show(OpenedFile& file) {
     endRun();
     take_.reset();
     live_ = std::move(*run);
-    info_ = infoOf(live_->run());
+    info_ = watching(*infoOf(live_->run()), saved ? std::string() : file.opening.path);
   }
   maker_ = FrameMaker();
   selected_ = 0;
@@ -400,7 +407,8 @@ Result<std::string> Session::Impl::restart(const Restart& restart, std::vector<s
   endRun();
   live_ = std::move(*run);
   // The window looks on from where it was, unless it is another scene now.
-  if (restart.asInFile || info_->reportMethod != (scene.method == SceneMethod::report)) info_ = infoOf(live_->run());
+  if (restart.asInFile || info_->reportMethod != (scene.method == SceneMethod::report))
+    info_ = watching(*infoOf(live_->run()), info_->watched);
   maker_ = FrameMaker();
   selected_ = 0;
   log_.add(0, LogKind::note, "from the beginning");
@@ -438,6 +446,7 @@ void Session::Impl::publish() {
   }
   auto frame = std::make_shared<Frame>();
   frame->number = ++frames_;
+  frame->carriedOut = carriedOut_;
   frame->info = info_;
   frame->list = std::make_shared<BodyList>();
   fillStatus(frame->status);

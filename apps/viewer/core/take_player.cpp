@@ -169,6 +169,7 @@ void TakePlayer::list() {
     const TakeBody& from = take_.bodies()[number];
     ListedBody body;
     body.serial = firstSerial_ + number;
+    body.number = number;
     body.name = from.name;
     body.role = from.role;
     body.colour = from.colour;

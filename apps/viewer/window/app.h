@@ -1,7 +1,11 @@
 // The viewer as a whole: events go in, commands to the run and pictures come out.
 #pragma once
+#include <SDL_events.h>
+
+#include <deque>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -19,8 +23,6 @@
 #include "viewer_window/renderer.h"
 #include "viewer_window/sky.h"
 #include "viewer_window/status_file.h"
-
-union SDL_Event;
 
 namespace brickfall::viewer {
 
@@ -41,6 +43,8 @@ class App {
   void takeWindowEvent(const SDL_Event& event);
   void takeKey(const SDL_Event& event);
   void takeMouse(const SDL_Event& event);
+  void letGoOf(std::uint32_t stillHeld);  // what was let go where nobody told us: outside of the window
+  bool takesCommands() const;             // no text is being typed
   bool overPanel(int x, int y) const;
   void moveCamera(double seconds);
   Ray rayAt(double x, double y) const;  // pixels of the window
@@ -48,6 +52,9 @@ class App {
   // --- app_actions.cpp
   void act(Action action);
   bool actOnTime(Action action);
+  void goTo(double time);
+  void openFiles();
+  void saveSceneFile();
   bool actOnHands(Action action);
   bool actOnCamera(Action action);
   bool actOnView(Action action);
@@ -60,7 +67,9 @@ class App {
   void sendCommands();
   void draw(double seconds);
   void keepCount();
-  void waitForNext(double began, bool busy);
+  void watchFile();
+  bool changing(bool busy) const;
+  void waitForNext(double began, bool busy, bool draws);
   bool finished() const;
   int end();
   Serial selected() const { return frame_->selected ? frame_->selected->serial : 0; }
@@ -84,14 +93,29 @@ class App {
   std::shared_ptr<const RunInfo> run_;
   double blend_ = 1;
   std::map<std::uint64_t, std::string> sent_;  // what each ticket was for
+  // What was asked for and is in no frame yet: what is asked for next is reckoned from it.
+  struct Asked {
+    std::optional<bool> running, recording;
+    std::optional<double> speed, time;
+    std::uint64_t ticket = 0;  // of the last command; 0: it is still to be sent
+    bool any = false;
+  } asked_;
+  std::deque<SDL_Event> waiting_;  // events, until a picture has shown those before them
   std::set<Action> heldKeys_;
-  bool fast_ = false;  // Shift, for held keys
-  int turning_ = 0;    // mouse button that turns (3) or moves (2) the camera
+  bool fast_ = false;           // Shift, for held keys
+  int turning_ = 0;             // mouse button that turns (3) or moves (2) the camera
+  std::uint32_t sceneHas_ = 0;  // buttons that were pressed on the scene, as SDL's mask
   Vec3 lastView_;
   std::size_t nextCamera_ = 0;
   std::vector<std::string> reports_;
   bool quit_ = false, hidden_ = false, wasDragged_ = false;
-  double started_ = 0, lastReport_ = 0, countFrom_ = 0;
+  int settling_ = 0;  // pictures still to be drawn since something changed
+  double started_ = 0, lastReport_ = 0, countFrom_ = 0, drawn_ = 0;
+  struct Watch {
+    std::string path;
+    std::int64_t shown = 0, seen = 0;  // when it was written: what is shown, and what was seen last
+    double lookedAt = 0;
+  } watch_;
   std::uint64_t pictures_ = 0, countPictures_ = 0;
   std::uint64_t shown_ = 0;  // pictures of a run
   std::uint64_t opens_ = 0;

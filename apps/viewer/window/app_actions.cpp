@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
+#include "brickfall/whole_file.h"
+#include "viewer_core/scene_text.h"
 #include "viewer_window/app.h"
 #include "viewer_window/still.h"
 
@@ -17,28 +20,39 @@ void App::act(Action action) {
 
 bool App::actOnTime(Action action) {
   const RunStatus& status = frame_->status;
+  const bool running = asked_.running.value_or(status.running);
+  const double speed = asked_.speed.value_or(status.speed), time = asked_.time.value_or(status.time);
+  const auto ask = [this](auto& what, auto value) {
+    what = value;
+    asked_.any = true;
+    asked_.ticket = 0;
+  };
+  const auto setSpeed = [&](double wanted) {
+    ask(asked_.speed, wanted);
+    desk_.send(SetSpeed{wanted});
+  };
   switch (action) {
     case Action::runOrPause:
-      if (status.running) {
+      ask(asked_.running, !running);
+      if (running) {
         desk_.send(Pause{});
       } else {
         desk_.send(Run{});
       }
       return true;
     case Action::step:
-      desk_.send(Step{1});
-      return true;
     case Action::stepBack:
-      desk_.send(Step{-1});
+      ask(asked_.running, false);
+      desk_.send(Step{action == Action::step ? 1 : -1});
       return true;
     case Action::slower:
-      desk_.send(SetSpeed{std::max(kSlowest, status.speed / 2)});
+      setSpeed(std::max(kSlowest, speed / 2));
       return true;
     case Action::faster:
-      desk_.send(SetSpeed{std::min(kFastest, status.speed * 2)});
+      setSpeed(std::min(kFastest, speed * 2));
       return true;
     case Action::normalSpeed:
-      desk_.send(SetSpeed{1});
+      setSpeed(1);
       return true;
     case Action::restart:
       desk_.send(Restart{});
@@ -47,14 +61,30 @@ bool App::actOnTime(Action action) {
       desk_.send(Undo{});
       return true;
     case Action::rewindSecond:
-      desk_.send(Rewind{std::max(status.earliest, status.time - 1)});
+      goTo(time - 1);
       return true;
     case Action::forwardSecond:
-      desk_.send(Rewind{std::min(status.latest, status.time + 1)});
+      goTo(time + 1);
+      return true;
+    case Action::toBeginning:
+      goTo(status.earliest);
+      return true;
+    case Action::toEnd:
+      goTo(status.latest);
       return true;
     default:
       return false;
   }
+}
+
+void App::goTo(double time) {
+  const double there =
+      std::clamp(time, frame_->status.earliest, std::max(frame_->status.earliest, frame_->status.latest));
+  asked_.time = there;
+  asked_.running = false;
+  asked_.any = true;
+  asked_.ticket = 0;
+  desk_.send(Rewind{there});
 }
 
 bool App::actOnHands(Action action) {
@@ -89,7 +119,16 @@ bool App::actOnHands(Action action) {
       desk_.send(desk_.hand.shot(rayAt(desk_.size.width / 2.0 + shift().x, desk_.size.height / 2.0 + shift().y)));
       return true;
     case Action::removeSelected:
-      if (selected() != 0) desk_.send(RemoveBody{selected()});
+      if (const int place = frame_->list->find(selected()); place >= 0) {
+        if (frame_->list->bodies[std::size_t(place)].role == BodyRole::ground) {
+          desk_.say("The ground stays where it is", false, session_.now());
+        } else {
+          desk_.send(RemoveBody{selected()});
+        }
+      }
+      return true;
+    case Action::letGo:
+      desk_.send(Select{0});
       return true;
     case Action::wakeAll:
       desk_.send(WakeBody{0});
@@ -184,8 +223,10 @@ bool App::actOnView(Action action) {
 void App::actOnFiles(Action action) {
   switch (action) {
     case Action::openScene:
-      if (!desk_.filePath.empty()) desk_.send(Open{desk_.filePath, {}, true});
-      desk_.panelShown = true;
+      openFiles();
+      break;
+    case Action::saveScene:
+      saveSceneFile();
       break;
     case Action::saveState:
       desk_.send(SaveState{desk_.statePath});
@@ -194,7 +235,10 @@ void App::actOnFiles(Action action) {
       desk_.send(Open{desk_.statePath, {}, false});
       break;
     case Action::record:
-      if (frame_->status.recording.empty()) {
+      asked_.recording = !asked_.recording.value_or(!frame_->status.recording.empty());
+      asked_.any = true;
+      asked_.ticket = 0;
+      if (*asked_.recording) {
         desk_.send(StartRecording{desk_.takePath});
       } else {
         desk_.send(StopRecording{});
@@ -220,6 +264,27 @@ void App::actOnFiles(Action action) {
     default:
       break;
   }
+}
+
+// With the cursor in it: what is typed from now on is a name.
+void App::openFiles() {
+  desk_.filesShown = desk_.filesAsked = true;
+  desk_.files = findFiles(".", recentFiles());
+  heldKeys_.clear();
+  gui_.awaitText();
+}
+
+void App::saveSceneFile() {
+  if (!run_ || run_->kind == RunKind::nothing) return;
+  std::string path;
+  std::error_code problem;
+  for (int number = 1; path.empty() || std::filesystem::exists(path, problem); number++)
+    path = fmt::format("{}-{}.toml", run_->name, number);
+  const SceneText scene = sceneTextOf(*frame_, desk_.rig.asCamera());
+  const Status saved = writeWhole(path, scene.text);
+  std::string told = "Saved " + path;
+  if (!scene.leftOut.empty()) told += ", without " + scene.leftOut;
+  desk_.say(saved ? told : saved.error().message, !saved, session_.now());
 }
 
 // The scene alone: a picture is drawn without the panel for it.

@@ -13,20 +13,36 @@ namespace {
 constexpr double kTurnPerPixel = 0.006;  // rad
 constexpr double kTurnPerSecond = 1.2;   // rad, by keys
 
+// Of a tool that can do nothing with what it was pointed at; empty: it can.
+std::string refusalOf(Tool tool, const Frame& frame, const std::optional<PickHit>& hit) {
+  if (!hit || (tool != Tool::drag && tool != Tool::remove && tool != Tool::cut)) return {};
+  if (frame.info && frame.info->kind == RunKind::take)
+    return "A take is what has happened: open its scene to change things";
+  const ListedBody& body = frame.list->bodies[std::size_t(hit->place)];
+  if (body.role == BodyRole::ground) return "The ground stays where it is";
+  if (tool == Tool::drag && !(body.mass > 0)) return body.name + " is fixed: it cannot be dragged";
+  return {};
+}
+
 }  // namespace
 
 bool App::takeEvents() {
   SDL_Event event;
+  while (SDL_PollEvent(&event)) waiting_.push_back(event);
   bool any = false;
-  while (SDL_PollEvent(&event)) {
+  // Nothing is drawn of a hidden window, so nothing can wait for it.
+  while (!waiting_.empty() && (hidden_ || !gui_.mustWait(waiting_.front()))) {
+    event = waiting_.front();
+    waiting_.pop_front();
     takeEvent(event);
     any = true;
   }
-  return any;
+  return any || !waiting_.empty();
 }
 
 void App::takeEvent(const SDL_Event& event) {
-  gui_.take(event);
+  const bool ofMouse = event.type >= SDL_MOUSEMOTION && event.type <= SDL_MOUSEWHEEL;
+  if (!ofMouse) gui_.take(event);
   switch (event.type) {
     case SDL_QUIT:
       quit_ = true;
@@ -45,7 +61,7 @@ void App::takeEvent(const SDL_Event& event) {
       takeMouse(event);
       break;
     case SDL_DROPFILE:
-      desk_.send(Open{event.drop.file, {}, true});
+      desk_.send(Open{event.drop.file, {}, false});
       SDL_free(event.drop.file);
       break;
     default:
@@ -77,8 +93,7 @@ void App::takeWindowEvent(const SDL_Event& event) {
     case SDL_WINDOWEVENT_FOCUS_LOST:
       // What was held when the focus went would else be held for ever.
       heldKeys_.clear();
-      turning_ = 0;
-      for (Command& command : desk_.hand.release()) desk_.send(std::move(command));
+      letGoOf(0);
       break;
     default:
       break;
@@ -92,18 +107,24 @@ void App::takeKey(const SDL_Event& event) {
   const char* name = SDL_GetKeyName(key.sym);
   // It may go up with other modifiers than it went down with.
   if (!down) heldKeys_.erase(actionFor(name, false, true));
+  if (down && key.sym == SDLK_ESCAPE && (desk_.filesShown || desk_.helpShown)) {
+    desk_.filesShown = desk_.helpShown = false;
+    return;
+  }
   const Action action = actionFor(name, (key.mod & KMOD_CTRL) != 0, fast_);
   if (action == Action::count) return;
   if (bindingOf(action).held) {
-    if (!down || gui_.wantsKeys()) {
+    if (!down || !takesCommands()) {
       heldKeys_.erase(action);
     } else {
       heldKeys_.insert(action);
     }
     return;
   }
-  if (down && event.key.repeat == 0 && !gui_.wantsKeys()) act(action);
+  if (down && event.key.repeat == 0 && takesCommands()) act(action);
 }
+
+bool App::takesCommands() const { return !gui_.wantsKeys() && !desk_.filesShown; }
 
 Ray App::rayAt(double x, double y) const {
   const PixelPlace by = shift();
@@ -125,16 +146,31 @@ bool App::overPanel(int x, int y) const {
   return gui_.wantsMouse() || std::any_of(desk_.covers.begin(), desk_.covers.end(), holds);
 }
 
+void App::letGoOf(std::uint32_t stillHeld) {
+  gui_.releaseButtons(stillHeld);
+  if (turning_ != 0 && (stillHeld & SDL_BUTTON(turning_)) == 0) turning_ = 0;
+  if ((stillHeld & SDL_BUTTON_LMASK) == 0) {
+    for (Command& command : desk_.hand.release()) desk_.send(std::move(command));
+  }
+  sceneHas_ &= stillHeld;
+}
+
 void App::takeMouse(const SDL_Event& event) {
   const auto sendAll = [this](std::vector<Command> commands) {
     for (Command& command : commands) desk_.send(std::move(command));
   };
   if (event.type == SDL_MOUSEBUTTONDOWN) {
-    if (overPanel(event.button.x, event.button.y)) return;
+    if (overPanel(event.button.x, event.button.y)) return gui_.take(event);
+    sceneHas_ |= SDL_BUTTON(event.button.button);
+    gui_.setMouseAside();
     if (event.button.button == SDL_BUTTON_LEFT) {
       const Ray ray = rayAt(event.button.x, event.button.y);
       std::optional<PickHit> hit;  // shooting needs none
       if (desk_.hand.tool != Tool::shoot) hit = picker_.pick(*frame_, ray, blend_);
+      if (const std::string why = refusalOf(desk_.hand.tool, *frame_, hit); !why.empty()) {
+        desk_.say(why, false, session_.now());
+        return;
+      }
       sendAll(desk_.hand.press(ray, desk_.rig.view(), hit));
       if (event.button.clicks == 2 && hit && desk_.hand.tool == Tool::select) {
         Camera there = desk_.rig.asCamera();
@@ -145,9 +181,14 @@ void App::takeMouse(const SDL_Event& event) {
       turning_ = event.button.button;
     }
   } else if (event.type == SDL_MOUSEBUTTONUP) {
+    if ((sceneHas_ & SDL_BUTTON(event.button.button)) == 0) return gui_.take(event);
+    sceneHas_ &= ~SDL_BUTTON(event.button.button);
     if (event.button.button == SDL_BUTTON_LEFT) sendAll(desk_.hand.release());
     if (int(event.button.button) == turning_) turning_ = 0;
   } else if (event.type == SDL_MOUSEMOTION) {
+    // SDL misses what is let go outside of the window, and reports the button held for ever: the display knows.
+    if (sceneHas_ != 0 || event.motion.state != 0) letGoOf(SDL_GetGlobalMouseState(nullptr, nullptr));
+    if (sceneHas_ == 0) gui_.take(event);
     if (desk_.hand.dragging()) sendAll(desk_.hand.move(rayAt(event.motion.x, event.motion.y), desk_.rig.view()));
     if (turning_ == SDL_BUTTON_RIGHT) {
       desk_.rig.turn(event.motion.xrel * kTurnPerPixel, -event.motion.yrel * kTurnPerPixel);
@@ -157,7 +198,7 @@ void App::takeMouse(const SDL_Event& event) {
   } else if (event.type == SDL_MOUSEWHEEL) {
     int x = 0, y = 0;
     SDL_GetMouseState(&x, &y);
-    if (overPanel(x, y)) return;
+    if (overPanel(x, y)) return gui_.take(event);
     if (desk_.hand.dragging()) {
       sendAll(desk_.hand.wheel(event.wheel.y, rayAt(x, y), desk_.rig.view()));
     } else {

@@ -24,7 +24,7 @@ class BodyDrawer {
   // Materials and casters for another kind of shadow.
   void setShadows(ShadowMode mode);
   void setSun(Vec3 towardsSun);
-  void draw(const Frame& frame, double blend, const ViewOptions& options, Serial glowing);
+  void draw(const Frame& frame, double blend, const ViewOptions& options, const View& view, Serial glowing);
   int batches() const { return int(batches_.size()); }
 
  private:
@@ -41,14 +41,14 @@ class BodyDrawer {
     Transform local;
     Vec3 scale{1, 1, 1};
     Instance usual;  // but for its pose
-    bool casts = true;
+    bool casts = true, ball = false;
   };
   void list(const BodyList& bodies);
   Batch& batchFor(const ShapeDef& shape, const PartLook& look);
   void drawMortar(const Frame& frame, double blend, const ViewOptions& options);
   void useMaterial(Batch& batch);
   static void tint(Instance& instance, const BodyTint& tint, bool flat);
-  void castShadows(const Frame& frame, double blend);
+  void castShadows(const Frame& frame, double blend, const View& view);
 
   Renderer& renderer_;
   Ogre::SceneNode* node_ = nullptr;

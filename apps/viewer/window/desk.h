@@ -9,6 +9,7 @@
 
 #include "viewer_core/camera_rig.h"
 #include "viewer_core/commands.h"
+#include "viewer_core/file_list.h"
 #include "viewer_core/key_bindings.h"
 #include "viewer_core/scene_menu.h"
 #include "viewer_core/tools.h"
@@ -17,7 +18,7 @@
 
 namespace brickfall::viewer {
 
-// Shown over the picture for some seconds; errors stay until they are closed.
+// Shown over the picture for some seconds, one at a time; errors stay until they are closed.
 struct Message {
   std::string text;
   std::vector<std::string> details;
@@ -35,8 +36,14 @@ struct Desk {
   Hand hand;
   CameraRig rig;
   bool panelShown = true, helpShown = false,
-       figuresShown = false;                  // figuresShown: the tab is open, so plots are gathered
-  std::string filePath, statePath, takePath;  // what is typed into the fields
+       figuresShown = false;        // figuresShown: the tab is open, so plots are gathered
+  std::string statePath, takePath;  // what is typed into the fields
+  bool filesShown = false;          // the list of files that can be opened
+  bool filesAsked = false;          // it is to be made anew
+  bool awaitsText = false;          // a field is about to have the cursor
+  std::vector<FileEntry> files;
+  std::string filesTyped;
+  int filesChosen = 0;  // of those that fit what is typed
   std::vector<MenuGroup> menu;
   std::vector<Message> messages;
   std::vector<Command> commands;  // to be sent
@@ -46,6 +53,9 @@ struct Desk {
 
   // About the drawing, for the panel.
   WindowSize size;
+  PixelPlace shift;        // of the view's middle: the panel covers a part of the window
+  bool unsettled = false;  // the panel is not laid out as it will be: another picture is wanted
+  bool resting = false;    // nothing changes, so nothing is drawn
   ShadowMode shadows = ShadowMode::none;
   std::string card;
   double framesPerSecond = 0;

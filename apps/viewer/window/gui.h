@@ -2,6 +2,7 @@
 #pragma once
 #include <OgrePrerequisites.h>
 
+#include <cstdint>
 #include <memory>
 
 #include "viewer_window/native_window.h"
@@ -15,10 +16,17 @@ class Gui {
   Gui(Ogre::Viewport& port, WindowSize size);
   ~Gui();
   void resize(WindowSize size);
+  // ImGui of this version looks at mouse and keys once a picture, so that down and up within one would be lost. Such an event waits
+  // for the next picture, with all that came after it.
+  bool mustWait(const SDL_Event& event) const;
   // What ImGui needs of it.
   void take(const SDL_Event& event);
+  void releaseButtons(std::uint32_t held);  // those that are not in SDL's mask of held ones
+  void setMouseAside();                     // the scene has the mouse
+  // A text field will have the cursor soon: what is typed waits for it.
+  void awaitText() { awaitedPictures_ = kAwaitedPictures; }
   bool wantsMouse() const;  // something of the panel is held, or a list is open
-  bool wantsKeys() const;   // a text is being typed
+  bool wantsKeys() const;   // a text is being typed, or will be
   // Between these the panel is laid out; the picture that follows shows it.
   void begin(double seconds);
   void end();
@@ -26,7 +34,11 @@ class Gui {
 
  private:
   class Overlay;
+  static constexpr int kAwaitedPictures = 6;  // a field has it after two
   std::unique_ptr<Overlay> overlay_;
+  // Since the last picture.
+  bool buttonChanged_ = false, keyChanged_ = false;
+  int awaitedPictures_ = 0;
 };
 
 }  // namespace brickfall::viewer

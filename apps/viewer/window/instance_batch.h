@@ -20,7 +20,7 @@ struct Instance {
   float tinted = 0;                      // how much of that, 0 .. 1
   std::array<float, 2> texturePlace{};   // added to the mesh's own
   float glow = 0;                        // added light, for what is selected
-  float unused = 0;
+  float ball = 0;  // 1: its shadow begins where its smooth shading ends, not at an edge of its mesh
   void setPose(const Transform& pose, Vec3 scale = {1, 1, 1});
 };
 static_assert(sizeof(Instance) == 24 * sizeof(float));

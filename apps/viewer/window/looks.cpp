@@ -123,7 +123,7 @@ std::string meshKey(const ShapeDef& shape) {
 }
 
 PartLook partLook(const ListedBody& body, std::size_t part) {
-  PartLook look{body.material, body.role, body.colour, body.serial};
+  PartLook look{body.material, body.role, body.colour, body.number};
   if (part >= body.drawnMaterials.size() || body.drawnMaterials[part] == body.material) return look;
   look.material = body.drawnMaterials[part];
   // A body has one colour, that of its first material; its mortar has its own.
@@ -170,7 +170,7 @@ DrawMesh drawMeshOf(const ShapeDef& shape, const SurfaceKey& surface) {
 }
 
 Instance instanceOf(const PartLook& body, const SurfaceKey& surface) {
-  const appearance::Look look = appearance::lookOf({body.material, body.role, body.colour, body.serial});
+  const appearance::Look look = appearance::lookOf({body.material, body.role, body.colour, body.number});
   Instance out;
   const appearance::Rgb usual = usualColour(surface);
   for (int k = 0; k < 3; k++) {
@@ -178,10 +178,10 @@ Instance instanceOf(const PartLook& body, const SurfaceKey& surface) {
     out.tint[k] = appearance::srgbFromLinear(appearance::clampUnit(look.colour[k]));
   }
   if (surface.plane) return out;  // its texture stays where it is
-  const auto pattern = int(appearance::chance(body.serial, 101) * float(patternsOf(surface)));
+  const auto pattern = int(appearance::chance(body.number, 101) * float(patternsOf(surface)));
   out.layer = float(pattern * (surface.faces ? 3 : 1));
   // Bricks are seen whole, with their worn edges; what is cut from a larger pattern may lie anywhere in it.
-  if (!surface.faces) out.texturePlace = {appearance::chance(body.serial, 102), appearance::chance(body.serial, 103)};
+  if (!surface.faces) out.texturePlace = {appearance::chance(body.number, 102), appearance::chance(body.number, 103)};
   return out;
 }
 

@@ -34,7 +34,7 @@ struct PartLook {
   std::string material;
   BodyRole role = BodyRole::body;
   std::uint32_t colour = 0;  // 0xRRGGBB
-  Serial serial = 0;
+  std::uint32_t number = 0;  // of the body: its own colour goes by it
 };
 // Of what is drawn of the body, by its place.
 PartLook partLook(const ListedBody& body, std::size_t part);

@@ -11,9 +11,9 @@
 namespace brickfall::viewer {
 
 struct Options {
-  std::string opening = "wall";  // scene, take or saved state
-  Overrides overrides;           // of a scene
-  bool paused = false;
+  std::string opening = "wall";       // scene, take or saved state
+  Overrides overrides;                // of a scene
+  bool paused = false, runs = false;  // asked for; neither: paused, unless it quits by itself
   ShadowChoice shadows = ShadowChoice::automatic;
   WindowSize size;
   int samples = -1;  // of antialiasing; -1: by who draws

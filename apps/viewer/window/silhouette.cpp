@@ -1,6 +1,8 @@
 #include "viewer_window/silhouette.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 
 namespace brickfall::viewer {
@@ -12,6 +14,7 @@ ShadowShape::ShadowShape(const DrawMesh& mesh) {
     const auto [at, isNew] = known.try_emplace(position, std::uint32_t(corners_.size()));
     if (isNew) corners_.push_back({position[0], position[1], position[2]});
     cornerOf.push_back(at->second);
+    for (int k = 0; k < 3; k++) half_[k] = std::max(half_[k], std::fabs(double(position[std::size_t(k)])));
   }
   addFaces(mesh, cornerOf);
   findEdges();
@@ -55,11 +58,17 @@ void ShadowGeometry::clear() {
   caps_.clear();
 }
 
-void ShadowGeometry::add(const ShadowShape& shape, const Transform& pose, Vec3 scale, Vec3 towardsSun) {
+void ShadowGeometry::add(const ShadowShape& shape, const Transform& pose, Vec3 scale, Vec3 towardsSun,
+                         double sharpened) {
   if (!shape.closed()) return;
   if (vertices_.empty()) clear();
   const auto first = std::uint32_t(vertices_.size());
-  for (const Vec3 corner : shape.corners()) {
+  const Vec3 half = shape.half();
+  const auto drawnOut = [sharpened](double at, double most) {
+    return std::copysign(std::min(std::fabs(at) + sharpened, most), at);
+  };
+  for (Vec3 corner : shape.corners()) {
+    if (sharpened > 0) corner = {drawnOut(corner.x, half.x), drawnOut(corner.y, half.y), drawnOut(corner.z, half.z)};
     const Vec3 at = transformPoint(pose, scaled(corner, scale));
     vertices_.push_back({float(at.x), float(at.y), float(at.z), 1});
   }
@@ -77,6 +86,26 @@ void ShadowGeometry::add(const ShadowShape& shape, const Transform& pose, Vec3 s
     if (lit_[edge.faceA] == lit_[edge.faceB]) continue;
     const std::uint32_t from = lit_[edge.faceA] ? edge.from : edge.to, to = lit_[edge.faceA] ? edge.to : edge.from;
     sides_.insert(sides_.end(), {first + to, first + from, 0u});
+  }
+}
+
+void ShadowGeometry::addBall(Vec3 middle, double radius, Vec3 towardsSun) {
+  if (vertices_.empty()) clear();
+  constexpr int kSides = 32;
+  constexpr double kStep = 2 * 3.14159265358979323846 / kSides;
+  const Vec3 aside = std::fabs(towardsSun.y) < 0.9 ? Vec3{0, 1, 0} : Vec3{1, 0, 0};
+  const Vec3 right = normalized(cross(aside, towardsSun)), up = cross(towardsSun, right);
+  // Around the circle: none of the ball's far half may stick out of it.
+  const double reach = radius / std::cos(kStep / 2);
+  const auto first = std::uint32_t(vertices_.size());
+  for (int i = 0; i < kSides; i++) {
+    double sine = 0, cosine = 0;
+    sinCos(kStep * i, sine, cosine);
+    const Vec3 at = middle + (right * cosine + up * sine) * reach;
+    vertices_.push_back({float(at.x), float(at.y), float(at.z), 1});
+    const std::uint32_t here = first + std::uint32_t(i), next = first + std::uint32_t((i + 1) % kSides);
+    if (i > 0 && i + 1 < kSides) caps_.insert(caps_.end(), {first, here, next});
+    sides_.insert(sides_.end(), {next, here, 0u});
   }
 }
 

@@ -19,6 +19,7 @@ class ShadowShape {
   explicit ShadowShape(const DrawMesh& mesh);
   // False for a surface with a rim: it has no inside, so no volume.
   bool closed() const { return closed_; }
+  Vec3 half() const { return half_; }  // m: of the box around its middle
 
   struct Face {
     Vec3 normal;  // not unit: its length is twice the area
@@ -40,6 +41,7 @@ class ShadowShape {
   std::vector<Face> faces_;
   std::vector<Edge> edges_;
   bool closed_ = true;
+  Vec3 half_;
 };
 
 struct VolumeVertex {
@@ -51,7 +53,10 @@ class ShadowGeometry {
  public:
   void clear();
   // towardsSun: unit, world. scale: of the mesh before it is turned.
-  void add(const ShadowShape& shape, const Transform& pose, Vec3 scale, Vec3 towardsSun);
+  // sharpened: m by which the cut edges of a box are drawn out again, as body.vert does from afar.
+  void add(const ShadowShape& shape, const Transform& pose, Vec3 scale, Vec3 towardsSun, double sharpened = 0);
+  // A ball has no corners: light ends on it in the plane across the sun's rays through its middle, exactly where its shading does.
+  void addBall(Vec3 middle, double radius, Vec3 towardsSun);
 
   std::span<const VolumeVertex> vertices() const { return vertices_; }
   std::span<const std::uint32_t> sides() const { return sides_; }

@@ -78,9 +78,10 @@ void StatusFile::write(const std::string& why, const Desk& desk, const Frame& fr
       fmt::format(R"("tool":{},"dragging":{},"camera":[{:.4f},{:.4f},{:.4f}],"shadows":"{}","views":{},"lines":{},)",
                   quoted(nameOf(desk.hand.tool)), frame.drag.has_value(), eye.x, eye.y, eye.z, shadows,
                   viewsText(desk.view), lines);
-  text +=
-      fmt::format(R"("size":[{},{}],"fps":{:.1f},"draw_ms":{:.2f},"messages":{},"places":{}}})", desk.size.width,
-                  desk.size.height, desk.framesPerSecond, desk.drawMilliseconds, messagesText(desk), placesText(desk));
+  text += fmt::format(
+      R"("resting":{},"files":{},"typed":{},"size":[{},{}],"fps":{:.1f},"draw_ms":{:.2f},"messages":{},"places":{}}})",
+      desk.resting, desk.filesShown, quoted(desk.filesTyped), desk.size.width, desk.size.height, desk.framesPerSecond,
+      desk.drawMilliseconds, messagesText(desk), placesText(desk));
   std::fprintf(file_.get(), "%s\n", text.c_str());
   std::fflush(file_.get());
 }

@@ -1,13 +1,17 @@
 // Opening, saving and recording: mistakes with their line, files whole or not at all.
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstring>
+#include <set>
 
 #include "brickfall/take.h"
 #include "unit/viewer/viewer_support.h"
+#include "viewer_core/file_list.h"
 #include "viewer_core/history.h"
 #include "viewer_core/opening.h"
 #include "viewer_core/scene_menu.h"
+#include "viewer_core/scene_text.h"
 
 namespace brickfall::viewer {
 namespace {
@@ -216,16 +220,83 @@ TEST(Files, RewindingEndsARecordingWhole) {
 
 TEST(Files, TheMenuHasTheReportsTestsAndAllShippedScenes) {
   const std::vector<MenuGroup> menu = sceneMenu();
-  ASSERT_EQ(menu.size(), 2u);
+  ASSERT_GT(menu.size(), 3u);
   ASSERT_EQ(menu[0].entries.size(), 4u);
   EXPECT_EQ(menu[0].entries[0].scene, "cube");
-  EXPECT_EQ(menu[1].entries.size(), shippedScenes().size());
+  std::set<std::string> once;
+  for (const MenuGroup& group : menu) {
+    EXPECT_NE(group.label, "More") << "a shipped scene stands under no kind in scene_menu.cpp";
+    for (const MenuEntry& entry : group.entries) EXPECT_TRUE(once.insert(entry.scene).second) << entry.scene;
+  }
+  EXPECT_EQ(once.size(), shippedScenes().size());
   TestSession t;
   for (const MenuEntry& entry : menu[0].entries) {
     EXPECT_TRUE(t.does(Open{entry.scene, {}, false})) << t.result.message;
     EXPECT_EQ(t.frame()->info->name, entry.scene);
     EXPECT_FALSE(t.frame()->info->cameras.empty());
   }
+}
+
+TEST(Files, AMomentIsASceneThatBeginsThere) {
+  TempFile file("moment.toml");
+  TestSession t(kCubes, true);
+  t.pass(0.1);
+  ASSERT_TRUE(t.does(ShootBall{{{0, 3, 0}, {0.6, 0, 0.8}}, 0.07, 5, "steel"}));
+  t.pass(0.1);
+  ASSERT_TRUE(t.does(Pause{}));
+  const std::shared_ptr<const Frame> before = t.frame();
+  const SceneText scene = sceneTextOf(*before, {});
+  EXPECT_EQ(scene.leftOut, "");
+  file.write(scene.text);
+  ASSERT_TRUE(t.does(Open{file.path(), {}, false})) << t.result.message << "\n" << scene.text;
+  const std::shared_ptr<const Frame> after = t.frame();
+  ASSERT_EQ(after->bodies.size(), before->bodies.size());
+  for (std::size_t i = 0; i < after->bodies.size(); i++) {
+    const std::string& name = before->list->bodies[i].name;
+    const auto same = [&](const ListedBody& body) { return body.name == name; };
+    const auto& bodies = after->list->bodies;
+    const auto at = std::find_if(bodies.begin(), bodies.end(), same);
+    ASSERT_NE(at, bodies.end()) << name;
+    const FrameBody &a = after->bodies[std::size_t(at - bodies.begin())], &b = before->bodies[i];
+    EXPECT_NEAR(length(a.pose.position - b.pose.position), 0, 1e-7) << name;
+    EXPECT_NEAR(length(rotate(a.pose.rotation, Vec3{1, 2, 3}) - rotate(b.pose.rotation, Vec3{1, 2, 3})), 0, 1e-6)
+        << name;
+    EXPECT_NEAR(length(a.linearVelocity - b.linearVelocity), 0, 1e-7) << name;
+    EXPECT_NEAR(at->mass, before->list->bodies[i].mass, 1e-6) << name;
+  }
+}
+
+TEST(Files, ASavedStateKeepsTheNumbersThatColoursGoBy) {
+  TempFile file("numbers.state");
+  TestSession t(kWall, true);
+  t.pass(0.1);
+  ASSERT_TRUE(t.does(SaveState{file.path()}));
+  const std::shared_ptr<const BodyList> before = t.frame()->list;
+  ASSERT_TRUE(t.does(Open{file.path(), {}, false})) << t.result.message;
+  const std::shared_ptr<const BodyList> after = t.frame()->list;
+  ASSERT_EQ(after->bodies.size(), before->bodies.size());
+  for (std::size_t i = 0; i < after->bodies.size(); i++) {
+    EXPECT_EQ(after->bodies[i].number, before->bodies[i].number);
+    EXPECT_NE(after->bodies[i].serial, before->bodies[i].serial);
+  }
+}
+
+TEST(Files, TheListHasTheFoldersFilesAndFindsThemByTheirWords) {
+  const std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / ("brickfall-" + std::to_string(::getpid()) + "-list");
+  std::filesystem::create_directories(folder / "out" / ".hidden");
+  for (const char* name : {"b.toml", "a.state", "out/One Wall.take", "out/notes.txt", "out/.hidden/c.toml"})
+    std::ofstream(folder / name) << "x";
+  const std::vector<FileEntry> files = findFiles(folder.string(), {"/last.toml"});
+  std::filesystem::remove_all(folder);
+  ASSERT_EQ(files.size(), 4u);
+  EXPECT_EQ(files[0].path, "/last.toml");
+  EXPECT_EQ(files[1].kind, FileKind::scene);
+  EXPECT_EQ(files[2].kind, FileKind::take);
+  EXPECT_EQ(files[3].kind, FileKind::state);
+  EXPECT_TRUE(fits(files[2], "wall out"));
+  EXPECT_TRUE(fits(files[2], ""));
+  EXPECT_FALSE(fits(files[2], "wall b.toml"));
 }
 
 }  // namespace

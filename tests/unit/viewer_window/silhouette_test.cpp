@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "appearance/draw_mesh.h"
 #include "brickfall/geometry/shape_mesh.h"
 #include "viewer_window/sun.h"
 
@@ -118,6 +119,33 @@ TEST(Sun, standsAsideOfTheFirstCameraAndAboveTheGround) {
     if (level == Vec3{}) continue;
     EXPECT_GT(dot(level, sun), 0.2);  // what is looked at first is lit
   }
+}
+
+TEST(Silhouette, ofABallIsARoundOneWhereItsShadingEnds) {
+  const Vec3 sun = towardsSun({1, 0.5, 2}), middle{3, 1, -2};
+  ShadowGeometry geometry;
+  geometry.clear();
+  geometry.addBall(middle, 0.2, sun);
+  expectClosed(geometry);
+  const double circle = 3.14159265358979 * 0.04;
+  EXPECT_GT(shadowArea(geometry, sun), circle);
+  EXPECT_LT(shadowArea(geometry, sun), 1.01 * circle);
+  for (std::size_t i = 1; i < geometry.vertices().size(); i++)  // the first is the point at infinity
+    EXPECT_NEAR(dot(placeOf(geometry.vertices()[i]) - middle, sun), 0, 1e-6);
+}
+
+TEST(Silhouette, drawnOutEdgesAreThoseOfTheBox) {
+  const Vec3 half{0.1, 0.03, 0.05}, sun = towardsSun({1, 0.5, 2});
+  const ShadowShape box(drawn(boxMesh(half))), cut(drawn(appearance::chamferedBoxMesh(half, 0.002)));
+  const auto areaOf = [&](const ShadowShape& shape, double sharpened) {
+    ShadowGeometry geometry;
+    geometry.clear();
+    geometry.add(shape, {}, {1, 1, 1}, sun, sharpened);
+    expectClosed(geometry);
+    return shadowArea(geometry, sun);
+  };
+  EXPECT_LT(areaOf(cut, 0), areaOf(box, 0) * 0.99);
+  EXPECT_NEAR(areaOf(cut, 0.0022), areaOf(box, 0), 1e-6);
 }
 
 }  // namespace

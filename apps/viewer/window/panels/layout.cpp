@@ -58,7 +58,9 @@ void showPanel(Desk& desk, const Frame& frame, double now) {
     if (frame.selected) showBody(desk, frame);
   }
   if (desk.view.mortar != MortarView::none) showMortarLegend(desk, frame);
+  if (frame.selected && desk.panelShown) showContactNumbers(desk, frame);
   if (desk.helpShown) showHelp(desk);
+  if (desk.filesShown) showFiles(desk);
   showMessages(desk, frame, now);
 }
 

@@ -22,6 +22,8 @@ void showMessages(Desk& desk, const Frame& frame, double now);
 void showHelp(Desk& desk);
 // What the colours of mortar mean, over the picture, with the panel and without it.
 void showMortarLegend(Desk& desk, const Frame& frame);
+void showFiles(Desk& desk);
+void showContactNumbers(const Desk& desk, const Frame& frame);  // over the picture, as the table has them
 
 // Height of the bar at the bottom, pixels; and width of the panel.
 constexpr float kBarHeight = 74, kPanelWidth = 348;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstdio>
 #include <cstring>
 
 #include "viewer_window/gui_style.h"
@@ -48,6 +49,34 @@ bool actionButton(Desk& desk, Action action, const char* label, ImVec2 size) {
   note(desk, label);
   if (pressed) desk.actions.push_back(action);
   return pressed;
+}
+
+bool slider(const char* label, float& value, float least, float most, const char* format, ImGuiSliderFlags flags) {
+  // Typing into it (Ctrl and a click) shows the number itself.
+  const bool typed = ImGui::GetIO().WantTextInput;
+  if (!typed) ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(0, 0, 0, 0));
+  const bool named = label[0] != '#';
+  const std::string hidden = "##" + std::string(label);
+  const bool moved = ImGui::SliderFloat(named ? hidden.c_str() : label, &value, least, most, format, flags);
+  if (!typed) ImGui::PopStyleColor();
+  const ImVec2 from = ImGui::GetItemRectMin(), to = ImGui::GetItemRectMax();
+  if (!typed) {
+    char text[64];
+    std::snprintf(text, sizeof text, format, double(value));
+    const bool byRatio = (flags & ImGuiSliderFlags_Logarithmic) != 0 && least > 0;
+    const float share =
+        byRatio ? std::log(std::max(value, least) / least) / std::log(most / least) : (value - least) / (most - least);
+    const ImVec2 size = ImGui::CalcTextSize(text);
+    const float x = share < 0.5f ? to.x - size.x - 8 : from.x + 8;
+    ImGui::GetWindowDrawList()->AddText(ImVec2(x, (from.y + to.y - size.y) / 2), ImGui::GetColorU32(ImGuiCol_Text),
+                                        text);
+  }
+  if (named) {
+    ImGui::GetWindowDrawList()->AddText(
+        ImVec2(to.x + ImGui::GetStyle().ItemInnerSpacing.x, from.y + ImGui::GetStyle().FramePadding.y),
+        ImGui::GetColorU32(ImGuiCol_Text), label);
+  }
+  return moved;
 }
 
 bool textField(const char* label, std::string& text, const char* whenEmpty) {

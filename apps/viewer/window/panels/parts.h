@@ -20,6 +20,8 @@ void cover(Desk& desk);
 void note(Desk& desk, const char* name);
 // A button that does what a key does; the hint names the key.
 bool actionButton(Desk& desk, Action action, const char* label, ImVec2 size = {0, 0});
+// A slider whose number stands beside its knob, not under it.
+bool slider(const char* label, float& value, float least, float most, const char* format, ImGuiSliderFlags flags = 0);
 bool textField(const char* label, std::string& text, const char* whenEmpty);
 // A plain number as short as it may be: "9.81", "1000", "1.5e-04".
 std::string numberText(double value, const char* unit = "");

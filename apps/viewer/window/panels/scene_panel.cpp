@@ -18,7 +18,7 @@ void showEntry(Desk& desk, const Frame& frame, const MenuEntry& entry) {
   const bool open = frame.info && frame.info->name == entry.scene;
   ImGui::PushID(entry.label.c_str());
   if (open) ImGui::PushStyleColor(ImGuiCol_Header, ImGui::GetStyleColorVec4(ImGuiCol_HeaderHovered));
-  if (ImGui::Selectable("##entry", open, 0, ImVec2(0, 40))) desk.send(Open{entry.scene, {}, true});
+  if (ImGui::Selectable("##entry", open, 0, ImVec2(0, 40))) desk.send(Open{entry.scene, {}, false});
   if (open) ImGui::PopStyleColor();
   note(desk, ("scene:" + entry.scene).c_str());
   const ImVec2 at = ImGui::GetItemRectMin();
@@ -49,13 +49,7 @@ void showScenes(Desk& desk, const Frame& frame) {
     ImGui::PopID();
   }
   heading("A file");
-  ImGui::SetNextItemWidth(-70);
-  const bool entered = textField("##file", desk.filePath, "scene, take or saved state");
-  note(desk, "file");
-  ImGui::SameLine();
-  if ((ImGui::Button("Open", ImVec2(-1, 0)) || entered) && !desk.filePath.empty()) {
-    desk.send(Open{desk.filePath, {}, true});
-  }
+  actionButton(desk, Action::openScene, "Open a file ...", ImVec2(-1, 0));
   ImGui::TextDisabled("or drop it onto the window");
 }
 

@@ -19,8 +19,8 @@ bool heldSlider(const std::string& key, double& value, double least, double most
                 bool logarithmic) {
   const auto at = held.find(key);
   float shown = at != held.end() ? at->second : float(value);
-  const bool moved = ImGui::SliderFloat(("##" + key).c_str(), &shown, float(least), float(most), format.c_str(),
-                                        logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
+  const bool moved = slider(("##" + key).c_str(), shown, float(least), float(most), format.c_str(),
+                            logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
   if (moved) held[key] = shown;
   if (ImGui::IsItemDeactivatedAfterEdit() || (moved && !ImGui::IsItemActive())) {
     held.erase(key);

@@ -19,10 +19,9 @@ void showButtons(Desk& desk, const RunStatus& status) {
   ImGui::SameLine();
   actionButton(desk, Action::restart, "Restart");
   ImGui::SameLine();
-  ImGui::SetNextItemWidth(130);
+  ImGui::SetNextItemWidth(150);
   auto speed = float(status.speed);
-  if (ImGui::SliderFloat("##speed", &speed, float(kSlowest), float(kFastest), "speed x %.2f",
-                         ImGuiSliderFlags_Logarithmic)) {
+  if (slider("##speed", speed, float(kSlowest), float(kFastest), "x %.2f", ImGuiSliderFlags_Logarithmic)) {
     // The middle of a slider is hard to meet.
     if (std::fabs(speed - 1) < 0.06f) speed = 1;
     desk.send(SetSpeed{speed});
@@ -66,7 +65,7 @@ void showTimeBar(Desk& desk, const Frame& frame) {
     auto time = float(status.time);
     ImGui::SetNextItemWidth(-1);
     const std::string text = fmt::format("{:.2f} s{}", status.time, take ? fmt::format(" of {:.2f} s", latest) : "");
-    if (ImGui::SliderFloat("##time", &time, float(status.earliest), float(end), text.c_str())) {
+    if (slider("##time", time, float(status.earliest), float(end), text.c_str())) {
       // A float is coarser than the times: its ends are what they stand for.
       const double wanted = time >= float(end) ? latest : time <= float(status.earliest) ? status.earliest : time;
       desk.send(Rewind{std::clamp(wanted, status.earliest, latest)});

@@ -7,10 +7,10 @@
 namespace brickfall::viewer {
 namespace {
 
-bool slider(const char* label, double& value, double least, double most, const char* format, bool logarithmic) {
+bool heldValue(const char* label, double& value, double least, double most, const char* format, bool logarithmic) {
   auto shown = float(value);
-  if (!ImGui::SliderFloat(label, &shown, float(least), float(most), format,
-                          (logarithmic ? ImGuiSliderFlags_Logarithmic : 0) | ImGuiSliderFlags_AlwaysClamp)) {
+  if (!slider(label, shown, float(least), float(most), format,
+              (logarithmic ? ImGuiSliderFlags_Logarithmic : 0) | ImGuiSliderFlags_AlwaysClamp)) {
     return false;
   }
   value = shown;
@@ -19,11 +19,11 @@ bool slider(const char* label, double& value, double least, double most, const c
 
 void showToolChoice(Desk& desk) {
   heading("The left button");
-  const float width = (ImGui::GetContentRegionAvail().x - 3 * ImGui::GetStyle().ItemSpacing.x) / kToolCount;
+  const float width = (ImGui::GetContentRegionAvail().x - 2 * ImGui::GetStyle().ItemSpacing.x) / 3;
   constexpr Action kActions[kToolCount] = {Action::selectTool, Action::shootTool, Action::dragTool,
                                            Action::removeTool, Action::blastTool, Action::cutTool};
   for (int i = 0; i < kToolCount; i++) {
-    if (i > 0) ImGui::SameLine();
+    if (i % 3 != 0) ImGui::SameLine();
     const bool chosen = int(desk.hand.tool) == i;
     if (chosen) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_TabActive));
     actionButton(desk, kActions[i], nameOf(Tool(i)), ImVec2(width, 0));
@@ -36,9 +36,9 @@ void showBall(Desk& desk, const Frame& frame) {
   heading("The ball");
   ImGui::PushItemWidth(170);
   double diameter = settings.ballRadius * 2000;
-  if (slider("Diameter", diameter, 2000 * kLeastBall, 1000, "%.0f mm", true)) settings.ballRadius = diameter / 2000;
+  if (heldValue("Diameter", diameter, 2000 * kLeastBall, 1000, "%.0f mm", true)) settings.ballRadius = diameter / 2000;
   note(desk, "ball diameter");
-  slider("Speed", settings.ballSpeed, 0, 60, "%.1f m/s", false);
+  heldValue("Speed", settings.ballSpeed, 0, 60, "%.1f m/s", false);
   note(desk, "ball speed");
   if (ImGui::BeginCombo("Material", settings.ballMaterial.c_str())) {
     std::vector<std::string> names;
@@ -53,12 +53,12 @@ void showBall(Desk& desk, const Frame& frame) {
   }
   if (desk.hand.tool == Tool::drag) {
     heading("The spring");
-    slider("Strength", settings.dragStrength, 1, 1000, "%.0f weights", true);
+    heldValue("Strength", settings.dragStrength, 1, 1000, "%.0f weights", true);
   }
   if (desk.hand.tool == Tool::blast) {
     heading("The blast");
-    slider("Impulse", settings.blastImpulse, 1, 1e6, "%.0f N s", true);
-    slider("Radius", settings.blastRadius, 0.1, 100, "%.1f m", true);
+    heldValue("Impulse", settings.blastImpulse, 1, 1e6, "%.0f N s", true);
+    heldValue("Radius", settings.blastRadius, 0.1, 100, "%.1f m", true);
   }
   ImGui::PopItemWidth();
 }
@@ -113,6 +113,7 @@ void showTools(Desk& desk, const Frame& frame) {
   actionButton(desk, Action::saveState, "Save state", ImVec2(half, 0));
   ImGui::SameLine();
   actionButton(desk, Action::loadState, "Load state", ImVec2(half, 0));
+  actionButton(desk, Action::saveScene, "Save as a scene", ImVec2(-1, 0));
   ImGui::SetNextItemWidth(-1);
   textField("##take", desk.takePath, "file for the take");
   const bool records = !frame.status.recording.empty();

@@ -6,7 +6,7 @@ uniform sampler2DArray look, relief;
 in vec3 worldPoint, worldNormal, base;
 in vec2 place;
 in vec4 tint;
-flat in float layer, glow;
+flat in float layer, glow, ball;
 out vec4 pixel;
 
 // The baked normal, turned into the world: which way the texture runs is found from what neighbouring pixels see.
@@ -30,15 +30,23 @@ void main() {
   vec3 albedo = mix(toLinear(baked.rgb) * base, toLinear(tint.rgb), tint.a);
   float metal = surface.x * (1.0 - tint.a), rough = baked.a;
   vec3 normal = normalize(worldNormal);
+  // Of the body itself: shadows know nothing of its bumps, and but for balls they begin at an edge of the mesh.
+  float turned = dot(normal, sun);
+#ifndef DEPTH_SHADOWS
+  vec3 facet = cross(dFdx(worldPoint), dFdy(worldPoint));
+  if (ball < 0.5) turned = dot(facet * sign(dot(facet, normal)), sun) * inversesqrt(max(dot(facet, facet), 1e-30));
+#endif
   if (surface.y > 0.5) normal = bumped(normal);
   float facing = dot(normal, sun);
 #ifdef DEPTH_SHADOWS
-  float reaching = facing > 0.0 ? sunReaching() : 0.0;
+  // Where light only grazes, the map's texels would show as steps.
+  float reaching = turned > 0.0 && facing > 0.0 ? sunReaching() * smoothstep(0.0, 0.12, turned) : 0.0;
 #else
   float reaching = 1.0;
 #endif
   vec3 ambient = ambientLight(normal);
-  vec3 light = albedo * (ambient + kSunLight * max(facing, 0.0) * reaching) * (1.0 - 0.9 * metal);
+  vec3 steady = albedo * ambient * (1.0 - 0.9 * metal);  // without the sun
+  vec3 light = albedo * kSunLight * (max(facing, 0.0) * reaching * (1.0 - 0.9 * metal));
   if (metal > 0.0 || rough < 0.7) {
     // What is mirrored: the sky and the ground, and the sun's spot. Fired clay shows nothing of it.
     vec3 towards = normalize(eye - worldPoint);
@@ -46,15 +54,16 @@ void main() {
     float edge = 1.0 - max(dot(normal, towards), 0.0), rim = edge * edge * edge * edge * edge;
     vec3 strength = mix(vec3(0.04), albedo, metal);
     strength += (1.0 - strength) * rim * (1.0 - rough) * 0.6;
-    light += strength * mix(skyLight(mirrored, vec3(0.0, -1.0, 0.0)), ambient, rough) * mix(0.5, 1.6, metal);
+    steady += strength * mix(skyLight(mirrored, vec3(0.0, -1.0, 0.0)), ambient, rough) * mix(0.5, 1.6, metal);
     float shine = mix(220.0, 5.0, sqrt(rough));
     float spot = pow(max(dot(mirrored, sun), 0.0), shine) * (shine + 8.0) * 0.02;
     light += strength * kSunLight * spot * step(0.0, facing) * reaching;
   }
 #ifndef DEPTH_SHADOWS
   // Modulative shadows darken the finished pixel, that of turned-away sides too: those are lit so that they come out right.
-  vec3 unshadowed = max(light, albedo * ambient / kStencilLight);
-  light = mix(unshadowed, light, smoothstep(0.0, 0.2, facing));
+  light = turned > 0.0 ? steady + light : steady / kStencilLight;
+#else
+  light += steady;
 #endif
   light += albedo * glow;
   pixel = vec4(toPixel(withHaze(light, distance(eye, worldPoint))), 1.0);
