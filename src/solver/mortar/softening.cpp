@@ -78,7 +78,7 @@ double shareOf(const Taken& taken, const Mortar& m) {
 
 }  // namespace
 
-bool MortarRows::renewFrozen(const Island& island, const StepContext& context, int) {
+bool MortarRows::renewFrozen(const Island& island, const StepContext& context, Renewal) {
   bool fell = false;
   for (std::size_t k = 0; k < size(); k++) {
     const Mortar& m = mortarAt(k, *context.ties);
