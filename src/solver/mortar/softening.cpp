@@ -47,14 +47,15 @@ Taken takenBy(const Mortar& m, const FaceRecord& r, const MortarStart& start, co
   Taken out;
   const double k = mortar::stiffnessOf(m), rubs = std::max(0.0, m.strength.friction * double(start.pressure));
   auto held = [&](double force, double before) { return 0.5 * (force * force - before * before) / k; };
+  auto mean = [](double start, double found) { return 0.5 * (std::max(start, found) + found); };
   for (int i = 0; i < 4; i++) {
     out.yields = out.yields || now.trialN[i] < r.leastN[i] || (now.slides >> i & 1);
     const double pull = std::min(0.0, double(now.n[i])), before = std::min(0.0, double(start.heldN[i]));
-    out.pull += -pull * 0.5 * (double(start.opens[i]) + double(now.way[i])) - held(pull, before);
+    out.pull += -pull * mean(double(start.opens[i]), double(now.way[i])) - held(pull, before);
     const double f1 = now.t1[i], f2 = now.t2[i], shear = std::sqrt(f1 * f1 + f2 * f2);
     const double cohesive = shear > 0 ? std::max(0.0, shear - rubs) / shear : 0;
-    const double worked = -f1 * 0.5 * (double(start.goes1[i]) + double(now.way1[i])) -
-                          f2 * 0.5 * (double(start.goes2[i]) + double(now.way2[i]));
+    const double worked = mean(-f1 * double(start.goes1[i]) - f2 * double(start.goes2[i]),
+                               -f1 * double(now.way1[i]) - f2 * double(now.way2[i]));
     out.shear += cohesive * (worked - held(f1, start.held1[i]) - held(f2, start.held2[i]));
     out.use = std::max({out.use, -pull / mortar::pullOf(m), cohesive * shear / mortar::shearOf(m)});
   }
