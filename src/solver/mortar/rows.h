@@ -138,6 +138,9 @@ struct MortarRows : FaceRows {
 
  private:
   const Mortar& mortarAt(std::size_t k, const Ties& ties) const { return ties.mortar.slots[mortarOf[k]]; }
+  void writeFace(std::size_t k, const Mortar& m, const MortarPose& pose);
+  void writeStart(std::size_t k, const Mortar& m, const MortarPose& pose, const Island& island, const BodySet& bodies);
+  void writeSprings(std::size_t k, const Mortar& m);
   void writeCaps(std::size_t k, const Mortar& m);
   void takeCrushes(const Island& island, const Ties& ties);
 };
