@@ -280,6 +280,23 @@ TEST(Law, Row31iAJointThatClosesAtFirstTakesItsEnergyToo) {
            -c.world.state(c.bodies[1])->linearVelocity.y / free, 1, 0.01, ""});
 }
 
+// A brick that is jammed between a mortared one and the ground overlaps both by 5 mm. No force has made that way, and
+// none splits the joint.
+TEST(Law, Row31jWhatIsJammedSplitsNoJoint) {
+  for (double dt : {1.0 / 60, 1.0 / 480}) {
+    Glued g;
+    g.brick({0, 0, 0}, BodyType::fixed);
+    g.brick({0.5 * kBrickSize.x, kBrickSize.y, 0});
+    g.brick({0.22, 0.005, 0});
+    g.brick({0.22, 0.01 - kBrickSize.y, 0}, BodyType::fixed);
+    g.glue();
+    ASSERT_EQ(g.joints.size(), 1u);
+    for (int i = 0; i < int(std::lround(1 / dt)); i++) g.step(dt);
+    EXPECT_EQ(g.broken, 0);
+    atMost("what the joint has taken of its energy", dt, g.world.state(g.joints[0])->damage, 0.01, "");
+  }
+}
+
 // A ball into a wall breaks about as many joints at any step; energy never rises, and the ledger has what broke.
 TEST(Law, Row31hAHitBreaksAsMuchAtAnyStep) {
   int least = 1000, most = 0;
@@ -314,7 +331,7 @@ TEST(Law, Row31hAHitBreaksAsMuchAtAnyStep) {
     atMost("energy of bodies that a step gained from springs, of 210 J", dt, rise, 1, "J");
   }
   EXPECT_GE(least, 8);
-  atMost("most joints broken at a step over the least", 0, double(most) / least, 1.6, "");
+  atMost("most joints broken at a step over the least", 0, double(most) / least, 1.3, "");
 }
 
 }  // namespace
