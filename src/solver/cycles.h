@@ -12,7 +12,8 @@ class Renewals;
 void runCycles(Island& island, const StepContext& context, SolveStatistics& statistics);
 
 // The parts of runCycles. The first prepares the solve and sets the motion to start from. The second goes on towards
-// balance from the present motion, and may set anew what is frozen in it; it returns true when every body is in balance.
+// balance from the present motion, and may set anew what is frozen in it. It returns true when every body is in
+// balance.
 void startCycles(Island& island, const StepContext& context);
 bool goOn(Island& island, const StepContext& context, SolveStatistics& statistics, Renewals* renewals = nullptr);
 

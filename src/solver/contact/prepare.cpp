@@ -244,8 +244,8 @@ void ContactRows::prepare(const Island& island, Ties& ties, const StepContext& c
       float stiffness = c.points.stiffness[i];
       r.k[i] = stiffness;
       r.trialN[i] = kMultiplierShare * c.points.multiplierN[i] - stiffness * ((gap > 0 ? gap : kCorrect * gap) + bendN);
-      // What is jammed overlaps by a way that no force has made. Between bodies that mortar holds its spring would press
-      // harder in each step, until it splits them: it presses no harder than it did, or than what it touches weighs.
+      // What is jammed overlaps by a way that no force has made. Between bodies that mortar holds, its spring would
+      // press harder in each step until it splits them. It presses no harder than it did, or than the two weigh.
       if (island.facts.mortared)
         r.trialN[i] =
             std::min(r.trialN[i], std::max(c.points.forceN[i], c.effectiveMass * float(context.judgingGravity)));
