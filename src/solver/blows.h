@@ -16,9 +16,9 @@ struct StepContext;
 
 // A body that mortar holds was struck by something round.
 struct Crush {
-  BodyIndex body = kNoIndex;
-  Vec3 along;           // unit: of the blow
-  double crushing = 0;  // N, Contact::crushing
+  std::uint32_t body = 0;  // in Island::motion
+  Vec3 along;              // unit: of the blow
+  double crushing = 0;     // N, Contact::crushing
 };
 
 struct Blows {

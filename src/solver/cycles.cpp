@@ -4,6 +4,7 @@
 #include "solver/direct_solve.h"
 #include "solver/light_pass.h"
 #include "solver/relaxation.h"
+#include "solver/renewals.h"
 
 namespace brickfall {
 
@@ -40,17 +41,6 @@ void startMotion(Island& island, const StepContext& context) {
   island.chunks.start(island, context);
 }
 
-//! - | too small: joints that break take more than their energy | too large: cost of steps in which much breaks
-constexpr int kPasses = 6;  // of a solve: so often it goes on
-
-// Quantities that are frozen in a solve follow what it found: rebounds by the impulse that stopped each impact, and
-// caps of what breaks. Nothing but this is then out of balance.
-bool renewFrozen(Island& island, const StepContext& context, int pass) {
-  bool any = false;
-  island.rows.eachKind([&](auto& kind) { any = kind.renewFrozen(island, context, pass) || any; });
-  return any;
-}
-
 void countLeftOver(const Island& island, const StepContext& context, SolveStatistics& statistics) {
   takeLarger(statistics.residualRms, rmsResidual(island, *context.bodies));
   LeftOver left = leftOver(island, *context.bodies);
@@ -60,8 +50,16 @@ void countLeftOver(const Island& island, const StepContext& context, SolveStatis
 
 }  // namespace
 
-bool goOn(Island& island, const StepContext& context, SolveStatistics& statistics) {
-  bool done = relax(island, context, statistics);
+bool Renewals::next(Island& island, const StepContext& context, Renewal when) {
+  if (made_ == kMost) return false;
+  bool any = false;
+  island.rows.eachKind([&](auto& kind) { any = kind.renewFrozen(island, context, when) || any; });
+  made_ += any;
+  return any;
+}
+
+bool goOn(Island& island, const StepContext& context, SolveStatistics& statistics, Renewals* renewals) {
+  bool done = relax(island, context, statistics, renewals);
   if (!island.plan.direct) return done;
   solveDirectly(island, context, island.plan.tolerance, statistics);
   return worstResidual(island, *context.bodies) < island.plan.tolerance;
@@ -74,9 +72,10 @@ void startCycles(Island& island, const StepContext& context) {
 
 void runCycles(Island& island, const StepContext& context, SolveStatistics& statistics) {
   startCycles(island, context);
-  bool done = goOn(island, context, statistics);
-  for (int pass = 0; pass < kPasses && renewFrozen(island, context, pass); pass++)
-    done = goOn(island, context, statistics);
+  Renewals renewals;
+  bool done = goOn(island, context, statistics, &renewals);
+  for (Renewal when = Renewal::first; renewals.next(island, context, when); when = Renewal::again)
+    done = goOn(island, context, statistics, &renewals);
   island.ending = done ? IslandEnding::balanced : IslandEnding::unbalanced;
   countLeftOver(island, context, statistics);
 }

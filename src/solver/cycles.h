@@ -4,14 +4,17 @@
 
 namespace brickfall {
 
+class Renewals;
+
 // Relaxation by cycles, and the direct solve where the plan has it, until every body is in balance; then the rebounds
 // of impacts that are over. Leaves motion, residuals and loads, and the island's ending. Touches nothing but the
 // island, so that islands may be solved side by side; counts into `statistics`.
 void runCycles(Island& island, const StepContext& context, SolveStatistics& statistics);
 
 // The parts of runCycles. The first prepares the solve and sets the motion to start from. The second goes on towards
-// balance from the present motion; it returns true when every body is in balance.
+// balance from the present motion, and may set anew what is frozen in it. It returns true when every body is in
+// balance.
 void startCycles(Island& island, const StepContext& context);
-bool goOn(Island& island, const StepContext& context, SolveStatistics& statistics);
+bool goOn(Island& island, const StepContext& context, SolveStatistics& statistics, Renewals* renewals = nullptr);
 
 }  // namespace brickfall

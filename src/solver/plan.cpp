@@ -16,6 +16,11 @@ constexpr double kDebrisSpeed = 0.5;  // of a body: its island is debris. It is 
 //! x `maxCycles` | too small: large islands that are widely out of balance stay so: they shake on, and rest late
 //! | too large: cost
 constexpr int kMostCycles = 3;  // while many bodies of a large island are out of balance
+//! - | too small: bodies that hang by one corner take all cycles | too large: cost
+constexpr int kRounds = 3;  // sweeps over the bodies in a cycle
+//! - | too small: cost: firm ties spread what all must do together through cycles, not through sweeps
+//! | too large: large islands that break are left out of balance
+constexpr int kFirmCycles = 2;  // x the cycles, of one sweep each, in a large island that mortar holds
 //! of its heaviest body | too small: light blocks under a great load tilt and slip out
 //! | too large: floats round away balance
 constexpr double kHeavyShare = 0.01;  // effective mass of the softest contact of a small island
@@ -136,6 +141,12 @@ SolvePlan planFor(const IslandFacts& facts, const SolverSettings& settings, doub
   plan.minCycles = row.direct && row.exactSteps ? 1 : settings.minCycles;
   plan.maxCycles = row.direct ? plan.minCycles : cycleBudget(facts, settings);
   plan.mostCycles = row.large ? std::max(plan.maxCycles, kMostCycles * settings.maxCycles) : plan.maxCycles;
+  plan.rounds = kRounds;
+  if (!row.large || !facts.mortared) return plan;
+  plan.rounds = 1;
+  plan.renewAfter = plan.maxCycles;
+  plan.maxCycles *= kFirmCycles;
+  plan.mostCycles *= kFirmCycles;
   return plan;
 }
 

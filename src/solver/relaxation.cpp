@@ -8,14 +8,13 @@
 #include "solver/imbalance.h"
 #include "solver/joint_block.h"
 #include "solver/level_step.h"
+#include "solver/renewals.h"
 #include "solver/support.h"
 
 namespace brickfall {
 
 namespace {
 
-//! - | too small: bodies that hang by one corner take all cycles | too large: cost
-constexpr int kRounds = 3;  // sweeps over the bodies in a cycle, forwards and backwards in turn
 //! - | too small: a body whose points flip open and shut is left to the next round | too large: cost
 constexpr int kExactSteps = 4;  // of one body in a row
 //! - | too small: cost | too large: bodies are taken up again and again; a body that slides alone is a little off
@@ -56,7 +55,8 @@ class Relaxation {
         factors_(island.bodies.size(), island.memory),
         exactFactors_(island.bodies.size(), island.memory) {}
 
-  bool run() {
+  // `renewals`: of what follows the cycles; may be null.
+  bool run(Renewals* renewals) {
     forces_.readAll();
     if (island_.plan.goesOn) moveAlong();
     findAllowed();
@@ -74,7 +74,15 @@ class Relaxation {
       countOut();
       // More cycles would find nothing to do.
       const bool idle = island_.plan.large && !changed && out_ == 0;
-      done = out_ == 0 && (idle || cycle + 1 >= island_.plan.minCycles);
+      done = out_ == 0 && (idle || cycle + 1 - renewed_ >= island_.plan.minCycles);
+      if (renewals && (done || (cycle + 1 - renewed_) % island_.plan.renewAfter == 0) &&
+          renewals->next(island_, context_, Renewal::within)) {
+        renewed_ = cycle + 1;
+        done = false;
+        forces_.readAll();
+        findAllowed();
+        countOut();
+      }
       if (stalls()) break;
     }
     if (island_.grounded() && !island_.plan.exactSteps && (!island_.plan.slow || slides(island_, context_)))
@@ -129,6 +137,7 @@ class Relaxation {
   // fewer then.
   bool goesOn(int cycle) const {
     bool many = double(out_) > kManyOut * double(allowed_.size());
+    cycle -= renewed_;
     return cycle < island_.plan.maxCycles || (many && cycle < island_.plan.mostCycles);
   }
   // A cycle of a body alone is all of Newton's method. Where rounding leaves the body out of balance, more cycles
@@ -162,7 +171,7 @@ class Relaxation {
       moved = true;
     }
     const std::size_t before = forces_.sidesRead();
-    const int rounds = few ? 1 : kRounds;
+    const int rounds = few ? 1 : island_.plan.rounds;
     for (int round = 0; round < rounds; round++) {
       if (block_.any()) block_.apply(round == 0);
       if (!singleSweep(round % 2 != 0) && !block_.any()) break;
@@ -256,6 +265,7 @@ class Relaxation {
   JointBlock block_;
   std::pmr::vector<float> allowed_;               // N, by body
   Stall stall_;                                   // of a body alone
+  int renewed_ = 0;                               // the cycle after which what is frozen was last set anew
   std::size_t out_ = 0;                           // bodies out of balance
   bool worthReading_ = false;                     // the last cycle moved enough to read all rows again
   std::pmr::vector<ClusterFactor> factors_;       // by body
@@ -264,8 +274,8 @@ class Relaxation {
 
 }  // namespace
 
-bool relax(Island& island, const StepContext& context, SolveStatistics& statistics) {
-  return Relaxation(island, context, statistics).run();
+bool relax(Island& island, const StepContext& context, SolveStatistics& statistics, Renewals* renewals) {
+  return Relaxation(island, context, statistics).run(island.plan.renewAfter > 0 ? renewals : nullptr);
 }
 
 }  // namespace brickfall

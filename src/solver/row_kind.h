@@ -12,6 +12,7 @@
 #include "solver/blows.h"
 #include "solver/boundary.h"
 #include "solver/reaction.h"
+#include "solver/renewals.h"
 #include "solver/step_context.h"
 #include "solver/tie_report.h"
 
@@ -74,8 +75,8 @@ template <class Kind>
 concept GoesThroughAStep = requires(Kind& kind, const Kind& seen, std::size_t k, std::size_t count, Island& island,
                                     const Island& solved, Ties& ties, StepContext& context, const StepContext& given,
                                     const SolveMotion* motion, float share, bool exact, Reading* readings,
-                                    const Boundary& boundary, BoundarySums& sums, int pass, double dt, BodySet& bodies,
-                                    const std::pmr::vector<char>& yielding, Blows& blows) {
+                                    const Boundary& boundary, BoundarySums& sums, Renewal when, double dt,
+                                    BodySet& bodies, const std::pmr::vector<char>& yielding, Blows& blows) {
   seen.giveBlows(yielding, dt, ties, bodies, given, blows);  // before anything is prepared (blows.h); dt 0: none
   kind.prepare(island, ties, given);
   // In the solve: force at the present motion, of one row, of many, of a cluster's boundary, with stiffness.
@@ -90,8 +91,9 @@ concept GoesThroughAStep = requires(Kind& kind, const Kind& seen, std::size_t k,
   { seen.boundsFollow(k) } -> std::same_as<bool>;                 // asked once: whether the next three are called
   { kind.renewBounds(k, motion, share) } -> std::same_as<bool>;   // after each cycle
   { kind.settleBounds(k, motion, share) } -> std::same_as<bool>;  // after a direct solve has ended, up to three times
-  // After the solve, as often as it goes on: what was frozen in it is set anew. True: the solve goes on from there.
-  { kind.renewFrozen(solved, given, pass) } -> std::same_as<bool>;
+  // After the solve, as often as it goes on, or within its cycles: what was frozen in it is set anew. True: the solve
+  // goes on from there.
+  { kind.renewFrozen(solved, given, when) } -> std::same_as<bool>;
   // After it.
   { kind.store(island, ties, context) } -> std::same_as<bool>;
   seen.tellShare(ties, share);

@@ -90,6 +90,7 @@ struct Glued {
 
 // A brick glued under, or beside, a fixed one, with a force on it that grows. N: the force when the joint breaks.
 struct Couplet : Glued {
+  using Glued::Glued;
   double breaks(double dt, double rate, Vec3 direction, Vec3 offset) {
     for (double force = 0; broken == 0 && force < 1e5; force += rate * dt) {
       EXPECT_TRUE(world.applyForceAtPoint(bodies[1], turn * (direction * force), turn * (centres[1] + offset)).ok());
@@ -262,6 +263,40 @@ TEST(Law, Row31gAMortaredWallStandsAndComesBack) {
   atMost("after a hit below its strength it is off by", kDt, 1e3 * g.moved(), 0.1, "mm");
 }
 
+// Closing when the step begins, pulled apart within it: over the mean of the two ways nothing is done, and the joint
+// held with all of its force.
+TEST(Law, Row31iAJointThatClosesAtFirstTakesItsEnergyToo) {
+  Couplet c(emptySpace());
+  c.brick({0, 1, 0}, BodyType::fixed);
+  c.brick({0, 1 - kBrickSize.y, 0});
+  c.glue();
+  const double force = 8000, mass = c.world.state(c.bodies[1])->mass, speed = 8;
+  ASSERT_TRUE(c.world.setLinearVelocity(c.bodies[1], {0, speed, 0}).ok());
+  ASSERT_TRUE(c.world.applyForce(c.bodies[1], {0, -force, 0}).ok());
+  c.step(kDt);
+  EXPECT_EQ(c.broken, 1);
+  const double free = force / mass * kDt - speed;
+  reached({"speed of a brick that is torn off, of that without mortar", kDt,
+           -c.world.state(c.bodies[1])->linearVelocity.y / free, 1, 0.01, ""});
+}
+
+// A brick that is jammed between a mortared one and the ground overlaps both by 5 mm. No force has made that way, and
+// none splits the joint.
+TEST(Law, Row31jWhatIsJammedSplitsNoJoint) {
+  for (double dt : {1.0 / 60, 1.0 / 480}) {
+    Glued g;
+    g.brick({0, 0, 0}, BodyType::fixed);
+    g.brick({0.5 * kBrickSize.x, kBrickSize.y, 0});
+    g.brick({0.22, 0.005, 0});
+    g.brick({0.22, 0.01 - kBrickSize.y, 0}, BodyType::fixed);
+    g.glue();
+    ASSERT_EQ(g.joints.size(), 1u);
+    for (int i = 0; i < int(std::lround(1 / dt)); i++) g.step(dt);
+    EXPECT_EQ(g.broken, 0);
+    atMost("what the joint has taken of its energy", dt, g.world.state(g.joints[0])->damage, 0.01, "");
+  }
+}
+
 // A ball into a wall breaks about as many joints at any step; energy never rises, and the ledger has what broke.
 TEST(Law, Row31hAHitBreaksAsMuchAtAnyStep) {
   int least = 1000, most = 0;
@@ -296,7 +331,7 @@ TEST(Law, Row31hAHitBreaksAsMuchAtAnyStep) {
     atMost("energy of bodies that a step gained from springs, of 210 J", dt, rise, 1, "J");
   }
   EXPECT_GE(least, 8);
-  atMost("most joints broken at a step over the least", 0, double(most) / least, 1.6, "");
+  atMost("most joints broken at a step over the least", 0, double(most) / least, 1.3, "");
 }
 
 }  // namespace

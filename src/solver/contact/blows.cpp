@@ -141,8 +141,8 @@ void ContactRows::giveBlows(const std::pmr::vector<char>& yielding, double dt, T
   auto crush = [&](std::size_t k, Contact& c, Vec3 along) {
     if (c.crushed) return;
     c.crushed = true;
-    for (auto [held, body] : {std::pair{yielding[records[k].bodyA], c.bodyA}, {yielding[records[k].bodyB], c.bodyB}})
-      if (held && c.crushing > 0) blows.crushes.push_back({body, along, double(c.crushing)});
+    for (std::uint32_t body : {records[k].bodyA, records[k].bodyB})
+      if (yielding[body] && c.crushing > 0) blows.crushes.push_back({body, along, double(c.crushing)});
   };
   for (std::size_t k = 0; k < size(); k++) {
     if (!yielding[records[k].bodyA] && !yielding[records[k].bodyB]) continue;

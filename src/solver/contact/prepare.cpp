@@ -141,6 +141,15 @@ float mapNormalOffset(PointMemory& m, int i, float approach, const PointRules& r
   return m.gap[i] - m.offset[i];
 }
 
+// What is jammed overlaps by a way that no force has made. Between bodies that mortar holds, its spring would press
+// harder in each step until it splits them. More overlap than the point's last force makes, or the weight of the two,
+// causes none. Returns the gap that causes force.
+float ease(PointMemory& m, int i, float weight) {
+  const float rest = std::max(m.forceN[i], weight);
+  m.offset[i] = std::min(m.offset[i], m.gap[i] + rest / m.stiffness[i]);
+  return m.gap[i] - m.offset[i];
+}
+
 void mapFrictionAnchor(Contact& c, int i, ContactGeometry& g, const FaceRecord& r, double largest,
                        const BodySet& bodies) {
   bool sticking = c.points.stickingMask >> i & 1;
@@ -241,6 +250,7 @@ void ContactRows::prepare(const Island& island, Ties& ties, const StepContext& c
       if (falls) start.falling |= 1u << i;
       float gap = mapNormalOffset(c.points, i, start.approach[i], rules);
       mapFrictionAnchor(c, i, set.geometry[contactOf[k]], r, kSamePlace * start.scale.size, bodies);
+      if (island.facts.mortared) gap = ease(c.points, i, c.effectiveMass * float(context.judgingGravity));
       float stiffness = c.points.stiffness[i];
       r.k[i] = stiffness;
       r.trialN[i] = kMultiplierShare * c.points.multiplierN[i] - stiffness * ((gap > 0 ? gap : kCorrect * gap) + bendN);

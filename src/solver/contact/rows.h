@@ -9,6 +9,7 @@
 #include "solver/blows.h"
 #include "solver/face/rows.h"
 #include "solver/hierarchy.h"
+#include "solver/renewals.h"
 #include "solver/step_context.h"
 #include "solver/tie_report.h"
 
@@ -114,8 +115,8 @@ struct ContactRows : FaceRows {
                  const StepContext& context, Blows& blows) const;
   // After the first solve: impacts that are over give back their share, in a solve that goes on from there. True if any
   // does.
-  bool renewFrozen(const Island& island, const StepContext& context, int pass) {
-    return pass == 0 && startRebounds(island, context);
+  bool renewFrozen(const Island& island, const StepContext& context, Renewal when) {
+    return when == Renewal::first && startRebounds(island, context);
   }
   // After the contact's forces are stored: an impact goes on at one of its points that will rebound later.
   bool owes(std::size_t k, const StepContext& context) const;

@@ -22,6 +22,7 @@
 #include "solver/blows.h"
 #include "solver/boundary.h"
 #include "solver/joint/record.h"
+#include "solver/renewals.h"
 #include "solver/step_context.h"
 #include "solver/tie_report.h"
 
@@ -121,7 +122,7 @@ struct JointRows {
   // The forces found become multipliers; geometric stiffness grows with them.
   bool settleBounds(std::size_t k, const SolveMotion* motion, float slack);
   void giveBlows(const std::pmr::vector<char>&, double, Ties&, BodySet&, const StepContext&, Blows&) const {}
-  bool renewFrozen(const Island&, const StepContext&, int) { return false; }
+  bool renewFrozen(const Island&, const StepContext&, Renewal) { return false; }
   bool store(Island& island, Ties& ties, StepContext& context);
   void tellShare(Ties& ties, float share) const;
   bool owes(std::size_t, const StepContext&) const { return false; }

@@ -68,95 +68,116 @@ void MortarRows::writeCaps(std::size_t k, const Mortar& m) {
 // besides what breaking them takes.
 void MortarRows::takeCrushes(const Island& island, const Ties& ties) {
   for (MortarStart& start : starts) start.tougher = 1;
+  if (island.blows.crushes.empty()) return;
+  std::pmr::vector<char> struck(island.bodies.size() + island.partners.size(), 0, island.memory);
+  for (const Crush& crush : island.blows.crushes) struck[crush.body] = 1;
+  std::pmr::vector<std::uint32_t> holding(island.memory);  // rows of struck bodies
+  for (std::uint32_t k = 0; k < size(); k++)
+    if (struck[records[k].bodyA] || struck[records[k].bodyB]) holding.push_back(k);
   for (const Crush& crush : island.blows.crushes) {
     double force = 0, energy = 0;  // N, J: of all joints of the body
-    auto visit = [&](auto&& take) {
-      for (std::size_t k = 0; k < size(); k++)
-        if (mortarAt(k, ties).names(crush.body)) take(k, mortarAt(k, ties));
-    };
-    visit([&](std::size_t k, const Mortar& m) {
+    auto holds = [&](std::uint32_t k) { return records[k].bodyA == crush.body || records[k].bodyB == crush.body; };
+    for (std::uint32_t k : holding) {
+      if (!holds(k)) continue;
+      const Mortar& m = mortarAt(k, ties);
       const double pull = std::fabs(dot(toDouble(records[k].n), crush.along)), left = mortar::strengthLeft(m.damage);
       const double shear = std::sqrt(std::max(0.0, 1 - pull * pull));
       force += left * kMortarPoints * (pull * mortar::pullOf(m) + shear * mortar::shearOf(m));
       energy += (1 - m.damage) * (pull * pull * mortar::pullEnergy(m) + shear * shear * mortar::shearEnergy(m));
-    });
+    }
     const float tougher = energy > 0 ? float(1 + force * force / (crush.crushing * energy)) : 1;
-    visit([&](std::size_t k, const Mortar&) { starts[k].tougher = std::max(starts[k].tougher, tougher); });
+    for (std::uint32_t k : holding)
+      if (holds(k)) starts[k].tougher = std::max(starts[k].tougher, tougher);
   }
 }
 
 void MortarRows::prepare(Island& island, Ties& ties, const StepContext& context) {
-  const BodySet& bodies = *context.bodies;
   for (std::size_t k = 0; k < size(); k++) {
-    const Mortar& m = mortarAt(k, ties);
-    records[k].n = toFloat(rotate(bodies.motion[m.bodyA].rotation * m.frameA, Vec3{1, 0, 0}));
+    Mortar& m = ties.mortar.slots[mortarOf[k]];
+    const MortarPose pose(m, *context.bodies);
+    placePoints(m, pose);
+    writeFace(k, m, pose);
+    writeStart(k, m, pose, island, *context.bodies);
   }
   takeCrushes(island, ties);
   for (std::size_t k = 0; k < size(); k++) {
-    Mortar& m = ties.mortar.slots[mortarOf[k]];
-    FaceRecord& r = records[k];
-    MortarStart& start = starts[k];
-    const MortarPose pose(m, bodies);
-    placePoints(m, pose);
-    r.n = toFloat(pose.n);
-    r.t1 = toFloat(pose.t1);
-    r.armA = toFloat(pose.armA);
-    r.armB = toFloat(pose.armB);
-    const BodyMotion &a = bodies.motion[m.bodyA], &b = bodies.motion[m.bodyB];
-    auto turnOf = [&](std::uint32_t local, BodyIndex body) {
-      if (const RigidWay* chunk = local < island.bodies.size() ? island.chunks.of(local) : nullptr) return chunk->turn;
-      return bodies.motion[body].angularVelocity * island.dt;
-    };
-    const Vec3 arcs =
-        mortar::arcOfArm(turnOf(r.bodyB, m.bodyB), pose.armB) - mortar::arcOfArm(turnOf(r.bodyA, m.bodyA), pose.armA);
-    start.arc = toFloat(arcs - mortar::arcOfArm(island.rigid.turn, pose.armB - pose.armA));
-    const Vec3 u =
-        b.linearVelocity + cross(b.angularVelocity, pose.armB) - a.linearVelocity - cross(a.angularVelocity, pose.armA);
-    const Vec3 w = b.angularVelocity - a.angularVelocity;
-    const Vec3 move{dot(pose.n, u), dot(pose.t1, u), dot(pose.t2, u)},
-        turn{dot(pose.n, w), dot(pose.t1, w), dot(pose.t2, w)};
-    // Velocities are the ways of the last step. What turns goes on along an arc.
-    const Vec3 bends = toDouble(start.arc), arc{dot(pose.n, bends), dot(pose.t1, bends), dot(pose.t2, bends)};
-    const double stiffness = mortar::stiffnessOf(m);
-    const double a1 = mortar::kKern * m.gyration[0] * double(m.arm), a2 = mortar::kKern * m.gyration[1] * double(m.arm);
-    double pressure = 0, worn = 0;
-    for (int i = 0; i < 4; i++) {
-      const double s1 = kMortarSide1[i] * a1, s2 = kMortarSide2[i] * a2;
-      const Vec3 gap = pose.displaced + pose.along1 * s1 + pose.along2 * s2;
-      r.s1[i] = float(s1);
-      r.s2[i] = float(s2);
-      start.gapN[i] = float(gap.x), start.gap1[i] = float(gap.y), start.gap2[i] = float(gap.z);
-      start.heldN[i] = float(-stiffness * (gap.x - double(m.opening[i])));
-      start.held1[i] = float(-stiffness * (gap.y - double(m.slip1[i])));
-      start.held2[i] = float(-stiffness * (gap.z - double(m.slip2[i])));
-      start.opens[i] = float((move.x + turn.y * s2 - turn.z * s1) * island.dt - arc.x);
-      start.goes1[i] = float((move.y - turn.x * s2) * island.dt - arc.y);
-      start.goes2[i] = float((move.z + turn.x * s1) * island.dt - arc.z);
-      pressure += 0.25 * double(start.heldN[i]);
-      const double along = std::sqrt(double(start.goes1[i]) * start.goes1[i] + double(start.goes2[i]) * start.goes2[i]);
-      worn += 0.5 * (mortar::pullOf(m) * std::max(0.0, double(start.opens[i])) / mortar::pullEnergy(m) +
-                     mortar::shearOf(m) * along / mortar::shearEnergy(m));
-    }
-    start.pressure = float(std::max(pressure, -mortar::pullOf(m)));
-    start.pull = start.shear = 0;
-    // No more than stops the motion that the joint starts with within its energy. What is about to break need not be
-    // firm.
-    const double whole = mortar::strengthLeft(m.damage),
-                 most = worn > 0 ? (1 - m.damage) * double(start.tougher) / worn : whole;
-    start.left = float(std::min(whole, most));
-    const double firm = stiffness * (most < whole ? std::max(most / whole, kLeastFirmness) : 1);
-    start.stiffness = float(stiffness);
-    // What is less firm holds less of its force, or it would give more than it holds.
-    const float held = float(firm / stiffness);
-    const Vec3f bent = start.arc;
-    const float arcN = dot(r.n, bent), arc1 = dot(r.t1, bent), arc2 = dot(cross(r.n, r.t1), bent);
-    for (int i = 0; i < 4; i++) {
-      r.k[i] = float(firm);
-      r.trialN[i] = held * start.heldN[i] - r.k[i] * arcN;
-      r.trial1[i] = held * start.held1[i] - r.k[i] * arc1;
-      r.trial2[i] = held * start.held2[i] - r.k[i] * arc2;
-    }
-    writeCaps(k, m);
+    writeSprings(k, mortarAt(k, ties));
+    writeCaps(k, mortarAt(k, ties));
+  }
+}
+
+// Where the face and its points are, and what they hold.
+void MortarRows::writeFace(std::size_t k, const Mortar& m, const MortarPose& pose) {
+  FaceRecord& r = records[k];
+  MortarStart& start = starts[k];
+  r.n = toFloat(pose.n);
+  r.t1 = toFloat(pose.t1);
+  r.armA = toFloat(pose.armA);
+  r.armB = toFloat(pose.armB);
+  const double stiffness = mortar::stiffnessOf(m);
+  const double a1 = mortar::kKern * m.gyration[0] * double(m.arm), a2 = mortar::kKern * m.gyration[1] * double(m.arm);
+  double pressure = 0;
+  for (int i = 0; i < 4; i++) {
+    const double s1 = kMortarSide1[i] * a1, s2 = kMortarSide2[i] * a2;
+    const Vec3 gap = pose.displaced + pose.along1 * s1 + pose.along2 * s2;
+    r.s1[i] = float(s1);
+    r.s2[i] = float(s2);
+    start.gapN[i] = float(gap.x), start.gap1[i] = float(gap.y), start.gap2[i] = float(gap.z);
+    start.heldN[i] = float(-stiffness * (gap.x - double(m.opening[i])));
+    start.held1[i] = float(-stiffness * (gap.y - double(m.slip1[i])));
+    start.held2[i] = float(-stiffness * (gap.z - double(m.slip2[i])));
+    pressure += 0.25 * double(start.heldN[i]);
+  }
+  start.stiffness = float(stiffness);
+  start.pressure = float(std::max(pressure, -mortar::pullOf(m)));
+  start.pull = start.shear = 0;
+}
+
+// Ways by the velocities at the start, which are the ways of the last step. What turns goes on along an arc.
+void MortarRows::writeStart(std::size_t k, const Mortar& m, const MortarPose& pose, const Island& island,
+                            const BodySet& bodies) {
+  const FaceRecord& r = records[k];
+  MortarStart& start = starts[k];
+  const BodyMotion &a = bodies.motion[m.bodyA], &b = bodies.motion[m.bodyB];
+  auto turnOf = [&](std::uint32_t local, const BodyMotion& motion) {
+    if (const RigidWay* chunk = local < island.bodies.size() ? island.chunks.of(local) : nullptr) return chunk->turn;
+    return motion.angularVelocity * island.dt;
+  };
+  const Vec3 arcs = mortar::arcOfArm(turnOf(r.bodyB, b), pose.armB) - mortar::arcOfArm(turnOf(r.bodyA, a), pose.armA);
+  start.arc = toFloat(arcs - mortar::arcOfArm(island.rigid.turn, pose.armB - pose.armA));
+  auto inFace = [&](Vec3 v) { return Vec3{dot(pose.n, v), dot(pose.t1, v), dot(pose.t2, v)}; };
+  const Vec3 move = inFace(b.linearVelocity + cross(b.angularVelocity, pose.armB) - a.linearVelocity -
+                           cross(a.angularVelocity, pose.armA));
+  const Vec3 turn = inFace(b.angularVelocity - a.angularVelocity), arc = inFace(toDouble(start.arc));
+  for (int i = 0; i < 4; i++) {
+    const double s1 = double(r.s1[i]), s2 = double(r.s2[i]);
+    start.opens[i] = float((move.x + turn.y * s2 - turn.z * s1) * island.dt - arc.x);
+    start.goes1[i] = float((move.y - turn.x * s2) * island.dt - arc.y);
+    start.goes2[i] = float((move.z + turn.x * s1) * island.dt - arc.z);
+  }
+}
+
+// No more than stops the motion that the joint starts with within its energy. What is about to break need not be firm.
+void MortarRows::writeSprings(std::size_t k, const Mortar& m) {
+  FaceRecord& r = records[k];
+  MortarStart& start = starts[k];
+  double worn = 0;
+  for (int i = 0; i < 4; i++) {
+    const double along = std::sqrt(double(start.goes1[i]) * start.goes1[i] + double(start.goes2[i]) * start.goes2[i]);
+    worn += 0.5 * (mortar::pullOf(m) * std::max(0.0, double(start.opens[i])) / mortar::pullEnergy(m) +
+                   mortar::shearOf(m) * along / mortar::shearEnergy(m));
+  }
+  const double whole = mortar::strengthLeft(m.damage),
+               most = worn > 0 ? (1 - m.damage) * double(start.tougher) / worn : whole;
+  start.left = float(std::min(whole, most));
+  // What is less firm holds less of its force, or it would give more than it holds.
+  const float held = float(most < whole ? std::max(most / whole, kLeastFirmness) : 1);
+  const float arcN = dot(r.n, start.arc), arc1 = dot(r.t1, start.arc), arc2 = dot(cross(r.n, r.t1), start.arc);
+  for (int i = 0; i < 4; i++) {
+    r.k[i] = held * start.stiffness;
+    r.trialN[i] = held * start.heldN[i] - r.k[i] * arcN;
+    r.trial1[i] = held * start.held1[i] - r.k[i] * arc1;
+    r.trial2[i] = held * start.held2[i] - r.k[i] * arc2;
   }
 }
 

@@ -18,6 +18,7 @@
 #include "solver/blows.h"
 #include "solver/face/rows.h"
 #include "solver/mortar/law.h"
+#include "solver/renewals.h"
 #include "solver/step_context.h"
 #include "solver/tie_report.h"
 
@@ -85,7 +86,7 @@ struct MortarRows : FaceRows {
   bool boundsFollow(std::size_t) const { return false; }
   bool renewBounds(std::size_t, const SolveMotion*, float = 0) { return false; }
   bool settleBounds(std::size_t, const SolveMotion*, float = 0) { return false; }
-  bool renewFrozen(const Island& island, const StepContext& context, int pass);
+  bool renewFrozen(const Island& island, const StepContext& context, Renewal when);
   bool store(Island& island, Ties& ties, StepContext& context);
   void tellShare(Ties&, float) const {}
   bool owes(std::size_t, const StepContext&) const { return false; }
@@ -137,6 +138,9 @@ struct MortarRows : FaceRows {
 
  private:
   const Mortar& mortarAt(std::size_t k, const Ties& ties) const { return ties.mortar.slots[mortarOf[k]]; }
+  void writeFace(std::size_t k, const Mortar& m, const MortarPose& pose);
+  void writeStart(std::size_t k, const Mortar& m, const MortarPose& pose, const Island& island, const BodySet& bodies);
+  void writeSprings(std::size_t k, const Mortar& m);
   void writeCaps(std::size_t k, const Mortar& m);
   void takeCrushes(const Island& island, const Ties& ties);
 };

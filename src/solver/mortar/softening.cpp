@@ -40,33 +40,47 @@ struct Taken {
   bool yields = false;
 };
 
-// The work of a joint's forces over the mean of the ways by its start velocities and by the motion found: by the end
-// motion alone a hit is over before it has begun, and takes nothing. Less what its springs hold then; and of what
-// slides the cohesive share only, since the rest is friction.
+// Of a joint's forces in one mode, J.
+struct Work {
+  double start = 0, found = 0;  // over the ways by the start velocities, and over those that were found
+  double held = 0;              // that its springs hold more
+
+  void add(double byStart, double byFound, double more) {
+    start += byStart;
+    found += byFound;
+    held += more;
+  }
+  // Over the mean of the two: by the way found alone a hit is over before it has begun, and takes nothing. But no less
+  // than over the way found, which is what the solve takes: a joint may close at the start and part within the step.
+  double taken() const { return std::max(0.0, 0.5 * (std::max(start, found) + found) - held); }
+};
+
+// Of what slides the cohesive share only, since the rest is friction.
 Taken takenBy(const Mortar& m, const FaceRecord& r, const MortarStart& start, const PointForces& now) {
   Taken out;
   const double k = mortar::stiffnessOf(m), rubs = std::max(0.0, m.strength.friction * double(start.pressure));
   auto held = [&](double force, double before) { return 0.5 * (force * force - before * before) / k; };
+  Work pull, shear;
   for (int i = 0; i < 4; i++) {
     out.yields = out.yields || now.trialN[i] < r.leastN[i] || (now.slides >> i & 1);
-    const double pull = std::min(0.0, double(now.n[i])), before = std::min(0.0, double(start.heldN[i]));
-    out.pull += -pull * 0.5 * (double(start.opens[i]) + double(now.way[i])) - held(pull, before);
-    const double f1 = now.t1[i], f2 = now.t2[i], shear = std::sqrt(f1 * f1 + f2 * f2);
-    const double cohesive = shear > 0 ? std::max(0.0, shear - rubs) / shear : 0;
-    const double worked = -f1 * 0.5 * (double(start.goes1[i]) + double(now.way1[i])) -
-                          f2 * 0.5 * (double(start.goes2[i]) + double(now.way2[i]));
-    out.shear += cohesive * (worked - held(f1, start.held1[i]) - held(f2, start.held2[i]));
-    out.use = std::max({out.use, -pull / mortar::pullOf(m), cohesive * shear / mortar::shearOf(m)});
+    const double pulls = std::min(0.0, double(now.n[i])), before = std::min(0.0, double(start.heldN[i]));
+    pull.add(-pulls * double(start.opens[i]), -pulls * double(now.way[i]), held(pulls, before));
+    const double f1 = now.t1[i], f2 = now.t2[i], along = std::sqrt(f1 * f1 + f2 * f2);
+    const double cohesive = along > 0 ? std::max(0.0, along - rubs) / along : 0;
+    shear.add(cohesive * (-f1 * double(start.goes1[i]) - f2 * double(start.goes2[i])),
+              cohesive * (-f1 * double(now.way1[i]) - f2 * double(now.way2[i])),
+              cohesive * (held(f1, start.held1[i]) + held(f2, start.held2[i])));
+    out.use = std::max({out.use, -pulls / mortar::pullOf(m), cohesive * along / mortar::shearOf(m)});
   }
   // Of what a blow takes, crushing has its share.
-  out.pull = std::max(0.0, out.pull) / double(start.tougher);
-  out.shear = std::max(0.0, out.shear) / double(start.tougher);
+  out.pull = pull.taken() / double(start.tougher);
+  out.shear = shear.taken() / double(start.tougher);
   if (out.yields) return out;
   // Within its strength mortar takes no more than a spring of its stiffness holds.
   const MortarStrength& s = m.strength;
-  const double pull = 0.5 * s.tension * s.tension / s.stiffness * m.area;
-  const double shear = 0.5 * s.cohesion * s.cohesion / (kShearStiffness * s.stiffness) * m.area;
-  const double share = out.pull / pull + out.shear / shear, more = share > 1 ? 1 - 1 / share : 0;
+  const double pulled = 0.5 * s.tension * s.tension / s.stiffness * m.area;
+  const double sheared = 0.5 * s.cohesion * s.cohesion / (kShearStiffness * s.stiffness) * m.area;
+  const double share = out.pull / pulled + out.shear / sheared, more = share > 1 ? 1 - 1 / share : 0;
   out.pull *= more;
   out.shear *= more;
   return out;
@@ -78,7 +92,7 @@ double shareOf(const Taken& taken, const Mortar& m) {
 
 }  // namespace
 
-bool MortarRows::renewFrozen(const Island& island, const StepContext& context, int) {
+bool MortarRows::renewFrozen(const Island& island, const StepContext& context, Renewal) {
   bool fell = false;
   for (std::size_t k = 0; k < size(); k++) {
     const Mortar& m = mortarAt(k, *context.ties);

@@ -1,0 +1,27 @@
+// Quantities that are frozen in a solve, and follow what it finds: rebounds by the impulse that stopped each impact,
+// and caps of what breaks. Nothing but these is then out of balance, and the solve goes on.
+#pragma once
+
+namespace brickfall {
+
+struct Island;
+struct StepContext;
+
+enum class Renewal {
+  within,  // the cycles go on: not all is in balance yet
+  first,   // after the first solve
+  again    // after one that went on
+};
+
+class Renewals {
+ public:
+  // Sets them anew. True if any changed; false for ever after so many times.
+  bool next(Island& island, const StepContext& context, Renewal when);
+
+ private:
+  //! - | too small: joints that break take more than their energy | too large: cost of steps in which much breaks
+  static constexpr int kMost = 6;  // in a solve
+  int made_ = 0;
+};
+
+}  // namespace brickfall
