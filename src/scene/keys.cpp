@@ -1,6 +1,9 @@
 // The table of keys.
 #include "scene/keys.h"
 
+#include <map>
+#include <utility>
+
 #include "brickfall/limits.h"
 #include "scene/node.h"
 #include "scene/shape_choices.h"
@@ -65,6 +68,7 @@ void addMortarNumbers(std::vector<KeySpec>& keys, const char* table) {
 void addSceneKeys(std::vector<KeySpec>& keys) {
   keys.push_back({"", "title", K::text, "", 0, 200, "\"\"", "", "what the scene shows, in a line"});
   keys.push_back({"", "description", K::text, "", 0, 10000, "\"\"", "", "more about it"});
+  keys.push_back({"", "include", K::texts, "", 0, 0, "-", "", "other scene files, relative to this one: their tables come first, what this one says counts"});
   keys.push_back({"", "parameters", K::parameters, "", 0, 0, "-", "", "named numbers for expressions"});
   keys.push_back({"", "world", K::table, "", 0, 0, "-", "", "gravity, time and sleep"});
   keys.push_back({"", "solver", K::table, "", 0, 0, "-", "", "advanced settings of the contact solver"});
@@ -79,6 +83,8 @@ void addSceneKeys(std::vector<KeySpec>& keys) {
   keys.push_back({"", "array", K::tables, "", 0, 0, "-", "", "many equal bodies: lattices, columns, pyramids, piles"});
   keys.push_back({"", "arch", K::tables, "", 0, 0, "-", "", "arches of wedge-shaped stones"});
   keys.push_back({"", "dome", K::tables, "", 0, 0, "-", "", "domes of wedge-shaped stones, with a drum under them"});
+  keys.push_back({"", "group", K::tables, "", 0, 0, "-", "", "tables that stand together, to be placed and copied as one"});
+  keys.push_back({"", "copy", K::tables, "", 0, 0, "-", "", "another one of a table that has a name, at its own place"});
   keys.push_back({"", "mortar", K::tables, "", 0, 0, "-", "", "mortar between bodies that lie on each other"});
   keys.push_back({"", "joint", K::tables, "", 0, 0, "-", "", "what ties two bodies"});
   keys.push_back({"", "chain", K::tables, "", 0, 0, "-", "", "rows of links or boards with their joints"});
@@ -405,6 +411,50 @@ void addCameraKeyKeys(std::vector<KeySpec>& keys) {
   keys.push_back({"camera.key", "field_of_view_degrees", K::number, "degrees", 1, 170, "-", "", "vertical; default: the camera's"});
 }
 
+constexpr const char* kInGroups[] = {"wall", "pier", "roof", "body", "ball", "array", "arch", "dome", "mortar", "joint", "chain", "tilt", "shake", "blast", "camera", "copy"};
+
+void addGroupKeys(std::vector<KeySpec>& keys) {
+  keys.push_back({"group", "name", K::name, "", 0, 0, "", "", "what copies call it; what is in it is called name/..."});
+  keys.push_back({"group", "position", K::vector, "m", -kFar, kFar, "[0, 0, 0]", "", "where its origin stands: its tables are placed from there"});
+  keys.push_back({"group", "yaw_degrees", K::number, "degrees", -3600, 3600, "0", "", "about the vertical through its origin"});
+  keys.push_back({"group", "template", K::boolean, "", 0, 0, "false", "", "true: it only is there to be copied"});
+  for (const char* table : kInGroups) keys.push_back({"group", table, K::tables, "", 0, 0, "-", "", "as at the top level, in the group's own frame"});
+}
+
+void addCopyKeys(std::vector<KeySpec>& keys) {
+  keys.push_back({"copy", "of", K::name, "", 0, 0, "", "", "the name of a group, a wall, a body, ..."});
+  keys.push_back({"copy", "name", K::name, "", 0, 0, "-", "", "its own; default: the other's, with \" copy\" behind it"});
+  keys.push_back({"copy", "position", K::vector, "m", -kFar, kFar, "-", "", "where it stands; default: where the other does"});
+  keys.push_back({"copy", "yaw_degrees", K::number, "degrees", -3600, 3600, "-", "", "how it is turned; default: as the other"});
+}
+
+void addRepetitionKeys(std::vector<KeySpec>& keys) {
+  keys.push_back({"repeat", "count", K::integer, "", 0, 100000, "-", "", "how many"});
+  keys.push_back({"repeat", "grid", K::counts, "", 0, 10000, "-", "", "instead: how many along x, y and z"});
+  keys.push_back({"repeat", "step", K::vector, "m", -kFar, kFar, "-", "", "from one to the next; of a grid along each axis"});
+  keys.push_back({"repeat", "about", K::vector, "m", -kFar, kFar, "-", "", "middle of a ring: each is turned about the vertical through it"});
+  keys.push_back({"repeat", "turn_degrees", K::number, "degrees", -3600, 3600, "-", "", "from one of a ring to the next; default: all the way round"});
+  keys.push_back({"repeat", "index", K::name, "", 0, 0, "\"i\"", "", "what its number is called in expressions and names: $i is 0, 1, ..."});
+}
+
+// Every table that there may be several of can be repeated. `repeat` and `let` are gone once the file is read.
+void addRepeatKeys(std::vector<KeySpec>& keys) {
+  std::vector<const char*> tables;
+  for (const KeySpec& spec : keys) {
+    const std::string_view table = spec.table;
+    const std::size_t dot = table.find('.');
+    const std::string_view owner = dot == table.npos ? std::string_view() : table.substr(0, dot);
+    const std::string_view own = dot == table.npos ? table : table.substr(dot + 1);
+    bool several = false;
+    for (const KeySpec& other : keys) several = several || (other.kind == K::tables && other.table == owner && other.key == own);
+    if (several && !table.empty() && (tables.empty() || std::string_view(tables.back()) != table)) tables.push_back(spec.table);
+  }
+  for (const char* table : tables) {
+    keys.push_back({table, "repeat", K::repeat, "", 0, 100000, "-", "", "how many of it: a number, or [repeat] with more"});
+    keys.push_back({table, "let", K::parameters, "", 0, 0, "-", "", "named numbers for this table alone, of each repetition anew"});
+  }
+}
+
 std::vector<KeySpec> makeKeys() {
   std::vector<KeySpec> keys;
   addSceneKeys(keys);
@@ -434,6 +484,10 @@ std::vector<KeySpec> makeKeys() {
   addAirKeys(keys);
   addCameraKeys(keys);
   addCameraKeyKeys(keys);
+  addGroupKeys(keys);
+  addCopyKeys(keys);
+  addRepetitionKeys(keys);
+  addRepeatKeys(keys);
   return keys;
 }
 // clang-format on
@@ -446,9 +500,41 @@ const std::vector<KeySpec>& keySpecs() {
 }
 
 const KeySpec* findKey(std::string_view table, std::string_view key) {
-  for (const KeySpec& spec : keySpecs())
-    if (spec.table == table && spec.key == key) return &spec;
-  return nullptr;
+  using Keys = std::map<std::string_view, const KeySpec*>;
+  static const auto tables = [] {
+    std::map<std::string_view, Keys> all;
+    for (const KeySpec& spec : keySpecs()) all[spec.table].emplace(spec.key, &spec);
+    return all;
+  }();
+  const auto known = tables.find(table);
+  if (known == tables.end()) return nullptr;
+  const auto found = known->second.find(key);
+  return found == known->second.end() ? nullptr : found->second;
+}
+
+Frame frameOf(const KeySpec& spec) {
+  const std::string_view key = spec.key;
+  if (key == "yaw_degrees") return Frame::yaw;
+  if (spec.kind != K::vector) return Frame::none;
+  for (const char* point : {"position", "target", "anchor", "anchor_b", "pivot", "centre", "from", "to"})
+    if (key == point) return Frame::point;
+  for (const char* direction : {"velocity", "angular_velocity", "axis", "hinge_axis", "direction"})
+    if (key == direction) return Frame::direction;
+  return Frame::none;
+}
+
+std::string meantTable(std::string_view thing) {
+  static constexpr std::pair<std::string_view, const char*> kThings[] = {
+      {"sphere", "ball"},  {"box", "body"},      {"brick", "wall"},   {"column", "array"},    {"tower", "wall"},
+      {"pile", "array"},   {"pyramid", "array"}, {"cube", "body"},    {"beam", "body"},       {"slab", "body"},
+      {"hinge", "joint"},  {"rope", "joint"},    {"spring", "joint"}, {"explosion", "blast"}, {"view", "camera"},
+      {"floor", "ground"}, {"plane", "ground"},  {"ring", "wall"},    {"corner", "wall"},     {"gate", "wall"},
+      {"vault", "arch"},   {"storey", "group"},  {"quake", "shake"},  {"earthquake", "shake"}};
+  std::string word(thing);
+  if (word.ends_with('s')) word.pop_back();
+  for (const auto& [name, table] : kThings)
+    if (name == thing || name == word) return table;
+  return {};
 }
 
 std::vector<std::string> keysOf(std::string_view table) {
@@ -530,6 +616,12 @@ std::string expectation(const KeySpec& spec) {
       return "4 .. 64 points [[x, y, z], ...], each coordinate " + range + unit;
     case K::times:
       return "1 .. 1000 times [t, ...], each " + range + unit + ", that ascend";
+    case K::planPoints:
+      return "2 .. 1000 points [[x, z], ...], each coordinate " + range + unit;
+    case K::texts:
+      return "a text, or several: [\"a\", \"b\"]";
+    case K::repeat:
+      return "how often, a whole number " + range + ", or a table: write [" + std::string(spec.table) + ".repeat]";
     case K::parameters:
       return "a table of numbers";
     case K::table:

@@ -92,10 +92,8 @@ void readParts(SceneBuild& build, TableReader& reader, SceneBody& body) {
     if (reader.has(key)) reader.error(key, "found beside [[body.part]], expected the shape in the parts only");
   for (TableReader& part : parts) {
     ShapeDef shape = readShape(build, part);
-    Vec3 degrees;
     part.vector("position", shape.local.position);
-    part.vector("rotation_degrees", degrees);
-    shape.local.rotation = rotationFromDegrees(degrees);
+    part.rotation("rotation_degrees", shape.local.rotation);
     std::string material = body.material;
     part.material("material", material);
     body.shapeMaterials.push_back(material);
@@ -121,13 +119,6 @@ void readBallMaterial(SceneBuild& build, TableReader& reader, SceneBody& ball) {
 
 }  // namespace
 
-Quat rotationFromDegrees(Vec3 degrees) {
-  Quat x = quatFromAxisAngle({1, 0, 0}, degrees.x * kRadians);
-  Quat y = quatFromAxisAngle({0, 1, 0}, degrees.y * kRadians);
-  Quat z = quatFromAxisAngle({0, 0, 1}, degrees.z * kRadians);
-  return normalized(z * y * x);
-}
-
 void readMotion(TableReader& reader, BodyDef& def) {
   reader.vector("velocity", def.linearVelocity);
   reader.vector("angular_velocity", def.angularVelocity);
@@ -148,10 +139,8 @@ void readBodies(SceneBuild& build, TableReader& top) {
     body.material = "brick";
     reader.choice("type", body.def.type);
     reader.material("material", body.material);
-    Vec3 degrees;
     reader.vector("position", body.def.position);
-    reader.vector("rotation_degrees", degrees);
-    body.def.rotation = rotationFromDegrees(degrees);
+    reader.rotation("rotation_degrees", body.def.rotation);
     readParts(build, reader, body);
     bool mesh = std::any_of(body.def.shapes.begin(), body.def.shapes.end(),
                             [](const ShapeDef& shape) { return shape.type == ShapeType::mesh; });
