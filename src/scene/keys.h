@@ -27,6 +27,7 @@ enum class KeyKind : std::uint8_t {
   wholePair,   // [a, b], whole numbers
   points,      // [[x, y, z], ...]
   times,       // [t, ...], ascending
+  numbers,     // [a, ...], whole and ascending
   planPoints,  // [[x, z], ...]
   texts,       // a text, or several: ["a", "b"]
   repeat,      // how often, or a table of KeySpec::table "repeat"

@@ -58,6 +58,8 @@ void refuseKeysOfOtherShapes(TableReader& reader, const ShapeChoice& shape) {
           key, "found a key that a " + std::string(shape.name) + " does not have, expected it only with another shape");
 }
 
+}  // namespace
+
 ShapeDef readShape(SceneBuild& build, TableReader& reader) {
   ShapeDef shape;
   int index = 0;
@@ -81,6 +83,8 @@ ShapeDef readShape(SceneBuild& build, TableReader& reader) {
     reader.error("vertices", "found points in one plane, expected points that span a volume");
   return shape;
 }
+
+namespace {
 
 void readParts(SceneBuild& build, TableReader& reader, SceneBody& body) {
   std::vector<TableReader> parts = reader.tables("part");
@@ -139,6 +143,7 @@ void readBodies(SceneBuild& build, TableReader& top) {
     body.material = "brick";
     reader.choice("type", body.def.type);
     reader.material("material", body.material);
+    readColour(reader, body);
     reader.vector("position", body.def.position);
     reader.rotation("rotation_degrees", body.def.rotation);
     readParts(build, reader, body);
@@ -177,6 +182,7 @@ void readBalls(SceneBuild& build, TableReader& top) {
     shape.radius = 0.1;
     reader.number("radius", shape.radius);
     readBallMaterial(build, reader, ball);
+    readColour(reader, ball);
     reader.vector("position", ball.def.position);
     readMotion(reader, ball.def);
     readLaunch(build, reader, ball);

@@ -37,6 +37,8 @@ void readBrickKinds(SceneBuild& build, TableReader& top);
 void readMortarKinds(SceneBuild& build, TableReader& top);
 void readCameras(SceneBuild& build, TableReader& top);
 void readWalls(SceneBuild& build, TableReader& top);
+void readPiers(SceneBuild& build, TableReader& top);
+void readRoofs(SceneBuild& build, TableReader& top);
 void readBodies(SceneBuild& build, TableReader& top);
 void readBalls(SceneBuild& build, TableReader& top);
 void readArrays(SceneBuild& build, TableReader& top);
@@ -58,6 +60,13 @@ inline SourcePlace placeOf(const TableReader& reader) {
   if (reader.node().source > 0) return {};
   return {reader.node().line, reader.node().column};
 }
+
+inline void readColour(TableReader& reader, SceneBody& body) {
+  std::uint32_t colour = 0;
+  if (reader.colour("colour", colour)) body.colour = colour;
+}
+// A table's shape: the keys of [[body]], [[body.part]] and [[array]].
+ShapeDef readShape(SceneBuild& build, TableReader& reader);
 
 // A camera that sees the whole scene, for files that have none.
 void frameScene(SceneDescription& scene);

@@ -38,9 +38,11 @@ void readAll(scene::SceneBuild& build, scene::Node& root) {
   scene::readWorld(build, top);
   scene::readGround(build, top);
   scene::readWalls(build, top);
+  scene::readPiers(build, top);
   scene::readArrays(build, top);
   scene::readArches(build, top);
   scene::readDomes(build, top);
+  scene::readRoofs(build, top);
   scene::readBodies(build, top);
   scene::readBalls(build, top);
   scene::readChains(build, top);
@@ -52,7 +54,7 @@ void readAll(scene::SceneBuild& build, scene::Node& root) {
   scene::readBlasts(build, top);
   scene::readCameras(build, top);
   bool anything =
-      top.has("wall") || top.has("body") || top.has("ball") || top.has("array") || top.has("arch") || top.has("dome");
+      top.has("wall") || top.has("pier") || top.has("roof") || top.has("body") || top.has("ball") || top.has("array") || top.has("arch") || top.has("dome");
   if (!anything && !build.context.syntaxErrors) {
     scene::Node file;
     build.context.error(file, "",

@@ -542,6 +542,29 @@ bool TableReader::planPoints(const char* key, std::vector<Vec3>& out) {
   return true;
 }
 
+bool TableReader::numbers(const char* key, std::vector<int>& out) {
+  const Node* node = sought(key);
+  if (!node) return false;
+  std::vector<int> found;
+  if (node->kind != NodeKind::array || node->items.size() > 1000) {
+    wrong(*node, pathOf(key), spec(key));
+    return false;
+  }
+  KeySpec element = spec(key);
+  element.kind = KeyKind::integer;
+  for (std::size_t i = 0; i < node->items.size(); i++) {
+    double value = 0;
+    if (!numberOf(node->items[i], pathOf(key) + "[" + std::to_string(i) + "]", element, true, value)) return false;
+    if (!found.empty() && !(value > found.back())) {
+      wrong(*node, pathOf(key), spec(key));
+      return false;
+    }
+    found.push_back(int(value));
+  }
+  out = std::move(found);
+  return true;
+}
+
 bool TableReader::texts(const char* key, std::vector<std::string>& out) {
   const Node* node = sought(key);
   if (!node) return false;

@@ -55,6 +55,8 @@ std::string typeWords(const KeySpec& spec) {
       return "[[x, y, z], ...]";
     case K::times:
       return "[t, ...]";
+    case K::numbers:
+      return "[a, ...], whole";
     case K::planPoints:
       return "[[x, z], ...]";
     case K::texts:
@@ -79,6 +81,7 @@ std::string rangeWords(const KeySpec& spec) {
     case K::integer:
     case K::repeat:
       return rangeOf(spec);
+    case K::numbers:
     case K::planPoints:
     case K::vector:
     case K::positive:
@@ -172,6 +175,8 @@ std::string valueSchema(const KeySpec& spec, const std::string& indent) {
       return arraySchema(arraySchema(number, 3, 3), 4, 64);
     case K::times:
       return arraySchema(number, 1, 1000);
+    case K::numbers:
+      return arraySchema(numberSchema(spec, true), 0, 1000);
     case K::planPoints:
       return arraySchema(arraySchema(number, 2, 2), 2, 1000);
     case K::texts:
