@@ -211,7 +211,7 @@ bool checkOpening(const WallDef& wall, std::size_t index, Problems& problems) {
       wall.radius > 0 && span.hasLintel()
           ? (span.lintelTo - span.lintelFrom) * (span.lintelTo - span.lintelFrom) / (8 * wall.radius)
           : 0;
-  if (sagitta > 0.35 * wallThickness(wall)) {
+  if (sagitta > 0.5 * wallThickness(wall)) {
     problems.add(field + "width", "the straight lintel would lie " + textOf(sagitta) +
                                       " m beside the round wall, expected a narrower opening or a larger radius");
   } else if (!(span.to <= length + 1e-9 && span.from >= begin - 1e-9)) {

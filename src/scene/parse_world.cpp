@@ -176,6 +176,7 @@ void lookAtBody(SceneBuild& build, TableReader& reader, const std::string& name,
   for (const SceneWall& wall : build.scene.walls) {
     names.push_back(wall.wall.name);
     const Result<std::vector<BrickPlacement>> bricks = layBricks(wall.wall, build.scene.seed);
+    if (!bricks && wall.wall.name == name) return;  // its own mistake is told
     if (!bricks || bricks->empty()) continue;
     Vec3 sum;
     for (const BrickPlacement& brick : *bricks) {

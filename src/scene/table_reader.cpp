@@ -140,7 +140,7 @@ ParameterLookup ReadContext::lookup() const {
 
 RandomSource ReadContext::random(const std::string& path) const {
   auto numbers = std::make_shared<Random>(masonry::namedSeed(seed, path + " random"));
-  return [numbers, known = seedKnown](std::string& error) -> std::optional<double> {
+  return [numbers, known = seedKnown && path != "world.seed"](std::string& error) -> std::optional<double> {
     if (known) return numbers->unit();
     error = "random needs the seed of [world], which needs this";
     return std::nullopt;
