@@ -46,7 +46,9 @@ WallReport reportOn(const std::vector<BrickPlacement>& bricks) {
 std::vector<BrickPlacement> laid(const WallDef& wall) {
   const Result<std::vector<BrickPlacement>> bricks = layBricks(wall, 1);
   EXPECT_TRUE(bricks.ok()) << (bricks.ok() ? "" : bricks.error().message);
-  if (bricks) EXPECT_EQ(brickCount(wall), std::int64_t(bricks->size()));
+  if (bricks && wall.openings.empty()) {
+    EXPECT_EQ(brickCount(wall), std::int64_t(bricks->size()));
+  }
   return bricks ? *bricks : std::vector<BrickPlacement>{};
 }
 
@@ -90,11 +92,11 @@ TEST(CurvedWalls, RingsAndArcsHaveNoBrickInAnother) {
     WallDef wall = wallIn(bond);
     wall.radius = 1.1;
     EXPECT_LT(reportOn(laid(wall)).deepest, 1e-9) << int(bond);
-    if (bond != Bond::stack) EXPECT_EQ(reportOn(laid(wall)).loose, 0) << int(bond);
+    EXPECT_EQ(reportOn(laid(wall)).loose, 0) << int(bond);
     wall.arcDegrees = 130;
     EXPECT_LT(reportOn(laid(wall)).deepest, 1e-9) << int(bond);
     wall.arcDegrees = 360;
-    wall.openings.push_back({0.02, 0, 0.4, 0.13, 0.1, 0.065});
+    wall.openings.push_back({0.12, 0, 0.4, 0.13, 0.1, 0.065});
     EXPECT_LT(reportOn(laid(wall)).deepest, 1e-9) << int(bond);
   }
 }
@@ -103,7 +105,7 @@ TEST(CurvedWalls, PiersAndGablesBelongToTheWall) {
   for (Bond bond : kBonds) {
     for (double depth : {1.5, 2.0, 2.5}) {
       WallDef wall = wallIn(bond);
-      wall.bricksPerCourse = 8;
+      wall.bricksPerCourse = bond == Bond::header ? 14 : 7;
       wall.piers = {{0, 1.5, depth, 2}, {0.5 * wallLength(wall), 2, depth, 0}};
       const WallReport report = reportOn(laid(wall));
       EXPECT_LT(report.deepest, 1e-9) << int(bond) << " " << depth;
@@ -153,7 +155,7 @@ TEST(CurvedWalls, MortarJoinsCornersRingsPiersAndGables) {
     for (std::size_t k = 0; k < root.size(); k++) pieces += root[k] == k;
     EXPECT_EQ(pieces, 1u) << kind;
     EXPECT_GT(heads, bricks.size() / 2) << kind;
-    if (kind == 0) EXPECT_EQ(heads, bricks.size()) << "each with its neighbours";
+    EXPECT_TRUE(kind != 0 || heads == bricks.size()) << heads << " of " << bricks.size();
   }
 }
 

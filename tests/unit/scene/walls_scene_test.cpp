@@ -1,5 +1,6 @@
 // Walls that meet, what stands on them and what is told of them: in scene files.
-#include <set>
+#include <algorithm>
+#include <cmath>
 
 #include "unit/scene/scene_support.h"
 
@@ -37,9 +38,9 @@ TEST(MeetingWalls, AreOneInMortar) {
   ASSERT_TRUE(run.ok()) << run.error().message;
   int across = 0;
   for (MortarId id : run->mortars()) {
-    const Result<MortarDef> def = run->world().definition(id);
-    ASSERT_TRUE(def.ok());
-    across += run->find(def->bodyA)->name.starts_with("long") != run->find(def->bodyB)->name.starts_with("long");
+    const Result<MortarState> state = run->world().state(id);
+    ASSERT_TRUE(state.ok());
+    across += run->find(state->bodyA)->name.starts_with("long") != run->find(state->bodyB)->name.starts_with("long");
   }
   EXPECT_GE(across, 8);
 }
@@ -85,8 +86,9 @@ TEST(MeetingWalls, ABrickIsWhatIsMadeOfTheWallsMaterial) {
     if (body.role == BodyRole::ground) continue;
     EXPECT_EQ(body.role == BodyRole::brick, !lintel && body.name != "wood") << body.name;
     stones += body.name.starts_with("arch");
-    if (body.name.starts_with("wall") && !lintel) EXPECT_EQ(body.colour, 0x102030u);
-    if (body.name == "wood") EXPECT_EQ(body.colour, 0x00FF00u);
+    const bool own = body.name.starts_with("wall") && !lintel;
+    EXPECT_EQ(body.colour == 0x102030u, own) << body.name;
+    EXPECT_EQ(body.colour == 0x00FF00u, body.name == "wood") << body.name;
   }
   EXPECT_EQ(stones, 13u);
 }
