@@ -26,7 +26,9 @@ std::string forBash(const std::vector<CommandWords>& commands) {
       "_brickfall() {\n"
       "  local word=\"${COMP_WORDS[COMP_CWORD]}\" scenes=\n"
       "  if [ \"$COMP_CWORD\" -eq 1 ]; then\n"
-      "    COMPREPLY=($(compgen -W \"" + namesOf(commands) + "\" -- \"$word\"))\n"
+      "    COMPREPLY=($(compgen -W \"" +
+      namesOf(commands) +
+      "\" -- \"$word\"))\n"
       "    return\n"
       "  fi\n"
       "  case \"${COMP_WORDS[1]}\" in\n";
@@ -116,12 +118,12 @@ int manPage(const std::vector<CommandWords>& commands) {
                      "input.\n.SH COMMANDS\n";
   for (const CommandWords& command : commands) {
     text += ".SS " + troff(command.name) + "\n" + troff(command.purpose) + ".\n";
-    for (const auto& [name, purpose] : command.options)
-      text += ".TP\n.B " + troff(name) + "\n" + troff(purpose) + "\n";
+    for (const auto& [name, purpose] : command.options) text += ".TP\n.B " + troff(name) + "\n" + troff(purpose) + "\n";
   }
-  text += ".SH EXIT STATUS\n0 done; 1 internal error; 2 bad arguments or scene; 3 a file cannot be read or written;\n"
-          "4 done, but bodies became non\\-finite; 130 interrupted.\n.SH FILES\n"
-          "Results go into out/SCENE, unless \\-o says where.";
+  text +=
+      ".SH EXIT STATUS\n0 done; 1 internal error; 2 bad arguments or scene; 3 a file cannot be read or written;\n"
+      "4 done, but bodies became non\\-finite; 130 interrupted.\n.SH FILES\n"
+      "Results go into out/SCENE, unless \\-o says where.";
   say(text);
   return kOk;
 }

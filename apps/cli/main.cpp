@@ -105,7 +105,8 @@ void defineCommands(CLI::App& app, Arguments& arguments) {
              exitCodes(kRunCodes));
 
   CLI::App& run = *app.add_subcommand("run", "Simulate a scene: replay.html, <scene>.glb, summary.json, <scene>.take");
-  run.add_option("scene", arguments.run.scene, "A scene file, a shipped scene (brickfall scenes), or - for standard input")
+  run.add_option("scene", arguments.run.scene,
+                 "A scene file, a shipped scene (brickfall scenes), or - for standard input")
       ->required()
       ->type_name("SCENE");
   addOutputOptions(run, arguments.run.output, "out/<scene>");
@@ -226,7 +227,8 @@ std::vector<CommandWords> commandWords(const CLI::App& app) {
   for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
     CommandWords words{command->get_name(), command->get_description(), {}, false};
     for (const CLI::Option* option : command->get_options()) {
-      for (const std::string& name : option->get_lnames()) words.options.push_back({"--" + name, option->get_description()});
+      for (const std::string& name : option->get_lnames())
+        words.options.push_back({"--" + name, option->get_description()});
       words.takesScene = words.takesScene || option->get_type_name() == "SCENE" || option->get_type_name() == "FILE...";
     }
     all.push_back(std::move(words));

@@ -62,7 +62,8 @@ Simulated simulate(SceneRun& run, std::uint64_t steps, RunMetrics& metrics, Take
 
 Summary summaryOf(const SceneRun& run, const RunFigures& figures, double wallSeconds, const std::string& path) {
   const SceneDescription& scene = run.scene();
-  return {scene.name, scene.seed, run.world().stateHash(), scene.timeStep, scene.world.threads, wallSeconds, figures, absolutePath(path)};
+  return {scene.name,  scene.seed, run.world().stateHash(), scene.timeStep, scene.world.threads,
+          wallSeconds, figures,    absolutePath(path)};
 }
 
 void sayResult(const Summary& summary) {

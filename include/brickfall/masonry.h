@@ -54,18 +54,18 @@ struct Opening {
 // A pier bonded into a wall: a block of bricks, in every second course crosswise with the wall against it, in the others along with
 // the wall going through.
 struct Pier {
-  double at = 0;          // m along the wall: its middle; it ends with the wall at its ends
-  double width = 1.5;     // brick lengths along the wall, in halves, >= 1
-  double depth = 1.5;     // brick lengths through it, in halves: more than the wall
-  int higher = 0;         // courses above those of the wall
+  double at = 0;       // m along the wall: its middle; it ends with the wall at its ends
+  double width = 1.5;  // brick lengths along the wall, in halves, >= 1
+  double depth = 1.5;  // brick lengths through it, in halves: more than the wall
+  int higher = 0;      // courses above those of the wall
 };
 
 // Where another wall goes into this one, in every second course.
 struct LetIn {
-  int side = 0;                      // of the path
-  double from = 0, to = 0;           // m along it
+  int side = 0;             // of the path
+  double from = 0, to = 0;  // m along it
   int firstCourse = 0, endCourse = 0;
-  int parity = 1;                    // the courses that are odd, or even
+  int parity = 1;  // the courses that are odd, or even
 };
 
 struct WallDef {
@@ -86,10 +86,10 @@ struct WallDef {
   bool closed = false;     // the last corner is joined to the first
   double radius = 0;       // m, of its middle line about `position`; 0: none. It begins at +z and runs towards +x
   double arcDegrees = 360;
-  double gableDegrees = 0;       // slope of a gable on top; 0: none
-  std::vector<int> gableSides;   // of a path, from 0; empty: all
-  std::vector<Pier> piers;       // of a straight wall
-  bool pierAlone = false;        // no wall: one pier, its middle at `position`
+  double gableDegrees = 0;      // slope of a gable on top; 0: none
+  std::vector<int> gableSides;  // of a path, from 0; empty: all
+  std::vector<Pier> piers;      // of a straight wall
+  bool pierAlone = false;       // no wall: one pier, its middle at `position`
   std::vector<LetIn> letIn;
   // m that it reaches beyond its ends in even and in odd courses, where it goes into another wall; less than 0: short of it.
   double startReach[2] = {0, 0}, endReach[2] = {0, 0};
@@ -141,7 +141,8 @@ MassProperties mortaredBrickMass(const WallDef& wall, const BrickPlacement& bric
 // bonds, where headers or leaves are further apart.
 struct JointWidths {
   double head = 0, bed = 0;
-  double wedge = 0;  // rad: of a round wall, faces that stand and are turned by up to this from each other are joined as well
+  double wedge =
+      0;  // rad: of a round wall, faces that stand and are turned by up to this from each other are joined as well
 };
 JointWidths jointWidths(const WallDef& wall);
 

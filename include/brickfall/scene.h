@@ -67,7 +67,7 @@ struct SceneWall {
   UnevenDensity uneven;       // inside each brick, by the scene's seed and the brick's name
   // None: dry. It fills the joints; mortared walls that meet are joined by the weaker mortar of both.
   std::optional<MortarKind> mortar;
-  bool foot = false;  // mortared to what it stands on: boxes and planes
+  bool foot = false;                    // mortared to what it stands on: boxes and planes
   std::optional<std::uint32_t> colour;  // 0xRRGGBB, of its bricks; none: the material's
   std::vector<std::string> tiedTo;      // walls that its ends go into, by name; WallDef has what became of it
   SourcePlace place;
@@ -127,10 +127,10 @@ struct SceneDescription {
   std::string title, description;
   WorldDef world;
   SceneMethod method = SceneMethod::clusters;
-  ReportSettings report;  // of SceneMethod::report
-  double seconds = 10;    // simulated time of a run, at most
-  bool stopAtRest = false;                // it ends when everything rests and nothing is to come
-  std::optional<double> removeBelow;      // m: dynamic bodies whose centres are lower are taken out
+  ReportSettings report;              // of SceneMethod::report
+  double seconds = 10;                // simulated time of a run, at most
+  bool stopAtRest = false;            // it ends when everything rests and nothing is to come
+  std::optional<double> removeBelow;  // m: dynamic bodies whose centres are lower are taken out
   double timeStep = 1.0 / 60;
   int substeps = 1;
   double framesPerSecond = 60;  // of the recorded take

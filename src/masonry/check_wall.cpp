@@ -132,7 +132,8 @@ void checkPath(const WallDef& wall, Problems& problems) {
     problems.add("radius", "found " + textOf(wall.radius) + " m, expected at least " +
                                textOf(at.length + 0.5 * at.thickness) + " m: a brick's length at its inner face");
   else if (wall.radius > 0 && !masonry::isRing(wall) && !(masonry::ringLength(wall) >= at.length))
-    problems.add("arcDegrees", "found an arc of " + textOf(masonry::ringLength(wall)) + " m, expected room for a brick");
+    problems.add("arcDegrees",
+                 "found an arc of " + textOf(masonry::ringLength(wall)) + " m, expected room for a brick");
 }
 
 void checkGableAndPiers(const WallDef& wall, Problems& problems) {
@@ -142,8 +143,7 @@ void checkGableAndPiers(const WallDef& wall, Problems& problems) {
   const int lines = wall.path.empty() ? 1 : int(wall.path.size()) - (wall.closed ? 0 : 1);
   for (int side : wall.gableSides)
     if (!(side >= 0 && side < lines))
-      problems.add("gableSides",
-                   "found side " + std::to_string(side) + ", expected 0 .. " + std::to_string(lines - 1));
+      problems.add("gableSides", "found side " + std::to_string(side) + ", expected 0 .. " + std::to_string(lines - 1));
   for (std::size_t k = 0; k < wall.piers.size(); k++) {
     const Pier& pier = wall.piers[k];
     const std::string field = "piers[" + std::to_string(k) + "].";
@@ -161,8 +161,8 @@ void checkGableAndPiers(const WallDef& wall, Problems& problems) {
     const double length = masonry::layoutOf(wall).wallLength;
     if (wall.pierAlone) continue;
     if (!(pier.at <= length + 1e-9 && place.width <= length + 1e-9))
-      problems.add(field + "at", "found " + textOf(pier.at) + " m, expected room for a pier of " +
-                                     textOf(place.width) + " m in the wall's length of " + textOf(length) + " m");
+      problems.add(field + "at", "found " + textOf(pier.at) + " m, expected room for a pier of " + textOf(place.width) +
+                                     " m in the wall's length of " + textOf(length) + " m");
     for (std::size_t i = 0; i < k; i++) {
       const masonry::PierPlace other = masonry::placeOf(wall, wall.piers[i]);
       if (std::fabs(other.at - place.at) < 0.5 * (other.width + place.width) + wall.brick.size.z)
@@ -170,7 +170,8 @@ void checkGableAndPiers(const WallDef& wall, Problems& problems) {
     }
     for (std::size_t i = 0; i < wall.openings.size(); i++) {
       const Opening& opening = wall.openings[i];
-      if (opening.from < place.at + 0.5 * place.width + 1e-9 && opening.from + opening.width > place.at - 0.5 * place.width - 1e-9)
+      if (opening.from < place.at + 0.5 * place.width + 1e-9 &&
+          opening.from + opening.width > place.at - 0.5 * place.width - 1e-9)
         problems.add(field + "at", "found it in opening " + std::to_string(i) + ", expected it beside openings");
     }
   }
@@ -207,20 +208,20 @@ bool checkOpening(const WallDef& wall, std::size_t index, Problems& problems) {
   double length = std::min(line.to[0], line.to[1]);
   const double begin = std::max({line.from[0], line.from[1], 0.0});
   OpeningSpan span = masonry::spanOf(wall, opening, line);
-  const double sagitta =
-      wall.radius > 0 && span.hasLintel()
-          ? (span.lintelTo - span.lintelFrom) * (span.lintelTo - span.lintelFrom) / (8 * wall.radius)
-          : 0;
+  const double sagitta = wall.radius > 0 && span.hasLintel()
+                             ? (span.lintelTo - span.lintelFrom) * (span.lintelTo - span.lintelFrom) / (8 * wall.radius)
+                             : 0;
   if (sagitta > 0.5 * wallThickness(wall)) {
     problems.add(field + "width", "the straight lintel would lie " + textOf(sagitta) +
                                       " m beside the round wall, expected a narrower opening or a larger radius");
   } else if (!(span.to <= length + 1e-9 && span.from >= begin - 1e-9)) {
     const bool path = lines.size() > 1;
-    problems.add(field + (path && span.from < begin ? "from" : "width"),
-                 "the opening " + std::string(path ? "reaches from " + textOf(span.from + line.before) + " to " : "ends at ") +
-                     textOf(span.to + line.before) + " m, expected inside the wall's length of " +
-                     (path ? textOf(line.before + begin) + " .. " + textOf(line.before + length) + " m, between two corners"
-                           : textOf(length) + " m"));
+    problems.add(
+        field + (path && span.from < begin ? "from" : "width"),
+        "the opening " + std::string(path ? "reaches from " + textOf(span.from + line.before) + " to " : "ends at ") +
+            textOf(span.to + line.before) + " m, expected inside the wall's length of " +
+            (path ? textOf(line.before + begin) + " .. " + textOf(line.before + length) + " m, between two corners"
+                  : textOf(length) + " m"));
   } else if (!(span.endCourse > span.firstCourse)) {
     bool above = span.firstCourse >= wall.courses;
     problems.add(field + (above ? "sill" : "height"),
@@ -228,10 +229,10 @@ bool checkOpening(const WallDef& wall, std::size_t index, Problems& problems) {
                              textOf(wall.courses * masonry::layoutOf(wall).coursePitch) + " m"
                        : "the opening takes no whole course, expected a height of at least one course");
   } else if (span.hasLintel() && !(span.lintelFrom >= begin - 1e-9 && span.lintelTo <= length + 1e-9)) {
-    problems.add(field + "lintelBearing",
-                 "the lintel reaches from " + textOf(span.lintelFrom + line.before) + " to " +
-                     textOf(span.lintelTo + line.before) + " m, expected inside the wall: " +
-                     textOf(line.before + begin) + " .. " + textOf(line.before + length) + " m");
+    problems.add(field + "lintelBearing", "the lintel reaches from " + textOf(span.lintelFrom + line.before) + " to " +
+                                              textOf(span.lintelTo + line.before) +
+                                              " m, expected inside the wall: " + textOf(line.before + begin) + " .. " +
+                                              textOf(line.before + length) + " m");
   }
   return problems.list.size() == before;
 }

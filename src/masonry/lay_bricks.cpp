@@ -91,8 +91,7 @@ class Bricklayer {
       brick.centre = {out * sine, centre.y, out * cosine};
       brick.rotation = quatFromAxisAngle({0, 1, 0}, angle);
     } else if (line_->yawDegrees != 0 || !(line_->origin == Vec3{})) {
-      const Transform place{line_->origin,
-                            quatFromAxisAngle({0, 1, 0}, line_->yawDegrees * (std::numbers::pi / 180))};
+      const Transform place{line_->origin, quatFromAxisAngle({0, 1, 0}, line_->yawDegrees * (std::numbers::pi / 180))};
       brick.centre = transformPoint(place, centre);
       brick.rotation = place.rotation;
     }

@@ -314,7 +314,8 @@ class Mason {
 JointWidths jointWidths(const WallDef& wall) {
   const masonry::Layout at = masonry::layoutOf(wall);
   JointWidths widths{wall.headJoint, wall.bedJoint};
-  if (wall.radius > 0) widths.wedge = std::min(1.05 * masonry::ringTurn(wall) * std::max(at.pitch, 2 * at.headerPitch), 1.0);
+  if (wall.radius > 0)
+    widths.wedge = std::min(1.05 * masonry::ringTurn(wall) * std::max(at.pitch, 2 * at.headerPitch), 1.0);
   if (!masonry::isThick(wall.bond)) return widths;
   // Beyond a quarter of a brick's width it is a cavity.
   double leaves = at.length - 2 * at.width;

@@ -158,7 +158,8 @@ std::int64_t mostBricks(const WallDef& wall) {
   const std::vector<Line> lines = linesOf(wall);
   for (std::size_t k = 0; k < lines.size(); k++) {
     const double length = std::max(lines[k].to[0], lines[k].to[1]) - std::min(lines[k].from[0], lines[k].from[1]);
-    const double courses = double(wall.courses) + (hasGable(wall, int(k)) ? length * slopeOf(wall) / at.coursePitch : 0);
+    const double courses =
+        double(wall.courses) + (hasGable(wall, int(k)) ? length * slopeOf(wall) / at.coursePitch : 0);
     most += (2 * length / std::min(at.length, 2 * at.width) + 4) * courses;
   }
   for (const Pier& pier : wall.piers) most += (4 * pier.width * pier.depth + 4) * (wall.courses + pier.higher);
@@ -189,8 +190,7 @@ int ringBricks(const WallDef& wall) {
 
 double ringLength(const WallDef& wall) {
   const Layout at = layoutOf(wall);
-  if (!isRing(wall))
-    return wall.arcDegrees * (std::numbers::pi / 180) * (wall.radius - 0.5 * at.thickness);
+  if (!isRing(wall)) return wall.arcDegrees * (std::numbers::pi / 180) * (wall.radius - 0.5 * at.thickness);
   return ringBricks(wall) * (wall.bond == Bond::header ? at.headerPitch : at.pitch);
 }
 
@@ -303,7 +303,8 @@ std::vector<PierBrick> pierCourse(const WallDef& wall, const PierPlace& place, i
       brick.length = length;
       brick.cut = cut;
       brick.crosswise = crosswise;
-      brick.centre = crosswise ? Vec3{place.at + side, 0, place.across + middle} : Vec3{place.at + middle, 0, place.across + side};
+      brick.centre =
+          crosswise ? Vec3{place.at + side, 0, place.across + middle} : Vec3{place.at + middle, 0, place.across + side};
       bricks.push_back(brick);
       from += length + at.joint;
       half += cut ? 1 : 2;

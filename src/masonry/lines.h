@@ -10,13 +10,13 @@
 namespace brickfall::masonry {
 
 struct Line {
-  Vec3 origin;            // m, in the wall's frame
-  double yawDegrees = 0;  // about +y
-  double length = 0;      // m, from corner to corner
+  Vec3 origin;                              // m, in the wall's frame
+  double yawDegrees = 0;                    // about +y
+  double length = 0;                        // m, from corner to corner
   double from[2] = {0, 0}, to[2] = {0, 0};  // m, of even and odd courses
-  double anchor = 0;      // m: where a whole brick begins in even courses
-  double before = 0;      // m of the path before it
-  bool plain = true;      // a straight wall by its number of bricks, with closers at its ends
+  double anchor = 0;                        // m: where a whole brick begins in even courses
+  double before = 0;                        // m of the path before it
+  bool plain = true;                        // a straight wall by its number of bricks, with closers at its ends
 };
 
 // One of a straight wall or a ring; of a path one from corner to corner.
@@ -44,10 +44,10 @@ std::vector<Run> cellsOf(const WallDef& wall, const Line& line, int index, int c
 
 // A pier's place: its middle along the wall and through it, and how many half bricks it has.
 struct PierPlace {
-  double at = 0, across = 0;       // m
-  double width = 0, depth = 0;     // m
-  int along = 0, through = 0;      // half bricks
-  int wallFirst = 0, wallRows = 1; // the rows that are the wall's own
+  double at = 0, across = 0;        // m
+  double width = 0, depth = 0;      // m
+  int along = 0, through = 0;       // half bricks
+  int wallFirst = 0, wallRows = 1;  // the rows that are the wall's own
   bool crosswise(int course) const { return course % 2 == 0; }
 };
 PierPlace placeOf(const WallDef& wall, const Pier& pier);

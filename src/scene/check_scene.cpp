@@ -108,7 +108,8 @@ std::string overlapWords(const OwnersOverlap& one) {
            " at the start, expected bodies that touch at most";
   const std::string line = one.early->place.line > 0 ? " (line " + std::to_string(one.early->place.line) + ")" : "";
   const std::string other = (earlyWall ? "wall \"" : "\"") + one.earlyOwner + "\"" + line;
-  const std::string pairs = std::to_string(one.pairs) + (one.pairs == 1 ? " pair" : " pairs") + " of bodies, up to " + depth;
+  const std::string pairs =
+      std::to_string(one.pairs) + (one.pairs == 1 ? " pair" : " pairs") + " of bodies, up to " + depth;
   const char* mend = lateWall && earlyWall && one.lateOwner != one.earlyOwner
                          ? "; two walls that meet are bonded by tied_to, or by one wall with a path"
                          : "; move one of them by as much";

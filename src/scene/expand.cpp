@@ -13,7 +13,7 @@ namespace brickfall::scene {
 
 namespace {
 
-constexpr std::size_t kMostNodes = 3'000'000;
+constexpr std::size_t kMostNodes = 1'500'000;  // made by repetitions and copies
 constexpr int kDeepestCopy = 8;
 
 using Values = std::vector<std::pair<std::string, double>>;
@@ -56,8 +56,7 @@ void substitute(Node& node, const Values& values) {
   const std::string hidden = node.kind == NodeKind::table ? indexNameOf(node) : std::string();
   Values inner = values;
   if (!hidden.empty())
-    std::erase_if(inner,
-                  [&](const auto& one) { return one.first == hidden || one.first.starts_with(hidden + "_"); });
+    std::erase_if(inner, [&](const auto& one) { return one.first == hidden || one.first.starts_with(hidden + "_"); });
   for (Member& member : node.members) substitute(member.value, member.key == "repeat" ? values : inner);
 }
 
@@ -157,15 +156,13 @@ class Repetition {
                                        : "not given, expected how many: count, or grid = [nx, ny, nz]");
     if (reader.has("turn_degrees") && !reader.has("about"))
       reader.error("turn_degrees", "found without about, expected the middle of a ring: about = [x, y, z]");
-    if (reader.has("grid") && reader.has("about"))
-      reader.error("about", "found beside grid, expected a ring's count");
+    if (reader.has("grid") && reader.has("about")) reader.error("about", "found beside grid, expected a ring's count");
     if (!isParameterName(index))
-      reader.error("index",
-                   "found an unusable name, expected letters, digits and _, beginning with a letter");
+      reader.error("index", "found an unusable name, expected letters, digits and _, beginning with a letter");
     const double most = 100000;
     if (isGrid && !(grid.x * grid.y * grid.z <= most))
-      reader.error("grid", "found " + numberText(grid.x * grid.y * grid.z) + " in all, expected at most " +
-                               numberText(most));
+      reader.error("grid",
+                   "found " + numberText(grid.x * grid.y * grid.z) + " in all, expected at most " + numberText(most));
     if (context_.diagnostics.size() != before || !(counted || isGrid)) return;
     if (ring && !turns && count > 0) turn = 360.0 / count;
     if (isGrid) return fillGrid(grid, step, index);
@@ -228,7 +225,7 @@ class Expander {
                        "found the name \"" + *name + "\" a second time, expected different names");
     }
     for (std::size_t k = 0; k < groups.items.size(); k++)
-      addGroups(groups.items[k], "group[" + std::to_string(k) + "]", {}, 0, false);
+      addGroups(groups.items[k], "group[" + std::to_string(k) + "]", {}, 0);
     for (std::size_t k = 0; k < copies.items.size(); k++)
       addCopies(copies.items[k], "copy[" + std::to_string(k) + "]", 0);
   }
@@ -239,12 +236,13 @@ class Expander {
     Node node;
   };
 
-  bool roomFor(const Node& node, const std::string& path) {
-    nodes_ += sizeOf(node);
+  bool roomFor(const Node& node, const std::string& path, std::size_t times = 1) {
+    nodes_ += sizeOf(node) * times;
     if (nodes_ <= kMostNodes) return true;
     if (!full_)
-      context_.error(node, path, "the scene has more than " + std::to_string(kMostNodes) +
-                                     " values with these repetitions, expected fewer");
+      context_.error(
+          node, path,
+          "the scene has more than " + std::to_string(kMostNodes) + " values with these repetitions, expected fewer");
     full_ = true;
     return false;
   }
@@ -260,15 +258,15 @@ class Expander {
     return out;
   }
 
-  // `again`: all of them are copies of what stands elsewhere.
   std::vector<Node> expanded(const Node& table, const std::string& path) {
     std::vector<Node> out;
     const bool plain = !table.find("repeat") && !table.find("let");
+    if (full_) return out;
     Repetition repetition(context_, table, path);
-    for (std::size_t k = 0; k < repetition.instances.size(); k++) {
+    if (!plain && !roomFor(table, path, repetition.instances.size())) return out;
+    for (std::size_t k = 0; k < repetition.instances.size() && !full_; k++) {
       const Instance& one = repetition.instances[k];
       Node made = table;
-      if (!plain && !roomFor(made, path)) return out;
       if (k > 0) markAgain(made);
       erase(made, "repeat");
       substitute(made, one.values);
@@ -304,8 +302,7 @@ class Expander {
       const Node& node = member.value;
       double value = node.number;
       if (node.kind == NodeKind::text) {
-        const Evaluated result =
-            evaluate(substituted(node.text, values), context_.lookup(), context_.random(where));
+        const Evaluated result = evaluate(substituted(node.text, values), context_.lookup(), context_.random(where));
         if (!result.error.empty())
           context_.error(node, where,
                          "found " + describe(node) + ": " + result.error + ", expected a number or an expression");
@@ -327,9 +324,8 @@ class Expander {
 
   void expandArray(Node& array, const std::string& path, bool known) {
     const bool anything = std::any_of(array.items.begin(), array.items.end(), [](const Node& item) {
-      return item.find("repeat") || item.find("let") || std::any_of(item.members.begin(), item.members.end(), [](const Member& m) {
-               return isTables(m.value);
-             });
+      return item.find("repeat") || item.find("let") ||
+             std::any_of(item.members.begin(), item.members.end(), [](const Member& m) { return isTables(m.value); });
     });
     if (!anything || !known) return;
     std::vector<Node> out;
@@ -367,13 +363,12 @@ class Expander {
     member->value.items.push_back(std::move(node));
   }
 
-  // All of a group's repetitions. `again`: what is in it has been read once.
-  void addGroups(const Node& group, const std::string& path, const Placement& around, int depth, bool again) {
+  // All of a group's repetitions.
+  void addGroups(const Node& group, const std::string& path, const Placement& around, int depth) {
     isGroup_ = true;
     std::vector<Node> made = expanded(group, path);
     isGroup_ = false;
     for (Node& one : made) {
-      if (again) markAgain(one);
       const std::string title = one.expansion && !one.expansion->title.empty() ? one.expansion->title : path;
       addGroup(one, title, around, depth);
     }
@@ -436,7 +431,8 @@ class Expander {
   static void prefix(Node& table, const std::string& name, const std::set<std::string>& names) {
     const auto inside = [&](const std::string& text) {
       return names.count(text) > 0 || names.count(text.substr(0, text.find('/'))) > 0 ||
-             std::any_of(names.begin(), names.end(), [&](const std::string& one) { return text.starts_with(one + "/"); });
+             std::any_of(names.begin(), names.end(),
+                         [&](const std::string& one) { return text.starts_with(one + "/"); });
     };
     if (const std::string* own = nameOf(table)) setName(table, name + "/" + *own);
     for (Member& member : table.members) {
@@ -450,8 +446,9 @@ class Expander {
 
   void addCopies(const Node& copy, const std::string& path, int depth) {
     if (depth > kDeepestCopy) {
-      context_.error(copy, path, "found copies of copies, more than " + std::to_string(kDeepestCopy) +
-                                     " deep, expected groups that do not copy themselves");
+      context_.error(copy, path,
+                     "found copies of copies, more than " + std::to_string(kDeepestCopy) +
+                         " deep, expected groups that do not copy themselves");
       return;
     }
     Placement around;
@@ -476,10 +473,10 @@ class Expander {
     std::vector<Node> out;
     Repetition repetition(context_, copy, path);
     erase(copy, "repeat");
+    if (full_ || !roomFor(copy, path, repetition.instances.size())) return out;
     for (const Instance& one : repetition.instances) {
       Node made = copy;
       if (let) made.members.push_back(*let);
-      if (!roomFor(made, path)) return out;
       if (!out.empty()) markAgain(made);
       substitute(made, one.values);
       const std::string* name = nameOf(copy);
@@ -504,9 +501,9 @@ class Expander {
       std::vector<std::string> known;
       for (const auto& [one, node] : groups_) known.push_back(one);
       for (const auto& [one, original] : originals_) known.push_back(one);
-      context_.error(of->value, path + ".of",
-                     "found \"" + name + "\", expected the name of a group or of another table" +
-                         didYouMean(name, known));
+      context_.error(
+          of->value, path + ".of",
+          "found \"" + name + "\", expected the name of a group or of another table" + didYouMean(name, known));
       return;
     }
     Node made = group != groups_.end() ? group->second : table->second.node;
@@ -518,7 +515,7 @@ class Expander {
     made.expansion.reset();
     setName(made, nameFor(name));
     overlay(made, copy);
-    if (group != groups_.end()) return addGroups(made, path, here, depth + 1, false);
+    if (group != groups_.end()) return addGroups(made, path, here, depth + 1);
     made.line = copy.line, made.column = copy.column, made.again = false;
     for (Node& one : expanded(made, path)) {
       place(one, here, one.expansion ? one.expansion->title : path + " of \"" + name + "\"");

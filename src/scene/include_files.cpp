@@ -52,7 +52,8 @@ class Includer {
     if (wanted.kind == NodeKind::text) names.push_back(&wanted);
     for (const Node& item : wanted.items) names.push_back(&item);
     if (wanted.kind != NodeKind::text && wanted.kind != NodeKind::array)
-      context_.error(wanted, "include", "found " + describe(wanted) + ", expected the name of a scene file, or several");
+      context_.error(wanted, "include",
+                     "found " + describe(wanted) + ", expected the name of a scene file, or several");
     active_.push_back(fs::weakly_canonical(file, ignored_).string());
     Node under;
     for (const Node* name : names) {

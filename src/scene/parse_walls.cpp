@@ -180,7 +180,8 @@ void tieWall(SceneBuild& build, TableReader& reader, std::size_t index) {
       names.push_back(one.wall.name);
     }
     if (!other || other == &own)
-      return reader.error("tied_to", "found \"" + name + "\", expected the name of another wall" + didYouMean(name, names));
+      return reader.error("tied_to",
+                          "found \"" + name + "\", expected the name of another wall" + didYouMean(name, names));
     const double pitch = wall.brick.size.y + wall.bedJoint, rise = (wall.position.y - other->wall.position.y) / pitch;
     const bool same = other->wall.brick.size.y == wall.brick.size.y && other->wall.bedJoint == wall.bedJoint &&
                       std::fabs(rise - std::floor(rise + 0.5)) < 1e-6 && other->wall.radius == 0;

@@ -53,8 +53,8 @@ void readAll(scene::SceneBuild& build, scene::Node& root) {
   scene::readWinds(build, top);
   scene::readBlasts(build, top);
   scene::readCameras(build, top);
-  bool anything =
-      top.has("wall") || top.has("pier") || top.has("roof") || top.has("body") || top.has("ball") || top.has("array") || top.has("arch") || top.has("dome");
+  bool anything = top.has("wall") || top.has("pier") || top.has("roof") || top.has("body") || top.has("ball") ||
+                  top.has("array") || top.has("arch") || top.has("dome");
   if (!anything && !build.context.syntaxErrors) {
     scene::Node file;
     build.context.error(file, "",

@@ -188,13 +188,12 @@ void TableReader::reportUnknownKeys() {
     at.source = member.value.source;
     at.again = member.value.again;
     at.fromOverride = member.value.fromOverride && member.line == 0;
-    const bool isTable = member.value.kind == NodeKind::table ||
-                         (member.value.kind == NodeKind::array && !member.value.items.empty() &&
-                          member.value.items[0].kind == NodeKind::table);
+    const bool isTable =
+        member.value.kind == NodeKind::table || (member.value.kind == NodeKind::array && !member.value.items.empty() &&
+                                                 member.value.items[0].kind == NodeKind::table);
     context_->error(at, pathOf(member.key),
-                    isTable && table_.empty()
-                        ? unknownTable(member.key)
-                        : "found an unknown key, expected a key of " + tableTitle(table_) + hint);
+                    isTable && table_.empty() ? unknownTable(member.key)
+                                              : "found an unknown key, expected a key of " + tableTitle(table_) + hint);
   }
 }
 
@@ -203,7 +202,8 @@ std::string TableReader::unknownTable(const std::string& name) const {
   std::vector<std::string> tables;
   std::string list;
   for (const KeySpec& spec : keySpecs()) {
-    if (*spec.table || (spec.kind != KeyKind::tables && spec.kind != KeyKind::table && spec.kind != KeyKind::parameters))
+    if (*spec.table ||
+        (spec.kind != KeyKind::tables && spec.kind != KeyKind::table && spec.kind != KeyKind::parameters))
       continue;
     tables.push_back(spec.key);
     list += (list.empty() ? "" : ", ") + tableTitle(spec.key);
@@ -302,8 +302,7 @@ bool TableReader::vectorOf(const Node& node, const std::string& path, const KeyS
 bool TableReader::number(const char* key, double& out) {
   const Node* node = sought(key);
   const bool read = node && numberOf(*node, pathOf(key), spec(key), false, out);
-  if ((read || !node) && placement_.yawDegrees != 0 && frameOf(spec(key)) == Frame::yaw)
-    out += placement_.yawDegrees;
+  if ((read || !node) && placement_.yawDegrees != 0 && frameOf(spec(key)) == Frame::yaw) out += placement_.yawDegrees;
   return read;
 }
 

@@ -71,7 +71,7 @@ class TableReader {
   bool pair(const char* key, double& a, double& b);
   bool points(const char* key, std::vector<Vec3>& out);
   bool times(const char* key, std::vector<double>& out);
-  bool planPoints(const char* key, std::vector<Vec3>& out);   // [[x, z], ...]
+  bool planPoints(const char* key, std::vector<Vec3>& out);  // [[x, z], ...]
   bool numbers(const char* key, std::vector<int>& out);
   bool texts(const char* key, std::vector<std::string>& out);  // one text, or several
   template <class E> bool choice(const char* key, E& out) {

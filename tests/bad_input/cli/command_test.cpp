@@ -31,9 +31,8 @@ TEST_F(BadArguments, helpAndVersionAreNoErrors) {
 TEST_F(BadArguments, aCommandIsExpected) {
   const Finished none = run({});
   EXPECT_EQ(none.exitCode, 2);
-  EXPECT_TRUE(isOneComplaint(
-      none.errors,
-      {"command: found nothing, expected one of: run, check, scenes, replay, trace, check-dt, completion, man, help, version, view, render"}));
+  EXPECT_TRUE(isOneComplaint(none.errors, {"command: found nothing, expected one of: run, check, scenes, replay, "
+                                           "trace, check-dt, completion, man, help, version, view, render"}));
   const Finished typo = run({"rnu", "wall"});
   EXPECT_EQ(typo.exitCode, 2);
   EXPECT_TRUE(isOneComplaint(typo.errors, {"command: found \"rnu\"", "did you mean \"run\"?"}));
@@ -115,8 +114,9 @@ TEST_F(BadArguments, scenesOfOneNameHaveTheirOwnResults) {
 }
 
 TEST_F(BadArguments, aRunEndsWhenAllRestsAndWhatFallsIsTakenOut) {
-  write("rest.toml", "[world]\nseconds = 9\nstop_when = \"rest\"\nremove_below = -1\n[ground]\ntype = \"box\"\nsize = [1, 1, 1]\n"
-                     "[[body]]\nsize = [0.2, 0.2, 0.2]\nposition = [0, 0.1, 0]\n[[body]]\nposition = [5, 0, 0]\n");
+  write("rest.toml",
+        "[world]\nseconds = 9\nstop_when = \"rest\"\nremove_below = -1\n[ground]\ntype = \"box\"\nsize = [1, 1, 1]\n"
+        "[[body]]\nsize = [0.2, 0.2, 0.2]\nposition = [0, 0.1, 0]\n[[body]]\nposition = [5, 0, 0]\n");
   const Finished done = run({"run", "rest.toml", "--no-html", "--no-glb"});
   EXPECT_EQ(done.exitCode, 0) << done.errors;
   const std::string summary = read("out/rest/summary.json");

@@ -17,15 +17,16 @@ std::vector<std::string> namesOfBodies(const SceneDescription& scene) {
 }
 
 TEST(Expand, RepeatsALineAGridAndARing) {
-  const SceneDescription line = sound("[[ball]]\nposition = [1, \"1 + $i\", 0]\nrepeat = { count = 3, step = [0.5, 0, 0] }\n");
+  const SceneDescription line =
+      sound("[[ball]]\nposition = [1, \"1 + $i\", 0]\nrepeat = { count = 3, step = [0.5, 0, 0] }\n");
   ASSERT_EQ(line.bodies.size(), 4u);
   EXPECT_EQ(line.bodies[3].def.position, (Vec3{2, 3, 0}));
-  const SceneDescription grid =
-      sound("[[body]]\nname = \"post\"\nrepeat = { grid = [2, 1, 2], step = [3, 0, 5] }\nposition = [0, \"$i_x\", 0]\n");
+  const SceneDescription grid = sound(
+      "[[body]]\nname = \"post\"\nrepeat = { grid = [2, 1, 2], step = [3, 0, 5] }\nposition = [0, \"$i_x\", 0]\n");
   EXPECT_EQ(namesOfBodies(grid), (std::vector<std::string>{"post/0", "post/1", "post/2", "post/3"}));
   EXPECT_EQ(grid.bodies[4].def.position, (Vec3{3, 1, 5}));
-  const SceneDescription ring = sound(
-      "[[body]]\nposition = [3, 0, 0]\nvelocity = [1, 0, 0]\nrepeat = { count = 4, about = [1, 0, 0] }\n");
+  const SceneDescription ring =
+      sound("[[body]]\nposition = [3, 0, 0]\nvelocity = [1, 0, 0]\nrepeat = { count = 4, about = [1, 0, 0] }\n");
   EXPECT_EQ(ring.bodies[2].def.position, (Vec3{1, 0, -2}));
   EXPECT_EQ(ring.bodies[2].def.linearVelocity, (Vec3{0, 0, -1}));
   EXPECT_NEAR(ring.bodies[2].def.rotation.y, std::sqrt(0.5), 1e-12);
@@ -71,8 +72,8 @@ material = "steel"
 
 TEST(Expand, GroupsArePlacedAndCopied) {
   const SceneDescription scene = sound(kGroup);
-  EXPECT_EQ(namesOfBodies(scene), (std::vector<std::string>{"table/leg", "table/top", "table copy/leg", "table copy/top",
-                                                            "spare"}));
+  EXPECT_EQ(namesOfBodies(scene),
+            (std::vector<std::string>{"table/leg", "table/top", "table copy/leg", "table copy/top", "spare"}));
   EXPECT_EQ(scene.bodies[1].def.position, (Vec3{10, 2, -1}));
   EXPECT_EQ(scene.bodies[3].def.position, (Vec3{0, 3, 19}));
   EXPECT_EQ(scene.bodies[5].def.position, (Vec3{7, 7, 7}));
@@ -92,9 +93,14 @@ TEST(Expand, MistakesAreToldOnceAtTheirLine) {
   ASSERT_EQ(load.diagnostics.size(), 2u) << allOf(load.diagnostics);
   EXPECT_EQ(load.diagnostics[0].line, 3);
   EXPECT_NE(load.diagnostics[1].message.find("did you mean \"wall\""), std::string::npos) << allOf(load.diagnostics);
-  const char* wrong[] = {"repeat = { count = 2, grid = [1, 1, 1] }", "repeat = {}", "repeat = -1",
-                         "repeat = { count = 2, turn_degrees = 3 }", "repeat = { grid = [10000, 10000, 1] }",
-                         "repeat = { count = 1, index = \"1x\" }", "let = 3", "let = { a = \"$b\" }"};
+  const char* wrong[] = {"repeat = { count = 2, grid = [1, 1, 1] }",
+                         "repeat = {}",
+                         "repeat = -1",
+                         "repeat = { count = 2, turn_degrees = 3 }",
+                         "repeat = { grid = [10000, 10000, 1] }",
+                         "repeat = { count = 1, index = \"1x\" }",
+                         "let = 3",
+                         "let = { a = \"$b\" }"};
   for (const char* text : wrong)
     EXPECT_FALSE(parseScene(std::string("[[body]]\n") + text + "\n", "a.toml").scene) << text;
 }
@@ -160,7 +166,8 @@ TEST(Expand, SettingsAddAndRemoveTables) {
 TEST(Expand, TheTowerIsWhatItWas) {
   SceneLoad load = loadSceneFile(findScene("tower"));
   ASSERT_TRUE(load.scene);
-  const double pitch = 0.225, thick = 0.1025, high = 17 * 0.065 + 0.12, left = -(5 * pitch + thick) / 2, near = 5 * pitch / 2;
+  const double pitch = 0.225, thick = 0.1025, high = 17 * 0.065 + 0.12, left = -(5 * pitch + thick) / 2,
+               near = 5 * pitch / 2;
   ASSERT_EQ(load.scene->walls.size(), 20u);
   const Vec3 places[] = {{left, 0, near},
                          {left + 5 * pitch + thick / 2, 0, near + thick / 2},

@@ -76,7 +76,8 @@ TEST(MeetingWalls, ABrickIsWhatIsMadeOfTheWallsMaterial) {
   const SceneDescription scene = sound(
       "[[material]]\nname = \"clay\"\n[[wall]]\nmaterial = \"clay\"\ncolour = \"#102030\"\ncourses = 6\n"
       "[[wall.opening]]\nfrom = 0.8\nwidth = 0.4\nheight = 0.2\n"
-      "[[arch]]\nstones = 13\nposition = [9, 0, 0]\n[[body]]\nname = \"clay\"\nmaterial = \"clay\"\nposition = [0, 5, 0]\n"
+      "[[arch]]\nstones = 13\nposition = [9, 0, 0]\n[[body]]\nname = \"clay\"\nmaterial = \"clay\"\nposition = [0, 5, "
+      "0]\n"
       "[[body]]\nname = \"wood\"\nmaterial = \"wood\"\nposition = [0, 7, 0]\ncolour = \"#00FF00\"\n");
   const Result<SceneRun> run = SceneRun::create(scene);
   ASSERT_TRUE(run.ok());
