@@ -262,10 +262,11 @@ int dispatch(int argc, char** argv) {
   } catch (const CLI::CallForVersion& version) {
     say(version.what());
     return kOk;
-  } catch (const CLI::Success&) {  // help, of the command if there is one
-    std::string help = app.help();
-    while (help.ends_with('\n')) help.pop_back();
-    say(help);
+  } catch (const CLI::Success& help) {  // help, of the command if there is one
+    if (!typed.empty() && !typed[0].starts_with('-') && app.get_subcommands().empty()) return refuse(app, help, typed);
+    std::string text = app.help();
+    while (text.ends_with('\n')) text.pop_back();
+    say(text);
     return kOk;
   } catch (const CLI::ParseError& error) {
     return refuse(app, error, typed);
