@@ -107,7 +107,9 @@ TEST(Expand, MistakesAreToldOnceAtTheirLine) {
 
 TEST(Expand, NeitherCopiesOfThemselvesNorMillionsAreMade) {
   EXPECT_FALSE(parseScene("[[group]]\nname = \"g\"\n[[group.copy]]\nof = \"g\"\n", "a.toml").scene);
-  const std::string many = "[[group]]\nname = \"g\"\nrepeat = 100000\n[[group.body]]\nrepeat = 100000\n";
+  std::string many = "[[body]]\nrepeat = 100000\nlet = { a0 = 1";
+  for (int k = 1; k < 20; k++) many += ", a" + std::to_string(k) + " = 1";
+  many += " }\n";
   EXPECT_FALSE(parseScene(many, "a.toml").scene);
 }
 
