@@ -10,15 +10,23 @@ namespace brickfall::cli {
 
 namespace {
 
-// ", 540 mortar joints"; nothing of a dry scene.
-std::string mortarWords(const SceneDescription& scene) {
-  const bool any = !scene.mortars.empty() || std::any_of(scene.walls.begin(), scene.walls.end(),
-                                                         [](const SceneWall& wall) { return wall.mortar.has_value(); });
-  if (!any) return {};
+std::string counted(std::size_t count, const char* noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+// ", 105 bricks (10 cut), 540 mortar joints"; nothing of a scene without.
+std::string contentWords(const SceneDescription& scene) {
   const Result<SceneRun> run = SceneRun::create(scene);
   if (!run) return {};
-  const std::size_t count = run->mortars().size();
-  return fmt::format(", {} mortar joint{}", count, count == 1 ? "" : "s");
+  std::size_t bricks = 0, cut = 0;
+  for (const PlacedBody& body : run->bodies()) bricks += body.role == BodyRole::brick;
+  for (const SceneWall& wall : scene.walls)
+    if (const Result<std::vector<BrickPlacement>> laid = layBricks(wall.wall, scene.seed))
+      for (const BrickPlacement& brick : *laid) cut += brick.cut;
+  std::string words = bricks > 0 ? ", " + counted(bricks, "brick") : std::string();
+  if (cut > 0) words += fmt::format(" ({} cut)", cut);
+  if (!run->mortars().empty()) words += ", " + counted(run->mortars().size(), "mortar joint");
+  return words;
 }
 
 nlohmann::ordered_json jsonOf(const std::string& name, const SceneChoice& choice) {
@@ -58,11 +66,11 @@ int check(const std::vector<std::string>& scenes, bool asJson) {
     if (!choice.scene) continue;
     const auto isWarning = [](const Diagnostic& d) { return d.severity == Severity::warning; };
     const auto warnings = std::count_if(choice.diagnostics.begin(), choice.diagnostics.end(), isWarning);
-    const std::string mortar = mortarWords(*choice.scene);
+    const std::string content = contentWords(*choice.scene);
     if (warnings == 0)
-      sayf("{}: fine{}", choice.path, mortar);
+      sayf("{}: fine{}", choice.path, content);
     else
-      sayf("{}: can be run, {} warning{}{}", choice.path, warnings, warnings == 1 ? "" : "s", mortar);
+      sayf("{}: can be run, {} warning{}{}", choice.path, warnings, warnings == 1 ? "" : "s", content);
   }
   if (asJson) say(answers.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
   return exitCode;

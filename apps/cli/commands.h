@@ -62,6 +62,14 @@ int check(const std::vector<std::string>& scenes, bool asJson);
 int checkDt(const CheckDtCommand& options);
 int exportTake(const ExportCommand& command);
 int listScenes(bool asJson);
+// What completion and the man page know of the command line.
+struct CommandWords {
+  std::string name, purpose;
+  std::vector<std::pair<std::string, std::string>> options;  // "--seconds", what it does
+  bool takesScene = false;
+};
+int completion(const std::string& shell, const std::vector<CommandWords>& commands);
+int manPage(const std::vector<CommandWords>& commands);
 int replay(const std::string& take, const OutputOptions& options);
 int trace(const TraceCommand& options);
 int compareTraces(const std::string& a, const std::string& b);

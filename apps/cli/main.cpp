@@ -38,6 +38,7 @@ struct Arguments {
   bool checkJson = false, scenesJson = false;
   std::string items;
   std::vector<std::string> compared;
+  std::string shell;
 };
 
 void addOutputOptions(CLI::App& command, OutputOptions& options, const std::string& defaultFolder) {
@@ -129,7 +130,8 @@ void defineCommands(CLI::App& app, Arguments& arguments) {
              exitCodes(kRunCodes));
 
   CLI::App& run = *app.add_subcommand("run", "Simulate a scene: replay.html, <scene>.glb, summary.json, <scene>.take");
-  run.add_option("scene", arguments.run.scene, "A scene file, or a shipped scene (brickfall scenes)")
+  run.add_option("scene", arguments.run.scene,
+                 "A scene file, a shipped scene (brickfall scenes), or - for standard input")
       ->required()
       ->type_name("SCENE");
   addOutputOptions(run, arguments.run.output, "out/<scene>");
@@ -165,6 +167,12 @@ void defineCommands(CLI::App& app, Arguments& arguments) {
   defineExport(app, arguments);
   defineTrace(app, arguments);
   defineCheckDt(app, arguments);
+  CLI::App& words = *app.add_subcommand("completion", "Print completions for a shell: bash, zsh or fish");
+  words.add_option("shell", arguments.shell, "bash, zsh or fish")->required()->type_name("SHELL");
+  words.footer(std::string("Examples:\n  source <(brickfall completion bash)\n\n") + exitCodes());
+  app.add_subcommand("man", "Print the man page: brickfall man | man -l -");
+  app.add_subcommand("help", "Help of a command: brickfall help run");
+  app.add_subcommand("version", "Print the version");
   // Only so that they are in the list: what follows their word is for them alone (dispatch).
   for (const Companion& companion : companions()) app.add_subcommand(companion.word, companion.purpose);
 }
@@ -252,25 +260,55 @@ int refuse(const CLI::App& app, const CLI::ParseError& error, const std::vector<
   return kBadInput;
 }
 
+// The commands as they are defined, for completion and the man page.
+std::vector<CommandWords> commandWords(const CLI::App& app) {
+  std::vector<CommandWords> all;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    CommandWords words{command->get_name(), command->get_description(), {}, false};
+    for (const CLI::Option* option : command->get_options()) {
+      for (const std::string& name : option->get_lnames())
+        words.options.push_back({"--" + name, option->get_description()});
+      words.takesScene = words.takesScene || option->get_type_name() == "SCENE" || option->get_type_name() == "FILE...";
+    }
+    all.push_back(std::move(words));
+  }
+  return all;
+}
+
+// "help run" is "run --help", "help" and "version" are --help and --version.
+std::vector<std::string> plainWords(int argc, char** argv) {
+  std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+  if (!words.empty() && words[0] == "version") words[0] = "--version";
+  if (!words.empty() && words[0] == "help") {
+    words.erase(words.begin());
+    words.push_back("--help");
+  }
+  return words;
+}
+
 int dispatch(int argc, char** argv) {
-  if (const Companion* companion = argc > 1 ? findCompanion(argv[1]) : nullptr)
-    return startCompanion(*companion, programFolder(), {argv + 2, argv + argc});
+  const std::vector<std::string> typed = plainWords(argc, argv);
+  if (const Companion* companion = typed.empty() ? nullptr : findCompanion(typed[0]))
+    return startCompanion(*companion, programFolder(), {typed.begin() + 1, typed.end()});
   CLI::App app("Knocks down brick walls, for real.");
   Arguments arguments;
   defineCommands(app, arguments);
   app.require_subcommand(1);
   try {
-    app.parse(argc, argv);
+    std::vector<std::string> words = typed;
+    std::reverse(words.begin(), words.end());  // as the parser takes them
+    app.parse(words);
   } catch (const CLI::CallForVersion& version) {
     say(version.what());
     return kOk;
-  } catch (const CLI::Success&) {  // help, of the command if there is one
-    std::string help = app.help();
-    while (help.ends_with('\n')) help.pop_back();
-    say(help);
+  } catch (const CLI::Success& help) {  // help, of the command if there is one
+    if (!typed.empty() && !typed[0].starts_with('-') && app.get_subcommands().empty()) return refuse(app, help, typed);
+    std::string text = app.help();
+    while (text.ends_with('\n')) text.pop_back();
+    say(text);
     return kOk;
   } catch (const CLI::ParseError& error) {
-    return refuse(app, error, {argv + std::min(argc, 1), argv + argc});
+    return refuse(app, error, typed);
   }
   if (app.got_subcommand("run"))
     return readValues(arguments, *app.get_subcommand("run")) ? run(arguments.run) : kBadInput;
@@ -280,6 +318,8 @@ int dispatch(int argc, char** argv) {
   if (app.got_subcommand("replay")) return replay(arguments.take, arguments.replay);
   if (app.got_subcommand("export")) return exportCommand(arguments, *app.get_subcommand("export"));
   if (app.got_subcommand("trace")) return traceCommand(arguments, *app.get_subcommand("trace"));
+  if (app.got_subcommand("completion")) return completion(arguments.shell, commandWords(app));
+  if (app.got_subcommand("man")) return manPage(commandWords(app));
   return listScenes(arguments.scenesJson);
 }
 

@@ -11,6 +11,7 @@
 #include "cli/interrupt.h"
 #include "cli/metrics.h"
 #include "cli/outputs.h"
+#include "cli/result_folder.h"
 #include "cli/scene_choice.h"
 #include "cli/series.h"
 #include "cli/summary.h"
@@ -54,14 +55,16 @@ Simulated simulate(SceneRun& run, std::uint64_t steps, RunMetrics& metrics, RunS
     progress.steps = i + 1;
     progress.wallSeconds = result.wallSeconds = secondsSince(start);
     display.update(progress);
+    if (run.scene().stopAtRest && run.atRest()) break;
   }
   display.finish();
   return result;
 }
 
-Summary summaryOf(const SceneRun& run, const RunFigures& figures, double wallSeconds) {
+Summary summaryOf(const SceneRun& run, const RunFigures& figures, double wallSeconds, const std::string& path) {
   const SceneDescription& scene = run.scene();
-  return {scene.name, scene.seed, run.world().stateHash(), scene.timeStep, scene.world.threads, wallSeconds, figures};
+  return {scene.name,  scene.seed, run.world().stateHash(), scene.timeStep, scene.world.threads,
+          wallSeconds, figures,    absolutePath(path)};
 }
 
 void sayResult(const Summary& summary) {
@@ -107,7 +110,7 @@ int run(const RunOptions& options) {
   if (!choice.scene) return choice.exitCode;
 
   const std::string name = safeFileName(choice.scene->name);
-  const std::string folder = options.output.folder.empty() ? joinPath("out", name) : options.output.folder;
+  const std::string folder = options.output.folder.empty() ? resultFolder(name, choice.path) : options.output.folder;
   if (const Status made = makeFolder(folder); !made) {
     complain(made.error().message);
     return kFileError;
@@ -136,7 +139,7 @@ int run(const RunOptions& options) {
   if (interrupted != kOk)
     complainf("interrupted after {:.2f} s of {:g} s: what was simulated is kept", scene.time(), scene.scene().seconds);
 
-  const Summary summary = summaryOf(scene, metrics.finish(scene.world()), simulated.wallSeconds);
+  const Summary summary = summaryOf(scene, metrics.finish(scene.world()), simulated.wallSeconds, choice.path);
   const std::string json = toJson(summary);
   int finished = kOk;
   if (const Status status = recorder->finish(toTakeJson(summary, series.columns()));

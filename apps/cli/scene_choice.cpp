@@ -23,10 +23,11 @@ constexpr std::size_t kMostBytes = 16u << 20;  // of a scene file
 // The whole file, or a little more than a scene file may have (a device never ends; parseScene refuses that). Read here, since
 // streams do not tell why reading failed.
 Result<std::string> contentOf(const std::string& path) {
+  const bool standardInput = path == "-";
   const auto refused = [&] {
     return Error{ErrorCode::inputOutput, fmt::format("cannot read scene file '{}': {}", path, std::strerror(errno))};
   };
-  const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  const int file = standardInput ? dup(STDIN_FILENO) : open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (file < 0) return refused();
   std::string text;
   std::vector<char> block(1 << 16);
@@ -49,7 +50,7 @@ Result<std::string> contentOf(const std::string& path) {
 
 SceneChoice chooseScene(const std::string& nameOrPath, const Overrides& overrides) {
   SceneChoice choice;
-  choice.path = findScene(nameOrPath);
+  choice.path = nameOrPath == "-" ? nameOrPath : findScene(nameOrPath);
   if (choice.path.empty() && !looksLikePath(nameOrPath)) {
     choice.exitCode = kBadInput;
     choice.problem = unknownSceneMessage(nameOrPath, "a scene file");
@@ -62,7 +63,7 @@ SceneChoice chooseScene(const std::string& nameOrPath, const Overrides& override
     choice.problem = text.error().message;
     return choice;
   }
-  SceneLoad load = parseScene(*text, choice.path, overrides);
+  SceneLoad load = parseScene(*text, choice.path == "-" ? "stdin" : choice.path, overrides);
   choice.diagnostics = std::move(load.diagnostics);
   choice.scene = std::move(load.scene);
   if (!choice.scene) choice.exitCode = kBadInput;

@@ -29,6 +29,7 @@ Json jsonOf(const Summary& s) {
   const RunFigures& f = s.figures;
   nlohmann::ordered_json json;
   json["scene"] = s.scene;
+  json["file"] = s.file;
   json["version"] = versionString();
   json["seed"] = s.seed;
   json["state_hash"] = fmt::format("{:016x}", s.stateHash);

@@ -16,6 +16,7 @@ struct Summary {
   int threads = 1;
   double wallClockSeconds = 0;
   RunFigures figures;
+  std::string file;  // the scene file, absolute; "-": standard input
 };
 
 // Ends with a line break.

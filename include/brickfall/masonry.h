@@ -51,6 +51,23 @@ struct Opening {
   double lintelHeight = 0.065;  // m; 0 = none
 };
 
+// A pier bonded into a wall: a block of bricks, in every second course crosswise with the wall against it, in the others along with
+// the wall going through.
+struct Pier {
+  double at = 0;       // m along the wall: its middle; it ends with the wall at its ends
+  double width = 1.5;  // brick lengths along the wall, in halves, >= 1
+  double depth = 1.5;  // brick lengths through it, in halves: more than the wall
+  int higher = 0;      // courses above those of the wall
+};
+
+// Where another wall goes into this one, in every second course.
+struct LetIn {
+  int side = 0;             // of the path
+  double from = 0, to = 0;  // m along it
+  int firstCourse = 0, endCourse = 0;
+  int parity = 1;  // the courses that are odd, or even
+};
+
 struct WallDef {
   std::string name = "wall";
   Bond bond = Bond::running;
@@ -64,6 +81,18 @@ struct WallDef {
   Vec3 position;             // m: left end of the foot, middle of the thickness
   double yawDegrees = 0;     // about +y; 0: the wall runs along +x
   std::vector<Opening> openings;
+  // Not straight: along a path in plan, or on a circle. Then its length is theirs, and its bricks those that fit.
+  std::vector<Vec3> path;  // m, corners of its middle line, y 0, from `position`; corners are bonded
+  bool closed = false;     // the last corner is joined to the first
+  double radius = 0;       // m, of its middle line about `position`; 0: none. It begins at +z and runs towards +x
+  double arcDegrees = 360;
+  double gableDegrees = 0;      // slope of a gable on top; 0: none
+  std::vector<int> gableSides;  // of a path, from 0; empty: all
+  std::vector<Pier> piers;      // of a straight wall
+  bool pierAlone = false;       // no wall: one pier, its middle at `position`
+  std::vector<LetIn> letIn;
+  // m that it reaches beyond its ends in even and in odd courses, where it goes into another wall; less than 0: short of it.
+  double startReach[2] = {0, 0}, endReach[2] = {0, 0};
   double disorder = 0;   // m, >= 0: every brick out of true by random gaps below it of 0 .. this and like shifts
   bool shuffle = false;  // bricks are created in random order (the result must not depend on it)
 };
@@ -112,6 +141,8 @@ MassProperties mortaredBrickMass(const WallDef& wall, const BrickPlacement& bric
 // bonds, where headers or leaves are further apart.
 struct JointWidths {
   double head = 0, bed = 0;
+  double wedge =
+      0;  // rad: of a round wall, faces that stand and are turned by up to this from each other are joined as well
 };
 JointWidths jointWidths(const WallDef& wall);
 

@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -66,7 +67,9 @@ struct SceneWall {
   UnevenDensity uneven;       // inside each brick, by the scene's seed and the brick's name
   // None: dry. It fills the joints; mortared walls that meet are joined by the weaker mortar of both.
   std::optional<MortarKind> mortar;
-  bool foot = false;  // mortared to what it stands on: boxes and planes
+  bool foot = false;                    // mortared to what it stands on: boxes and planes
+  std::optional<std::uint32_t> colour;  // 0xRRGGBB, of its bricks; none: the material's
+  std::vector<std::string> tiedTo;      // walls that its ends go into, by name; WallDef has what became of it
   SourcePlace place;
   std::vector<SourcePlace> openingPlaces;  // as many as wall.openings, or none
 };
@@ -82,6 +85,7 @@ struct SceneBody {
   std::vector<double>
       shots;        // s, ascending: at each of them one more such body appears ("name/0"); empty: it is there by itself
   MotionPath path;  // of a kinematic body; no keys: it has none
+  std::optional<std::uint32_t> colour;  // 0xRRGGBB; none: the material's
   SourcePlace place;
 };
 
@@ -123,13 +127,16 @@ struct SceneDescription {
   std::string title, description;
   WorldDef world;
   SceneMethod method = SceneMethod::clusters;
-  ReportSettings report;  // of SceneMethod::report
-  double seconds = 10;    // simulated time of a run
+  ReportSettings report;              // of SceneMethod::report
+  double seconds = 10;                // simulated time of a run, at most
+  bool stopAtRest = false;            // it ends when everything rests and nothing is to come
+  std::optional<double> removeBelow;  // m: dynamic bodies whose centres are lower are taken out
   double timeStep = 1.0 / 60;
   int substeps = 1;
   double framesPerSecond = 60;  // of the recorded take
   std::uint64_t seed = 1;
   std::vector<MaterialDef> materials;
+  std::set<std::string> masonryMaterials;  // of arches and domes: like walls' materials and "brick", they make bricks
   std::vector<SceneWall> walls;
   std::vector<SceneBody> bodies;  // the ground, balls and free bodies
   std::vector<SceneJoint> joints;
@@ -219,6 +226,8 @@ class SceneRun {
   Result<BodyId> createBody(PlacedBody body);
   Status destroyBody(BodyId id);
   double time() const { return time_; }  // s, simulated so far
+  // All that can move sleeps, and nothing is to come: no launch, no shot, no machine that moves a body yet.
+  bool atRest() const;
   std::uint64_t stepCount() const { return stepsDone_; }
 
   // --- Changes while it runs; scene() shows them. On an error nothing changes.
@@ -254,6 +263,7 @@ class SceneRun {
   Status placeMachines();
   Status launchWaiting();
   Status shoot();
+  Status removeFallen();
   SceneDescription scene_;
   World world_;
   std::vector<PlacedBody> bodies_;

@@ -1,4 +1,5 @@
 // What a wall must satisfy before a brick is laid. Every check is in the positive form, so that NaN fails.
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <string>
@@ -6,6 +7,7 @@
 #include "brickfall/limits.h"
 #include "brickfall/masonry.h"
 #include "masonry/layout.h"
+#include "masonry/lines.h"
 #include "masonry/openings.h"
 
 namespace brickfall {
@@ -95,6 +97,86 @@ void checkBond(const WallDef& wall, Problems& problems) {
                                   " m; expected at least 0.005 m");
 }
 
+// A path that has corners which can be bonded.
+void checkPath(const WallDef& wall, Problems& problems) {
+  if (!wall.path.empty()) {
+    if (wall.radius > 0) problems.add("radius", "found beside a path, expected one of the two");
+    for (const Vec3& p : wall.path)
+      if (!(std::fabs(p.x) <= 1e4 && std::fabs(p.z) <= 1e4 && p.y == 0))
+        return problems.add("path", "found coordinates beyond 10000 m, expected a shorter path");
+    if (!(wall.path.size() >= (wall.closed ? 3u : 2u)))
+      return problems.add("path", "found " + std::to_string(wall.path.size()) + " points, expected at least " +
+                                      (wall.closed ? "3 of a closed path" : "2"));
+    const std::vector<masonry::Line> lines = masonry::linesOf(wall);
+    for (std::size_t k = 0; k < lines.size(); k++) {
+      const masonry::Line& line = lines[k];
+      if (!(line.length > 0.001)) return problems.add("path", "found a point twice, expected corners apart");
+      if (k == 0 && !wall.closed) continue;
+      const masonry::Line& before = lines[k > 0 ? k - 1 : lines.size() - 1];
+      double turn = line.yawDegrees - before.yawDegrees;
+      turn = std::fabs(turn - 360 * std::floor(turn / 360 + 0.5));
+      if (!(turn >= 29.9 && turn <= 120.1))
+        return problems.add("path", "found a corner that turns by " + textOf(turn) +
+                                        " degrees, expected 30 .. 120; a round wall has a radius");
+    }
+    for (const masonry::Line& line : lines)
+      if (!(std::min(line.to[0], line.to[1]) - std::max(line.from[0], line.from[1]) >= wall.brick.size.x))
+        return problems.add("path", "found a side of " + textOf(line.length) +
+                                        " m, expected room for a whole brick between its corners");
+  }
+  if (wall.closed && wall.path.empty()) problems.add("closed", "found without a path, expected one");
+  problems.range("radius", wall.radius, 0, 1e4, "m");
+  problems.range("arcDegrees", wall.arcDegrees, 1, 360, "degrees");
+  const Layout at = masonry::layoutOf(wall);
+  if (wall.radius != 0 && !(wall.radius >= at.length + 0.5 * at.thickness))
+    problems.add("radius", "found " + textOf(wall.radius) + " m, expected at least " +
+                               textOf(at.length + 0.5 * at.thickness) + " m: a brick's length at its inner face");
+  else if (wall.radius > 0 && !masonry::isRing(wall) && !(masonry::ringLength(wall) >= at.length))
+    problems.add("arcDegrees",
+                 "found an arc of " + textOf(masonry::ringLength(wall)) + " m, expected room for a brick");
+}
+
+void checkGableAndPiers(const WallDef& wall, Problems& problems) {
+  problems.range("gableDegrees", wall.gableDegrees, 0, 80, "degrees");
+  if (wall.gableDegrees > 0 && wall.radius > 0)
+    problems.add("gableDegrees", "found on a round wall, expected a straight one or a path");
+  const int lines = wall.path.empty() ? 1 : int(wall.path.size()) - (wall.closed ? 0 : 1);
+  for (int side : wall.gableSides)
+    if (!(side >= 0 && side < lines))
+      problems.add("gableSides", "found side " + std::to_string(side) + ", expected 0 .. " + std::to_string(lines - 1));
+  for (std::size_t k = 0; k < wall.piers.size(); k++) {
+    const Pier& pier = wall.piers[k];
+    const std::string field = "piers[" + std::to_string(k) + "].";
+    if (!wall.path.empty() || wall.radius > 0) {
+      problems.add(field + "at", "found a pier in a wall that is not straight, expected a straight wall");
+      continue;
+    }
+    const std::size_t before = problems.list.size();
+    problems.range(field + "at", pier.at, 0, 1e5, "m");
+    problems.range(field + "width", pier.width, 1, 100, "brick lengths");
+    problems.range(field + "depth", pier.depth, masonry::isThick(wall.bond) ? 1.5 : 1, 100, "brick lengths");
+    problems.range(field + "higher", pier.higher, 0, 10000, "");
+    if (problems.list.size() != before) continue;
+    const masonry::PierPlace place = masonry::placeOf(wall, pier);
+    const double length = masonry::layoutOf(wall).wallLength;
+    if (wall.pierAlone) continue;
+    if (!(pier.at <= length + 1e-9 && place.width <= length + 1e-9))
+      problems.add(field + "at", "found " + textOf(pier.at) + " m, expected room for a pier of " + textOf(place.width) +
+                                     " m in the wall's length of " + textOf(length) + " m");
+    for (std::size_t i = 0; i < k; i++) {
+      const masonry::PierPlace other = masonry::placeOf(wall, wall.piers[i]);
+      if (std::fabs(other.at - place.at) < 0.5 * (other.width + place.width) + wall.brick.size.z)
+        problems.add(field + "at", "found it beside pier " + std::to_string(i) + ", expected piers apart");
+    }
+    for (std::size_t i = 0; i < wall.openings.size(); i++) {
+      const Opening& opening = wall.openings[i];
+      if (opening.from < place.at + 0.5 * place.width + 1e-9 &&
+          opening.from + opening.width > place.at - 0.5 * place.width - 1e-9)
+        problems.add(field + "at", "found it in opening " + std::to_string(i) + ", expected it beside openings");
+    }
+  }
+}
+
 // Two rectangles of a wall, in metres along it and whole courses.
 bool meet(double fromA, double toA, int firstA, int endA, double fromB, double toB, int firstB, int endB) {
   return fromA < toB - 1e-9 && fromB < toA - 1e-9 && firstA < endB && firstB < endA;
@@ -121,21 +203,36 @@ bool checkOpening(const WallDef& wall, std::size_t index, Problems& problems) {
   problems.range(field + "lintelBearing", opening.lintelBearing, 0.01, 100, "m");
   problems.range(field + "lintelHeight", opening.lintelHeight, 0, 100, "m");
   if (problems.list.size() != before) return false;
-  double length = wallLength(wall);
-  OpeningSpan span = masonry::spanOf(wall, opening);
-  if (!(span.to <= length + 1e-9)) {
-    problems.add(field + "width", "the opening ends at " + textOf(span.to) +
-                                      " m, expected inside the wall's length of " + textOf(length) + " m");
+  const std::vector<masonry::Line> lines = masonry::linesOf(wall);
+  const masonry::Line& line = lines[masonry::lineOf(lines, opening.from)];
+  double length = std::min(line.to[0], line.to[1]);
+  const double begin = std::max({line.from[0], line.from[1], 0.0});
+  OpeningSpan span = masonry::spanOf(wall, opening, line);
+  const double sagitta = wall.radius > 0 && span.hasLintel()
+                             ? (span.lintelTo - span.lintelFrom) * (span.lintelTo - span.lintelFrom) / (8 * wall.radius)
+                             : 0;
+  if (sagitta > 0.5 * wallThickness(wall)) {
+    problems.add(field + "width", "the straight lintel would lie " + textOf(sagitta) +
+                                      " m beside the round wall, expected a narrower opening or a larger radius");
+  } else if (!(span.to <= length + 1e-9 && span.from >= begin - 1e-9)) {
+    const bool path = lines.size() > 1;
+    problems.add(
+        field + (path && span.from < begin ? "from" : "width"),
+        "the opening " + std::string(path ? "reaches from " + textOf(span.from + line.before) + " to " : "ends at ") +
+            textOf(span.to + line.before) + " m, expected inside the wall's length of " +
+            (path ? textOf(line.before + begin) + " .. " + textOf(line.before + length) + " m, between two corners"
+                  : textOf(length) + " m"));
   } else if (!(span.endCourse > span.firstCourse)) {
     bool above = span.firstCourse >= wall.courses;
     problems.add(field + (above ? "sill" : "height"),
                  above ? "the opening lies above the wall, expected sill below its height of " +
                              textOf(wall.courses * masonry::layoutOf(wall).coursePitch) + " m"
                        : "the opening takes no whole course, expected a height of at least one course");
-  } else if (span.hasLintel() && !(span.lintelFrom >= -1e-9 && span.lintelTo <= length + 1e-9)) {
-    problems.add(field + "lintelBearing", "the lintel reaches from " + textOf(span.lintelFrom) + " to " +
-                                              textOf(span.lintelTo) + " m, expected inside the wall: 0 .. " +
-                                              textOf(length) + " m");
+  } else if (span.hasLintel() && !(span.lintelFrom >= begin - 1e-9 && span.lintelTo <= length + 1e-9)) {
+    problems.add(field + "lintelBearing", "the lintel reaches from " + textOf(span.lintelFrom + line.before) + " to " +
+                                              textOf(span.lintelTo + line.before) +
+                                              " m, expected inside the wall: " + textOf(line.before + begin) + " .. " +
+                                              textOf(line.before + length) + " m");
   }
   return problems.list.size() == before;
 }
@@ -146,6 +243,9 @@ void checkOpenings(const WallDef& wall, Problems& problems) {
     if (checkOpening(wall, i, problems)) sound.push_back(i);
   for (std::size_t b = 0; b < sound.size(); b++)
     for (std::size_t a = 0; a < b; a++) {
+      const std::vector<masonry::Line> lines = masonry::linesOf(wall);
+      const double fromA = wall.openings[sound[a]].from, fromB = wall.openings[sound[b]].from;
+      if (masonry::lineOf(lines, fromA) != masonry::lineOf(lines, fromB)) continue;
       OpeningSpan spanA = masonry::spanOf(wall, wall.openings[sound[a]]);
       OpeningSpan spanB = masonry::spanOf(wall, wall.openings[sound[b]]);
       if (!inTheWay(spanA, spanB) && !inTheWay(spanB, spanA)) continue;
@@ -157,23 +257,13 @@ void checkOpenings(const WallDef& wall, Problems& problems) {
 
 }  // namespace
 
-std::int64_t brickCount(const WallDef& wall) {
-  if (wall.courses < 1 || wall.bricksPerCourse < 1) return 0;
-  auto bricksIn = [&](int course) {
-    std::int64_t count = 0;
-    for (const masonry::Cell& cell : masonry::courseCells(wall, course))
-      count += cell.laying == masonry::Laying::leaves ? 2 : 1;
-    return count;
-  };
-  std::int64_t odd = wall.courses / 2, even = wall.courses - odd;
-  return even * bricksIn(0) + (odd > 0 ? odd * bricksIn(1) : 0);
-}
-
 std::vector<WallProblem> checkWall(const WallDef& wall) {
   Problems problems;
   if (!checkNumbers(wall, problems)) return problems.list;
   checkBond(wall, problems);
   checkHollows(wall.brick, problems);
+  if (problems.list.empty()) checkPath(wall, problems);
+  if (problems.list.empty()) checkGableAndPiers(wall, problems);
   if (!problems.list.empty()) return problems.list;
   if (std::int64_t bricks = brickCount(wall); !(bricks <= scene_limits::kMostBodies))
     problems.add("courses", "the wall has " + std::to_string(bricks) + " bricks, expected at most " +

@@ -7,6 +7,7 @@
 #include "brickfall/geometry/polygon2d.h"
 #include "brickfall/masonry.h"
 #include "masonry/layout.h"
+#include "masonry/lines.h"
 
 namespace brickfall {
 
@@ -153,6 +154,12 @@ Corners sharedCorners(const Block& a, int faceA, const Block& b, int faceB) {
   return corners;
 }
 
+double cosineOf(double angle) {
+  double sine, cosine;
+  sinCos(angle, sine, cosine);
+  return cosine;
+}
+
 class Mason {
  public:
   explicit Mason(std::span<const MortaredBricks> walls) {
@@ -246,6 +253,7 @@ class Mason {
   void join(std::size_t i, std::size_t k) {
     const std::size_t first = std::min(i, k), second = std::max(i, k);
     const Block &a = blocks_[first], &b = blocks_[second];
+    if (a.widths.wedge > 0 && b.widths.wedge > 0) joinWedge(first, second);
     for (int faceA = 0; faceA < 6; faceA++)
       for (int faceB = 0; faceB < 6; faceB++) {
         if (!(dot(a.normal(faceA), b.normal(faceB)) < kParallel - 1)) continue;
@@ -258,11 +266,39 @@ class Mason {
       }
   }
 
-  void add(std::size_t first, int faceA, std::size_t second, int faceB, bool bed, double gap) {
+  // Neighbours in a round wall: their joint is a wedge, open on the outside. It lies half way between their faces.
+  void joinWedge(std::size_t first, std::size_t second) {
     const Block &a = blocks_[first], &b = blocks_[second];
+    const double least = cosineOf(a.widths.wedge);
+    for (int faceA : {0, 1})
+      for (int faceB : {0, 1}) {
+        const double facing = -dot(a.normal(faceA), b.normal(faceB));
+        if (!(facing >= least && facing < 1 - kParallel)) continue;
+        const Vec3 normal = normalized(a.normal(faceA) - b.normal(faceB));
+        const double gap = dot(b.middle(faceB) - a.middle(faceA), normal);
+        const double turn = std::sqrt(std::max(0.0, 1 - facing * facing));  // its sine
+        const double opening = turn * std::min(a.half.z, b.half.z), slack = kSlack * std::min(a.least, b.least);
+        const double width = std::max(a.widths.head, b.widths.head) + 2 * turn * std::max(a.half.x, b.half.x);
+        if (!(gap >= opening - slack && gap <= kWidest * width + slack)) continue;
+        Block half = a;
+        const double side = faceA % 2 ? 1.0 : -1.0;
+        const Vec3 along = normal * side, up = a.axis(1), across = cross(along, up);
+        for (int row = 0; row < 3; row++) half.axes.row[row] = {along[row], up[row], across[row]};
+        half.centre = a.middle(faceA) - normal * a.half.x;
+        add(first, half, faceA, second, faceB, false, gap, std::max(0.0, gap - opening));
+      }
+  }
+
+  void add(std::size_t first, int faceA, std::size_t second, int faceB, bool bed, double gap) {
+    add(first, blocks_[first], faceA, second, faceB, bed, gap, gap > kSame * blocks_[first].least ? gap : 0);
+  }
+
+  void add(std::size_t first, const Block& a, int faceA, std::size_t second, int faceB, bool bed, double gap,
+           double thickness) {
+    const Block& b = blocks_[second];
     const Corners corners = sharedCorners(a, faceA, b, faceB);
     if (corners.size() < 3 || !(areaOf(corners) > kLeastShare * std::min(a.area(faceA), b.area(faceB)))) return;
-    Faced faced{{first, second, {}, bed, gap > kSame * a.least ? gap : 0}, std::size_t(faceA), std::size_t(faceB)};
+    Faced faced{{first, second, {}, bed, thickness}, std::size_t(faceA), std::size_t(faceB)};
     const Vec3 u = a.axis((faceA / 2 + 1) % 3) * (faceA % 2 ? 1.0 : -1.0), v = a.axis((faceA / 2 + 2) % 3);
     const Vec3 from = a.middle(faceA) + a.normal(faceA) * (0.5 * gap);
     for (Vec2 p : corners) faced.joint.outline.push_back(from + u * p.x + v * p.y);
@@ -278,6 +314,8 @@ class Mason {
 JointWidths jointWidths(const WallDef& wall) {
   const masonry::Layout at = masonry::layoutOf(wall);
   JointWidths widths{wall.headJoint, wall.bedJoint};
+  if (wall.radius > 0)
+    widths.wedge = std::min(1.05 * masonry::ringTurn(wall) * std::max(at.pitch, 2 * at.headerPitch), 1.0);
   if (!masonry::isThick(wall.bond)) return widths;
   // Beyond a quarter of a brick's width it is a cavity.
   double leaves = at.length - 2 * at.width;

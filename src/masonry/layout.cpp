@@ -135,7 +135,6 @@ std::vector<Cell> courseCells(const WallDef& wall, int course) {
 
 namespace brickfall {
 
-double wallLength(const WallDef& wall) { return masonry::layoutOf(wall).wallLength; }
 double wallThickness(const WallDef& wall) { return masonry::layoutOf(wall).thickness; }
 
 }  // namespace brickfall

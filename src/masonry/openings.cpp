@@ -43,6 +43,8 @@ Run tidied(const Run& run, const Layout& at, bool cutAtEnd) {
   return out;
 }
 
+}  // namespace
+
 void takeOut(std::vector<Run>& runs, double from, double to, const Layout& at) {
   std::vector<Run> out;
   for (const Run& run : runs) {
@@ -78,8 +80,6 @@ void takeOut(std::vector<Run>& runs, double from, double to, const Layout& at) {
   runs = out;
 }
 
-}  // namespace
-
 OpeningSpan spanOf(const WallDef& wall, const Opening& opening) {
   Layout at = layoutOf(wall);
   OpeningSpan span;
@@ -103,14 +103,16 @@ OpeningSpan spanOf(const WallDef& wall, const Opening& opening) {
 }
 
 std::vector<Run> runsOf(const WallDef& wall, int course, const std::vector<OpeningSpan>& spans) {
-  Layout at = layoutOf(wall);
   std::vector<Run> runs{courseCells(wall, course)};
-  for (const OpeningSpan& span : spans) {
-    if (course >= span.firstCourse && course < span.endCourse) takeOut(runs, span.from, span.to, at);
-    if (course >= span.endCourse && course < span.lintelEnd)
-      takeOut(runs, span.lintelFrom - at.joint, span.lintelTo + at.joint, at);
-  }
+  for (const OpeningSpan& span : spans) takeOutOpenings(runs, wall, course, span);
   return runs;
+}
+
+void takeOutOpenings(std::vector<Run>& runs, const WallDef& wall, int course, const OpeningSpan& span) {
+  const Layout at = layoutOf(wall);
+  if (course >= span.firstCourse && course < span.endCourse) takeOut(runs, span.from, span.to, at);
+  if (course >= span.endCourse && course < span.lintelEnd)
+    takeOut(runs, span.lintelFrom - at.joint, span.lintelTo + at.joint, at);
 }
 
 }  // namespace brickfall::masonry

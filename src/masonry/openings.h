@@ -15,10 +15,14 @@ struct OpeningSpan {
   bool hasLintel() const { return lintelEnd > endCourse; }
 };
 
+// From 0 of the line that it is in.
 OpeningSpan spanOf(const WallDef& wall, const Opening& opening);
 
 // The course with everything between `from` and `to` taken out, as the runs of neighbouring cells that are left.
 using Run = std::vector<Cell>;
 std::vector<Run> runsOf(const WallDef& wall, int course, const std::vector<OpeningSpan>& spans);
+void takeOutOpenings(std::vector<Run>& runs, const WallDef& wall, int course, const OpeningSpan& span);
+// All between two places: what is left of a cell is cut, and small remnants join their neighbours.
+void takeOut(std::vector<Run>& runs, double from, double to, const Layout& at);
 
 }  // namespace brickfall::masonry

@@ -1,6 +1,7 @@
 // What a sound file can still get wrong: bodies that overlap at the start, launches that never come.
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <optional>
 
@@ -80,21 +81,63 @@ std::string nameAndLine(const PlacedBody& body) {
   return "\"" + body.name + "\"" + line;
 }
 
+// What a body belongs to: a brick to its wall, all else to itself.
+std::string ownerOf(const SceneDescription& scene, const PlacedBody& body) {
+  if (body.course < 0) return body.name;
+  const std::string wall = body.name.substr(0, body.name.find_last_of('/', body.name.find_last_of('/') - 1));
+  for (const SceneWall& one : scene.walls)
+    if (one.wall.name == wall) return wall;
+  return body.name;
+}
+
+double millimetres(double metres) { return std::floor(metres * 1e4 + 0.5) / 10; }
+
+// Two walls, or a wall and a body, that lie in each other.
+struct OwnersOverlap {
+  const PlacedBody *late, *early;  // the deepest
+  std::string lateOwner, earlyOwner;
+  int pairs = 0;
+  double depth = 0;
+};
+
+std::string overlapWords(const OwnersOverlap& one) {
+  const bool lateWall = one.lateOwner != one.late->name, earlyWall = one.earlyOwner != one.early->name;
+  const std::string depth = scene::numberText(millimetres(one.depth)) + " mm";
+  if (!lateWall && !earlyWall)
+    return "found it " + depth + " inside " + nameAndLine(*one.early) +
+           " at the start, expected bodies that touch at most";
+  const std::string line = one.early->place.line > 0 ? " (line " + std::to_string(one.early->place.line) + ")" : "";
+  const std::string other = (earlyWall ? "wall \"" : "\"") + one.earlyOwner + "\"" + line;
+  const std::string pairs =
+      std::to_string(one.pairs) + (one.pairs == 1 ? " pair" : " pairs") + " of bodies, up to " + depth;
+  const char* mend = lateWall && earlyWall && one.lateOwner != one.earlyOwner
+                         ? "; two walls that meet are bonded by tied_to, or by one wall with a path"
+                         : "; move one of them by as much";
+  return "found it inside " + other + " at the start (" + pairs + "), expected bodies that touch at most" + mend;
+}
+
 void warnOfOverlaps(const SceneDescription& scene, const SceneRun& run, std::vector<Diagnostic>& out) {
-  std::vector<Overlap> overlaps = OverlapFinder(run).find();
-  for (std::size_t i = 0; i < std::min(overlaps.size(), kMaxWarnings); i++) {
+  std::vector<OwnersOverlap> all;
+  std::map<std::pair<std::string, std::string>, std::size_t> known;
+  for (const Overlap& overlap : OverlapFinder(run).find()) {
     // At the one that stands later in the file: it was put where the other already was.
-    const PlacedBody *late = &run.bodies()[overlaps[i].a], *early = &run.bodies()[overlaps[i].b];
+    const PlacedBody *late = &run.bodies()[overlap.a], *early = &run.bodies()[overlap.b];
     if (late->place.line < early->place.line) std::swap(late, early);
-    double millimetres = std::floor(overlaps[i].depth * 1e4 + 0.5) / 10;
-    out.push_back(warning(scene, late->place, late->name,
-                          "found it " + scene::numberText(millimetres) + " mm inside " + nameAndLine(*early) +
-                              " at the start, expected bodies that touch at most"));
+    std::string lateOwner = ownerOf(scene, *late), earlyOwner = ownerOf(scene, *early);
+    const auto key = std::minmax(lateOwner, earlyOwner);
+    const auto [at, fresh] = known.emplace(key, all.size());
+    if (fresh) all.push_back({late, early, lateOwner, earlyOwner, 0, 0});
+    OwnersOverlap& one = all[at->second];
+    one.pairs++;
+    if (overlap.depth > one.depth) one.depth = overlap.depth, one.late = late, one.early = early;
+    one.lateOwner = ownerOf(scene, *one.late), one.earlyOwner = ownerOf(scene, *one.early);
   }
-  if (overlaps.size() > kMaxWarnings)
+  for (std::size_t i = 0; i < std::min(all.size(), kMaxWarnings); i++)
+    out.push_back(warning(scene, all[i].late->place, all[i].lateOwner, overlapWords(all[i])));
+  if (all.size() > kMaxWarnings)
     out.push_back(warning(
         scene, {}, "",
-        "found " + std::to_string(overlaps.size() - kMaxWarnings) + " more pairs of bodies that overlap at the start"));
+        "found " + std::to_string(all.size() - kMaxWarnings) + " more pairs of bodies that overlap at the start"));
 }
 
 void warnOfLaunches(const SceneDescription& scene, std::vector<Diagnostic>& out) {

@@ -1,21 +1,41 @@
 // Recursive descent:  sum = product {(+|-) product};  product = unary {(*|/) unary};  unary = [-] primary;
-// primary = number | $name | function ( sum [, sum] ) | ( sum ).
+// primary = number | pi | $name | function ( sum [, sum] ) | ( sum ).
 #include "scene/expression.h"
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <numbers>
+
+#include "brickfall/math.h"
 
 namespace brickfall::scene {
 
 namespace {
 
+constexpr std::string_view kOfOne[] = {"round", "floor", "ceil", "sqrt", "abs", "sin", "cos", "tan"};
+constexpr std::string_view kOfTwo[] = {"min", "max", "random"};
+constexpr const char* kFunctions = "round, floor, ceil, sqrt, abs, sin, cos, tan, min, max and random";
+
 bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
+double valueOfOne(const std::string& function, double a) {
+  if (function == "round") return std::floor(a + 0.5);
+  if (function == "floor") return std::floor(a);
+  if (function == "ceil") return std::ceil(a);
+  if (function == "sqrt") return std::sqrt(a);
+  if (function == "abs") return std::fabs(a);
+  if (!std::isfinite(a)) return a;
+  double sine, cosine;
+  sinCos(a, sine, cosine);
+  return function == "sin" ? sine : function == "cos" ? cosine : sine / cosine;
+}
+
 class Parser {
  public:
-  Parser(std::string_view text, const ParameterLookup& lookup) : text_(text), lookup_(lookup) {}
+  Parser(std::string_view text, const ParameterLookup& lookup, const RandomSource& random)
+      : text_(text), lookup_(lookup), random_(random) {}
 
   Evaluated run() {
     Evaluated out;
@@ -92,26 +112,27 @@ class Parser {
   double function(int depth) {
     std::size_t from = at_;
     std::string key = name();
-    bool two = key == "min" || key == "max";
-    bool known = two || key == "round" || key == "floor" || key == "ceil" || key == "sqrt" || key == "abs";
-    if (!known) {
+    if (key == "pi") return std::numbers::pi;
+    const bool two = std::find(std::begin(kOfTwo), std::end(kOfTwo), key) != std::end(kOfTwo);
+    const bool one = std::find(std::begin(kOfOne), std::end(kOfOne), key) != std::end(kOfOne);
+    if (!one && !two) {
       bool call = take('(');
       at_ = from;
-      if (call) return fail("unknown name \"" + key + "\"; functions are round, floor, ceil, sqrt, abs, min and max");
+      if (call) return fail("unknown name \"" + key + "\"; functions are " + kFunctions);
       return fail("unknown name \"" + key + "\"; a parameter begins with $");
     }
     if (!take('(')) return fail("expected ( after \"" + key + "\"");
     double a = sum(depth + 1), b = 0;
     if (two && !take(',')) return fail("expected two arguments of \"" + key + "\"");
     if (two) b = sum(depth + 1);
-    double value = key == "min"     ? std::min(a, b)
-                   : key == "max"   ? std::max(a, b)
-                   : key == "round" ? std::floor(a + 0.5)
-                   : key == "floor" ? std::floor(a)
-                   : key == "ceil"  ? std::ceil(a)
-                   : key == "sqrt"  ? std::sqrt(a)
-                                    : std::fabs(a);
+    if (key == "random") return closed(randomBetween(a, b));
+    double value = key == "min" ? std::min(a, b) : key == "max" ? std::max(a, b) : valueOfOne(key, a);
     return closed(value);
+  }
+  double randomBetween(double a, double b) {
+    std::string reason = "there is no \"random\" here";
+    const std::optional<double> share = error_.empty() && random_ ? random_(reason) : std::nullopt;
+    return share ? a + (b - a) * *share : fail(reason);
   }
   double closed(double value) {
     if (take(')')) return value;
@@ -137,6 +158,7 @@ class Parser {
 
   std::string_view text_;
   const ParameterLookup& lookup_;
+  const RandomSource& random_;
   std::size_t at_ = 0;
   std::string error_;
   int errorColumn_ = 0;
@@ -144,9 +166,12 @@ class Parser {
 
 }  // namespace
 
-Evaluated evaluate(std::string_view text, const ParameterLookup& lookup) { return Parser(text, lookup).run(); }
+Evaluated evaluate(std::string_view text, const ParameterLookup& lookup, const RandomSource& random) {
+  return Parser(text, lookup, random).run();
+}
 
 bool looksLikeExpression(std::string_view text) {
+  if (text == "pi" || text.starts_with("pi ")) return true;
   if (text.find_first_of("$(") != std::string_view::npos) return true;
   return !text.empty() && (isDigit(text[0]) || text[0] == '(' || text[0] == '-' || text[0] == '.');
 }

@@ -16,6 +16,20 @@ Aabb wallBounds(const WallDef& wall) {
   return bounds(shape, {wall.position, rotationFromDegrees({0, wall.yawDegrees, 0})});
 }
 
+// Of one that is no plain box: where its bricks lie.
+Aabb boundsOf(const WallDef& wall, std::uint64_t seed) {
+  const bool plain = wall.path.empty() && wall.radius == 0 && wall.piers.empty() && !(wall.gableDegrees > 0);
+  const Result<std::vector<BrickPlacement>> bricks =
+      plain ? Result<std::vector<BrickPlacement>>(std::vector<BrickPlacement>{}) : layBricks(wall, seed);
+  if (!bricks || bricks->empty()) return wallBounds(wall);
+  Aabb all{bricks->front().centre, bricks->front().centre};
+  for (const BrickPlacement& brick : *bricks) {
+    const double reach = 0.5 * length(brick.size);
+    all = merged(all, {brick.centre - Vec3{reach, reach, reach}, brick.centre + Vec3{reach, reach, reach}});
+  }
+  return all;
+}
+
 // A plane has no end.
 bool hasPlane(const BodyDef& def) {
   return std::any_of(def.shapes.begin(), def.shapes.end(),
@@ -26,7 +40,7 @@ bool hasPlane(const BodyDef& def) {
 
 void frameScene(SceneDescription& scene) {
   std::vector<Aabb> boxes;
-  for (const SceneWall& wall : scene.walls) boxes.push_back(wallBounds(wall.wall));
+  for (const SceneWall& wall : scene.walls) boxes.push_back(boundsOf(wall.wall, scene.seed));
   for (const SceneBody& body : scene.bodies)
     if (body.role != BodyRole::ground && !hasPlane(body.def)) boxes.push_back(bodyBounds(body.def));
   Camera camera;

@@ -1,6 +1,9 @@
 // The table of keys.
 #include "scene/keys.h"
 
+#include <map>
+#include <utility>
+
 #include "brickfall/limits.h"
 #include "scene/node.h"
 #include "scene/shape_choices.h"
@@ -65,6 +68,7 @@ void addMortarNumbers(std::vector<KeySpec>& keys, const char* table) {
 void addSceneKeys(std::vector<KeySpec>& keys) {
   keys.push_back({"", "title", K::text, "", 0, 200, "\"\"", "", "what the scene shows, in a line"});
   keys.push_back({"", "description", K::text, "", 0, 10000, "\"\"", "", "more about it"});
+  keys.push_back({"", "include", K::texts, "", 0, 0, "-", "", "other scene files, relative to this one: their tables come first, what this one says counts"});
   keys.push_back({"", "parameters", K::parameters, "", 0, 0, "-", "", "named numbers for expressions"});
   keys.push_back({"", "world", K::table, "", 0, 0, "-", "", "gravity, time and sleep"});
   keys.push_back({"", "solver", K::table, "", 0, 0, "-", "", "advanced settings of the contact solver"});
@@ -74,11 +78,15 @@ void addSceneKeys(std::vector<KeySpec>& keys) {
   keys.push_back({"", "brick_kind", K::tables, "", 0, 0, "-", "", "kinds of brick by name"});
   keys.push_back({"", "mortar_kind", K::tables, "", 0, 0, "-", "", "kinds of mortar by name"});
   keys.push_back({"", "wall", K::tables, "", 0, 0, "-", "", "walls of bricks"});
+  keys.push_back({"", "pier", K::tables, "", 0, 0, "-", "", "piers of bricks that stand by themselves"});
+  keys.push_back({"", "roof", K::tables, "", 0, 0, "-", "", "pitched roofs of trusses and boards"});
   keys.push_back({"", "body", K::tables, "", 0, 0, "-", "", "bodies placed one by one"});
   keys.push_back({"", "ball", K::tables, "", 0, 0, "-", "", "balls to throw"});
   keys.push_back({"", "array", K::tables, "", 0, 0, "-", "", "many equal bodies: lattices, columns, pyramids, piles"});
   keys.push_back({"", "arch", K::tables, "", 0, 0, "-", "", "arches of wedge-shaped stones"});
   keys.push_back({"", "dome", K::tables, "", 0, 0, "-", "", "domes of wedge-shaped stones, with a drum under them"});
+  keys.push_back({"", "group", K::tables, "", 0, 0, "-", "", "tables that stand together, to be placed and copied as one"});
+  keys.push_back({"", "copy", K::tables, "", 0, 0, "-", "", "another one of a table that has a name, at its own place"});
   keys.push_back({"", "mortar", K::tables, "", 0, 0, "-", "", "mortar between bodies that lie on each other"});
   keys.push_back({"", "joint", K::tables, "", 0, 0, "-", "", "what ties two bodies"});
   keys.push_back({"", "chain", K::tables, "", 0, 0, "-", "", "rows of links or boards with their joints"});
@@ -92,6 +100,8 @@ void addSceneKeys(std::vector<KeySpec>& keys) {
 void addWorldKeys(std::vector<KeySpec>& keys) {
   keys.push_back({"world", "gravity", K::gravity, "m/s2", -1000, 1000, "9.81", "", "downwards, or a vector [x, y, z]"});
   keys.push_back({"world", "seconds", K::number, "s", 0.001, 86400, "10", "", "simulated time of a run"});
+  keys.push_back({"world", "stop_when", K::choice, "", 0, 0, "\"time\"", "time|rest", "the run ends after `seconds`, or earlier: when all rests and nothing is to come"});
+  keys.push_back({"world", "remove_below", K::number, "m", -kFar, kFar, "-", "", "height: bodies whose centres fall lower are taken out; default: none"});
   keys.push_back({"world", "time_step", K::number, "s", limits::kShortestTimeStep, limits::kLongestTimeStep, "0.016666666666666666", "", "dt of one step; smaller is truer and slower"});
   keys.push_back({"world", "substeps", K::integer, "", 1, limits::kMostSubsteps, "1", "", "equal parts that each step is solved in"});
   keys.push_back({"world", "frames_per_second", K::number, "1/s", 0.1, 10000, "60", "", "frames recorded per simulated second"});
@@ -193,7 +203,16 @@ void addWallKeys(std::vector<KeySpec>& keys) {
   keys.push_back({"wall", "density_noise", K::number, "", 0, 0.2, "0", "", "in each brick sixteen equal parts differ in density, by up to this"});
   keys.push_back({"wall", "disorder", K::number, "m", 0, 0.01, "0", "", "bricks out of true by gaps of up to this"});
   keys.push_back({"wall", "shuffle", K::boolean, "", 0, 0, "false", "", "bricks are created in random order"});
+  keys.push_back({"wall", "colour", K::colour, "", 0, 0, "-", "", "of its bricks; default: the material's"});
+  keys.push_back({"wall", "path", K::planPoints, "m", -10000, 10000, "-", "", "corners of its middle line, from `position`: [[x, z], ...]; sets the length instead of `bricks`"});
+  keys.push_back({"wall", "closed", K::boolean, "", 0, 0, "false", "", "with a path: its last corner is joined to its first"});
+  keys.push_back({"wall", "radius", K::number, "m", 0, 10000, "0", "", "a round wall about `position`: of its middle line; 0: it is straight"});
+  keys.push_back({"wall", "arc_degrees", K::number, "degrees", 1, 360, "360", "", "of a round wall, from +z towards +x; 360: a ring"});
+  keys.push_back({"wall", "gable_degrees", K::number, "degrees", 0, 80, "0", "", "slope of a gable on top of it; 0: none"});
+  keys.push_back({"wall", "gable_sides", K::numbers, "", 0, 999, "-", "", "sides of a path with a gable, the first is 0; default: all"});
+  keys.push_back({"wall", "tied_to", K::texts, "", 0, 0, "-", "", "walls that its ends go into, in every second course"});
   keys.push_back({"wall", "opening", K::tables, "", 0, 0, "-", "", "doors and windows"});
+  keys.push_back({"wall", "pier", K::tables, "", 0, 0, "-", "", "piers that are bonded into it"});
 }
 
 void addOwnMortarKeys(std::vector<KeySpec>& keys, const char* table) {
@@ -210,12 +229,50 @@ void addOpeningKeys(std::vector<KeySpec>& keys) {
   keys.push_back({"wall.opening", "lintel_height", K::number, "m", 0, 100, "0.065", "", "in whole courses, rounded; 0 = no lintel"});
 }
 
+void addPierKeys(std::vector<KeySpec>& keys) {
+  keys.push_back({"wall.pier", "at", K::number, "m", 0, kFar, "", "", "its middle, along the wall; it ends with the wall at its ends"});
+  keys.push_back({"wall.pier", "width", K::number, "brick lengths", 1, 100, "1.5", "", "along the wall, in halves"});
+  keys.push_back({"wall.pier", "depth", K::number, "brick lengths", 1, 100, "1.5", "", "through the wall, in halves; 1.5 at least in a wall as thick as a brick is long"});
+  keys.push_back({"wall.pier", "higher", K::integer, "", 0, 10000, "0", "", "courses above those of the wall"});
+  keys.push_back({"pier", "name", K::name, "", 0, 0, "-", "", "bricks are called name/course/position"});
+  keys.push_back({"pier", "width", K::number, "brick lengths", 1, 100, "1.5", "", "along x, in halves"});
+  keys.push_back({"pier", "depth", K::number, "brick lengths", 1, 100, "1.5", "", "along z, in halves"});
+  for (const char* key : {"courses", "brick", "head_joint", "bed_joint", "yaw_degrees", "material", "mortar", "foot", "density_scatter", "disorder", "colour"})
+    for (const KeySpec& spec : std::vector<KeySpec>(keys))
+      if (std::string_view(spec.table) == "wall" && std::string_view(spec.key) == key) {
+        KeySpec same = spec;
+        same.table = "pier";
+        keys.push_back(same);
+        break;
+      }
+  keys.push_back({"pier", "position", K::vector, "m", -kFar, kFar, "[0, 0, 0]", "", "middle of its foot"});
+}
+
+void addRoofKeys(std::vector<KeySpec>& keys) {
+  keys.push_back({"roof", "name", K::name, "", 0, 0, "-", "", "trusses are called name/truss/0, ..., boards name/front/0, ... and name/back/0, ..."});
+  keys.push_back({"roof", "length", K::number, "m", 0.1, 1000, "4", "", "along the ridge, from wall to wall: between the outer faces"});
+  keys.push_back({"roof", "span", K::number, "m", 0.1, 1000, "3", "", "across the ridge, between the outer faces of the walls that it lies on"});
+  keys.push_back({"roof", "pitch_degrees", K::number, "degrees", 1, 70, "20", "", "steeper than its friction holds (wood: 24) it wants nails"});
+  keys.push_back({"roof", "overhang", K::number, "m", 0, 10, "0.15", "", "beyond the walls, on all sides"});
+  keys.push_back({"roof", "trusses", K::integer, "", 2, 1000, "4", "", "triangles of two rafters and a tie beam, that lie on the walls"});
+  keys.push_back({"roof", "inset", K::number, "m", 0, 1000, "0.3", "", "of the first and the last truss from the ends of `length`"});
+  keys.push_back({"roof", "timber", K::pair, "m", kSmall, 10, "[0.05, 0.1]", "", "width and height of rafters and beams"});
+  keys.push_back({"roof", "boards", K::integer, "", 1, 1000, "8", "", "on each side, along the ridge"});
+  keys.push_back({"roof", "board_thickness", K::number, "m", kSmall, 10, "0.025", "", "of a board"});
+  keys.push_back({"roof", "nail_force", K::number, "N", 0, 1e12, "0", "", "each board is nailed to each truss, and comes off under more; 0: no nails"});
+  keys.push_back({"roof", "position", K::vector, "m", -kFar, kFar, "[0, 0, 0]", "", "middle of its foot, on top of the walls"});
+  keys.push_back({"roof", "yaw_degrees", K::number, "degrees", -3600, 3600, "0", "", "about the vertical; 0: the ridge runs along x"});
+  keys.push_back({"roof", "material", K::material, "", 0, 0, "\"wood\"", "", "of boards and timber"});
+  keys.push_back({"roof", "colour", K::colour, "", 0, 0, "-", "", "of boards and timber; default: the material's"});
+}
+
 void addBodyKeys(std::vector<KeySpec>& keys) {
   keys.push_back({"body", "name", K::name, "", 0, 0, "-", "", "its name in reports and in the replay"});
   keys.push_back({"body", "type", K::choice, "", 0, 0, "\"dynamic\"", "fixed|kinematic|dynamic", "never moves, moves as told, moves by forces"});
   addShape(keys, "body");
   keys.push_back({"body", "part", K::tables, "", 0, 0, "-", "", "several shapes in one body, instead of `shape`"});
   keys.push_back({"body", "material", K::material, "", 0, 0, "\"brick\"", "", "of all shapes that name no other"});
+  keys.push_back({"body", "colour", K::colour, "", 0, 0, "-", "", "of the whole body; default: the material's"});
   keys.push_back({"body", "position", K::vector, "m", -kFar, kFar, "[0, 0, 0]", "", "origin of the body: the middle of a shape"});
   keys.push_back({"body", "rotation_degrees", K::vector, "degrees", -3600, 3600, "[0, 0, 0]", "", "about the world's x, then y, then z axis"});
   addMotion(keys, "body");
@@ -242,6 +299,7 @@ void addBallKeys(std::vector<KeySpec>& keys) {
   keys.push_back({"ball", "name", K::name, "", 0, 0, "-", "", "its name in reports and in the replay"});
   keys.push_back({"ball", "radius", K::number, "m", kSmall, kLarge, "0.1", "", "of the ball"});
   keys.push_back({"ball", "material", K::material, "", 0, 0, "\"steel\"", "", "of the ball"});
+  keys.push_back({"ball", "colour", K::colour, "", 0, 0, "-", "", "of the ball; default: the material's"});
   keys.push_back({"ball", "density", K::number, "kg/m3", scene_limits::kSmallestDensity, scene_limits::kLargestDensity, "-", "", "instead of the material's"});
   keys.push_back({"ball", "friction", K::number, "", 0, 100, "-", "", "instead of the material's"});
   keys.push_back({"ball", "restitution", K::number, "", 0, 1, "-", "", "instead of the material's"});
@@ -258,12 +316,12 @@ void addArrayKeys(std::vector<KeySpec>& keys) {
   keys.push_back({"array", "base", K::integer, "", 1, 10000, "10", "", "pyramid: bodies in the lowest row, along x"});
   keys.push_back({"array", "spacing", K::positive, "m", 0.0001, kLarge, "-", "", "between centres; default: they touch"});
   keys.push_back({"array", "jitter", K::number, "m", 0, 100, "0", "", "random shift of each body, up to this on each axis"});
-  keys.push_back({"array", "shape", K::choice, "", 0, 0, "\"box\"", "box|sphere|cylinder", "form"});
-  keys.push_back({"array", "size", K::positive, "m", kSmall, kLarge, "[1, 1, 1]", "", "box: whole lengths"});
+  addShape(keys, "array");
   keys.push_back({"array", "size_min", K::positive, "m", kSmall, kLarge, "-", "", "box: random lengths from this to `size`"});
-  keys.push_back({"array", "radius", K::number, "m", kSmall, kLarge, "0.5", "", "sphere, cylinder"});
-  keys.push_back({"array", "height", K::number, "m", kSmall, kLarge, "1", "", "cylinder: along y"});
+  keys.push_back({"array", "type", K::choice, "", 0, 0, "\"dynamic\"", "fixed|kinematic|dynamic", "never move, move as told, move by forces; of meshes fixed or kinematic"});
   keys.push_back({"array", "material", K::material, "", 0, 0, "\"brick\"", "", "of all bodies"});
+  keys.push_back({"array", "colour", K::colour, "", 0, 0, "-", "", "of all bodies; default: the material's"});
+  keys.push_back({"array", "yaw_degrees", K::number, "degrees", -3600, 3600, "0", "", "about the vertical through `position`"});
   keys.push_back({"array", "position", K::vector, "m", -kFar, kFar, "[0, 0, 0]", "", "middle of the lowest layer's underside"});
   addMotion(keys, "array");
 }
@@ -278,6 +336,7 @@ void addArchKeys(std::vector<KeySpec>& keys) {
   keys.push_back({"arch", "position", K::vector, "m", -kFar, kFar, "[0, 0, 0]", "", "the circle's centre"});
   keys.push_back({"arch", "yaw_degrees", K::number, "degrees", -3600, 3600, "0", "", "about the vertical; 0: it spans along x"});
   keys.push_back({"arch", "material", K::material, "", 0, 0, "\"brick\"", "", "of the stones"});
+  keys.push_back({"arch", "colour", K::colour, "", 0, 0, "-", "", "of the stones; default: the material's"});
   keys.push_back({"arch", "mortar", K::mortar, "", 0, 0, "\"none\"", "", "between the stones: a kind of mortar, \"none\", or [arch.mortar]"});
   keys.push_back({"arch", "foot", K::boolean, "", 0, 0, "false", "", "with mortar: its feet are mortared to what they stand on"});
 }
@@ -303,6 +362,7 @@ void addDomeKeys(std::vector<KeySpec>& keys) {
   keys.push_back({"dome", "position", K::vector, "m", -kFar, kFar, "[0, 0, 0]", "", "middle of the foot, that of the drum if it has one"});
   keys.push_back({"dome", "yaw_degrees", K::number, "degrees", -3600, 3600, "0", "", "about the vertical"});
   keys.push_back({"dome", "material", K::material, "", 0, 0, "\"brick\"", "", "of the stones"});
+  keys.push_back({"dome", "colour", K::colour, "", 0, 0, "-", "", "of the stones; default: the material's"});
 }
 
 void addJointKeys(std::vector<KeySpec>& keys) {
@@ -394,6 +454,7 @@ void addCameraKeys(std::vector<KeySpec>& keys) {
   keys.push_back({"camera", "name", K::name, "", 0, 0, "\"main\"", "", "its name in the replay"});
   keys.push_back({"camera", "position", K::vector, "m", -kFar, kFar, "[3, 2, 5]", "", "where it stands"});
   keys.push_back({"camera", "target", K::vector, "m", -kFar, kFar, "[0, 0.5, 0]", "", "what it looks at"});
+  keys.push_back({"camera", "look_at", K::name, "", 0, 0, "-", "", "instead of `target`: a body, at its middle at the start"});
   keys.push_back({"camera", "field_of_view_degrees", K::number, "degrees", 1, 170, "45", "", "vertical"});
   keys.push_back({"camera", "key", K::tables, "", 0, 0, "-", "", "poses that it passes through in a film (brickfall render)"});
 }
@@ -403,6 +464,50 @@ void addCameraKeyKeys(std::vector<KeySpec>& keys) {
   keys.push_back({"camera.key", "position", K::vector, "m", -kFar, kFar, "-", "", "where it then stands; default: the camera's position"});
   keys.push_back({"camera.key", "target", K::vector, "m", -kFar, kFar, "-", "", "what it then looks at; default: the camera's target"});
   keys.push_back({"camera.key", "field_of_view_degrees", K::number, "degrees", 1, 170, "-", "", "vertical; default: the camera's"});
+}
+
+constexpr const char* kInGroups[] = {"wall", "pier", "roof", "body", "ball", "array", "arch", "dome", "mortar", "joint", "chain", "tilt", "shake", "blast", "camera", "copy"};
+
+void addGroupKeys(std::vector<KeySpec>& keys) {
+  keys.push_back({"group", "name", K::name, "", 0, 0, "", "", "what copies call it; what is in it is called name/..."});
+  keys.push_back({"group", "position", K::vector, "m", -kFar, kFar, "[0, 0, 0]", "", "where its origin stands: its tables are placed from there"});
+  keys.push_back({"group", "yaw_degrees", K::number, "degrees", -3600, 3600, "0", "", "about the vertical through its origin"});
+  keys.push_back({"group", "template", K::boolean, "", 0, 0, "false", "", "true: it only is there to be copied"});
+  for (const char* table : kInGroups) keys.push_back({"group", table, K::tables, "", 0, 0, "-", "", "as at the top level, in the group's own frame"});
+}
+
+void addCopyKeys(std::vector<KeySpec>& keys) {
+  keys.push_back({"copy", "of", K::name, "", 0, 0, "", "", "the name of a group, a wall, a body, ..."});
+  keys.push_back({"copy", "name", K::name, "", 0, 0, "-", "", "its own; default: the other's, with \" copy\" behind it"});
+  keys.push_back({"copy", "position", K::vector, "m", -kFar, kFar, "-", "", "where it stands; default: where the other does"});
+  keys.push_back({"copy", "yaw_degrees", K::number, "degrees", -3600, 3600, "-", "", "how it is turned; default: as the other"});
+}
+
+void addRepetitionKeys(std::vector<KeySpec>& keys) {
+  keys.push_back({"repeat", "count", K::integer, "", 0, 100000, "-", "", "how many"});
+  keys.push_back({"repeat", "grid", K::counts, "", 0, 10000, "-", "", "instead: how many along x, y and z"});
+  keys.push_back({"repeat", "step", K::vector, "m", -kFar, kFar, "-", "", "from one to the next; of a grid along each axis"});
+  keys.push_back({"repeat", "about", K::vector, "m", -kFar, kFar, "-", "", "middle of a ring: each is turned about the vertical through it"});
+  keys.push_back({"repeat", "turn_degrees", K::number, "degrees", -3600, 3600, "-", "", "from one of a ring to the next; default: all the way round"});
+  keys.push_back({"repeat", "index", K::name, "", 0, 0, "\"i\"", "", "what its number is called in expressions and names: $i is 0, 1, ..."});
+}
+
+// Every table that there may be several of can be repeated. `repeat` and `let` are gone once the file is read.
+void addRepeatKeys(std::vector<KeySpec>& keys) {
+  std::vector<const char*> tables;
+  for (const KeySpec& spec : keys) {
+    const std::string_view table = spec.table;
+    const std::size_t dot = table.find('.');
+    const std::string_view owner = dot == table.npos ? std::string_view() : table.substr(0, dot);
+    const std::string_view own = dot == table.npos ? table : table.substr(dot + 1);
+    bool several = false;
+    for (const KeySpec& other : keys) several = several || (other.kind == K::tables && other.table == owner && other.key == own);
+    if (several && !table.empty() && (tables.empty() || std::string_view(tables.back()) != table)) tables.push_back(spec.table);
+  }
+  for (const char* table : tables) {
+    keys.push_back({table, "repeat", K::repeat, "", 0, 100000, "-", "", "how many of it: a number, or [repeat] with more"});
+    keys.push_back({table, "let", K::parameters, "", 0, 0, "-", "", "named numbers for this table alone, of each repetition anew"});
+  }
 }
 
 std::vector<KeySpec> makeKeys() {
@@ -418,6 +523,8 @@ std::vector<KeySpec> makeKeys() {
   addWallKeys(keys);
   addOwnMortarKeys(keys, "wall.mortar");
   addOpeningKeys(keys);
+  addPierKeys(keys);
+  addRoofKeys(keys);
   addBodyKeys(keys);
   addPartKeys(keys);
   addBodyKeyKeys(keys);
@@ -434,6 +541,10 @@ std::vector<KeySpec> makeKeys() {
   addAirKeys(keys);
   addCameraKeys(keys);
   addCameraKeyKeys(keys);
+  addGroupKeys(keys);
+  addCopyKeys(keys);
+  addRepetitionKeys(keys);
+  addRepeatKeys(keys);
   return keys;
 }
 // clang-format on
@@ -446,9 +557,41 @@ const std::vector<KeySpec>& keySpecs() {
 }
 
 const KeySpec* findKey(std::string_view table, std::string_view key) {
-  for (const KeySpec& spec : keySpecs())
-    if (spec.table == table && spec.key == key) return &spec;
-  return nullptr;
+  using Keys = std::map<std::string_view, const KeySpec*>;
+  static const auto tables = [] {
+    std::map<std::string_view, Keys> all;
+    for (const KeySpec& spec : keySpecs()) all[spec.table].emplace(spec.key, &spec);
+    return all;
+  }();
+  const auto known = tables.find(table);
+  if (known == tables.end()) return nullptr;
+  const auto found = known->second.find(key);
+  return found == known->second.end() ? nullptr : found->second;
+}
+
+Frame frameOf(const KeySpec& spec) {
+  const std::string_view key = spec.key;
+  if (key == "yaw_degrees") return Frame::yaw;
+  if (spec.kind != K::vector) return Frame::none;
+  for (const char* point : {"position", "target", "anchor", "anchor_b", "pivot", "centre", "from", "to"})
+    if (key == point) return Frame::point;
+  for (const char* direction : {"velocity", "angular_velocity", "axis", "hinge_axis", "direction"})
+    if (key == direction) return Frame::direction;
+  return Frame::none;
+}
+
+std::string meantTable(std::string_view thing) {
+  static constexpr std::pair<std::string_view, const char*> kThings[] = {
+      {"sphere", "ball"},  {"box", "body"},      {"brick", "wall"},   {"column", "array"},    {"tower", "wall"},
+      {"pile", "array"},   {"pyramid", "array"}, {"cube", "body"},    {"beam", "body"},       {"slab", "body"},
+      {"hinge", "joint"},  {"rope", "joint"},    {"spring", "joint"}, {"explosion", "blast"}, {"view", "camera"},
+      {"floor", "ground"}, {"plane", "ground"},  {"ring", "wall"},    {"corner", "wall"},     {"gate", "wall"},
+      {"vault", "arch"},   {"storey", "group"},  {"quake", "shake"},  {"earthquake", "shake"}};
+  std::string word(thing);
+  if (word.ends_with('s')) word.pop_back();
+  for (const auto& [name, table] : kThings)
+    if (name == thing || name == word) return table;
+  return {};
 }
 
 std::vector<std::string> keysOf(std::string_view table) {
@@ -530,6 +673,14 @@ std::string expectation(const KeySpec& spec) {
       return "4 .. 64 points [[x, y, z], ...], each coordinate " + range + unit;
     case K::times:
       return "1 .. 1000 times [t, ...], each " + range + unit + ", that ascend";
+    case K::numbers:
+      return "whole numbers [a, ...], each " + range + ", that ascend";
+    case K::planPoints:
+      return "2 .. 1000 points [[x, z], ...], each coordinate " + range + unit;
+    case K::texts:
+      return "a text, or several: [\"a\", \"b\"]";
+    case K::repeat:
+      return "how often, a whole number " + range + ", or a table: write [" + std::string(spec.table) + ".repeat]";
     case K::parameters:
       return "a table of numbers";
     case K::table:

@@ -27,6 +27,10 @@ enum class KeyKind : std::uint8_t {
   wholePair,   // [a, b], whole numbers
   points,      // [[x, y, z], ...]
   times,       // [t, ...], ascending
+  numbers,     // [a, ...], whole and ascending
+  planPoints,  // [[x, z], ...]
+  texts,       // a text, or several: ["a", "b"]
+  repeat,      // how often, or a table of KeySpec::table "repeat"
   parameters,  // a table of numbers with names of the user's choice
   table,       // [name]
   tables,      // [[name]]
@@ -43,11 +47,17 @@ struct KeySpec {
   const char* meaning;
 };
 
+// How a value changes where its table is placed by a group, a copy or a repetition.
+enum class Frame : std::uint8_t { none, point, direction, yaw };
+Frame frameOf(const KeySpec& spec);
+
 const std::vector<KeySpec>& keySpecs();
 const KeySpec* findKey(std::string_view table, std::string_view key);
 std::vector<std::string> keysOf(std::string_view table);
 // "[[wall]]", "[world]", "the top level"
 std::string tableTitle(std::string_view table);
+// The table for a thing of another name ("sphere", "column"); empty if none is known.
+std::string meantTable(std::string_view thing);
 // The title of a table that has this key, empty if none does.
 std::string ownerOfKey(std::string_view key);
 std::vector<std::string> choicesOf(const KeySpec& spec);

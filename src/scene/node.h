@@ -2,14 +2,23 @@
 // toml_document.cpp.
 #pragma once
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
+
+#include "scene/placement.h"
 
 namespace brickfall::scene {
 
 enum class NodeKind : std::uint8_t { boolean, integer, number, text, date, array, table };
 
 struct Member;
+
+// Of a table that repeat, a group or a copy has made.
+struct Expansion {
+  Placement placement;
+  std::string title;  // instead of its path, in messages: "wall[0] with i = 3"
+};
 
 struct Node {
   NodeKind kind = NodeKind::table;
@@ -20,7 +29,10 @@ struct Node {
   std::vector<Node> items;      // of an array
   std::vector<Member> members;  // of a table, in the order of the file
   int line = 0, column = 0;     // from 1; of a table: where it begins
+  int source = 0;               // of ReadContext::sources; 0: the scene file itself
   bool fromOverride = false;    // given by --set, not by the file
+  bool again = false;           // stands in the tree once more already: a mistake in it is told once
+  std::shared_ptr<const Expansion> expansion;
 
   const Member* find(const std::string& key) const;
   Member* find(const std::string& key);

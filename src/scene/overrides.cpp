@@ -1,5 +1,6 @@
 // Paths are "world.time_step", "wall[0].courses", "ball[0].velocity[2]"; the index may be left out where an array has
-// one entry. A name alone is that of a parameter, if the file has it.
+// one entry. A name alone is that of a parameter, if the file has it. "ball[+]" is a table that is added; a table that is set to
+// none is taken out.
 #include "scene/overrides.h"
 
 #include <charconv>
@@ -15,6 +16,7 @@ namespace {
 struct Segment {
   std::string name;
   std::vector<std::size_t> indices;
+  bool added = false;  // [+]
 };
 
 // Nothing if the path is malformed.
@@ -27,6 +29,12 @@ std::optional<std::vector<Segment>> splitPath(const std::string& path) {
     segment.name = path.substr(at, end - at);
     if (segment.name.empty() || segment.name.find(']') != std::string::npos) return std::nullopt;
     while (end < path.size() && path[end] == '[') {
+      if (path.compare(end, 3, "[+]") == 0) {
+        if (segment.added || !segment.indices.empty()) return std::nullopt;
+        segment.added = true;
+        end += 3;
+        continue;
+      }
       std::size_t index = 0;
       auto result = std::from_chars(path.data() + end + 1, path.data() + path.size(), index);
       std::size_t close = std::size_t(result.ptr - path.data());
@@ -78,6 +86,8 @@ class Override {
     bool isParameter = segments.size() == 1 && parameters && parameters->value.find(segments[0].name) &&
                        !findKey("", segments[0].name);
     if (isParameter) segments.insert(segments.begin(), Segment{"parameters", {}});
+    if (segments[0].name == "include") return fail("found a file to include, expected it in the scene file itself");
+    if (value == "none" && removes(segments)) return remove(segments);
     if (Node* target = navigate(segments)) *target = valueOf(value);
   }
 
@@ -88,11 +98,40 @@ class Override {
     context_.error(at, key_, std::move(message));
   }
 
-  Node* navigate(const std::vector<Segment>& segments) {
+  // True if it names a table, or all tables of a kind. ("none" is a value of `mortar`.)
+  static bool removes(const std::vector<Segment>& segments) {
+    std::string table;
+    const KeySpec* spec = nullptr;
+    for (const Segment& segment : segments) {
+      spec = findKey(table, segment.name);
+      if (!spec || segment.added) return false;
+      table += (table.empty() ? "" : ".") + segment.name;
+    }
+    return spec->kind == KeyKind::table || spec->kind == KeyKind::tables || spec->kind == KeyKind::parameters;
+  }
+
+  // All of a kind, unless an index says which.
+  void remove(const std::vector<Segment>& segments) {
+    const Segment& last = segments.back();
+    std::vector<Segment> around(segments.begin(), segments.end() - 1);
+    Node* owner = around.empty() ? &root_ : navigate(around, true);
+    if (!owner) return;
+    Member* member = owner->find(last.name);
+    if (!member) return fail("the scene has no \"" + last.name + "\", expected a path to what it has");
+    if (last.indices.empty()) {
+      std::erase_if(owner->members, [&](const Member& one) { return one.key == last.name; });
+      return;
+    }
+    Node& array = member->value;
+    if (Node* one = index(array, last, false); one && last.indices.size() == 1)
+      array.items.erase(array.items.begin() + long(last.indices[0]));
+  }
+
+  Node* navigate(const std::vector<Segment>& segments, bool toTable = false) {
     Node* node = &root_;
     std::string table;
     for (std::size_t i = 0; i < segments.size(); i++) {
-      bool last = i + 1 == segments.size();
+      bool last = i + 1 == segments.size() && !toTable;
       bool inParameters = table == "parameters";
       const KeySpec* spec = inParameters ? nullptr : findKey(table, segments[i].name);
       if (inParameters ? !node->find(segments[i].name) : !spec) return unknown(*node, table, segments[i].name);
@@ -107,22 +146,38 @@ class Override {
       }
       table += (table.empty() ? "" : ".") + segments[i].name;
     }
-    return nullptr;
+    return node;  // toTable
+  }
+
+  // The array gets one more table.
+  Node* add(Node& array) {
+    if (array.kind != NodeKind::array) {
+      fail("found [+] of " + describe(array) + ", expected an array of tables");
+      return nullptr;
+    }
+    Node fresh;
+    markOverride(fresh);
+    array.items.push_back(std::move(fresh));
+    return &array.items.back();
   }
 
   Member* create(Node& node, const Segment& segment, const KeySpec* spec) {
-    if (spec->kind == KeyKind::tables || !segment.indices.empty()) {
-      fail("the scene has no \"" + segment.name + "\", expected a path to what it has");
+    const bool first = spec && spec->kind == KeyKind::tables && segment.added;
+    if (!first && (!spec || spec->kind == KeyKind::tables || !segment.indices.empty() || segment.added)) {
+      fail("the scene has no \"" + segment.name + "\", expected a path to what it has" +
+           (spec && spec->kind == KeyKind::tables ? ", or " + segment.name + "[+] to add one" : ""));
       return nullptr;
     }
     Member member;
     member.key = segment.name;
+    if (first) member.value.kind = NodeKind::array;
     markOverride(member.value);
     node.members.push_back(std::move(member));
     return &node.members.back();
   }
 
   Node* index(Node& value, const Segment& segment, bool mayBeLeftOut) {
+    if (segment.added) return add(value);
     Node* node = &value;
     std::vector<std::size_t> indices = segment.indices;
     if (indices.empty() && mayBeLeftOut && node->kind == NodeKind::array) {

@@ -87,6 +87,8 @@ void readArches(SceneBuild& build, TableReader& top) {
     reader.vector("position", def.position);
     reader.number("yaw_degrees", yaw);
     reader.material("material", def.model.material);
+    readColour(reader, def.model);
+    build.scene.masonryMaterials.insert(def.model.material);
     def.mortar = readOwnMortar(build, reader, def.foot);
     def.angle = degrees * kRadians;
     def.yaw = quatFromAxisAngle({0, 1, 0}, yaw * kRadians);

@@ -11,8 +11,6 @@ namespace brickfall::scene {
 namespace {
 
 enum class Arrangement { lattice, pyramid };
-enum class ArrayShape { box, sphere, cylinder };  // as the keys list them
-constexpr const char* kArrayShapes[] = {"box", "sphere", "cylinder"};
 
 struct ArrayDef {
   Arrangement arrangement = Arrangement::lattice;
@@ -20,27 +18,17 @@ struct ArrayDef {
   int base = 10;
   Vec3 spacing;
   double jitter = 0;
-  ArrayShape form = ArrayShape::box;
-  Vec3 size{1, 1, 1}, sizeMin;
+  ShapeDef shape;
+  Aabb bounds;  // m, of the shape about the body's origin
+  Vec3 sizeMin;
   bool randomSize = false;
-  double radius = 0.5, height = 1;
+  double yawDegrees = 0;
   Vec3 position;
   SceneBody model;
 
-  ShapeDef shape(Vec3 lengths) const {
-    ShapeDef out;
-    out.type = form == ArrayShape::sphere     ? ShapeType::sphere
-               : form == ArrayShape::cylinder ? ShapeType::cylinder
-                                              : ShapeType::box;
-    out.radius = radius;
-    out.halfHeight = 0.5 * height;
-    out.halfExtents = lengths * 0.5;
-    return out;
-  }
-
   Vec3 extent() const {
-    if (form == ArrayShape::box) return size;
-    return {2 * radius, form == ArrayShape::sphere ? 2 * radius : height, 2 * radius};
+    if (shape.type == ShapeType::box) return shape.halfExtents * 2.0;
+    return bounds.upper - bounds.lower;
   }
 
   std::int64_t bodies() const {
@@ -49,28 +37,29 @@ struct ArrayDef {
   }
 };
 
-void readNumbers(TableReader& reader, ArrayDef& def) {
+void readNumbers(SceneBuild& build, TableReader& reader, ArrayDef& def) {
   reader.choice("arrangement", def.arrangement);
   reader.vector("count", def.count);
   reader.integer("base", def.base);
   reader.number("jitter", def.jitter);
-  reader.choice("shape", def.form);
-  reader.vector("size", def.size);
-  reader.number("radius", def.radius);
-  reader.number("height", def.height);
+  def.shape = readShape(build, reader);
+  if (def.shape.type != ShapeType::mesh || def.shape.mesh) def.bounds = bounds(def.shape, {});
   def.randomSize = reader.vector("size_min", def.sizeMin);
   def.spacing = def.extent();
   reader.vector("spacing", def.spacing);
   reader.vector("position", def.position);
+  reader.number("yaw_degrees", def.yawDegrees);
+  reader.choice("type", def.model.def.type);
   reader.material("material", def.model.material);
+  readColour(reader, def.model);
   readMotion(reader, def.model.def);
 }
 
 void checkTogether(TableReader& reader, const ArrayDef& def) {
   for (int i = 0; def.randomSize && i < 3; i++)
-    if (!(def.sizeMin[i] <= def.size[i])) {
+    if (!(def.sizeMin[i] <= def.extent()[i])) {
       reader.error("size_min", "found " + numberText(def.sizeMin[i]) +
-                                   ", expected at most size = " + numberText(def.size[i]) + " m on each axis");
+                                   ", expected at most size = " + numberText(def.extent()[i]) + " m on each axis");
       break;
     }
   const char* other = def.arrangement == Arrangement::pyramid ? "count" : "base";
@@ -78,21 +67,22 @@ void checkTogether(TableReader& reader, const ArrayDef& def) {
     reader.error(other, std::string("found beside arrangement \"") +
                             (def.arrangement == Arrangement::pyramid ? "pyramid" : "lattice") +
                             "\", expected it only with the other arrangement");
-  for (const char* key : {"size", "size_min"})
-    if (def.form != ArrayShape::box && reader.has(key))
-      reader.error(key, "found with shape \"" + std::string(kArrayShapes[int(def.form)]) + "\", expected radius");
+  if (def.shape.type != ShapeType::box && reader.has("size_min"))
+    reader.error("size_min", "found with another shape than \"box\", expected it only with boxes");
+  if (def.shape.type == ShapeType::mesh && def.model.def.type == BodyType::dynamic)
+    reader.error(reader.has("type") ? "type" : "shape",
+                 "found dynamic bodies of meshes, expected type \"fixed\" or \"kinematic\"");
+  if (def.model.def.type == BodyType::fixed &&
+      (def.model.def.linearVelocity != Vec3{} || def.model.def.angularVelocity != Vec3{}))
+    reader.error("type", "found \"fixed\" with a velocity, expected \"kinematic\" or \"dynamic\"");
   double reach = 0;
   for (int i = 0; i < 3; i++) {
     double rows = def.arrangement == Arrangement::pyramid ? (i == 2 ? 1 : def.base) : def.count[i];
-    reach = std::max(reach, std::fabs(def.position[i]) + rows * def.spacing[i] + def.size[i] + def.jitter);
+    reach = std::max(reach, std::fabs(def.position[i]) + rows * def.spacing[i] + def.extent()[i] + def.jitter);
   }
   if (!(reach <= limits::kLargestCoordinate))
     reader.error("spacing", "the array reaches " + numberText(reach) + " m from the origin, expected at most " +
                                 numberText(limits::kLargestCoordinate) + " m");
-  if (def.form == ArrayShape::box && reader.has("radius"))
-    reader.error("radius", "found with shape \"box\", expected size");
-  if (def.form != ArrayShape::cylinder && reader.has("height"))
-    reader.error("height", "found with another shape than \"cylinder\"");
 }
 
 class ArrayBuilder {
@@ -102,7 +92,8 @@ class ArrayBuilder {
 
   void run() {
     Vec3 s = def_.spacing;
-    double bottom = def_.position.y + 0.5 * def_.extent().y;
+    const bool middle = def_.shape.type != ShapeType::hull && def_.shape.type != ShapeType::mesh;
+    double bottom = def_.position.y + (middle ? 0.5 * def_.extent().y : -def_.bounds.lower.y);
     if (def_.arrangement == Arrangement::pyramid) {
       for (int row = 0; row < def_.base; row++)
         for (int i = 0; i < def_.base - row; i++)
@@ -121,11 +112,15 @@ class ArrayBuilder {
   void add(Vec3 centre) {
     SceneBody body = def_.model;
     body.name += "/" + std::to_string(next_++);
-    ShapeDef shape = def_.shape(def_.size);
+    ShapeDef shape = def_.shape;
     for (int i = 0; def_.randomSize && i < 3; i++)
-      shape.halfExtents[i] = 0.5 * random_.between(def_.sizeMin[i], def_.size[i]);
+      shape.halfExtents[i] = 0.5 * random_.between(def_.sizeMin[i], 2 * def_.shape.halfExtents[i]);
     for (int i = 0; def_.jitter > 0 && i < 3; i++) centre[i] += random_.between(-def_.jitter, def_.jitter);
     body.def.position = centre;
+    if (def_.yawDegrees != 0) {
+      body.def.position = def_.position + turned(centre - def_.position, def_.yawDegrees);
+      body.def.rotation = rotationFromDegrees({0, def_.yawDegrees, 0});
+    }
     body.def.shapes.push_back(shape);
     build_.scene.bodies.push_back(std::move(body));
   }
@@ -145,12 +140,12 @@ void readArrays(SceneBuild& build, TableReader& top) {
     def.model.name = build.nameOf(reader, "array", index++);
     def.model.material = "brick";
     std::size_t before = build.context.diagnostics.size();
-    readNumbers(reader, def);
+    readNumbers(build, reader, def);
     if (build.context.diagnostics.size() == before) checkTogether(reader, def);
     def.model.place = placeOf(reader);
     if (build.context.diagnostics.size() == before) {
       SceneBody one = def.model;
-      one.def.shapes = {def.shape(def.size)};
+      one.def.shapes = {def.shape};
       build.checkBuildable(reader, one);
     }
     bool sound = build.context.diagnostics.size() == before;

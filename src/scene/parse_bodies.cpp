@@ -58,6 +58,8 @@ void refuseKeysOfOtherShapes(TableReader& reader, const ShapeChoice& shape) {
           key, "found a key that a " + std::string(shape.name) + " does not have, expected it only with another shape");
 }
 
+}  // namespace
+
 ShapeDef readShape(SceneBuild& build, TableReader& reader) {
   ShapeDef shape;
   int index = 0;
@@ -82,6 +84,8 @@ ShapeDef readShape(SceneBuild& build, TableReader& reader) {
   return shape;
 }
 
+namespace {
+
 void readParts(SceneBuild& build, TableReader& reader, SceneBody& body) {
   std::vector<TableReader> parts = reader.tables("part");
   if (parts.empty()) {
@@ -92,10 +96,8 @@ void readParts(SceneBuild& build, TableReader& reader, SceneBody& body) {
     if (reader.has(key)) reader.error(key, "found beside [[body.part]], expected the shape in the parts only");
   for (TableReader& part : parts) {
     ShapeDef shape = readShape(build, part);
-    Vec3 degrees;
     part.vector("position", shape.local.position);
-    part.vector("rotation_degrees", degrees);
-    shape.local.rotation = rotationFromDegrees(degrees);
+    part.rotation("rotation_degrees", shape.local.rotation);
     std::string material = body.material;
     part.material("material", material);
     body.shapeMaterials.push_back(material);
@@ -121,13 +123,6 @@ void readBallMaterial(SceneBuild& build, TableReader& reader, SceneBody& ball) {
 
 }  // namespace
 
-Quat rotationFromDegrees(Vec3 degrees) {
-  Quat x = quatFromAxisAngle({1, 0, 0}, degrees.x * kRadians);
-  Quat y = quatFromAxisAngle({0, 1, 0}, degrees.y * kRadians);
-  Quat z = quatFromAxisAngle({0, 0, 1}, degrees.z * kRadians);
-  return normalized(z * y * x);
-}
-
 void readMotion(TableReader& reader, BodyDef& def) {
   reader.vector("velocity", def.linearVelocity);
   reader.vector("angular_velocity", def.angularVelocity);
@@ -148,10 +143,9 @@ void readBodies(SceneBuild& build, TableReader& top) {
     body.material = "brick";
     reader.choice("type", body.def.type);
     reader.material("material", body.material);
-    Vec3 degrees;
+    readColour(reader, body);
     reader.vector("position", body.def.position);
-    reader.vector("rotation_degrees", degrees);
-    body.def.rotation = rotationFromDegrees(degrees);
+    reader.rotation("rotation_degrees", body.def.rotation);
     readParts(build, reader, body);
     bool mesh = std::any_of(body.def.shapes.begin(), body.def.shapes.end(),
                             [](const ShapeDef& shape) { return shape.type == ShapeType::mesh; });
@@ -188,6 +182,7 @@ void readBalls(SceneBuild& build, TableReader& top) {
     shape.radius = 0.1;
     reader.number("radius", shape.radius);
     readBallMaterial(build, reader, ball);
+    readColour(reader, ball);
     reader.vector("position", ball.def.position);
     readMotion(reader, ball.def);
     readLaunch(build, reader, ball);

@@ -122,6 +122,7 @@ void readDome(TableReader& reader, DomeDef& def) {
   reader.vector("position", def.position);
   reader.number("yaw_degrees", yaw);
   reader.material("material", def.model.material);
+  readColour(reader, def.model);
   def.angle = degrees * kRadians;
   def.oculus = oculus * kRadians;
   def.yaw = quatFromAxisAngle({0, 1, 0}, yaw * kRadians);
@@ -151,6 +152,7 @@ void readDomes(SceneBuild& build, TableReader& top) {
     def.model.material = "brick";
     def.model.place = placeOf(reader);
     readDome(reader, def);
+    build.scene.masonryMaterials.insert(def.model.material);
     if (build.context.diagnostics.size() != before) continue;
     const std::size_t first = build.scene.bodies.size();
     const int all = def.stones * (def.rings + def.drumRings) + def.closed();

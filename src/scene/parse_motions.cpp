@@ -65,8 +65,7 @@ void readPath(TableReader& reader, SceneBody& body) {
     MotionKey key = keys.back();
     if (!at.number("time", key.time)) continue;
     at.vector("position", key.position);
-    Vec3 degrees;
-    if (at.vector("rotation_degrees", degrees)) key.rotation = rotationFromDegrees(degrees);
+    at.rotation("rotation_degrees", key.rotation);
     const bool first = keys.size() == 1 && key.time == 0;
     if (!first && !(key.time > keys.back().time)) {
       at.error("time", "found " + numberText(key.time) + " s after a key at " + numberText(keys.back().time) +

@@ -57,6 +57,10 @@ void readWorld(SceneBuild& build, TableReader& top) {
   reader.gravity("gravity", scene.world.gravity);
   reader.number("seconds", scene.seconds);
   reader.number("time_step", scene.timeStep);
+  enum class StopWhen { time, rest } stop = StopWhen::time;
+  if (reader.choice("stop_when", stop)) scene.stopAtRest = stop == StopWhen::rest;
+  double lowest = 0;
+  if (reader.number("remove_below", lowest)) scene.removeBelow = lowest;
   reader.integer("substeps", scene.substeps);
   reader.number("frames_per_second", scene.framesPerSecond);
   reader.integer("seed", scene.seed);
@@ -68,6 +72,8 @@ void readWorld(SceneBuild& build, TableReader& top) {
   reader.choice("broad_phase", scene.world.broadPhase);
   reader.choice("method", scene.method);
   reader.choice("integrator", scene.world.integrator);
+  if (scene.stopAtRest && !scene.world.enableSleep)
+    reader.error("stop_when", "found \"rest\" with sleep = false, expected bodies that may fall asleep");
   readSolver(top, scene.world.solver);
   readReport(top, scene.report);
 }
@@ -157,6 +163,35 @@ void readCameraPath(TableReader& reader, Camera& camera) {
   }
 }
 
+// Its middle at the start: of a body, or of a wall.
+void lookAtBody(SceneBuild& build, TableReader& reader, const std::string& name, Camera& camera) {
+  if (reader.has("target")) return reader.error("look_at", "found beside target, expected one of the two");
+  std::vector<std::string> names;
+  for (const SceneBody& body : build.scene.bodies) {
+    names.push_back(body.name);
+    if (body.name != name) continue;
+    camera.target = body.def.position;
+    return;
+  }
+  for (const SceneWall& wall : build.scene.walls) {
+    names.push_back(wall.wall.name);
+    const Result<std::vector<BrickPlacement>> bricks = layBricks(wall.wall, build.scene.seed);
+    if (!bricks && wall.wall.name == name) return;  // its own mistake is told
+    if (!bricks || bricks->empty()) continue;
+    Vec3 sum;
+    for (const BrickPlacement& brick : *bricks) {
+      sum += brick.centre;
+      if (brick.name != name) continue;
+      camera.target = brick.centre;
+      return;
+    }
+    if (wall.wall.name != name) continue;
+    camera.target = sum * (1.0 / double(bricks->size()));
+    return;
+  }
+  reader.error("look_at", "found \"" + name + "\", expected the name of a body or a wall" + didYouMean(name, names));
+}
+
 }  // namespace
 
 void readCameras(SceneBuild& build, TableReader& top) {
@@ -168,6 +203,8 @@ void readCameras(SceneBuild& build, TableReader& top) {
       reader.error("name", "found the name \"" + camera.name + "\" a second time, expected different names");
     reader.vector("position", camera.position);
     reader.vector("target", camera.target);
+    std::string lookAt;
+    if (reader.text("look_at", lookAt)) lookAtBody(build, reader, lookAt, camera);
     reader.number("field_of_view_degrees", camera.fieldOfViewDegrees);
     if (!(length(camera.position - camera.target) > 1e-6))
       reader.error("target", "found the camera's own position, expected a point that it looks at");

@@ -37,6 +37,8 @@ void readBrickKinds(SceneBuild& build, TableReader& top);
 void readMortarKinds(SceneBuild& build, TableReader& top);
 void readCameras(SceneBuild& build, TableReader& top);
 void readWalls(SceneBuild& build, TableReader& top);
+void readPiers(SceneBuild& build, TableReader& top);
+void readRoofs(SceneBuild& build, TableReader& top);
 void readBodies(SceneBuild& build, TableReader& top);
 void readBalls(SceneBuild& build, TableReader& top);
 void readArrays(SceneBuild& build, TableReader& top);
@@ -53,7 +55,18 @@ void readBlasts(SceneBuild& build, TableReader& top);
 // The mesh that a table's `file` and `scale` ask for; null if it could not be read, which is said at `file`.
 std::shared_ptr<const MeshTree> readMesh(SceneBuild& build, TableReader& reader);
 
-inline SourcePlace placeOf(const TableReader& reader) { return {reader.node().line, reader.node().column}; }
+// Lines of files that are included are not known to who reads the place: 0.
+inline SourcePlace placeOf(const TableReader& reader) {
+  if (reader.node().source > 0) return {};
+  return {reader.node().line, reader.node().column};
+}
+
+inline void readColour(TableReader& reader, SceneBody& body) {
+  std::uint32_t colour = 0;
+  if (reader.colour("colour", colour)) body.colour = colour;
+}
+// A table's shape: the keys of [[body]], [[body.part]] and [[array]].
+ShapeDef readShape(SceneBuild& build, TableReader& reader);
 
 // A camera that sees the whole scene, for files that have none.
 void frameScene(SceneDescription& scene);
@@ -69,7 +82,5 @@ void readMotion(TableReader& reader, BodyDef& def);
 void readLaunch(SceneBuild& build, TableReader& reader, SceneBody& body);
 // [[body.key]]; a body that is not kinematic has none.
 void readPath(TableReader& reader, SceneBody& body);
-// Turns about the world's x, then y, then z axis.
-Quat rotationFromDegrees(Vec3 degrees);
 
 }  // namespace brickfall::scene

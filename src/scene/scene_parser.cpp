@@ -5,6 +5,8 @@
 #include <sstream>
 
 #include "brickfall/scene.h"
+#include "scene/expand.h"
+#include "scene/include_files.h"
 #include "scene/overrides.h"
 #include "scene/scene_build.h"
 #include "scene/toml_document.h"
@@ -24,20 +26,23 @@ SceneLoad failed(const std::string& file, std::string message) {
 
 bool isBlank(std::string_view text) { return text.find_first_not_of(" \t\r\n") == std::string_view::npos; }
 
-void readAll(scene::SceneBuild& build, const scene::Node& root) {
+void readAll(scene::SceneBuild& build, scene::Node& root) {
+  scene::readParameters(build.context, root);
+  scene::expandScene(build.context, root);
   scene::TableReader top(build.context, root, "", "");
   top.text("title", build.scene.title);
   top.text("description", build.scene.description);
-  scene::readParameters(build.context, root);
   scene::readMaterials(build, top);  // first: the others name them
   scene::readBrickKinds(build, top);
   scene::readMortarKinds(build, top);
   scene::readWorld(build, top);
   scene::readGround(build, top);
   scene::readWalls(build, top);
+  scene::readPiers(build, top);
   scene::readArrays(build, top);
   scene::readArches(build, top);
   scene::readDomes(build, top);
+  scene::readRoofs(build, top);
   scene::readBodies(build, top);
   scene::readBalls(build, top);
   scene::readChains(build, top);
@@ -48,8 +53,8 @@ void readAll(scene::SceneBuild& build, const scene::Node& root) {
   scene::readWinds(build, top);
   scene::readBlasts(build, top);
   scene::readCameras(build, top);
-  bool anything =
-      top.has("wall") || top.has("body") || top.has("ball") || top.has("array") || top.has("arch") || top.has("dome");
+  bool anything = top.has("wall") || top.has("pier") || top.has("roof") || top.has("body") || top.has("ball") ||
+                  top.has("array") || top.has("arch") || top.has("dome");
   if (!anything && !build.context.syntaxErrors) {
     scene::Node file;
     build.context.error(file, "",
@@ -61,6 +66,7 @@ void readAll(scene::SceneBuild& build, const scene::Node& root) {
 // In the order of the file; what comes from --set first.
 void sortByPlace(std::vector<Diagnostic>& diagnostics) {
   std::stable_sort(diagnostics.begin(), diagnostics.end(), [](const Diagnostic& a, const Diagnostic& b) {
+    if (a.file != b.file && a.line > 0 && b.line > 0) return a.file < b.file;
     return a.line != b.line ? a.line < b.line : a.column < b.column;
   });
 }
@@ -90,6 +96,8 @@ SceneLoad parseScene(std::string_view text, const std::string& fileName, const O
   build.context.diagnostics = std::move(document.errors);
   build.scene.file = fileName;
   build.scene.name = std::filesystem::path(fileName).stem().string();
+  build.context.sources = {fileName};
+  scene::mergeIncludes(build.context, document.root);
   for (const auto& [key, value] : overrides) scene::applyOverride(build.context, document.root, key, value);
   readAll(build, document.root);
   load.diagnostics = std::move(build.context.diagnostics);

@@ -35,6 +35,7 @@ class Placer {
   explicit Placer(const SceneDescription& scene) : scene_(scene) {}
 
   Status place() {
+    findBrickMaterials();
     for (const SceneWall& wall : scene_.walls) {
       Result<std::vector<BrickPlacement>> bricks = layBricks(wall.wall, scene_.seed);
       if (!bricks) return bricks.error();
@@ -71,6 +72,18 @@ class Placer {
   std::map<std::string, DrawnBody> drawn;            // bricks in mortar, by name
 
  private:
+  // What walls, arches and domes are laid of, and "brick".
+  void findBrickMaterials() {
+    brickMaterials_ = scene_.masonryMaterials;
+    brickMaterials_.insert("brick");
+    for (const SceneWall& wall : scene_.walls) brickMaterials_.insert(wall.material);
+  }
+  BodyRole roleOf(BodyRole role, BodyType type, const std::string& material) const {
+    if (role == BodyRole::ground || role == BodyRole::ball) return role;
+    const bool brick = type == BodyType::dynamic && brickMaterials_.count(material) > 0;
+    return brick ? BodyRole::brick : BodyRole::body;
+  }
+
   Result<MaterialDef> material(const std::string& name) const {
     if (const MaterialDef* def = findMaterial(scene_, name)) return *def;
     return Error{ErrorCode::invalidArgument, "material: found \"" + name + "\", expected the name of a material"};
@@ -79,13 +92,13 @@ class Placer {
   Status add(const SceneBody& body) {
     PlacedBody placed;
     placed.name = body.name;
-    placed.role = body.role;
+    placed.role = roleOf(body.role, body.def.type, body.material);
     placed.def = body.def;
     placed.launchTime = body.launchTime;
     placed.place = body.place;
     Result<MaterialDef> own = material(body.material);
     if (!own) return inBody(body.name, own.error());
-    placed.colour = own->colour;
+    placed.colour = body.colour.value_or(own->colour);
     for (std::size_t i = 0; i < placed.def.shapes.size(); i++) {
       Result<MaterialDef> other = i < body.shapeMaterials.size() ? material(body.shapeMaterials[i]) : own;
       if (!other) return inBody(body.name, other.error());
@@ -113,8 +126,8 @@ class Placer {
       const MaterialDef& from = brick.lintel ? *lintelMaterial : *brickMaterial;
       PlacedBody placed;
       placed.name = brick.name;
-      placed.role = BodyRole::brick;
-      placed.colour = from.colour;
+      placed.role = roleOf(BodyRole::body, BodyType::dynamic, from.name);
+      placed.colour = brick.lintel ? from.colour : wall.colour.value_or(from.colour);
       placed.materials = {from.name};
       placed.course = brick.course;
       placed.place = wall.place;
@@ -145,6 +158,7 @@ class Placer {
   const SceneDescription& scene_;
   std::vector<scene::LaidWall> walls_;
   scene::WallMortar mortar_;
+  std::set<std::string> brickMaterials_;
 };
 
 }  // namespace
@@ -397,7 +411,55 @@ Result<StepReport> SceneRun::step() {
   if (!report) return report;
   stepsDone_++;
   time_ = report->time;
+  if (scene_.removeBelow)
+    if (Status removed = removeFallen(); !removed) return removed.error();
   return report;
+}
+
+// What sleeps does not fall.
+Status SceneRun::removeFallen() {
+  std::vector<BodyId> fallen;
+  for (const PlacedBody& body : bodies_) {
+    const Result<BodyState> state = world_.state(body.id);
+    if (state && state->type == BodyType::dynamic && state->centreOfMass.y < *scene_.removeBelow)
+      fallen.push_back(body.id);
+  }
+  for (BodyId id : fallen)
+    if (Status destroyed = destroyBody(id); !destroyed) return destroyed;
+  return {};
+}
+
+namespace {
+
+// s: after it no machine begins or ends. One that never ends is none that is waited for.
+double lastMachine(const SceneDescription& scene) {
+  double last = 0;
+  const auto later = [&](double time) { last = std::isfinite(time) ? std::max(last, time) : last; };
+  for (const SceneBody& body : scene.bodies)
+    if (!body.path.keys.empty()) later(body.path.keys.back().time);
+  for (const SceneTilt& tilt : scene.tilts) {
+    if (!tilt.tilt.angle.keys.empty()) later(tilt.tilt.angle.keys.back().first);
+  }
+  for (const SceneShake& shake : scene.shakes) {
+    const Result<ShakeMotion> motion = ShakeMotion::create(shake.shake);
+    if (motion) later(motion->end());
+  }
+  for (const Wind& wind : scene.winds) later(std::isfinite(wind.until) ? wind.until : wind.from + wind.ramp);
+  for (const Blast& blast : scene.blasts) later(blast.time);
+  return last;
+}
+
+}  // namespace
+
+bool SceneRun::atRest() const {
+  if (stepsDone_ == 0 || !waiting_.empty() || time_ < lastMachine(scene_)) return false;
+  for (const Shot& shot : shots_)
+    if (!(shot.time < time_)) return false;
+  for (BodyId id : world_.bodies()) {
+    const Result<BodyState> state = world_.state(id);
+    if (state && state->type == BodyType::dynamic && !state->quarantined && state->awake) return false;
+  }
+  return true;
 }
 
 Status SceneRun::setTimeStep(double timeStep, int substeps) {

@@ -3,7 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <numbers>
 
+#include "masonry/named_seed.h"
+#include "math/random.h"
 #include "scene/nearest.h"
 
 namespace brickfall::scene {
@@ -17,17 +21,25 @@ constexpr std::size_t kMostParameters = 1000;
 
 bool isNumber(const Node& node) { return node.kind == NodeKind::integer || node.kind == NodeKind::number; }
 
-bool isParameterName(const std::string& name) {
-  if (name.empty() || name.size() > 64 || (name[0] >= '0' && name[0] <= '9')) return false;
-  return std::all_of(name.begin(), name.end(), [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
-  });
-}
-
 // Evaluates parameters as they are needed by each other.
 class ParameterReader {
  public:
   ParameterReader(ReadContext& context, const Node& table) : context_(context), table_(table) {}
+
+  // A seed that needs a random number has none: it stays 1.
+  void readSeed(const Node& root) {
+    const Member* world = root.find("world");
+    const Member* seed = world && world->value.kind == NodeKind::table ? world->value.find("seed") : nullptr;
+    double value = 1;
+    if (seed && isNumber(seed->value)) value = seed->value.number;
+    if (seed && seed->value.kind == NodeKind::text) {
+      auto lookup = [this](const std::string& name, std::string& error) { return valueOf(name, error); };
+      const Evaluated result = evaluate(seed->value.text, lookup);
+      if (result.error.empty()) value = result.value;
+    }
+    if (value >= 0 && value <= 9007199254740992.0) context_.seed = std::uint64_t(value);
+    context_.seedKnown = true;
+  }
 
   void run() {
     for (const Member& member : table_.members) {
@@ -80,7 +92,7 @@ class ParameterReader {
       return std::nullopt;
     }
     auto lookup = [this](const std::string& name, std::string& error) { return valueOf(name, error); };
-    Evaluated result = evaluate(node.text, lookup);
+    Evaluated result = evaluate(node.text, lookup, context_.random(path));
     if (result.error.empty()) return result.value;
     context_.error(node, path,
                    "found " + describe(node) + ": " + result.error + ", expected a number or an expression");
@@ -94,10 +106,21 @@ class ParameterReader {
 
 }  // namespace
 
+bool isParameterName(const std::string& name) {
+  if (name.empty() || name.size() > 64 || (name[0] >= '0' && name[0] <= '9')) return false;
+  return std::all_of(name.begin(), name.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+  });
+}
+
 void ReadContext::add(Severity severity, const Node& at, std::string path, std::string message) {
+  const std::string key = path.substr(path.find_last_of('.') + 1);
+  const bool fresh = told.emplace(at.source, at.line, at.column, key).second;
+  if (at.again && !fresh) return;
+  const bool included = at.source > 0 && std::size_t(at.source) < sources.size();
   Diagnostic diagnostic;
   diagnostic.severity = severity;
-  diagnostic.file = at.fromOverride ? "--set" : file;
+  diagnostic.file = at.fromOverride ? "--set" : included ? sources[std::size_t(at.source)] : file;
   diagnostic.line = at.fromOverride ? 0 : at.line;
   diagnostic.column = at.fromOverride ? 0 : at.column;
   diagnostic.key = std::move(path);
@@ -115,8 +138,18 @@ ParameterLookup ReadContext::lookup() const {
   };
 }
 
+RandomSource ReadContext::random(const std::string& path) const {
+  auto numbers = std::make_shared<Random>(masonry::namedSeed(seed, path + " random"));
+  return [numbers, known = seedKnown && path != "world.seed"](std::string& error) -> std::optional<double> {
+    if (known) return numbers->unit();
+    error = "random needs the seed of [world], which needs this";
+    return std::nullopt;
+  };
+}
+
 void readParameters(ReadContext& context, const Node& root) {
   const Member* member = root.find("parameters");
+  if (!member) ParameterReader(context, kEmptyTable).readSeed(root);
   if (!member) return;
   if (member->value.kind != NodeKind::table) {
     context.error(member->value, "parameters", "found " + describe(member->value) + ", expected a table of numbers");
@@ -128,11 +161,16 @@ void readParameters(ReadContext& context, const Node& root) {
                   "found " + std::to_string(count) + ", expected at most " + std::to_string(kMostParameters));
     return;
   }
+  ParameterReader(context, member->value).readSeed(root);
   ParameterReader(context, member->value).run();
 }
 
 TableReader::TableReader(ReadContext& context, const Node& node, std::string table, std::string path)
     : context_(&context), node_(node), table_(std::move(table)), path_(std::move(path)) {
+  if (node.expansion) {
+    if (!node.expansion->title.empty()) path_ = node.expansion->title;
+    placement_ = node.expansion->placement;
+  }
   reportUnknownKeys();
 }
 
@@ -147,9 +185,32 @@ void TableReader::reportUnknownKeys() {
     Node at;
     at.line = member.line;
     at.column = member.column;
+    at.source = member.value.source;
+    at.again = member.value.again;
     at.fromOverride = member.value.fromOverride && member.line == 0;
-    context_->error(at, pathOf(member.key), "found an unknown key, expected a key of " + tableTitle(table_) + hint);
+    const bool isTable =
+        member.value.kind == NodeKind::table || (member.value.kind == NodeKind::array && !member.value.items.empty() &&
+                                                 member.value.items[0].kind == NodeKind::table);
+    context_->error(at, pathOf(member.key),
+                    isTable && table_.empty() ? unknownTable(member.key)
+                                              : "found an unknown key, expected a key of " + tableTitle(table_) + hint);
   }
+}
+
+// The tables that there are, and the nearest of them: by its letters, or by the thing that was meant.
+std::string TableReader::unknownTable(const std::string& name) const {
+  std::vector<std::string> tables;
+  std::string list;
+  for (const KeySpec& spec : keySpecs()) {
+    if (*spec.table ||
+        (spec.kind != KeyKind::tables && spec.kind != KeyKind::table && spec.kind != KeyKind::parameters))
+      continue;
+    tables.push_back(spec.key);
+    list += (list.empty() ? "" : ", ") + tableTitle(spec.key);
+  }
+  const std::string best = meantTable(name).empty() ? nearest(name, tables) : meantTable(name);
+  return "found an unknown table, expected one of: " + list +
+         (best.empty() ? "" : " (did you mean " + tableTitle(best) + "?)");
 }
 
 const KeySpec& TableReader::spec(const char* key) const { return *findKey(table_, key); }
@@ -198,7 +259,7 @@ bool TableReader::numberOf(const Node& node, const std::string& path, const KeyS
   double value = node.number;
   std::string found = describe(node);
   if (node.kind == NodeKind::text && looksLikeExpression(node.text)) {
-    Evaluated result = evaluate(node.text, context_->lookup());
+    Evaluated result = evaluate(node.text, context_->lookup(), context_->random(path));
     if (!result.error.empty()) {
       std::string why = hasUnit(node.text) ? "a number is written without its unit" : result.error;
       context_->error(node, path, "found " + found + ": " + why + ", expected " + expectation(spec));
@@ -240,7 +301,9 @@ bool TableReader::vectorOf(const Node& node, const std::string& path, const KeyS
 
 bool TableReader::number(const char* key, double& out) {
   const Node* node = sought(key);
-  return node && numberOf(*node, pathOf(key), spec(key), false, out);
+  const bool read = node && numberOf(*node, pathOf(key), spec(key), false, out);
+  if ((read || !node) && placement_.yawDegrees != 0 && frameOf(spec(key)) == Frame::yaw) out += placement_.yawDegrees;
+  return read;
 }
 
 bool TableReader::integer(const char* key, int& out) {
@@ -330,9 +393,29 @@ bool TableReader::colour(const char* key, std::uint32_t& out) {
   return true;
 }
 
+Vec3 TableReader::placed(const KeySpec& spec, Vec3 value) const {
+  const Frame frame = frameOf(spec);
+  if (frame == Frame::none || !placement_.moves()) return value;
+  return frame == Frame::point ? placedPoint(placement_, value) : placedDirection(placement_, value);
+}
+
 bool TableReader::vector(const char* key, Vec3& out) {
   const Node* node = sought(key);
-  return node && vectorOf(*node, pathOf(key), spec(key), spec(key).kind == KeyKind::counts, out);
+  const KeySpec& of = spec(key);
+  const bool read = node && vectorOf(*node, pathOf(key), of, of.kind == KeyKind::counts, out);
+  const bool hasDefault = *of.fallback && std::string_view(of.fallback) != "-";
+  if (read || (!node && hasDefault)) out = placed(of, out);  // the default, too, is in the frame of the table
+  return read;
+}
+
+bool TableReader::rotation(const char* key, Quat& out) {
+  Vec3 degrees;
+  const bool read = vector(key, degrees);
+  const bool absent = !has(key) && std::string_view(spec(key).fallback) != "-";
+  if (!read && !absent) return false;
+  out = rotationFromDegrees(degrees);
+  if (placement_.yawDegrees != 0) out = normalized(rotationFromDegrees({0, placement_.yawDegrees, 0}) * out);
+  return read;
 }
 
 bool TableReader::gravity(const char* key, Vec3& out) {
@@ -431,6 +514,72 @@ bool TableReader::times(const char* key, std::vector<double>& out) {
   return true;
 }
 
+bool TableReader::planPoints(const char* key, std::vector<Vec3>& out) {
+  const Node* node = sought(key);
+  if (!node) return false;
+  if (node->kind != NodeKind::array || node->items.size() < 2 || node->items.size() > 1000) {
+    wrong(*node, pathOf(key), spec(key));
+    return false;
+  }
+  std::vector<Vec3> points;
+  KeySpec element = spec(key);
+  element.kind = KeyKind::number;
+  for (std::size_t i = 0; i < node->items.size(); i++) {
+    const Node& item = node->items[i];
+    const std::string path = pathOf(key) + "[" + std::to_string(i) + "]";
+    if (item.kind != NodeKind::array || item.items.size() != 2) {
+      context_->error(item, path, "found " + describe(item) + ", expected a point [x, z] of two numbers");
+      return false;
+    }
+    double x = 0, z = 0;
+    if (!numberOf(item.items[0], path + "[0]", element, false, x) ||
+        !numberOf(item.items[1], path + "[1]", element, false, z))
+      return false;
+    points.push_back({x, 0, z});
+  }
+  out = std::move(points);
+  return true;
+}
+
+bool TableReader::numbers(const char* key, std::vector<int>& out) {
+  const Node* node = sought(key);
+  if (!node) return false;
+  std::vector<int> found;
+  if (node->kind != NodeKind::array || node->items.size() > 1000) {
+    wrong(*node, pathOf(key), spec(key));
+    return false;
+  }
+  KeySpec element = spec(key);
+  element.kind = KeyKind::integer;
+  for (std::size_t i = 0; i < node->items.size(); i++) {
+    double value = 0;
+    if (!numberOf(node->items[i], pathOf(key) + "[" + std::to_string(i) + "]", element, true, value)) return false;
+    if (!found.empty() && !(value > found.back())) {
+      wrong(*node, pathOf(key), spec(key));
+      return false;
+    }
+    found.push_back(int(value));
+  }
+  out = std::move(found);
+  return true;
+}
+
+bool TableReader::texts(const char* key, std::vector<std::string>& out) {
+  const Node* node = sought(key);
+  if (!node) return false;
+  std::vector<std::string> found;
+  const bool one = node->kind == NodeKind::text;
+  bool sound = one || (node->kind == NodeKind::array && node->items.size() <= 100);
+  if (one) found.push_back(node->text);
+  for (std::size_t i = 0; sound && i < node->items.size(); i++) {
+    sound = node->items[i].kind == NodeKind::text;
+    found.push_back(node->items[i].text);
+  }
+  if (!sound) wrong(*node, pathOf(key), spec(key));
+  if (sound) out = std::move(found);
+  return sound;
+}
+
 bool TableReader::choiceIndex(const char* key, int& out) {
   const Node* node = sought(key);
   if (!node) return false;
@@ -460,6 +609,8 @@ std::vector<TableReader> TableReader::tables(const char* key) {
     else
       wrong(node->items[i], path, spec(key));
   }
+  if (full != "body.part")  // its places are in the body's own frame
+    for (TableReader& reader : readers) reader.placement_ = placement_ * reader.placement_;
   return readers;
 }
 

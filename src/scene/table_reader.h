@@ -1,7 +1,9 @@
 // Reads the values of one table of a scene file by the table of keys, and notes every mistake with its place.
 #pragma once
 #include <map>
+#include <set>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "brickfall/scene.h"
@@ -13,21 +15,28 @@ namespace brickfall::scene {
 
 // What all readers of a file share.
 struct ReadContext {
-  std::string file;
+  std::string file;                  // the scene file
+  std::vector<std::string> sources;  // files by Node::source: that one, and what it includes
   std::vector<Diagnostic> diagnostics;
   std::map<std::string, double> parameters;
   std::vector<std::string> materialNames, mortarNames;
   std::vector<BrickKind> brickKinds;
   bool syntaxErrors = false;  // lines were left out: a missing key may be one of them
+  std::uint64_t seed = 1;     // of random()
+  bool seedKnown = false;
+  std::set<std::tuple<int, int, int, std::string>> told;  // source, line, column and key of mistakes
 
   void add(Severity severity, const Node& at, std::string path, std::string message);
   void error(const Node& at, std::string path, std::string message) {
     add(Severity::error, at, std::move(path), std::move(message));
   }
   ParameterLookup lookup() const;
+  // Of one expression: always the same numbers for the seed and the path of the key.
+  RandomSource random(const std::string& path) const;
 };
 
-// A file's [parameters] become numbers; each may use the others in any order.
+bool isParameterName(const std::string& name);
+// The world's seed, as far as random() needs it; then a file's [parameters] become numbers; each may use the others in any order.
 void readParameters(ReadContext& context, const Node& root);
 
 class TableReader {
@@ -54,12 +63,17 @@ class TableReader {
   bool material(const char* key, std::string& out);
   bool mortar(const char* key, std::string& out);  // mortarKind, and mortar where it is a name
   bool colour(const char* key, std::uint32_t& out);
-  bool vector(const char* key, Vec3& out);  // vector, positive, counts
+  bool vector(const char* key, Vec3& out);  // vector, positive, counts; points and directions as placed
+  // Turns about x, then y, then z in degrees; as placed.
+  bool rotation(const char* key, Quat& out);
   bool gravity(const char* key, Vec3& out);
   bool brick(const char* key, BrickKind& out);  // without a name: a solid one of that size
   bool pair(const char* key, double& a, double& b);
   bool points(const char* key, std::vector<Vec3>& out);
   bool times(const char* key, std::vector<double>& out);
+  bool planPoints(const char* key, std::vector<Vec3>& out);  // [[x, z], ...]
+  bool numbers(const char* key, std::vector<int>& out);
+  bool texts(const char* key, std::vector<std::string>& out);  // one text, or several
   template <class E> bool choice(const char* key, E& out) {
     int index = 0;
     if (!choiceIndex(key, index)) return false;
@@ -80,11 +94,14 @@ class TableReader {
   bool oneOf(const char* key, const std::vector<std::string>& names, std::string& out);
   void wrong(const Node& node, const std::string& path, const KeySpec& spec, const std::string& hint = {});
   void reportUnknownKeys();
+  std::string unknownTable(const std::string& name) const;
+  Vec3 placed(const KeySpec& spec, Vec3 value) const;
 
   ReadContext* context_;
   const Node& node_;
   std::string table_;
   std::string path_;
+  Placement placement_;  // of the table and of those around it
 };
 
 }  // namespace brickfall::scene

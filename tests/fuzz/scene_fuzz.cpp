@@ -28,7 +28,7 @@ bool isSmall(const SceneDescription& scene) {
   std::int64_t bodies = std::int64_t(scene.bodies.size());
   std::size_t openings = 0;
   for (const SceneWall& wall : scene.walls) {
-    bodies += brickCount(wall.wall);
+    bodies += brickCount(wall.wall) + std::int64_t(wall.wall.piers.size());
     openings += wall.wall.openings.size();
   }
   return bodies <= kMostBodies && openings <= 20 && scene.substeps <= 4;

@@ -31,9 +31,8 @@ TEST_F(BadArguments, helpAndVersionAreNoErrors) {
 TEST_F(BadArguments, aCommandIsExpected) {
   const Finished none = run({});
   EXPECT_EQ(none.exitCode, 2);
-  EXPECT_TRUE(isOneComplaint(
-      none.errors,
-      {"command: found nothing, expected one of: run, check, scenes, replay, export, trace, check-dt, view, render"}));
+  EXPECT_TRUE(isOneComplaint(none.errors, {"command: found nothing, expected one of: run, check, scenes, replay, "
+                                           "export, trace, check-dt, completion, man, help, version, view, render"}));
   const Finished typo = run({"rnu", "wall"});
   EXPECT_EQ(typo.exitCode, 2);
   EXPECT_TRUE(isOneComplaint(typo.errors, {"command: found \"rnu\"", "did you mean \"run\"?"}));
@@ -72,6 +71,58 @@ TEST_F(BadArguments, optionsOfACommand) {
     EXPECT_EQ(refused.output, "");
     EXPECT_FALSE(exists("out")) << "nothing may be made before the arguments are known to be good";
   }
+}
+
+TEST_F(BadArguments, helpAndVersionAreCommandsToo) {
+  EXPECT_EQ(run({"version"}).output, run({"--version"}).output);
+  EXPECT_EQ(run({"help"}).output, run({"--help"}).output);
+  EXPECT_EQ(run({"help", "run"}).output, run({"run", "--help"}).output);
+  EXPECT_EQ(run({"help", "rnu"}).exitCode, 2);
+  const Finished man = run({"man"});
+  EXPECT_EQ(man.output.rfind(".TH BRICKFALL 1", 0), 0u) << man.output;
+  EXPECT_NE(man.output.find("\n.SS run\n"), std::string::npos);
+  for (const char* shell : {"bash", "zsh", "fish"}) {
+    const Finished words = run({"completion", shell});
+    EXPECT_EQ(words.exitCode, 0);
+    EXPECT_NE(words.output.find("seconds"), std::string::npos) << shell;
+  }
+  EXPECT_EQ(run({"completion", "tcsh"}).exitCode, 2);
+}
+
+TEST_F(BadArguments, aSceneComesFromStandardInput) {
+  write("in.toml", "[world]\nseconds = 0.1\n[[body]]\nposition = [0, 1, 0]\n");
+  ProcessOptions options;
+  options.inputPath = "in.toml";
+  EXPECT_EQ(run({"run", "-", "--no-html", "--no-glb"}, options).exitCode, 0);
+  EXPECT_TRUE(exists("out/stdin/summary.json"));
+  write("in.toml", "[[bodi]]\n");
+  const Finished refused = run({"run", "-"}, options);
+  EXPECT_EQ(refused.exitCode, 2);
+  EXPECT_NE(refused.errors.find("stdin:1:3: error: bodi: "), std::string::npos) << refused.errors;
+}
+
+TEST_F(BadArguments, scenesOfOneNameHaveTheirOwnResults) {
+  for (const char* folder : {"a", "b"}) {
+    std::filesystem::create_directory(folder_ / folder);
+    write(std::string(folder) + "/x.toml", "[world]\nseconds = 0.1\nseed = 3\n[[body]]\nposition = [0, 1, 0]\n");
+    for (int again = 0; again < 2; again++)
+      EXPECT_EQ(run({"run", std::string(folder) + "/x.toml", "--no-html", "--no-glb"}).exitCode, 0);
+  }
+  EXPECT_NE(read("out/x/summary.json").find("/a/x.toml"), std::string::npos);
+  EXPECT_NE(read("out/x-2/summary.json").find("/b/x.toml"), std::string::npos);
+  EXPECT_FALSE(exists("out/x-3"));
+}
+
+TEST_F(BadArguments, aRunEndsWhenAllRestsAndWhatFallsIsTakenOut) {
+  write("rest.toml",
+        "[world]\nseconds = 9\nstop_when = \"rest\"\nremove_below = -1\n[ground]\ntype = \"box\"\nsize = [1, 1, 1]\n"
+        "[[body]]\nsize = [0.2, 0.2, 0.2]\nposition = [0, 0.1, 0]\n[[body]]\nposition = [5, 0, 0]\n");
+  const Finished done = run({"run", "rest.toml", "--no-html", "--no-glb"});
+  EXPECT_EQ(done.exitCode, 0) << done.errors;
+  const std::string summary = read("out/rest/summary.json");
+  const double seconds = std::stod(summary.substr(summary.find("simulated_s\": ") + 14));
+  EXPECT_GT(seconds, 0.5);
+  EXPECT_LT(seconds, 3);
 }
 
 TEST_F(BadArguments, unknownSceneNamesTheNearest) {

@@ -49,7 +49,7 @@ TEST_F(Outputs, aRunLeavesAllItsFiles) {
                           "asleep_end",
                           "quarantined"})
     EXPECT_TRUE(summary.contains(key)) << key;
-  EXPECT_EQ(summary.size(), 26u);
+  EXPECT_EQ(summary.size(), 27u);
   EXPECT_EQ(summary["scene"], "cube");
   EXPECT_NEAR(summary["simulated_s"].get<double>(), 0.5, 1e-6);
   EXPECT_NEAR(summary["steps"].get<double>() * summary["dt_s"].get<double>(), 0.5, 1e-6);

@@ -52,6 +52,11 @@ Process::Process(const fs::path& folder, const std::vector<std::string>& argumen
     redirectToClosedPipe(STDOUT_FILENO);
   else
     redirect(STDOUT_FILENO, options.outputPath.empty() ? (folder_ / "stdout.txt").string() : options.outputPath);
+  if (!options.inputPath.empty()) {
+    const int file = open(options.inputPath.c_str(), O_RDONLY);
+    if (file < 0 || dup2(file, STDIN_FILENO) < 0) _exit(126);
+    close(file);
+  }
   if (options.closedErrorPipe)
     redirectToClosedPipe(STDERR_FILENO);
   else

@@ -19,6 +19,7 @@ struct Finished {
 // Where standard output goes: into Finished, or to a file such as /dev/full, or to a pipe that nobody reads.
 struct ProcessOptions {
   std::string outputPath;
+  std::string inputPath;  // standard input; empty: that of the tests
   bool closedPipe = false;
   bool closedErrorPipe = false;  // the same for standard error
   std::vector<int> closed;       // streams that the process is started without

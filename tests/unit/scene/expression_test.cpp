@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
 #include <string>
 
@@ -64,7 +65,7 @@ TEST(Expression, MistakesNameTheReasonAndThePlace) {
       {"1 + 2)", "unexpected \")\"", 6},     {"$speed", "unknown parameter", 1},
       {"2 * $", "name is missing after", 6}, {"courses * 2", "begins with $", 1},
       {"round 2", "expected (", 7},          {"max(1)", "two arguments", 6},
-      {"sin(1)", "unknown name \"sin\"", 1}, {"1 / 0", "not a finite", 1},
+      {"sen(1)", "unknown name \"sen\"", 1}, {"1 / 0", "not a finite", 1},
       {"sqrt(0 - 1)", "not a finite", 1},    {"3 ** 2", "expected a number, found \"*\"", 4},
       {"1e999", "not a number", 1},          {"#", "expected a number, found \"#\"", 1},
   };
@@ -73,6 +74,18 @@ TEST(Expression, MistakesNameTheReasonAndThePlace) {
     EXPECT_NE(result.error.find(mistake.part), std::string::npos) << mistake.text << ": " << result.error;
     EXPECT_EQ(result.column, mistake.column) << mistake.text << ": " << result.error;
   }
+}
+
+TEST(Expression, KnowsCirclesAndRandomNumbers) {
+  EXPECT_EQ(evaluate("pi / 2", lookup).value, std::acos(0.0));
+  EXPECT_NEAR(evaluate("sin(pi / 6)", lookup).value, 0.5, 1e-15);
+  EXPECT_NEAR(evaluate("cos(pi / 3) + tan(pi / 4)", lookup).value, 1.5, 1e-15);
+  EXPECT_NE(evaluate("random(0, 1)", lookup).error.find("random"), std::string::npos) << "none is given";
+  int calls = 0;
+  const RandomSource half = [&](std::string&) { return calls++, std::optional<double>(0.5); };
+  EXPECT_EQ(evaluate("random(2, 4) + random(0, 1)", lookup, half).value, 3.5);
+  EXPECT_EQ(calls, 2);
+  EXPECT_TRUE(looksLikeExpression("pi"));
 }
 
 TEST(Expression, DeepNestingIsRefusedNotFollowed) {

@@ -55,8 +55,16 @@ std::string typeWords(const KeySpec& spec) {
       return "[[x, y, z], ...]";
     case K::times:
       return "[t, ...]";
+    case K::numbers:
+      return "[a, ...], whole";
+    case K::planPoints:
+      return "[[x, z], ...]";
+    case K::texts:
+      return "text or [text, ...]";
+    case K::repeat:
+      return "whole number or [repeat]";
     case K::parameters:
-      return "[parameters]";
+      return *spec.table ? "table of numbers" : "[parameters]";
     case K::table:
       return "[" + fullName(spec) + "]";
     case K::tables:
@@ -71,7 +79,10 @@ std::string rangeWords(const KeySpec& spec) {
   switch (spec.kind) {
     case K::number:
     case K::integer:
+    case K::repeat:
       return rangeOf(spec);
+    case K::numbers:
+    case K::planPoints:
     case K::vector:
     case K::positive:
     case K::counts:
@@ -164,6 +175,15 @@ std::string valueSchema(const KeySpec& spec, const std::string& indent) {
       return arraySchema(arraySchema(number, 3, 3), 4, 64);
     case K::times:
       return arraySchema(number, 1, 1000);
+    case K::numbers:
+      return arraySchema(numberSchema(spec, true), 0, 1000);
+    case K::planPoints:
+      return arraySchema(arraySchema(number, 2, 2), 2, 1000);
+    case K::texts:
+      return "{\"anyOf\": [{\"type\": \"string\"}, " + arraySchema("{\"type\": \"string\"}", 0, 100) + "]}";
+    case K::repeat:
+      return "{\"anyOf\": [{\"type\": \"integer\", \"minimum\": 0}, {\"$ref\": \"#/definitions/expression\"}, "
+             "{\"$ref\": \"#/definitions/repeat\"}]}";
     case K::parameters:
       return "{\"type\": \"object\", \"additionalProperties\": {\"anyOf\": [{\"type\": \"number\"}, "
              "{\"$ref\": \"#/definitions/expression\"}]}}";
@@ -172,6 +192,8 @@ std::string valueSchema(const KeySpec& spec, const std::string& indent) {
     case K::tables:
       break;
   }
+  if (std::string(spec.table) == "group")
+    return std::string("{\"type\": \"array\", \"items\": {\"$ref\": \"#/properties/") + spec.key + "/items\"}}";
   return "{\"type\": \"array\", \"items\": " + tableSchema(fullName(spec), indent) + "}";
 }
 
@@ -192,7 +214,9 @@ std::string tableSchema(const std::string& table, const std::string& indent) {
     if (!*spec.fallback) required += (required.empty() ? "" : ", ") + inQuotes(spec.key);
     properties += (properties.empty() ? "" : ",\n") + inner + inQuotes(spec.key) + ": " + describedSchema(spec, inner);
   }
-  std::string out = "{\"type\": \"object\", \"additionalProperties\": false, ";
+  // A copy has the keys of what it copies.
+  std::string out = "{\"type\": \"object\", \"additionalProperties\": ";
+  out += table == "copy" ? "true, " : "false, ";
   if (!required.empty()) out += "\"required\": [" + required + "], ";
   return out + "\"properties\": {\n" + properties + "\n" + indent + "  }}";
 }
@@ -220,8 +244,8 @@ std::string keySchema() {
   return "{\"$schema\": \"http://json-schema.org/draft-07/schema#\",\n"
          "  \"title\": \"Brickfall scene\",\n"
          "  \"definitions\": {\"expression\": {\"type\": \"string\", \"pattern\": \"[$0-9]\", "
-         "\"description\": \"arithmetic on numbers and $parameters\"}},\n  " +
-         top.substr(1) + "\n";
+         "\"description\": \"arithmetic on numbers and $parameters\"},\n  \"repeat\": " +
+         tableSchema("repeat", "  ") + "},\n  " + top.substr(1) + "\n";
 }
 
 }  // namespace brickfall::scene

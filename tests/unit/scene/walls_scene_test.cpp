@@ -1,0 +1,111 @@
+// Walls that meet, what stands on them and what is told of them: in scene files.
+#include <algorithm>
+#include <cmath>
+
+#include "unit/scene/scene_support.h"
+
+namespace brickfall {
+namespace {
+
+std::string twoWalls(const std::string& bond, const std::string& more) {
+  const std::string common = "bond = \"" + bond + "\"\ncourses = 4\nhead_joint = 0.01\nbed_joint = 0.01\n" + more;
+  return "[[wall]]\nname = \"long\"\nbricks = 12\n" + common +
+         "[[wall]]\nname = \"stem\"\npath = [[1.3, 0], [1.3, -1.2]]\n" + common + "tied_to = \"long\"\n";
+}
+
+TEST(MeetingWalls, AreBondedInEveryBond) {
+  for (const char* bond : {"running", "header", "english", "flemish", "stack"}) {
+    const SceneDescription scene = sound(twoWalls(bond, ""));
+    EXPECT_EQ(allOf(checkScene(scene)), "") << bond;
+    const double thickness = wallThickness(scene.walls[0].wall);
+    // In odd courses the stem's bricks reach the long wall's far face, in even ones they end at its near face.
+    double reach[2] = {-9, -9};
+    const Result<std::vector<BrickPlacement>> stem = layBricks(scene.walls[1].wall, 1);
+    ASSERT_TRUE(stem.ok()) << stem.error().message;
+    for (const BrickPlacement& brick : *stem) {
+      const double half = 0.5 * std::fabs(rotate(brick.rotation, Vec3{brick.size.x, 0, 0}).z) +
+                          0.5 * std::fabs(rotate(brick.rotation, Vec3{0, 0, brick.size.z}).z);
+      reach[brick.course % 2] = std::max(reach[brick.course % 2], brick.centre.z + half);
+    }
+    EXPECT_NEAR(reach[1], 0.5 * thickness, 1e-9) << bond;
+    EXPECT_NEAR(reach[0], -0.5 * thickness - 0.01, 0.011) << bond;
+  }
+}
+
+TEST(MeetingWalls, AreOneInMortar) {
+  const SceneDescription scene = sound(twoWalls("running", "mortar = \"lime\"\n"));
+  const Result<SceneRun> run = SceneRun::create(scene);
+  ASSERT_TRUE(run.ok()) << run.error().message;
+  int across = 0;
+  for (MortarId id : run->mortars()) {
+    const Result<MortarState> state = run->world().state(id);
+    ASSERT_TRUE(state.ok());
+    across += run->find(state->bodyA)->name.starts_with("long") != run->find(state->bodyB)->name.starts_with("long");
+  }
+  EXPECT_GE(across, 8);
+}
+
+TEST(MeetingWalls, ThatOverlapAreToldOnceWithHowToMendIt) {
+  const SceneDescription scene =
+      sound("[[wall]]\nname = \"a\"\n[[wall]]\nname = \"b\"\nposition = [0.5, 0, 0.3]\nyaw_degrees = 90\n");
+  const std::vector<Diagnostic> told = checkScene(scene);
+  ASSERT_EQ(told.size(), 1u) << allOf(told);
+  EXPECT_EQ(told[0].line, 3);
+  EXPECT_EQ(told[0].key, "b");
+  EXPECT_NE(told[0].message.find("inside wall \"a\" (line 1)"), std::string::npos) << told[0].message;
+  EXPECT_NE(told[0].message.find("tied_to"), std::string::npos) << told[0].message;
+}
+
+TEST(MeetingWalls, ARoofStandsOnTwoWalls) {
+  const SceneDescription scene = sound(
+      "[[wall]]\nname = \"a\"\ncourses = 3\nbricks = 10\nposition = [-1.075, 0, 0.8]\n"
+      "repeat = { count = 2, step = [0, 0, -1.6] }\n"
+      "[[roof]]\nname = \"roof\"\nlength = 2.15\nspan = 1.7025\nposition = [0, 0.195, 0]\nboards = 4\ntrusses = 3\n");
+  EXPECT_EQ(allOf(checkScene(scene)), "");
+  Result<SceneRun> run = SceneRun::create(scene);
+  ASSERT_TRUE(run.ok());
+  for (int k = 0; k < 90; k++) ASSERT_TRUE(run->step().ok());
+  for (const PlacedBody& body : run->bodies())
+    EXPECT_LT(length(run->world().state(body.id)->position - body.def.position), 0.02) << body.name;
+  const std::string nailed = "[[roof]]\nnail_force = 500\nboards = 2\ntrusses = 2\n";
+  EXPECT_EQ(sound(nailed).joints.size(), 8u);
+}
+
+// One rule: the material of the walls.
+TEST(MeetingWalls, ABrickIsWhatIsMadeOfTheWallsMaterial) {
+  const SceneDescription scene = sound(
+      "[[material]]\nname = \"clay\"\n[[wall]]\nmaterial = \"clay\"\ncolour = \"#102030\"\ncourses = 6\n"
+      "[[wall.opening]]\nfrom = 0.8\nwidth = 0.4\nheight = 0.2\n"
+      "[[arch]]\nstones = 13\nposition = [9, 0, 0]\n[[body]]\nname = \"clay\"\nmaterial = \"clay\"\nposition = [0, 5, "
+      "0]\n"
+      "[[body]]\nname = \"wood\"\nmaterial = \"wood\"\nposition = [0, 7, 0]\ncolour = \"#00FF00\"\n");
+  const Result<SceneRun> run = SceneRun::create(scene);
+  ASSERT_TRUE(run.ok());
+  std::size_t stones = 0;
+  for (const PlacedBody& body : run->bodies()) {
+    const bool lintel = body.materials[0] == "concrete";
+    if (body.role == BodyRole::ground) continue;
+    EXPECT_EQ(body.role == BodyRole::brick, !lintel && body.name != "wood") << body.name;
+    stones += body.name.starts_with("arch");
+    const bool own = body.name.starts_with("wall") && !lintel;
+    EXPECT_EQ(body.colour == 0x102030u, own) << body.name;
+    EXPECT_EQ(body.colour == 0x00FF00u, body.name == "wood") << body.name;
+  }
+  EXPECT_EQ(stones, 13u);
+}
+
+TEST(MeetingWalls, CamerasLookAtBodiesAndArraysTakeEveryShape) {
+  const SceneDescription scene = sound(
+      "[[array]]\nname = \"a\"\nshape = \"cone\"\nradius = 0.2\nheight = 0.6\ncount = [2, 1, 1]\nyaw_degrees = 90\n"
+      "[[array]]\nshape = \"hull\"\nvertices = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]\nposition = [5, 0, 0]\n"
+      "[[camera]]\nlook_at = \"a/1\"\n");
+  EXPECT_EQ(scene.cameras[0].target, scene.bodies[2].def.position);
+  EXPECT_NEAR(scene.bodies[1].def.position.z, 0.2, 1e-12);
+  EXPECT_EQ(scene.bodies[3].def.shapes[0].type, ShapeType::hull);
+  EXPECT_EQ(scene.bodies[3].def.position.y, 0);
+  EXPECT_TRUE(has(faults("[[wall]]\nname = \"north\"\n[[camera]]\nlook_at = \"nort\"\n"), "did you mean \"north\""));
+  EXPECT_TRUE(has(faults("[world]\nsleep = false\nstop_when = \"rest\"\n[[wall]]\n"), "stop_when"));
+}
+
+}  // namespace
+}  // namespace brickfall
