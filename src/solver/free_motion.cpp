@@ -36,10 +36,11 @@ namespace {
 // The part of a fast turn that the solve sees, of a body with contacts. Taken from the spin: a rotation vector wraps at
 // half a turn, a spin does not.
 //
-// A body that firm ties hold is turned so far by a torque only in its free motion: all of the torque is theirs to bear.
-void limitTurn(FreeMotion& free, const BodyMass& mass, const BodyMotion& m, Vec3 spin, double dt, bool held) {
+// A body that does not turn so fast yet is turned so far by a torque only in its free motion: all of the torque is for
+// its ties to bear.
+void limitTurn(FreeMotion& free, const BodyMass& mass, const BodyMotion& m, Vec3 spin, double dt) {
   if (!(lengthSquared(spin) * dt * dt > kLargestTurn * kLargestTurn)) return;
-  if (held && !(lengthSquared(free.startSpin) * dt * dt > kLargestTurn * kLargestTurn)) {
+  if (!(lengthSquared(free.startSpin) * dt * dt > kLargestTurn * kLargestTurn)) {
     free.th = spin * dt;
     return;
   }
@@ -88,8 +89,8 @@ void predictWay(StepContext& context, BodySet& bodies, BodyIndex body, double dt
 // Bodies whose turn is still to be found, until there are enough of them to find it side by side.
 class WaitingTurns {
  public:
-  WaitingTurns(StepContext& context, const BodySet& bodies, double dt, bool hasContacts, bool held)
-      : context_(context), bodies_(bodies), dt_(dt), hasContacts_(hasContacts), held_(held) {}
+  WaitingTurns(StepContext& context, const BodySet& bodies, double dt, bool hasContacts)
+      : context_(context), bodies_(bodies), dt_(dt), hasContacts_(hasContacts) {}
   ~WaitingTurns() { turnAll(); }
   WaitingTurns(const WaitingTurns&) = delete;
   WaitingTurns& operator=(const WaitingTurns&) = delete;
@@ -112,7 +113,7 @@ class WaitingTurns {
       FreeMotion& free = context_.free[body_[i]];
       free.rotation = turns_[i].rotation;
       free.th = rotationVector(normalized(free.rotation * conjugate(m.rotation)));
-      if (hasContacts_) limitTurn(free, bodies_.mass[body_[i]], m, spin_[i], dt_, held_);
+      if (hasContacts_) limitTurn(free, bodies_.mass[body_[i]], m, spin_[i], dt_);
     }
     count_ = 0;
   }
@@ -120,7 +121,7 @@ class WaitingTurns {
   StepContext& context_;
   const BodySet& bodies_;
   double dt_;
-  bool hasContacts_, held_;
+  bool hasContacts_;
   int count_ = 0;
   FreeTurn turns_[kTurnsAtOnce];
   BodyIndex body_[kTurnsAtOnce];
@@ -130,8 +131,8 @@ class WaitingTurns {
 }  // namespace
 
 void predictFreeMotions(StepContext& context, BodySet& bodies, std::span<const BodyIndex> list, double dt,
-                        bool hasContacts, bool held) {
-  WaitingTurns waiting(context, bodies, dt, hasContacts, held);
+                        bool hasContacts) {
+  WaitingTurns waiting(context, bodies, dt, hasContacts);
   for (BodyIndex body : list) {
     const BodyMotion& m = bodies.motion[body];
     const BodyMass& mass = bodies.mass[body];
@@ -163,7 +164,7 @@ void predictFreeMotions(StepContext& context, BodySet& bodies, std::span<const B
     }
     free.th = spin * dt;
     free.rotation = normalized(quatFromRotationVector(free.th) * m.rotation);
-    if (hasContacts) limitTurn(free, mass, m, spin, dt, held);
+    if (hasContacts) limitTurn(free, mass, m, spin, dt);
   }
 }
 

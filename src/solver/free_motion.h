@@ -8,10 +8,10 @@ namespace brickfall {
 
 // Over `dt` s: applies damping and drag to the bodies' velocities and predicts their free motion under the step's
 // forces, with the exact turn. For bodies with contacts the solve sees at most kLargestTurn of the turn, since arms are
-// frozen during a step; their momentum stays. `held`: by firm ties, which bear all of a torque. Each body's result is
+// frozen during a step; their momentum stays. A torque is not cut: ties bear all of it. Each body's result is
 // its own, whatever the others in the list.
 void predictFreeMotions(StepContext& context, BodySet& bodies, std::span<const BodyIndex> list, double dt,
-                        bool hasContacts, bool held = false);
+                        bool hasContacts);
 inline void predictFreeMotion(StepContext& context, BodySet& bodies, BodyIndex body, double dt, bool hasContacts) {
   predictFreeMotions(context, bodies, {&body, 1}, dt, hasContacts);
 }

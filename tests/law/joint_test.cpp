@@ -389,6 +389,58 @@ TEST(Law, Row30iAJointBreaksAndItsBodiesCollideThen) {
 }
 
 // A ball on a chain goes into a small wall: the chain holds, and the wall is solved as well as under a free ball.
+// Two balls that hang from each other, integrated in steps of 1/12000 s.
+struct FineDouble {
+  static constexpr double kMass = 1, kRadius = 0.05, kReach = 1, kStep = 1.0 / 12000;
+  static constexpr double kOwn = 0.4 * kMass * kRadius * kRadius;
+  double state[4] = {0.5, 0.8, 0, 0};  // angles, rates
+
+  static void rates(const double (&at)[4], double (&out)[4]) {
+    const double c = std::cos(at[0] - at[1]), s = std::sin(at[0] - at[1]), both = kMass * kReach * kReach;
+    const double a = 2 * both + kOwn, b = both + kOwn, mixed = both * c;
+    const double p = -both * s * at[3] * at[3] - 2 * kMass * kG * kReach * std::sin(at[0]),
+                 q = both * s * at[2] * at[2] - kMass * kG * kReach * std::sin(at[1]);
+    const double det = a * b - mixed * mixed;
+    out[0] = at[2], out[1] = at[3], out[2] = (p * b - q * mixed) / det, out[3] = (q * a - p * mixed) / det;
+  }
+  void step() {  // the midpoint's rule
+    double rate[4], middle[4];
+    rates(state, rate);
+    for (int i = 0; i < 4; i++) middle[i] = state[i] + 0.5 * kStep * rate[i];
+    rates(middle, rate);
+    for (int i = 0; i < 4; i++) state[i] += kStep * rate[i];
+  }
+  Vec3 end() const {
+    return Vec3{std::sin(state[0]) + std::sin(state[1]), -std::cos(state[0]) - std::cos(state[1]), 0} * kReach;
+  }
+};
+
+TEST(Law, Row30oADoublePendulumKeepsToAFineOne) {
+  for (double dt : {1.0 / 60, 1.0 / 240}) {
+    World world = makeWorld();
+    FineDouble fine;
+    const Vec3 top{0, 10, 0};
+    BodyId last = addFixed(world, top + Vec3{0, 4, 0});
+    Vec3 anchor = top;
+    for (int i = 0; i < 2; i++) {
+      const double angle = fine.state[i];
+      const double density = FineDouble::kMass / (4.0 / 3 * kPi * std::pow(FineDouble::kRadius, 3));
+      const Vec3 place = anchor + Vec3{std::sin(angle), -std::cos(angle), 0} * FineDouble::kReach;
+      const BodyId next = add(world, bodyOf(sphereOf(FineDouble::kRadius, density), place));
+      join(world, at(JointType::spherical, anchor), last, next);
+      last = next;
+      anchor = place;
+    }
+    double off = 0, time = -0.5 * dt;
+    for (int i = 0; i * dt < 10; i++) {
+      ASSERT_TRUE(world.step(dt).ok());
+      for (; time < i * dt + dt - 0.5 * FineDouble::kStep; time += FineDouble::kStep) fine.step();
+      off = std::max(off, length(world.state(last)->centreOfMass - top - fine.end()));
+    }
+    atMost("the lower ball's distance from a finely integrated one", dt, 1e3 * off, dt > 0.01 ? 4 : 0.3, "mm");
+  }
+}
+
 TEST(Law, Row30jAChainHoldsInAHitOfAWall) {
   double unbalanced[2] = {};
   for (int chained = 0; chained < 2; chained++) {

@@ -81,6 +81,7 @@ struct PointRules {
   float cap;         // N
   float kept;        // of the plastic offset
   float release;     // m, of the plastic offset at least
+  bool debris;       // the island is stirred up: what bears goes on bearing
 };
 
 // An impact is over, or an island has calmed down or takes shorter steps: the point is softer than it must be. It goes
@@ -121,10 +122,15 @@ void harden(PointMemory& m, int i, float approach, const PointRules& rules) {
 }
 
 // Here, too, a resting point goes on with the force that it has, as far as there is overlap for it. Otherwise debris
-// would sink each time that it is stirred, be lifted when it lies again, and never come to rest.
+// would sink each time that it is stirred, be lifted when it lies again, and never come to rest. What is more than the
+// multiplier is a blow's, most of all in a short part of a step: with that the soft point holds no more energy than the
+// stiff one did.
 void soften(PointMemory& m, int i, const PointRules& rules) {
+  const float energy = rules.stiffness.full / m.stiffness[i];  // of one force
+  const float share = rules.debris ? 1 : std::sqrt(energy);
+  const float lasts = std::min(m.forceN[i], std::max(m.multiplierN[i], m.forceN[i] * share));
   m.stiffness[i] = rules.stiffness.full;
-  if (m.forceN[i] > 0) m.offset[i] = std::min(0.0f, m.gap[i] + m.forceN[i] / rules.stiffness.full);
+  if (m.forceN[i] > 0) m.offset[i] = std::min(0.0f, m.gap[i] + lasts / rules.stiffness.full);
 }
 
 // Returns the gap that causes force.
@@ -226,10 +232,13 @@ void ContactRows::prepare(const Island& island, Ties& ties, const StepContext& c
     const PairStiffness stiff = stiffnessOf(c, debris, island, context);
     start.scale = stiff.scale;
     r.near = float(kNearContact * stiff.scale.length);
-    const PointRules rules{stiff, float(context.settings.restingApproachSpeed * stiff.scale.speed), cap,
+    const PointRules rules{stiff,
+                           float(context.settings.restingApproachSpeed * stiff.scale.speed),
+                           cap,
                            // A part of a step releases a part of the offset.
                            1 - (1 - kOffsetKept) * float(island.dt / context.dt),
-                           float(kLeastRelease * stiff.scale.speed * island.dt)};
+                           float(kLeastRelease * stiff.scale.speed * island.dt),
+                           debris};
     r.newPoints = start.falling = 0;
     start.points = c.count;
     start.friction = c.friction;

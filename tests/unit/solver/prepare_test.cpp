@@ -244,6 +244,18 @@ TEST(Prepare, LongerStepsMakeAPointSofterAtOnce) {
   }
 }
 
+// In the last thousandth of a step the force of a blow is a thousand times what the step bears.
+TEST(Prepare, APointMadeSofterHoldsNoMoreOfABlow) {
+  OnGround lab({0, -0.1, 0}, 0, 1.0 / 60);
+  const double k = 1000 * lab.unit(lab.face);
+  lab.remember(PointPhase::resting, 1e6 * k, -5e-3, -5e-3, 1e5);
+  for (float& held : lab.points(lab.face).multiplierN) held = 20;
+  lab.prepare();
+  EXPECT_NEAR(lab.stiffness(), 1000, 1e-3);
+  EXPECT_NEAR(double(lab.points(lab.face).offset[0]), offsetKept(-5e-3 + 100 / k, 1.0 / 60), 1e-9)
+      << "100 N of the softer point are the energy of 1e5 N";
+}
+
 TEST(Prepare, UnusedLanesDoNothing) {
   TestIsland lab;
   BodyIndex under = lab.ground();
