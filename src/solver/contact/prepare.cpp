@@ -232,13 +232,10 @@ void ContactRows::prepare(const Island& island, Ties& ties, const StepContext& c
     const PairStiffness stiff = stiffnessOf(c, debris, island, context);
     start.scale = stiff.scale;
     r.near = float(kNearContact * stiff.scale.length);
-    const PointRules rules{stiff,
-                           float(context.settings.restingApproachSpeed * stiff.scale.speed),
-                           cap,
+    const PointRules rules{stiff, float(context.settings.restingApproachSpeed * stiff.scale.speed), cap,
                            // A part of a step releases a part of the offset.
                            1 - (1 - kOffsetKept) * float(island.dt / context.dt),
-                           float(kLeastRelease * stiff.scale.speed * island.dt),
-                           debris};
+                           float(kLeastRelease * stiff.scale.speed * island.dt), debris};
     r.newPoints = start.falling = 0;
     start.points = c.count;
     start.friction = c.friction;
