@@ -30,8 +30,8 @@ namespace {
 //! times the mass | too small: a body goes on through what is only a little lighter
 //! | too large: bricks pressed into a wrecking ball hold it in the air
 constexpr double kFarHeavier = 30;  // times the mass
-//! - | too small: what another was held up for ends beyond what it met | too large: cost
-constexpr int kLooks = 4;  // a way that was cut is in the way of others
+//! - | too small: what turns freely, or what another was held up for, ends beyond what it met | too large: cost
+constexpr int kLooks = 4;  // a part of a free turn is not on the arc of all of it, and a way that was cut is in the way
 //! of the outer radius | too small: bodies creep through a thin plate that flies with them
 //! | too large: bricks pressed into a wrecking ball hold it in the air
 constexpr double kThick = 0.2;
@@ -113,7 +113,7 @@ struct Obstacles {
   void stopAll();
   void takeBack(BodyIndex body);
   void stop(BodyIndex body);
-  void hold(BodyIndex body, bool everything, double thickness);
+  bool hold(BodyIndex body, bool everything, double thickness);
   void joinMotions(BodyIndex one, BodyIndex other);
   void obstruct(ShapeIndex shape, bool everything, double thickness, Obstruction& first) const;
   const Island* islandWith(BodyIndex body) const;
@@ -182,19 +182,23 @@ void Obstacles::stop(BodyIndex body) {
   // What it was left behind by its turn, and kinematic bodies, may run over it, however slow it is itself.
   bool everything = s.went < 1 || turnsFar(bodies, body, s.th);
   if (!(everything || !activity.moving.empty() || exceeds(s.d, thickness))) return;
-  hold(body, everything, thickness);
+  for (int look = 0; look < kLooks && hold(body, everything, thickness); look++) {
+  }
 }
 
-void Obstacles::hold(BodyIndex body, bool everything, double thickness) {
+// True if the body has to look again: on a free turn it ends elsewhere than where it was looked for.
+bool Obstacles::hold(BodyIndex body, bool everything, double thickness) {
   Obstruction first;
   for (ShapeIndex shape : bodies.shapes[body]) obstruct(shape, everything, thickness, first);
-  if (first.share == 1) return;
+  if (first.share == 1) return false;
   changed = true;
+  const bool elsewhere = context.solved[body].freeTurn && first.turnShare < 1;
   if (bodies.data[first.body].type != BodyType::dynamic)
     cut(body, shareLeft(body, first.share), shareLeft(body, first.turnShare), first.carried);
   else
     meet(body, first);
   if (first.held && bodies.data[first.body].type == BodyType::dynamic) joinMotions(body, first.body);
+  return elsewhere;
 }
 
 // Contacts have not parted two bodies where they were stopped before. Their velocities would lead nowhere, step for
