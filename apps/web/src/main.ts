@@ -4,7 +4,7 @@
 import { Vector2, Vector3 } from 'three';
 import { Bodies } from './bodies';
 import { boundsOf, sizeOf } from './bounds';
-import { Card, amount } from './card';
+import { Card } from './card';
 import { Chart } from './chart';
 import { legendOf, scaleGradient, type ColourMode } from './colours';
 import { byId, Controls } from './controls';

@@ -46,14 +46,6 @@ void showViews(Desk& desk, const Frame& frame) {
     swatch(0x4F7CC4, "asleep");
     swatch(0xE0A030, "held until its launch");
   }
-  ImGui::SetNextItemWidth(170);
-  if (ImGui::BeginCombo("Mortar", viewer::nameOf(view.mortar))) {
-    for (int i = 0; i < kMortarViewCount; i++)
-      if (ImGui::Selectable(viewer::nameOf(MortarView(i)), int(view.mortar) == i)) view.mortar = MortarView(i);
-    ImGui::EndCombo();
-  }
-  note(desk, "Mortar");
-  hint(fmt::format("Joints by how much of their strength they use, or by damage ({})", bindingOf(Action::mortar).key));
   heading("Drawing");
   check(desk, "Polygons", view.wireframe, Action::wireframe, "As in the report: edges of the triangles, without light");
   ImGui::Checkbox("Dust", &view.dust);
@@ -80,6 +72,14 @@ void showViews(Desk& desk, const Frame& frame) {
     swatch(0xFFE060, "friction");
     swatch(0x60D0FF, "near, not pressing");
   }
+  ImGui::SetNextItemWidth(170);
+  if (ImGui::BeginCombo("Mortar", viewer::nameOf(view.mortar))) {
+    for (int i = 0; i < kMortarViewCount; i++)
+      if (ImGui::Selectable(viewer::nameOf(MortarView(i)), int(view.mortar) == i)) view.mortar = MortarView(i);
+    ImGui::EndCombo();
+  }
+  note(desk, "Mortar");
+  hint(fmt::format("Joints by how much of their strength they use, or by damage ({})", bindingOf(Action::mortar).key));
   heading("Picture");
   row("Drawn by", desk.card);
   row("Frames a second", fmt::format("{:.0f}", desk.framesPerSecond));
