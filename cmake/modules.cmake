@@ -55,9 +55,10 @@ function(brickfall_module name)
   target_include_directories(bf_${name} ${scope} $<BUILD_INTERFACE:${links}>)
   if(ARG_ENGINE AND ARG_SOURCES)
     target_compile_options(bf_${name} PRIVATE -fno-exceptions -fno-rtti)
-    if(BRICKFALL_UNITY)
-      set_target_properties(bf_${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
-    endif()
+  endif()
+  # Of the others those that tests/fuzz compiles as one file, too.
+  if(BRICKFALL_UNITY AND ARG_SOURCES AND (ARG_ENGINE OR name MATCHES "^(masonry|mesh_file|scene|record)$"))
+    set_target_properties(bf_${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
   endif()
   foreach(used IN LISTS ARG_USES)
     # Headers only, and not passed on: each module names all that it includes.
