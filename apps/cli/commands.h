@@ -62,7 +62,7 @@ int check(const std::vector<std::string>& scenes, bool asJson);
 int checkDt(const CheckDtCommand& options);
 int exportTake(const ExportCommand& command);
 int listScenes(bool asJson);
-// What completion and the man page know of the command line.
+// The command line as completion and the man page know it.
 struct CommandWords {
   std::string name, purpose;
   std::vector<std::pair<std::string, std::string>> options;  // "--seconds", what it does

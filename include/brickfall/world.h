@@ -132,7 +132,7 @@ class World {
   Vec3 gravity() const;
   Status wake(BodyId body);
   // All that hangs together with a dynamic body falls asleep in the next step if it rests in it, without waiting for sleepDelay.
-  // What moves goes on; so does what may not sleep (enableSleep, BodyDef::allowSleep).
+  // Islands that move go on; so do those that may not sleep (enableSleep, BodyDef::allowSleep).
   Status sleep(BodyId body);
   // Another friction, restitution or density of a shape that is there. Contacts go on, with the new values; velocities stay as
   // they are. Where a new density moves the body's centre of mass, its contacts are made anew.

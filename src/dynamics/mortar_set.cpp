@@ -66,7 +66,7 @@ void MortarSet::addPasts(std::vector<OpeningMemory>&& fresh) {
   std::inplace_merge(pasts_.begin(), pasts_.begin() + old, pasts_.end(), isLess);
 }
 
-// What names joints or a body that are no longer there.
+// Records that name joints or a body that are no longer there.
 void MortarSet::forget(BodyIndex gone) {
   if (pasts_.empty()) return;
   std::erase_if(watched, [&](MortarIndex mortar) { return !has(mortar); });

@@ -1,4 +1,4 @@
-// What all exports write alike.
+// Parts that all exports write alike.
 #pragma once
 #include <charconv>
 #include <string>

@@ -15,7 +15,7 @@ Error cancelled(const std::string& path) { return {ErrorCode::wrongState, path +
 
 namespace {
 
-// What changed of mortar with each frame.
+// Changes of mortar with each frame.
 class MortarTrack {
  public:
   void add(const TakeReader& take, std::size_t index, const TakeFrame& frame, ByteWriter& out) {

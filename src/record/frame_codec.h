@@ -38,7 +38,7 @@ struct FrameCast {
   std::size_t knownBodies = 0, knownMortar = 0;  // how many are or were there
 };
 
-// What a frame may not hold (not finite, wrong count); the message names body and field. `names`: of all bodies that ever
+// Contents that a frame may not hold (not finite, wrong count); the message names body and field. `names`: of all bodies that ever
 // were there.
 Status checkFrame(const TakeFrame& frame, const FrameCast& cast, std::span<const std::string> names);
 

@@ -81,7 +81,7 @@ std::string nameAndLine(const PlacedBody& body) {
   return "\"" + body.name + "\"" + line;
 }
 
-// What a body belongs to: a brick to its wall, all else to itself.
+// The node that a body belongs to: a brick to its wall, all else to itself.
 std::string ownerOf(const SceneDescription& scene, const PlacedBody& body) {
   if (body.course < 0) return body.name;
   const std::string wall = body.name.substr(0, body.name.find_last_of('/', body.name.find_last_of('/') - 1));

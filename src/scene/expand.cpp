@@ -528,7 +528,7 @@ class Expander {
     return of + " copy" + (number > 1 ? " " + std::to_string(number) : "");
   }
 
-  // What the copy says counts.
+  // The copy's own values count.
   static void overlay(Node& made, const Node& copy) {
     for (const Member& member : copy.members) {
       if (member.key == "of") continue;

@@ -22,7 +22,7 @@ void setSource(Node& node, int source) {
   for (Member& member : node.members) setSource(member.value, source);
 }
 
-// What `over` says counts; of arrays of tables `under` has the first.
+// Values of `over` count; of arrays of tables `under` has the first.
 void merge(Node& under, Node&& over) {
   for (Member& member : over.members) {
     Member* known = under.find(member.key);

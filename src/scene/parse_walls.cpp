@@ -76,27 +76,26 @@ void readCourse(TableReader& reader, SceneWall& out) {
   reader.texts("tied_to", out.tiedTo);
   std::uint32_t colour = 0;
   if (reader.colour("colour", colour)) out.colour = colour;
-  for (const char* key : {"path", "radius"})
-    if (reader.has("bricks") && (std::string_view(key) == "path" ? !wall.path.empty() : wall.radius > 0))
+  for (const auto& [key, given] : {std::pair{"path", !wall.path.empty()}, {"radius", wall.radius > 0}})
+    if (given && reader.has("bricks"))
       reader.error("bricks", std::string("found beside ") + key + ", which sets the length, expected one of the two");
 }
 
-// What the values mean together: only asked if each by itself is sound.
+// The values together: only asked if each by itself is sound.
 void checkTogether(TableReader& reader, std::vector<TableReader>& openings, std::vector<TableReader>& piers,
                    const WallDef& wall) {
   for (const WallProblem& problem : checkWall(wall)) {
-    std::size_t index = 0;
-    if (problem.field.starts_with("piers[") && piers.empty()) {
-      reader.error(keyOfField(problem.field.substr(problem.field.find('.') + 1)), problem.message);
-    } else if (problem.field.starts_with("piers[")) {
-      index = std::size_t(std::stoul(problem.field.substr(6)));
-      piers[index].error(keyOfField(problem.field.substr(problem.field.find('.') + 1)), problem.message);
-    } else if (problem.field.starts_with("openings[")) {
-      index = std::size_t(std::stoul(problem.field.substr(9)));
-      openings[index].error(keyOfField(problem.field.substr(problem.field.find('.') + 1)), problem.message);
-    } else {
+    const bool ofPier = problem.field.starts_with("piers[");
+    if (!ofPier && !problem.field.starts_with("openings[")) {
       reader.error(keyOfField(problem.field), problem.message);
+      continue;
     }
+    std::vector<TableReader>& tables = ofPier ? piers : openings;
+    const std::string key = keyOfField(problem.field.substr(problem.field.find('.') + 1));
+    // Without tables the pier is the wall: a [[pier]].
+    TableReader& where =
+        tables.empty() ? reader : tables[std::stoul(problem.field.substr(problem.field.find('[') + 1))];
+    where.error(key, problem.message);
   }
 }
 

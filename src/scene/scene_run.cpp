@@ -72,7 +72,7 @@ class Placer {
   std::map<std::string, DrawnBody> drawn;            // bricks in mortar, by name
 
  private:
-  // What walls, arches and domes are laid of, and "brick".
+  // Materials that walls, arches and domes are laid of, and "brick".
   void findBrickMaterials() {
     brickMaterials_ = scene_.masonryMaterials;
     brickMaterials_.insert("brick");
@@ -416,7 +416,7 @@ Result<StepReport> SceneRun::step() {
   return report;
 }
 
-// What sleeps does not fall.
+// Sleeping bodies do not fall.
 Status SceneRun::removeFallen() {
   std::vector<BodyId> fallen;
   for (const PlacedBody& body : bodies_) {

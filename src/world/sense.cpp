@@ -9,7 +9,7 @@ namespace brickfall {
 
 namespace {
 
-// What another shape must be to be sensed, wherever it is.
+// Conditions on another shape to be sensed, wherever it is.
 bool isSensed(const Registry& registry, const ShapeData& sensor, const ShapeData& other) {
   if (other.body == sensor.body || other.def.sensor) return false;
   if (registry.bodies.data[other.body].type == BodyType::fixed) return false;

@@ -114,7 +114,7 @@ TEST(Determinism, RunsFromASnapshotAreTheSameToTheEnd) {
   }
 }
 
-// What a world tells of its mortar, bit for bit, without the world's number in its ids.
+// All that a world tells of its mortar, bit for bit, without the world's number in its ids.
 std::vector<double> toldOfMortar(const World& world) {
   std::vector<double> out;
   for (MortarId id : world.mortars()) {

@@ -93,7 +93,7 @@ class App {
   std::shared_ptr<const RunInfo> run_;
   double blend_ = 1;
   std::map<std::uint64_t, std::string> sent_;  // what each ticket was for
-  // What was asked for and is in no frame yet: what is asked for next is reckoned from it.
+  // Asked for, and in no frame yet: the next request is reckoned from it.
   struct Asked {
     std::optional<bool> running, recording;
     std::optional<double> speed, time;

@@ -29,7 +29,7 @@ struct SurfaceKey {
   bool faces = false;        // a brick: its three pairs of faces differ
   auto operator<=>(const SurfaceKey&) const = default;
 };
-// What of a body's part its look follows from.
+// All of a body's part that its look follows from.
 struct PartLook {
   std::string material;
   BodyRole role = BodyRole::body;

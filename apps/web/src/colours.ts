@@ -12,7 +12,7 @@ export function colourModes(take: Take): ColourMode[] {
 export const kColourNames: Record<ColourMode, string> = {
   material: 'Material', speed: 'Speed', force: 'Contact force', utilisation: 'Mortar use', damage: 'Mortar damage',
 };
-// What the two ends of the scale and its middle stand for.
+// Values at the two ends of the scale and in its middle.
 export function legendOf(mode: ColourMode, take: Take): [string, string, string] {
   if (mode === 'speed') return ['0', '', amountOf(take.topSpeed, 'm/s')];
   if (mode === 'force') return ['0', '', amountOf(take.topForce, 'N')];

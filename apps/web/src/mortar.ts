@@ -39,7 +39,7 @@ export class Mortar {
     const frame = Math.round(position);
     for (let k = 0; k < this.places.length; k++) {
       const state = take.mortar(frame, k);
-      // What is broken bears nothing.
+      // Broken mortar bears nothing.
       if (!state || (this.mode === 'utilisation' && state[1] >= 1)) {
         scratch.matrix.makeScale(0, 0, 0);
       } else {

@@ -147,7 +147,7 @@ float mapNormalOffset(PointMemory& m, int i, float approach, const PointRules& r
   return m.gap[i] - m.offset[i];
 }
 
-// What is jammed overlaps by a way that no force has made. Between bodies that mortar holds, its spring would press
+// A jammed body overlaps by a way that no force has made. Between bodies that mortar holds, its spring would press
 // harder in each step until it splits them. More overlap than the point's last force makes, or the weight of the two,
 // causes none. Returns the gap that causes force.
 float ease(PointMemory& m, int i, float weight) {

@@ -170,7 +170,7 @@ void MortarRows::writeSprings(std::size_t k, const Mortar& m) {
   const double whole = mortar::strengthLeft(m.damage),
                most = worn > 0 ? (1 - m.damage) * double(start.tougher) / worn : whole;
   start.left = float(std::min(whole, most));
-  // What is less firm holds less of its force, or it would give more than it holds.
+  // A tie that is less firm holds less of its force, or it would give more than it holds.
   const float held = float(most < whole ? std::max(most / whole, kLeastFirmness) : 1);
   const float arcN = dot(r.n, start.arc), arc1 = dot(r.t1, start.arc), arc2 = dot(cross(r.n, r.t1), start.arc);
   for (int i = 0; i < 4; i++) {

@@ -1,4 +1,4 @@
-// What a program that has a world of its own asks of it: sensors, whole shapes as questions, masses of its own, its own filter,
+// Calls of a program that has a world of its own: sensors, whole shapes as questions, masses of its own, its own filter,
 // threads and memory.
 #include <algorithm>
 #include <memory_resource>

@@ -1,4 +1,4 @@
-// What commands answered: done for some seconds, mistakes until they are closed. And how to begin, before anything has happened.
+// Answers of commands: done for some seconds, mistakes until they are closed. And how to begin, before anything has happened.
 #include <algorithm>
 
 #include "viewer_window/panels/panels.h"

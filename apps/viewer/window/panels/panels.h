@@ -20,7 +20,7 @@ void showTimeBar(Desk& desk, const Frame& frame);
 void showBody(Desk& desk, const Frame& frame);
 void showMessages(Desk& desk, const Frame& frame, double now);
 void showHelp(Desk& desk);
-// What the colours of mortar mean, over the picture, with the panel and without it.
+// The legend of mortar's colours, over the picture, with the panel and without it.
 void showMortarLegend(Desk& desk, const Frame& frame);
 void showFiles(Desk& desk);
 void showContactNumbers(const Desk& desk, const Frame& frame);  // over the picture, as the table has them
