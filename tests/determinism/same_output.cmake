@@ -1,17 +1,7 @@
-# Runs FIRST and SECOND (with SECOND_ARGUMENTS); both must succeed and print the same. NEEDS: what the processor must have for SECOND.
+# Runs FIRST and SECOND (with SECOND_ARGUMENTS); both must succeed and print the same.
 if(NOT EXISTS ${SECOND})
   message(STATUS "skipped: ${SECOND} is not there (no clang on this machine)")
   return()
-endif()
-if(NEEDS AND EXISTS /proc/cpuinfo)
-  file(STRINGS /proc/cpuinfo flags REGEX "^flags" LIMIT_COUNT 1)
-  separate_arguments(NEEDS)
-  foreach(flag IN LISTS NEEDS)
-    if(NOT "${flags} " MATCHES " ${flag} ")
-      message(STATUS "skipped: this processor has no ${flag}")
-      return()
-    endif()
-  endforeach()
 endif()
 foreach(program FIRST SECOND)
   execute_process(COMMAND ${${program}} ${${program}_ARGUMENTS}
