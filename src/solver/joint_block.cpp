@@ -7,13 +7,12 @@
 
 #include "solver/body_matrix.h"
 #include "solver/numbering.h"
+#include "solver/slope_search.h"
 
 namespace brickfall {
 
 namespace {
 
-//! of the slope at the start | too small: cost of searches | too large: steps end beyond their minimum
-constexpr double kBlockEnough = 0.3;  // a step that ends with less either way fits
 //! - | too small: a step that does not fit is taken | too large: cost
 constexpr int kBlockSearch = 8;
 
@@ -140,7 +139,7 @@ double JointBlock::moveTo(double part) {
 
 void JointBlock::search(double start) {
   double low = 0, slopeLow = start, high = 1, slopeHigh = moveTo(1), s = slopeHigh;
-  for (int k = 0; k < kBlockSearch && slopeHigh < 0 && std::fabs(s) > kBlockEnough * start; k++) {
+  for (int k = 0; k < kBlockSearch && slopeHigh < 0 && std::fabs(s) > double(kNearMinimum) * start; k++) {
     const double part = k % 3 == 2 ? 0.5 * (low + high) : low + (high - low) * slopeLow / (slopeLow - slopeHigh);
     s = moveTo(part);
     (s > 0 ? low : high) = part;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "geometry/core.h"
+#include "solver/step_context.h"
 #include "world/core_sweep.h"
 
 namespace brickfall {
@@ -13,8 +14,6 @@ namespace {
 //! times the mass | too small: cost of debris
 //! | too large: bodies that a ball knocks out are gone before they can push anything aside
 constexpr double kHeavier = 10;
-//! of its mass | too small: a pebble on its way has the whole world stepped in parts | too large: with kHeavier
-constexpr double kMatters = 0.01;  // mass of all bodies on its way together, at least
 //! of its thickness along the way | too small: cost of hits
 //! | too large: bodies that a ball knocks out are gone before they can push anything aside
 constexpr double kHitWay = 0.5;  // of the struck body, in a part
@@ -50,7 +49,8 @@ class HitSearch {
         return true;
       });
     }
-    if (bodies_.isDriven(body) || mass >= kMatters * bodies_.mass[body].mass)
+    // A pebble on its way has not the whole world stepped in parts.
+    if (bodies_.isDriven(body) || mass >= kTrifle * bodies_.mass[body].mass)
       thicknesses_ = std::max(thicknesses_, most);
   }
 

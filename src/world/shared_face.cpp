@@ -12,10 +12,6 @@ namespace brickfall {
 
 namespace {
 
-//! 1 - cosine | too small: faces of hulls, rounded as they are, are not parallel | too large: wedges lie face to face
-constexpr double kOpposite = 1e-6;
-//! of the smaller face | too small: edges that touch by rounding share a face | too large: bats don't
-constexpr double kLeastSharedArea = 1e-6;
 //! of a face's size | too small: corners come twice | too large: the outline is not exact
 constexpr double kOneCorner = 1e-7;
 //! not of the method: what mortar.h says
@@ -104,7 +100,7 @@ std::optional<SharedOutline> sharedOutline(const FlatFaces& a, int faceA, const 
   }
   if (cut.count < 3) return std::nullopt;
   const Vec3 twice = twiceArea(cut);
-  if (!(length(twice) > kLeastSharedArea * smaller)) return std::nullopt;
+  if (!(length(twice) > kFloatsRound * smaller)) return std::nullopt;
   const HullPlane& opposite = ofB ? a.plane(faceA) : b.plane(faceB);
   double apart = 0;
   for (int i = 0; i < cut.count; i++) apart += dot(opposite.normal, cut.corner[i].p) - opposite.offset;
@@ -146,7 +142,8 @@ Result<std::vector<Vec3>> World::sharedFace(BodyId a, BodyId b, double gap) cons
       if (facesA.endless() && facesB.endless()) continue;
       for (int i = 0; i < facesA.count(); i++)
         for (int k = 0; k < facesB.count(); k++) {
-          if (!(dot(facesA.plane(i).normal, facesB.plane(k).normal) < kOpposite - 1)) continue;
+          // Faces of hulls are rounded as they are.
+          if (!(dot(facesA.plane(i).normal, facesB.plane(k).normal) < kFloatsRound - 1)) continue;
           std::optional<SharedOutline> found = sharedOutline(facesA, i, facesB, k, gap);
           if (found && found->area > best.area) best = std::move(*found);
         }
