@@ -36,9 +36,9 @@ JointBlock::JointBlock(RowForces& forces)
 // The bodies, in places that make the envelope narrow.
 void JointBlock::findBodies() {
   const std::size_t own = island_.bodies.size();
-  place_.assign(own, kNone);
+  place_.assign(own, kNoIndex);
   auto enter = [&](std::uint32_t body) {
-    if (body >= own || place_[body] != kNone) return;
+    if (body >= own || place_[body] != kNoIndex) return;
     place_[body] = std::uint32_t(bodies_.size());
     bodies_.push_back(body);
   };
@@ -71,7 +71,8 @@ void JointBlock::enterLoads() {
   const std::size_t own = island_.bodies.size(), jointed = bodies_.size();
   auto isJointed = [&](std::uint32_t body) { return place_[body] < jointed; };
   auto enter = [&](std::uint32_t load, std::uint32_t under) {
-    if (!isJointed(under) || place_[load] != kNone || !(island_.masses[load].mass > island_.masses[under].mass)) return;
+    if (!isJointed(under) || place_[load] != kNoIndex || !(island_.masses[load].mass > island_.masses[under].mass))
+      return;
     place_[load] = std::uint32_t(bodies_.size());
     bodies_.push_back(load);
   };
@@ -97,7 +98,7 @@ void JointBlock::findRows() {
 void JointBlock::assemble() {
   matrix_.clear();
   for (std::uint32_t i = 0; i < bodies_.size(); i++) addBody(matrix_, i, island_.masses[bodies_[i]]);
-  auto placeOf = [this](std::uint32_t body) { return body < place_.size() ? place_[body] : kNone; };
+  auto placeOf = [this](std::uint32_t body) { return body < place_.size() ? place_[body] : kNoIndex; };
   for (std::uint32_t row : rows_)
     std::as_const(island_.rows).at(row, [&](const auto& kind, std::size_t k) {
       addRow(matrix_, kind.ends(k), kind.reactStiff(k, island_.motion.data(), true), placeOf);

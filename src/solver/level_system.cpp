@@ -93,7 +93,7 @@ LevelSystem::LevelSystem(const Island& island, const Hierarchy& hierarchy)
     island.rows.each([&](const auto& kind, std::size_t k) {
       RowEnds ends = kind.ends(k);
       std::uint32_t a = clusterOf(fine_, ends.a), b = clusterOf(fine_, ends.b);
-      if (a != b && a != Cluster::kNone && b != Cluster::kNone) visit(a, b);
+      if (a != b && a != kNoIndex && b != kNoIndex) visit(a, b);
     });
   });
   matrix_.shape(std::move(neighbours));
@@ -160,11 +160,11 @@ void LevelSystem::addRow(RowEnds ends, const StiffReaction& x) {
   const V arms[2] = {x.armA, x.armB};
   for (int i = 0; i < 2; i++) {
     std::uint32_t own = clusterOf(fine_, bodies[i]), other = clusterOf(fine_, bodies[1 - i]);
-    if (own == Cluster::kNone) continue;
+    if (own == kNoIndex) continue;
     V arm = armFrom(fine_, own, bodies[i], arms[i]);
     Motions motions(x.stiffness, arm);
     motions.addTo(matrix_.diagonal(own), arm, 1);
-    if (other != Cluster::kNone)
+    if (other != kNoIndex)
       motions.addTo(matrix_.at(other, own), armFrom(fine_, other, bodies[1 - i], arms[1 - i]), -1);
   }
 }
@@ -174,11 +174,11 @@ void LevelSystem::addCoarseRow(RowEnds ends, const StiffReaction& x) {
   const V arms[2] = {x.armA, x.armB};
   for (int i = 0; i < 2; i++) {
     std::uint32_t own = clusterOf(*coarse_, bodies[i]), other = clusterOf(*coarse_, bodies[1 - i]);
-    if (own == Cluster::kNone) continue;
+    if (own == kNoIndex) continue;
     V arm = armFrom(*coarse_, own, bodies[i], arms[i]);
     Motions motions(x.stiffness, arm);
     factor_.add(places_[own], places_[own], motions.seenFrom(arm, 1).of);
-    if (other != Cluster::kNone && places_[other] > places_[own])
+    if (other != kNoIndex && places_[other] > places_[own])
       factor_.add(places_[other], places_[own],
                   motions.seenFrom(armFrom(*coarse_, other, bodies[1 - i], arms[1 - i]), -1).of);
   }

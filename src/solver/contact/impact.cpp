@@ -51,7 +51,7 @@ void ContactRows::startImpact(const Island& island, const StepContext& context, 
       double approach = std::max(0.0, -double(starts[k].approach[i]));
       bool closed = double(c.points.gap[i]) <= std::max(kNearlyClosed * starts[k].scale.length, approach * blink);
       r.k[i] = float(context.settings.restingStiffness * double(c.effectiveMass) / (island.dt * island.dt));
-      r.trialN[i] = closed ? 0 : -kNoForce;
+      r.trialN[i] = closed ? 0 : -kLargestPointForce;
       r.trial1[i] = r.trial2[i] = r.limit[i] = 0;
       r.newPoints |= 1u << i;
       if (closed) fastest = std::max(fastest, approach);
