@@ -157,7 +157,7 @@ bool slidesOver(const LookAhead& ahead, const Moment& now, double dt, double ove
   const Moment then = ahead.at(until);
   const double turned = dot(then.manifold.normal, now.manifold.normal);
   return then.manifold.count > 0 && turned < kSameFace && turned > kTurnedOver && then.apart > -0.5 * overlap &&
-         then.closing * dt < overlap && !endsIn(ahead, dt, overlap);
+         then.closing * dt < overlap;
 }
 
 // The axis of a cylinder or cone goes through the body's centre.
