@@ -102,8 +102,7 @@ class Relaxation {
       kind.eachResistance([&](RowEnds ends, float force) {
         for (std::uint32_t i : {ends.a, ends.b}) {
           if (i >= allowed_.size()) continue;
-          const double least = kToRest * context_.settings.restTolerance;
-          const float rounding = float(least * measureOf(island_, *context_.bodies, i, kLoadShare).force);
+          const float rounding = float(kSmallTolerance * measureOf(island_, *context_.bodies, i, kLoadShare).force);
           allowed_[i] = std::min(allowed_[i], std::max(rounding, float(kLeftOver) * force));
         }
       });

@@ -30,8 +30,8 @@ constexpr double kLeastRelease = 1e-4;  // m/s: the offset shrinks at least so f
 constexpr double kNearContact = 5e-3;  // m: open points nearer than this stay in the Newton matrix
 //! g h | too small: overhangs of 99 % fall | too large: float noise moves sliding bodies
 constexpr double kCalmShare = 0.1;  // of g dt, added to the rest speed: an island no faster settles
-//! - | too small: cost | too large: islands repeat an error for ever and do not rest
-constexpr double kToRest = 0.5;  // of the tolerance: so far islands are solved that may rest
+//! weights | too small: cost | too large: islands repeat an error for ever and do not rest
+constexpr double kSmallTolerance = 5e-4;  // of a body in a small island, or on which a force acts that resists rolling
 //! s | too small: a very slow start of a fall is stopped | too large: walls with points at an edge rest late
 constexpr double kInPlaceTime = 0.5;  // a slow island of which no point strays by kNearlyClosed so long is at rest
 //! m/s | too small: a hit wall that sways is taken for debris, and sways on for seconds: walls sag
