@@ -164,8 +164,7 @@ void LevelSystem::addRow(RowEnds ends, const StiffReaction& x) {
     V arm = armFrom(fine_, own, bodies[i], arms[i]);
     Motions motions(x.stiffness, arm);
     motions.addTo(matrix_.diagonal(own), arm, 1);
-    if (other != kNoIndex)
-      motions.addTo(matrix_.at(other, own), armFrom(fine_, other, bodies[1 - i], arms[1 - i]), -1);
+    if (other != kNoIndex) motions.addTo(matrix_.at(other, own), armFrom(fine_, other, bodies[1 - i], arms[1 - i]), -1);
   }
 }
 

@@ -51,8 +51,4 @@ Aabb sweptBounds(const ShapeData& shape, const Sweep& own);
 double coreWay(const ShapeData& moving, const Sweep& way, const ShapeData& still, const Sweep& of,
                bool* held = nullptr);
 
-// Share of their ways after which two shapes, of which one turns, are no deeper in each other than they began: all of
-// them, if they are not so at the end.
-double clearWay(const ShapeData& a, const Sweep& wayA, const ShapeData& b, const Sweep& wayB);
-
 }  // namespace brickfall

@@ -5,9 +5,8 @@
 // the way that the solve found, against the ways of the others. Where it would enter something, or run over the core of
 // something smaller, the two go on together for the rest of the step. So debris that flies along together never stands
 // still. Before a fixed thing the body stops; what a kinematic body runs into is taken along. What is long and turns is
-// looked at in its own frame, where ways are arcs, in parts of 0.2 rad; if it flies, all of it is looked at where it
-// ends. Velocities stay, so that the next step finds the contact and does the rest. If it does not, the two go on as
-// one body.
+// looked at in its own frame, where ways are arcs, in parts of 0.2 rad. Velocities stay, so that the next step finds
+// the contact and does the rest. If it does not, the two go on as one body.
 #include <algorithm>
 #include <cmath>
 
@@ -30,8 +29,6 @@ namespace {
 //! times the mass | too small: a body goes on through what is only a little lighter
 //! | too large: bricks pressed into a wrecking ball hold it in the air
 constexpr double kFarHeavier = 30;  // times the mass
-//! - | too small: what turns freely, or what another was held up for, ends beyond what it met | too large: cost
-constexpr int kLooks = 4;  // a part of a free turn is not on the arc of all of it, and a way that was cut is in the way
 //! of the outer radius | too small: bodies creep through a thin plate that flies with them
 //! | too large: bricks pressed into a wrecking ball hold it in the air
 constexpr double kThick = 0.2;
@@ -44,7 +41,6 @@ struct Motion {
 struct Obstruction {
   double share = 1;           // of the step: when a way ends
   double turnShare = 1;       // of the step: when the turn does
-  bool turned = false;        // not its core: its end, which turned into it
   bool held = false;          // its core began the step where it was stopped before
   BodyIndex body = kNoIndex;  // what ends it
   Vec3 carried;               // m: how far that takes along, from there, what does not get past it
@@ -92,8 +88,6 @@ struct Obstacles {
   const IslandSet& islands;
   StepContext& context;
   LastingGroups joined;
-
-  bool changed = false, last = false;  // in this look along all ways; it is the last one
 
   // Bodies that go the same way: a group that flies, or one body that is supported.
   struct Group {
@@ -182,7 +176,7 @@ void Obstacles::stop(BodyIndex body) {
   // What it was left behind by its turn, and kinematic bodies, may run over it, however slow it is itself.
   bool everything = s.went < 1 || turnsFar(bodies, body, s.th);
   if (!(everything || !activity.moving.empty() || exceeds(s.d, thickness))) return;
-  for (int look = 0; look < kLooks && hold(body, everything, thickness); look++) {
+  for (int look = 0; look < kMostLooks && hold(body, everything, thickness); look++) {
   }
 }
 
@@ -191,7 +185,6 @@ bool Obstacles::hold(BodyIndex body, bool everything, double thickness) {
   Obstruction first;
   for (ShapeIndex shape : bodies.shapes[body]) obstruct(shape, everything, thickness, first);
   if (first.share == 1) return false;
-  changed = true;
   const bool elsewhere = context.solved[body].freeTurn && first.turnShare < 1;
   if (bodies.data[first.body].type != BodyType::dynamic)
     cut(body, shareLeft(body, first.share), shareLeft(body, first.turnShare), first.carried);
@@ -296,25 +289,16 @@ void Obstacles::divert(BodyIndex body, const Group& group, Vec3 way, double turn
 // relative velocity, so neither the centre of mass nor a momentum changes. Else the faster follows the slower, and what
 // is far lighter the heavier one.
 void Obstacles::meet(BodyIndex body, const Obstruction& first) {
-  // What of a group's pace lies along its velocity.
-  auto endOf = [](const Group& g) {
-    const double size2 = lengthSquared(g.velocity);
-    return size2 > 0 ? g.velocity * (dot(g.pace, g.velocity) / size2) : Vec3{};
-  };
   const double turnShare = shareLeft(body, first.turnShare);
   if (goTogether(body, first.body)) {
     const double share = std::min(shareLeft(body, first.share), turnShare);
-    if (first.turned || !isThick(body) || !isThick(first.body)) divert(body, groupOf(body), {}, share);
+    if (!isThick(body) || !isThick(first.body)) divert(body, groupOf(body), {}, share);
     return;
   }
   const Group a = groupOf(body), b = groupOf(first.body);
   const double rest = 1 - first.share;
   const bool otherTurns = turnsFar(bodies, first.body, motionOf(first.body).turn);
   const double otherShare = otherTurns ? shareLeft(first.body, first.share) : 1;
-  if (last) {  // nobody looks where a new way leads: each ends its own
-    divert(body, a, endOf(a) * -rest, turnShare);
-    return divert(first.body, b, endOf(b) * -rest, otherShare);
-  }
   Vec3 toB = (b.pace - a.pace) * rest;  // what the body needs to go with the other
   double shareOfA = 1, shareOfB = 0;
   if (a.flies && b.flies) {
@@ -341,12 +325,7 @@ void Obstacles::stopAll() {
   each(&Obstacles::takeBack);
   for (const IslandPointer& island : islands.awake)
     if (!island->resting()) keepOut(*island, registry, context);
-  for (int look = 0; look < kLooks; look++) {
-    changed = false;
-    last = look + 1 == kLooks;
-    each(&Obstacles::stop);
-    if (!changed) return;
-  }
+  each(&Obstacles::stop);
 }
 
 // The first thing on a body's way, for one shape of the body. `everything`: it may be the other that does the moving.
@@ -390,16 +369,10 @@ void Obstacles::obstruct(ShapeIndex shape, bool everything, double thickness, Ob
       held = over < share ? heldOver : held;
       share = std::min(share, over), turnShare = std::min(turnShare, over);
     }
-    bool turned = false;
-    if (turns && context.solved[s.body].flying) {
-      const double clear = clearWay(s, own, o, way);
-      turned = clear < share;
-      share = std::min(share, clear), turnShare = std::min(turnShare, clear);
-    }
     auto ofStep = [&](double part) { return part < 1 ? from + part * (1 - from) : 1; };
     if (own.turns) first.turnShare = std::min(first.turnShare, ofStep(turnShare));
     if (!(ofStep(share) < first.share)) return true;
-    first.share = ofStep(share), first.body = o.body, first.held = held && !turned, first.turned = turned;
+    first.share = ofStep(share), first.body = o.body, first.held = held;
     first.carried = way.carry(transformPoint(own.at(share), s.middle), share);
     return true;
   });
