@@ -11,13 +11,6 @@
 
 namespace brickfall {
 
-namespace {
-
-//! - | too small: a step that does not fit is taken | too large: cost
-constexpr int kBlockSearch = 8;
-
-}  // namespace
-
 JointBlock::JointBlock(RowForces& forces)
     : island_(forces.island()),
       forces_(forces),
@@ -140,7 +133,7 @@ double JointBlock::moveTo(double part) {
 
 void JointBlock::search(double start) {
   double low = 0, slopeLow = start, high = 1, slopeHigh = moveTo(1), s = slopeHigh;
-  for (int k = 0; k < kBlockSearch && slopeHigh < 0 && std::fabs(s) > double(kNearMinimum) * start; k++) {
+  for (int k = 0; k < kSearchSteps && slopeHigh < 0 && std::fabs(s) > double(kNearMinimum) * start; k++) {
     const double part = k % 3 == 2 ? 0.5 * (low + high) : low + (high - low) * slopeLow / (slopeLow - slopeHigh);
     s = moveTo(part);
     (s > 0 ? low : high) = part;

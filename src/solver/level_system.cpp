@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "solver/slope_search.h"
+
 namespace brickfall {
 
 namespace {
@@ -12,8 +14,6 @@ namespace {
 constexpr double kMostProducts = 2;  // in a factorisation of the coarse level
 //! - | too small: steps that do not fit the whole | too large: cost of motion that the next step finds again
 constexpr int kMostIterations = 4;
-//! of the error | too small: cost of motion that the next step finds again | too large: steps that do not fit the whole
-constexpr double kSolvedTo = 0.2;
 
 using wide::cross3;
 using wide::spread;
@@ -219,7 +219,7 @@ void LevelSystem::solve(const Wrenches& right, Wrenches& x) {
   precondition(left_, better_);
   direction_.assign(better_.begin(), better_.end());
   double now = dotOf(left_, better_);
-  const double enough = kSolvedTo * kSolvedTo * now;
+  const double enough = double(kNearMinimum * kNearMinimum) * now;
   for (int k = 0; now > enough; k++) {
     matrix_.multiply(direction_, product_);
     const double curvature = dotOf(direction_, product_);

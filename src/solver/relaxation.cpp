@@ -16,9 +16,6 @@ namespace brickfall {
 
 namespace {
 
-//! - | too small: steps and searches among the rounding of forces: cost
-//! | too large: small islands start the direct solve far off
-constexpr float kFloatsTell = 0x1p-21f;  // of the forces on a body: floats tell its residual no better
 //! - | too small: bodies are polished while all around them still moves: cost | too large: more cycles
 constexpr float kLessened = 0.25f;  // of the residual's square: exact steps in a large island end there, too
 //! - | too small: new points slide under friction limits that are not theirs
@@ -117,7 +114,7 @@ class Relaxation {
 
   float innerRadius(std::size_t i) const { return float(context_.bodies->mass[island_.bodies[i]].innerRadius); }
   bool balanced(std::size_t i, float share = 1) const {
-    float rounding = island_.plan.direct ? kFloatsTell * island_.loads[i] : 0;
+    const float rounding = island_.plan.direct ? float(kFloatsRound) * island_.loads[i] : 0;
     return isWithin(island_.residual[i], std::max(share * allowed_[i], rounding), innerRadius(i));
   }
   void countOut() {

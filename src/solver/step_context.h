@@ -28,8 +28,10 @@ constexpr float kOffsetKept = 0.9f;  // of the plastic offset, per step
 constexpr double kLeastRelease = 1e-4;  // m/s: the offset shrinks at least so fast, until nothing is left of it
 //! m | too small: steps run through open points | too large: short steps: late collapses
 constexpr double kNearContact = 5e-3;  // m: open points nearer than this stay in the Newton matrix
-//! g h | too small: overhangs of 99 % fall | too large: float noise moves sliding bodies
-constexpr double kCalmShare = 0.1;  // of g dt, added to the rest speed: an island no faster settles
+//! g h | too small: overhangs of 99 % fall; slides and rolls lose half a step of way
+//! | too large: float noise moves sliding bodies; bodies that land or leave get a correction that is not theirs
+constexpr double kCalmShare = 0.1;  // of g dt, added to the rest speed: an island no faster settles; and so little a
+                                    // velocity changes at a point that neither lands nor leaves
 //! weights | too small: cost | too large: islands repeat an error for ever and do not rest
 constexpr double kSmallTolerance = 5e-4;  // of a body in a small island, or on which a force acts that resists rolling
 //! s | too small: a very slow start of a fall is stopped | too large: walls with points at an edge rest late
@@ -54,7 +56,7 @@ constexpr double kHeavyLoad = 0.02;  // of a body's load: this counts like its w
 
 //! - | too small: rounding and small changes are followed: cost; walls sway for longer
 //! | too large: badly solved impacts change momentum and energy; balls that roll on a wall are stopped
-constexpr double kTrifle = 0.01;  // of a force, stiffness, speed, energy, mass or size: so little of it counts as none
+constexpr double kTrifle = 0.01;  // of a force, stiffness, speed, energy, mass, size or turn: so little counts as none
 
 //! - | too small: rounding is taken for change: islands do not settle, sound impacts are dropped
 //! | too large: forces stop short of their end, energy may creep up

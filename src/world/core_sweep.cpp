@@ -7,13 +7,6 @@
 
 namespace brickfall {
 
-namespace {
-
-//! - | too small: chords of fast spins get long | too large: cost of fast spins
-constexpr int kMostChords = 32;
-
-}  // namespace
-
 bool turnsFar(const BodySet& bodies, BodyIndex body, Vec3 turn) {
   const BodyMass& mass = bodies.mass[body];
   const Vec3 visible = visibleTurn(mass, bodies.motion[body].orientation, turn);
@@ -51,7 +44,7 @@ double coreWayOnArc(const ShapeData& moving, const Sweep& way, const ShapeData& 
     return transformPoint(inverse(of.at(share) * still.inCentreFrame), transformPoint(way.at(share), moving.middle));
   };
   double angle = std::max(length(way.turn), length(of.turn));
-  int parts = angle < kMostTurn * kMostChords ? 1 + int(angle / kMostTurn) : kMostChords;
+  int parts = angle < kMostTurn * kMostParts ? 1 + int(angle / kMostTurn) : kMostParts;
   for (int part = 0; part < parts; part++) {
     double begin = double(part) / parts, step = 1.0 / parts;
     Transform coreInOther{placeAt(begin), {}};

@@ -12,8 +12,6 @@ namespace brickfall {
 
 namespace {
 
-//! of a face's size | too small: corners come twice | too large: the outline is not exact
-constexpr double kOneCorner = 1e-7;
 //! not of the method: what mortar.h says
 constexpr std::size_t kMostOutline = 16;  // corners
 
@@ -110,9 +108,9 @@ std::optional<SharedOutline> sharedOutline(const FlatFaces& a, int faceA, const 
   out.area = 0.5 * length(twice);
   for (int i = 0; i < cut.count; i++) {
     const Vec3 p = cut.corner[i].p - opposite.normal * (0.5 * apart);
-    if (out.corners.empty() || length(p - out.corners.back()) > kOneCorner * size) out.corners.push_back(p);
+    if (out.corners.empty() || length(p - out.corners.back()) > kFloatsRound * size) out.corners.push_back(p);
   }
-  while (out.corners.size() > 1 && length(out.corners.front() - out.corners.back()) <= kOneCorner * size)
+  while (out.corners.size() > 1 && length(out.corners.front() - out.corners.back()) <= kFloatsRound * size)
     out.corners.pop_back();
   if (out.corners.size() < 3) return std::nullopt;
   keepMost(out.corners);

@@ -26,12 +26,6 @@ namespace brickfall {
 
 namespace {
 
-//! times the mass | too small: a body goes on through what is only a little lighter
-//! | too large: bricks pressed into a wrecking ball hold it in the air
-constexpr double kFarHeavier = 30;  // times the mass
-//! of the outer radius | too small: bodies creep through a thin plate that flies with them
-//! | too large: bricks pressed into a wrecking ball hold it in the air
-constexpr double kThick = 0.2;
 bool exceeds(Vec3 way, double limit) { return lengthSquared(way) > limit * limit; }
 
 struct Motion {
@@ -88,6 +82,8 @@ struct Obstacles {
   const IslandSet& islands;
   StepContext& context;
   LastingGroups joined;
+
+  bool changed = false, last = false;  // in this look along all ways; it is the last one
 
   // Bodies that go the same way: a group that flies, or one body that is supported.
   struct Group {
@@ -156,11 +152,11 @@ void Obstacles::cut(BodyIndex body, double share, double turnShare, Vec3 carried
 // What is far lighter is carried along and stops nothing: bricks pressed into a wrecking ball must not hold it in the
 // air.
 bool Obstacles::farHeavier(BodyIndex body, BodyIndex other) const {
-  return bodies.mass[body].mass > kFarHeavier * bodies.mass[other].mass;
+  return bodies.mass[body].mass > kHeavier * bodies.mass[other].mass;
 }
 
 bool Obstacles::isThick(BodyIndex body) const {
-  return bodies.mass[body].innerRadius > kThick * bodies.mass[body].outerRadius;
+  return bodies.mass[body].innerRadius > kCoreShare * bodies.mass[body].outerRadius;
 }
 
 // The share of the step that the body flew before it was solved.
@@ -185,6 +181,7 @@ bool Obstacles::hold(BodyIndex body, bool everything, double thickness) {
   Obstruction first;
   for (ShapeIndex shape : bodies.shapes[body]) obstruct(shape, everything, thickness, first);
   if (first.share == 1) return false;
+  changed = true;
   const bool elsewhere = context.solved[body].freeTurn && first.turnShare < 1;
   if (bodies.data[first.body].type != BodyType::dynamic)
     cut(body, shareLeft(body, first.share), shareLeft(body, first.turnShare), first.carried);
@@ -289,6 +286,11 @@ void Obstacles::divert(BodyIndex body, const Group& group, Vec3 way, double turn
 // relative velocity, so neither the centre of mass nor a momentum changes. Else the faster follows the slower, and what
 // is far lighter the heavier one.
 void Obstacles::meet(BodyIndex body, const Obstruction& first) {
+  // What of a group's pace lies along its velocity.
+  auto endOf = [](const Group& g) {
+    const double size2 = lengthSquared(g.velocity);
+    return size2 > 0 ? g.velocity * (dot(g.pace, g.velocity) / size2) : Vec3{};
+  };
   const double turnShare = shareLeft(body, first.turnShare);
   if (goTogether(body, first.body)) {
     const double share = std::min(shareLeft(body, first.share), turnShare);
@@ -299,6 +301,10 @@ void Obstacles::meet(BodyIndex body, const Obstruction& first) {
   const double rest = 1 - first.share;
   const bool otherTurns = turnsFar(bodies, first.body, motionOf(first.body).turn);
   const double otherShare = otherTurns ? shareLeft(first.body, first.share) : 1;
+  if (last) {  // nobody looks where a new way leads: each ends its own
+    divert(body, a, endOf(a) * -rest, turnShare);
+    return divert(first.body, b, endOf(b) * -rest, otherShare);
+  }
   Vec3 toB = (b.pace - a.pace) * rest;  // what the body needs to go with the other
   double shareOfA = 1, shareOfB = 0;
   if (a.flies && b.flies) {
@@ -325,7 +331,12 @@ void Obstacles::stopAll() {
   each(&Obstacles::takeBack);
   for (const IslandPointer& island : islands.awake)
     if (!island->resting()) keepOut(*island, registry, context);
-  each(&Obstacles::stop);
+  for (int look = 0; look < kMostLooks; look++) {
+    changed = false;
+    last = look + 1 == kMostLooks;
+    each(&Obstacles::stop);
+    if (!changed) return;
+  }
 }
 
 // The first thing on a body's way, for one shape of the body. `everything`: it may be the other that does the moving.
