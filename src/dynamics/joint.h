@@ -43,7 +43,7 @@ struct Joint {
   double lent = 0;   // J: work that it took and may give back, or owes, since its errors and arcs hold it
   double wound = 0;  // m or rad: its length or limits were changed by so much from outside, and it has not gone it yet
   double over = 0;   // s: the step over which its errors grew
-  double meanForce = 0, meanTorque = 0;  // N, N m: over kBreakTime, what a break is judged by
+  double meanForce = 0, meanTorque = 0;  // N, N m: over kReferenceStep, what a break is judged by
 
   bool gone() const { return false; }
   bool collides() const { return collide; }

@@ -16,7 +16,7 @@ void Chunks::find(const Island& island, const StepContext& context) {
   if (!island.facts.mortared || island.facts.jointed || island.grounded()) return;
   const std::size_t count = island.bodies.size();
   UnionFind sets(count, island.memory);
-  chunkOf_.assign(count, kNone);
+  chunkOf_.assign(count, kNoIndex);
   island.rows.each([&]<class Kind>(const Kind& kind, std::size_t k) {
     if (!std::remove_cvref_t<Kind>::kYields) return;
     const RowEnds ends = kind.ends(k);
@@ -26,7 +26,7 @@ void Chunks::find(const Island& island, const StepContext& context) {
   const BodySet& bodies = *context.bodies;
   std::pmr::vector<RigidSum> sums(count, RigidSum(island.origin), island.memory);
   for (std::uint32_t i = 0; i < count; i++) {
-    if (chunkOf_[i] == kNone) continue;
+    if (chunkOf_[i] == kNoIndex) continue;
     chunkOf_[i] = sets.find(i);
     const BodyIndex body = island.bodies[i];
     const double m = bodies.mass[body].mass;

@@ -4,6 +4,7 @@
 #include <memory_resource>
 #include <vector>
 
+#include "dynamics/body_set.h"
 #include "solver/rigid_way.h"
 
 namespace brickfall {
@@ -22,14 +23,13 @@ class Chunks {
   bool any() const { return !chunkOf_.empty(); }
   // The motion of the chunk that a body of the island is in; null for a body in none.
   const RigidWay* of(std::uint32_t body) const {
-    return any() && chunkOf_[body] != kNone ? &ways_[chunkOf_[body]] : nullptr;
+    return any() && chunkOf_[body] != kNoIndex ? &ways_[chunkOf_[body]] : nullptr;
   }
   // Starts the solve of each chunk from its motion. Its bodies' velocities are the ways of the last step, chords of
   // their arcs: from these, firm ties would begin with forces a thousandfold theirs.
   void start(Island& island, const StepContext& context) const;
 
  private:
-  static constexpr std::uint32_t kNone = std::uint32_t(-1);
   bool all_ = false;
   std::pmr::vector<RigidWay> ways_;          // by the lowest body of a chunk
   std::pmr::vector<std::uint32_t> chunkOf_;  // by body; empty: there are no chunks

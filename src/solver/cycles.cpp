@@ -51,7 +51,7 @@ void countLeftOver(const Island& island, const StepContext& context, SolveStatis
 }  // namespace
 
 bool Renewals::next(Island& island, const StepContext& context, Renewal when) {
-  if (made_ == kMost) return false;
+  if (made_ == kMostRenewals) return false;
   bool any = false;
   island.rows.eachKind([&](auto& kind) { any = kind.renewFrozen(island, context, when) || any; });
   made_ += any;

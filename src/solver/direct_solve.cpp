@@ -14,6 +14,7 @@
 #include "solver/imbalance.h"
 #include "solver/light_pass.h"
 #include "solver/numbering.h"
+#include "solver/renewals.h"
 #include "solver/row_forces.h"
 #include "solver/slope_search.h"
 
@@ -24,10 +25,7 @@ namespace {
 // Half of all solves are done after 1 step, 99 % after 45, all after 51: scene `wall`, its rubble.
 //! - | too small: rubble is left with many weights unbalanced | too large: cost of rubble
 constexpr int kDirectSteps = 100;
-//! - | too small: new points slide under friction limits that are not theirs
-//! | too large: friction limits and forces may chase each other, and no step is the last
-constexpr int kBoundSteps = 6;  // so many steps renew the friction limits of new points, then they are frozen
-//! - | too small: stacks that land, or are made leaning, shear | too large: cost
+//! - | too small: stacks that land, or are made leaning, shear | too large: cost; joints gain energy
 constexpr int kBoundRounds = 3;  // so often the solve begins anew with the friction limits of the forces found
 //! - | too small: cost | too large: steps jump to and fro over edges that open and close: leaning bodies stay up
 constexpr double kEnoughStalled = 0.1;  // the same after kStalledSteps
@@ -85,7 +83,7 @@ class Newton {
   bool settleBounds() {
     bool any = false;
     island_.rows.each([&](auto& kind, std::size_t k) {
-      any = (kind.boundsFollow(k) && kind.settleBounds(k, island_.motion.data(), kBoundSlack)) || any;
+      any = (kind.boundsFollow(k) && kind.settleBounds(k, island_.motion.data(), float(kTrifle))) || any;
     });
     if (any) readForces(false);
     return any;
@@ -183,9 +181,9 @@ void solveDirectly(Island& island, const StepContext& context, double tolerance,
     if (worst < enough * tolerance) {
       if (boundSolves++ >= kBoundRounds || !newton.settleBounds()) return;
       stall = {};
-      k = std::max(k, kBoundSteps);
+      k = std::max(k, kMostRenewals);
     }
-    if (!newton.step(k < kBoundSteps, stalled < kStalledSteps ? double(kFarFromMinimum) : kEnoughStalled)) return;
+    if (!newton.step(k < kMostRenewals, stalled < kStalledSteps ? double(kFarFromMinimum) : kEnoughStalled)) return;
     statistics.cycles++;
   }
 }

@@ -6,7 +6,6 @@ namespace {
 
 //! bodies | too small: 4 takes a fourth more visits | too large: 8 lets hit walls move more
 constexpr std::uint32_t kClusterSize = 6;  // a fourth more visits with 4 for the same walls; hit walls move more with 8
-constexpr std::uint32_t kNone = 0xffffffffu;
 //! not of the method: room; 6^13 bodies are more than any world has
 constexpr int kMaxLevels = 13;
 
@@ -31,7 +30,7 @@ Neighbours neighboursOf(std::span<const ClusterLink> links, const Numbers& clust
   Neighbours out(memory);
   Numbers room(clusters + 1, 0, memory);
   auto ends = [&](const ClusterLink& link, std::uint32_t& a, std::uint32_t& b) {
-    if (link.bodyA == ClusterLink::kNoBody || link.bodyB == ClusterLink::kNoBody) return false;
+    if (link.bodyA == kNoIndex || link.bodyB == kNoIndex) return false;
     a = clusterOf[link.bodyA];
     b = clusterOf[link.bodyB];
     return a != b;
@@ -72,21 +71,21 @@ Neighbours neighboursOf(std::span<const ClusterLink> links, const Numbers& clust
 // Greedy aggregation: each aggregate grows by the free neighbour most strongly tied to it. A cluster left alone joins
 // its strongest neighbour's aggregate, unless that aggregate is too large already. Returns the number of aggregates.
 std::uint32_t aggregate(const Neighbours& graph, std::uint32_t clusters, Numbers& aggregateOf) {
-  aggregateOf.assign(clusters, kNone);
+  aggregateOf.assign(clusters, kNoIndex);
   Numbers size(aggregateOf.get_allocator());
   size.reserve(clusters);
   for (std::uint32_t i = 0; i < clusters; i++) {
-    if (aggregateOf[i] != kNone) continue;
+    if (aggregateOf[i] != kNoIndex) continue;
     std::uint32_t id = std::uint32_t(size.size());
     std::uint32_t members[kClusterSize] = {i}, count = 1;
     aggregateOf[i] = id;
     while (count < kClusterSize) {
-      std::uint32_t best = kNone;
+      std::uint32_t best = kNoIndex;
       float bestTie = 0;
       for (std::uint32_t m = 0; m < count; m++)
         for (std::uint32_t e = graph.begin[members[m]]; e < graph.begin[members[m] + 1]; e++) {
           std::uint32_t candidate = graph.ties[e].other;
-          if (aggregateOf[candidate] != kNone) continue;
+          if (aggregateOf[candidate] != kNoIndex) continue;
           float tie = 0;
           for (std::uint32_t l = graph.begin[candidate]; l < graph.begin[candidate + 1]; l++)
             if (aggregateOf[graph.ties[l].other] == id) tie += graph.ties[l].strength;
@@ -95,21 +94,21 @@ std::uint32_t aggregate(const Neighbours& graph, std::uint32_t clusters, Numbers
             best = candidate;
           }
         }
-      if (best == kNone) break;
+      if (best == kNoIndex) break;
       aggregateOf[best] = id;
       members[count++] = best;
     }
     if (count == 1) {
-      std::uint32_t host = kNone;
+      std::uint32_t host = kNoIndex;
       float bestTie = 0;
       for (std::uint32_t e = graph.begin[i]; e < graph.begin[i + 1]; e++) {
         std::uint32_t other = aggregateOf[graph.ties[e].other];
-        if (other != kNone && other != id && graph.ties[e].strength > bestTie && size[other] <= kClusterSize) {
+        if (other != kNoIndex && other != id && graph.ties[e].strength > bestTie && size[other] <= kClusterSize) {
           bestTie = graph.ties[e].strength;
           host = other;
         }
       }
-      if (host != kNone) {
+      if (host != kNoIndex) {
         aggregateOf[i] = host;
         size[host]++;
         continue;
@@ -125,13 +124,13 @@ Level makeLevel(std::span<const ClusterLink> links, const Numbers& clusterOf, st
   Level level(clusterOf.get_allocator());
   level.clusterOf = clusterOf;
   level.clusters.resize(clusters);
-  auto clusterAt = [&](std::uint32_t body) { return body == ClusterLink::kNoBody ? kNone : clusterOf[body]; };
+  auto clusterAt = [&](std::uint32_t body) { return body == kNoIndex ? kNoIndex : clusterOf[body]; };
   for (std::uint32_t c : clusterOf) level.clusters[c].bodyEnd++;
   for (const ClusterLink& link : links) {
     std::uint32_t a = clusterAt(link.bodyA), b = clusterAt(link.bodyB);
     if (a == b) continue;  // inside a cluster: no relative motion, no net force
-    if (a != kNone) level.clusters[a].sideEnd++;
-    if (b != kNone) level.clusters[b].sideEnd++;
+    if (a != kNoIndex) level.clusters[a].sideEnd++;
+    if (b != kNoIndex) level.clusters[b].sideEnd++;
   }
   std::uint32_t bodies = 0, sides = 0;
   for (Cluster& c : level.clusters) {
@@ -147,8 +146,8 @@ Level makeLevel(std::span<const ClusterLink> links, const Numbers& clusterOf, st
   for (std::uint32_t k = 0; k < links.size(); k++) {
     std::uint32_t a = clusterAt(links[k].bodyA), b = clusterAt(links[k].bodyB);
     if (a == b) continue;
-    if (a != kNone) level.sides[level.clusters[a].sideEnd++] = 2 * k;
-    if (b != kNone) level.sides[level.clusters[b].sideEnd++] = 2 * k + 1;
+    if (a != kNoIndex) level.sides[level.clusters[a].sideEnd++] = 2 * k;
+    if (b != kNoIndex) level.sides[level.clusters[b].sideEnd++] = 2 * k + 1;
   }
   return level;
 }

@@ -10,12 +10,12 @@
 #include <utility>
 #include <vector>
 
+#include "dynamics/body_set.h"
 #include "solver/solve_body.h"
 
 namespace brickfall {
 
 struct Cluster {
-  static constexpr std::uint32_t kNone = 0xffffffffu;
   Vec3f centre;                              // m, from the island's origin
   float mass = 0;                            // m / dt^2
   float inertia[6] = {};                     // / dt^2, about the centre: xx yx yy zx zy zz
@@ -46,10 +46,9 @@ struct Level {
         sides(std::move(other.sides), from) {}
 };
 
-// A row as a link between two bodies of the island. Fixed partners: kNoBody.
+// A row as a link between two bodies of the island. Fixed partners: kNoIndex.
 struct ClusterLink {
-  static constexpr std::uint32_t kNoBody = 0xffffffffu;
-  std::uint32_t bodyA = kNoBody, bodyB = kNoBody;
+  std::uint32_t bodyA = kNoIndex, bodyB = kNoIndex;
   float strength = 0;  // > 0
 };
 

@@ -13,7 +13,8 @@ namespace brickfall {
 //! - | too small: steps of rounding are taken for progress: cost | too large: slow ways to balance are given up
 constexpr double kBetter = 0.8;  // of the least residual so far, or of its square: a step that leaves more is no better
 //! - | too small: bodies whose points open and close are given up | too large: cost where floats round
-constexpr int kStalledSteps = 4;  // so many steps in a row that are no better: rounding is all that is left
+constexpr int kStalledSteps = 4;  // so many steps in a row that are no better: rounding is all that is left. A body
+                                  // takes so many exact steps in a row
 
 // Counts the steps in a row that bettered nothing.
 class Stall {

@@ -13,9 +13,6 @@ namespace brickfall {
 
 namespace {
 
-//! - | too small: impacts that are solved well are dropped | too large: badly solved impacts change momentum and energy
-constexpr double kImpactTolerance = 0.01;  // of the forces on a body
-
 // Free motion as if no time passed: velocities alone say where bodies would go.
 void goOnFreely(const Island& island, const BodySet& bodies, StepContext& context) {
   for (BodyIndex body : island.bodies) {
@@ -128,7 +125,7 @@ bool solveImpact(Island& island, Ties& ties, BodySet& bodies, StepContext& conte
   bool rebounds = false;
   island.rows.eachKind([&](auto& kind) { rebounds = kind.reboundImpact(island, context, impacts) || rebounds; });
   if (rebounds) goOn(island, context, statistics);
-  bool solved = leftOver(island, bodies).worst <= kImpactTolerance && changeVelocities(island, bodies);
+  bool solved = leftOver(island, bodies).worst <= kTrifle && changeVelocities(island, bodies);
   island.rows.eachKind([&](auto& kind) { kind.endImpact(island, ties, context, solved); });
   return solved;
 }

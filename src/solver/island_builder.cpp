@@ -110,7 +110,7 @@ void updateHierarchy(Island& island, const StepContext& context) {
   std::uint32_t bodies = std::uint32_t(island.bodies.size());
   std::pmr::vector<ClusterLink> links(island.memory);
   links.reserve(island.rows.size());
-  auto own = [&](std::uint32_t body) { return body < bodies ? body : ClusterLink::kNoBody; };
+  auto own = [&](std::uint32_t body) { return body < bodies ? body : kNoIndex; };
   std::as_const(island.rows).each([&](const auto& kind, std::size_t k) {
     RowEnds ends = kind.ends(k);
     links.push_back({own(ends.a), own(ends.b), kind.strength(k, context)});

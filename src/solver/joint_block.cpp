@@ -7,17 +7,9 @@
 
 #include "solver/body_matrix.h"
 #include "solver/numbering.h"
+#include "solver/slope_search.h"
 
 namespace brickfall {
-
-namespace {
-
-//! of the slope at the start | too small: cost of searches | too large: steps end beyond their minimum
-constexpr double kBlockEnough = 0.3;  // a step that ends with less either way fits
-//! - | too small: a step that does not fit is taken | too large: cost
-constexpr int kBlockSearch = 8;
-
-}  // namespace
 
 JointBlock::JointBlock(RowForces& forces)
     : island_(forces.island()),
@@ -37,9 +29,9 @@ JointBlock::JointBlock(RowForces& forces)
 // The bodies, in places that make the envelope narrow.
 void JointBlock::findBodies() {
   const std::size_t own = island_.bodies.size();
-  place_.assign(own, kNone);
+  place_.assign(own, kNoIndex);
   auto enter = [&](std::uint32_t body) {
-    if (body >= own || place_[body] != kNone) return;
+    if (body >= own || place_[body] != kNoIndex) return;
     place_[body] = std::uint32_t(bodies_.size());
     bodies_.push_back(body);
   };
@@ -72,7 +64,8 @@ void JointBlock::enterLoads() {
   const std::size_t own = island_.bodies.size(), jointed = bodies_.size();
   auto isJointed = [&](std::uint32_t body) { return place_[body] < jointed; };
   auto enter = [&](std::uint32_t load, std::uint32_t under) {
-    if (!isJointed(under) || place_[load] != kNone || !(island_.masses[load].mass > island_.masses[under].mass)) return;
+    if (!isJointed(under) || place_[load] != kNoIndex || !(island_.masses[load].mass > island_.masses[under].mass))
+      return;
     place_[load] = std::uint32_t(bodies_.size());
     bodies_.push_back(load);
   };
@@ -98,7 +91,7 @@ void JointBlock::findRows() {
 void JointBlock::assemble() {
   matrix_.clear();
   for (std::uint32_t i = 0; i < bodies_.size(); i++) addBody(matrix_, i, island_.masses[bodies_[i]]);
-  auto placeOf = [this](std::uint32_t body) { return body < place_.size() ? place_[body] : kNone; };
+  auto placeOf = [this](std::uint32_t body) { return body < place_.size() ? place_[body] : kNoIndex; };
   for (std::uint32_t row : rows_)
     std::as_const(island_.rows).at(row, [&](const auto& kind, std::size_t k) {
       addRow(matrix_, kind.ends(k), kind.reactStiff(k, island_.motion.data(), true), placeOf);
@@ -140,7 +133,7 @@ double JointBlock::moveTo(double part) {
 
 void JointBlock::search(double start) {
   double low = 0, slopeLow = start, high = 1, slopeHigh = moveTo(1), s = slopeHigh;
-  for (int k = 0; k < kBlockSearch && slopeHigh < 0 && std::fabs(s) > kBlockEnough * start; k++) {
+  for (int k = 0; k < kSearchSteps && slopeHigh < 0 && std::fabs(s) > double(kNearMinimum) * start; k++) {
     const double part = k % 3 == 2 ? 0.5 * (low + high) : low + (high - low) * slopeLow / (slopeLow - slopeHigh);
     s = moveTo(part);
     (s > 0 ? low : high) = part;

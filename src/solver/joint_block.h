@@ -16,12 +16,11 @@ class JointBlock {
   explicit JointBlock(RowForces& forces);
 
   bool any() const { return !bodies_.empty(); }
-  bool has(std::uint32_t body) const { return any() && place_[body] != kNone; }
+  bool has(std::uint32_t body) const { return any() && place_[body] != kNoIndex; }
   // One Newton step, with a search along it. Then, if wanted, the joints' multipliers follow the forces found.
   void apply(bool follow);
 
  private:
-  static constexpr std::uint32_t kNone = 0xffffffffu;
   void findBodies();
   void enterLoads();
   void findRows();

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "solver/slope_search.h"
+
 namespace brickfall {
 
 namespace {
@@ -12,8 +14,6 @@ namespace {
 constexpr double kMostProducts = 2;  // in a factorisation of the coarse level
 //! - | too small: steps that do not fit the whole | too large: cost of motion that the next step finds again
 constexpr int kMostIterations = 4;
-//! of the error | too small: cost of motion that the next step finds again | too large: steps that do not fit the whole
-constexpr double kSolvedTo = 0.2;
 
 using wide::cross3;
 using wide::spread;
@@ -93,7 +93,7 @@ LevelSystem::LevelSystem(const Island& island, const Hierarchy& hierarchy)
     island.rows.each([&](const auto& kind, std::size_t k) {
       RowEnds ends = kind.ends(k);
       std::uint32_t a = clusterOf(fine_, ends.a), b = clusterOf(fine_, ends.b);
-      if (a != b && a != Cluster::kNone && b != Cluster::kNone) visit(a, b);
+      if (a != b && a != kNoIndex && b != kNoIndex) visit(a, b);
     });
   });
   matrix_.shape(std::move(neighbours));
@@ -160,12 +160,11 @@ void LevelSystem::addRow(RowEnds ends, const StiffReaction& x) {
   const V arms[2] = {x.armA, x.armB};
   for (int i = 0; i < 2; i++) {
     std::uint32_t own = clusterOf(fine_, bodies[i]), other = clusterOf(fine_, bodies[1 - i]);
-    if (own == Cluster::kNone) continue;
+    if (own == kNoIndex) continue;
     V arm = armFrom(fine_, own, bodies[i], arms[i]);
     Motions motions(x.stiffness, arm);
     motions.addTo(matrix_.diagonal(own), arm, 1);
-    if (other != Cluster::kNone)
-      motions.addTo(matrix_.at(other, own), armFrom(fine_, other, bodies[1 - i], arms[1 - i]), -1);
+    if (other != kNoIndex) motions.addTo(matrix_.at(other, own), armFrom(fine_, other, bodies[1 - i], arms[1 - i]), -1);
   }
 }
 
@@ -174,11 +173,11 @@ void LevelSystem::addCoarseRow(RowEnds ends, const StiffReaction& x) {
   const V arms[2] = {x.armA, x.armB};
   for (int i = 0; i < 2; i++) {
     std::uint32_t own = clusterOf(*coarse_, bodies[i]), other = clusterOf(*coarse_, bodies[1 - i]);
-    if (own == Cluster::kNone) continue;
+    if (own == kNoIndex) continue;
     V arm = armFrom(*coarse_, own, bodies[i], arms[i]);
     Motions motions(x.stiffness, arm);
     factor_.add(places_[own], places_[own], motions.seenFrom(arm, 1).of);
-    if (other != Cluster::kNone && places_[other] > places_[own])
+    if (other != kNoIndex && places_[other] > places_[own])
       factor_.add(places_[other], places_[own],
                   motions.seenFrom(armFrom(*coarse_, other, bodies[1 - i], arms[1 - i]), -1).of);
   }
@@ -220,7 +219,7 @@ void LevelSystem::solve(const Wrenches& right, Wrenches& x) {
   precondition(left_, better_);
   direction_.assign(better_.begin(), better_.end());
   double now = dotOf(left_, better_);
-  const double enough = kSolvedTo * kSolvedTo * now;
+  const double enough = double(kNearMinimum * kNearMinimum) * now;
   for (int k = 0; now > enough; k++) {
     matrix_.multiply(direction_, product_);
     const double curvature = dotOf(direction_, product_);

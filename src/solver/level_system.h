@@ -30,7 +30,7 @@ class LevelSystem {
  private:
   struct Motions;
   static std::uint32_t clusterOf(const Level& level, std::uint32_t body) {
-    return body < level.clusterOf.size() ? level.clusterOf[body] : Cluster::kNone;
+    return body < level.clusterOf.size() ? level.clusterOf[body] : kNoIndex;
   }
   wide::V armFrom(const Level& level, std::uint32_t cluster, std::uint32_t body, wide::V arm) const;
   bool chooseCoarse(const Level& level, double mostProducts);

@@ -25,9 +25,6 @@ constexpr int kFirmCycles = 2;  // x the cycles, of one sweep each, in a large i
 //! | too large: floats round away balance
 constexpr double kHeavyShare = 0.01;  // effective mass of the softest contact of a small island
 
-//! weights | too small: cost | too large: islands repeat an error for ever and do not rest
-constexpr double kSlowTolerance = 5e-4;  // of a body in a small island
-
 // Small islands are cheap. They take exact steps, since open points counted as closed delay their collapses. They are
 // stiffer when calm, since they converge all the same. Larger islands would lose walls by it. A body alone: its cycle
 // is the whole Newton step.
@@ -135,9 +132,7 @@ SolvePlan planFor(const IslandFacts& facts, const SolverSettings& settings, doub
   plan.startsFree = !row.large || !facts.grounded;
   plan.goesOn = row.large && facts.pressed && !facts.pinned && !plan.slow;
   plan.softDebris = row.large && facts.fastest > kDebrisSpeed;
-  plan.tolerance = !row.large  ? kSlowTolerance
-                   : plan.slow ? kToRest * settings.cycleTolerance
-                               : settings.cycleTolerance;
+  plan.tolerance = row.large ? settings.cycleTolerance : kSmallTolerance;
   plan.minCycles = row.direct && row.exactSteps ? 1 : settings.minCycles;
   plan.maxCycles = row.direct ? plan.minCycles : cycleBudget(facts, settings);
   plan.mostCycles = row.large ? std::max(plan.maxCycles, kMostCycles * settings.maxCycles) : plan.maxCycles;

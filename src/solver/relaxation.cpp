@@ -9,19 +9,13 @@
 #include "solver/joint_block.h"
 #include "solver/level_step.h"
 #include "solver/renewals.h"
+#include "solver/slope_search.h"
 #include "solver/support.h"
 
 namespace brickfall {
 
 namespace {
 
-//! - | too small: a body whose points flip open and shut is left to the next round | too large: cost
-constexpr int kExactSteps = 4;  // of one body in a row
-//! - | too small: cost | too large: bodies are taken up again and again; a body that slides alone is a little off
-constexpr float kGoal = 0.3f, kGoalExact = 0.01f;  // x a body's allowed residual: its own steps end there
-//! - | too small: steps and searches among the rounding of forces: cost
-//! | too large: small islands start the direct solve far off
-constexpr float kFloatsTell = 0x1p-21f;  // of the forces on a body: floats tell its residual no better
 //! - | too small: bodies are polished while all around them still moves: cost | too large: more cycles
 constexpr float kLessened = 0.25f;  // of the residual's square: exact steps in a large island end there, too
 //! - | too small: new points slide under friction limits that are not theirs
@@ -32,14 +26,9 @@ constexpr float kMovingWeights = 2.5f;  // x tolerance: what a faster, lightly l
 //! - | too small: standing islands are thrown out of balance at their foot
 //! | too large: momentum on smooth ground drifts
 constexpr float kFree = 0.2f;  // of a force's way without contacts: an island that a force moves further is free
-//! of the bodies | too small: cost | too large: residuals of a few bodies are left as they are
-constexpr double kManyOut = 0.05;  // more bodies out of balance are worth cycles beyond maxCycles
 //! of the way of the last velocities | too small: rounding of forces is taken for their change
 //! | too large: points open and close on the way
 constexpr double kAlongMotion = 0.05;  // so far an island that goes on is moved to find how its forces change
-
-//! of the force that resists rolling | too small: cost | too large: balls on loose bricks roll on
-constexpr float kResistance = 0.05f;  // what bodies on which it acts may be left with
 
 class Relaxation {
  public:
@@ -110,9 +99,8 @@ class Relaxation {
       kind.eachResistance([&](RowEnds ends, float force) {
         for (std::uint32_t i : {ends.a, ends.b}) {
           if (i >= allowed_.size()) continue;
-          const double least = kToRest * context_.settings.restTolerance;
-          const float rounding = float(least * measureOf(island_, *context_.bodies, i, kLoadShare).force);
-          allowed_[i] = std::min(allowed_[i], std::max(rounding, kResistance * force));
+          const float rounding = float(kSmallTolerance * measureOf(island_, *context_.bodies, i, kLoadShare).force);
+          allowed_[i] = std::min(allowed_[i], std::max(rounding, float(kLeftOver) * force));
         }
       });
     });
@@ -126,7 +114,7 @@ class Relaxation {
 
   float innerRadius(std::size_t i) const { return float(context_.bodies->mass[island_.bodies[i]].innerRadius); }
   bool balanced(std::size_t i, float share = 1) const {
-    float rounding = island_.plan.direct ? kFloatsTell * island_.loads[i] : 0;
+    const float rounding = island_.plan.direct ? float(kFloatsRound) * island_.loads[i] : 0;
     return isWithin(island_.residual[i], std::max(share * allowed_[i], rounding), innerRadius(i));
   }
   void countOut() {
@@ -136,7 +124,7 @@ class Relaxation {
   // Where many bodies are out of balance, the undone motion of a step shakes them in the next ones: more cycles now are
   // fewer then.
   bool goesOn(int cycle) const {
-    bool many = double(out_) > kManyOut * double(allowed_.size());
+    bool many = double(out_) > kLeftOver * double(allowed_.size());
     cycle -= renewed_;
     return cycle < island_.plan.maxCycles || (many && cycle < island_.plan.mostCycles);
   }
@@ -208,16 +196,17 @@ class Relaxation {
   }
 
   // A standing body takes a step that counts near points as closed. It takes exact steps only if that step found hardly
-  // any way: then it hangs by open points. A moving body takes exact steps at once.
+  // any way: then it hangs by open points. A moving body takes exact steps at once. They end well within what it may be
+  // left with, those of small islands at a trifle of it.
   void solveBody(const Level& level, const Cluster& cluster, ClusterFactor& factor, std::uint32_t body) {
     if (!island_.plan.exactSteps && !moves(body)) {
       float before = squareOf(body);
       step(level, cluster, factor, island_.residual[body], false);
       if (balanced(body, 0.5f) || squareOf(body) < kLessened * before) return;
     }
-    float goal = island_.plan.exactSteps ? kGoalExact : kGoal;
+    float goal = island_.plan.exactSteps ? float(kTrifle) : kNearMinimum;
     float enough = island_.plan.exactSteps ? 0 : kLessened * squareOf(body);
-    for (int k = 0; k < kExactSteps && !balanced(body, goal) && (k == 0 || squareOf(body) > enough); k++) {
+    for (int k = 0; k < kStalledSteps && !balanced(body, goal) && (k == 0 || squareOf(body) > enough); k++) {
       if (!step(level, cluster, exactFactors_[body], island_.residual[body], true)) break;
     }
   }

@@ -13,14 +13,16 @@ enum class Renewal {
   again    // after one that went on
 };
 
+//! - | too small: joints that break take more than their energy; new points slide under limits that are not theirs
+//! | too large: cost of steps in which much breaks; friction limits and forces chase each other
+constexpr int kMostRenewals = 6;  // of what is frozen, in a solve; and so many direct steps renew friction limits
+
 class Renewals {
  public:
   // Sets them anew. True if any changed; false for ever after so many times.
   bool next(Island& island, const StepContext& context, Renewal when);
 
  private:
-  //! - | too small: joints that break take more than their energy | too large: cost of steps in which much breaks
-  static constexpr int kMost = 6;  // in a solve
   int made_ = 0;
 };
 

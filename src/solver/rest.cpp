@@ -11,9 +11,6 @@ namespace brickfall {
 
 namespace {
 
-//! - | too small: a ball that rolls on a wall is stopped | too large: walls sway for longer
-constexpr double kSwing = 0.01;  // of the kinetic energy: if a step takes more, a wall has swung through its middle
-
 //! - | too small: swings are stopped at their turning points | too large: what hangs swings for ever
 constexpr double kRisen = 2;  // of the energy that gravity took: an island that lost no more swings
 
@@ -31,8 +28,9 @@ double risenBy(const Island& island, const StepContext& context, const BodySet& 
 
 void dampSlowIsland(const Island& island, const StepContext& context, BodySet& bodies) {
   const double lost = island.facts.energyBefore - island.facts.energy;
-  if (!(island.plan.mayBeStopped && lost > 0) && !(island.plan.sways && lost > kSwing * island.facts.energyBefore))
-    return;
+  // A wall whose sway loses more than a trifle has swung through its middle.
+  const bool swung = island.plan.sways && lost > kTrifle * island.facts.energyBefore;
+  if (!(island.plan.mayBeStopped && lost > 0) && !swung) return;
   // On joints bodies swing, and gravity takes what the island has lost.
   if (island.facts.jointed && lost < kRisen * risenBy(island, context, bodies)) return;
   // A body that nothing presses on has no part in a vibration: it falls.

@@ -59,7 +59,7 @@ bool RowForces::renewBounds() {
   bool any = false;
   for (std::uint32_t row : following_)
     island_.rows.at(row, [&](auto& kind, std::uint32_t index) {
-      if (!kind.renewBounds(index, island_.motion.data(), kBoundSlack)) return;
+      if (!kind.renewBounds(index, island_.motion.data(), float(kTrifle))) return;
       any = true;
       statistics_.lightVisits += kind.kPoints;
       Reaction now = kind.react(index, island_.motion.data());

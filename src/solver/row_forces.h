@@ -11,9 +11,6 @@
 
 namespace brickfall {
 
-//! of the friction limit | too small: cost | too large: new points slide under friction limits that are not theirs
-constexpr float kBoundSlack = 0.01f;  // a smaller change is left
-
 class RowForces {
  public:
   RowForces(Island& island, SolveStatistics& statistics)

@@ -9,8 +9,8 @@
 
 namespace brickfall {
 
-//! not of the method: inner radius (m) of the brick and gravity (m/s2) for which the constants are given
-inline constexpr double kReferenceSize = 0.0325, kReferenceGravity = 9.81;
+//! not of the method: inner radius (m) of the brick, gravity (m/s2) and time step (s) for which the constants are given
+inline constexpr double kReferenceSize = 0.0325, kReferenceGravity = 9.81, kReferenceStep = 1.0 / 60;
 
 struct Scale {
   double size = kReferenceSize;            // m, an inner radius

@@ -7,7 +7,8 @@ namespace brickfall {
 
 //! - | too small: searches and new matrices that change little
 //! | too large: steps end beyond their minimum; walls lean; what overlaps by a micrometre is thrown by millimetres
-constexpr float kNearMinimum = 0.3f;  // of the slope at the start, and of a weight: a step that ends with less fits
+constexpr float kNearMinimum = 0.3f;  // of the slope at the start, of a weight, of what a body may be left with, of the
+                                      // residual of a system: a step that ends with less fits
 //! - | too small: searches that change little | too large: steps end short of their minimum
 constexpr float kFarFromMinimum = 0.5f;  // of the slope at the start: a search goes on above it
 

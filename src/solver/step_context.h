@@ -15,9 +15,9 @@ namespace brickfall {
 // Constants of the method that several files share; docs/step.md explains them. Constants that users may change are in
 // SolverSettings. Lengths, speeds and times are those of the reference brick: all other bodies have them in proportion
 // (scale.h).
-//! - | too small: gaps and drifts of the last step are corrected more slowly
+//! - | too small: gaps, drifts and joints' errors of the last step are corrected more slowly
 //! | too large: oscillation from step to step
-constexpr float kCorrect = 0.5f;  // 1 - alpha: share of an old gap or drift that a step corrects
+constexpr float kCorrect = 0.5f;  // 1 - alpha: share of an old gap, drift or error that a step corrects
 //! not of the method: follows from kCorrect
 constexpr float kMultiplierShare = 1 - kCorrect;  // of the last force, kept as multiplier: at rest fn = -k gap
 //! mEff g | too small: loads build up over many steps | too large: an impact's force acts twice
@@ -28,10 +28,12 @@ constexpr float kOffsetKept = 0.9f;  // of the plastic offset, per step
 constexpr double kLeastRelease = 1e-4;  // m/s: the offset shrinks at least so fast, until nothing is left of it
 //! m | too small: steps run through open points | too large: short steps: late collapses
 constexpr double kNearContact = 5e-3;  // m: open points nearer than this stay in the Newton matrix
-//! g h | too small: overhangs of 99 % fall | too large: float noise moves sliding bodies
-constexpr double kCalmShare = 0.1;  // of g dt, added to the rest speed: an island no faster settles
-//! - | too small: cost | too large: islands repeat an error for ever and do not rest
-constexpr double kToRest = 0.5;  // of the tolerance: so far islands are solved that may rest
+//! g h | too small: overhangs of 99 % fall; slides and rolls lose half a step of way
+//! | too large: float noise moves sliding bodies; bodies that land or leave get a correction that is not theirs
+constexpr double kCalmShare = 0.1;  // of g dt, added to the rest speed: an island no faster settles; and so little a
+                                    // velocity changes at a point that neither lands nor leaves
+//! weights | too small: cost | too large: islands repeat an error for ever and do not rest
+constexpr double kSmallTolerance = 5e-4;  // of a body in a small island, or on which a force acts that resists rolling
 //! s | too small: a very slow start of a fall is stopped | too large: walls with points at an edge rest late
 constexpr double kInPlaceTime = 0.5;  // a slow island of which no point strays by kNearlyClosed so long is at rest
 //! m/s | too small: a hit wall that sways is taken for debris, and sways on for seconds: walls sag
@@ -39,8 +41,10 @@ constexpr double kInPlaceTime = 0.5;  // a slow island of which no point strays 
 constexpr double kMovingSpeed = 0.03;  // of a body of a large island: faster ones move, slower ones sway at most
 //! rad | too small: fast spins reach contacts too weakly | too large: rebounds at high speed explode
 constexpr double kLargestTurn = 0.5;  // rad per step of a body in contact: arms are frozen during a step
-//! - | too small: counts residuals that nobody sees | too large: hides bodies that hang in the air
-constexpr double kLeftOver = 0.05;  // of max(weight, load): bodies that a solve leaves with more are counted
+//! - | too small: counts residuals that nobody sees: cost
+//! | too large: bodies hang in the air, balls on loose bricks roll on
+constexpr double kLeftOver = 0.05;  // of max(weight, load), of what resists rolling, of an island's bodies: a solve may
+                                    // leave so much
 
 //! m/s | too small: large walls stay awake over the last of their residual; a body that rocks by itself rests late
 //! | too large: slow topples are stopped; a ball that rolls up a slope turns back too early
@@ -49,6 +53,10 @@ constexpr double kStillSpeed = 5e-4;  // of each body of a large island that res
 constexpr double kLoadShare = 0.3;  // of a body's load: so much counts like its weight
 //! - | too small: floats leave bodies under a great load out of balance: cost | too large: such bodies are solved badly
 constexpr double kHeavyLoad = 0.02;  // of a body's load: this counts like its weight where islands are solved directly
+
+//! - | too small: rounding and small changes are followed: cost; walls sway for longer
+//! | too large: badly solved impacts change momentum and energy; balls that roll on a wall are stopped
+constexpr double kTrifle = 0.01;  // of a force, stiffness, speed, energy, mass, size or turn: so little counts as none
 
 //! - | too small: rounding is taken for change: islands do not settle, sound impacts are dropped
 //! | too large: forces stop short of their end, energy may creep up

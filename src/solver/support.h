@@ -81,16 +81,13 @@ Vec3 slideLeft(const Island& island, const std::pmr::vector<char>& of, const Ste
   return slides > stopped ? along * ((1 - stopped / slides) / mass) : Vec3{};
 }
 
-//! m/s | too small: rounding of floats keeps islands on smooth ground from rest
-//! | too large: islands that slide on it slowly are stopped
-inline constexpr double kLeastSlide = 1e-6;
-
-// The whole island slides, along ground that cannot stop it: however slow, the slide goes on.
+// The whole island slides, along ground that cannot stop it. However slow, the slide goes on: all that floats can tell
+// from rest, of 1 m/s.
 inline bool slides(const Island& island, const StepContext& context) {
   std::pmr::vector<char> all(island.bodies.size() + island.partners.size(), 1, island.memory);
   return length(slideLeft(island, all, context, [&](BodyIndex body) {
            return context.bodies->motion[body].linearVelocity;
-         })) > kLeastSlide * island.facts.scale.speed;
+         })) > kFloatsRound * island.facts.scale.speed;
 }
 
 }  // namespace brickfall

@@ -4,16 +4,8 @@
 
 #include "geometry/queries.h"
 #include "solver/free_motion.h"
-#include "solver/step_context.h"
 
 namespace brickfall {
-
-namespace {
-
-//! - | too small: chords of fast spins get long | too large: cost of fast spins
-constexpr int kMostChords = 32;
-
-}  // namespace
 
 bool turnsFar(const BodySet& bodies, BodyIndex body, Vec3 turn) {
   const BodyMass& mass = bodies.mass[body];
@@ -52,7 +44,7 @@ double coreWayOnArc(const ShapeData& moving, const Sweep& way, const ShapeData& 
     return transformPoint(inverse(of.at(share) * still.inCentreFrame), transformPoint(way.at(share), moving.middle));
   };
   double angle = std::max(length(way.turn), length(of.turn));
-  int parts = angle < kMostTurn * kMostChords ? 1 + int(angle / kMostTurn) : kMostChords;
+  int parts = angle < kMostTurn * kMostParts ? 1 + int(angle / kMostTurn) : kMostParts;
   for (int part = 0; part < parts; part++) {
     double begin = double(part) / parts, step = 1.0 / parts;
     Transform coreInOther{placeAt(begin), {}};
@@ -99,24 +91,6 @@ double coreWay(const ShapeData& moving, const Sweep& way, const ShapeData& still
   if (way.turns || of.turns) return coreWayOnArc(moving, way, still, of, core, target);
   Vec3 motion = rotate(back.rotation, way.way - of.way);
   return timeOfImpact(still.geometry, core, coreInOther, motion, target).value_or(1);
-}
-
-double clearWay(const ShapeData& a, const Sweep& wayA, const ShapeData& b, const Sweep& wayB) {
-  auto depthAt = [&](double share) {
-    return penetrationDepth(a.geometry, b.geometry,
-                            inverse(wayA.at(share) * a.inCentreFrame) * (wayB.at(share) * b.inCentreFrame));
-  };
-  const double end = depthAt(1);
-  if (!(end > 0)) return 1;
-  const double thinner = std::min(a.innerRadius, b.innerRadius), had = depthAt(0);
-  const double most = had + kNearlyClosed * lengthScale(a.innerRadius, b.innerRadius);
-  if (!(end > most) || had > kCoreShare * thinner) return 1;  // what is pressed in, contacts push out
-  double share = 0, beyond = 1;
-  for (int k = 0; k < kMostLooks; k++) {
-    const double middle = 0.5 * (share + beyond);
-    (depthAt(middle) > most ? beyond : share) = middle;
-  }
-  return share;
 }
 
 }  // namespace brickfall

@@ -7,11 +7,19 @@ namespace brickfall {
 
 //! inner radii | too small: cores slip through shapes thinner than the cores
 //! | too large: bodies in contact stop each other in their ordinary overlap
-constexpr double kCoreShare = 0.25;  // of a shape's inner radius
+constexpr double kCoreShare = 0.25;  // of a shape's inner radius; and so much of its outer one is that of a thick body
+
+//! times the mass | too small: cost of debris; a body goes on through what is only a little lighter
+//! | too large: bodies that a ball knocks out are gone before they can push anything aside, and hold it in the air
+constexpr double kHeavier = 10;  // a body is far heavier than another
 
 //! rad | too small: cost of tumbling bodies
 //! | too large: tops precess too slowly, then fall; ends of spinning bodies, and arcs, pass over thin corners
 constexpr double kMostTurn = 0.2;  // visible: beyond it points, normals and arms do not stand for the motion
+
+//! - | too small: quick series of impacts end first order, the fastest tops fall, chords of fast spins get long
+//! | too large: cost
+constexpr int kMostParts = 24;  // of the step of an island, and of an arc
 
 //! - | too small: turning bodies stop earlier than they need to; glancing hits keep the normal of the start
 //! | too large: cost
@@ -50,9 +58,5 @@ Aabb sweptBounds(const ShapeData& shape, const Sweep& own);
 // before.
 double coreWay(const ShapeData& moving, const Sweep& way, const ShapeData& still, const Sweep& of,
                bool* held = nullptr);
-
-// Share of their ways after which two shapes, of which one turns, are no deeper in each other than they began: all of
-// them, if they are not so at the end.
-double clearWay(const ShapeData& a, const Sweep& wayA, const ShapeData& b, const Sweep& wayB);
 
 }  // namespace brickfall

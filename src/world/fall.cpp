@@ -2,14 +2,9 @@
 
 #include <utility>
 
+#include "dynamics/body_set.h"
+
 namespace brickfall {
-
-namespace {
-
-//! not of the method: no joint
-constexpr std::uint32_t kNoJoint = 0xffffffffu;
-
-}  // namespace
 
 FallFinder::FallFinder(std::span<const FallJoint> joints, const std::vector<bool>& moves)
     : joints_(joints), moves_(moves), chunk_(moves.size()), start_(moves.size() + 1, 0) {
@@ -28,10 +23,10 @@ FallFinder::FallFinder(std::span<const FallJoint> joints, const std::vector<bool
   for (std::size_t i = 1; i < start_.size(); i++) start_[i] += start_[i - 1];
   broken_.resize(start_.back());
   std::vector<std::uint32_t> next(start_.begin(), start_.end() - 1);
-  firstOf_.assign(chunk_.size(), kNoJoint);
+  firstOf_.assign(chunk_.size(), kNoIndex);
   firstHeld_ = firstOf_;
   auto keepFirst = [&](std::uint32_t& first, std::uint32_t joint) {
-    if (first == kNoJoint || isEarlier(joint, first)) first = joint;
+    if (first == kNoIndex || isEarlier(joint, first)) first = joint;
   };
   for (std::uint32_t k = 0; k < joints_.size(); k++) {
     const FallJoint& j = joints_[k];
@@ -58,7 +53,7 @@ std::optional<std::uint32_t> FallFinder::first(std::uint32_t body) const {
   if (body >= moves_.size() || !moves_[body]) return std::nullopt;
   const std::uint32_t chunk = chunk_[body];
   std::uint32_t found = firstHeld_[chunk];
-  if (found == kNoJoint) return firstOf_[chunk] == kNoJoint ? std::nullopt : std::optional(firstOf_[chunk]);
+  if (found == kNoIndex) return firstOf_[chunk] == kNoIndex ? std::nullopt : std::optional(firstOf_[chunk]);
   const FallJoint& own = joints_[found];
   std::uint32_t under = chunk_[own.bodyA] == chunk ? own.bodyB : own.bodyA;
   // Times only go back, so this ends.

@@ -4,22 +4,20 @@
 #include <cmath>
 
 #include "geometry/core.h"
+#include "solver/step_context.h"
 #include "world/core_sweep.h"
+#include "world/look_ahead.h"
 
 namespace brickfall {
 
 namespace {
 
-//! times the mass | too small: cost of debris
-//! | too large: bodies that a ball knocks out are gone before they can push anything aside
-constexpr double kHeavier = 10;
-//! of its mass | too small: a pebble on its way has the whole world stepped in parts | too large: with kHeavier
-constexpr double kMatters = 0.01;  // mass of all bodies on its way together, at least
 //! of its thickness along the way | too small: cost of hits
 //! | too large: bodies that a ball knocks out are gone before they can push anything aside
 constexpr double kHitWay = 0.5;  // of the struck body, in a part
-//! inner radii | too small: cost of bodies that hardly move | too large: large bodies run over small ones in one part
-constexpr double kLeastHitWay = 0.05;  // of the own radius, in a step: a body that goes less far asks for no parts
+
+// m: a body that goes less far in a step asks for no parts.
+double littleWay(double radius) { return kLittleWay * radius / kReferenceSize; }
 
 double thicknessAlong(const Shape& shape, Vec3 direction) {
   return dot(coreSupport(shape, direction) - coreSupport(shape, -direction), direction) + 2 * coreRadius(shape);
@@ -32,8 +30,7 @@ class HitSearch {
 
   void look(BodyIndex body) {
     const BodyMotion& m = bodies_.motion[body];
-    if (bodies_.still[body] || !(length(m.linearVelocity) * dt_ > kLeastHitWay * bodies_.mass[body].innerRadius))
-      return;
+    if (bodies_.still[body] || !(length(m.linearVelocity) * dt_ > littleWay(bodies_.mass[body].innerRadius))) return;
     const Sweep own = sweepOf(bodies_, body, m.linearVelocity * dt_, m.angularVelocity * dt_);
     double mass = 0, most = 0;  // kg, of bodies on the way; their thicknesses that the body goes
     for (ShapeIndex shape : bodies_.shapes[body]) {
@@ -50,7 +47,8 @@ class HitSearch {
         return true;
       });
     }
-    if (bodies_.isDriven(body) || mass >= kMatters * bodies_.mass[body].mass)
+    // A pebble on its way has not the whole world stepped in parts.
+    if (bodies_.isDriven(body) || mass >= kTrifle * bodies_.mass[body].mass)
       thicknesses_ = std::max(thicknesses_, most);
   }
 
@@ -77,7 +75,7 @@ class HitSearch {
     const BodyMotion& other = bodies_.motion[struck.body];
     const Vec3 way = (bodies_.motion[body].linearVelocity - other.linearVelocity) * dt_;
     const double far = length(way);
-    if (!(far > kLeastHitWay * struck.innerRadius) || !mayMeet(body, struck.body, way, far)) return 0;
+    if (!(far > littleWay(struck.innerRadius)) || !mayMeet(body, struck.body, way, far)) return 0;
     const Vec3 along =
         rotate(conjugate(struck.inCentreFrame.rotation), transposeTimes(other.orientation, way * (1 / far)));
     return far / thicknessAlong(struck.geometry, along);

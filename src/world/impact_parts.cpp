@@ -13,8 +13,6 @@ namespace {
 //! - | too small: impacts of larger islands are first order in the time step
 //! | too large: cost, impacts that are not solved well
 constexpr std::size_t kMostBodies = 5;
-//! rad | too small: a body that falls fast without a spin rebounds late | too large: as kFarWay
-constexpr double kNoTurn = 0.01;  // visible, in a step, of a body alone: below it a way of any length may be parted
 
 // Contacts of these shapes are true from afar: a shape that moves without a turn cannot pass the other one unseen.
 bool isFoundExactly(ShapeType a, ShapeType b) {
@@ -30,7 +28,8 @@ bool ImpactParts::mayBeCut(const Island& island) const {
   if (island.bodies.size() > kMostBodies) return false;
   if (std::any_of(island.partners.begin(), island.partners.end(), carries)) return false;
   const bool alone = island.bodies.size() == 1;
-  if (alone && length(turnOf(island.bodies[0])) < kNoTurn && foundExactly(island)) return true;
+  // Without a turn a way of any length may be parted.
+  if (alone && length(turnOf(island.bodies[0])) < kTrifle && foundExactly(island)) return true;
   return std::all_of(island.bodies.begin(), island.bodies.end(), [&](BodyIndex body) {
     return length(bodies.motion[body].linearVelocity) * context_.dt <= kFarWay * bodies.mass[body].outerRadius;
   });

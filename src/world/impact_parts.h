@@ -23,9 +23,6 @@ class ImpactParts {
   // tell it: they may be wrong about a body that is still far away, or turns.
   bool runThrough(const Island& island, double dt, const Proximity& proximity) const;
 
-  //! - | too small: quick series of impacts end first order, the fastest tops fall | too large: cost
-  static constexpr int kMostParts = 24;  // of an island's step
-
  private:
   bool foundExactly(const Island& island) const;
   Vec3 turnOf(BodyIndex body) const;

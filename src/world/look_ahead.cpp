@@ -13,9 +13,6 @@ namespace brickfall {
 
 namespace {
 
-//! - | too small: hits on edges are left out | too large: thin plates that meet face on go through each other
-constexpr double kTurnedOver = -0.5;  // cosine: such a normal says that the shapes have passed through each other
-
 //! m | too small: cost of glancing bodies | too large: round bodies are turned aside before they touch
 constexpr double kTouches = 1e-5;  // a gap this small is a touch
 
@@ -150,14 +147,14 @@ Ahead lookAheadRound(const LookAhead& ahead, const Moment& now, double dt, doubl
 }
 
 // The box slides over the edge if this holds: `overlap` further on, its edge overlaps another face, by less than half
-// of `overlap`, and comes no nearer.
+// of `overlap`, and comes no nearer. A normal that is turned over says that the shapes have passed through each other.
 bool slidesOver(const LookAhead& ahead, const Moment& now, double dt, double overlap) {
   const double until = now.time + (now.apart + overlap) / now.closing;
   if (until >= dt) return false;
   const Moment then = ahead.at(until);
   const double turned = dot(then.manifold.normal, now.manifold.normal);
-  return then.manifold.count > 0 && turned < kSameFace && turned > kTurnedOver && then.apart > -0.5 * overlap &&
-         then.closing * dt < overlap && !endsIn(ahead, dt, overlap);
+  return then.manifold.count > 0 && turned < kSameFace && turned > -kSameFace && then.apart > -0.5 * overlap &&
+         then.closing * dt < overlap;
 }
 
 // The axis of a cylinder or cone goes through the body's centre.

@@ -196,14 +196,12 @@ MortarState stateOf(const Mortar& m, const Registry& registry) {
 
 //! not of the method: what mortar.h says
 constexpr std::size_t kMostTakers = 4;
-//! of what it bore | too small: rounding counts as a load that went over | too large: small shares are not told
-constexpr double kTakes = 0.01;
 
 std::vector<LoadTaker> takersOf(const OpeningMemory& past, const MortarSet& set, const Registry& registry) {
   std::vector<LoadTaker> takers;
   for (std::uint32_t i = 0; i < past.count; i++) {
     const TieLoad& load = past.loads[i];
-    if (!(load.after > (1 + kTakes) * load.before)) continue;
+    if (!(load.after > (1 + kTrifle) * load.before)) continue;
     const MortarId mortar = load.mortar == kNoIndex ? MortarId{} : idOf(set, load.mortar, registry.worldNumber);
     takers.push_back({mortar, registry.idOf(load.bodyA), registry.idOf(load.bodyB), load.before, load.after});
   }

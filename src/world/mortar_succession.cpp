@@ -10,9 +10,6 @@ namespace brickfall {
 
 namespace {
 
-//! of the face's smaller radius of gyration | too small: rounding of the pieces' corners ends mortar
-//! | too large: mortar holds where there is a gap
-constexpr double kOnFace = 0.01;
 //! of half the face's edges | too small: a piece without a strip of the face keeps all of the mortar
 //! | too large: chamfers end it
 constexpr double kInFace = 0.95;
@@ -58,7 +55,7 @@ MortarSuccession::MortarSuccession(const Registry& registry, BodyIndex body, Mor
       for (int k = 0; k < kPlacesAcross; k++) {
         const Vec3 place = onBody + axes.column(1) * ((i * step - 1) * edge * m.gyration[0]) +
                            axes.column(2) * ((k * step - 1) * edge * m.gyration[1]);
-        if (isOn(registry, body, place, face.normal, kOnFace * face.size)) face.places.push_back(place);
+        if (isOn(registry, body, place, face.normal, kTrifle * face.size)) face.places.push_back(place);
       }
     faces_.push_back(std::move(face));
     set.takeOff(mortar, body);
@@ -67,7 +64,7 @@ MortarSuccession::MortarSuccession(const Registry& registry, BodyIndex body, Mor
 
 bool MortarSuccession::bears(const Registry& registry, BodyIndex piece, const Face& face) {
   return !face.places.empty() && std::all_of(face.places.begin(), face.places.end(), [&](Vec3 place) {
-    return isOn(registry, piece, place, face.normal, kOnFace * face.size);
+    return isOn(registry, piece, place, face.normal, kTrifle * face.size);
   });
 }
 

@@ -12,12 +12,6 @@ namespace brickfall {
 
 namespace {
 
-//! 1 - cosine | too small: faces of hulls, rounded as they are, are not parallel | too large: wedges lie face to face
-constexpr double kOpposite = 1e-6;
-//! of the smaller face | too small: edges that touch by rounding share a face | too large: bats don't
-constexpr double kLeastSharedArea = 1e-6;
-//! of a face's size | too small: corners come twice | too large: the outline is not exact
-constexpr double kOneCorner = 1e-7;
 //! not of the method: what mortar.h says
 constexpr std::size_t kMostOutline = 16;  // corners
 
@@ -104,7 +98,7 @@ std::optional<SharedOutline> sharedOutline(const FlatFaces& a, int faceA, const 
   }
   if (cut.count < 3) return std::nullopt;
   const Vec3 twice = twiceArea(cut);
-  if (!(length(twice) > kLeastSharedArea * smaller)) return std::nullopt;
+  if (!(length(twice) > kFloatsRound * smaller)) return std::nullopt;
   const HullPlane& opposite = ofB ? a.plane(faceA) : b.plane(faceB);
   double apart = 0;
   for (int i = 0; i < cut.count; i++) apart += dot(opposite.normal, cut.corner[i].p) - opposite.offset;
@@ -114,9 +108,9 @@ std::optional<SharedOutline> sharedOutline(const FlatFaces& a, int faceA, const 
   out.area = 0.5 * length(twice);
   for (int i = 0; i < cut.count; i++) {
     const Vec3 p = cut.corner[i].p - opposite.normal * (0.5 * apart);
-    if (out.corners.empty() || length(p - out.corners.back()) > kOneCorner * size) out.corners.push_back(p);
+    if (out.corners.empty() || length(p - out.corners.back()) > kFloatsRound * size) out.corners.push_back(p);
   }
-  while (out.corners.size() > 1 && length(out.corners.front() - out.corners.back()) <= kOneCorner * size)
+  while (out.corners.size() > 1 && length(out.corners.front() - out.corners.back()) <= kFloatsRound * size)
     out.corners.pop_back();
   if (out.corners.size() < 3) return std::nullopt;
   keepMost(out.corners);
@@ -146,7 +140,8 @@ Result<std::vector<Vec3>> World::sharedFace(BodyId a, BodyId b, double gap) cons
       if (facesA.endless() && facesB.endless()) continue;
       for (int i = 0; i < facesA.count(); i++)
         for (int k = 0; k < facesB.count(); k++) {
-          if (!(dot(facesA.plane(i).normal, facesB.plane(k).normal) < kOpposite - 1)) continue;
+          // Faces of hulls are rounded as they are.
+          if (!(dot(facesA.plane(i).normal, facesB.plane(k).normal) < kFloatsRound - 1)) continue;
           std::optional<SharedOutline> found = sharedOutline(facesA, i, facesB, k, gap);
           if (found && found->area > best.area) best = std::move(*found);
         }

@@ -1,7 +1,7 @@
 // Ties break: mortar whose energy is spent, and joints that bore too much.
 //
 // A blow on a joint is told as its mean over the step. So what a joint bore is judged over the same time whatever the
-// step: its mean over kBreakTime, or the step if that is longer.
+// step: its mean over kReferenceStep, or the step if that is longer.
 #include <algorithm>
 
 #include "solver/mortar/law.h"
@@ -16,12 +16,9 @@ namespace brickfall {
 
 namespace {
 
-//! s | too small: the same blow breaks more joints at short steps | too large: short blows break none
-constexpr double kBreakTime = 1.0 / 60;
-
 // True if the joint breaks.
 bool bear(Joint& joint, double dt) {
-  const double share = std::min(1.0, dt / kBreakTime);
+  const double share = std::min(1.0, dt / kReferenceStep);
   joint.meanForce += (length(joint.force + joint.earlierForce) - joint.meanForce) * share;
   joint.meanTorque += (length(joint.torque + joint.earlierTorque) - joint.meanTorque) * share;
   return joint.meanForce > joint.breakForce || joint.meanTorque > joint.breakTorque;

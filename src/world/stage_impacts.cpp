@@ -12,6 +12,7 @@
 #include "solver/island_trial.h"
 #include "solver/store.h"
 #include "world/activity.h"
+#include "world/core_sweep.h"
 #include "world/diary.h"
 #include "world/fly_ahead.h"
 #include "world/hits.h"
@@ -121,7 +122,7 @@ void ImpactWalk::run(Island& island) {
   if (!parts_.mayBeCut(island)) return flyAhead(island, registry_, proximity_, ties_, context_, report_);
   double left = context_.dt;
   const double blink = kBlink * context_.dt;
-  for (int made = 0; made < ImpactParts::kMostParts && left > blink; made++) {
+  for (int made = 0; made < kMostParts && left > blink; made++) {
     double part = std::min(left, parts_.longest(island));
     double next = mayClose(island, context_, kAhead) ? nextImpact(island, part) : kNever;
     bool ahead = next <= kAhead * part;  // a point that closes a little later must not stop the island short

@@ -5,9 +5,8 @@
 // the way that the solve found, against the ways of the others. Where it would enter something, or run over the core of
 // something smaller, the two go on together for the rest of the step. So debris that flies along together never stands
 // still. Before a fixed thing the body stops; what a kinematic body runs into is taken along. What is long and turns is
-// looked at in its own frame, where ways are arcs, in parts of 0.2 rad; if it flies, all of it is looked at where it
-// ends. Velocities stay, so that the next step finds the contact and does the rest. If it does not, the two go on as
-// one body.
+// looked at in its own frame, where ways are arcs, in parts of 0.2 rad. Velocities stay, so that the next step finds
+// the contact and does the rest. If it does not, the two go on as one body.
 #include <algorithm>
 #include <cmath>
 
@@ -27,14 +26,6 @@ namespace brickfall {
 
 namespace {
 
-//! times the mass | too small: a body goes on through what is only a little lighter
-//! | too large: bricks pressed into a wrecking ball hold it in the air
-constexpr double kFarHeavier = 30;  // times the mass
-//! - | too small: what turns freely, or what another was held up for, ends beyond what it met | too large: cost
-constexpr int kLooks = 4;  // a part of a free turn is not on the arc of all of it, and a way that was cut is in the way
-//! of the outer radius | too small: bodies creep through a thin plate that flies with them
-//! | too large: bricks pressed into a wrecking ball hold it in the air
-constexpr double kThick = 0.2;
 bool exceeds(Vec3 way, double limit) { return lengthSquared(way) > limit * limit; }
 
 struct Motion {
@@ -44,7 +35,6 @@ struct Motion {
 struct Obstruction {
   double share = 1;           // of the step: when a way ends
   double turnShare = 1;       // of the step: when the turn does
-  bool turned = false;        // not its core: its end, which turned into it
   bool held = false;          // its core began the step where it was stopped before
   BodyIndex body = kNoIndex;  // what ends it
   Vec3 carried;               // m: how far that takes along, from there, what does not get past it
@@ -162,11 +152,11 @@ void Obstacles::cut(BodyIndex body, double share, double turnShare, Vec3 carried
 // What is far lighter is carried along and stops nothing: bricks pressed into a wrecking ball must not hold it in the
 // air.
 bool Obstacles::farHeavier(BodyIndex body, BodyIndex other) const {
-  return bodies.mass[body].mass > kFarHeavier * bodies.mass[other].mass;
+  return bodies.mass[body].mass > kHeavier * bodies.mass[other].mass;
 }
 
 bool Obstacles::isThick(BodyIndex body) const {
-  return bodies.mass[body].innerRadius > kThick * bodies.mass[body].outerRadius;
+  return bodies.mass[body].innerRadius > kCoreShare * bodies.mass[body].outerRadius;
 }
 
 // The share of the step that the body flew before it was solved.
@@ -182,7 +172,7 @@ void Obstacles::stop(BodyIndex body) {
   // What it was left behind by its turn, and kinematic bodies, may run over it, however slow it is itself.
   bool everything = s.went < 1 || turnsFar(bodies, body, s.th);
   if (!(everything || !activity.moving.empty() || exceeds(s.d, thickness))) return;
-  for (int look = 0; look < kLooks && hold(body, everything, thickness); look++) {
+  for (int look = 0; look < kMostLooks && hold(body, everything, thickness); look++) {
   }
 }
 
@@ -304,7 +294,7 @@ void Obstacles::meet(BodyIndex body, const Obstruction& first) {
   const double turnShare = shareLeft(body, first.turnShare);
   if (goTogether(body, first.body)) {
     const double share = std::min(shareLeft(body, first.share), turnShare);
-    if (first.turned || !isThick(body) || !isThick(first.body)) divert(body, groupOf(body), {}, share);
+    if (!isThick(body) || !isThick(first.body)) divert(body, groupOf(body), {}, share);
     return;
   }
   const Group a = groupOf(body), b = groupOf(first.body);
@@ -341,9 +331,9 @@ void Obstacles::stopAll() {
   each(&Obstacles::takeBack);
   for (const IslandPointer& island : islands.awake)
     if (!island->resting()) keepOut(*island, registry, context);
-  for (int look = 0; look < kLooks; look++) {
+  for (int look = 0; look < kMostLooks; look++) {
     changed = false;
-    last = look + 1 == kLooks;
+    last = look + 1 == kMostLooks;
     each(&Obstacles::stop);
     if (!changed) return;
   }
@@ -390,16 +380,10 @@ void Obstacles::obstruct(ShapeIndex shape, bool everything, double thickness, Ob
       held = over < share ? heldOver : held;
       share = std::min(share, over), turnShare = std::min(turnShare, over);
     }
-    bool turned = false;
-    if (turns && context.solved[s.body].flying) {
-      const double clear = clearWay(s, own, o, way);
-      turned = clear < share;
-      share = std::min(share, clear), turnShare = std::min(turnShare, clear);
-    }
     auto ofStep = [&](double part) { return part < 1 ? from + part * (1 - from) : 1; };
     if (own.turns) first.turnShare = std::min(first.turnShare, ofStep(turnShare));
     if (!(ofStep(share) < first.share)) return true;
-    first.share = ofStep(share), first.body = o.body, first.held = held && !turned, first.turned = turned;
+    first.share = ofStep(share), first.body = o.body, first.held = held;
     first.carried = way.carry(transformPoint(own.at(share), s.middle), share);
     return true;
   });

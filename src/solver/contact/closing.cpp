@@ -80,7 +80,7 @@ void ContactRows::leaveOut(Ties& ties, const StepContext& context) {
     Contact& c = ties.contacts.contacts[contactOf[k]];
     for (int i = 0; i < c.count; i++) {
       if (!isOpen(c, i, context)) continue;
-      records[k].trialN[i] = -kNoForce;
+      records[k].trialN[i] = -kLargestPointForce;
       clearPoint(c.points, i);
     }
   }

@@ -9,10 +9,6 @@ namespace brickfall {
 
 namespace {
 
-//! g h | too small: slides and rolls lose half a step of way
-//! | too large: bodies that land or leave get a correction that is not theirs
-constexpr double kSteadyShare = 0.2;  // of g dt: a smaller change of a normal velocity counts as none
-
 // m/s, along the normal: by how much the velocity of point i of a contact, of B against A, changes.
 double changeAtPoint(const FaceRecord& row, int i, const EndChanges& by) {
   Vec3 n = toDouble(row.n), t1 = toDouble(row.t1);
@@ -23,7 +19,7 @@ double changeAtPoint(const FaceRecord& row, int i, const EndChanges& by) {
 
 // Point i neither lands nor leaves: it closes and parts by no more than small shocks do.
 bool isSteady(const FaceRecord& row, const ContactStart& start, int i, const EndChanges& change, const StepSpan& span) {
-  const double most = kSteadyShare * start.scale.gravity * std::max(span.dt, span.before);
+  const double most = kCalmShare * start.scale.gravity * std::max(span.dt, span.before);
   // m/s: the change that the arc of a turning body makes.
   const double arc = span.arcs ? double(dot(row.n, start.bend)) / (0.5 * span.before - span.dt) : 0;
   return std::fabs(changeAtPoint(row, i, change) - arc) <= most && std::fabs(start.approach[i]) <= most;

@@ -11,9 +11,6 @@ namespace brickfall {
 
 namespace {
 
-//! - | too small: impacts under a load rub too little | too large: friction limits and forces chase each other
-constexpr double kMostImpulse = 2;  // x mass of the heaviest x fastest approach: no point takes more
-
 // Read before the contact is, since in a wall that only sways no point closes so fast.
 bool comesOn(const ContactStart& start, double least) {
   for (int i = 0; i < start.points; i++)
@@ -54,15 +51,16 @@ void ContactRows::startImpact(const Island& island, const StepContext& context, 
       double approach = std::max(0.0, -double(starts[k].approach[i]));
       bool closed = double(c.points.gap[i]) <= std::max(kNearlyClosed * starts[k].scale.length, approach * blink);
       r.k[i] = float(context.settings.restingStiffness * double(c.effectiveMass) / (island.dt * island.dt));
-      r.trialN[i] = closed ? 0 : -kNoForce;
+      r.trialN[i] = closed ? 0 : -kLargestPointForce;
       r.trial1[i] = r.trial2[i] = r.limit[i] = 0;
       r.newPoints |= 1u << i;
       if (closed) fastest = std::max(fastest, approach);
     }
     if (r.rolls) r.trial1[kRollingLane] = r.trial2[kRollingLane] = r.limit[kRollingLane] = 0;
   }
+  // No point takes more than what stops the heaviest and throws it back as fast.
   for (ContactStart& start : starts)
-    for (float& most : start.stopping) most = float(kMostImpulse * heaviest * fastest / island.dt);
+    for (float& most : start.stopping) most = float(2 * heaviest * fastest / island.dt);
 }
 
 void ContactRows::keepImpactForces(const Island& island) {

@@ -4,9 +4,6 @@
 
 namespace brickfall {
 
-//! not of the method: a mark
-constexpr float kNoForce = 1e30f;  // N: a point that does not exist is so far from closed
-
 // m/s: slower impacts are left to the step.
 double slowestImpact(const Island& island, const StepContext& context);
 

@@ -114,7 +114,8 @@ void startPhase(PointMemory& m, int i, float approach, const PointRules& rules) 
 // closes. Here, too, it goes on with the force it has.
 bool isTooSoft(const PointMemory& m, int i, float approach, const PointRules& rules) {
   const float least = std::min(rules.stiffness.softest, rules.stiffness.full);
-  return m.phase[i] != PointPhase::fresh && m.stiffness[i] < kFullShare * least && !(approach > -rules.quietSpeed);
+  return m.phase[i] != PointPhase::fresh && m.stiffness[i] < (1 - float(kTrifle)) * least &&
+         !(approach > -rules.quietSpeed);
 }
 void harden(PointMemory& m, int i, float approach, const PointRules& rules) {
   startPhase(m, i, approach, rules);

@@ -7,18 +7,16 @@ namespace brickfall {
 
 namespace {
 
-//! s | too small: walls sag
+//! - | too small: resting contacts are softer than impacts
 //! | too large: swaying walls do not converge at short steps, and stop a ball that goes through at longer ones
-constexpr double kFirmStep = 1.0 / 60;  // at shorter steps contacts of large islands have a part of restingStiffness
-//! - | too small: resting contacts are softer than impacts | too large: with kFirmStep
 constexpr double kLeastFirm = 2;  // x impactStiffness: least stiffness of these contacts
 
-// Share of restingStiffness in large islands. That stiffness is in units of inertia over the time step squared, so it
-// grows without bound as the step gets shorter; that of bricks does not. Small islands are solved to the end at any
-// stiffness.
+// Share of restingStiffness in large islands, below kReferenceStep. That stiffness is in units of inertia over the time
+// step squared, so it grows without bound as the step gets shorter; that of bricks does not. Small islands are solved
+// to the end at any stiffness.
 double firmShare(const SolverSettings& settings, double dt, double stretch, const Scale& scale) {
   double least = std::min(1.0, kLeastFirm * settings.impactStiffness / settings.restingStiffness);
-  double share = std::min(1.0, std::max(dt / stretch / (kFirmStep * scale.time), least));
+  double share = std::min(1.0, std::max(dt / stretch / (kReferenceStep * scale.time), least));
   return std::max(least, share * stretch * stretch);
 }
 

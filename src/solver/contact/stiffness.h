@@ -5,11 +5,6 @@
 
 namespace brickfall {
 
-// Share of the full stiffness from which a point counts as fully stiff.
-//! - | too small: points nearly at their full stiffness stay softer
-//! | too large: rounding takes points through the end of an impact
-constexpr float kFullShare = 0.99f;
-
 // Scale of the thinner one of the two bodies, of those that can move.
 Scale scaleOfPair(const Contact& pair, const StepContext& context);
 
@@ -26,8 +21,8 @@ struct PairStiffness {
   // Stiffness of a point born in an impact at `approach` (m/s; negative = closing). At k units it stops after approach
   // dt / (1 + k): as soft as possible, but no softer than the bodies are thick.
   float ofImpact(float approach) const;
-  bool isFull(float stiffness) const { return stiffness >= kFullShare * full; }
-  bool isAboveFull(float stiffness) const { return stiffness > (2 - kFullShare) * full; }
+  bool isFull(float stiffness) const { return stiffness >= (1 - float(kTrifle)) * full; }
+  bool isAboveFull(float stiffness) const { return stiffness > (1 + float(kTrifle)) * full; }
 };
 
 // `debris`: the pair is as soft as in an impact.

@@ -12,9 +12,6 @@ namespace brickfall {
 
 namespace {
 
-//! - | too small: groups that fall from rest hang for a step | too large: groups that fly gain as much
-constexpr double kUnsound = 1e-4;  // of the energy that moves: an excess that no rounding makes
-
 //! m/s | too small: columns that lean under a great load fall; stacks sway on
 //! | too large: bodies that rock in a small island are braked
 constexpr double kSwaySpeed = 0.1;
@@ -153,7 +150,6 @@ RigidMotion motionOf(const Island& island, std::uint32_t partner, const StepCont
 // rigid + cross x + relative x^2.
 struct RelativeEnergy {
   double relative = 0, cross = 0;  // J
-  double all() const { return relative + cross; }
 };
 
 // The velocity and the angular momentum that the body would have in a rigid motion, at the end of the step.
@@ -315,18 +311,10 @@ class LastCheck {
   // in the next counts as a gain, too, unless a rebound gives it.
   double checkFlying(std::size_t g, const Returned& back) {
     const Bodies group = island_.groups.bodies(g);
-    GroupEnergy energy = energyOf(island_, group, {}, context_);
-    auto gain = [&] { return energy.gain(back) - back.lasting; };
-    if (!(gain() > energy.slack())) return 0;
-    RigidMotion rigid = motionOf(island_, group, context_);
-    if (energyAgainst(island_, group, rigid, {}, context_).all() < gain() - kUnsound * energy.all()) {
-      goLess(island_, group, 0, {}, context_);
-      energy = energyOf(island_, group, {}, context_);
-      rigid = motionOf(island_, group, context_);
-    }
-    const double excess = gain();
+    const GroupEnergy energy = energyOf(island_, group, {}, context_);
+    const double excess = energy.gain(back) - back.lasting;
     if (!(excess > energy.slack())) return 0;
-    return excess - takeRelative(island_, group, rigid, {}, context_, excess);
+    return excess - takeRelative(island_, group, motionOf(island_, group, context_), {}, context_, excess);
   }
 
   // While impacts go on, all that the group has lost since they began may come back.

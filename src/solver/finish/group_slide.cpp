@@ -109,38 +109,22 @@ bool GroupSlides::judgeGround() {
   return false;
 }
 
-// For groups that slide, as rigid bodies: their velocity at the start, and its change. A slow group is not corrected:
-// it sways, or comes to rest.
+// For groups that slide: how the velocity of each changes, as that of a rigid body.
 void GroupSlides::findChanges() {
   const BodySet& bodies = *context_.bodies;
-  std::pmr::vector<RigidSum> starts(count_, RigidSum(island_.origin), island_.memory);
   std::pmr::vector<RigidSum> changes(count_, RigidSum(island_.origin), island_.memory);
   for (std::uint32_t i = 0; i < count_; i++) {
     if (!slides(i)) continue;
     const BodyIndex body = island_.bodies[i];
-    const FreeMotion& free = context_.free[body];
     const Mat3 inertia = bodies.worldInertia(body);
     const double m = bodies.mass[body].mass;
-    auto add = [&](RigidSum& sum, const VelocityChange& v) {
-      sum.add(m, bodies.motion[body].position, inertia, v.move * m, inertia * v.turn);
-    };
-    add(starts[groupOf_[i]], {free.startVelocity, free.startSpin});
-    add(changes[groupOf_[i]], changeOf(body, context_));
+    const VelocityChange change = changeOf(body, context_);
+    changes[groupOf_[i]].add(m, bodies.motion[body].position, inertia, change.move * m, inertia * change.turn);
   }
   changes_.resize(count_);
-  std::pmr::vector<char> fast(count_, 0, island_.memory);
-  for (std::uint32_t i = 0; i < count_; i++) {
-    if (!slides(i)) continue;
-    const std::uint32_t group = groupOf_[i];
-    const BodyIndex body = island_.bodies[i];
-    const VelocityChange start = Slide(starts[group], normals_[group]).at(bodies.motion[body].position);
-    if (length(start.move) + length(start.turn) * bodies.mass[body].outerRadius >
-        context_.settings.restSpeed * island_.facts.scale.speed)
-      fast[group] = 1;
-    changes_[i] = Slide(changes[group], normals_[group]).at(bodies.motion[body].position);
-  }
   for (std::uint32_t i = 0; i < count_; i++)
-    if (!fast[i]) stays_[i] = 1;
+    if (slides(i))
+      changes_[i] = Slide(changes[groupOf_[i]], normals_[groupOf_[i]]).at(bodies.motion[island_.bodies[i]].position);
 }
 
 // A group that would be moved towards a body that one of its open points is about to meet is not corrected.

@@ -19,13 +19,13 @@ void Groups::find(const Island& island, const StepContext& context) {
   if (island.resting()) return;
   const std::size_t count = island.bodies.size();
   UnionFind sets(count, island.memory);
-  std::uint32_t supported = kNone, under = kNone;  // a body, and a partner that it presses on
+  std::uint32_t supported = kNoIndex, under = kNoIndex;  // a body, and a partner that it presses on
   island.rows.each([&](const auto& kind, std::size_t k) {
     if (!kind.ties(k, context)) return;
     const RowEnds ends = kind.ends(k);
     if (ends.a < count && ends.b < count) return sets.join(ends.a, ends.b);
     const std::uint32_t body = std::min(ends.a, ends.b);
-    if (supported == kNone) supported = body, under = std::max(ends.a, ends.b);
+    if (supported == kNoIndex) supported = body, under = std::max(ends.a, ends.b);
     sets.join(supported, body);
   });
   // Numbers groups in the order of their lowest bodies, which name the sets.
@@ -36,7 +36,7 @@ void Groups::find(const Island& island, const StepContext& context) {
     if (lowest == i) {
       of_[i] = std::uint32_t(sizes.size());
       sizes.push_back(0);
-      partner_.push_back(supported != kNone && sets.find(supported) == i ? under : kNone);
+      partner_.push_back(supported != kNoIndex && sets.find(supported) == i ? under : kNoIndex);
     }
     of_[i] = of_[lowest];
     sizes[of_[i]]++;

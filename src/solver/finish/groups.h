@@ -8,6 +8,8 @@
 #include <span>
 #include <vector>
 
+#include "dynamics/body_set.h"
+
 namespace brickfall {
 
 struct Island;
@@ -28,12 +30,11 @@ class Groups {
   }
   std::uint32_t groupOf(std::size_t body) const { return of_[body]; }
   // No tie that carries force leads from the group to anything fixed or kinematic.
-  bool flies(std::size_t group) const { return partner_[group] == kNone; }
+  bool flies(std::size_t group) const { return partner_[group] == kNoIndex; }
   // One of the fixed or kinematic bodies that the group presses on, as numbered in Island::motion.
   std::uint32_t partner(std::size_t group) const { return partner_[group]; }
 
  private:
-  static constexpr std::uint32_t kNone = 0xffffffffu;
   std::pmr::vector<std::uint32_t> of_;       // body -> group
   std::pmr::vector<std::uint32_t> bodies_;   // by group
   std::pmr::vector<std::uint32_t> begin_;    // group -> its first place in bodies_; one more at the end

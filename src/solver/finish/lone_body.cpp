@@ -15,9 +15,6 @@ namespace brickfall {
 
 namespace {
 
-//! - | too small: the last step of a slide is too long | too large: a body that goes on slowly counts as stopped
-constexpr double kStopped = 1e-2;  // of the speed at the start of the step
-
 // All points that carry force neither land nor leave in this step, and there is one.
 bool steadyContacts(const Island& island, const StepContext& context, const VelocityChange& change) {
   bool carried = false, steady = true;
@@ -58,7 +55,7 @@ double partUntilStopped(const Island& island, const StepContext& context, const 
   const Vec3 back = start * (-1 / speed);
   const double late = 0.5 * context.bodies->data[body].steady.dt / h;
   const bool turnsBack = dot(solved + change.move * late, back) > 0;
-  if (!turnsBack && length(solved) > kStopped * length(start - context.free[body].late)) return 1;
+  if (!turnsBack && length(solved) > kTrifle * length(start - context.free[body].late)) return 1;
   FrictionAlong friction;  // along `back`
   island.rows.each(
       [&](const auto& kind, std::size_t k) { kind.addFriction(k, back, kind.ends(k).a != 0, context, friction); });

@@ -31,8 +31,6 @@ namespace {
 constexpr double kFirmness = 100;  // in units of mass / dt^2: of a hard equation
 //! of the second difference | too small: stiff springs fly apart | too large: their period grows with the step
 constexpr double kSpringShare = 0.5;  // of a spring's stiffness, that the solve knows
-//! of an old error | too small: joints drift apart | too large: error and correction chase each other
-constexpr double kJointCorrect = 0.5;  // that a step corrects
 //! of the larger body's radius; rad | too small: torn joints close slowly
 //! | too large: what an obstacle held back is flung after the rest
 constexpr double kMostCorrect = 0.03;  // of an error that a step looks at
@@ -242,7 +240,7 @@ void JointRows::prepare(Island& island, Ties& ties, const StepContext& context) 
     const double size = std::max(bodies.mass[joint.bodyA].outerRadius * (r.bodyA < island.bodies.size()),
                                  bodies.mass[joint.bodyB].outerRadius * (r.bodyB < island.bodies.size()));
     // A way that grew over a longer step is an arc of it: corrected at once, it would be a blow.
-    const double part = island.dt / std::max(island.dt, joint.over), correct = kJointCorrect * part * part;
+    const double part = island.dt / std::max(island.dt, joint.over), correct = double(kCorrect) * part * part;
     const bool arcs = island.plan.arcs;
     const double most = arcs ? kMostCorrect : double(kNoLimit);
     const double firm = kFirmness * double(start.heaviest) / (island.dt * island.dt);

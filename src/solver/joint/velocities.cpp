@@ -35,8 +35,6 @@ constexpr double kForcesRound = 1e-5;
 constexpr double kMostOwed = 1e-4;
 //! of the work of both halves of a step | too small: wide swings lose energy | too large: snaps return what they took
 constexpr double kReturns = 0.5;
-//! of the energy that moves | too small: fast swings lose energy | too large: snaps give back what they took
-constexpr double kMostReturn = 0.01;
 
 class HeldVelocities {
  public:
@@ -86,7 +84,7 @@ class HeldVelocities {
     const double owed = std::min(kForcesRound * gain.loads, kMostOwed * (held + weights));
     const double sum = gain.sum - wound;
     const double taken = rub(held, sum - lent - owed);
-    const double kept = std::min({lent - sum, kReturns * gain.parts, kMostReturn * held});
+    const double kept = std::min({lent - sum, kReturns * gain.parts, kTrifle * held});
     for (JointIndex joint : joints.jointOf)
       ties.joints.slots[joint].lent = std::max(-owed, kept) / double(joints.size());
     joints.returned = std::clamp(sum, 0.0, lent + owed) + owed + wound;

@@ -13,8 +13,6 @@ namespace {
 //! of the firmness | too small: what is about to break moves as if it were loose
 //! | too large: cost: thousands of caps are met and left in one solve
 constexpr double kLeastFirmness = 0.003;  // of a joint that its bodies' velocities will break
-//! not of the method: more than any force
-constexpr float kUnbroken = 1e30f;
 
 // The points of a joint go out as it is damaged. Forces keep their sum and their moments: a force further out is less.
 void placePoints(Mortar& m, const MortarPose& pose) {
@@ -50,7 +48,7 @@ bool MortarRows::continues(const MortarRows& old, const StepContext& context) co
 RowGrip MortarRows::grip(std::size_t k, const StepContext& context) const {
   Vec3 force = toDouble(mortarAt(k, *context.ties).force);
   if (force == Vec3{}) force = {0, 1e-30, 0};
-  return {force, double(kUnbroken)};
+  return {force, double(kLargestPointForce)};
 }
 
 void MortarRows::writeCaps(std::size_t k, const Mortar& m) {

@@ -12,10 +12,8 @@ namespace brickfall {
 
 namespace {
 
-//! of the energy left | too small: passes for the last of it | too large: joints take more than their energy
-constexpr double kMoreThanLeft = 1.02;  // a joint may take so much
-//! - | too small: caps fall by trifles: passes | too large: as kMoreThanLeft
-constexpr double kSameCap = 0.98;  // a cap that falls less stays
+//! - | too small: passes for the last of the energy | too large: joints take more than their energy
+constexpr double kMoreThanLeft = 0.02;  // of the energy left, that a joint may take besides; a cap falls by no less
 //! of the tension stiffness | too small: hits leave no trace | too large: shear within its strength counts as damage
 constexpr double kShearStiffness = 0.44;  // of mortar, ks / kn
 
@@ -99,9 +97,9 @@ bool MortarRows::renewFrozen(const Island& island, const StepContext& context, R
     MortarStart& start = starts[k];
     const Taken taken = takenBy(m, records[k], start, stateAt(records[k], start, island.motion.data()));
     const double share = shareOf(taken, m), left = 1 - m.damage;
-    if (!(share > kMoreThanLeft * left)) continue;
+    if (!(share > (1 + kMoreThanLeft) * left)) continue;
     const float lower = float(taken.use * left / share);
-    if (!(lower < kSameCap * start.left)) continue;
+    if (!(lower < (1 - kMoreThanLeft) * start.left)) continue;
     start.left = lower;
     writeCaps(k, m);
     fell = true;

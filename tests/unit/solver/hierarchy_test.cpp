@@ -13,7 +13,7 @@
 namespace brickfall {
 namespace {
 
-constexpr std::uint32_t kNone = ClusterLink::kNoBody;
+constexpr std::uint32_t kNone = kNoIndex;
 
 void expectSound(const Hierarchy& h, std::uint32_t bodies, const std::vector<ClusterLink>& links) {
   ASSERT_FALSE(h.levels.empty());
