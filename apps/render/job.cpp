@@ -6,7 +6,6 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
-#include <numbers>
 
 #include "brickfall/scene.h"
 #include "cli/commands.h"
@@ -62,6 +61,12 @@ struct Job {
   PaintSettings paint;
 };
 
+// Whichever is looked through: the sun goes by the first, as in window and page.
+const Camera& firstCamera(const Job& job) {
+  const std::vector<Camera>& cameras = job.take->header().cameras;
+  return cameras.empty() ? job.camera : cameras.front();
+}
+
 std::string defaultOutput(const Source& source, const RenderOptions& options) {
   const std::string folder =
       source.isScene ? cli::joinPath("out", source.name) : fs::path(source.path).parent_path().string();
@@ -79,7 +84,7 @@ int complainOf(const Error& error) {
 class Painter {
  public:
   Painter(const Job& job, Stage stage)
-      : job_(job), stage_(std::move(stage)), motion_(*job.take), sky_(skyFor(job.camera, job.options.sun)) {}
+      : job_(job), stage_(std::move(stage)), motion_(*job.take), sky_(skyFor(firstCamera(job), job.options.sun)) {}
 
   // Null where an interrupt came in between.
   Result<const Image*> at(double open) {
@@ -288,12 +293,12 @@ Result<Camera> chooseCamera(const TakeReader& take, const std::string& wanted) {
 Sky skyFor(const Camera& camera, const std::optional<Sun>& sun) {
   Sky sky;
   if (sun) {
-    sky.sun = sunDirection(sun->azimuthDegrees, sun->elevationDegrees);
+    sky.sun = appearance::sunDirection(sun->azimuthDegrees, sun->elevationDegrees);
     return sky;
   }
   const Camera at = camera.path.empty() ? camera : cameraAt(camera, camera.path.front().time);
   const Vec3 back = at.position - at.target;
-  sky.sun = sunDirection(std::atan2(back.x, back.z) * 180 / std::numbers::pi - 40, 42);
+  sky.sun = appearance::sunOver({float(back.x), float(back.y), float(back.z)});
   return sky;
 }
 

@@ -6,7 +6,7 @@ import { fileURLToPath } from 'node:url';
 import { build } from 'esbuild';
 
 const here = dirname(fileURLToPath(import.meta.url));
-const places = ['{{BRICKFALL_TITLE}}', '{{BRICKFALL_META}}', '{{BRICKFALL_DATA}}'];
+const places = ['{{BRICKFALL_TITLE}}', '{{BRICKFALL_PREVIEW}}', '{{BRICKFALL_META}}', '{{BRICKFALL_DATA}}'];
 
 async function bundle(entry) {
   const result = await build({
@@ -17,6 +17,7 @@ async function bundle(entry) {
     format: 'iife',
     target: ['es2020', 'chrome90', 'firefox90', 'safari15'],
     charset: 'ascii',
+    loader: { '.glsl': 'text', '.inc': 'text' }, // of apps/appearance, put beside src by CMake
     legalComments: 'inline',
     logLevel: 'warning',
   });

@@ -212,7 +212,7 @@ Ogre::MaterialPtr Looks::makeSurface(const SurfaceKey& surface, bool depth) {
   use.material = "surface" + std::to_string(made_.size());
   use.vertex = "body.vert";
   use.fragment = surface.plane ? "ground.frag" : "body.frag";
-  use.common = {"lighting.glsl"};
+  use.common = {"light.glsl", "lighting.glsl"};
   if (depth) use.common.push_back("shadow.glsl");
   use.depthShadows = depth;
   const auto material = makeMaterial(use);

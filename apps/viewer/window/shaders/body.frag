@@ -44,9 +44,9 @@ void main() {
 #else
   float reaching = 1.0;
 #endif
-  vec3 ambient = ambientLight(normal);
+  vec3 ambient = ambientLight(normal, sun);
   vec3 steady = albedo * ambient * (1.0 - 0.9 * metal);  // without the sun
-  vec3 light = albedo * kSunLight * (max(facing, 0.0) * reaching * (1.0 - 0.9 * metal));
+  vec3 light = albedo * kSunOnMatt * (max(facing, 0.0) * reaching * (1.0 - 0.9 * metal));
   if (metal > 0.0 || rough < 0.7) {
     // What is mirrored: the sky and the ground, and the sun's spot. Fired clay shows nothing of it.
     vec3 towards = normalize(eye - worldPoint);
@@ -54,10 +54,10 @@ void main() {
     float edge = 1.0 - max(dot(normal, towards), 0.0), rim = edge * edge * edge * edge * edge;
     vec3 strength = mix(vec3(0.04), albedo, metal);
     strength += (1.0 - strength) * rim * (1.0 - rough) * 0.6;
-    steady += strength * mix(skyLight(mirrored, vec3(0.0, -1.0, 0.0)), ambient, rough) * mix(0.5, 1.6, metal);
+    steady += strength * mix(skyLight(mirrored, sun), ambient, 0.5 * rough) * mix(0.5, 1.0, metal);
     float shine = mix(220.0, 5.0, sqrt(rough));
     float spot = pow(max(dot(mirrored, sun), 0.0), shine) * (shine + 8.0) * 0.02;
-    light += strength * kSunLight * spot * step(0.0, facing) * reaching;
+    light += strength * kSunOnMatt * spot * step(0.0, facing) * reaching;
   }
 #ifndef DEPTH_SHADOWS
   // Modulative shadows darken the finished pixel, that of turned-away sides too: those are lit so that they come out right.
@@ -66,5 +66,5 @@ void main() {
   light += steady;
 #endif
   light += albedo * glow;
-  pixel = vec4(toPixel(withHaze(light, distance(eye, worldPoint))), 1.0);
+  pixel = vec4(toPixel(light), 1.0);
 }
