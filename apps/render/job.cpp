@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <numbers>
 
 #include "brickfall/scene.h"
 #include "cli/commands.h"
@@ -27,7 +28,7 @@ constexpr double kMostFrames = 1e6;
 
 double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-// In front, a little to the right and from above, far enough to see all that can move.
+// In front, a little to the right and from above, as near as shows all that can move.
 Camera madeUpCamera(const TakeReader& take) {
   Camera camera;
   const Result<TakeFrame> first = take.frame(0);
@@ -46,7 +47,18 @@ Camera madeUpCamera(const TakeReader& take) {
   }
   if (low.x > high.x) return camera;
   camera.target = (low + high) * 0.5;
-  camera.position = camera.target + normalized(Vec3{0.45, 0.4, 0.8}) * (1.4 * std::max(length(high - low), 0.4));
+  const Vec3 back = normalized(Vec3{0.45, 0.4, 0.8}), right = normalized(cross(Vec3{0, 1, 0}, back)),
+             up = cross(back, right);
+  constexpr double kFilled = 0.85, kAspect = 1.6;  // of the picture; the narrowest that is usual
+  const double slope = kFilled * std::tan(camera.fieldOfViewDegrees * std::numbers::pi / 360);
+  double away = 0.4;
+  for (int corner = 0; corner < 8; corner++) {
+    const Vec3 at =
+        Vec3{corner & 1 ? high.x : low.x, corner & 2 ? high.y : low.y, corner & 4 ? high.z : low.z} - camera.target;
+    const double wide = std::fabs(dot(at, right)) / (slope * kAspect), tall = std::fabs(dot(at, up)) / slope;
+    away = std::max(away, dot(at, back) + std::max(wide, tall));
+  }
+  camera.position = camera.target + back * away;
   return camera;
 }
 

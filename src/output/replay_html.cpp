@@ -54,11 +54,10 @@ Status writeReplayHtml(const TakeReader& take, const std::string& path, const Pr
   for (std::string_view piece : replayTemplate()) page += piece;
   const TakeHeader& header = take.header();
   const std::string title = escaped(header.title.empty() ? header.scene : header.title);
-  const std::pair<std::string_view, std::string> places[] = {
-      {kTitlePlace, title},
-      {kPreviewPlace, preview(take, title)},
-      {kMetaPlace, replayMeta(take, poses->breaks, step)},
-      {kDataPlace, base64(tracks)}};
+  const std::pair<std::string_view, std::string> places[] = {{kTitlePlace, title},
+                                                             {kPreviewPlace, preview(take, title)},
+                                                             {kMetaPlace, replayMeta(take, poses->breaks, step)},
+                                                             {kDataPlace, base64(tracks)}};
   AtomicFile file(path);
   if (Status opened = file.open(); !opened) return opened;
   std::size_t from = 0;

@@ -75,7 +75,7 @@ def spread(low, high, steps):
 def regions_of(wall):
     bricks = [(k, body, pose) for k, (body, pose) in enumerate(wall) if body["role"] == "brick"]
     top = max(pose[1] for _, _, pose in bricks) + 0.0325
-    end = max(pose[0] for _, _, pose in bricks) + 0.05
+    end = max(pose[0] for _, _, pose in bricks) + 0.05  # of a half bat
     front = max(pose[2] for _, _, pose in bricks) + 0.05125
     dark = [pose for k, _, pose in bricks if chance(k, 4) < 0.11 and -0.3 < pose[0] < 0.9]
     if not dark:
@@ -83,9 +83,9 @@ def regions_of(wall):
     return {
         "sky": [(x, y) for x in range(10, 100, 6) for y in range(8, 24, 4)],
         "ground": around(spread((-0.2, 0, 0.5), (0.6, 0, 0.7), (12, 1, 6)), 2),
-        "shadow": around(spread((end + 0.12, 0, -0.28), (end + 0.2, 0, -0.22), (3, 1, 3))),
+        "shadow": around(spread((end, 0, -0.5), (end + 0.05, 0, -0.4), (3, 1, 4))),
         "lit side": around(spread((-0.6, 0.05, front), (end - 0.1, top - 0.05, front), (24, 12, 1))),
-        "shaded side": around(spread((end + 0.05, 0.1, -0.03), (end + 0.05, top - 0.05, 0.03), (1, 10, 3)), 0),
+        "shaded side": around(spread((end, 0.1, -0.02), (end, top - 0.05, 0.03), (1, 10, 3)), 0),
         "dark brick": around([(p[0] + dx, p[1], front) for p in dark for dx in (-0.07, -0.03, 0.03, 0.07)]),
     }
 

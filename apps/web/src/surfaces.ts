@@ -13,7 +13,7 @@ const kWearing: Partial<Record<Kind, number>> = { brick: 1, concrete: 1, stone: 
 const kJoint = 0.1; // of the least half extent, as half of the crack that shows between two bricks; m:
 const kLeastJoint = 0.002;
 const kMostJoint = 0.012;
-const kJointFromAfar = 0.28; // of its darkness stays as long as single bricks can be told
+const kJointFromAfar = 0.2; // of its darkness stays as long as single bricks can be told
 
 // Sky and ground light all surfaces by the formula of all pictures.
 const kFromAround = ShaderChunk.lights_fragment_begin.replace(
@@ -100,9 +100,14 @@ function withSurface(material: MeshStandardMaterial, kind: Kind, half: Half, isF
           vec3 slope = vTurn * (reliefAt(vLocal, pixel) - edgeSlope);
           normal = normalize(normal - (slope - normal * dot(slope, normal)));
         }`);
-    // Rough stuff shows nothing of what it mirrors.
-    shader.fragmentShader = shader.fragmentShader.replace('#include <aomap_fragment>', `reflectedLight.directSpecular *= 1.0 - smoothstep(0.7, 0.8, roughnessFactor);
-      #include <aomap_fragment>`);
+    // Rough stuff mirrors nothing, and so keeps all light for its colour.
+    shader.fragmentShader = shader.fragmentShader.replace('#include <lights_physical_fragment>', `#include <lights_physical_fragment>
+      {
+        float shiny = 1.0 - smoothstep(0.7, 0.8, roughnessFactor);
+        material.specularColor *= shiny;
+        material.specularColorBlended *= shiny;
+        material.specularF90 *= shiny;
+      }`);
     if (kind === 'ground') {
       shader.fragmentShader = shader.fragmentShader.replace('#include <opaque_fragment>', `{
           vec3 towards = inverseTransformDirection(normalize(-vViewPosition), viewMatrix);
