@@ -55,6 +55,7 @@ Rgb ambientLight(Vec3f normal, Vec3f sun) { return shader::ambientLight(normal, 
 float hazeShare(float away) { return shader::hazeShare(away); }
 Rgb hazeLight(Vec3f towards, Vec3f sun) { return shader::hazeLight(towards, sun); }
 float floorShade(float x, float z, float width) { return shader::floorShade({x, z}, {width, width}); }
+float edgeShade(float toEdge, float pixel) { return shader::edgeShade(toEdge, pixel); }
 Rgb toneMapped(Rgb light, float exposure) { return shader::toneMapped(light * exposure); }
 float usualExposure() { return shader::kExposure; }
 Rgb shownAs(Rgb light) { return shader::shownAs(light); }

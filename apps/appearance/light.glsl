@@ -49,6 +49,15 @@ float jointAt(float place, float width) {
 }
 float floorShade(vec2 place, vec2 width) { return 1.0f - 0.2f * max(jointAt(place.x, width.x), jointAt(place.y, width.y)); }
 
+// What is left of a brick's colour towards the edge of its face: little light falls into the crack between two bricks, and the edges
+// themselves are not seen from afar. Near by it is left to relief and shadow. m, from the edge; width of a pixel. The page finds its
+// joints by what lies beyond an edge, and is about as dark there.
+float edgeShade(float toEdge, float pixel) {
+  float crack = 0.0033f + 0.7f * pixel;
+  float dark = smoothstep(0.0018f, 0.004f, pixel) * 0.0033f / crack;
+  return 1.0f - 0.55f * dark * (1.0f - smoothstep(0.25f * crack, 1.5f * crack, toEdge));
+}
+
 // Straight up to the shoulder, then towards 1 without ever reaching it.
 float pressed(float v) {
   float over = max(v - kShoulder, 0.0f) / (1.0f - kShoulder);

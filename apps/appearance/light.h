@@ -19,6 +19,8 @@ float hazeShare(float away);
 Rgb hazeLight(Vec3f towards, Vec3f sun);
 // What the joints of a floor leave of its colour. Place and width of a pixel: m.
 float floorShade(float x, float z, float width);
+// What is left of a brick's colour so far from the edge of its face. Both m.
+float edgeShade(float toEdge, float pixel);
 // From light to what a screen shows, linear still: 0 stays 0, all light stays below 1 and rises with what comes in. Bright parts are
 // pressed together instead of cut off, and lose colour as film does. All pictures have one exposure, a factor.
 Rgb toneMapped(Rgb light, float exposure);

@@ -96,6 +96,7 @@ Surface paintBrick(const Look& look, const SurfacePoint& point) {
   const float lime = ramp(from, from + 0.8f, grain(p, 0.05f, s + 7, f) + 0.4f * patch);
   if (lime > 0) out.colour = mix(out.colour, Rgb{0.50f, 0.44f, 0.38f}, (axis == 1 ? 0.3f : 0.15f) * lime);
   out.colour = out.colour * (1 - 0.45f * pits(p, kPoreSize, s + 9, f, kPoreFrom));
+  out.colour = out.colour * edgeShade(edgeDistance(point), f);
   const float wear = wearAt(point, s);
   if (wear > 0) out.colour = mix(out.colour, mix(look.colour * 1.2f, Rgb{0.5f, 0.38f, 0.30f}, 0.35f), 0.5f * wear);
   return out;

@@ -7,7 +7,6 @@
 #include <OgreTechnique.h>
 #include <OgreTextureManager.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <thread>
@@ -58,22 +57,6 @@ struct Layers {
   std::vector<std::uint8_t> colour, normal;
 };
 
-// Of a brick's face: towards its edge it is darker, as little light falls into a joint.
-void darkenEdges(appearance::BakedImages& image, float width, float height) {
-  constexpr float kReach = 0.004f, kDark = 0.30f;  // m; of the light, at the edge
-  for (int y = 0; y < image.height; y++)
-    for (int x = 0; x < image.width; x++) {
-      const float aside = width * (0.5f - std::fabs((float(x) + 0.5f) / float(image.width) - 0.5f));
-      const float above = height * (0.5f - std::fabs((float(y) + 0.5f) / float(image.height) - 0.5f));
-      const float kept = 1 - kDark * (1 - appearance::ramp(0, kReach, std::min(aside, above)));
-      std::uint8_t* texel = image.colour.data() + 4 * (std::size_t(y) * std::size_t(image.width) + std::size_t(x));
-      for (int k = 0; k < 3; k++) {
-        const float light = appearance::linearFromSrgb(float(texel[k]) / 255) * kept;
-        texel[k] = appearance::toByte(appearance::srgbFromLinear(light));
-      }
-    }
-}
-
 // The dearest part of opening a scene: one half of the layers on another thread.
 Layers bakeLayers(const SurfaceKey& surface) {
   const int faces = surface.faces ? 3 : 1, patterns = patternsOf(surface);
@@ -88,7 +71,6 @@ Layers bakeLayers(const SurfaceKey& surface) {
       const appearance::Vec3f half{kBrickHalf[0], kBrickHalf[1], kBrickHalf[2]};
       const auto area = surface.faces ? appearance::boxFace(half, int(i) % 3) : appearance::groundPatch(kTile);
       images[i] = appearance::bake(look, area, int(out.size.width), int(out.size.height));
-      if (surface.faces) darkenEdges(images[i], length(area.u), length(area.v));
     }
   };
   std::thread other([&] { bakeEach(1); });
@@ -238,6 +220,7 @@ Ogre::MaterialPtr Looks::makeSurface(const SurfaceKey& surface, bool depth) {
   Ogre::Pass& pass = passOf(material);
   pass.getVertexProgramParameters()->setNamedConstant("faces", Ogre::Real(surface.faces ? 1 : 0));
   const auto parameters = pass.getFragmentProgramParameters();
+  parameters->setNamedConstant("bricks", Ogre::Real(surface.faces ? 1 : 0));
   parameters->setNamedConstant("flatColour", Ogre::Real(flat_ ? 1 : 0));
   setSunOf(*parameters, sun_);
   int unit = 0;

@@ -92,7 +92,7 @@ function withSurface(material: MeshStandardMaterial, kind: Kind, half: Half, isF
         vec2 shadeAt = gl_FragCoord.xy * shadeScale;
         {
           ${half ? kBoxWork : ''}
-          diffuseColor.rgb = paintAt(diffuseColor.rgb, vLocal, vFacing, wear, pixel, roughnessHere) * (1.0 - 0.4 * joint);
+          diffuseColor.rgb = paintAt(diffuseColor.rgb, vLocal, vFacing, wear, pixel, roughnessHere) * (1.0 - 0.25 * joint);
         }`)
       .replace('#include <roughnessmap_fragment>', '#include <roughnessmap_fragment>\nroughnessFactor = clamp(roughnessFactor + roughnessHere, 0.05, 1.0);')
       .replace('#include <normal_fragment_maps>', `#include <normal_fragment_maps>
@@ -118,9 +118,9 @@ function withSurface(material: MeshStandardMaterial, kind: Kind, half: Half, isF
     if (half) {
       // No light falls into a joint: shadows are not so fine.
       shader.fragmentShader = shader.fragmentShader.replace('#include <aomap_fragment>', `#include <aomap_fragment>
-        reflectedLight.directDiffuse *= 1.0 - 0.92 * joint;
+        reflectedLight.directDiffuse *= 1.0 - 0.65 * joint;
         reflectedLight.directSpecular *= 1.0 - joint;
-        reflectedLight.indirectDiffuse *= 1.0 - 0.75 * joint;
+        reflectedLight.indirectDiffuse *= 1.0 - 0.6 * joint;
         reflectedLight.indirectSpecular *= 1.0 - joint;`);
     }
     stage.shade.receive(shader);

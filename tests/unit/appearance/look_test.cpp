@@ -98,6 +98,13 @@ TEST(Light, SunStandsOverTheLeftShoulder) {
   EXPECT_EQ(sunOver({0, 1, 0}), sunOver({0, 0, 1})) << "from straight above";
 }
 
+TEST(Light, JointsAreSeenFromAfarOnly) {
+  EXPECT_EQ(edgeShade(0, 0.001f), 1);
+  EXPECT_LT(edgeShade(0, 0.004f), 0.75f);
+  EXPECT_EQ(edgeShade(0.03f, 0.004f), 1);
+  EXPECT_GT(edgeShade(0, 0.1f), 0.95f) << "finer than a pixel";
+}
+
 TEST(Light, AFloorHasAJointEveryMetreThatFadesFarOff) {
   EXPECT_LT(floorShade(3, 0.4f, 0.001f), 0.85f);
   EXPECT_EQ(floorShade(3.5f, 0.4f, 0.001f), 1);
