@@ -127,7 +127,8 @@ TEST(Replay, PageIsOneFileWithEverythingInItsPlace) {
   for (std::string_view place : {kTitlePlace, kMetaPlace, kDataPlace}) EXPECT_EQ(page.find(place), std::string::npos);
   EXPECT_EQ(between(page, "<title>", "</title>"), "A wall that only pretends &lt;to fall&gt; &amp; &quot;lie&quot;");
   EXPECT_EQ(between(page, "og:title\" content=\"", "\">"), between(page, "<title>", "</title>"));
-  EXPECT_NE(between(page, "og:description\" content=\"", "\">").find(" bricks, simulated by Brickfall"), std::string::npos);
+  EXPECT_NE(between(page, "og:description\" content=\"", "\">").find(" bricks, simulated by Brickfall"),
+            std::string::npos);
   EXPECT_EQ(page.find("src=\"http"), std::string::npos);
   auto meta = nlohmann::json::parse(between(page, "id=\"meta\">", "</script>"));
   EXPECT_EQ(meta["frames"], 100);
