@@ -14,9 +14,11 @@ inline std::uint32_t hashOf(std::uint64_t key) {
   key *= 0xbf58476d1ce4e5b9ull;
   return std::uint32_t(key >> 32);
 }
-// 0 .. 1, fixed for each pair.
+// 0 .. 1, fixed for each pair. The page's script has the same (colours.ts): bricks differ alike in all pictures.
 inline float chance(std::uint32_t number, std::uint32_t salt) {
-  return float(hashOf((std::uint64_t(salt) << 32) ^ (number * 0x85ebca6bull + 1)) >> 8) * 0x1p-24f;
+  std::uint32_t h = number * 374761393u + salt * 668265263u;
+  h = (h ^ h >> 13) * 1274126177u;
+  return float((h ^ h >> 16) >> 8) * 0x1p-24f;
 }
 
 // -1 .. 1, smooth; one bump a unit of length.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "appearance/light.h"
 #include "appearance/noise.h"
 
 namespace brickfall::appearance {
@@ -83,7 +84,7 @@ Surface paintBrick(const Look& look, const SurfacePoint& point) {
   const float cloud = grain(p, 0.07f, s, f), patch = grain(p, 0.024f, s + 1, f);
   float light = 1 + 0.16f * cloud + 0.11f * patch;
   out.colour = scaled(out.colour, Rgb{1 - 0.04f * cloud, 1 + 0.05f * cloud, 1 + 0.12f * cloud});
-  if (axis == 0) light *= 0.84f + 0.08f * cloud;
+  if (axis == 0) light *= 0.88f + 0.08f * cloud;
   // The long sides were cut by a wire: lines along the brick.
   if (axis == 2) light *= 1 + 0.06f * grain(scaled(point.position, Vec3f{0.05f, 1, 1}), 0.004f, s + 2, f);
   light *= 1 + 0.10f * grain(p, 0.008f, s + 3, f) + 0.09f * grain(p, 0.0024f, s + 4, f) +
@@ -93,8 +94,9 @@ Surface paintBrick(const Look& look, const SurfacePoint& point) {
   out.colour = mix(out.colour, Rgb{0.47f, 0.34f, 0.24f}, 0.35f * pits(p, 0.0026f, s + 6, f, 0.5f));
   const float from = axis == 1 ? -0.2f : 0.3f;
   const float lime = ramp(from, from + 0.8f, grain(p, 0.05f, s + 7, f) + 0.4f * patch);
-  if (lime > 0) out.colour = mix(out.colour, Rgb{0.50f, 0.44f, 0.38f}, (axis == 1 ? 0.5f : 0.16f) * lime);
+  if (lime > 0) out.colour = mix(out.colour, Rgb{0.50f, 0.44f, 0.38f}, (axis == 1 ? 0.3f : 0.15f) * lime);
   out.colour = out.colour * (1 - 0.45f * pits(p, kPoreSize, s + 9, f, kPoreFrom));
+  out.colour = out.colour * edgeShade(edgeDistance(point), f);
   const float wear = wearAt(point, s);
   if (wear > 0) out.colour = mix(out.colour, mix(look.colour * 1.2f, Rgb{0.5f, 0.38f, 0.30f}, 0.35f), 0.5f * wear);
   return out;
@@ -166,6 +168,7 @@ Surface paintGround(const Look& look, const SurfacePoint& point) {
   out.colour = out.colour * std::max(light, 0.2f);
   // Lone bits of gravel.
   out.colour = mix(out.colour, Rgb{0.42f, 0.40f, 0.37f}, 0.35f * pits(p, 0.012f, s + 7, f, 0.7f));
+  if (point.isFloor) out.colour = out.colour * floorShade(point.position.x, point.position.z, f);
   return out;
 }
 

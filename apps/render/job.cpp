@@ -28,7 +28,7 @@ constexpr double kMostFrames = 1e6;
 
 double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-// In front, a little to the right and from above, far enough to see all that can move.
+// In front, a little to the right and from above, as near as shows all that can move.
 Camera madeUpCamera(const TakeReader& take) {
   Camera camera;
   const Result<TakeFrame> first = take.frame(0);
@@ -47,7 +47,18 @@ Camera madeUpCamera(const TakeReader& take) {
   }
   if (low.x > high.x) return camera;
   camera.target = (low + high) * 0.5;
-  camera.position = camera.target + normalized(Vec3{0.45, 0.4, 0.8}) * (1.4 * std::max(length(high - low), 0.4));
+  const Vec3 back = normalized(Vec3{0.45, 0.4, 0.8}), right = normalized(cross(Vec3{0, 1, 0}, back)),
+             up = cross(back, right);
+  constexpr double kFilled = 0.85, kAspect = 1.6;  // of the picture; the narrowest that is usual
+  const double slope = kFilled * std::tan(camera.fieldOfViewDegrees * std::numbers::pi / 360);
+  double away = 0.4;
+  for (int corner = 0; corner < 8; corner++) {
+    const Vec3 at =
+        Vec3{corner & 1 ? high.x : low.x, corner & 2 ? high.y : low.y, corner & 4 ? high.z : low.z} - camera.target;
+    const double wide = std::fabs(dot(at, right)) / (slope * kAspect), tall = std::fabs(dot(at, up)) / slope;
+    away = std::max(away, dot(at, back) + std::max(wide, tall));
+  }
+  camera.position = camera.target + back * away;
   return camera;
 }
 
@@ -61,6 +72,12 @@ struct Job {
   std::vector<double> moments;
   PaintSettings paint;
 };
+
+// Whichever is looked through: the sun goes by the first, as in window and page.
+const Camera& firstCamera(const Job& job) {
+  const std::vector<Camera>& cameras = job.take->header().cameras;
+  return cameras.empty() ? job.camera : cameras.front();
+}
 
 std::string defaultOutput(const Source& source, const RenderOptions& options) {
   const std::string folder =
@@ -79,7 +96,7 @@ int complainOf(const Error& error) {
 class Painter {
  public:
   Painter(const Job& job, Stage stage)
-      : job_(job), stage_(std::move(stage)), motion_(*job.take), sky_(skyFor(job.camera, job.options.sun)) {}
+      : job_(job), stage_(std::move(stage)), motion_(*job.take), sky_(skyFor(firstCamera(job), job.options.sun)) {}
 
   // Null where an interrupt came in between.
   Result<const Image*> at(double open) {
@@ -288,12 +305,12 @@ Result<Camera> chooseCamera(const TakeReader& take, const std::string& wanted) {
 Sky skyFor(const Camera& camera, const std::optional<Sun>& sun) {
   Sky sky;
   if (sun) {
-    sky.sun = sunDirection(sun->azimuthDegrees, sun->elevationDegrees);
+    sky.sun = appearance::sunDirection(sun->azimuthDegrees, sun->elevationDegrees);
     return sky;
   }
   const Camera at = camera.path.empty() ? camera : cameraAt(camera, camera.path.front().time);
   const Vec3 back = at.position - at.target;
-  sky.sun = sunDirection(std::atan2(back.x, back.z) * 180 / std::numbers::pi - 40, 42);
+  sky.sun = appearance::sunOver({float(back.x), float(back.y), float(back.z)});
   return sky;
 }
 

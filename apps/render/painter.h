@@ -11,7 +11,7 @@ struct PaintSettings {
   int width = 960, height = 540;
   TraceSettings trace;
   bool denoise = true;
-  float exposure = 0.92f;
+  float exposure = appearance::usualExposure();
 };
 
 // The bodies are where `stage` has them.

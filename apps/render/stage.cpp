@@ -159,7 +159,7 @@ Status Stage::Impl::add(const TakeBody& body, std::size_t shape, std::uint32_t n
   Placed one;
   one.local = def.local;
   if (def.type == ShapeType::plane) {
-    part.radius = 1e9f;
+    part.radius = kNoEnd;
     planes.push_back({parts.size(), {}, 0, false});
   } else {
     Result<std::size_t> known = shapeOf(def);

@@ -18,6 +18,8 @@ struct Ray {
   float far = 1e30f;        // m
 };
 
+constexpr float kNoEnd = 1e9f;  // m, radius of a plane
+
 // A shape of a body.
 struct Part {
   std::uint32_t body = 0;
@@ -29,6 +31,7 @@ struct Part {
   float sweep = 0;    // m: how far its surface moves while the shutter is open, about
   bool moves = false;
 
+  bool isFloor() const { return look.kind == appearance::Kind::ground && radius >= kNoEnd; }
   Vec3f toWorld(Vec3f local, float time) const {
     return moves ? normalized(open * local * (1 - time) + close * local * time) : open * local;
   }

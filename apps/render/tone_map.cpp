@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "appearance/light.h"
+
 namespace brickfall::render {
 
 using appearance::Rgb;
 
 namespace {
-
-constexpr float kShoulder = 0.62f;  // up to here as it is; lower: softer highlights, a greyer picture
 
 // The curve of sRGB as a table over the root of light, so that its steep start has steps enough.
 class SrgbTable {
@@ -32,25 +32,10 @@ class SrgbTable {
 };
 const SrgbTable kSrgb;
 
-// Straight up to the shoulder, then towards 1 without ever reaching it.
-float curve(float v) {
-  if (v <= kShoulder) return v;
-  const float over = (v - kShoulder) / (1 - kShoulder);
-  return kShoulder + (1 - kShoulder) * (over / (1 + over));
-}
-
 }  // namespace
 
-Rgb toneMapped(Rgb light, float exposure) {
-  const Rgb in = max(light * exposure, Rgb{});
-  // Half by each colour for itself (which bleaches), half by the brightest (which keeps the hue).
-  const float peak = std::max({in.x, in.y, in.z, 1e-6f});
-  const Rgb kept = in * (curve(peak) / peak);
-  return (Rgb{curve(in.x), curve(in.y), curve(in.z)} + kept) * 0.5f;
-}
-
 std::array<std::uint8_t, 3> pixelOf(Rgb light, float exposure, float dither) {
-  const Rgb shown = toneMapped(light, exposure);
+  const Rgb shown = appearance::toneMapped(light, exposure);
   std::array<std::uint8_t, 3> out;
   for (int k = 0; k < 3; k++) {
     out[std::size_t(k)] = std::uint8_t(std::min(kSrgb.at(shown[k]) + dither, 255.0f));

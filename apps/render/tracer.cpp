@@ -28,7 +28,6 @@ constexpr int kBlurredTimes =
 constexpr int kShadeTimes = 2;
 constexpr float kBrightest = 12;  // of light that comes by way of other things: more makes lone bright pixels
 constexpr float kMatt = 0.78f;    // roughness from which on no shine is seen
-constexpr float kHazeReach = 90;  // m: at that distance a third of a plane's colour is left, the rest is the horizon's
 // m, footprint on surfaces that are only seen by way of others; less costs time for what nobody sees.
 constexpr float kPlainAfter = 0.08f;
 // Of the way that a surface moves: what of its pattern is finer is smeared anyway. More blurs too much, less shows as grains.
@@ -166,7 +165,7 @@ Place PixelTracer::placeAt(const Ray& ray, const Hit& hit, float pixelAngle) {
   if (!same) {
     float footprint = hit.distance * pixelAngle / std::sqrt(slant);
     if (place.blurred) footprint = std::max(footprint, kSmear * part.sweep);
-    const SurfacePoint point{hit.local, hit.localNormal, part.halfExtents, footprint};
+    const SurfacePoint point{hit.local, hit.localNormal, part.halfExtents, footprint, part.isFloor()};
     last_ = appearance::surfaceAt(part.look, point);
     lastPart_ = hit.part;
     lastLocalNormal_ = hit.localNormal;
@@ -176,8 +175,7 @@ Place PixelTracer::placeAt(const Ray& ray, const Hit& hit, float pixelAngle) {
   // Seen flat, a bump may turn away from the eye: then it is as if it stood on edge.
   const float facing = -dot(place.normal, ray.direction);
   if (facing < 0.02f) place.normal = normalized(place.normal + ray.direction * (facing - 0.02f));
-  if (part.look.kind == appearance::Kind::ground && hit.distance > 5)
-    place.haze = 1 - std::exp(-(hit.distance - 5) / kHazeReach);
+  if (part.look.kind == appearance::Kind::ground) place.haze = appearance::hazeShare(hit.distance);
   return place;
 }
 
@@ -269,10 +267,7 @@ PixelTracer::Sample PixelTracer::sample(const Sampler& numbers, int index, int x
   out.colour = place.surface.colour * clear;
   out.direct = sunOn(place, -ray.direction, ray.time, numbers.pair(index, kFirst + kSunDisc)) * clear;
   out.face.sunlit = out.direct.x > 0;
-  if (place.haze > 0) {
-    const Vec3f level = normalized(Vec3f{ray.direction.x, 0.004f, ray.direction.z});
-    out.direct += sky_.radiance(level) * place.haze;
-  }
+  if (place.haze > 0) out.direct += appearance::hazeLight(ray.direction, sky_.sun) * place.haze;
   Vec3f onward = mattDirection(place.normal, numbers.pair(index, kFirst + kOnward));
   if (const float below = dot(onward, place.flat); below < 0)
     onward = onward - place.flat * (2 * below);  // a bump's far side

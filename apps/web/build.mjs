@@ -6,7 +6,14 @@ import { fileURLToPath } from 'node:url';
 import { build } from 'esbuild';
 
 const here = dirname(fileURLToPath(import.meta.url));
-const places = ['{{BRICKFALL_TITLE}}', '{{BRICKFALL_META}}', '{{BRICKFALL_DATA}}'];
+const places = ['{{BRICKFALL_TITLE}}', '{{BRICKFALL_PREVIEW}}', '{{BRICKFALL_META}}', '{{BRICKFALL_DATA}}'];
+
+// The texts of apps/appearance, which CMake puts beside src: without their comments.
+const look = {
+  name: 'look',
+  setup: (made) => made.onLoad({ filter: /\.(glsl|inc)$/ }, async ({ path }) => (
+    { loader: 'text', contents: (await readFile(path, 'utf8')).replace(/ *\/\/.*/g, '').replace(/\n\n+/g, '\n') })),
+};
 
 async function bundle(entry) {
   const result = await build({
@@ -17,6 +24,7 @@ async function bundle(entry) {
     format: 'iife',
     target: ['es2020', 'chrome90', 'firefox90', 'safari15'],
     charset: 'ascii',
+    plugins: [look],
     legalComments: 'inline',
     logLevel: 'warning',
   });

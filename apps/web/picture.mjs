@@ -19,7 +19,7 @@ const browser = await chromium.launch({
 });
 try {
   const tab = await browser.newPage({ viewport: { width, height }, deviceScaleFactor: Number(options.scale) });
-  await tab.goto(`${pathToFileURL(resolve(page))}#paused&picture&frame=${options.frame}&view=${options.view}`);
+  await tab.goto(`${pathToFileURL(resolve(page))}#paused&picture&frame=${options.frame}&view=${options.view}`, { timeout: 180_000 });
   await tab.waitForFunction(() => window.brickfall?.ready && window.brickfall.drawn > 0, null, { timeout: 180_000 });
   await tab.screenshot({ path: out, timeout: 180_000 });
 } finally {

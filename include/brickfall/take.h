@@ -3,6 +3,7 @@
 #pragma once
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,6 +25,9 @@ struct TakeBody {
   std::vector<ShapeDef> shapes;             // geometry and local pose; of their materials only the names, below
   std::string material;                     // its name in the scene; empty: not known
   std::vector<std::string> shapeMaterials;  // one per shape; empty: `material` for all
+  // By which it differs in looks from others of its stuff: its place in the world. A reader always has one: its number in a take
+  // that says nothing.
+  std::optional<std::uint32_t> look;
 };
 
 // A mortar joint, known by its number: joints are counted as bodies are, by themselves.

@@ -22,11 +22,11 @@ double linear(std::uint32_t byte) {
 }
 
 constexpr std::uint32_t kMortar = 0xA9A69F;
-constexpr int kTones = 8;               // of a brick's colour: no two bricks of a wall look quite alike
-constexpr double kToneSpread = 0.14;    // of the light that the lightest and the darkest differ from the mean
-constexpr double kSunElevation = 0.72;  // rad
-constexpr double kSunAside = 1.05;      // rad, to the left of where the first camera looks from, as on the page
-constexpr double kSunLux = 2050;        // 3 W/m2 in Blender
+constexpr int kTones = 8;             // of a brick's colour: no two bricks of a wall look quite alike
+constexpr double kToneSpread = 0.14;  // of the light that the lightest and the darkest differ from the mean
+// As in all pictures (sunFrom in apps/appearance/light.glsl): to the left of where the first camera looks from.
+constexpr double kSunElevation = 0.7330383, kSunAside = 0.6981317;  // rad: 42 and 40 degrees
+constexpr double kSunLux = 2050;                                    // 3 W/m2 in Blender
 
 // Bricks by their number, so that neighbours differ; everything else has the one tone.
 int toneOf(const TakeBody& body, std::size_t number) {

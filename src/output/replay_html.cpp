@@ -17,11 +17,26 @@ std::string escaped(const std::string& text) {
       out += "&lt;";
     } else if (c == '>') {
       out += "&gt;";
+    } else if (c == '"') {
+      out += "&quot;";
     } else {
       out += c;
     }
   }
   return out;
+}
+
+// Title and a line of what it is, for who shows a link to the page.
+std::string preview(const TakeReader& take, const std::string& title) {
+  std::size_t bricks = 0;
+  for (const TakeBody& body : take.bodies()) bricks += body.role == BodyRole::brick;
+  const std::size_t count = bricks > 0 ? bricks : take.bodies().size();
+  const std::string line = std::to_string(count) + (bricks > 0 ? " brick" : " bod") +
+                           (bricks > 0 ? (count == 1 ? "" : "s") : (count == 1 ? "y" : "ies")) +
+                           ", simulated by Brickfall: orbit, scrub, click a brick for its figures.";
+  return "<meta property=\"og:title\" content=\"" + title +
+         "\">\n<meta property=\"og:type\" content=\"website\">\n<meta property=\"og:description\" content=\"" + line +
+         "\">\n<meta name=\"description\" content=\"" + line + "\">";
 }
 
 }  // namespace
@@ -38,10 +53,11 @@ Status writeReplayHtml(const TakeReader& take, const std::string& path, const Pr
   std::string page;
   for (std::string_view piece : replayTemplate()) page += piece;
   const TakeHeader& header = take.header();
-  const std::pair<std::string_view, std::string> places[] = {
-      {kTitlePlace, escaped(header.title.empty() ? header.scene : header.title)},
-      {kMetaPlace, replayMeta(take, poses->breaks, step)},
-      {kDataPlace, base64(tracks)}};
+  const std::string title = escaped(header.title.empty() ? header.scene : header.title);
+  const std::pair<std::string_view, std::string> places[] = {{kTitlePlace, title},
+                                                             {kPreviewPlace, preview(take, title)},
+                                                             {kMetaPlace, replayMeta(take, poses->breaks, step)},
+                                                             {kDataPlace, base64(tracks)}};
   AtomicFile file(path);
   if (Status opened = file.open(); !opened) return opened;
   std::size_t from = 0;

@@ -9,7 +9,7 @@ namespace brickfall {
 // order.
 std::span<const std::string_view> replayTemplate();
 
-constexpr std::string_view kTitlePlace = "{{BRICKFALL_TITLE}}", kMetaPlace = "{{BRICKFALL_META}}",
-                           kDataPlace = "{{BRICKFALL_DATA}}";
+constexpr std::string_view kTitlePlace = "{{BRICKFALL_TITLE}}", kPreviewPlace = "{{BRICKFALL_PREVIEW}}",
+                           kMetaPlace = "{{BRICKFALL_META}}", kDataPlace = "{{BRICKFALL_DATA}}";
 
 }  // namespace brickfall

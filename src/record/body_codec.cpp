@@ -161,6 +161,7 @@ void put(ByteWriter& out, const TakeBody& body) {
   out.text(body.material);
   out.varint(body.shapeMaterials.size());
   for (const std::string& material : body.shapeMaterials) out.text(material);
+  out.varint(body.look ? std::uint64_t(*body.look) + 1 : 0);
 }
 
 TakeBody getBody(ByteReader& in, std::uint32_t version, bool& sound) {
@@ -179,6 +180,9 @@ TakeBody getBody(ByteReader& in, std::uint32_t version, bool& sound) {
   std::uint64_t materials = in.varint();
   sound = in.canHold(materials, 1);
   for (std::uint64_t k = 0; sound && k < materials; k++) body.shapeMaterials.push_back(in.text());
+  const std::uint64_t look = sound && version >= kVersion5 ? in.varint() : 0;
+  sound = sound && look <= std::uint64_t(UINT32_MAX) + 1;
+  if (look > 0) body.look = std::uint32_t(look - 1);
   return body;
 }
 

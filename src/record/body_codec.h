@@ -17,6 +17,8 @@ constexpr std::size_t kLeastBodyBytes = 1 + 1 + 3 + 8 + 1;
 constexpr std::uint32_t kVersion3 = 3;
 // From here on it has mortar.
 constexpr std::uint32_t kVersion4 = 4;
+// From here on it has the numbers that looks go by.
+constexpr std::uint32_t kVersion5 = 5;
 constexpr std::size_t kLeastMortarBytes = 2 + 9 * 4;
 
 bool withinTakeSize(Vec3 v);

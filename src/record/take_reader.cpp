@@ -84,6 +84,7 @@ Status TakeReader::Impl::readStart(std::size_t& firstFrame) {
   if (!decoded) return bad(decoded.error().message);
   header = std::move(decoded->header);
   bodies = std::move(decoded->bodies);
+  for (std::size_t k = 0; k < bodies.size(); k++) bodies[k].look = std::uint32_t(k);
   lives.assign(bodies.size(), {0, kStays});
   codec = FrameCodec(version);
   firstFrame = record->end;
@@ -187,6 +188,7 @@ bool TakeReader::Impl::addChange(std::size_t frame, const Record& record) {
     mortarLives.push_back({frame, kStays});
   }
   for (TakeBody& body : change->births) {
+    if (!body.look) body.look = std::uint32_t(bodies.size());
     bodies.push_back(std::move(body));
     lives.push_back({frame, kStays});
   }

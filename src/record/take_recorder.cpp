@@ -69,6 +69,7 @@ TakeBody described(const World& world, BodyId id, std::uint32_t number, const Ta
   }
   if (body.shapes.empty())
     for (ShapeId shape : world.shapes(id)) body.shapes.push_back(*world.shape(shape));
+  if (!body.look) body.look = id.index - 1;  // its place in the world, which a saved world keeps
   return body;
 }
 

@@ -169,7 +169,7 @@ void TakePlayer::list() {
     const TakeBody& from = take_.bodies()[number];
     ListedBody body;
     body.serial = firstSerial_ + number;
-    body.number = number;
+    body.number = from.look.value_or(number);
     body.name = from.name;
     body.role = from.role;
     body.colour = from.colour;

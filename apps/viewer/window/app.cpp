@@ -159,7 +159,9 @@ void App::startOf(const RunInfo& info) {
   desk_.rig.setGround(info.ground);
   if (!info.cameras.empty()) {
     if (!same) desk_.rig.goTo(info.cameras.front(), true);
-    const Vec3 sun = towardsSun(info.cameras.front().position - info.cameras.front().target);
+    const Camera& first = info.cameras.front();
+    const Camera start = first.path.empty() ? first : cameraAt(first, first.path.front().time);
+    const Vec3 sun = towardsSun(start.position - start.target);
     sky_.setSun(sun);
     bodies_.setSun(sun);
     dust_.setSun(sun);

@@ -17,6 +17,7 @@ namespace {
 struct Vertex {
   float place[3];
   float corner[4];  // -1 .. 1, radius, how much is left
+  float colour[3];
 };
 
 }  // namespace
@@ -30,6 +31,7 @@ class Dust::Drawn : public Ogre::SimpleRenderable {
     Ogre::VertexDeclaration& form = *mRenderOp.vertexData->vertexDeclaration;
     form.addElement(0, 0, Ogre::VET_FLOAT3, Ogre::VES_POSITION);
     form.addElement(0, 3 * sizeof(float), Ogre::VET_FLOAT4, Ogre::VES_TEXTURE_COORDINATES, 0);
+    form.addElement(0, 7 * sizeof(float), Ogre::VET_FLOAT3, Ogre::VES_TEXTURE_COORDINATES, 1);
     mRenderOp.vertexData->vertexBufferBinding->setBinding(
         0, Ogre::HardwareBufferManager::getSingleton().createVertexBuffer(
                sizeof(Vertex), DustCloud::kMostPuffs * 6, Ogre::HardwareBuffer::HBU_DYNAMIC_WRITE_ONLY_DISCARDABLE));
@@ -51,7 +53,7 @@ class Dust::Drawn : public Ogre::SimpleRenderable {
 };
 
 Dust::Dust(Ogre::SceneManager& scene) : drawn_(std::make_unique<Drawn>()) {
-  const auto material = makeMaterial({"dust", "dust.vert", "dust.frag", {"lighting.glsl"}});
+  const auto material = makeMaterial({"dust", "dust.vert", "dust.frag", {"light.glsl", "lighting.glsl"}});
   material->setReceiveShadows(false);
   Ogre::Pass& pass = passOf(material);
   pass.setSceneBlending(Ogre::SBT_TRANSPARENT_ALPHA);
@@ -78,7 +80,9 @@ void Dust::update(const Frame& frame, const View& view, bool shown) {
     const auto left = float(0.5 * puff.strength * (1 - share) * (1 - share));
     constexpr float kCorners[6][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, -1}, {1, 1}, {-1, 1}};
     for (const auto& corner : kCorners) {
-      vertices.push_back({{float(at.x), float(at.y), float(at.z)}, {corner[0], corner[1], radius, left}});
+      vertices.push_back({{float(at.x), float(at.y), float(at.z)},
+                          {corner[0], corner[1], radius, left},
+                          {puff.colour.x, puff.colour.y, puff.colour.z}});
     }
   }
   const Ogre::Pass& pass = passOf(drawn_->getMaterial());

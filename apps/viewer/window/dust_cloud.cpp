@@ -2,12 +2,15 @@
 
 #include <algorithm>
 
+#include "appearance/look.h"
 #include "appearance/noise.h"
 
 namespace brickfall::viewer {
 namespace {
 
 constexpr double kSlack = 1e-6;  // s: frames tell how long ago a hit was as a float
+constexpr appearance::Rgb kPale{0.56f, 0.50f, 0.44f};
+constexpr float kPaleness = 0.5f;
 constexpr float kFullSpeed = 6;  // m/s: from here on it gets no denser by speed
 
 }  // namespace
@@ -25,6 +28,8 @@ void DustCloud::puff(const Frame& frame, std::size_t body, double born, std::uin
   };
   Puff made;
   made.born = born;
+  made.colour = appearance::mix(appearance::lookOf({listed.material, listed.role, listed.colour, listed.number}).colour,
+                                kPale, kPaleness);
   const double size = std::min(listed.radius, 0.25), ago = frame.status.time - born;
   made.place = state.pose.position - state.linearVelocity * ago + Vec3{any(1), any(2), any(3)} * (0.7 * size);
   made.drift = state.linearVelocity * 0.12 + Vec3{any(4), 0.6 + 0.5 * any(5), any(6)} * 0.25;

@@ -5,6 +5,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "appearance/colour.h"
 #include "viewer_core/frame.h"
 
 namespace brickfall::viewer {
@@ -14,6 +15,7 @@ class DustCloud {
   struct Puff {
     double born = 0;  // s, simulated
     Vec3 place, drift;
+    appearance::Rgb colour;  // of what broke, paler than the whole
     float radius = 0.05f, strength = 1;
   };
   static constexpr std::size_t kMostPuffs = 400;

@@ -1,5 +1,6 @@
-# Writes a source file that holds the texts of the shaders: cmake -DOUT=... -DFROM=folder -P embed.cmake
+# Writes a source file that holds the texts of the shaders: cmake -DOUT=... -DFROM=folder -DLIGHT=light.glsl -P embed.cmake
 file(GLOB files ${FROM}/*)
+list(APPEND files ${LIGHT})
 set(text "// Made from shaders/ by embed.cmake.\n#include <cstdlib>\n\n#include \"viewer_window/programs.h\"\n\nnamespace brickfall::viewer {\n\nstd::string_view shaderText(std::string_view name) {\n")
 foreach(file IN LISTS files)
   get_filename_component(name ${file} NAME)

@@ -212,7 +212,7 @@ Ogre::MaterialPtr Looks::makeSurface(const SurfaceKey& surface, bool depth) {
   use.material = "surface" + std::to_string(made_.size());
   use.vertex = "body.vert";
   use.fragment = surface.plane ? "ground.frag" : "body.frag";
-  use.common = {"lighting.glsl"};
+  use.common = {"light.glsl", "lighting.glsl"};
   if (depth) use.common.push_back("shadow.glsl");
   use.depthShadows = depth;
   const auto material = makeMaterial(use);
@@ -220,6 +220,7 @@ Ogre::MaterialPtr Looks::makeSurface(const SurfaceKey& surface, bool depth) {
   Ogre::Pass& pass = passOf(material);
   pass.getVertexProgramParameters()->setNamedConstant("faces", Ogre::Real(surface.faces ? 1 : 0));
   const auto parameters = pass.getFragmentProgramParameters();
+  parameters->setNamedConstant("bricks", Ogre::Real(surface.faces ? 1 : 0));
   parameters->setNamedConstant("flatColour", Ogre::Real(flat_ ? 1 : 0));
   setSunOf(*parameters, sun_);
   int unit = 0;

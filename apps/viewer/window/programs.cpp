@@ -5,6 +5,9 @@
 #include <OgreMaterialManager.h>
 #include <OgrePass.h>
 #include <OgreTechnique.h>
+#include <fmt/format.h>
+
+#include <numbers>
 
 namespace brickfall::viewer {
 namespace {
@@ -12,7 +15,8 @@ namespace {
 std::string headOf(const ProgramUse& use) {
   std::string head = "#version 330 core\n";
   if (use.depthShadows) head += "#define DEPTH_SHADOWS\n";
-  head += "const float kStencilLight = " + std::to_string(kStencilShade * kStencilShade) + ";\n";
+  const appearance::Rgb shade = stencilShade().light;
+  head += fmt::format("const vec3 kStencilLight = vec3({:.4f}, {:.4f}, {:.4f});\n", shade.x, shade.y, shade.z);
   return head;
 }
 
@@ -62,6 +66,21 @@ void setSunOf(Ogre::GpuProgramParameters& parameters, Vec3 towardsSun) {
   parameters.setIgnoreMissingParams(true);
   parameters.setNamedConstant(
       "sun", Ogre::Vector3(Ogre::Real(towardsSun.x), Ogre::Real(towardsSun.y), Ogre::Real(towardsSun.z)));
+}
+
+StencilShade stencilShade() {
+  using appearance::Rgb, appearance::Vec3f;
+  const Vec3f sun = appearance::sunOver({0, 0, 1}), normal = normalized(Vec3f{0, 1, 1});
+  const Rgb ambient = appearance::ambientLight(normal, sun);
+  const Rgb lit = ambient + appearance::sunLight() * (dot(normal, sun) / std::numbers::pi_v<float>);
+  StencilShade out;
+  constexpr float kColour = 0.3f;
+  const Rgb dark = appearance::shownAs(ambient * kColour), bright = appearance::shownAs(lit * kColour);
+  for (int k = 0; k < 3; k++) {
+    out.light[k] = ambient[k] / lit[k];
+    out.pixel[k] = appearance::srgbFromLinear(dark[k]) / appearance::srgbFromLinear(bright[k]);
+  }
+  return out;
 }
 
 }  // namespace brickfall::viewer

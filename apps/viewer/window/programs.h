@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "appearance/light.h"
 #include "brickfall/math.h"
 
 namespace brickfall::viewer {
@@ -28,7 +29,10 @@ Ogre::Pass& passOf(const Ogre::MaterialPtr& material);
 // For programs that light; others leave it.
 void setSunOf(Ogre::GpuProgramParameters& parameters, Vec3 towardsSun);
 
-// Of the finished pixel, what modulative shadows leave; and the same as light.
-constexpr float kStencilShade = 0.55f;
+// What modulative shadows leave of light, and of the finished pixel: as sky and ground alone light a surface that is turned half up.
+struct StencilShade {
+  appearance::Rgb light, pixel;
+};
+StencilShade stencilShade();
 
 }  // namespace brickfall::viewer

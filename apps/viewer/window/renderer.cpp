@@ -106,7 +106,8 @@ void Renderer::setSun(Vec3 towardsSun) {
     light->setType(Ogre::Light::LT_DIRECTIONAL);
     sun_ = scene_->getRootSceneNode()->createChildSceneNode();
     sun_->attachObject(light);
-    scene_->setShadowColour(Ogre::ColourValue(kStencilShade, kStencilShade, kStencilShade));
+    const appearance::Rgb shade = stencilShade().pixel;
+    scene_->setShadowColour(Ogre::ColourValue(shade.x, shade.y, shade.z));
   }
   sun_->setDirection(Ogre::Real(-towardsSun.x), Ogre::Real(-towardsSun.y), Ogre::Real(-towardsSun.z),
                      Ogre::Node::TS_WORLD);

@@ -35,7 +35,7 @@ class Sky::Screen : public Ogre::SimpleRenderable {
 };
 
 Sky::Sky(Ogre::SceneManager& scene) : screen_(std::make_unique<Screen>()) {
-  const auto material = makeMaterial({"sky", "sky.vert", "sky.frag", {"lighting.glsl"}});
+  const auto material = makeMaterial({"sky", "sky.vert", "sky.frag", {"light.glsl", "lighting.glsl"}});
   material->setReceiveShadows(false);
   Ogre::Pass& pass = passOf(material);
   pass.setDepthCheckEnabled(false);

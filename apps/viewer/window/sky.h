@@ -1,4 +1,4 @@
-// The sky behind everything: a gradient with the sun in it, by the same formula that lights the bodies.
+// The sky behind everything: a gradient, bright around the sun, by the same formula that lights the bodies.
 #pragma once
 #include <OgrePrerequisites.h>
 

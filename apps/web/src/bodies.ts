@@ -4,10 +4,10 @@ import {
   Mesh, MeshStandardMaterial, Quaternion, Raycaster, Scene, Vector2, Vector3,
 } from 'three';
 import type { Camera } from 'three';
-import { chance, forceShare, kBehindMortar, materialColour, scaleColour, speedShare, type ColourMode } from './colours';
+import { chance, forceShare, kBehindMortar, lookNumber, materialColour, scaleColour, speedShare, type ColourMode } from './colours';
 import { geometryOf } from './geometry';
 import { kindOf } from './materials';
-import type { Shade } from './shade';
+import type { Stage } from './stage';
 import { surfaceOf } from './surfaces';
 import type { BodyMeta, PartMeta, ShapeMeta, Take } from './tracks';
 
@@ -41,7 +41,7 @@ export class Bodies {
   private shownFrame = 0;
   selected = -1;
 
-  constructor(private readonly take: Take, private readonly scene: Scene, private readonly shade: Shade) {
+  constructor(private readonly take: Take, private readonly scene: Scene, private readonly stage: Stage) {
     const members = new Map<string, { body: number; part: number }[]>();
     take.meta.bodies.forEach((meta, body) => {
       for (const [k, part] of meta.parts.entries()) {
@@ -75,7 +75,7 @@ export class Bodies {
 
   private materialOf(meta: BodyMeta, k: number, half: [number, number, number] | undefined, isPlane: boolean): MeshStandardMaterial {
     const kind = kindOf(meta, k);
-    return surfaceOf(kind, kind === 'ground' ? undefined : half, isPlane && kind === 'ground', this.shade, this.scene.environment);
+    return surfaceOf(kind, kind === 'ground' ? undefined : half, isPlane && kind === 'ground', this.stage);
   }
 
   private addGroup(shapeIndex: number, list: { body: number; part: number }[]): void {
@@ -84,7 +84,7 @@ export class Bodies {
     if (!geometry) return;
     const first = this.take.meta.bodies[list[0].body];
     const material = this.materialOf(first, list[0].part, shape.half, false);
-    geometry.setAttribute('seed', new InstancedBufferAttribute(new Float32Array(list.map(({ body }) => chance(body, 9))), 1));
+    geometry.setAttribute('seed', new InstancedBufferAttribute(new Float32Array(list.map(({ body }) => chance(lookNumber(this.take.meta, body), 9))), 1));
     const mesh = new InstancedMesh(geometry, material, list.length);
     mesh.castShadow = first.role !== 'ground';
     mesh.receiveShadow = true;

@@ -1,7 +1,7 @@
 // Colours of bodies: of their material, with a touch of difference from brick to brick, or of a scale for speed and force.
 import { Color } from 'three';
-import { kindOf, type Kind } from './materials';
-import type { BodyMeta, Take } from './tracks';
+import { kindOf, kKinds, kNumbers } from './materials';
+import type { BodyMeta, Take, TakeMeta } from './tracks';
 
 export type ColourMode = 'material' | 'speed' | 'force' | 'utilisation' | 'damage';
 // Those that a take can show; of mortar only where it has some.
@@ -34,48 +34,49 @@ export function scaleGradient(): string {
   return `linear-gradient(90deg, ${kScale.map((c) => c.getStyle()).join(', ')})`;
 }
 
-// 0 .. 1, fixed for each body.
+// Of a body, by which it differs from others of its stuff, in all pictures alike.
+export function lookNumber(meta: TakeMeta, body: number): number {
+  return meta.bodies[body].look ?? body;
+}
+
+// 0 .. 1, fixed for each pair. As in apps/appearance/noise.h.
 export function chance(body: number, salt: number): number {
   let h = (body * 374761393 + salt * 668265263) >>> 0;
   h = Math.imul(h ^ (h >>> 13), 1274126177) >>> 0;
   return ((h ^ (h >>> 16)) >>> 0) / 4294967296;
 }
 
-// As fired clay differs: mostly in lightness, a little in hue (towards yellow or blue-red); one in nine burnt darker.
-function fire(colour: Color, body: number): Color {
+// As apps/appearance/look.cpp has it; the numbers are those of kinds.inc.
+function fire(colour: Color, number: number): Color {
   const grey = 0.2126 * colour.r + 0.7152 * colour.g + 0.0722 * colour.b;
-  colour.lerp(scratch.setRGB(grey, grey, grey), 0.26); // dust and weather
-  const light = 1 + 0.2 * (chance(body, 1) + chance(body, 2) - 1);
-  const hue = 0.14 * (chance(body, 3) - 0.5);
-  const burnt = chance(body, 4) < 0.11 ? [0.6, 0.6, 0.7] : [1, 1, 1];
-  return colour.setRGB(colour.r * light * burnt[0], colour.g * light * (1 + 1.6 * hue) * burnt[1], colour.b * light * (1 - hue) * burnt[2]);
+  colour.lerp(scratch.setRGB(grey, grey, grey), kNumbers.BrickDust);
+  const light = 1 + kNumbers.BrickLightness * (chance(number, 1) + chance(number, 2) - 1);
+  const hue = kNumbers.BrickHue * (chance(number, 3) - 0.5);
+  const isBurnt = chance(number, 4) < kNumbers.BurntShare;
+  const dark = isBurnt ? kNumbers.BurntLightness : 1;
+  return colour.setRGB(colour.r * light * dark, colour.g * light * (1 + 1.6 * hue) * dark, colour.b * light * (1 - hue) * (isBurnt ? kNumbers.BurntBlue : 1));
 }
 const scratch = new Color();
 
-// Colours of stuff whose own the take does not have: of a part that is of another material than its body.
-const kUsual: Record<Kind, number> = {
-  brick: 0xb5543a, concrete: 0xa9a69f, stone: 0x8f8d86, wood: 0x9a7048, steel: 0x6f747a, rubber: 0x2b2b2d, ground: 0x7d7a6c, plain: 0xa0a0a0,
-};
-
-// The take has one colour for a body, that of its first material. A part of another has that of a body which is of that material.
-function ownColour(take: Take, meta: BodyMeta, part: number): number {
+// The take has one colour for a body, that of its first material. A part of another has the usual one of its stuff.
+function ownColour(meta: BodyMeta, part: number): number {
   const material = meta.partMaterials?.[part];
-  if (material === undefined || material === meta.material) return meta.colour;
-  return take.meta.bodies.find((body) => body.material === material)?.colour ?? kUsual[kindOf(meta, part)];
+  return material === undefined || material === meta.material ? meta.colour : kKinds[kindOf(meta, part)].colour;
 }
-
-// Ground of "brick" (scenes name a material for its friction) is no red plain, but screed.
-const kScreed = 0xa9a69f;
 
 // Of a part of a body, differing a little from one body to the next as its stuff does.
 export function materialColour(take: Take, body: number, part: number, out: Color): Color {
   const meta = take.meta.bodies[body];
   const kind = kindOf(meta, part);
-  out.setHex(ownColour(take, meta, part));
-  if (kind === 'brick') return fire(out, body);
-  if (kind === 'ground') return kindOf({ ...meta, role: 'body' }, part) === 'brick' ? out.setHex(kScreed) : out;
-  const spread = kind === 'wood' ? 0.22 : kind === 'stone' ? 0.2 : kind === 'concrete' ? 0.1 : 0;
-  return out.multiplyScalar(1 + spread * (chance(body, 1) - 0.5));
+  const number = lookNumber(take.meta, body);
+  out.setHex(ownColour(meta, part));
+  if (kind === 'brick') return fire(out, number);
+  if (kind === 'ground') {
+    // Ground of "brick" (scenes name a material for its friction) is no red plain, but screed.
+    if (kindOf({ ...meta, role: 'body' }, part) === 'brick') out.setHex(kKinds.concrete.colour);
+    return out.multiplyScalar(kNumbers.GroundLightness);
+  }
+  return out.multiplyScalar(1 + kKinds[kind].spread * (chance(number, 1) - 0.5));
 }
 
 export function amountOf(value: number, unit: string): string {

@@ -7,9 +7,14 @@ import type { Take } from './tracks';
 const kSpeeds = [0.1, 0.25, 0.5, 1, 2, 4];
 const kKeys: [string, string][] = [
   ['space', 'play or pause'], [', \u2190 and . \u2192', 'one frame back or on (with shift: ten)'], ['home, end', 'first or last frame'],
-  ['- and +', 'slower or faster'], ['c', 'colour: material, speed, contact force; where there is mortar its utilisation, its damage'], ['v', 'next camera'], ['l', 'loop'], ['p', 'save the picture'], ['f', 'full screen'], ['e', 'figures over time: energy, forces'],
+  ['- and +', 'slower or faster'], ['c', 'colour: material, speed, contact force; where there is mortar its utilisation, its damage'], ['v', 'next camera'], ['l', 'loop'], ['p', 'save the picture'], ['r', 'film from here to the end, as a WebM file'], ['f', 'full screen'], ['e', 'figures over time: energy, forces'],
+  ['arrows, page up and down, where the picture has the focus (tab)', 'turn, come closer and go back'],
   ['esc', 'let go of the selected brick'], ['h', 'this list'],
 ];
+
+const kTurn = 0.1; // rad, a press of a key
+const kNearer = 1.15; // times as far
+const kMostTicks = 40; // of the strongest hits over the time
 
 export function byId<T extends HTMLElement>(id: string): T {
   return document.getElementById(id) as T;
@@ -23,6 +28,8 @@ export interface Actions {
   setColour(mode: ColourMode): void;
   setView(index: number): void;
   savePicture(): void;
+  film(): void;
+  turn(aside: number, up: number, farther: number): void;
   deselect(): void;
 }
 
@@ -48,6 +55,7 @@ export class Controls {
     byId('forward').innerHTML = icons.forward;
     byId('help').innerHTML = icons.help;
     byId('save').innerHTML = icons.save;
+    byId('record').innerHTML = icons.record;
     byId('full').innerHTML = icons.full;
     byId('full').hidden = !document.fullscreenEnabled;
     this.loop.innerHTML = icons.loop;
@@ -72,6 +80,7 @@ export class Controls {
     this.loop.onclick = () => this.setLoop(!player.loop);
     byId('help').onclick = () => this.keys.showModal();
     byId('save').onclick = () => this.actions.savePicture();
+    byId('record').onclick = () => this.actions.film();
     byId('full').onclick = () => this.fullScreen();
     this.keys.onclick = () => this.keys.close();
     window.addEventListener('keydown', (event) => this.onKey(event));
@@ -92,10 +101,18 @@ export class Controls {
       c: () => this.next(this.colour), v: () => this.next(this.camera),
       l: () => this.setLoop(!player.loop),
       p: () => this.actions.savePicture(),
+      r: () => this.actions.film(),
       f: () => this.fullScreen(),
       h: () => (this.keys.open ? this.keys.close() : this.keys.showModal()),
       Escape: () => this.actions.deselect(),
     };
+    // Who came to the picture by the keyboard turns it; who clicked into it still steps through the frames.
+    if (event.target instanceof HTMLCanvasElement && event.target.matches(':focus-visible')) {
+      const turns: Record<string, [number, number, number]> = {
+        ArrowLeft: [-kTurn, 0, 1], ArrowRight: [kTurn, 0, 1], ArrowUp: [0, kTurn, 1], ArrowDown: [0, -kTurn, 1], PageUp: [0, 0, 1 / kNearer], PageDown: [0, 0, kNearer],
+      };
+      Object.assign(doIt, Object.fromEntries(Object.entries(turns).map(([key, turn]) => [key, () => this.actions.turn(...turn)])));
+    }
     const action = doIt[event.key];
     if (!action || (event.target instanceof HTMLSelectElement && (event.key === ' ' || event.key.startsWith('Arrow')))) return;
     // What has the focus is pressed by it.
@@ -154,12 +171,20 @@ export class Controls {
     fill.addColorStop(1, 'rgba(232, 131, 95, 0.12)');
     context.fillStyle = fill;
     context.fill();
+    // Ticks of the strongest hits, the longer the harder.
+    const hits = [...this.take.hits].sort((a, b) => b.impulse - a.impulse).slice(0, kMostTicks);
+    context.fillStyle = 'rgba(255, 226, 122, 0.85)';
+    for (const hit of hits) {
+      const long = Math.max(2, Math.sqrt(hit.impulse / hits[0].impulse) * height * 0.45);
+      context.fillRect(Math.round((hit.frame / Math.max(1, frames - 1)) * (width - ratio)), 0, ratio, long);
+    }
   }
 
   show(): void {
     const { player, take } = this;
     const frame = player.frame;
     this.scrub.value = String(frame);
+    this.scrub.setAttribute('aria-valuetext', `${take.times[frame].toFixed(2)} seconds`);
     this.scrub.style.setProperty('--done', `${(100 * player.position) / Math.max(1, player.frames - 1)}%`);
     const total = take.times[take.frames - 1];
     const digits = String(take.frames - 1).length;

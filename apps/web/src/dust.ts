@@ -1,16 +1,20 @@
 // Puffs of dust where bodies hit. They depend on the time alone, not on what was shown before, so scrubbing shows them too.
-import { BufferAttribute, BufferGeometry, DynamicDrawUsage, NormalBlending, Points, Scene, ShaderMaterial } from 'three';
-import { chance } from './colours';
+import { BufferAttribute, BufferGeometry, Color, DynamicDrawUsage, NormalBlending, Points, Scene, ShaderMaterial } from 'three';
+import { chance, materialColour } from './colours';
 import type { Hit, Take } from './tracks';
 
 const kSeconds = 1.3;
 const kMostPuffs = 160;
 const kParticles = 7; // per puff
+const kPale = new Color().setRGB(0.56, 0.5, 0.44);
+const kPaleness = 0.5;
+const scratch = new Color();
 
 export class Dust {
   private readonly points: Points<BufferGeometry, ShaderMaterial>;
   private readonly places = new Float32Array(kMostPuffs * kParticles * 3);
   private readonly looks = new Float32Array(kMostPuffs * kParticles * 3); // size in m, opacity, what tells it from others
+  private readonly tints = new Float32Array(kMostPuffs * kParticles * 3);
   private readonly hits: Hit[];
   private readonly strength: number; // N s: impulses below a share of it raise no dust
 
@@ -21,20 +25,22 @@ export class Dust {
     const geometry = new BufferGeometry();
     geometry.setAttribute('position', new BufferAttribute(this.places, 3).setUsage(DynamicDrawUsage));
     geometry.setAttribute('look', new BufferAttribute(this.looks, 3).setUsage(DynamicDrawUsage));
+    geometry.setAttribute('tint', new BufferAttribute(this.tints, 3).setUsage(DynamicDrawUsage));
     const material = new ShaderMaterial({
       transparent: true,
       depthWrite: false,
       blending: NormalBlending,
       uniforms: { scale: { value: 500 } },
-      vertexShader: `attribute vec3 look; varying float vAlpha; varying float vSeed; uniform float scale;
+      vertexShader: `attribute vec3 look, tint; varying float vAlpha, vSeed; varying vec3 vTint; uniform float scale;
         void main() {
           vec4 p = modelViewMatrix * vec4(position, 1.0);
           gl_Position = projectionMatrix * p;
           gl_PointSize = min(look.x * scale / -p.z, 400.0);
           vAlpha = look.y;
           vSeed = look.z;
+          vTint = tint;
         }`,
-      fragmentShader: `varying float vAlpha; varying float vSeed;
+      fragmentShader: `varying float vAlpha, vSeed; varying vec3 vTint;
         float dustHash(vec2 p) { vec3 q = fract(vec3(p.xyx) * 0.1031); q += dot(q, q.yzx + 33.33); return fract((q.x + q.y) * q.z); }
         float dustNoise(vec2 p) {
           vec2 i = floor(p), f = fract(p); f = f * f * (3.0 - 2.0 * f);
@@ -44,9 +50,10 @@ export class Dust {
           vec2 d = gl_PointCoord * 2.0 - 1.0;
           float a = max(0.0, 1.0 - dot(d, d)), billow = dustNoise(d * 2.3 + vSeed * 17.0) * 0.65 + dustNoise(d * 5.1 + vSeed * 31.0) * 0.35;
           a = a * a * smoothstep(0.25, 0.85, billow + 0.25 * a);
-          // Lit from above: brighter on top, warm in its own shade.
-          vec3 colour = mix(vec3(0.42, 0.36, 0.31), vec3(0.78, 0.73, 0.66), clamp(0.5 - 0.45 * d.y + 0.2 * billow, 0.0, 1.0));
-          gl_FragColor = vec4(colour, vAlpha * a);
+          // Lit from above: brighter on top.
+          vec3 light = mix(vec3(0.75, 0.76, 0.78), vec3(1.55, 1.45, 1.3), clamp(0.5 - 0.45 * d.y + 0.2 * billow, 0.0, 1.0));
+          gl_FragColor = vec4(vTint * light, vAlpha * a);
+          #include <tonemapping_fragment>
           #include <colorspace_fragment>
         }`,
     });
@@ -73,7 +80,16 @@ export class Dust {
     this.points.geometry.setDrawRange(0, puffs * kParticles);
     this.points.geometry.attributes.position.needsUpdate = true;
     this.points.geometry.attributes.look.needsUpdate = true;
+    this.points.geometry.attributes.tint.needsUpdate = true;
     this.points.visible = puffs > 0;
+  }
+
+  // Of what broke, paler than the whole: of the brick rather than of what hit it.
+  private colourOf(hit: Hit): Color {
+    const { bodies } = this.take.meta;
+    const rank = (body: number): number => ['brick', 'body', 'ground', 'ball'].indexOf(bodies[body].role);
+    const body = hit.b >= 0 && rank(hit.b) < rank(hit.a) ? hit.b : hit.a;
+    return materialColour(this.take, body, 0, scratch).lerp(kPale, kPaleness);
   }
 
   private put(puff: number, hitIndex: number, age: number): void {
@@ -81,6 +97,7 @@ export class Dust {
     const force = Math.min(1, Math.sqrt(hit.impulse / this.strength));
     const share = age / kSeconds;
     const spread = 1 - (1 - share) ** 3;
+    const tint = this.colourOf(hit);
     for (let n = 0; n < kParticles; n++) {
       const at = puff * kParticles + n;
       const angle = chance(hitIndex, n) * Math.PI * 2;
@@ -90,6 +107,7 @@ export class Dust {
       this.places[at * 3 + 2] = hit.point[2] + Math.sin(angle) * reach;
       this.looks[at * 3] = (0.12 + 0.34 * spread) * (0.5 + 0.7 * chance(hitIndex, n + 60)) * (0.4 + 0.6 * force);
       this.looks[at * 3 + 2] = chance(hitIndex, n + 80);
+      tint.toArray(this.tints, at * 3);
       this.looks[at * 3 + 1] = 0.24 * (1 - share) ** 1.5 * Math.min(1, age * 14 + 0.1) * (0.35 + 0.65 * force);
     }
   }

@@ -2,6 +2,7 @@
 const svg = (path: string): string => `<svg viewBox="0 0 16 16" aria-hidden="true"><path d="${path}"/></svg>`;
 
 export const icons = {
+  record: svg('M8 3.200a4.800 4.800 0 1 1 0 9.600 4.800 4.800 0 0 1 0-9.600z'),
   play: svg('M4 2.2v11.6a.7.7 0 0 0 1.06.6l9.3-5.8a.7.7 0 0 0 0-1.2l-9.3-5.8A.7.7 0 0 0 4 2.2z'),
   pause: svg('M3.5 2h3.2v12H3.5zM9.3 2h3.2v12H9.3z'),
   back: svg('M11.5 2.6v10.8L4.8 8zM2.6 2.6h1.7v10.8H2.6z'),

@@ -15,7 +15,7 @@ import { Player } from './player';
 import { kMostShade } from './shade';
 import { Stage } from './stage';
 import { Take, type TakeMeta } from './tracks';
-import { applyView, overviewSide, viewsOf } from './views';
+import { applyView, firstSide, viewsOf } from './views';
 
 function fail(message: string): void {
   const box = byId('message');
@@ -33,7 +33,7 @@ function main(): void {
   const bounds = boundsOf(take);
   let stage: Stage;
   try {
-    stage = new Stage(byId<HTMLCanvasElement>('view'), overviewSide(take, bounds));
+    stage = new Stage(byId<HTMLCanvasElement>('view'), firstSide(take, bounds));
   } catch {
     fail('This replay needs WebGL 2, which this browser does not offer (or has switched off).');
     return;
@@ -45,7 +45,7 @@ function main(): void {
   byId('subtitle').textContent = `${bricks > 0 ? counted(bricks, 'brick', 'bricks') : counted(movable, 'body', 'bodies')} \u00b7 ${take.times[take.frames - 1].toFixed(1)} s \u00b7 Brickfall ${meta.engineVersion}`;
 
   const player = new Player(take.frames, meta.framesPerSecond);
-  const bodies = new Bodies(take, stage.scene, stage.shade);
+  const bodies = new Bodies(take, stage.scene, stage);
   const mortar = new Mortar(take, bodies, stage.scene);
   const dust = new Dust(take, stage.scene);
   const card = new Card(byId('card'), take);
@@ -76,7 +76,7 @@ function main(): void {
     card.select(body);
     dirty = true;
   };
-  const placeCamera = (): void => applyView(stage, view, view === views[0] || view.follows >= 0, take.timeAt(player.position));
+  const placeCamera = (): void => applyView(stage, view, view === views[0] || view.follows >= 0, take.timeAt(player.position), bounds);
   const setView = (index: number): void => {
     view = views[index] ?? views[0];
     placeCamera();
@@ -102,7 +102,31 @@ function main(): void {
     draw();
     stage.renderer.domElement.toBlob((blob) => blob && offer(blob, `${meta.scene}_${take.times[player.frame].toFixed(2)}s.png`), 'image/png');
   };
-  const controls = new Controls(take, player, { setColour, setView, savePicture, deselect: () => select(-1) }, views.map((v) => v.name));
+  const turn = (aside: number, up: number, farther: number): void => {
+    stage.turn(aside, up, farther);
+    untouched = false;
+    dirty = true;
+  };
+  // From here to the end, in the time that it takes to show; pressed again it ends there.
+  let recorder: MediaRecorder | null = null;
+  const film = (): void => {
+    if (byId('record').hidden) return;
+    if (recorder) return recorder.stop();
+    const chunks: Blob[] = [];
+    recorder = new MediaRecorder(stage.renderer.domElement.captureStream(60), { videoBitsPerSecond: 12e6 });
+    recorder.ondataavailable = (event) => chunks.push(event.data);
+    recorder.onstop = () => {
+      offer(new Blob(chunks, { type: 'video/webm' }), `${meta.scene}.webm`);
+      recorder = null;
+      byId('record').setAttribute('aria-pressed', 'false');
+    };
+    byId('record').setAttribute('aria-pressed', 'true');
+    recorder.start();
+    controls.setLoop(false);
+    player.play();
+  };
+  byId('record').hidden = typeof MediaRecorder === 'undefined' || !MediaRecorder.isTypeSupported('video/webm');
+  const controls = new Controls(take, player, { setColour, setView, savePicture, film, turn, deselect: () => select(-1) }, views.map((v) => v.name));
   const chart = new Chart(take, player);
   player.onChange = () => (dirty = true);
   card.onSeek = (frame) => {
@@ -129,9 +153,12 @@ function main(): void {
   };
   let shown = -1; // the place in time that the picture has
   let last = performance.now();
+  let ticks = 0;
   let inRow = 0; // pictures that were drawn one after the other
   const tick = (now: number): void => {
-    player.advance(Math.min(0.25, (now - last) / 1000));
+    // Time counts from the first picture that is seen: shaders are made until then.
+    if (ticks++ > 1) player.advance(Math.min(0.25, (now - last) / 1000));
+    if (recorder?.state === 'recording' && !player.playing) recorder.stop();
     if (inRow > 1) stage.shade.judge(now - last);
     last = now;
     if (stage.resize()) {

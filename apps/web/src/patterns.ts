@@ -57,7 +57,7 @@ const kPaints: Record<string, string> = {
     colour = mix(colour, vec3(0.47, 0.34, 0.24), 0.3 * pits(q, 0.0019, 6.0, pixel, 0.55));
     float from = isBed ? -0.2 : 0.3;
     float lime = smoothstep(from, from + 0.8, grain(q, 0.05, 7.0, pixel) + 0.4 * patchy);
-    colour = mix(colour, vec3(0.50, 0.44, 0.38), (isBed ? 0.24 : 0.14) * lime * (1.0 + 0.6 * grain(q, 0.006, 8.0, pixel)));
+    colour = mix(colour, vec3(0.50, 0.44, 0.38), (isBed ? 0.3 : 0.15) * lime * (1.0 + 0.6 * grain(q, 0.006, 8.0, pixel)));
     colour *= 1.0 - 0.4 * pits(q, 0.0036, 9.0, pixel, 0.6);
     colour = mix(colour, mix(bare * 1.2, vec3(0.5, 0.38, 0.30), 0.35), 0.5 * wear);`,
   concrete: `
@@ -83,7 +83,7 @@ const kPaints: Record<string, string> = {
     colour *= mix(vec3(1.08, 1.12, 1.2), vec3(0.68, 0.66, 0.66), late) * (1.0 + 0.12 * fibre);`,
   steel: `
     float smear = grain(p, 0.05, 0.0, pixel);
-    colour = mix(colour, vec3(0.56, 0.55, 0.53), 0.45) * (1.0 + 0.05 * smear); // bare steel reflects more than a painter's colour for it says
+    colour = mix(colour, vec3(0.56, 0.55, 0.53), 0.6) * (1.0 + 0.05 * smear); // bare steel reflects more than a painter's colour for it says
     roughnessHere += 0.06 * smear + 0.03 * grain(p, 0.004, 1.0, pixel);`,
   // A trodden floor: clouds, then grains, light and dark, and lone bits of gravel.
   ground: `
@@ -91,11 +91,7 @@ const kPaints: Record<string, string> = {
       + 0.06 * grain(q, 0.013, 3.0, pixel) + 0.08 * grain(q, 0.0035, 4.0, pixel) + 0.07 * grain(q, 0.0012, 5.0, pixel);
     colour *= max(light, 0.2);
     colour = mix(colour, vec3(0.42, 0.40, 0.37), 0.35 * pits(q, 0.012, 7.0, pixel, 0.6));`,
-  // Ground without end is a floor, with joints every metre to judge sizes by, that fade before they could flicker.
-  floor: `
-    vec2 slope = fwidth(p.xz), line = 1.0 - smoothstep(vec2(0.0022), 0.0022 + 1.5 * slope, abs(fract(p.xz - 0.5) - 0.5));
-    line *= clamp(1.0 - 3.0 * slope, 0.0, 1.0);
-    colour *= 1.0 - 0.2 * max(line.x, line.y);`,
+  floor: 'colour *= floorShade(p.xz, fwidth(p.xz));',
   rubber: 'colour *= 1.0 + 0.04 * grain(p, 0.03, 0.0, pixel);',
   plain: 'colour *= 1.0 + 0.04 * grain(p, 0.03, 0.0, pixel);',
 };

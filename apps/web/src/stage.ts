@@ -1,35 +1,27 @@
 // What is there besides the bodies: sky, sun and its shadows, camera.
 import {
-  BackSide, Box3, Color, DirectionalLight, Fog, HemisphereLight, Mesh, NeutralToneMapping, PCFShadowMap, PerspectiveCamera, PMREMGenerator, Scene, ShaderMaterial, SphereGeometry, Vector3,
-  WebGLRenderer,
+  BackSide, Box3, CustomToneMapping, DirectionalLight, Mesh, PCFShadowMap, PerspectiveCamera, PMREMGenerator, Scene, ShaderMaterial, SphereGeometry, Spherical, Vector3, WebGLRenderer,
+  type Texture,
 } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
+import { kLightFunctions, kSunLight, sunOver } from './light';
 import { Shade } from './shade';
 
-const kHorizon = new Color('#e3e6e8');
-const kZenith = new Color('#86a7c8');
-const kOvercast = new Color('#a9b1b8'); // of the light that comes from the sky: what lies in the shade is grey, not blue
 const kLowest = Math.PI * 0.495; // of a camera, from straight up: it stays above level ground
 const kNearest = 0.1; // m
-const kSunElevation = 0.72; // rad
-const kSunAside = 1.05; // rad, to the left of where the overview looks from: light that grazes shows the relief
 
-function makeSky(sun: Vector3, zenith: Color): Mesh {
+function makeSky(sun: Vector3): Mesh {
   const material = new ShaderMaterial({
     side: BackSide,
     depthWrite: false,
-    fog: false,
-    toneMapped: false,
-    uniforms: { horizon: { value: kHorizon }, zenith: { value: zenith }, sun: { value: sun } },
+    uniforms: { sun: { value: sun } },
     vertexShader: `varying vec3 vDirection;
       void main() { vDirection = position; gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0); }`,
-    fragmentShader: `uniform vec3 horizon, zenith, sun; varying vec3 vDirection;
+    fragmentShader: `${kLightFunctions}
+      uniform vec3 sun; varying vec3 vDirection;
       void main() {
-        vec3 d = normalize(vDirection);
-        vec3 c = mix(horizon, zenith, pow(clamp(d.y, 0.0, 1.0), 0.62));
-        float s = max(dot(d, sun), 0.0);
-        c += vec3(1.0, 0.86, 0.66) * (0.16 * pow(s, 6.0) + 0.35 * pow(s, 90.0));
-        gl_FragColor = vec4(c, 1.0);
+        gl_FragColor = vec4(skyLight(normalize(vDirection), sun), 1.0);
+        #include <tonemapping_fragment>
         #include <colorspace_fragment>
       }`,
   });
@@ -45,27 +37,24 @@ export class Stage {
   readonly renderer: WebGLRenderer;
   readonly controls: OrbitControls;
   readonly shade: Shade;
-  private readonly sun = new DirectionalLight('#fff3e2', 2.7);
-  private readonly sunDirection = new Vector3();
-  private readonly sky = makeSky(this.sunDirection, kZenith);
+  readonly surroundings: Texture; // what steel mirrors
+  private readonly sun = new DirectionalLight(kSunLight, 1);
+  readonly sunDirection = new Vector3();
+  private readonly sky = makeSky(this.sunDirection);
   private mostDistance = 100; // m, of the camera from what it turns about
 
-  // lookFrom: the side from which the scene is seen first, horizontal.
+  // lookFrom: from what the scene's first camera looks at to the camera.
   constructor(canvas: HTMLCanvasElement, lookFrom: Vector3) {
-    this.sunDirection.copy(lookFrom).setY(0).normalize().applyAxisAngle(new Vector3(0, 1, 0), -kSunAside)
-      .multiplyScalar(Math.cos(kSunElevation)).setY(Math.sin(kSunElevation));
+    this.sunDirection.copy(sunOver(lookFrom));
     this.renderer = new WebGLRenderer({ canvas, antialias: true, powerPreference: 'high-performance', preserveDrawingBuffer: true });
-    this.renderer.toneMapping = NeutralToneMapping;
-    this.renderer.toneMappingExposure = 1.0;
+    this.renderer.toneMapping = CustomToneMapping;
     this.renderer.shadowMap.enabled = true;
     this.renderer.shadowMap.type = PCFShadowMap;
-    this.scene.fog = new Fog(kHorizon, 30, 160);
 
     const small = new Scene();
-    small.add(makeSky(this.sunDirection, kOvercast));
+    small.add(makeSky(this.sunDirection));
     const generator = new PMREMGenerator(this.renderer);
-    this.scene.environment = generator.fromScene(small, 0, 0.1, 10).texture;
-    this.scene.environmentIntensity = 0.55;
+    this.surroundings = generator.fromScene(small, 0, 0.1, 10).texture;
     generator.dispose();
 
     this.sun.castShadow = true;
@@ -73,7 +62,7 @@ export class Stage {
     this.sun.shadow.mapSize.set(size, size);
     this.sun.shadow.bias = -0.0004;
     this.sun.shadow.radius = 4;
-    this.scene.add(this.sky, this.sun, this.sun.target, new HemisphereLight('#e6e6e2', '#a89a8a', 0.75));
+    this.scene.add(this.sky, this.sun, this.sun.target);
     this.renderer.shadowMap.autoUpdate = false; // they change with the bodies, not with the camera
     this.shade = new Shade(this.renderer, this.scene, this.camera);
     this.controls = new OrbitControls(this.camera, canvas);
@@ -95,7 +84,6 @@ export class Stage {
     eye.updateProjectionMatrix();
     // Against shadow acne: about one texel of the map.
     this.sun.shadow.normalBias = Math.max(0.001, (2 * radius / this.sun.shadow.mapSize.x) * 0.9);
-    this.scene.fog = new Fog(kHorizon, radius * 4 + 6, radius * 18 + 50);
     this.mostDistance = radius * 14 + 10;
   }
 
@@ -127,6 +115,17 @@ export class Stage {
     camera.position.copy(position);
     camera.fov = fieldOfView;
     camera.updateProjectionMatrix();
+    controls.update();
+  }
+
+  // By rad aside and up, and by a factor of the distance: for keys.
+  turn(aside: number, up: number, farther: number): void {
+    const { controls, camera } = this;
+    const way = new Spherical().setFromVector3(camera.position.clone().sub(controls.target));
+    way.theta += aside;
+    way.phi = Math.min(controls.maxPolarAngle, Math.max(0.01, way.phi - up));
+    way.radius = Math.min(controls.maxDistance, Math.max(controls.minDistance, way.radius * farther));
+    camera.position.setFromSpherical(way).add(controls.target);
     controls.update();
   }
 

@@ -1,23 +1,24 @@
 // The materials of bodies and ground: how rough, how much metal, and shaders with the patterns of their stuff, worn edges, and
 // joints where bricks meet.
-import { MeshStandardMaterial, Vector3, type Texture } from 'three';
-import type { Kind } from './materials';
+import { MeshStandardMaterial, ShaderChunk, Vector3 } from 'three';
+import { kLightFunctions } from './light';
+import { kKinds, type Kind } from './materials';
 import { patternsOf } from './patterns';
-import { kJointFunction, type Shade } from './shade';
+import { kJointFunction } from './shade';
+import type { Stage } from './stage';
 
 type Half = [number, number, number] | undefined;
-// As in apps/appearance/look.cpp.
-const kStuff: Record<Kind, { roughness: number; metalness: number }> = {
-  brick: { roughness: 0.85, metalness: 0 }, concrete: { roughness: 0.8, metalness: 0 }, stone: { roughness: 0.75, metalness: 0 },
-  wood: { roughness: 0.6, metalness: 0 }, steel: { roughness: 0.24, metalness: 1 }, rubber: { roughness: 0.55, metalness: 0 },
-  ground: { roughness: 0.95, metalness: 0 }, plain: { roughness: 0.6, metalness: 0 },
-};
 const kArris = 0.0035; // m, of an edge that is rubbed off
 const kWearing: Partial<Record<Kind, number>> = { brick: 1, concrete: 1, stone: 1, wood: 0.35 }; // how much; others not at all
 const kJoint = 0.1; // of the least half extent, as half of the crack that shows between two bricks; m:
 const kLeastJoint = 0.002;
 const kMostJoint = 0.012;
-const kJointFromAfar = 0.4; // of its darkness stays as long as single bricks can be told
+const kJointFromAfar = 0.2; // of its darkness stays as long as single bricks can be told
+
+// Sky and ground light all surfaces by the formula of all pictures.
+const kFromAround = ShaderChunk.lights_fragment_begin.replace(
+  'getAmbientLightIrradiance( ambientLightColor )', 'PI * ambientLight(inverseTransformDirection(normal, viewMatrix), sunTowards)');
+if (!kFromAround.includes('sunTowards')) throw new Error('three.js adds up light in another way');
 
 const kVertexInputs = `
   attribute float seed;
@@ -64,23 +65,26 @@ const kBoxWork = `
     joint *= (below > 1e-4 ? 1.0 : 1.0 - smoothstep(0.25 * crack, 1.5 * crack, toEdge)) * dark;
   }`;
 
-function withSurface(material: MeshStandardMaterial, kind: Kind, half: Half, isFloor: boolean, shade: Shade): MeshStandardMaterial {
+function withSurface(material: MeshStandardMaterial, kind: Kind, half: Half, isFloor: boolean, stage: Stage): MeshStandardMaterial {
   material.customProgramCacheKey = () => `${kind} ${half !== undefined} ${isFloor}`;
   material.onBeforeCompile = (shader) => {
     shader.uniforms.uWearing = { value: kWearing[kind] ?? 0 };
+    shader.uniforms.sunTowards = { value: stage.sunDirection };
     shader.uniforms.uHalf = { value: new Vector3(...(half ?? [0, 0, 0])) };
     shader.vertexShader = shader.vertexShader
       .replace('#include <common>', `#include <common>\n${kVertexInputs}`)
       .replace('#include <begin_vertex>', `#include <begin_vertex>\n${kVertexWork}`);
     shader.fragmentShader = shader.fragmentShader
       .replace('#include <common>', `#include <common>
-        uniform vec3 uHalf;
+        ${kLightFunctions}
+        uniform vec3 uHalf, sunTowards;
         uniform float uWearing;
         varying vec3 vLocal, vFacing;
         varying float vSeed;
         flat varying mat3 vTurn;
         ${patternsOf(kind, isFloor)}
         ${half ? kJointFunction : ''}`)
+      .replace('#include <lights_fragment_begin>', kFromAround)
       .replace('#include <color_fragment>', `#include <color_fragment>
         float pixel = max(length(dFdx(vLocal)), length(dFdy(vLocal)));
         float wear = 0.0, joint = 0.0, roughnessHere = 0.0;
@@ -88,7 +92,7 @@ function withSurface(material: MeshStandardMaterial, kind: Kind, half: Half, isF
         vec2 shadeAt = gl_FragCoord.xy * shadeScale;
         {
           ${half ? kBoxWork : ''}
-          diffuseColor.rgb = paintAt(diffuseColor.rgb, vLocal, vFacing, wear, pixel, roughnessHere) * (1.0 - 0.4 * joint);
+          diffuseColor.rgb = paintAt(diffuseColor.rgb, vLocal, vFacing, wear, pixel, roughnessHere) * (1.0 - 0.25 * joint);
         }`)
       .replace('#include <roughnessmap_fragment>', '#include <roughnessmap_fragment>\nroughnessFactor = clamp(roughnessFactor + roughnessHere, 0.05, 1.0);')
       .replace('#include <normal_fragment_maps>', `#include <normal_fragment_maps>
@@ -96,22 +100,37 @@ function withSurface(material: MeshStandardMaterial, kind: Kind, half: Half, isF
           vec3 slope = vTurn * (reliefAt(vLocal, pixel) - edgeSlope);
           normal = normalize(normal - (slope - normal * dot(slope, normal)));
         }`);
+    // Rough stuff mirrors nothing, and so keeps all light for its colour.
+    shader.fragmentShader = shader.fragmentShader.replace('#include <lights_physical_fragment>', `#include <lights_physical_fragment>
+      {
+        float shiny = 1.0 - smoothstep(0.7, 0.8, roughnessFactor);
+        material.specularColor *= shiny;
+        material.specularColorBlended *= shiny;
+        material.specularF90 *= shiny;
+      }`);
+    if (kind === 'ground') {
+      shader.fragmentShader = shader.fragmentShader.replace('#include <opaque_fragment>', `{
+          vec3 towards = inverseTransformDirection(normalize(-vViewPosition), viewMatrix);
+          outgoingLight = mix(outgoingLight, hazeLight(towards, sunTowards), hazeShare(length(vViewPosition)));
+        }
+        #include <opaque_fragment>`);
+    }
     if (half) {
       // No light falls into a joint: shadows are not so fine.
       shader.fragmentShader = shader.fragmentShader.replace('#include <aomap_fragment>', `#include <aomap_fragment>
-        reflectedLight.directDiffuse *= 1.0 - 0.92 * joint;
+        reflectedLight.directDiffuse *= 1.0 - 0.65 * joint;
         reflectedLight.directSpecular *= 1.0 - joint;
-        reflectedLight.indirectDiffuse *= 1.0 - 0.75 * joint;
+        reflectedLight.indirectDiffuse *= 1.0 - 0.6 * joint;
         reflectedLight.indirectSpecular *= 1.0 - joint;`);
     }
-    shade.receive(shader);
+    stage.shade.receive(shader);
   };
   return material;
 }
 
-// `half`: of a box, whose edges are worn; `isFloor`: of ground without end; `sky`: what steel mirrors.
-export function surfaceOf(kind: Kind, half: Half, isFloor: boolean, shade: Shade, sky: Texture | null): MeshStandardMaterial {
-  const material = new MeshStandardMaterial(kStuff[kind]);
-  if (kind === 'steel') Object.assign(material, { envMap: sky, envMapIntensity: 1 });
-  return withSurface(material, kind, half, isFloor, shade);
+// `half`: of a box, whose edges are worn; `isFloor`: of ground without end.
+export function surfaceOf(kind: Kind, half: Half, isFloor: boolean, stage: Stage): MeshStandardMaterial {
+  const material = new MeshStandardMaterial({ roughness: kKinds[kind].roughness, metalness: kKinds[kind].metalness });
+  if (kind === 'steel') Object.assign(material, { envMap: stage.surroundings, envMapIntensity: 1 });
+  return withSurface(material, kind, half, isFloor, stage);
 }

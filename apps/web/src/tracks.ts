@@ -24,6 +24,7 @@ export interface BodyMeta {
   material?: string; // its name in the scene; left out: not known
   partMaterials?: string[]; // one for each part, where they differ
   parts: PartMeta[];
+  look?: number; // by which it differs from others of its stuff; left out: its own number
   birth?: number; // the first frame in which it is there; left out: 0
   end?: number; // the first in which it no longer is; left out: it stays
 }

@@ -22,6 +22,14 @@ export function overviewSide(take: Take, bounds: Bounds): Vector3 {
   return towards.normalize().applyAxisAngle(new Vector3(0, 1, 0), 0.56);
 }
 
+// From what the first camera looks at to the camera: the sun goes by it. Of one that moves: where its path begins.
+export function firstSide(take: Take, bounds: Bounds): Vector3 {
+  const camera = take.meta.cameras[0];
+  if (!camera) return overviewSide(take, bounds);
+  const pose = camera.path?.length ? poseAt(camera.path, camera.path[0].time) : camera;
+  return new Vector3(...pose.position).sub(new Vector3(...pose.target));
+}
+
 // What page and bar leave of the picture's height: from 1 (its top) to -1.
 export interface FreeHeight {
   top: number;
@@ -75,11 +83,27 @@ export function viewsOf(take: Take, bounds: Bounds, aspect: number, free: FreeHe
 
 const kUsualAspect = 1.6;
 
-// time: s, for a camera that moves. Cameras of a scene are set up for a picture as wide as a screen: in a narrower one they step back.
-export function applyView(stage: Stage, view: View, fits: boolean, time: number): void {
+// A camera of a scene is set up for a picture as wide as a screen. In a narrower one it steps back until what stands at the start is
+// seen from side to side, at most as far as shows all that the wide one does: by a factor, 1 or more.
+function stepBack(position: Vector3, target: Vector3, fieldOfView: number, aspect: number, start: Box3): number {
+  const most = Math.max(1, kUsualAspect / aspect);
+  const camera = new PerspectiveCamera(fieldOfView, aspect, 0.01, 1e5);
+  const corners = [start.min, start.max].flatMap((x) => [start.min, start.max].flatMap((y) => [start.min, start.max].map((z) => new Vector3(x.x, y.y, z.z))));
+  for (let back = 1; back < most; back *= 1.06) {
+    camera.position.copy(position).sub(target).multiplyScalar(back).add(target);
+    camera.lookAt(target);
+    camera.updateMatrixWorld();
+    if (corners.every((corner) => Math.abs(corner.clone().project(camera).x) < 0.96)) return back;
+  }
+  return most;
+}
+
+// time: s, for a camera that moves.
+export function applyView(stage: Stage, view: View, fits: boolean, time: number, bounds: Bounds): void {
   const pose = view.path ? poseAt(view.path, time) : null;
   const target = pose ? new Vector3(...pose.target) : view.target;
   const position = pose ? new Vector3(...pose.position) : view.position.clone();
-  const back = fits ? 1 : Math.max(1, kUsualAspect / stage.camera.aspect) ** 0.75;
-  stage.look(position.sub(target).multiplyScalar(back).add(target), target, pose ? pose.fieldOfView : view.fieldOfView);
+  const fieldOfView = pose ? pose.fieldOfView : view.fieldOfView;
+  const back = fits ? 1 : stepBack(position, target, fieldOfView, stage.camera.aspect, bounds.start);
+  stage.look(position.sub(target).multiplyScalar(back).add(target), target, fieldOfView);
 }

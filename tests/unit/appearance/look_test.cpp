@@ -1,9 +1,11 @@
 // Which material looks like what, and how bricks differ.
 #include "appearance/look.h"
+#include "appearance/light.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 namespace brickfall::appearance {
@@ -67,6 +69,47 @@ TEST(Look, GroundThatIsCalledBrickIsNoRedPlain) {
 TEST(Colour, SrgbThereAndBack) {
   for (int v = 0; v <= 255; v++) EXPECT_EQ(toByte(srgbFromLinear(linearFromSrgb(float(v) / 255))), v);
   EXPECT_NEAR(linearFromHex(0xFF8000).y, 0.2158605f, 1e-5f);
+}
+
+// Half of what it sees is sky, so from many directions of it the same comes out.
+TEST(Light, WithoutRaysASurfaceIsLitAsWithThem) {
+  const Vec3f sun = sunOver({1, 2, 3});
+  EXPECT_NEAR(length(sun), 1, 1e-6f);
+  for (Vec3f normal : {Vec3f{0, 1, 0}, Vec3f{0, -1, 0}, Vec3f{1, 0, 0}, Vec3f{-0.6f, 0, -0.8f}, Vec3f{0.6f, 0.8f, 0}}) {
+    Rgb sum;
+    float weight = 0;
+    constexpr int kCount = 4000;
+    for (int k = 0; k < kCount; k++) {  // a spiral from pole to pole: evenly
+      const float up = 1 - 2 * (float(k) + 0.5f) / kCount, flat = std::sqrt(1 - up * up), turn = float(k) * 2.3999632f;
+      const Vec3f towards{flat * std::cos(turn), up, flat * std::sin(turn)};
+      const float share = std::max(dot(normal, towards), 0.0f);
+      sum += skyLight(towards, sun) * share;
+      weight += share;
+    }
+    const Rgb seen = sum * (1 / weight), fit = ambientLight(normal, sun);
+    for (int k = 0; k < 3; k++) EXPECT_NEAR(fit[k] / seen[k], 1, 0.08f) << normal.x << ' ' << normal.y << ' ' << k;
+  }
+}
+
+TEST(Light, SunStandsOverTheLeftShoulder) {
+  const Vec3f sun = sunOver({0, 5, 2});  // of who looks along -z
+  EXPECT_NEAR(std::asin(sun.y) * 57.29578f, 42, 0.01f);
+  EXPECT_NEAR(std::atan2(-sun.x, sun.z) * 57.29578f, 40, 0.01f);
+  EXPECT_EQ(sunOver({0, 1, 0}), sunOver({0, 0, 1})) << "from straight above";
+}
+
+TEST(Light, JointsAreSeenFromAfarOnly) {
+  EXPECT_EQ(edgeShade(0, 0.001f), 1);
+  EXPECT_LT(edgeShade(0, 0.004f), 0.75f);
+  EXPECT_EQ(edgeShade(0.03f, 0.004f), 1);
+  EXPECT_GT(edgeShade(0, 0.1f), 0.95f) << "finer than a pixel";
+}
+
+TEST(Light, AFloorHasAJointEveryMetreThatFadesFarOff) {
+  EXPECT_LT(floorShade(3, 0.4f, 0.001f), 0.85f);
+  EXPECT_EQ(floorShade(3.5f, 0.4f, 0.001f), 1);
+  EXPECT_LT(floorShade(0.5f, -2, 0.001f), 0.85f);
+  EXPECT_EQ(floorShade(3, 0.4f, 0.4f), 1);
 }
 
 }  // namespace

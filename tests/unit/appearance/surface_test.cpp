@@ -21,17 +21,17 @@ struct Spread {
 };
 Spread spreadOver(const Look& look, int axis, float footprint) {
   const BakeArea face = boxFace(kHalf, axis);
-  float sum = 0, squares = 0;
+  double sum = 0, squares = 0;
   const int n = 60;
   for (int i = 0; i < n * n; i++) {
     SurfacePoint point{face.corner + face.u * ((float(i % n) + 0.5f) / n) + face.v * ((float(i / n) + 0.5f) / n),
                        face.normal, kHalf, footprint};
-    const float light = brightness(paintAt(look, point).colour);
+    const double light = brightness(paintAt(look, point).colour);
     sum += light;
     squares += light * light;
   }
-  const float mean = sum / (n * n);
-  return {mean, std::sqrt(std::max(0.0f, squares / (n * n) - mean * mean))};
+  const double mean = sum / (n * n);
+  return {float(mean), float(std::sqrt(std::max(0.0, squares / (n * n) - mean * mean)))};
 }
 
 TEST(Noise, IsSmoothBoundedAndOfItsSeed) {

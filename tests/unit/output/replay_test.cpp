@@ -125,7 +125,10 @@ TEST(Replay, PageIsOneFileWithEverythingInItsPlace) {
   ASSERT_TRUE(writeReplayHtml(reader, folder.file("a.html")));
   std::string page = test::contentOf(folder.file("a.html"));
   for (std::string_view place : {kTitlePlace, kMetaPlace, kDataPlace}) EXPECT_EQ(page.find(place), std::string::npos);
-  EXPECT_EQ(between(page, "<title>", "</title>"), "A wall that only pretends &lt;to fall&gt; &amp; \"lie\"");
+  EXPECT_EQ(between(page, "<title>", "</title>"), "A wall that only pretends &lt;to fall&gt; &amp; &quot;lie&quot;");
+  EXPECT_EQ(between(page, "og:title\" content=\"", "\">"), between(page, "<title>", "</title>"));
+  EXPECT_NE(between(page, "og:description\" content=\"", "\">").find(" bricks, simulated by Brickfall"),
+            std::string::npos);
   EXPECT_EQ(page.find("src=\"http"), std::string::npos);
   auto meta = nlohmann::json::parse(between(page, "id=\"meta\">", "</script>"));
   EXPECT_EQ(meta["frames"], 100);

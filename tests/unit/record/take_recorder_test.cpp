@@ -275,6 +275,7 @@ TEST_F(TakeRecording, aWorldWithoutASceneIsRecorded) {
   EXPECT_EQ(take->bodies()[1].shapes.size(), 1u);
   EXPECT_EQ(take->lives()[0].end, 4u);
   EXPECT_EQ(take->lives()[1].birth, 4u);
+  EXPECT_EQ(take->bodies()[1].look, 0u) << "it has the place of the first, by which the window colours it";
 }
 
 }  // namespace

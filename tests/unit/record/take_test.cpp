@@ -289,6 +289,33 @@ TEST(Take, VersionThreeStillOpens) {
   for (std::size_t f : {69, 0, 63, 64, 30}) expectSame(take.frames[f], *reader->frame(f), "frame " + std::to_string(f));
 }
 
+// So was version4.take: looks go by the number in the take.
+TEST(Take, VersionFourStillOpens) {
+  SyntheticTake take = makeSyntheticTake(
+      {.courses = 2, .bricksPerCourse = 3, .frames = 70, .hitFrame = 40, .breaking = true, .mortared = true});
+  Result<TakeReader> reader = TakeReader::open(BRICKFALL_SOURCE_DIR "/tests/unit/record/version4.take");
+  ASSERT_TRUE(reader) << reader.error().message;
+  EXPECT_TRUE(reader->complete());
+  EXPECT_EQ(reader->mortar().size(), take.mortar.size());
+  ASSERT_EQ(reader->bodies().size(), take.bodies.size());
+  for (std::size_t k = 0; k < take.bodies.size(); k++) EXPECT_EQ(reader->bodies()[k].look, std::uint32_t(k));
+  ASSERT_EQ(reader->frameCount(), 70u);
+  for (std::size_t f : {69, 0, 63, 64, 30}) expectSame(take.frames[f], *reader->frame(f), "frame " + std::to_string(f));
+}
+
+TEST(Take, LooksComeBackAsWritten) {
+  RemovedAtEnd file{temporaryFile("looks.take")};
+  SyntheticTake take = makeSyntheticTake({.courses = 1, .bricksPerCourse = 2, .frames = 2, .hitFrame = 1});
+  take.bodies[0].look = 0xffffffffu;
+  take.bodies[1].look = 0;
+  ASSERT_EQ(test::writeTake(take, file.path), "");
+  Result<TakeReader> reader = TakeReader::open(file.path);
+  ASSERT_TRUE(reader) << reader.error().message;
+  EXPECT_EQ(reader->bodies()[0].look, 0xffffffffu);
+  EXPECT_EQ(reader->bodies()[1].look, 0u);
+  EXPECT_EQ(reader->bodies()[2].look, 2u) << "none was written";
+}
+
 TEST(Take, MortarComesBackAsWritten) {
   RemovedAtEnd file{temporaryFile("mortar.take")};
   SyntheticTake take = makeSyntheticTake(

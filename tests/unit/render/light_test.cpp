@@ -57,11 +57,11 @@ TEST(Sampler, NeighboursShareTheWorkAndPurposesDiffer) {
 
 TEST(Sky, IsBrightAtTheHorizonAndAroundTheSun) {
   Sky sky;
-  sky.sun = sunDirection(30, 45);
+  sky.sun = appearance::sunDirection(30, 45);
   EXPECT_NEAR(length(sky.sun), 1, 1e-6f);
   EXPECT_NEAR(sky.sun.y, std::sqrt(0.5f), 1e-6f);
   EXPECT_GT(sky.sun.x, 0);
-  const Vec3f away = sunDirection(210, 45), level = sunDirection(210, 0.1);
+  const Vec3f away = appearance::sunDirection(210, 45), level = appearance::sunDirection(210, 0.1);
   EXPECT_GT(appearance::brightness(sky.radiance(sky.sun)), 1.5f * appearance::brightness(sky.radiance(away)));
   EXPECT_GT(appearance::brightness(sky.radiance(level)), appearance::brightness(sky.radiance({0, 1, 0})));
   EXPECT_GT(sky.radiance({0, 1, 0}).z, sky.radiance({0, 1, 0}).x) << "blue above";
@@ -69,7 +69,7 @@ TEST(Sky, IsBrightAtTheHorizonAndAroundTheSun) {
   EXPECT_GT(mean, appearance::brightness(sky.radiance({0, 1, 0})) * 0.9f);
   EXPECT_LT(mean, appearance::brightness(sky.radiance(sky.sun)));
   for (int k = 0; k < 200; k++) {
-    const Vec3f d = sunDirection(k * 37.0, k * 0.9 - 90);
+    const Vec3f d = appearance::sunDirection(k * 37.0, k * 0.9 - 90);
     const Rgb light = sky.radiance(d), beside = sky.radiance(normalized(d + Vec3f{1e-3f, 1e-3f, 0}));
     EXPECT_TRUE(light.x > 0 && light.x < 10);
     EXPECT_LT(length(beside - light), 0.1f) << "no edge anywhere";
@@ -77,16 +77,16 @@ TEST(Sky, IsBrightAtTheHorizonAndAroundTheSun) {
 }
 
 TEST(ToneMap, RisesStaysBelowOneAndKeepsBlack) {
-  EXPECT_EQ(toneMapped({0, 0, 0}, 1), (Rgb{0, 0, 0}));
+  EXPECT_EQ(appearance::toneMapped({0, 0, 0}, 1), (Rgb{0, 0, 0}));
   float before = -1;
   for (float light = 0; light < 50; light += 0.01f) {
-    const float shown = toneMapped({light, light, light}, 0.9f).x;
+    const float shown = appearance::toneMapped({light, light, light}, 0.9f).x;
     EXPECT_GT(shown, before);
     EXPECT_LT(shown, 1);
     before = shown;
   }
-  EXPECT_EQ(toneMapped({0.2f, 0.1f, 0.05f}, 2).y, 0.2f) << "below the shoulder nothing is changed";
-  const Rgb red = toneMapped({8, 0.5f, 0.2f}, 1);
+  EXPECT_EQ(appearance::toneMapped({0.2f, 0.1f, 0.05f}, 2).y, 0.2f) << "below the shoulder nothing is changed";
+  const Rgb red = appearance::toneMapped({8, 0.5f, 0.2f}, 1);
   EXPECT_GT(red.x, red.y);
   EXPECT_EQ(pixelOf({0, 0, 0}, 1, 0.99f), (std::array<std::uint8_t, 3>{0, 0, 0}));
   EXPECT_GE(pixelOf({90, 90, 90}, 1, 0)[0], 252);

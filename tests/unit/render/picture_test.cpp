@@ -162,7 +162,7 @@ TEST_F(Pictures, ShadowsMoveDownSunOfWhatMovesAlone) {
   ASSERT_TRUE(stage);
   Motion motion(*take_);
   Sky sky;
-  sky.sun = sunDirection(90, 45);
+  sky.sun = appearance::sunDirection(90, 45);
   stage->place(*motion.between(0.3, 0.3));  // a shutter that is open for no time
   EXPECT_FALSE(MovingShade(*stage, sky, false).anyMotion());
   EXPECT_TRUE(MovingShade(*stage, sky, true).reaches({}, 1));

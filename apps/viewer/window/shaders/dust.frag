@@ -2,6 +2,7 @@
 uniform vec3 sun, right, up;
 in vec2 corner;
 in float left;
+in vec3 colour;
 in vec3 worldPoint;
 out vec4 pixel;
 void main() {
@@ -11,6 +12,6 @@ void main() {
   vec3 normal = normalize(right * corner.x + up * corner.y + towards * sqrt(1.0 - reach));
   float lit = 0.55 + 0.45 * dot(normal, sun);
   float cover = (1.0 - reach) * (1.0 - reach) * left;
-  vec3 light = vec3(0.42, 0.33, 0.27) * (ambientLight(normal) + kSunLight * 0.55 * lit);
+  vec3 light = colour * (ambientLight(normal, sun) + kSunOnMatt * lit);
   pixel = vec4(toPixel(light), cover);
 }

@@ -1,4 +1,4 @@
-// A fixed plane: packed earth with a faint grid of one metre, so that sizes can be judged.
+// A fixed plane: a trodden floor.
 uniform vec3 sun, eye;
 uniform float flatColour;
 uniform sampler2DArray look;
@@ -19,13 +19,11 @@ void main() {
   // The baked patch at its own size and, turned, at forty times that: no repeat is to be seen.
   vec3 near = toLinear(texture(look, vec3(place * 2.0, layer)).rgb);
   vec3 wide = toLinear(texture(look, vec3(place.yx * vec2(0.047, -0.053), layer)).rgb);
-  vec2 line = abs(fract(place - 0.5) - 0.5) / (fwidth(place) + 0.004);
-  float grid = (1.0 - min(min(line.x, line.y), 1.0)) / (1.0 + far * far * 0.006);
-  vec3 albedo = base * near * (0.45 + 0.55 * wide / max(usual, vec3(0.02))) * (1.0 - 0.22 * grid);
+  vec3 albedo = base * near * (0.45 + 0.55 * wide / max(usual, vec3(0.02))) * floorShade(place, fwidth(place));
   float facing = max(dot(normal, sun), 0.0);
 #ifdef DEPTH_SHADOWS
   facing *= sunReaching();
 #endif
-  vec3 light = albedo * (ambientLight(normal) + kSunLight * facing);
-  pixel = vec4(toPixel(withHaze(light, far)), 1.0);
+  vec3 light = albedo * (ambientLight(normal, sun) + kSunOnMatt * facing);
+  pixel = vec4(toPixel(mix(light, hazeLight((worldPoint - eye) / far, sun), hazeShare(far))), 1.0);
 }
