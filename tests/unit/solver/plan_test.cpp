@@ -35,18 +35,35 @@ TEST(Plan, EveryRowOfTheTableIsReached) {
     double speed;
     std::size_t row;
     bool jointed = false;
+    std::size_t ties = 0;
   };
-  const Case cases[] = {{1, true, 0, 1},       {1, false, 50, 1},     {2, true, 0, 2},       {24, false, 50, 2},
-                        {13, true, 0.49, 2},   {24, true, 50, 2},     {25, true, 0.49, 3},   {80, true, 0, 3},
-                        {25, true, 0.5, 4},    {25, false, 0, 4},     {80, false, 0, 4},     {81, true, 0, 4},
-                        {100000, true, 0, 4},  {100000, false, 9, 4}, {1, true, 0, 0, true}, {80, false, 50, 0, true},
-                        {81, true, 0, 4, true}};
+  const Case cases[] = {{1, true, 0, 1},
+                        {1, false, 50, 1},
+                        {2, true, 0, 2},
+                        {24, false, 50, 2},
+                        {13, true, 0.49, 2},
+                        {24, true, 50, 2},
+                        {25, true, 0.49, 3},
+                        {80, true, 0, 3},
+                        {25, true, 0.5, 5},
+                        {25, false, 0, 5},
+                        {80, false, 0, 5},
+                        {81, true, 0, 5},
+                        {100000, true, 0, 5},
+                        {100000, false, 9, 5},
+                        {1, true, 0, 0, true},
+                        {80, false, 50, 0, true},
+                        {81, true, 0, 4, true, 91},
+                        {400, false, 50, 4, true, 400},
+                        {81, true, 0, 5, true, 92},
+                        {401, true, 0, 5, true, 400}};
   std::set<std::size_t> reached;
   for (const Case& c : cases) {
     SCOPED_TRACE(std::to_string(c.bodies) + (c.grounded ? " grounded, " : " floating, ") + std::to_string(c.speed));
     const PlanRow& row = planRows()[c.row];
     IslandFacts facts = factsOf(c.bodies, c.grounded, c.speed);
     facts.jointed = c.jointed;
+    facts.ties = c.ties;
     SolvePlan plan = planOf(facts);
     EXPECT_EQ(plan.exactSteps, row.exactSteps);
     EXPECT_EQ(plan.direct, row.direct);
