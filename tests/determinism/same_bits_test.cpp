@@ -195,7 +195,7 @@ World jointsThatBreak(int threads) {
 }
 
 TEST(Determinism, JointsBreakAlikeOnAnyNumberOfThreadsAndThroughSnapshots) {
-  constexpr int kSteps = 60;
+  constexpr int kSteps = 40;
   World one = jointsThatBreak(1);
   const std::size_t had = one.joints().size();
   std::vector<std::vector<std::byte>> kept;
@@ -206,12 +206,12 @@ TEST(Determinism, JointsBreakAlikeOnAnyNumberOfThreadsAndThroughSnapshots) {
     wanted.push_back(one.stateHash());
   }
   EXPECT_LT(one.joints().size(), had - 3) << "none broke";
-  EXPECT_GT(one.joints().size(), had / 2);
+  EXPECT_GT(one.joints().size(), had / 3);
   for (int threads : {2, 4, 8}) {
     World many = jointsThatBreak(threads);
     EXPECT_EQ(hashes(many, kSteps), wanted) << threads;
   }
-  for (std::size_t from = 0; from < kept.size(); from += 7) {
+  for (std::size_t from = 0; from < kept.size(); from += 13) {
     World world = makeWorld();
     ASSERT_TRUE(world.restore(kept[from]).ok());
     EXPECT_EQ(hashes(world, kSteps - int(from)),
