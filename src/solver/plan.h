@@ -38,8 +38,9 @@ struct IslandFacts {
   double energy = 0;         // J, kinetic
   double energyBefore = 0;   // J, at the start of the last step
 
-  // Hardly more ties than bodies: a direct solve costs as much for each body as in a small island.
-  bool inLine() const { return 8 * ties <= 9 * bodies; }
+  // Hardly more ties than bodies, nearly all of them joints: a direct solve costs as much for each body as in a small
+  // island.
+  bool inLine() const { return 8 * ties <= 9 * bodies && 8 * joints >= 7 * bodies; }
 };
 
 // One row of the table: the first row that an island fits decides.

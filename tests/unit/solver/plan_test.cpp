@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <set>
@@ -64,6 +65,7 @@ TEST(Plan, EveryRowOfTheTableIsReached) {
     IslandFacts facts = factsOf(c.bodies, c.grounded, c.speed);
     facts.jointed = c.jointed;
     facts.ties = c.ties;
+    facts.joints = std::min(c.ties, c.bodies);
     SolvePlan plan = planOf(facts);
     EXPECT_EQ(plan.exactSteps, row.exactSteps);
     EXPECT_EQ(plan.direct, row.direct);
@@ -288,6 +290,7 @@ std::string tableOfPlans() {
     auto plan = [&](std::size_t bodies, double speed) {
       IslandFacts facts = factsOf(bodies, row.onlySlow || speed == 0, speed);
       facts.jointed = row.jointed;
+      facts.joints = facts.ties = bodies;
       return planOf(facts);
     };
     bool endless = row.mostBodies == std::size_t(-1);
@@ -296,6 +299,7 @@ std::string tableOfPlans() {
     int few = plan(most, fast).maxCycles, many = plan(least, fast).maxCycles, slow = plan(most, 0).maxCycles;
     IslandFacts of = factsOf(most, true, fast);
     of.jointed = row.jointed;
+    of.joints = of.ties = most;
     int unbalanced = planOf(of).mostCycles;
     std::string cycles = few == many ? number(few) : number(many) + " to " + number(few);
     if (slow > few) cycles += "; slow: at least " + number(slow);
