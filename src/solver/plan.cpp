@@ -31,11 +31,12 @@ constexpr double kHeavyShare = 0.01;  // effective mass of the softest contact o
 //! not of the method: docs/step.md prints the table
 constexpr std::size_t kAny = std::size_t(-1);
 constexpr PlanRow kRows[] = {
-    {"1 to 80, with joints", 80, true, false, true, 1, true, false},
-    {"one body", 1, false, false, true, 10, false, false},
-    {"2 to 24", 24, false, false, true, 10, true, false},
-    {"25 to 80, grounded, none faster than 0.5 m/s", 80, false, true, false, 1, true, false},
-    {"25 and more", kAny, false, false, false, 1, false, true},
+    {"1 to 80, with joints", 80, true, false, false, true, 1, true, false},
+    {"one body", 1, false, false, false, true, 10, false, false},
+    {"2 to 24", 24, false, false, false, true, 10, true, false},
+    {"25 to 80, grounded, none faster than 0.5 m/s", 80, false, false, true, false, 1, true, false},
+    {"81 to 400, joints in a line", 400, true, true, false, true, 1, true, false},
+    {"25 and more", kAny, false, false, false, false, 1, false, true},
 };
 
 // Small islands, when they collapse, need more cycles than a wall to move at their true speed.
@@ -47,7 +48,8 @@ int cycleBudget(const IslandFacts& facts, const SolverSettings& settings) {
 const PlanRow& rowOf(const IslandFacts& facts) {
   bool slow = facts.grounded && facts.fastestCentre < kDebrisSpeed;
   return *std::find_if(std::begin(kRows), std::end(kRows), [&](const PlanRow& row) {
-    return facts.bodies <= row.mostBodies && (facts.jointed || !row.jointed) && (slow || !row.onlySlow);
+    return facts.bodies <= row.mostBodies && (facts.jointed || !row.jointed) && (facts.inLine() || !row.inLine) &&
+           (slow || !row.onlySlow);
   });
 }
 
@@ -83,6 +85,7 @@ IslandFacts findFacts(const Island& island, const StepContext& context) {
   facts.scale = scaleOf(typicalSize(island, bodies), context.judgingGravity);
   facts.bodies = island.bodies.size();
   facts.grounded = island.grounded();
+  facts.ties = island.rows.size();
   facts.jointed = island.rows.anyLasting();
   facts.mortared = island.rows.anyYielding();
   facts.firm = island.rows.anyFirm();

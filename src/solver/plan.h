@@ -23,7 +23,7 @@ struct StepContext;
 struct IslandFacts {
   std::size_t bodies = 0;
   bool grounded = false;  // touches something fixed or kinematic
-  std::size_t joints = 0;
+  std::size_t joints = 0, ties = 0;
   bool jointed = false;       // has ties that stay, and on which bodies swing
   bool mortared = false;      // has ties that break, and give no impulse in no time
   bool firm = false;          // has ties so firm that the rounding of ways is a force
@@ -37,6 +37,10 @@ struct IslandFacts {
   double heaviest = 0;       // kg
   double energy = 0;         // J, kinetic
   double energyBefore = 0;   // J, at the start of the last step
+
+  // Hardly more ties than bodies, nearly all of them joints: a direct solve costs as much for each body as in a small
+  // island.
+  bool inLine() const { return 8 * ties <= 9 * bodies && 8 * joints >= 7 * bodies; }
 };
 
 // One row of the table: the first row that an island fits decides.
@@ -44,6 +48,7 @@ struct PlanRow {
   std::string_view islands;  // in words
   std::size_t mostBodies;
   bool jointed;          // has joints
+  bool inLine;           // IslandFacts::inLine
   bool onlySlow;         // grounded, and no centre of mass faster than kDebrisSpeed
   bool exactSteps;       // open points are left out of the matrix and searched for instead
   float calmStiffening;  // x restingStiffness while the island is calm

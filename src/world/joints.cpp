@@ -176,7 +176,7 @@ JointState stateOf(const Joint& joint, const Registry& registry) {
   if (hasAxis(joint.type)) s.axis = rotate(pose.frameA, Vec3{1, 0, 0});
   s.force = joint.force + joint.earlierForce;
   // Forces act at the joint's centre; the torque is told about the anchor of B.
-  s.torque = joint.torque + joint.earlierTorque - cross(pose.way * (1 - system.centre), s.force);
+  s.torque = joint.torque + joint.earlierTorque - cross(pose.way * (1 - system.onB), s.force);
   s.position = system.position;
   const Vec3 spin = b.angularVelocity - a.angularVelocity;
   const Vec3 speed = b.linearVelocity + cross(b.angularVelocity, pose.armB) - a.linearVelocity -

@@ -166,6 +166,60 @@ TEST(Determinism, MortarBreaksAlikeOnAnyNumberOfThreadsAndThroughSnapshots) {
   }
 }
 
+// Chains, ropes and hinges in islands side by side, hit by heavy balls: some break.
+World jointsThatBreak(int threads) {
+  WorldDef def;
+  def.threads = threads;
+  World world = makeWorld(def);
+  addGround(world);
+  for (int row = 0; row < 6; row++) {
+    const double z = 1.2 * row;
+    BodyId last = add(world, bodyOf(boxOf({0.1, 0.1, 0.1}), {0, 3, z}, BodyType::fixed));
+    for (int i = 0; i < 6 + row; i++) {
+      const BodyId next = add(world, bodyOf(boxOf({0.1, 0.02, 0.2}), {0.22 * (i + 1), 3, z}));
+      JointDef joint;
+      joint.type = row % 3 == 0 ? JointType::revolute : row % 3 == 1 ? JointType::spherical : JointType::rope;
+      joint.bodyA = last, joint.bodyB = next;
+      joint.anchor = {0.22 * (i + 0.5), 3, z};
+      joint.axis = {0, 0, 1};
+      if (joint.type == JointType::rope) joint.anchor.x -= 0.1, joint.anchorB = joint.anchor + Vec3{0.2, 0, 0};
+      joint.breakForce = 200 + 300 * i;
+      EXPECT_TRUE(world.createJoint(joint).ok());
+      last = next;
+    }
+    BodyDef ball = bodyOf(sphereOf(0.15, 7800), {0.6, 3.2, z});
+    ball.linearVelocity = {0, -6, 0};
+    add(world, ball);
+  }
+  return world;
+}
+
+TEST(Determinism, JointsBreakAlikeOnAnyNumberOfThreadsAndThroughSnapshots) {
+  constexpr int kSteps = 40;
+  World one = jointsThatBreak(1);
+  const std::size_t had = one.joints().size();
+  std::vector<std::vector<std::byte>> kept;
+  std::vector<std::uint64_t> wanted;
+  for (int i = 0; i < kSteps; i++) {
+    kept.push_back(one.snapshot());
+    ASSERT_TRUE(one.step(kDt).ok());
+    wanted.push_back(one.stateHash());
+  }
+  EXPECT_LT(one.joints().size(), had - 3) << "none broke";
+  EXPECT_GT(one.joints().size(), had / 3);
+  for (int threads : {2, 4, 8}) {
+    World many = jointsThatBreak(threads);
+    EXPECT_EQ(hashes(many, kSteps), wanted) << threads;
+  }
+  for (std::size_t from = 0; from < kept.size(); from += 13) {
+    World world = makeWorld();
+    ASSERT_TRUE(world.restore(kept[from]).ok());
+    EXPECT_EQ(hashes(world, kSteps - int(from)),
+              std::vector<std::uint64_t>(wanted.begin() + std::ptrdiff_t(from), wanted.end()))
+        << from;
+  }
+}
+
 TEST(Determinism, OtherWorldsInTheProcessDoNotMatter) {
   lab::Scene alone = sceneOf(kCases[2]);
   std::vector<std::uint64_t> wanted = hashes(alone.world, 40);

@@ -145,7 +145,7 @@ TEST(Law, Row30cAHeavyBallHangsStillOnLightLinks) {
   expectSound(chain.world);
   atMost("stretch of forty links under 400 times their weight", kDt, 100 * chain.stretch / Chain::kLength, 0.05, "%");
   const double weight = (2000 + 5 * Chain::kLinks) * kG;
-  reached({"force of its uppermost joint", kDt, chain.world.state(chain.joints[0])->force.y / weight, 1, 5e-3, ""});
+  reached({"force of its uppermost joint", kDt, chain.world.state(chain.joints[0])->force.y / weight, 1, 2e-3, ""});
 }
 
 TEST(Law, Row30dAHeavyBallSwingsOnLightLinks) {
@@ -315,6 +315,79 @@ TEST(Law, Row30lABridgeOfTightBoardsBearsABlow) {
   EXPECT_GT(world.state(ball)->centreOfMass.y, height(middle) - 0.5);
 }
 
+// A hundred boards of 7 kg, made as a parabola hangs, bear 500 kg that fall on them from 0.1 m.
+TEST(Law, Row30qALongBridgeBearsABlow) {
+  World world = makeWorld();
+  const int boards = 100;
+  const double step = 0.2, span = 0.98 * boards * step, sag = std::sqrt(3 * span * span * 0.02 / 8);
+  auto height = [&](double x) { return 5 - 4 * sag * (x / span) * (1 - x / span); };
+  BodyId last = add(world, bodyOf(boxOf({0.1, 0.1, 0.6}), {-0.11, 5, 0}, BodyType::fixed));
+  std::vector<JointId> hinges;
+  Vec3 from{0, 5, 0};
+  for (int i = 0; i < boards; i++) {
+    double low = from.x, high = from.x + step;
+    for (int k = 0; k < 50; k++) {
+      const double middle = 0.5 * (low + high);
+      (length(Vec3{middle, height(middle), 0} - from) < step ? low : high) = middle;
+    }
+    const Vec3 to{high, height(high), 0}, along = to - from;
+    BodyDef def = bodyOf(boxOf({0.09, 0.01, 0.5}, 7 / (0.18 * 0.02)), (from + to) * 0.5);
+    def.rotation = quatFromAxisAngle({0, 0, 1}, std::atan2(along.y, along.x));
+    const BodyId board = add(world, def);
+    hinges.push_back(join(world, at(JointType::revolute, from), last, board));
+    last = board, from = to;
+  }
+  hinges.push_back(join(world, at(JointType::revolute, from), last,
+                        add(world, bodyOf(boxOf({0.1, 0.1, 0.6}), from + Vec3{0.11, 0, 0}, BodyType::fixed))));
+  const double radius = 0.25, middle = 0.5 * from.x;
+  add(world, bodyOf(sphereOf(radius, 500 / (4.0 / 3 * kPi * radius * radius * radius)),
+                    {middle, height(middle) + radius + 0.11, 0}));
+  const double start = energyOf(world), fall = 500 * kG * 0.1;
+  double gape = 0, rise = 0;
+  for (int i = 0; i < 60; i++) {
+    ASSERT_TRUE(world.step(kDt).ok());
+    for (JointId hinge : hinges) gape = std::max(gape, world.state(hinge)->error);
+    rise = std::max(rise, energyOf(world) - start);
+  }
+  expectSound(world);
+  atMost("error of a hinge of a hundred boards under the blow", kDt, 1e3 * gape, 0.5, "mm");
+  atMost("gain of energy, of that of the fall", kDt, 100 * rise / fall, 1, "%");
+}
+
+// Twenty balls of 1 kg on rods or ropes from centre to centre, and 500 kg at their end.
+TEST(Law, Row30pLightBeadsHoldAHeavyBall) {
+  for (JointType type : {JointType::distance, JointType::rope}) {
+    World world = makeWorld();
+    const double angle = 0.5, step = 0.2, radius = 0.05, volume = 4.0 / 3 * kPi * radius * radius * radius;
+    const Vec3 top{0, 10, 0}, down{std::sin(angle), -std::cos(angle), 0};
+    BodyId last = addFixed(world, top);
+    std::vector<JointId> joints;
+    for (int i = 0; i < 20; i++) {
+      const Vec3 to = top + down * (step * (i + 1));
+      const BodyId next = add(world, bodyOf(sphereOf(radius, (i < 19 ? 1 : 500) / volume), to));
+      JointDef def = at(type, to - down * step);
+      def.anchorB = to;
+      joints.push_back(join(world, def, last, next));
+      last = next;
+    }
+    Swing swing;
+    swing.last = angle;
+    double gape = 0;
+    for (int i = 0; i < 660; i++) {
+      ASSERT_TRUE(world.step(kDt).ok());
+      for (JointId joint : joints) gape = std::max(gape, world.state(joint)->error);
+      const Vec3 p = world.state(last)->centreOfMass;
+      swing.look((i + 1) * kDt, kDt, std::atan2(p.x, 10 - p.y));
+    }
+    expectSound(world);
+    const std::string of = type == JointType::rope ? "beads on ropes" : "beads on rods";
+    const double moment = 500 * 4 + 0.2 * 190, inertia = 500 * 16 + 0.04 * 2470;  // sums of i and of i^2, 1 to 19
+    atMost("gape of " + of, kDt, 1e3 * gape, 0.1, "mm");
+    reached({"period of " + of, kDt, 100 * (swing.period() / periodOf(inertia / moment, angle) - 1), 0, 0.2, "%"});
+    reached({"their amplitude", kDt, 100 * (swing.amplitude / angle - 1), 0, 1, "%"});
+  }
+}
+
 // Each type under its own weight: what it holds, what it tells, that it comes to rest.
 TEST(Law, Row30gEachTypeHoldsWhatItIsToHold) {
   World world = makeWorld();
@@ -388,7 +461,6 @@ TEST(Law, Row30iAJointBreaksAndItsBodiesCollideThen) {
   reached({"and after the joint broke: it lies on it", kDt, world.state(upper)->position.y, 0.6, 2e-3, "m"});
 }
 
-// A ball on a chain goes into a small wall: the chain holds, and the wall is solved as well as under a free ball.
 // Two balls that hang from each other, integrated in steps of 1/12000 s.
 struct FineDouble {
   static constexpr double kMass = 1, kRadius = 0.05, kReach = 1, kStep = 1.0 / 12000;
@@ -441,6 +513,7 @@ TEST(Law, Row30oADoublePendulumKeepsToAFineOne) {
   }
 }
 
+// A ball on a chain goes into a small wall: the chain holds, and the wall is solved as well as under a free ball.
 TEST(Law, Row30jAChainHoldsInAHitOfAWall) {
   double unbalanced[2] = {};
   for (int chained = 0; chained < 2; chained++) {

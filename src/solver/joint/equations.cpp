@@ -87,13 +87,16 @@ void alongLine(const Joint& joint, const JointPose& pose, JointSystem& out) {
                        : joint.type == JointType::rope   ? JointLaw::atMost
                                                          : JointLaw::spring;
   out.way.of[0] = {law, span - joint.length};
+  out.span = span;
+  out.onA = 0, out.onB = 1;
+  out.way.of[1] = out.way.of[2] = {JointLaw::across};
 }
 
 void drag(const Joint&, const JointPose& pose, JointSystem& out) {
   const double far = length(pose.way);
   if (far > kNoSpan) out.way.axes[0] = pose.way * (1 / far);
   completeAxes(out.way.axes);
-  out.centre = 1;
+  out.onA = out.onB = 1;
   for (int i = 0; i < 3; i++) out.way.of[i] = {JointLaw::spring, dot(out.way.axes[i], pose.way)};
 }
 

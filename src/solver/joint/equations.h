@@ -12,7 +12,8 @@ enum class JointLaw : std::uint8_t {
   atMost,   // the same, from one side: pulls back what is above 0 ...
   atLeast,  // ... pushes back what is below 0
   motor,    // reaches a speed, with no more than its strength
-  spring    // pulls what it measures to 0 with its stiffness and damping, with no more than its strength
+  spring,   // pulls what it measures to 0 with its stiffness and damping, with no more than its strength
+  across    // the stiffness that the force along a line has by its direction, against a change of the way
 };
 
 struct JointEquation {
@@ -29,8 +30,9 @@ struct EquationSet {
 
 struct JointSystem {
   EquationSet way, turn;
-  double centre = 0.5;  // of the way from the anchor of A to that of B: where its forces act
-  double position = 0;  // JointState::position
+  double onA = 0.5, onB = 0.5;  // of the way from the anchor of A to that of B: where its forces act on each
+  double position = 0;          // JointState::position
+  double span = 0;              // m: of a line between two points
 };
 
 JointSystem equationsOf(const Joint& joint, const JointPose& pose);

@@ -106,7 +106,7 @@ void JointRows::addSupport(const Island& island, const StepContext& context, Bal
     if (!partnerA && !partnerB) continue;
     const Joint& joint = jointAt(k, *context.ties);
     const BodyMotion& partner = bodies.motion[partnerA ? joint.bodyA : joint.bodyB];
-    const Vec3 centre = bodies.motion[joint.bodyA].position + toDouble(r.armA);
+    const Vec3 centre = partner.position + toDouble(partnerA ? r.armA : r.armB);
     const double sign = partnerA ? island.dt : -island.dt;
     const Vec3 impulse = joint.force * sign, turning = joint.torque * sign;
     sum.linear += impulse;

@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
+#include "math/wide_pair.h"
 #include "solver/island.h"
 #include "solver/joint/equations.h"
+#include "solver/numbering.h"
 #include "solver/union_find.h"
 
 namespace brickfall {
@@ -26,9 +29,16 @@ Mat3 bending(Vec3 arm, Vec3 force, double resist) {
 
 namespace {
 
-//! x the heaviest body that hangs by it | too small: more rounds until a heavy body is held
+//! x the load that hangs by it | too small: more rounds until a heavy body is held
 //! | too large: floats leave light bodies out of balance
 constexpr double kFirmness = 100;  // in units of mass / dt^2: of a hard equation
+//! x (joints in a row)^2 / joints x the mass of all that hangs by them | too small: bridges gape
+//! | too large: as a large kFirmness
+constexpr double kInRow = 0.1;  // a load's part by which long rows of joints are firm
+//! not of the method: half of the last bit of a float
+constexpr double kFloatRounds = 0x1p-24;  // of a way
+//! of a body's weight | too small: long rows of joints that are fast are soft | too large: whips are left unsolved
+constexpr double kMostRounded = 0.1;  // that the rounding of its way, times kFirmness of a row, may be
 //! of the second difference | too small: stiff springs fly apart | too large: their period grows with the step
 constexpr double kSpringShare = 0.5;  // of a spring's stiffness, that the solve knows
 //! of the larger body's radius; rad | too small: torn joints close slowly
@@ -43,6 +53,9 @@ constexpr double kForgets = 0.8;  // of Joint::over, a step
 //! of the force | too small: in a snap, the stiffness of forces is gone before they are
 //! | too large: swings lose energy, since that stiffness comes late
 constexpr float kFallsTo = 0.5f;  // geometric stiffness follows a force that falls no further within a solve
+
+//! m | too small: lines of no length are as firm as walls | too large: short lines fly apart
+constexpr double kLeastSpan = 1e-6;
 
 //! rad | too small: fast pendulums are braked | too large: light links tear the joints of a chain
 constexpr double kFarTurn = 0.3;  // of B against A, in a step: further turns are braked
@@ -73,6 +86,12 @@ bool holdsPoint(JointType type) {
   return type == JointType::spherical || type == JointType::fixed || type == JointType::revolute;
 }
 
+// m: what a way of one end of a line against the other makes it longer, besides the way along it.
+double arcOfLine(double span, Vec3 along, Vec3 way) {
+  const double far = dot(along, way), across = lengthSquared(way) - far * far, left = std::max(span + far, 0.1 * span);
+  return across > 0 ? across / (left + std::sqrt(left * left + across)) : 0;
+}
+
 struct Firmness {
   double hard = 0;  // N/m or N m/rad
   double dt = 0;
@@ -92,6 +111,7 @@ void write(const Joint& joint, const JointEquation& from, const Firmness& firm, 
   };
   switch (from.law) {
     case JointLaw::none:
+    case JointLaw::across:
       out.k[lane] = out.trial[lane] = out.least[lane] = out.most[lane] = 0;
       return;
     case JointLaw::hard:
@@ -140,31 +160,93 @@ RowGrip JointRows::grip(std::size_t k, const StepContext& context) const {
   return {force, double(kNoLimit)};
 }
 
-// The bodies that joints join, directly or through others, and what touches one of them.
-void JointRows::findHeaviest(const Island& island, const BodySet& bodies) {
+namespace {
+
+// Bodies that hang together by joints, directly or through others.
+struct Hanging {
+  double mass = 0;      // kg
+  double heaviest = 0;  // kg, of them and of what touches one of them
+  double joints = 0;
+  double depth = 0;  // joints on the way between two that are far from each other
+  double lightest = std::numeric_limits<double>::infinity();  // kg
+  double fastest = 0;                                         // m/s
+
+  // The load that a joint of theirs must hold as one joint alone would hold it. Joints in a row give in a row: all of
+  // their load hangs on a spring that is so much softer. But floats must tell the way of a body finely enough.
+  double load(double gravity, double dt) const {
+    const double inRow = kInRow * (mass + heaviest) * depth * depth / std::max(joints, 1.0);
+    const double told = kMostRounded * lightest * gravity * dt / (kFirmness * kFloatRounds * (fastest + gravity * dt));
+    return std::max(heaviest, std::min(inRow, told));
+  }
+};
+
+// Breadth-first from a body. Returns the last one, and how far it is.
+std::pair<std::uint32_t, double> farthest(const Adjacency& near, std::uint32_t from, std::pmr::vector<char>& reached,
+                                          std::pmr::vector<std::uint32_t>& queue) {
+  double depth = 0;
+  queue.assign(1, from);
+  const char mark = ++reached[from];
+  std::size_t ring = 1;  // end of the bodies that are as near as the present one
+  for (std::size_t i = 0; i < queue.size(); i++) {
+    if (i == ring) depth++, ring = queue.size();
+    for (std::uint32_t k = near.begin[queue[i]]; k < near.begin[queue[i] + 1]; k++) {
+      const std::uint32_t next = near.list[k];
+      if (reached[next] == mark) continue;
+      reached[next] = mark;
+      queue.push_back(next);
+    }
+  }
+  return {queue.back(), depth};
+}
+
+}  // namespace
+
+void JointRows::findLoads(const Island& island, const StepContext& context) {
+  const BodySet& bodies = *context.bodies;
   const std::size_t count = island.bodies.size();
   UnionFind sets(count, island.memory);
-  std::pmr::vector<char> joined(count, 0, island.memory);
+  std::pmr::vector<char> joined(count, 0, island.memory), reached(count, 0, island.memory);
+  std::pmr::vector<Hanging> hanging(count, Hanging{}, island.memory);
+  Adjacency near(island.memory);
+  near.fill(std::uint32_t(count), [&](auto visit) {
+    for (const JointRecord& r : records)
+      if (r.bodyA < count && r.bodyB < count) visit(r.bodyA, r.bodyB);
+  });
   for (const JointRecord& r : records) {
     if (r.bodyA < count) joined[r.bodyA] = 1;
     if (r.bodyB < count) joined[r.bodyB] = 1;
     if (r.bodyA < count && r.bodyB < count) sets.join(r.bodyA, r.bodyB);
   }
-  std::pmr::vector<float> heaviest(count, 0, island.memory);
+  auto massOf = [&](std::uint32_t body) { return bodies.mass[island.bodies[body]].mass; };
   auto take = [&](std::uint32_t body, std::uint32_t into) {
-    float& most = heaviest[sets.find(into)];
-    most = std::max(most, float(bodies.mass[island.bodies[body]].mass));
+    double& most = hanging[sets.find(into)].heaviest;
+    most = std::max(most, massOf(body));
   };
-  for (std::uint32_t i = 0; i < count; i++)
-    if (joined[i]) take(i, i);
+  std::pmr::vector<std::uint32_t> queue(island.memory);
+  for (std::uint32_t i = 0; i < count; i++) {
+    if (!joined[i]) continue;
+    take(i, i);
+    Hanging& all = hanging[sets.find(i)];
+    const BodyIndex body = island.bodies[i];
+    all.mass += massOf(i);
+    all.lightest = std::min(all.lightest, massOf(i));
+    all.fastest =
+        std::max(all.fastest, length(bodies.motion[body].linearVelocity) +
+                                  length(bodies.motion[body].angularVelocity) * bodies.mass[body].outerRadius);
+    if (reached[i]) continue;
+    const auto [end, _] = farthest(near, i, reached, queue);
+    hanging[sets.find(i)].depth = 1 + farthest(near, end, reached, queue).second;
+  }
   island.rows.each([&](const auto& kind, std::size_t k) {
     const RowEnds ends = kind.ends(k);
     if (ends.a >= count || ends.b >= count) return;
     if (joined[ends.a]) take(ends.b, ends.a);
     if (joined[ends.b]) take(ends.a, ends.b);
   });
+  auto setOf = [&](const JointRecord& r) -> Hanging& { return hanging[sets.find(std::min(r.bodyA, r.bodyB))]; };
+  for (const JointRecord& r : records) setOf(r).joints++;
   for (std::size_t k = 0; k < size(); k++)
-    starts[k].heaviest = heaviest[sets.find(std::min(records[k].bodyA, records[k].bodyB))];
+    starts[k].load = float(setOf(records[k]).load(context.judgingGravity, island.dt));
 }
 
 // Puts the geometric stiffness of this force into the masses, in the place of that which is there.
@@ -185,7 +267,29 @@ void JointRows::bend(std::size_t k, Vec3f force) {
   start.bent = force;
 }
 
+// A line turns with its ends, and its force with it: that resists a way across as the arms of a joint resist a turn. Of
+// pressure as of tension, likewise.
+void JointRows::turnLine(std::size_t k, float force) {
+  JointStart& start = starts[k];
+  start.turned = force;
+  const double turning = std::fabs(double(force)) / std::max(double(start.span), kLeastSpan),
+               stiffness = turning > 0 ? turning * turning / (turning + kSlow * double(start.inert)) : 0;
+  for (int i = 0; i < kJointLanes; i++) {
+    if (!(start.across >> i & 1)) continue;
+    records[k].way.k[i] = float(stiffness);
+    records[k].way.trial[i] = records[k].way.k[i] * start.before[i];
+    records[k].way.least[i] = -kNoLimit;
+    records[k].way.most[i] = kNoLimit;
+  }
+}
+
 namespace {
+
+// N/m: the inertia of a body about the end of its arm / dt^2, as 1 / x of it.
+double givenWay(const BodyMass& mass, Vec3 arm) {
+  const double own = (mass.inertia.row[0].x + mass.inertia.row[1].y + mass.inertia.row[2].z) / 3;
+  return 1 / mass.mass + lengthSquared(arm) / own;
+}
 
 // Arms are frozen in a step. Where they turn too far for that, friction takes from the turn: of a pendulum nothing, of
 // links that are flung about what no step could follow.
@@ -213,7 +317,7 @@ void JointRows::prepare(Island& island, Ties& ties, const StepContext& context) 
   returned = 0;
   support = {};
   timePasses_ = true;
-  findHeaviest(island, bodies);
+  findLoads(island, context);
   for (std::size_t k = 0; k < size(); k++) {
     const Joint& joint = jointAt(k, ties);
     JointRecord& r = records[k];
@@ -221,7 +325,7 @@ void JointRows::prepare(Island& island, Ties& ties, const StepContext& context) 
     const JointPose pose(joint, bodies);
     const JointSystem system = equationsOf(joint, pose);
     const BodyMotion &a = bodies.motion[joint.bodyA], &b = bodies.motion[joint.bodyB];
-    const Vec3 armA = pose.armA + pose.way * system.centre, armB = pose.armB - pose.way * (1 - system.centre);
+    const Vec3 armA = pose.armA + pose.way * system.onA, armB = pose.armB - pose.way * (1 - system.onB);
     r.armA = toFloat(armA);
     r.armB = toFloat(armB);
     start.anchorA = toFloat(pose.armA);
@@ -234,7 +338,7 @@ void JointRows::prepare(Island& island, Ties& ties, const StepContext& context) 
       start.resist[end] = float((own + mass.mass * lengthSquared(arm)) / (island.dt * island.dt));
     }
     start.bent = {};
-    start.follows = start.hard = 0;
+    start.follows = start.hard = start.across = 0;
     const Vec3 speed =
         b.linearVelocity + cross(b.angularVelocity, armB) - a.linearVelocity - cross(a.angularVelocity, armA);
     const double size = std::max(bodies.mass[joint.bodyA].outerRadius * (r.bodyA < island.bodies.size()),
@@ -243,7 +347,7 @@ void JointRows::prepare(Island& island, Ties& ties, const StepContext& context) 
     const double part = island.dt / std::max(island.dt, joint.over), correct = double(kCorrect) * part * part;
     const bool arcs = island.plan.arcs;
     const double most = arcs ? kMostCorrect : double(kNoLimit);
-    const double firm = kFirmness * double(start.heaviest) / (island.dt * island.dt);
+    const double firm = kFirmness * double(start.load) / (island.dt * island.dt);
     auto writeSet = [&](const EquationSet& set, const double(&held)[kJointLanes], Vec3 moves, double hard, int first,
                         JointEquations& out) {
       for (int i = 0; i < 3; i++) out.axes[i].unit = toFloat(set.axes[i]);
@@ -255,6 +359,7 @@ void JointRows::prepare(Island& island, Ties& ties, const StepContext& context) 
         start.held[first + i] = follows ? float(held[i]) : 0;
         if (follows) start.follows |= 1u << (first + i);
         if (isHard(law)) start.hard |= 1u << (first + i);
+        if (law == JointLaw::across) start.across |= 1u << (first + i);
         write(joint, set.of[i], {hard, island.dt, correct, most * (first == 0 ? size : 1)},
               double(start.before[first + i]), start.held[first + i], i, out);
       }
@@ -263,12 +368,19 @@ void JointRows::prepare(Island& island, Ties& ties, const StepContext& context) 
     writeSet(system.turn, joint.turn, b.angularVelocity - a.angularVelocity, firm * size * size, kJointLanes, r.turn);
     brake(start, b.angularVelocity - a.angularVelocity, island.dt, r.turn);
     bend(k, toFloat(joint.force));
+    if (start.across != 0) {
+      double gives = 0;
+      if (r.bodyA < island.bodies.size()) gives += givenWay(bodies.mass[joint.bodyA], pose.armA);
+      if (r.bodyB < island.bodies.size()) gives += givenWay(bodies.mass[joint.bodyB], pose.armB);
+      start.span = float(system.span);
+      start.inert = float(1 / (gives * island.dt * island.dt));
+      turnLine(k, float(joint.way[0]));
+    }
     start.arc = {};
-    start.arcs = holdsPoint(joint.type) && arcs;
+    start.arcs = (holdsPoint(joint.type) || (start.across != 0 && start.hard != 0)) && arcs;
     if (start.arcs == 0) continue;
-    start.arc =
-        toFloat(arcOf(b.angularVelocity * island.dt, pose.armB) - arcOf(a.angularVelocity * island.dt, pose.armA));
-    for (int i = 0; i < 3; i++) r.way.trial[i] -= r.way.k[i] * start.arc[i];
+    start.arc = arcAt(k, a.angularVelocity * island.dt, b.angularVelocity * island.dt, speed * island.dt);
+    for (int i = 0; i < 3; i++) r.way.trial[i] -= r.way.k[i] * dot(r.way.axes[i].unit, start.arc);
   }
 }
 
@@ -298,17 +410,26 @@ bool JointRows::follow(std::size_t k, const SolveMotion* motion, float slack) {
   return true;
 }
 
+// m: what the arcs of turns and of a way add to the way of B against A. A line knows it along itself.
+Vec3f JointRows::arcAt(std::size_t k, Vec3 turnA, Vec3 turnB, Vec3 way) const {
+  const JointStart& start = starts[k];
+  const Vec3 arc = arcOf(turnB, toDouble(start.anchorB)) - arcOf(turnA, toDouble(start.anchorA));
+  if (start.across == 0) return toFloat(arc);
+  const Vec3 along = toDouble(records[k].way.axes[0].unit);
+  return toFloat(along * (dot(along, arc) + arcOfLine(std::max(double(start.span), kLeastSpan), along, way + arc)));
+}
+
 // True if the arcs have changed.
 bool JointRows::followArcs(std::size_t k, const SolveMotion* motion, float slack) {
   JointRecord& r = records[k];
   JointStart& start = starts[k];
   if (start.arcs == 0) return false;
-  const Vec3f arc = toFloat(arcOf(toDouble(motion[r.bodyB].th), toDouble(start.anchorB)) -
-                            arcOf(toDouble(motion[r.bodyA].th), toDouble(start.anchorA)));
+  const Vec3f arc = arcAt(k, toDouble(motion[r.bodyA].th), toDouble(motion[r.bodyB].th),
+                          toDouble(wide::store3(joint::relativeMotion(r, motion).way)));
   const Vec3f by = arc - start.arc;
   float most = 0, force = 0;
   for (int i = 0; i < 3; i++) {
-    most = std::max(most, std::fabs(r.way.k[i] * by[i]));
+    most = std::max(most, std::fabs(r.way.k[i] * dot(r.way.axes[i].unit, by)));
     force = std::max(force, std::fabs(start.held[i]));
   }
   if (!(most > slack * force)) return false;
@@ -323,6 +444,10 @@ bool JointRows::settleBounds(std::size_t k, const SolveMotion* motion, float) {
   if (!followArcs(k, motion, kFollowed) && !followed) return false;
   const Vec3f force = wide::store3(joint::readingAt(records[k], motion).force);
   if (length(force) > kFallsTo * length(starts[k].bent)) bend(k, force);
+  if (starts[k].across != 0) {
+    const float along = joint::forcesAt(records[k], motion).way[0];
+    if (std::fabs(along) > kFallsTo * std::fabs(starts[k].turned)) turnLine(k, along);
+  }
   return true;
 }
 
@@ -368,7 +493,7 @@ bool JointRows::store(Island& island, Ties& ties, StepContext&) {
 double JointRows::mostWork(std::size_t k) const {
   double sum = returned / double(size());
   for (int i = 0; i < 2 * kJointLanes; i++) {
-    if (starts[k].hard >> i & 1) continue;
+    if ((starts[k].hard | starts[k].across) >> i & 1) continue;
     const JointEquations& e = i < kJointLanes ? records[k].way : records[k].turn;
     const double stiffness = e.k[i % kJointLanes], trial = e.trial[i % kJointLanes];
     if (trial != 0) sum += stiffness > 0 ? trial * trial / (4 * stiffness) : std::numeric_limits<double>::infinity();

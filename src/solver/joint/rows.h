@@ -40,7 +40,7 @@ struct JointStart {
   Vec3f bent;                          // N, on B: the force whose geometric stiffness is in the masses
   Vec3f arc;                           // m: what the arcs of both anchors add to the way of B against A; in `trial`
   float resist[2] = {};                // N m: inertia of each body about its anchor / dt^2; 0: nothing moves it
-  float heaviest = 0;                  // kg, of the bodies that hang together by joints, and what touches them
+  float load = 0;                      // kg: of what hangs together by joints, and of what touches it
   float held[2 * kJointLanes] = {};    // N, N m: multiplier in `trial`, ways and then turns
   float before[2 * kJointLanes] = {};  // m, rad: way of the last step along each axis
   float error[2 * kJointLanes] = {};   // m, rad: of hard equations
@@ -48,6 +48,10 @@ struct JointStart {
   float swung[2] = {};                 // N m: the part of `resist` that is the arm's
   float arcs = 0;                      // share of the arcs that counts
   std::uint32_t hard = 0;              // bit per equation that gives no energy: holds a place
+  std::uint32_t across = 0;            // bit per equation across a line
+  float span = 0;                      // m: of the line
+  float turned = 0;                    // N, of its force: as in `bent`
+  float inert = 0;                     // N/m: inertia of both anchors against each other / dt^2
 };
 
 struct JointRows {
@@ -172,8 +176,10 @@ struct JointRows {
 
  private:
   const Joint& jointAt(std::size_t k, const Ties& ties) const { return ties.joints.slots[jointOf[k]]; }
-  void findHeaviest(const Island& island, const BodySet& bodies);
+  void findLoads(const Island& island, const StepContext& context);
   void bend(std::size_t k, Vec3f force);
+  void turnLine(std::size_t k, float force);
+  Vec3f arcAt(std::size_t k, Vec3 turnA, Vec3 turnB, Vec3 way) const;
   bool followArcs(std::size_t k, const SolveMotion* motion, float slack);
   bool follow(std::size_t k, const SolveMotion* motion, float slack);
 

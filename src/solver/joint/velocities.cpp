@@ -12,7 +12,7 @@ namespace brickfall {
 
 namespace {
 
-//! x the heaviest body that hangs by it | too small: joints keep a part of their velocity
+//! x the load that hangs by it | too small: joints keep a part of their velocity
 //! | too large: doubles round
 constexpr double kStiff = 1e5;  // in units of mass: of an equation of velocities
 //! - | too small: joints keep a part of their velocity | too large: cost
@@ -157,7 +157,8 @@ class HeldVelocities {
                                   cross(wA, toDouble(r.armA));
       double sum = 0;
       for (int i = 0; i < kJointLanes; i++) {
-        if (joints.starts[k].hard >> i & 1) sum += joint.way[i] * dot(toDouble(r.way.axes[i % 3].unit), u);
+        if ((joints.starts[k].hard | joints.starts[k].across) >> i & 1)
+          sum += joint.way[i] * dot(toDouble(r.way.axes[i % 3].unit), u);
         if (joints.starts[k].hard >> (i + kJointLanes) & 1)
           sum += joint.turn[i] * dot(toDouble(r.turn.axes[i % 3].unit), w);
       }
@@ -329,8 +330,10 @@ class HeldVelocities {
       const Body &a = at(r.bodyA), &b = at(r.bodyB);
       const JointPose pose(joint, a.place, b.place);
       const JointSystem system = equationsOf(joint, pose);
-      const Vec3 armA = pose.armA + pose.way * system.centre, armB = pose.armB - pose.way * (1 - system.centre);
-      const double firm = kStiff * double(joints.starts[k].heaviest);
+      // Impulses act at one place on both: they change no angular momentum.
+      const double middle = 0.5 * (system.onA + system.onB);
+      const Vec3 armA = pose.armA + pose.way * middle, armB = pose.armB - pose.way * (1 - middle);
+      const double firm = kStiff * double(joints.starts[k].load);
       const double size = std::max(moves(r.bodyA) ? context_.bodies->mass[a.body].outerRadius : 0,
                                    moves(r.bodyB) ? context_.bodies->mass[b.body].outerRadius : 0);
       auto add = [&](const EquationSet& set, const double(&held)[kJointLanes], bool turn) {

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <set>
@@ -35,18 +36,36 @@ TEST(Plan, EveryRowOfTheTableIsReached) {
     double speed;
     std::size_t row;
     bool jointed = false;
+    std::size_t ties = 0;
   };
-  const Case cases[] = {{1, true, 0, 1},       {1, false, 50, 1},     {2, true, 0, 2},       {24, false, 50, 2},
-                        {13, true, 0.49, 2},   {24, true, 50, 2},     {25, true, 0.49, 3},   {80, true, 0, 3},
-                        {25, true, 0.5, 4},    {25, false, 0, 4},     {80, false, 0, 4},     {81, true, 0, 4},
-                        {100000, true, 0, 4},  {100000, false, 9, 4}, {1, true, 0, 0, true}, {80, false, 50, 0, true},
-                        {81, true, 0, 4, true}};
+  const Case cases[] = {{1, true, 0, 1},
+                        {1, false, 50, 1},
+                        {2, true, 0, 2},
+                        {24, false, 50, 2},
+                        {13, true, 0.49, 2},
+                        {24, true, 50, 2},
+                        {25, true, 0.49, 3},
+                        {80, true, 0, 3},
+                        {25, true, 0.5, 5},
+                        {25, false, 0, 5},
+                        {80, false, 0, 5},
+                        {81, true, 0, 5},
+                        {100000, true, 0, 5},
+                        {100000, false, 9, 5},
+                        {1, true, 0, 0, true},
+                        {80, false, 50, 0, true},
+                        {81, true, 0, 4, true, 91},
+                        {400, false, 50, 4, true, 400},
+                        {81, true, 0, 5, true, 92},
+                        {401, true, 0, 5, true, 400}};
   std::set<std::size_t> reached;
   for (const Case& c : cases) {
     SCOPED_TRACE(std::to_string(c.bodies) + (c.grounded ? " grounded, " : " floating, ") + std::to_string(c.speed));
     const PlanRow& row = planRows()[c.row];
     IslandFacts facts = factsOf(c.bodies, c.grounded, c.speed);
     facts.jointed = c.jointed;
+    facts.ties = c.ties;
+    facts.joints = std::min(c.ties, c.bodies);
     SolvePlan plan = planOf(facts);
     EXPECT_EQ(plan.exactSteps, row.exactSteps);
     EXPECT_EQ(plan.direct, row.direct);
@@ -271,6 +290,7 @@ std::string tableOfPlans() {
     auto plan = [&](std::size_t bodies, double speed) {
       IslandFacts facts = factsOf(bodies, row.onlySlow || speed == 0, speed);
       facts.jointed = row.jointed;
+      facts.joints = facts.ties = bodies;
       return planOf(facts);
     };
     bool endless = row.mostBodies == std::size_t(-1);
@@ -279,6 +299,7 @@ std::string tableOfPlans() {
     int few = plan(most, fast).maxCycles, many = plan(least, fast).maxCycles, slow = plan(most, 0).maxCycles;
     IslandFacts of = factsOf(most, true, fast);
     of.jointed = row.jointed;
+    of.joints = of.ties = most;
     int unbalanced = planOf(of).mostCycles;
     std::string cycles = few == many ? number(few) : number(many) + " to " + number(few);
     if (slow > few) cycles += "; slow: at least " + number(slow);

@@ -1,5 +1,8 @@
 // Joints through the API: what is refused and why, what can be read and changed, sleep and waking, bodies that go.
+#include <algorithm>
 #include <limits>
+#include <map>
+#include <random>
 
 #include "support/world_helpers.h"
 
@@ -151,6 +154,130 @@ TEST(Joints, DebugDrawShowsThemFromCentreToCentre) {
   expectNear(ends[2], {0, 2, 0}, 1e-12);
   expectNear(ends[3], {0.1, 1.1, 0}, 1e-12);
   expectNear(ends[5], {0, 1, 0}, 1e-12);
+}
+
+// Any order of calls: the joints that there are, of which bodies and of which type, are those of a simple model.
+class JointModel {
+ public:
+  explicit JointModel(unsigned seed) : random_(seed) {
+    addGround(world_);
+    for (int i = 0; i < 7; i++)
+      add(world_, bodyOf(boxOf({0.1, 0.1, 0.1}), {0.4 * i, 1.5, 0}, i == 0 ? BodyType::fixed : BodyType::dynamic));
+  }
+  void play(int calls) {
+    for (int i = 0; i < calls && !testing::Test::HasFailure(); i++) {
+      call(int(random_() % 9));
+      compare();
+    }
+  }
+  int made = 0, refused = 0, broken = 0, ended = 0;
+
+ private:
+  struct Tie {
+    BodyId a, b;
+    JointType type;
+  };
+  double share() { return double(random_() % 1000) / 1000; }
+  BodyId anyBody() {
+    const std::vector<BodyId> all = world_.bodies();
+    return all[random_() % all.size()];
+  }
+  JointId anyJoint() { return std::next(model_.begin(), std::ptrdiff_t(random_() % model_.size()))->first; }
+  void call(int which) {
+    if (which < 3) {
+      make();
+    } else if (which == 3) {
+      change();
+    } else if (which == 4 && random_() % 4 == 0) {
+      end(anyBody());
+    } else if (which == 5 && !model_.empty()) {
+      const JointId id = anyJoint();
+      EXPECT_TRUE(world_.destroyJoint(id).ok());
+      EXPECT_FALSE(world_.destroyJoint(id).ok()) << "twice";
+      model_.erase(id);
+    } else if (which == 6) {
+      World copy = makeWorld();
+      ASSERT_TRUE(copy.restore(world_.snapshot()).ok());
+      for (World* w : {&copy, &world_}) ASSERT_TRUE(w->step(kDt).ok());
+      EXPECT_EQ(copy.stateHash(), world_.stateHash());
+      takeBreaks();
+    } else {
+      ASSERT_TRUE(world_.step(which == 7 ? 1.0 / 240 : kDt).ok());
+      takeBreaks();
+    }
+  }
+  void make() {
+    JointDef def;
+    def.type = JointType(random_() % kJointTypeCount);
+    def.bodyA = anyBody(), def.bodyB = anyBody();
+    const Vec3 a = world_.state(def.bodyA)->position, b = world_.state(def.bodyB)->position;
+    def.anchor = a + (b - a) * share();
+    if (random_() % 2 == 0) def.anchorB = b;
+    def.axis = {share(), share(), 0.5};
+    def.collide = random_() % 3 == 0;
+    if (random_() % 2 == 0) def.limit = JointDef::Limit{-share(), share()};
+    if (random_() % 3 == 0) def.motor = JointDef::Motor{share(), 50 * share()};
+    if (random_() % 3 == 0) def.breakForce = 1 + 200 * share();
+    const Result<JointId> id = world_.createJoint(def);
+    (id ? made : refused)++;
+    if (id) model_[*id] = {def.bodyA, def.bodyB, def.type};
+  }
+  void change() {
+    if (model_.empty()) return;
+    const JointId id = anyJoint();
+    const JointType type = model_[id].type;
+    const bool hinge = type == JointType::revolute || type == JointType::prismatic;
+    const bool line = type == JointType::distance || type == JointType::rope || type == JointType::spring;
+    EXPECT_EQ(world_.setMotor(id, JointDef::Motor{share(), share()}).ok(), hinge);
+    EXPECT_EQ(world_.setLimit(id, JointDef::Limit{-share(), share()}).ok(), hinge || type == JointType::spherical);
+    EXPECT_EQ(world_.setLength(id, 0.3 + share()).ok(), line);
+    EXPECT_EQ(world_.setTarget(id, {share(), 1, share()}).ok(), type == JointType::drag);
+    EXPECT_TRUE(world_.setBreaking(id, 1 + 1e4 * share(), 1 + 1e4 * share()).ok());
+  }
+  void end(BodyId body) {
+    if (world_.bodies().size() < 5) return;
+    ASSERT_TRUE(world_.destroyBody(body).ok());
+    ended += int(std::erase_if(model_, [&](const auto& tie) { return tie.second.a == body || tie.second.b == body; }));
+  }
+  void takeBreaks() {
+    for (const BreakEvent& event : world_.events().breaks) broken += int(model_.erase(event.joint));
+  }
+  void compare() {
+    std::vector<JointId> ids;
+    for (const auto& [id, tie] : model_) {
+      ids.push_back(id);
+      const Result<JointState> state = world_.state(id);
+      ASSERT_TRUE(state.ok()) << id.index;
+      EXPECT_TRUE(state->bodyA == tie.a && state->bodyB == tie.b && state->type == tie.type);
+      EXPECT_TRUE(isFinite(state->force) && isFinite(state->torque));
+      const std::vector<JointId> own = world_.joints(tie.b);
+      EXPECT_TRUE(std::find(own.begin(), own.end(), id) != own.end());
+      EXPECT_TRUE(world_.definition(id).ok());
+    }
+    std::vector<JointId> there = world_.joints();
+    std::sort(there.begin(), there.end());
+    EXPECT_EQ(there, ids);
+    expectSound(world_);
+  }
+
+  std::mt19937 random_;
+  World world_ = makeWorld();
+  std::map<JointId, Tie> model_;
+};
+
+TEST(Joints, CallsInAnyOrderLeaveWhatAModelSays) {
+  int made = 0, refused = 0, broken = 0, ended = 0;
+  for (unsigned seed = 1; seed <= 20; seed++) {
+    SCOPED_TRACE(seed);
+    JointModel model(seed);
+    model.play(80);
+    made += model.made, refused += model.refused, broken += model.broken, ended += model.ended;
+    if (HasFailure()) return;
+  }
+  EXPECT_GT(made, 200);
+  EXPECT_GT(refused, 20);
+  EXPECT_GT(broken, 20);
+  EXPECT_GT(ended, 20);
 }
 
 }  // namespace
