@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "geometry/queries.h"
 #include "solver/free_motion.h"
 #include "solver/impact.h"
 #include "world/core_sweep.h"
@@ -13,6 +14,10 @@ namespace {
 //! - | too small: impacts of larger islands are first order in the time step
 //! | too large: cost, impacts that are not solved well
 constexpr std::size_t kMostBodies = 5;
+
+//! inner radii | too small: sound impacts are looked for in ever shorter parts
+//! | too large: what spins ends in what it hits, and stays in it
+constexpr double kDeeper = 0.1;  // deeper than that at an impact, a body has turned into what it meets
 
 // Contacts of these shapes are true from afar: a shape that moves without a turn cannot pass the other one unseen.
 bool isFoundExactly(ShapeType a, ShapeType b) {
@@ -55,6 +60,36 @@ bool ImpactParts::foundExactly(const Island& island) const {
 Vec3 ImpactParts::turnOf(BodyIndex body) const {
   const BodyMotion& m = registry_.bodies.motion[body];
   return visibleTurn(registry_.bodies.mass[body], m.orientation, m.angularVelocity) * context_.dt;
+}
+
+bool ImpactParts::anyTurns(const Island& island) const {
+  return std::any_of(island.bodies.begin(), island.bodies.end(), [&](BodyIndex body) {
+    const BodySet& bodies = registry_.bodies;
+    const Vec3 turn = visibleTurn(bodies.mass[body], bodies.motion[body].orientation, context_.solved[body].th);
+    return lengthSquared(turn) > 0.25 * kMostTurn * kMostTurn;
+  });
+}
+
+double ImpactParts::deepestOf(const Island& island) const {
+  double deepest = 0;
+  island.rows.eachManifold([&](ContactIndex contact) {
+    const Contact& c = context_.ties->contacts.contacts[contact];
+    for (int i = 0; i < c.count; i++) deepest = std::max(deepest, -double(c.points.gap[i]));
+  });
+  return deepest;
+}
+
+bool ImpactParts::endsDeeper(const Island& island, double had) const {
+  bool deeper = false;
+  island.rows.eachManifold([&](ContactIndex contact) {
+    const Contact& c = context_.ties->contacts.contacts[contact];
+    const ShapeData &a = registry_.shapes.data[c.shapeA], &b = registry_.shapes.data[c.shapeB];
+    if (deeper) return;
+    const Transform bInA = inverse(registry_.shapes.worldPose(c.shapeA, registry_.bodies)) *
+                           registry_.shapes.worldPose(c.shapeB, registry_.bodies);
+    deeper = penetrationDepth(a.geometry, b.geometry, bInA) > had + kDeeper * std::min(a.innerRadius, b.innerRadius);
+  });
+  return deeper;
 }
 
 bool ImpactParts::runThrough(const Island& island, double dt, const Proximity& proximity) const {

@@ -1,14 +1,19 @@
-// The solve sees bodies with the arms and points of the start of a step. Those that turn far end along an arc, and with
-// other corners foremost. Where that leaves them in something, they are shifted out of it: overlap that no force made
-// would otherwise be let go by a tenth in each step.
+// The solve sees bodies with the arms and points of the start of a step, and contacts are found along the velocities
+// before it. So what turns far, what a hit throws elsewhere and what was stopped on its way may end in something. Such
+// bodies are fitted in where they end: overlap that no force made would be seen, and be let go by a tenth in each step.
 #pragma once
-#include "solver/island.h"
+#include "world/activity.h"
+#include "world/proximity.h"
 #include "world/registry.h"
 
 namespace brickfall {
 
-// Parts bodies that turned far from those that they touch, so that they end no deeper in them than they began. Groups
-// that fly keep their ways: only what something fixed supports, or a body alone, is shifted. Returns whether any was.
+// Moves and turns bodies that end elsewhere than their contacts foresaw, until they are no deeper in what they meet
+// than they began. What flies and touches nothing fixed keeps its way: a shift would change its momentum.
+
+// All awake islands, and what they would end in without a contact.
+void keepOut(const IslandSet& islands, const Registry& registry, const Proximity& proximity, StepContext& context);
+// One island, by its contacts. Returns whether anything was moved.
 bool keepOut(const Island& island, const Registry& registry, StepContext& context);
 
 }  // namespace brickfall

@@ -1,12 +1,13 @@
 // Things that the contacts of a step can't see: they are found along the velocities before it, with normals and arms
 // that stay as they are. A body that a hit throws somewhere else, or spins through most of a turn, or that a force
-// accelerates from rest, could end the step behind something thin, or in it. So first what turned far is kept out of
-// what it touches (keep_out.h). Then the core of every fast body, a ball a fourth as thick as its shape, is swept along
-// the way that the solve found, against the ways of the others. Where it would enter something, or run over the core of
-// something smaller, the two go on together for the rest of the step. So debris that flies along together never stands
-// still. Before a fixed thing the body stops; what a kinematic body runs into is taken along. What is long and turns is
-// looked at in its own frame, where ways are arcs, in parts of 0.2 rad. Velocities stay, so that the next step finds
-// the contact and does the rest. If it does not, the two go on as one body.
+// accelerates from rest, could end the step behind something thin, or in it. So first what ends aside is fitted in
+// (keep_out.h), and once more if any body was stopped. Between, the core of every fast body, a ball a fourth as thick
+// as its shape, is swept along the way that the solve found, against the ways of the others. Where it would enter
+// something, or run over the core of something smaller, the two go on together for the rest of the step. So debris that
+// flies along together never stands still. Before a fixed thing the body stops; what a kinematic body runs into is
+// taken along. What is long and turns is looked at in its own frame, where ways are arcs, in parts of 0.2 rad.
+// Velocities stay, so that the next step finds the contact and does the rest. If it does not, the two go on as one
+// body.
 #include <algorithm>
 #include <cmath>
 
@@ -77,13 +78,14 @@ struct Obstacles {
   const Registry& registry;
   const BodySet& bodies;
   const ShapeSet& shapes;
-  const BroadPhase& broadPhase;
+  const Proximity& proximity;
   const Activity& activity;
   const IslandSet& islands;
   StepContext& context;
   LastingGroups joined;
 
   bool changed = false, last = false;  // in this look along all ways; it is the last one
+  bool stopped = false;                // in any look
 
   // Bodies that go the same way: a group that flies, or one body that is supported.
   struct Group {
@@ -127,12 +129,13 @@ Motion Obstacles::motionOf(BodyIndex body) const {
   return {context.solved[body].d, context.solved[body].th};
 }
 
-// The body's group, as numbers in its island: of one that flies, all of it; of one that is supported, the body alone.
+// What moves with the body, as numbers in its island. Its group, if all of the island flies: its momenta must stay.
+// Else the body alone: a group of a hundred bricks does not stop where one of them meets the ground.
 std::span<const std::uint32_t> Obstacles::movesWith(const Island& island, BodyIndex body) const {
   const auto place = std::lower_bound(island.bodies.begin(), island.bodies.end(), body) - island.bodies.begin();
   const auto number = std::size_t(place);
   const std::span<const std::uint32_t> group = island.groups.bodies(island.groups.groupOf(number));
-  if (context.solved[body].flying) return group;
+  if (context.solved[body].flying && !island.grounded()) return group;
   return group.subspan(std::size_t(std::lower_bound(group.begin(), group.end(), std::uint32_t(number)) - group.begin()),
                        1);
 }
@@ -329,14 +332,15 @@ void Obstacles::stopAll() {
     for (BodyIndex body : islands.single) (this->*act)(body);
   };
   each(&Obstacles::takeBack);
-  for (const IslandPointer& island : islands.awake)
-    if (!island->resting()) keepOut(*island, registry, context);
-  for (int look = 0; look < kMostLooks; look++) {
+  keepOut(islands, registry, proximity, context);
+  changed = true;
+  for (int look = 0; look < kMostLooks && changed; look++) {
     changed = false;
     last = look + 1 == kMostLooks;
     each(&Obstacles::stop);
-    if (!changed) return;
+    stopped = stopped || changed;
   }
+  if (stopped) keepOut(islands, registry, proximity, context);
 }
 
 // The first thing on a body's way, for one shape of the body. `everything`: it may be the other that does the moving.
@@ -359,7 +363,7 @@ void Obstacles::obstruct(ShapeIndex shape, bool everything, double thickness, Ob
   const Sweep all = wayOf(s.body);
   // A turn moves no core that is at the centre. Where the end of a body is pressed in, the turn gets it out.
   bool centred = length(s.middle) < 0.5 * kCoreShare * s.innerRadius;
-  broadPhase.query(sweptBounds(s, all), [&](std::uint32_t other) {
+  proximity.broadPhase->query(sweptBounds(s, all), [&](std::uint32_t other) {
     const ShapeData& o = shapes.data[other];
     if (o.body == s.body || !shapes.mayTouch(shape, other)) return true;
     if (!context.ties->mayCollide(s.body, o.body) || joined.together(s.body, o.body)) return true;
@@ -394,7 +398,7 @@ void Obstacles::obstruct(ShapeIndex shape, bool everything, double thickness, Ob
 void stopAtObstacles(const Registry& registry, const Activity& activity, const Proximity& proximity,
                      StepContext& context) {
   Obstacles{registry,        registry.bodies,
-            registry.shapes, *proximity.broadPhase,
+            registry.shapes, proximity,
             activity,        activity.islands,
             context,         LastingGroups(registry.bodies.motion.size(), activity.islands, context.memory)}
       .stopAll();
