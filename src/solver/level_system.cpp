@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "solver/locks.h"
+
 namespace brickfall {
 
 namespace {
@@ -14,6 +16,9 @@ constexpr double kMostProducts = 2;  // in a factorisation of the coarse level
 constexpr int kMostIterations = 4;
 //! of the error | too small: cost of motion that the next step finds again | too large: steps that do not fit the whole
 constexpr double kSolvedTo = 0.2;
+
+//! x the entry that is there | too small: others feel what is locked | too large: floats round
+constexpr float kLockedInFloats = 1e4f;  // of a locked unknown; its step is then left out
 
 using wide::cross3;
 using wide::spread;
@@ -136,6 +141,25 @@ void LevelSystem::addInertia() {
   }
 }
 
+// After all else is in the matrices.
+void LevelSystem::lock() {
+  if (!anyLocks(island_)) return;
+  for (std::uint32_t c = 0; c < fine_.clusters.size(); c++) {
+    const std::uint8_t locks = locksOf(island_, fine_, fine_.clusters[c]);
+    for (int k = 0; k < 6; k++) {
+      if (!(locks >> k & 1)) continue;
+      Wrench& to = matrix_.diagonal(c).of[k];
+      float& own = k < 3 ? to.force[k] : to.torque[k - 3];
+      own *= kLockedInFloats;
+    }
+  }
+  if (!coarse_) return;
+  for (std::size_t c = 0; c < coarse_->clusters.size(); c++) {
+    const Cluster& cluster = coarse_->clusters[c];
+    factor_.stiffen(places_[c], locksOf(island_, *coarse_, cluster), kLockedStiffness);
+  }
+}
+
 bool LevelSystem::make() {
   matrix_.clear();
   factor_.clear();
@@ -147,6 +171,7 @@ bool LevelSystem::make() {
     addRow(ends, now);
     if (coarse_ && clusterOf(*coarse_, ends.a) != clusterOf(*coarse_, ends.b)) addCoarseRow(ends, now);
   });
+  lock();
   return matrix_.factor() && factor_.factor();
 }
 
