@@ -221,8 +221,11 @@ bool checkOpening(const WallDef& wall, std::size_t index, Problems& problems) {
                              ? (span.lintelTo - span.lintelFrom) * (span.lintelTo - span.lintelFrom) / (8 * wall.radius)
                              : 0;
   if (sagitta > 0.5 * wallThickness(wall)) {
-    problems.add(field + "width", "the straight lintel would lie " + textOf(sagitta) +
-                                      " m beside the round wall, expected a narrower opening or a larger radius");
+    problems.add(
+        field + "width",
+        "the straight lintel would lie " + textOf(sagitta) + " m beside the round wall, expected at most " +
+            textOf(std::max(0.0, std::sqrt(4 * wall.radius * wallThickness(wall)) - 2 * opening.lintelBearing)) +
+            " m, a shorter lintel bearing or a larger radius");
   } else if (!(span.to <= length + 1e-9 && span.from >= begin - 1e-9)) {
     const bool path = lines.size() > 1;
     problems.add(
