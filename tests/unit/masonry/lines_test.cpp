@@ -135,6 +135,7 @@ TEST(CurvedWalls, PiersStandInPathsAndRings) {
       for (int kind = 0; kind < 5; kind++) {
         WallDef wall = wallIn(bond);
         if (kind < 2) wall.path = {{0, 0, 0}, {3, 0, 0}, {3, 0, -2.5}};
+        if (kind == 1) wall.path.push_back({0, 0, -2.5});
         wall.closed = kind == 1;
         if (kind >= 2) wall.radius = kind == 2 ? 0.9 : 2.5;
         if (kind == 4) wall.arcDegrees = 120;
@@ -204,7 +205,7 @@ TEST(CurvedWalls, MistakesNameTheirField) {
   EXPECT_EQ(fieldOf(wall), "piers[0].at");
   wall = wallIn(Bond::running);
   wall.path = {{0, 0, 0}, {1, 0, 0}, {1, 0, -1}};
-  wall.piers = {{0.5, 4, 1.5, 0}};
+  wall.piers = {{0.5, 5, 1.5, 0}};
   EXPECT_EQ(fieldOf(wall), "piers[0].at") << "no room before the corner";
   wall.piers.clear();
   wall.openings = {{0.7, 0, 0.6, 0.1, 0.15, 0}};
