@@ -28,8 +28,9 @@ class Pair {
   double massAlong(Vec3 axis) const {
     auto inverse = [&](BodyIndex body, Vec3 arm) {
       const Vec3 lever = cross(arm, axis);
-      return bodies_.mass[body].invMass * dot(axis, bodies_.freeWay(body, axis)) +
-             dot(lever, bodies_.worldInvInertia(body) * lever);
+      const BodyMass& mass = bodies_.mass[body];
+      const double gives = mass.locks == 0 ? 1 : dot(axis, bodies_.freeWay(body, axis));
+      return mass.invMass * gives + dot(lever, bodies_.worldInvInertia(body) * lever);
     };
     const double both = inverse(a_, armA_) + inverse(b_, armB_);
     return both > 0 ? 1 / both : 0;  // 0: locks let neither give way
