@@ -1,6 +1,6 @@
-// Locked axes in the solve (dynamics/axis_locks.h). Along them a body's unknowns stay 0: their residual is the world's to
-// bear, and counts as none; the matrix has nothing but a diagonal there. A rigid cluster keeps the locks of all its bodies:
-// where a way of one is locked, no turn may carry it along that way.
+// Locked axes in the solve (dynamics/axis_locks.h). Along them a body's unknowns stay 0: their residual is the world's
+// to bear, and counts as none; the matrix has nothing but a diagonal there. A rigid cluster keeps the locks of all its
+// bodies: where a way of one is locked, no turn may carry it along that way.
 #pragma once
 #include "dynamics/axis_locks.h"
 #include "solver/island.h"

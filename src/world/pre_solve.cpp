@@ -35,8 +35,8 @@ float within(double value, double most, float was) {
   return std::isnan(value) ? was : float(std::clamp(value, 0.0, most));
 }
 
-// Asks about one contact and changes it. Several of one pair of shapes (on a mesh) follow each other: the pair is off if all
-// of them are. Returns whether anything is other than in the last step.
+// Asks about one contact and changes it. Several of one pair of shapes (on a mesh) follow each other: the pair is off
+// if all of them are. Returns whether anything is other than in the last step.
 bool ask(const World::PreSolve& callback, CandidatePair& pair, ContactSet& contacts, Registry& registry) {
   Contact& c = contacts.contacts[pair.contact];
   Contact fresh = c;
