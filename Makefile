@@ -12,7 +12,7 @@ SCENE ?= wall
 # cmake -B build -DBRICKFALL_UNITY=OFF.
 CONFIGURE = cmake -S . -B $(BUILD) $$(test -f $(BUILD)/CMakeCache.txt || echo -G Ninja -DCMAKE_BUILD_TYPE=$(BUILD_TYPE) -DBRICKFALL_UNITY=ON)
 
-.PHONY: help dist deb demo build view render test validate fuzz golden same-bits check bench install clean
+.PHONY: help docs gallery dist deb demo build view render test validate fuzz golden same-bits check bench install clean
 .DEFAULT_GOAL := help
 
 help:
@@ -28,6 +28,8 @@ help:
 	@echo "make check              the tests and the rules of the source (tools/check)"
 	@echo "make bench              figures of the shipped scenes, as a table (tools/bench)"
 	@echo "make install PREFIX=... install command, library, scenes and CMake package (default /usr/local)"
+	@echo "make docs               the documents as a site, out/docs/index.html, with the library's reference and a check of all links"
+	@echo "make gallery            replays of the shipped scenes for the site, in out/gallery (GALLERY='wall hole' for others)"
 	@echo "make dist               a release archive, out/brickfall-VERSION.tar.gz: builds without node and without a network"
 	@echo "make deb                a Debian package of what was built, in $(BUILD)/"
 	@echo "make clean              remove $(BUILD)/ and out/"
@@ -106,6 +108,16 @@ bench: build
 install: build
 	@cmake --build $(BUILD) -j $(JOBS) --target brickfall_cli
 	@cmake --install $(BUILD) --prefix $(PREFIX)
+
+# With the gallery, if `make gallery` has made one.
+docs:
+	@tools/install-dependencies docs
+	@tools/docs out/docs $$(test -f out/gallery/index.html && echo --gallery out/gallery)
+
+# Replays that the project makes itself, with one page that shows them.
+GALLERY ?= wall wall-hits house round-tower dome arch garden-gate domino-spiral wrecking-ball bridge pendulum-wall shake-table
+gallery: build
+	@tools/gallery --command $(BUILD)/bin/brickfall out/gallery $(GALLERY)
 
 # The source as it is committed, with the page bundled.
 VERSION = $(shell sed -n 's/^project(brickfall VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)

@@ -13,6 +13,26 @@ namespace brickfall {
 // static: never moves. kinematic: moves with the velocity it is given, whatever it hits. dynamic: moves by forces.
 enum class BodyType : std::uint8_t { fixed, kinematic, dynamic };
 
+// Ways of the centre of mass along the world's axes, and turns about them, that a dynamic body may not make: whatever hits it,
+// it keeps these coordinates to the last bit, as if it were on rails. Who pushes against a lock pushes against the world.
+// Fixed and kinematic bodies do not read it. A puppet of a plane game: AxisLocks::plane(); who never falls over: noTurns().
+struct AxisLocks {
+  bool wayX = false, wayY = false, wayZ = false;
+  bool turnX = false, turnY = false, turnZ = false;
+  bool operator==(const AxisLocks&) const = default;
+  // It moves in the plane of x and y, and turns about z.
+  static AxisLocks plane() {
+    AxisLocks locks;
+    locks.wayZ = locks.turnX = locks.turnY = true;
+    return locks;
+  }
+  static AxisLocks noTurns() {
+    AxisLocks locks;
+    locks.turnX = locks.turnY = locks.turnZ = true;
+    return locks;
+  }
+};
+
 struct BodyDef {
   BodyType type = BodyType::dynamic;
   std::vector<ShapeDef> shapes;  // at least one; mass, centre of mass and inertia come from them and their densities
@@ -31,6 +51,8 @@ struct BodyDef {
   // only. Friction acts on what lies on it by the speed against the surface; what part of it points into a face does
   // nothing there.
   Vec3 surfaceVelocity;
+  AxisLocks locks;             // none; velocities given along locked axes are dropped
+  bool enabled = true;         // false: it is made switched off (World::setEnabled)
   bool allowSleep = true;      // false keeps the body's island awake
   std::uint64_t userData = 0;  // yours; never read
 };
@@ -47,6 +69,8 @@ struct BodyState {
   Vec3 surfaceVelocity;      // m/s, body axes
   double mass = 0;           // kg; 0 for fixed and kinematic bodies
   bool awake = true;
+  bool enabled = true;  // false: switched off (World::setEnabled)
+  AxisLocks locks;
   bool quarantined = false;  // became non-finite; held still and out of all contacts since then
   std::uint64_t userData = 0;
 };

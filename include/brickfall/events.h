@@ -9,9 +9,11 @@
 
 namespace brickfall {
 
-// Two bodies began to press on each other, or ceased to. bodyA < bodyB by creation.
+// Two shapes of two bodies began to press on each other, or ceased to. bodyA < bodyB by creation. Bodies of several shapes
+// have an event for each pair of shapes.
 struct ContactEvent {
   BodyId bodyA, bodyB;
+  ShapeId shapeA, shapeB;  // of these bodies; may be destroyed in `end`
 };
 
 // An impact: two bodies met faster than WorldDef::hitEventSpeed.

@@ -88,7 +88,7 @@ struct WallDef {
   double arcDegrees = 360;
   double gableDegrees = 0;      // slope of a gable on top; 0: none
   std::vector<int> gableSides;  // of a path, from 0; empty: all
-  std::vector<Pier> piers;      // of a straight wall
+  std::vector<Pier> piers;      // on a round wall straight blocks; on a path between its corners
   bool pierAlone = false;       // no wall: one pier, its middle at `position`
   std::vector<LetIn> letIn;
   // m that it reaches beyond its ends in even and in odd courses, where it goes into another wall; less than 0: short of it.

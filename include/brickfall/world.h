@@ -67,6 +67,20 @@ struct IslandView {
   IslandEnding ending = IslandEnding::unsolved;  // of its last solve
 };
 
+// What a contact will do in the coming step, for a program that wants to change it (World::setPreSolve).
+struct PreSolveContact {
+  BodyId bodyA, bodyB;
+  ShapeId shapeA, shapeB;
+  Vec3 normalWorld;       // unit, from A to B
+  Vec3 pointWorld;        // m, its nearest point
+  Vec3 velocityWorld;     // m/s, of B against A at that point: approaching where it goes against the normal
+  double separation = 0;  // m, at that point; negative = overlap
+  // May be changed, for this step:
+  double friction = 0;     // 0 .. 100, as the two materials combine
+  double restitution = 0;  // 0 .. 1
+  bool enabled = true;     // false: the two shapes pass through each other
+};
+
 struct RayHit {
   BodyId body;
   ShapeId shape;
@@ -128,6 +142,12 @@ class World {
   // See BodyDef::massProperties; none: those of its shapes again. Velocities stay as they are. Where the centre of mass moves,
   // the body's contacts are made anew.
   Status setMassProperties(BodyId body, const std::optional<MassProperties>& properties);
+  // See AxisLocks. Velocities along axes that are locked end; places stay as they are.
+  Status setLocks(BodyId body, const AxisLocks& locks);
+  // Switched off, a body stays where it is, keeps its velocity, and takes no part in anything: nothing touches it, no force
+  // acts, queries and sensors go past it, its joints and mortar hold nothing. Setters work, pushes are refused. Switched on, it
+  // goes on from there; what overlaps it by then is parted slowly. Costs as much as making a body, and keeps its ids.
+  Status setEnabled(BodyId body, bool enabled);
   Status setGravity(Vec3 gravity);
   Vec3 gravity() const;
   Status wake(BodyId body);
@@ -198,6 +218,16 @@ class World {
   // other already are not asked about. A snapshot does not hold it; restore keeps it. Empty: none.
   using ContactFilter = std::function<bool(ShapeId, ShapeId)>;
   Status setContactFilter(ContactFilter filter);
+
+  // --- Before the solve. Called for each pair of shapes whose contact the coming step may use, those that do not touch yet as
+  // well: in the order of their shapes, on the thread that steps, in every part of a step (StepReport::parts). What it changes
+  // holds for that part; the next call starts from the materials again. Values out of range are taken as the nearest one, those
+  // that are not numbers are left as they were. Islands that sleep are not asked about: wake what a change of mind concerns.
+  // It must answer by nothing but the state of the world and of the program, or runs differ; calls that change the world answer
+  // wrongState meanwhile. It must not throw. A contact that is switched off remembers nothing and tells no event. A snapshot
+  // does not hold the callback; restore keeps it. Empty: none. It costs one call for each contact.
+  using PreSolve = std::function<void(PreSolveContact&)>;
+  Status setPreSolve(PreSolve callback);
 
   // --- Time. Advances by dt seconds (1e-5 .. 0.1), in `substeps` equal parts (1 .. 64), each of which is made in
   // up to SolverSettings::maxHitParts where something heavy hits. dt / substeps may vary from step to step: what rests goes on

@@ -12,6 +12,7 @@
 
 #include "brickfall/body.h"
 #include "brickfall/ids.h"
+#include "dynamics/axis_locks.h"
 
 namespace brickfall {
 
@@ -35,6 +36,7 @@ struct BodyMass {
   Mat3 principalAxes;        // rows: principal axes of inertia in body axes
   double innerRadius = 0;    // m: smallest distance from the centre to the surface, scale of torques and margins
   double outerRadius = 0;    // m: largest, how far a turn can carry a point
+  std::uint8_t locks = 0;    // axis_locks.h; 0 unless dynamic
   bool isotropic = false;    // inertia is a multiple of the unit matrix: no gyroscopic torque
   bool round = false;        // one sphere: however it turns, it looks the same
   Vec3 symmetryAxis;         // body axes: one capsule looks the same however it turns about it; else 0
@@ -55,7 +57,9 @@ struct BodyData {
   BodyType type = BodyType::dynamic;
   BodyActivity activity = BodyActivity::fixed;
   bool quarantined = false;
+  bool enabled = true;
   bool allowSleep = true;
+  std::uint8_t locks = 0;  // as asked for, whatever the type
   std::uint16_t generation = 0;
   Vec3 localCentre;  // m, centre of mass in the body frame
   double gravityScale = 1, linearDamping = 0, angularDamping = 0, dragArea = 0;
@@ -90,6 +94,12 @@ class BodySet {
   Vec3 origin(BodyIndex body) const {
     return motion[body].position - motion[body].orientation * data[body].localCentre;
   }
+  // The step knows it: it is neither switched off nor quarantined.
+  bool takesPart(BodyIndex body) const { return data[body].enabled && !data[body].quarantined; }
+  // Less what its locks forbid.
+  Vec3 freeWay(BodyIndex body, Vec3 v) const { return without(v, mass[body].locks & kAllWays); }
+  Vec3 freeTurn(BodyIndex body, Vec3 v) const { return without(v, mass[body].locks >> 3); }
+  bool turnsLocked(BodyIndex body) const { return mass[body].locks > kAllWays; }
   // A kinematic body with a velocity: whatever sleeps, it moves.
   bool isDriven(BodyIndex body) const {
     const BodyMotion& m = motion[body];
@@ -108,9 +118,16 @@ class BodySet {
     const Mat3& R = motion[body].orientation;
     return R * mass[body].inertia * transpose(R);
   }
-  Mat3 worldInvInertia(BodyIndex body) const {
-    const Mat3& R = motion[body].orientation;
+  // What a torque does to it; locked axes turn by nothing.
+  Mat3 invInertiaAt(BodyIndex body, const Mat3& R) const {
+    if (turnsLocked(body)) return lockedInverse(R * mass[body].inertia * transpose(R), mass[body].locks);
     return R * mass[body].invInertia * transpose(R);
+  }
+  Mat3 worldInvInertia(BodyIndex body) const { return invInertiaAt(body, motion[body].orientation); }
+  // rad/s: of an angular momentum, where the body points so.
+  Vec3 spinAt(BodyIndex body, const Mat3& R, Vec3 angularMomentum) const {
+    if (turnsLocked(body)) return invInertiaAt(body, R) * angularMomentum;
+    return R * (mass[body].invInertia * transposeTimes(R, angularMomentum));
   }
   double kineticEnergy(BodyIndex body) const {
     const BodyMotion& m = motion[body];

@@ -25,6 +25,7 @@ struct Contact {
   bool struck = false;     // pressed in an impact of the last step that was over within it
   bool fresh = true;       // geometry changed since the solver's record was made
   bool born = true;        // made since islands were built
+  bool edited = false;     // the program changed the next two for this step
   float friction = 0, restitution = 0;
   float rolling = 0;        // coefficient of rolling resistance; 0: none, or nothing round is on its side
   float rollingRadius = 0;  // m, of the curvature by which the two surfaces part

@@ -22,7 +22,7 @@ template <class Archive> struct PointFields {
 template <class Archive, class One> void archiveContact(Archive& a, One& c) {
   for (auto* index : {&c.shapeA, &c.shapeB, &c.bodyA, &c.bodyB}) a.value(*index);
   for (auto* flag : {&c.rolls, &c.partial, &c.touching, &c.struck, &c.fresh, &c.born}) a.flag(*flag);
-  a.flag(c.crushed);
+  for (auto* flag : {&c.crushed, &c.edited}) a.flag(*flag);
   for (auto* number : {&c.friction, &c.restitution, &c.rolling, &c.rollingRadius, &c.crushing, &c.effectiveMass})
     a.value(*number);
   eachField(c.points, PointFields<Archive>{a});

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "brickfall/limits.h"
 #include "dynamics/contact_set.h"
 #include "dynamics/shape_set.h"
 #include "narrowphase/mesh_collide.h"
@@ -30,8 +31,7 @@ bool isDynamic(const BodySet& bodies, BodyIndex body) { return bodies.data[body]
 bool namesWhatIsThere(const CandidatePair& p, const BodySet& bodies, const ShapeSet& shapes,
                       const ContactSet& contacts) {
   auto fine = [&](ShapeIndex shape, BodyIndex body) {
-    return shapes.alive(shape) && shapes.data[shape].body == body && bodies.alive(body) &&
-           !bodies.data[body].quarantined;
+    return shapes.alive(shape) && shapes.data[shape].body == body && bodies.alive(body) && bodies.takesPart(body);
   };
   return fine(p.shapeA, p.bodyA) && fine(p.shapeB, p.bodyB) &&
          (p.contact == kNoIndex || p.contact < contacts.contacts.size());
@@ -41,12 +41,13 @@ bool namesWhatIsThere(const CandidatePair& p, const BodySet& bodies, const Shape
 void checkContact(Findings& f, const BodySet& bodies, const ShapeSet& shapes, const Contact& c,
                   const ContactGeometry& g) {
   const Material &a = shapes.data[c.shapeA].def.material, &b = shapes.data[c.shapeB].def.material;
-  double inverseMass = bodies.mass[c.bodyA].invMass + bodies.mass[c.bodyB].invMass;
-  f.expect(c.friction == float(mixFriction(a, b)) && c.restitution == float(mixRestitution(a, b)) &&
-               c.rolling == float(std::max(a.rollingResistance, b.rollingResistance)) &&
+  const bool own = c.friction == float(mixFriction(a, b)) && c.restitution == float(mixRestitution(a, b));
+  const bool given =
+      c.friction >= 0 && c.friction <= float(limits::kLargestFriction) && c.restitution >= 0 && c.restitution <= 1;
+  f.expect((c.edited ? given : own) && c.rolling == float(std::max(a.rollingResistance, b.rollingResistance)) &&
                c.rollingRadius == float(rollingRadius(shapes.data[c.shapeA].def, shapes.data[c.shapeB].def)) &&
                c.crushing == float(crushingOf(shapes.data[c.shapeA].def, shapes.data[c.shapeB].def)) &&
-               c.effectiveMass == float(1 / inverseMass),
+               c.effectiveMass == float(effectiveMass(bodies.mass[c.bodyA], bodies.mass[c.bodyB])),
            "contacts: a constant is not that of its bodies");
   f.expect(std::fabs(lengthSquared(g.normal) - 1) < 1e-6 && std::fabs(lengthSquared(g.tangent1) - 1) < 1e-6 &&
                std::fabs(dot(g.normal, g.tangent1)) < 1e-6,

@@ -41,14 +41,27 @@ double crushingOf(const ShapeDef& a, const ShapeDef& b) {
   return sum > 0 ? 8 * 3.14159265358979323846 * std::min(a.material.hardness, b.material.hardness) / sum : 0.0;
 }
 
+// kg. Whoever is on rails may be as heavy as the world to one who is not.
+double effectiveMass(const BodyMass& a, const BodyMass& b) {
+  const bool railsA = a.locks & kAllWays, railsB = b.locks & kAllWays;
+  const double byA = railsA && !railsB ? 0 : a.invMass, byB = railsB && !railsA ? 0 : b.invMass;
+  return byA + byB > 0 ? 1 / (byA + byB) : 1 / (a.invMass + b.invMass);
+}
+
 void takeConstants(Contact& c, const ShapeSet& shapes, const BodySet& bodies) {
   const Material &a = shapes.data[c.shapeA].def.material, &b = shapes.data[c.shapeB].def.material;
   c.friction = float(mixFriction(a, b));
   c.restitution = float(mixRestitution(a, b));
+  c.edited = false;
+  if (const PairEdit* edit = shapes.editOf(c.shapeA, c.shapeB)) {
+    c.edited = edit->friction != c.friction || edit->restitution != c.restitution;
+    c.friction = edit->friction;
+    c.restitution = edit->restitution;
+  }
   c.rolling = float(std::max(a.rollingResistance, b.rollingResistance));
   c.rollingRadius = float(rollingRadius(shapes.data[c.shapeA].def, shapes.data[c.shapeB].def));
   c.crushing = float(crushingOf(shapes.data[c.shapeA].def, shapes.data[c.shapeB].def));
-  c.effectiveMass = float(1 / (bodies.mass[c.bodyA].invMass + bodies.mass[c.bodyB].invMass));
+  c.effectiveMass = float(effectiveMass(bodies.mass[c.bodyA], bodies.mass[c.bodyB]));
 }
 
 void ContactSet::renewConstants(BodyIndex body, const ShapeSet& shapes, const BodySet& bodies) {

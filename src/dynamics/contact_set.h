@@ -93,6 +93,7 @@ class ContactSet {
   std::vector<CandidatePair> moved_;  // scratch
 };
 
+double effectiveMass(const BodyMass& a, const BodyMass& b);  // kg, of two bodies that press on each other
 double crushingOf(const ShapeDef& a, const ShapeDef& b);
 // Constants that a contact takes from its shapes and bodies: friction, restitution, crushing, effective mass.
 void takeConstants(Contact& c, const ShapeSet& shapes, const BodySet& bodies);

@@ -20,7 +20,7 @@ struct Joint {
   std::uint16_t generation = 0;
   bool alive = false;
   bool born = true;      // made since the islands were built
-  bool idle = false;     // neither body is dynamic
+  bool idle = false;     // neither body is dynamic, or one takes no part
   bool collide = false;  // its bodies may collide with each other
   bool limited = false, coned = false, driven = false;
   BodyIndex bodyA = kNoIndex, bodyB = kNoIndex;

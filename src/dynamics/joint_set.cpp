@@ -32,9 +32,7 @@ double twistOf(Quat frameA, Quat frameB) {
   return rotationVector(normalized(Quat{q.x, 0, 0, q.w})).x;
 }
 
-void JointSet::renewConstants(BodyIndex body, const ShapeSet&, const BodySet& bodies) {
-  renewIdle(body, [&](BodyIndex b) { return bodies.data[b].type == BodyType::dynamic; });
-}
+void JointSet::renewConstants(BodyIndex body, const ShapeSet&, const BodySet& bodies) { renewIdle(body, bodies); }
 
 void JointSet::beginStep() {
   for (JointIndex joint : awake()) slots[joint].earlierForce = slots[joint].earlierTorque = {};

@@ -73,11 +73,11 @@ template <class Tie, LinkKind kKind> class LastingTies {
     return apart_.empty() || !std::binary_search(apart_.begin(), apart_.end(), pairOf(a, b));
   }
   void keepRoom(std::size_t) {}  // such ties come between steps only
-  // A tie whose body moves or not from now on.
-  template <class IsDynamic> void renewIdle(BodyIndex body, IsDynamic isDynamic) {
+  // A tie whose body moves or takes part or not from now on.
+  void renewIdle(BodyIndex body, const BodySet& bodies) {
     for (Tie& tie : slots) {
       if (!tie.alive || (tie.bodyA != body && tie.bodyB != body)) continue;
-      const bool idle = tie.gone() || (!isDynamic(tie.bodyA) && !isDynamic(tie.bodyB));
+      const bool idle = tie.gone() || tiesNothing(tie, bodies);
       changed = changed || idle != tie.idle;
       tie.idle = idle;
     }
@@ -150,9 +150,8 @@ template <class Tie, LinkKind kKind> class LastingTies {
                         !bodies.data[tie.bodyA].quarantined && !bodies.data[tie.bodyB].quarantined;
       f.expect(fine, name + ": one names bodies that are not there");
       if (!fine) continue;
-      const bool still =
-          bodies.data[tie.bodyA].type != BodyType::dynamic && bodies.data[tie.bodyB].type != BodyType::dynamic;
-      f.expect(tie.idle == (still || tie.gone()), name + ": one is idle that ties something, or the reverse");
+      f.expect(tie.idle == (tiesNothing(tie, bodies) || tie.gone()),
+               name + ": one is idle that ties something, or the reverse");
     }
     checkFreeSlots(f, free_, slots.size(), [&](std::size_t i) { return !slots[i].alive; });
   }
@@ -172,6 +171,11 @@ template <class Tie, LinkKind kKind> class LastingTies {
   const std::vector<Index>& awake() const { return awake_; }
 
  private:
+  static bool tiesNothing(const Tie& tie, const BodySet& bodies) {
+    auto moves = [&](BodyIndex body) { return bodies.data[body].type == BodyType::dynamic; };
+    if (!bodies.takesPart(tie.bodyA) || !bodies.takesPart(tie.bodyB)) return true;
+    return !moves(tie.bodyA) && !moves(tie.bodyB);
+  }
   using Pair = std::pair<BodyIndex, BodyIndex>;
   static Pair pairOf(BodyIndex a, BodyIndex b) { return {std::min(a, b), std::max(a, b)}; }
   void part(const Tie& tie) {

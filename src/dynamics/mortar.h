@@ -21,7 +21,7 @@ struct Mortar {
   std::uint16_t generation = 0;
   bool alive = false;
   bool born = true;      // made since the islands were built
-  bool idle = false;     // neither body is dynamic, or it is broken
+  bool idle = false;     // neither body is dynamic, one takes no part, or it is broken
   bool cracked = false;  // its crack was told
   bool broken = false;
   BodyIndex bodyA = kNoIndex, bodyB = kNoIndex;

@@ -80,9 +80,7 @@ void MortarSet::forget(BodyIndex gone) {
   }
 }
 
-void MortarSet::renewConstants(BodyIndex body, const ShapeSet&, const BodySet& bodies) {
-  renewIdle(body, [&](BodyIndex b) { return bodies.data[b].type == BodyType::dynamic; });
-}
+void MortarSet::renewConstants(BodyIndex body, const ShapeSet&, const BodySet& bodies) { renewIdle(body, bodies); }
 
 void MortarSet::hash(Mix& h, MortarIndex mortar) const {
   const Mortar& m = slots[mortar];

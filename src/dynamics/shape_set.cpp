@@ -71,9 +71,19 @@ double rollingRadius(const ShapeDef& a, const ShapeDef& b) {
   const double sum = curvature(a) + curvature(b);
   return sum > 0 ? 1 / sum : 0;
 }
+const PairEdit* ShapeSet::editOf(ShapeIndex a, ShapeIndex b) const {
+  if (edits.empty()) return nullptr;
+  const std::pair<ShapeIndex, ShapeIndex> wanted{std::min(a, b), std::max(a, b)};
+  const auto place = std::lower_bound(edits.begin(), edits.end(), wanted, [](const PairEdit& edit, const auto& pair) {
+    return std::pair{edit.shapeA, edit.shapeB} < pair;
+  });
+  return place != edits.end() && std::pair{place->shapeA, place->shapeB} == wanted ? &*place : nullptr;
+}
+
 bool ShapeSet::mayTouch(ShapeIndex a, ShapeIndex b) const {
   const ShapeDef &first = data[a].def, &second = data[b].def;
   if (first.sensor || second.sensor || !filtersAllow(first.filter, second.filter)) return false;
+  if (const PairEdit* edit = editOf(a, b); edit && !edit->enabled) return false;
   return !asked || asked(a < b ? a : b, a < b ? b : a);
 }
 

@@ -23,6 +23,13 @@ struct ShapeData {
   Vec3 middle;                 // m, centroid in the frame of the body's centre of mass
 };
 
+// What the program changed about two shapes for a part of a step.
+struct PairEdit {
+  ShapeIndex shapeA = 0, shapeB = 0;  // shapeA < shapeB
+  float friction = 0, restitution = 0;
+  bool enabled = true;  // false: they do not touch
+};
+
 class ShapeSet {
  public:
   ShapeIndex create();
@@ -39,7 +46,10 @@ class ShapeSet {
   // Of two bodies: neither is a sensor, their filters allow it, and `asked` does.
   bool mayTouch(ShapeIndex a, ShapeIndex b) const;
 
+  const PairEdit* editOf(ShapeIndex a, ShapeIndex b) const;  // null: none
+
   std::vector<ShapeData> data;
+  std::vector<PairEdit> edits;                        // by shapes: of this part of the step
   std::function<bool(ShapeIndex, ShapeIndex)> asked;  // the program's own filter, lower slot first; empty: none
 
  private:

@@ -91,7 +91,7 @@ Result<BlastReport> applyBlast(World& world, const Blast& blast) {
   BlastReport report;
   for (BodyId body : *near) {
     const Result<BodyState> state = world.state(body);
-    if (!state || state->type != BodyType::dynamic || state->quarantined) continue;
+    if (!state || state->type != BodyType::dynamic || state->quarantined || !state->enabled) continue;
     Target target(world, blast, body, state->centreOfMass);
     std::vector<Face> faces;
     for (ShapeId shape : world.shapes(body))

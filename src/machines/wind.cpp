@@ -84,7 +84,7 @@ Status applyWind(World& world, const Wind& wind, double time, double dt) {
   std::vector<Face> faces;
   for (BodyId body : world.bodies()) {
     const Result<BodyState> state = world.state(body);
-    if (!state || state->type != BodyType::dynamic || state->quarantined) continue;
+    if (!state || state->type != BodyType::dynamic || state->quarantined || !state->enabled) continue;
     Exposed exposed(world, wind, *state, *world.massProperties(body));
     faces.clear();
     for (ShapeId shape : world.shapes(body))

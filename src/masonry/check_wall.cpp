@@ -136,6 +136,35 @@ void checkPath(const WallDef& wall, Problems& problems) {
                  "found an arc of " + textOf(masonry::ringLength(wall)) + " m, expected room for a brick");
 }
 
+void checkPierPlace(const WallDef& wall, std::size_t k, Problems& problems) {
+  const Pier& pier = wall.piers[k];
+  const std::string field = "piers[" + std::to_string(k) + "].";
+  const double length = wallLength(wall), inner = wall.radius - 0.5 * masonry::layoutOf(wall).thickness;
+  const masonry::PierPlace place = masonry::placeOf(wall, pier);
+  if (wall.radius > 0 && !(place.width <= inner))
+    return problems.add(field + "width", "found a pier of " + textOf(place.width) + " m, expected at most " +
+                                             textOf(inner) + " m: the inner radius of the wall");
+  const masonry::PierRoom room = masonry::roomFor(wall, place);
+  const double before = masonry::linesOf(wall)[place.line].before;
+  if (!(pier.at <= length + 1e-9 && room.from <= room.to + 1e-9))
+    problems.add(field + "at", "found " + textOf(pier.at) + " m, expected room for a pier of " + textOf(place.width) +
+                                   " m in the wall's length of " + textOf(length) + " m" +
+                                   (wall.path.empty() ? "" : ", between two corners"));
+  for (std::size_t i = 0; i < k; i++) {
+    const masonry::PierPlace other = masonry::placeOf(wall, wall.piers[i]);
+    double apart = std::fabs(other.at - place.at);
+    if (masonry::isRing(wall)) apart = std::min(apart, length - apart);
+    if (other.line == place.line && apart < 0.5 * (other.width + place.width) + wall.brick.size.z)
+      problems.add(field + "at", "found it beside pier " + std::to_string(i) + ", expected piers apart");
+  }
+  for (std::size_t i = 0; i < wall.openings.size(); i++) {
+    const Opening& opening = wall.openings[i];
+    const double at = before + place.at;
+    if (opening.from < at + 0.5 * place.width + 1e-9 && opening.from + opening.width > at - 0.5 * place.width - 1e-9)
+      problems.add(field + "at", "found it in opening " + std::to_string(i) + ", expected it beside openings");
+  }
+}
+
 void checkGableAndPiers(const WallDef& wall, Problems& problems) {
   problems.range("gableDegrees", wall.gableDegrees, 0, 80, "degrees");
   if (wall.gableDegrees > 0 && wall.radius > 0)
@@ -147,33 +176,13 @@ void checkGableAndPiers(const WallDef& wall, Problems& problems) {
   for (std::size_t k = 0; k < wall.piers.size(); k++) {
     const Pier& pier = wall.piers[k];
     const std::string field = "piers[" + std::to_string(k) + "].";
-    if (!wall.path.empty() || wall.radius > 0) {
-      problems.add(field + "at", "found a pier in a wall that is not straight, expected a straight wall");
-      continue;
-    }
     const std::size_t before = problems.list.size();
     problems.range(field + "at", pier.at, 0, 1e5, "m");
     problems.range(field + "width", pier.width, 1, 100, "brick lengths");
     problems.range(field + "depth", pier.depth, masonry::isThick(wall.bond) ? 1.5 : 1, 100, "brick lengths");
     problems.range(field + "higher", pier.higher, 0, 10000, "");
     if (problems.list.size() != before) continue;
-    const masonry::PierPlace place = masonry::placeOf(wall, pier);
-    const double length = masonry::layoutOf(wall).wallLength;
-    if (wall.pierAlone) continue;
-    if (!(pier.at <= length + 1e-9 && place.width <= length + 1e-9))
-      problems.add(field + "at", "found " + textOf(pier.at) + " m, expected room for a pier of " + textOf(place.width) +
-                                     " m in the wall's length of " + textOf(length) + " m");
-    for (std::size_t i = 0; i < k; i++) {
-      const masonry::PierPlace other = masonry::placeOf(wall, wall.piers[i]);
-      if (std::fabs(other.at - place.at) < 0.5 * (other.width + place.width) + wall.brick.size.z)
-        problems.add(field + "at", "found it beside pier " + std::to_string(i) + ", expected piers apart");
-    }
-    for (std::size_t i = 0; i < wall.openings.size(); i++) {
-      const Opening& opening = wall.openings[i];
-      if (opening.from < place.at + 0.5 * place.width + 1e-9 &&
-          opening.from + opening.width > place.at - 0.5 * place.width - 1e-9)
-        problems.add(field + "at", "found it in opening " + std::to_string(i) + ", expected it beside openings");
-    }
+    if (!wall.pierAlone) checkPierPlace(wall, k, problems);
   }
 }
 
@@ -212,8 +221,11 @@ bool checkOpening(const WallDef& wall, std::size_t index, Problems& problems) {
                              ? (span.lintelTo - span.lintelFrom) * (span.lintelTo - span.lintelFrom) / (8 * wall.radius)
                              : 0;
   if (sagitta > 0.5 * wallThickness(wall)) {
-    problems.add(field + "width", "the straight lintel would lie " + textOf(sagitta) +
-                                      " m beside the round wall, expected a narrower opening or a larger radius");
+    problems.add(
+        field + "width",
+        "the straight lintel would lie " + textOf(sagitta) + " m beside the round wall, expected at most " +
+            textOf(std::max(0.0, std::sqrt(4 * wall.radius * wallThickness(wall)) - 2 * opening.lintelBearing)) +
+            " m, a shorter lintel bearing or a larger radius");
   } else if (!(span.to <= length + 1e-9 && span.from >= begin - 1e-9)) {
     const bool path = lines.size() > 1;
     problems.add(

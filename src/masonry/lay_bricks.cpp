@@ -66,15 +66,28 @@ class Bricklayer {
   }
 
   void layPiers(int course, int& position) {
-    line_ = &lines_[0];
     for (const Pier& pier : wall_.piers) {
       if (course >= wall_.courses + pier.higher) continue;
-      for (const masonry::PierBrick& brick : masonry::pierCourse(wall_, masonry::placeOf(wall_, pier), course)) {
+      const masonry::PierPlace place = masonry::placeOf(wall_, pier);
+      line_ = &lines_[place.line];
+      for (const masonry::PierBrick& brick : masonry::pierCourse(wall_, place, course)) {
         const Vec3 centre{brick.centre.x, course * at_.coursePitch + 0.5 * wall_.brick.size.y, brick.centre.z};
         add(centre, {brick.length, wall_.brick.size.y, at_.width}, course, position, brick.cut);
-        if (brick.crosswise) bricks_.back().rotation = quatFromAxisAngle({0, 1, 0}, 0.5 * std::numbers::pi);
+        BrickPlacement& laid = bricks_.back();
+        if (wall_.radius > 0) layAt(place.at, centre, laid);
+        if (brick.crosswise) laid.rotation = laid.rotation * quatFromAxisAngle({0, 1, 0}, 0.5 * std::numbers::pi);
       }
     }
+  }
+
+  // A brick of a straight block in a round wall.
+  void layAt(double place, Vec3 centre, BrickPlacement& brick) const {
+    const double angle = place * turn_;
+    brick.rotation = quatFromAxisAngle({0, 1, 0}, angle);
+    double sine, cosine;
+    sinCos(angle, sine, cosine);
+    const double out = wall_.radius + centre.z, along = centre.x - place;
+    brick.centre = {out * sine + along * cosine, centre.y, out * cosine - along * sine};
   }
 
   void add(Vec3 centre, Vec3 size, int course, int& position, bool cut) {

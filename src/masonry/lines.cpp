@@ -256,10 +256,55 @@ std::vector<Run> cellsOf(const WallDef& wall, const Line& line, int index, int c
       takeOut(runs, other.from, other.to, at);
   for (const Pier& pier : wall.piers) {
     const PierPlace place = placeOf(wall, pier);
-    if (place.crosswise(course))
-      takeOut(runs, place.at - 0.5 * place.width - at.joint, place.at + 0.5 * place.width + at.joint, at);
+    if (int(place.line) != index || !place.crosswise(course)) continue;
+    takeOut(runs, place.at - place.taken, place.at + place.taken, at);
+    if (!isRing(wall)) continue;
+    for (const double round : {-line.length, line.length})  // a brick may lie across the seam
+      takeOut(runs, place.at + round - place.taken, place.at + round + place.taken, at);
   }
   return runs;
+}
+
+namespace {
+
+// m along the inner face of a round wall: how far from the middle of a block of this half width its bricks begin, so that no
+// corner of them lies in the block, however short the first is.
+double clearOf(double half, double radius, double longest) {
+  double low = half, high = std::min(2 * half + longest, 1.5 * radius);
+  for (int k = 0; k < 50; k++) {
+    const double middle = 0.5 * (low + high);
+    double least = kFar;
+    for (const double length : {0.0, longest}) {
+      double sine, cosine;
+      sinCos((middle + 0.5 * length) / radius, sine, cosine);
+      least = std::min(least, radius * sine - 0.5 * length * cosine);
+    }
+    (least < half ? low : high) = middle;
+  }
+  return high;
+}
+
+// What a round wall makes of a pier: a straight block at one place of it.
+void goRound(const WallDef& wall, const Layout& at, PierPlace& place) {
+  const double inner = wall.radius - 0.5 * at.thickness, outer = wall.radius + 0.5 * at.thickness;
+  const double half = std::min(0.5 * place.width, inner);
+  place.taken = clearOf(half + at.joint, inner, at.length);
+  place.inward = inner - std::sqrt(inner * inner - half * half);
+  place.outward = std::sqrt(outer * outer + 0.25 * at.length * at.length) - outer;
+}
+
+}  // namespace
+
+PierRoom roomFor(const WallDef& wall, const PierPlace& place) {
+  const std::vector<Line> lines = linesOf(wall);
+  const Line& line = lines[place.line];
+  if (isRing(wall)) return {0, line.length};
+  const double half = wall.radius > 0 ? place.taken : 0.5 * place.width;
+  PierRoom room{half, line.length - half};
+  const double apart = place.taken + kMinPiece;
+  if (place.line > 0 || wall.closed) room.from = std::max(line.from[0], line.from[1]) + apart;
+  if (place.line + 1 < lines.size() || wall.closed) room.to = std::min(line.to[0], line.to[1]) - apart;
+  return room;
 }
 
 PierPlace placeOf(const WallDef& wall, const Pier& pier) {
@@ -279,8 +324,12 @@ PierPlace placeOf(const WallDef& wall, const Pier& pier) {
     place.wallRows = 0;
     return place;
   }
-  const double half = 0.5 * place.width;
-  place.at = std::min(std::max(pier.at, half), at.wallLength - half);
+  place.taken = 0.5 * place.width + at.joint;
+  if (wall.radius > 0) goRound(wall, at, place);
+  const std::vector<Line> lines = linesOf(wall);
+  place.line = lineOf(lines, pier.at);
+  const PierRoom room = roomFor(wall, place);
+  place.at = std::min(std::max(pier.at - lines[place.line].before, room.from), room.to);
   return place;
 }
 
@@ -295,7 +344,8 @@ std::vector<PierBrick> pierCourse(const WallDef& wall, const PierPlace& place, i
     if (!crosswise && besideWall && walls) continue;
     // Rows with an odd number of halves have a half bat, at one end and at the other in turn.
     double from = -0.5 * (0.5 * halves * at.pitch - at.joint);
-    const double side = (row - 0.5 * (rows - 1)) * 0.5 * at.pitch;
+    double side = (row - 0.5 * (rows - 1)) * 0.5 * at.pitch;
+    if (!crosswise && besideWall) side += row < place.wallFirst ? -place.inward : place.outward;
     for (int half = 0; half < halves;) {
       const bool cut = halves % 2 == 1 && half == (row % 2 == 0 ? 0 : halves - 1);
       const double length = cut ? bat : at.length, middle = from + 0.5 * length;

@@ -48,9 +48,17 @@ struct PierPlace {
   double width = 0, depth = 0;      // m
   int along = 0, through = 0;       // half bricks
   int wallFirst = 0, wallRows = 1;  // the rows that are the wall's own
+  std::size_t line = 0;             // of the wall's lines: `at` is along it
+  double taken = 0;  // m along the line, to both sides of `at`: where no brick of a course that it crosses may lie
+  double inward = 0, outward = 0;  // m: further from the middle of a round wall, whose faces are no planes
   bool crosswise(int course) const { return course % 2 == 0; }
 };
 PierPlace placeOf(const WallDef& wall, const Pier& pier);
+// m along the line: the places between which a pier of this half width finds room on the line.
+struct PierRoom {
+  double from = 0, to = 0;
+};
+PierRoom roomFor(const WallDef& wall, const PierPlace& place);
 
 // A brick of a pier, in the wall's frame.
 struct PierBrick {

@@ -65,6 +65,16 @@ int GlbBuilder::addIndices(const std::vector<std::uint32_t>& indices) {
   return place;
 }
 
+int GlbBuilder::addTexture(const Bytes& png) {
+  const std::size_t start = buffer_.size();
+  buffer_.insert(buffer_.end(), png.begin(), png.end());
+  const int view = add("bufferViews", {{"buffer", 0}, {"byteOffset", start}, {"byteLength", png.size()}});
+  while (buffer_.size() % 4 != 0) buffer_.push_back(0);
+  const int image = add("images", {{"bufferView", view}, {"mimeType", "image/png"}, {"name", "grain"}});
+  const int sampler = add("samplers", {{"magFilter", 9729}, {"minFilter", 9987}, {"wrapS", 10497}, {"wrapT", 10497}});
+  return add("textures", {{"source", image}, {"sampler", sampler}});
+}
+
 bool GlbBuilder::writeTo(AtomicFile& file) {
   root_["buffers"][0]["byteLength"] = buffer_.size();
   if (buffer_.empty()) root_.erase("buffers");  // nothing to draw: a buffer of no bytes is not allowed

@@ -19,6 +19,9 @@ class GlbBuilder {
   int addFloats(const std::vector<float>& values, int components, int target, bool withRange);
   int addIndices(const std::vector<std::uint32_t>& indices);
 
+  // A PNG within the buffer. Returns the place of a texture that repeats it.
+  int addTexture(const Bytes& png);
+
   json& root() { return root_; }
   int add(const char* list, json item);  // appends to root()[list]; returns the place
   // False: more than the 4 GiB that a GLB can hold.

@@ -7,6 +7,7 @@
 #include "brickfall/geometry/shape_mesh.h"
 #include "output/glb_animation.h"
 #include "output/glb_builder.h"
+#include "output/glb_grain.h"
 #include "output/role_name.h"
 #include "output/take_poses.h"
 
@@ -22,6 +23,8 @@ double linear(std::uint32_t byte) {
 }
 
 constexpr std::uint32_t kMortar = 0xA9A69F;
+constexpr int kGrainsPerMetre = 4;  // pictures of the grain
+constexpr const char* kGrainy[] = {"brick", "concrete", "mortar", "stone"};
 constexpr int kTones = 8;             // of a brick's colour: no two bricks of a wall look quite alike
 constexpr double kToneSpread = 0.14;  // of the light that the lightest and the darkest differ from the mean
 // As in all pictures (sunFrom in apps/appearance/light.glsl): to the left of where the first camera looks from.
@@ -55,6 +58,13 @@ ShapeMesh meshOf(const TakeBody& body, std::uint32_t colour) {
     if (Result<ShapeMesh> part = makeShapeMesh(body.shapes[k])) append(mesh, *part, body.shapes[k].local);
   }
   return mesh;
+}
+
+// What is fired, cast or laid, by the words of its material.
+bool isGrainy(const TakeBody& body, const std::string& name) {
+  if (body.role == BodyRole::brick) return true;
+  return std::any_of(std::begin(kGrainy), std::end(kGrainy),
+                     [&](const char* word) { return name.find(word) != std::string::npos; });
 }
 
 // The geometry as bytes, to find equal ones.
@@ -105,6 +115,7 @@ class SceneWriter {
   std::map<std::string, json> geometries_;
   std::map<std::string, int> meshes_;
   std::map<std::vector<std::uint32_t>, int> inputs_;
+  int grain_ = -1;  // the texture's place; there is one if anything has it
 };
 
 int SceneWriter::material(const TakeBody& body, std::uint32_t colour, int tone) {
@@ -120,11 +131,20 @@ int SceneWriter::material(const TakeBody& body, std::uint32_t colour, int tone) 
   if (toned) name += " " + std::to_string(tone + 1);
   auto [at, added] = materials_.try_emplace(name, 0);
   if (!added) return at->second;
-  const double light = toned ? 1 + kToneSpread * (2.0 * tone / (kTones - 1) - 1) : 1;
+  const bool grainy = !ball && isGrainy(body, name);
+  const double light = (toned ? 1 + kToneSpread * (2.0 * tone / (kTones - 1) - 1) : 1) / (grainy ? kGrainMean : 1);
   const auto share = [&](int shift) { return std::min(1.0, light * linear(colour >> shift & 255)); };
   json pbr = {{"baseColorFactor", {share(16), share(8), share(0), 1.0}},
               {"metallicFactor", ball ? 0.8 : 0.0},
               {"roughnessFactor", ball ? 0.35 : 0.9}};
+  if (grainy && grain_ < 0) {
+    grain_ = glb_.addTexture(grainPicture());
+    glb_.add("extensionsUsed", "KHR_texture_transform");
+  }
+  if (grainy)
+    pbr["baseColorTexture"] = {
+        {"index", grain_},
+        {"extensions", {{"KHR_texture_transform", {{"scale", {kGrainsPerMetre, kGrainsPerMetre}}}}}}};
   return at->second = glb_.add("materials", {{"name", name}, {"pbrMetallicRoughness", pbr}});
 }
 
@@ -228,7 +248,7 @@ void SceneWriter::addSun() {
   const Vec3 aside = rotate(quatFromAxisAngle({0, 1, 0}, -kSunAside), normalized(from));
   const Vec3 sun = aside * std::cos(kSunElevation) + Vec3{0, std::sin(kSunElevation), 0};
   json& root = glb_.root();
-  root["extensionsUsed"] = {"KHR_lights_punctual"};
+  glb_.add("extensionsUsed", "KHR_lights_punctual");
   root["extensions"]["KHR_lights_punctual"]["lights"] =
       json::array({{{"type", "directional"}, {"name", "sun"}, {"color", {1.0, 0.95, 0.88}}, {"intensity", kSunLux}}});
   scene_.push_back(nodes_.size());

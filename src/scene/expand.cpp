@@ -3,11 +3,11 @@
 #include "scene/expand.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <set>
 
 #include "scene/nearest.h"
+#include "scene/repetition.h"
 
 namespace brickfall::scene {
 
@@ -15,189 +15,6 @@ namespace {
 
 constexpr std::size_t kMostNodes = 1'500'000;  // made by repetitions and copies
 constexpr int kDeepestCopy = 8;
-
-using Values = std::vector<std::pair<std::string, double>>;
-
-bool isNameLetter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
-}
-
-// The text with each $name of these as its number.
-std::string substituted(const std::string& text, const Values& values) {
-  std::string out;
-  std::size_t at = 0;
-  while (at < text.size()) {
-    const std::size_t dollar = std::min(text.find('$', at), text.size());
-    out.append(text, at, dollar - at);
-    if (dollar == text.size()) break;
-    std::size_t end = dollar + 1;
-    while (end < text.size() && isNameLetter(text[end])) end++;
-    const std::string name = text.substr(dollar + 1, end - dollar - 1);
-    const auto found = std::find_if(values.rbegin(), values.rend(), [&](const auto& one) { return one.first == name; });
-    out += found == values.rend() ? text.substr(dollar, end - dollar) : numberText(found->second);
-    at = end;
-  }
-  return out;
-}
-
-std::string indexNameOf(const Node& table) {
-  const Member* repeat = table.find("repeat");
-  if (!repeat) return {};
-  const Member* index = repeat->value.kind == NodeKind::table ? repeat->value.find("index") : nullptr;
-  return index && index->value.kind == NodeKind::text ? index->value.text : "i";
-}
-
-// A table inside with a repetition of its own hides a number of the same name, but not from its `repeat`.
-void substitute(Node& node, const Values& values) {
-  if (values.empty()) return;
-  if (node.kind == NodeKind::text && node.text.find('$') != std::string::npos)
-    node.text = substituted(node.text, values);
-  for (Node& item : node.items) substitute(item, values);
-  const std::string hidden = node.kind == NodeKind::table ? indexNameOf(node) : std::string();
-  Values inner = values;
-  if (!hidden.empty())
-    std::erase_if(inner, [&](const auto& one) { return one.first == hidden || one.first.starts_with(hidden + "_"); });
-  for (Member& member : node.members) substitute(member.value, member.key == "repeat" ? values : inner);
-}
-
-std::size_t sizeOf(const Node& node) {
-  std::size_t size = 1;
-  for (const Node& item : node.items) size += sizeOf(item);
-  for (const Member& member : node.members) size += sizeOf(member.value);
-  return size;
-}
-
-void markAgain(Node& node) {
-  node.again = true;
-  for (Node& item : node.items) markAgain(item);
-  for (Member& member : node.members) markAgain(member.value);
-}
-
-void erase(Node& table, const std::string& key) {
-  std::erase_if(table.members, [&](const Member& member) { return member.key == key; });
-}
-
-const std::string* nameOf(const Node& table) {
-  const Member* name = table.find("name");
-  return name && name->value.kind == NodeKind::text ? &name->value.text : nullptr;
-}
-
-void setName(Node& table, const std::string& name) {
-  Member* member = table.find("name");
-  if (!member) {
-    table.members.push_back({"name", table.line, table.column, {}});
-    member = &table.members.back();
-    member->value.line = table.line;
-    member->value.column = table.column;
-    member->value.source = table.source;
-    member->value.again = table.again;
-  }
-  member->value.kind = NodeKind::text;
-  member->value.text = name;
-}
-
-void place(Node& table, const Placement& placement, const std::string& title) {
-  Expansion expansion;
-  if (table.expansion) expansion = *table.expansion;
-  expansion.placement = placement * expansion.placement;
-  if (!title.empty()) expansion.title = title;
-  table.expansion = std::make_shared<const Expansion>(std::move(expansion));
-}
-
-bool isTables(const Node& node) {
-  return node.kind == NodeKind::array &&
-         std::any_of(node.items.begin(), node.items.end(), [](const Node& n) { return n.kind == NodeKind::table; });
-}
-
-// One of a repetition: the numbers that it has, where it stands, what it is called.
-struct Instance {
-  Values values;
-  Placement placement;
-  std::string number;  // "3", of a grid "1/0/2"; empty: there is no repetition
-  std::string words;   // "i = 3"
-};
-
-class Repetition {
- public:
-  Repetition(ReadContext& context, const Node& table, const std::string& path) : context_(context) {
-    const Member* member = table.find("repeat");
-    if (!member) {
-      instances.push_back({});
-      return;
-    }
-    Node short_;  // repeat = 5
-    if (member->value.kind != NodeKind::table) {
-      short_ = member->value;
-      short_.items.clear();
-      short_.kind = NodeKind::table;
-      short_.members.push_back({"count", member->line, member->column, member->value});
-    }
-    TableReader reader(context, member->value.kind == NodeKind::table ? member->value : short_, "repeat",
-                       path + ".repeat");
-    read(reader);
-  }
-  std::vector<Instance> instances;
-
- private:
-  void read(TableReader& reader) {
-    const std::size_t before = context_.diagnostics.size();
-    int count = 0;
-    Vec3 grid{1, 1, 1}, step, about;
-    double turn = 0;
-    std::string index = "i";
-    const bool counted = reader.integer("count", count), isGrid = reader.vector("grid", grid);
-    reader.vector("step", step);
-    const bool ring = reader.vector("about", about);
-    const bool turns = reader.number("turn_degrees", turn);
-    reader.text("index", index);
-    if (reader.has("count") == reader.has("grid"))
-      reader.error(reader.has("count") ? "grid" : "count",
-                   reader.has("count") ? "found beside count, expected one of the two"
-                                       : "not given, expected how many: count, or grid = [nx, ny, nz]");
-    if (reader.has("turn_degrees") && !reader.has("about"))
-      reader.error("turn_degrees", "found without about, expected the middle of a ring: about = [x, y, z]");
-    if (reader.has("grid") && reader.has("about")) reader.error("about", "found beside grid, expected a ring's count");
-    if (!isParameterName(index))
-      reader.error("index", "found an unusable name, expected letters, digits and _, beginning with a letter");
-    const double most = 100000;
-    if (isGrid && !(grid.x * grid.y * grid.z <= most))
-      reader.error("grid",
-                   "found " + numberText(grid.x * grid.y * grid.z) + " in all, expected at most " + numberText(most));
-    if (context_.diagnostics.size() != before || !(counted || isGrid)) return;
-    if (ring && !turns && count > 0) turn = 360.0 / count;
-    if (isGrid) return fillGrid(grid, step, index);
-    for (int i = 0; i < count; i++) {
-      Instance one;
-      one.placement.yawDegrees = ring ? turn * i : 0;
-      one.placement.position = step * double(i);
-      if (ring) one.placement.position += about - turned(about, one.placement.yawDegrees);
-      one.values = {{index, double(i)}, {index + "_count", double(count)}};
-      one.number = std::to_string(i);
-      one.words = index + " = " + one.number;
-      instances.push_back(std::move(one));
-    }
-  }
-
-  void fillGrid(Vec3 grid, Vec3 step, const std::string& index) {
-    int number = 0;
-    for (int y = 0; y < int(grid.y); y++)
-      for (int z = 0; z < int(grid.z); z++)
-        for (int x = 0; x < int(grid.x); x++) {
-          Instance one;
-          one.placement.position = {step.x * x, step.y * y, step.z * z};
-          one.number = std::to_string(number);
-          one.values = {{index, double(number++)},
-                        {index + "_count", grid.x * grid.y * grid.z},
-                        {index + "_x", double(x)},
-                        {index + "_y", double(y)},
-                        {index + "_z", double(z)}};
-          one.words = index + " = " + one.number;
-          instances.push_back(std::move(one));
-        }
-  }
-
-  ReadContext& context_;
-};
 
 // Keys that name other tables.
 bool isReference(const std::string& key) {
@@ -262,16 +79,16 @@ class Expander {
     std::vector<Node> out;
     const bool plain = !table.find("repeat") && !table.find("let");
     if (full_) return out;
-    Repetition repetition(context_, table, path);
-    if (!plain && !roomFor(table, path, repetition.instances.size())) return out;
-    for (std::size_t k = 0; k < repetition.instances.size() && !full_; k++) {
-      const Instance& one = repetition.instances[k];
+    const std::vector<Instance> instances = instancesOf(context_, table, path);
+    if (!plain && !roomFor(table, path, instances.size())) return out;
+    for (std::size_t k = 0; k < instances.size() && !full_; k++) {
+      const Instance& one = instances[k];
       Node made = table;
       if (k > 0) markAgain(made);
       erase(made, "repeat");
       substitute(made, one.values);
       const std::string title = one.words.empty() ? std::string() : path + " with " + one.words;
-      bindNames(made, title.empty() ? path : title);
+      bindNames(context_, made, title.empty() ? path : title);
       const std::string* name = nameOf(table);
       if (!one.number.empty() && name && name->find('$') == std::string::npos) setName(made, *name + "/" + one.number);
       if (!one.number.empty()) place(made, one.placement, title);
@@ -279,41 +96,6 @@ class Expander {
       out.push_back(std::move(made));
     }
     return out;
-  }
-
-  // Numbers of `let`, each of which may use those before it.
-  void bindNames(Node& table, const std::string& path) {
-    Member* let = table.find("let");
-    if (!let) return;
-    const Node names = let->value;
-    erase(table, "let");
-    if (names.kind != NodeKind::table) {
-      context_.error(names, path + ".let", "found " + describe(names) + ", expected a table of numbers");
-      return;
-    }
-    Values values;
-    for (const Member& member : names.members) {
-      const std::string where = path + ".let." + member.key;
-      if (!isParameterName(member.key)) {
-        context_.error(member.value, where,
-                       "found an unusable name, expected letters, digits and _, beginning with a letter");
-        continue;
-      }
-      const Node& node = member.value;
-      double value = node.number;
-      if (node.kind == NodeKind::text) {
-        const Evaluated result = evaluate(substituted(node.text, values), context_.lookup(), context_.random(where));
-        if (!result.error.empty())
-          context_.error(node, where,
-                         "found " + describe(node) + ": " + result.error + ", expected a number or an expression");
-        value = result.value;
-      } else if ((node.kind != NodeKind::integer && node.kind != NodeKind::number) || !std::isfinite(value)) {
-        context_.error(node, where, "found " + describe(node) + ", expected a finite number or an expression");
-        value = 0;
-      }
-      values.push_back({member.key, value});
-    }
-    substitute(table, values);
   }
 
   void expandInside(Node& table, const std::string& path) {
@@ -471,10 +253,10 @@ class Expander {
     if (const Member* member = copy.find("let")) let = *member;
     erase(copy, "let");
     std::vector<Node> out;
-    Repetition repetition(context_, copy, path);
+    const std::vector<Instance> instances = instancesOf(context_, copy, path);
     erase(copy, "repeat");
-    if (full_ || !roomFor(copy, path, repetition.instances.size())) return out;
-    for (const Instance& one : repetition.instances) {
+    if (full_ || !roomFor(copy, path, instances.size())) return out;
+    for (const Instance& one : instances) {
       Node made = copy;
       if (let) made.members.push_back(*let);
       if (!out.empty()) markAgain(made);

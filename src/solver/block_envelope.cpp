@@ -52,6 +52,12 @@ void BlockEnvelope::add(std::size_t row, std::size_t column, const double (&b)[6
     for (int j = 0; j < 6; j++) to.column[j][i] += b[i][j];
 }
 
+void BlockEnvelope::stiffen(std::size_t row, unsigned rows, double times) {
+  Block& block = at(row, row);
+  for (int k = 0; k < 6; k++)
+    if (rows >> k & 1) block.column[k][k] *= times;
+}
+
 // from -= left right^T
 void BlockEnvelope::takeProduct(Block& from, const Block& left, const Block& right) {
   Six columns[6];

@@ -17,6 +17,8 @@ class BlockEnvelope {
   void clear();
   // Adds a block on or under the diagonal, by rows. A block on the diagonal is given whole.
   void add(std::size_t row, std::size_t column, const double (&b)[6][6]);
+  // Times so much on the diagonal, where `rows` has a bit: what these six unknowns find is 0 to all others.
+  void stiffen(std::size_t row, unsigned rows, double times);
   // False if not positive definite.
   bool factor();
   // After factor: x, 6 numbers a row of blocks, is the right side and becomes the solution.

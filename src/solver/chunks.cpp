@@ -13,7 +13,7 @@ void Chunks::find(const Island& island, const StepContext& context) {
   ways_.clear();
   chunkOf_.clear();
   all_ = false;
-  if (!island.facts.mortared || island.facts.jointed || island.grounded()) return;
+  if (!island.facts.mortared || island.facts.jointed || island.facts.locked || island.grounded()) return;
   const std::size_t count = island.bodies.size();
   UnionFind sets(count, island.memory);
   chunkOf_.assign(count, kNoIndex);

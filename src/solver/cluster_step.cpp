@@ -22,6 +22,7 @@
 #include <limits>
 #include <utility>
 
+#include "solver/locks.h"
 #include "solver/slope_search.h"
 
 namespace brickfall {
@@ -98,11 +99,14 @@ Symmetric6 clusterMatrix(RowForces& forces, const Level& level, const Cluster& c
   Symmetric6 matrix;
   sums.write(matrix);
   addInertia(matrix, cluster);
+  if (const Island& island = forces.island(); anyLocks(island)) lockAxes(matrix, locksOf(island, level, cluster));
   return matrix;
 }
 
 ClusterStep tryStep(RowForces& forces, const Level& level, const Cluster& cluster, ClusterFactor& factor,
-                    const Wrench& residual, bool exact) {
+                    const Wrench& all, bool exact) {
+  Wrench residual = all;
+  if (const Island& island = forces.island(); anyLocks(island)) keepFree(residual, locksOf(island, level, cluster));
   for (;; factor.valid = false) {
     if (!factor.valid && !makeFactor(forces, level, cluster, exact, factor)) return {};
     const bool kept = std::exchange(factor.kept, true);
@@ -131,6 +135,7 @@ void addInertiaOfStep(Island& island, const Level& level, const Cluster& cluster
     V moved = way + wide::cross3(turn, wide::load(&m.position.x) - centre);
     wide::store(wide::load(&residual.force.x) - moved * m.mass, &residual.force.x);
     wide::store(wide::load(&residual.torque.x) - timesSymmetric(m.inertia, turn), &residual.torque.x);
+    if (anyLocks(island)) keepFree(residual, island.locks[body]);
   }
 }
 

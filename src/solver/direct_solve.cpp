@@ -13,6 +13,7 @@
 #include "solver/body_matrix.h"
 #include "solver/imbalance.h"
 #include "solver/light_pass.h"
+#include "solver/locks.h"
 #include "solver/numbering.h"
 #include "solver/renewals.h"
 #include "solver/row_forces.h"
@@ -60,6 +61,7 @@ class Newton {
         entry(i, k + 3) = double(island_.residual[i].torque[k]);
       }
     matrix_.solve(step_.data());
+    if (anyLocks(island_)) leaveLocked();
     from_.assign(island_.motion.begin(), island_.motion.begin() + std::ptrdiff_t(place_.size()));
     search(enough);
     readForces(boundsFollow);
@@ -110,6 +112,13 @@ class Newton {
       addRow(matrix_, kind.ends(k), x, placeOf);
       addRounding(kind.ends(k), x);
     });
+    for (std::size_t i = 0; i < island_.locks.size(); i++)
+      matrix_.stiffen(place_[i], island_.locks[i], kLockedStiffness);
+  }
+  void leaveLocked() {
+    for (std::size_t i = 0; i < place_.size(); i++)
+      for (int k = 0; k < 6; k++)
+        if (island_.locks[i] >> k & 1) entry(i, k) = 0;
   }
 
   void addRounding(RowEnds ends, const StiffReaction& x) {

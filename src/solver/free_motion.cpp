@@ -86,6 +86,26 @@ void predictWay(StepContext& context, BodySet& bodies, BodyIndex body, double dt
   free.way = (free.startVelocity * dt + free.d) * 0.5;
 }
 
+// Drag splits off gravity, along locked axes as well.
+void keepLocks(FreeMotion& free, BodySet& bodies, BodyIndex body) {
+  bodies.motion[body].linearVelocity = bodies.freeWay(body, bodies.motion[body].linearVelocity);
+  free.d = bodies.freeWay(body, free.d);
+  free.way = bodies.freeWay(body, free.way);
+}
+
+// The turn of a body with locks, about the free axes alone: by the spin in the middle of the step. Its angular momentum
+// along free axes stays but for torques; where its inertia about them changes as it turns, it gains no energy by that.
+Vec3 predictLockedTurn(FreeMotion& free, const BodySet& bodies, BodyIndex body, Vec3 momentum, double dt) {
+  const BodyMotion& m = bodies.motion[body];
+  const Vec3 spin = bodies.worldInvInertia(body) * momentum;
+  auto turned = [&](Vec3 by) { return normalized(quatFromRotationVector(by) * m.rotation); };
+  free.th = bodies.spinAt(body, toMatrix(turned(spin * (0.5 * dt))), momentum) * dt;
+  free.rotation = turned(free.th);
+  const double had = dot(spin, momentum), has = dot(bodies.spinAt(body, toMatrix(free.rotation), momentum), momentum);
+  free.angularMomentum = has > had ? momentum * std::sqrt(had / has) : momentum;
+  return spin;
+}
+
 // Bodies whose turn is still to be found, until there are enough of them to find it side by side.
 class WaitingTurns {
  public:
@@ -148,14 +168,21 @@ void predictFreeMotions(StepContext& context, BodySet& bodies, std::span<const B
       free.late = data.steady.linear * (0.5 * data.steady.dt);
       free.lateSpin = data.steady.angular * (0.5 * data.steady.dt);
     }
-    Vec3 acceleration = context.gravity * data.gravityScale + data.force * mass.invMass;
+    const bool locked = mass.locks != 0;
+    Vec3 acceleration = bodies.freeWay(body, context.gravity * data.gravityScale + data.force * mass.invMass);
     const double left = hasContacts ? dt * (1 - context.aheadOf(body)) : dt;  // forces act for so long
     predictWay(context, bodies, body, dt, left, acceleration);
-    if (!hasContacts && context.integrator != Integrator::splitting) {
+    if (locked) keepLocks(free, bodies, body);
+    if (!locked && !hasContacts && context.integrator != Integrator::splitting) {
       integrateFreely(context, body, acceleration, dt);
       continue;
     }
     Vec3 momentum = bodies.worldInertia(body) * (m.angularVelocity - free.lateSpin) + data.torque * left;
+    if (bodies.turnsLocked(body)) {
+      const Vec3 turning = predictLockedTurn(free, bodies, body, momentum, dt);
+      if (hasContacts) limitTurn(free, mass, m, turning, dt);
+      continue;
+    }
     free.angularMomentum = momentum;
     Vec3 spin = bodies.worldInvInertia(body) * momentum;
     if (!mass.isotropic && !(lengthSquared(spin) * dt * dt < 1e-12)) {
@@ -172,6 +199,11 @@ Vec3 shortenFreeTurn(StepContext& context, BodyIndex body, double share) {
   const BodyMass& mass = context.bodies->mass[body];
   FreeMotion& free = context.free[body];
   free.turnTime *= share;
+  if (context.bodies->turnsLocked(body)) {
+    const Vec3 turn = free.th * (free.turnTime / (free.dt * free.seen));
+    free.rotation = normalized(quatFromRotationVector(turn) * context.bodies->motion[body].rotation);
+    return turn;
+  }
   free.rotation = turnFreely(context.bodies->motion[body].rotation, free.angularMomentum,
                              {mass.principalAxes, mass.principalInvInertia}, free.turnTime);
   return rotationVector(normalized(free.rotation * conjugate(context.bodies->motion[body].rotation)));

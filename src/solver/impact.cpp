@@ -42,7 +42,7 @@ struct Velocities {
 // Where no fixed body was hit, the momenta of the struck bodies are those before the impact: a solve leaves them off by
 // its residual.
 void keepMomenta(const Island& island, const std::pmr::vector<Velocities>& before, BodySet& bodies) {
-  if (island.grounded()) return;
+  if (island.grounded() || island.facts.locked) return;
   auto eachHit = [&](auto&& act) {
     for (std::size_t i = 0; i < before.size(); i++) {
       BodyMotion& m = bodies.motion[island.bodies[i]];
@@ -111,7 +111,9 @@ double firstClosing(const Island& island, double dt, const StepContext& context)
 bool solveImpact(Island& island, Ties& ties, BodySet& bodies, StepContext& context, double blink,
                  SolveStatistics& statistics, std::pmr::vector<TieImpact>& impacts) {
   TiesMemory remembered(island, ties);
-  island.plan = planFor(findFacts(island, context), context.settings, island.dt);
+  const IslandFacts facts = findFacts(island, context);
+  island.facts.locked = facts.locked;
+  island.plan = planFor(facts, context.settings, island.dt);
   goOnFreely(island, bodies, context);
   prepareBodies(island, context);
   prepareRows(island, ties, context);

@@ -37,6 +37,7 @@ struct Island {
   std::pmr::vector<SolveMotion> motion{memory};  // bodies, then partners
   std::pmr::vector<SolveMass> masses{memory};    // bodies
   std::pmr::vector<Wrench> residual{memory};     // bodies
+  std::pmr::vector<std::uint8_t> locks{memory};  // bodies (dynamics/axis_locks.h); empty: none has any
   std::pmr::vector<float> loads{memory};         // N, bodies: half the sum of the forces that rows exert on the body
   std::pmr::vector<float> speeds{
       memory};  // m/s at the reference's scale, bodies: |v| + |w| outer radius at the start of the step

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "solver/body_matrix.h"
+#include "solver/locks.h"
 #include "solver/numbering.h"
 #include "solver/slope_search.h"
 
@@ -96,6 +97,8 @@ void JointBlock::assemble() {
     std::as_const(island_.rows).at(row, [&](const auto& kind, std::size_t k) {
       addRow(matrix_, kind.ends(k), kind.reactStiff(k, island_.motion.data(), true), placeOf);
     });
+  if (!anyLocks(island_)) return;
+  for (std::uint32_t i = 0; i < bodies_.size(); i++) matrix_.stiffen(i, island_.locks[bodies_[i]], kLockedStiffness);
 }
 
 // How fast the energy falls along the step.
@@ -113,6 +116,7 @@ void JointBlock::addInertias(float sign) {
     const Wrench of = inertiaResidual(island_.masses[body], island_.motion[body]);
     island_.residual[body].force += of.force * sign;
     island_.residual[body].torque += of.torque * sign;
+    if (anyLocks(island_)) keepFree(island_.residual[body], island_.locks[body]);
   }
 }
 
@@ -151,6 +155,9 @@ void JointBlock::apply(bool follow) {
       step_[6 * i + 3 + std::size_t(k)] = double(island_.residual[bodies_[i]].torque[k]);
     }
   matrix_.solve(step_.data());
+  for (std::size_t i = 0; anyLocks(island_) && i < bodies_.size(); i++)
+    for (std::size_t k = 0; k < 6; k++)
+      if (island_.locks[bodies_[i]] >> k & 1) step_[6 * i + k] = 0;
   from_.clear();
   for (std::uint32_t body : bodies_) from_.push_back(island_.motion[body]);
   const double start = slope();

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "solver/locks.h"
 #include "solver/rigid_cluster.h"
 #include "solver/slope_search.h"
 
@@ -63,6 +64,13 @@ void LevelStep::findResiduals() {
   const Level& level = system_->level();
   residuals_.clear();
   for (const Cluster& cluster : level.clusters) residuals_.push_back(residualOf(island_, level, cluster));
+  keepLocks(residuals_);
+}
+
+void LevelStep::keepLocks(Wrenches& wrenches) const {
+  if (!anyLocks(island_)) return;
+  const Level& level = system_->level();
+  for (std::size_t c = 0; c < wrenches.size(); c++) keepFree(wrenches[c], locksOf(island_, level, level.clusters[c]));
 }
 
 void LevelStep::apply() {
@@ -76,6 +84,7 @@ void LevelStep::apply() {
     }
     findResiduals();
     system_->solve(residuals_, step_);
+    keepLocks(step_);
     LevelWay way{*this};
     if (!(way.start() > 0)) return;
     const float slope = way.moveTo(1);

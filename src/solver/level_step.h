@@ -24,6 +24,7 @@ class LevelStep {
  private:
   friend struct LevelWay;
   void findResiduals();
+  void keepLocks(Wrenches& wrenches) const;
 
   RowForces& forces_;
   Island& island_;

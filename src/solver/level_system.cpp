@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "solver/locks.h"
 #include "solver/slope_search.h"
 
 namespace brickfall {
@@ -14,6 +15,9 @@ namespace {
 constexpr double kMostProducts = 2;  // in a factorisation of the coarse level
 //! - | too small: steps that do not fit the whole | too large: cost of motion that the next step finds again
 constexpr int kMostIterations = 4;
+
+//! x the entry that is there | too small: others feel what is locked | too large: floats round
+constexpr float kLockedInFloats = 1e4f;  // of a locked unknown; its step is then left out
 
 using wide::cross3;
 using wide::spread;
@@ -136,6 +140,25 @@ void LevelSystem::addInertia() {
   }
 }
 
+// After all else is in the matrices.
+void LevelSystem::lock() {
+  if (!anyLocks(island_)) return;
+  for (std::uint32_t c = 0; c < fine_.clusters.size(); c++) {
+    const std::uint8_t locks = locksOf(island_, fine_, fine_.clusters[c]);
+    for (int k = 0; k < 6; k++) {
+      if (!(locks >> k & 1)) continue;
+      Wrench& to = matrix_.diagonal(c).of[k];
+      float& own = k < 3 ? to.force[k] : to.torque[k - 3];
+      own *= kLockedInFloats;
+    }
+  }
+  if (!coarse_) return;
+  for (std::size_t c = 0; c < coarse_->clusters.size(); c++) {
+    const Cluster& cluster = coarse_->clusters[c];
+    factor_.stiffen(places_[c], locksOf(island_, *coarse_, cluster), kLockedStiffness);
+  }
+}
+
 bool LevelSystem::make() {
   matrix_.clear();
   factor_.clear();
@@ -147,6 +170,7 @@ bool LevelSystem::make() {
     addRow(ends, now);
     if (coarse_ && clusterOf(*coarse_, ends.a) != clusterOf(*coarse_, ends.b)) addCoarseRow(ends, now);
   });
+  lock();
   return matrix_.factor() && factor_.factor();
 }
 

@@ -36,6 +36,7 @@ class LevelSystem {
   bool chooseCoarse(const Level& level, double mostProducts);
   void addInertia();
   void addRow(RowEnds ends, const StiffReaction& x);
+  void lock();
   void addCoarseRow(RowEnds ends, const StiffReaction& x);
   void precondition(const Wrenches& right, Wrenches& x);
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "solver/imbalance.h"
+#include "solver/locks.h"
 #include "solver/residual_sum.h"
 
 namespace brickfall {
@@ -36,6 +37,7 @@ void lightPass(Island& island, bool renewBounds, double& visits) {
     }
     visits += kind.kPoints * double(kind.size());
   });
+  keepFree(island);
 }
 
 double worstResidual(const Island& island, const BodySet& bodies) {

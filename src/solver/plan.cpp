@@ -75,6 +75,13 @@ void findSupport(const Island& island, const StepContext& context, IslandFacts& 
   });
 }
 
+// Its locks keep the body from falling: what lies on it is supported.
+bool holdsItself(BodyIndex body, const StepContext& context) {
+  const unsigned ways = context.bodies->mass[body].locks & kAllWays;
+  return ways == kAllWays ||
+         (ways != 0 && context.gravity != Vec3{} && context.bodies->freeWay(body, context.gravity) == Vec3{});
+}
+
 }  // namespace
 
 std::span<const PlanRow> planRows() { return kRows; }
@@ -92,6 +99,8 @@ IslandFacts findFacts(const Island& island, const StepContext& context) {
   island.rows.eachKind([&]<class Kind>(const Kind& kind) { facts.joints += Kind::kLasts ? kind.size() : 0; });
   for (BodyIndex body : island.bodies) {
     const BodyMotion& m = bodies.motion[body];
+    facts.locked = facts.locked || bodies.mass[body].locks != 0;
+    facts.grounded = facts.grounded || holdsItself(body, context);
     facts.energyBefore += bodies.data[body].lastKineticEnergy;
     facts.energy += bodies.kineticEnergy(body);
     facts.heaviest = std::max(facts.heaviest, bodies.mass[body].mass);
@@ -124,7 +133,7 @@ SolvePlan planFor(const IslandFacts& facts, const SolverSettings& settings, doub
   plan.slow =
       supported && facts.fastest <= (facts.jointed ? std::min(kStillSpeed, settings.restSpeed) : settings.restSpeed);
   plan.sways = supported && row.large && !plan.slow && facts.fastest <= kMovingSpeed;
-  plan.arcs = facts.jointed && !row.large && facts.joints + 1 >= facts.bodies;
+  plan.arcs = facts.jointed && !facts.locked && !row.large && facts.joints + 1 >= facts.bodies;
   plan.alone = facts.bodies == 1;
   plan.mayBeStopped = plan.slow && !(plan.alone && facts.fastest > kStillSpeed);
   plan.exactSteps = row.exactSteps;

@@ -26,6 +26,7 @@ struct IslandFacts {
   std::size_t joints = 0, ties = 0;
   bool jointed = false;       // has ties that stay, and on which bodies swing
   bool mortared = false;      // has ties that break, and give no impulse in no time
+  bool locked = false;        // a body has locked axes
   bool firm = false;          // has ties so firm that the rounding of ways is a force
   bool partnersGo = false;    // a kinematic partner moves
   bool partnersMove = false;  // ... or a partner's surface runs

@@ -17,7 +17,7 @@ void writeInertia(SolveMass& out, const Mat3& world, double perDt2) {
 // Way of the island as a whole, where nothing holds it.
 RigidWay rigidWay(const Island& island, const StepContext& context) {
   RigidWay way;
-  if (island.grounded()) return way;
+  if (island.grounded() || island.facts.locked) return way;
   if (const RigidWay* all = island.chunks.ofAll()) return *all;
   Vec3 moment;
   double mass = 0;
@@ -58,6 +58,12 @@ void balanceTurn(Island& island, const BodySet& bodies) {
   }
 }
 
+void findLocks(Island& island, const BodySet& bodies) {
+  island.locks.clear();
+  if (!island.facts.locked) return;
+  for (BodyIndex body : island.bodies) island.locks.push_back(bodies.mass[body].locks);
+}
+
 }  // namespace
 
 void prepareBodies(Island& island, const StepContext& context) {
@@ -66,6 +72,7 @@ void prepareBodies(Island& island, const StepContext& context) {
   island.motion.resize(count + island.partners.size());
   island.masses.resize(count);
   island.speeds.resize(count);
+  findLocks(island, bodies);
   island.origin = bodies.motion[island.bodies.front()].position;
   island.chunks.find(island, context);
   island.rigid = rigidWay(island, context);

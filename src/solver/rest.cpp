@@ -41,7 +41,7 @@ void dampSlowIsland(const Island& island, const StepContext& context, BodySet& b
   for (std::size_t i = 0; i < island.bodies.size(); i++) {
     if (!touched[i]) continue;
     BodyIndex body = island.bodies[i];
-    bodies.motion[body].linearVelocity = left;
+    bodies.motion[body].linearVelocity = bodies.freeWay(body, left);
     bodies.motion[body].angularVelocity = {};
     bodies.data[body].lastKineticEnergy = bodies.kineticEnergy(body);
   }

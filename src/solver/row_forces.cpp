@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "solver/locks.h"
 #include "solver/residual_sum.h"
 
 namespace brickfall {
@@ -11,6 +12,7 @@ using wide::V;
 void RowForces::take(std::uint32_t row, RowEnds ends, Arms arms, Reading now) {
   Reading& old = readings_[row];
   addTo(island_.residual.data(), bodies_, ends, arms, now.force - old.force, now.torque - old.torque);
+  if (anyLocks(island_)) keepFree(island_, ends);
   old = now;
 }
 
@@ -36,6 +38,7 @@ void RowForces::readAgain() {
       addTo(island_.residual.data(), bodies_, kind.ends(k), kind.arms(k), now->force, now->torque);
     statistics_.lightVisits += kind.kPoints * double(kind.size());
   });
+  keepFree(island_);
 }
 
 void RowForces::readRows(const std::pmr::vector<std::uint32_t>& rows) {
@@ -78,6 +81,7 @@ void RowForces::acceptBoundary(const Level& level, const Cluster& cluster) {
     island_.rows.at(row, [&](const auto& kind, std::uint32_t index) {
       addTo(residual, bodies_, kind.ends(index), kind.arms(index), trial->force - old.force,
             trial->torque - old.torque);
+      if (anyLocks(island_)) keepFree(island_, kind.ends(index));
     });
     old = *trial;
   }

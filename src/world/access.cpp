@@ -28,6 +28,8 @@ Result<BodyState> World::state(BodyId id) const {
   s.surfaceVelocity = data.surfaceVelocity;
   s.mass = w.registry.bodies.mass[*body].mass;
   s.awake = data.activity == BodyActivity::awake;
+  s.enabled = data.enabled;
+  s.locks = locksOf(data.locks);
   s.quarantined = data.quarantined;
   s.userData = data.userData;
   return s;
@@ -122,6 +124,7 @@ Status World::Impl::setVelocity(BodyId id, Vec3 velocity, Vec3 BodyMotion::*whic
   Upkeep keeper = upkeep();
   keeper.disturb(*body);
   registry.bodies.motion[*body].*which = registry.bodies.data[*body].*last = velocity;
+  registry.keepLocks(*body);
   keeper.relist(*body);
   return {};
 }
@@ -200,6 +203,30 @@ Status World::setMassProperties(BodyId id, const std::optional<MassProperties>& 
   return {};
 }
 
+Status World::setLocks(BodyId id, const AxisLocks& locks) {
+  Result<BodyIndex> body = impl_->openForChange(id, {});
+  if (!body) return body.error();
+  if (impl_->registry.bodies.data[*body].locks != lockBits(locks)) impl_->upkeep().setLocks(*body, lockBits(locks));
+  return {};
+}
+
+Status World::setEnabled(BodyId id, bool enabled) {
+  Result<BodyIndex> body = impl_->openForChange(id, {});
+  if (!body) return body.error();
+  if (impl_->registry.bodies.data[*body].enabled != enabled) impl_->upkeep().setEnabled(*body, enabled);
+  return {};
+}
+
+Status World::setPreSolve(PreSolve callback) {
+  Impl& w = *impl_;
+  if (Status open = w.openForChange("setPreSolve"); !open) return open;
+  if (w.preSolve) w.upkeep().wakeAll();  // what it changed lasts no longer
+  for (Contact& contact : w.ties.contacts.contacts)
+    if (contact.bodyA != kNoIndex) takeConstants(contact, w.registry.shapes, w.registry.bodies);
+  w.preSolve = std::move(callback);
+  return {};
+}
+
 Status World::setContactFilter(ContactFilter filter) {
   Impl& w = *impl_;
   if (Status open = w.openForChange("setContactFilter"); !open) return open;
@@ -237,12 +264,21 @@ Status World::wake(BodyId id) {
   return {};
 }
 
+namespace {
+
+Error switchedOff(const std::string& call) {
+  return {ErrorCode::wrongState, call + ": the body is switched off (setEnabled)"};
+}
+
+}  // namespace
+
 Status World::sleep(BodyId id) {
   Impl& w = *impl_;
   Result<BodyIndex> body = w.openForChange(id, {});
   if (!body) return body.error();
   if (w.registry.bodies.data[*body].type != BodyType::dynamic)
     return Error{ErrorCode::wrongState, "sleep: the body is not BodyType::dynamic"};
+  if (!w.registry.bodies.data[*body].enabled) return switchedOff("sleep");
   for (IslandPointer& island : w.activity.islands.awake)
     if (std::binary_search(island->bodies.begin(), island->bodies.end(), *body)) island->restTime = w.def.sleepDelay;
   return {};
@@ -361,12 +397,14 @@ Status World::Impl::push(BodyId id, Vec3 linear, Vec3 angular, Vec3* pointWorld,
   BodyIndex body = *found;
   if (registry.bodies.data[body].type != BodyType::dynamic)
     return Error{ErrorCode::wrongState, "force: the body is not BodyType::dynamic"};
+  if (!registry.bodies.data[body].enabled) return switchedOff("force");
   upkeep().disturb(body);
   BodyMotion& m = registry.bodies.motion[body];
   BodyData& data = registry.bodies.data[body];
   if (pointWorld) angular += cross(*pointWorld - m.position, linear);
   if (impulse) {
-    Vec3 kick = linear * registry.bodies.mass[body].invMass, spin = registry.bodies.worldInvInertia(body) * angular;
+    Vec3 kick = registry.bodies.freeWay(body, linear * registry.bodies.mass[body].invMass),
+         spin = registry.bodies.worldInvInertia(body) * angular;
     m.linearVelocity += kick;
     m.angularVelocity += spin;
     data.lastLinearVelocity += kick;

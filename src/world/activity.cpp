@@ -25,6 +25,11 @@ bool isPartner(const Island& island, BodyIndex body) {
 
 void Activity::enlist(BodySet& bodies, BodyIndex body) {
   BodyData& data = bodies.data[body];
+  if (!bodies.takesPart(body)) {
+    data.activity = BodyActivity::fixed;
+    bodies.still[body] = 1;
+    return;
+  }
   data.activity = data.type == BodyType::dynamic ? BodyActivity::awake : BodyActivity::fixed;
   bodies.still[body] = 0;
   if (data.type == BodyType::dynamic) insert(awake, body);

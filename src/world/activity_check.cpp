@@ -119,13 +119,14 @@ class LinkCheck {
       const BodyData& d = bodies_.data[i];
       if (!d.alive) continue;
       bool active = d.activity == BodyActivity::awake || d.activity == BodyActivity::asleep;
-      f_.expect(active == (d.type == BodyType::dynamic && !d.quarantined), "bodies: activity and type differ");
+      f_.expect(active == (d.type == BodyType::dynamic && bodies_.takesPart(i)), "bodies: activity and type differ");
       bool listed = std::binary_search(a_.awake.begin(), a_.awake.end(), i);
       f_.expect(listed == (dynamic(i) && activity(i, BodyActivity::awake)), "body", i, "awake list and state differ");
-      f_.expect(std::binary_search(a_.moving.begin(), a_.moving.end(), i) == (bodies_.isDriven(i) && !d.quarantined),
-                "moving: not the kinematic bodies with a velocity");
+      f_.expect(
+          std::binary_search(a_.moving.begin(), a_.moving.end(), i) == (bodies_.isDriven(i) && bodies_.takesPart(i)),
+          "moving: not the kinematic bodies with a velocity");
     }
-    for (BodyIndex body : a_.pushed) f_.expect(dynamic(body), "pushed: not a dynamic body");
+    for (BodyIndex body : a_.pushed) f_.expect(dynamic(body) && bodies_.takesPart(body), "pushed: not a dynamic body");
     for (BodyIndex body : a_.unsettled) f_.expect(!dynamic(body), "unsettled: a dynamic body");
   }
 

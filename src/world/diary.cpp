@@ -7,15 +7,23 @@
 
 namespace brickfall {
 
-ContactEvent byCreation(BodyPair pair, const Registry& registry) {
+ContactEvent byCreation(TouchingPair pair, const Registry& registry) {
   const auto& data = registry.bodies.data;
-  if (data[pair.second].order < data[pair.first].order) std::swap(pair.first, pair.second);
-  return {registry.idOf(pair.first), registry.idOf(pair.second)};
+  if (data[pair.second].order < data[pair.first].order) {
+    std::swap(pair.first, pair.second);
+    std::swap(pair.shapeFirst, pair.shapeSecond);
+  }
+  return {registry.idOf(pair.first), registry.idOf(pair.second), registry.idOfShape(pair.shapeFirst),
+          registry.idOfShape(pair.shapeSecond)};
 }
 
-void appendTouching(const Island& island, const Ties& ties, BodyPairs& out) {
+void appendTouching(const Island& island, const Ties& ties, TouchingPairs& out) {
   island.rows.eachKind([&](const auto& kind) {
-    kind.eachTouching(ties, [&](BodyIndex a, BodyIndex b) { out.push_back({std::min(a, b), std::max(a, b)}); });
+    kind.eachTouching(ties, [&](const Contact& c) {
+      const bool inOrder = c.bodyA < c.bodyB;
+      out.push_back(inOrder ? TouchingPair{c.bodyA, c.bodyB, c.shapeA, c.shapeB}
+                            : TouchingPair{c.bodyB, c.bodyA, c.shapeB, c.shapeA});
+    });
   });
 }
 
@@ -43,7 +51,7 @@ void Diary::addTouching(const Island& island, const Ties& ties) {
 }
 
 void Diary::endTouchingOf(BodyIndex body, const Registry& registry) {
-  std::erase_if(touchingBefore, [&](const BodyPair& pair) {
+  std::erase_if(touchingBefore, [&](const TouchingPair& pair) {
     if (pair.first != body && pair.second != body) return false;
     heard().end.push_back(byCreation(pair, registry));
     return true;
@@ -72,7 +80,7 @@ void Diary::beginLedger(const Balance& now, bool firstPart) {
 }
 
 void Diary::keepRoom(std::size_t slots, std::size_t touching) {
-  for (BodyPairs* list : {&touchingNow, &touchingBefore, &slept, &room}) brickfall::keepRoom(*list, touching);
+  for (TouchingPairs* list : {&touchingNow, &touchingBefore, &slept, &room}) brickfall::keepRoom(*list, touching);
   for (Events* e : {&events, &pending}) {
     for (auto* list : {&e->begin, &e->end}) brickfall::keepRoom(*list, touching);
     for (auto* list : {&e->fellAsleep, &e->woke}) keepRoomFor(*list, slots);
@@ -83,17 +91,20 @@ void Diary::keepRoom(std::size_t slots, std::size_t touching) {
 }
 
 void Diary::checkStructure(Findings& f, const Registry& registry) const {
-  for (const BodyPair& pair : touchingBefore)
-    f.expect(pair.first < registry.bodies.slots() && pair.second < registry.bodies.slots(),
+  for (const TouchingPair& pair : touchingBefore)
+    f.expect(pair.first < registry.bodies.slots() && pair.second < registry.bodies.slots() &&
+                 pair.shapeFirst < registry.shapes.slots() && pair.shapeSecond < registry.shapes.slots(),
              "touching: a body that is not there");
 }
 
 void Diary::check(Findings& f, const Registry& registry) const {
   f.expect(std::is_sorted(sensed.begin(), sensed.end()), "sensors: what they sense is not sorted");
   f.expect(isAscending(touchingBefore), "touching: not sorted, or twice");
-  for (const BodyPair& pair : touchingBefore)
-    f.expect(pair.first < pair.second && registry.bodies.alive(pair.first) && registry.bodies.alive(pair.second),
-             "touching: a body that is not there");
+  for (const TouchingPair& pair : touchingBefore)
+    f.expect(pair.first < pair.second && registry.bodies.alive(pair.first) && registry.bodies.alive(pair.second) &&
+                 registry.shapes.data[pair.shapeFirst].body == pair.first &&
+                 registry.shapes.data[pair.shapeSecond].body == pair.second,
+             "touching: a body or shape that is not there");
 }
 
 }  // namespace brickfall

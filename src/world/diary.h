@@ -11,12 +11,13 @@
 
 namespace brickfall {
 
-// Bodies that press on each other, first < second.
-struct BodyPair {
+// Shapes that press on each other: of bodies first < second.
+struct TouchingPair {
   BodyIndex first, second;
-  auto operator<=>(const BodyPair&) const = default;
+  ShapeIndex shapeFirst, shapeSecond;
+  auto operator<=>(const TouchingPair&) const = default;
 };
-using BodyPairs = std::vector<BodyPair>;
+using TouchingPairs = std::vector<TouchingPair>;
 
 class Diary {
  public:
@@ -26,9 +27,9 @@ class Diary {
   LedgerState ledgerState;
   Events events;                               // of the last step, or of the one under way
   Events pending;                              // of calls between steps: the next step tells them
-  BodyPairs touchingNow, touchingBefore;       // of awake islands, sorted
-  BodyPairs slept;                             // pairs of islands that fell asleep in this step
-  BodyPairs room;                              // for merging the lists of pairs
+  TouchingPairs touchingNow, touchingBefore;   // of awake islands, sorted
+  TouchingPairs slept;                         // pairs of islands that fell asleep in this step
+  TouchingPairs room;                          // for merging the lists of pairs
   std::vector<SensorEvent> sensed, sensedNow;  // who is in which sensor, sorted; after the last step, and scratch
 
   Events& heard() { return inStep ? events : pending; }
@@ -51,8 +52,8 @@ class Diary {
 };
 
 // Ordered by when the bodies were made: slots are used again, so their order does not tell.
-ContactEvent byCreation(BodyPair pair, const Registry& registry);
-// Pairs of bodies that press on each other; a pair comes once for each of its contacts.
-void appendTouching(const Island& island, const Ties& ties, BodyPairs& out);
+ContactEvent byCreation(TouchingPair pair, const Registry& registry);
+// Pairs of shapes that press on each other; a pair comes once for each of its contacts.
+void appendTouching(const Island& island, const Ties& ties, TouchingPairs& out);
 
 }  // namespace brickfall

@@ -40,7 +40,7 @@ Balance balanceNow(const BodySet& bodies, const StepContext& context) {
   Balance sum;
   sum.elastic = elasticAwake(context) + elasticAsleep(context);
   for (BodyIndex i = 0; i < bodies.slots(); i++) {
-    if (!bodies.alive(i) || bodies.data[i].type != BodyType::dynamic) continue;
+    if (!bodies.alive(i) || bodies.data[i].type != BodyType::dynamic || !bodies.data[i].enabled) continue;
     const BodyMotion& m = bodies.motion[i];
     addBody(sum, bodies.mass[i], m.position, m.linearVelocity, m.angularVelocity,
             bodies.worldInertia(i) * m.angularVelocity);

@@ -14,8 +14,7 @@ bool moveBody(BodyIndex body, BodySet& bodies, const StepContext& context) {
   next.linearVelocity = s.velocity;
   next.orientation = toMatrix(next.rotation);
   // Angular momentum carries over exactly; the spin follows from the new orientation.
-  next.angularVelocity =
-      next.orientation * (bodies.mass[body].invInertia * transposeTimes(next.orientation, s.angularMomentum));
+  next.angularVelocity = bodies.spinAt(body, next.orientation, s.angularMomentum);
   if (!isSane(next)) return false;
   m = next;
   bodies.data[body].steady = s.steady;

@@ -52,6 +52,7 @@ void Proximity::updateSwept(const Registry& registry, ShapeIndex shape, double d
 
 void Proximity::enter(const Registry& registry, BodyIndex body) {
   around.resize(registry.shapes.slots());
+  if (!registry.bodies.takesPart(body)) return;
   for (ShapeIndex shape : registry.bodies.shapes[body]) {
     updateSwept(registry, shape, 0);
     enter(registry, shape, around[shape].swept);

@@ -15,7 +15,7 @@ namespace brickfall {
 
 // The surroundings of a shape.
 struct Surroundings {
-  ProxyIndex proxy = kNoProxy;  // none: its body is quarantined
+  ProxyIndex proxy = kNoProxy;  // none: its body takes no part
   bool mesh = false;            // a triangle mesh
   Aabb swept;                   // m: bounds over the coming step at the present velocity, grown by the contact margin
 };

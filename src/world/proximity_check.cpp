@@ -14,7 +14,7 @@ void Proximity::checkBounds(Findings& f, const Registry& registry) const {
     for (ShapeIndex s : registry.bodies.shapes[i]) {
       const Surroundings& at = around[s];
       if (at.proxy == kNoProxy) {
-        f.expect(registry.bodies.data[i].quarantined, "shape", s, "not in the broad phase");
+        f.expect(!registry.bodies.takesPart(i), "shape", s, "not in the broad phase");
         continue;
       }
       Aabb now = bounds(registry.shapes.data[s].geometry, registry.shapes.worldPose(s, registry.bodies));

@@ -32,7 +32,7 @@ void quarantineAbsurd(const Registry& registry, const Activity& activity, double
     if (bodies.still[body]) continue;
     const BodyMotion& m = bodies.motion[body];
     const BodyData& data = bodies.data[body];
-    Vec3 velocity = m.linearVelocity + data.force * (bodies.mass[body].invMass * dt);
+    Vec3 velocity = m.linearVelocity + bodies.freeWay(body, data.force) * (bodies.mass[body].invMass * dt);
     Vec3 spin = m.angularVelocity;
     if (!(data.torque == Vec3{})) spin += bodies.worldInvInertia(body) * data.torque * dt;
     // A grain of a millimetre that is hit may well spin at a million rad/s: the grain is lost only if its surface is

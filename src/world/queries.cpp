@@ -186,11 +186,20 @@ Result<double> World::penetration(ShapeId a, ShapeId b) const {
   return penetrationDepth(w.registry.shapes.data[*shapeA].geometry, w.registry.shapes.data[*shapeB].geometry, bInA);
 }
 
+namespace {
+
+// In sums over the world.
+bool counts(const BodySet& bodies, BodyIndex body) {
+  return bodies.alive(body) && bodies.data[body].type == BodyType::dynamic && bodies.data[body].enabled;
+}
+
+}  // namespace
+
 Energy World::energy() const {
   const Impl& w = *impl_;
   Energy e;
   for (BodyIndex i = 0; i < w.registry.bodies.slots(); i++) {
-    if (!w.registry.bodies.alive(i) || w.registry.bodies.data[i].type != BodyType::dynamic) continue;
+    if (!counts(w.registry.bodies, i)) continue;
     e.kinetic += w.registry.bodies.kineticEnergy(i);
     e.potential -= w.registry.bodies.mass[i].mass * w.registry.bodies.data[i].gravityScale *
                    dot(w.def.gravity, w.registry.bodies.motion[i].position);
@@ -202,7 +211,8 @@ Vec3 World::linearMomentum() const {
   const Impl& w = *impl_;
   Vec3 sum;
   for (BodyIndex i = 0; i < w.registry.bodies.slots(); i++)
-    if (w.registry.bodies.alive(i)) sum += w.registry.bodies.motion[i].linearVelocity * w.registry.bodies.mass[i].mass;
+    if (counts(w.registry.bodies, i))
+      sum += w.registry.bodies.motion[i].linearVelocity * w.registry.bodies.mass[i].mass;
   return sum;
 }
 
@@ -210,7 +220,7 @@ Vec3 World::angularMomentum() const {
   const Impl& w = *impl_;
   Vec3 sum;
   for (BodyIndex i = 0; i < w.registry.bodies.slots(); i++) {
-    if (!w.registry.bodies.alive(i)) continue;
+    if (!counts(w.registry.bodies, i)) continue;
     const BodyMotion& m = w.registry.bodies.motion[i];
     sum += cross(m.position, m.linearVelocity * w.registry.bodies.mass[i].mass) +
            w.registry.bodies.worldInertia(i) * m.angularVelocity;

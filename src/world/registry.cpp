@@ -51,6 +51,8 @@ BodyIndex Registry::add(BodyPlan&& plan) {
   data.dragArea = def.dragArea;
   data.surfaceVelocity = def.surfaceVelocity;
   data.allowSleep = def.allowSleep;
+  data.enabled = def.enabled;
+  data.locks = lockBits(def.locks);
   data.userData = def.userData;
   data.givenMass = def.massProperties;
   bodies.setRotation(body, normalized(def.rotation));
@@ -71,6 +73,7 @@ BodyIndex Registry::add(BodyPlan&& plan) {
     if (s.def.sensor) sensors.insert(std::lower_bound(sensors.begin(), sensors.end(), shape), shape);
   }
   updateMass(body, def.position);
+  keepLocks(body);
   dynamicBodies += def.type == BodyType::dynamic;
   return body;
 }
@@ -91,6 +94,21 @@ void Registry::setType(BodyIndex body, BodyType type) {
   if (type == BodyType::dynamic) bodies.data[body].surfaceVelocity = {};
   if (type == BodyType::fixed) bodies.motion[body].linearVelocity = bodies.motion[body].angularVelocity = {};
   updateMass(body, origin);
+  keepLocks(body);
+}
+
+void Registry::setLocks(BodyIndex body, std::uint8_t locks) {
+  bodies.data[body].locks = locks;
+  if (bodies.data[body].type == BodyType::dynamic) bodies.mass[body].locks = locks;
+  keepLocks(body);
+}
+
+void Registry::keepLocks(BodyIndex body) {
+  BodyMotion& m = bodies.motion[body];
+  BodyData& data = bodies.data[body];
+  for (Vec3* v : {&m.linearVelocity, &data.lastLinearVelocity}) *v = bodies.freeWay(body, *v);
+  for (Vec3* v : {&m.angularVelocity, &data.lastAngularVelocity}) *v = bodies.freeTurn(body, *v);
+  if (bodies.mass[body].locks != 0) data.steady = {};
 }
 
 namespace {
@@ -195,6 +213,7 @@ void Registry::updateMass(BodyIndex body, Vec3 origin) {
     if (turned) mass.symmetryAxis = rotate(only.def.local.rotation, Vec3{0, 1, 0});
   }
   if (data.type != BodyType::dynamic) return;
+  mass.locks = data.locks;
   mass.mass = data.bodyFrameMass.mass;
   mass.invMass = 1 / mass.mass;
   mass.inertia = data.bodyFrameMass.inertia;
@@ -304,6 +323,9 @@ void Registry::check(Findings& f) const {
     bool rests = m.linearVelocity == Vec3{} && m.angularVelocity == Vec3{};
     f.expect(d.type != BodyType::fixed || rests, "bodies: a fixed one has a velocity");
     f.expect(d.type != BodyType::dynamic || d.surfaceVelocity == Vec3{}, "bodies: the surface of a dynamic one runs");
+    f.expect(bodies.freeWay(i, m.linearVelocity) == m.linearVelocity &&
+                 bodies.freeTurn(i, m.angularVelocity) == m.angularVelocity && d.locks <= kAllLocks,
+             "bodies: one moves along an axis that is locked");
     for (ShapeIndex shape : bodies.shapes[i]) {
       f.expect(!seen[shape], "shapes: one is listed twice");
       seen[shape] = true;

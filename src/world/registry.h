@@ -38,6 +38,8 @@ class Registry {
   void remove(BodyIndex body);
   // A fixed body loses its velocities.
   void setType(BodyIndex body, BodyType type);
+  void setLocks(BodyIndex body, std::uint8_t locks);
+  void keepLocks(BodyIndex body);                              // its velocities along locked axes end
   void setPose(BodyIndex body, Vec3 position, Quat rotation);  // of the body's frame
   // True if the body's centre of mass is elsewhere in it than before; its frame stays where it is.
   bool setMaterial(ShapeIndex shape, const Material& material);

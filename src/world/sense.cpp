@@ -23,7 +23,7 @@ void sense(const Registry& registry, const Proximity& proximity, Diary& diary) {
   diary.sensedNow.clear();
   for (ShapeIndex sensor : registry.sensors) {
     const ShapeData& s = registry.shapes.data[sensor];
-    if (registry.bodies.data[s.body].quarantined) continue;
+    if (!registry.bodies.takesPart(s.body)) continue;
     const Transform pose = registry.shapes.worldPose(sensor, registry.bodies), back = inverse(pose);
     proximity.broadPhase->query(bounds(s.geometry, pose), [&](std::uint32_t shape) {
       const ShapeData& o = registry.shapes.data[shape];

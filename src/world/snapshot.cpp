@@ -123,7 +123,8 @@ class SnapshotArchive {
   template <class Archive, class Data> static void body(Archive& a, Data& d) {
     a.choice(d.type, BodyType::dynamic);
     a.choice(d.activity, BodyActivity::fixed);
-    for (auto* flag : {&d.quarantined, &d.allowSleep, &d.steady.sticks}) a.flag(*flag);
+    for (auto* flag : {&d.quarantined, &d.enabled, &d.allowSleep, &d.steady.sticks}) a.flag(*flag);
+    a.choice(d.locks, kAllLocks);
     for (auto* number : {&d.gravityScale, &d.linearDamping, &d.angularDamping, &d.dragArea, &d.lastKineticEnergy,
                          &d.steady.dt, &d.impactLoss})
       a.value(*number);
@@ -296,6 +297,7 @@ Status World::restore(std::span<const std::byte> snapshot) {
   next->solve.workers = std::make_unique<WorkerPool>(next->def.threads, next->def.tasks);
   next->diary.traceOptions = impl_->diary.traceOptions;
   next->contactFilter = impl_->contactFilter;
+  next->preSolve = impl_->preSolve;
   next->askContactFilter();
   World candidate(std::move(next));
   std::vector<std::string> wrong = candidate.validate();

@@ -92,12 +92,15 @@ Status World::Impl::rebuild() {
   if (links.any()) return Error{ErrorCode::badFormat, links.take().front()};
   for (ShapeIndex i = 0; i < shapes.slots(); i++) {
     const ShapeData& s = shapes.data[i];
-    if (!s.alive || bodies.data[s.body].quarantined) continue;
+    if (!s.alive || !bodies.takesPart(s.body)) continue;
     // A hit may have thrown the body out of the bounds swept before it.
     Aabb now = bounds(s.geometry, shapes.worldPose(i, bodies));
     proximity.enter(registry, i, merged(now, proximity.around[i].swept));
   }
-  for (ContactEvent& event : diary.pending.end) event.bodyA.world = event.bodyB.world = registry.worldNumber;
+  for (ContactEvent& event : diary.pending.end) {
+    event.bodyA.world = event.bodyB.world = registry.worldNumber;
+    event.shapeA.world = event.shapeB.world = registry.worldNumber;
+  }
   for (BodyId& body : diary.pending.woke) body.world = registry.worldNumber;
   for (MortarEvent& event : diary.pending.mortar) {
     if (!ties::isNear(event.pointWorld, ties::kFarthest) || !(std::fabs(event.energy) <= ties::kLargestMemory))

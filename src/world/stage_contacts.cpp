@@ -1,6 +1,7 @@
 // Narrow phase: manifolds of candidate pairs, and the memory of their points. Sleeping islands wake if a body now meets
 // them.
 #include "world/narrow_phase.h"
+#include "world/pre_solve.h"
 #include "world/stage_hash.h"
 #include "world/stages.h"
 #include "world/upkeep.h"
@@ -22,12 +23,13 @@ void wakeByNewTies(const Registry& registry, const Ties& ties, const StepContext
 
 }  // namespace
 
-void updateContacts(const Registry& registry, const Activity& activity, const StepContext& context,
-                    Proximity& proximity, Ties& ties, StepReport& report, Upkeep& upkeep) {
+void updateContacts(const PreSolveCall& preSolve, Registry& registry, const Activity& activity,
+                    const StepContext& context, Proximity& proximity, Ties& ties, StepReport& report, Upkeep& upkeep) {
   NarrowPhase narrow(registry, context.dt, proximity, ties.contacts);
   narrow.run();
   report.manifoldsReused += narrow.reused();
   report.manifoldsComputed += narrow.computed();
+  if (preSolve) askPreSolve(preSolve, registry, ties, upkeep);
   if (ties.anyAsleep() || !activity.islands.asleep.empty()) wakeByNewTies(registry, ties, context, upkeep);
 }
 

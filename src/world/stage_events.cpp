@@ -38,7 +38,7 @@ void countPoints(Island& island, const Ties& ties) {
 // Bodies touch if any of their contacts does. Pairs that were not among those of the last step begin; pairs that are no
 // longer among them end.
 void collectTouching(const Registry& registry, const Activity& activity, const Ties& ties, Diary& diary) {
-  BodyPairs &now = diary.touchingNow, &before = diary.touchingBefore, &slept = diary.slept;
+  TouchingPairs &now = diary.touchingNow, &before = diary.touchingBefore, &slept = diary.slept;
   now.clear();
   for (const IslandPointer& island : activity.islands.awake) appendTouching(*island, ties, now);
   // An island that fell asleep in this step still touches, but is not looked at again until it wakes.
@@ -49,9 +49,9 @@ void collectTouching(const Registry& registry, const Activity& activity, const T
   now.insert(now.end(), slept.begin(), slept.end());
   makeSet(now, diary.room);
   makeSet(slept, diary.room);
-  auto tell = [&](const BodyPairs& in, const BodyPairs& notIn, std::vector<ContactEvent>& out) {
+  auto tell = [&](const TouchingPairs& in, const TouchingPairs& notIn, std::vector<ContactEvent>& out) {
     auto other = notIn.begin();
-    for (const BodyPair& pair : in) {
+    for (const TouchingPair& pair : in) {
       while (other != notIn.end() && *other < pair) ++other;
       if (other == notIn.end() || *other != pair) out.push_back(byCreation(pair, registry));
     }

@@ -22,10 +22,13 @@ struct IslandSet;
 struct SolveState;
 struct StepContext;
 
+using PreSolveCall = World::PreSolve;
+
 void findPairs(const Registry&, const Activity&, const StepContext&, Proximity&, Ties&);
 void hashPairs(const Registry&, const Activity&, const Proximity&, HashItems&);
 
-void updateContacts(const Registry&, const Activity&, const StepContext&, Proximity&, Ties&, StepReport&, Upkeep&);
+void updateContacts(const PreSolveCall&, Registry&, const Activity&, const StepContext&, Proximity&, Ties&, StepReport&,
+                    Upkeep&);
 void hashContacts(const Ties&, HashItems&);
 
 void renewIslands(const Registry&, const StepContext&, Activity&, Ties&);

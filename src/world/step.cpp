@@ -30,7 +30,8 @@ std::span<const World::Impl::StageRow> World::Impl::stageRows() {
       {Stage::contacts,
        [](W& w) {
          Upkeep upkeep = w.upkeep();
-         updateContacts(w.registry, w.activity, w.solve.context, w.proximity, w.ties, w.diary.report, upkeep);
+         updateContacts(w.preSolve, w.registry, w.activity, w.solve.context, w.proximity, w.ties, w.diary.report,
+                        upkeep);
        },
        [](const W& w, H& out) { hashContacts(w.ties, out); }},
 
@@ -151,6 +152,7 @@ void World::Impl::beginPart(double dt) {
 }
 
 void World::Impl::endPart() {
+  registry.shapes.edits.clear();
   const SolveStatistics& s = solve.context.statistics;
   StepReport& report = diary.report;
   report.islands = s.islands;

@@ -72,6 +72,31 @@ void Upkeep::setType(BodyIndex body, BodyType type) {
   activity_.forgetIslandsOf(body);
 }
 
+void Upkeep::setLocks(BodyIndex body, std::uint8_t locks) {
+  disturb(body);
+  registry_.setLocks(body, locks);
+  ties_.renewConstants(body, registry_.shapes, registry_.bodies);
+}
+
+// Its joints and mortar stay, idle while it is out.
+void Upkeep::setEnabled(BodyIndex body, bool enabled) {
+  wakeIslandOf(body);
+  wakeTied(body);
+  ties_.contacts.dropOf(body);
+  tiesEnded(body);
+  proximity_.leave(registry_, body);
+  activity_.delist(registry_.bodies, body);
+  activity_.forgetIslandsOf(body);
+  registry_.bodies.data[body].enabled = enabled;
+  registry_.bodies.data[body].steady = {};
+  ties_.renewConstants(body, registry_.shapes, registry_.bodies);
+  proximity_.enter(registry_, body);
+  activity_.enlist(registry_.bodies, body);
+  if (!enabled) return;
+  wakeTied(body);
+  ties_.wakeWhere([&](BodyIndex a, BodyIndex b) { return a == body || b == body; });
+}
+
 void Upkeep::setPose(BodyIndex body, Vec3 position, Quat rotation) {
   disturb(body);
   displace(body);

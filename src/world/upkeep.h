@@ -20,6 +20,8 @@ class Upkeep {
   // forces of the coming step.
   std::vector<BodyIndex> replace(BodyIndex body, std::vector<BodyPlan>&& pieces);
   void setType(BodyIndex body, BodyType type);
+  void setLocks(BodyIndex body, std::uint8_t locks);
+  void setEnabled(BodyIndex body, bool enabled);
   void setPose(BodyIndex body, Vec3 position, Quat rotation);
   void setMaterial(ShapeIndex shape, const Material& material);
   void setMass(BodyIndex body, const std::optional<MassProperties>& given);

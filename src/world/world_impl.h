@@ -33,6 +33,7 @@ struct World::Impl {
   Clock clock;
   mutable int visiting = 0;  // callbacks of forEachContact, forEachIsland, draw and the contact filter under way
   ContactFilter contactFilter;
+  PreSolve preSolve;
 
   // step.cpp. A step is made of substeps. Each is one part, or several where something heavy hits: begin, all stages,
   // end.

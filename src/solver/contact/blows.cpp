@@ -28,9 +28,12 @@ class Pair {
   double massAlong(Vec3 axis) const {
     auto inverse = [&](BodyIndex body, Vec3 arm) {
       const Vec3 lever = cross(arm, axis);
-      return bodies_.mass[body].invMass + dot(lever, bodies_.worldInvInertia(body) * lever);
+      const BodyMass& mass = bodies_.mass[body];
+      const double gives = mass.locks == 0 ? 1 : dot(axis, bodies_.freeWay(body, axis));
+      return mass.invMass * gives + dot(lever, bodies_.worldInvInertia(body) * lever);
     };
-    return 1 / (inverse(a_, armA_) + inverse(b_, armB_));
+    const double both = inverse(a_, armA_) + inverse(b_, armB_);
+    return both > 0 ? 1 / both : 0;  // 0: locks let neither give way
   }
   Vec3 at() const { return at_; }
   void push(Vec3 impulse, BalanceChange& change) {
@@ -45,7 +48,7 @@ class Pair {
   double energyOf(BodyIndex body) const { return bodies_.mass[body].invMass > 0 ? bodies_.kineticEnergy(body) : 0.0; }
   void pushOne(BodyIndex body, Vec3 arm, Vec3 impulse, BalanceChange& change) {
     if (!(bodies_.mass[body].invMass > 0)) return;
-    bodies_.motion[body].linearVelocity += impulse * bodies_.mass[body].invMass;
+    bodies_.motion[body].linearVelocity += bodies_.freeWay(body, impulse * bodies_.mass[body].invMass);
     bodies_.motion[body].angularVelocity += bodies_.worldInvInertia(body) * cross(arm, impulse);
     change.linear += impulse;
     change.angular += cross(at_, impulse);

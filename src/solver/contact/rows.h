@@ -164,11 +164,11 @@ struct ContactRows : FaceRows {
     for (ContactIndex contact : contactOf) visit(contact);
   }
   PointCount countPoints(const Ties& ties) const;
-  // visit(body, body): the bodies of a tie that pressed in the last step, as listeners are told.
+  // visit(contact): ties that pressed in the last step, as listeners are told.
   template <class Visit> void eachTouching(const Ties& ties, Visit&& visit) const {
     for (ContactIndex contact : contactOf) {
       const Contact& c = ties.contacts.contacts[contact];
-      if (c.touching || c.struck) visit(c.bodyA, c.bodyB);
+      if (c.touching || c.struck) visit(c);
     }
   }
   // The solve failed: the ties remember nothing of it, nor of the steps before.

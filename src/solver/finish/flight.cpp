@@ -1,5 +1,7 @@
 #include "solver/finish/flight.h"
 
+#include <algorithm>
+
 #include "solver/finish/motion.h"
 #include "solver/rigid_sum.h"
 #include "solver/support.h"
@@ -64,6 +66,14 @@ std::pmr::vector<char> nearSupport(const Island& island, const StepContext& cont
   return near;
 }
 
+// One that locks hold in another way would support the others.
+bool fallsAlike(const Island& island, std::span<const std::uint32_t> group) {
+  if (island.locks.empty()) return true;
+  const unsigned first = island.locks[group.front()] & kAllWays;
+  return std::all_of(group.begin(), group.end(),
+                     [&](std::uint32_t i) { return (island.locks[i] & kAllWays) == first; });
+}
+
 }  // namespace
 
 void finishFlights(const Island& island, StepContext& context) {
@@ -72,7 +82,8 @@ void finishFlights(const Island& island, StepContext& context) {
     if (!island.groups.flies(g)) continue;
     if (near.empty()) near = nearSupport(island, context);
     const std::span<const std::uint32_t> group = island.groups.bodies(g);
-    if (group.size() > 1) {
+    if (!fallsAlike(island, group)) continue;
+    if (group.size() > 1 && !island.facts.locked) {
       const Missing missing = missingOf(island, group, context);
       for (std::uint32_t i : group) {
         const BodyIndex body = island.bodies[i];

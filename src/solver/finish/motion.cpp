@@ -22,6 +22,16 @@ Vec3 effectiveTurn(Vec3 turned, Vec3 end, const FreeMotion& free, const Mat3& in
   return along * std::min(size, std::max(0.0, ends - had));
 }
 
+// To the last bit: nothing that a body does here goes along its locks.
+void keepLocks(BodyIndex body, StepContext& context) {
+  const BodySet& bodies = *context.bodies;
+  if (bodies.mass[body].locks == 0) return;
+  SolvedMotion& s = context.solved[body];
+  s.d = bodies.freeWay(body, s.d);
+  s.th = bodies.freeTurn(body, s.th);
+  s.velocity = bodies.freeWay(body, s.velocity);
+}
+
 }  // namespace
 
 void storeMotion(const Island& island, StepContext& context) {
@@ -58,6 +68,7 @@ void storeMotion(const Island& island, StepContext& context) {
     out.angularMomentum += bodies.worldInertia(body) * turned * perDt;
     // What the solve saw of a fast turn lies on the way of the whole turn: all along it, energy stays as it is.
     if (!out.freeTurn && free.turnsFaster) shortenFreeTurn(context, body, free.seen);
+    keepLocks(body, context);
   }
 }
 
@@ -101,7 +112,7 @@ Quat rotationAtEnd(BodyIndex body, const StepContext& context) {
 
 Vec3 spinAtEnd(BodyIndex body, Vec3 angularMomentum, const StepContext& context) {
   const Mat3 end = toMatrix(rotationAtEnd(body, context));
-  return end * (context.bodies->mass[body].invInertia * transposeTimes(end, angularMomentum));
+  return context.bodies->spinAt(body, end, angularMomentum);
 }
 
 double kineticEnergyAtEnd(BodyIndex body, Vec3 frame, const StepContext& context) {
@@ -126,6 +137,7 @@ void shift(BodyIndex body, Vec3 way, Vec3 turn, StepContext& context) {
   SolvedMotion& s = context.solved[body];
   s.d += way;
   if (!s.freeTurn) s.th += turn;
+  keepLocks(body, context);
 }
 
 // Along its velocity: then the angular momentum of its group stays.
@@ -136,11 +148,13 @@ void takeBackAhead(BodyIndex body, StepContext& context) {
   const Vec3 forces = s.flying ? (free.d * (1 / free.dt) - free.startVelocity) * 0.5 : Vec3{};
   s.d -= (s.velocity - forces - context.ahead[body].frame) * (share * free.dt);
   shortenTurn(body, 1 - share, context);
+  keepLocks(body, context);
 }
 
 void accelerate(BodyIndex body, Vec3 velocity, Vec3 angularMomentum, StepContext& context) {
   context.solved[body].velocity += velocity;
   context.solved[body].angularMomentum += angularMomentum;
+  keepLocks(body, context);
 }
 
 void shorten(BodyIndex body, double share, double turnShare, Vec3 carried, bool falls, StepContext& context) {
@@ -154,6 +168,7 @@ void shorten(BodyIndex body, double share, double turnShare, Vec3 carried, bool 
     s.angularMomentum -= context.bodies->data[body].torque * (lost * free.dt);
   }
   if (turnShare < 1) shortenTurn(body, turnShare, context);
+  keepLocks(body, context);
 }
 
 void keepLoss(BodyIndex body, double loss, StepContext& context) { context.solved[body].impactLoss = loss; }

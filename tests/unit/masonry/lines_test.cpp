@@ -128,6 +128,28 @@ TEST(CurvedWalls, PiersAndGablesBelongToTheWall) {
   }
 }
 
+// On a path, at a corner's side and at a free end; on rings and arcs, small and large.
+TEST(CurvedWalls, PiersStandInPathsAndRings) {
+  for (Bond bond : kBonds)
+    for (double depth : {1.5, 2.5})
+      for (int kind = 0; kind < 5; kind++) {
+        WallDef wall = wallIn(bond);
+        if (kind < 2) wall.path = {{0, 0, 0}, {3, 0, 0}, {3, 0, -2.5}};
+        if (kind == 1) wall.path.push_back({0, 0, -2.5});
+        wall.closed = kind == 1;
+        if (kind >= 2) wall.radius = kind == 2 ? 0.9 : 2.5;
+        if (kind == 4) wall.arcDegrees = 120;
+        const double length = wallLength(wall);
+        wall.piers = {{0, 1.5, depth, 2}, {0.5 * length, 2, depth, 0}};
+        if (kind < 2) wall.piers = {{kind == 0 ? 0 : 0.3, 1.5, depth, 2}, {3.9, 2, depth, 0}};
+        for (const WallProblem& problem : checkWall(wall))
+          ADD_FAILURE() << kind << " " << problem.field << " " << problem.message;
+        const WallReport report = reportOn(laid(wall));
+        EXPECT_LT(report.deepest, 1e-9) << int(bond) << " " << depth << " " << kind;
+        EXPECT_EQ(report.loose, 0) << int(bond) << " " << depth << " " << kind;
+      }
+}
+
 TEST(CurvedWalls, MortarJoinsCornersRingsPiersAndGables) {
   WallDef wall = wallIn(Bond::running);
   wall.bedJoint = 0.01;
@@ -183,6 +205,9 @@ TEST(CurvedWalls, MistakesNameTheirField) {
   EXPECT_EQ(fieldOf(wall), "piers[0].at");
   wall = wallIn(Bond::running);
   wall.path = {{0, 0, 0}, {1, 0, 0}, {1, 0, -1}};
+  wall.piers = {{0.5, 5, 1.5, 0}};
+  EXPECT_EQ(fieldOf(wall), "piers[0].at") << "no room before the corner";
+  wall.piers.clear();
   wall.openings = {{0.7, 0, 0.6, 0.1, 0.15, 0}};
   EXPECT_EQ(fieldOf(wall), "openings[0].width") << "across a corner";
 }

@@ -99,6 +99,36 @@ TEST(Glb, HasOneNodePerBodyAndSharesMeshes) {
   EXPECT_EQ(glb.root["cameras"].size(), 2u);
 }
 
+// Bricks wear one small picture of grain, which neither lightens nor darkens them; a steel ball wears none.
+TEST(Glb, BricksHaveGrain) {
+  OutputFolder folder;
+  test::SyntheticTake take = test::makeSyntheticTake({});
+  TakeReader reader = test::opened(take, folder.file("a.take"));
+  ASSERT_TRUE(writeGlb(reader, folder.file("a.glb")));
+  Glb glb = readGlb(folder.file("a.glb"));
+  ASSERT_EQ(glb.root["images"].size(), 1u);
+  for (const json& material : glb.root["materials"]) {
+    const std::string name = material["name"];
+    const bool grainy = name.find("brick") != std::string::npos && name.find("ball") == std::string::npos;
+    EXPECT_TRUE(!grainy || material["pbrMetallicRoughness"].contains("baseColorTexture")) << name;
+    EXPECT_TRUE(name.find("ball") == std::string::npos ||
+                !material["pbrMetallicRoughness"].contains("baseColorTexture"));
+  }
+  const json& view = glb.root["bufferViews"][glb.root["images"][0]["bufferView"].get<int>()];
+  const std::size_t start = view["byteOffset"], size = view["byteLength"];
+  constexpr std::size_t kSide = 64, kPixels = 48, kRow = kSide + 1;  // stored, after the heads of PNG and zlib
+  ASSERT_EQ(size, kPixels + kSide * kRow + 4 + 4 + 12);
+  double sum = 0;
+  int seam = 0;
+  for (std::size_t y = 0; y < kSide; y++) {
+    const std::uint8_t* row = reinterpret_cast<const std::uint8_t*>(glb.buffer.data()) + start + kPixels + y * kRow + 1;
+    for (std::size_t x = 0; x < kSide; x++) sum += row[x];
+    seam = std::max(seam, std::abs(int(row[0]) - int(row[kSide - 1])));
+  }
+  EXPECT_NEAR(sum / (kSide * kSide), 238, 2);  // sRGB of the light that the colour is over
+  EXPECT_LT(seam, 40);
+}
+
 TEST(Glb, ColoursTellMeshesApartButShareTheirVertices) {
   OutputFolder folder;
   test::SyntheticTake take =

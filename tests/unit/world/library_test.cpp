@@ -402,12 +402,55 @@ TEST(Host, ThreadsAndMemoryOfTheProgramChangeNoBit) {
 
 // --- All of it at random, against a model
 
+struct Known {
+  BodyId id;
+  bool sensor = false;
+  double mass = 0;  // kg; 0: does not move
+  bool off = false;
+  AxisLocks locks;
+  Vec3 place;  // m, since it was switched off or locked
+};
+
+void switchAndLock(World& world, Random& random, std::vector<Known>& known) {
+  auto pick = [&]() -> Known& { return known[random.below(std::uint32_t(known.size()))]; };
+  // The callback looks, and lets nobody through or all of one body.
+  if (random.unit() < 0.1) {
+    const BodyId slick = pick().id;
+    const bool off = random.unit() < 0.3;
+    ASSERT_TRUE(world
+                    .setPreSolve([slick, off](PreSolveContact& contact) {
+                      if (contact.bodyA == slick || contact.bodyB == slick) contact.friction = 0;
+                      if (contact.bodyB == slick && off) contact.enabled = false;
+                    })
+                    .ok());
+  }
+  if (random.unit() < 0.2) {
+    Known& body = pick();
+    body.off = !body.off;
+    ASSERT_TRUE(world.setEnabled(body.id, !body.off).ok());
+    body.place = world.state(body.id)->centreOfMass;
+  }
+  if (Known& body = pick(); random.unit() < 0.2) {
+    body.locks = random.unit() < 0.5 ? AxisLocks::plane() : AxisLocks{};
+    body.locks.wayX = random.unit() < 0.3;
+    ASSERT_TRUE(world.setLocks(body.id, body.locks).ok());
+    body.place = world.state(body.id)->centreOfMass;
+  }
+}
+
+void agrees(const BodyState& now, const Known& body) {
+  EXPECT_EQ(now.enabled, !body.off);
+  EXPECT_TRUE(now.locks == body.locks);
+  if (body.off) {
+    EXPECT_EQ(now.centreOfMass, body.place);
+  }
+  if (!body.sensor && body.locks.wayZ) {
+    EXPECT_EQ(now.centreOfMass.z, body.place.z);
+    EXPECT_EQ(now.angularVelocity.x, 0);
+  }
+}
+
 TEST(Library, RandomCallsAgreeWithAModel) {
-  struct Known {
-    BodyId id;
-    bool sensor = false;
-    double mass = 0;  // kg; 0: does not move
-  };
   for (std::uint64_t seed : {1, 2, 3}) {
     Random random(seed);
     World world = makeWorld();
@@ -423,8 +466,9 @@ TEST(Library, RandomCallsAgreeWithAModel) {
         if (!sensor && random.unit() < 0.4)
           def.massProperties = MassProperties{random.between(1, 20), {}, diagonal(Vec3{1, 1, 1} * 0.003)};
         const BodyId id = add(world, def);
-        known.push_back({id, sensor, sensor ? 0 : def.massProperties ? def.massProperties->mass : 8.0});
+        known.push_back({id, sensor, sensor ? 0 : def.massProperties ? def.massProperties->mass : 8.0, false, {}, {}});
       }
+      switchAndLock(world, random, known);
       if (random.unit() < 0.2) {
         Known& body = pick();
         if (!body.sensor) {
@@ -441,7 +485,9 @@ TEST(Library, RandomCallsAgreeWithAModel) {
         known.erase(known.begin() + std::ptrdiff_t(at));
       }
       if (!known.empty() && random.unit() < 0.1) {
-        EXPECT_TRUE(world.setTransform(pick().id, place(), {}).ok());
+        Known& body = pick();
+        EXPECT_TRUE(world.setTransform(body.id, place(), {}).ok());
+        body.place = world.state(body.id)->centreOfMass;
       }
       if (random.unit() < 0.05) {
         EXPECT_TRUE(world.restore(world.snapshot()).ok());
@@ -454,7 +500,8 @@ TEST(Library, RandomCallsAgreeWithAModel) {
       std::set<std::pair<BodyId, BodyId>> wanted;
       for (const Known& body : known) {
         EXPECT_NEAR(world.state(body.id)->mass, body.mass, 1e-9);
-        if (!body.sensor) continue;
+        agrees(*world.state(body.id), body);
+        if (!body.sensor || body.off) continue;
         const BodyState at = *world.state(body.id);
         for (ShapeId shape : *world.overlapShape(boxOf({0.3, 0.3, 0.3}), {at.position, at.rotation}))
           for (const Known& other : known)
