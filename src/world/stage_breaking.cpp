@@ -69,7 +69,8 @@ void crumbleMortar(const Registry& registry, double time, double dt, Ties& ties,
       m.cracked = true;
       tell(link.index, false);
     }
-    if (m.damage >= mortar::kBroken) broken.push_back(link.index);
+    if (m.damage >= (m.opens ? mortar::kBroken : mortar::kThread)) broken.push_back(link.index);
+    m.opens = false;
   });
   for (MortarIndex index : broken) {
     tell(index, true);

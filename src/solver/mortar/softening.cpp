@@ -119,6 +119,7 @@ bool MortarRows::store(Island& island, Ties& ties, StepContext&) {
     const Taken taken = takenBy(m, r, start, now);
     const double share = shareOf(taken, m), most = share > 1 - m.damage ? (1 - m.damage) / share : 1;
     m.damage = std::min(1.0, m.damage + share * most);
+    m.opens = m.opens || share > 0;
     start.pull = float(taken.pull * most);
     start.shear = float(taken.shear * most);
     m.tensionWork += double(start.pull);
