@@ -70,7 +70,6 @@ void crumbleMortar(const Registry& registry, double time, double dt, Ties& ties,
       tell(link.index, false);
     }
     if (m.damage >= (m.opens ? mortar::kBroken : mortar::kThread)) broken.push_back(link.index);
-    m.opens = false;
   });
   for (MortarIndex index : broken) {
     tell(index, true);

@@ -15,7 +15,7 @@ namespace brickfall::mortar {
 //! of the energy | too small: slow openings cost too little | too large: rounding keeps a joint whole
 constexpr double kBroken = 0.99;  // damage from which a joint counts as broken
 //! of the energy | too small: joints break that hold | too large: chance, and the step, decide how many break
-constexpr double kThread = 0.85;  // damage from which a joint that opens no further counts as broken: 6 % of it are left
+constexpr double kThread = 0.9;  // damage from which a joint that opens no further counts as broken: 4 % of it are left
 
 //! not of the method: 1 / sqrt(3): the kern's corners, of the radii of gyration
 constexpr double kKern = 0.57735026918962576;
