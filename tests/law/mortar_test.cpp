@@ -14,8 +14,7 @@ constexpr double kBed = 0.215 * 0.1025;  // m2
 struct Glued {
   explicit Glued(World made = makeWorld()) : world(std::move(made)) {}
 
-  BodyId brick(Vec3 centre, BodyType type = BodyType::dynamic, Vec3 size = kBrickSize,
-               double density = 1900) {
+  BodyId brick(Vec3 centre, BodyType type = BodyType::dynamic, Vec3 size = kBrickSize, double density = 1900) {
     BodyDef def = bodyOf(boxOf(size * 0.5, density, 0.75), turn * centre, type);
     def.rotation = rotation;
     bodies.push_back(add(world, def));

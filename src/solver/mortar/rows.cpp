@@ -169,8 +169,7 @@ void MortarRows::writeSprings(std::size_t k, const Mortar& m) {
     worn += 0.5 * (mortar::pullOf(m) * std::max(0.0, double(start.opens[i])) / mortar::pullEnergy(m) +
                    mortar::shearOf(m) * along / mortar::shearEnergy(m));
   }
-  const double whole = mortar::strengthLeft(m.damage),
-               stood = m.opens ? 0 : standing,
+  const double whole = mortar::strengthLeft(m.damage), stood = m.opens ? 0 : standing,
                most = worn > 0 ? stood + (1 - m.damage) * double(start.tougher) / worn : whole;
   start.left = float(std::min(whole, most));
   // A tie that is less firm holds less of its force, or it would give more than it holds.

@@ -57,9 +57,9 @@ struct Work {
   double taken() const { return std::max(0.0, 0.5 * (std::max(start, found) + found) - held); }
 };
 
-// Of what slides the cohesive share only, since the rest is friction. Over the ways by the velocities at the start works
-// what stops these: not a force that stood there before, in balance with others. In joints that press against each other
-// a trace of speed would else cost as much as if it drove the standing force.
+// Of what slides the cohesive share only, since the rest is friction. Over the ways by the velocities at the start
+// works what stops these: not a force that stood there before, in balance with others. In joints that press against
+// each other a trace of speed would else cost as much as if it drove the standing force.
 Taken takenBy(const Mortar& m, const FaceRecord& r, const MortarStart& start, const PointForces& now) {
   Taken out;
   const double k = mortar::stiffnessOf(m), rubs = std::max(0.0, m.strength.friction * double(start.pressure));
