@@ -59,17 +59,18 @@ struct MortarState {
 
 // A tie of one of a joint's bodies that bears more since the joint opened.
 struct LoadTaker {
-  MortarId mortar;               // null: contacts of the two bodies
-  BodyId bodyA, bodyB;           // one of them is a body of the joint
-  double before = 0, after = 0;  // N: in the step before it opened; the mean over .05 s after it broke
+  MortarId mortar;      // null: contacts of the two bodies
+  BodyId bodyA, bodyB;  // one of them is a body of the joint
+  double before = 0,
+         after = 0;  // N: in the step before it opened; the mean over a moment after it broke (.05 s of a brick)
 };
 
 // How a mortar joint opened. Kept with the joint from the step in which it cracks.
 struct MortarPast {
   MortarId mortar;
   BodyId bodyA, bodyB;
-  double crackTime = 0;                                        // s: the first of its energy was spent
-  double openTime = 0;                                         // s: its last opening began (after .1 s without any)
+  double crackTime = 0;  // s: the first of its energy was spent
+  double openTime = 0;   // s: its last opening began (after a pause: docs/mortar.md)
   double breakTime = std::numeric_limits<double>::infinity();  // s; infinite: it holds
   MortarMode mode = MortarMode::none;                          // that took more of its energy
   double tensionShare = 0, shearShare = 0;                     // of the energy that breaks it, by mode

@@ -24,6 +24,7 @@ struct Mortar {
   bool idle = false;     // neither body is dynamic, one takes no part, or it is broken
   bool cracked = false;  // its crack was told
   bool broken = false;
+  bool opens = false;  // it took some of its energy in the last step
   BodyIndex bodyA = kNoIndex, bodyB = kNoIndex;
   std::uint64_t order = 0;  // grows with creation
   std::uint64_t userData = 0;

@@ -84,14 +84,14 @@ void MortarSet::renewConstants(BodyIndex body, const ShapeSet&, const BodySet& b
 
 void MortarSet::hash(Mix& h, MortarIndex mortar) const {
   const Mortar& m = slots[mortar];
-  h(m.order, m.damage, m.tensionWork, m.shearWork, m.centreA, m.force, m.torque);
+  h(m.order, m.damage, m.opens, m.tensionWork, m.shearWork, m.centreA, m.force, m.torque);
   h.list(m.opening, kMortarPoints).list(m.slip1, kMortarPoints).list(m.slip2, kMortarPoints);
 }
 
 namespace {
 
 template <class Archive, class One> void archiveMortar(Archive& a, One& m) {
-  for (auto* flag : {&m.born, &m.idle, &m.cracked, &m.broken}) a.flag(*flag);
+  for (auto* flag : {&m.born, &m.idle, &m.cracked, &m.broken, &m.opens}) a.flag(*flag);
   for (auto* body : {&m.bodyA, &m.bodyB}) a.value(*body);
   for (auto* number : {&m.order, &m.userData}) a.value(*number);
   for (auto* place : {&m.centreA, &m.centreB}) a.value(*place);

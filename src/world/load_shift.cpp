@@ -3,14 +3,28 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/scale.h"
+
 namespace brickfall {
 
 namespace {
 
-//! s | too small: an opening that slows down for a step counts as two | too large: a second hit counts as the first
+// Times of a brick's own motion: in 0.1 s it falls by most of its height, and one that only shook is back in place. In
+// half of that what sprang has swung, and what has lost its support has hardly moved.
+//! s of a brick | too small: an opening that slows down for a step counts as two | too large: a second hit is the first
 constexpr double kPause = 0.1;  // without damage, after which a joint opens anew
-//! s | too small: swings of what sprang are told | too large: who falls later counts as having taken the load
+//! s of a brick | too small: swings of what sprang are told | too large: who falls later counts as taking the load
 constexpr double kWatch = 0.05;  // after a break: the mean of what ties bear is taken over it, over one step at least
+
+// x the method's times: of the smaller one of the joint's bodies that move.
+double timeScale(const Mortar& m, const StepContext& context) {
+  double least = 0;
+  for (BodyIndex body : {m.bodyA, m.bodyB}) {
+    const BodyMass& mass = context.bodies->mass[body];
+    if (mass.invMass > 0 && (least == 0 || mass.innerRadius < least)) least = mass.innerRadius;
+  }
+  return least > 0 ? scaleOf(least, judgingGravity(context.gravity)).time : 1;
+}
 
 struct LoadOf {
   BodyIndex body;
@@ -76,7 +90,7 @@ void eachBeside(MortarIndex mortar, const Mortar& m, const std::vector<LoadOf>& 
 }
 
 // Joints whose opening begins in this step get a memory of their own.
-std::vector<MortarIndex> beginOpenings(double time, MortarSet& set) {
+std::vector<MortarIndex> beginOpenings(double time, const StepContext& context, MortarSet& set) {
   std::vector<MortarIndex> begins;
   std::vector<OpeningMemory> fresh;
   set.eachAwake([&](const Link& link) {
@@ -84,7 +98,7 @@ std::vector<MortarIndex> beginOpenings(double time, MortarSet& set) {
     if (!(m.damage > 0)) return;
     OpeningMemory* past = set.pastOf(link.index);
     if (past && !(m.damage > past->damage)) return;
-    if (!past || time - past->grewTime > kPause) {
+    if (!past || time - past->grewTime > kPause * timeScale(m, context)) {
       OpeningMemory opening;
       opening.mortar = link.index;
       opening.crackTime = past ? past->crackTime : time;
@@ -104,9 +118,9 @@ std::vector<MortarIndex> beginOpenings(double time, MortarSet& set) {
 
 }  // namespace
 
-void noteOpenings(double time, double dt, Ties& ties) {
+void noteOpenings(double time, const StepContext& context, Ties& ties) {
   MortarSet& set = ties.mortar;
-  const std::vector<MortarIndex> begins = beginOpenings(time, set);
+  const std::vector<MortarIndex> begins = beginOpenings(time, context, set);
   if (begins.empty() && set.watched.empty()) return;
   std::vector<BodyIndex> bodies;
   auto addBodies = [&](const std::vector<MortarIndex>& list) {
@@ -125,7 +139,7 @@ void noteOpenings(double time, double dt, Ties& ties) {
   }
   for (MortarIndex mortar : set.watched) {
     OpeningMemory& past = *set.pastOf(mortar);
-    const double share = time > past.breakTime ? std::min(1.0, dt / (time - past.breakTime)) : 1;
+    const double share = time > past.breakTime ? std::min(1.0, context.dt / (time - past.breakTime)) : 1;
     eachBeside(mortar, set.slots[mortar], loads, [&](TieLoad load) {
       TieLoad* const end = past.loads + past.count;
       TieLoad* const known = std::find_if(past.loads, end, [&](const TieLoad& old) { return old.isSame(load); });
@@ -143,7 +157,10 @@ void noteOpenings(double time, double dt, Ties& ties) {
     });
   }
   // Slack for rounding.
-  std::erase_if(set.watched, [&](MortarIndex mortar) { return time - set.pastOf(mortar)->breakTime > kWatch * 0.999; });
+  std::erase_if(set.watched, [&](MortarIndex mortar) {
+    const double watch = kWatch * timeScale(set.slots[mortar], context);
+    return time - set.pastOf(mortar)->breakTime > watch * 0.999;
+  });
 }
 
 void noteBreak(MortarIndex mortar, double time, MortarSet& set) {

@@ -2,12 +2,13 @@
 // it.
 #pragma once
 #include "dynamics/ties.h"
+#include "solver/step_context.h"
 
 namespace brickfall {
 
 // Once a step, after the solve is stored and before broken joints are taken out. `time`: s, at the end of the
-// step; `dt`: s, of this part of it.
-void noteOpenings(double time, double dt, Ties& ties);
+// step; the context is that of this part of it.
+void noteOpenings(double time, const StepContext& context, Ties& ties);
 // The joint breaks in this step.
 void noteBreak(MortarIndex mortar, double time, MortarSet& set);
 

@@ -47,7 +47,8 @@ void breakJoints(const Registry& registry, double dt, Ties& ties, Diary& diary, 
   }
 }
 
-void crumbleMortar(const Registry& registry, double time, double dt, Ties& ties, Diary& diary, Upkeep& upkeep) {
+void crumbleMortar(const Registry& registry, double time, const StepContext& context, Ties& ties, Diary& diary,
+                   Upkeep& upkeep) {
   std::vector<MortarIndex> broken;
   auto tell = [&](MortarIndex index, bool breaks) {
     const Mortar& m = ties.mortar.slots[index];
@@ -59,14 +60,14 @@ void crumbleMortar(const Registry& registry, double time, double dt, Ties& ties,
                                    m.tensionWork + m.shearWork,
                                    breaks});
   };
-  noteOpenings(time, dt, ties);
+  noteOpenings(time, context, ties);
   ties.mortar.eachAwake([&](const Link& link) {
     Mortar& m = ties.mortar.slots[link.index];
     if (m.damage > 0 && !m.cracked) {
       m.cracked = true;
       tell(link.index, false);
     }
-    if (m.damage >= mortar::kBroken) broken.push_back(link.index);
+    if (m.damage >= (m.opens ? mortar::kBroken : mortar::kThread)) broken.push_back(link.index);
   });
   for (MortarIndex index : broken) {
     tell(index, true);
@@ -77,9 +78,10 @@ void crumbleMortar(const Registry& registry, double time, double dt, Ties& ties,
 
 }  // namespace
 
-void breakTies(const Registry& registry, const Clock& clock, double dt, Ties& ties, Diary& diary, Upkeep& upkeep) {
-  breakJoints(registry, dt, ties, diary, upkeep);
-  if (ties.mortar.any()) crumbleMortar(registry, clock.time + clock.lastDt, dt, ties, diary, upkeep);
+void breakTies(const Registry& registry, const Clock& clock, const StepContext& context, Ties& ties, Diary& diary,
+               Upkeep& upkeep) {
+  breakJoints(registry, context.dt, ties, diary, upkeep);
+  if (ties.mortar.any()) crumbleMortar(registry, clock.time + clock.lastDt, context, ties, diary, upkeep);
 }
 
 void hashBreaking(const Ties& ties, HashItems& out) {

@@ -12,15 +12,21 @@
 
 namespace brickfall::mortar {
 
-//! of the energy | too small: the last of a joint hangs by a thread for long | too large: joints break with some left
-constexpr double kBroken = 0.95;  // damage from which a joint counts as broken
+//! of the energy | too small: slow openings cost too little | too large: rounding keeps a joint whole
+constexpr double kBroken = 0.99;  // damage from which a joint counts as broken
+//! of the energy | too small: joints break that hold | too large: chance, and the step, decide how many break
+constexpr double kThread = 0.9;  // damage from which a joint that opens no further counts as broken: 4 % of it are left
 
 //! not of the method: 1 / sqrt(3): the kern's corners, of the radii of gyration
 constexpr double kKern = 0.57735026918962576;
 //! not of the method: kern points turn a third as firmly as the face
 constexpr double kFirmer = 3;
 
-inline double strengthLeft(double damage) { return (1 - damage) / (1 + 2 * damage); }
+// From kThread on it stays, until the energy is spent.
+inline double strengthLeft(double damage) {
+  const double d = damage < kThread ? damage : kThread;
+  return (1 - d) / (1 + 2 * d);
+}
 inline float armOf(double damage) { return float(1 + 2 * damage); }
 // N/m, of a point.
 inline double stiffnessOf(const Mortar& m) { return kFirmer * m.strength.stiffness * m.area / kMortarPoints; }

@@ -159,14 +159,16 @@ void MortarRows::writeStart(std::size_t k, const Mortar& m, const MortarPose& po
 void MortarRows::writeSprings(std::size_t k, const Mortar& m) {
   FaceRecord& r = records[k];
   MortarStart& start = starts[k];
-  double worn = 0;
+  double worn = 0, standing = 0;
   for (int i = 0; i < 4; i++) {
+    const double held = std::sqrt(double(start.held1[i]) * start.held1[i] + double(start.held2[i]) * start.held2[i]);
+    standing = std::max({standing, -double(start.heldN[i]) / mortar::pullOf(m), held / mortar::shearOf(m)});
     const double along = std::sqrt(double(start.goes1[i]) * start.goes1[i] + double(start.goes2[i]) * start.goes2[i]);
     worn += 0.5 * (mortar::pullOf(m) * std::max(0.0, double(start.opens[i])) / mortar::pullEnergy(m) +
                    mortar::shearOf(m) * along / mortar::shearEnergy(m));
   }
-  const double whole = mortar::strengthLeft(m.damage),
-               most = worn > 0 ? (1 - m.damage) * double(start.tougher) / worn : whole;
+  const double whole = mortar::strengthLeft(m.damage), stood = m.opens ? 0 : standing,
+               most = worn > 0 ? stood + (1 - m.damage) * double(start.tougher) / worn : whole;
   start.left = float(std::min(whole, most));
   // A tie that is less firm holds less of its force, or it would give more than it holds.
   const float held = float(most < whole ? std::max(most / whole, kLeastFirmness) : 1);

@@ -35,6 +35,7 @@ PointForces stateAt(const FaceRecord& r, const MortarStart& start, const SolveMo
 struct Taken {
   double pull = 0, shear = 0;  // J
   double use = 0;              // largest force of a point over that of intact mortar
+  double standing = 0;         // of `use`: in balance before the step
   bool yields = false;
 };
 
@@ -50,26 +51,35 @@ struct Work {
   }
   // Over the mean of the two: by the way found alone a hit is over before it has begun, and takes nothing. But no less
   // than over the way found, which is what the solve takes: a joint may close at the start and part within the step.
+  bool stops() const { return start > found; }
   double taken() const { return std::max(0.0, 0.5 * (std::max(start, found) + found) - held); }
 };
 
-// Of what slides the cohesive share only, since the rest is friction.
+// Of what slides the cohesive share only, since the rest is friction. Over the ways by the velocities at the start
+// works what stops these: not a force that stood there before, in balance with others. In joints that press against
+// each other a trace of speed would else cost as much as if it drove the standing force.
 Taken takenBy(const Mortar& m, const FaceRecord& r, const MortarStart& start, const PointForces& now) {
   Taken out;
   const double k = mortar::stiffnessOf(m), rubs = std::max(0.0, m.strength.friction * double(start.pressure));
   auto held = [&](double force, double before) { return 0.5 * (force * force - before * before) / k; };
   Work pull, shear;
+  const double stood = m.opens ? 0 : 1;
   for (int i = 0; i < 4; i++) {
     out.yields = out.yields || now.trialN[i] < r.leastN[i] || (now.slides >> i & 1);
     const double pulls = std::min(0.0, double(now.n[i])), before = std::min(0.0, double(start.heldN[i]));
-    pull.add(-pulls * double(start.opens[i]), -pulls * double(now.way[i]), held(pulls, before));
+    pull.add((stood * before - pulls) * double(start.opens[i]), -pulls * double(now.way[i]), held(pulls, before));
     const double f1 = now.t1[i], f2 = now.t2[i], along = std::sqrt(f1 * f1 + f2 * f2);
     const double cohesive = along > 0 ? std::max(0.0, along - rubs) / along : 0;
-    shear.add(cohesive * (-f1 * double(start.goes1[i]) - f2 * double(start.goes2[i])),
+    const double more1 = f1 - stood * double(start.held1[i]), more2 = f2 - stood * double(start.held2[i]);
+    shear.add(cohesive * (-more1 * double(start.goes1[i]) - more2 * double(start.goes2[i])),
               cohesive * (-f1 * double(now.way1[i]) - f2 * double(now.way2[i])),
               cohesive * (held(f1, start.held1[i]) + held(f2, start.held2[i])));
     out.use = std::max({out.use, -pulls / mortar::pullOf(m), cohesive * along / mortar::shearOf(m)});
+    const double hold1 = start.held1[i], hold2 = start.held2[i];
+    out.standing = std::max({out.standing, -before / mortar::pullOf(m),
+                             cohesive * std::sqrt(hold1 * hold1 + hold2 * hold2) / mortar::shearOf(m)});
   }
+  out.standing = pull.stops() || shear.stops() ? stood * std::min(out.standing, out.use) : 0;
   // Of what a blow takes, crushing has its share.
   out.pull = pull.taken() / double(start.tougher);
   out.shear = shear.taken() / double(start.tougher);
@@ -98,7 +108,7 @@ bool MortarRows::renewFrozen(const Island& island, const StepContext& context, R
     const Taken taken = takenBy(m, records[k], start, stateAt(records[k], start, island.motion.data()));
     const double share = shareOf(taken, m), left = 1 - m.damage;
     if (!(share > (1 + kMoreThanLeft) * left)) continue;
-    const float lower = float(taken.use * left / share);
+    const float lower = float(taken.standing + (taken.use - taken.standing) * left / share);
     if (!(lower < (1 - kMoreThanLeft) * start.left)) continue;
     start.left = lower;
     writeCaps(k, m);
@@ -117,6 +127,7 @@ bool MortarRows::store(Island& island, Ties& ties, StepContext&) {
     const Taken taken = takenBy(m, r, start, now);
     const double share = shareOf(taken, m), most = share > 1 - m.damage ? (1 - m.damage) / share : 1;
     m.damage = std::min(1.0, m.damage + share * most);
+    m.opens = share > 0;
     start.pull = float(taken.pull * most);
     start.shear = float(taken.shear * most);
     m.tensionWork += double(start.pull);
