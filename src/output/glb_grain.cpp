@@ -12,16 +12,16 @@ namespace {
 constexpr int kSide = 64;       // pixels
 constexpr int kGreyMean = 238;  // sRGB of kGrainMean
 
-void put32(Bytes& out, std::uint32_t v) {
+void putBigEndian(Bytes& out, std::uint32_t v) {
   for (int k = 3; k >= 0; k--) out.push_back(std::uint8_t(v >> (8 * k)));
 }
 
 void addChunk(Bytes& out, std::string_view type, const Bytes& data) {
-  put32(out, std::uint32_t(data.size()));
+  putBigEndian(out, std::uint32_t(data.size()));
   const std::size_t start = out.size();
   out.insert(out.end(), type.begin(), type.end());
   out.insert(out.end(), data.begin(), data.end());
-  put32(out, crc32({out.data() + start, out.size() - start}));
+  putBigEndian(out, crc32({out.data() + start, out.size() - start}));
 }
 
 // Zlib's form without compression: the picture is smaller than what packs it would be.
@@ -32,7 +32,7 @@ Bytes stored(const Bytes& data) {
   out.insert(out.end(), data.begin(), data.end());
   std::uint32_t a = 1, b = 0;
   for (std::uint8_t byte : data) a = (a + byte) % 65521, b = (b + a) % 65521;
-  put32(out, b << 16 | a);
+  putBigEndian(out, b << 16 | a);
   return out;
 }
 
@@ -64,8 +64,8 @@ Bytes grainPicture() {
     }
   }
   Bytes head;
-  put32(head, kSide);
-  put32(head, kSide);
+  putBigEndian(head, kSide);
+  putBigEndian(head, kSide);
   head.insert(head.end(), {8, 0, 0, 0, 0});  // eight bits of grey
   Bytes out = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
   addChunk(out, "IHDR", head);
