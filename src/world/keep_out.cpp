@@ -272,17 +272,22 @@ Parting Fitting::partingOf(const Near& n, const Manifold& m, const Transform& po
 }
 
 // The work against gravity and outside forces is taken from the body's own motion if nothing presses on it, seen from
-// what it is shifted out of: the last check asks groups alone that are supported.
+// what it is shifted out of: the last check asks groups alone that are supported. It is taken along the force, as if the
+// body had flown so far against it: it is not thrown aside.
 bool Fitting::shiftBy(End& end, Vec3 way, Vec3 turn, Vec3 frame) {
   const BodyIndex body = end.body;
   if (end.pays) {
     const BodyData& data = bodies_.data[body];
     const SolvedMotion& s = context_.solved[body];
     const Vec3 force = context_.gravity * (bodies_.mass[body].mass * data.gravityScale) + data.force;
-    const double work = std::max(0.0, -dot(force, way)), has = kineticEnergyAtEnd(body, frame, context_);
-    if (!(work < has)) return false;
-    const double lost = std::sqrt(1 - work / has) - 1;
-    accelerate(body, (s.velocity - frame) * lost, s.angularMomentum * lost, context_);
+    const double work = std::max(0.0, -dot(force, way));
+    if (work > 0) {
+      const Vec3 along = normalized(force);
+      const double speed = dot(s.velocity - frame, along);
+      const double left = speed * speed - 2 * work * end.invMass;
+      if (!(left > 0)) return false;
+      accelerate(body, along * (std::copysign(std::sqrt(left), speed) - speed), {}, context_);
+    }
   }
   const double far = length(turn);
   shift(body, way, far > kMostTurn ? turn * (kMostTurn / far) : turn, context_);

@@ -65,9 +65,13 @@ bool ContactRows::meetsWithin(std::size_t k, Vec3f way, const SolveMotion* motio
   return false;
 }
 
+//! - | too small: stacks that land, or are made leaning, shear
+//! | too large: floats give way under bodies that bear 1e16 of their weight
+constexpr float kMostOver = 1e4f;  // of ContactStart::stopping
+
 // A point that carried nothing in the last step has no frozen normal force for its friction limit. It gets the present
-// force, but no more than stops the approach and carries the pair's weight, unless `over`. A point whose
-// limit only falls after an impact gets no more than it had.
+// force, but no more than stops the approach and carries the pair's weight; `over`: up to kMostOver times that. A point
+// whose limit only falls after an impact gets no more than it had.
 bool ContactRows::renewNewPoints(std::size_t k, const SolveMotion* motion, float slack, bool over) {
   FaceRecord& r = records[k];
   const ContactStart& start = starts[k];
@@ -76,8 +80,8 @@ bool ContactRows::renewNewPoints(std::size_t k, const SolveMotion* motion, float
   bool changed = false;
   for (int i = 0; i < start.points; i++) {
     if (!(r.newPoints >> i & 1)) continue;
-    const bool any = over && !(start.falling >> i & 1);
-    const float limit = start.friction * std::max(0.0f, any ? fn[i] : std::min(fn[i], start.stopping[i]));
+    const float most = start.stopping[i] * (over && !(start.falling >> i & 1) ? kMostOver : 1);
+    const float limit = start.friction * std::max(0.0f, std::min(fn[i], most));
     if (std::fabs(limit - r.limit[i]) <= slack * std::max(limit, r.limit[i])) continue;
     r.limit[i] = limit;
     changed = true;
