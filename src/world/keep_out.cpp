@@ -272,8 +272,8 @@ Parting Fitting::partingOf(const Near& n, const Manifold& m, const Transform& po
 }
 
 // The work against gravity and outside forces is taken from the body's own motion if nothing presses on it, seen from
-// what it is shifted out of: the last check asks groups alone that are supported. It is taken along the force, as if the
-// body had flown so far against it: it is not thrown aside.
+// what it is shifted out of: the last check asks groups alone that are supported. It is taken along the force, as if
+// the body had flown so far against it: it is not thrown aside.
 bool Fitting::shiftBy(End& end, Vec3 way, Vec3 turn, Vec3 frame) {
   const BodyIndex body = end.body;
   if (end.pays) {
