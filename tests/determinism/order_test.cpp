@@ -18,12 +18,13 @@ struct Piece {
   BodyDef def;
 };
 
-// Groups 6 m apart: stacks that stand, topple, fall or are hit, a heap of mixed shapes, a ball that rolls.
+// Groups 30 m apart (what rolls out of a heap comes 6 m far): stacks that stand, topple, fall or are hit, a heap of mixed
+// shapes, a ball that rolls.
 std::vector<Piece> pieces() {
   std::vector<Piece> out;
   int group = 0, number = 0;
   auto place = [&](const ShapeDef& shape, Vec3 at, Vec3 velocity = {}, Quat rotation = {}) {
-    BodyDef d = bodyOf(shape, at + Vec3{6.0 * group, 0, 0});
+    BodyDef d = bodyOf(shape, at + Vec3{30.0 * group, 0, 0});
     d.linearVelocity = velocity;
     d.rotation = rotation;
     out.push_back({group, number++, d});
