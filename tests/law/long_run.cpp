@@ -23,6 +23,7 @@ TEST(LongAnywhere, Row15aToppling) { sweepToppling(200); }
 TEST(LongAnywhere, Row15bLandings) { sweepLandings(60); }
 TEST(LongAnywhere, Row17Drag) { sweepDrag(200); }
 TEST(LongAnywhere, Row18uNothingFromNothing) { sweepRandomWorlds(16700); }  // 100,200 worlds
+TEST(LongAnywhere, Row30tLinkagesGainNothing) { sweepRandomLinkages(1000); }
 
 TEST(LongRun, Row13TenMinutes) {
   ValidationCurve curve{"13",      "Wall of 10 courses x 10, ten minutes: how far its bricks are below their place",

@@ -5,23 +5,24 @@
 
 namespace brickfall::law {
 
-void sweepSticking(int cases);      // row 1
-void sweepSliding(int cases);       // row 2
-void sweepTilting(int cases);       // row 3
-void sweepStopping(int cases);      // row 4
-void sweepRolling(int cases);       // row 5
-void sweepBouncing(int cases);      // row 6
-void sweepRocking(int cases);       // row 7
-void sweepTumbling(int cases);      // row 8
-void sweepOverhangs(int cases);     // row 9
-void sweepColumns(int cases);       // row 10
-void sweepCrashes(int cases);       // row 11
-void sweepWalls(int cases);         // row 13
-void sweepHeavyTops(int cases);     // row 15
-void sweepFalls(int cases);         // row 15a
-void sweepToppling(int cases);      // row 15a
-void sweepLandings(int cases);      // row 15b
-void sweepDrag(int cases);          // row 17
-void sweepRandomWorlds(int cases);  // row 18u; cases of each kind
+void sweepSticking(int cases);        // row 1
+void sweepSliding(int cases);         // row 2
+void sweepTilting(int cases);         // row 3
+void sweepStopping(int cases);        // row 4
+void sweepRolling(int cases);         // row 5
+void sweepBouncing(int cases);        // row 6
+void sweepRocking(int cases);         // row 7
+void sweepTumbling(int cases);        // row 8
+void sweepOverhangs(int cases);       // row 9
+void sweepColumns(int cases);         // row 10
+void sweepCrashes(int cases);         // row 11
+void sweepWalls(int cases);           // row 13
+void sweepHeavyTops(int cases);       // row 15
+void sweepFalls(int cases);           // row 15a
+void sweepToppling(int cases);        // row 15a
+void sweepLandings(int cases);        // row 15b
+void sweepDrag(int cases);            // row 17
+void sweepRandomWorlds(int cases);    // row 18u; cases of each kind
+void sweepRandomLinkages(int cases);  // row 30t; cases of each kind
 
 }  // namespace brickfall::law

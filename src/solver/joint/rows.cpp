@@ -41,6 +41,8 @@ constexpr double kFloatRounds = 0x1p-24;  // of a way
 constexpr double kMostRounded = 0.1;  // that the rounding of its way, times kFirmness of a row, may be
 //! of the second difference | too small: stiff springs fly apart | too large: their period grows with the step
 constexpr double kSpringShare = 0.5;  // of a spring's stiffness, that the solve knows
+//! (angular frequency x dt)^2 | too small: springs lose amplitude | too large: stiff springs gain energy
+constexpr double kResolved = 2;  // of a spring that swings half with the leapfrog, half damped
 //! of the larger body's radius; rad | too small: torn joints close slowly
 //! | too large: what an obstacle held back is flung after the rest
 constexpr double kMostCorrect = 0.03;  // of an error that a step looks at
@@ -81,9 +83,28 @@ Vec3 arcOf(Vec3 turn, Vec3 arm) {
   return once * (sine / angle - 1) + twice * ((1 - cosine) / (angle * angle));
 }
 
-// Its ways are held in all directions: its points are points of both bodies.
-bool holdsPoint(JointType type) {
-  return type == JointType::spherical || type == JointType::fixed || type == JointType::revolute;
+JointArcs arcsOf(JointType type) {
+  switch (type) {
+    case JointType::spherical:
+    case JointType::fixed:
+    case JointType::revolute:
+      return JointArcs::points;
+    case JointType::prismatic:
+      return JointArcs::slide;
+    case JointType::distance:
+    case JointType::rope:
+    case JointType::spring:
+      return JointArcs::line;
+    case JointType::drag:
+      break;
+  }
+  return JointArcs::none;
+}
+
+// m: what the ways of B in the frame of A gain by turns, besides the way of the point between both anchors.
+Vec3 arcOfSlide(Vec3 between, Vec3 turnA, Vec3 turnB, Vec3 way, Vec3 arc) {
+  const Vec3 end = between + way + cross(turnA + turnB, between) * 0.5 + arc;
+  return arcOf(-turnA, end) - cross(turnA, end) + end - between - way;
 }
 
 // m: what a way of one end of a line against the other makes it longer, besides the way along it.
@@ -93,11 +114,19 @@ double arcOfLine(double span, Vec3 along, Vec3 way) {
 }
 
 struct Firmness {
-  double hard = 0;  // N/m or N m/rad
+  double hard = 0;   // N/m or N m/rad
+  double inert = 0;  // N/m: the inertia of both ends along the way / dt^2
   double dt = 0;
   double correct = 0;  // of an old error
   double most = 0;     // m or rad: no more of it is looked at
 };
+
+// The part of a spring that swings too fast for the step: its force is that of the step's end, which damps it. A
+// leapfrog would take a stiff spring as far as its bodies go in a step, whatever work that is.
+double unresolved(double stiffness, double inert) {
+  const double fast = stiffness / inert;  // (angular frequency x dt)^2
+  return fast * fast / (kResolved * kResolved + fast * fast);
+}
 
 // One equation from its law.
 void write(const Joint& joint, const JointEquation& from, const Firmness& firm, double before, float held, int lane,
@@ -131,9 +160,10 @@ void write(const Joint& joint, const JointEquation& from, const Firmness& firm, 
       out.least[lane] = -out.most[lane];
       return;
     case JointLaw::spring: {
-      const double implicit = kSpringShare * joint.stiffness;
-      out.k[lane] = float(implicit + joint.damping / firm.dt);
-      out.trial[lane] = float(implicit * before - joint.stiffness * from.error);
+      const double follows = kSpringShare * joint.stiffness * (1 - unresolved(joint.stiffness, firm.inert)),
+                   ends = joint.stiffness * unresolved(joint.stiffness, firm.inert);
+      out.k[lane] = float(follows + ends + joint.damping / firm.dt);
+      out.trial[lane] = float(follows * before - joint.stiffness * from.error);
       if (joint.type == JointType::drag) {
         out.most[lane] = float(joint.strength);
         out.least[lane] = -out.most[lane];
@@ -274,10 +304,14 @@ void JointRows::turnLine(std::size_t k, float force) {
   start.turned = force;
   const double turning = std::fabs(double(force)) / std::max(double(start.span), kLeastSpan),
                stiffness = turning > 0 ? turning * turning / (turning + kSlow * double(start.inert)) : 0;
+  double way = 0;
+  for (int i = 0; i < kJointLanes; i++)
+    if (start.across >> i & 1) way += double(start.before[i]) * double(start.before[i]);
+  const double far = std::clamp(std::sqrt(way) / (kFarTurn * std::max(double(start.span), kLeastSpan)) - 1, 0.0, 1.0);
   for (int i = 0; i < kJointLanes; i++) {
     if (!(start.across >> i & 1)) continue;
     records[k].way.k[i] = float(stiffness);
-    records[k].way.trial[i] = records[k].way.k[i] * start.before[i];
+    records[k].way.trial[i] = records[k].way.k[i] * start.before[i] * float(1 - far);
     records[k].way.least[i] = -kNoLimit;
     records[k].way.most[i] = kNoLimit;
   }
@@ -348,6 +382,10 @@ void JointRows::prepare(Island& island, Ties& ties, const StepContext& context) 
     const bool arcs = island.plan.arcs;
     const double most = arcs ? kMostCorrect : double(kNoLimit);
     const double firm = kFirmness * double(start.load) / (island.dt * island.dt);
+    double gives = 0;
+    if (r.bodyA < island.bodies.size()) gives += givenWay(bodies.mass[joint.bodyA], pose.armA);
+    if (r.bodyB < island.bodies.size()) gives += givenWay(bodies.mass[joint.bodyB], pose.armB);
+    const double inert = 1 / (gives * island.dt * island.dt);
     auto writeSet = [&](const EquationSet& set, const double(&held)[kJointLanes], Vec3 moves, double hard, int first,
                         JointEquations& out) {
       for (int i = 0; i < 3; i++) out.axes[i].unit = toFloat(set.axes[i]);
@@ -360,7 +398,7 @@ void JointRows::prepare(Island& island, Ties& ties, const StepContext& context) 
         if (follows) start.follows |= 1u << (first + i);
         if (isHard(law)) start.hard |= 1u << (first + i);
         if (law == JointLaw::across) start.across |= 1u << (first + i);
-        write(joint, set.of[i], {hard, island.dt, correct, most * (first == 0 ? size : 1)},
+        write(joint, set.of[i], {hard, inert, island.dt, correct, most * (first == 0 ? size : 1)},
               double(start.before[first + i]), start.held[first + i], i, out);
       }
     };
@@ -369,18 +407,18 @@ void JointRows::prepare(Island& island, Ties& ties, const StepContext& context) 
     brake(start, b.angularVelocity - a.angularVelocity, island.dt, r.turn);
     bend(k, toFloat(joint.force));
     if (start.across != 0) {
-      double gives = 0;
-      if (r.bodyA < island.bodies.size()) gives += givenWay(bodies.mass[joint.bodyA], pose.armA);
-      if (r.bodyB < island.bodies.size()) gives += givenWay(bodies.mass[joint.bodyB], pose.armB);
       start.span = float(system.span);
-      start.inert = float(1 / (gives * island.dt * island.dt));
+      start.inert = float(inert);
       turnLine(k, float(joint.way[0]));
     }
     start.arc = {};
-    start.arcs = (holdsPoint(joint.type) || (start.across != 0 && start.hard != 0)) && arcs;
-    if (start.arcs == 0) continue;
+    start.arcs = arcs ? arcsOf(joint.type) : JointArcs::none;
+    if (start.arcs == JointArcs::none) continue;
+    start.bends = 1;
+    if (joint.type == JointType::spring && r.way.k[0] > 0)
+      start.bends = float(joint.stiffness * unresolved(joint.stiffness, inert)) / r.way.k[0];
     start.arc = arcAt(k, a.angularVelocity * island.dt, b.angularVelocity * island.dt, speed * island.dt);
-    for (int i = 0; i < 3; i++) r.way.trial[i] -= r.way.k[i] * dot(r.way.axes[i].unit, start.arc);
+    for (int i = 0; i < 3; i++) r.way.trial[i] -= start.bends * r.way.k[i] * dot(r.way.axes[i].unit, start.arc);
   }
 }
 
@@ -414,7 +452,11 @@ bool JointRows::follow(std::size_t k, const SolveMotion* motion, float slack) {
 Vec3f JointRows::arcAt(std::size_t k, Vec3 turnA, Vec3 turnB, Vec3 way) const {
   const JointStart& start = starts[k];
   const Vec3 arc = arcOf(turnB, toDouble(start.anchorB)) - arcOf(turnA, toDouble(start.anchorA));
-  if (start.across == 0) return toFloat(arc);
+  if (start.arcs == JointArcs::points) return toFloat(arc);
+  if (start.arcs == JointArcs::slide) {
+    const Vec3 between = (toDouble(records[k].armA) - toDouble(start.anchorA)) * 2.0;
+    return toFloat(arcOfSlide(between, turnA, turnB, way, arc));
+  }
   const Vec3 along = toDouble(records[k].way.axes[0].unit);
   return toFloat(along * (dot(along, arc) + arcOfLine(std::max(double(start.span), kLeastSpan), along, way + arc)));
 }
@@ -423,17 +465,17 @@ Vec3f JointRows::arcAt(std::size_t k, Vec3 turnA, Vec3 turnB, Vec3 way) const {
 bool JointRows::followArcs(std::size_t k, const SolveMotion* motion, float slack) {
   JointRecord& r = records[k];
   JointStart& start = starts[k];
-  if (start.arcs == 0) return false;
+  if (start.arcs == JointArcs::none) return false;
   const Vec3f arc = arcAt(k, toDouble(motion[r.bodyA].th), toDouble(motion[r.bodyB].th),
                           toDouble(wide::store3(joint::relativeMotion(r, motion).way)));
   const Vec3f by = arc - start.arc;
   float most = 0, force = 0;
   for (int i = 0; i < 3; i++) {
-    most = std::max(most, std::fabs(r.way.k[i] * dot(r.way.axes[i].unit, by)));
+    most = std::max(most, std::fabs(start.bends * r.way.k[i] * dot(r.way.axes[i].unit, by)));
     force = std::max(force, std::fabs(start.held[i]));
   }
   if (!(most > slack * force)) return false;
-  for (int i = 0; i < 3; i++) r.way.trial[i] -= r.way.k[i] * dot(r.way.axes[i].unit, by);
+  for (int i = 0; i < 3; i++) r.way.trial[i] -= start.bends * r.way.k[i] * dot(r.way.axes[i].unit, by);
   start.arc = arc;
   return true;
 }

@@ -35,6 +35,14 @@ struct Island;
 Mat3 bending(Vec3 arm, Vec3 force, double resist);
 
 // Facts of a joint at the start of a step that the record does not have.
+// What the arcs of turns add to a joint's ways.
+enum class JointArcs : std::uint32_t {
+  none,
+  points,  // held at one place: ends of arms
+  line,    // held at a distance: along the line
+  slide,   // held to a line that turns with A
+};
+
 struct JointStart {
   Vec3f anchorA, anchorB;              // m, from the centres of mass: where forces turn with the bodies
   Vec3f bent;                          // N, on B: the force whose geometric stiffness is in the masses
@@ -46,7 +54,8 @@ struct JointStart {
   float error[2 * kJointLanes] = {};   // m, rad: of hard equations
   std::uint32_t follows = 0;           // bit per equation that has a multiplier
   float swung[2] = {};                 // N m: the part of `resist` that is the arm's
-  float arcs = 0;                      // share of the arcs that counts
+  JointArcs arcs = JointArcs::none;    // that the solve knows of
+  float bends = 1;                     // share of k with which they count
   std::uint32_t hard = 0;              // bit per equation that gives no energy: holds a place
   std::uint32_t across = 0;            // bit per equation across a line
   float span = 0;                      // m: of the line
