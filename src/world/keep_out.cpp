@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <type_traits>
 
 #include "geometry/queries.h"
@@ -15,7 +16,7 @@ namespace brickfall {
 namespace {
 
 //! inner radii | too small: cost | too large: bodies that a hit throws end in what they meet
-constexpr double kAside = 0.3;  // a body that ends further from where its velocity led may end in something
+constexpr double kAside = 0.3;  // a body that ends further from the way of its velocity may end in something
 //! - | too small: sweeps | too large: what is jammed ends in one of the two alone
 constexpr double kAtOnce = 0.7;  // of an overlap, parted in a sweep
 //! - | too small: bodies wedged under something heavy end in it | too large: cost where there is no room
@@ -25,6 +26,7 @@ constexpr int kFitSweeps = 40;
 struct End {
   BodyIndex body = kNoIndex;
   bool shifts = false, pays = false;                   // may be shifted; the work of that is its own
+  bool asSolved = false;                               // ends as its contacts know
   double invMass = 0;                                  // 1 / kg; 0 where it may not be shifted
   Mat3 invInertia{{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}};  // 1 / (kg m2); 0 where it may not be turned
   Transform pose;
@@ -70,10 +72,13 @@ class Fitting {
     return data.type == BodyType::dynamic && data.activity == BodyActivity::awake && !context_.solved[body].rest;
   }
   void findTied(const Island& island);
+  bool turnsFar(BodyIndex body) const;
+  bool endsAsSolved(BodyIndex body, const SolveMotion& motion) const;
   bool endsAside(BodyIndex body) const;
   Transform endOf(BodyIndex body) const;
   std::pmr::vector<End>::const_iterator asideAt(BodyIndex body) const;
   bool isAside(BodyIndex body) const { return asideAt(body) != ends_.begin() + std::ptrdiff_t(aside_); }
+  bool isMoved(BodyIndex body) const { return isAside(body) && !asideAt(body)->asSolved; }
   std::uint32_t numberOf(BodyIndex body);
 
   double leastOf(const Near& n) const {
@@ -109,11 +114,12 @@ void Fitting::findTied(const Island& island) {
 // A shift tears no firm tie, and changes no momentum that must stay.
 void Fitting::addBodies(const Island& island) {
   findTied(island);
-  for (BodyIndex body : island.bodies) {
+  for (std::size_t i = 0; i < island.bodies.size(); i++) {
+    const BodyIndex body = island.bodies[i];
     const SolvedMotion& s = context_.solved[body];
     if (!moves(body) || (s.flying && !island.grounded()) || !isFinite(s.d) || !isFinite(s.th)) continue;
     if (!endsAside(body) || std::binary_search(tied_.begin(), tied_.end(), body)) continue;
-    End end{body, true, s.flying, bodies_.mass[body].invMass};
+    End end{body, true, s.flying, endsAsSolved(body, island.motion[i]), bodies_.mass[body].invMass};
     if (!s.freeTurn && !s.flying) end.invInertia = bodies_.worldInvInertia(body);
     end.pose = endOf(body);
     ends_.push_back(end);
@@ -126,17 +132,31 @@ bool Fitting::anyBodies() {
   return aside_ > 0;
 }
 
-// The body turned so far, or ends so far from where its contacts were looked for, that they do not tell what it meets.
-bool Fitting::endsAside(BodyIndex body) const {
+bool Fitting::turnsFar(BodyIndex body) const {
   const FreeMotion& free = context_.free[body];
-  const SolvedMotion& s = context_.solved[body];
   auto far = [&](Vec3 turn) {
     const Vec3 visible = visibleTurn(bodies_.mass[body], bodies_.motion[body].orientation, turn);
     return lengthSquared(visible) > 0.25 * kMostTurn * kMostTurn;
   };
-  if (free.turnsFaster || far(s.th) || far(free.startSpin * free.dt)) return true;
+  return free.turnsFaster || far(context_.solved[body].th) || far(free.startSpin * free.dt);
+}
+
+// Contacts know it where the body does not turn far, and nothing has changed its way since the solve.
+bool Fitting::endsAsSolved(BodyIndex body, const SolveMotion& motion) const {
+  const double far = kNearlyClosed * lengthScale(bodies_.mass[body].innerRadius, bodies_.mass[body].innerRadius);
+  return !turnsFar(body) && lengthSquared(context_.solved[body].d - toDouble(motion.d)) <= far * far;
+}
+
+// The body turned so far, or ends so far from where its contacts were looked for, that they do not tell what it meets.
+bool Fitting::endsAside(BodyIndex body) const {
+  if (turnsFar(body)) return true;
+  const FreeMotion& free = context_.free[body];
+  const SolvedMotion& s = context_.solved[body];
+  // Contacts were looked for all along the way of its velocity: what stays where it was ends nowhere else.
+  const Vec3 led = free.startVelocity * free.dt;
+  const double all = lengthSquared(led), share = all > 0 ? std::clamp(dot(s.d, led) / all, 0.0, 1.0) : 0;
   const double most = kAside * bodies_.mass[body].innerRadius;
-  return lengthSquared(s.d - free.startVelocity * free.dt) > most * most;
+  return lengthSquared(s.d - led * share) > most * most;
 }
 
 Transform Fitting::endOf(BodyIndex body) const {
@@ -170,6 +190,8 @@ void Fitting::addContacts(const Island& island) {
     n.normal = bodies_.motion[c.bodyA].orientation * context_.ties->contacts.geometry[contact].normal;
     n.had = leastOf(n);
     for (int i = 0; i < c.count; i++) n.had = std::max(n.had, -double(c.points.gap[i]));
+    // The solve has said how far its springs give.
+    if (!isMoved(c.bodyA) && !isMoved(c.bodyB)) n.had = std::numeric_limits<double>::infinity();
     near_.push_back(n);
   });
 }
