@@ -111,14 +111,27 @@ TEST(Plan, CalmIsATenthOfGravitysStepBeyondSlow) {
   }
 }
 
-TEST(Plan, LargeSupportedIslandsSwayBetweenTheRestSpeedAndThirtyMillimetresASecond) {
-  for (std::size_t bodies : {12u, 80u, 81u, 1000u}) {
-    auto sways = [&](bool grounded, double speed) { return planOf(factsOf(bodies, grounded, speed)).sways; };
-    EXPECT_EQ(sways(true, 0.02), bodies > 80) << bodies;
-    EXPECT_EQ(sways(true, 0.03), bodies > 80) << bodies;
-    EXPECT_FALSE(sways(true, 0.0301)) << bodies;
-    EXPECT_FALSE(sways(true, 0.01)) << bodies << ", slow";
-    EXPECT_FALSE(sways(false, 0.02)) << bodies << ", nothing holds it";
+TEST(Plan, SupportedIslandsMayBeStoppedWhereWhatTheyLoseIsAVibrations) {
+  struct Case {
+    std::size_t bodies;
+    bool jointed;
+    double most;
+  };
+  for (const Case& c : {Case{1, false, 0.0005},
+                        {2, true, 0.0005},
+                        {2, false, 0.01},
+                        {80, false, 0.01},
+                        {81, false, 0.03},
+                        {1000, false, 0.03}}) {
+    SCOPED_TRACE(c.bodies);
+    IslandFacts facts = factsOf(c.bodies, true, c.most);
+    facts.jointed = c.jointed;
+    EXPECT_TRUE(planOf(facts).mayBeStopped);
+    facts.fastest = 1.01 * c.most;
+    EXPECT_FALSE(planOf(facts).mayBeStopped) << "it may roll up a slope, swing or fall";
+    facts.fastest = 0;
+    facts.grounded = false;
+    EXPECT_FALSE(planOf(facts).mayBeStopped) << "nothing holds it";
   }
 }
 
@@ -126,7 +139,6 @@ TEST(Plan, CyclesBySize) {
   auto most = [](std::size_t bodies, bool grounded, double speed) {
     return planOf(factsOf(bodies, grounded, speed)).maxCycles;
   };
-  EXPECT_EQ(most(1, false, 5), 64);
   EXPECT_EQ(most(26, false, 5), 24) << "640 / bodies";
   EXPECT_EQ(most(40, false, 5), 16);
   EXPECT_EQ(most(80, false, 5), 10);
@@ -135,10 +147,11 @@ TEST(Plan, CyclesBySize) {
   EXPECT_EQ(most(1000, true, 0), 10) << "slow";
   for (std::size_t bodies : {2u, 24u}) EXPECT_EQ(most(bodies, false, 5), 1) << "the direct solve goes on from there";
   for (std::size_t bodies : {25u, 80u}) EXPECT_EQ(most(bodies, true, 0), 4) << "the direct solve goes on from there";
+  EXPECT_EQ(most(1, false, 5), 4) << "each of them is all of Newton's method";
   SolverSettings many;
   many.maxCycles = 100;
   EXPECT_EQ(planFor(factsOf(1000, false, 5), many, kDt).maxCycles, 100);
-  EXPECT_EQ(planFor(factsOf(1, false, 5), many, kDt).maxCycles, 100) << "small islands never get fewer";
+  EXPECT_EQ(planFor(factsOf(25, false, 5), many, kDt).maxCycles, 100) << "small islands never get fewer";
   EXPECT_EQ(planFor(factsOf(1000, false, 5), many, kDt).mostCycles, 300);
   for (std::size_t bodies : {81u, 1000u}) EXPECT_EQ(planOf(factsOf(bodies, true, 5)).mostCycles, 30) << bodies;
   for (std::size_t bodies : {1u, 24u, 80u})
@@ -238,11 +251,7 @@ TEST(Plan, FactsAreJudgedOnTheScaleOfTheTypicalBody) {
   EXPECT_EQ(judgingGravity({0, 0, 1e-3}), 1e-3);
 }
 
-TEST(Plan, ABodyAloneIsStoppedOnlyWhenItHardlyMoves) {
-  EXPECT_TRUE(planOf(factsOf(1, true, 0.0005)).mayBeStopped);
-  EXPECT_FALSE(planOf(factsOf(1, true, 0.00051)).mayBeStopped) << "it may be rolling up a slope";
-  EXPECT_TRUE(planOf(factsOf(2, true, 0.01)).mayBeStopped);
-  EXPECT_FALSE(planOf(factsOf(2, true, 0.0101)).mayBeStopped);
+TEST(Plan, KnowsABodyAlone) {
   EXPECT_TRUE(planOf(factsOf(1, true, 0)).alone);
   EXPECT_FALSE(planOf(factsOf(2, true, 0)).alone);
 }
