@@ -147,7 +147,7 @@ SolvePlan planFor(const IslandFacts& facts, const SolverSettings& settings, doub
   plan.softDebris = row.large && facts.fastest > kDebrisSpeed;
   plan.tolerance = row.large ? settings.cycleTolerance : kSmallTolerance;
   plan.minCycles = row.direct && row.exactSteps ? 1 : settings.minCycles;
-  plan.maxCycles = row.large ? cycleBudget(facts, settings) : plan.minCycles;
+  plan.maxCycles = row.direct ? plan.minCycles : cycleBudget(facts, settings);
   plan.mostCycles = row.large ? std::max(plan.maxCycles, kMostCycles * settings.maxCycles) : plan.maxCycles;
   plan.rounds = kRounds;
   if (!row.large || !facts.mortared) return plan;

@@ -72,6 +72,7 @@ class Relaxation {
         findAllowed();
         countOut();
       }
+      if (stalls()) break;
     }
     if (island_.grounded() && !island_.plan.exactSteps && (!island_.plan.slow || slides(island_, context_)))
       moveAsOne();
@@ -127,6 +128,9 @@ class Relaxation {
     cycle -= renewed_;
     return cycle < island_.plan.maxCycles || (many && cycle < island_.plan.mostCycles);
   }
+  // A cycle of a body alone is all of Newton's method. Where rounding leaves the body out of balance, more cycles
+  // change nothing.
+  bool stalls() { return island_.plan.alone && stall_.after(double(squareOf(0))) > kStalledSteps; }
   // To compare residuals of one body: a torque counts as a force at its inner radius.
   float squareOf(std::size_t i) const {
     const Wrench& g = island_.residual[i];
@@ -249,6 +253,7 @@ class Relaxation {
   LevelStep together_;
   JointBlock block_;
   std::pmr::vector<float> allowed_;               // N, by body
+  Stall stall_;                                   // of a body alone
   int renewed_ = 0;                               // the cycle after which what is frozen was last set anew
   std::size_t out_ = 0;                           // bodies out of balance
   bool worthReading_ = false;                     // the last cycle moved enough to read all rows again

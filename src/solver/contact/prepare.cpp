@@ -99,13 +99,13 @@ bool isTooSoft(const PointMemory& m, int i, float approach, const PointRules& ru
   if (rules.isQuiet(approach)) return m.forceN[i] > 0 && !rules.stiffness.isFull(m.stiffness[i]);
   return m.stiffness[i] < (1 - float(kTrifle)) * std::min(rules.stiffness.softest, rules.stiffness.full);
 }
-// The point starts anew, but goes on with the force that it has: an impact that is over up to that of a sudden load.
-// So does the friction of a resting point: its spring has grown stiffer under its drift.
+// The point starts anew, but goes on with the force that it has; one that no longer closes, up to that of a sudden load.
+// So does its friction, if it was at rest: its spring has grown stiffer under its drift.
 void stiffen(PointMemory& m, int i, float approach, const PointRules& rules) {
-  const bool rested = m.phase[i] == PointPhase::resting;
+  const bool quiet = rules.isQuiet(approach), rested = m.phase[i] == PointPhase::resting;
   startPhase(m, i, approach, rules);
-  if (rules.isQuiet(approach) && m.forceN[i] > rules.cap) scaleForces(m, i, rules.cap / m.forceN[i]);
-  if (rested && m.sticks(i)) {
+  if (quiet && m.forceN[i] > rules.cap) scaleForces(m, i, rules.cap / m.forceN[i]);
+  if (quiet && rested && m.sticks(i)) {
     m.slip1[i] = -m.force1[i] / m.stiffness[i];
     m.slip2[i] = -m.force2[i] / m.stiffness[i];
     m.stickingMask &= ~(1u << i);
