@@ -99,8 +99,8 @@ bool isTooSoft(const PointMemory& m, int i, float approach, const PointRules& ru
   if (rules.isQuiet(approach)) return m.forceN[i] > 0 && !rules.stiffness.isFull(m.stiffness[i]);
   return m.stiffness[i] < (1 - float(kTrifle)) * std::min(rules.stiffness.softest, rules.stiffness.full);
 }
-// The point starts anew, but goes on with the force that it has; one that no longer closes, up to that of a sudden load.
-// So does its friction, if it was at rest: its spring has grown stiffer under its drift.
+// The point starts anew, but goes on with the force that it has. One that no longer closes keeps at most that of a
+// sudden load, and its friction goes on if it was at rest: the spring has grown stiffer under its drift.
 void stiffen(PointMemory& m, int i, float approach, const PointRules& rules) {
   const bool quiet = rules.isQuiet(approach), rested = m.phase[i] == PointPhase::resting;
   startPhase(m, i, approach, rules);
