@@ -129,13 +129,14 @@ SolvePlan planFor(const IslandFacts& facts, const SolverSettings& settings, doub
   bool calm =
       supported && facts.fastest <= settings.restSpeed + kCalmShare * facts.scale.gravity * dt / facts.scale.speed;
   SolvePlan plan;
-  // What swings on joints is in balance wherever it swings through its middle.
-  plan.slow =
-      supported && facts.fastest <= (facts.jointed ? std::min(kStillSpeed, settings.restSpeed) : settings.restSpeed);
-  plan.sways = supported && row.large && !plan.slow && facts.fastest <= kMovingSpeed;
-  plan.arcs = facts.jointed && !facts.locked && !row.large && facts.joints + 1 >= facts.bodies;
+  // What swings on joints is in balance wherever it swings through its middle; what is alone may roll up a slope.
+  const double still = std::min(kStillSpeed, settings.restSpeed);
   plan.alone = facts.bodies == 1;
-  plan.mayBeStopped = plan.slow && !(plan.alone && facts.fastest > kStillSpeed);
+  plan.slow = supported && facts.fastest <= (facts.jointed ? still : settings.restSpeed);
+  plan.mayBeStopped = supported && facts.fastest <= (row.large                     ? kMovingSpeed
+                                                     : facts.jointed || plan.alone ? still
+                                                                                   : settings.restSpeed);
+  plan.arcs = facts.jointed && !facts.locked && !row.large && facts.joints + 1 >= facts.bodies;
   plan.exactSteps = row.exactSteps;
   plan.direct = row.direct;
   plan.calmStiffening = calm ? double(row.calmStiffening) : 1;

@@ -59,17 +59,16 @@ struct PlanRow {
 std::span<const PlanRow> planRows();
 
 struct SolvePlan {
-  bool arcs = false;   // joints know that the ends of their arms go along arcs
-  bool alone = false;  // one body
-  bool slow = false;   // grounded, partners still, no body faster than restSpeed: it may be stopped and put to rest
-  bool mayBeStopped = false;  // slow, and no body alone that may be rolling up a slope
-  bool sways = false;       // large, supported, not slow, no body faster than kMovingSpeed: a vibration of it is ended
-  bool exactSteps = false;  // see PlanRow
-  bool direct = false;      // see PlanRow
-  bool large = false;       // see PlanRow
-  bool startsFree = true;   // from free motion; else with as much of its fall as each body had
-  bool goesOn = false;      // large, not slow, supported by what rolls or slides alone: it goes on as it did
-  bool softDebris = false;  // contacts of moving bodies in it have impactStiffness
+  bool arcs = false;          // joints know that the ends of their arms go along arcs
+  bool alone = false;         // one body
+  bool slow = false;          // grounded, partners still, no body faster than restSpeed: it may be put to rest
+  bool mayBeStopped = false;  // supported, and so slow that what it loses is a vibration's
+  bool exactSteps = false;    // see PlanRow
+  bool direct = false;        // see PlanRow
+  bool large = false;         // see PlanRow
+  bool startsFree = true;     // from free motion; else with as much of its fall as each body had
+  bool goesOn = false;        // large, not slow, supported by what rolls or slides alone: it goes on as it did
+  bool softDebris = false;    // contacts of moving bodies in it have impactStiffness
   double calmStiffening = 1;  // x restingStiffness
   double leastMass = 0;       // kg: contacts are as firm as between bodies of this effective mass
   double tolerance = 0;       // weights: residual under which a body is left alone

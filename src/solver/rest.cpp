@@ -28,9 +28,8 @@ double risenBy(const Island& island, const StepContext& context, const BodySet& 
 
 void dampSlowIsland(const Island& island, const StepContext& context, BodySet& bodies) {
   const double lost = island.facts.energyBefore - island.facts.energy;
-  // A wall whose sway loses more than a trifle has swung through its middle.
-  const bool swung = island.plan.sways && lost > kTrifle * island.facts.energyBefore;
-  if (!(island.plan.mayBeStopped && lost > 0) && !swung) return;
+  // It has swung through its middle. A ball that rolls on a wall costs the wall less.
+  if (!island.plan.mayBeStopped || !(lost > kTrifle * island.facts.energyBefore)) return;
   // On joints bodies swing, and gravity takes what the island has lost.
   if (island.facts.jointed && lost < kRisen * risenBy(island, context, bodies)) return;
   // A body that nothing presses on has no part in a vibration: it falls.

@@ -82,43 +82,34 @@ struct PointRules {
   float kept;        // of the plastic offset
   float release;     // m, of the plastic offset at least
   bool debris;       // the island is stirred up: what bears goes on bearing
-};
 
-// An impact is over, or an island has calmed down or takes shorter steps: the point is softer than it must be. It goes
-// on with the force it has, up to the force of a sudden load.
-bool mustStiffen(const PointMemory& m, int i, float approach, const PointRules& rules) {
-  bool softer = m.phase[i] != PointPhase::fresh && !rules.stiffness.isFull(m.stiffness[i]);
-  return softer && m.forceN[i] > 0 && approach > -rules.quietSpeed;
-}
-void stiffen(PointMemory& m, int i, const PointRules& rules) {
-  if (m.forceN[i] > rules.cap) scaleForces(m, i, rules.cap / m.forceN[i]);
-  if (m.phase[i] == PointPhase::resting &&
-      m.sticks(i)) {  // friction, too: its spring has grown stiffer under its drift
-    m.slip1[i] = -m.force1[i] / rules.stiffness.full;
-    m.slip2[i] = -m.force2[i] / rules.stiffness.full;
-    m.stickingMask &= ~(1u << i);
-  }
-  m.phase[i] = PointPhase::resting;
-  m.stiffness[i] = rules.stiffness.full;
-  m.offset[i] = std::min(0.0f, m.gap[i] + m.forceN[i] / rules.stiffness.full);
-}
+  bool isQuiet(float approach) const { return approach > -quietSpeed; }
+};
 
 // Slow surfaces rest from the start; so do impacts that must be as stiff as resting points.
 void startPhase(PointMemory& m, int i, float approach, const PointRules& rules) {
-  const bool quiet = approach > -rules.quietSpeed;
-  m.stiffness[i] = quiet ? rules.stiffness.full : rules.stiffness.ofImpact(approach);
+  m.stiffness[i] = rules.isQuiet(approach) ? rules.stiffness.full : rules.stiffness.ofImpact(approach);
   m.phase[i] = rules.stiffness.isFull(m.stiffness[i]) ? PointPhase::resting : PointPhase::impact;
 }
 
-// Steps have become so much shorter that the point is softer than any impact in them: it would stop no body that still
-// closes. Here, too, it goes on with the force it has.
+// An impact is over, an island has calmed down, or steps have become shorter: the point is softer than one that would
+// start now. One that closes may be as soft as any impact; softer ones would stop nothing.
 bool isTooSoft(const PointMemory& m, int i, float approach, const PointRules& rules) {
-  const float least = std::min(rules.stiffness.softest, rules.stiffness.full);
-  return m.phase[i] != PointPhase::fresh && m.stiffness[i] < (1 - float(kTrifle)) * least &&
-         !(approach > -rules.quietSpeed);
+  if (m.phase[i] == PointPhase::fresh) return false;
+  if (rules.isQuiet(approach)) return m.forceN[i] > 0 && !rules.stiffness.isFull(m.stiffness[i]);
+  return m.stiffness[i] < (1 - float(kTrifle)) * std::min(rules.stiffness.softest, rules.stiffness.full);
 }
-void harden(PointMemory& m, int i, float approach, const PointRules& rules) {
+// The point starts anew, but goes on with the force that it has. One that no longer closes keeps at most that of a
+// sudden load, and its friction goes on if it was at rest: the spring has grown stiffer under its drift.
+void stiffen(PointMemory& m, int i, float approach, const PointRules& rules) {
+  const bool quiet = rules.isQuiet(approach), rested = m.phase[i] == PointPhase::resting;
   startPhase(m, i, approach, rules);
+  if (quiet && m.forceN[i] > rules.cap) scaleForces(m, i, rules.cap / m.forceN[i]);
+  if (quiet && rested && m.sticks(i)) {
+    m.slip1[i] = -m.force1[i] / m.stiffness[i];
+    m.slip2[i] = -m.force2[i] / m.stiffness[i];
+    m.stickingMask &= ~(1u << i);
+  }
   m.offset[i] = std::min(0.0f, m.gap[i] + m.forceN[i] / m.stiffness[i]);
 }
 
@@ -140,8 +131,7 @@ float mapNormalOffset(PointMemory& m, int i, float approach, const PointRules& r
   // The time step has grown, the island is calm no longer, or it has become debris.
   if (rules.stiffness.isAboveFull(m.stiffness[i])) soften(m, i, rules);
   if (m.phase[i] == PointPhase::fresh) m.offset[i] = std::min(0.0f, m.gap[i]);
-  if (mustStiffen(m, i, approach, rules)) stiffen(m, i, rules);
-  if (isTooSoft(m, i, approach, rules)) harden(m, i, approach, rules);
+  if (isTooSoft(m, i, approach, rules)) stiffen(m, i, approach, rules);
   float offset = std::min(0.0f, std::max(m.offset[i], m.gap[i]));
   m.offset[i] = std::min(0.0f, std::max(rules.kept * offset, offset + rules.release));
   if (m.phase[i] == PointPhase::fresh) startPhase(m, i, approach, rules);
@@ -177,7 +167,7 @@ void mapFrictionAnchor(Contact& c, int i, ContactGeometry& g, const FaceRecord& 
 bool boundFollows(const PointMemory& m, int i, float approach, const PointRules& rules, bool debris) {
   bool held = m.multiplierN[i] >= m.forceN[i];
   return m.forceN[i] == 0 || m.phase[i] == PointPhase::impact || approach < -rules.quietSpeed ||
-         (!held && (debris || mustStiffen(m, i, approach, rules)));
+         (!held && (debris || isTooSoft(m, i, approach, rules)));
 }
 
 // Contacts a thousand times as stiff as inertia couple flying bodies so firmly that no solve converges. So debris is

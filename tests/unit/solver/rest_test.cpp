@@ -56,13 +56,13 @@ TEST(Rest, KineticDampingStopsAtAMaximumOfTheEnergyAndNowhereElse) {
     lab.island();
     int above = bodies;
     for (ContactIndex k : lab.island().rows.contacts.contactOf) lab.load(k, above-- * kBrickWeight, 1e4 * lab.unit(k));
-    const double speeds[] = {1e-3, 2e-3, 2e-3, 5e-3, 9e-3, 8.99e-3, 8e-3};  // m/s
+    const double speeds[] = {1e-3, 2e-3, 2e-3, 5e-3, 9e-3, 8.99e-3, 8.8e-3, 8e-3};  // m/s
     for (double v : speeds) {
       const double most = bodies == 1 ? 0.05 * v : v;
       for (BodyIndex body : pile) lab.at(body).linearVelocity = {most, 0, 0};
       for (int k = 0; k < bodies; k++) lab.contact(std::size_t(k)).touching = true;
       lab.prepare();
-      bool passed = v == 8.99e-3;
+      bool passed = v == 8.8e-3;  // 0.2 % of the energy is none
       for (BodyIndex body : pile) {
         EXPECT_EQ(lab.at(body).linearVelocity.x, passed ? 0 : most) << "after a stop the energy grows again";
         EXPECT_EQ(lab.context.free[body].startVelocity.x, passed ? 0 : most) << "free motion goes on from there";
