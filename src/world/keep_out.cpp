@@ -15,7 +15,7 @@ namespace brickfall {
 namespace {
 
 //! inner radii | too small: cost | too large: bodies that a hit throws end in what they meet
-constexpr double kAside = 0.3;  // a body that ends further from where its velocity led may end in something
+constexpr double kAside = 0.3;  // a body that ends further beside its way may end in something
 //! - | too small: sweeps | too large: what is jammed ends in one of the two alone
 constexpr double kAtOnce = 0.7;  // of an overlap, parted in a sweep
 //! - | too small: bodies wedged under something heavy end in it | too large: cost where there is no room
@@ -126,7 +126,8 @@ bool Fitting::anyBodies() {
   return aside_ > 0;
 }
 
-// The body turned so far, or ends so far from where its contacts were looked for, that they do not tell what it meets.
+// The body turned so far, or ends so far from the way on which its contacts were looked for, that they do not tell what
+// it meets. What was stopped on that way has them all.
 bool Fitting::endsAside(BodyIndex body) const {
   const FreeMotion& free = context_.free[body];
   const SolvedMotion& s = context_.solved[body];
@@ -136,7 +137,9 @@ bool Fitting::endsAside(BodyIndex body) const {
   };
   if (free.turnsFaster || far(s.th) || far(free.startSpin * free.dt)) return true;
   const double most = kAside * bodies_.mass[body].innerRadius;
-  return lengthSquared(s.d - free.startVelocity * free.dt) > most * most;
+  const Vec3 led = free.startVelocity * free.dt;
+  const double far2 = lengthSquared(led), share = far2 > 0 ? std::clamp(dot(s.d, led) / far2, 0.0, 1.0) : 0;
+  return lengthSquared(s.d - led * share) > most * most;
 }
 
 Transform Fitting::endOf(BodyIndex body) const {
