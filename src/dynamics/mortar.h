@@ -17,6 +17,13 @@ using MortarIndex = std::uint32_t;
 //! not of the method: a count
 constexpr int kMortarPoints = 4;
 
+// What a joint withstands (MortarStrength), in floats: a wall has three joints a brick.
+struct JointStrength {
+  float tension = 0, cohesion = 0, friction = 0;  // Pa, Pa, 1
+  float tensionEnergy = 0, shearEnergy = 0;       // J/m2
+  float compression = 0, stiffness = 0;           // Pa, N/m3
+};
+
 struct Mortar {
   std::uint16_t generation = 0;
   bool alive = false;
@@ -29,11 +36,12 @@ struct Mortar {
   std::uint64_t order = 0;  // grows with creation
   std::uint64_t userData = 0;
 
-  Vec3 centreA, centreB;    // m, body frames: the face's centre
-  Quat frameA, frameB;      // body frames: normal from A to B, and the face's principal axes
-  double area = 0;          // m2
-  double gyration[2] = {};  // m: along the second and the third axis
-  MortarStrength strength;
+  // Floats round them; the points begin where that leaves them (keepForces).
+  Vec3T<float> centreA, centreB;  // m, body frames: the face's centre
+  QuatT<float> frameA, frameB;    // body frames: normal from A to B, and the face's principal axes
+  float area = 0;                 // m2
+  float gyration[2] = {};         // m: along the second and the third axis
+  JointStrength strength;
   double damage = 0;                      // 0 .. 1
   double tensionWork = 0, shearWork = 0;  // J, spent
   float arm = 1;                          // of the kern: how far out the points are
@@ -46,6 +54,13 @@ struct Mortar {
   bool collides() const { return broken; }
   bool names(BodyIndex body) const { return bodyA == body || bodyB == body; }
 };
+
+static_assert(sizeof(Mortar) <= 240);
+
+inline Vec3 inDouble(Vec3T<float> v) { return {v.x, v.y, v.z}; }
+inline Quat inDouble(QuatT<float> q) { return normalized(Quat{q.x, q.y, q.z, q.w}); }
+// Where the face is on A, or on B.
+void placeFace(Mortar& mortar, bool onA, Vec3 centre, Quat frame);
 
 // That took more of its energy.
 MortarMode modeOf(const Mortar& mortar);

@@ -9,12 +9,13 @@ namespace brickfall {
 
 MortarPose::MortarPose(const Mortar& mortar, const BodySet& bodies) {
   const BodyMotion &a = bodies.motion[mortar.bodyA], &b = bodies.motion[mortar.bodyB];
-  const Mat3 faceA = toMatrix(a.rotation * mortar.frameA), faceB = toMatrix(b.rotation * mortar.frameB);
+  const Mat3 faceA = toMatrix(a.rotation * inDouble(mortar.frameA)),
+             faceB = toMatrix(b.rotation * inDouble(mortar.frameB));
   n = faceA.column(0);
   t1 = faceA.column(1);
   t2 = faceA.column(2);
-  const Vec3 toA = a.orientation * (mortar.centreA - bodies.data[mortar.bodyA].localCentre);
-  const Vec3 toB = b.orientation * (mortar.centreB - bodies.data[mortar.bodyB].localCentre);
+  const Vec3 toA = a.orientation * (inDouble(mortar.centreA) - bodies.data[mortar.bodyA].localCentre);
+  const Vec3 toB = b.orientation * (inDouble(mortar.centreB) - bodies.data[mortar.bodyB].localCentre);
   const Vec3 apart = (b.position - a.position) + (toB - toA);
   armA = toA + apart * 0.5;
   armB = toB - apart * 0.5;
@@ -23,6 +24,11 @@ MortarPose::MortarPose(const Mortar& mortar, const BodySet& bodies) {
   displaced = inFace(apart);
   along1 = inFace(faceB.column(1) - t1);
   along2 = inFace(faceB.column(2) - t2);
+}
+
+void placeFace(Mortar& m, bool onA, Vec3 centre, Quat frame) {
+  (onA ? m.centreA : m.centreB) = {float(centre.x), float(centre.y), float(centre.z)};
+  (onA ? m.frameA : m.frameB) = {float(frame.x), float(frame.y), float(frame.z), float(frame.w)};
 }
 
 MortarMode modeOf(const Mortar& m) {
@@ -96,7 +102,8 @@ template <class Archive, class One> void archiveMortar(Archive& a, One& m) {
   for (auto* number : {&m.order, &m.userData}) a.value(*number);
   for (auto* place : {&m.centreA, &m.centreB}) a.value(*place);
   for (auto* frame : {&m.frameA, &m.frameB}) a.value(*frame);
-  for (auto* number : {&m.area, &m.damage, &m.tensionWork, &m.shearWork}) a.value(*number);
+  a.value(m.area);
+  for (auto* number : {&m.damage, &m.tensionWork, &m.shearWork}) a.value(*number);
   a.value(m.gyration);
   auto& s = m.strength;
   for (auto* number :
@@ -161,11 +168,11 @@ using namespace ties;
 
 bool isWithin(double x, double least, double most) { return x >= least && x <= most; }
 bool isSoundMortar(const Mortar& m) {
-  const MortarStrength& s = m.strength;
-  bool fine = isNear(m.centreA, kFarthest) && isNear(m.centreB, kFarthest) && hasUnitLength(m.frameA) &&
-              hasUnitLength(m.frameB) && m.area > 0 && m.area <= kFarthest && m.gyration[0] > 0 &&
-              m.gyration[0] <= kFarthest && m.gyration[1] > 0 && m.gyration[1] <= kFarthest &&
-              isWithin(m.damage, 0, 1) && isWithin(m.tensionWork, 0, kLargestMemory) &&
+  const JointStrength& s = m.strength;
+  bool fine = isNear(inDouble(m.centreA), kFarthest) && isNear(inDouble(m.centreB), kFarthest) &&
+              hasUnitLength(inDouble(m.frameA)) && hasUnitLength(inDouble(m.frameB)) && m.area > 0 &&
+              m.area <= kFarthest && m.gyration[0] > 0 && m.gyration[0] <= kFarthest && m.gyration[1] > 0 &&
+              m.gyration[1] <= kFarthest && isWithin(m.damage, 0, 1) && isWithin(m.tensionWork, 0, kLargestMemory) &&
               isWithin(m.shearWork, 0, kLargestMemory) && isWithin(double(m.arm), 1, 3);
   for (double number : {s.tension, s.cohesion, s.tensionEnergy, s.shearEnergy, s.compression, s.stiffness})
     fine = fine && number > 0 && number <= kLargestMemory;

@@ -122,11 +122,10 @@ class Relaxation {
     for (std::size_t i = 0; i < allowed_.size(); i++) out_ += !balanced(i);
   }
   // Where many bodies are out of balance, the undone motion of a step shakes them in the next ones: more cycles now are
-  // fewer then.
+  // fewer then. But they do not begin anew with each renewal: a step in which much breaks makes six.
   bool goesOn(int cycle) const {
     bool many = double(out_) > kLeftOver * double(allowed_.size());
-    cycle -= renewed_;
-    return cycle < island_.plan.maxCycles || (many && cycle < island_.plan.mostCycles);
+    return cycle - renewed_ < island_.plan.maxCycles || (many && cycle < island_.plan.mostCycles);
   }
   // A cycle of a body alone is all of Newton's method. Where rounding leaves the body out of balance, more cycles
   // change nothing.

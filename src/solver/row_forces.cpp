@@ -114,6 +114,7 @@ Wrench RowForces::readBoundary(const Level& level, const Cluster& cluster, bool 
   BoundarySums sums;
   sums.matrix = matrix;
   island_.rows.eachKind([&](const auto& kind) {
+    if (kind.size() == 0) return;
     const std::uint32_t endRow = part.firstRow + std::uint32_t(kind.size());
     const std::uint32_t* stop = Rows::kKinds == 1 ? end : std::lower_bound(part.sides, end, 2 * endRow);
     part.count = std::uint32_t(stop - part.sides);

@@ -123,17 +123,20 @@ Mortar mortarFrom(const MortarDef& def, BodyIndex a, BodyIndex b, const BodySet&
   m.bodyA = a;
   m.bodyB = b;
   m.userData = def.userData;
-  m.strength = def.strength;
-  m.area = face.area;
-  m.gyration[0] = face.gyration[0];
-  m.gyration[1] = face.gyration[1];
+  const MortarStrength& s = def.strength;
+  m.strength = {float(s.tension),     float(s.cohesion),    float(s.friction), float(s.tensionEnergy),
+                float(s.shearEnergy), float(s.compression), float(s.stiffness)};
+  m.area = float(face.area);
+  m.gyration[0] = float(face.gyration[0]);
+  m.gyration[1] = float(face.gyration[1]);
   const Quat frame = rotationWithAxes(face.normal, face.axis);
-  auto place = [&](BodyIndex body, Vec3& centre, Quat& axes) {
-    centre = transposeTimes(bodies.motion[body].orientation, face.centre - bodies.origin(body));
-    axes = normalized(conjugate(bodies.motion[body].rotation) * frame);
-  };
-  place(a, m.centreA, m.frameA);
-  place(b, m.centreB, m.frameB);
+  for (BodyIndex body : {a, b})
+    placeFace(m, body == a, transposeTimes(bodies.motion[body].orientation, face.centre - bodies.origin(body)),
+              normalized(conjugate(bodies.motion[body].rotation) * frame));
+  const MortarPose pose(m, bodies);
+  MortarPose shut = pose;
+  shut.displaced = shut.along1 = shut.along2 = {};
+  mortar::keepForces(m, shut, pose);
   return m;
 }
 
@@ -157,7 +160,7 @@ void findStresses(const Mortar& m, const MortarPose& pose, MortarState& s) {
   const double bent =
       root3 / m.area *
       (std::fabs(dot(s.torque, pose.t2)) / m.gyration[0] + std::fabs(dot(s.torque, pose.t1)) / m.gyration[1]);
-  const double polar = std::sqrt(m.gyration[0] * m.gyration[0] + m.gyration[1] * m.gyration[1]);
+  const double g1 = m.gyration[0], g2 = m.gyration[1], polar = std::sqrt(g1 * g1 + g2 * g2);
   const Vec3 along = s.force - pose.n * dot(s.force, pose.n);
   s.tension = bent - pressure;
   s.shear = length(along) / m.area + root3 * std::fabs(dot(s.torque, pose.n)) / (m.area * polar);

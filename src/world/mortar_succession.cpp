@@ -37,13 +37,13 @@ MortarSuccession::MortarSuccession(const Registry& registry, BodyIndex body, Mor
   for (MortarIndex mortar : set.inOrder()) {
     Mortar& m = set.slots[mortar];
     if (!m.names(body) || m.broken || m.idle) continue;
-    Face face;
+    Face face(MortarPose(m, registry.bodies));
     face.mortar = mortar;
     face.ofA = m.bodyA == body;
     face.was = registry.idOf(body);
     const BodyMotion& motion = registry.bodies.motion[body];
-    face.centre = registry.bodies.origin(body) + motion.orientation * (face.ofA ? m.centreA : m.centreB);
-    face.axes = normalized(motion.rotation * (face.ofA ? m.frameA : m.frameB));
+    face.centre = registry.bodies.origin(body) + motion.orientation * inDouble(face.ofA ? m.centreA : m.centreB);
+    face.axes = normalized(motion.rotation * inDouble(face.ofA ? m.frameA : m.frameB));
     const Mat3 axes = toMatrix(face.axes);
     face.normal = face.ofA ? axes.column(0) : -axes.column(0);
     face.size = m.gyration[1];
@@ -79,10 +79,10 @@ void MortarSuccession::pass(const Registry& registry, const std::vector<BodyInde
       return holds && bears(registry, piece, face);
     });
     if (heir != pieces.end()) {
-      (face.ofA ? m.centreA : m.centreB) =
-          transposeTimes(bodies.motion[*heir].orientation, face.centre - bodies.origin(*heir));
-      (face.ofA ? m.frameA : m.frameB) = normalized(conjugate(bodies.motion[*heir].rotation) * face.axes);
+      placeFace(m, face.ofA, transposeTimes(bodies.motion[*heir].orientation, face.centre - bodies.origin(*heir)),
+                normalized(conjugate(bodies.motion[*heir].rotation) * face.axes));
       set.putOn(face.mortar, *heir);
+      mortar::keepForces(m, face.pose, MortarPose(m, bodies));
       continue;
     }
     MortarEvent event;

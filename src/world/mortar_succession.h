@@ -18,6 +18,8 @@ class MortarSuccession {
 
  private:
   struct Face {
+    explicit Face(const MortarPose& at) : pose(at) {}
+    MortarPose pose;
     MortarIndex mortar = kNoIndex;
     bool ofA = false;          // the body was the joint's A
     BodyId was;                // the body

@@ -31,11 +31,33 @@ inline float armOf(double damage) { return float(1 + 2 * damage); }
 // N/m, of a point.
 inline double stiffnessOf(const Mortar& m) { return kFirmer * m.strength.stiffness * m.area / kMortarPoints; }
 // N, of a point of intact mortar: pull and, without pressure, shear.
-inline double pullOf(const Mortar& m) { return m.strength.tension * m.area / kMortarPoints; }
-inline double shearOf(const Mortar& m) { return m.strength.cohesion * m.area / kMortarPoints; }
+inline double pullOf(const Mortar& m) { return double(m.strength.tension) * m.area / kMortarPoints; }
+inline double shearOf(const Mortar& m) { return double(m.strength.cohesion) * m.area / kMortarPoints; }
 // J: that breaks it, by mode.
-inline double pullEnergy(const Mortar& m) { return m.strength.tensionEnergy * m.area; }
-inline double shearEnergy(const Mortar& m) { return m.strength.shearEnergy * m.area; }
+inline double pullEnergy(const Mortar& m) { return double(m.strength.tensionEnergy) * m.area; }
+inline double shearEnergy(const Mortar& m) { return double(m.strength.shearEnergy) * m.area; }
+
+// m: along the face's axes, of point i; `arm` as Mortar::arm.
+struct PointPlace {
+  double s1, s2;
+};
+inline PointPlace placeOf(const Mortar& m, int i, double arm) {
+  return {kMortarSide1[i] * kKern * m.gyration[0] * arm, kMortarSide2[i] * kKern * m.gyration[1] * arm};
+}
+// m, in the frame of A: of B against A.
+inline Vec3 gapAt(const MortarPose& pose, PointPlace at) {
+  return pose.displaced + pose.along1 * at.s1 + pose.along2 * at.s2;
+}
+// The face was measured anew, in floats or on another body. Its points carry what they carried.
+inline void keepForces(Mortar& m, const MortarPose& was, const MortarPose& is) {
+  for (int i = 0; i < kMortarPoints; i++) {
+    const PointPlace at = placeOf(m, i, double(m.arm));
+    const Vec3 more = gapAt(is, at) - gapAt(was, at);
+    m.opening[i] = float(double(m.opening[i]) + more.x);
+    m.slip1[i] = float(double(m.slip1[i]) + more.y);
+    m.slip2[i] = float(double(m.slip2[i]) + more.z);
+  }
+}
 
 // m: the end of an arm goes so much further than turn x arm.
 inline Vec3 arcOfArm(Vec3 turn, Vec3 arm) {

@@ -72,10 +72,9 @@ void MortarRows::check(Findings& f, const Island& island, const Ties& ties, bool
 double MortarRows::elasticEnergy(MortarIndex index, const StepContext& context) {
   const Mortar& m = context.ties->mortar.slots[index];
   const MortarPose pose(m, *context.bodies);
-  const double a1 = mortar::kKern * m.gyration[0] * double(m.arm), a2 = mortar::kKern * m.gyration[1] * double(m.arm);
   double sum = 0;
   for (int i = 0; i < 4; i++) {
-    const Vec3 gap = pose.displaced + pose.along1 * (kMortarSide1[i] * a1) + pose.along2 * (kMortarSide2[i] * a2);
+    const Vec3 gap = mortar::gapAt(pose, mortar::placeOf(m, i, double(m.arm)));
     sum += lengthSquared(gap - Vec3{double(m.opening[i]), double(m.slip1[i]), double(m.slip2[i])});
   }
   return 0.5 * mortar::stiffnessOf(m) * sum;

@@ -19,11 +19,7 @@ void placePoints(Mortar& m, const MortarPose& pose) {
   const float arm = mortar::armOf(m.damage), by = m.arm / arm;
   if (by == 1) return;
   const double k = mortar::stiffnessOf(m);
-  auto gapAt = [&](int i, double out, int axis) {
-    const double s1 = kMortarSide1[i] * mortar::kKern * m.gyration[0] * out;
-    const double s2 = kMortarSide2[i] * mortar::kKern * m.gyration[1] * out;
-    return pose.displaced[axis] + pose.along1[axis] * s1 + pose.along2[axis] * s2;
-  };
+  auto gapAt = [&](int i, double out, int axis) { return mortar::gapAt(pose, mortar::placeOf(m, i, out))[axis]; };
   float* const places[3] = {m.opening, m.slip1, m.slip2};
   for (int axis = 0; axis < 3; axis++) {
     double force[4], mean = 0;
@@ -55,7 +51,8 @@ void MortarRows::writeCaps(std::size_t k, const Mortar& m) {
   FaceRecord& r = records[k];
   const MortarStart& start = starts[k];
   const float pull = float(double(start.left) * mortar::pullOf(m));
-  const float shear = float(double(start.left) * mortar::shearOf(m) + m.strength.friction * double(start.pressure));
+  const float shear =
+      float(double(start.left) * mortar::shearOf(m) + double(m.strength.friction) * double(start.pressure));
   for (int i = 0; i < 4; i++) {
     r.leastN[i] = -pull;
     r.limit[i] = std::max(0.0f, shear);
@@ -113,14 +110,12 @@ void MortarRows::writeFace(std::size_t k, const Mortar& m, const MortarPose& pos
   r.armA = toFloat(pose.armA);
   r.armB = toFloat(pose.armB);
   const double stiffness = mortar::stiffnessOf(m);
-  const double a1 = mortar::kKern * m.gyration[0] * double(m.arm), a2 = mortar::kKern * m.gyration[1] * double(m.arm);
   double pressure = 0;
   for (int i = 0; i < 4; i++) {
-    const double s1 = kMortarSide1[i] * a1, s2 = kMortarSide2[i] * a2;
-    const Vec3 gap = pose.displaced + pose.along1 * s1 + pose.along2 * s2;
-    r.s1[i] = float(s1);
-    r.s2[i] = float(s2);
-    start.gapN[i] = float(gap.x), start.gap1[i] = float(gap.y), start.gap2[i] = float(gap.z);
+    const mortar::PointPlace at = mortar::placeOf(m, i, double(m.arm));
+    const Vec3 gap = mortar::gapAt(pose, at);
+    r.s1[i] = float(at.s1);
+    r.s2[i] = float(at.s2);
     start.heldN[i] = float(-stiffness * (gap.x - double(m.opening[i])));
     start.held1[i] = float(-stiffness * (gap.y - double(m.slip1[i])));
     start.held2[i] = float(-stiffness * (gap.z - double(m.slip2[i])));

@@ -2,6 +2,8 @@
 // it took is damage.
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "solver/face/point_forces.h"
 #include "solver/finish/motion.h"
@@ -60,7 +62,7 @@ struct Work {
 // each other a trace of speed would else cost as much as if it drove the standing force.
 Taken takenBy(const Mortar& m, const FaceRecord& r, const MortarStart& start, const PointForces& now) {
   Taken out;
-  const double k = mortar::stiffnessOf(m), rubs = std::max(0.0, m.strength.friction * double(start.pressure));
+  const double k = mortar::stiffnessOf(m), rubs = std::max(0.0, double(m.strength.friction) * double(start.pressure));
   auto held = [&](double force, double before) { return 0.5 * (force * force - before * before) / k; };
   Work pull, shear;
   const double stood = m.opens ? 0 : 1;
@@ -85,9 +87,9 @@ Taken takenBy(const Mortar& m, const FaceRecord& r, const MortarStart& start, co
   out.shear = shear.taken() / double(start.tougher);
   if (out.yields) return out;
   // Within its strength mortar takes no more than a spring of its stiffness holds.
-  const MortarStrength& s = m.strength;
-  const double pulled = 0.5 * s.tension * s.tension / s.stiffness * m.area;
-  const double sheared = 0.5 * s.cohesion * s.cohesion / (kShearStiffness * s.stiffness) * m.area;
+  const double tension = m.strength.tension, cohesion = m.strength.cohesion, stiffness = m.strength.stiffness;
+  const double pulled = 0.5 * tension * tension / stiffness * m.area;
+  const double sheared = 0.5 * cohesion * cohesion / (kShearStiffness * stiffness) * m.area;
   const double share = out.pull / pulled + out.shear / sheared, more = share > 1 ? 1 - 1 / share : 0;
   out.pull *= more;
   out.shear *= more;
@@ -134,8 +136,6 @@ bool MortarRows::store(Island& island, Ties& ties, StepContext&) {
     m.shearWork += double(start.shear);
     const double stiffness = mortar::stiffnessOf(m);
     const bool soft = r.k[0] < 0.999f * float(stiffness);
-    auto keep = [](const float(&from)[4], float(&to)[4]) { std::copy(from, from + 4, to); };
-    keep(now.n, start.forceN), keep(now.t1, start.force1), keep(now.t2, start.force2);
     for (int i = 0; i < 4; i++) {
       const bool opens = soft || now.trialN[i] < r.leastN[i], slips = soft || (now.slides >> i & 1);
       auto give = [&](float way, float force, float before, float& place) {
@@ -156,11 +156,14 @@ bool MortarRows::store(Island& island, Ties& ties, StepContext&) {
 // Arms are frozen in the solve. A body that began to turn in the step, or whose motion was finished otherwise than it
 // was solved, ends where the joint would carry forces that nobody solved. The joint takes such a place as its own.
 void MortarRows::advance(const Island& island, Ties& ties, const StepContext& context) const {
+  if (size() == 0) return;
   const BodySet& bodies = *context.bodies;
+  std::pmr::vector<std::optional<Mat3>> turns(island.bodies.size() + island.partners.size(), island.memory);
   for (std::size_t k = 0; k < size(); k++) {
     Mortar& m = ties.mortar.slots[mortarOf[k]];
     const FaceRecord& r = records[k];
     const MortarStart& start = starts[k];
+    const PointForces now = stateAt(r, start, island.motion.data());
     auto wayOf = [&](std::uint32_t local, BodyIndex body) {
       return local < island.bodies.size() ? context.solved[body].d : bodies.motion[body].linearVelocity * island.dt;
     };
@@ -169,12 +172,19 @@ void MortarRows::advance(const Island& island, Ties& ties, const StepContext& co
       if (local >= island.bodies.size()) return toMatrix(quatFromRotationVector(from.angularVelocity * island.dt));
       return toMatrix(rotationAtEnd(body, context)) * transpose(from.orientation);
     };
-    const Mat3 turnA = turnOf(r.bodyA, m.bodyA), turnB = turnOf(r.bodyB, m.bodyB);
+    for (auto [local, body] : {std::pair{r.bodyA, m.bodyA}, std::pair{r.bodyB, m.bodyB}})
+      if (!turns[local]) turns[local] = turnOf(local, body);
+    const Mat3 &turnA = *turns[r.bodyA], &turnB = *turns[r.bodyB];
     const Vec3 n = toDouble(r.n), t1 = toDouble(r.t1), t2 = cross(n, t1);
     const Vec3 moved = wayOf(r.bodyB, m.bodyB) - wayOf(r.bodyA, m.bodyA);
     const double stiffness = start.stiffness, unseen = kUnseen * mortar::pullOf(m);
+    // At the start of the step: after its way a point is from its place by its force.
+    auto startOf = [&](float place, float force, float way) {
+      return double(place) - double(force) / stiffness - double(way);
+    };
     auto gapAt = [&](int i) {
-      return n * double(start.gapN[i]) + t1 * double(start.gap1[i]) + t2 * double(start.gap2[i]);
+      return n * startOf(m.opening[i], now.n[i], now.way[i]) + t1 * startOf(m.slip1[i], now.t1[i], now.way1[i]) +
+             t2 * startOf(m.slip2[i], now.t2[i], now.way2[i]);
     };
     // The arms end in the middle between the two faces.
     const Vec3 half = (gapAt(0) + gapAt(1) + gapAt(2) + gapAt(3)) * 0.125;
@@ -183,13 +193,13 @@ void MortarRows::advance(const Island& island, Ties& ties, const StepContext& co
       const Vec3 pointB = pointA + gapAt(i) + toDouble(r.armB) - toDouble(r.armA);
       const Vec3 gap = gapAt(i) + moved + (turnB * pointB - pointB) - (turnA * pointA - pointA);
       auto take = [&](Vec3 axis, float force, float& place) {
-        const double now = dot(turnA * axis, gap);
-        if (std::fabs(stiffness * (now - double(place)) + double(force)) > unseen)
-          place = float(now + double(force) / stiffness);
+        const double ends = dot(turnA * axis, gap);
+        if (std::fabs(stiffness * (ends - double(place)) + double(force)) > unseen)
+          place = float(ends + double(force) / stiffness);
       };
-      take(n, start.forceN[i], m.opening[i]);
-      take(t1, start.force1[i], m.slip1[i]);
-      take(t2, start.force2[i], m.slip2[i]);
+      take(n, now.n[i], m.opening[i]);
+      take(t1, now.t1[i], m.slip1[i]);
+      take(t2, now.t2[i], m.slip2[i]);
     }
   }
 }

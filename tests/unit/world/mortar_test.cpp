@@ -69,7 +69,7 @@ TEST(Mortar, WhatHoldsCanBeRead) {
   const MortarState s = *hung.world.state(joint);
   const double weight = hung.world.state(hung.below)->mass * kG;
   EXPECT_NEAR(s.force.y, weight, 1e-3 * weight) << "on B";
-  EXPECT_NEAR(s.area, 0.02, 1e-12);
+  EXPECT_NEAR(s.area, 0.02, 1e-9);
   expectNear(s.normal, {0, -1, 0}, 1e-9, "normal");
   expectNear(s.centre, {0, 0.95, 0}, 1e-6, "centre");
   EXPECT_NEAR(s.tension, weight / s.area, 0.01 * weight / s.area);
