@@ -24,6 +24,12 @@ TEST(LawAnywhere, Row15aToppling) { sweepToppling(20); }
 TEST(LawAnywhere, Row15bLandings) { sweepLandings(6); }
 TEST(LawAnywhere, Row17Drag) { sweepDrag(20); }
 TEST(LawAnywhere, Row18uNothingFromNothing) { sweepRandomWorlds(150); }
+TEST(LawAnywhere, Row31aCouplets) { sweepCouplets(2); }
+TEST(LawAnywhere, Row31bWrenches) { sweepWrenches(2); }
+TEST(LawAnywhere, Row31cTriplets) { sweepTriplets(3); }
+TEST(LawAnywhere, Row31dOpenings) { sweepOpenings(3); }
+TEST(LawAnywhere, Row31mPiers) { sweepPiers(2); }
+TEST(LawAnywhere, Row31nPushedWalls) { sweepPushedWalls(1); }
 
 }  // namespace
 }  // namespace brickfall::law
