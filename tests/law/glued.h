@@ -109,9 +109,7 @@ struct Glued {
     for (MortarId joint : joints) most = std::max(most, world.state(joint)->damage);
     return most;
   }
-  Vec3 move(std::size_t i) const {
-    return transpose(turn) * world.state(bodies[i])->position - boxes[i].centre;
-  }
+  Vec3 move(std::size_t i) const { return transpose(turn) * world.state(bodies[i])->position - boxes[i].centre; }
   // m: how far any brick is from where it was.
   double moved() const {
     double most = 0;

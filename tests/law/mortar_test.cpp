@@ -13,7 +13,8 @@ struct Couplet : Glued {
   using Glued::Glued;
   double breaks(double dt, double rate, Vec3 direction, Vec3 offset) {
     for (double force = 0; broken == 0 && force < 1e5; force += rate * dt) {
-      EXPECT_TRUE(world.applyForceAtPoint(bodies[1], turn * (direction * force), turn * (boxes[1].centre + offset)).ok());
+      EXPECT_TRUE(
+          world.applyForceAtPoint(bodies[1], turn * (direction * force), turn * (boxes[1].centre + offset)).ok());
       step(dt);
       last = force;
     }

@@ -7,10 +7,10 @@ namespace brickfall::law {
 
 namespace {
 
-constexpr double kThin = 0.1025;                                         // m
-constexpr double kThinModulus = kBrickSize.x * kThin * kThin / 6;        // m3, of a bed about its length
-constexpr double kMasonry = 19e3;                                        // N/m3
-constexpr Vec3 kLaidBrick{0.225, 0.075, kThin};                          // m: with its share of the joints
+constexpr double kThin = 0.1025;                                   // m
+constexpr double kThinModulus = kBrickSize.x * kThin * kThin / 6;  // m3, of a bed about its length
+constexpr double kMasonry = 19e3;                                  // N/m3
+constexpr Vec3 kLaidBrick{0.225, 0.075, kThin};                    // m: with its share of the joints
 
 // Evenly out of all steps, turns and seeds.
 std::vector<GluedSetup> gluedSetups(int cases) {
@@ -19,8 +19,7 @@ std::vector<GluedSetup> gluedSetups(int cases) {
     for (double degrees : {0.0, 37.0})
       for (double dt : {1.0 / 60, 1.0 / 120, 1.0 / 240}) all.push_back({dt, degrees * kPi / 180, seed});
   std::vector<GluedSetup> out;
-  for (std::size_t i = 0; i < std::size_t(cases) && i < all.size(); i++)
-    out.push_back(all[11 * i % all.size()]);
+  for (std::size_t i = 0; i < std::size_t(cases) && i < all.size(); i++) out.push_back(all[11 * i % all.size()]);
   return out;
 }
 
@@ -85,19 +84,24 @@ struct LeanWall : Glued {
       const double y = (course + 0.5) * kLaidBrick.y, half = 0.5 * kLaidBrick.x;
       for (int i = 0; i < 4 + course % 2; i++) {
         const bool bat = course % 2 != 0 && (i == 0 || i == 4);
-        const double x = course % 2 == 0 ? (i + 0.5) * kLaidBrick.x : i == 0 ? 0.5 * half : i == 4 ? 7.5 * half : i * kLaidBrick.x;
+        const double x = course % 2 == 0 ? (i + 0.5) * kLaidBrick.x
+                         : i == 0        ? 0.5 * half
+                         : i == 4        ? 7.5 * half
+                                         : i * kLaidBrick.x;
         brick({x, y, 0}, BodyType::dynamic, bat ? Vec3{half, kLaidBrick.y, kThin} : kLaidBrick, kMasonry / kG);
       }
     }
     bricks = boxes.size();
   }
-  void foot(double depth) {
-    brick({2 * kLaidBrick.x, -0.05, 0}, BodyType::fixed, {4 * kLaidBrick.x, 0.1, depth});
-  }
+  void foot(double depth) { brick({2 * kLaidBrick.x, -0.05, 0}, BodyType::fixed, {4 * kLaidBrick.x, 0.1, depth}); }
   // Without friction, on both sides of it.
   void rails(double y) {
     for (double side : {-1.0, 1.0})
-      box({{2 * kLaidBrick.x, y, side * (0.5 * kThin + 0.05)}, {4 * kLaidBrick.x, 0.004, 0.1}, BodyType::fixed, 1900, 0});
+      box({{2 * kLaidBrick.x, y, side * (0.5 * kThin + 0.05)},
+           {4 * kLaidBrick.x, 0.004, 0.1},
+           BodyType::fixed,
+           1900,
+           0});
   }
   void glueBricks() {
     make();
@@ -121,7 +125,8 @@ struct LeanWall : Glued {
 }  // namespace
 
 void sweepCouplets(int cases) {
-  Sweep pull("a couplet: pull that breaks it, off ft A by", 1, "%"), work("the energy that it takes, off A G by", 3, "%");
+  Sweep pull("a couplet: pull that breaks it, off ft A by", 1, "%"),
+      work("the energy that it takes, off A G by", 3, "%");
   for (const GluedSetup& setup : gluedSetups(cases))
     for (double length : {kBrickSize.x, kThin}) {
       Glued g(setup);

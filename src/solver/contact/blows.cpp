@@ -36,7 +36,8 @@ class Pair {
   double energyAlong(Vec3 axis) const {
     auto of = [&](BodyIndex body, Vec3 arm) {
       const double inverse = this->inverse(body, arm, axis);
-      const double speed = dot(axis, bodies_.motion[body].linearVelocity + cross(bodies_.motion[body].angularVelocity, arm));
+      const double speed =
+          dot(axis, bodies_.motion[body].linearVelocity + cross(bodies_.motion[body].angularVelocity, arm));
       return inverse > 0 ? 0.5 * speed * speed / inverse : 0.0;
     };
     return of(a_, armA_) + of(b_, armB_);
@@ -207,8 +208,8 @@ class Striking {
   bool comes(std::uint32_t local, BodyIndex body, BodyIndex other, Vec3 own, Vec3 place) const {
     return held_.bodies[local] || comesTo(body, other, own, place, bodies_, dt_, brakes_);
   }
-  // J: crushed before the joints of the body that is struck give way. It stands until the blow presses with their force.
-  // What that takes is the striker's, of which a blow leaves a share.
+  // J: crushed before the joints of the struck body give way. It stands until the blow presses with their force. What
+  // that takes is the striker's, of which a blow leaves a share.
   double crushed(const Contact& c, const Pair& pair, Vec3 n, bool strikesA, const Holding& held) const {
     const double struck = pair.inverse(!strikesA, n), striker = pair.inverse(strikesA, n);
     const double goesOn = struck + striker > 0 ? struck / (struck + striker) : 1;
