@@ -30,7 +30,7 @@ struct Contact {
   float rolling = 0;        // coefficient of rolling resistance; 0: none, or nothing round is on its side
   float rollingRadius = 0;  // m, of the curvature by which the two surfaces part
   bool crushed = false;     // a blow has crushed what it hit: the next press on the same place
-  float crushing = 0;  // N, 8 pi x radius x hardness: F^2 / this is what a blow of force F crushes; 0: nothing is round
+  float crushing = 0;       // N, 4 pi x radius x hardness: pressing with F crushes F^2 / this; 0: nothing is round
   float effectiveMass = 0;  // kg, 1 / (1/mA + 1/mB)
   float earlierForce = 0;   // N: of its points together, in the step before; only where there is mortar, not kept
   PointMemory points;

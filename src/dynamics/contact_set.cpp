@@ -30,7 +30,7 @@ void ContactSet::dropBetween(BodyIndex a, BodyIndex b) {
   });
 }
 
-// N: 8 pi x radius x hardness of the softer, where a round shape meets another.
+// N: 4 pi x radius x hardness of the softer, where a round shape meets another.
 double crushingOf(const ShapeDef& a, const ShapeDef& b) {
   auto curvature = [](const ShapeDef& shape) {  // 1/m
     const bool round = shape.type == ShapeType::sphere || shape.type == ShapeType::capsule ||
@@ -38,7 +38,7 @@ double crushingOf(const ShapeDef& a, const ShapeDef& b) {
     return round ? 1 / shape.radius : 0.0;
   };
   const double sum = curvature(a) + curvature(b);
-  return sum > 0 ? 8 * 3.14159265358979323846 * std::min(a.material.hardness, b.material.hardness) / sum : 0.0;
+  return sum > 0 ? 4 * 3.14159265358979323846 * std::min(a.material.hardness, b.material.hardness) / sum : 0.0;
 }
 
 // kg. Whoever is on rails may be as heavy as the world to one who is not.

@@ -44,6 +44,7 @@ struct Mortar {
   JointStrength strength;
   double damage = 0;                      // 0 .. 1
   double tensionWork = 0, shearWork = 0;  // J, spent
+  float tougher = 1;                      // x its energy, as long as it opens after a blow that crushed
   float arm = 1;                          // of the kern: how far out the points are
   // m, in the frame of A: displacement of each point at which it carries nothing.
   float opening[kMortarPoints] = {}, slip1[kMortarPoints] = {}, slip2[kMortarPoints] = {};

@@ -90,7 +90,7 @@ void MortarSet::renewConstants(BodyIndex body, const ShapeSet&, const BodySet& b
 
 void MortarSet::hash(Mix& h, MortarIndex mortar) const {
   const Mortar& m = slots[mortar];
-  h(m.order, m.damage, m.opens, m.tensionWork, m.shearWork, m.centreA, m.force, m.torque);
+  h(m.order, m.damage, m.opens, m.tougher, m.tensionWork, m.shearWork, m.centreA, m.force, m.torque);
   h.list(m.opening, kMortarPoints).list(m.slip1, kMortarPoints).list(m.slip2, kMortarPoints);
 }
 
@@ -109,7 +109,7 @@ template <class Archive, class One> void archiveMortar(Archive& a, One& m) {
   for (auto* number :
        {&s.tension, &s.cohesion, &s.friction, &s.tensionEnergy, &s.shearEnergy, &s.compression, &s.stiffness})
     a.value(*number);
-  a.value(m.arm);
+  for (auto* number : {&m.arm, &m.tougher}) a.value(*number);
   for (auto* list : {&m.opening, &m.slip1, &m.slip2}) a.value(*list);
   for (auto* v : {&m.force, &m.torque}) a.value(*v);
 }
@@ -173,7 +173,7 @@ bool isSoundMortar(const Mortar& m) {
               hasUnitLength(inDouble(m.frameA)) && hasUnitLength(inDouble(m.frameB)) && m.area > 0 &&
               m.area <= kFarthest && m.gyration[0] > 0 && m.gyration[0] <= kFarthest && m.gyration[1] > 0 &&
               m.gyration[1] <= kFarthest && isWithin(m.damage, 0, 1) && isWithin(m.tensionWork, 0, kLargestMemory) &&
-              isWithin(m.shearWork, 0, kLargestMemory) && isWithin(double(m.arm), 1, 3);
+              isWithin(m.shearWork, 0, kLargestMemory) && isWithin(double(m.arm), 1, 3) && isWithin(double(m.tougher), 1, kLargestMemory);
   for (double number : {s.tension, s.cohesion, s.tensionEnergy, s.shearEnergy, s.compression, s.stiffness})
     fine = fine && number > 0 && number <= kLargestMemory;
   fine = fine && isWithin(s.friction, 0, kLargestMemory);

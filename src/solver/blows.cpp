@@ -1,5 +1,7 @@
 #include "solver/blows.h"
 
+#include <utility>
+
 #include "solver/island.h"
 
 namespace brickfall {
@@ -26,8 +28,17 @@ void giveBlows(Island& island, bool last, Ties& ties, BodySet& bodies, const Ste
   island.blows.change = {};
   std::pmr::vector<char> yielding(island.memory);
   if (!findYielding(island, yielding)) return;
+  auto holding = [&](std::uint32_t body, Vec3 along) {
+    Holding sum;
+    std::as_const(island.rows).each([&](const auto& kind, std::size_t k) {
+      const RowEnds ends = kind.ends(k);
+      if (ends.a == body || ends.b == body) kind.addHolding(k, along, ties, bodies, sum);
+    });
+    return sum;
+  };
+  const Held held{yielding, holding};
   island.rows.eachKind(
-      [&](const auto& kind) { kind.giveBlows(yielding, last ? island.dt : 0, ties, bodies, context, island.blows); });
+      [&](const auto& kind) { kind.giveBlows(held, last ? island.dt : 0, ties, bodies, context, island.blows); });
 }
 
 }  // namespace brickfall

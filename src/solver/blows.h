@@ -5,6 +5,7 @@
 #include <memory_resource>
 #include <vector>
 
+#include "base/function_ref.h"
 #include "brickfall/step_trace.h"
 #include "dynamics/ties.h"
 #include "solver/tie_report.h"
@@ -14,11 +15,21 @@ namespace brickfall {
 struct Island;
 struct StepContext;
 
-// A body that mortar holds was struck by something round.
+// N, J: of what holds a body, before it gives way along a direction.
+struct Holding {
+  double force = 0, energy = 0;
+};
+
+// The bodies that something of limited strength holds, and how it does.
+struct Held {
+  const std::pmr::vector<char>& bodies;  // by body in Island::motion: 1
+  FunctionRef<Holding(std::uint32_t body, Vec3 along)> holding;
+};
+
+// A held body was struck by something round: what holds it takes so many times its energy, since the blow crushes.
 struct Crush {
   std::uint32_t body = 0;  // in Island::motion
-  Vec3 along;              // unit: of the blow
-  double crushing = 0;     // N, Contact::crushing
+  double tougher = 1;
 };
 
 struct Blows {

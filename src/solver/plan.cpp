@@ -142,7 +142,7 @@ SolvePlan planFor(const IslandFacts& facts, const SolverSettings& settings, doub
   plan.calmStiffening = calm ? double(row.calmStiffening) : 1;
   plan.leastMass = row.direct ? kHeavyShare * facts.heaviest : 0;
   plan.large = row.large;
-  plan.startsFree = !row.large || !facts.grounded;
+  plan.startsFree = !facts.grounded || !(row.large || facts.mortared);
   plan.goesOn = row.large && facts.pressed && !facts.pinned && !plan.slow;
   plan.softDebris = row.large && facts.fastest > kDebrisSpeed;
   plan.tolerance = row.large ? settings.cycleTolerance : kSmallTolerance;

@@ -76,8 +76,9 @@ concept GoesThroughAStep = requires(Kind& kind, const Kind& seen, std::size_t k,
                                     const Island& solved, Ties& ties, StepContext& context, const StepContext& given,
                                     const SolveMotion* motion, float share, bool exact, Reading* readings,
                                     const Boundary& boundary, BoundarySums& sums, Renewal when, double dt,
-                                    BodySet& bodies, const std::pmr::vector<char>& yielding, Blows& blows) {
-  seen.giveBlows(yielding, dt, ties, bodies, given, blows);  // before anything is prepared (blows.h); dt 0: none
+                                    BodySet& bodies, const Held& held, Vec3 along, Holding& holding, Blows& blows) {
+  seen.addHolding(k, along, ties, bodies, holding);      // along a direction, of what yields
+  seen.giveBlows(held, dt, ties, bodies, given, blows);  // before anything is prepared (blows.h); dt 0: none
   kind.prepare(island, ties, given);
   // In the solve: force at the present motion, of one row, of many, of a cluster's boundary, with stiffness.
   { seen.arms(k) } -> std::same_as<Arms>;

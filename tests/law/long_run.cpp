@@ -24,6 +24,13 @@ TEST(LongAnywhere, Row15bLandings) { sweepLandings(60); }
 TEST(LongAnywhere, Row17Drag) { sweepDrag(200); }
 TEST(LongAnywhere, Row18uNothingFromNothing) { sweepRandomWorlds(16700); }  // 100,200 worlds
 TEST(LongAnywhere, Row30tLinkagesGainNothing) { sweepRandomLinkages(1000); }
+TEST(LongAnywhere, Row31aCouplets) { sweepCouplets(18); }
+TEST(LongAnywhere, Row31bWrenches) { sweepWrenches(18); }
+TEST(LongAnywhere, Row31cTriplets) { sweepTriplets(18); }
+TEST(LongAnywhere, Row31dOpenings) { sweepOpenings(18); }
+TEST(LongAnywhere, Row31eBreakOuts) { sweepBreakOuts(18); }
+TEST(LongAnywhere, Row31mPiers) { sweepPiers(18); }
+TEST(LongAnywhere, Row31nPushedWalls) { sweepPushedWalls(18); }
 
 TEST(LongRun, Row13TenMinutes) {
   ValidationCurve curve{"13",      "Wall of 10 courses x 10, ten minutes: how far its bricks are below their place",

@@ -2,98 +2,19 @@
 #include <algorithm>
 #include <cmath>
 
-#include "law/law.h"
+#include "law/glued.h"
+#include "law/sweeps.h"
 
 namespace brickfall::law {
 namespace {
-
-constexpr Vec3 kBrickSize{0.215, 0.065, 0.1025};
-constexpr double kBed = 0.215 * 0.1025;  // m2
-
-// Boxes with their faces along the axes, glued wherever two of them touch.
-struct Glued {
-  explicit Glued(World made = makeWorld()) : world(std::move(made)) {}
-
-  BodyId brick(Vec3 centre, BodyType type = BodyType::dynamic, Vec3 size = kBrickSize, double density = 1900) {
-    BodyDef def = bodyOf(boxOf(size * 0.5, density, 0.75), turn * centre, type);
-    def.rotation = rotation;
-    bodies.push_back(add(world, def));
-    centres.push_back(centre);
-    halves.push_back(size * 0.5);
-    return bodies.back();
-  }
-  void glue() {
-    for (std::size_t i = 0; i < bodies.size(); i++)
-      for (std::size_t j = i + 1; j < bodies.size(); j++) gluePair(i, j);
-  }
-  void gluePair(std::size_t i, std::size_t j) {
-    const Vec3 apart = centres[j] - centres[i], reach = halves[i] + halves[j];
-    for (int axis = 0; axis < 3; axis++) {
-      const int p = (axis + 1) % 3, q = (axis + 2) % 3;
-      if (std::fabs(std::fabs(apart[axis]) - reach[axis]) > 1e-6) continue;
-      auto low = [&](int a) { return std::max(centres[i][a] - halves[i][a], centres[j][a] - halves[j][a]); };
-      auto high = [&](int a) { return std::min(centres[i][a] + halves[i][a], centres[j][a] + halves[j][a]); };
-      if (high(p) - low(p) < 0.01 || high(q) - low(q) < 0.01) continue;
-      MortarDef def;
-      def.bodyA = bodies[i];
-      def.bodyB = bodies[j];
-      def.strength = strength;
-      for (auto [a, b] : {std::pair{low(p), low(q)}, {high(p), low(q)}, {high(p), high(q)}, {low(p), high(q)}}) {
-        Vec3 corner;
-        corner[axis] = centres[i][axis] + std::copysign(halves[i][axis], apart[axis]);
-        corner[p] = a;
-        corner[q] = b;
-        def.outline.push_back(turn * corner);
-      }
-      if (apart[axis] < 0) std::reverse(def.outline.begin(), def.outline.end());
-      Result<MortarId> made = world.createMortar(def);
-      ASSERT_TRUE(made.ok()) << made.error().message;
-      joints.push_back(*made);
-    }
-  }
-  void wall(int courses, int bricks) {
-    for (int course = 0; course < courses; course++)
-      for (int i = 0; i < bricks; i++)
-        brick({(i + (course % 2 ? 0.5 : 0.0)) * kBrickSize.x, (course + 0.5) * kBrickSize.y, 0});
-    glue();
-  }
-  void step(double dt) {
-    ASSERT_TRUE(world.step(dt).ok());
-    for (const MortarEvent& e : world.events().mortar) broken += e.broken;
-  }
-  double work() const {
-    double sum = 0;
-    for (MortarId joint : joints) sum += world.state(joint)->tensionWork + world.state(joint)->shearWork;
-    return sum;
-  }
-  // m: how far any brick is from where it was.
-  double moved() const {
-    double most = 0;
-    for (std::size_t i = 0; i < bodies.size(); i++)
-      most = std::max(most, length(world.state(bodies[i])->position - turn * centres[i]));
-    return most;
-  }
-  void turnBy(double yaw) {
-    rotation = {0, std::sin(0.5 * yaw), 0, std::cos(0.5 * yaw)};
-    turn = toMatrix(rotation);
-  }
-
-  World world;
-  std::vector<BodyId> bodies;
-  std::vector<Vec3> centres, halves;
-  std::vector<MortarId> joints;
-  MortarStrength strength;
-  Quat rotation;
-  Mat3 turn;
-  int broken = 0;
-};
 
 // A brick glued under, or beside, a fixed one, with a force on it that grows. N: the force when the joint breaks.
 struct Couplet : Glued {
   using Glued::Glued;
   double breaks(double dt, double rate, Vec3 direction, Vec3 offset) {
     for (double force = 0; broken == 0 && force < 1e5; force += rate * dt) {
-      EXPECT_TRUE(world.applyForceAtPoint(bodies[1], turn * (direction * force), turn * (centres[1] + offset)).ok());
+      EXPECT_TRUE(
+          world.applyForceAtPoint(bodies[1], turn * (direction * force), turn * (boxes[1].centre + offset)).ok());
       step(dt);
       last = force;
     }
@@ -160,7 +81,7 @@ TEST(Law, Row31cAJointIsShearedByCohesionAndFriction) {
 TEST(Law, Row31dOpeningCostsTheFractureEnergyAtAnySpeed) {
   for (double dt : {1.0 / 60, 1.0 / 480})
     for (double speed : {0.8, 3.0, 10.0}) {
-      Glued g(emptySpace());
+      Glued g({}, emptySpace());
       g.brick({0, 0, 0});
       g.brick({0, kBrickSize.y, 0});
       g.glue();
@@ -175,55 +96,30 @@ TEST(Law, Row31dOpeningCostsTheFractureEnergyAtAnySpeed) {
     }
 }
 
-// One brick, glued to four fixed ones, hit by a ball of steel: it comes out where the motion left by the plastic hit has
-// the energy of its joints, and of what the ball crushes until it presses with their force.
-TEST(Law, Row31eTheSpeedThatBreaksABrickOutIsThatOfItsEnergy) {
-  auto comesOut = [](double mass, double speed, double dt) {
-    Glued g;
-    g.brick({0, 1, 0});
-    for (Vec3 off :
-         {Vec3{kBrickSize.x, 0, 0}, Vec3{-kBrickSize.x, 0, 0}, Vec3{0, kBrickSize.y, 0}, Vec3{0, -kBrickSize.y, 0}})
-      g.brick(Vec3{0, 1, 0} + off, BodyType::fixed);
-    for (std::size_t j = 1; j < 5; j++) g.gluePair(0, j);
-    const double radius = std::cbrt(mass / (7800 * 4.0 / 3 * kPi));
-    BodyDef ball = bodyOf(sphereOf(radius, 7800), {0, 1, 0.5 * kBrickSize.z + radius + 0.3 * speed * dt});
-    ball.linearVelocity = {0, 0, -speed};
-    add(g.world, ball);
-    for (int i = 0; i < 6; i++) g.step(dt);
-    return g.broken == 4;
-  };
-  const double area = 2 * kBed + 2 * 0.065 * 0.1025, brick = 1900 * 0.215 * 0.065 * 0.1025;
-  for (double mass : {16.7, 5.0, 1.0}) {
-    const double radius = std::cbrt(mass / (7800 * 4.0 / 3 * kPi)), force = area * MortarStrength().cohesion;
-    const double needed =
-        area * MortarStrength().shearEnergy + force * force / (8 * kPi * radius * Material().hardness);
-    const double formula = std::sqrt(2 * needed * (mass + brick)) / mass;
-    for (double dt : {1.0 / 60, 1.0 / 240, 1.0 / 480}) {
-      double low = 0.5 * formula, high = 2 * formula;
-      EXPECT_FALSE(comesOut(mass, low, dt));
-      EXPECT_TRUE(comesOut(mass, high, dt));
-      while (high > 1.01 * low) {
-        const double middle = 0.5 * (low + high);
-        (comesOut(mass, middle, dt) ? high : low) = middle;
-      }
-      reached({label("speed of %.1f kg that breaks out a brick", mass), dt, high / formula, 1, 0.05, "of the formula"});
-    }
-  }
+// One brick, glued to four fixed ones, hit by a ball of steel. A calculation in steps of 0.2 us, with Hertz contact, crushing
+// and softening, says at which speed it comes out. The same wherever in the step the ball arrives.
+TEST(Law, Row31eTheSpeedThatBreaksABrickOutIsTheTrueOne) {
+  for (auto [mass, speed] : {std::pair{16.7, 1.41}, {5.0, 3.16}, {1.0, 10.3}})
+    for (double dt : {1.0 / 60, 1.0 / 480})
+      for (double part : {0.3, 0.95})
+        reached({label("speed of %.1f kg that breaks out a brick", mass) + label(", %.2f of a step away", part), dt,
+                 speedThatBreaksOut(mass, speed, {.dt = dt}, part) / speed, 1, 0.08, ""});
 }
 
 // A mortared slab that tumbles through space is one rigid body, and costs hardly anything.
 TEST(Law, Row31fAChunkThatSpinsIsRigid) {
   for (double dt : {1.0 / 60, 1.0 / 240}) {
-    Glued g(emptySpace());
+    Glued g({}, emptySpace());
     g.wall(6, 10);
-    const Vec3 spin{0, 3, 1}, about = g.centres[g.centres.size() / 2];
+    g.glue();
+    const Vec3 spin{0, 3, 1}, about = g.boxes[g.boxes.size() / 2].centre;
     for (std::size_t i = 0; i < g.bodies.size(); i++) {
       ASSERT_TRUE(g.world.setAngularVelocity(g.bodies[i], spin).ok());
-      ASSERT_TRUE(g.world.setLinearVelocity(g.bodies[i], cross(spin, g.centres[i] - about)).ok());
+      ASSERT_TRUE(g.world.setLinearVelocity(g.bodies[i], cross(spin, g.boxes[i].centre - about)).ok());
     }
     const double energy = g.world.energy().kinetic;
     const Vec3 momentum = g.world.angularMomentum();
-    const double apart = length(g.centres.back() - g.centres.front());
+    const double apart = length(g.boxes.back().centre - g.boxes.front().centre);
     double visits = 0;
     for (int i = 0; i < int(std::lround(1 / dt)); i++) {
       Result<StepReport> report = g.world.step(dt);
@@ -245,9 +141,8 @@ TEST(Law, Row31fAChunkThatSpinsIsRigid) {
 TEST(Law, Row31gAMortaredWallStandsAndComesBack) {
   Glued g;
   g.brick({1, -0.5, 0}, BodyType::fixed, {10, 1, 10});
-  const std::size_t ground = g.bodies.size();
   g.wall(20, 10);
-  ASSERT_EQ(ground, 1u);
+  g.glue();
   for (int i = 0; i < 90; i++) g.step(kDt);
   atMost("a wall of 20 courses moves under its weight", kDt, 1e3 * g.moved(), 0.1, "mm");
   EXPECT_EQ(g.broken, 0);
@@ -266,7 +161,7 @@ TEST(Law, Row31gAMortaredWallStandsAndComesBack) {
 // Closing when the step begins, pulled apart within it: over the mean of the two ways nothing is done, and the joint
 // held with all of its force.
 TEST(Law, Row31iAJointThatClosesAtFirstTakesItsEnergyToo) {
-  Couplet c(emptySpace());
+  Couplet c({}, emptySpace());
   c.brick({0, 1, 0}, BodyType::fixed);
   c.brick({0, 1 - kBrickSize.y, 0});
   c.glue();
@@ -300,7 +195,7 @@ TEST(Law, Row31jWhatIsJammedSplitsNoJoint) {
 // A face that is opened slowly takes all of its energy, however long the last of it hangs by a thread.
 TEST(Law, Row31kASlowOpeningCostsTheFractureEnergyToo) {
   for (double speed : {0.003, 0.03}) {
-    Glued g(emptySpace());
+    Glued g({}, emptySpace());
     g.brick({0, 0, 0}, BodyType::fixed);
     g.brick({0, kBrickSize.y, 0}, BodyType::dynamic, kBrickSize, 1e7);
     g.gluePair(0, 1);
@@ -337,20 +232,29 @@ TEST(Law, Row31lAStandingForceIsNoBlow) {
   }
 }
 
-// A ball into a wall breaks about as many joints at any step; energy never rises, and the ledger has what broke.
+// Balls into a wall break about as many joints at any step. One that comes a millimetre beside breaks other ones: the mean
+// over several counts.
 TEST(Law, Row31hAHitBreaksAsMuchAtAnyStep) {
-  int least = 1000, most = 0;
+  double least = 1e9, most = 0;
   for (double dt : {1.0 / 60, 1.0 / 120, 1.0 / 240}) {
+    const double mean = meanBroken(14, 9, 5, dt, 4);
+    least = std::min(least, mean);
+    most = std::max(most, mean);
+  }
+  EXPECT_GE(least, 8);
+  atMost("most joints broken at a step over the least", 0, most / least, 1.3, "");
+}
+
+// Energy never rises, and the ledger has what broke.
+TEST(Law, Row31pTheLedgerHasWhatAHitBreaks) {
+  for (double dt : {1.0 / 60, 1.0 / 240}) {
     Glued g;
     TraceOptions trace;
     trace.ledger = true;
     g.world.trace(trace);
     g.brick({1.3, -0.5, 0}, BodyType::fixed, {10, 1, 10});
-    for (int course = 0; course < 14; course++)
-      for (int i = 0; i < 9; i++)
-        g.brick({(i + (course % 2 ? 0.5 : 0.0)) * kBrickSize.x, (course + 0.5) * kBrickSize.y, 0});
-    for (std::size_t i = 1; i < g.bodies.size(); i++)
-      for (std::size_t j = i + 1; j < std::min(i + 12, g.bodies.size()); j++) g.gluePair(i, j);
+    g.wall(14, 9);
+    g.glue(1, 11);
     for (int i = 0; i < int(std::lround(0.3 / dt)); i++) g.step(dt);
     BodyDef ball = bodyOf(sphereOf(0.08, 7800), {0.97, 0.49, 0.15});
     ball.linearVelocity = {0, 0, -5};
@@ -359,19 +263,14 @@ TEST(Law, Row31hAHitBreaksAsMuchAtAnyStep) {
     for (int i = 0; i < int(std::lround(0.25 / dt)); i++) {
       Result<StepReport> report = g.world.step(dt);
       ASSERT_TRUE(report.ok());
-      for (const MortarEvent& e : g.world.events().mortar) g.broken += e.broken;
       fracture += report->ledger->tensionFracture + report->ledger->shearFracture;
       const double now = g.world.energy().kinetic + g.world.energy().potential;
       rise = std::max(rise, now - last);
       last = now;
     }
-    least = std::min(least, g.broken);
-    most = std::max(most, g.broken);
     reached({"fracture in the ledger and in the joints", dt, fracture / g.work(), 1, 0.01, ""});
     atMost("energy of bodies that a step gained from springs, of 210 J", dt, rise, 1, "J");
   }
-  EXPECT_GE(least, 8);
-  atMost("most joints broken at a step over the least", 0, double(most) / least, 1.3, "");
 }
 
 }  // namespace

@@ -24,5 +24,13 @@ void sweepLandings(int cases);        // row 15b
 void sweepDrag(int cases);            // row 17
 void sweepRandomWorlds(int cases);    // row 18u; cases of each kind
 void sweepRandomLinkages(int cases);  // row 30t; cases of each kind
+// At three steps, turned or not, bodies made in three orders: 18 cases.
+void sweepCouplets(int cases);     // row 31a
+void sweepWrenches(int cases);     // row 31b
+void sweepTriplets(int cases);     // row 31c
+void sweepOpenings(int cases);     // row 31d
+void sweepBreakOuts(int cases);    // row 31e
+void sweepPiers(int cases);        // row 31m
+void sweepPushedWalls(int cases);  // row 31n
 
 }  // namespace brickfall::law

@@ -111,8 +111,9 @@ struct ContactRows : FaceRows {
     return records[k].newPoints && renewNewPoints(k, motion, slack, true);
   }
   // Before the step is prepared: what closes on a body that is marked exchanges the impulse of the two alone.
-  void giveBlows(const std::pmr::vector<char>& yielding, double dt, Ties& ties, BodySet& bodies,
-                 const StepContext& context, Blows& blows) const;
+  void addHolding(std::size_t, Vec3, const Ties&, const BodySet&, Holding&) const {}
+  void giveBlows(const Held& held, double dt, Ties& ties, BodySet& bodies, const StepContext& context,
+                 Blows& blows) const;
   // After the first solve: impacts that are over give back their share, in a solve that goes on from there. True if any
   // does.
   bool renewFrozen(const Island& island, const StepContext& context, Renewal when) {

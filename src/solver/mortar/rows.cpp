@@ -59,31 +59,23 @@ void MortarRows::writeCaps(std::size_t k, const Mortar& m) {
   }
 }
 
-// A blow crushes what it hits until it presses with the force that the struck body's joints bear. That energy comes
-// besides what breaking them takes.
+void MortarRows::addHolding(std::size_t k, Vec3 along, const Ties& ties, const BodySet& bodies, Holding& out) const {
+  const Mortar& m = mortarAt(k, ties);
+  const double pull = std::fabs(dot(MortarPose(m, bodies).n, along)), left = mortar::strengthLeft(m.damage);
+  const double shear = std::sqrt(std::max(0.0, 1 - pull * pull));
+  out.force += left * kMortarPoints * (pull * mortar::pullOf(m) + shear * mortar::shearOf(m));
+  out.energy += (1 - m.damage) * (pull * pull * mortar::pullEnergy(m) + shear * shear * mortar::shearEnergy(m));
+}
+
+// A joint that goes on opening after a blow still owes what the blow crushes.
 void MortarRows::takeCrushes(const Island& island, const Ties& ties) {
-  for (MortarStart& start : starts) start.tougher = 1;
+  for (std::size_t k = 0; k < size(); k++) starts[k].tougher = mortarAt(k, ties).tougher;
   if (island.blows.crushes.empty()) return;
-  std::pmr::vector<char> struck(island.bodies.size() + island.partners.size(), 0, island.memory);
-  for (const Crush& crush : island.blows.crushes) struck[crush.body] = 1;
-  std::pmr::vector<std::uint32_t> holding(island.memory);  // rows of struck bodies
-  for (std::uint32_t k = 0; k < size(); k++)
-    if (struck[records[k].bodyA] || struck[records[k].bodyB]) holding.push_back(k);
-  for (const Crush& crush : island.blows.crushes) {
-    double force = 0, energy = 0;  // N, J: of all joints of the body
-    auto holds = [&](std::uint32_t k) { return records[k].bodyA == crush.body || records[k].bodyB == crush.body; };
-    for (std::uint32_t k : holding) {
-      if (!holds(k)) continue;
-      const Mortar& m = mortarAt(k, ties);
-      const double pull = std::fabs(dot(toDouble(records[k].n), crush.along)), left = mortar::strengthLeft(m.damage);
-      const double shear = std::sqrt(std::max(0.0, 1 - pull * pull));
-      force += left * kMortarPoints * (pull * mortar::pullOf(m) + shear * mortar::shearOf(m));
-      energy += (1 - m.damage) * (pull * pull * mortar::pullEnergy(m) + shear * shear * mortar::shearEnergy(m));
-    }
-    const float tougher = energy > 0 ? float(1 + force * force / (crush.crushing * energy)) : 1;
-    for (std::uint32_t k : holding)
-      if (holds(k)) starts[k].tougher = std::max(starts[k].tougher, tougher);
-  }
+  std::pmr::vector<float> tougher(island.bodies.size() + island.partners.size(), 1, island.memory);
+  for (const Crush& crush : island.blows.crushes)
+    tougher[crush.body] = std::max(tougher[crush.body], float(crush.tougher));
+  for (std::size_t k = 0; k < size(); k++)
+    starts[k].tougher = std::max({starts[k].tougher, tougher[records[k].bodyA], tougher[records[k].bodyB]});
 }
 
 void MortarRows::prepare(Island& island, Ties& ties, const StepContext& context) {

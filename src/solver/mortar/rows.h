@@ -81,7 +81,8 @@ struct MortarRows : FaceRows {
   void addFriction(std::size_t, Vec3, bool, const StepContext&, FrictionAlong&) const {}
   void letGo(Ties&) const {}
 
-  void giveBlows(const std::pmr::vector<char>&, double, Ties&, BodySet&, const StepContext&, Blows&) const {}
+  void addHolding(std::size_t k, Vec3 along, const Ties& ties, const BodySet& bodies, Holding& out) const;
+  void giveBlows(const Held&, double, Ties&, BodySet&, const StepContext&, Blows&) const {}
   void prepare(Island& island, Ties& ties, const StepContext& context);
   bool boundsFollow(std::size_t) const { return false; }
   bool renewBounds(std::size_t, const SolveMotion*, float = 0) { return false; }

@@ -130,6 +130,7 @@ bool MortarRows::store(Island& island, Ties& ties, StepContext&) {
     const double share = shareOf(taken, m), most = share > 1 - m.damage ? (1 - m.damage) / share : 1;
     m.damage = std::min(1.0, m.damage + share * most);
     m.opens = share > 0;
+    m.tougher = m.opens ? start.tougher : 1;
     start.pull = float(taken.pull * most);
     start.shear = float(taken.shear * most);
     m.tensionWork += double(start.pull);
