@@ -120,7 +120,7 @@ gallery: build
 	@tools/gallery --command $(BUILD)/bin/brickfall out/gallery $(GALLERY)
 
 # The source as it is committed, with the page bundled.
-VERSION = $(shell sed -n 's/^project(brickfall VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
+VERSION = $(shell sed -n 's/^project.brickfall VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
 dist: build
 	@mkdir -p out/dist/brickfall-$(VERSION)/prebuilt
 	@git archive --prefix=brickfall-$(VERSION)/ HEAD | tar -x -C out/dist

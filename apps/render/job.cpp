@@ -13,6 +13,7 @@
 #include "cli/console.h"
 #include "cli/files.h"
 #include "cli/interrupt.h"
+#include "render/camera_move.h"
 #include "render/film.h"
 #include "render/frame_store.h"
 #include "render/png_file.h"
@@ -69,6 +70,7 @@ struct Job {
   std::string folder;  // of the pictures while they are made; of a still empty
   std::unique_ptr<TakeReader> take;
   Camera camera;
+  std::optional<std::uint32_t> follow;  // body
   std::vector<double> moments;
   PaintSettings paint;
 };
@@ -96,18 +98,31 @@ int complainOf(const Error& error) {
 class Painter {
  public:
   Painter(const Job& job, Stage stage)
-      : job_(job), stage_(std::move(stage)), motion_(*job.take), sky_(skyFor(firstCamera(job), job.options.sun)) {}
+      : job_(job),
+        stage_(std::move(stage)),
+        motion_(*job.take),
+        dust_(*job.take),
+        sky_(skyFor(firstCamera(job), job.options.sun)) {
+    move_.camera = job.camera;
+    move_.orbitDegrees = job.options.orbitDegrees;
+    move_.from = job.moments.front();
+    move_.to = job.moments.back();
+    move_.follow = job.follow;
+  }
 
   // Null where an interrupt came in between.
   Result<const Image*> at(double open) {
     const double close = open + job_.options.shutter * job_.options.speed / job_.options.framesPerSecond;
     Result<Motion::Shutter> shutter = motion_.between(open, close);
     if (!shutter) return shutter.error();
-    const Camera first = cameraAt(job_.camera, open), last = cameraAt(job_.camera, close);
+    const Camera first = cameraAt(move_, open, shutter->open), last = cameraAt(move_, close, shutter->close);
     const bool elsewhere = stage_.place(*shutter);
+    const std::vector<Puff> puffs = job_.options.dust ? dust_.at(open) : std::vector<Puff>();
     // While all rests and the camera stands, one picture is as the other: it need not be drawn again.
-    if (elsewhere || job_.paint.width != image_.width || !samePose(first, first_) || !samePose(last, last_)) {
-      image_ = paint(stage_, first, last, sky_, job_.paint);
+    if (elsewhere || dusty_ || !puffs.empty() || job_.paint.width != image_.width || !samePose(first, first_) ||
+        !samePose(last, last_)) {
+      image_ = paint(stage_, first, last, sky_, job_.paint, puffs);
+      dusty_ = !puffs.empty();
       first_ = first;
       last_ = last;
     }
@@ -118,6 +133,9 @@ class Painter {
   const Job& job_;
   Stage stage_;
   Motion motion_;
+  Dust dust_;
+  bool dusty_ = false;  // the last picture
+  CameraMove move_;
   Sky sky_;
   Image image_;  // the last one
   Camera first_, last_;
@@ -223,6 +241,11 @@ int openAndPlan(Job& job, const std::string& takePath, bool isThere, cli::Progre
   const Result<Camera> camera = chooseCamera(*job.take, job.options.camera);
   if (!camera) return complainOf(camera.error());
   job.camera = *camera;
+  if (!job.options.follow.empty()) {
+    const Result<std::uint32_t> body = chooseBody(*job.take, job.options.follow);
+    if (!body) return complainOf(body.error());
+    job.follow = *body;
+  }
   Result<std::vector<double>> moments = momentsOf(*job.take, job.options, job.kind);
   if (!moments) return complainOf(moments.error());
   job.moments = std::move(moments).value();
@@ -302,6 +325,16 @@ Result<Camera> chooseCamera(const TakeReader& take, const std::string& wanted) {
                                                        list.empty() ? "(none)" : list, didYouMean(wanted, names))};
 }
 
+Result<std::uint32_t> chooseBody(const TakeReader& take, const std::string& wanted) {
+  std::vector<std::string> names;
+  for (std::uint32_t k = 0; k < take.bodies().size(); k++) {
+    if (take.bodies()[k].name == wanted) return k;
+    names.push_back(take.bodies()[k].name);
+  }
+  return Error{ErrorCode::invalidArgument,
+               fmt::format("--follow: found \"{}\", expected the name of a body{}", wanted, didYouMean(wanted, names))};
+}
+
 Sky skyFor(const Camera& camera, const std::optional<Sun>& sun) {
   Sky sky;
   if (sun) {
@@ -351,10 +384,11 @@ std::string settingsText(const RenderOptions& o, const std::string& source, std:
   const auto time = [](const std::optional<double>& t) { return t ? fmt::format("{}", *t) : std::string("-"); };
   return fmt::format(
       "brickfall-render {}\nsource {} {:016x}\ncamera {}\nfrom {}\nto {}\nfps {}\nspeed {}\nshutter {}\nsize {}x{}\n"
-      "samples {}\nbounces {}\nexposure {}\nsun {}\ndenoise {}\n",
+      "samples {}\nbounces {}\nexposure {}\nsun {}\ndenoise {}\norbit {}\nfollow {}\ndust {}\n",
       versionString(), source, fingerprint, o.camera.empty() ? "-" : o.camera, time(o.from), time(o.to),
       o.framesPerSecond, o.speed, o.shutter, o.width, o.height, samples, o.bounces, o.exposure,
-      o.sun ? fmt::format("{},{}", o.sun->azimuthDegrees, o.sun->elevationDegrees) : "-", o.denoise ? "on" : "off");
+      o.sun ? fmt::format("{},{}", o.sun->azimuthDegrees, o.sun->elevationDegrees) : "-", o.denoise ? "on" : "off",
+      o.orbitDegrees, o.follow.empty() ? "-" : o.follow, o.dust ? "on" : "off");
 }
 
 int render(const RenderOptions& options) {

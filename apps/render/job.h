@@ -12,6 +12,8 @@ int render(const RenderOptions& options);
 // The parts that are decided before anything is drawn.
 // The camera of that name or number (from 1); empty: the first. A take without any gets one that sees all of its bodies.
 Result<Camera> chooseCamera(const TakeReader& take, const std::string& wanted);
+// The number of the body that --follow asks for, by its name.
+Result<std::uint32_t> chooseBody(const TakeReader& take, const std::string& wanted);
 // From the front left of what the camera looks at where its path begins, as a photographer would have it: the same for every part of a
 // film.
 Sky skyFor(const Camera& camera, const std::optional<Sun>& sun);

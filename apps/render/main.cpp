@@ -28,7 +28,7 @@ constexpr const char* kFooter =
 
 // As they were typed; empty: not given.
 struct Words {
-  std::string from, to, frame, fps, speed, shutter, size, samples, bounces, threads, exposure, sun, seconds;
+  std::string orbit, from, to, frame, fps, speed, shutter, size, samples, bounces, threads, exposure, sun, seconds;
   std::vector<std::string> overrides;
 };
 
@@ -44,6 +44,9 @@ void define(CLI::App& app, RenderOptions& options, Words& words) {
       ->type_name("FILE");
   app.add_option("--camera", options.camera, "Name or number of a camera of the scene (default: the first)")
       ->type_name("NAME");
+  app.add_option("--orbit", words.orbit, "Turn the camera about what it looks at by so much, from begin to end")
+      ->type_name("DEGREES");
+  app.add_option("--follow", options.follow, "Look at this body all the while")->type_name("BODY");
   app.add_option("--from", words.from, "Begin at this simulated time (default: where the take begins)")->type_name("S");
   app.add_option("--to", words.to, "End there (default: the end)")->type_name("S");
   app.add_option("--frame", words.frame, "One picture: of this frame of the take, from 0")->type_name("N");
@@ -65,6 +68,8 @@ void define(CLI::App& app, RenderOptions& options, Words& words) {
       ->type_name("AZ,EL");
   app.add_flag_callback(
       "--no-denoise", [&] { options.denoise = false; }, "Leave the noise in");
+  app.add_flag_callback(
+      "--no-dust", [&] { options.dust = false; }, "No dust where bodies hit");
   app.add_flag("--keep-frames", options.keepFrames, "Leave the pictures of a film");
   app.add_option("--seconds", words.seconds, "Of a scene: simulate so long")->type_name("S");
   app.add_option("--set", words.overrides, "Of a scene: change a parameter or value; may be repeated")
@@ -90,6 +95,7 @@ Status readWords(const Words& w, RenderOptions& o) {
   const auto count = [&](const char* flag, const std::string& text, int most, auto& target) {
     if (s && !text.empty()) s = take(parseCount(flag, text, 1, most), target);
   };
+  number("--orbit", w.orbit, -3600, 3600, o.orbitDegrees);
   number("--from", w.from, 0, 1e5, o.from);
   number("--to", w.to, 0, 1e5, o.to);
   if (s && !w.frame.empty()) s = take(parseCount("--frame", w.frame, 0, 1'000'000'000), o.frame);

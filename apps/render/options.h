@@ -19,6 +19,8 @@ struct RenderOptions {
   std::string source;                // a take, or a scene, which is then run first
   std::string output;                // .mp4, .png, or a folder (ends with '/'); empty: beside the take
   std::string camera;                // name, or number from 1; empty: the first
+  double orbitDegrees = 0;           // that the camera turns about what it looks at
+  std::string follow;                // name of a body that it looks at; empty: none
   std::optional<double> from, to;    // s, simulated
   std::optional<std::size_t> frame;  // of the take: one picture
   double framesPerSecond = 25;       // of the film
@@ -30,7 +32,7 @@ struct RenderOptions {
   int threads = 1;
   double exposure = 0;     // in powers of 2
   std::optional<Sun> sun;  // none: over the camera's left shoulder
-  bool denoise = true, keepFrames = false, quiet = false;
+  bool denoise = true, dust = true, keepFrames = false, quiet = false;
   // Of a scene that is run first.
   std::optional<double> seconds;
   std::vector<std::pair<std::string, std::string>> overrides;

@@ -7,12 +7,13 @@
 
 namespace brickfall::render {
 
-Image paint(const Stage& stage, const Camera& open, const Camera& close, const Sky& sky,
-            const PaintSettings& settings) {
+Image paint(const Stage& stage, const Camera& open, const Camera& close, const Sky& sky, const PaintSettings& settings,
+            std::span<const Puff> dust) {
   const CameraRays rays(open, close, settings.width, settings.height);
   Picture picture = trace(stage, rays, sky, settings.width, settings.height, settings.trace);
   if (settings.denoise) denoise(picture, rays, settings.trace.threads);
-  const std::vector<Rgb> light = developed(picture);
+  std::vector<Rgb> light = developed(picture);
+  addDust(light, picture, viewOf(open), dust, settings.trace.threads);
   Image image{settings.width, settings.height, std::vector<std::uint8_t>(3 * light.size())};
   forRows(settings.height, settings.trace.threads, [&](int y) {
     for (int x = 0; x < settings.width; x++) {

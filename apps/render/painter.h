@@ -1,5 +1,8 @@
 // One picture of a take: from poses to pixels.
 #pragma once
+#include <span>
+
+#include "render/dust.h"
 #include "render/picture.h"
 #include "render/sky.h"
 #include "render/stage.h"
@@ -15,6 +18,7 @@ struct PaintSettings {
 };
 
 // The bodies are where `stage` has them.
-Image paint(const Stage& stage, const Camera& open, const Camera& close, const Sky& sky, const PaintSettings& settings);
+Image paint(const Stage& stage, const Camera& open, const Camera& close, const Sky& sky, const PaintSettings& settings,
+            std::span<const Puff> dust = {});
 
 }  // namespace brickfall::render

@@ -105,7 +105,11 @@ struct BrickPlacement {
   int course = 0;
   bool cut = false;  // half bat, closer or cut at an opening
   bool lintel = false;
+  // rad: a lintel of a round wall turns by so much from end to end, about a vertical behind it (-z); size.x is along its middle.
+  double bend = 0;
 };
+// In its own axes: a box; of a lintel that is bent several wedges, each straight to within a tenth of its thickness.
+std::vector<ShapeDef> shapesOf(const BrickPlacement& brick);
 
 // What is wrong with a wall: the field ("courses", "openings[1].from"), what was found and what was expected.
 struct WallProblem {

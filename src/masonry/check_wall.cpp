@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <numbers>
 #include <string>
 
 #include "brickfall/limits.h"
@@ -13,6 +14,9 @@
 namespace brickfall {
 
 namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+constexpr double kMostBend = 120 * kDegree;  // of a lintel in a round wall
 
 using masonry::Layout;
 using masonry::OpeningSpan;
@@ -146,7 +150,7 @@ void checkPierPlace(const WallDef& wall, std::size_t k, Problems& problems) {
                                              textOf(inner) + " m: the inner radius of the wall");
   const masonry::PierRoom room = masonry::roomFor(wall, place);
   const double before = masonry::linesOf(wall)[place.line].before;
-  if (!(pier.at <= length + 1e-9 && room.from <= room.to + 1e-9))
+  if (!(pier.at <= length + 0.5 * place.width && room.from <= room.to + 1e-9))
     problems.add(field + "at", "found " + textOf(pier.at) + " m, expected room for a pier of " + textOf(place.width) +
                                    " m in the wall's length of " + textOf(length) + " m" +
                                    (wall.path.empty() ? "" : ", between two corners"));
@@ -159,7 +163,9 @@ void checkPierPlace(const WallDef& wall, std::size_t k, Problems& problems) {
   }
   for (std::size_t i = 0; i < wall.openings.size(); i++) {
     const Opening& opening = wall.openings[i];
-    const double at = before + place.at;
+    double at = before + place.at;
+    if (masonry::isRing(wall))  // the nearest way round
+      at += length * std::round((opening.from + 0.5 * opening.width - at) / length);
     if (opening.from < at + 0.5 * place.width + 1e-9 && opening.from + opening.width > at - 0.5 * place.width - 1e-9)
       problems.add(field + "at", "found it in opening " + std::to_string(i) + ", expected it beside openings");
   }
@@ -201,6 +207,16 @@ bool inTheWay(const OpeningSpan& a, const OpeningSpan& b) {
           meet(a.lintelFrom, a.lintelTo, a.endCourse, a.lintelEnd, b.lintelFrom, b.lintelTo, b.endCourse, b.lintelEnd));
 }
 
+// As far round as a ring goes, and once more: where one of them lies across the seam it meets what is on the other side.
+bool inTheWayOnRing(const OpeningSpan& a, OpeningSpan b, double length) {
+  for (double* place : {&b.from, &b.to, &b.lintelFrom, &b.lintelTo}) *place -= length;
+  for (int round = 0; round < 3; round++) {
+    if (inTheWay(a, b) || inTheWay(b, a)) return true;
+    for (double* place : {&b.from, &b.to, &b.lintelFrom, &b.lintelTo}) *place += length;
+  }
+  return false;
+}
+
 bool checkOpening(const WallDef& wall, std::size_t index, Problems& problems) {
   const Opening& opening = wall.openings[index];
   std::string field = "openings[" + std::to_string(index) + "].";
@@ -217,16 +233,18 @@ bool checkOpening(const WallDef& wall, std::size_t index, Problems& problems) {
   double length = std::min(line.to[0], line.to[1]);
   const double begin = std::max({line.from[0], line.from[1], 0.0});
   OpeningSpan span = masonry::spanOf(wall, opening, line);
-  const double sagitta = wall.radius > 0 && span.hasLintel()
-                             ? (span.lintelTo - span.lintelFrom) * (span.lintelTo - span.lintelFrom) / (8 * wall.radius)
-                             : 0;
-  if (sagitta > 0.5 * wallThickness(wall)) {
-    problems.add(
-        field + "width",
-        "the straight lintel would lie " + textOf(sagitta) + " m beside the round wall, expected at most " +
-            textOf(std::max(0.0, std::sqrt(4 * wall.radius * wallThickness(wall)) - 2 * opening.lintelBearing)) +
-            " m, a shorter lintel bearing or a larger radius");
-  } else if (!(span.to <= length + 1e-9 && span.from >= begin - 1e-9)) {
+  const bool ring = masonry::isRing(wall);  // it has no ends to reach beyond
+  const double turn = wall.radius > 0 ? (span.lintelTo - span.lintelFrom) * masonry::ringTurn(wall) : 0;
+  if (wall.radius > 0 && !(turn <= kMostBend)) {
+    problems.add(field + "width",
+                 "the opening with its lintel goes round by " + textOf(std::round(turn / kDegree)) +
+                     " degrees, expected at most 120: " +
+                     textOf(std::max(0.0, kMostBend / masonry::ringTurn(wall) - 2 * opening.lintelBearing)) +
+                     " m, a shorter lintel bearing or a larger radius");
+  } else if (ring && !(span.from <= length + 1e-9)) {
+    problems.add(field + "from", "found " + textOf(span.from) + " m, expected a place in the wall's length of " +
+                                     textOf(length) + " m, once round");
+  } else if (!ring && !(span.to <= length + 1e-9 && span.from >= begin - 1e-9)) {
     const bool path = lines.size() > 1;
     problems.add(
         field + (path && span.from < begin ? "from" : "width"),
@@ -240,7 +258,7 @@ bool checkOpening(const WallDef& wall, std::size_t index, Problems& problems) {
                  above ? "the opening lies above the wall, expected sill below its height of " +
                              textOf(wall.courses * masonry::layoutOf(wall).coursePitch) + " m"
                        : "the opening takes no whole course, expected a height of at least one course");
-  } else if (span.hasLintel() && !(span.lintelFrom >= begin - 1e-9 && span.lintelTo <= length + 1e-9)) {
+  } else if (!ring && span.hasLintel() && !(span.lintelFrom >= begin - 1e-9 && span.lintelTo <= length + 1e-9)) {
     problems.add(field + "lintelBearing", "the lintel reaches from " + textOf(span.lintelFrom + line.before) + " to " +
                                               textOf(span.lintelTo + line.before) +
                                               " m, expected inside the wall: " + textOf(line.before + begin) + " .. " +
@@ -260,7 +278,9 @@ void checkOpenings(const WallDef& wall, Problems& problems) {
       if (masonry::lineOf(lines, fromA) != masonry::lineOf(lines, fromB)) continue;
       OpeningSpan spanA = masonry::spanOf(wall, wall.openings[sound[a]]);
       OpeningSpan spanB = masonry::spanOf(wall, wall.openings[sound[b]]);
-      if (!inTheWay(spanA, spanB) && !inTheWay(spanB, spanA)) continue;
+      const bool apart = masonry::isRing(wall) ? !inTheWayOnRing(spanA, spanB, lines[0].length)
+                                               : !inTheWay(spanA, spanB) && !inTheWay(spanB, spanA);
+      if (apart) continue;
       problems.add("openings[" + std::to_string(sound[b]) + "].from",
                    "the opening or its lintel meets opening " + std::to_string(sound[a]) +
                        ", expected openings and lintels apart from each other");

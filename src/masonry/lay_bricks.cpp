@@ -5,6 +5,7 @@
 
 #include "brickfall/limits.h"
 #include "brickfall/masonry.h"
+#include "masonry/bend.h"
 #include "masonry/layout.h"
 #include "masonry/lines.h"
 #include "masonry/named_seed.h"
@@ -55,9 +56,11 @@ class Bricklayer {
       if (spanLines_[i] != k) continue;
       masonry::takeOutOpenings(runs, wall_, course, spans_[i]);
       if (!masonry::isRing(wall_)) continue;
-      OpeningSpan again = spans_[i];  // a brick may lie across the seam
-      for (double* place : {&again.from, &again.to, &again.lintelFrom, &again.lintelTo}) *place += line_->length;
-      masonry::takeOutOpenings(runs, wall_, course, again);
+      for (double shift : {-line_->length, line_->length}) {  // bricks and openings may lie across the seam
+        OpeningSpan again = spans_[i];
+        for (double* place : {&again.from, &again.to, &again.lintelFrom, &again.lintelTo}) *place += shift;
+        masonry::takeOutOpenings(runs, wall_, course, again);
+      }
     }
     for (const masonry::Run& run : runs)
       for (const Cell& cell : run) layCell(cell, course, position);
@@ -128,7 +131,12 @@ class Bricklayer {
     double height = high * at_.coursePitch - wall_.bedJoint;
     Vec3 centre{0.5 * (span.lintelFrom + span.lintelTo), span.endCourse * at_.coursePitch + 0.5 * height, 0};
     add(centre, {span.lintelTo - span.lintelFrom, height, at_.thickness}, span.endCourse, position, false);
-    bricks_.back().lintel = true;
+    BrickPlacement& lintel = bricks_.back();
+    lintel.lintel = true;
+    const double turn = (span.lintelTo - span.lintelFrom) * turn_;
+    if (!(wall_.radius * turn > masonry::straightTo(wall_.radius, at_.thickness))) return;
+    lintel.bend = turn;
+    lintel.size.x = wall_.radius * turn;
   }
 
   const WallDef& wall_;

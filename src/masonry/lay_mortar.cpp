@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
+#include <utility>
 
 #include "brickfall/geometry/polygon2d.h"
 #include "brickfall/masonry.h"
+#include "masonry/bend.h"
 #include "masonry/layout.h"
 #include "masonry/lines.h"
 
@@ -27,6 +30,8 @@ struct Block {
   Aabb bounds;
   JointWidths widths;
   double least = 0;  // m, smallest extent
+  std::size_t brick = 0;
+  bool bent = false;  // one of several that are one brick
 
   Vec3 axis(int i) const { return {axes.row[0][i], axes.row[1][i], axes.row[2][i]}; }
   Vec3 normal(int face) const { return axis(face / 2) * (face % 2 ? 1.0 : -1.0); }
@@ -134,6 +139,23 @@ double areaOf(const Corners& corners) {
   return 0.5 * twice;
 }
 
+// Anticlockwise; corners within an edge are dropped.
+Corners convexHull(Corners points) {
+  std::sort(points.begin(), points.end(), [](Vec2 p, Vec2 q) { return p.x != q.x ? p.x < q.x : p.y < q.y; });
+  Corners hull;
+  for (int side = 0; side < 2; side++) {
+    const std::size_t first = hull.size();
+    for (Vec2 p : points) {
+      while (hull.size() >= first + 2 && !(cross(hull.back() - hull[hull.size() - 2], p - hull.back()) > 0))
+        hull.pop_back();
+      hull.push_back(p);
+    }
+    hull.pop_back();  // it begins the other side
+    std::reverse(points.begin(), points.end());
+  }
+  return hull;
+}
+
 // The part of two opposite faces that lies on each other, seen along A's normal.
 Corners sharedCorners(const Block& a, int faceA, const Block& b, int faceB) {
   const int iu = (faceA / 2 + 1) % 3, iv = (faceA / 2 + 2) % 3;
@@ -166,32 +188,34 @@ class Mason {
     double widest = 0;
     for (const MortaredBricks& wall : walls) {
       widest = std::max({widest, wall.widths.head, wall.widths.bed});
-      for (const BrickPlacement& brick : wall.bricks) blocks_.push_back(blockOf(brick, wall.widths));
+      for (const BrickPlacement& brick : wall.bricks) lay(brick, wall.widths);
     }
     if (blocks_.empty()) return;
     double slack = 0;
     for (const Block& block : blocks_) slack = std::max(slack, kSlack * block.least);
     CloseBlocks(blocks_, 0.5 * kWidest * widest + slack).forEach([&](std::size_t a, std::size_t b) { join(a, b); });
     std::sort(joints_.begin(), joints_.end(), [](const Faced& x, const Faced& y) {
-      return x.joint.a != y.joint.a ? x.joint.a < y.joint.a : x.joint.b < y.joint.b;
+      return std::tie(x.joint.a, x.joint.b, x.faceA, x.faceB) < std::tie(y.joint.a, y.joint.b, y.faceA, y.faceB);
     });
+    mergeBends();
   }
 
   MortarLayout layout() const {
     MortarLayout out;
-    std::vector<Growth> growth(blocks_.size(), {kNone, kNone, kNone, kNone, kNone, kNone});
+    std::vector<Growth> growth(bricks_.size(), {kNone, kNone, kNone, kNone, kNone, kNone});
     for (const Faced& faced : joints_) {
       out.joints.push_back(faced.joint);
-      for (double* by : {&growth[faced.joint.a][faced.faceA], &growth[faced.joint.b][faced.faceB]})
-        *by = std::min(*by, 0.5 * faced.joint.thickness);
+      for (auto [brick, face] : {std::pair(faced.joint.a, faced.faceA), std::pair(faced.joint.b, faced.faceB)})
+        if (!bricks_[brick].bent || faced.joint.bed)  // what is bent keeps its ends
+          growth[brick][face] = std::min(growth[brick][face], 0.5 * faced.joint.thickness);
     }
     for (Growth& one : growth)
       for (double& by : one) by = by < kNone ? by : 0;
-    for (std::size_t k = 0; k < blocks_.size(); k++) {
-      GrownBrick brick{blocks_[k].centre, blocks_[k].half * 2.0};
+    for (std::size_t k = 0; k < bricks_.size(); k++) {
+      GrownBrick brick{bricks_[k].centre, bricks_[k].half * 2.0};
       for (std::size_t face = 0; face < 6; face++) {
         brick.size[int(face / 2)] += growth[k][face];
-        brick.centre += blocks_[k].normal(int(face)) * (0.5 * growth[k][face]);
+        brick.centre += bricks_[k].normal(int(face)) * (0.5 * growth[k][face]);
       }
       out.grown.push_back(brick);
     }
@@ -213,23 +237,66 @@ class Mason {
     double thickness = 0;
   };
 
+  void lay(const BrickPlacement& brick, JointWidths widths) {
+    bricks_.push_back(blockOf(brick, widths));
+    bricks_.back().bent = brick.bend > 0;
+    for (const BrickPlacement& piece : masonry::piecesOf(brick)) {
+      blocks_.push_back(blockOf(piece, widths));
+      blocks_.back().brick = bricks_.size() - 1;
+    }
+  }
+
+  // Two beds that pieces of one brick have on another are one.
+  void mergeBends() {
+    std::vector<Faced> merged;
+    for (Faced& faced : joints_) {
+      const bool bent = bricks_[faced.joint.a].bent || bricks_[faced.joint.b].bent;
+      Faced* last = merged.empty() ? nullptr : &merged.back();
+      const bool same = last && bent && faced.joint.bed && last->joint.a == faced.joint.a &&
+                        last->joint.b == faced.joint.b && last->faceA == faced.faceA && last->faceB == faced.faceB;
+      if (!same) {
+        merged.push_back(std::move(faced));
+        continue;
+      }
+      last->joint.outline = around(last->joint.outline, faced.joint.outline);
+    }
+    joints_ = std::move(merged);
+  }
+
+  // The convex outline around two that lie in one level, the way round of the first.
+  static std::vector<Vec3> around(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
+    std::vector<Vec2> points;
+    for (const std::vector<Vec3>* outline : {&a, &b})
+      for (Vec3 p : *outline) points.push_back({p.x, p.z});
+    std::vector<Vec2> hull = convexHull(std::move(points));
+    double twice = 0;
+    for (std::size_t i = 2; i < a.size(); i++)
+      twice += cross(Vec2{a[i - 1].x - a[0].x, a[i - 1].z - a[0].z}, Vec2{a[i].x - a[0].x, a[i].z - a[0].z});
+    if (twice < 0) std::reverse(hull.begin(), hull.end());
+    std::vector<Vec3> out;
+    for (Vec2 p : hull) out.push_back({p.x, a[0].y, p.y});
+    return out;
+  }
+
   std::vector<std::vector<MortarSlab>> slabs(const std::vector<Growth>& growth) const {
-    std::vector<std::array<Covered, 6>> covered(blocks_.size());
+    std::vector<std::array<Covered, 6>> covered(bricks_.size());
     for (const Faced& faced : joints_) {
-      const bool onA = !faced.joint.bed || blocks_[faced.joint.a].normal(int(faced.faceA)).y > 0;
+      const Block &a = bricks_[faced.joint.a], &b = bricks_[faced.joint.b];
+      const bool first = !faced.joint.bed || a.normal(int(faced.faceA)).y > 0;
+      const bool onA = a.bent != b.bent ? b.bent : first;  // a slab is straight
       const std::size_t owner = onA ? faced.joint.a : faced.joint.b;
       Covered& face = covered[owner][onA ? faced.faceA : faced.faceB];
       face.thickness = std::max(face.thickness, faced.joint.thickness);
       for (Vec3 corner : faced.joint.outline) {
-        const Vec3 p = transposeTimes(blocks_[owner].axes, corner - blocks_[owner].centre);
+        const Vec3 p = transposeTimes(bricks_[owner].axes, corner - bricks_[owner].centre);
         face.lower = min(face.lower, p);
         face.upper = max(face.upper, p);
       }
     }
-    std::vector<std::vector<MortarSlab>> out(blocks_.size());
-    for (std::size_t k = 0; k < blocks_.size(); k++)
+    std::vector<std::vector<MortarSlab>> out(bricks_.size());
+    for (std::size_t k = 0; k < bricks_.size(); k++)
       for (std::size_t face = 0; face < 6; face++)
-        if (covered[k][face].thickness > 0) out[k].push_back(slabOf(blocks_[k], growth[k], face, covered[k][face]));
+        if (covered[k][face].thickness > 0) out[k].push_back(slabOf(bricks_[k], growth[k], face, covered[k][face]));
     return out;
   }
 
@@ -253,6 +320,7 @@ class Mason {
   void join(std::size_t i, std::size_t k) {
     const std::size_t first = std::min(i, k), second = std::max(i, k);
     const Block &a = blocks_[first], &b = blocks_[second];
+    if (a.brick == b.brick) return;
     if (a.widths.wedge > 0 && b.widths.wedge > 0) joinWedge(first, second);
     for (int faceA = 0; faceA < 6; faceA++)
       for (int faceB = 0; faceB < 6; faceB++) {
@@ -285,27 +353,27 @@ class Mason {
         const Vec3 along = normal * side, up = a.axis(1), across = cross(along, up);
         for (int row = 0; row < 3; row++) half.axes.row[row] = {along[row], up[row], across[row]};
         half.centre = a.middle(faceA) - normal * a.half.x;
-        add(first, half, faceA, second, faceB, false, gap, std::max(0.0, gap - opening));
+        add(half, faceA, second, faceB, false, gap, std::max(0.0, gap - opening));
       }
   }
 
   void add(std::size_t first, int faceA, std::size_t second, int faceB, bool bed, double gap) {
-    add(first, blocks_[first], faceA, second, faceB, bed, gap, gap > kSame * blocks_[first].least ? gap : 0);
+    add(blocks_[first], faceA, second, faceB, bed, gap, gap > kSame * blocks_[first].least ? gap : 0);
   }
 
-  void add(std::size_t first, const Block& a, int faceA, std::size_t second, int faceB, bool bed, double gap,
-           double thickness) {
+  void add(const Block& a, int faceA, std::size_t second, int faceB, bool bed, double gap, double thickness) {
     const Block& b = blocks_[second];
     const Corners corners = sharedCorners(a, faceA, b, faceB);
     if (corners.size() < 3 || !(areaOf(corners) > kLeastShare * std::min(a.area(faceA), b.area(faceB)))) return;
-    Faced faced{{first, second, {}, bed, thickness}, std::size_t(faceA), std::size_t(faceB)};
+    Faced faced{{a.brick, b.brick, {}, bed, thickness}, std::size_t(faceA), std::size_t(faceB)};
     const Vec3 u = a.axis((faceA / 2 + 1) % 3) * (faceA % 2 ? 1.0 : -1.0), v = a.axis((faceA / 2 + 2) % 3);
     const Vec3 from = a.middle(faceA) + a.normal(faceA) * (0.5 * gap);
     for (Vec2 p : corners) faced.joint.outline.push_back(from + u * p.x + v * p.y);
     joints_.push_back(std::move(faced));
   }
 
-  std::vector<Block> blocks_;
+  std::vector<Block> bricks_;  // as they are named
+  std::vector<Block> blocks_;  // the straight pieces of them
   std::vector<Faced> joints_;
 };
 

@@ -18,7 +18,7 @@ constexpr int kDeepestCopy = 8;
 
 // Keys that name other tables.
 bool isReference(const std::string& key) {
-  for (const char* one : {"body_a", "body_b", "body", "of", "look_at", "tied_to"})
+  for (const char* one : {"body_a", "body_b", "body", "of", "look_at", "aim_at", "tied_to"})
     if (key == one) return true;
   return false;
 }

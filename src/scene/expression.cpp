@@ -1,11 +1,14 @@
 // Recursive descent:  sum = product {(+|-) product};  product = unary {(*|/) unary};  unary = [-] primary;
-// primary = number | pi | $name | function ( sum [, sum] ) | ( sum ).
+// primary = number | pi | $name | function ( sum {, sum} ) | ( sum ).
 #include "scene/expression.h"
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
+#include <string>
+#include <vector>
 
 #include "brickfall/math.h"
 
@@ -15,7 +18,7 @@ namespace {
 
 constexpr std::string_view kOfOne[] = {"round", "floor", "ceil", "sqrt", "abs", "sin", "cos", "tan"};
 constexpr std::string_view kOfTwo[] = {"min", "max", "random"};
-constexpr const char* kFunctions = "round, floor, ceil, sqrt, abs, sin, cos, tan, min, max and random";
+constexpr const char* kFunctions = "round, floor, ceil, sqrt, abs, sin, cos, tan, min, max, random and pick";
 
 bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
@@ -30,6 +33,10 @@ double valueOfOne(const std::string& function, double a) {
   double sine, cosine;
   sinCos(a, sine, cosine);
   return function == "sin" ? sine : function == "cos" ? cosine : sine / cosine;
+}
+
+std::string wholeText(double value) {
+  return std::fabs(value) < 1e15 ? std::to_string(std::int64_t(value)) : std::string("that large");
 }
 
 class Parser {
@@ -115,19 +122,34 @@ class Parser {
     if (key == "pi") return std::numbers::pi;
     const bool two = std::find(std::begin(kOfTwo), std::end(kOfTwo), key) != std::end(kOfTwo);
     const bool one = std::find(std::begin(kOfOne), std::end(kOfOne), key) != std::end(kOfOne);
-    if (!one && !two) {
+    if (!one && !two && key != "pick") {
       bool call = take('(');
       at_ = from;
       if (call) return fail("unknown name \"" + key + "\"; functions are " + kFunctions);
       return fail("unknown name \"" + key + "\"; a parameter begins with $");
     }
     if (!take('(')) return fail("expected ( after \"" + key + "\"");
+    if (key == "pick") return picked(depth);
     double a = sum(depth + 1), b = 0;
     if (two && !take(',')) return fail("expected two arguments of \"" + key + "\"");
     if (two) b = sum(depth + 1);
     if (key == "random") return closed(randomBetween(a, b));
     double value = key == "min" ? std::min(a, b) : key == "max" ? std::max(a, b) : valueOfOne(key, a);
     return closed(value);
+  }
+  // pick(k, a, b, ...): the k-th of what follows, from 0.
+  double picked(int depth) {
+    const std::size_t from = at_;
+    const double which = sum(depth + 1);
+    std::vector<double> values;
+    while (take(',')) values.push_back(sum(depth + 1));
+    const double value = closed(0);
+    const double index = std::floor(which + 0.5);
+    if (!error_.empty() || (index >= 0 && index < double(values.size())))
+      return error_.empty() ? values[std::size_t(index)] : value;
+    at_ = from;
+    return fail("there is no number " + wholeText(index) + " of \"pick\", which counts from 0 and has " +
+                std::to_string(values.size()));
   }
   double randomBetween(double a, double b) {
     std::string reason = "there is no \"random\" here";

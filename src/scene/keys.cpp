@@ -35,7 +35,8 @@ void addLaunch(std::vector<KeySpec>& keys, const char* table) {
   keys.push_back({table, "launch_time", K::number, "s", 0, kLate, "0", "", "held in place until then"});
   keys.push_back({table, "launch_times", K::times, "s", 0, kLate, "-", "", "several shots: at each time one more such body appears, name/0, name/1, ..."});
   keys.push_back({table, "target", K::vector, "m", -kFar, kFar, "-", "", "with `speed`, instead of `velocity`: a point that it flies through"});
-  keys.push_back({table, "speed", K::number, "m/s", 0.001, kFast, "-", "", "of the shot at `target`"});
+  keys.push_back({table, "aim_at", K::name, "", 0, 0, "-", "", "instead of `target`: a body, a wall, a group, ..., at its middle at the start"});
+  keys.push_back({table, "speed", K::number, "m/s", 0.001, kFast, "-", "", "of the shot at `target` or `aim_at`"});
   keys.push_back({table, "high_shot", K::boolean, "", 0, 0, "false", "", "of the two ways to `target` the higher"});
 }
 
@@ -368,8 +369,8 @@ void addDomeKeys(std::vector<KeySpec>& keys) {
 void addJointKeys(std::vector<KeySpec>& keys) {
   keys.push_back({"joint", "name", K::name, "", 0, 0, "-", "", "its name"});
   keys.push_back({"joint", "type", K::choice, "", 0, 0, "\"spherical\"", "spherical|fixed|revolute|prismatic|distance|rope|spring", "what it holds"});
-  keys.push_back({"joint", "body_a", K::name, "", 0, 0, "-", "", "one body; default: the ground"});
-  keys.push_back({"joint", "body_b", K::name, "", 0, 0, "", "", "the other"});
+  keys.push_back({"joint", "body_a", K::name, "", 0, 0, "-", "", "one body, or a wall, an arch, ...: its body nearest to `anchor`; default: the ground"});
+  keys.push_back({"joint", "body_b", K::name, "", 0, 0, "", "", "the other, in the same way"});
   keys.push_back({"joint", "anchor", K::vector, "m", -kFar, kFar, "", "", "point where it holds; of distance, rope and spring: the point of body_a"});
   keys.push_back({"joint", "anchor_b", K::vector, "m", -kFar, kFar, "-", "", "distance, rope, spring: the point of body_b; default: `anchor`"});
   keys.push_back({"joint", "axis", K::vector, "", -1000, 1000, "[0, 1, 0]", "", "spherical (of the twist), revolute, prismatic"});
@@ -390,7 +391,7 @@ void addJointKeys(std::vector<KeySpec>& keys) {
 
 void addChainKeys(std::vector<KeySpec>& keys) {
   keys.push_back({"chain", "name", K::name, "", 0, 0, "-", "", "links are called name/0, name/1, ..., joints name.0, name.1, ..."});
-  keys.push_back({"chain", "body_a", K::name, "", 0, 0, "-", "", "what its first link hangs on; default: the ground"});
+  keys.push_back({"chain", "body_a", K::name, "", 0, 0, "-", "", "what its first link hangs on, as in [[joint]]; default: the ground"});
   keys.push_back({"chain", "body_b", K::name, "", 0, 0, "-", "", "what hangs on its last; default: nothing"});
   keys.push_back({"chain", "from", K::vector, "m", -kFar, kFar, "", "", "where it begins"});
   keys.push_back({"chain", "to", K::vector, "m", -kFar, kFar, "", "", "where it ends"});
@@ -454,7 +455,7 @@ void addCameraKeys(std::vector<KeySpec>& keys) {
   keys.push_back({"camera", "name", K::name, "", 0, 0, "\"main\"", "", "its name in the replay"});
   keys.push_back({"camera", "position", K::vector, "m", -kFar, kFar, "[3, 2, 5]", "", "where it stands"});
   keys.push_back({"camera", "target", K::vector, "m", -kFar, kFar, "[0, 0.5, 0]", "", "what it looks at"});
-  keys.push_back({"camera", "look_at", K::name, "", 0, 0, "-", "", "instead of `target`: a body, at its middle at the start"});
+  keys.push_back({"camera", "look_at", K::name, "", 0, 0, "-", "", "instead of `target`: a body, a wall, a group, ..., at its middle at the start"});
   keys.push_back({"camera", "field_of_view_degrees", K::number, "degrees", 1, 170, "45", "", "vertical"});
   keys.push_back({"camera", "key", K::tables, "", 0, 0, "-", "", "poses that it passes through in a film (brickfall render)"});
 }

@@ -80,15 +80,18 @@ void growBrick(const SceneWall& wall, const BrickPlacement& brick, const GrownBr
 DrawnBody drawnBrick(const BrickPlacement& brick, const GrownBrick& grown, const std::vector<MortarSlab>& slabs,
                      const std::string& material) {
   DrawnBody drawn;
-  const auto add = [&](Vec3 centre, Vec3 size, const std::string& of) {
+  for (ShapeDef& shape : shapesOf(brick)) {
+    shape.local.position = rotate(conjugate(brick.rotation), brick.centre - grown.centre);
+    drawn.shapes.push_back(std::move(shape));
+    drawn.materials.push_back(material);
+  }
+  for (const MortarSlab& slab : slabs) {
     ShapeDef shape;
-    shape.halfExtents = size * 0.5;
-    shape.local.position = centre;
+    shape.halfExtents = slab.size * 0.5;
+    shape.local.position = slab.centre;
     drawn.shapes.push_back(shape);
-    drawn.materials.push_back(of);
-  };
-  add(rotate(conjugate(brick.rotation), brick.centre - grown.centre), brick.size, material);
-  for (const MortarSlab& slab : slabs) add(slab.centre, slab.size, "mortar");
+    drawn.materials.push_back("mortar");
+  }
   return drawn;
 }
 

@@ -203,12 +203,16 @@ void checkChain(TableReader& reader, ChainDef& def) {
 
 }  // namespace
 
-bool readJoined(SceneBuild& build, TableReader& reader, const char* key, std::string& name) {
+bool readJoined(SceneBuild& build, TableReader& reader, const char* key, std::string& name, const Vec3* point) {
   if (!reader.text(key, name)) {
     if (reader.has(key)) return false;
     name = "ground";
   }
   if (bodyNamed(build, name) || mayBeBrick(build, name)) return true;
+  if (const std::string nearest = point ? nearestOf(build, name, *point) : std::string(); !nearest.empty()) {
+    name = nearest;
+    return true;
+  }
   std::vector<std::string> known;
   for (const SceneBody& body : build.scene.bodies) known.push_back(body.name);
   reader.error(key, reader.has(key) ? "found \"" + name + "\", expected the name of a body" + didYouMean(name, known)
@@ -227,12 +231,13 @@ void readJoints(SceneBuild& build, TableReader& top) {
     for (const KeySpec& spec : keySpecs())
       if (known && std::string_view(spec.table) == "joint" && reader.has(spec.key) && !reads(joint.def.type, spec.key))
         reader.error(spec.key, "found a key that this type of joint does not have, expected it only with another type");
-    readJoined(build, reader, "body_a", joint.bodyA);
+    readJointNumbers(reader, joint.def);
+    readJoined(build, reader, "body_a", joint.bodyA, &joint.def.anchor);
+    const Vec3 other = joint.def.anchorB.value_or(joint.def.anchor);
     if (reader.has("body_b"))
-      readJoined(build, reader, "body_b", joint.bodyB);
+      readJoined(build, reader, "body_b", joint.bodyB, &other);
     else
       reader.text("body_b", joint.bodyB);  // says that it must be given
-    readJointNumbers(reader, joint.def);
     readBreaking(reader, joint.def);
     reader.boolean("collide", joint.def.collide);
     if (build.context.diagnostics.size() == before) checkJoinable(build, reader, joint);
@@ -248,10 +253,10 @@ void readChains(SceneBuild& build, TableReader& top) {
     def.link.name = build.nameOf(reader, "chain", index++);
     def.link.material = "steel";
     def.link.place = placeOf(reader);
-    readJoined(build, reader, "body_a", def.bodyA);
-    def.free = !reader.has("body_b");
-    if (!def.free) readJoined(build, reader, "body_b", def.bodyB);
     readChainNumbers(reader, def);
+    readJoined(build, reader, "body_a", def.bodyA, &def.from);
+    def.free = !reader.has("body_b");
+    if (!def.free) readJoined(build, reader, "body_b", def.bodyB, &def.to);
     if (build.context.diagnostics.size() == before) checkChain(reader, def);
     if (build.context.diagnostics.size() == before && build.roomFor(reader, "links", def.links)) layLinks(def, build);
   }

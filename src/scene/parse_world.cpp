@@ -163,35 +163,6 @@ void readCameraPath(TableReader& reader, Camera& camera) {
   }
 }
 
-// Its middle at the start: of a body, or of a wall.
-void lookAtBody(SceneBuild& build, TableReader& reader, const std::string& name, Camera& camera) {
-  if (reader.has("target")) return reader.error("look_at", "found beside target, expected one of the two");
-  std::vector<std::string> names;
-  for (const SceneBody& body : build.scene.bodies) {
-    names.push_back(body.name);
-    if (body.name != name) continue;
-    camera.target = body.def.position;
-    return;
-  }
-  for (const SceneWall& wall : build.scene.walls) {
-    names.push_back(wall.wall.name);
-    const Result<std::vector<BrickPlacement>> bricks = layBricks(wall.wall, build.scene.seed);
-    if (!bricks && wall.wall.name == name) return;  // its own mistake is told
-    if (!bricks || bricks->empty()) continue;
-    Vec3 sum;
-    for (const BrickPlacement& brick : *bricks) {
-      sum += brick.centre;
-      if (brick.name != name) continue;
-      camera.target = brick.centre;
-      return;
-    }
-    if (wall.wall.name != name) continue;
-    camera.target = sum * (1.0 / double(bricks->size()));
-    return;
-  }
-  reader.error("look_at", "found \"" + name + "\", expected the name of a body or a wall" + didYouMean(name, names));
-}
-
 }  // namespace
 
 void readCameras(SceneBuild& build, TableReader& top) {
@@ -204,7 +175,12 @@ void readCameras(SceneBuild& build, TableReader& top) {
     reader.vector("position", camera.position);
     reader.vector("target", camera.target);
     std::string lookAt;
-    if (reader.text("look_at", lookAt)) lookAtBody(build, reader, lookAt, camera);
+    if (reader.text("look_at", lookAt)) {
+      if (reader.has("target"))
+        reader.error("look_at", "found beside target, expected one of the two");
+      else
+        camera.target = middleOf(build, reader, "look_at", lookAt).value_or(camera.target);
+    }
     reader.number("field_of_view_degrees", camera.fieldOfViewDegrees);
     if (!(length(camera.position - camera.target) > 1e-6))
       reader.error("target", "found the camera's own position, expected a point that it looks at");

@@ -3,7 +3,9 @@
 #include <map>
 #include <memory>
 #include <numbers>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "brickfall/limits.h"
 #include "brickfall/scene.h"
@@ -13,12 +15,21 @@ namespace brickfall::scene {
 
 constexpr double kRadians = std::numbers::pi / 180;  // in a degree
 
+// A shot at something that has a name: what that is may stand later in the file.
+struct NamedAim {
+  TableReader reader;
+  std::string body, at;
+  double speed = 0;
+  bool high = false;
+};
+
 struct SceneBuild {
   ReadContext context;
   SceneDescription scene;
   std::map<std::string, int> names;  // of walls, bodies, balls and arrays, with their lines
   std::int64_t bodyCount = 0;        // bricks included
-  std::unique_ptr<World> trial;      // where bodies are made to see whether they can be
+  std::vector<NamedAim> aims;
+  std::unique_ptr<World> trial;  // where bodies are made to see whether they can be
   std::vector<MortarKind> mortarKinds;
   std::map<std::string, std::shared_ptr<const MeshTree>> meshes;  // by file and scale; null: could not be read
 
@@ -73,8 +84,16 @@ void frameScene(SceneDescription& scene);
 
 // A table's `mortar` and `foot`; none of "none".
 std::optional<MortarKind> readOwnMortar(SceneBuild& build, TableReader& reader, bool& foot);
-// The name of a body that is there, or may be a brick; without the key it is the ground's.
-bool readJoined(SceneBuild& build, TableReader& reader, const char* key, std::string& name);
+// The name of a body that is there, or may be a brick; without the key it is the ground's. With a point also that of a wall or
+// another thing of many bodies: then the name becomes that of the body nearest to the point.
+bool readJoined(SceneBuild& build, TableReader& reader, const char* key, std::string& name,
+                const Vec3* point = nullptr);
+// m: the middle of a body or of what many bodies are called after; none, and an error at the key, if there is no such thing.
+std::optional<Vec3> middleOf(SceneBuild& build, TableReader& reader, const char* key, const std::string& name);
+// Of the bodies that are called so, or after it, the one nearest to the point; empty: there are none.
+std::string nearestOf(const SceneBuild& build, const std::string& name, Vec3 point);
+// Shots at what has a name, once everything has been read.
+void takeAims(SceneBuild& build);
 
 // The keys that bodies, balls and arrays share.
 void readMotion(TableReader& reader, BodyDef& def);

@@ -53,6 +53,7 @@ void readAll(scene::SceneBuild& build, scene::Node& root) {
   scene::readWinds(build, top);
   scene::readBlasts(build, top);
   scene::readCameras(build, top);
+  scene::takeAims(build);
   bool anything = top.has("wall") || top.has("pier") || top.has("roof") || top.has("body") || top.has("ball") ||
                   top.has("array") || top.has("arch") || top.has("dome");
   if (!anything && !build.context.syntaxErrors) {

@@ -140,6 +140,11 @@ class Placer {
         Random random(masonry::namedSeed(scene_.seed, brick.name));
         shape.material.density *= 1 + wall.densityScatter * random.between(-1, 1);
       }
+      if (brick.bend > 0) {
+        addBent(laid, k, shape.material, placed);
+        bodies.push_back(std::move(placed));
+        continue;
+      }
       if (wall.mortar) {
         const GrownBrick& grown = mortar_.grown[laid.firstBrick + k];
         placed.def.position = grown.centre;
@@ -153,6 +158,24 @@ class Placer {
       bodies.push_back(std::move(placed));
     }
     return {};
+  }
+
+  // A lintel of a round wall, of several shapes; in mortar with its half of the layers around it.
+  void addBent(const scene::LaidWall& laid, std::size_t k, Material material, PlacedBody& placed) {
+    BrickPlacement brick = laid.bricks[k];
+    const std::string of = placed.materials.front();
+    if (laid.scene->mortar) {
+      const std::vector<MortarSlab>& slabs = mortar_.slabs[laid.firstBrick + k];
+      const GrownBrick& grown = mortar_.grown[laid.firstBrick + k];
+      drawn[brick.name] = scene::drawnBrick(brick, grown, slabs, of);
+      const double share = brick.size.y / grown.size.y;
+      material.density = share * material.density + (1 - share) * laid.scene->mortar->density;
+      placed.def.position = brick.centre = grown.centre;
+      brick.size = grown.size;
+    }
+    placed.def.shapes = shapesOf(brick);
+    placed.materials.assign(placed.def.shapes.size(), of);
+    for (ShapeDef& shape : placed.def.shapes) shape.material = material;
   }
 
   const SceneDescription& scene_;

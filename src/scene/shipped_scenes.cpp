@@ -28,6 +28,9 @@ fs::path sceneFolder() {
     candidates.push_back(executable.parent_path() / ".." / "share" / "brickfall" / "scenes");
   }
   candidates.emplace_back(BRICKFALL_SOURCE_SCENES);
+  // Where nothing tells where the executable is (a bare root without /proc).
+  for (const char* prefix : {"/usr/local", "/usr"})
+    candidates.emplace_back(fs::path(prefix) / "share/brickfall/scenes");
   for (const fs::path& folder : candidates)
     if (holdsScenes(folder)) return fs::weakly_canonical(folder, error);
   return {};

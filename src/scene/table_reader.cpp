@@ -285,7 +285,11 @@ bool TableReader::numberOf(const Node& node, const std::string& path, const KeyS
 
 bool TableReader::vectorOf(const Node& node, const std::string& path, const KeySpec& spec, bool whole, Vec3& out) {
   if (node.kind != NodeKind::array || node.items.size() != 3) {
-    wrong(node, path, spec);
+    std::string hint;
+    for (const char* named : {"aim_at", "look_at"})  // beside `target`
+      if (node.kind == NodeKind::text && std::string_view(spec.key) == "target" && findKey(spec.table, named))
+        hint = std::string("; a name goes into ") + named;
+    wrong(node, path, spec, hint);
     return false;
   }
   Vec3 value;

@@ -4,6 +4,7 @@
 One process for all of it, because starting costs more than the rest.
 """
 import os
+import re
 import shutil
 import struct
 import subprocess
@@ -120,6 +121,12 @@ def point_at_ground(viewer):
     viewer.click(540, 250)
     chosen = viewer.wait(lambda s: s["selected"] != 0 and "Follow it" in s["places"], "a click selects the ground")
     check("Remove it" not in chosen["places"], "the ground offers to be removed")
+    pressing = [re.match(r"contact (\d+): \S+, ([\d.]+) (k?N)$", place) for place in chosen["places"] if place.startswith("contact")]
+    check(len(pressing) >= 3 and all(pressing), f"who presses on the ground, with numbers and forces: {list(chosen['places'])}")
+    pressing.sort(key=lambda found: int(found[1]))
+    check([int(found[1]) for found in pressing] == list(range(1, len(pressing) + 1)), "contacts are numbered from 1")
+    forces = [float(found[2]) * (1000 if found[3] == "kN" else 1) for found in pressing]
+    check(forces == sorted(forces, reverse=True), f"the strongest contact comes first: {forces}")
     viewer.key("Delete", lambda s: s["why"] == "action", "is asked to remove it")
     viewer.pause_pictures()
     check(viewer.now()["bodies"] == bodies, "the ground was removed")

@@ -366,6 +366,31 @@ try {
     assert.equal(await page.isVisible('#legend'), false);
   });
 
+  await check('arrows show velocities and forces for who asks', async () => {
+    const arrows = () => page.evaluate(() => window.brickfall.arrows);
+    await seek(90);
+    const fastest = await page.evaluate(() => window.brickfall.names.map((_, k) => k).sort((a, b) => window.brickfall.speed(b) - window.brickfall.speed(a))[0]);
+    const found = await page.evaluate((k) => {
+      const b = window.brickfall, t = 2 / 60;
+      const [before, now, after] = [88, 90, 92].map((frame) => b.position(k, frame));
+      return { velocity: b.velocity(k), speeds: [b.speed(k, 90), b.speed(k, 91)], force: b.netForce(k), bend: now.map((x, i) => (before[i] + after[i] - 2 * x) / (t * t)) };
+    }, fastest);
+    assert.ok(found.speeds[0] > 0.5, `something moves: ${found.speeds}`);
+    assert.ok(Math.hypot(...found.velocity) <= Math.max(...found.speeds) + 1e-6 && Math.hypot(...found.velocity) > 0.5 * Math.min(...found.speeds));
+    const mass = found.force[1] / found.bend[1]; // one factor for all axes
+    for (const i of [0, 1, 2]) assert.ok(Math.abs(found.force[i] - mass * found.bend[i]) < 1e-3 * Math.abs(mass) * (1 + Math.abs(found.bend[i])), `${found.force} ${found.bend}`);
+    await page.keyboard.press('a');
+    await page.waitForFunction(() => window.brickfall.arrows.kind === 'velocity' && window.brickfall.arrows.count > 0);
+    const moving = (await arrows()).count;
+    await seek(0);
+    await page.waitForFunction((moving) => window.brickfall.arrows.count < moving, moving);
+    await seek(90);
+    await page.keyboard.press('a');
+    assert.equal((await arrows()).kind, 'force');
+    await page.keyboard.press('a');
+    await page.waitForFunction(() => window.brickfall.arrows.kind === 'none' && window.brickfall.arrows.count === 0);
+  });
+
   await check('figures over time are shown for who asks, with the value at the moment', async () => {
     assert.equal(await page.evaluate(() => window.brickfall.chartShown), false);
     await seek(90);

@@ -1,7 +1,8 @@
 // The replay page: reads the take that is in the page, shows it, and answers to window.brickfall (which the tests drive).
 // In the address, #t=2.5 opens at a time (or #frame=120 at a frame), #camera=side at a camera (or #view=1, by its number), #paused
-// does not start playing, #picture shows the scene alone, #shade=2 (1, 0) holds the shade where bodies meet at a level; joined with &.
+// does not start playing, #arrows=velocity (force) draws arrows, #picture shows the scene alone, #shade=2 (1, 0) holds the shade where bodies meet at a level; joined with &.
 import { Vector2, Vector3 } from 'three';
+import { Arrows, kArrowKinds, type ArrowKind } from './arrows';
 import { Bodies } from './bodies';
 import { boundsOf, sizeOf } from './bounds';
 import { Card } from './card';
@@ -48,6 +49,7 @@ function main(): void {
   const bodies = new Bodies(take, stage.scene, stage);
   const mortar = new Mortar(take, bodies, stage.scene);
   const dust = new Dust(take, stage.scene);
+  const arrows = new Arrows(take, stage.scene);
   const card = new Card(byId('card'), take);
   stage.resize();
   stage.fitShadows(bounds.most.clone().expandByScalar(0.1 * bounds.most.getSize(new Vector3()).length()));
@@ -107,6 +109,14 @@ function main(): void {
     untouched = false;
     dirty = true;
   };
+  const setArrows = (kind: ArrowKind): void => {
+    arrows.kind = kArrowKinds.includes(kind) ? kind : 'none';
+    dirty = true;
+  };
+  const nextArrows = (): void => {
+    arrows.next();
+    dirty = true;
+  };
   // From here to the end, in the time that it takes to show; pressed again it ends there.
   let recorder: MediaRecorder | null = null;
   const film = (): void => {
@@ -126,7 +136,7 @@ function main(): void {
     player.play();
   };
   byId('record').hidden = typeof MediaRecorder === 'undefined' || !MediaRecorder.isTypeSupported('video/webm');
-  const controls = new Controls(take, player, { setColour, setView, savePicture, film, turn, deselect: () => select(-1) }, views.map((v) => v.name));
+  const controls = new Controls(take, player, { setColour, setView, savePicture, film, turn, nextArrows, deselect: () => select(-1) }, views.map((v) => v.name));
   const chart = new Chart(take, player);
   player.onChange = () => (dirty = true);
   card.onSeek = (frame) => {
@@ -145,6 +155,7 @@ function main(): void {
     mortar.show(player.position);
     const half = Math.tan((stage.camera.fov * Math.PI) / 360);
     dust.show(player.position, stage.renderer.domElement.height / (2 * half));
+    arrows.show(player.frame, stage.camera.position);
     controls.show();
     chart.show(take.timeAt(player.position));
     card.show(player.frame);
@@ -205,6 +216,10 @@ function main(): void {
     setSpeed: (speed: number) => controls.setSpeed(speed),
     setLoop: (on: boolean) => controls.setLoop(on),
     setColour: (mode: ColourMode) => { controls.setColour(mode); setColour(mode); },
+    setArrows,
+    get arrows() { return { kind: arrows.kind, count: arrows.count }; },
+    velocity: (body: number, frame = player.frame) => arrows.velocity(frame, body)?.toArray() ?? null,
+    netForce: (body: number, frame = player.frame) => arrows.force(frame, body)?.toArray() ?? null,
     setView: (index: number) => { controls.setView(index); setView(index); },
     get chartShown() { return chart.shown; },
     setShade: (level: number) => { stage.shade.hold(level); dirty = true; },
@@ -236,6 +251,7 @@ function main(): void {
     document.body.classList.toggle('picture', wishes.has('picture'));
     if (wishes.has('shade')) api.setShade(Number(wishes.get('shade')));
     else if (wishes.has('picture')) api.setShade(kMostShade);
+    if (wishes.has('arrows')) setArrows(wishes.get('arrows') as ArrowKind);
     const camera = wishes.get('camera');
     const named = views.findIndex((v) => v.name.toLowerCase() === camera?.toLowerCase());
     if (wishes.has('view')) api.setView(Number(wishes.get('view')));

@@ -62,6 +62,16 @@ const BadWall kBadWalls[] = {
      [](WallDef& w) {
        w.openings = {opening(0.5, 0.5), opening(0.8, 0.5)};
      }},
+    {"openings[0].width", "expected at most 120: 1.6",
+     [](WallDef& w) {
+       w.radius = 1;
+       w.openings = {opening(0, 2.5)};
+     }},
+    {"openings[1].from", "meets opening 0",  // across the seam
+     [](WallDef& w) {
+       w.radius = 1;
+       w.openings = {opening(5.6, 0.3), opening(0, 0.3)};
+     }},
     {"openings[1].from", "meets opening 0",  // the lintels meet
      [](WallDef& w) {
        w.openings = {opening(0.3, 0.4), opening(0.8, 0.4)};

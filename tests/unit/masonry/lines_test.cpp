@@ -1,4 +1,5 @@
 // Walls that are not straight: no brick lies in another, each is carried, and their corners are bonded.
+#include <algorithm>
 #include <cmath>
 
 #include "unit/masonry/wall_checks.h"
@@ -32,7 +33,7 @@ WallReport reportOn(const std::vector<BrickPlacement>& bricks) {
   for (const BrickPlacement& a : bricks) {
     bool carried = a.centre.y < a.size.y;
     for (const BrickPlacement& b : bricks) {
-      if (&a == &b) continue;
+      if (&a == &b || a.bend > 0 || b.bend > 0) continue;  // a lintel that is bent is no rectangle
       const double rise = std::fabs(a.centre.y - b.centre.y) - 0.5 * (a.size.y + b.size.y);
       const double apart = rise < 0.05 ? apartInPlan(a, b) : 1;
       if (rise < -1e-6) out.deepest = std::max(out.deepest, std::min(-apart, -rise));
@@ -99,6 +100,47 @@ TEST(CurvedWalls, RingsAndArcsHaveNoBrickInAnother) {
     wall.openings.push_back({0.12, 0, 0.4, 0.13, 0.1, 0.065});
     EXPECT_LT(reportOn(laid(wall)).deepest, 1e-9) << int(bond);
   }
+}
+
+// rad: how far a brick's corner is from a lintel's middle, seen from the middle of the ring at the origin; the nearest.
+double nearestCorner(const BrickPlacement& brick, const BrickPlacement& lintel) {
+  double nearest = 9;
+  for (double along : {-0.5, 0.5})
+    for (double through : {-0.5, 0.5}) {
+      const Vec3 corner = brick.centre + rotate(brick.rotation, Vec3{along * brick.size.x, 0, through * brick.size.z});
+      const Vec3 seen = rotate(conjugate(lintel.rotation), corner);
+      nearest = std::min(nearest, std::fabs(std::atan2(seen.x, seen.z)));
+    }
+  return nearest;
+}
+
+// A wide door, at the seam as well: its lintel lies in the ring and in no brick, and is carried on both sides of the door.
+TEST(CurvedWalls, LintelsOfRoundWallsAreBent) {
+  for (Bond bond : kBonds)
+    for (double from : {0.0, 0.4, 6.0}) {
+      WallDef wall = wallIn(bond);
+      wall.radius = 1.1;
+      wall.courses = 8;
+      wall.openings.push_back({from, 0, 1.2, 0.26, 0.15, 0.065});
+      const std::vector<BrickPlacement> bricks = laid(wall);
+      const auto lintel = std::find_if(bricks.begin(), bricks.end(), [](const BrickPlacement& b) { return b.lintel; });
+      ASSERT_NE(lintel, bricks.end());
+      EXPECT_NEAR(lintel->size.x / lintel->bend, 1.1, 1e-9);
+      for (const ShapeDef& shape : shapesOf(*lintel))
+        for (Vec3 corner : shape.vertices) {
+          const Vec3 at = lintel->centre + rotate(lintel->rotation, corner);
+          EXPECT_NEAR(std::fabs(std::sqrt(at.x * at.x + at.z * at.z) - 1.1), 0.5 * wallThickness(wall), 1e-9);
+        }
+      int under = 0;
+      for (const BrickPlacement& brick : bricks) {
+        const double beyond = nearestCorner(brick, *lintel) - 0.5 * lintel->bend;
+        if (brick.course == lintel->course && !brick.lintel) {
+          EXPECT_GT(beyond, -1e-9) << brick.name;
+        }
+        under += brick.course == lintel->course - 1 && beyond < -0.05;
+      }
+      EXPECT_GE(under, 2) << int(bond) << " " << from;
+    }
 }
 
 TEST(CurvedWalls, PiersAndGablesBelongToTheWall) {

@@ -177,6 +177,34 @@ TEST(Mortar, GoesAroundAnOpeningAndItsLintel) {
       EXPECT_FALSE(corner.x > 0.601 && corner.x < 1.299 && corner.y < lowerOf(bricks[lintel]).y - 0.006);
 }
 
+// The bent lintel of a round wall: a brick over two of its pieces has one bed on it.
+TEST(Mortar, GoesAroundABentLintel) {
+  WallDef wall = laidIn(Bond::running, 8, 8);
+  wall.radius = 0.8;
+  wall.openings.push_back({0, 0, 0.6, 0.3, 0.15, 0.065});
+  const std::vector<BrickPlacement> bricks = lay(wall);
+  const MortarLayout layout = mortarOf(wall);
+  std::size_t lintel = 0;
+  while (!bricks[lintel].lintel) lintel++;
+  ASSERT_GT(bricks[lintel].bend, 1);
+  double below = 0, above = 0;
+  int ends = 0;
+  std::set<std::pair<std::size_t, std::size_t>> joined;
+  for (const MortarJoint& joint : layout.joints) {
+    EXPECT_TRUE(joined.insert({joint.a, joint.b}).second);
+    EXPECT_GT(dot(areaVector(joint.outline), bricks[joint.b].centre - bricks[joint.a].centre), 0);
+    if (joint.a != lintel && joint.b != lintel) continue;
+    ends += !joint.bed;
+    if (joint.bed) (joint.b == lintel ? below : above) += length(areaVector(joint.outline));
+  }
+  EXPECT_EQ(ends, 2);
+  // Its bearings, and its upper face but for the head joints there, which are a seventh of a round wall.
+  EXPECT_NEAR(below, 2 * 0.15 * 0.1025, 0.2 * 2 * 0.15 * 0.1025);
+  EXPECT_NEAR(above, 0.82 * bricks[lintel].size.x * 0.1025, 0.06 * bricks[lintel].size.x * 0.1025);
+  EXPECT_NEAR(layout.grown[lintel].size.y, 0.065 + 0.01, 1e-12);
+  EXPECT_EQ(layout.grown[lintel].size.x, bricks[lintel].size.x);
+}
+
 // The corner of two walls that interlock, as the scene `house` has them.
 TEST(Mortar, JoinsWallsThatInterlock) {
   WallDef front = laidIn(Bond::running, 6, 4), side = front;

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "render/camera_move.h"
 #include "render/frame_store.h"
 #include "render/source.h"
 #include "support/synthetic_take.h"
@@ -38,6 +39,34 @@ TEST(Job, CamerasGoByNameAndNumber) {
   const Result<Camera> made = chooseCamera(smallTake(false), "");
   ASSERT_TRUE(made);
   EXPECT_GT(length(made->position - made->target), 0.5);
+}
+
+TEST(Job, ACameraTurnsAboutItsTargetAndLooksAfterABody) {
+  CameraMove move;
+  move.camera.position = {0, 2, 5};
+  move.camera.target = {0, 1, 1};
+  move.orbitDegrees = 90;
+  move.from = 1;
+  move.to = 3;
+  Instant instant{{Transform{{0, 1, 1}, {}}, Transform{{3, 0, 1}, {}}}, {true, true}};
+  const auto expectAt = [&](double time, Vec3 position, Vec3 target) {
+    const Camera camera = cameraAt(move, time, instant);
+    EXPECT_LT(length(camera.position - position), 1e-12) << time;
+    EXPECT_LT(length(camera.target - target), 1e-12) << time;
+  };
+  expectAt(0, {0, 2, 5}, {0, 1, 1});
+  expectAt(3, {4, 2, 1}, {0, 1, 1});
+  move.follow = 1;
+  expectAt(1, {0, 2, 5}, {3, 0, 1});
+  instant.there[1] = false;
+  expectAt(1, {0, 2, 5}, {0, 1, 1});
+  move.to = 1;  // one picture
+  expectAt(1, {4, 2, 1}, {0, 1, 1});
+  const TakeReader take = smallTake(true);
+  const Result<std::uint32_t> last = chooseBody(take, take.bodies().back().name);
+  ASSERT_TRUE(last);
+  EXPECT_EQ(*last, take.bodies().size() - 1);
+  EXPECT_NE(chooseBody(take, "bal").error().message.find("--follow: found \"bal\""), std::string::npos);
 }
 
 TEST(Job, MomentsFollowRateSpeedAndRange) {

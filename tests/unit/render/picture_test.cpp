@@ -208,5 +208,34 @@ TEST(PngFile, ComesBackAsWritten) {
   EXPECT_FALSE(writePng("/nowhere/at/all.png", image));
 }
 
+TEST_F(Pictures, DustRisesWhereBodiesHitInTheColourOfWhatBroke) {
+  const Dust dust(*take_);
+  const double hit = 20.0 / 60;
+  EXPECT_TRUE(dust.at(hit - 0.04).empty());
+  EXPECT_TRUE(dust.at(hit + 2).empty());
+  const std::vector<Puff> puffs = dust.at(hit + 0.1);
+  ASSERT_FALSE(puffs.empty());
+  EXPECT_GT(puffs[0].colour.x, 1.15f * puffs[0].colour.z);  // of brick, not of the ball's steel
+  Camera camera;
+  camera.target = {double(puffs[0].place.x), double(puffs[0].place.y), double(puffs[0].place.z)};
+  camera.position = camera.target + Vec3{0, 0, 2};
+  Picture picture{64, 64, std::vector<Texel>(64 * 64)};
+  const auto changed = [&](float depth, int threads) {
+    for (Texel& texel : picture.texels) texel.depth = depth;
+    std::vector<Rgb> light(64 * 64);
+    addDust(light, picture, render::viewOf(camera), puffs, threads);
+    return light;
+  };
+  const std::vector<Rgb> open = changed(1e4f, 1), again = changed(1e4f, 3), behind = changed(0.5f, 1);
+  EXPECT_TRUE(
+      std::equal(open.begin(), open.end(), again.begin(), [](Rgb a, Rgb b) { return a.x == b.x && a.z == b.z; }));
+  const auto brightest = [](const std::vector<Rgb>& light) {
+    return std::max_element(light.begin(), light.end(), [](Rgb a, Rgb b) { return a.x < b.x; })->x;
+  };
+  EXPECT_GT(brightest(open), 0.05f);
+  EXPECT_LT(brightest(open), 1.5f);
+  EXPECT_EQ(brightest(behind), 0);
+}
+
 }  // namespace
 }  // namespace brickfall::render

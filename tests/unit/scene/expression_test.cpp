@@ -43,6 +43,7 @@ TEST(Expression, Values) {
       {"min(3, 2)", 2},
       {"max(3, 2 * 2)", 4},
       {"max(min(1, 5), round($n / 300))", 3},
+      {"pick(2, 5, 6, 7) + pick(0.2, 1)", 8},
       {"round(20 + ($n - 1000) / 300)", 20},
   };
   for (auto [text, value] : cases) {
@@ -60,14 +61,23 @@ struct Mistake {
 
 TEST(Expression, MistakesNameTheReasonAndThePlace) {
   const Mistake mistakes[] = {
-      {"", "number is missing", 1},          {"1 +", "number is missing", 4},
-      {"1 2", "unexpected \"2\"", 3},        {"(1 + 2", "closing bracket", 7},
-      {"1 + 2)", "unexpected \")\"", 6},     {"$speed", "unknown parameter", 1},
-      {"2 * $", "name is missing after", 6}, {"courses * 2", "begins with $", 1},
-      {"round 2", "expected (", 7},          {"max(1)", "two arguments", 6},
-      {"sen(1)", "unknown name \"sen\"", 1}, {"1 / 0", "not a finite", 1},
-      {"sqrt(0 - 1)", "not a finite", 1},    {"3 ** 2", "expected a number, found \"*\"", 4},
-      {"1e999", "not a number", 1},          {"#", "expected a number, found \"#\"", 1},
+      {"", "number is missing", 1},
+      {"1 +", "number is missing", 4},
+      {"1 2", "unexpected \"2\"", 3},
+      {"(1 + 2", "closing bracket", 7},
+      {"1 + 2)", "unexpected \")\"", 6},
+      {"$speed", "unknown parameter", 1},
+      {"2 * $", "name is missing after", 6},
+      {"courses * 2", "begins with $", 1},
+      {"round 2", "expected (", 7},
+      {"max(1)", "two arguments", 6},
+      {"sen(1)", "unknown name \"sen\"", 1},
+      {"1 / 0", "not a finite", 1},
+      {"sqrt(0 - 1)", "not a finite", 1},
+      {"3 ** 2", "expected a number, found \"*\"", 4},
+      {"pick(2, 5, 6)", "no number 2 of \"pick\", which counts from 0 and has 2", 6},
+      {"1e999", "not a number", 1},
+      {"#", "expected a number, found \"#\"", 1},
   };
   for (const Mistake& mistake : mistakes) {
     Evaluated result = evaluate(mistake.text, lookup);

@@ -111,8 +111,8 @@ TEST(MachineScene, TellsWhereSomethingIsWrong) {
   EXPECT_TRUE(has(faults(table + "[[blast]]\nimpulse = 3\nradius = 2\n"), "blast[0].centre: not given"));
   EXPECT_TRUE(has(faults("[[ball]]\nposition = [0, 1, 0]\ntarget = [90, 1, 0]\nspeed = 5\n"),
                   "test.toml:4:9: error: ball[0].speed: found 5.000000 m/s, expected at least 29.71"));
-  EXPECT_TRUE(
-      has(faults("[[ball]]\nposition = [0, 1, 0]\ntarget = [90, 1, 0]\n"), "found one of target and speed alone"));
+  EXPECT_TRUE(has(faults("[[ball]]\nposition = [0, 1, 0]\ntarget = [90, 1, 0]\n"),
+                  "found one of target (or aim_at) and speed alone"));
   EXPECT_TRUE(has(faults("[[ball]]\nposition = [0, 1, 0]\nlaunch_times = [1, 3, 2]\n"),
                   "test.toml:3:23: error: ball[0].launch_times[2]: found 2 after 3, expected times that ascend"));
   EXPECT_TRUE(has(faults("[[body]]\n[[body.key]]\ntime = 1\n"), "body[0].key: found on a body that is not kinematic"));

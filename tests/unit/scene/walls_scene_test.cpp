@@ -104,7 +104,49 @@ TEST(MeetingWalls, CamerasLookAtBodiesAndArraysTakeEveryShape) {
   EXPECT_EQ(scene.bodies[3].def.shapes[0].type, ShapeType::hull);
   EXPECT_EQ(scene.bodies[3].def.position.y, 0);
   EXPECT_TRUE(has(faults("[[wall]]\nname = \"north\"\n[[camera]]\nlook_at = \"nort\"\n"), "did you mean \"north\""));
+  const SceneDescription arch = sound(
+      "[[arch]]\nname = \"bow\"\nposition = [3, 0, 0]\n[[ball]]\nposition = [3, 2, 4]\naim_at = \"bow\"\nspeed = 9\n"
+      "[[camera]]\nlook_at = \"bow\"\n");
+  EXPECT_NEAR(arch.cameras[0].target.x, 3, 1e-9);
+  EXPECT_GT(arch.cameras[0].target.y, 0.5);  // not the middle of its circle, that of its stones
+  const SceneBody& ball = arch.bodies.back();
+  EXPECT_NEAR(length(ball.def.linearVelocity), 9, 1e-9);
+  EXPECT_NEAR(ball.def.linearVelocity.x, 0, 1e-9);
+  EXPECT_LT(ball.def.linearVelocity.z, -8);
+  EXPECT_TRUE(has(faults("[[wall]]\nname = \"w\"\n[[ball]]\nposition = [0, 1, 4]\naim_at = \"v\"\nspeed = 9\n"),
+                  "aim_at: found \"v\", expected the name of a body, a wall, a group"));
+  EXPECT_TRUE(has(faults("[[ball]]\nposition = [0, 1, 4]\ntarget = \"gate\"\nspeed = 9\n"), "a name goes into aim_at"));
   EXPECT_TRUE(has(faults("[world]\nsleep = false\nstop_when = \"rest\"\n[[wall]]\n"), "stop_when"));
+}
+
+// A joint or a chain that names a wall holds on to the brick at its point.
+TEST(MeetingWalls, AGateHangsOnTheNearestBrick) {
+  const SceneDescription scene = sound(
+      "[[wall]]\nname = \"left\"\nhead_joint = 0.01\nposition = [-2.25, 0, 0]\n[[body]]\nname = \"gate\"\nsize = [1, "
+      "0.6, 0.05]\n"
+      "position = [0.6, 0.35, 0]\n[[joint]]\nbody_a = \"left\"\nbody_b = \"gate\"\ntype = \"revolute\"\n"
+      "anchor = [0.05, 0.35, 0]\n[[chain]]\nbody_a = \"gate\"\nbody_b = \"left\"\nfrom = [0.6, 0.65, 0]\nto = [-1, "
+      "0.66, 0]\n");
+  ASSERT_EQ(scene.joints.size(), 12u);
+  EXPECT_TRUE(scene.joints[10].bodyB.starts_with("left/9/")) << scene.joints[10].bodyB;  // the chain's last
+  EXPECT_EQ(scene.joints[11].bodyA, "left/5/10");
+  EXPECT_TRUE(SceneRun::create(scene).ok());
+}
+
+// The widest door of a round wall in the tests of masonry: it stands, dry and in mortar, and no brick lies in another.
+TEST(MeetingWalls, ARoundTowerStandsOverItsDoor) {
+  for (const char* more : {"", "bed_joint = 0.01\nmortar = \"cement\"\nfoot = true\n"}) {
+    const SceneDescription scene = sound(std::string("[[wall]]\nname = \"tower\"\nradius = 0.8\ncourses = 12\n") +
+                                         more + "[[wall.opening]]\nfrom = 0\nwidth = 0.6\nheight = 0.6\n");
+    EXPECT_EQ(allOf(checkScene(scene)), "") << more;
+    Result<SceneRun> run = SceneRun::create(scene);
+    ASSERT_TRUE(run.ok()) << run.error().message;
+    std::vector<Vec3> before;
+    for (const PlacedBody& body : run->bodies()) before.push_back(body.def.position);
+    for (int k = 0; k < 60; k++) ASSERT_TRUE(run->step().ok());
+    for (std::size_t k = 0; k < before.size(); k++)
+      EXPECT_LT(length(run->world().state(run->bodies()[k].id)->position - before[k]), 2e-3) << run->bodies()[k].name;
+  }
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ std::vector<Touching> touchingOf(const SelectedBody& body) {
   return all;
 }
 
-void showContacts(const std::vector<Touching>& contacts) {
+void showContacts(Desk& desk, const std::vector<Touching>& contacts) {
   heading(fmt::format("Contacts: {}", contacts.size()).c_str());
   if (contacts.empty() || !ImGui::BeginTable("contacts", 4, ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg)) return;
   ImGui::TableSetupScrollFreeze(0, 1);
@@ -58,6 +58,7 @@ void showContacts(const std::vector<Touching>& contacts) {
     ImGui::Text("%d", ++number);
     ImGui::TableNextColumn();
     ImGui::TextUnformatted(contact.name.c_str());
+    note(desk, fmt::format("contact {}: {}, {}", number, contact.name, forceText(contact.force)).c_str());
     hint(fmt::format("{} at {} points", contact.name, contact.points));
     ImGui::TableNextColumn();
     ImGui::TextUnformatted(forceText(contact.force).c_str());
@@ -131,7 +132,7 @@ void showBody(Desk& desk, const Frame& frame) {
       for (const std::string& line : body.mortar) ImGui::TextUnformatted(line.c_str());
       ImGui::PopTextWrapPos();
     }
-    if (body.contacts) showContacts(touchingOf(body));
+    if (body.contacts) showContacts(desk, touchingOf(body));
   }
   ImGui::End();
   if (!open) desk.send(Select{0});
