@@ -56,7 +56,7 @@ struct Mortar {
   bool names(BodyIndex body) const { return bodyA == body || bodyB == body; }
 };
 
-static_assert(sizeof(Mortar) <= 240);
+static_assert(sizeof(Mortar) <= 248);
 
 inline Vec3 inDouble(Vec3T<float> v) { return {v.x, v.y, v.z}; }
 inline Quat inDouble(QuatT<float> q) { return normalized(Quat{q.x, q.y, q.z, q.w}); }

@@ -173,7 +173,8 @@ bool isSoundMortar(const Mortar& m) {
               hasUnitLength(inDouble(m.frameA)) && hasUnitLength(inDouble(m.frameB)) && m.area > 0 &&
               m.area <= kFarthest && m.gyration[0] > 0 && m.gyration[0] <= kFarthest && m.gyration[1] > 0 &&
               m.gyration[1] <= kFarthest && isWithin(m.damage, 0, 1) && isWithin(m.tensionWork, 0, kLargestMemory) &&
-              isWithin(m.shearWork, 0, kLargestMemory) && isWithin(double(m.arm), 1, 3) && isWithin(double(m.tougher), 1, kLargestMemory);
+              isWithin(m.shearWork, 0, kLargestMemory) && isWithin(double(m.arm), 1, 3) &&
+              isWithin(double(m.tougher), 1, kLargestMemory);
   for (double number : {s.tension, s.cohesion, s.tensionEnergy, s.shearEnergy, s.compression, s.stiffness})
     fine = fine && number > 0 && number <= kLargestMemory;
   fine = fine && isWithin(s.friction, 0, kLargestMemory);
