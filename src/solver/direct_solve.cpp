@@ -158,7 +158,7 @@ class Newton {
       high *= 2;
       s = slopeHigh = moveTo(high);
     }
-    for (int k = 0; k < kSearchSteps && std::fabs(s) > enough && slopeHigh < 0; k++) {
+    for (int k = 0; k < kSearchStepsOfAll && std::fabs(s) > enough && slopeHigh < 0; k++) {
       double t = k % 3 == 2 ? 0.5 * (low + high) : low + (high - low) * slopeLow / (slopeLow - slopeHigh);
       s = moveTo(t);
       (s > 0 ? low : high) = t;

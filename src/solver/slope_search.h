@@ -15,6 +15,8 @@ constexpr float kFarFromMinimum = 0.5f;  // of the slope at the start: a search 
 //! - | too small: a block just past its balance can hang (seen with 8)
 //! | too large: cost where float rounding hides the minimum
 constexpr int kSearchSteps = 16;  // evaluations along a step: sticking is a very narrow range of motion to find
+//! - | too small: a corbel of nineteen just past its balance stands (seen with 16) | too large: as a large kSearchSteps
+constexpr int kSearchStepsOfAll = 20;  // along a step of all bodies at once
 
 // `way`: moveTo(part) goes to a part of the step and returns the downward slope there; start() is the slope at 0; a
 // slope between lowest() and highest() is near enough. `slope`: the slope at 1, where the way is now.

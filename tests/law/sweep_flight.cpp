@@ -34,11 +34,9 @@ BodyDef fallingBody(Draw& draw, double size, double restitution, std::string* na
   return d;
 }
 
-constexpr double kTouching = 2e-5;  // of half its height: so far over the ground a body may lie
-
 struct Bounces {
   std::vector<double> apexes;  // m
-  double end = 0;              // s, last time that it could rise to a millionth of its start above where it lies
+  double end = 0;              // s, last time that it could rise to a millionth of its start, and had not come to rest
   double sideways = 0;         // m
 };
 Bounces watchBounces(Lab& lab, BodyId body, double rest, double height, double seconds) {
@@ -52,7 +50,7 @@ Bounces watchBounces(Lab& lab, BodyId body, double rest, double height, double s
       highest = 0;
     }
     if (highest >= 0 && v > 0) highest = std::max(highest, apex);
-    if (apex > 1e-6 * height + kTouching * rest) b.end = lab.world.time();
+    if (apex > 1e-6 * height && v != 0) b.end = lab.world.time();
     b.sideways = std::max(b.sideways, std::hypot(s.position.x, s.position.z));
     before = v;
   }

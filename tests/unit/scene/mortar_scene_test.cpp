@@ -94,18 +94,18 @@ TEST(MortarScene, TheFootStandsOnGroundsAndTables) {
   const std::size_t joints = mortaredRun(wall).mortars().size();
   SceneRun onGround = mortaredRun(wall + "foot = true\n");
   EXPECT_EQ(onGround.mortars().size(), joints + 4);
-  EXPECT_NEAR(areaOfMortar(onGround), dry + face, 1e-9);
+  EXPECT_NEAR(areaOfMortar(onGround), dry + face, 1e-8);
   // Turned, on a slab as wide as two and a half bricks, which stands on nothing that counts.
   SceneRun onSlab = mortaredRun(
       "[[body]]\nname = \"slab\"\ntype = \"fixed\"\nsize = [0.5375, 0.1, 0.4]\n"
       "position = [0.26875, 0.5, 0]\n" +
       wall + "foot = true\nposition = [0, 0.55, 0]\n");
   EXPECT_EQ(onSlab.mortars().size(), joints + 3);
-  EXPECT_NEAR(areaOfMortar(onSlab), dry + 0.5375 * 0.1025, 1e-9);
+  EXPECT_NEAR(areaOfMortar(onSlab), dry + 0.5375 * 0.1025, 1e-8);
   for (MortarId id : onSlab.mortars()) {
     const MortarState state = *onSlab.world().state(id);
     if (state.bodyB == onSlab.bodies()[0].id || state.bodyB == onSlab.bodies().back().id) {
-      EXPECT_NEAR(state.normal.y, -1, 1e-9);
+      EXPECT_NEAR(state.normal.y, -1, 1e-8);
     }
   }
   EXPECT_TRUE(has(refusal(wall + "foot = true\nposition = [0, 0.3, 0]\n"), "foot: found nothing"));
@@ -248,10 +248,10 @@ TEST(BrickKinds, WeighWhatIsThere) {
       "[[material]]\nname = \"clinker\"\ndensity = 2200\n[[brick_kind]]\nname = \"mine\"\nfrog = [0.1, 0.05]\n"
       "frog_depth = 0.02\nmaterial = \"clinker\"\n[[wall]]\nbrick = \"mine\"\n";
   const double share = 0.1 * 0.05 * 0.02 / (0.215 * 0.065 * 0.1025);
-  EXPECT_NEAR(bricksWeigh(mortaredRun(slotted)) / solid, (1 - share) * 2200 / 1900, 1e-9);
-  EXPECT_NEAR(bricksWeigh(mortaredRun(slotted + "material = \"brick\"\n")) / solid, 1 - share, 1e-9);
+  EXPECT_NEAR(bricksWeigh(mortaredRun(slotted)) / solid, (1 - share) * 2200 / 1900, 1e-8);
+  EXPECT_NEAR(bricksWeigh(mortaredRun(slotted + "material = \"brick\"\n")) / solid, 1 - share, 1e-8);
   // Mortar of the bricks' density fills the frogs, and all is as if they were solid.
-  EXPECT_NEAR(bricksWeigh(mortaredRun(slotted + "material = \"brick\"\nmortar = \"cement\"\n")) / solid, 1, 1e-9);
+  EXPECT_NEAR(bricksWeigh(mortaredRun(slotted + "material = \"brick\"\nmortar = \"cement\"\n")) / solid, 1, 1e-8);
 }
 
 TEST(BrickKinds, DifferInsideByTheirNames) {
