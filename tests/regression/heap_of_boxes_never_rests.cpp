@@ -36,7 +36,7 @@ TEST(Regression, HeapOfBoxesNeverRests) {
   for (int seed : {3, 4}) {
     World world = pitOfBoxes(seed);
     StepReport last;
-    for (int step = 0; step < 5.5 / kDt; step++) {
+    for (int step = 0; step < 7 / kDt; step++) {
       Result<StepReport> report = world.step(kDt);
       ASSERT_TRUE(report.ok() && report->quarantined.empty());
       last = *report;
