@@ -15,7 +15,8 @@ constexpr float kFarFromMinimum = 0.5f;  // of the slope at the start: a search 
 //! - | too small: a block just past its balance can hang (seen with 8)
 //! | too large: cost where float rounding hides the minimum
 constexpr int kSearchSteps = 16;  // evaluations along a step: sticking is a very narrow range of motion to find
-//! - | too small: a corbel of nineteen just past its balance stands (seen with 16) | too large: as a large kSearchSteps
+//! - | too small: a corbel of nineteen just past its balance stands (seen with 16)
+//! | too large: a grain under 1e19 times its mass is thrown (seen with 24); a ragdoll's falls gain more
 constexpr int kSearchStepsOfAll = 20;  // along a step of all bodies at once
 
 // `way`: moveTo(part) goes to a part of the step and returns the downward slope there; start() is the slope at 0; a

@@ -1,6 +1,8 @@
 // Cases at random: worlds (time step, substeps, turned, mirrored, far away) and bodies (shape, size, density).
 #pragma once
 #include <array>
+#include <string>
+#include <vector>
 
 #include "law/lab.h"
 #include "support/lab_scenes.h"
@@ -48,6 +50,16 @@ class Draw {
 
  private:
   lab::LabRandom random_;
+};
+
+// A world drawn at random, and how long it runs.
+struct DrawnWorld {
+  World world;
+  std::string text;  // how it was drawn
+  double dt = 0;     // s
+  int substeps = 1;
+  int steps = 0;  // to run
+  std::vector<BodyId> bodies;
 };
 
 // An upright prism of sixteen sides: a hull for a cylinder.

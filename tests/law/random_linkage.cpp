@@ -201,7 +201,7 @@ RandomLinkage drawLinkage(LinkageKind kind, int seed) {
   WorldDef def;
   def.enableSleep = false;
   def.gravity = {0, -plan.gravity, 0};
-  RandomLinkage out{makeWorld(def), {}, dt, substeps, 0, {}, {}, {}, {}};
+  RandomLinkage out{{makeWorld(def), {}, dt, substeps, 0, {}}, {}, {}, {}};
   const double time = plan.gravity > 0 ? 12 * std::sqrt(plan.largest / plan.gravity)
                                        : 10 * plan.largest / std::max(plan.speed, 1e-3 * plan.largest);
   out.steps = int(std::clamp(time / dt, 40.0, 200.0));

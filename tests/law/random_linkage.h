@@ -14,13 +14,7 @@ enum class LinkageKind { floats, hangs, falls };
 constexpr int kLinkageKinds = 3;
 const char* nameOf(LinkageKind kind);
 
-struct RandomLinkage {
-  World world;
-  std::string text;  // how it was drawn
-  double dt = 0;     // s
-  int substeps = 1;
-  int steps = 0;  // to run
-  std::vector<BodyId> bodies;
+struct RandomLinkage : DrawnWorld {
   std::vector<double> sizes;  // m: about half the extent of each body
   std::vector<JointId> joints;
   std::vector<double> spans;  // m: size of the smaller body of each joint

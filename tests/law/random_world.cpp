@@ -129,7 +129,7 @@ RandomWorld drawWorld(RandomKind kind, int seed, bool turned) {
                          : draw.oneIn(2)                                        ? kG
                                                                                 : draw.scale(.1, 100);
   def.gravity = {0, -gravity, 0};
-  RandomWorld out{makeWorld(def), {}, 1 / draw.scale(20, 2000), 1, 0, {}, {}, {}, {}, {}};
+  RandomWorld out{{makeWorld(def), {}, 1 / draw.scale(20, 2000), 1, 0, {}}, {}, {}, {}, {}, false};
   if (draw.oneIn(3)) out.substeps = 1 + draw.below(8);
   out.steps = int(std::clamp(0.4 / out.dt, 20.0, 120.0));
   Material material;

@@ -15,13 +15,7 @@ enum class RandomKind { space, plate, wall, ground, belt, terrain };
 constexpr int kRandomKinds = 6;
 const char* nameOf(RandomKind kind);
 
-struct RandomWorld {
-  World world;
-  std::string text;  // how it was drawn
-  double dt = 0;     // s
-  int substeps = 1;
-  int steps = 0;  // to run
-  std::vector<BodyId> bodies;
+struct RandomWorld : DrawnWorld {
   std::vector<double> sizes;     // m: inner radius of each body
   std::optional<BodyId> target;  // what they are thrown at; none in space
   Vec3 halfExtents;              // m, of a target that is a box or hills

@@ -160,8 +160,8 @@ void write(const Joint& joint, const JointEquation& from, const Firmness& firm, 
       out.least[lane] = -out.most[lane];
       return;
     case JointLaw::spring: {
-      const double follows = kSpringShare * joint.stiffness * (1 - unresolved(joint.stiffness, firm.inert)),
-                   ends = joint.stiffness * unresolved(joint.stiffness, firm.inert);
+      const double late = unresolved(joint.stiffness, firm.inert);
+      const double follows = kSpringShare * joint.stiffness * (1 - late), ends = joint.stiffness * late;
       out.k[lane] = float(follows + ends + joint.damping / firm.dt);
       out.trial[lane] = float(follows * before - joint.stiffness * from.error);
       if (joint.type == JointType::drag) {

@@ -34,7 +34,6 @@ struct Island;
 // of tension, or what buckles would buckle at any speed. `resist`: the body's inertia about that end / dt^2.
 Mat3 bending(Vec3 arm, Vec3 force, double resist);
 
-// Facts of a joint at the start of a step that the record does not have.
 // What the arcs of turns add to a joint's ways.
 enum class JointArcs : std::uint32_t {
   none,
@@ -43,6 +42,7 @@ enum class JointArcs : std::uint32_t {
   slide,   // held to a line that turns with A
 };
 
+// Facts of a joint at the start of a step that the record does not have.
 struct JointStart {
   Vec3f anchorA, anchorB;              // m, from the centres of mass: where forces turn with the bodies
   Vec3f bent;                          // N, on B: the force whose geometric stiffness is in the masses
