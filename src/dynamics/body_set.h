@@ -50,6 +50,7 @@ struct SteadyChange {
   Vec3 linear, angular;  // m/s2, rad/s2
   double dt = 0;         // s, of that step; 0: they did not go on, or it was not alone
   bool sticks = false;   // friction held it at one point at least
+  bool swings = false;   // it swung on joints: its velocity is ahead by half of this change (joint/swings.h)
 };
 
 struct BodyData {

@@ -151,7 +151,7 @@ class WaitingTurns {
 }  // namespace
 
 void predictFreeMotions(StepContext& context, BodySet& bodies, std::span<const BodyIndex> list, double dt,
-                        bool hasContacts) {
+                        bool hasContacts, bool swings) {
   WaitingTurns waiting(context, bodies, dt, hasContacts);
   for (BodyIndex body : list) {
     const BodyMotion& m = bodies.motion[body];
@@ -164,12 +164,17 @@ void predictFreeMotions(StepContext& context, BodySet& bodies, std::span<const B
     free.startVelocity = m.linearVelocity;
     free.startSpin = m.angularVelocity;
     free.late = free.lateSpin = {};
-    if (hasContacts && list.size() == 1) {
+    const bool locked = mass.locks != 0;
+    Vec3 acceleration = bodies.freeWay(body, context.gravity * data.gravityScale + data.force * mass.invMass);
+    if (data.steady.swings != swings) bodies.data[body].steady = {};
+    if (swings) {
+      const bool swung = data.steady.dt > 0;
+      free.late = (swung ? data.steady.linear : acceleration) * (0.5 * dt);
+      free.lateSpin = (swung ? data.steady.angular : bodies.worldInvInertia(body) * data.torque) * (0.5 * dt);
+    } else if (hasContacts && list.size() == 1) {
       free.late = data.steady.linear * (0.5 * data.steady.dt);
       free.lateSpin = data.steady.angular * (0.5 * data.steady.dt);
     }
-    const bool locked = mass.locks != 0;
-    Vec3 acceleration = bodies.freeWay(body, context.gravity * data.gravityScale + data.force * mass.invMass);
     const double left = hasContacts ? dt * (1 - context.aheadOf(body)) : dt;  // forces act for so long
     predictWay(context, bodies, body, dt, left, acceleration);
     if (locked) keepLocks(free, bodies, body);

@@ -25,7 +25,8 @@ void prepareIsland(Island& island, Ties& ties, BodySet& bodies, StepContext& con
   if (last) keepEnergies(island, bodies);
   island.plan = planFor(island.facts, context.settings, island.dt);
   if (last) dampSlowIsland(island, context, bodies);
-  predictFreeMotions(context, bodies, island.bodies, island.dt, island.part != IslandPart::flight);
+  predictFreeMotions(context, bodies, island.bodies, island.dt, island.part != IslandPart::flight,
+                     island.plan.swings && island.part != IslandPart::flight);
   prepareBodies(island, context);
   prepareRows(island, ties, context);
   if (island.toImpact()) leaveOut(island, ties, context);

@@ -137,6 +137,7 @@ SolvePlan planFor(const IslandFacts& facts, const SolverSettings& settings, doub
                                                      : facts.jointed || plan.alone ? still
                                                                                    : settings.restSpeed);
   plan.arcs = facts.jointed && !facts.locked && !row.large && facts.joints + 1 >= facts.bodies;
+  plan.swings = plan.arcs && facts.joints == facts.ties && !facts.partnersMove;
   plan.exactSteps = row.exactSteps;
   plan.direct = row.direct;
   plan.calmStiffening = calm ? double(row.calmStiffening) : 1;

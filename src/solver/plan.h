@@ -60,6 +60,7 @@ std::span<const PlanRow> planRows();
 
 struct SolvePlan {
   bool arcs = false;          // joints know that the ends of their arms go along arcs
+  bool swings = false;        // ... and nothing else holds its bodies: their velocities are those of the step's end
   bool alone = false;         // one body
   bool slow = false;          // grounded, partners still, no body faster than restSpeed: it may be put to rest
   bool mayBeStopped = false;  // supported, and so slow that what it loses is a vibration's

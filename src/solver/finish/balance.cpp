@@ -67,7 +67,7 @@ struct GroupEnergy {
 // mean of both already.
 GroupEnergy energyOf(const Island& island, Bodies group, Vec3 frame, const StepContext& context) {
   GroupEnergy sum;
-  const bool leaps = island.facts.jointed;
+  const bool leaps = island.facts.jointed && !island.plan.swings;
   const Vec3 carried = frame * island.dt;
   for (std::uint32_t i : group) {
     const BodyIndex body = island.bodies[i];
@@ -88,6 +88,8 @@ GroupEnergy energyOf(const Island& island, Bodies group, Vec3 frame, const StepC
     sum.lent += data.impactLoss;
     sum.ties += (dot(given.linear, way) + dot(given.angular, turn)) * (1 / island.dt);
   }
+  // Joints alone gave what is not from outside.
+  if (island.plan.swings) sum.ties = sum.end - sum.start - sum.outside;
   return sum;
 }
 

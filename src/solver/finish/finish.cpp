@@ -4,6 +4,7 @@
 #include "solver/finish/group_slide.h"
 #include "solver/finish/lone_body.h"
 #include "solver/finish/motion.h"
+#include "solver/joint/swings.h"
 
 namespace brickfall {
 
@@ -12,6 +13,7 @@ void finishMotion(Island& island, Ties& ties, StepContext& context) {
   storeMotion(island, context);
   if (island.resting()) return;
   finishFlights(island, context);
+  if (island.plan.swings) return finishSwings(island, ties, context);
   finishLoneBody(island, ties, context);
   finishSlides(island, context);
 }

@@ -30,11 +30,12 @@ Missing missingOf(const Island& island, std::span<const std::uint32_t> group, co
     const double m = bodies.mass[body].mass;
     const Vec3 at = bodies.motion[body].position;
     const Mat3 inertia = bodies.worldInertia(body);
+    const Vec3 way = f.d + f.late * island.dt, spin = f.angularMomentum + inertia * f.lateSpin;
     if (turns) {
-      free.add(m, at, inertia, f.d * m, f.angularMomentum * island.dt);
+      free.add(m, at, inertia, way * m, spin * island.dt);
       solved.add(m, at + s.d, inertia, s.velocity * (m * island.dt), s.angularMomentum * island.dt);
     } else {
-      missing.add(m, at, inertia, (f.d - s.d) * m, (f.angularMomentum - s.angularMomentum) * island.dt);
+      missing.add(m, at, inertia, (way - s.d) * m, (spin - s.angularMomentum) * island.dt);
     }
   }
   if (!turns) return {missing.centre(), missing.velocity(), missing.spin()};
@@ -49,7 +50,8 @@ Vec3 halfFall(const Island& island, std::span<const std::uint32_t> group, const 
   for (std::uint32_t i : group) {
     const BodyIndex body = island.bodies[i];
     const double m = context.bodies->mass[body].mass;
-    fall += (context.free[body].d - context.free[body].startVelocity * island.dt) * m;
+    const FreeMotion& free = context.free[body];
+    fall += (free.d + (free.late - free.startVelocity) * island.dt) * m;
     mass += m;
   }
   return fall * (-0.5 / mass);

@@ -342,6 +342,11 @@ void brake(const JointStart& start, Vec3 spin, double dt, JointEquations& turn) 
     }
 }
 
+// Velocities of the last step's way: those of now are up to date where a body swings.
+Vec3 before(const Island& island, std::uint32_t local, Vec3 now, Vec3 FreeMotion::*late, const StepContext& context) {
+  return local < island.bodies.size() ? now - context.free[island.bodies[local]].*late : now;
+}
+
 }  // namespace
 
 void JointRows::prepare(Island& island, Ties& ties, const StepContext& context) {
@@ -373,8 +378,10 @@ void JointRows::prepare(Island& island, Ties& ties, const StepContext& context) 
     }
     start.bent = {};
     start.follows = start.hard = start.across = 0;
-    const Vec3 speed =
-        b.linearVelocity + cross(b.angularVelocity, armB) - a.linearVelocity - cross(a.angularVelocity, armA);
+    const Vec3 spinA = before(island, r.bodyA, a.angularVelocity, &FreeMotion::lateSpin, context),
+               spinB = before(island, r.bodyB, b.angularVelocity, &FreeMotion::lateSpin, context);
+    const Vec3 speed = before(island, r.bodyB, b.linearVelocity, &FreeMotion::late, context) + cross(spinB, armB) -
+                       before(island, r.bodyA, a.linearVelocity, &FreeMotion::late, context) - cross(spinA, armA);
     const double size = std::max(bodies.mass[joint.bodyA].outerRadius * (r.bodyA < island.bodies.size()),
                                  bodies.mass[joint.bodyB].outerRadius * (r.bodyB < island.bodies.size()));
     // A way that grew over a longer step is an arc of it: corrected at once, it would be a blow.
@@ -386,6 +393,7 @@ void JointRows::prepare(Island& island, Ties& ties, const StepContext& context) 
     if (r.bodyA < island.bodies.size()) gives += givenWay(bodies.mass[joint.bodyA], pose.armA);
     if (r.bodyB < island.bodies.size()) gives += givenWay(bodies.mass[joint.bodyB], pose.armB);
     const double inert = 1 / (gives * island.dt * island.dt);
+    start.inert = float(inert);
     auto writeSet = [&](const EquationSet& set, const double(&held)[kJointLanes], Vec3 moves, double hard, int first,
                         JointEquations& out) {
       for (int i = 0; i < 3; i++) out.axes[i].unit = toFloat(set.axes[i]);
@@ -403,12 +411,11 @@ void JointRows::prepare(Island& island, Ties& ties, const StepContext& context) 
       }
     };
     writeSet(system.way, joint.way, speed, firm, 0, r.way);
-    writeSet(system.turn, joint.turn, b.angularVelocity - a.angularVelocity, firm * size * size, kJointLanes, r.turn);
-    brake(start, b.angularVelocity - a.angularVelocity, island.dt, r.turn);
+    writeSet(system.turn, joint.turn, spinB - spinA, firm * size * size, kJointLanes, r.turn);
+    brake(start, spinB - spinA, island.dt, r.turn);
     bend(k, toFloat(joint.force));
     if (start.across != 0) {
       start.span = float(system.span);
-      start.inert = float(inert);
       turnLine(k, float(joint.way[0]));
     }
     start.arc = {};
@@ -417,7 +424,7 @@ void JointRows::prepare(Island& island, Ties& ties, const StepContext& context) 
     start.bends = 1;
     if (joint.type == JointType::spring && r.way.k[0] > 0)
       start.bends = float(joint.stiffness * unresolved(joint.stiffness, inert)) / r.way.k[0];
-    start.arc = arcAt(k, a.angularVelocity * island.dt, b.angularVelocity * island.dt, speed * island.dt);
+    start.arc = arcAt(k, spinA * island.dt, spinB * island.dt, speed * island.dt);
     for (int i = 0; i < 3; i++) r.way.trial[i] -= start.bends * r.way.k[i] * dot(r.way.axes[i].unit, start.arc);
   }
 }
@@ -541,6 +548,10 @@ double JointRows::mostWork(std::size_t k) const {
     if (trial != 0) sum += stiffness > 0 ? trial * trial / (4 * stiffness) : std::numeric_limits<double>::infinity();
   }
   return sum;
+}
+
+double JointRows::resolved(std::size_t k, const Joint& spring) const {
+  return 1 - unresolved(spring.stiffness, double(starts[k].inert));
 }
 
 void JointRows::tellShare(Ties& ties, float share) const {

@@ -144,6 +144,8 @@ struct JointRows {
   double mostWork(std::size_t k) const;
   double returnedWork(std::size_t k) const { return k == 0 ? returned : 0; }  // told with the first row
   void advance(const Island&, Ties&, const StepContext&) const {}
+  // The part of a spring that swings slowly enough for the step.
+  double resolved(std::size_t k, const Joint& spring) const;
   // What a trial of a step changes.
   struct Memory {
     explicit Memory(std::pmr::memory_resource* memory) : joints(memory) {}

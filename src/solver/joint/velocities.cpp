@@ -3,20 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solver/body_matrix.h"
 #include "solver/finish/motion.h"
-#include "solver/joint/equations.h"
-#include "solver/numbering.h"
+#include "solver/joint/velocity_system.h"
 
 namespace brickfall {
 
 namespace {
 
-//! x the load that hangs by it | too small: joints keep a part of their velocity
-//! | too large: doubles round
-constexpr double kStiff = 1e5;  // in units of mass: of an equation of velocities
-//! - | too small: joints keep a part of their velocity | too large: cost
-constexpr int kHoldRounds = 2;  // each leaves a part of what the last left
 //! - | too small: limits and ropes hold what parts | too large: cost
 constexpr int kLetGoRounds = 3;  // in which one-sided equations that would pull let go
 
@@ -28,26 +21,17 @@ constexpr double kFrictionGrows = 4;  // by round
 constexpr int kFrictionRounds = 6;
 //! of a joint's inertia | too small: chains under a great load are braked
 //! | too large: links that an impulse turns far fly apart
-constexpr double kLight = 0.1;  // a lighter turn, by the impulse on its arm in a step, is rubbed against
+constexpr double kLight = 0.2;  // a lighter turn, by the impulse on its arm in a step, is rubbed against
 //! of force x radius | too small: swings lose what floats and residuals round | too large: joints may owe energy
-constexpr double kForcesRound = 1e-5;
+constexpr double kForcesRound = 1e-6;
 //! of the energy that moves | too small: as a small kForcesRound | too large: what flies apart gains energy
-constexpr double kMostOwed = 1e-4;
+constexpr double kMostOwed = 1e-5;
 //! of the work of both halves of a step | too small: wide swings lose energy | too large: snaps return what they took
 constexpr double kReturns = 0.5;
 
-class HeldVelocities {
+class HeldVelocities : VelocitySystem {
  public:
-  HeldVelocities(Island& island, StepContext& context)
-      : island_(island),
-        context_(context),
-        place_(island.bodies.size() + island.partners.size(), kNoPlace, island.memory),
-        bodies_(island.memory),
-        partners_(island.memory),
-        equations_(island.memory),
-        frictions_(island.memory),
-        step_(island.memory),
-        matrix_(island.memory) {}
+  HeldVelocities(Island& island, StepContext& context) : VelocitySystem(island, context), frictions_(island.memory) {}
 
   // Returns the energy that friction took, J.
   double run(Ties& ties) {
@@ -61,15 +45,6 @@ class HeldVelocities {
   }
 
  private:
-  // At the end of the step.
-  struct Body {
-    BodyIndex body = 0;
-    JointPlace place;
-    Vec3 startMove, startSpin, move, spin;  // m/s, rad/s
-    Mat3 inertia, invInertia;
-    double mass = 0;
-    Vec3 impulse, turning;  // N s, N m s: sums
-  };
   // What the joints gave is measured. They may give what they took before, since smooth swings go up and down by a
   // second order. More than that comes from turns that no step can follow: friction takes it.
   double takeGain(Ties& ties) {
@@ -132,8 +107,8 @@ class HeldVelocities {
       for (Body& body : bodies_) body.move = body.startMove, body.spin = body.startSpin;
       for (Equation& e : equations_) e.impulse = 0;
       for (Friction& f : frictions_) f.impulse = {};
-      assemble();
-      if (!matrix_.factor()) return false;
+      assembleAll();
+      if (!factor()) return false;
       for (int i = 0; i < kHoldRounds; i++) relax();
       if (!letGo()) break;
     }
@@ -177,10 +152,22 @@ class HeldVelocities {
       gain.sum += work;
       gain.parts += std::fabs(work);
     }
-    for (const Body& body : bodies_)
-      gain.sum += island_.dt * dot(context_.gravity * context_.bodies->data[body.body].gravityScale +
-                                       context_.bodies->data[body.body].force * (1 / body.mass),
-                                   (body.move - body.startMove) * body.mass);
+    for (const Body& body : bodies_) {
+      const BodyData& data = context_.bodies->data[body.body];
+      const FreeMotion& free = context_.free[body.body];
+      const Vec3 weight = context_.gravity * (body.mass * data.gravityScale) + data.force;
+      if (!island_.plan.swings) {
+        gain.sum += island_.dt * dot(weight, body.move - body.startMove);
+        continue;
+      }
+      // What halves of forces gave, and gravity along the way.
+      const SolvedMotion& s = context_.solved[body.body];
+      const Vec3 move = (free.startVelocity + body.move) * 0.5, spin = (free.startSpin + body.spin) * 0.5;
+      const Vec3 later = s.steady.linear * (0.5 * s.steady.dt) - free.late,
+                 laterSpin = s.steady.angular * (0.5 * s.steady.dt) - free.lateSpin;
+      gain.sum +=
+          body.mass * dot(later, move) + dot(laterSpin, body.inertia * spin) + dot(weight, move * island_.dt - s.d);
+    }
     return gain;
   }
   Vec3 mean(std::uint32_t local, const Body& body, bool spin) const {
@@ -250,135 +237,10 @@ class HeldVelocities {
     return any;
   }
 
-  struct Equation {
-    std::uint32_t row = 0;
-    bool turn = false, oneSided = false;
-    float sign = 0;  // of a one-sided force
-    Vec3 axis, armA, armB;
-    double stiffness = 0, impulse = 0;
-    bool open = false;
-  };
-
-  Body bodyAt(std::uint32_t local) const {
-    const BodySet& bodies = *context_.bodies;
-    const std::size_t own = island_.bodies.size();
-    Body out;
-    out.body = local < own ? island_.bodies[local] : island_.partners[local - own];
-    const BodyMotion& m = bodies.motion[out.body];
-    JointPlace& place = out.place;
-    if (local < own) {
-      const SolvedMotion& s = context_.solved[out.body];
-      place.position = m.position + s.d;
-      place.rotation = rotationAtEnd(out.body, context_);
-      const Mat3 end = toMatrix(place.rotation);
-      out.inertia = end * bodies.mass[out.body].inertia * transpose(end);
-      out.invInertia = end * bodies.mass[out.body].invInertia * transpose(end);
-      out.mass = bodies.mass[out.body].mass;
-      out.startMove = s.velocity;
-      out.startSpin = spinAtEnd(out.body, s.angularMomentum, context_);
-    } else {
-      place.position = m.position + m.linearVelocity * island_.dt;
-      place.rotation = normalized(quatFromRotationVector(m.angularVelocity * island_.dt) * m.rotation);
-      out.startMove = m.linearVelocity;
-      out.startSpin = m.angularVelocity;
-    }
-    place.orientation = toMatrix(place.rotation);
-    place.localCentre = bodies.data[out.body].localCentre;
-    out.move = out.startMove;
-    out.spin = out.startSpin;
-    return out;
-  }
-
-  void findBodies() {
-    const std::size_t own = island_.bodies.size();
-    const JointRows& joints = island_.rows.joints;
-    std::pmr::vector<std::uint32_t> found(island_.memory);
-    for (std::size_t k = 0; k < joints.size(); k++)
-      for (std::uint32_t local : {joints.records[k].bodyA, joints.records[k].bodyB}) {
-        if (place_[local] != kNoPlace) continue;
-        if (local >= own) {
-          place_[local] = std::uint32_t(partners_.size());
-          partners_.push_back(bodyAt(local));
-          continue;
-        }
-        place_[local] = std::uint32_t(found.size());
-        found.push_back(local);
-      }
-    Adjacency near(island_.memory);
-    near.fill(std::uint32_t(found.size()), [&](auto visit) {
-      for (const JointRecord& r : joints.records)
-        if (r.bodyA < own && r.bodyB < own) visit(place_[r.bodyA], place_[r.bodyB]);
-    });
-    const auto places = nearPlaces(near);
-    matrix_.shape(lowestPlaces(near, places));
-    bodies_.resize(found.size());
-    for (std::size_t i = 0; i < found.size(); i++) {
-      bodies_[places[i]] = bodyAt(found[i]);
-      place_[found[i]] = places[i];
-    }
-    step_.resize(6 * bodies_.size());
-  }
-
-  bool moves(std::uint32_t local) const { return local < island_.bodies.size(); }
-  const Body& at(std::uint32_t local) const { return moves(local) ? bodies_[place_[local]] : partners_[place_[local]]; }
-
-  void findEquations(const Ties& ties) {
-    const JointRows& joints = island_.rows.joints;
-    for (std::uint32_t k = 0; k < joints.size(); k++) {
-      const JointRecord& r = joints.records[k];
-      const Joint& joint = ties.joints.slots[joints.jointOf[k]];
-      const Body &a = at(r.bodyA), &b = at(r.bodyB);
-      const JointPose pose(joint, a.place, b.place);
-      const JointSystem system = equationsOf(joint, pose);
-      // Impulses act at one place on both: they change no angular momentum.
-      const double middle = 0.5 * (system.onA + system.onB);
-      const Vec3 armA = pose.armA + pose.way * middle, armB = pose.armB - pose.way * (1 - middle);
-      const double firm = kStiff * double(joints.starts[k].load);
-      const double size = std::max(moves(r.bodyA) ? context_.bodies->mass[a.body].outerRadius : 0,
-                                   moves(r.bodyB) ? context_.bodies->mass[b.body].outerRadius : 0);
-      auto add = [&](const EquationSet& set, const double(&held)[kJointLanes], bool turn) {
-        for (int i = 0; i < kJointLanes; i++) {
-          const JointLaw law = set.of[i].law;
-          const bool hard = law == JointLaw::hard, limit = law == JointLaw::atMost || law == JointLaw::atLeast;
-          if (!hard && !(limit && held[i] != 0)) continue;
-          equations_.push_back({k, turn, limit, law == JointLaw::atMost ? -1.0f : 1.0f, set.axes[i % 3], armA, armB,
-                                turn ? firm * size * size : firm});
-        }
-      };
-      add(system.way, joint.way, false);
-      add(system.turn, joint.turn, true);
-    }
-  }
-
-  // m/s or rad/s: of B against A.
-  double speedOf(const Equation& e) const {
-    const JointRecord& r = island_.rows.joints.records[e.row];
-    const Body &a = at(r.bodyA), &b = at(r.bodyB);
-    if (e.turn) return dot(e.axis, b.spin - a.spin);
-    return dot(e.axis, (b.move + cross(b.spin, e.armB)) - (a.move + cross(a.spin, e.armA)));
-  }
-
-  void assemble() {
-    matrix_.clear();
-    for (std::uint32_t i = 0; i < bodies_.size(); i++) {
-      BodyBlock block = {};
-      for (int k = 0; k < 3; k++) {
-        block[k][k] = bodies_[i].mass;
-        for (int j = 0; j < 3; j++) block[3 + k][3 + j] = bodies_[i].inertia.row[k][j];
-      }
-      matrix_.add(i, i, block);
-    }
-    for (std::size_t first = 0, end = 0; first < equations_.size(); first = end) {
-      BodyBlock K = {}, block;
-      for (end = first; end < equations_.size() && equations_[end].row == equations_[first].row; end++) {
-        const Equation& e = equations_[end];
-        if (e.open) continue;
-        const int corner = e.turn ? 3 : 0;
-        for (int i = 0; i < 3; i++)
-          for (int j = 0; j < 3; j++) K[corner + i][corner + j] += e.stiffness * e.axis[i] * e.axis[j];
-      }
+  void assembleAll() {
+    assemble([&](std::uint32_t row, BodyBlock& K) {
       for (const Friction& f : frictions_) {
-        if (f.row != equations_[first].row) continue;
+        if (f.row != row) continue;
         const int corner = f.turn ? 3 : 0;
         for (int i = 0; i < 3; i++) {
           Vec3 unit;
@@ -387,30 +249,7 @@ class HeldVelocities {
           for (int j = 0; j < 3; j++) K[corner + i][corner + j] += (friction_ * f.stiffness + f.always) * column[j];
         }
       }
-      const JointRecord& r = island_.rows.joints.records[equations_[first].row];
-      const Vec3 armA = equations_[first].armA, armB = equations_[first].armB;
-      if (moves(r.bodyA)) {
-        congruence(K, armA, armA, 1, block);
-        matrix_.add(place_[r.bodyA], place_[r.bodyA], block);
-      }
-      if (moves(r.bodyB)) {
-        congruence(K, armB, armB, 1, block);
-        matrix_.add(place_[r.bodyB], place_[r.bodyB], block);
-      }
-      if (!moves(r.bodyA) || !moves(r.bodyB)) continue;
-      const bool aFirst = place_[r.bodyA] < place_[r.bodyB];
-      congruence(K, aFirst ? armB : armA, aFirst ? armA : armB, -1, block);
-      matrix_.add(std::max(place_[r.bodyA], place_[r.bodyB]), std::min(place_[r.bodyA], place_[r.bodyB]), block);
-    }
-  }
-
-  // Sums an impulse along an equation's axis, on B and back on A.
-  template <class Give> void give(const Equation& e, double impulse, Give giveTo) const {
-    const JointRecord& r = island_.rows.joints.records[e.row];
-    const Vec3 p = e.axis * impulse;
-    const Vec3 linear = e.turn ? Vec3{} : p;
-    if (moves(r.bodyA)) giveTo(place_[r.bodyA], -linear, e.turn ? -p : cross(e.armA, -p));
-    if (moves(r.bodyB)) giveTo(place_[r.bodyB], linear, e.turn ? p : cross(e.armB, p));
+    });
   }
 
   Vec3 frictionOf(const Friction& f) const {
@@ -428,30 +267,13 @@ class HeldVelocities {
 
   // The impulses that follow from the velocities that they lead to.
   void relax() {
-    std::fill(step_.begin(), step_.end(), 0.0);
-    for (const Equation& e : equations_) {
-      if (e.open) continue;
-      give(e, -e.stiffness * speedOf(e), [&](std::uint32_t place, Vec3 linear, Vec3 angular) {
-        for (int k = 0; k < 3; k++) {
-          step_[6 * place + std::size_t(k)] += linear[k];
-          step_[6 * place + 3 + std::size_t(k)] += angular[k];
-        }
-      });
-    }
-    for (const Friction& f : frictions_)
-      giveAll(f, frictionOf(f) - f.impulse, [&](std::uint32_t place, Vec3 linear, Vec3 angular) {
-        for (int k = 0; k < 3; k++) {
-          step_[6 * place + std::size_t(k)] += linear[k];
-          step_[6 * place + 3 + std::size_t(k)] += angular[k];
-        }
-      });
-    matrix_.solve(step_.data());
-    for (std::size_t i = 0; i < bodies_.size(); i++)
-      for (int k = 0; k < 3; k++) {
-        bodies_[i].move[k] += step_[6 * i + std::size_t(k)];
-        bodies_[i].spin[k] += step_[6 * i + 3 + std::size_t(k)];
-        bodies_[i].impulse = bodies_[i].turning = {};
-      }
+    clear();
+    auto pushAt = [&](std::uint32_t place, Vec3 linear, Vec3 angular) { push(place, linear, angular); };
+    for (const Equation& e : equations_)
+      if (!e.open) give(e, -e.stiffness * speedOf(e), pushAt);
+    for (const Friction& f : frictions_) giveAll(f, frictionOf(f) - f.impulse, pushAt);
+    solveMore();
+    for (Body& body : bodies_) body.impulse = body.turning = {};
     for (Equation& e : equations_) {
       if (e.open) continue;
       e.impulse -= e.stiffness * speedOf(e);
@@ -516,16 +338,8 @@ class HeldVelocities {
                        : dot(p, partner.startMove + cross(partner.startSpin, centre - partner.place.position));
   }
 
-  Island& island_;
-  StepContext& context_;
   double friction_ = 0;
-  std::pmr::vector<std::uint32_t> place_;  // of a body in the matrix, of a partner in its list
-  std::pmr::vector<Body> bodies_;          // by place
-  std::pmr::vector<Body> partners_;
-  std::pmr::vector<Equation> equations_;  // by row
   std::pmr::vector<Friction> frictions_;
-  std::pmr::vector<double> step_;
-  BlockEnvelope matrix_;
 };
 
 }  // namespace

@@ -1,0 +1,176 @@
+#include "solver/joint/velocity_system.h"
+
+#include <algorithm>
+
+#include "solver/finish/motion.h"
+
+namespace brickfall {
+
+//! x the load that hangs by it | too small: joints keep a part of their velocity
+//! | too large: doubles round
+constexpr double kStiff = 1e5;  // in units of mass: of an equation of velocities
+
+VelocitySystem::VelocitySystem(Island& island, StepContext& context)
+    : island_(island),
+      context_(context),
+      place_(island.bodies.size() + island.partners.size(), kNoPlace, island.memory),
+      bodies_(island.memory),
+      partners_(island.memory),
+      equations_(island.memory),
+      step_(island.memory),
+      matrix_(island.memory) {}
+
+VelocitySystem::Body VelocitySystem::bodyAt(std::uint32_t local) const {
+  const BodySet& bodies = *context_.bodies;
+  const std::size_t own = island_.bodies.size();
+  Body out;
+  out.body = local < own ? island_.bodies[local] : island_.partners[local - own];
+  const BodyMotion& m = bodies.motion[out.body];
+  JointPlace& place = out.place;
+  if (local < own) {
+    const SolvedMotion& s = context_.solved[out.body];
+    place.position = m.position + s.d;
+    place.rotation = rotationAtEnd(out.body, context_);
+    const Mat3 end = toMatrix(place.rotation);
+    out.inertia = end * bodies.mass[out.body].inertia * transpose(end);
+    out.invInertia = end * bodies.mass[out.body].invInertia * transpose(end);
+    out.mass = bodies.mass[out.body].mass;
+    out.startMove = s.velocity;
+    out.startSpin = spinAtEnd(out.body, s.angularMomentum, context_);
+  } else {
+    place.position = m.position + m.linearVelocity * island_.dt;
+    place.rotation = normalized(quatFromRotationVector(m.angularVelocity * island_.dt) * m.rotation);
+    out.startMove = m.linearVelocity;
+    out.startSpin = m.angularVelocity;
+  }
+  place.orientation = toMatrix(place.rotation);
+  place.localCentre = bodies.data[out.body].localCentre;
+  out.move = out.startMove;
+  out.spin = out.startSpin;
+  return out;
+}
+
+void VelocitySystem::findBodies() {
+  const std::size_t own = island_.bodies.size();
+  const JointRows& joints = island_.rows.joints;
+  std::pmr::vector<std::uint32_t> found(island_.memory);
+  for (std::size_t k = 0; k < joints.size(); k++)
+    for (std::uint32_t local : {joints.records[k].bodyA, joints.records[k].bodyB}) {
+      if (place_[local] != kNoPlace) continue;
+      if (local >= own) {
+        place_[local] = std::uint32_t(partners_.size());
+        partners_.push_back(bodyAt(local));
+        continue;
+      }
+      place_[local] = std::uint32_t(found.size());
+      found.push_back(local);
+    }
+  Adjacency near(island_.memory);
+  near.fill(std::uint32_t(found.size()), [&](auto visit) {
+    for (const JointRecord& r : joints.records)
+      if (r.bodyA < own && r.bodyB < own) visit(place_[r.bodyA], place_[r.bodyB]);
+  });
+  const auto places = nearPlaces(near);
+  matrix_.shape(lowestPlaces(near, places));
+  bodies_.resize(found.size());
+  for (std::size_t i = 0; i < found.size(); i++) {
+    bodies_[places[i]] = bodyAt(found[i]);
+    place_[found[i]] = places[i];
+  }
+  step_.resize(6 * bodies_.size());
+}
+
+double VelocitySystem::firmness(std::size_t row) const { return kStiff * double(island_.rows.joints.starts[row].load); }
+
+VelocitySystem::Posed VelocitySystem::posed(std::size_t row, const Joint& joint) const {
+  const JointRecord& r = island_.rows.joints.records[row];
+  const JointPose pose(joint, at(r.bodyA).place, at(r.bodyB).place);
+  const JointSystem system = equationsOf(joint, pose);
+  const double middle = 0.5 * (system.onA + system.onB);
+  return {pose, system, pose.armA + pose.way * middle, pose.armB - pose.way * (1 - middle)};
+}
+
+void VelocitySystem::findEquations(const Ties& ties) {
+  const JointRows& joints = island_.rows.joints;
+  for (std::uint32_t k = 0; k < joints.size(); k++) {
+    const JointRecord& r = joints.records[k];
+    const Joint& joint = ties.joints.slots[joints.jointOf[k]];
+    const Body &a = at(r.bodyA), &b = at(r.bodyB);
+    const Posed p = posed(k, joint);
+    const double firm = firmness(k);
+    const double size = std::max(moves(r.bodyA) ? context_.bodies->mass[a.body].outerRadius : 0,
+                                 moves(r.bodyB) ? context_.bodies->mass[b.body].outerRadius : 0);
+    auto add = [&](const EquationSet& set, const double(&held)[kJointLanes], bool turn) {
+      for (int i = 0; i < kJointLanes; i++) {
+        const JointLaw law = set.of[i].law;
+        const bool hard = law == JointLaw::hard, limit = law == JointLaw::atMost || law == JointLaw::atLeast;
+        if (!hard && !(limit && held[i] != 0)) continue;
+        equations_.push_back({k, turn, limit, law == JointLaw::atMost ? -1.0f : 1.0f, set.axes[i % 3], p.armA, p.armB,
+                              turn ? firm * size * size : firm});
+      }
+    };
+    add(p.system.way, joint.way, false);
+    add(p.system.turn, joint.turn, true);
+  }
+}
+
+double VelocitySystem::speedOf(const Equation& e) const {
+  const JointRecord& r = island_.rows.joints.records[e.row];
+  const Body &a = at(r.bodyA), &b = at(r.bodyB);
+  if (e.turn) return dot(e.axis, b.spin - a.spin);
+  return dot(e.axis, (b.move + cross(b.spin, e.armB)) - (a.move + cross(a.spin, e.armA)));
+}
+
+void VelocitySystem::clearToInertia() {
+  matrix_.clear();
+  for (std::uint32_t i = 0; i < bodies_.size(); i++) {
+    BodyBlock block = {};
+    for (int k = 0; k < 3; k++) {
+      block[k][k] = bodies_[i].mass;
+      for (int j = 0; j < 3; j++) block[3 + k][3 + j] = bodies_[i].inertia.row[k][j];
+    }
+    matrix_.add(i, i, block);
+  }
+}
+
+// Returns the first equation of the next row.
+std::size_t VelocitySystem::sumOfRow(std::size_t first, BodyBlock& K) const {
+  std::size_t end = first;
+  for (; end < equations_.size() && equations_[end].row == equations_[first].row; end++) {
+    const Equation& e = equations_[end];
+    if (e.open) continue;
+    const int corner = e.turn ? 3 : 0;
+    for (int i = 0; i < 3; i++)
+      for (int j = 0; j < 3; j++) K[corner + i][corner + j] += e.stiffness * e.axis[i] * e.axis[j];
+  }
+  return end;
+}
+
+void VelocitySystem::addRow(const Equation& of, const BodyBlock& K) {
+  BodyBlock block;
+  const JointRecord& r = island_.rows.joints.records[of.row];
+  const Vec3 armA = of.armA, armB = of.armB;
+  if (moves(r.bodyA)) {
+    congruence(K, armA, armA, 1, block);
+    matrix_.add(place_[r.bodyA], place_[r.bodyA], block);
+  }
+  if (moves(r.bodyB)) {
+    congruence(K, armB, armB, 1, block);
+    matrix_.add(place_[r.bodyB], place_[r.bodyB], block);
+  }
+  if (!moves(r.bodyA) || !moves(r.bodyB)) return;
+  const bool aFirst = place_[r.bodyA] < place_[r.bodyB];
+  congruence(K, aFirst ? armB : armA, aFirst ? armA : armB, -1, block);
+  matrix_.add(std::max(place_[r.bodyA], place_[r.bodyB]), std::min(place_[r.bodyA], place_[r.bodyB]), block);
+}
+
+void VelocitySystem::solveMore() {
+  matrix_.solve(step_.data());
+  for (std::size_t i = 0; i < bodies_.size(); i++)
+    for (int k = 0; k < 3; k++) {
+      bodies_[i].move[k] += step_[6 * i + std::size_t(k)];
+      bodies_[i].spin[k] += step_[6 * i + 3 + std::size_t(k)];
+    }
+}
+
+}  // namespace brickfall

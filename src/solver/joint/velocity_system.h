@@ -1,0 +1,106 @@
+// Equations of velocities of the bodies of an island that hang together by joints, where a step ends: what each joint
+// holds, and the matrix of all of them.
+#pragma once
+#include <memory_resource>
+#include <vector>
+
+#include "solver/body_matrix.h"
+#include "solver/island.h"
+#include "solver/joint/equations.h"
+#include "solver/numbering.h"
+
+namespace brickfall {
+
+//! - | too small: joints keep a part of their velocity | too large: cost
+constexpr int kHoldRounds = 2;  // each leaves a part of what the last left
+
+class VelocitySystem {
+ protected:
+  VelocitySystem(Island& island, StepContext& context);
+
+  // At the end of the step.
+  struct Body {
+    BodyIndex body = 0;
+    JointPlace place;
+    Vec3 startMove, startSpin, move, spin;  // m/s, rad/s
+    Mat3 inertia, invInertia;
+    double mass = 0;
+    Vec3 impulse, turning;  // N s, N m s: sums
+  };
+  struct Equation {
+    std::uint32_t row = 0;
+    bool turn = false, oneSided = false;
+    float sign = 0;  // of a one-sided force
+    Vec3 axis, armA, armB;
+    double stiffness = 0, impulse = 0;
+    bool open = false;
+  };
+
+  void findBodies();
+  // What joints hold at the poses of the end. Limits and ropes hold if they did in the step.
+  void findEquations(const Ties& ties);
+  // N s/m: of a joint's equation.
+  double firmness(std::size_t row) const;
+  // Poses, arms and equations of a joint at the end.
+  struct Posed {
+    JointPose pose;
+    JointSystem system;
+    Vec3 armA, armB;  // m, to the one place where impulses act on both: they change no angular momentum
+  };
+  Posed posed(std::size_t row, const Joint& joint) const;
+
+  bool moves(std::uint32_t local) const { return local < island_.bodies.size(); }
+  const Body& at(std::uint32_t local) const { return moves(local) ? bodies_[place_[local]] : partners_[place_[local]]; }
+
+  // m/s or rad/s: of B against A.
+  double speedOf(const Equation& e) const;
+
+  // The matrix of all equations, of inertia, and of what `addTo(row, block)` adds to a joint's block.
+  template <class AddTo> void assemble(AddTo addTo) {
+    clearToInertia();
+    for (std::size_t first = 0, end = 0; first < equations_.size(); first = end) {
+      BodyBlock K = {};
+      end = sumOfRow(first, K);
+      addTo(equations_[first].row, K);
+      addRow(equations_[first], K);
+    }
+  }
+  bool factor() { return matrix_.factor(); }
+  // Sums an impulse along an equation's axis, on B and back on A.
+  template <class Give> void give(const Equation& e, double impulse, Give giveTo) const {
+    const JointRecord& r = island_.rows.joints.records[e.row];
+    const Vec3 p = e.axis * impulse;
+    const Vec3 linear = e.turn ? Vec3{} : p;
+    if (moves(r.bodyA)) giveTo(place_[r.bodyA], -linear, e.turn ? -p : cross(e.armA, -p));
+    if (moves(r.bodyB)) giveTo(place_[r.bodyB], linear, e.turn ? p : cross(e.armB, p));
+  }
+
+  // Of the right side.
+  void clear() { std::fill(step_.begin(), step_.end(), 0.0); }
+  void push(std::uint32_t place, Vec3 linear, Vec3 angular) {
+    for (int k = 0; k < 3; k++) {
+      step_[6 * place + std::size_t(k)] += linear[k];
+      step_[6 * place + 3 + std::size_t(k)] += angular[k];
+    }
+  }
+  // Solves, and adds the velocities found to those of the bodies.
+  void solveMore();
+
+  Island& island_;
+  StepContext& context_;
+  std::pmr::vector<std::uint32_t> place_;  // of a body in the matrix, of a partner in its list
+  std::pmr::vector<Body> bodies_;          // by place
+  std::pmr::vector<Body> partners_;
+  std::pmr::vector<Equation> equations_;  // by row
+
+ private:
+  Body bodyAt(std::uint32_t local) const;
+  void clearToInertia();
+  std::size_t sumOfRow(std::size_t first, BodyBlock& K) const;
+  void addRow(const Equation& of, const BodyBlock& K);
+
+  std::pmr::vector<double> step_;
+  BlockEnvelope matrix_;
+};
+
+}  // namespace brickfall
