@@ -209,6 +209,17 @@ bool edgeContact(const BoxPair& p, const EdgeAxis& axis, double margin, Manifold
   return true;
 }
 
+// Of two edges side by side, at `a` on A and `b` on B, one lies over the face beside the other: the point on that edge, and
+// that on the face, along `n`.
+ManifoldPoint edgeOverFace(Vec3 a, Vec3 b, Vec3 n, Vec3 faceOfA, Vec3 faceOfB, std::uint32_t name) {
+  const Vec3 between = b - a;
+  const bool overB = dot(between, faceOfB - faceOfA) > 0;
+  const Vec3 face = overB ? faceOfB : faceOfA;
+  const double separation = dot(between, face) / dot(n, face);
+  return overB ? ManifoldPoint{a, a + n * separation, separation, name}
+               : ManifoldPoint{b - n * separation, b, separation, name};
+}
+
 // Two edges side by side, as where plates lean against each other: between the normals of the faces that end there any is as
 // good, and that of a face would hold or let go by its own tilt. As if both were a little round: in the middle where edge
 // lies on edge, turning towards a face's normal as the other edge gets over that face.
@@ -238,21 +249,22 @@ bool lineContact(const BoxPair& p, const FaceAxis& ofA, const FaceAxis& ofB, dou
   double tilt = dot(between, normalized(across)) / (2 * round);
   if (std::fabs(tilt) >= 0.5 * length(across)) return false;
   Vec3 n = normalized(nA + nB) * std::sqrt(1 - tilt * tilt) + normalized(across) * tilt;
-  double separation = dot(between, n);
   double low = p.t[i] - p.b[j] > -p.a[i] ? p.t[i] - p.b[j] : -p.a[i];
   double high = p.t[i] + p.b[j] < p.a[i] ? p.t[i] + p.b[j] : p.a[i];
-  if (separation > margin || high - low <= p.tolerance.same) return false;
+  if (high - low <= p.tolerance.same) return false;
   out.normal = n;
-  out.count = 2;
+  out.count = 0;
   for (int end : {0, 1}) {
     double at = end ? high : low;
     bool atB = at != (end ? p.a[i] : -p.a[i]), positiveB = (p.c[i][j] > 0) == (end == 1);
     int corner = atB ? (positiveB ? 1 << j : 0) | (signB < 0 ? 1 << fb : 0) | (upB ? 1 << kb : 0)
                      : (end ? 1 << i : 0) | (signA > 0 ? 1 << fa : 0) | (upA ? 1 << ka : 0);
     onA[i] = at;
-    out.points[end] = {onA, onA + n * separation, separation, atB ? cornerOfB(corner) : cornerOfA(corner)};
+    const Vec3 alsoOnB = onB + unitB[j] * ((at - onB[i]) / unitB[j][i]);
+    const ManifoldPoint point = edgeOverFace(onA, alsoOnB, n, nA, nB, atB ? cornerOfB(corner) : cornerOfA(corner));
+    if (point.separation <= margin) out.points[out.count++] = point;
   }
-  return true;
+  return out.count > 0;
 }
 
 // A corner of the polygon while it is cut. It is where two lines meet: edges of the incident face (0..3) or sides of

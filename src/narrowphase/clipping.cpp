@@ -14,11 +14,13 @@ int mergeEqual(PatchPoint* points, int count, const ContactTolerances& tolerance
              ds = points[k].separation - points[i].separation;
       if (du * du + dv * dv + ds * ds < same2) twin = k;
     }
-    if (twin < 0)
+    if (twin < 0) {
       points[kept++] = points[i];
-    else if (loaded.has(points[i].feature) ||
-             (points[i].separation < points[twin].separation - tolerances.slack && !loaded.has(points[twin].feature)))
-      points[twin] = points[i];
+      continue;
+    }
+    const bool carries = loaded.has(points[i].feature), twinCarries = loaded.has(points[twin].feature);
+    const bool deeper = points[i].separation < points[twin].separation - tolerances.slack;
+    if (carries == twinCarries ? deeper : carries) points[twin] = points[i];
   }
   return kept;
 }

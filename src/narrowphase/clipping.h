@@ -35,8 +35,8 @@ struct ReducedPatch {
   bool partial = false;  // some corners were left out
 };
 
-// Merges equal corners (the loaded or else the deeper one stays). Of more than four it keeps those that are loaded, the deepest, and
-// those that add most to the area of these, one by one. Keeps the order around the convex polygon.
+// Merges equal corners (the loaded one stays; of two alike in that the deeper). Of more than four it keeps those that are
+// loaded, the deepest, and those that add most to the area of these, one by one. Keeps the order around the convex polygon.
 ReducedPatch reducePatch(PatchPoint* points, int count, const ContactTolerances& tolerances,
                          const LoadedPoints& loaded);
 

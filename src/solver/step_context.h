@@ -129,6 +129,8 @@ struct FlownAhead {
   double share = 0;  // of the step: flown to near what it meets, seen from what drives its island (world/fly_ahead.h)
   Vec3 frame;        // m/s: of what drives its island
   double left = 1;   // of the step: what its way is still to be gone in
+  bool hit = false;  // by an impact within the step
+  Vec3 looked;       // m/s: the velocity before that, along which contacts were looked for
 };
 
 struct StepContext {

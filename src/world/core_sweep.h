@@ -35,6 +35,8 @@ struct Sweep {
     return {start.position + way * share, turned};
   }
 
+  // What is left of it after a share.
+  Sweep from(double share) const { return {at(share), way * (1 - share), turn * (1 - share), turns}; }
   // Displacement (m) in the rest of the step of a point that is at `place` after `share` of it and from then on moves
   // with this body.
   Vec3 carry(Vec3 place, double share) const {

@@ -103,7 +103,7 @@ bool ImpactParts::runThrough(const Island& island, double dt, const Proximity& p
       return sweepOf(bodies, body, context_.solved[body].d, context_.solved[body].th);
     const BodyMotion& m = bodies.motion[body];
     Sweep way = sweepOf(bodies, body, m.linearVelocity * dt, m.angularVelocity * dt);
-    if (isDynamic(body)) way.start.position += m.linearVelocity * (leftOf(body) - left) * context_.dt;
+    way.start.position += m.linearVelocity * (leftOf(body) - left) * context_.dt;
     return way;
   };
   auto meets = [&](ShapeIndex shape, const Sweep& own) {

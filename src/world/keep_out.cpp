@@ -141,8 +141,9 @@ bool Fitting::turnsFar(BodyIndex body) const {
   return free.turnsFaster || far(context_.solved[body].th) || far(free.startSpin * free.dt);
 }
 
-// Contacts know it where the body does not turn far, and nothing has changed its way since the solve.
+// Contacts know it where the body does not turn far, and nothing has changed its way since they were looked for.
 bool Fitting::endsAsSolved(BodyIndex body, const SolveMotion& motion) const {
+  if (context_.ahead[body].hit) return false;
   const double far = kNearlyClosed * lengthScale(bodies_.mass[body].innerRadius, bodies_.mass[body].innerRadius);
   return !turnsFar(body) && lengthSquared(context_.solved[body].d - toDouble(motion.d)) <= far * far;
 }
@@ -153,7 +154,8 @@ bool Fitting::endsAside(BodyIndex body) const {
   const FreeMotion& free = context_.free[body];
   const SolvedMotion& s = context_.solved[body];
   // Contacts were looked for all along the way of its velocity: what stays where it was ends nowhere else.
-  const Vec3 led = free.startVelocity * free.dt;
+  const FlownAhead& ahead = context_.ahead[body];
+  const Vec3 led = (ahead.hit ? ahead.looked : free.startVelocity) * free.dt;
   const double all = lengthSquared(led), share = all > 0 ? std::clamp(dot(s.d, led) / all, 0.0, 1.0) : 0;
   const double most = kAside * bodies_.mass[body].innerRadius;
   return lengthSquared(s.d - led * share) > most * most;

@@ -361,6 +361,11 @@ void Obstacles::obstruct(ShapeIndex shape, bool everything, double thickness, Ob
   };
   const ShapeData& s = shapes.data[shape];
   const Sweep all = wayOf(s.body);
+  // What is driven goes on meanwhile, unless the body flew ahead in its frame.
+  auto drivenFrom = [&](BodyIndex body, double from) {
+    const Sweep way = wayOf(body);
+    return framesWay(s.body) == Vec3{} ? way.from(from) : way;
+  };
   // A turn moves no core that is at the centre. Where the end of a body is pressed in, the turn gets it out.
   bool centred = length(s.middle) < 0.5 * kCoreShare * s.innerRadius;
   proximity.broadPhase->query(sweptBounds(s, all), [&](std::uint32_t other) {
@@ -372,7 +377,7 @@ void Obstacles::obstruct(ShapeIndex shape, bool everything, double thickness, Ob
     if (type == BodyType::dynamic && !fly && farHeavier(s.body, o.body)) return true;
     const bool both = type == BodyType::dynamic && moves(o.body);  // from when both have a way to go
     const double from = 1 - (both ? std::min(leftOf(s.body), leftOf(o.body)) : leftOf(s.body));
-    const Sweep own = both ? wayFrom(s.body, from) : all, way = both ? wayFrom(o.body, from) : wayOf(o.body);
+    const Sweep own = both ? wayFrom(s.body, from) : all, way = both ? wayFrom(o.body, from) : drivenFrom(o.body, from);
     const Vec3 motion = own.way - way.way;
     const bool turns = own.turns || way.turns;
     if (!turns && !exceeds(everything || type == BodyType::kinematic ? motion : own.way, thickness)) return true;

@@ -36,8 +36,8 @@ BodyDef fallingBody(Draw& draw, double size, double restitution, std::string* na
 
 struct Bounces {
   std::vector<double> apexes;  // m
-  double end = 0;              // s, last time that it could rise to a millionth of its start, and had not come to rest
-  double sideways = 0;         // m
+  double end = 0;  // s, last time that it could rise to a millionth of its start, and moved by as much of its speed
+  double sideways = 0;  // m
 };
 Bounces watchBounces(Lab& lab, BodyId body, double rest, double height, double seconds) {
   Bounces b;
@@ -50,7 +50,7 @@ Bounces watchBounces(Lab& lab, BodyId body, double rest, double height, double s
       highest = 0;
     }
     if (highest >= 0 && v > 0) highest = std::max(highest, apex);
-    if (apex > 1e-6 * height && v != 0) b.end = lab.world.time();
+    if (apex > 1e-6 * height && std::fabs(v) > 1e-6 * std::sqrt(2 * kG * height)) b.end = lab.world.time();
     b.sideways = std::max(b.sideways, std::hypot(s.position.x, s.position.z));
     before = v;
   }

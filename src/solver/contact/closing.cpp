@@ -44,10 +44,12 @@ bool isOpen(const Contact& c, int i, const StepContext& context) {
 
 }  // namespace
 
+// Of a body alone, what is slower than gravity makes it in a step rebounds into the next step at most, at any size.
 double slowestImpact(const Island& island, const StepContext& context) {
   const Scale& scale = island.facts.scale;
-  double unseen = kNearlyClosed * scale.length / context.dt;
-  return island.plan.alone ? unseen : std::max(unseen, context.settings.restingApproachSpeed * scale.speed);
+  const double unseen = kNearlyClosed * scale.length / context.dt;
+  return island.plan.alone ? std::min(unseen, scale.gravity * context.dt)
+                           : std::max(unseen, context.settings.restingApproachSpeed * scale.speed);
 }
 
 bool ContactRows::mayClose(const StepContext& context, double ahead) const {

@@ -29,7 +29,7 @@ bool steadyContacts(const Island& island, const StepContext& context, const Velo
   return carried && steady;
 }
 
-//! of the last step's | too small: a rocking body loses half a step wherever its forces change
+//! of the larger change | too small: rocking bodies lose half a step as forces change; slender blocks topple late
 //! | too large: a velocity changed by a hit or a start counts as a force that goes on
 constexpr double kSameForces = 0.4;  // changes of velocity that differ by no more come from the same forces
 
@@ -78,7 +78,8 @@ void catchUp(BodyIndex body, StepContext& context) {
 bool goesOn(const SteadyChange& last, const SteadyChange& now, double radius) {
   auto size = [radius](Vec3 linear, Vec3 angular) { return length(linear) + radius * length(angular); };
   return last.sticks == now.sticks &&
-         size(now.linear - last.linear, now.angular - last.angular) <= kSameForces * size(last.linear, last.angular);
+         size(now.linear - last.linear, now.angular - last.angular) <=
+             kSameForces * std::max(size(last.linear, last.angular), size(now.linear, now.angular));
 }
 
 }  // namespace

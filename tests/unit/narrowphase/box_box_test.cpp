@@ -105,6 +105,28 @@ TEST(BoxBox, EdgesTouchAsFarAsTheyLieSideBySide) {
   }
 }
 
+// One edge reaches a little over the face beside the other: each point lay on the surface of one box, and beside the other.
+TEST(BoxBox, PointsOfEdgesSideBySideLieOnBothBoxes) {
+  const Vec3 halfA{0.377, 0.056, 0.404}, halfB{0.1, 0.206, 0.279};
+  const Quat turned = quatFromAxisAngle({0, 1, 0}, -0.37);
+  auto beside = [](Vec3 half, Vec3 point) {
+    return std::max({std::fabs(point.x) - half.x, std::fabs(point.y) - half.y, std::fabs(point.z) - half.z});
+  };
+  for (auto [over, deep] : {std::pair{1e-4, 1e-3}, {4e-4, 2e-3}, {6e-4, 4e-3}}) {
+    const Vec3 edgeOfB = rotate(turned, Vec3{-halfB.x, 0, -halfB.z});
+    const Vec3 place = Vec3{-halfA.x + over, 0, halfA.z - deep} - edgeOfB;
+    Manifold m;
+    collide(boxShape(halfA), boxShape(halfB), {place, turned}, 0.01, m);
+    ASSERT_EQ(m.count, 2) << over;
+    EXPECT_GT(m.normal.z, std::cos(0.35)) << "between the normals of both faces";
+    EXPECT_LT(m.normal.z, std::cos(0.1));
+    for (int i = 0; i < 2; i++) {
+      EXPECT_LT(beside(halfA, m.points[i].onA), 1e-9) << over;
+      EXPECT_LT(beside(halfB, rotate(conjugate(turned), m.points[i].onB - place)), 1e-9) << over;
+    }
+  }
+}
+
 TEST(BoxBox, EdgeOnEdgeTurnsSmoothlyIntoEdgeOnFace) {
   const double lean = 0.5;
   double before = 0, largest = 0, smallest = 1;

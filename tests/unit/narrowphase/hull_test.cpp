@@ -6,6 +6,7 @@
 #include <array>
 
 #include "contact_checks.h"
+#include "narrowphase/clipping.h"
 
 namespace brickfall {
 namespace {
@@ -214,6 +215,23 @@ TEST(Collide, PoseThatIsNotANumberTouchesNothing) {
           EXPECT_EQ(m.count, 0) << int(a.type) << " " << int(b.type) << " " << which;
         }
       }
+}
+
+// Two corners of a contact polygon nearer to each other than `same`, which both carry: the order in which the polygon is read
+// decided which stays, and a corner of a small body was lost that lay four times as deep as the other.
+TEST(Clipping, OfTwoLoadedCornersThatAreOneTheDeeperStays) {
+  const ContactTolerances tolerance = contactTolerances(0.0325);
+  const PatchPoint deep{0, 0, -0.9 * tolerance.same, 7}, shallow{0, 0, -0.1 * tolerance.same, 8};
+  LoadedPoints both, one;
+  both.add(7), both.add(8), one.add(8);
+  for (const bool deepFirst : {false, true}) {
+    PatchPoint points[kMaxPatchPoints] = {deepFirst ? deep : shallow, deepFirst ? shallow : deep};
+    ASSERT_EQ(reducePatch(points, 2, tolerance, both).count, 1);
+    EXPECT_EQ(points[0].feature, 7u);
+    PatchPoint again[kMaxPatchPoints] = {deepFirst ? deep : shallow, deepFirst ? shallow : deep};
+    ASSERT_EQ(reducePatch(again, 2, tolerance, one).count, 1);
+    EXPECT_EQ(again[0].feature, 8u) << "of a body that stands the point that carries stays";
+  }
 }
 
 }  // namespace
