@@ -27,6 +27,8 @@ class RowForces {
   void readAgain();
   // Renews friction limits that follow the solve, where they changed by more than a hundredth. True if any did.
   bool renewBounds();
+  // The same for rows through which something far heavier than a body of theirs may press. True if any changed.
+  bool holdJams();
   // These rows once more, at the present motion.
   void readRows(const std::pmr::vector<std::uint32_t>& rows);
   // What a row keeps frozen follows the force found.
@@ -44,6 +46,7 @@ class RowForces {
   std::size_t sidesRead() const { return sidesRead_; }
 
  private:
+  float pressingMass() const;
   void take(std::uint32_t row, RowEnds ends, Arms arms, Reading now);
 
   Island& island_;
