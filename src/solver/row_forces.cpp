@@ -1,7 +1,6 @@
 #include "solver/row_forces.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "solver/locks.h"
 #include "solver/residual_sum.h"
@@ -72,29 +71,16 @@ bool RowForces::renewBounds() {
   return any;
 }
 
-// kg / dt^2, of the heaviest body that moves.
-float RowForces::pressingMass() const {
-  if (island_.facts.partnersGo) return std::numeric_limits<float>::infinity();
-  float most = 0;
-  for (std::uint32_t i = 0; i < bodies_; i++)
-    if (island_.speeds[i] > float(kMovingSpeed)) most = std::max(most, island_.masses[i].mass);
-  return most;
-}
-
 bool RowForces::holdJams() {
-  const float pressing = pressingMass() / float(kHeavier);
-  auto isFarLighter = [&](std::uint32_t body) { return body < bodies_ && island_.masses[body].mass <= pressing; };
   bool any = false;
   std::uint32_t row = 0;
   island_.rows.each([&](auto& kind, std::size_t index) {
     const std::uint32_t now = row++;
-    const RowEnds ends = kind.ends(index);
-    if (!isFarLighter(ends.a) && !isFarLighter(ends.b)) return;
     if (!kind.holdJam(index, island_.motion.data(), length(wide::store3(readings_[now].force)))) return;
     any = true;
     statistics_.lightVisits += kind.kPoints;
     const Reaction x = kind.react(index, island_.motion.data());
-    take(now, ends, {x.armA, x.armB}, {x.force, x.torque});
+    take(now, kind.ends(index), {x.armA, x.armB}, {x.force, x.torque});
   });
   return any;
 }

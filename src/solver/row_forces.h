@@ -27,7 +27,7 @@ class RowForces {
   void readAgain();
   // Renews friction limits that follow the solve, where they changed by more than a hundredth. True if any did.
   bool renewBounds();
-  // The same for rows through which something far heavier than a body of theirs may press. True if any changed.
+  // Raises friction limits of points that bear far more than these are made for. True if any changed.
   bool holdJams();
   // These rows once more, at the present motion.
   void readRows(const std::pmr::vector<std::uint32_t>& rows);
@@ -46,7 +46,6 @@ class RowForces {
   std::size_t sidesRead() const { return sidesRead_; }
 
  private:
-  float pressingMass() const;
   void take(std::uint32_t row, RowEnds ends, Arms arms, Reading now);
 
   Island& island_;

@@ -62,10 +62,6 @@ constexpr double kTrifle = 0.01;  // of a force, stiffness, speed, energy, mass,
 //! | too large: forces stop short of their end, energy may creep up
 constexpr double kFloatsRound = 1e-6;  // of a sum that floats found
 
-//! times the mass | too small: cost of debris; a body goes on through what is only a little lighter
-//! | too large: bodies that a ball knocks out are gone before they can push anything aside, and hold it in the air
-constexpr double kHeavier = 10;  // a body is far heavier than another
-
 //! m | too small: rounding opens points in contact; bricks side by side leave each other's slides short
 //! | too large: impacts at near points are let through; bodies are moved into each other
 constexpr double kNoGap = 1e-6;
