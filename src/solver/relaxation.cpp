@@ -59,6 +59,8 @@ class Relaxation {
         forces_.readAll();
       else if (cycle < kBoundCycles)
         changed = forces_.renewBounds() || changed;
+      if (island_.plan.large && island_.facts.partnersGo && (cycle + 1) % island_.plan.minCycles == 0)
+        changed = forces_.holdJams() || changed;
       findAllowed();
       countOut();
       // More cycles would find nothing to do.

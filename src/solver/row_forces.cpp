@@ -71,6 +71,20 @@ bool RowForces::renewBounds() {
   return any;
 }
 
+bool RowForces::holdJams() {
+  bool any = false;
+  std::uint32_t row = 0;
+  island_.rows.each([&](auto& kind, std::size_t index) {
+    const std::uint32_t now = row++;
+    if (!kind.holdJam(index, island_.motion.data(), length(wide::store3(readings_[now].force)))) return;
+    any = true;
+    statistics_.lightVisits += kind.kPoints;
+    const Reaction x = kind.react(index, island_.motion.data());
+    take(now, kind.ends(index), {x.armA, x.armB}, {x.force, x.torque});
+  });
+  return any;
+}
+
 void RowForces::acceptBoundary(const Level& level, const Cluster& cluster) {
   const Reading* trial = trial_.data();
   Reading* readings = readings_.data();

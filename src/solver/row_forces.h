@@ -27,6 +27,8 @@ class RowForces {
   void readAgain();
   // Renews friction limits that follow the solve, where they changed by more than a hundredth. True if any did.
   bool renewBounds();
+  // Raises friction limits of points that bear far more than these are made for. True if any changed.
+  bool holdJams();
   // These rows once more, at the present motion.
   void readRows(const std::pmr::vector<std::uint32_t>& rows);
   // What a row keeps frozen follows the force found.

@@ -92,6 +92,7 @@ concept GoesThroughAStep = requires(Kind& kind, const Kind& seen, std::size_t k,
   { seen.boundsFollow(k) } -> std::same_as<bool>;                 // asked once: whether the next three are called
   { kind.renewBounds(k, motion, share) } -> std::same_as<bool>;   // after each cycle
   { kind.settleBounds(k, motion, share) } -> std::same_as<bool>;  // after a direct solve has ended, up to three times
+  { kind.holdJam(k, motion, share) } -> std::same_as<bool>;       // every few cycles, of what is jammed
   // After the solve, as often as it goes on, or within its cycles: what was frozen in it is set anew. True: the solve
   // goes on from there.
   { kind.renewFrozen(solved, given, when) } -> std::same_as<bool>;

@@ -95,6 +95,31 @@ bool ContactRows::renewNewPoints(std::size_t k, const SolveMotion* motion, float
   return changed;
 }
 
+//! - | too small: limits follow forces met on the solve's way | too large: what jams slips out like soap
+constexpr float kJammed = 3;  // x the force that the friction limit is made for: a point that bears more is jammed
+
+bool ContactRows::holdJam(std::size_t k, const SolveMotion* motion, float force) {
+  FaceRecord& r = records[k];
+  ContactStart& start = starts[k];
+  if (!(start.friction > 0)) return false;
+  float known[4], sum = 0;
+  for (int i = 0; i < start.points; i++)
+    sum += known[i] = kJammed * std::max(r.limit[i] / start.friction, start.stopping[i]);
+  if (!(force > sum)) return false;
+  alignas(16) float fn[4];
+  kernel::store(kernel::pointForces(r, kernel::pointMotion(r, kernel::frame(r), motion)).n, fn);
+  bool changed = false;
+  for (int i = 0; i < start.points; i++) {
+    if (!(fn[i] > known[i])) continue;
+    start.stopping[i] = fn[i];
+    start.falling &= ~(1u << i);
+    r.limit[i] = start.friction * fn[i];
+    r.newPoints |= 1u << i;
+    changed = true;
+  }
+  return changed;
+}
+
 bool ContactRows::owes(std::size_t k, const StepContext& context) const {
   const PointMemory& m = context.ties->contacts.contacts[contactOf[k]].points;
   return std::any_of(m.impulse, m.impulse + starts[k].points, [](float taken) { return taken > 0; });

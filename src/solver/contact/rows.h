@@ -110,6 +110,9 @@ struct ContactRows : FaceRows {
   bool settleBounds(std::size_t k, const SolveMotion* motion, float slack) {
     return records[k].newPoints && renewNewPoints(k, motion, slack, true);
   }
+  // Something that nothing stops presses, so that a point bears many times what stops its pair: its friction limit is
+  // that of the force found. `force` (N): of the row, as last read.
+  bool holdJam(std::size_t k, const SolveMotion* motion, float force);
   // Before the step is prepared: what closes on a body that is marked exchanges the impulse of the two alone.
   void addHolding(std::size_t, Vec3, const Ties&, const BodySet&, Holding&) const {}
   void giveBlows(const Held& held, double dt, Ties& ties, BodySet& bodies, const StepContext& context,

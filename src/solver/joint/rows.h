@@ -134,6 +134,7 @@ struct JointRows {
   bool renewBounds(std::size_t, const SolveMotion*, float = 0) { return false; }
   // The forces found become multipliers; geometric stiffness grows with them.
   bool settleBounds(std::size_t k, const SolveMotion* motion, float slack);
+  bool holdJam(std::size_t, const SolveMotion*, float) { return false; }
   void addHolding(std::size_t, Vec3, const Ties&, const BodySet&, Holding&) const {}
   void giveBlows(const Held&, double, Ties&, BodySet&, const StepContext&, Blows&) const {}
   bool renewFrozen(const Island&, const StepContext&, Renewal) { return false; }

@@ -87,6 +87,7 @@ struct MortarRows : FaceRows {
   bool boundsFollow(std::size_t) const { return false; }
   bool renewBounds(std::size_t, const SolveMotion*, float = 0) { return false; }
   bool settleBounds(std::size_t, const SolveMotion*, float = 0) { return false; }
+  bool holdJam(std::size_t, const SolveMotion*, float) { return false; }
   bool renewFrozen(const Island& island, const StepContext& context, Renewal when);
   bool store(Island& island, Ties& ties, StepContext& context);
   void tellShare(Ties&, float) const {}
