@@ -21,7 +21,8 @@ struct TieWork {
   double work = 0;             // J, done on the bodies and on kinematic partners
   double rebound = 0;          // J, done by the forces that rebounds add: not part of `work`
   double elastic = 0;          // J, elastic energy after it
-  double pull = 0, shear = 0;  // J, spent on breaking ties, by mode: part of `work` and `elastic`
+  // J, spent on breaking ties, by mode: part of `work` and `elastic`
+  double pull = 0, shear = 0, crush = 0;
 };
 
 struct PointCount {

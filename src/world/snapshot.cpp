@@ -18,7 +18,7 @@ namespace {
 
 //! not of the method: the file's
 constexpr std::uint64_t kMagic = 0x30504e5346424b42ull;
-constexpr std::uint32_t kLayout = 24;
+constexpr std::uint32_t kLayout = 25;
 
 struct Header {
   std::uint64_t magic = kMagic;
@@ -75,7 +75,7 @@ class SnapshotArchive {
       for (auto* body : {&event.bodyA, &event.bodyB}) a.value(*body);
       a.value(event.mortar);
       a.value(event.pointWorld);
-      a.choice(event.mode, MortarMode::shear);
+      a.choice(event.mode, MortarMode::crushing);
       a.value(event.energy);
       for (auto* flag : {&event.broken, &event.dropped}) a.flag(*flag);
     }
