@@ -99,7 +99,8 @@ void MortarSet::renewConstants(BodyIndex body, const ShapeSet&, const BodySet& b
 
 void MortarSet::hash(Mix& h, MortarIndex mortar) const {
   const Mortar& m = slots[mortar];
-  h(m.order, m.damage, m.opens, m.crushed, m.tougher, m.tensionWork, m.shearWork, m.crushingWork, m.centreA, m.force, m.torque);
+  h(m.order, m.damage, m.opens, m.crushed, m.tougher, m.tensionWork, m.shearWork, m.crushingWork, m.centreA, m.force,
+    m.torque);
   h.list(m.opening, kMortarPoints).list(m.slip1, kMortarPoints).list(m.slip2, kMortarPoints);
 }
 

@@ -62,10 +62,14 @@ json mortarJson(const TakeReader& take) {
 
 const char* modeName(MortarMode mode) {
   switch (mode) {
-    case MortarMode::none: return "none";
-    case MortarMode::tension: return "tension";
-    case MortarMode::shear: return "shear";
-    case MortarMode::crushing: return "crushing";
+    case MortarMode::none:
+      return "none";
+    case MortarMode::tension:
+      return "tension";
+    case MortarMode::shear:
+      return "shear";
+    case MortarMode::crushing:
+      return "crushing";
   }
   return "none";
 }

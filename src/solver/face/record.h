@@ -38,7 +38,7 @@ static_assert(sizeof(FaceRecord) == 192);
 
 //! not of the method: parts of a way that a number of 16 bits counts
 inline constexpr float kYieldParts = 64;
-// N, of a point: the most that it bears while it crushes, and how much more firm springs would bear until it is crushed.
+// N, of a point: the most that it bears while it crushes; how much more a firm spring would bear until it is crushed.
 inline float mostOf(const FaceRecord& r) { return r.near < 0 ? -r.near : 3e38f; }
 inline float yieldOf(const FaceRecord& r) { return r.near < 0 ? -r.near * (float(r.yields) / kYieldParts) : 0.0f; }
 

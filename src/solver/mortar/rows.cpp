@@ -10,10 +10,8 @@ namespace brickfall {
 
 namespace {
 
-//! of the way left | too small: more passes | too large: points go further than the bending needs
-constexpr float kWidens = 0.5f;
-//! of the broadest | too small: the last of the edge is not borne on | too large: more passes
-constexpr float kNearlyBroadest = 0.97f;
+//! of the kern | too small: more passes | too large: points go further out than the bending needs
+constexpr float kWidens = 1;  // so much further go points out in a pass
 //! of the firmness | too small: what is about to break moves as if it were loose
 //! | too large: cost: thousands of caps are met and left in one solve
 constexpr double kLeastFirmness = 0.003;  // of a joint that its bodies' velocities will break
@@ -98,13 +96,12 @@ void MortarRows::prepare(Island& island, Ties& ties, const StepContext& context)
   }
 }
 
-// Under pressure a face bears the more bending the further out its points are, and bends no further than it must. So they
-// go out within the step, by half of the way that is left to them. What they hold keeps its sum and its moments.
+// Under pressure a face bears the more bending the further out its points are, and bends no further than it must. So
+// they go out within the step. What they hold keeps its sum and its moments.
 void MortarRows::widen(std::size_t k, const Mortar& m) {
   FaceRecord& r = records[k];
   MortarStart& start = starts[k];
-  const float wider = start.arm + kWidens * (mortar::kBroadest - start.arm);
-  const float to = wider > kNearlyBroadest * mortar::kBroadest ? mortar::kBroadest : wider, by = to / start.arm;
+  const float to = std::min(start.arm + kWidens, mortar::kBroadest), by = to / start.arm;
   auto scale = [](float* of, float factor) {
     const float mean = 0.25f * (of[0] + of[1] + of[2] + of[3]);
     for (int i = 0; i < 4; i++) of[i] = mean + (of[i] - mean) * factor;

@@ -74,6 +74,10 @@ struct MortarRows : FaceRows {
   bool pins(std::size_t, const StepContext&) const { return true; }
   bool holds(std::size_t, const StepContext&) const { return true; }
   RowGrip grip(std::size_t k, const StepContext& context) const;
+  // visit(ends, force): of each row the pull that it bears, N.
+  template <class Visit> void eachHold(Visit&& visit) const {
+    for (const FaceRecord& r : records) visit(RowEnds{r.bodyA, r.bodyB}, -float(kPoints) * r.leastN[0]);
+  }
   RowCourse courseOf(std::size_t, const EndChanges&, const StepSpan&, const StepContext&) const {
     return RowCourse::changes;
   }

@@ -103,15 +103,20 @@ Taken takenBy(const Mortar& m, const FaceRecord& r, const MortarStart& start, co
   return out;
 }
 
+// N, of a point.
+double meanPressure(const PointForces& now) {
+  return 0.25 * (double(now.n[0]) + double(now.n[1]) + double(now.n[2]) + double(now.n[3]));
+}
+
 // The joint is bent open under so much pressure that it bears the more the further it opens (law.h).
-bool stiffens(const Mortar& m, const MortarStart& start, const Taken& taken) {
-  return start.arm < mortar::kBroadest && 2 * double(start.pressure) > mortar::pullOf(m) &&
+bool stiffens(const Mortar& m, const MortarStart& start, const Taken& taken, const PointForces& now) {
+  return start.arm < mortar::kBroadest && 2 * meanPressure(now) > mortar::pullOf(m) &&
          taken.pull * mortar::shearEnergy(m) > taken.shear * mortar::pullEnergy(m);
 }
 
 // The damage with which the face just bears what it is bent by: (mean - least) arm = mean (1 + 2 D) + pull (1 - D).
 double damageBy(const Mortar& m, const MortarStart& start, const PointForces& now) {
-  const double mean = 0.25 * (double(now.n[0]) + double(now.n[1]) + double(now.n[2]) + double(now.n[3]));
+  const double mean = meanPressure(now);
   const double least = std::min({now.n[0], now.n[1], now.n[2], now.n[3]}), pull = mortar::pullOf(m);
   if (!(2 * mean > pull)) return 0;
   return std::clamp(((mean - least) * double(start.arm) - mean - pull) / (2 * mean - pull), 0.0, 1.0);
@@ -149,10 +154,11 @@ bool MortarRows::renewFrozen(const Island& island, const StepContext& context, R
     const Mortar& m = mortarAt(k, *context.ties);
     if (m.crushed) continue;
     MortarStart& start = starts[k];
-    const Taken taken = takenBy(m, records[k], start, stateAt(records[k], start, island.motion.data()));
+    const PointForces now = stateAt(records[k], start, island.motion.data());
+    const Taken taken = takenBy(m, records[k], start, now);
     const double share = shareOf(taken, m), left = 1 - m.damage;
     if (!(share > (1 + kMoreThanLeft) * left)) continue;
-    if (stiffens(m, start, taken)) {
+    if (stiffens(m, start, taken, now)) {
       widen(k, m);
       fell = true;
       continue;
