@@ -97,6 +97,7 @@ struct StepLedger {
                           // and blows on what mortar holds
   BalanceChange rebound;  // restitution of the others
   double tensionFracture = 0, shearFracture = 0;  // J: part of `contacts`, spent on breaking mortar, by mode
+  double crushing = 0;                            // J: part of `contacts`, spent on crushing mortar
   BalanceChange obstacles;   // bodies that stopped short of what they would pass through: they end, and turn, elsewhere
   BalanceChange balance;     // energy that a group of bodies had gained, taken back by the last check
   BalanceChange integrate;   // rounding of new poses

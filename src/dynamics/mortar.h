@@ -21,7 +21,8 @@ constexpr int kMortarPoints = 4;
 struct JointStrength {
   float tension = 0, cohesion = 0, friction = 0;  // Pa, Pa, 1
   float tensionEnergy = 0, shearEnergy = 0;       // J/m2
-  float compression = 0, stiffness = 0;           // Pa, N/m3
+  float compression = 0, crushingEnergy = 0;      // Pa, J/m2
+  float stiffness = 0;                            // N/m3
 };
 
 struct Mortar {
@@ -31,7 +32,7 @@ struct Mortar {
   bool idle = false;     // neither body is dynamic, one takes no part, or it is broken
   bool cracked = false;  // its crack was told
   bool broken = false;
-  bool opens = false;  // it took some of its energy in the last step
+  bool opens = false;  // it took some of its energy in the last step; crushed, that nothing presses on it
   BodyIndex bodyA = kNoIndex, bodyB = kNoIndex;
   std::uint64_t order = 0;  // grows with creation
   std::uint64_t userData = 0;
@@ -42,10 +43,11 @@ struct Mortar {
   float area = 0;                 // m2
   float gyration[2] = {};         // m: along the second and the third axis
   JointStrength strength;
-  double damage = 0;                      // 0 .. 1
-  double tensionWork = 0, shearWork = 0;  // J, spent
-  float tougher = 1;                      // x its energy, as long as it opens after a blow that crushed
-  float arm = 1;                          // of the kern: how far out the points are
+  bool crushed = false;                                    // it is told as broken, and bears pressure until it opens
+  double damage = 0;                                       // 0 .. 1
+  float tensionWork = 0, shearWork = 0, crushingWork = 0;  // J, spent
+  float tougher = 1;  // x its energy, as long as it opens after a blow that crushed
+  float arm = 1;      // of the kern: how far out the points are
   // m, in the frame of A: displacement of each point at which it carries nothing.
   float opening[kMortarPoints] = {}, slip1[kMortarPoints] = {}, slip2[kMortarPoints] = {};
   Vec3T<float> force, torque;  // N, N m, from A on B, about the face's centre: in the last step
@@ -63,8 +65,10 @@ inline Quat inDouble(QuatT<float> q) { return normalized(Quat{q.x, q.y, q.z, q.w
 // Where the face is on A, or on B.
 void placeFace(Mortar& mortar, bool onA, Vec3 centre, Quat frame);
 
-// That took more of its energy.
+// That took most of its energy.
 MortarMode modeOf(const Mortar& mortar);
+// J, spent on it in all modes.
+inline double workOn(const Mortar& m) { return double(m.tensionWork) + double(m.shearWork) + double(m.crushingWork); }
 
 // Place i of the four: signs along the second and the third axis.
 //! not of the method: the corners in turn

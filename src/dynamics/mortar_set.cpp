@@ -32,9 +32,11 @@ void placeFace(Mortar& m, bool onA, Vec3 centre, Quat frame) {
 }
 
 MortarMode modeOf(const Mortar& m) {
-  if (!(m.tensionWork > 0) && !(m.shearWork > 0)) return MortarMode::none;
-  return m.tensionWork / m.strength.tensionEnergy >= m.shearWork / m.strength.shearEnergy ? MortarMode::tension
-                                                                                          : MortarMode::shear;
+  if (!(workOn(m) > 0)) return MortarMode::none;
+  const JointStrength& s = m.strength;
+  const float tension = m.tensionWork / s.tensionEnergy, shear = m.shearWork / s.shearEnergy;
+  if (m.crushingWork / s.crushingEnergy > std::max(tension, shear)) return MortarMode::crushing;
+  return tension >= shear ? MortarMode::tension : MortarMode::shear;
 }
 
 void MortarSet::breakUp(MortarIndex index) {
@@ -43,6 +45,13 @@ void MortarSet::breakUp(MortarIndex index) {
   m.broken = m.idle = true;
   m.damage = 1;
   m.force = m.torque = {};
+}
+
+void MortarSet::crush(MortarIndex index) {
+  Mortar& m = slots[index];
+  m.crushed = true;
+  m.opens = false;
+  m.damage = 1;
 }
 
 void MortarSet::destroy(MortarIndex mortar) {
@@ -90,24 +99,26 @@ void MortarSet::renewConstants(BodyIndex body, const ShapeSet&, const BodySet& b
 
 void MortarSet::hash(Mix& h, MortarIndex mortar) const {
   const Mortar& m = slots[mortar];
-  h(m.order, m.damage, m.opens, m.tougher, m.tensionWork, m.shearWork, m.centreA, m.force, m.torque);
+  h(m.order, m.damage, m.opens, m.crushed, m.tougher, m.tensionWork, m.shearWork, m.crushingWork, m.centreA, m.force,
+    m.torque);
   h.list(m.opening, kMortarPoints).list(m.slip1, kMortarPoints).list(m.slip2, kMortarPoints);
 }
 
 namespace {
 
 template <class Archive, class One> void archiveMortar(Archive& a, One& m) {
-  for (auto* flag : {&m.born, &m.idle, &m.cracked, &m.broken, &m.opens}) a.flag(*flag);
+  for (auto* flag : {&m.born, &m.idle, &m.cracked, &m.broken, &m.opens, &m.crushed}) a.flag(*flag);
   for (auto* body : {&m.bodyA, &m.bodyB}) a.value(*body);
   for (auto* number : {&m.order, &m.userData}) a.value(*number);
   for (auto* place : {&m.centreA, &m.centreB}) a.value(*place);
   for (auto* frame : {&m.frameA, &m.frameB}) a.value(*frame);
   a.value(m.area);
-  for (auto* number : {&m.damage, &m.tensionWork, &m.shearWork}) a.value(*number);
+  a.value(m.damage);
+  for (auto* number : {&m.tensionWork, &m.shearWork, &m.crushingWork}) a.value(*number);
   a.value(m.gyration);
   auto& s = m.strength;
-  for (auto* number :
-       {&s.tension, &s.cohesion, &s.friction, &s.tensionEnergy, &s.shearEnergy, &s.compression, &s.stiffness})
+  for (auto* number : {&s.tension, &s.cohesion, &s.friction, &s.tensionEnergy, &s.shearEnergy, &s.compression,
+                       &s.crushingEnergy, &s.stiffness})
     a.value(*number);
   for (auto* number : {&m.arm, &m.tougher}) a.value(*number);
   for (auto* list : {&m.opening, &m.slip1, &m.slip2}) a.value(*list);
@@ -172,11 +183,13 @@ bool isSoundMortar(const Mortar& m) {
   bool fine = isNear(inDouble(m.centreA), kFarthest) && isNear(inDouble(m.centreB), kFarthest) &&
               hasUnitLength(inDouble(m.frameA)) && hasUnitLength(inDouble(m.frameB)) && m.area > 0 &&
               m.area <= kFarthest && m.gyration[0] > 0 && m.gyration[0] <= kFarthest && m.gyration[1] > 0 &&
-              m.gyration[1] <= kFarthest && isWithin(m.damage, 0, 1) && isWithin(m.tensionWork, 0, kLargestMemory) &&
-              isWithin(m.shearWork, 0, kLargestMemory) && isWithin(double(m.arm), 1, 3) &&
+              m.gyration[1] <= kFarthest && isWithin(m.damage, 0, 1) && isWithin(double(m.arm), 1, 3) &&
               isWithin(double(m.tougher), 1, kLargestMemory);
-  for (double number : {s.tension, s.cohesion, s.tensionEnergy, s.shearEnergy, s.compression, s.stiffness})
-    fine = fine && number > 0 && number <= kLargestMemory;
+  for (float number :
+       {s.tension, s.cohesion, s.tensionEnergy, s.shearEnergy, s.compression, s.crushingEnergy, s.stiffness})
+    fine = fine && number > 0 && double(number) <= kLargestMemory;
+  for (float work : {m.tensionWork, m.shearWork, m.crushingWork})
+    fine = fine && isWithin(double(work), 0, kLargestMemory);
   fine = fine && isWithin(s.friction, 0, kLargestMemory);
   for (const auto& v : {m.force, m.torque})
     fine = fine && isNear({double(v.x), double(v.y), double(v.z)}, kLargestMemory);

@@ -10,6 +10,8 @@ class MortarSet : public LastingTies<Mortar, LinkKind::mortar> {
  public:
   // The joint has broken: it ties nothing from now on.
   void breakUp(MortarIndex mortar);
+  // It has crushed. What is left of it lies between its bodies, and bears pressure and rubs until it opens.
+  void crush(MortarIndex mortar);
   void destroy(MortarIndex mortar);
   // How the joint opened; null: it has not cracked.
   OpeningMemory* pastOf(MortarIndex mortar);

@@ -61,7 +61,17 @@ json mortarJson(const TakeReader& take) {
 }
 
 const char* modeName(MortarMode mode) {
-  return mode == MortarMode::tension ? "tension" : mode == MortarMode::shear ? "shear" : "none";
+  switch (mode) {
+    case MortarMode::none:
+      return "none";
+    case MortarMode::tension:
+      return "tension";
+    case MortarMode::shear:
+      return "shear";
+    case MortarMode::crushing:
+      return "crushing";
+  }
+  return "none";
 }
 
 json breaksJson(const std::vector<TakeBreak>& breaks) {

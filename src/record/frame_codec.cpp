@@ -120,7 +120,7 @@ bool isShare(float x) { return x >= 0 && x <= 1; }
 std::string breakFault(const TakeBreak& broken, const FrameCast& cast) {
   if (broken.mortar >= cast.knownMortar) return "a break names joint " + std::to_string(broken.mortar);
   if (!std::isfinite(broken.crackTime) || !std::isfinite(broken.breakTime)) return "a break's time is not finite";
-  if (std::uint8_t(broken.mode) > std::uint8_t(MortarMode::shear)) return "a break's mode is unknown";
+  if (std::uint8_t(broken.mode) > std::uint8_t(MortarMode::crushing)) return "a break's mode is unknown";
   if (!std::isfinite(broken.tensionShare) || !std::isfinite(broken.shearShare) || !within(broken.force, kMostForce))
     return "a break's shares or force are out of range";
   if (broken.takers.size() > kMostTakers) return std::to_string(broken.takers.size()) + " bear the load of one break";

@@ -58,7 +58,8 @@ void addMortarNumbers(std::vector<KeySpec>& keys, const char* table) {
   keys.push_back({table, "friction", K::number, "", 0, 10, "-", "", "what pressure adds to it"});
   keys.push_back({table, "tension_energy", K::number, "J/m2", 1e-6, 1e6, "-", "", "that opening a mortar joint takes"});
   keys.push_back({table, "shear_energy", K::number, "J/m2", 1e-6, 1e6, "-", "", "that shearing it off takes"});
-  keys.push_back({table, "compression", K::number, "Pa", 1, 1e10, "-", "", "crushing strength"});
+  keys.push_back({table, "compression", K::number, "Pa", 1, 1e10, "-", "", "crushing strength, at the edge of a mortar joint"});
+  keys.push_back({table, "crushing_energy", K::number, "J/m2", 1e-6, 1e9, "-", "", "that crushing a mortar joint takes"});
   keys.push_back({table, "stiffness", K::number, "N/m3", 1e6, 1e13, "-", "", "of a mortar joint, with what gives in its bricks"});
   keys.push_back({table, "density", K::number, "kg/m3", scene_limits::kSmallestDensity, scene_limits::kLargestDensity, "-", "", "of the mortar"});
   keys.push_back({table, "head_filling", K::number, "", 0, 1, "-", "", "share of upright joints that is filled: they are so much weaker; 0: they are open"});

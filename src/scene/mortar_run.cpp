@@ -55,6 +55,7 @@ MortarStrength scattered(const MortarKind& kind, bool bed, std::uint64_t seed, c
   strength.shearEnergy *= share;
   if (!bed) {  // what is not filled neither crushes nor gives
     strength.compression = std::max(1.0, strength.compression * kind.headFilling);
+    strength.crushingEnergy = std::max(1e-6, strength.crushingEnergy * kind.headFilling);
     strength.stiffness = std::max(1e6, strength.stiffness * kind.headFilling);
   }
   return strength;

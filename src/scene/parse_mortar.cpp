@@ -16,6 +16,7 @@ void readMortarNumbers(TableReader& reader, MortarKind& kind) {
   reader.number("tension_energy", strength.tensionEnergy);
   reader.number("shear_energy", strength.shearEnergy);
   reader.number("compression", strength.compression);
+  reader.number("crushing_energy", strength.crushingEnergy);
   reader.number("stiffness", strength.stiffness);
   reader.number("density", kind.density);
   reader.number("head_filling", kind.headFilling);

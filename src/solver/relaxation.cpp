@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "solver/acceleration.h"
 #include "solver/cluster_step.h"
@@ -23,6 +24,9 @@ constexpr float kLessened = 0.25f;  // of the residual's square: exact steps in 
 constexpr int kBoundCycles = 2;  // in which the friction limits of new points follow
 //! weights | too small: cost | too large: bodies that are flung about are left unbalanced
 constexpr float kMovingWeights = 2.5f;  // x tolerance: what a faster, lightly loaded body may be left with
+//! of the strength | too small: cost: a hit on mortar is solved finer than its joints feel
+//! | too large: what a solve leaves breaks joints
+constexpr float kHeldShare = 0.03f;  // of the weakest of its joints: what a body that mortar holds may be left with
 //! - | too small: standing islands are thrown out of balance at their foot
 //! | too large: momentum on smooth ground drifts
 constexpr float kFree = 0.2f;  // of a force's way without contacts: an island that a force moves further is free
@@ -41,12 +45,14 @@ class Relaxation {
         together_(forces_, island.hierarchy),
         block_(forces_),
         allowed_(island.bodies.size(), 0, island.memory),
+        hold_(island.memory),
         factors_(island.bodies.size(), island.memory),
         exactFactors_(island.bodies.size(), island.memory) {}
 
   // `renewals`: of what follows the cycles; may be null.
   bool run(Renewals* renewals) {
     forces_.readAll();
+    findHold();
     if (island_.plan.goesOn) moveAlong();
     findAllowed();
     bool done = false;
@@ -71,6 +77,7 @@ class Relaxation {
         renewed_ = cycle + 1;
         done = false;
         forces_.readAll();
+        findHold();
         findAllowed();
         countOut();
       }
@@ -93,7 +100,22 @@ class Relaxation {
     forces_.findLoads();
     float tolerance = float(island_.plan.tolerance);
     for (std::size_t i = 0; i < allowed_.size(); i++) allowed_[i] = tolerance * float(measure(i).force);
+    for (std::size_t i = 0; i < hold_.size(); i++) allowed_[i] = std::max(allowed_[i], kHeldShare * hold_[i]);
     if (island_.plan.large) feelResistance();
+  }
+  // N, by body in a large island: what the weakest joint of mortar on it bears. Its forces follow from places alone, so
+  // what a solve leaves is made up in the next step, and joints do not feel it.
+  void findHold() {
+    if (!island_.plan.large || !island_.rows.anyYielding()) return;
+    hold_.assign(allowed_.size(), std::numeric_limits<float>::infinity());
+    island_.rows.eachKind([&](const auto& kind) {
+      kind.eachHold([&](RowEnds ends, float force) {
+        for (std::uint32_t i : {ends.a, ends.b})
+          if (i < hold_.size()) hold_[i] = std::min(hold_[i], force);
+      });
+    });
+    for (float& force : hold_)
+      if (!(force < std::numeric_limits<float>::infinity())) force = 0;
   }
   // What resists rolling is far below what a large island leaves undone, in every step anew: balls would roll on.
   void feelResistance() {
@@ -254,6 +276,7 @@ class Relaxation {
   LevelStep together_;
   JointBlock block_;
   std::pmr::vector<float> allowed_;               // N, by body
+  std::pmr::vector<float> hold_;                  // N, by body; empty without mortar
   Stall stall_;                                   // of a body alone
   int renewed_ = 0;                               // the cycle after which what is frozen was last set anew
   std::size_t out_ = 0;                           // bodies out of balance

@@ -85,6 +85,7 @@ concept GoesThroughAStep = requires(Kind& kind, const Kind& seen, std::size_t k,
   seen.read(k, count, motion, readings);
   seen.sumBoundary(boundary, sums);
   seen.eachResistance(AnyVisit{});  // to rolling: bodies on which it acts are solved as finely
+  seen.eachHold(AnyVisit{});        // pull that rows bear whose forces follow from places alone: solved less finely
   { seen.react(k, motion) } -> std::same_as<Reaction>;
   { seen.reactStiff(k, motion, exact) } -> std::same_as<StiffReaction>;
   // Between its cycles, or its Newton steps (direct_solve.cpp): what a row keeps frozen may follow the motion found.

@@ -18,10 +18,11 @@ struct TieImpact {
 
 // By the solved motion of an island, between forces and new poses.
 struct TieWork {
-  double work = 0;             // J, done on the bodies and on kinematic partners
-  double rebound = 0;          // J, done by the forces that rebounds add: not part of `work`
-  double elastic = 0;          // J, elastic energy after it
-  double pull = 0, shear = 0;  // J, spent on breaking ties, by mode: part of `work` and `elastic`
+  double work = 0;     // J, done on the bodies and on kinematic partners
+  double rebound = 0;  // J, done by the forces that rebounds add: not part of `work`
+  double elastic = 0;  // J, elastic energy after it
+  // J, spent on breaking ties, by mode: part of `work` and `elastic`
+  double pull = 0, shear = 0, crush = 0;
 };
 
 struct PointCount {

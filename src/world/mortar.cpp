@@ -31,6 +31,7 @@ constexpr StrengthField kStrengthFields[] = {
     {"strength.tensionEnergy", &MortarStrength::tensionEnergy, 1e-6, 1e6},
     {"strength.shearEnergy", &MortarStrength::shearEnergy, 1e-6, 1e6},
     {"strength.compression", &MortarStrength::compression, 1, 1e10},
+    {"strength.crushingEnergy", &MortarStrength::crushingEnergy, 1e-6, 1e9},
     {"strength.stiffness", &MortarStrength::stiffness, 1e6, 1e13},
 };
 
@@ -124,8 +125,8 @@ Mortar mortarFrom(const MortarDef& def, BodyIndex a, BodyIndex b, const BodySet&
   m.bodyB = b;
   m.userData = def.userData;
   const MortarStrength& s = def.strength;
-  m.strength = {float(s.tension),     float(s.cohesion),    float(s.friction), float(s.tensionEnergy),
-                float(s.shearEnergy), float(s.compression), float(s.stiffness)};
+  m.strength = {float(s.tension),     float(s.cohesion),    float(s.friction),       float(s.tensionEnergy),
+                float(s.shearEnergy), float(s.compression), float(s.crushingEnergy), float(s.stiffness)};
   m.area = float(face.area);
   m.gyration[0] = float(face.gyration[0]);
   m.gyration[1] = float(face.gyration[1]);
@@ -164,7 +165,7 @@ void findStresses(const Mortar& m, const MortarPose& pose, MortarState& s) {
   const Vec3 along = s.force - pose.n * dot(s.force, pose.n);
   s.tension = bent - pressure;
   s.shear = length(along) / m.area + root3 * std::fabs(dot(s.torque, pose.n)) / (m.area * polar);
-  const double left = std::max(1e-3, mortar::strengthLeft(m.damage));
+  const double left = std::max(1e-3, mortar::strengthOf(m));
   const double shear =
       std::max(left * m.strength.cohesion + m.strength.friction * pressure, 1e-3 * m.strength.cohesion);
   s.utilisation = std::clamp(
@@ -186,10 +187,11 @@ MortarState stateOf(const Mortar& m, const Registry& registry) {
   s.force = toDouble(m.force);
   s.torque = toDouble(m.torque);
   s.damage = m.damage;
-  s.tensionWork = m.tensionWork;
-  s.shearWork = m.shearWork;
+  s.tensionWork = double(m.tensionWork);
+  s.shearWork = double(m.shearWork);
+  s.crushingWork = double(m.crushingWork);
   s.mode = modeOf(m);
-  s.broken = m.broken;
+  s.broken = m.broken || m.crushed;
   if (!m.broken) findStresses(m, pose, s);
   auto isAwake = [&](BodyIndex body) { return bodies.data[body].activity == BodyActivity::awake; };
   s.awake = isAwake(m.bodyA) || isAwake(m.bodyB);
@@ -224,11 +226,13 @@ MortarPast pastFrom(const OpeningMemory& memory, const MortarSet& set, const Reg
   past.openTime = memory.openTime;
   past.breakTime = memory.breakTime;
   past.mode = modeOf(m);
-  past.tensionShare = m.tensionWork / mortar::pullEnergy(m);
-  past.shearShare = m.shearWork / mortar::shearEnergy(m);
+  past.tensionShare = double(m.tensionWork) / mortar::pullEnergy(m);
+  past.shearShare = double(m.shearWork) / mortar::shearEnergy(m);
+  past.crushingShare = double(m.crushingWork) / mortar::crushEnergy(m);
   past.force = toDouble(memory.force);
-  past.settled = m.broken && !std::binary_search(set.watched.begin(), set.watched.end(), memory.mortar);
-  if (m.broken) past.takers = takersOf(memory, set, registry);
+  const bool broken = m.broken || m.crushed;
+  past.settled = broken && !std::binary_search(set.watched.begin(), set.watched.end(), memory.mortar);
+  if (broken) past.takers = takersOf(memory, set, registry);
   return past;
 }
 
@@ -314,7 +318,7 @@ Result<FallStory> World::whyFell(BodyId id) const {
   for (MortarIndex mortar : order) {
     const Mortar& m = set.slots[mortar];
     FallJoint joint{m.bodyA, m.bodyB};
-    if (const OpeningMemory* memory = m.broken ? set.pastOf(mortar) : nullptr) {
+    if (const OpeningMemory* memory = m.broken || m.crushed ? set.pastOf(mortar) : nullptr) {
       joint.breakTime = memory->breakTime;
       joint.lift = dot(toDouble(memory->force), up);
       if (m.names(*body)) story.opened.push_back(pastFrom(*memory, set, w.registry));

@@ -91,7 +91,7 @@ void MortarSuccession::pass(const Registry& registry, const std::vector<BodyInde
     event.bodyB = face.ofA ? registry.idOf(other) : face.was;
     event.pointWorld = face.centre;
     event.mode = modeOf(m);
-    event.energy = m.tensionWork + m.shearWork;
+    event.energy = workOn(m);
     event.dropped = true;
     diary.heard().mortar.push_back(event);
     // Destroyed as one of any body, since the set unlists what its bodies were.

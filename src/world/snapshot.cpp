@@ -75,7 +75,7 @@ class SnapshotArchive {
       for (auto* body : {&event.bodyA, &event.bodyB}) a.value(*body);
       a.value(event.mortar);
       a.value(event.pointWorld);
-      a.choice(event.mode, MortarMode::shear);
+      a.choice(event.mode, MortarMode::crushing);
       a.value(event.energy);
       for (auto* flag : {&event.broken, &event.dropped}) a.flag(*flag);
     }

@@ -57,7 +57,7 @@ void crumbleMortar(const Registry& registry, double time, const StepContext& con
                                    registry.idOf(m.bodyB),
                                    MortarPose(m, registry.bodies).centre,
                                    modeOf(m),
-                                   m.tensionWork + m.shearWork,
+                                   workOn(m),
                                    breaks});
   };
   noteOpenings(time, context, ties);
@@ -67,12 +67,18 @@ void crumbleMortar(const Registry& registry, double time, const StepContext& con
       m.cracked = true;
       tell(link.index, false);
     }
-    if (m.damage >= (m.opens ? mortar::kBroken : mortar::kThread)) broken.push_back(link.index);
+    if (m.crushed ? m.opens : m.damage >= (m.opens ? mortar::kBroken : mortar::kThread)) broken.push_back(link.index);
   });
   for (MortarIndex index : broken) {
-    tell(index, true);
-    noteBreak(index, time, ties.mortar);
-    upkeep.crumble(index);
+    Mortar& m = ties.mortar.slots[index];
+    if (!m.crushed) {
+      tell(index, true);
+      noteBreak(index, time, ties.mortar);
+    }
+    if (m.crushed || modeOf(m) != MortarMode::crushing)
+      upkeep.crumble(index);
+    else
+      ties.mortar.crush(index);
   }
 }
 

@@ -48,15 +48,16 @@ namespace {
 
 // The work of ties, and how it changed their elastic energy.
 BalanceChange tiesNow(const IslandSet& islands, const StepContext& context, double elasticBefore, double& rebound,
-                      double& pull, double& shear) {
+                      StepLedger& ledger) {
   BalanceChange out;
   double elastic = elasticAsleep(context);
   for (const IslandPointer& island : islands.awake) {
     TieWork ofTies = workOf(*island, context);
     out.energy += ofTies.work;
     rebound += ofTies.rebound;
-    pull += ofTies.pull;
-    shear += ofTies.shear;
+    ledger.tensionFracture += ofTies.pull;
+    ledger.shearFracture += ofTies.shear;
+    ledger.crushing += ofTies.crush;
     elastic += ofTies.elastic;
   }
   out.elastic = elastic - elasticBefore;
@@ -81,8 +82,7 @@ void bookStore(const Registry& registry, const Activity& activity, const StepCon
   ledger.gravity.angular += inFlight;
   Balance now = s.moving(solvedBalance(activity.awake, bodies, context));
   double rebound = 0;
-  BalanceChange ofTies =
-      tiesNow(activity.islands, context, s.now.elastic, rebound, ledger.tensionFracture, ledger.shearFracture);
+  BalanceChange ofTies = tiesNow(activity.islands, context, s.now.elastic, rebound, ledger);
   ledger.solve += now - s.now - s.push - supports - BalanceChange{{}, inFlight, ofTies.energy + rebound};
   ledger.rebound.energy += rebound;
   s.now = now;

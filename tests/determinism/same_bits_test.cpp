@@ -120,7 +120,7 @@ std::vector<double> toldOfMortar(const World& world) {
   for (MortarId id : world.mortars()) {
     const MortarState state = *world.state(id);
     out.insert(out.end(), {double(id.index), state.force.x, state.force.y, state.force.z, state.utilisation,
-                           state.damage, state.tensionWork, state.shearWork});
+                           state.damage, state.tensionWork, state.shearWork, state.crushingWork});
     const Result<MortarPast> past = world.past(id);
     if (!past) continue;
     out.insert(out.end(), {past->crackTime, past->openTime, past->breakTime, past->force.x, double(past->settled)});

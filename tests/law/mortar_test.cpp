@@ -245,6 +245,113 @@ TEST(Law, Row31hAHitBreaksAsMuchAtAnyStep) {
   atMost("most joints broken at a step over the least", 0, most / least, 1.3, "");
 }
 
+// Hits below the strength of a mortared wall cost less than those on the dry wall.
+TEST(Law, Row31tAHitBelowTheStrengthOfMortarCostsLess) {
+  double visits[2] = {};
+  for (int k = 0; k < 10; k++) {
+    const bool mortared = k % 2 != 0;
+    Glued g;
+    g.brick({1, -0.5, 0}, BodyType::fixed, {10, 1, 10});
+    g.wall(20, 10);
+    if (mortared) g.glue(1, 12);
+    for (int i = 0; i < 30; i++) g.step(kDt);
+    BodyDef ball = bodyOf(sphereOf(0.05, 1900), {1 + 0.015 * (k - k % 2), 0.65 + 0.0065 * (k - k % 2), 0.15});
+    ball.linearVelocity = {0, 0, -1.5};
+    ball.gravityScale = 0;
+    add(g.world, ball);
+    for (int i = 0; i < 60; i++) {
+      Result<StepReport> report = g.world.step(kDt);
+      ASSERT_TRUE(report.ok());
+      visits[mortared] += report->solveVisits;
+    }
+    EXPECT_EQ(g.broken, 0);
+  }
+  atMost("visits of a hit on a mortared wall, of those of the dry one", kDt, visits[1] / visits[0], 1, "");
+}
+
+// A light brick under pressure over ft bears N t / 2: its joint cracks at once, and bears the more the further it opens.
+TEST(Law, Row31qABrickUnderPressureFallsAtItsEdge) {
+  for (double dt : {1.0 / 20, 1.0 / 60})
+    for (double load : {8000.0, 60000.0}) {
+      Glued g;
+      g.brick({0, 1, 0}, BodyType::fixed);
+      g.brick({0, 1 + kBrickSize.y, 0});
+      g.glue();
+      const double expected = 0.5 * 0.1025 * (load + g.weight(1));
+      double moment = 0.8 * expected;
+      while (g.moved() < 0.02 && moment < 2 * expected) {
+        moment += 0.1 * expected * dt;
+        g.push(1, {0, -load, 0});
+        g.twist(1, {moment, 0, 0});
+        g.step(dt);
+      }
+      reached({label("moment that topples a brick under %.0f N", load), dt, moment / expected, 1, 0.04, "of N t / 2"});
+    }
+}
+
+// A joint crushes at fm A and takes its energy, and nothing else. What was crushed lies firm, and pushes nothing out.
+TEST(Law, Row31rAJointCrushesAtItsStrength) {
+  for (double dt : {1.0 / 60, 1.0 / 480}) {
+    Couplet c;
+    TraceOptions trace;
+    trace.ledger = true;
+    c.world.trace(trace);
+    c.turnBy(0.65);
+    c.brick({0, 1, 0}, BodyType::fixed);
+    c.brick({0, 1 + kBrickSize.y, 0});
+    c.glue();
+    const double expected = c.strength.compression * kBed, sinks = c.strength.crushingEnergy / c.strength.compression;
+    double force = 0.9 * expected, crushed = 0;
+    auto press = [&] {
+      c.push(1, {0, -force, 0});
+      Result<StepReport> report = c.world.step(dt);
+      ASSERT_TRUE(report.ok());
+      crushed += report->ledger->crushing;
+      for (const MortarEvent& e : c.world.events().mortar) {
+        EXPECT_EQ(e.mode, MortarMode::crushing);
+        c.broken += e.broken;
+      }
+    };
+    while (c.broken == 0 && force < 2 * expected) {
+      force += 0.2 * expected * dt;
+      press();
+    }
+    reached({"pressure that crushes a joint", dt, force / expected, 1, 0.01, "of fm A"});
+    reached({"the energy that it takes", dt, crushed / (c.strength.crushingEnergy * kBed), 1, 0.01, "of A G"});
+    EXPECT_NEAR(c.world.state(c.joints[0])->crushingWork, crushed, 1e-6 * crushed);
+    force *= 1.5;
+    for (int i = 0; i < int(std::lround(0.2 / dt)); i++) press();
+    // With what its points give as springs.
+    const double gives = force / (3 * c.strength.stiffness * kBed);
+    reached({"way by which it sinks, half as much again pressing", dt, -c.move(1).y / (sinks + gives), 1, 0.02, ""});
+    force = 0;
+    for (int i = 0; i < int(std::lround(0.2 / dt)); i++) press();
+    reached({"the way when nothing presses", dt, -c.move(1).y / sinks, 1, 0.02, "of G / fm"});
+    EXPECT_EQ(c.broken, 1);
+    // It ties no more.
+    force = -10 * c.weight(1);
+    for (int i = 0; i < int(std::lround(0.2 / dt)); i++) press();
+    EXPECT_GT(c.move(1).y, 0.5);
+  }
+}
+
+// A weight that falls on a joint sinks in by no more than the joint yields, whatever the step: it crushes A G once.
+TEST(Law, Row31sABlowThatCrushesTakesTheEnergyOnce) {
+  for (double dt : {1.0 / 60, 1.0 / 480})
+    for (double speed : {1.0, 10.0}) {
+      Glued g({}, emptySpace());
+      g.brick({0, 0, 0}, BodyType::fixed);
+      g.brick({0, kBrickSize.y, 0}, BodyType::dynamic, kBrickSize, 1e7);
+      g.gluePair(0, 1);
+      ASSERT_TRUE(g.world.setLinearVelocity(g.bodies[1], {0, -speed, 0}).ok());
+      for (int i = 0; i < int(std::lround(0.1 / dt)); i++) g.step(dt);
+      const MortarState s = *g.world.state(g.joints[0]);
+      EXPECT_EQ(s.mode, MortarMode::crushing);
+      reached({label("energy that a blow at %.0f m/s crushes", speed), dt,
+               s.crushingWork / (g.strength.crushingEnergy * kBed), 1, 0.01, "of A G"});
+    }
+}
+
 // Energy never rises, and the ledger has what broke.
 TEST(Law, Row31pTheLedgerHasWhatAHitBreaks) {
   for (double dt : {1.0 / 60, 1.0 / 240}) {

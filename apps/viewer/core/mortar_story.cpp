@@ -16,6 +16,7 @@ std::string newtons(double force) {
 }
 
 std::string modeWords(const ToldBreak& told) {
+  if (told.mode == MortarMode::crushing) return "crushed";
   const std::string words = told.mode == MortarMode::shear ? "sheared off" : "pulled open";
   if (told.tensionShare < 0.005 || told.shearShare < 0.005) return words;
   return words + " (energy: " + percent(told.shearShare) + " shear, " + percent(told.tensionShare) + " tension)";

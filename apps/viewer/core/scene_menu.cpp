@@ -17,7 +17,8 @@ struct Kind {
 const Kind kKinds[] = {
     {"The report's tests", {"cube", "wall", "wall_stand", "report_wall"}},
     {"Walls", {"hole", "wall_hit", "wall_stand_tall", "pendulum-wall", "hill", "garden-gate", "blast", "tilt-table"}},
-    {"Mortar", {"mortar-wall", "wall-hits", "mortar-strength", "garden-wall", "house-hit", "arch-load"}},
+    {"Mortar",
+     {"mortar-wall", "wall-hits", "mortar-strength", "garden-wall", "house-hit", "arch-load", "column-crush"}},
     {"Houses, arches, domes",
      {"house", "roof", "wrecking-ball", "shake-table", "tower", "round-tower", "arch", "dome", "column", "bridge"}},
     {"Toys and trials", {"dominoes", "domino-spiral", "cradle", "pyramid", "mass_ratio", "pile"}},

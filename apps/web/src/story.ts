@@ -17,6 +17,7 @@ function percent(share: number): string {
 }
 
 export function modeWords(broken: BreakMeta): string {
+  if (broken.mode === 'crushing') return 'crushed';
   const words = broken.mode === 'shear' ? 'sheared off' : 'pulled open';
   const both = broken.tension > 0.005 && broken.shear > 0.005;
   return both ? `${words} (${percent(broken.shear)} of its energy in shear, ${percent(broken.tension)} in tension)` : words;

@@ -62,7 +62,7 @@ export interface BreakMeta {
   joint: number;
   crackTime: number; // s
   time: number;
-  mode: 'tension' | 'shear' | 'none';
+  mode: 'tension' | 'shear' | 'crushing' | 'none';
   tension: number; // share of its energy
   shear: number;
   force: number; // N, that it bore before it opened

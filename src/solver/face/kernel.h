@@ -1,6 +1,6 @@
 // The law of a face and its derivatives, four points at a time, or the points of two faces side by side.
 //
-//   fn = max(trialN - k Cn, leastN)
+//   fn = max(trialN - k Cn, leastN)      of a face that crushes: max(min(fn, most), trialN - k Cn - yield)
 //   ft = (trial1 - k C1, trial2 - k C2), scaled back onto |ft| <= limit: scaled back = slides
 //
 // Resistance to rolling is the same law for (C1, C2) = radius x (turn about t1, turn about t2): a torque radius x ft.
@@ -60,6 +60,18 @@ template <class R> BRICKFALL_LANES auto rollingLanes(const R& r) {
   return marks > decltype(marks){};
 }
 
+// Whether any of the records is a face that crushes; what its points bear at most, below 0; what they yield by.
+BRICKFALL_LANES bool anyCrushes(const FaceRecord& r) { return r.near < 0; }
+template <class L> BRICKFALL_LANES bool anyCrushes(const RecordPair<L>& r) {
+  return (r.first.near < 0) | (r.second.near < 0);
+}
+template <class R> BRICKFALL_LANES auto mostInLanes(const R& r) {
+  return lanesOf(r, [](const FaceRecord& one) { return wide::all<V>(mostOf(one)); });
+}
+template <class R> BRICKFALL_LANES auto yieldInLanes(const R& r) {
+  return lanesOf(r, [](const FaceRecord& one) { return wide::all<V>(yieldOf(one)); });
+}
+
 // Displacements of the four points.
 template <class L> struct PointMotion { L n, t1, t2; };
 template <class R, class L>
@@ -96,6 +108,7 @@ template <class R, class L> BRICKFALL_LANES PointForces<L> pointForces(const R& 
   L k = pointsOf(r, &FaceRecord::k);
   f.trialN = pointsOf(r, &FaceRecord::trialN) - (k * moved.n);
   f.n = max(f.trialN, pointsOf(r, &FaceRecord::leastN));
+  if (anyCrushes(r)) f.n = max(-max(-f.n, -mostInLanes(r)), f.trialN - yieldInLanes(r));
   f.trial1 = pointsOf(r, &FaceRecord::trial1) - (k * moved.t1);
   f.trial2 = pointsOf(r, &FaceRecord::trial2) - (k * moved.t2);
   L limit = pointsOf(r, &FaceRecord::limit);
@@ -150,6 +163,10 @@ BRICKFALL_LANES StiffnessOf<L> stiffness(const R& r, const Frame<L>& frame, cons
   L limit = pointsOf(r, &FaceRecord::limit), zero{};
   auto normalOn = f.trialN > closedAbove(r, exact);
   L kn = keepIf(normalOn, k);
+  if (anyCrushes(r)) {
+    L most = mostInLanes(r);
+    kn = select((f.trialN > most) & (most > f.trialN - yieldInLanes(r)), zero, kn);
+  }
   auto frictional = limit > zero;
   L kt = keepIf(frictional, k);
   auto sliding = f.slides & frictional;

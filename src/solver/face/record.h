@@ -15,8 +15,13 @@ struct alignas(64) FaceRecord {
   Vec3f n, t1;                         // unit, world; n from A to B
   Vec3f armA, armB;                    // m, from the centres of mass to the face's centre
   std::uint32_t bodyA = 0, bodyB = 0;  // in Island::motion
-  float near = 0;                      // m: open points nearer than this stay in the Newton matrix
-  std::uint16_t newPoints = 0;         // bit per point whose friction limit follows: it carried nothing, or an impact
+  // m: open points nearer than this stay in the Newton matrix. Below 0: no such points, and none bears more than -near,
+  // N, until it has gone `yields` / kYieldParts of the way that this force makes. Then what was crushed lies firm.
+  float near = 0;
+  union {
+    std::uint16_t newPoints = 0;  // bit per point whose friction limit follows: it carried nothing, or an impact
+    std::uint16_t yields;         // of faces that crush
+  };
   // 1: the last lane is no point. It resists rolling: its way is the turn of B against A about t1 and t2 times s1, a
   // radius, and its friction is a torque over that radius.
   std::uint16_t rolls = 0;
@@ -30,5 +35,11 @@ struct alignas(64) FaceRecord {
       {};  // N, least normal force: 0 of a dry point, below 0 of a bonded one, above 0 of one that rebounds
 };
 static_assert(sizeof(FaceRecord) == 192);
+
+//! not of the method: parts of a way that a number of 16 bits counts
+inline constexpr float kYieldParts = 64;
+// N, of a point: the most that it bears while it crushes; how much more a firm spring would bear until it is crushed.
+inline float mostOf(const FaceRecord& r) { return r.near < 0 ? -r.near : 3e38f; }
+inline float yieldOf(const FaceRecord& r) { return r.near < 0 ? -r.near * (float(r.yields) / kYieldParts) : 0.0f; }
 
 }  // namespace brickfall

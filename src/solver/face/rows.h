@@ -28,6 +28,7 @@ struct FaceRows {
     for (std::size_t k = 0; k < records.size(); k++)
       if (records[k].rolls) visit(ends(k), records[k].limit[3]);
   }
+  template <class Visit> void eachHold(Visit&&) const {}
   // J: the most that the face's law gives in a step, by whatever way: that of a spring which is released halfway.
   double mostWork(std::size_t k) const {
     const FaceRecord& r = records[k];

@@ -169,6 +169,7 @@ struct JointRows {
   void check(Findings& f, const Island& island, const Ties& ties, bool current) const;
   template <class Visit> void eachManifold(Visit&&) const {}
   template <class Visit> void eachResistance(Visit&&) const {}
+  template <class Visit> void eachHold(Visit&&) const {}
   PointCount countPoints(const Ties&) const { return {}; }
   template <class Visit> void eachTouching(const Ties&, Visit&&) const {}
   void startAfresh(Ties& ties) const;

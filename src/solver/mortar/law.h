@@ -27,15 +27,29 @@ inline double strengthLeft(double damage) {
   const double d = damage < kThread ? damage : kThread;
   return (1 - d) / (1 + 2 * d);
 }
+// Of a joint: what has crushed ties no more.
+inline double strengthOf(const Mortar& m) { return m.crushed ? 0 : strengthLeft(m.damage); }
 inline float armOf(double damage) { return float(1 + 2 * damage); }
+//! not of the method: arm of the points of what is broken
+constexpr float kBroadest = 3;
+// Points further out than the damage says bear the less pull.
+inline double pullLeft(double damage, float arm) {
+  return arm > armOf(damage) ? strengthLeft(0.5 * (double(arm) - 1)) : 1;
+}
 // N/m, of a point.
 inline double stiffnessOf(const Mortar& m) { return kFirmer * m.strength.stiffness * m.area / kMortarPoints; }
 // N, of a point of intact mortar: pull and, without pressure, shear.
 inline double pullOf(const Mortar& m) { return double(m.strength.tension) * m.area / kMortarPoints; }
 inline double shearOf(const Mortar& m) { return double(m.strength.cohesion) * m.area / kMortarPoints; }
+// N, of a point: the pressure that crushes it; m: how far it yields under it.
+inline double pressOf(const Mortar& m) { return double(m.strength.compression) * m.area / kMortarPoints; }
+inline double yieldOf(const Mortar& m) {
+  return (1 - m.damage) * double(m.strength.crushingEnergy) / double(m.strength.compression);
+}
 // J: that breaks it, by mode.
 inline double pullEnergy(const Mortar& m) { return double(m.strength.tensionEnergy) * m.area; }
 inline double shearEnergy(const Mortar& m) { return double(m.strength.shearEnergy) * m.area; }
+inline double crushEnergy(const Mortar& m) { return double(m.strength.crushingEnergy) * m.area; }
 
 // m: along the face's axes, of point i; `arm` as Mortar::arm.
 struct PointPlace {

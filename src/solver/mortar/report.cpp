@@ -50,6 +50,7 @@ void MortarRows::checkRanges(Findings& f) const {
   for (std::size_t k = 0; k < size(); k++) {
     bool fine = starts[k].left >= 0 && starts[k].left <= 1;
     eachNumber(records[k], [&](float number) { fine = fine && std::fabs(number) <= 1e30f; });
+    fine = fine && records[k].near <= 0 && records[k].near >= -1e30f && records[k].rolls == 0;
     for (int i = 0; i < 4; i++)
       fine = fine && records[k].k[i] >= 0 && records[k].limit[i] >= 0 && records[k].leastN[i] <= 0 &&
              std::fabs(starts[k].heldN[i]) <= 1e30f && std::fabs(starts[k].held1[i]) <= 1e30f &&
@@ -91,6 +92,7 @@ void MortarRows::addWork(const Island& island, const StepContext& context, TieWo
     sum.elastic += held / (2 * mortar::stiffnessOf(mortarAt(k, *context.ties)));
     sum.pull += double(starts[k].pull);
     sum.shear += double(starts[k].shear);
+    sum.crush += double(starts[k].crush);
   }
 }
 

@@ -10,13 +10,15 @@ namespace brickfall {
 
 namespace {
 
+//! of the kern | too small: more passes | too large: points go further out than the bending needs
+constexpr float kWidens = 1;  // so much further go points out in a pass
 //! of the firmness | too small: what is about to break moves as if it were loose
 //! | too large: cost: thousands of caps are met and left in one solve
 constexpr double kLeastFirmness = 0.003;  // of a joint that its bodies' velocities will break
 
 // The points of a joint go out as it is damaged. Forces keep their sum and their moments: a force further out is less.
 void placePoints(Mortar& m, const MortarPose& pose) {
-  const float arm = mortar::armOf(m.damage), by = m.arm / arm;
+  const float arm = std::max(m.arm, mortar::armOf(m.damage)), by = m.arm / arm;
   if (by == 1) return;
   const double k = mortar::stiffnessOf(m);
   auto gapAt = [&](int i, double out, int axis) { return mortar::gapAt(pose, mortar::placeOf(m, i, out))[axis]; };
@@ -50,7 +52,8 @@ RowGrip MortarRows::grip(std::size_t k, const StepContext& context) const {
 void MortarRows::writeCaps(std::size_t k, const Mortar& m) {
   FaceRecord& r = records[k];
   const MortarStart& start = starts[k];
-  const float pull = float(double(start.left) * mortar::pullOf(m));
+  const double left = std::min(double(start.left), mortar::pullLeft(m.damage, start.arm));
+  const float pull = float(left * mortar::pullOf(m));
   const float shear =
       float(double(start.left) * mortar::shearOf(m) + double(m.strength.friction) * double(start.pressure));
   for (int i = 0; i < 4; i++) {
@@ -61,7 +64,7 @@ void MortarRows::writeCaps(std::size_t k, const Mortar& m) {
 
 void MortarRows::addHolding(std::size_t k, Vec3 along, const Ties& ties, const BodySet& bodies, Holding& out) const {
   const Mortar& m = mortarAt(k, ties);
-  const double pull = std::fabs(dot(MortarPose(m, bodies).n, along)), left = mortar::strengthLeft(m.damage);
+  const double pull = std::fabs(dot(MortarPose(m, bodies).n, along)), left = mortar::strengthOf(m);
   const double shear = std::sqrt(std::max(0.0, 1 - pull * pull));
   out.force += left * kMortarPoints * (pull * mortar::pullOf(m) + shear * mortar::shearOf(m));
   out.energy += (1 - m.damage) * (pull * pull * mortar::pullEnergy(m) + shear * shear * mortar::shearEnergy(m));
@@ -93,6 +96,23 @@ void MortarRows::prepare(Island& island, Ties& ties, const StepContext& context)
   }
 }
 
+// Under pressure a face bears the more bending the further out its points are, and bends no further than it must. So
+// they go out within the step. What they hold keeps its sum and its moments.
+void MortarRows::widen(std::size_t k, const Mortar& m) {
+  FaceRecord& r = records[k];
+  MortarStart& start = starts[k];
+  const float to = std::min(start.arm + kWidens, mortar::kBroadest), by = to / start.arm;
+  auto scale = [](float* of, float factor) {
+    const float mean = 0.25f * (of[0] + of[1] + of[2] + of[3]);
+    for (int i = 0; i < 4; i++) of[i] = mean + (of[i] - mean) * factor;
+  };
+  for (float* place : {r.s1, r.s2, start.opens, start.goes1, start.goes2}) scale(place, by);
+  for (float* force : {start.heldN, start.held1, start.held2}) scale(force, 1 / by);
+  start.arm = to;
+  writeSprings(k, m);
+  writeCaps(k, m);
+}
+
 // Where the face and its points are, and what they hold.
 void MortarRows::writeFace(std::size_t k, const Mortar& m, const MortarPose& pose) {
   FaceRecord& r = records[k];
@@ -114,8 +134,9 @@ void MortarRows::writeFace(std::size_t k, const Mortar& m, const MortarPose& pos
     pressure += 0.25 * double(start.heldN[i]);
   }
   start.stiffness = float(stiffness);
+  start.arm = m.arm;
   start.pressure = float(std::max(pressure, -mortar::pullOf(m)));
-  start.pull = start.shear = 0;
+  start.pull = start.shear = start.crush = 0;
 }
 
 // Ways by the velocities at the start, which are the ways of the last step. What turns goes on along an arc.
@@ -154,7 +175,7 @@ void MortarRows::writeSprings(std::size_t k, const Mortar& m) {
     worn += 0.5 * (mortar::pullOf(m) * std::max(0.0, double(start.opens[i])) / mortar::pullEnergy(m) +
                    mortar::shearOf(m) * along / mortar::shearEnergy(m));
   }
-  const double whole = mortar::strengthLeft(m.damage), stood = m.opens ? 0 : standing,
+  const double whole = mortar::strengthOf(m), stood = m.opens ? 0 : standing,
                most = worn > 0 ? stood + (1 - m.damage) * double(start.tougher) / worn : whole;
   start.left = float(std::min(whole, most));
   // A tie that is less firm holds less of its force, or it would give more than it holds.
@@ -166,6 +187,11 @@ void MortarRows::writeSprings(std::size_t k, const Mortar& m) {
     r.trial1[i] = held * start.held1[i] - r.k[i] * arc1;
     r.trial2[i] = held * start.held2[i] - r.k[i] * arc2;
   }
+  r.near = 0;
+  if (m.crushed) return;
+  const double press = mortar::pressOf(m), way = double(r.k[0]) * mortar::yieldOf(m) / press;
+  r.near = -float(press);
+  r.yields = std::uint16_t(std::min(way * double(kYieldParts), 65535.0));
 }
 
 // What springs hold between the bodies of this row, and no more: caps take.

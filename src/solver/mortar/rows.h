@@ -30,15 +30,16 @@ struct Island;
 struct MortarStart {
   float heldN[4] = {}, held1[4] = {}, held2[4] = {};  // N: forces at the start
   float opens[4] = {}, goes1[4] = {}, goes2[4] = {};  // m: ways by the velocities at the start
-  Vec3f arc;                  // m: of B against A beyond its linear way, as the bodies turn at the start
-  float stiffness = 0;        // N/m, of a point, firm as it is
-  float pressure = 0;         // N, of a point: mean of the last step; below 0: pull
-  float tougher = 1;          // x the fracture energy: what a blow crushes until the joint's force is reached
-  float left = 1;             // S: share of the caps that is left
-  float pull = 0, shear = 0;  // J, that this step takes of the fracture energy, by mode
+  Vec3f arc;            // m: of B against A beyond its linear way, as the bodies turn at the start
+  float stiffness = 0;  // N/m, of a point, firm as it is
+  float pressure = 0;   // N, of a point: mean of the last step; below 0: pull
+  float tougher = 1;    // x the fracture energy: what a blow crushes until the joint's force is reached
+  float left = 1;       // S: share of the caps that is left
+  float arm = 1;        // of the kern: how far out the points are; grows within a step (widen)
+  float pull = 0, shear = 0, crush = 0;  // J, that this step takes of the fracture energy, by mode
 };
 
-static_assert(sizeof(MortarStart) <= 132);
+static_assert(sizeof(MortarStart) <= 140);
 
 struct MortarRows : FaceRows {
   explicit MortarRows(std::pmr::memory_resource* memory) : FaceRows(memory), mortarOf(memory), starts(memory) {}
@@ -73,6 +74,10 @@ struct MortarRows : FaceRows {
   bool pins(std::size_t, const StepContext&) const { return true; }
   bool holds(std::size_t, const StepContext&) const { return true; }
   RowGrip grip(std::size_t k, const StepContext& context) const;
+  // visit(ends, force): of each row the pull that it bears, N.
+  template <class Visit> void eachHold(Visit&& visit) const {
+    for (const FaceRecord& r : records) visit(RowEnds{r.bodyA, r.bodyB}, -float(kPoints) * r.leastN[0]);
+  }
   RowCourse courseOf(std::size_t, const EndChanges&, const StepSpan&, const StepContext&) const {
     return RowCourse::changes;
   }
@@ -144,6 +149,7 @@ struct MortarRows : FaceRows {
   void writeStart(std::size_t k, const Mortar& m, const MortarPose& pose, const Island& island, const BodySet& bodies);
   void writeSprings(std::size_t k, const Mortar& m);
   void writeCaps(std::size_t k, const Mortar& m);
+  void widen(std::size_t k, const Mortar& m);
   void takeCrushes(const Island& island, const Ties& ties);
 };
 

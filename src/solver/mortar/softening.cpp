@@ -34,10 +34,16 @@ PointForces stateAt(const FaceRecord& r, const MortarStart& start, const SolveMo
   return out;
 }
 
+// m: how far a point yields to pressure.
+float crushedBy(const FaceRecord& r, const PointForces& now, int i) {
+  const float more = now.trialN[i] - mostOf(r);
+  return more > 0 ? std::min(more, yieldOf(r)) / r.k[i] : 0.0f;
+}
+
 struct Taken {
-  double pull = 0, shear = 0;  // J
-  double use = 0;              // largest force of a point over that of intact mortar
-  double standing = 0;         // of `use`: in balance before the step
+  double pull = 0, shear = 0, crush = 0;  // J
+  double use = 0;                         // largest force of a point over that of intact mortar
+  double standing = 0;                    // of `use`: in balance before the step
   bool yields = false;
 };
 
@@ -68,6 +74,7 @@ Taken takenBy(const Mortar& m, const FaceRecord& r, const MortarStart& start, co
   const double stood = m.opens ? 0 : 1;
   for (int i = 0; i < 4; i++) {
     out.yields = out.yields || now.trialN[i] < r.leastN[i] || (now.slides >> i & 1);
+    out.crush += double(crushedBy(r, now, i)) * double(mostOf(r));
     const double pulls = std::min(0.0, double(now.n[i])), before = std::min(0.0, double(start.heldN[i]));
     pull.add((stood * before - pulls) * double(start.opens[i]), -pulls * double(now.way[i]), held(pulls, before));
     const double f1 = now.t1[i], f2 = now.t2[i], along = std::sqrt(f1 * f1 + f2 * f2);
@@ -96,6 +103,45 @@ Taken takenBy(const Mortar& m, const FaceRecord& r, const MortarStart& start, co
   return out;
 }
 
+// N, of a point.
+double meanPressure(const PointForces& now) {
+  return 0.25 * (double(now.n[0]) + double(now.n[1]) + double(now.n[2]) + double(now.n[3]));
+}
+
+// The joint is bent open under so much pressure that it bears the more the further it opens (law.h).
+bool stiffens(const Mortar& m, const MortarStart& start, const Taken& taken, const PointForces& now) {
+  return start.arm < mortar::kBroadest && 2 * meanPressure(now) > mortar::pullOf(m) &&
+         taken.pull * mortar::shearEnergy(m) > taken.shear * mortar::pullEnergy(m);
+}
+
+// The damage with which the face just bears what it is bent by: (mean - least) arm = mean (1 + 2 D) + pull (1 - D).
+double damageBy(const Mortar& m, const MortarStart& start, const PointForces& now) {
+  const double mean = meanPressure(now);
+  const double least = std::min({now.n[0], now.n[1], now.n[2], now.n[3]}), pull = mortar::pullOf(m);
+  if (!(2 * mean > pull)) return 0;
+  return std::clamp(((mean - least) * double(start.arm) - mean - pull) / (2 * mean - pull), 0.0, 1.0);
+}
+
+// The points went out within the step: where they carry nothing now.
+void placeWidened(Mortar& m, const MortarStart& start) {
+  if (start.arm == m.arm) return;
+  const double by = double(start.arm) / double(m.arm), k = mortar::stiffnessOf(m);
+  auto widen = [&](float* places, const float* held) {
+    double mean = 0, gap[4], middle = 0;
+    for (int i = 0; i < 4; i++) mean += 0.25 * double(held[i]);
+    for (int i = 0; i < 4; i++) {
+      gap[i] = double(places[i]) - (mean + (double(held[i]) - mean) * by) / k;
+      middle += 0.25 * gap[i];
+    }
+    for (int i = 0; i < 4; i++) places[i] = float(middle + (gap[i] - middle) * by + double(held[i]) / k);
+  };
+  widen(m.opening, start.heldN);
+  widen(m.slip1, start.held1);
+  widen(m.slip2, start.held2);
+  m.arm = start.arm;
+}
+
+// Of what caps on pull and shear take, and S makes less.
 double shareOf(const Taken& taken, const Mortar& m) {
   return taken.pull / mortar::pullEnergy(m) + taken.shear / mortar::shearEnergy(m);
 }
@@ -106,10 +152,17 @@ bool MortarRows::renewFrozen(const Island& island, const StepContext& context, R
   bool fell = false;
   for (std::size_t k = 0; k < size(); k++) {
     const Mortar& m = mortarAt(k, *context.ties);
+    if (m.crushed) continue;
     MortarStart& start = starts[k];
-    const Taken taken = takenBy(m, records[k], start, stateAt(records[k], start, island.motion.data()));
+    const PointForces now = stateAt(records[k], start, island.motion.data());
+    const Taken taken = takenBy(m, records[k], start, now);
     const double share = shareOf(taken, m), left = 1 - m.damage;
     if (!(share > (1 + kMoreThanLeft) * left)) continue;
+    if (stiffens(m, start, taken, now)) {
+      widen(k, m);
+      fell = true;
+      continue;
+    }
     const float lower = float(taken.standing + (taken.use - taken.standing) * left / share);
     if (!(lower < (1 - kMoreThanLeft) * start.left)) continue;
     start.left = lower;
@@ -127,18 +180,24 @@ bool MortarRows::store(Island& island, Ties& ties, StepContext&) {
     MortarStart& start = starts[k];
     const PointForces now = stateAt(r, start, island.motion.data());
     const Taken taken = takenBy(m, r, start, now);
-    const double share = shareOf(taken, m), most = share > 1 - m.damage ? (1 - m.damage) / share : 1;
+    const double share = m.crushed ? 0 : shareOf(taken, m) + taken.crush / mortar::crushEnergy(m),
+                 most = share > 1 - m.damage ? (1 - m.damage) / share : 1;
     m.damage = std::min(1.0, m.damage + share * most);
-    m.opens = share > 0;
+    if (start.arm > m.arm) m.damage = std::max(m.damage, damageBy(m, start, now));
+    m.opens = m.crushed ? !(std::max({now.n[0], now.n[1], now.n[2], now.n[3]}) > 0) : share > 0;
     m.tougher = m.opens ? start.tougher : 1;
     start.pull = float(taken.pull * most);
     start.shear = float(taken.shear * most);
-    m.tensionWork += double(start.pull);
-    m.shearWork += double(start.shear);
+    start.crush = float(taken.crush * most);
+    m.tensionWork += start.pull;
+    m.shearWork += start.shear;
+    m.crushingWork += start.crush;
+    placeWidened(m, start);
     const double stiffness = mortar::stiffnessOf(m);
     const bool soft = r.k[0] < 0.999f * float(stiffness);
     for (int i = 0; i < 4; i++) {
-      const bool opens = soft || now.trialN[i] < r.leastN[i], slips = soft || (now.slides >> i & 1);
+      const bool opens = soft || now.trialN[i] < r.leastN[i] || now.trialN[i] > mostOf(r),
+                 slips = soft || (now.slides >> i & 1);
       auto give = [&](float way, float force, float before, float& place) {
         place = float(double(place) + double(way) + (double(force) - double(before)) / stiffness);
       };

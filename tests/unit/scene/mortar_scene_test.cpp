@@ -146,10 +146,11 @@ TEST(MortarScene, EachJointHasItsOwnStrength) {
   EXPECT_EQ(scene::scattered(kind, false, 7, "a", "b").tension, 0.5 * kind.strength.tension);
   EXPECT_EQ(scene::scattered(kind, true, 7, "a", "b").tension, kind.strength.tension);
   // Whatever it is multiplied by, a world takes it.
-  kind.strength = {1, 1.1, 0, 1e-6, 1e-6, 1, 1e6};
+  kind.strength = {1, 1.1, 0, 1e-6, 1e-6, 1, 1e-6, 1e6};
   const MortarStrength weak = scene::scattered(kind, false, 7, "a", "b");
   EXPECT_GE(weak.tension, 1);
   EXPECT_GE(weak.tensionEnergy, 1e-6);
+  EXPECT_GE(weak.crushingEnergy, 1e-6);
 }
 
 TEST(MortarScene, OpenHeadJointsAreNone) {

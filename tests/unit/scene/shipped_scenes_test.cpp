@@ -30,7 +30,7 @@ TEST(ShippedScenes, AreAllSoundTitledAndFoundByName) {
       "wrecking-ball", "shake-table",   "tilt-table",      "cube",        "hole",      "house",       "mass_ratio",
       "pile",          "pyramid",       "tower",           "wall",        "wall_hit",  "wall_stand",  "wall_stand_tall",
       "mortar-wall",   "wall-hits",     "mortar-strength", "garden-wall", "house-hit", "garden-gate", "round-tower",
-      "roof",          "domino-spiral", "arch-load"};
+      "roof",          "domino-spiral", "arch-load",       "column-crush"};
   for (const std::string& name : wanted)
     EXPECT_TRUE(std::any_of(scenes.begin(), scenes.end(), [&](auto& scene) { return scene.name == name; })) << name;
   for (const ShippedScene& scene : scenes) {
@@ -42,7 +42,7 @@ TEST(ShippedScenes, AreAllSoundTitledAndFoundByName) {
   std::string message = unknownSceneMessage("piramid", "a scene file");
   EXPECT_TRUE(
       message.starts_with("scene: found \"piramid\", expected a scene file or one of: arch, arch-load, blast, bridge, "
-                          "column, cradle, cube, "))
+                          "column, column-crush, cradle, cube, "))
       << message;
   EXPECT_TRUE(message.ends_with("(did you mean \"pyramid\"?)")) << message;
   EXPECT_EQ(findScene("no such scene"), "");

@@ -53,6 +53,8 @@ TEST(Mortar, BadDefinitionsAreRefusedByName) {
   refuse("strength.tensionEnergy", [](MortarDef& d) { d.strength.tensionEnergy = 0; });
   refuse("strength.shearEnergy", [](MortarDef& d) { d.strength.shearEnergy = 0; });
   refuse("strength.compression", [](MortarDef& d) { d.strength.compression = 0; });
+  refuse("strength.crushingEnergy", [](MortarDef& d) { d.strength.crushingEnergy = 0; });
+  refuse("strength.crushingEnergy", [&](MortarDef& d) { d.strength.crushingEnergy = nan; });
   refuse("strength.stiffness", [](MortarDef& d) { d.strength.stiffness = 1e20; });
   refuse("more than tension x friction", [](MortarDef& d) { d.strength.cohesion = 0.5 * d.strength.tension; });
   const BodyId other = add(hung.world, bodyOf(boxOf({0.1, 0.1, 0.1}), {3, 2, 0}, BodyType::fixed));
