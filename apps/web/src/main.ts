@@ -32,9 +32,10 @@ function main(): void {
   const decodeMilliseconds = performance.now() - started;
 
   const bounds = boundsOf(take);
+  const picture = new URLSearchParams(location.hash.slice(1)).has('picture');
   let stage: Stage;
   try {
-    stage = new Stage(byId<HTMLCanvasElement>('view'), firstSide(take, bounds));
+    stage = new Stage(byId<HTMLCanvasElement>('view'), firstSide(take, bounds), picture);
   } catch {
     fail('This replay needs WebGL 2, which this browser does not offer (or has switched off).');
     return;
@@ -65,7 +66,6 @@ function main(): void {
     return { top: 1 - (2 * head) / height, bottom: 1 - (2 * bar) / height };
   };
   for (const id of ['head', 'bar']) new ResizeObserver(freeHeight).observe(byId(id));
-  const picture = new URLSearchParams(location.hash.slice(1)).has('picture');
   const free = () => (picture ? { top: 1, bottom: -1 } : freeHeight());
   const views = viewsOf(take, bounds, stage.camera.aspect, free());
   let view = views[0];
