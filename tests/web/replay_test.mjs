@@ -554,6 +554,51 @@ try {
     assert.ok(to - from > 0.4 * 640, `its way is ${to - from} points long`);
   });
 
+  await check('a camera that follows turns after its body from where it stands, until the mouse takes it', async () => {
+    const look = async (f) => {
+      await seek(f);
+      return page.evaluate(() => {
+        const { brickfall: b } = window;
+        const body = b.names.indexOf('left');
+        return { at: b.camera.position, seen: b.project(body) };
+      });
+    };
+    await drawn(() => window.brickfall.setView(1));
+    for (const f of [10, 120, 239]) {
+      const { at, seen } = await look(f);
+      assert.ok(Math.hypot(at[0] - 8, at[1] - 3, at[2] - 8) < 1e-3, `frame ${f}: it stands at ${at}`);
+      assert.ok(Math.hypot(seen[0] - 320, seen[1] - 180) < 1, `frame ${f}: the body is at ${seen}`);
+    }
+    await page.mouse.move(240, 110);
+    await page.mouse.down();
+    await page.mouse.move(300, 115, { steps: 3 });
+    await page.mouse.up();
+    const { seen } = await look(60);
+    assert.ok(Math.hypot(seen[0] - 320, seen[1] - 180) > 20, `taken by the mouse it still looks at it: ${seen}`);
+  });
+
+  await check('boxes of all sizes are one mesh, each with its own size', async () => {
+    const edges = await page.evaluate(() => {
+      const { brickfall: b } = window;
+      b.seek(0);
+      b.lookFrom([0, 60, 0.01], [0, 0, 0]);
+      // From straight above: how far to the side the ground of 40 m goes, and a box of 0.2 m, in points from their middles.
+      const reach = (body) => {
+        const [x, y] = b.project(b.position(body));
+        let far = 0;
+        while (far < 400 && b.pick(x + far, y - 0.7 * far) === body) far += 0.25;
+        return far;
+      };
+      const ground = reach(0);
+      b.lookFrom([1, 3.1, 0.001], [1, 0.1, 0]);
+      return { ground, box: reach(3), meshes: b.meshes };
+    });
+    const points = (half, away) => (half / away) * 180 / Math.tan((22.5 * Math.PI) / 180);
+    assert.equal(edges.meshes, 3); // ground, boxes, ball
+    assert.ok(Math.abs(edges.ground - points(20, 60)) < 3, `the ground ends at ${edges.ground}`);
+    assert.ok(Math.abs(edges.box - points(0.1, 2.9)) < 1, `the box ends at ${edges.box}`);
+  });
+
   await check('nothing went wrong on the way', async () => {
     assert.deepEqual(faults, []);
     assert.ok(requests.every((url) => url.startsWith('file://')), requests.join(' '));

@@ -62,6 +62,10 @@ export class Bodies {
     scene.add(this.outline);
   }
 
+  get meshes(): number {
+    return this.groups.length + this.sheets.length;
+  }
+
   private addPlane(body: number, k: number): void {
     const meta = this.take.meta.bodies[body];
     const material = this.materialOf(meta, k, false, true);

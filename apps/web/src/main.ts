@@ -1,7 +1,7 @@
 // The replay page: reads the take that is in the page, shows it, and answers to window.brickfall (which the tests drive).
 // In the address, #t=2.5 opens at a time (or #frame=120 at a frame), #camera=side at a camera (or #view=1, by its number), #paused
 // does not start playing, #arrows=velocity (force) draws arrows, #picture shows the scene alone, #shade=2 (1, 0) holds the shade where bodies meet at a level; joined with &.
-import { Vector2, Vector3 } from 'three';
+import { Matrix4, Vector2, Vector3 } from 'three';
 import { Arrows, kArrowKinds, type ArrowKind } from './arrows';
 import { Bodies } from './bodies';
 import { boundsOf, sizeOf } from './bounds';
@@ -16,13 +16,14 @@ import { Player } from './player';
 import { kMostShade } from './shade';
 import { Stage } from './stage';
 import { Take, type TakeMeta } from './tracks';
-import { applyView, firstSide, viewsOf } from './views';
+import { applyView, firstSide, viewsOf, type View } from './views';
 
 function fail(message: string): void {
   const box = byId('message');
   box.textContent = message;
   box.hidden = false;
   byId('bar').hidden = true;
+  document.getElementById('poster')?.style.setProperty('opacity', '0.25'); // the words are over it
 }
 
 function main(): void {
@@ -78,7 +79,12 @@ function main(): void {
     card.select(body);
     dirty = true;
   };
-  const placeCamera = (): void => applyView(stage, view, view === views[0] || view.follows >= 0, take.timeAt(player.position), bounds);
+  const seenBy = (one: View): Vector3 | null => {
+    if (one.turnsAfter === undefined || !take.isThere(player.frame, one.turnsAfter)) return null;
+    return new Vector3().setFromMatrixPosition(bodies.pose(one.turnsAfter, player.position, new Matrix4()));
+  };
+  const placeCamera = (): void =>
+    applyView(stage, view, view === views[0] || view.follows >= 0, take.timeAt(player.position), bounds, seenBy(view));
   const setView = (index: number): void => {
     view = views[index] ?? views[0];
     placeCamera();
@@ -177,7 +183,7 @@ function main(): void {
       Object.assign(views[0], viewsOf(take, bounds, stage.camera.aspect, free())[0]);
       if (untouched && view.follows < 0) placeCamera();
     }
-    if (dirty && untouched && view.path) placeCamera();
+    if (dirty && untouched && (view.path || view.turnsAfter !== undefined)) placeCamera();
     if (view.follows >= 0 && dirty) {
       followed.now.set(...take.position(player.frame, view.follows));
       const shift = followed.now.clone().sub(followed.last);
@@ -207,6 +213,7 @@ function main(): void {
     get playing() { return player.playing; },
     get selected() { return bodies.selected; },
     get view() { return views.indexOf(view); },
+    meshes: bodies.meshes,
     names: meta.bodies.map((body) => body.name),
     kinds: meta.bodies.map((body) => body.parts.map((_, part) => kindOf(body, part))),
     views: views.map((v) => v.name),
@@ -267,6 +274,7 @@ function main(): void {
   api.ready = true;
   if (!wishes.has('paused') && !window.matchMedia('(prefers-reduced-motion: reduce)').matches) player.play();
   requestAnimationFrame((now) => {
+    document.getElementById('poster')?.remove();
     last = now;
     tick(now);
   });

@@ -5,7 +5,7 @@ import {
 } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import { kLightFunctions, kSunLight, sunOver } from './light';
-import { Shade } from './shade';
+import { kMostShade, Shade } from './shade';
 
 const kLowest = Math.PI * 0.495; // of a camera, from straight up: it stays above level ground
 const kNearest = 0.1; // m
@@ -31,7 +31,7 @@ function makeSky(sun: Vector3): Mesh {
   return sky;
 }
 
-// Whether no graphics card draws: then edges are not smoothed, which doubles what a picture costs.
+// Whether no graphics card draws: then edges are not smoothed, which doubles what a picture costs, and the finer shade is left out.
 function drawsOnProcessor(): boolean {
   const gl = document.createElement('canvas').getContext('webgl2');
   const known = gl?.getExtension('WEBGL_debug_renderer_info');
@@ -55,7 +55,8 @@ export class Stage {
   // lookFrom: from what the scene's first camera looks at to the camera; isStill: a picture is wanted, whatever it costs.
   constructor(canvas: HTMLCanvasElement, lookFrom: Vector3, isStill: boolean) {
     this.sunDirection.copy(sunOver(lookFrom));
-    this.renderer = new WebGLRenderer({ canvas, antialias: isStill || !drawsOnProcessor(), powerPreference: 'high-performance', preserveDrawingBuffer: true });
+    const isSlow = !isStill && drawsOnProcessor();
+    this.renderer = new WebGLRenderer({ canvas, antialias: !isSlow, powerPreference: 'high-performance', preserveDrawingBuffer: true });
     this.renderer.toneMapping = CustomToneMapping;
     this.renderer.shadowMap.enabled = true;
     this.renderer.shadowMap.type = PCFShadowMap;
@@ -67,7 +68,7 @@ export class Stage {
     this.sun.shadow.radius = 4;
     this.scene.add(this.sky, this.sun, this.sun.target);
     this.renderer.shadowMap.autoUpdate = false; // they change with the bodies, not with the camera
-    this.shade = new Shade(this.renderer, this.scene, this.camera);
+    this.shade = new Shade(this.renderer, this.scene, this.camera, isSlow ? 0 : kMostShade);
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.enableDamping = true;
     this.controls.dampingFactor = 0.12;
