@@ -175,7 +175,7 @@ World constrained() {
     d.locks = i % 2 == 0 ? AxisLocks::plane() : AxisLocks::noTurns();
     d.enabled = i != 1;
     d.type = i == 3 ? BodyType::fixed : BodyType::dynamic;
-    if (i == 2) d.massProperties = MassProperties{20, {0, 0.01, 0}, {{{0.1, 0, 0}, {0, 0.1, 0}, {0, 0, 0.1}}}};
+    if (i == 2) d.massProperties = MassProperties{20, {0, 0.01, 0}, {{{0.03, 0, 0}, {0, 0.06, 0}, {0, 0, 0.06}}}};
     boxes.push_back(*world.createBody(d));
   }
   add(world, ShapeType::sphere, {-0.4, 0.08, 0.02}, {4, 0, 0.5});

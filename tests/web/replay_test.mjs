@@ -578,25 +578,24 @@ try {
   });
 
   await check('boxes of all sizes are one mesh, each with its own size', async () => {
-    const edges = await page.evaluate(() => {
-      const { brickfall: b } = window;
-      b.seek(0);
-      b.lookFrom([0, 60, 0.01], [0, 0, 0]);
-      // From straight above: how far to the side the ground of 40 m goes, and a box of 0.2 m, in points from their middles.
-      const reach = (body) => {
-        const [x, y] = b.project(b.position(body));
+    await seek(0);
+    // From straight above: how far to the side a body goes, in points from its middle.
+    const reach = async (body, from, to) => {
+      await drawn(([p, t]) => window.brickfall.lookFrom(p, t), [from, to]);
+      return page.evaluate((k) => {
+        const { brickfall: b } = window;
+        const [x, y] = b.project(k);
         let far = 0;
-        while (far < 400 && b.pick(x + far, y - 0.7 * far) === body) far += 0.25;
+        while (far < 400 && b.pick(x + far, y - 0.7 * far) === k) far += 0.25;
         return far;
-      };
-      const ground = reach(0);
-      b.lookFrom([1, 3.1, 0.001], [1, 0.1, 0]);
-      return { ground, box: reach(3), meshes: b.meshes };
-    });
+      }, body);
+    };
+    const ground = await reach(0, [0, 60, 0.01], [0, 0, 0]);
+    const box = await reach(3, [1, 3.1, 0.001], [1, 0.1, 0]);
     const points = (half, away) => (half / away) * 180 / Math.tan((22.5 * Math.PI) / 180);
-    assert.equal(edges.meshes, 3); // ground, boxes, ball
-    assert.ok(Math.abs(edges.ground - points(20, 60)) < 3, `the ground ends at ${edges.ground}`);
-    assert.ok(Math.abs(edges.box - points(0.1, 2.9)) < 1, `the box ends at ${edges.box}`);
+    assert.equal(await page.evaluate(() => window.brickfall.meshes), 3); // ground, boxes, ball
+    assert.ok(Math.abs(ground - points(20, 60)) < 3, `the ground ends at ${ground}`);
+    assert.ok(Math.abs(box - points(0.1, 2.9)) < 1, `the box ends at ${box}`);
   });
 
   await check('nothing went wrong on the way', async () => {
