@@ -1,7 +1,6 @@
 // What is there besides the bodies: sky, sun and its shadows, camera.
 import {
-  BackSide, Box3, CustomToneMapping, DirectionalLight, Mesh, PCFShadowMap, PerspectiveCamera, PMREMGenerator, Scene, ShaderMaterial, SphereGeometry, Spherical, Vector3, WebGLRenderer,
-  type Texture,
+  BackSide, Box3, CustomToneMapping, DirectionalLight, Mesh, PCFShadowMap, PerspectiveCamera, Scene, ShaderMaterial, SphereGeometry, Spherical, Vector3, WebGLRenderer,
 } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import { kLightFunctions, kSunLight, sunOver } from './light';
@@ -46,7 +45,6 @@ export class Stage {
   readonly renderer: WebGLRenderer;
   readonly controls: OrbitControls;
   readonly shade: Shade;
-  private mirrored: Texture | null = null;
   private readonly sun = new DirectionalLight(kSunLight, 1);
   readonly sunDirection = new Vector3();
   private readonly sky = makeSky(this.sunDirection);
@@ -72,17 +70,6 @@ export class Stage {
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.enableDamping = true;
     this.controls.dampingFactor = 0.12;
-  }
-
-  // What steel mirrors; made where there is some.
-  surroundings(): Texture {
-    if (this.mirrored) return this.mirrored;
-    const small = new Scene();
-    small.add(makeSky(this.sunDirection));
-    const generator = new PMREMGenerator(this.renderer);
-    this.mirrored = generator.fromScene(small, 0, 0.1, 10).texture;
-    generator.dispose();
-    return this.mirrored;
   }
 
   // Shadows are drawn for this box and what surrounds it.

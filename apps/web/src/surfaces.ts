@@ -117,6 +117,18 @@ function withSurface(material: MeshStandardMaterial, kind: Kind, isBox: boolean,
         material.specularColorBlended *= shiny;
         material.specularF90 *= shiny;
       }`);
+    if (kKinds[kind].metalness > 0) {
+      // What it mirrors: sky and ground, as the window has it.
+      shader.fragmentShader = shader.fragmentShader.replace('#include <lights_fragment_end>', `#include <lights_fragment_end>
+        {
+          vec3 towards = inverseTransformDirection(geometryViewDir, viewMatrix), outward = inverseTransformDirection(normal, viewMatrix);
+          float edge = 1.0 - max(dot(outward, towards), 0.0), rough = material.roughness;
+          vec3 strength = material.specularColorBlended;
+          strength += (1.0 - strength) * edge * edge * edge * edge * edge * (1.0 - rough) * 0.6;
+          vec3 seen = mix(skyLight(reflect(-towards, outward), sunTowards), ambientLight(outward, sunTowards), 0.5 * rough);
+          reflectedLight.indirectSpecular += strength * seen;
+        }`);
+    }
     if (kind === 'ground') {
       shader.fragmentShader = shader.fragmentShader.replace('#include <opaque_fragment>', `{
           vec3 towards = inverseTransformDirection(normalize(-vViewPosition), viewMatrix);
@@ -140,6 +152,5 @@ function withSurface(material: MeshStandardMaterial, kind: Kind, isBox: boolean,
 // `isBox`: its edges are worn, unless it is ground; `isFloor`: of ground without end.
 export function surfaceOf(kind: Kind, isBox: boolean, isFloor: boolean, stage: Stage): MeshStandardMaterial {
   const material = new MeshStandardMaterial({ roughness: kKinds[kind].roughness, metalness: kKinds[kind].metalness });
-  if (kind === 'steel') Object.assign(material, { envMap: stage.surroundings(), envMapIntensity: 1 });
   return withSurface(material, kind, isBox, isFloor, stage);
 }
