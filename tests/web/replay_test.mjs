@@ -258,6 +258,17 @@ try {
     assert.deepEqual([bytes.readUInt32BE(16), bytes.readUInt32BE(20)], [640, 360]);
   });
 
+  await check('films from here to the end', async () => {
+    assert.equal(await page.locator('#record').isVisible(), true);
+    await seek(190);
+    const [download] = await Promise.all([page.waitForEvent('download', patience), page.keyboard.press('r')]);
+    assert.match(download.suggestedFilename(), /\.webm$/);
+    const bytes = await readFile(await download.path());
+    assert.deepEqual([...bytes.subarray(0, 4)], [0x1a, 0x45, 0xdf, 0xa3]); // of EBML, which WebM is written in
+    assert.ok(bytes.length > 2000, `${bytes.length} bytes`);
+    assert.equal(await page.getAttribute('#record', 'aria-pressed'), 'false');
+  });
+
   await check('space presses the button that has the focus, and else plays', async () => {
     await seek(10);
     await page.focus('#forward');

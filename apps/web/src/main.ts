@@ -18,6 +18,8 @@ import { Stage } from './stage';
 import { Take, type TakeMeta } from './tracks';
 import { applyView, firstSide, viewsOf, type View } from './views';
 
+const kLastShown = 400; // ms, of the last picture of a film
+
 function fail(message: string): void {
   const box = byId('message');
   box.textContent = message;
@@ -125,6 +127,7 @@ function main(): void {
   };
   // From here to the end, in the time that it takes to show; pressed again it ends there.
   let recorder: MediaRecorder | null = null;
+  let filmed = 0; // ms, until when the run was playing
   const film = (): void => {
     if (byId('record').hidden) return;
     if (recorder) return recorder.stop();
@@ -140,6 +143,8 @@ function main(): void {
     recorder.start();
     controls.setLoop(false);
     player.play();
+    filmed = performance.now();
+    dirty = true;
   };
   byId('record').hidden = typeof MediaRecorder === 'undefined' || !MediaRecorder.isTypeSupported('video/webm');
   const controls = new Controls(take, player, { setColour, setView, savePicture, film, turn, nextArrows, deselect: () => select(-1) }, views.map((v) => v.name));
@@ -175,7 +180,9 @@ function main(): void {
   const tick = (now: number): void => {
     // Time counts from the first picture that is seen: shaders are made until then.
     if (ticks++ > 1) player.advance(Math.min(0.25, (now - last) / 1000));
-    if (recorder?.state === 'recording' && !player.playing) recorder.stop();
+    // It takes in what was shown for a while: the last picture, too.
+    if (player.playing) filmed = now;
+    if (recorder?.state === 'recording' && now - filmed > kLastShown) recorder.stop();
     if (inRow > 1) stage.shade.judge(now - last);
     last = now;
     if (stage.resize()) {
