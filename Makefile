@@ -114,10 +114,10 @@ docs:
 	@tools/install-dependencies docs
 	@tools/docs out/docs $$(test -f out/gallery/index.html && echo --gallery out/gallery)
 
-# Replays that the project makes itself, with one page that shows them.
+# Replays that the project makes itself, with one page that shows them; ADDRESS=https://... of it, for previews of links.
 GALLERY ?= wall wall-hits house round-tower dome arch garden-gate domino-spiral wrecking-ball bridge pendulum-wall shake-table
 gallery: build
-	@tools/gallery --command $(BUILD)/bin/brickfall out/gallery $(GALLERY)
+	@tools/gallery --command $(BUILD)/bin/brickfall $(if $(ADDRESS),--address $(ADDRESS)) out/gallery $(GALLERY)
 
 # The source as it is committed, with the page bundled.
 VERSION = $(shell sed -n 's/^project.brickfall VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)

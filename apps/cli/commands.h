@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "brickfall/output.h"
+
 namespace brickfall::cli {
 
 enum ExitCode {
@@ -19,7 +21,8 @@ enum ExitCode {
 };
 
 struct OutputOptions {
-  std::string folder;                // empty: the command's own default
+  std::string folder;  // empty: the command's own default
+  PageWishes page;
   std::vector<std::string> leftOut;  // names of outputs
   bool quiet = false;
 };

@@ -160,9 +160,16 @@ void defineCommands(CLI::App& app, Arguments& arguments) {
       ->required()
       ->type_name("TAKE");
   addOutputOptions(replay, arguments.replay, "the folder of the take");
+  replay.add_option("--poster", arguments.replay.page.poster, "A picture in the page until its own first one is drawn")
+      ->type_name("PICTURE");
+  replay
+      .add_option("--address", arguments.replay.page.address,
+                  "Where the page will be found: link previews show the poster beside it")
+      ->type_name("URL");
   replay.footer(std::string("Examples:\n"
                             "  brickfall replay out/wall/wall.take\n"
-                            "  brickfall replay wall.take -o again --no-html\n\n") +
+                            "  brickfall replay wall.take -o again --no-html\n"
+                            "  brickfall replay wall.take --poster wall.png --address https://example.org/wall/\n\n") +
                 exitCodes("130 interrupted, the take stays as it is"));
   defineExport(app, arguments);
   defineTrace(app, arguments);

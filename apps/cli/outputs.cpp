@@ -26,16 +26,18 @@ OutputsResult writeOutputs(const TakeReader& take, const std::string& folder, co
     const bool wanted = std::find(options.leftOut.begin(), options.leftOut.end(), kind.name) == options.leftOut.end();
     if (!wanted || interrupted()) continue;
     const std::string path = joinPath(folder, outputFile(kind, scene));
-    const Status written = kind.write(take, path, [&](double share) {
+    const auto tell = [&](double share) {
       display.update("writing " + printable(path), share);
       return !interrupted();
-    });
+    };
+    const bool isPage = kind.name == std::string_view("html");
+    const Status written = isPage ? writeReplayHtml(take, path, tell, options.page) : kind.write(take, path, tell);
     display.finish();
     if (written) {
       result.files.push_back({path, kind.purpose});
     } else if (!interrupted()) {
       complain(written.error().message);
-      result.exitCode = kFileError;
+      result.exitCode = written.error().code == ErrorCode::invalidArgument ? kBadInput : kFileError;
     }
   }
   if (interrupted()) {

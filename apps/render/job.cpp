@@ -245,6 +245,8 @@ int openAndPlan(Job& job, const std::string& takePath, bool isThere, cli::Progre
     const Result<std::uint32_t> body = chooseBody(*job.take, job.options.follow);
     if (!body) return complainOf(body.error());
     job.follow = *body;
+  } else if (const Result<std::uint32_t> body = chooseBody(*job.take, camera->follow); body) {
+    job.follow = *body;
   }
   Result<std::vector<double>> moments = momentsOf(*job.take, job.options, job.kind);
   if (!moments) return complainOf(moments.error());

@@ -47,7 +47,7 @@ void define(CLI::App& app, Options& options, Texts& texts) {
   const auto add = [&app](Text& into, const char* name, const char* type, const char* help) {
     into.option = app.add_option(name, into.text, help)->type_name(type);
   };
-  add(texts.shadows, "--shadows", "KIND", "automatic (by the number of bodies), stencil, depth or none");
+  add(texts.shadows, "--shadows", "KIND", "depth (soft; the default), stencil (sharp) or none");
   add(texts.size, "--size", "WIDTHxHEIGHT", "Of the window in pixels (default: 1280x720)");
   add(texts.samples, "--samples", "N",
       "Smooth edges: 0, 2, 4 or 8 samples a pixel (default: 4, without a graphics card 0)");

@@ -6,7 +6,7 @@ import { fileURLToPath } from 'node:url';
 import { build } from 'esbuild';
 
 const here = dirname(fileURLToPath(import.meta.url));
-const places = ['{{BRICKFALL_TITLE}}', '{{BRICKFALL_PREVIEW}}', '{{BRICKFALL_META}}', '{{BRICKFALL_DATA}}'];
+const places = ['{{BRICKFALL_TITLE}}', '{{BRICKFALL_PREVIEW}}', '{{BRICKFALL_POSTER}}', '{{BRICKFALL_META}}', '{{BRICKFALL_DATA}}'];
 
 // The texts of apps/appearance, which CMake puts beside src: without their comments.
 const look = {

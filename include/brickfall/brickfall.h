@@ -13,6 +13,7 @@
 #include "brickfall/make_body.h"
 #include "brickfall/math.h"
 #include "brickfall/mortar.h"
+#include "brickfall/notes.h"
 #include "brickfall/result.h"
 #include "brickfall/shapes.h"
 #include "brickfall/step_report.h"

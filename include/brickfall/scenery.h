@@ -23,6 +23,7 @@ struct Camera {
   Vec3 position{3, 2, 5}, target{0, 0.5, 0};  // m
   double fieldOfViewDegrees = 45;             // vertical
   std::vector<CameraKey> path;                // where it is in a film, by time; empty: it stays where it is
+  std::string follow;                         // a body's name: while it is there the camera turns after it; empty: none
 };
 
 // Of a path: nothing of it is wrong if this is empty. Times ascend, numbers are finite, it never stands on its target.

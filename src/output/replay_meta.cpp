@@ -1,5 +1,6 @@
 #include "output/replay_meta.h"
 
+#include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -167,6 +168,10 @@ std::string replayMeta(const TakeReader& take, const std::vector<TakeBreak>& bre
                                         {"position", toJson(key.position)},
                                         {"target", toJson(key.target)},
                                         {"fieldOfView", key.fieldOfViewDegrees}});
+    const auto followed = std::find_if(take.bodies().begin(), take.bodies().end(),
+                                       [&](const TakeBody& body) { return body.name == camera.follow; });
+    if (!camera.follow.empty() && followed != take.bodies().end())
+      cameras.back()["turnsAfter"] = followed - take.bodies().begin();
   }
   json meta = {{"format", 2},
                {"scene", header.scene},

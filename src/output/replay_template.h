@@ -10,6 +10,7 @@ namespace brickfall {
 std::span<const std::string_view> replayTemplate();
 
 constexpr std::string_view kTitlePlace = "{{BRICKFALL_TITLE}}", kPreviewPlace = "{{BRICKFALL_PREVIEW}}",
-                           kMetaPlace = "{{BRICKFALL_META}}", kDataPlace = "{{BRICKFALL_DATA}}";
+                           kPosterPlace = "{{BRICKFALL_POSTER}}", kMetaPlace = "{{BRICKFALL_META}}",
+                           kDataPlace = "{{BRICKFALL_DATA}}";
 
 }  // namespace brickfall

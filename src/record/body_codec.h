@@ -19,6 +19,8 @@ constexpr std::uint32_t kVersion3 = 3;
 constexpr std::uint32_t kVersion4 = 4;
 // From here on it has the numbers that looks go by.
 constexpr std::uint32_t kVersion5 = 5;
+// From here on cameras say whom they turn after.
+constexpr std::uint32_t kVersion6 = 6;
 constexpr std::size_t kLeastMortarBytes = 2 + 9 * 4;
 
 bool withinTakeSize(Vec3 v);

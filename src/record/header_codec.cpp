@@ -62,6 +62,7 @@ Bytes encodeHeader(const TakeHeader& header) {
       put(out, key.target);
       out.f64(key.fieldOfViewDegrees);
     }
+    out.text(camera.follow);
   }
   return out.bytes();
 }
@@ -84,6 +85,7 @@ Camera getCamera(ByteReader& in, std::uint32_t version, bool& sound) {
     key.fieldOfViewDegrees = in.f64();
     camera.path.push_back(key);
   }
+  if (sound && version >= kVersion6) camera.follow = in.text();
   return camera;
 }
 

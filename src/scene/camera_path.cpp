@@ -69,7 +69,7 @@ Camera cameraAt(const Camera& camera, double time) {
   else
     pose = between(path, std::size_t(next - path.begin()) - 1, time);
   // Curves may swing a little past their keys; a field of view stays one.
-  return {camera.name, pose.position, pose.target, std::clamp(pose.fieldOfView, 1.0, 170.0), {}};
+  return {camera.name, pose.position, pose.target, std::clamp(pose.fieldOfView, 1.0, 170.0), {}, camera.follow};
 }
 
 }  // namespace brickfall

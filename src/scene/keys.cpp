@@ -457,6 +457,7 @@ void addCameraKeys(std::vector<KeySpec>& keys) {
   keys.push_back({"camera", "position", K::vector, "m", -kFar, kFar, "[3, 2, 5]", "", "where it stands"});
   keys.push_back({"camera", "target", K::vector, "m", -kFar, kFar, "[0, 0.5, 0]", "", "what it looks at"});
   keys.push_back({"camera", "look_at", K::name, "", 0, 0, "-", "", "instead of `target`: a body, a wall, a group, ..., at its middle at the start"});
+  keys.push_back({"camera", "follow", K::boolean, "", 0, 0, "false", "", "whether it turns after the body that `look_at` names, all the while"});
   keys.push_back({"camera", "field_of_view_degrees", K::number, "degrees", 1, 170, "45", "", "vertical"});
   keys.push_back({"camera", "key", K::tables, "", 0, 0, "-", "", "poses that it passes through in a film (brickfall render)"});
 }

@@ -181,6 +181,15 @@ void readCameras(SceneBuild& build, TableReader& top) {
       else
         camera.target = middleOf(build, reader, "look_at", lookAt).value_or(camera.target);
     }
+    bool follow = false;
+    if (reader.boolean("follow", follow) && follow) {
+      if (lookAt.empty())
+        reader.error("follow", "found without look_at, expected the name of a body in look_at");
+      else if (nearestOf(build, lookAt, camera.target) != lookAt)
+        reader.error("follow", "found beside \"" + lookAt + "\", which many are called after, expected one body");
+      else
+        camera.follow = lookAt;
+    }
     reader.number("field_of_view_degrees", camera.fieldOfViewDegrees);
     if (!(length(camera.position - camera.target) > 1e-6))
       reader.error("target", "found the camera's own position, expected a point that it looks at");

@@ -6,6 +6,7 @@
 #include "brickfall/geometry/mesh_tree.h"
 #include "geometry/mass_properties.h"
 #include "world/checks.h"
+#include "world/notes.h"
 #include "world/solver_fields.h"
 #include "world/world_impl.h"
 
@@ -230,6 +231,7 @@ Status World::destroyBody(BodyId id) {
   if (Status open = w.openForChange("destroyBody"); !open) return open;
   Result<BodyIndex> body = w.registry.find(id);
   if (!body) return body.error();
+  noteTiesOf(*body, w.registry, w.ties, w.clock.stepCount);
   w.upkeep().destroy(*body);
   return {};
 }

@@ -6,6 +6,7 @@
 
 #include "brickfall/limits.h"
 #include "world/heavy_hits.h"
+#include "world/notes.h"
 #include "world/sense.h"
 #include "world/stage_hash.h"
 #include "world/stages.h"
@@ -223,6 +224,7 @@ Result<StepReport> World::step(double dt, int substeps) {
   report.awakeBodies = int(w.activity.awake.size());
   report.milliseconds = double(nowNanoseconds() - start) * 1e-6;
   w.diary.inStep = false;
+  noteStep(report);
   return report;
 }
 

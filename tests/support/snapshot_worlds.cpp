@@ -163,6 +163,31 @@ World carried() {
   return world;
 }
 
+// On rails and hit, locked anew and let go since the last step; switched off; with a mass of its own; a sensor in between.
+World constrained() {
+  World world = ground();
+  std::vector<BodyId> boxes;
+  for (int i = 0; i < 4; i++) {
+    BodyDef d;
+    d.shapes = {shapeOf(ShapeType::box)};
+    d.shapes[0].sensor = i == 3;
+    d.position = {0.3 * i, 0.05, 0};
+    d.locks = i % 2 == 0 ? AxisLocks::plane() : AxisLocks::noTurns();
+    d.enabled = i != 1;
+    d.type = i == 3 ? BodyType::fixed : BodyType::dynamic;
+    if (i == 2) d.massProperties = MassProperties{20, {0, 0.01, 0}, {{{0.03, 0, 0}, {0, 0.06, 0}, {0, 0, 0.06}}}};
+    boxes.push_back(*world.createBody(d));
+  }
+  add(world, ShapeType::sphere, {-0.4, 0.08, 0.02}, {4, 0, 0.5});
+  advance(world, 12);
+  AxisLocks one;
+  one.wayX = true;
+  (void)world.setLocks(boxes[0], one).ok();
+  (void)world.setLocks(boxes[2], {}).ok();
+  (void)world.setEnabled(boxes[1], true).ok();
+  return world;
+}
+
 // Mortar that holds, cracks and has broken, a chunk that spins in the air, one joint taken away.
 World mortared(int steps) {
   World world = ground();
@@ -214,6 +239,7 @@ std::vector<World> worldsOfEachKind() {
   out.push_back(jointed(0));
   out.push_back(jointed(20));
   out.push_back(carried());
+  out.push_back(constrained());
   out.push_back(mortared(0));
   out.push_back(mortared(12));
   out.push_back(std::move(World::create({})).value());

@@ -10,7 +10,7 @@ namespace brickfall::test {
 
 // Ground and one box above it.
 World smallWorld();
-// Awake and asleep, every shape, compounds, joints of a collapse, quarantine, slots used again, changes not stepped yet.
+// Awake and asleep, on rails and switched off, every shape, compounds, joints of a collapse, quarantine, slots used again, changes not stepped yet.
 std::vector<World> worldsOfEachKind();
 std::vector<std::vector<std::byte>> snapshotsOfEachKind();
 

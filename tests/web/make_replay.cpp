@@ -134,6 +134,8 @@ std::string makeSlab(const std::string& folder) {
   ball.shapes[0].radius = 0.25;
   test::SyntheticTake out;
   out.header.scene = out.header.title = "slab";
+  out.header.cameras.push_back({"after", {8, 3, 8}, {-1, 0, 0}, 45});
+  out.header.cameras[0].follow = "left";
   out.header.engineVersion = "test";
   out.bodies = {ground, ball, left, right};
   out.lives.assign(4, {0, SIZE_MAX});

@@ -258,6 +258,17 @@ try {
     assert.deepEqual([bytes.readUInt32BE(16), bytes.readUInt32BE(20)], [640, 360]);
   });
 
+  await check('films from here to the end', async () => {
+    assert.equal(await page.locator('#record').isVisible(), true);
+    await seek(190);
+    const [download] = await Promise.all([page.waitForEvent('download', patience), page.keyboard.press('r')]);
+    assert.match(download.suggestedFilename(), /\.webm$/);
+    const bytes = await readFile(await download.path());
+    assert.deepEqual([...bytes.subarray(0, 4)], [0x1a, 0x45, 0xdf, 0xa3]); // of EBML, which WebM is written in
+    assert.ok(bytes.length > 2000, `${bytes.length} bytes`);
+    assert.equal(await page.getAttribute('#record', 'aria-pressed'), 'false');
+  });
+
   await check('space presses the button that has the focus, and else plays', async () => {
     await seek(10);
     await page.focus('#forward');
@@ -552,6 +563,50 @@ try {
     // How far a body slides on it, in the picture.
     const [from, to] = await page.evaluate(() => [0, 239].map((f) => { window.brickfall.seek(f); return window.brickfall.project(2)[0]; }));
     assert.ok(to - from > 0.4 * 640, `its way is ${to - from} points long`);
+  });
+
+  await check('a camera that follows turns after its body from where it stands, until the mouse takes it', async () => {
+    const look = async (f) => {
+      await seek(f);
+      return page.evaluate(() => {
+        const { brickfall: b } = window;
+        const body = b.names.indexOf('left');
+        return { at: b.camera.position, seen: b.project(body) };
+      });
+    };
+    await drawn(() => window.brickfall.setView(1));
+    for (const f of [10, 120, 239]) {
+      const { at, seen } = await look(f);
+      assert.ok(Math.hypot(at[0] - 8, at[1] - 3, at[2] - 8) < 1e-3, `frame ${f}: it stands at ${at}`);
+      assert.ok(Math.hypot(seen[0] - 320, seen[1] - 180) < 1, `frame ${f}: the body is at ${seen}`);
+    }
+    await page.mouse.move(240, 110);
+    await page.mouse.down();
+    await page.mouse.move(300, 115, { steps: 3 });
+    await page.mouse.up();
+    const { seen } = await look(60);
+    assert.ok(Math.hypot(seen[0] - 320, seen[1] - 180) > 20, `taken by the mouse it still looks at it: ${seen}`);
+  });
+
+  await check('boxes of all sizes are one mesh, each with its own size', async () => {
+    await seek(0);
+    // From straight above: how far to the side a body goes, in points from its middle.
+    const reach = async (body, from, to) => {
+      await drawn(([p, t]) => window.brickfall.lookFrom(p, t), [from, to]);
+      return page.evaluate((k) => {
+        const { brickfall: b } = window;
+        const [x, y] = b.project(k);
+        let far = 0;
+        while (far < 400 && b.pick(x + far, y - 0.7 * far) === k) far += 0.25;
+        return far;
+      }, body);
+    };
+    const ground = await reach(0, [0, 60, 0.01], [0, 0, 0]);
+    const box = await reach(3, [1, 3.1, 0.001], [1, 0.1, 0]);
+    const points = (half, away) => (half / away) * 180 / Math.tan((22.5 * Math.PI) / 180);
+    assert.equal(await page.evaluate(() => window.brickfall.meshes), 3); // ground, boxes, ball
+    assert.ok(Math.abs(ground - points(20, 60)) < 3, `the ground ends at ${ground}`);
+    assert.ok(Math.abs(box - points(0.1, 2.9)) < 1, `the box ends at ${box}`);
   });
 
   await check('nothing went wrong on the way', async () => {

@@ -61,7 +61,28 @@ void CameraRig::setGround(double height) {
   keepAboveGround(wanted_);
 }
 
-void CameraRig::goTo(const Camera& saved, bool atOnce) {
+// From where it stands; what is shown is carried along, so that only the rest is eased.
+void CameraRig::turnTo(Vec3 target) {
+  const Pose before = wanted_;
+  const Vec3 way = target - eyeOf(before);
+  if (!(length(way) > kShortest)) return;
+  wanted_.target = target;
+  wanted_.distance = length(way);
+  wanted_.pitch = std::clamp(std::asin(way.y / wanted_.distance), -kSteepest, kSteepest);
+  wanted_.yaw = before.yaw + std::remainder(std::atan2(-way.x, -way.z) - before.yaw, 2 * kPi);
+  shown_.target += wanted_.target - before.target;
+  shown_.pitch += wanted_.pitch - before.pitch;
+  shown_.yaw += wanted_.yaw - before.yaw;
+  shown_.distance *= wanted_.distance / before.distance;
+}
+
+void CameraRig::endWatch() {
+  if (mode_ != CameraMode::watch) return;
+  mode_ = CameraMode::orbit;
+  followed_ = 0;
+}
+
+void CameraRig::goTo(const Camera& saved, bool atOnce, const BodyList* list) {
   Vec3 way = saved.target - saved.position;
   if (!(length(way) > kShortest)) way = {0, 0, -kShortest};
   wanted_.target = saved.target;
@@ -69,8 +90,14 @@ void CameraRig::goTo(const Camera& saved, bool atOnce) {
   wanted_.pitch = std::clamp(std::asin(way.y / wanted_.distance), -kSteepest, kSteepest);
   wanted_.yaw = std::atan2(-way.x, -way.z);
   wanted_.fieldOfViewDegrees = saved.fieldOfViewDegrees;
+  endWatch();
   followed_ = 0;
   mode_ = mode_ == CameraMode::follow ? CameraMode::orbit : mode_;
+  if (list && !saved.follow.empty()) {
+    for (const ListedBody& body : list->bodies)
+      if (followed_ == 0 && body.name == saved.follow) followed_ = body.serial;
+    if (followed_ != 0) mode_ = CameraMode::watch;
+  }
   keepAboveGround(wanted_);
   // The short way round.
   shown_.yaw = wanted_.yaw + std::remainder(shown_.yaw - wanted_.yaw, 2 * kPi);
@@ -84,6 +111,7 @@ void CameraRig::frame(const Aabb& box, const Viewport& port, bool atOnce) {
   const double wide = std::atan(std::tan(tall) * port.width / port.height);
   wanted_.target = (box.lower + box.upper) * 0.5;
   wanted_.distance = std::clamp(kRoom * radius / std::sin(std::min(tall, wide)), kShortest, kLongest);
+  endWatch();
   followed_ = 0;
   if (mode_ == CameraMode::follow) mode_ = CameraMode::orbit;
   keepAboveGround(wanted_);
@@ -91,7 +119,7 @@ void CameraRig::frame(const Aabb& box, const Viewport& port, bool atOnce) {
 }
 
 void CameraRig::setMode(CameraMode mode) {
-  if (mode == CameraMode::follow || mode == mode_) return;
+  if (mode == CameraMode::follow || mode == CameraMode::watch || mode == mode_) return;
   mode_ = mode;
   followed_ = 0;
 }
@@ -108,6 +136,7 @@ double CameraRig::leastDistance() const {
 }
 
 void CameraRig::turn(double right, double up) {
+  endWatch();
   const Vec3 eye = eyeOf(wanted_);
   wanted_.yaw -= right;
   wanted_.pitch = std::clamp(wanted_.pitch + up, -kSteepest, kSteepest);
@@ -117,6 +146,7 @@ void CameraRig::turn(double right, double up) {
 }
 
 void CameraRig::drag(double pixelsRight, double pixelsDown, const Viewport& port) {
+  endWatch();
   if (mode_ == CameraMode::follow) return;
   const double metres = 2 * wanted_.distance * std::tan(radians(wanted_.fieldOfViewDegrees) / 2) / port.height;
   const View seen = view();
@@ -125,6 +155,7 @@ void CameraRig::drag(double pixelsRight, double pixelsDown, const Viewport& port
 }
 
 void CameraRig::zoom(double notches) {
+  endWatch();
   if (mode_ == CameraMode::fly) {
     wanted_.target += forwardOf(wanted_) * (notches * 0.25 * flySpeed_);
   } else {
@@ -134,6 +165,7 @@ void CameraRig::zoom(double notches) {
 }
 
 void CameraRig::move(Vec3 keys, double seconds) {
+  endWatch();
   if (mode_ == CameraMode::follow) return;
   const Vec3 ahead = forwardOf(wanted_), right = normalized(cross(ahead, Vec3{0, 1, 0}));
   if (mode_ == CameraMode::fly) {
@@ -148,6 +180,8 @@ void CameraRig::move(Vec3 keys, double seconds) {
 void CameraRig::setFlySpeed(double speed) { flySpeed_ = std::clamp(speed, 0.05, 200.0); }
 
 void CameraRig::update(double seconds, const std::optional<Vec3>& target) {
+  if (mode_ == CameraMode::watch && target) turnTo(*target);
+  if (!target) endWatch();
   if (mode_ == CameraMode::follow) {
     if (target) {
       // The body does not run away from a camera that eases after it: both are carried along, only the rest is eased.

@@ -14,6 +14,7 @@ enum class CameraMode : std::uint8_t {
   orbit,   // about a point
   fly,     // goes where it looks
   follow,  // orbit about a body that moves, at a distance by the body's size
+  watch,   // stays where it stands and turns after a body, until the user moves it
 };
 
 // What a renderer needs. The camera looks along -z of its frame, y is up in the picture, as in Ogre and glTF.
@@ -41,14 +42,14 @@ class CameraRig {
  public:
   // --- What a scene brings.
   void setGround(double height);  // the camera never goes under it (RunInfo::ground)
-  // Goes there; `atOnce` without the way.
-  void goTo(const Camera& saved, bool atOnce = false);
+  // Goes there; `atOnce` without the way. `list`: to find the body that it is to turn after; null: it looks at its target.
+  void goTo(const Camera& saved, bool atOnce = false, const BodyList* list = nullptr);
   // All of the box in the picture, from where it looks now.
   void frame(const Aabb& box, const Viewport& port, bool atOnce = false);
 
   // --- How it moves.
   CameraMode mode() const { return mode_; }
-  void setMode(CameraMode mode);  // keeps place and direction; follow only through follow()
+  void setMode(CameraMode mode);  // keeps place and direction; follow only through follow(), watch through goTo()
   // `radius`: the body's, m. Its distance is at least kNearestRadii radii then and stays what the user makes of it.
   void follow(Serial body, double radius);
   Serial followed() const { return followed_; }
@@ -62,7 +63,7 @@ class CameraRig {
   double flySpeed() const { return flySpeed_; }
   void setFlySpeed(double speed);  // m/s, .05 .. 200
 
-  // --- Time of the window, s. `target`: where the followed body is drawn now; none: it is gone, and so is following.
+  // --- Time of the window, s. `target`: where the followed or watched body is drawn now; none: it is gone, and so is that mode.
   void update(double seconds, const std::optional<Vec3>& target = {});
   View view() const;
   Vec3 target() const;      // m: what it looks at
@@ -82,6 +83,8 @@ class CameraRig {
   static Vec3 forwardOf(const Pose& pose);
   Vec3 eyeOf(const Pose& pose) const;
   void keepAboveGround(Pose& pose) const;
+  void turnTo(Vec3 target);
+  void endWatch();
   double leastDistance() const;
 
   CameraMode mode_ = CameraMode::orbit;

@@ -68,7 +68,7 @@ constexpr KeyBinding kBindings[] = {
     {A::contactPoints, "F4", "View", "Contact points with normals and forces"},
     {A::islands, "F5", "View", "Islands"},
     {A::asleep, "F6", "View", "What sleeps"},
-    {A::shadows, "F7", "View", "Shadows: none, stencil, depth"},
+    {A::shadows, "F7", "View", "Shadows: depth, stencil, none"},
     {A::mortar, "F8", "View", "Mortar: by utilisation, by damage, as it is"},
     {A::panel, "Tab", "View", "Panel"},
     {A::help, "F1", "View", "Help"},

@@ -158,7 +158,7 @@ void App::startOf(const RunInfo& info) {
   if (!info.watched.empty()) rememberFile(info.watched);
   desk_.rig.setGround(info.ground);
   if (!info.cameras.empty()) {
-    if (!same) desk_.rig.goTo(info.cameras.front(), true);
+    if (!same) desk_.rig.goTo(info.cameras.front(), true, frame_->list.get());
     const Camera& first = info.cameras.front();
     const Camera start = first.path.empty() ? first : cameraAt(first, first.path.front().time);
     const Vec3 sun = towardsSun(start.position - start.target);
@@ -212,9 +212,6 @@ void App::draw(double seconds) {
   renderer_.setView(view, any ? nearPlaneOf(frame, blend_, view.position) : kLeastNear, shift());
   ShadowMode wanted = ShadowMode::none;
   switch (desk_.view.shadows) {
-    case ShadowChoice::automatic:
-      wanted = int(frame.bodies.size()) <= kMostStencilBodies ? ShadowMode::stencil : ShadowMode::depth;
-      break;
     case ShadowChoice::stencil:
       wanted = ShadowMode::stencil;
       break;

@@ -167,7 +167,8 @@ bool App::actOnCamera(Action action) {
       if (run_) desk_.rig.frame(run_->extent, {desk_.size.width, desk_.size.height});
       return true;
     case Action::nextView:
-      if (run_ && !run_->cameras.empty()) desk_.rig.goTo(run_->cameras[nextCamera_++ % run_->cameras.size()]);
+      if (run_ && !run_->cameras.empty())
+        desk_.rig.goTo(run_->cameras[nextCamera_++ % run_->cameras.size()], false, frame_->list.get());
       return true;
     default:
       return false;

@@ -217,7 +217,7 @@ void App::moveCamera(double seconds) {
   const double right = axis(Action::turnRight, Action::turnLeft), up = axis(Action::turnUp, Action::turnDown);
   if (right != 0 || up != 0) desk_.rig.turn(right * kTurnPerSecond * seconds, up * kTurnPerSecond * seconds);
   std::optional<Vec3> target;
-  if (desk_.rig.mode() == CameraMode::follow && frame_->list) {
+  if (desk_.rig.followed() != 0 && frame_->list) {
     const int place = frame_->list->find(desk_.rig.followed());
     if (place >= 0) target = poseAt(frame_->bodies[std::size_t(place)], blend_).position;
   }

@@ -34,8 +34,7 @@ Result<ShadowChoice> parseShadows(const std::string& text) {
   for (int i = 0; i < kShadowChoiceCount; i++) {
     if (text == nameOf(ShadowChoice(i))) return ShadowChoice(i);
   }
-  return wrong("--shadows", text,
-               "automatic, stencil, depth or none" + didYouMean(text, {"automatic", "stencil", "depth", "none"}));
+  return wrong("--shadows", text, "depth, stencil or none" + didYouMean(text, {"depth", "stencil", "none"}));
 }
 
 Result<int> parseSamples(const std::string& text) {

@@ -14,7 +14,7 @@ struct Options {
   std::string opening = "wall";       // scene, take or saved state
   Overrides overrides;                // of a scene
   bool paused = false, runs = false;  // asked for; neither: paused, unless it quits by itself
-  ShadowChoice shadows = ShadowChoice::automatic;
+  ShadowChoice shadows = ShadowChoice::depth;
   WindowSize size;
   int samples = -1;  // of antialiasing; -1: by who draws
   bool panel = true;

@@ -23,7 +23,7 @@ std::uint32_t fromHue(double hue, double saturation, double value) {
 }  // namespace
 
 const char* nameOf(ShadowChoice choice) {
-  constexpr const char* kNames[kShadowChoiceCount] = {"automatic", "stencil", "depth", "none"};
+  constexpr const char* kNames[kShadowChoiceCount] = {"depth", "stencil", "none"};
   return kNames[int(choice)];
 }
 

@@ -6,13 +6,9 @@
 
 namespace brickfall::viewer {
 
-enum class ShadowChoice : std::uint8_t { automatic, stencil, depth, none };
-constexpr int kShadowChoiceCount = 4;
+enum class ShadowChoice : std::uint8_t { depth, stencil, none };
+constexpr int kShadowChoiceCount = 3;
 const char* nameOf(ShadowChoice choice);  // "stencil"; as --shadows takes it
-
-// Bodies beyond which automatic shadows are of the depth kind: what a volume of each costs in pixels grows with them, the map's
-// cost hardly does.
-constexpr int kMostStencilBodies = 300;
 
 // Which number of a mortar joint gives it a colour.
 enum class MortarView : std::uint8_t { none, utilisation, damage };
@@ -28,7 +24,7 @@ struct ViewOptions {
       MortarView::none;  // of joints; bodies are grey behind them unless a view before has something to say
   // How they are drawn.
   bool wireframe = false;  // unshaded polygons
-  ShadowChoice shadows = ShadowChoice::automatic;
+  ShadowChoice shadows = ShadowChoice::depth;
   bool dust = true;
   // Layers over them.
   bool colliders = false, bounds = false, contacts = false;

@@ -1,4 +1,4 @@
-// The bodies: one instanced mesh for each shape and look, whose instances are set from the take's frames.
+// The bodies: one instanced mesh for each shape and look (one for boxes of all sizes), whose instances are set from the take's frames.
 import {
   Box3, BufferGeometry, CircleGeometry, Color, InstancedBufferAttribute, InstancedMesh, LineBasicMaterial, LineSegments, EdgesGeometry, Matrix4,
   Mesh, MeshStandardMaterial, Quaternion, Raycaster, Scene, Vector2, Vector3,
@@ -13,9 +13,8 @@ import type { BodyMeta, PartMeta, ShapeMeta, Take } from './tracks';
 
 interface Group {
   mesh: InstancedMesh;
-  shape: ShapeMeta;
   bodies: number[]; // per instance
-  locals: (Matrix4 | null)[]; // per instance: the part's place in its body
+  locals: (Matrix4 | null)[]; // per instance: the part's place in its body, and of a box its half size
   colours: Color[]; // per instance, of its material
 }
 interface PlaneSheet {
@@ -25,9 +24,9 @@ interface PlaneSheet {
 }
 const kPlaneReach = 400; // m: of a plane, which has no end, as much is drawn around its body
 
-function localMatrix(part: PartMeta): Matrix4 | null {
-  if (!part.position || !part.rotation) return null;
-  return new Matrix4().compose(new Vector3(...part.position), new Quaternion(...part.rotation), new Vector3(1, 1, 1));
+function localMatrix(part: PartMeta, shape?: ShapeMeta): Matrix4 | null {
+  if ((!part.position || !part.rotation) && !shape?.half) return null;
+  return new Matrix4().compose(new Vector3(...(part.position ?? [0, 0, 0])), new Quaternion(...(part.rotation ?? [0, 0, 0, 1])), new Vector3(...(shape?.half ?? [1, 1, 1])));
 }
 
 export class Bodies {
@@ -45,26 +44,31 @@ export class Bodies {
     const members = new Map<string, { body: number; part: number }[]>();
     take.meta.bodies.forEach((meta, body) => {
       for (const [k, part] of meta.parts.entries()) {
-        if (take.meta.shapes[part.shape].type === 'plane') {
+        const { type } = take.meta.shapes[part.shape];
+        if (type === 'plane') {
           this.addPlane(body, k);
           continue;
         }
-        const key = `${part.shape} ${kindOf(meta, k)} ${meta.role === 'ground'}`;
+        const key = `${type === 'box' ? type : part.shape} ${kindOf(meta, k)} ${meta.role === 'ground'}`;
         const list = members.get(key) ?? [];
         list.push({ body, part: k });
         members.set(key, list);
       }
     });
-    for (const [key, list] of members) this.addGroup(Number(key.split(' ')[0]), list);
+    for (const list of members.values()) this.addGroup(list);
     this.outline = new LineSegments(new BufferGeometry(), new LineBasicMaterial({ color: '#ffe27a', depthTest: false, transparent: true }));
     this.outline.visible = false;
     this.outline.renderOrder = 5;
     scene.add(this.outline);
   }
 
+  get meshes(): number {
+    return this.groups.length + this.sheets.length;
+  }
+
   private addPlane(body: number, k: number): void {
     const meta = this.take.meta.bodies[body];
-    const material = this.materialOf(meta, k, undefined, true);
+    const material = this.materialOf(meta, k, false, true);
     materialColour(this.take, body, k, material.color);
     const mesh = new Mesh(new CircleGeometry(kPlaneReach, 64).rotateX(-Math.PI / 2), material);
     mesh.receiveShadow = true;
@@ -73,25 +77,26 @@ export class Bodies {
     this.scene.add(mesh);
   }
 
-  private materialOf(meta: BodyMeta, k: number, half: [number, number, number] | undefined, isPlane: boolean): MeshStandardMaterial {
+  private materialOf(meta: BodyMeta, k: number, isBox: boolean, isPlane: boolean): MeshStandardMaterial {
     const kind = kindOf(meta, k);
-    return surfaceOf(kind, kind === 'ground' ? undefined : half, isPlane && kind === 'ground', this.stage);
+    return surfaceOf(kind, isBox, isPlane && kind === 'ground', this.stage);
   }
 
-  private addGroup(shapeIndex: number, list: { body: number; part: number }[]): void {
-    const shape = this.take.meta.shapes[shapeIndex];
+  private addGroup(list: { body: number; part: number }[]): void {
+    const { shapes, bodies } = this.take.meta;
+    const first = bodies[list[0].body];
+    const shape = shapes[first.parts[list[0].part].shape];
     const geometry = geometryOf(shape);
     if (!geometry) return;
-    const first = this.take.meta.bodies[list[0].body];
-    const material = this.materialOf(first, list[0].part, shape.half, false);
+    const material = this.materialOf(first, list[0].part, shape.type === 'box', false);
     geometry.setAttribute('seed', new InstancedBufferAttribute(new Float32Array(list.map(({ body }) => chance(lookNumber(this.take.meta, body), 9))), 1));
     const mesh = new InstancedMesh(geometry, material, list.length);
     mesh.castShadow = first.role !== 'ground';
     mesh.receiveShadow = true;
     mesh.frustumCulled = false;
     const group = {
-      mesh, shape, bodies: list.map(({ body }) => body),
-      locals: list.map(({ body, part }) => localMatrix(this.take.meta.bodies[body].parts[part])),
+      mesh, bodies: list.map(({ body }) => body),
+      locals: list.map(({ body, part }) => localMatrix(bodies[body].parts[part], shapes[bodies[body].parts[part].shape])),
       colours: list.map(({ body, part }) => materialColour(this.take, body, part, new Color())),
     };
     this.groups.push(group);
@@ -180,7 +185,7 @@ export class Bodies {
     const shape = part && this.take.meta.shapes[part.shape];
     const geometry = shape ? geometryOf(shape) : null;
     if (!geometry || !part) return;
-    const local = localMatrix(part);
+    const local = localMatrix(part, shape);
     if (local) geometry.applyMatrix4(local);
     // Round shapes have no edges to draw: they get those of their box.
     geometry.computeBoundingBox();

@@ -1,67 +1,64 @@
 // Meshes of shapes. Boxes get a small bevel: it catches the light along the edges, which is what makes single bricks of a
 // wall without mortar tell apart.
-import { BufferAttribute, BufferGeometry, CapsuleGeometry, CylinderGeometry, SphereGeometry, Vector3 } from 'three';
+import { BufferAttribute, BufferGeometry, CapsuleGeometry, CylinderGeometry, SphereGeometry } from 'three';
 import type { ShapeMeta } from './tracks';
 
 const kBevel = 0.0022; // m
 
-// Each corner of the box becomes three points, one on each face that meets there; faces, edges and corners are filled
-// between them. Each point has the normal of its face, so that faces are flat and the bevels between them round.
-export function bevelledBox(half: [number, number, number]): BufferGeometry {
-  const bevel = Math.min(kBevel, Math.min(...half) * 0.12);
+// In the shader of a box: from a corner of the box of half size 1 to where it lies on its face, whose edges are bevelled. As a share of
+// the half size, which the instance's matrix brings.
+export const kBevelled = `
+  vec3 boxHalf = max(vec3(length(instanceMatrix[0]), length(instanceMatrix[1]), length(instanceMatrix[2])), vec3(1e-6));
+  float bevel = min(${kBevel}, 0.12 * min(boxHalf.x, min(boxHalf.y, boxHalf.z)));
+  vec3 onBox = position * (1.0 - bevel * (1.0 - abs(normal)) / boxHalf);`;
+
+// One mesh for boxes of all sizes. Each corner is three points, one on each face that meets there; faces, edges and corners are
+// filled between them. Each point has the normal of its face, so that faces are flat and the bevels between them round. All three lie in
+// the corner until the shader parts them.
+function unitBox(): BufferGeometry {
   const positions: number[] = [];
   const normals: number[] = [];
-  // Three or four points, with a normal for each.
-  const fill = (points: Vector3[], facing: Vector3[]): void => {
-    const outward = facing.reduce((sum, n) => sum.add(n), new Vector3());
-    const turned = new Vector3().crossVectors(points[1].clone().sub(points[0]), points[2].clone().sub(points[0])).dot(outward) < 0;
-    const triangles = points.length === 3 ? [0, 1, 2] : [0, 1, 2, 0, 2, 3];
-    for (const k of turned ? triangles.reverse() : triangles) {
-      positions.push(points[k].x, points[k].y, points[k].z);
-      normals.push(facing[k].x, facing[k].y, facing[k].z);
+  const indices: number[] = [];
+  for (let corner = 0; corner < 8; corner++) {
+    const signs = [0, 1, 2].map((axis) => ((corner >> axis) & 1 ? 1 : -1));
+    for (let axis = 0; axis < 3; axis++) {
+      positions.push(...signs);
+      normals.push(...signs.map((sign, k) => (k === axis ? sign : 0)));
     }
-  };
-  // The corner of signs s as it lies on the face of `axis`.
-  const onFace = (s: number[], axis: number): Vector3 =>
-    new Vector3(...s.map((sign, k) => sign * (half[k] - (k === axis ? 0 : bevel))));
-  const axisVector = (axis: number, sign: number): Vector3 => new Vector3().setComponent(axis, sign);
-  const signs = (axis: number, a: number, u: number, b: number, v: number, c: number): number[] => {
-    const s = [0, 0, 0];
-    s[axis] = a;
-    s[u] = b;
-    s[v] = c;
-    return s;
+  }
+  // The point on the face of `axis` in the corner whose signs on axes u and v are b and c.
+  const point = (face: number, axis: number, a: number, u: number, b: number, v: number, c: number): number =>
+    3 * (((a > 0 ? 1 : 0) << axis) + ((b > 0 ? 1 : 0) << u) + ((c > 0 ? 1 : 0) << v)) + face;
+  // Round the way that faces outward: the other way for faces and edges on the negative side, whichever it is.
+  const fill = (points: number[], isTurned: boolean): void => {
+    const triangles = points.length === 3 ? [0, 1, 2] : [0, 1, 2, 0, 2, 3];
+    for (const k of isTurned ? triangles.reverse() : triangles) indices.push(points[k]);
   };
   for (let axis = 0; axis < 3; axis++) {
     const u = (axis + 1) % 3;
     const v = (axis + 2) % 3;
-    for (const a of [1, -1]) {
-      const corners = [[-1, -1], [1, -1], [1, 1], [-1, 1]].map(([b, c]) => onFace(signs(axis, a, u, b, v, c), axis));
-      const facing = axisVector(axis, a);
-      fill(corners, [facing, facing, facing, facing]);
-      for (const b of [1, -1]) { // the edge between the faces of axis and u, along v
-        const points = [
-          onFace(signs(axis, a, u, b, v, -1), axis), onFace(signs(axis, a, u, b, v, 1), axis),
-          onFace(signs(axis, a, u, b, v, 1), u), onFace(signs(axis, a, u, b, v, -1), u),
-        ];
-        fill(points, [facing, facing, axisVector(u, b), axisVector(u, b)]);
+    for (const a of [-1, 1]) {
+      fill([[-1, -1], [1, -1], [1, 1], [-1, 1]].map(([b, c]) => point(axis, axis, a, u, b, v, c)), a < 0);
+      for (const b of [-1, 1]) { // the edge between the faces of axis and u, along v
+        fill([point(axis, axis, a, u, b, v, -1), point(u, axis, a, u, b, v, -1), point(u, axis, a, u, b, v, 1), point(axis, axis, a, u, b, v, 1)], a * b < 0);
       }
     }
   }
-  for (const x of [1, -1]) for (const y of [1, -1]) for (const z of [1, -1]) {
-    const s = [x, y, z];
-    fill([0, 1, 2].map((axis) => onFace(s, axis)), [0, 1, 2].map((axis) => axisVector(axis, s[axis])));
+  for (let corner = 0; corner < 8; corner++) {
+    const isOdd = ((corner & 1) + ((corner >> 1) & 1) + (corner >> 2)) % 2 === 0; // an even number of positive sides
+    fill([0, 1, 2].map((axis) => 3 * corner + axis), isOdd);
   }
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new BufferAttribute(new Float32Array(positions), 3));
   geometry.setAttribute('normal', new BufferAttribute(new Float32Array(normals), 3));
+  geometry.setIndex(indices);
   return geometry;
 }
 
 export function geometryOf(shape: ShapeMeta): BufferGeometry | null {
   switch (shape.type) {
     case 'box':
-      return bevelledBox(shape.half!);
+      return unitBox(); // of any size: the size is in the instance's matrix
     case 'sphere':
       return new SphereGeometry(shape.radius, 40, 24);
     case 'capsule':

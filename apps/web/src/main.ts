@@ -1,7 +1,7 @@
 // The replay page: reads the take that is in the page, shows it, and answers to window.brickfall (which the tests drive).
 // In the address, #t=2.5 opens at a time (or #frame=120 at a frame), #camera=side at a camera (or #view=1, by its number), #paused
 // does not start playing, #arrows=velocity (force) draws arrows, #picture shows the scene alone, #shade=2 (1, 0) holds the shade where bodies meet at a level; joined with &.
-import { Vector2, Vector3 } from 'three';
+import { Matrix4, Vector2, Vector3 } from 'three';
 import { Arrows, kArrowKinds, type ArrowKind } from './arrows';
 import { Bodies } from './bodies';
 import { boundsOf, sizeOf } from './bounds';
@@ -16,13 +16,16 @@ import { Player } from './player';
 import { kMostShade } from './shade';
 import { Stage } from './stage';
 import { Take, type TakeMeta } from './tracks';
-import { applyView, firstSide, viewsOf } from './views';
+import { applyView, firstSide, viewsOf, type View } from './views';
+
+const kLastShown = 400; // ms, of the last picture of a film
 
 function fail(message: string): void {
   const box = byId('message');
   box.textContent = message;
   box.hidden = false;
   byId('bar').hidden = true;
+  document.getElementById('poster')?.style.setProperty('opacity', '0.25'); // the words are over it
 }
 
 function main(): void {
@@ -32,9 +35,10 @@ function main(): void {
   const decodeMilliseconds = performance.now() - started;
 
   const bounds = boundsOf(take);
+  const picture = new URLSearchParams(location.hash.slice(1)).has('picture');
   let stage: Stage;
   try {
-    stage = new Stage(byId<HTMLCanvasElement>('view'), firstSide(take, bounds));
+    stage = new Stage(byId<HTMLCanvasElement>('view'), firstSide(take, bounds), picture);
   } catch {
     fail('This replay needs WebGL 2, which this browser does not offer (or has switched off).');
     return;
@@ -65,7 +69,6 @@ function main(): void {
     return { top: 1 - (2 * head) / height, bottom: 1 - (2 * bar) / height };
   };
   for (const id of ['head', 'bar']) new ResizeObserver(freeHeight).observe(byId(id));
-  const picture = new URLSearchParams(location.hash.slice(1)).has('picture');
   const free = () => (picture ? { top: 1, bottom: -1 } : freeHeight());
   const views = viewsOf(take, bounds, stage.camera.aspect, free());
   let view = views[0];
@@ -78,7 +81,12 @@ function main(): void {
     card.select(body);
     dirty = true;
   };
-  const placeCamera = (): void => applyView(stage, view, view === views[0] || view.follows >= 0, take.timeAt(player.position), bounds);
+  const seenBy = (one: View): Vector3 | null => {
+    if (one.turnsAfter === undefined || !take.isThere(player.frame, one.turnsAfter)) return null;
+    return new Vector3().setFromMatrixPosition(bodies.pose(one.turnsAfter, player.position, new Matrix4()));
+  };
+  const placeCamera = (): void =>
+    applyView(stage, view, view === views[0] || view.follows >= 0, take.timeAt(player.position), bounds, seenBy(view));
   const setView = (index: number): void => {
     view = views[index] ?? views[0];
     placeCamera();
@@ -119,6 +127,7 @@ function main(): void {
   };
   // From here to the end, in the time that it takes to show; pressed again it ends there.
   let recorder: MediaRecorder | null = null;
+  let filmed = 0; // ms, until when the run was playing
   const film = (): void => {
     if (byId('record').hidden) return;
     if (recorder) return recorder.stop();
@@ -134,6 +143,8 @@ function main(): void {
     recorder.start();
     controls.setLoop(false);
     player.play();
+    filmed = performance.now();
+    dirty = true;
   };
   byId('record').hidden = typeof MediaRecorder === 'undefined' || !MediaRecorder.isTypeSupported('video/webm');
   const controls = new Controls(take, player, { setColour, setView, savePicture, film, turn, nextArrows, deselect: () => select(-1) }, views.map((v) => v.name));
@@ -169,7 +180,9 @@ function main(): void {
   const tick = (now: number): void => {
     // Time counts from the first picture that is seen: shaders are made until then.
     if (ticks++ > 1) player.advance(Math.min(0.25, (now - last) / 1000));
-    if (recorder?.state === 'recording' && !player.playing) recorder.stop();
+    // It takes in what was shown for a while: the last picture, too.
+    if (player.playing) filmed = now;
+    if (recorder?.state === 'recording' && now - filmed > kLastShown) recorder.stop();
     if (inRow > 1) stage.shade.judge(now - last);
     last = now;
     if (stage.resize()) {
@@ -177,7 +190,7 @@ function main(): void {
       Object.assign(views[0], viewsOf(take, bounds, stage.camera.aspect, free())[0]);
       if (untouched && view.follows < 0) placeCamera();
     }
-    if (dirty && untouched && view.path) placeCamera();
+    if (dirty && untouched && (view.path || view.turnsAfter !== undefined)) placeCamera();
     if (view.follows >= 0 && dirty) {
       followed.now.set(...take.position(player.frame, view.follows));
       const shift = followed.now.clone().sub(followed.last);
@@ -207,6 +220,7 @@ function main(): void {
     get playing() { return player.playing; },
     get selected() { return bodies.selected; },
     get view() { return views.indexOf(view); },
+    meshes: bodies.meshes,
     names: meta.bodies.map((body) => body.name),
     kinds: meta.bodies.map((body) => body.parts.map((_, part) => kindOf(body, part))),
     views: views.map((v) => v.name),
@@ -267,6 +281,7 @@ function main(): void {
   api.ready = true;
   if (!wishes.has('paused') && !window.matchMedia('(prefers-reduced-motion: reduce)').matches) player.play();
   requestAnimationFrame((now) => {
+    document.getElementById('poster')?.remove();
     last = now;
     tick(now);
   });

@@ -24,7 +24,6 @@ export class Shade {
     shadeShare: { value: 0 },
     shadeReach: { value: 0.15 }, // m
   };
-  private level = kMostShade;
   private isHeld = false;
   private readonly seen: WebGLRenderTarget;
   private readonly pass: GTAOPass;
@@ -33,7 +32,8 @@ export class Shade {
   private spent = 0;
   private judged = 0;
 
-  constructor(private readonly renderer: WebGLRenderer, private readonly scene: Scene, private readonly camera: PerspectiveCamera) {
+  // level: at which it begins.
+  constructor(private readonly renderer: WebGLRenderer, private readonly scene: Scene, private readonly camera: PerspectiveCamera, private level: number) {
     const depthTexture = new DepthTexture(1, 1, UnsignedIntType);
     depthTexture.format = DepthFormat;
     this.seen = new WebGLRenderTarget(1, 1, { minFilter: NearestFilter, magFilter: NearestFilter, depthTexture });

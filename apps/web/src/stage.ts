@@ -1,11 +1,10 @@
 // What is there besides the bodies: sky, sun and its shadows, camera.
 import {
-  BackSide, Box3, CustomToneMapping, DirectionalLight, Mesh, PCFShadowMap, PerspectiveCamera, PMREMGenerator, Scene, ShaderMaterial, SphereGeometry, Spherical, Vector3, WebGLRenderer,
-  type Texture,
+  BackSide, Box3, CustomToneMapping, DirectionalLight, Mesh, PCFShadowMap, PerspectiveCamera, Scene, ShaderMaterial, SphereGeometry, Spherical, Vector3, WebGLRenderer,
 } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import { kLightFunctions, kSunLight, sunOver } from './light';
-import { Shade } from './shade';
+import { kMostShade, Shade } from './shade';
 
 const kLowest = Math.PI * 0.495; // of a camera, from straight up: it stays above level ground
 const kNearest = 0.1; // m
@@ -31,31 +30,34 @@ function makeSky(sun: Vector3): Mesh {
   return sky;
 }
 
+// Whether no graphics card draws: then edges are not smoothed, which doubles what a picture costs, and the finer shade is left out.
+function drawsOnProcessor(): boolean {
+  const gl = document.createElement('canvas').getContext('webgl2');
+  const known = gl?.getExtension('WEBGL_debug_renderer_info');
+  const name = gl && known ? String(gl.getParameter(known.UNMASKED_RENDERER_WEBGL)) : '';
+  gl?.getExtension('WEBGL_lose_context')?.loseContext();
+  return /swiftshader|llvmpipe|software|basic render/i.test(name);
+}
+
 export class Stage {
   readonly scene = new Scene();
   readonly camera = new PerspectiveCamera(42, 1, 0.02, 2000);
   readonly renderer: WebGLRenderer;
   readonly controls: OrbitControls;
   readonly shade: Shade;
-  readonly surroundings: Texture; // what steel mirrors
   private readonly sun = new DirectionalLight(kSunLight, 1);
   readonly sunDirection = new Vector3();
   private readonly sky = makeSky(this.sunDirection);
   private mostDistance = 100; // m, of the camera from what it turns about
 
-  // lookFrom: from what the scene's first camera looks at to the camera.
-  constructor(canvas: HTMLCanvasElement, lookFrom: Vector3) {
+  // lookFrom: from what the scene's first camera looks at to the camera; isStill: a picture is wanted, whatever it costs.
+  constructor(canvas: HTMLCanvasElement, lookFrom: Vector3, isStill: boolean) {
     this.sunDirection.copy(sunOver(lookFrom));
-    this.renderer = new WebGLRenderer({ canvas, antialias: true, powerPreference: 'high-performance', preserveDrawingBuffer: true });
+    const isSlow = !isStill && drawsOnProcessor();
+    this.renderer = new WebGLRenderer({ canvas, antialias: !isSlow, powerPreference: 'high-performance', preserveDrawingBuffer: true });
     this.renderer.toneMapping = CustomToneMapping;
     this.renderer.shadowMap.enabled = true;
     this.renderer.shadowMap.type = PCFShadowMap;
-
-    const small = new Scene();
-    small.add(makeSky(this.sunDirection));
-    const generator = new PMREMGenerator(this.renderer);
-    this.surroundings = generator.fromScene(small, 0, 0.1, 10).texture;
-    generator.dispose();
 
     this.sun.castShadow = true;
     const size = Math.min(this.renderer.capabilities.maxTextureSize, 2048);
@@ -64,7 +66,7 @@ export class Stage {
     this.sun.shadow.radius = 4;
     this.scene.add(this.sky, this.sun, this.sun.target);
     this.renderer.shadowMap.autoUpdate = false; // they change with the bodies, not with the camera
-    this.shade = new Shade(this.renderer, this.scene, this.camera);
+    this.shade = new Shade(this.renderer, this.scene, this.camera, isSlow ? 0 : kMostShade);
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.enableDamping = true;
     this.controls.dampingFactor = 0.12;

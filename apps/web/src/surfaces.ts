@@ -1,13 +1,13 @@
 // The materials of bodies and ground: how rough, how much metal, and shaders with the patterns of their stuff, worn edges, and
 // joints where bricks meet.
-import { MeshStandardMaterial, ShaderChunk, Vector3 } from 'three';
+import { MeshStandardMaterial, ShaderChunk } from 'three';
+import { kBevelled } from './geometry';
 import { kLightFunctions } from './light';
 import { kKinds, type Kind } from './materials';
 import { patternsOf } from './patterns';
 import { kJointFunction } from './shade';
 import type { Stage } from './stage';
 
-type Half = [number, number, number] | undefined;
 const kArris = 0.0035; // m, of an edge that is rubbed off
 const kWearing: Partial<Record<Kind, number>> = { brick: 1, concrete: 1, stone: 1, wood: 0.35 }; // how much; others not at all
 const kJoint = 0.1; // of the least half extent, as half of the crack that shows between two bricks; m:
@@ -24,17 +24,25 @@ const kVertexInputs = `
   attribute float seed;
   varying vec3 vLocal, vFacing;
   varying float vSeed;
-  flat varying mat3 vTurn;`;
+  flat varying mat3 vTurn;
+  flat varying vec3 uHalf;`;
 
 const kVertexWork = `
-  vLocal = position;
   vFacing = normal;
   vSeed = seed;
+  vLocal = position;
+  uHalf = vec3(0.0);
   #ifdef USE_INSTANCING
     vTurn = mat3(modelViewMatrix) * mat3(instanceMatrix);
   #else
     vTurn = mat3(modelViewMatrix);
   #endif`;
+const kBoxVertexWork = `
+  ${kBevelled}
+  transformed = onBox;
+  vLocal = onBox * boxHalf;
+  uHalf = boxHalf;
+  vTurn = mat3(vTurn[0] / boxHalf.x, vTurn[1] / boxHalf.y, vTurn[2] / boxHalf.z);`;
 
 // What a box has besides: where its edges are worn, and which of them are joints. Its faces are told by how deep a point lies below
 // each; the nearest edge is where the second of them is.
@@ -65,25 +73,26 @@ const kBoxWork = `
     joint *= (below > 1e-4 ? 1.0 : 1.0 - smoothstep(0.25 * crack, 1.5 * crack, toEdge)) * dark;
   }`;
 
-function withSurface(material: MeshStandardMaterial, kind: Kind, half: Half, isFloor: boolean, stage: Stage): MeshStandardMaterial {
-  material.customProgramCacheKey = () => `${kind} ${half !== undefined} ${isFloor}`;
+function withSurface(material: MeshStandardMaterial, kind: Kind, isBox: boolean, isFloor: boolean, stage: Stage): MeshStandardMaterial {
+  const hasEdges = isBox && kind !== 'ground';
+  material.customProgramCacheKey = () => `${kind} ${isBox} ${isFloor}`;
   material.onBeforeCompile = (shader) => {
     shader.uniforms.uWearing = { value: kWearing[kind] ?? 0 };
     shader.uniforms.sunTowards = { value: stage.sunDirection };
-    shader.uniforms.uHalf = { value: new Vector3(...(half ?? [0, 0, 0])) };
     shader.vertexShader = shader.vertexShader
       .replace('#include <common>', `#include <common>\n${kVertexInputs}`)
-      .replace('#include <begin_vertex>', `#include <begin_vertex>\n${kVertexWork}`);
+      .replace('#include <begin_vertex>', `#include <begin_vertex>\n${kVertexWork}\n${isBox ? kBoxVertexWork : ''}`);
     shader.fragmentShader = shader.fragmentShader
       .replace('#include <common>', `#include <common>
         ${kLightFunctions}
-        uniform vec3 uHalf, sunTowards;
+        uniform vec3 sunTowards;
         uniform float uWearing;
         varying vec3 vLocal, vFacing;
         varying float vSeed;
         flat varying mat3 vTurn;
+        flat varying vec3 uHalf;
         ${patternsOf(kind, isFloor)}
-        ${half ? kJointFunction : ''}`)
+        ${hasEdges ? kJointFunction : ''}`)
       .replace('#include <lights_fragment_begin>', kFromAround)
       .replace('#include <color_fragment>', `#include <color_fragment>
         float pixel = max(length(dFdx(vLocal)), length(dFdy(vLocal)));
@@ -91,7 +100,7 @@ function withSurface(material: MeshStandardMaterial, kind: Kind, half: Half, isF
         vec3 edgeSlope = vec3(0.0);
         vec2 shadeAt = gl_FragCoord.xy * shadeScale;
         {
-          ${half ? kBoxWork : ''}
+          ${hasEdges ? kBoxWork : ''}
           diffuseColor.rgb = paintAt(diffuseColor.rgb, vLocal, vFacing, wear, pixel, roughnessHere) * (1.0 - 0.25 * joint);
         }`)
       .replace('#include <roughnessmap_fragment>', '#include <roughnessmap_fragment>\nroughnessFactor = clamp(roughnessFactor + roughnessHere, 0.05, 1.0);')
@@ -108,6 +117,18 @@ function withSurface(material: MeshStandardMaterial, kind: Kind, half: Half, isF
         material.specularColorBlended *= shiny;
         material.specularF90 *= shiny;
       }`);
+    if (kKinds[kind].metalness > 0) {
+      // What it mirrors: sky and ground, as the window has it.
+      shader.fragmentShader = shader.fragmentShader.replace('#include <lights_fragment_end>', `#include <lights_fragment_end>
+        {
+          vec3 towards = inverseTransformDirection(geometryViewDir, viewMatrix), outward = inverseTransformDirection(normal, viewMatrix);
+          float edge = 1.0 - max(dot(outward, towards), 0.0), rough = material.roughness;
+          vec3 strength = material.specularColorBlended;
+          strength += (1.0 - strength) * edge * edge * edge * edge * edge * (1.0 - rough) * 0.6;
+          vec3 seen = mix(skyLight(reflect(-towards, outward), sunTowards), ambientLight(outward, sunTowards), 0.5 * rough);
+          reflectedLight.indirectSpecular += strength * seen;
+        }`);
+    }
     if (kind === 'ground') {
       shader.fragmentShader = shader.fragmentShader.replace('#include <opaque_fragment>', `{
           vec3 towards = inverseTransformDirection(normalize(-vViewPosition), viewMatrix);
@@ -115,7 +136,7 @@ function withSurface(material: MeshStandardMaterial, kind: Kind, half: Half, isF
         }
         #include <opaque_fragment>`);
     }
-    if (half) {
+    if (hasEdges) {
       // No light falls into a joint: shadows are not so fine.
       shader.fragmentShader = shader.fragmentShader.replace('#include <aomap_fragment>', `#include <aomap_fragment>
         reflectedLight.directDiffuse *= 1.0 - 0.65 * joint;
@@ -128,9 +149,8 @@ function withSurface(material: MeshStandardMaterial, kind: Kind, half: Half, isF
   return material;
 }
 
-// `half`: of a box, whose edges are worn; `isFloor`: of ground without end.
-export function surfaceOf(kind: Kind, half: Half, isFloor: boolean, stage: Stage): MeshStandardMaterial {
+// `isBox`: its edges are worn, unless it is ground; `isFloor`: of ground without end.
+export function surfaceOf(kind: Kind, isBox: boolean, isFloor: boolean, stage: Stage): MeshStandardMaterial {
   const material = new MeshStandardMaterial({ roughness: kKinds[kind].roughness, metalness: kKinds[kind].metalness });
-  if (kind === 'steel') Object.assign(material, { envMap: stage.surroundings, envMapIntensity: 1 });
-  return withSurface(material, kind, half, isFloor, stage);
+  return withSurface(material, kind, isBox, isFloor, stage);
 }

@@ -40,6 +40,7 @@ export interface CameraMeta {
   target: [number, number, number];
   fieldOfView: number;
   path?: CameraKey[]; // along which it moves while the run plays; left out: it stays
+  turnsAfter?: number; // a body: while it is there it is the target
 }
 // A mortar joint: where its face is, in the frame of body a.
 export interface JointMeta {

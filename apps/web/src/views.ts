@@ -12,6 +12,7 @@ export interface View {
   fieldOfView: number;
   follows: number; // body, -1 = none
   path?: CameraKey[]; // along which it moves while the run plays
+  turnsAfter?: number; // a body: while it is there it is the target
 }
 
 // From the ball's side, a third of a right angle off its line, so that both the flight and the breach are seen.
@@ -70,7 +71,7 @@ export function viewsOf(take: Take, bounds: Bounds, aspect: number, free: FreeHe
   const views: View[] = [fitted(bounds.outermost, towards, aspect, free)];
   for (const camera of take.meta.cameras) {
     const path = camera.path?.length ? camera.path : undefined;
-    views.push({ name: camera.name, position: new Vector3(...camera.position), target: new Vector3(...camera.target), fieldOfView: camera.fieldOfView, follows: -1, path });
+    views.push({ name: camera.name, position: new Vector3(...camera.position), target: new Vector3(...camera.target), fieldOfView: camera.fieldOfView, follows: -1, path, turnsAfter: camera.turnsAfter });
   }
   if (ball >= 0) {
     const from = new Vector3(...take.position(0, ball));
@@ -98,10 +99,10 @@ function stepBack(position: Vector3, target: Vector3, fieldOfView: number, aspec
   return most;
 }
 
-// time: s, for a camera that moves.
-export function applyView(stage: Stage, view: View, fits: boolean, time: number, bounds: Bounds): void {
+// time: s, for a camera that moves; seen: where the body is that it turns after.
+export function applyView(stage: Stage, view: View, fits: boolean, time: number, bounds: Bounds, seen: Vector3 | null): void {
   const pose = view.path ? poseAt(view.path, time) : null;
-  const target = pose ? new Vector3(...pose.target) : view.target;
+  const target = seen ?? (pose ? new Vector3(...pose.target) : view.target);
   const position = pose ? new Vector3(...pose.position) : view.position.clone();
   const fieldOfView = pose ? pose.fieldOfView : view.fieldOfView;
   const back = fits ? 1 : stepBack(position, target, fieldOfView, stage.camera.aspect, bounds.start);

@@ -1,6 +1,7 @@
 // Where results cannot go, or what a run leaves when all is well.
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <tuple>
 
 #include "bad_input/cli/command_fixture.h"
 
@@ -263,6 +264,23 @@ TEST_F(Outputs, replayOfACutTakeSaysSo) {
   EXPECT_TRUE(isOneComplaint(again.errors, {"cut.take", "cut off"}));
   EXPECT_TRUE(exists("b/replay.html"));
   EXPECT_FALSE(exists("b/summary.json"));
+}
+
+TEST_F(Outputs, replayTakesAPosterAndAnAddressOrSaysWhyNot) {
+  ASSERT_EQ(run({"run", "cube", "--seconds", "0.1", "-o", "a", "--quiet", "--no-html", "--no-glb"}).exitCode, 0);
+  write("p.png", "\x89PNG\r\n\x1a\n...");
+  const auto replayed = [&](const char* poster, const char* address) {
+    return run({"replay", "a/cube.take", "--no-glb", "--poster", poster, "--address", address});
+  };
+  EXPECT_EQ(replayed("p.png", "https://example.org/cube.html").exitCode, 0);
+  EXPECT_NE(read("a/replay.html").find("\"https://example.org/p.png\""), std::string::npos);
+  for (const auto& [poster, address, code] : {std::tuple{"none.png", "https://example.org", 3},
+                                              {"a/cube.take", "https://example.org", 3},
+                                              {"p.png", "example.org", 2}}) {
+    const Finished refused = replayed(poster, address);
+    EXPECT_EQ(refused.exitCode, code) << poster;
+    EXPECT_TRUE(isOneComplaint(refused.errors, {code == 2 ? address : poster})) << refused.errors;
+  }
 }
 
 TEST_F(Outputs, replayRefusesWhatIsNoTake) {

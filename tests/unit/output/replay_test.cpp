@@ -2,6 +2,7 @@
 #include <zstd.h>
 
 #include <cmath>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "output/replay_template.h"
@@ -116,6 +117,27 @@ TEST(Replay, ThousandBricksForTenSecondsStayUnderFourMegabytes) {
     RecordProperty(everResting ? "bytes_resting" : "bytes_chaotic", std::to_string(size));
     EXPECT_LT(size, everResting ? 2'000'000u : 4'000'000u);
   }
+}
+
+TEST(Replay, PosterIsInThePageAndInItsLinkPreview) {
+  OutputFolder folder;
+  TakeReader reader = test::opened(test::makeSyntheticTake({.frames = 2}), folder.file("a.take"));
+  const std::string page = folder.file("a.html"), poster = folder.file("the \"wall\".png");
+  std::ofstream(poster, std::ios::binary) << "\x89PNG\r\n\x1a\n...";
+  ASSERT_TRUE(writeReplayHtml(reader, page, {}, {poster, "https://example.org/walls/a.html"}));
+  const std::string made = test::contentOf(page);
+  EXPECT_EQ(between(made, "id=\"poster\" alt=\"\" src=\"", "\">"), "data:image/png;base64,iVBORw0KGgouLi4=");
+  EXPECT_EQ(between(made, "og:url\" content=\"", "\">"), "https://example.org/walls/a.html");
+  EXPECT_EQ(between(made, "og:image\" content=\"", "\">"), "https://example.org/walls/the &quot;wall&quot;.png");
+  ASSERT_TRUE(writeReplayHtml(reader, page, {}, {poster, "https://example.org"}));
+  EXPECT_NE(test::contentOf(page).find("content=\"https://example.org/the "), std::string::npos);
+  ASSERT_TRUE(writeReplayHtml(reader, page));
+  for (const char* word : {"id=\"poster\"", "og:image", "og:url"})
+    EXPECT_EQ(test::contentOf(page).find(word), std::string::npos) << word;
+
+  EXPECT_EQ(writeReplayHtml(reader, page, {}, {"", "example.org"}).error().code, ErrorCode::invalidArgument);
+  EXPECT_EQ(writeReplayHtml(reader, page, {}, {folder.file("none.png"), ""}).error().code, ErrorCode::inputOutput);
+  EXPECT_EQ(writeReplayHtml(reader, page, {}, {page, ""}).error().code, ErrorCode::badFormat);
 }
 
 TEST(Replay, PageIsOneFileWithEverythingInItsPlace) {

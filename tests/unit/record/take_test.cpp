@@ -99,6 +99,7 @@ TEST(Take, FramesComeBackAsWritten) {
 TEST(Take, HeaderComesBackAsWritten) {
   RemovedAtEnd file{temporaryFile("header.take")};
   SyntheticTake take = makeSyntheticTake({.frames = 1});
+  take.header.cameras[1].follow = "ball";
   ShapeDef &drum = take.bodies[3].shapes[0], &cone = take.bodies[4].shapes[0];
   drum.type = ShapeType::cylinder, drum.radius = 0.08, drum.halfHeight = 0.1;
   cone.type = ShapeType::cone, cone.radius = 0.09, cone.halfHeight = 0.2, cone.topRadius = 0.03;
@@ -112,6 +113,8 @@ TEST(Take, HeaderComesBackAsWritten) {
   EXPECT_EQ(want.engineVersion, got.engineVersion);
   EXPECT_EQ(want.seed, got.seed);
   EXPECT_EQ(want.framesPerSecond, got.framesPerSecond);
+  ASSERT_EQ(want.cameras.size(), got.cameras.size());
+  for (std::size_t k = 0; k < got.cameras.size(); k++) EXPECT_EQ(want.cameras[k].follow, got.cameras[k].follow);
   ASSERT_EQ(take.bodies.size(), bodies.size());
   for (std::size_t k = 0; k < bodies.size(); k++) {
     const TakeBody &a = take.bodies[k], &b = bodies[k];
@@ -301,6 +304,19 @@ TEST(Take, VersionFourStillOpens) {
   for (std::size_t k = 0; k < take.bodies.size(); k++) EXPECT_EQ(reader->bodies()[k].look, std::uint32_t(k));
   ASSERT_EQ(reader->frameCount(), 70u);
   for (std::size_t f : {69, 0, 63, 64, 30}) expectSame(take.frames[f], *reader->frame(f), "frame " + std::to_string(f));
+}
+
+// So was version5.take: no camera turns after a body.
+TEST(Take, VersionFiveStillOpens) {
+  SyntheticTake take = makeSyntheticTake(
+      {.courses = 2, .bricksPerCourse = 3, .frames = 70, .hitFrame = 40, .breaking = true, .mortared = true});
+  Result<TakeReader> reader = TakeReader::open(BRICKFALL_SOURCE_DIR "/tests/unit/record/version5.take");
+  ASSERT_TRUE(reader) << reader.error().message;
+  EXPECT_TRUE(reader->complete());
+  ASSERT_EQ(reader->header().cameras.size(), take.header.cameras.size());
+  for (const Camera& camera : reader->header().cameras) EXPECT_EQ(camera.follow, "");
+  for (std::size_t k = 0; k < take.bodies.size(); k++) EXPECT_EQ(reader->bodies()[k].look, std::uint32_t(k + 7));
+  for (std::size_t f : {69, 0, 30}) expectSame(take.frames[f], *reader->frame(f), "frame " + std::to_string(f));
 }
 
 TEST(Take, LooksComeBackAsWritten) {

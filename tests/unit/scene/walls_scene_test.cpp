@@ -119,6 +119,18 @@ TEST(MeetingWalls, CamerasLookAtBodiesAndArraysTakeEveryShape) {
   EXPECT_TRUE(has(faults("[world]\nsleep = false\nstop_when = \"rest\"\n[[wall]]\n"), "stop_when"));
 }
 
+TEST(MeetingWalls, ACameraTurnsAfterOneBody) {
+  const SceneDescription scene = sound(
+      "[[wall]]\nname = \"w\"\n[[ball]]\nname = \"shot\"\nposition = [0, 1, 4]\n"
+      "[[camera]]\nlook_at = \"shot\"\nfollow = true\n[[camera]]\nname = \"b\"\nlook_at = \"w\"\n");
+  EXPECT_EQ(scene.cameras[0].follow, "shot");
+  EXPECT_EQ(scene.cameras[0].target, (Vec3{0, 1, 4}));
+  EXPECT_EQ(scene.cameras[1].follow, "");
+  EXPECT_TRUE(has(faults("[[camera]]\nfollow = true\n"), "follow: found without look_at"));
+  EXPECT_TRUE(has(faults("[[wall]]\nname = \"w\"\n[[camera]]\nlook_at = \"w\"\nfollow = true\n"),
+                  "follow: found beside \"w\", which many are called after, expected one body"));
+}
+
 // A joint or a chain that names a wall holds on to the brick at its point.
 TEST(MeetingWalls, AGateHangsOnTheNearestBrick) {
   const SceneDescription scene = sound(

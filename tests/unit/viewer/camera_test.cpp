@@ -134,6 +134,34 @@ TEST(Camera, FollowsAtADistanceByTheBodysSize) {
   EXPECT_EQ(rig.followed(), 0u);
 }
 
+TEST(Camera, OfASceneTurnsAfterABody) {
+  BodyList list;
+  list.bodies.resize(2);
+  list.bodies[0].serial = 3, list.bodies[0].name = "wall";
+  list.bodies[1].serial = 8, list.bodies[1].name = "ball";
+  Camera camera{"side", {0, 1, 5}, {0, 1, 0}, 45};
+  camera.follow = "ball";
+  CameraRig rig;
+  rig.goTo(camera, true, &list);
+  EXPECT_EQ(rig.followed(), 8u);
+  for (int i = 0; i < 90; i++) {  // over and past the eye
+    const Vec3 at{-4 + 0.1 * i, 0.5, 6 - 0.1 * i};
+    rig.update(1.0 / 60, at);
+    expectNear(rig.view().position, camera.position, 1e-9);
+    expectNear(rig.view().forward(), normalized(at - camera.position), 1e-9);
+  }
+  rig.turn(0.1, 0);
+  EXPECT_EQ(rig.mode(), CameraMode::orbit) << "it is the user's now";
+  EXPECT_EQ(rig.followed(), 0u);
+  rig.goTo(camera, true, &list);
+  rig.update(1.0 / 60);
+  EXPECT_EQ(rig.mode(), CameraMode::orbit) << "the body is gone";
+  camera.follow = "bal";
+  rig.goTo(camera, true, &list);
+  EXPECT_EQ(rig.followed(), 0u);
+  expectNear(rig.target(), camera.target, 1e-12);
+}
+
 TEST(Camera, FramesAllOfABox) {
   const Aabb box{{-3, 0, -1}, {3, 2.5, 1}};
   for (Viewport port : {Viewport{1280, 720}, Viewport{400, 900}}) {

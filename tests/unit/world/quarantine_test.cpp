@@ -1,6 +1,8 @@
 // Legal but absurd input must not end the simulation: what becomes non-finite is named, held, and harms nobody.
 #include <algorithm>
+#include <string>
 
+#include "brickfall/notes.h"
 #include "support/world_helpers.h"
 
 namespace brickfall {
@@ -153,6 +155,32 @@ TEST(Quarantine, HugeGravity) {
   BodyId body = add(world, d);
   runAny(world, 120, kDt);
   EXPECT_TRUE(isFinite(world.state(body)->position));
+}
+
+// Told to who listens, and to nobody else.
+std::vector<std::string> notesHeard;
+
+TEST(Quarantine, IsNotedInTheLogAndSoAreTiesThatEnd) {
+  World world = awakeWorld();
+  const BodyId base = add(world, bodyOf(boxOf({0.1, 0.1, 0.1}), {0, 3, 0}, BodyType::fixed));
+  const BodyId lost = add(world, bodyOf(boxOf({1e-3, 1e-3, 1e-3}), {5, 1, 0}));
+  JointDef joint;
+  joint.bodyA = base;
+  joint.bodyB = addBox(world, {0.1, 0.1, 0.1}, {0, 2, 0});
+  joint.anchor = {0, 2.5, 0};
+  ASSERT_TRUE(world.createJoint(joint).ok());
+  const NoteHandler before = setNoteHandler([](const Note& note) { notesHeard.push_back(note.text); });
+  notesHeard.clear();
+  runAny(world, 20, kDt, [&] { (void)world.applyForce(lost, {1e12, 1e12, 0}); });
+  ASSERT_EQ(notesHeard.size(), 1u);
+  EXPECT_NE(notesHeard[0].find("body " + std::to_string(lost.index) + " became non-finite"), std::string::npos);
+  ASSERT_TRUE(world.destroyBody(lost).ok());  // alone: nothing to tell
+  ASSERT_TRUE(world.destroyBody(base).ok());
+  ASSERT_EQ(notesHeard.size(), 2u);
+  EXPECT_NE(notesHeard[1].find("1 joints and 0 faces of mortar went with it"), std::string::npos);
+  setNoteHandler(before);
+  ASSERT_TRUE(world.destroyBody(joint.bodyB).ok());
+  EXPECT_EQ(notesHeard.size(), 2u);
 }
 
 }  // namespace

@@ -84,7 +84,7 @@ void showCamera(Desk& desk, const Frame& frame) {
     const Camera& camera = frame.info->cameras[i];
     if (i % 4 != 0) ImGui::SameLine();
     ImGui::PushID(int(i));
-    if (ImGui::SmallButton(camera.name.c_str())) desk.rig.goTo(camera);
+    if (ImGui::SmallButton(camera.name.c_str())) desk.rig.goTo(camera, false, frame.list.get());
     hint("A view that the scene file saved");
     ImGui::PopID();
   }

@@ -25,10 +25,6 @@ void swatch(std::uint32_t colour, const char* text) {
   ImGui::TextDisabled("%s", text);
 }
 
-const char* nameOf(ShadowMode mode) {
-  return mode == ShadowMode::stencil ? "stencil" : mode == ShadowMode::depth ? "depth" : "none";
-}
-
 }  // namespace
 
 void showViews(Desk& desk, const Frame& frame) {
@@ -50,16 +46,13 @@ void showViews(Desk& desk, const Frame& frame) {
   check(desk, "Polygons", view.wireframe, Action::wireframe, "As in the report: edges of the triangles, without light");
   ImGui::Checkbox("Dust", &view.dust);
   ImGui::SetNextItemWidth(170);
-  if (ImGui::BeginCombo("Shadows", viewer::nameOf(view.shadows))) {
+  if (ImGui::BeginCombo("Shadows", nameOf(view.shadows))) {
     for (int i = 0; i < kShadowChoiceCount; i++) {
-      if (ImGui::Selectable(viewer::nameOf(ShadowChoice(i)), int(view.shadows) == i)) view.shadows = ShadowChoice(i);
+      if (ImGui::Selectable(nameOf(ShadowChoice(i)), int(view.shadows) == i)) view.shadows = ShadowChoice(i);
     }
     ImGui::EndCombo();
   }
   note(desk, "Shadows");
-  if (view.shadows == ShadowChoice::automatic) {
-    ImGui::TextDisabled("now: %s (stencil up to %d bodies)", nameOf(desk.shadows), kMostStencilBodies);
-  }
   heading("Layers");
   check(desk, "Collider shapes", view.colliders, Action::colliders,
         "What collides: green awake, blue asleep, grey fixed");
