@@ -130,7 +130,7 @@ SolvePlan planFor(const IslandFacts& facts, const SolverSettings& settings, doub
       supported && facts.fastest <= settings.restSpeed + kCalmShare * facts.scale.gravity * dt / facts.scale.speed;
   SolvePlan plan;
   // What swings on joints is in balance wherever it swings through its middle; what is alone may roll up a slope.
-  const double still = std::min(kStillSpeed, settings.restSpeed);
+  const double still = stillSpeed(settings);
   plan.alone = facts.bodies == 1;
   plan.slow = supported && facts.fastest <= (facts.jointed ? still : settings.restSpeed);
   plan.mayBeStopped = supported && facts.fastest <= (row.large                     ? kMovingSpeed
@@ -145,7 +145,7 @@ SolvePlan planFor(const IslandFacts& facts, const SolverSettings& settings, doub
   plan.startsFree = !facts.grounded || !(row.large || facts.mortared);
   plan.goesOn = row.large && facts.pressed && !facts.pinned && !plan.slow;
   plan.softDebris = row.large && facts.fastest > kDebrisSpeed;
-  plan.tolerance = row.large ? settings.cycleTolerance : kSmallTolerance;
+  plan.tolerance = row.large ? settings.cycleTolerance : smallTolerance(settings);
   plan.minCycles = row.direct && row.exactSteps ? 1 : settings.minCycles;
   plan.maxCycles = row.direct ? plan.minCycles : cycleBudget(facts, settings);
   plan.mostCycles = row.large ? std::max(plan.maxCycles, kMostCycles * settings.maxCycles) : plan.maxCycles;

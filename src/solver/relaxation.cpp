@@ -99,7 +99,8 @@ class Relaxation {
       kind.eachResistance([&](RowEnds ends, float force) {
         for (std::uint32_t i : {ends.a, ends.b}) {
           if (i >= allowed_.size()) continue;
-          const float rounding = float(kSmallTolerance * measureOf(island_, *context_.bodies, i, kLoadShare).force);
+          const float rounding =
+              float(smallTolerance(context_.settings) * measureOf(island_, *context_.bodies, i, kLoadShare).force);
           allowed_[i] = std::min(allowed_[i], std::max(rounding, float(kLeftOver) * force));
         }
       });

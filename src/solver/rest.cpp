@@ -51,8 +51,9 @@ namespace {
 // As the rest check, but each body is judged by its load, and clusters by their weight. An island that leans or slides
 // as a whole is out of balance as a whole, however little each of its bodies is.
 bool balancedByLoad(const Island& island, const StepContext& context) {
+  const float still = float(stillSpeed(context.settings));
   for (std::size_t i = 0; i < island.bodies.size(); i++) {
-    if (!(island.speeds[i] < float(kStillSpeed))) return false;
+    if (!(island.speeds[i] < still)) return false;
     if (!isWithin(island.residual[i], measureOf(island, *context.bodies, i, kLoadShare),
                   context.settings.cycleTolerance))
       return false;

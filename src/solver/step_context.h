@@ -32,8 +32,9 @@ constexpr double kNearContact = 5e-3;  // m: open points nearer than this stay i
 //! | too large: float noise moves sliding bodies; bodies that land or leave get a correction that is not theirs
 constexpr double kCalmShare = 0.1;  // of g dt, added to the rest speed: an island no faster settles; and so little a
                                     // velocity changes at a point that neither lands nor leaves
-//! weights | too small: cost | too large: islands repeat an error for ever and do not rest
-constexpr double kSmallTolerance = 5e-4;  // of a body in a small island, or on which a force acts that resists rolling
+// Weights: of a body in a small island, or on which a force acts that resists rolling. Half of what rest allows, so
+// that islands that repeat an error rest.
+inline double smallTolerance(const SolverSettings& settings) { return 0.5 * settings.restTolerance; }
 //! s | too small: a very slow start of a fall is stopped | too large: walls with points at an edge rest late
 constexpr double kInPlaceTime = 0.5;  // a slow island of which no point strays by kNearlyClosed so long is at rest
 //! m/s | too small: a hit wall that sways is taken for debris, and sways on for seconds: walls sag
@@ -43,12 +44,12 @@ constexpr double kMovingSpeed = 0.03;  // of a body of a large island: faster on
 constexpr double kLargestTurn = 0.5;  // rad per step of a body in contact: arms are frozen during a step
 //! - | too small: counts residuals that nobody sees: cost
 //! | too large: bodies hang in the air, balls on loose bricks roll on
-constexpr double kLeftOver = 0.05;  // of max(weight, load), of what resists rolling, of an island's bodies: a solve may
-                                    // leave so much
+constexpr double kLeftOver = 0.05;  // of max(weight, load), of what resists rolling, of an island's bodies, of the rest
+                                    // speed: a solve may leave so much
 
-//! m/s | too small: large walls stay awake over the last of their residual; a body that rocks by itself rests late
-//! | too large: slow topples are stopped; a ball that rolls up a slope turns back too early
-constexpr double kStillSpeed = 5e-4;  // of each body of a large island that rests by load, and of a body alone
+// m/s: of each body of a large island that rests by load, and of a body alone.
+inline double stillSpeed(const SolverSettings& settings) { return kLeftOver * settings.restSpeed; }
+
 //! - | too small: heavily loaded bodies are solved too finely: cost | too large: heavily loaded bodies hang
 constexpr double kLoadShare = 0.3;  // of a body's load: so much counts like its weight
 //! - | too small: floats leave bodies under a great load out of balance: cost | too large: such bodies are solved badly
