@@ -21,9 +21,6 @@ constexpr int kRounds = 3;  // sweeps over the bodies in a cycle
 //! - | too small: cost: firm ties spread what all must do together through cycles, not through sweeps
 //! | too large: large islands that break are left out of balance
 constexpr int kFirmCycles = 2;  // x the cycles, of one sweep each, in a large island that mortar holds
-//! of its heaviest body | too small: light blocks under a great load tilt and slip out
-//! | too large: floats round away balance
-constexpr double kHeavyShare = 0.01;  // effective mass of the softest contact of a small island
 
 // Small islands are cheap. They take exact steps, since open points counted as closed delay their collapses. They are
 // stiffer when calm, since they converge all the same. Larger islands would lose walls by it. A body alone: its cycle
@@ -140,7 +137,7 @@ SolvePlan planFor(const IslandFacts& facts, const SolverSettings& settings, doub
   plan.exactSteps = row.exactSteps;
   plan.direct = row.direct;
   plan.calmStiffening = calm ? double(row.calmStiffening) : 1;
-  plan.leastMass = row.direct ? kHeavyShare * facts.heaviest : 0;
+  plan.leastMass = row.direct ? kTrifle * facts.heaviest : 0;
   plan.large = row.large;
   plan.startsFree = !facts.grounded || !(row.large || facts.mortared);
   plan.goesOn = row.large && facts.pressed && !facts.pinned && !plan.slow;

@@ -56,7 +56,8 @@ constexpr double kLoadShare = 0.3;  // of a body's load: so much counts like its
 constexpr double kHeavyLoad = 0.02;  // of a body's load: this counts like its weight where islands are solved directly
 
 //! - | too small: rounding and small changes are followed: cost; walls sway for longer
-//! | too large: badly solved impacts change momentum and energy; balls that roll on a wall are stopped
+//! | too large: badly solved impacts change momentum and energy; balls that roll on a wall are stopped; floats round away
+//! the balance of light blocks under a great load
 constexpr double kTrifle = 0.01;  // of a force, stiffness, speed, energy, mass, size or turn: so little counts as none
 
 //! - | too small: rounding is taken for change: islands do not settle, sound impacts are dropped
