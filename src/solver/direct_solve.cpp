@@ -31,9 +31,6 @@ constexpr int kBoundRounds = 3;  // so often the solve begins anew with the fric
 //! - | too small: cost | too large: steps jump to and fro over edges that open and close: leaning bodies stay up
 constexpr double kEnoughStalled = 0.1;  // the same after kStalledSteps
 
-//! - | too small: steps are spent on rounding | too large: light bodies on a firm joint are left out of balance
-constexpr double kWayRounds = 0x1p-23;  // of a way: what floats leave of it
-
 class Newton {
  public:
   Newton(Island& island, SolveStatistics& statistics)
@@ -125,7 +122,7 @@ class Newton {
     if (rounding_.empty()) return;
     for (std::uint32_t body : {ends.a, ends.b})
       if (body < place_.size())
-        rounding_[body] += kWayRounds * double(x.stiffness.A[0][0]) * double(length(island_.motion[body].d));
+        rounding_[body] += kLastBit * double(x.stiffness.A[0][0]) * double(length(island_.motion[body].d));
   }
 
   // How fast the energy falls along the step. The slope itself falls along the step, and is zero at the minimum.

@@ -64,6 +64,9 @@ constexpr double kTrifle = 0.01;  // of a force, stiffness, speed, energy, mass,
 //! | too large: forces stop short of their end, energy may creep up
 constexpr double kFloatsRound = 1e-6;  // of a sum that floats found
 
+//! not of the method: the last bit of a float, of its value
+constexpr double kLastBit = 0x1p-23;
+
 //! m | too small: rounding opens points in contact; bricks side by side leave each other's slides short
 //! | too large: impacts at near points are let through; bodies are moved into each other
 constexpr double kNoGap = 1e-6;

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "dynamics/point_matcher.h"
 #include "math/wide_pair.h"
 #include "solver/island.h"
 #include "solver/joint/equations.h"
@@ -35,17 +36,12 @@ constexpr double kFirmness = 100;  // in units of mass / dt^2: of a hard equatio
 //! x (joints in a row)^2 / joints x the mass of all that hangs by them | too small: bridges gape
 //! | too large: as a large kFirmness
 constexpr double kInRow = 0.1;  // a load's part by which long rows of joints are firm
-//! not of the method: half of the last bit of a float
-constexpr double kFloatRounds = 0x1p-24;  // of a way
 //! of a body's weight | too small: long rows of joints that are fast are soft | too large: whips are left unsolved
 constexpr double kMostRounded = 0.1;  // that the rounding of its way, times kFirmness of a row, may be
 //! of the second difference | too small: stiff springs fly apart | too large: their period grows with the step
 constexpr double kSpringShare = 0.5;  // of a spring's stiffness, that the solve knows
 //! (angular frequency x dt)^2 | too small: springs lose amplitude | too large: stiff springs gain energy
 constexpr double kResolved = 2;  // of a spring that swings half with the leapfrog, half damped
-//! of the larger body's radius; rad | too small: torn joints close slowly
-//! | too large: what an obstacle held back is flung after the rest
-constexpr double kMostCorrect = 0.03;  // of an error that a step looks at
 //! of the force | too small: cost | too large: joints stretch
 constexpr float kFollowed = 1e-3f;  // a smaller change of a multiplier is left
 
@@ -205,7 +201,8 @@ struct Hanging {
   // their load hangs on a spring that is so much softer. But floats must tell the way of a body finely enough.
   double load(double gravity, double dt) const {
     const double inRow = kInRow * (mass + heaviest) * depth * depth / std::max(joints, 1.0);
-    const double told = kMostRounded * lightest * gravity * dt / (kFirmness * kFloatRounds * (fastest + gravity * dt));
+    const double told =
+        kMostRounded * lightest * gravity * dt / (kFirmness * 0.5 * kLastBit * (fastest + gravity * dt));
     return std::max(heaviest, std::min(inRow, told));
   }
 };
@@ -380,7 +377,7 @@ void JointRows::prepare(Island& island, Ties& ties, const StepContext& context) 
     // A way that grew over a longer step is an arc of it: corrected at once, it would be a blow.
     const double part = island.dt / std::max(island.dt, joint.over), correct = double(kCorrect) * part * part;
     const bool arcs = island.plan.arcs;
-    const double most = arcs ? kMostCorrect : double(kNoLimit);
+    const double most = arcs ? kSamePlace : double(kNoLimit);
     const double firm = kFirmness * double(start.load) / (island.dt * island.dt);
     double gives = 0;
     if (r.bodyA < island.bodies.size()) gives += givenWay(bodies.mass[joint.bodyA], pose.armA);
