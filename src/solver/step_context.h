@@ -64,6 +64,11 @@ constexpr double kTrifle = 0.01;  // of a force, stiffness, speed, energy, mass,
 //! | too large: forces stop short of their end, energy may creep up
 constexpr double kFloatsRound = 1e-6;  // of a sum that floats found
 
+//! of a length; - | too small: rounding of normals leaves slides short, of places makes a blow miss what it meets head
+//! on; outlines made of floats are refused
+//! | too large: groups that slide in a corner are lifted out of it; a body strikes what it only passes
+constexpr double kShapesRound = 1e-3;  // places and directions of shapes are no finer
+
 //! not of the method: the last bit of a float, of its value
 constexpr double kLastBit = 0x1p-23;
 
