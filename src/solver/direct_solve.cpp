@@ -26,8 +26,6 @@ namespace {
 // Half of all solves are done after 1 step, 99 % after 45, all after 51: scene `wall`, its rubble.
 //! - | too small: rubble is left with many weights unbalanced | too large: cost of rubble
 constexpr int kDirectSteps = 100;
-//! - | too small: stacks that land, or are made leaning, shear | too large: cost; joints gain energy
-constexpr int kBoundRounds = 3;  // so often the solve begins anew with the friction limits of the forces found
 //! - | too small: cost | too large: steps jump to and fro over edges that open and close: leaning bodies stay up
 constexpr double kEnoughStalled = 0.1;  // the same after kStalledSteps
 

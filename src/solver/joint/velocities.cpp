@@ -7,6 +7,7 @@
 #include "solver/finish/motion.h"
 #include "solver/joint/equations.h"
 #include "solver/numbering.h"
+#include "solver/renewals.h"
 
 namespace brickfall {
 
@@ -17,8 +18,6 @@ namespace {
 constexpr double kStiff = 1e5;  // in units of mass: of an equation of velocities
 //! - | too small: joints keep a part of their velocity | too large: cost
 constexpr int kHoldRounds = 2;  // each leaves a part of what the last left
-//! - | too small: limits and ropes hold what parts | too large: cost
-constexpr int kLetGoRounds = 3;  // in which one-sided equations that would pull let go
 
 //! - | too small: rounds that take nothing | too large: quiet joints are braked with those that gained
 constexpr double kLeastFriction = 0.1;  // of a joint's inertia x (rad in the step)^2: where rubbing begins
@@ -128,7 +127,7 @@ class HeldVelocities {
 
   // False if it has no solution.
   bool hold() {
-    for (int round = 0; round < kLetGoRounds; round++) {
+    for (int round = 0; round < kBoundRounds; round++) {
       for (Body& body : bodies_) body.move = body.startMove, body.spin = body.startSpin;
       for (Equation& e : equations_) e.impulse = 0;
       for (Friction& f : frictions_) f.impulse = {};
