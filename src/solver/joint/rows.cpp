@@ -30,9 +30,6 @@ Mat3 bending(Vec3 arm, Vec3 force, double resist) {
 
 namespace {
 
-//! x the load that hangs by it | too small: more rounds until a heavy body is held
-//! | too large: floats leave light bodies out of balance
-constexpr double kFirmness = 100;  // in units of mass / dt^2: of a hard equation
 //! x (joints in a row)^2 / joints x the mass of all that hangs by them | too small: bridges gape
 //! | too large: as a large kFirmness
 constexpr double kInRow = 0.1;  // a load's part by which long rows of joints are firm

@@ -30,6 +30,11 @@ namespace brickfall {
 
 struct Island;
 
+//! x the load that hangs by it | too small: more rounds until a heavy body is held; friction leaves gains
+//! | too large: floats leave light bodies out of balance; quiet joints are braked with those that gained
+constexpr double kFirmness = 100;  // in units of mass / dt^2: of a hard equation; and of the friction that takes gains,
+                                   // x the inertia of a joint's lighter body
+
 // N m: geometric stiffness of a force at the end of an arm that turns with a body, beside its inertia. Of pressure as
 // of tension, or what buckles would buckle at any speed. `resist`: the body's inertia about that end / dt^2.
 Mat3 bending(Vec3 arm, Vec3 force, double resist);
