@@ -72,8 +72,9 @@ constexpr double kShapesRound = 1e-3;  // places and directions of shapes are no
 //! not of the method: the last bit of a float, of its value
 constexpr double kLastBit = 0x1p-23;
 
-//! m | too small: rounding opens points in contact; bricks side by side leave each other's slides short
-//! | too large: impacts at near points are let through; bodies are moved into each other
+//! m | too small: rounding opens points in contact; bricks side by side leave each other's slides short; joints whose
+//! points meet have no direction, and are as firm as walls
+//! | too large: impacts at near points are let through; bodies are moved into each other; short springs have no direction
 constexpr double kNoGap = 1e-6;
 //! m | too small: points that landed together are hit one by one; cost of bodies that hardly move
 //! | too large: near points are hit before they close; slow landings are first order in the time step

@@ -49,9 +49,6 @@ constexpr double kForgets = 0.8;  // of Joint::over, a step
 //! | too large: swings lose energy, since that stiffness comes late
 constexpr float kFallsTo = 0.5f;  // geometric stiffness follows a force that falls no further within a solve
 
-//! m | too small: lines of no length are as firm as walls | too large: short lines fly apart
-constexpr double kLeastSpan = 1e-6;
-
 //! rad | too small: fast pendulums are braked | too large: light links tear the joints of a chain
 constexpr double kFarTurn = 0.3;  // of B against A, in a step: further turns are braked
 //! of the arm's inertia / dt^2 | too small: as too large a kFarTurn | too large: links move as one
@@ -296,12 +293,12 @@ void JointRows::bend(std::size_t k, Vec3f force) {
 void JointRows::turnLine(std::size_t k, float force) {
   JointStart& start = starts[k];
   start.turned = force;
-  const double turning = std::fabs(double(force)) / std::max(double(start.span), kLeastSpan),
+  const double turning = std::fabs(double(force)) / std::max(double(start.span), kNoGap),
                stiffness = turning > 0 ? turning * turning / (turning + kSlow * double(start.inert)) : 0;
   double way = 0;
   for (int i = 0; i < kJointLanes; i++)
     if (start.across >> i & 1) way += double(start.before[i]) * double(start.before[i]);
-  const double far = std::clamp(std::sqrt(way) / (kFarTurn * std::max(double(start.span), kLeastSpan)) - 1, 0.0, 1.0);
+  const double far = std::clamp(std::sqrt(way) / (kFarTurn * std::max(double(start.span), kNoGap)) - 1, 0.0, 1.0);
   for (int i = 0; i < kJointLanes; i++) {
     if (!(start.across >> i & 1)) continue;
     records[k].way.k[i] = float(stiffness);
@@ -452,7 +449,7 @@ Vec3f JointRows::arcAt(std::size_t k, Vec3 turnA, Vec3 turnB, Vec3 way) const {
     return toFloat(arcOfSlide(between, turnA, turnB, way, arc));
   }
   const Vec3 along = toDouble(records[k].way.axes[0].unit);
-  return toFloat(along * (dot(along, arc) + arcOfLine(std::max(double(start.span), kLeastSpan), along, way + arc)));
+  return toFloat(along * (dot(along, arc) + arcOfLine(std::max(double(start.span), kNoGap), along, way + arc)));
 }
 
 // True if the arcs have changed.
