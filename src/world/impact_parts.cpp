@@ -19,22 +19,11 @@ constexpr std::size_t kMostBodies = 5;
 //! | too large: what spins ends in what it hits, and stays in it
 constexpr double kDeeper = 0.1;  // deeper than that at an impact, a body has turned into what it meets
 
-// Contacts of these shapes are true from afar: a shape that moves without a turn cannot pass the other one unseen.
-bool isFoundExactly(ShapeType a, ShapeType b) {
-  if (a == ShapeType::plane || b == ShapeType::plane) return true;
-  return (isRound(a) && (isRound(b) || b == ShapeType::box)) || (isRound(b) && a == ShapeType::box);
-}
-
 }  // namespace
 
 bool ImpactParts::mayBeCut(const Island& island) const {
   const BodySet& bodies = registry_.bodies;
-  auto carries = [&](BodyIndex body) { return bodies.carries(body); };
-  if (island.bodies.size() > kMostBodies) return false;
-  if (std::any_of(island.partners.begin(), island.partners.end(), carries)) return false;
-  const bool alone = island.bodies.size() == 1;
-  // Without a turn a way of any length may be parted.
-  if (alone && length(turnOf(island.bodies[0])) < kTrifle && foundExactly(island)) return true;
+  if (island.bodies.size() > kMostBodies || isCarried(island)) return false;
   return std::all_of(island.bodies.begin(), island.bodies.end(), [&](BodyIndex body) {
     return length(bodies.motion[body].linearVelocity) * context_.dt <= kFarWay * bodies.mass[body].outerRadius;
   });
@@ -46,14 +35,11 @@ double ImpactParts::longest(const Island& island) const {
   return std::max(context_.dt / kMostParts, kMostTurn / std::max(speed, 1e-9));
 }
 
-bool ImpactParts::foundExactly(const Island& island) const {
-  bool all = true;
-  island.rows.eachManifold([&](ContactIndex contact) {
-    const Contact& c = context_.ties->contacts.contacts[contact];
-    const auto& shapes = registry_.shapes.data;
-    all = all && isFoundExactly(shapes[c.shapeA].geometry.type, shapes[c.shapeB].geometry.type);
-  });
-  return all;
+bool ImpactParts::isAlone(const Island& island) const { return island.bodies.size() == 1 && !isCarried(island); }
+
+bool ImpactParts::isCarried(const Island& island) const {
+  return std::any_of(island.partners.begin(), island.partners.end(),
+                     [&](BodyIndex body) { return registry_.bodies.carries(body); });
 }
 
 // Visible turn (rad) in a step at the present spin.

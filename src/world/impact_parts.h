@@ -17,6 +17,8 @@ class ImpactParts {
   // Left whole are large islands, islands with a body that moves far beyond its own size, and islands that a kinematic
   // body moves.
   bool mayBeCut(const Island& island) const;
+  // One body, that nothing kinematic moves: whole only until it has flown to near what it meets.
+  bool isAlone(const Island& island) const;
   // Longest part (s) in which no body in contact turns visibly by more than kMostTurn.
   double longest(const Island& island) const;
   // Whether the core of a body would pass into another body in the next `dt` s, by StepContext::solved. Contacts do not
@@ -31,7 +33,7 @@ class ImpactParts {
   bool endsDeeper(const Island& island, double had) const;
 
  private:
-  bool foundExactly(const Island& island) const;
+  bool isCarried(const Island& island) const;
   Vec3 turnOf(BodyIndex body) const;
 
   const Registry& registry_;

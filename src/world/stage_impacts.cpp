@@ -60,6 +60,7 @@ class ImpactWalk {
   Went goTo(Island& island, double dt, bool toImpact);
   double goNear(Island& island, double dt, bool toImpact);
   bool impact(Island& island);
+  double leftAfterFlight(const Island& island);
 
   const WorldDef& def_;
   Registry& registry_;
@@ -135,9 +136,20 @@ bool ImpactWalk::impact(Island& island) {
   return true;
 }
 
+// s: a body alone that has flown to near what it meets goes on from there; the ways of others are cut.
+double ImpactWalk::leftAfterFlight(const Island& island) {
+  FlownAhead& ahead = context_.ahead[island.bodies[0]];
+  ahead.share = 0;
+  return ahead.left * context_.dt;
+}
+
 void ImpactWalk::run(Island& island) {
-  if (!parts_.mayBeCut(island)) return flyAhead(island, registry_, proximity_, ties_, context_, report_);
   double left = context_.dt;
+  if (!parts_.mayBeCut(island)) {
+    flyAhead(island, registry_, proximity_, ties_, context_, report_);
+    if (!parts_.isAlone(island)) return;
+    left = leftAfterFlight(island);
+  }
   const double blink = kBlink * context_.dt;
   for (int made = 0; made < kMostParts && left > blink; made++) {
     double part = std::min(left, parts_.longest(island));
