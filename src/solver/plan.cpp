@@ -18,9 +18,6 @@ constexpr double kDebrisSpeed = 0.5;  // of a body: its island is debris. It is 
 constexpr int kMostCycles = 3;  // while many bodies of a large island are out of balance
 //! - | too small: bodies that hang by one corner take all cycles | too large: cost
 constexpr int kRounds = 3;  // sweeps over the bodies in a cycle
-//! - | too small: cost: firm ties spread what all must do together through cycles, not through sweeps
-//! | too large: large islands that break are left out of balance
-constexpr int kFirmCycles = 2;  // x the cycles, of one sweep each, in a large island that mortar holds
 
 // Small islands are cheap. They take exact steps, since open points counted as closed delay their collapses. They are
 // stiffer when calm, since they converge all the same. Larger islands would lose walls by it. A body alone: its cycle
@@ -148,10 +145,11 @@ SolvePlan planFor(const IslandFacts& facts, const SolverSettings& settings, doub
   plan.mostCycles = row.large ? std::max(plan.maxCycles, kMostCycles * settings.maxCycles) : plan.maxCycles;
   plan.rounds = kRounds;
   if (!row.large || !facts.mortared) return plan;
+  // Firm ties spread what all must do together through cycles, not through sweeps: as many sweeps, one in a cycle.
   plan.rounds = 1;
   plan.renewAfter = plan.maxCycles;
-  plan.maxCycles *= kFirmCycles;
-  plan.mostCycles *= kFirmCycles;
+  plan.maxCycles *= kRounds;
+  plan.mostCycles *= kRounds;
   return plan;
 }
 
