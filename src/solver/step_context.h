@@ -56,8 +56,8 @@ constexpr double kLoadShare = 0.3;  // of a body's load: so much counts like its
 constexpr double kHeavyLoad = 0.02;  // of a body's load: this counts like its weight where islands are solved directly
 
 //! - | too small: rounding and small changes are followed: cost; walls sway for longer
-//! | too large: badly solved impacts change momentum and energy; balls that roll on a wall are stopped; floats round away
-//! the balance of light blocks under a great load
+//! | too large: badly solved impacts change momentum and energy; balls that roll on a wall are stopped; floats round
+//! away the balance of light blocks under a great load
 constexpr double kTrifle = 0.01;  // of a force, stiffness, speed, energy, mass, size or turn: so little counts as none
 
 //! - | too small: rounding is taken for change: islands do not settle, sound impacts are dropped
@@ -74,7 +74,8 @@ constexpr double kLastBit = 0x1p-23;
 
 //! m | too small: rounding opens points in contact; bricks side by side leave each other's slides short; joints whose
 //! points meet have no direction, and are as firm as walls
-//! | too large: impacts at near points are let through; bodies are moved into each other; short springs have no direction
+//! | too large: impacts at near points are let through; bodies are moved into each other; short springs have no
+//! direction
 constexpr double kNoGap = 1e-6;
 //! m | too small: points that landed together are hit one by one; cost of bodies that hardly move
 //! | too large: near points are hit before they close; slow landings are first order in the time step
