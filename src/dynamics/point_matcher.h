@@ -9,10 +9,12 @@ namespace brickfall {
 //! inner radii | too small: a sliding or rocking contact forgets its force: bodies sink for a step
 //! | too large: a point takes over the force of another one
 constexpr double kMatchShare = 0.6;  // of the thinner shape: an old point this near may hand its memory to a new one
-//! inner radii | too small: points that stick creep where the polygon of a contact is cut anew
-//! | too large: a body that rolls on short faces stands on a corner that it has left, and sinks in at the next
+//! radii | too small: torn joints close slowly; points that stick creep where the polygon of a contact is cut anew
+//! | too large: a body that rolls on short faces stands on a corner that it has left, and sinks in at the next;
+//! what an obstacle held back from its joint is flung after the rest
 constexpr double kSamePlace = 0.03;  // of the thinner shape: a point this near is the same one, whatever its feature;
-                                     // an anchor further away is placed anew
+                                     // an anchor further away is placed anew. A joint's error further than so much of
+                                     // the larger body's radius, or rad, counts as no further
 // Cosines between two normals.
 //! - | too small: a contact takes over the force that it had on another face
 //! | too large: a rocking brick forgets its force: it sinks for a step

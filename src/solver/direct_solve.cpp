@@ -26,13 +26,8 @@ namespace {
 // Half of all solves are done after 1 step, 99 % after 45, all after 51: scene `wall`, its rubble.
 //! - | too small: rubble is left with many weights unbalanced | too large: cost of rubble
 constexpr int kDirectSteps = 100;
-//! - | too small: stacks that land, or are made leaning, shear | too large: cost; joints gain energy
-constexpr int kBoundRounds = 3;  // so often the solve begins anew with the friction limits of the forces found
 //! - | too small: cost | too large: steps jump to and fro over edges that open and close: leaning bodies stay up
 constexpr double kEnoughStalled = 0.1;  // the same after kStalledSteps
-
-//! - | too small: steps are spent on rounding | too large: light bodies on a firm joint are left out of balance
-constexpr double kWayRounds = 0x1p-23;  // of a way: what floats leave of it
 
 class Newton {
  public:
@@ -125,7 +120,7 @@ class Newton {
     if (rounding_.empty()) return;
     for (std::uint32_t body : {ends.a, ends.b})
       if (body < place_.size())
-        rounding_[body] += kWayRounds * double(x.stiffness.A[0][0]) * double(length(island_.motion[body].d));
+        rounding_[body] += kLastBit * double(x.stiffness.A[0][0]) * double(length(island_.motion[body].d));
   }
 
   // How fast the energy falls along the step. The slope itself falls along the step, and is zero at the minimum.

@@ -59,8 +59,9 @@ struct Island {
   std::int32_t points = 0, touchingPoints = 0;  // counted in the last step in which the island was not passed over
   // Bodies: poses of a slow island when its present watch began; empty = none.
   std::pmr::vector<Transform> placePoses{memory};
-  double inPlaceTime = 0;  // s, since the watch began
-  double restTime = 0;     // s, rested without a break
+  double inPlaceTime = 0;       // s, since the watch began
+  double fastestLately = 0.02;  // x sqrt(gravity x radius), of a body that swings; it fades
+  double restTime = 0;          // s, rested without a break
 
   BodyIndex key() const { return bodies.front(); }
   bool grounded() const { return !partners.empty(); }  // touches something fixed or kinematic

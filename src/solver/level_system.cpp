@@ -16,9 +16,6 @@ constexpr double kMostProducts = 2;  // in a factorisation of the coarse level
 //! - | too small: steps that do not fit the whole | too large: cost of motion that the next step finds again
 constexpr int kMostIterations = 4;
 
-//! x the entry that is there | too small: others feel what is locked | too large: floats round
-constexpr float kLockedInFloats = 1e4f;  // of a locked unknown; its step is then left out
-
 using wide::cross3;
 using wide::spread;
 using wide::V;
@@ -149,7 +146,7 @@ void LevelSystem::lock() {
       if (!(locks >> k & 1)) continue;
       Wrench& to = matrix_.diagonal(c).of[k];
       float& own = k < 3 ? to.force[k] : to.torque[k - 3];
-      own *= kLockedInFloats;
+      own *= kLockedStiffness;
     }
   }
   if (!coarse_) return;

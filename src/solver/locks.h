@@ -42,7 +42,7 @@ inline void lockAxes(Symmetric6& matrix, std::uint8_t locks) {
   }
 }
 
-//! x the entry that is there | too small: others feel what is locked | too large: doubles round
-constexpr double kLockedStiffness = 1e9;  // of a locked unknown in a matrix of many bodies; its step is then left out
+//! x the entry that is there | too small: others feel what is locked | too large: floats round
+constexpr float kLockedStiffness = 1e4f;  // of a locked unknown in a matrix of many bodies; its step is then left out
 
 }  // namespace brickfall

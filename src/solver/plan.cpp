@@ -18,12 +18,6 @@ constexpr double kDebrisSpeed = 0.5;  // of a body: its island is debris. It is 
 constexpr int kMostCycles = 3;  // while many bodies of a large island are out of balance
 //! - | too small: bodies that hang by one corner take all cycles | too large: cost
 constexpr int kRounds = 3;  // sweeps over the bodies in a cycle
-//! - | too small: cost: firm ties spread what all must do together through cycles, not through sweeps
-//! | too large: large islands that break are left out of balance
-constexpr int kFirmCycles = 2;  // x the cycles, of one sweep each, in a large island that mortar holds
-//! of its heaviest body | too small: light blocks under a great load tilt and slip out
-//! | too large: floats round away balance
-constexpr double kHeavyShare = 0.01;  // effective mass of the softest contact of a small island
 
 // Small islands are cheap. They take exact steps, since open points counted as closed delay their collapses. They are
 // stiffer when calm, since they converge all the same. Larger islands would lose walls by it. A body alone: its cycle
@@ -130,7 +124,7 @@ SolvePlan planFor(const IslandFacts& facts, const SolverSettings& settings, doub
       supported && facts.fastest <= settings.restSpeed + kCalmShare * facts.scale.gravity * dt / facts.scale.speed;
   SolvePlan plan;
   // What swings on joints is in balance wherever it swings through its middle; what is alone may roll up a slope.
-  const double still = std::min(kStillSpeed, settings.restSpeed);
+  const double still = stillSpeed(settings);
   plan.alone = facts.bodies == 1;
   plan.slow = supported && facts.fastest <= (facts.jointed ? still : settings.restSpeed);
   plan.mayBeStopped = supported && facts.fastest <= (row.large                     ? kMovingSpeed
@@ -141,7 +135,7 @@ SolvePlan planFor(const IslandFacts& facts, const SolverSettings& settings, doub
   plan.exactSteps = row.exactSteps;
   plan.direct = row.direct;
   plan.calmStiffening = calm ? double(row.calmStiffening) : 1;
-  plan.leastMass = row.direct ? kHeavyShare * facts.heaviest : 0;
+  plan.leastMass = row.direct ? kTrifle * facts.heaviest : 0;
   plan.large = row.large;
   plan.startsFree = !facts.grounded || !(row.large || facts.mortared);
   plan.goesOn = row.large && facts.pressed && !facts.pinned && !plan.slow;
@@ -152,10 +146,11 @@ SolvePlan planFor(const IslandFacts& facts, const SolverSettings& settings, doub
   plan.mostCycles = row.large ? std::max(plan.maxCycles, kMostCycles * settings.maxCycles) : plan.maxCycles;
   plan.rounds = kRounds;
   if (!row.large || !facts.mortared) return plan;
+  // Firm ties spread what all must do together through cycles, not through sweeps: as many sweeps, one in a cycle.
   plan.rounds = 1;
   plan.renewAfter = plan.maxCycles;
-  plan.maxCycles *= kFirmCycles;
-  plan.mostCycles *= kFirmCycles;
+  plan.maxCycles *= kRounds;
+  plan.mostCycles *= kRounds;
   return plan;
 }
 

@@ -17,8 +17,9 @@ namespace brickfall {
 
 namespace {
 
-//! - | too small: bodies are polished while all around them still moves: cost | too large: more cycles
-constexpr float kLessened = 0.25f;  // of the residual's square: exact steps in a large island end there, too
+//! not of the method: follows from kFarFromMinimum
+constexpr float kLessened = kFarFromMinimum * kFarFromMinimum;  // of the residual's square: exact steps in a large
+                                                                // island end there, too
 //! - | too small: new points slide under friction limits that are not theirs
 //! | too large: friction limits and forces chase each other
 constexpr int kBoundCycles = 2;  // in which the friction limits of new points follow

@@ -17,6 +17,11 @@ enum class Renewal {
 //! | too large: cost of steps in which much breaks; friction limits and forces chase each other
 constexpr int kMostRenewals = 6;  // of what is frozen, in a solve; and so many direct steps renew friction limits
 
+//! - | too small: stacks that land, or are made leaning, shear; limits and ropes hold what parts
+//! | too large: cost; joints gain energy
+constexpr int kBoundRounds = 3;  // so often a direct solve begins anew: with the friction limits of the forces that it
+                                 // found, and without one-sided ties that would pull
+
 class Renewals {
  public:
   // Sets them anew. True if any changed; false for ever after so many times.

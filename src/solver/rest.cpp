@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "solver/imbalance.h"
+#include "solver/joint/swings.h"
 #include "solver/light_pass.h"
 #include "solver/rigid_cluster.h"
 #include "solver/support.h"
@@ -26,7 +27,8 @@ double risenBy(const Island& island, const StepContext& context, const BodySet& 
 
 }  // namespace
 
-void dampSlowIsland(const Island& island, const StepContext& context, BodySet& bodies) {
+void dampSlowIsland(Island& island, const StepContext& context, BodySet& bodies) {
+  if (island.plan.swings) fadeSwing(island, context, bodies);
   const double lost = island.facts.energyBefore - island.facts.energy;
   // It has swung through its middle. A ball that rolls on a wall costs the wall less.
   if (!island.plan.mayBeStopped || !(lost > kTrifle * island.facts.energyBefore)) return;
@@ -51,8 +53,9 @@ namespace {
 // As the rest check, but each body is judged by its load, and clusters by their weight. An island that leans or slides
 // as a whole is out of balance as a whole, however little each of its bodies is.
 bool balancedByLoad(const Island& island, const StepContext& context) {
+  const float still = float(stillSpeed(context.settings));
   for (std::size_t i = 0; i < island.bodies.size(); i++) {
-    if (!(island.speeds[i] < float(kStillSpeed))) return false;
+    if (!(island.speeds[i] < still)) return false;
     if (!isWithin(island.residual[i], measureOf(island, *context.bodies, i, kLoadShare),
                   context.settings.cycleTolerance))
       return false;

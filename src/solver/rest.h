@@ -8,7 +8,7 @@ namespace brickfall {
 // that moment a vibration is at its balance, so one stop ends it. Otherwise a tall wall on elastic contacts sways by
 // tenths of a millimetre for seconds. An island that topples or collapses gains energy from step to step and is never
 // stopped, nor is a body that nothing presses on. To be called before the bodies' free motion is predicted.
-void dampSlowIsland(const Island& island, const StepContext& context, BodySet& bodies);
+void dampSlowIsland(Island& island, const StepContext& context, BodySet& bodies);
 
 // Without any motion, do the forces of the last step still balance? Then a slow island stays where it is, for the price
 // of one light pass. Sets Island::ending; leaves all motion at zero.

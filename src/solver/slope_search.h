@@ -9,8 +9,10 @@ namespace brickfall {
 //! | too large: steps end beyond their minimum; walls lean; what overlaps by a micrometre is thrown by millimetres
 constexpr float kNearMinimum = 0.3f;  // of the slope at the start, of a weight, of what a body may be left with, of the
                                       // residual of a system: a step that ends with less fits
-//! - | too small: searches that change little | too large: steps end short of their minimum
-constexpr float kFarFromMinimum = 0.5f;  // of the slope at the start: a search goes on above it
+//! - | too small: searches that change little; bodies are polished while all around them still moves: cost
+//! | too large: steps end short of their minimum; more cycles
+constexpr float kFarFromMinimum = 0.5f;  // of the slope or residual at the start: a search, or a body's exact steps in
+                                         // a large island, go on above it
 
 //! - | too small: a block just past its balance can hang (seen with 8)
 //! | too large: cost where float rounding hides the minimum

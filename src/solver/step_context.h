@@ -43,27 +43,38 @@ constexpr double kMovingSpeed = 0.03;  // of a body of a large island: faster on
 constexpr double kLargestTurn = 0.5;  // rad per step of a body in contact: arms are frozen during a step
 //! - | too small: counts residuals that nobody sees: cost
 //! | too large: bodies hang in the air, balls on loose bricks roll on
-constexpr double kLeftOver = 0.05;  // of max(weight, load), of what resists rolling, of an island's bodies: a solve may
-                                    // leave so much
+constexpr double kLeftOver = 0.05;  // of max(weight, load), of what resists rolling, of an island's bodies, of the rest
+                                    // speed: a solve may leave so much
 
-//! m/s | too small: large walls stay awake over the last of their residual; a body that rocks by itself rests late
-//! | too large: slow topples are stopped; a ball that rolls up a slope turns back too early
-constexpr double kStillSpeed = 5e-4;  // of each body of a large island that rests by load, and of a body alone
+// m/s: of each body of a large island that rests by load, and of a body alone.
+inline double stillSpeed(const SolverSettings& settings) { return kLeftOver * settings.restSpeed; }
+
 //! - | too small: heavily loaded bodies are solved too finely: cost | too large: heavily loaded bodies hang
 constexpr double kLoadShare = 0.3;  // of a body's load: so much counts like its weight
 //! - | too small: floats leave bodies under a great load out of balance: cost | too large: such bodies are solved badly
 constexpr double kHeavyLoad = 0.02;  // of a body's load: this counts like its weight where islands are solved directly
 
 //! - | too small: rounding and small changes are followed: cost; walls sway for longer
-//! | too large: badly solved impacts change momentum and energy; balls that roll on a wall are stopped
+//! | too large: badly solved impacts change momentum and energy; balls that roll on a wall are stopped; floats round
+//! away the balance of light blocks under a great load
 constexpr double kTrifle = 0.01;  // of a force, stiffness, speed, energy, mass, size or turn: so little counts as none
 
 //! - | too small: rounding is taken for change: islands do not settle, sound impacts are dropped
 //! | too large: forces stop short of their end, energy may creep up
 constexpr double kFloatsRound = 1e-6;  // of a sum that floats found
 
-//! m | too small: rounding opens points in contact; bricks side by side leave each other's slides short
-//! | too large: impacts at near points are let through; bodies are moved into each other
+//! of a length; - | too small: rounding of normals leaves slides short, of places makes a blow miss what it meets head
+//! on; outlines made of floats are refused
+//! | too large: groups that slide in a corner are lifted out of it; a body strikes what it only passes
+constexpr double kShapesRound = 1e-3;  // places and directions of shapes are no finer
+
+//! not of the method: the last bit of a float, of its value
+constexpr double kLastBit = 0x1p-23;
+
+//! m | too small: rounding opens points in contact; bricks side by side leave each other's slides short; joints whose
+//! points meet have no direction, and are as firm as walls
+//! | too large: impacts at near points are let through; bodies are moved into each other; short springs have no
+//! direction
 constexpr double kNoGap = 1e-6;
 //! m | too small: points that landed together are hit one by one; cost of bodies that hardly move
 //! | too large: near points are hit before they close; slow landings are first order in the time step

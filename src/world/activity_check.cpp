@@ -151,7 +151,8 @@ class LinkCheck {
     }
     islands_.push_back(&island);
     bool fine = island.points >= island.touchingPoints && island.touchingPoints >= 0 &&
-                island.points <= island.rows.mostPoints() && island.inPlaceTime >= 0 && island.restTime >= 0;
+                island.points <= island.rows.mostPoints() && island.inPlaceTime >= 0 && island.fastestLately >= 0 &&
+                island.restTime >= 0;
     f_.expect(fine, "islands: a count or a time is wrong");
     for (BodyIndex body : island.partners) f_.expect(!dynamic(body), "islands: a partner is a dynamic body");
     island.rows.eachKind([&](const auto& kind) { kind.check(f_, island, ties_, asleep || current_); });

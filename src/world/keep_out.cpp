@@ -15,8 +15,6 @@ namespace brickfall {
 
 namespace {
 
-//! inner radii | too small: cost | too large: bodies that a hit throws end in what they meet
-constexpr double kAside = 0.3;  // a body that ends further from the way of its velocity may end in something
 //! - | too small: sweeps | too large: what is jammed ends in one of the two alone
 constexpr double kAtOnce = 0.7;  // of an overlap, parted in a sweep
 //! - | too small: bodies wedged under something heavy end in it | too large: cost where there is no room
@@ -157,7 +155,7 @@ bool Fitting::endsAside(BodyIndex body) const {
   const FlownAhead& ahead = context_.ahead[body];
   const Vec3 led = (ahead.hit ? ahead.looked : free.startVelocity) * free.dt;
   const double all = lengthSquared(led), share = all > 0 ? std::clamp(dot(s.d, led) / all, 0.0, 1.0) : 0;
-  const double most = kAside * bodies_.mass[body].innerRadius;
+  const double most = kRoom * bodies_.mass[body].innerRadius;
   return lengthSquared(s.d - led * share) > most * most;
 }
 

@@ -15,8 +15,6 @@ namespace {
 
 //! not of the method: what mortar.h says
 constexpr std::size_t kLeastCorners = 3, kMostCorners = 16;
-//! of its size | too small: outlines made of floats are refused | too large: no plane
-constexpr double kFlatOutline = 1e-3;  // so far corners may be off their plane, or inside the polygon of the others
 
 struct StrengthField {
   const char* name;
@@ -97,7 +95,8 @@ void checkOutline(Checks& check, const std::vector<Vec3>& outline) {
           face.gyration[0] <= limits::kLargestSize,
       "outline: found a face of " + numberText(face.area) + " m2, expected one that is 0.0001 m wide at least");
   if (check.failed()) return;
-  const double most = kFlatOutline * face.gyration[0];
+  // So far corners may be off their plane, or inside the polygon of the others.
+  const double most = kShapesRound * face.gyration[0];
   for (std::size_t i = 0; i < outline.size(); i++) {
     const std::string at = "outline[" + std::to_string(i) + "]";
     const Vec3 p = outline[i], next = outline[(i + 1) % outline.size()], after = outline[(i + 2) % outline.size()];

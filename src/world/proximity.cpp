@@ -11,9 +11,6 @@ namespace brickfall {
 
 namespace {
 
-//! inner radii | too small: debris overlaps before it meets: hits on large bricks move fewer; bounds are made anew
-//! | too large: more pairs and points that carry nothing
-constexpr double kRoom = 0.3;  // around a shape: its margin at most; kept bounds are this much larger than they need be
 //! not of the method: room
 constexpr std::size_t kMeshScratch = 4096;  // faces near one shape, points on them
 

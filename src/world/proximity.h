@@ -13,6 +13,11 @@
 
 namespace brickfall {
 
+//! inner radii | too small: debris overlaps before it meets: hits on large bricks move fewer; bounds are made anew
+//! | too large: more pairs and points that carry nothing; bodies that a hit throws end in what they meet
+constexpr double kRoom = 0.3;  // around a shape: its margin at most; kept bounds are this much larger than they need
+                               // be; a body that ends further from the way of its velocity may end in something
+
 // The surroundings of a shape.
 struct Surroundings {
   ProxyIndex proxy = kNoProxy;  // none: its body takes no part

@@ -247,6 +247,7 @@ class SnapshotArchive {
       a.value(i.touchingPoints);
       a.list(i.placePoses);
       a.value(i.inPlaceTime);
+      a.value(i.fastestLately);
       a.value(i.restTime);
     }
   }

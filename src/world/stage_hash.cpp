@@ -43,7 +43,7 @@ void hashGiven(const Registry& registry, const IslandSet& islands, const Ties& t
   ties.eachAwake(out.links(ties));
   ties.eachAsleep(out.links(ties));
   for (const auto* list : {&islands.awake, &islands.asleep})
-    out.islands(*list, [](Mix& h, const Island& i) { h(int(i.ending), i.restTime, i.inPlaceTime); });
+    out.islands(*list, [](Mix& h, const Island& i) { h(int(i.ending), i.restTime, i.inPlaceTime, i.fastestLately); });
 }
 
 }  // namespace brickfall

@@ -40,7 +40,7 @@ void hashStore(const IslandSet& islands, const Ties& ties, const StepContext& co
   out.solved(islands, context);
   out.rows(islands, ties, [&](Mix& h, const Island& island, const auto& kind, std::size_t k) {
     kind.hashMemory(h, k, ties);
-    h(int(island.ending), island.inPlaceTime);
+    h(int(island.ending), island.inPlaceTime, island.fastestLately);
   });
 }
 

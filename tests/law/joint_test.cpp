@@ -164,6 +164,15 @@ TEST(Law, Row30uEnergyIsThatOfOneMoment) {
   }
 }
 
+TEST(Law, Row30vSlowSwingsFade) {
+  for (double dt : {1.0 / 60, 1.0 / 240}) {
+    Chain chain(0.001);
+    double time = 0;
+    for (; time < 20 && chain.world.state(chain.ball)->awake; time += dt) chain.step(dt);
+    atMost("a swing by 8 mm of 2000 kg: at rest after", dt, time, 12, "s");
+  }
+}
+
 TEST(Law, Row30cAHeavyBallHangsStillOnLightLinks) {
   Chain chain(0);
   for (int i = 0; i < 90; i++) chain.step(kDt);

@@ -82,10 +82,6 @@ std::uint32_t closing(const Contact& c, double speed, double dt) {
   return out;
 }
 
-//! of the way from its centre to where it touches | too small: rounding makes it miss what it meets head on
-//! | too large: a body strikes what it only passes
-constexpr double kPassing = 1e-3;
-
 //! of the energy that pressing with the joints' force crushes | too small: light balls break out what they cannot
 //! | too large: heavy balls do not
 constexpr double kCrushed = 1.4;  // the force rises on while joints give way: by a calculation in steps of 0.2 us
@@ -129,7 +125,7 @@ bool comesTo(BodyIndex body, BodyIndex other, Vec3 own, Vec3 place, const BodySe
     if (brake.body == body) velocity -= brake.along * ((1 - brake.left) * dot(brake.along, m.linearVelocity));
   const double square = lengthSquared(velocity);
   const double time = square > 0 ? std::clamp(-dot(from, velocity) / square, 0.0, dt) : 0.0;
-  return length(from + velocity * time) < (1 + kPassing) * length(own - m.position);
+  return length(from + velocity * time) < (1 + kShapesRound) * length(own - m.position);
 }
 
 // Stops what closes, with its rebound, and rubs at most until it slides no more.

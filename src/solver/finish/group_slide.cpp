@@ -17,10 +17,6 @@ namespace brickfall {
 
 namespace {
 
-//! - | too small: rounding of normals leaves slides short
-//! | too large: groups that slide in a corner are lifted out of it
-constexpr double kFlat = 1e-3;  // sine of the angle between normals that count as one
-
 // Velocities of a group along the ground, as those of a rigid body, or their changes.
 struct Slide {
   Slide(const RigidSum& sum, Vec3 normal) : centre(sum.centre()) {
@@ -101,7 +97,7 @@ bool GroupSlides::judgeGround() {
     if (stays_[group]) return;
     const Vec3 n = kind.normal(k);
     if (normals_[group] == Vec3{}) normals_[group] = n;
-    stays_[group] = !(length(cross(normals_[group], n)) <= kFlat) ||
+    stays_[group] = !(length(cross(normals_[group], n)) <= kShapesRound) ||
                     kind.courseOf(k, solvedChanges(ends), {island_.dt}, context_) == RowCourse::changes;
   });
   for (std::uint32_t i = 0; i < count_; i++)

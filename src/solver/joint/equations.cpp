@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/step_context.h"
+
 namespace brickfall {
 
 namespace {
-
-//! m | too small: a joint whose points meet has no direction | too large: short springs have none
-constexpr double kNoSpan = 1e-9;
 
 Vec3 axisOf(Quat frame, int i) { return rotate(frame, Vec3{i == 0 ? 1.0 : 0, i == 1 ? 1.0 : 0, i == 2 ? 1.0 : 0}); }
 
@@ -81,7 +80,7 @@ void prismatic(const Joint& joint, const JointPose& pose, JointSystem& out) {
 
 void alongLine(const Joint& joint, const JointPose& pose, JointSystem& out) {
   const double span = length(pose.way);
-  if (span > kNoSpan) out.way.axes[0] = pose.way * (1 / span);
+  if (span > kNoGap) out.way.axes[0] = pose.way * (1 / span);
   completeAxes(out.way.axes);
   const JointLaw law = joint.type == JointType::distance ? JointLaw::hard
                        : joint.type == JointType::rope   ? JointLaw::atMost
@@ -94,7 +93,7 @@ void alongLine(const Joint& joint, const JointPose& pose, JointSystem& out) {
 
 void drag(const Joint&, const JointPose& pose, JointSystem& out) {
   const double far = length(pose.way);
-  if (far > kNoSpan) out.way.axes[0] = pose.way * (1 / far);
+  if (far > kNoGap) out.way.axes[0] = pose.way * (1 / far);
   completeAxes(out.way.axes);
   out.onA = out.onB = 1;
   for (int i = 0; i < 3; i++) out.way.of[i] = {JointLaw::spring, dot(out.way.axes[i], pose.way)};

@@ -1,7 +1,6 @@
 // Joints of an island, as the world tells of them: as bytes and hashes, in its checks, in the ledger.
 #include <cmath>
 
-#include "solver/finish/motion.h"
 #include "solver/island.h"
 #include "solver/joint/equations.h"
 
@@ -99,28 +98,8 @@ void JointRows::addWork(const Island& island, const StepContext& context, TieWor
   }
 }
 
-namespace {
-
-// What supports give so that velocities are those of the step's end, beyond what they gave for that of its start.
-void addHalves(const Island& island, const StepContext& context, BalanceChange& sum) {
-  const BodySet& bodies = *context.bodies;
-  for (BodyIndex body : island.bodies) {
-    const FreeMotion& free = context.free[body];
-    const SteadyChange& now = context.solved[body].steady;
-    if (!now.swings) continue;
-    const Vec3 later = (now.linear * (0.5 * now.dt) - free.late) * bodies.mass[body].mass;
-    const Mat3 end = toMatrix(rotationAtEnd(body, context));
-    sum.linear += later;
-    sum.angular += cross(bodies.motion[body].position, later) - bodies.worldInertia(body) * free.lateSpin +
-                   end * bodies.mass[body].inertia * transpose(end) * now.angular * (0.5 * now.dt);
-  }
-}
-
-}  // namespace
-
 void JointRows::addSupport(const Island& island, const StepContext& context, BalanceChange& sum) const {
   const BodySet& bodies = *context.bodies;
-  if (island.plan.swings && !island.resting()) addHalves(island, context, sum);
   for (std::size_t k = 0; k < size(); k++) {
     const JointRecord& r = records[k];
     const bool partnerA = r.bodyA >= island.bodies.size(), partnerB = r.bodyB >= island.bodies.size();

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "dynamics/point_matcher.h"
 #include "math/wide_pair.h"
 #include "solver/island.h"
 #include "solver/joint/equations.h"
@@ -29,23 +30,15 @@ Mat3 bending(Vec3 arm, Vec3 force, double resist) {
 
 namespace {
 
-//! x the load that hangs by it | too small: more rounds until a heavy body is held
-//! | too large: floats leave light bodies out of balance
-constexpr double kFirmness = 100;  // in units of mass / dt^2: of a hard equation
 //! x (joints in a row)^2 / joints x the mass of all that hangs by them | too small: bridges gape
 //! | too large: as a large kFirmness
 constexpr double kInRow = 0.1;  // a load's part by which long rows of joints are firm
-//! not of the method: half of the last bit of a float
-constexpr double kFloatRounds = 0x1p-24;  // of a way
 //! of a body's weight | too small: long rows of joints that are fast are soft | too large: whips are left unsolved
 constexpr double kMostRounded = 0.1;  // that the rounding of its way, times kFirmness of a row, may be
 //! of the second difference | too small: stiff springs fly apart | too large: their period grows with the step
 constexpr double kSpringShare = 0.5;  // of a spring's stiffness, that the solve knows
 //! (angular frequency x dt)^2 | too small: springs lose amplitude | too large: stiff springs gain energy
 constexpr double kResolved = 2;  // of a spring that swings half with the leapfrog, half damped
-//! of the larger body's radius; rad | too small: torn joints close slowly
-//! | too large: what an obstacle held back is flung after the rest
-constexpr double kMostCorrect = 0.03;  // of an error that a step looks at
 //! of the force | too small: cost | too large: joints stretch
 constexpr float kFollowed = 1e-3f;  // a smaller change of a multiplier is left
 
@@ -55,9 +48,6 @@ constexpr double kForgets = 0.8;  // of Joint::over, a step
 //! of the force | too small: in a snap, the stiffness of forces is gone before they are
 //! | too large: swings lose energy, since that stiffness comes late
 constexpr float kFallsTo = 0.5f;  // geometric stiffness follows a force that falls no further within a solve
-
-//! m | too small: lines of no length are as firm as walls | too large: short lines fly apart
-constexpr double kLeastSpan = 1e-6;
 
 //! rad | too small: fast pendulums are braked | too large: light links tear the joints of a chain
 constexpr double kFarTurn = 0.3;  // of B against A, in a step: further turns are braked
@@ -205,7 +195,8 @@ struct Hanging {
   // their load hangs on a spring that is so much softer. But floats must tell the way of a body finely enough.
   double load(double gravity, double dt) const {
     const double inRow = kInRow * (mass + heaviest) * depth * depth / std::max(joints, 1.0);
-    const double told = kMostRounded * lightest * gravity * dt / (kFirmness * kFloatRounds * (fastest + gravity * dt));
+    const double told =
+        kMostRounded * lightest * gravity * dt / (kFirmness * 0.5 * kLastBit * (fastest + gravity * dt));
     return std::max(heaviest, std::min(inRow, told));
   }
 };
@@ -302,12 +293,12 @@ void JointRows::bend(std::size_t k, Vec3f force) {
 void JointRows::turnLine(std::size_t k, float force) {
   JointStart& start = starts[k];
   start.turned = force;
-  const double turning = std::fabs(double(force)) / std::max(double(start.span), kLeastSpan),
+  const double turning = std::fabs(double(force)) / std::max(double(start.span), kNoGap),
                stiffness = turning > 0 ? turning * turning / (turning + kSlow * double(start.inert)) : 0;
   double way = 0;
   for (int i = 0; i < kJointLanes; i++)
     if (start.across >> i & 1) way += double(start.before[i]) * double(start.before[i]);
-  const double far = std::clamp(std::sqrt(way) / (kFarTurn * std::max(double(start.span), kLeastSpan)) - 1, 0.0, 1.0);
+  const double far = std::clamp(std::sqrt(way) / (kFarTurn * std::max(double(start.span), kNoGap)) - 1, 0.0, 1.0);
   for (int i = 0; i < kJointLanes; i++) {
     if (!(start.across >> i & 1)) continue;
     records[k].way.k[i] = float(stiffness);
@@ -387,7 +378,7 @@ void JointRows::prepare(Island& island, Ties& ties, const StepContext& context) 
     // A way that grew over a longer step is an arc of it: corrected at once, it would be a blow.
     const double part = island.dt / std::max(island.dt, joint.over), correct = double(kCorrect) * part * part;
     const bool arcs = island.plan.arcs;
-    const double most = arcs ? kMostCorrect : double(kNoLimit);
+    const double most = arcs ? kSamePlace : double(kNoLimit);
     const double firm = kFirmness * double(start.load) / (island.dt * island.dt);
     double gives = 0;
     if (r.bodyA < island.bodies.size()) gives += givenWay(bodies.mass[joint.bodyA], pose.armA);
@@ -465,7 +456,7 @@ Vec3f JointRows::arcAt(std::size_t k, Vec3 turnA, Vec3 turnB, Vec3 way) const {
     return toFloat(arcOfSlide(between, turnA, turnB, way, arc));
   }
   const Vec3 along = toDouble(records[k].way.axes[0].unit);
-  return toFloat(along * (dot(along, arc) + arcOfLine(std::max(double(start.span), kLeastSpan), along, way + arc)));
+  return toFloat(along * (dot(along, arc) + arcOfLine(std::max(double(start.span), kNoGap), along, way + arc)));
 }
 
 // True if the arcs have changed.

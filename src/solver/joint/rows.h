@@ -13,6 +13,7 @@
 // next steps correct. In small islands the solve knows the arc, and linkages stay closed. In large ones it does not:
 // that gaping is what damps the links of a chain.
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <memory_resource>
 #include <utility>
@@ -29,6 +30,11 @@
 namespace brickfall {
 
 struct Island;
+
+//! x the load that hangs by it | too small: more rounds until a heavy body is held; friction leaves gains
+//! | too large: floats leave light bodies out of balance; quiet joints are braked with those that gained
+constexpr double kFirmness = 100;  // in units of mass / dt^2: of a hard equation; and of the friction that takes gains,
+                                   // x the inertia of a joint's lighter body
 
 // N m: geometric stiffness of a force at the end of an arm that turns with a body, beside its inertia. Of pressure as
 // of tension, or what buckles would buckle at any speed. `resist`: the body's inertia about that end / dt^2.
@@ -145,6 +151,11 @@ struct JointRows {
   double mostWork(std::size_t k) const;
   double returnedWork(std::size_t k) const { return k == 0 ? returned : 0; }  // told with the first row
   void advance(const Island&, Ties&, const StepContext&) const {}
+  // There is a motor.
+  bool driven(const Ties& ties) const {
+    return std::any_of(jointOf.begin(), jointOf.end(),
+                       [&](JointIndex joint) { return ties.joints.slots[joint].driven; });
+  }
   // The part of a spring that swings slowly enough for the step.
   double resolved(std::size_t k, const Joint& spring) const;
   // What a trial of a step changes.

@@ -10,12 +10,17 @@ namespace brickfall {
 
 namespace {
 
+//! x sqrt(gravity x radius) | too small: bridges swing by millimetres for ever | too large: small swings lose amplitude
+constexpr double kFades = 0.012;  // swings that were not faster lately fade
+//! s, at the reference's scale | too small: swings fade where they turn back | too large: what hangs moves on for long
+constexpr double kFadingTime = 8;  // in which the memory of a faster speed fades; speeds themselves in a second
+
 class Swings : VelocitySystem {
  public:
   Swings(Island& island, StepContext& context) : VelocitySystem(island, context) {}
 
   // Half of a step's forces, where the step ends: velocities become those of that moment.
-  void run(const Ties& ties) {
+  void run(Ties& ties) {
     findBodies();
     findEquations(ties);
     addMotors(ties);
@@ -27,6 +32,7 @@ class Swings : VelocitySystem {
     const bool sprung = pushHalf(ties, true);
     findChange(hard);
     rememberHalf();
+    rememberWhole(ties);
     // A spring that just began to act has no half to give yet.
     if (sprung && begins()) {
       pushHalf(ties, false);
@@ -46,6 +52,20 @@ class Swings : VelocitySystem {
   bool begins() const {
     return std::any_of(bodies_.begin(), bodies_.end(),
                        [&](const Body& body) { return context_.bodies->data[body.body].steady.dt == 0; });
+  }
+  bool begins(std::uint32_t local) const {
+    return !moves(local) || (context_.bodies->data[at(local).body].steady.dt == 0 && !flies(local));
+  }
+  // In the first step of a swing half of all forces act, and half at its end: joints tell the whole.
+  void rememberWhole(Ties& ties) {
+    const JointRows& joints = island_.rows.joints;
+    for (std::size_t k = 0; k < joints.size(); k++) {
+      if (!begins(joints.records[k].bodyA) || !begins(joints.records[k].bodyB)) continue;
+      Joint& joint = ties.joints.slots[joints.jointOf[k]];
+      for (int i = 0; i < kJointLanes; i++) joint.way[i] *= 2, joint.turn[i] *= 2;
+      joint.force *= 2.0;
+      joint.torque *= 2.0;
+    }
   }
   void rememberHalf() {
     for (std::uint32_t i = 0; i < island_.bodies.size(); i++) {
@@ -158,6 +178,24 @@ class Swings : VelocitySystem {
 
 }  // namespace
 
-void finishSwings(Island& island, const Ties& ties, StepContext& context) { Swings(island, context).run(ties); }
+void finishSwings(Island& island, Ties& ties, StepContext& context) { Swings(island, context).run(ties); }
+
+void fadeSwing(Island& island, const StepContext& context, BodySet& bodies) {
+  const double part = std::min(1.0, island.dt / island.facts.scale.time);
+  island.fastestLately *= 1 - part / kFadingTime;
+  for (BodyIndex body : island.bodies) {
+    const double radius = bodies.mass[body].outerRadius;
+    const double speed =
+        std::max(length(bodies.motion[body].linearVelocity), length(bodies.motion[body].angularVelocity) * radius);
+    const double unit = std::sqrt(length(context.gravity) * radius);
+    if (!(speed <= island.fastestLately * unit)) island.fastestLately = unit > 0 ? std::min(1.0, speed / unit) : 1;
+  }
+  if (!island.facts.grounded || !(island.fastestLately <= kFades)) return;
+  if (island.rows.joints.driven(*context.ties)) return;
+  for (BodyIndex body : island.bodies) {
+    bodies.motion[body].linearVelocity *= 1 - part;
+    bodies.motion[body].angularVelocity *= 1 - part;
+  }
+}
 
 }  // namespace brickfall

@@ -5,20 +5,12 @@
 
 #include "solver/finish/motion.h"
 #include "solver/joint/velocity_system.h"
+#include "solver/renewals.h"
 
 namespace brickfall {
 
 namespace {
 
-//! - | too small: limits and ropes hold what parts | too large: cost
-constexpr int kLetGoRounds = 3;  // in which one-sided equations that would pull let go
-
-//! - | too small: rounds that take nothing | too large: quiet joints are braked with those that gained
-constexpr double kLeastFriction = 0.1;  // of a joint's inertia x (rad in the step)^2: where rubbing begins
-//! - | too small: rounds that take little | too large: friction takes more than was gained
-constexpr double kFrictionGrows = 4;  // by round
-//! - | too small: the last check takes gains from all bodies alike | too large: cost
-constexpr int kFrictionRounds = 6;
 //! of a joint's inertia | too small: chains under a great load are braked
 //! | too large: links that an impulse turns far fly apart
 constexpr double kLight = 0.2;  // a lighter turn, by the impulse on its arm in a step, is rubbed against
@@ -89,21 +81,43 @@ class HeldVelocities : VelocitySystem {
     return sum;
   }
 
-  // Friction that takes this, if it can. Returns what it took, J.
+  // Friction that takes this, if it can. Friction as firm as joints are, and none, both leave velocities that joints
+  // allow: so does each mean of the two, and one of them takes just this. Returns what it took, J.
   double rub(double held, double over) {
     if (!(over > 0)) return 0;
-    double taken = 0;
-    friction_ = kLeastFriction;
-    for (int i = 0; i < kFrictionRounds && taken < over; i++, friction_ *= kFrictionGrows) {
-      if (!hold()) break;
-      taken = held - energy();
+    const std::pmr::vector<Body> bodies(bodies_, island_.memory);
+    const std::pmr::vector<Equation> equations(equations_, island_.memory);
+    const std::pmr::vector<Friction> frictions(frictions_, island_.memory);
+    friction_ = kFirmness;
+    const double share = hold() ? shareThatTakes(over, bodies) : 0;
+    auto mean = [share](auto was, auto is) { return share > 0 ? was + (is - was) * share : was; };
+    for (std::size_t i = 0; i < bodies_.size(); i++) {
+      bodies_[i].move = mean(bodies[i].move, bodies_[i].move);
+      bodies_[i].spin = mean(bodies[i].spin, bodies_[i].spin);
     }
-    return taken;
+    for (std::size_t i = 0; i < equations_.size(); i++)
+      equations_[i].impulse = mean(equations[i].impulse, equations_[i].impulse);
+    for (std::size_t i = 0; i < frictions_.size(); i++)
+      frictions_[i].impulse = mean(frictions[i].impulse, frictions_[i].impulse);
+    return held - energy();
+  }
+
+  // Of the way from these velocities to the present ones, on which energy falls by `over`, or as far as it falls.
+  double shareThatTakes(double over, const std::pmr::vector<Body>& from) const {
+    double linear = 0, square = 0;
+    for (std::size_t i = 0; i < from.size(); i++) {
+      const Vec3 move = bodies_[i].move - from[i].move, spin = bodies_[i].spin - from[i].spin;
+      linear += from[i].mass * dot(from[i].move, move) + dot(from[i].spin, from[i].inertia * spin);
+      square += 0.5 * from[i].mass * lengthSquared(move) + 0.5 * dot(spin, from[i].inertia * spin);
+    }
+    if (!(linear < 0) || !(square > 0)) return 0;
+    const double root = linear * linear - 4 * square * over;
+    return std::min(1.0, (-linear - std::sqrt(std::max(0.0, root))) / (2 * square));
   }
 
   // False if it has no solution.
   bool hold() {
-    for (int round = 0; round < kLetGoRounds; round++) {
+    for (int round = 0; round < kBoundRounds; round++) {
       for (Body& body : bodies_) body.move = body.startMove, body.spin = body.startSpin;
       for (Equation& e : equations_) e.impulse = 0;
       for (Friction& f : frictions_) f.impulse = {};

@@ -9,11 +9,12 @@
 // about its edge.
 #pragma once
 #include "dynamics/mortar.h"
+#include "solver/step_context.h"
 
 namespace brickfall::mortar {
 
-//! of the energy | too small: slow openings cost too little | too large: rounding keeps a joint whole
-constexpr double kBroken = 0.99;  // damage from which a joint counts as broken
+//! not of the method: follows from kTrifle
+constexpr double kBroken = 1 - kTrifle;  // damage from which a joint counts as broken
 //! of the energy | too small: joints break that hold | too large: chance, and the step, decide how many break
 constexpr double kThread = 0.9;  // damage from which a joint that opens no further counts as broken: 4 % of it are left
 
