@@ -56,15 +56,23 @@ class Swings : VelocitySystem {
   bool begins(std::uint32_t local) const {
     return !moves(local) || (context_.bodies->data[at(local).body].steady.dt == 0 && !flies(local));
   }
-  // In the first step of a swing half of all forces act, and half at its end: joints tell the whole.
+  // In the first step of a swing half of what holds places acts, and half at its end: joints tell the whole. Springs
+  // and motors gave theirs.
   void rememberWhole(Ties& ties) {
     const JointRows& joints = island_.rows.joints;
     for (std::size_t k = 0; k < joints.size(); k++) {
       if (!begins(joints.records[k].bodyA) || !begins(joints.records[k].bodyB)) continue;
       Joint& joint = ties.joints.slots[joints.jointOf[k]];
-      for (int i = 0; i < kJointLanes; i++) joint.way[i] *= 2, joint.turn[i] *= 2;
-      joint.force *= 2.0;
-      joint.torque *= 2.0;
+      const JointRecord& r = joints.records[k];
+      for (int i = 0; i < kJointLanes; i++) {
+        auto tell = [&](int lane, double& force, const JointEquations& of, Vec3& sum) {
+          if (!(joints.starts[k].hard >> lane & 1)) return;
+          sum += toDouble(of.axes[i % 3].unit) * force;
+          force *= 2;
+        };
+        tell(i, joint.way[i], r.way, joint.force);
+        tell(i + kJointLanes, joint.turn[i], r.turn, joint.torque);
+      }
     }
   }
   void rememberHalf() {
@@ -119,10 +127,10 @@ class Swings : VelocitySystem {
     for (std::uint32_t k = 0; k < joints.size(); k++) {
       const Joint& joint = ties.joints.slots[joints.jointOf[k]];
       const bool turn = joint.type == JointType::revolute;
-      if (!joint.driven || !(std::fabs(turn ? joint.turn[0] : joint.way[0]) < 0.999 * joint.strength)) continue;
+      if (!joint.driven || !(std::fabs(turn ? joint.turn[0] : joint.way[0]) < (1 - kTrifle) * joint.strength)) continue;
       const Posed p = posed(k, joint);
       equations_.push_back(
-          {k, turn, false, 0, turn ? p.system.turn.axes[0] : p.system.way.axes[0], p.armA, p.armB, firmness(k)});
+          {k, turn, false, 0, turn ? p.system.turn.axes[0] : p.system.way.axes[0], p.armA, p.armB, firmness(k, turn)});
     }
   }
   // What resists a motion in the solve resists it here: lines a way across them, brakes a turn.

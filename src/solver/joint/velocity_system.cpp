@@ -80,7 +80,15 @@ void VelocitySystem::findBodies() {
   step_.resize(6 * bodies_.size());
 }
 
-double VelocitySystem::firmness(std::size_t row) const { return kStiff * double(island_.rows.joints.starts[row].load); }
+double VelocitySystem::firmness(std::size_t row, bool turn) const {
+  const JointRecord& r = island_.rows.joints.records[row];
+  auto radius = [&](std::uint32_t local) {
+    return moves(local) ? context_.bodies->mass[at(local).body].outerRadius : 0.0;
+  };
+  const double size = std::max(radius(r.bodyA), radius(r.bodyB)),
+               firm = kStiff * double(island_.rows.joints.starts[row].load);
+  return turn ? firm * size * size : firm;
+}
 
 VelocitySystem::Posed VelocitySystem::posed(std::size_t row, const Joint& joint) const {
   const JointRecord& r = island_.rows.joints.records[row];
@@ -93,20 +101,15 @@ VelocitySystem::Posed VelocitySystem::posed(std::size_t row, const Joint& joint)
 void VelocitySystem::findEquations(const Ties& ties) {
   const JointRows& joints = island_.rows.joints;
   for (std::uint32_t k = 0; k < joints.size(); k++) {
-    const JointRecord& r = joints.records[k];
     const Joint& joint = ties.joints.slots[joints.jointOf[k]];
-    const Body &a = at(r.bodyA), &b = at(r.bodyB);
     const Posed p = posed(k, joint);
-    const double firm = firmness(k);
-    const double size = std::max(moves(r.bodyA) ? context_.bodies->mass[a.body].outerRadius : 0,
-                                 moves(r.bodyB) ? context_.bodies->mass[b.body].outerRadius : 0);
     auto add = [&](const EquationSet& set, const double(&held)[kJointLanes], bool turn) {
       for (int i = 0; i < kJointLanes; i++) {
         const JointLaw law = set.of[i].law;
         const bool hard = law == JointLaw::hard, limit = law == JointLaw::atMost || law == JointLaw::atLeast;
         if (!hard && !(limit && held[i] != 0)) continue;
         equations_.push_back({k, turn, limit, law == JointLaw::atMost ? -1.0f : 1.0f, set.axes[i % 3], p.armA, p.armB,
-                              turn ? firm * size * size : firm});
+                              firmness(k, turn)});
       }
     };
     add(p.system.way, joint.way, false);

@@ -39,8 +39,8 @@ class VelocitySystem {
   void findBodies();
   // What joints hold at the poses of the end. Limits and ropes hold if they did in the step.
   void findEquations(const Ties& ties);
-  // N s/m: of a joint's equation.
-  double firmness(std::size_t row) const;
+  // N s/m, or N m s/rad: of a joint's equation.
+  double firmness(std::size_t row, bool turn) const;
   // Poses, arms and equations of a joint at the end.
   struct Posed {
     JointPose pose;
