@@ -63,18 +63,22 @@ class FlightAhead {
   }
 
   // From where the other is, and from where it goes: each of the two may be moved before the other. What drives the
-  // island stays where it is.
+  // island stays where it is. What turns far counts as the ball around its body.
   double untilNear(const ShapeData& other, const Shape& ball, Vec3 at, Vec3 way, double apart) const {
     const BodySet& bodies = registry_.bodies;
     const BodyMotion& m = bodies.motion[other.body];
-    if (turnsFar(bodies, other.body, m.angularVelocity * context_.dt)) return 0;
+    const bool turns = turnsFar(bodies, other.body, m.angularVelocity * context_.dt);
     const Vec3 othersWay = (m.linearVelocity - frame_) * context_.dt;
-    const Transform back = inverse(bodies.pose(other.body) * other.inCentreFrame);
+    Shape around;
+    around.type = ShapeType::sphere;
+    around.radius = bodies.mass[other.body].outerRadius;
+    const Shape& shape = turns ? around : other.geometry;
+    const Transform back = inverse(turns ? bodies.pose(other.body) : bodies.pose(other.body) * other.inCentreFrame);
     const Transform ballInOther{transformPoint(back, at), {}};
     // Faces that a straight way leaves behind, its bend may meet.
-    if (!(shapeDistance(other.geometry, ball, ballInOther).distance > apart)) return 0;
+    if (!(shapeDistance(shape, ball, ballInOther).distance > apart)) return 0;
     auto until = [&](Vec3 motion) {
-      return timeOfImpact(other.geometry, ball, ballInOther, rotate(back.rotation, motion), apart).value_or(1);
+      return timeOfImpact(shape, ball, ballInOther, rotate(back.rotation, motion), apart).value_or(1);
     };
     return othersWay == Vec3{} ? until(way) : std::min(until(way), until(way - othersWay));
   }

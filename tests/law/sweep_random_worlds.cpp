@@ -4,6 +4,7 @@
 #include "law/sweeps.h"
 
 #include <atomic>
+#include <cstdio>
 #include <cstdlib>
 #include <thread>
 
@@ -11,9 +12,8 @@ namespace brickfall::law {
 
 namespace {
 
-constexpr double kGain = 1e-3;       // of the energy at the start
-constexpr double kGainKnown = 0.01;  // known: bodies that spin fast while they press on each other, one world of 8400
-constexpr double kMomentum = 1e-9;   // of the largest momentum of a body
+constexpr double kGain = 1e-3;      // of the energy at the start
+constexpr double kMomentum = 1e-9;  // of the largest momentum of a body
 
 // Worlds of one kind in which something was wrong.
 struct Count {
@@ -24,8 +24,10 @@ struct Count {
 void countWorld(RandomKind kind, int number, Count& out) {
   RandomWorld random = drawWorld(kind, number);
   const RandomOutcome found = runWorld(random);
-  EXPECT_LE(found.gain, kGainKnown) << random.text;
+  EXPECT_LE(found.gain, kGain) << random.text;
   EXPECT_TRUE(found.finite) << random.text;
+  // So that it can be looked at.
+  if (found.through > 0 || found.deep > 1) std::printf("    through or deep: %s\n", random.text.c_str());
   out.gained += found.gain > kGain;
   out.gain = std::max(out.gain, found.gain);
   out.through += found.through > 0;
@@ -73,8 +75,8 @@ void sweepRandomWorlds(int cases) {
     const std::string where = std::string(nameOf(kind)) + label(", %g worlds: ", cases);
     // Known: fewer than one world in 200 of these; the tests hold the engine to that.
     const double few = std::max(1.0, cases / 200.0);
-    atMost(where + "most energy gained / that of the start", 0, c.gain, kGain, "", kGainKnown);
-    atMost(where + "worlds that gain more than 0.001", 0, c.gained, 0, "", std::max(1.0, cases / 1000.0));
+    atMost(where + "most energy gained / that of the start", 0, c.gain, kGain, "");
+    atMost(where + "worlds that gain more than 0.001", 0, c.gained, 0, "");
     atMost(where + "worlds in which a body goes through", 0, c.through, 0, "", few);
     atMost(where + "worlds left with an overlap over 5 mm and 5 % of the size", 0, c.deep, 0, "", few);
     atMost(where + "worlds with a body that is lost", 0, c.lost, 0, "");

@@ -316,7 +316,11 @@ class LastCheck {
     const GroupEnergy energy = energyOf(island_, group, {}, context_);
     const double excess = energy.gain(back) - back.lasting;
     if (!(excess > energy.slack())) return 0;
-    return excess - takeRelative(island_, group, motionOf(island_, group, context_), {}, context_, excess);
+    const double left = takeRelative(island_, group, motionOf(island_, group, context_), {}, context_, excess);
+    // No momenta fit those ways: the group goes as if it met nothing.
+    if (left > energy.slack() && !island_.facts.jointed)
+      for (std::uint32_t i : group) goFreely(island_.bodies[i], context_);
+    return excess;
   }
 
   // While impacts go on, all that the group has lost since they began may come back.

@@ -16,6 +16,7 @@ void finishMotion(Island& island, Ties& ties, StepContext& context) {
   if (island.plan.swings) return finishSwings(island, ties, context);
   finishLoneBody(island, ties, context);
   finishSlides(island, context);
+  turnFarFreely(island, context);
 }
 
 }  // namespace brickfall

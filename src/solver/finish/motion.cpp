@@ -72,6 +72,19 @@ void storeMotion(const Island& island, StepContext& context) {
   }
 }
 
+void turnFarFreely(const Island& island, StepContext& context) {
+  for (BodyIndex body : island.bodies) {
+    SolvedMotion& s = context.solved[body];
+    FreeMotion& free = context.free[body];
+    if (s.freeTurn || !(lengthSquared(s.th) > kHalfTurn * kHalfTurn) || context.bodies->turnsLocked(body)) continue;
+    s.freeTurn = true;
+    free.angularMomentum = s.angularMomentum;
+    free.turnsFaster = false;
+    free.turnTime = free.dt;
+    shortenFreeTurn(context, body, 1);
+  }
+}
+
 void storeFreeBody(BodyIndex body, double dt, StepContext& context) {
   const FreeMotion& free = context.free[body];
   SolvedMotion& out = context.solved[body];
@@ -81,6 +94,21 @@ void storeFreeBody(BodyIndex body, double dt, StepContext& context) {
   out.th = free.th;
   out.angularMomentum = free.angularMomentum;
   out.flying = true;
+}
+
+void goFreely(BodyIndex body, StepContext& context) {
+  const BodySet& bodies = *context.bodies;
+  FreeMotion& free = context.free[body];
+  const double forces = free.dt * (1 - context.aheadOf(body));
+  free.angularMomentum =
+      bodies.worldInertia(body) * bodies.motion[body].angularVelocity + bodies.data[body].torque * forces;
+  free.turnTime = free.dt;
+  free.turnsFaster = false;
+  free.seen = 1;
+  storeFreeBody(body, free.dt, context);
+  shortenFreeTurn(context, body, 1);
+  if (context.aheadOf(body) > 0) takeBackAhead(body, context);
+  keepLocks(body, context);
 }
 
 bool solvedWell(const Island& island, const StepContext& context) {
