@@ -149,7 +149,7 @@ void defineCommands(CLI::App& app, Arguments& arguments) {
              exitCodes(kRunCodes));
 
   CLI::App& check = *app.add_subcommand("check", "Report all mistakes of scene files, with line and column");
-  check.add_option("file", arguments.checked, "Scene files, or shipped scenes by name")->required()->type_name("FILE");
+  check.add_option("file", arguments.checked, "Scene files, or shipped scenes by name")->required()->type_name("SCENE");
   addSetOption(check, arguments);
   check.add_flag("--json", arguments.checkJson, "Answer in JSON, on standard output");
   check.footer(std::string("Examples:\n  brickfall check mine.toml\n  brickfall check scenes/*.toml\n\n") +
