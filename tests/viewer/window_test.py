@@ -161,10 +161,15 @@ def open_by_name(viewer):
     with open(os.path.join(folder, "mine", "few.toml"), "w") as file:
         file.write('[[wall]]\nname = "w"\ncourses = 2\nbricks = 3\n')
     before = viewer.now()
+    left, top, width, height = viewer.wait_place("speed")
+    viewer.point(600, 240)
+    plain = viewer.picture("number")
     viewer.mark()
     viewer.tool("key", "ctrl+o", "type", "--delay", 6, "fff 42")
     typed = viewer.wait(lambda s: s["files"] and s["typed"] == "fff 42", "the list has the cursor")
     check(typed["bodies"] == before["bodies"] and typed["tool"] == before["tool"], "what was typed into the list shot or took a tool")
+    speed = f"{width:.0f}x{height:.0f}+{left:.0f}+{top:.0f}"
+    check(differing(plain, viewer.picture("listed"), speed) < 1e-4, "the number moves under the slider's knob while a text is typed elsewhere")
     viewer.tool("key", "--delay", 6, "ctrl+a", "f", "e", "w")
     chosen = viewer.wait(lambda s: s["typed"] == "few", "Ctrl+A marks what is typed, however short the press")
     check("file:mine/few.toml" in chosen["places"], f"the list shows the folder's scenes: {list(chosen['places'])}")

@@ -194,7 +194,7 @@ TEST_F(BadArguments, whatARunCanBeToldCanBeChecked) {
             std::string::npos);
   const Finished wrong = run({"check", "wall", "--set", "wall.bond=brick"});
   EXPECT_EQ(wrong.exitCode, 2);
-  EXPECT_NE(wrong.errors.find("wall.bond"), std::string::npos) << wrong.errors;
+  EXPECT_NE(wrong.errors.find("wall[0].bond"), std::string::npos) << wrong.errors;
   EXPECT_EQ(run({"check", "wall", "--set", "bricks"}).exitCode, 2);
 }
 
