@@ -161,15 +161,10 @@ def open_by_name(viewer):
     with open(os.path.join(folder, "mine", "few.toml"), "w") as file:
         file.write('[[wall]]\nname = "w"\ncourses = 2\nbricks = 3\n')
     before = viewer.now()
-    left, top, width, height = viewer.wait_place("speed")
-    viewer.point(600, 240)
-    plain = viewer.picture("number")
     viewer.mark()
     viewer.tool("key", "ctrl+o", "type", "--delay", 6, "fff 42")
     typed = viewer.wait(lambda s: s["files"] and s["typed"] == "fff 42", "the list has the cursor")
     check(typed["bodies"] == before["bodies"] and typed["tool"] == before["tool"], "what was typed into the list shot or took a tool")
-    speed = f"{width:.0f}x{height:.0f}+{left:.0f}+{top:.0f}"
-    check(differing(plain, viewer.picture("listed"), speed) < 1e-4, "the number moves under the slider's knob while a text is typed elsewhere")
     viewer.tool("key", "--delay", 6, "ctrl+a", "f", "e", "w")
     chosen = viewer.wait(lambda s: s["typed"] == "few", "Ctrl+A marks what is typed, however short the press")
     check("file:mine/few.toml" in chosen["places"], f"the list shows the folder's scenes: {list(chosen['places'])}")
@@ -341,6 +336,11 @@ def be_managed(viewer):
         shown = viewer.picture("full")
         size = subprocess.run(["identify", "-format", "%w %h", shown], capture_output=True, text=True, check=True).stdout
         check(size == f"{width} {height}" and colours(shown) > 500, f"the picture that fills the screen: {size}")
+        left, top, wide, high = viewer.wait_place("speed")  # here the list of files leaves it free
+        viewer.key("ctrl+o", lambda s: s["files"], "shows the list of files")
+        moved = differing(shown, viewer.picture("listed"), f"{wide:.0f}x{high:.0f}+{left:.0f}+{top:.0f}")
+        check(moved == 0, "a slider's number moves under its knob while a text is typed elsewhere")
+        viewer.key("Escape", lambda s: not s["files"], "closes the list")
         viewer.key("F11", lambda s: s["size"] == before, "is a window again")
     finally:
         manager.terminate()
