@@ -45,11 +45,11 @@ nlohmann::ordered_json jsonOf(const std::string& name, const SceneChoice& choice
 
 }  // namespace
 
-int check(const std::vector<std::string>& scenes, bool asJson) {
+int check(const std::vector<std::string>& scenes, const Overrides& overrides, bool asJson) {
   int exitCode = kOk;
   auto answers = nlohmann::ordered_json::array();
   for (const std::string& name : scenes) {
-    SceneChoice choice = chooseScene(name, {});
+    SceneChoice choice = chooseScene(name, overrides);
     if (!choice.problem.empty() && !asJson) complain(choice.problem);
     if (choice.scene) {
       std::vector<Diagnostic> more = checkScene(*choice.scene);

@@ -3,10 +3,10 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "brickfall/output.h"
+#include "brickfall/scene.h"
 
 namespace brickfall::cli {
 
@@ -32,7 +32,7 @@ struct RunOptions {
   OutputOptions output;
   std::optional<double> seconds;
   std::optional<int> threads;
-  std::vector<std::pair<std::string, std::string>> overrides;
+  Overrides overrides;
 };
 
 struct TraceCommand {
@@ -41,7 +41,7 @@ struct TraceCommand {
   std::optional<double> seconds;
   std::optional<int> threads;
   std::optional<std::uint64_t> itemsOfStep;  // also a hash of each body and contact, in this step
-  std::vector<std::pair<std::string, std::string>> overrides;
+  Overrides overrides;
   bool quiet = false;
 };
 
@@ -56,12 +56,12 @@ struct CheckDtCommand {
   std::string scene;
   std::optional<double> seconds;
   std::optional<int> threads;
-  std::vector<std::pair<std::string, std::string>> overrides;
+  Overrides overrides;
   bool quiet = false;  // no progress
 };
 
 int run(const RunOptions& options);
-int check(const std::vector<std::string>& scenes, bool asJson);
+int check(const std::vector<std::string>& scenes, const Overrides& overrides, bool asJson);
 int checkDt(const CheckDtCommand& options);
 int exportTake(const ExportCommand& command);
 int listScenes(bool asJson);

@@ -51,14 +51,18 @@ void addOutputOptions(CLI::App& command, OutputOptions& options, const std::stri
   command.add_flag("--quiet", options.quiet, "Say nothing but errors");
 }
 
-// What decides about a simulation.
-void addRunOptions(CLI::App& command, Arguments& arguments) {
-  command.add_option("--seconds", arguments.seconds, "Simulate so long instead of what the scene says")->type_name("S");
+void addSetOption(CLI::App& command, Arguments& arguments) {
   command.add_option("--set", arguments.overrides, "Change a parameter or value of the scene file; may be repeated")
       ->type_name("KEY=VALUE")
       ->take_all()
       ->expected(1)
       ->allow_extra_args(false);
+}
+
+// What decides about a simulation.
+void addRunOptions(CLI::App& command, Arguments& arguments) {
+  command.add_option("--seconds", arguments.seconds, "Simulate so long instead of what the scene says")->type_name("S");
+  addSetOption(command, arguments);
   command.add_option("--threads", arguments.threads, "Worker threads, 1 to 64; the result does not depend on it")
       ->type_name("N");
 }
@@ -129,7 +133,8 @@ void defineCommands(CLI::App& app, Arguments& arguments) {
                          "  brickfall run --help               more on a command\n\n") +
              exitCodes(kRunCodes));
 
-  CLI::App& run = *app.add_subcommand("run", "Simulate a scene: replay.html, <scene>.glb, summary.json, <scene>.take");
+  CLI::App& run =
+      *app.add_subcommand("run", "Simulate a scene: replay.html, <scene>.glb, summary.json, series.csv, <scene>.take");
   run.add_option("scene", arguments.run.scene,
                  "A scene file, a shipped scene (brickfall scenes), or - for standard input")
       ->required()
@@ -144,9 +149,8 @@ void defineCommands(CLI::App& app, Arguments& arguments) {
              exitCodes(kRunCodes));
 
   CLI::App& check = *app.add_subcommand("check", "Report all mistakes of scene files, with line and column");
-  check.add_option("file", arguments.checked, "Scene files, or shipped scenes by name")
-      ->required()
-      ->type_name("FILE...");
+  check.add_option("file", arguments.checked, "Scene files, or shipped scenes by name")->required()->type_name("SCENE");
+  addSetOption(check, arguments);
   check.add_flag("--json", arguments.checkJson, "Answer in JSON, on standard output");
   check.footer(std::string("Examples:\n  brickfall check mine.toml\n  brickfall check scenes/*.toml\n\n") +
                exitCodes());
@@ -185,6 +189,15 @@ void defineCommands(CLI::App& app, Arguments& arguments) {
 }
 
 // False after a complaint: a value that cannot be used.
+bool readOverrides(const std::vector<std::string>& texts, Overrides& out) {
+  for (const std::string& text : texts) {
+    const auto pair = parseOverride(text);
+    if (!pair) return complain(pair.error().message), false;
+    out.push_back(*pair);
+  }
+  return true;
+}
+
 bool readValues(Arguments& arguments, const CLI::App& command) {
   if (command.count("--seconds") > 0) {
     const Result<double> seconds = parseSeconds(arguments.seconds);
@@ -196,13 +209,9 @@ bool readValues(Arguments& arguments, const CLI::App& command) {
     if (!threads) return complain(threads.error().message), false;
     arguments.run.threads = arguments.trace.threads = arguments.checkDt.threads = *threads;
   }
-  for (const std::string& text : arguments.overrides) {
-    const auto pair = parseOverride(text);
-    if (!pair) return complain(pair.error().message), false;
-    arguments.run.overrides.push_back(*pair);
-    arguments.trace.overrides.push_back(*pair);
-    arguments.checkDt.overrides.push_back(*pair);
-  }
+  Overrides overrides;
+  if (!readOverrides(arguments.overrides, overrides)) return false;
+  arguments.run.overrides = arguments.trace.overrides = arguments.checkDt.overrides = overrides;
   return true;
 }
 
@@ -275,7 +284,7 @@ std::vector<CommandWords> commandWords(const CLI::App& app) {
     for (const CLI::Option* option : command->get_options()) {
       for (const std::string& name : option->get_lnames())
         words.options.push_back({"--" + name, option->get_description()});
-      words.takesScene = words.takesScene || option->get_type_name() == "SCENE" || option->get_type_name() == "FILE...";
+      words.takesScene = words.takesScene || option->get_type_name() == "SCENE";
     }
     all.push_back(std::move(words));
   }
@@ -319,7 +328,11 @@ int dispatch(int argc, char** argv) {
   }
   if (app.got_subcommand("run"))
     return readValues(arguments, *app.get_subcommand("run")) ? run(arguments.run) : kBadInput;
-  if (app.got_subcommand("check")) return check(arguments.checked, arguments.checkJson);
+  if (app.got_subcommand("check")) {
+    Overrides overrides;
+    return readOverrides(arguments.overrides, overrides) ? check(arguments.checked, overrides, arguments.checkJson)
+                                                         : kBadInput;
+  }
   if (app.got_subcommand("check-dt"))
     return readValues(arguments, *app.get_subcommand("check-dt")) ? checkDt(arguments.checkDt) : kBadInput;
   if (app.got_subcommand("replay")) return replay(arguments.take, arguments.replay);

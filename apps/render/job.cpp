@@ -6,7 +6,6 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
-#include <numbers>
 
 #include "brickfall/scene.h"
 #include "cli/commands.h"
@@ -29,38 +28,20 @@ constexpr double kMostFrames = 1e6;
 
 double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-// In front, a little to the right and from above, as near as shows all that can move.
+// Of what is there at the start, as a scene without cameras gets one.
 Camera madeUpCamera(const TakeReader& take) {
-  Camera camera;
   const Result<TakeFrame> first = take.frame(0);
-  if (!first) return camera;
-  Vec3 low{1e9, 1e9, 1e9}, high{-1e9, -1e9, -1e9};
+  if (!first) return {};
+  std::vector<Aabb> boxes;
   const std::vector<std::uint32_t> there = take.bodiesAt(0);
   for (std::size_t k = 0; k < there.size(); k++) {
     const TakeBody& body = take.bodies()[there[k]];
-    const Transform pose{first->poses[k].position, first->poses[k].rotation};
-    for (const ShapeDef& shape : body.shapes) {
-      if (shape.type == ShapeType::plane || body.role == BodyRole::ground) continue;
-      const Aabb box = bounds(shape, pose);
-      low = min(low, box.lower);
-      high = max(high, box.upper);
-    }
+    if (body.role == BodyRole::ground) continue;
+    for (const ShapeDef& shape : body.shapes)
+      if (shape.type != ShapeType::plane)
+        boxes.push_back(bounds(shape, Transform{first->poses[k].position, first->poses[k].rotation}));
   }
-  if (low.x > high.x) return camera;
-  camera.target = (low + high) * 0.5;
-  const Vec3 back = normalized(Vec3{0.45, 0.4, 0.8}), right = normalized(cross(Vec3{0, 1, 0}, back)),
-             up = cross(back, right);
-  constexpr double kFilled = 0.85, kAspect = 1.6;  // of the picture; the narrowest that is usual
-  const double slope = kFilled * std::tan(camera.fieldOfViewDegrees * std::numbers::pi / 360);
-  double away = 0.4;
-  for (int corner = 0; corner < 8; corner++) {
-    const Vec3 at =
-        Vec3{corner & 1 ? high.x : low.x, corner & 2 ? high.y : low.y, corner & 4 ? high.z : low.z} - camera.target;
-    const double wide = std::fabs(dot(at, right)) / (slope * kAspect), tall = std::fabs(dot(at, up)) / slope;
-    away = std::max(away, dot(at, back) + std::max(wide, tall));
-  }
-  camera.position = camera.target + back * away;
-  return camera;
+  return fittedCamera(boxes, {0, 0, 1});
 }
 
 struct Job {

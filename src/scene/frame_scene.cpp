@@ -1,10 +1,12 @@
-// A camera for scenes without one: in front, a little to the right and from above, far enough to see all of it.
+// A camera for scenes without one: it sees what balls are thrown at, from the side that they come from.
 #include <algorithm>
+#include <cmath>
 
 #include "scene/body_bounds.h"
 #include "scene/scene_build.h"
 
-namespace brickfall::scene {
+namespace brickfall {
+namespace scene {
 
 namespace {
 
@@ -36,22 +38,57 @@ bool hasPlane(const BodyDef& def) {
                      [](const ShapeDef& shape) { return shape.type == ShapeType::plane; });
 }
 
+Aabb around(const std::vector<Aabb>& boxes) {
+  Aabb all = boxes[0];
+  for (const Aabb& box : boxes) all = merged(all, box);
+  return all;
+}
+
+Vec3 centre(const Aabb& box) { return (box.lower + box.upper) * 0.5; }
+
 }  // namespace
 
 void frameScene(SceneDescription& scene) {
-  std::vector<Aabb> boxes;
+  std::vector<Aabb> boxes, balls;
   for (const SceneWall& wall : scene.walls) boxes.push_back(boundsOf(wall.wall, scene.seed));
   for (const SceneBody& body : scene.bodies)
-    if (body.role != BodyRole::ground && !hasPlane(body.def)) boxes.push_back(bodyBounds(body.def));
-  Camera camera;
-  if (!boxes.empty()) {
-    Aabb all = boxes[0];
-    for (const Aabb& box : boxes) all = merged(all, box);
-    double reach = std::max(0.5 * length(all.upper - all.lower), 0.2);
-    camera.target = (all.lower + all.upper) * 0.5;
-    camera.position = camera.target + normalized(Vec3{0.45, 0.4, 0.8}) * (2.8 * reach);
-  }
-  scene.cameras.push_back(camera);
+    if (body.role != BodyRole::ground && !hasPlane(body.def))
+      (body.role == BodyRole::ball ? balls : boxes).push_back(bodyBounds(body.def));
+  if (boxes.empty()) boxes.swap(balls);
+  Vec3 side{0, 0, 1};
+  if (!balls.empty()) side = centre(balls[0]) - centre(around(boxes));
+  scene.cameras.push_back(fittedCamera(boxes, side));
 }
 
-}  // namespace brickfall::scene
+}  // namespace scene
+
+Camera fittedCamera(const std::vector<Aabb>& boxes, const Vec3& side) {
+  using scene::around, scene::centre;
+  constexpr double kFilled = 0.7, kAspect = 1.6;  // of the picture; the narrowest that is usual
+  constexpr double kBeside = 0.5, kAbove = 0.4;   // sine of the angle to the right of the side; rise over way back
+  Camera camera;
+  if (boxes.empty()) return camera;
+  camera.target = centre(around(boxes));
+  Vec3 front{side.x, 0, side.z};
+  if (!(length(front) > 1e-3)) front = {0, 0, 1};
+  front = normalized(front);
+  const double along = std::sqrt(1 - kBeside * kBeside);
+  const Vec3 back = normalized(Vec3{along * front.x + kBeside * front.z, kAbove, along * front.z - kBeside * front.x});
+  const Vec3 right = normalized(cross(Vec3{0, 1, 0}, back)), up = cross(back, right);
+  const double slope =
+      kFilled * (std::sqrt(2.0) - 1);  // tan(45 / 2 degrees): takes are the same bytes on every machine
+  double away = 0.4;
+  for (const Aabb& box : boxes) {
+    for (int corner = 0; corner < 8; corner++) {
+      const Vec3 at = Vec3{corner & 1 ? box.upper.x : box.lower.x, corner & 2 ? box.upper.y : box.lower.y,
+                           corner & 4 ? box.upper.z : box.lower.z} -
+                      camera.target;
+      const double wide = std::fabs(dot(at, right)) / (slope * kAspect), tall = std::fabs(dot(at, up)) / slope;
+      away = std::max(away, dot(at, back) + std::max(wide, tall));
+    }
+  }
+  camera.position = camera.target + back * away;
+  return camera;
+}
+
+}  // namespace brickfall

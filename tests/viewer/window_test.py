@@ -336,6 +336,11 @@ def be_managed(viewer):
         shown = viewer.picture("full")
         size = subprocess.run(["identify", "-format", "%w %h", shown], capture_output=True, text=True, check=True).stdout
         check(size == f"{width} {height}" and colours(shown) > 500, f"the picture that fills the screen: {size}")
+        left, top, wide, high = viewer.wait_place("speed")  # here the list of files leaves it free
+        viewer.key("ctrl+o", lambda s: s["files"], "shows the list of files")
+        moved = differing(shown, viewer.picture("listed"), f"{wide:.0f}x{high:.0f}+{left:.0f}+{top:.0f}")
+        check(moved == 0, "a slider's number moves under its knob while a text is typed elsewhere")
+        viewer.key("Escape", lambda s: not s["files"], "closes the list")
         viewer.key("F11", lambda s: s["size"] == before, "is a window again")
     finally:
         manager.terminate()

@@ -134,7 +134,8 @@ try {
 
   await check('title, card, bar and window edges keep apart', async () => {
     // The first: the ground, which takes more hits than the card has room for.
-    for (const [width, height, body] of [[667, 375, 0], [844, 390, 0], [568, 320, 0], [390, 700, 0], [800, 500, 3], [640, 360, 3]]) {
+    for (const [width, height, body] of [[667, 375, 0], [844, 390, 0], [568, 320, 0], [390, 700, 0], [800, 500, 3], [640, 360, 3],
+      [1280, 720, 3], [1130, 500, 3], [970, 500, 3], [730, 500, 3]]) {
       await page.setViewportSize({ width, height });
       await page.waitForFunction((w) => document.getElementById('view').clientWidth === w, width, patience);
       await page.evaluate((k) => window.brickfall.select(k), body);

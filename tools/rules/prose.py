@@ -2,7 +2,7 @@
 
 LIMITS: pages that have grown beyond use once, with the words that they may have in all (as `wc -w` counts, tables included) and in a
 sentence (code and tables excepted). Every link to a heading must meet one, as GitHub names it, in each page of the project; every page of
-docs/ that any file names must be there.
+docs/ that any file names must be there; every shipped scene must be in the table of docs/scene-file.md.
 """
 import os
 import re
@@ -10,6 +10,11 @@ import re
 from rules.source import ROOT, errors, line_of, read
 
 LIMITS = {"docs/step.md": (7000, 40)}
+# Pages that users read by ear: no long sentences, as many words as they need.
+LIMITS.update({f"docs/{page}.md": (10**6, 36) for page in (
+    "README tutorial animators game-programmers teachers engineers faq scene-file command-line outputs summary series export render "
+    "viewer").split()})
+LIMITS["README.md"] = (10**6, 36)
 
 
 def paragraphs(text):
@@ -76,7 +81,16 @@ def check_named(name, text):
             errors.append(f"{name}:{line_of(text, match.start())}: names {match.group(0)}, which is not there")
 
 
+def check_scenes(names):
+    page = read("docs/scene-file.md") or ""
+    for name in names:
+        folder, file = os.path.split(name)
+        if folder == "scenes" and file.endswith(".toml") and f"`{file[:-5]}`" not in page:
+            errors.append(f"docs/scene-file.md: the shipped scene {file[:-5]} is not in its table")
+
+
 def check(names):
+    check_scenes(names)
     known = {}
     for name in names:
         text = read(name)

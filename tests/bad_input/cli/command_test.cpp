@@ -189,5 +189,14 @@ TEST_F(BadArguments, shippedScenesAreListedAndFine) {
   EXPECT_EQ(checked.exitCode, 0) << checked.errors;
 }
 
+TEST_F(BadArguments, whatARunCanBeToldCanBeChecked) {
+  EXPECT_NE(run({"check", "wall", "--set", "courses=2", "--set", "bricks=3"}).output.find("7 bricks"),
+            std::string::npos);
+  const Finished wrong = run({"check", "wall", "--set", "wall.bond=brick"});
+  EXPECT_EQ(wrong.exitCode, 2);
+  EXPECT_NE(wrong.errors.find("wall[0].bond"), std::string::npos) << wrong.errors;
+  EXPECT_EQ(run({"check", "wall", "--set", "bricks"}).exitCode, 2);
+}
+
 }  // namespace
 }  // namespace brickfall::test

@@ -1,4 +1,6 @@
 // What a scene file says is what the description holds; mistakes come all at once, in order, each at its place.
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 
@@ -24,6 +26,31 @@ TEST(ParseScene, AFileOfOneWallTakesAllDefaults) {
   EXPECT_EQ(scene.bodies[0].def.shapes[0].type, ShapeType::plane);
   ASSERT_EQ(scene.cameras.size(), 1u);  // made up, looking at the wall
   EXPECT_NEAR(scene.cameras[0].target.x, 1.075, 1e-9);
+}
+
+// Half of the largest angle, over that of the picture's edge, in which a camera sees the corners of a wall of 2.15 x 0.65 m.
+double shareOfPicture(const Camera& camera, const Vec3& left) {
+  const Vec3 ahead = normalized(camera.target - camera.position), right = normalized(cross(ahead, {0, 1, 0}));
+  const Vec3 up = cross(right, ahead);
+  double most = 0;
+  for (int corner = 0; corner < 4; corner++) {
+    const Vec3 at = left + Vec3{corner & 1 ? 2.15 : 0, corner & 2 ? 0.65 : 0, 0} - camera.position;
+    const double edge = (std::sqrt(2.0) - 1) * dot(at, ahead);
+    most = std::max({most, std::fabs(dot(at, right)) / (1.6 * edge), std::fabs(dot(at, up)) / edge});
+  }
+  return most;
+}
+
+TEST(ParseScene, ACameraThatNobodySetFillsThePicture) {
+  const char* const wall = "[[wall]]\ncourses = 10\nbricks = 10\n";
+  const Camera alone = sound(wall).cameras[0];
+  EXPECT_GT(shareOfPicture(alone, {}), 0.6);
+  EXPECT_LT(shareOfPicture(alone, {}), 0.75);
+  // A ball far off makes it no smaller, and is seen from its side.
+  const Camera thrown =
+      sound(wall + std::string("[[ball]]\nposition = [1, 1, -30]\nvelocity = [0, 0, 9]\n")).cameras[0];
+  EXPECT_GT(shareOfPicture(thrown, {}), 0.6);
+  EXPECT_LT(thrown.position.z, -1);
 }
 
 TEST(ParseScene, World) {

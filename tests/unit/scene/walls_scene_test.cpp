@@ -9,7 +9,7 @@ namespace {
 
 std::string twoWalls(const std::string& bond, const std::string& more) {
   const std::string common = "bond = \"" + bond + "\"\ncourses = 4\nhead_joint = 0.01\nbed_joint = 0.01\n" + more;
-  return "[[wall]]\nname = \"long\"\nbricks = 12\n" + common +
+  return "[[wall]]\nname = \"long\"\nbricks = 13\n" + common +
          "[[wall]]\nname = \"stem\"\npath = [[1.3, 0], [1.3, -1.2]]\n" + common + "tied_to = \"long\"\n";
 }
 

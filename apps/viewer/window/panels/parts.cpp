@@ -1,6 +1,7 @@
 #include "viewer_window/panels/parts.h"
 
 #include <fmt/format.h>
+#include <imgui_internal.h>  // TempInputIsActive: which slider is typed into
 
 #include <cmath>
 #include <cstdio>
@@ -52,12 +53,12 @@ bool actionButton(Desk& desk, Action action, const char* label, ImVec2 size) {
 }
 
 bool slider(const char* label, float& value, float least, float most, const char* format, ImGuiSliderFlags flags) {
-  // Typing into it (Ctrl and a click) shows the number itself.
-  const bool typed = ImGui::GetIO().WantTextInput;
-  if (!typed) ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(0, 0, 0, 0));
   const bool named = label[0] != '#';
-  const std::string hidden = "##" + std::string(label);
-  const bool moved = ImGui::SliderFloat(named ? hidden.c_str() : label, &value, least, most, format, flags);
+  const std::string hidden = named ? "##" + std::string(label) : label;
+  // Typing into it (Ctrl and a click) shows the number itself.
+  const bool typed = ImGui::TempInputIsActive(ImGui::GetID(hidden.c_str()));
+  if (!typed) ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(0, 0, 0, 0));
+  const bool moved = ImGui::SliderFloat(hidden.c_str(), &value, least, most, format, flags);
   if (!typed) ImGui::PopStyleColor();
   const ImVec2 from = ImGui::GetItemRectMin(), to = ImGui::GetItemRectMax();
   if (!typed) {
