@@ -52,10 +52,11 @@ struct LevelWay {
   float highest() const { return kFarFromMinimum * startSlope; }
 };
 
-LevelStep::LevelStep(RowForces& forces, const Hierarchy& hierarchy)
+LevelStep::LevelStep(RowForces& forces, const Hierarchy& hierarchy, std::size_t level)
     : forces_(forces),
       island_(forces.island()),
       hierarchy_(hierarchy),
+      number_(level),
       residuals_(island_.memory),
       step_(island_.memory),
       from_(island_.memory) {}
@@ -74,7 +75,7 @@ void LevelStep::keepLocks(Wrenches& wrenches) const {
 }
 
 void LevelStep::apply() {
-  if (!system_) system_.emplace(island_, hierarchy_);
+  if (!system_) system_.emplace(island_, hierarchy_, number_);
   from_.assign(island_.motion.begin(), island_.motion.begin() + std::ptrdiff_t(island_.bodies.size()));
   for (;; valid_ = false) {
     const bool kept = std::exchange(valid_, true);

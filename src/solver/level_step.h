@@ -1,5 +1,7 @@
 // All clusters of a level at once: one Newton step of the island as if each of them were rigid.
 //
+// Where firm ties hold, the level is that of the bodies: what strains the clusters then spreads as far as they reach.
+//
 // Single bodies find the motion of a wall as a whole (it sways, leans, is pushed along) only slowly, each from its
 // neighbours. The step finds it for all of them; bending and parting within the clusters is left to the bodies. As with
 // single bodies, the matrix is kept while its steps end well. A step that is too long is tried again with a new matrix
@@ -16,8 +18,8 @@ namespace brickfall {
 
 class LevelStep {
  public:
-  // Nothing is made before the first step.
-  LevelStep(RowForces& forces, const Hierarchy& hierarchy);
+  // Of the clusters of a level. Nothing is made before the first step.
+  LevelStep(RowForces& forces, const Hierarchy& hierarchy, std::size_t level);
   // Moves the island's bodies, and reads its forces there.
   void apply();
 
@@ -29,6 +31,7 @@ class LevelStep {
   RowForces& forces_;
   Island& island_;
   const Hierarchy& hierarchy_;
+  const std::size_t number_;  // of the level
   std::optional<LevelSystem> system_;
   bool valid_ = false;                  // the matrix
   Wrenches residuals_, step_;           // by cluster

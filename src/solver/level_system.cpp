@@ -77,9 +77,9 @@ struct LevelSystem::Motions {
   }
 };
 
-LevelSystem::LevelSystem(const Island& island, const Hierarchy& hierarchy)
+LevelSystem::LevelSystem(const Island& island, const Hierarchy& hierarchy, std::size_t level)
     : island_(island),
-      fine_(hierarchy.levels[1]),
+      fine_(hierarchy.levels[level]),
       matrix_(island.memory),
       factor_(island.memory),
       above_(island.memory),
@@ -99,7 +99,7 @@ LevelSystem::LevelSystem(const Island& island, const Hierarchy& hierarchy)
   });
   matrix_.shape(std::move(neighbours));
   // The finest level that is cheap enough; the last has one cluster.
-  for (std::size_t l = 2; l < hierarchy.levels.size(); l++)
+  for (std::size_t l = level + 1; l < hierarchy.levels.size(); l++)
     if (chooseCoarse(hierarchy.levels[l], kMostProducts * double(island.rows.size()))) break;
 }
 

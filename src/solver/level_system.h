@@ -18,8 +18,8 @@ namespace brickfall {
 
 class LevelSystem {
  public:
-  // For the first level above the bodies: the island has more than one level.
-  LevelSystem(const Island& island, const Hierarchy& hierarchy);
+  // Of the clusters of a level: there is one above it.
+  LevelSystem(const Island& island, const Hierarchy& hierarchy, std::size_t level);
   const Level& level() const { return fine_; }
   // Makes the matrix at the present motion; near open points count as closed. False if it is not positive definite.
   bool make();

@@ -146,7 +146,9 @@ SolvePlan planFor(const IslandFacts& facts, const SolverSettings& settings, doub
   plan.mostCycles = row.large ? std::max(plan.maxCycles, kMostCycles * settings.maxCycles) : plan.maxCycles;
   plan.rounds = kRounds;
   if (!row.large || !facts.mortared) return plan;
-  // Firm ties spread what all must do together through cycles, not through sweeps: as many sweeps, one in a cycle.
+  // Firm ties spread what all must do together through cycles, not through sweeps: as many sweeps, one in a cycle. They
+  // are linear, so that all bodies at once find what strains them; as rigid clusters they would be too firm for it.
+  plan.together = 0;
   plan.rounds = 1;
   plan.renewAfter = plan.maxCycles;
   plan.maxCycles *= kRounds;

@@ -74,9 +74,10 @@ struct SolvePlan {
   double leastMass = 0;       // kg: contacts are as firm as between bodies of this effective mass
   double tolerance = 0;       // weights: residual under which a body is left alone
   int minCycles = 0, maxCycles = 0;
-  int rounds = 0;      // sweeps over the bodies in a cycle, forwards and backwards in turn
-  int renewAfter = 0;  // cycles: after so many what is frozen in the solve is set anew; 0: only where they end
-  int mostCycles = 0;  // while many of its bodies are out of balance
+  std::size_t together = 1;  // level of the hierarchy whose clusters are moved at once; 0: the bodies themselves
+  int rounds = 0;            // sweeps over the bodies in a cycle, forwards and backwards in turn
+  int renewAfter = 0;        // cycles: after so many what is frozen in the solve is set anew; 0: only where they end
+  int mostCycles = 0;        // while many of its bodies are out of balance
 };
 
 IslandFacts findFacts(const Island& island, const StepContext& context);

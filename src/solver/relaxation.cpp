@@ -43,7 +43,7 @@ class Relaxation {
         statistics_(statistics),
         forces_(island, statistics),
         acceleration_(island),
-        together_(forces_, island.hierarchy),
+        together_(forces_, island.hierarchy, island.plan.together),
         block_(forces_),
         allowed_(island.bodies.size(), 0, island.memory),
         hold_(island.memory),
@@ -194,7 +194,7 @@ class Relaxation {
     return moved || sides > 0 || block_.any();
   }
 
-  // Whether a cluster is out of balance, of the level that is moved at once.
+  // Whether a cluster is out of balance. (What a single body may be left with can be more than the weight of all.)
   bool clustersOut() const {
     const Level& level = island_.hierarchy.levels[1];
     return std::any_of(level.clusters.begin(), level.clusters.end(), [&](const Cluster& cluster) {

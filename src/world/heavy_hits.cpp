@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "geometry/core.h"
 #include "solver/step_context.h"
@@ -39,9 +40,9 @@ class HitSearch {
       proximity_.broadPhase->query(reach, [&](std::uint32_t other) {
         const ShapeData& o = shapes_.data[other];
         if (!overlaps(reach, proximity_.around[other].swept)) return true;  // kept bounds are the tree's history
-        if (o.body == body || !isFarHeavier(body, o.body) || !shapes_.mayTouch(shape, other)) return true;
+        if (o.body == body || !isHeavyFor(body, o.body) || !shapes_.mayTouch(shape, other)) return true;
         if (!ties_.mayCollide(body, o.body)) return true;
-        const double gone = thicknessesWithin(body, o);
+        const double gone = thicknessesWithin(body, o) * (isHeld(o.body) ? 1 / kHitWay : 1);
         if (gone > 0) mass += bodies_.mass[o.body].mass / double(bodies_.shapes[o.body].size());
         most = std::max(most, gone);
         return true;
@@ -55,9 +56,21 @@ class HitSearch {
   double thicknesses() const { return thicknesses_; }
 
  private:
-  bool isFarHeavier(BodyIndex body, BodyIndex other) const {
+  // What mortar holds is pushed out of its neighbours, which stop what comes after it: twice the mass is enough there.
+  bool isHeavyFor(BodyIndex body, BodyIndex other) {
     if (bodies_.data[other].type != BodyType::dynamic) return false;
-    return bodies_.isDriven(body) || bodies_.mass[body].mass >= kHeavier * bodies_.mass[other].mass;
+    const double times = isHeld(other) ? 2 : kHeavier;
+    return bodies_.isDriven(body) || bodies_.mass[body].mass >= times * bodies_.mass[other].mass;
+  }
+  // By mortar, which is looked up where anything is hit.
+  bool isHeld(BodyIndex body) {
+    if (!ties_.mortar.any()) return false;
+    if (held_.empty()) {
+      held_.assign(bodies_.motion.size(), false);
+      ties_.mortar.eachAwake([&](const Link& link) { held_[link.bodyA] = held_[link.bodyB] = true; });
+      ties_.mortar.eachAsleep([&](const Link& link) { held_[link.bodyA] = held_[link.bodyB] = true; });
+    }
+    return held_[body];
   }
 
   // Whether a body may meet another that it moves by `way` against, judged by the bounding spheres of both. Bodies that
@@ -86,6 +99,7 @@ class HitSearch {
   const Proximity& proximity_;
   const Ties& ties_;
   const double dt_;
+  std::vector<bool> held_;  // by body; empty: not looked up yet
   double thicknesses_ = 0;  // gone within the step, the most of all struck bodies
 };
 

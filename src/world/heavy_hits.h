@@ -8,8 +8,8 @@
 namespace brickfall {
 
 // The number of parts, 1 .. `most`, for a step of `dt` s. In each part a body far heavier than one on its way goes at
-// most half through it. Contacts are found where a part begins: bodies that a struck body meets on its way out must
-// begin another.
+// most half through it. (Of what mortar holds: twice as heavy, a fourth.) Contacts are found where a part begins:
+// bodies that a struck body meets on its way out must begin another.
 int partsForHits(const Registry& registry, const Activity& activity, const Proximity& proximity, const Ties& ties,
                  double dt, int most);
 

@@ -235,17 +235,19 @@ TEST(Law, Row31lAStandingForceIsNoBlow) {
 // Balls into a wall break about as many joints at any step. One that comes a millimetre beside breaks other ones: the mean
 // over several counts.
 TEST(Law, Row31hAHitBreaksAsMuchAtAnyStep) {
-  double least = 1e9, most = 0;
-  for (double dt : {1.0 / 60, 1.0 / 120, 1.0 / 240}) {
-    const double mean = meanBroken(14, 9, 5, dt, 4);
-    least = std::min(least, mean);
-    most = std::max(most, mean);
+  for (auto [speed, balls] : {std::pair{5.0, 4}, {10.0, 8}}) {
+    double least = 1e9, most = 0;
+    for (double dt : {1.0 / 60, 1.0 / 120, 1.0 / 240}) {
+      const double mean = meanBroken(14, 9, speed, dt, balls);
+      least = std::min(least, mean);
+      most = std::max(most, mean);
+    }
+    EXPECT_GE(least, 8);
+    atMost(label("most joints broken at a step over the least, %.0f m/s", speed), 0, most / least, 1.3, "");
   }
-  EXPECT_GE(least, 8);
-  atMost("most joints broken at a step over the least", 0, most / least, 1.3, "");
 }
 
-// Hits below the strength of a mortared wall cost less than those on the dry wall.
+// Hits below the strength of a mortared wall cost less than half of those on the dry wall.
 TEST(Law, Row31tAHitBelowTheStrengthOfMortarCostsLess) {
   double visits[2] = {};
   for (int k = 0; k < 10; k++) {
@@ -266,7 +268,7 @@ TEST(Law, Row31tAHitBelowTheStrengthOfMortarCostsLess) {
     }
     EXPECT_EQ(g.broken, 0);
   }
-  atMost("visits of a hit on a mortared wall, of those of the dry one", kDt, visits[1] / visits[0], 1, "");
+  atMost("visits of a hit on a mortared wall, of those of the dry one", kDt, visits[1] / visits[0], 0.5, "");
 }
 
 // A light brick under pressure over ft bears N t / 2: its joint cracks at once, and bears the more the further it opens.
@@ -350,6 +352,23 @@ TEST(Law, Row31sABlowThatCrushesTakesTheEnergyOnce) {
       reached({label("energy that a blow at %.0f m/s crushes", speed), dt,
                s.crushingWork / (g.strength.crushingEnergy * kBed), 1, 0.01, "of A G"});
     }
+}
+
+// Two glued bricks that tumble through space are torn apart by their spins: the break keeps both momenta.
+TEST(Law, Row31uABreakKeepsMomenta) {
+  for (double dt : {1.0 / 60, 1.0 / 240}) {
+    Glued g({}, emptySpace());
+    g.brick({0, 0, 0});
+    g.brick({0, kBrickSize.y, 0});
+    g.glue();
+    ASSERT_TRUE(g.world.setAngularVelocity(g.bodies[1], {20, 3, 5}).ok());
+    ASSERT_TRUE(g.world.setLinearVelocity(g.bodies[1], {0.3, 1, 0}).ok());
+    const Vec3 linear = g.world.linearMomentum(), angular = g.world.angularMomentum();
+    for (int i = 0; i < int(std::lround(0.3 / dt)); i++) g.step(dt);
+    EXPECT_EQ(g.broken, 1);
+    atMost("change of momentum", dt, length(g.world.linearMomentum() - linear) / length(linear), 1e-12, "");
+    atMost("change of angular momentum", dt, length(g.world.angularMomentum() - angular) / length(angular), 1e-12, "");
+  }
 }
 
 // Energy never rises, and the ledger has what broke.

@@ -13,6 +13,7 @@ namespace {
 // A motion of a whole group: ways in the place of velocities.
 struct Missing {
   Vec3 centre, move, turn;
+  Vec3 aside;  // m: of the centre of mass from where its momentum leads
   Vec3 at(Vec3 place) const { return move + cross(turn, place - centre); }
 };
 
@@ -40,7 +41,8 @@ Missing missingOf(const Island& island, std::span<const std::uint32_t> group, co
   }
   if (!turns) return {missing.centre(), missing.velocity(), missing.spin()};
   return {solved.centre(), free.velocity() - solved.velocity(),
-          inverse(solved.inertia()) * (free.angularMomentum() - solved.angularMomentum())};
+          inverse(solved.inertia()) * (free.angularMomentum() - solved.angularMomentum()),
+          solved.centre() - (free.centre() + free.velocity())};
 }
 
 // m: half of the way that outside forces add to the way of the group.
@@ -91,8 +93,12 @@ void finishFlights(const Island& island, StepContext& context) {
         const BodyIndex body = island.bodies[i];
         const Vec3 at = context.bodies->motion[body].position;
         const Vec3 way = missing.at(island.rigid.turns() ? at + context.solved[body].d : at);
-        // Ways along arcs are what they should be: by more they would change momenta.
-        if (!island.rigid.turns()) shift(body, way, missing.turn, context);
+        // Ways along arcs are what they should be, but for the floats in which the solve found them: a centre of mass
+        // that these put aside would change the angular momentum.
+        if (island.rigid.turns())
+          shift(body, -missing.aside, {}, context);
+        else
+          shift(body, way, missing.turn, context);
         accelerate(body, way * (1 / island.dt), context.bodies->worldInertia(body) * missing.turn * (1 / island.dt),
                    context);
       }

@@ -75,7 +75,7 @@ TEST(LevelSystem, ItsSolutionIsThatOfTheForces) {
   for (auto [columns, courses] : {std::pair{6, 6}, std::pair{30, 4}, std::pair{4, 20}}) {
     Wall wall(columns, courses);
     wall.push(1);
-    LevelSystem system(wall.island(), wall.island().hierarchy);
+    LevelSystem system(wall.island(), wall.island().hierarchy, 1);
     ASSERT_TRUE(system.make());
     Wrenches before = wall.residuals(), step;
     ASSERT_GT(lengthOf(before), 2);
@@ -102,7 +102,7 @@ TEST(LevelSystem, LongWallsTakeNoMoreThanShortOnes) {
   for (int columns : {12, 96}) {
     Wall wall(columns, 4);
     wall.push(1);
-    LevelSystem system(wall.island(), wall.island().hierarchy);
+    LevelSystem system(wall.island(), wall.island().hierarchy, 1);
     ASSERT_TRUE(system.make());
     Wrenches before = wall.residuals(), step;
     system.solve(before, step);
@@ -117,7 +117,7 @@ TEST(LevelStep, EndsNearItsMinimumAndLeavesForcesReadThere) {
   Wall wall(12, 6);
   wall.push(1);
   Wrenches before = wall.residuals();
-  LevelStep step(*wall.forces, wall.island().hierarchy);
+  LevelStep step(*wall.forces, wall.island().hierarchy, 1);
   step.apply();
   Wrenches left = wall.residuals();
   EXPECT_LT(lengthOf(left), 0.4 * lengthOf(before));
@@ -138,7 +138,7 @@ TEST(LevelStep, GoesDownWhereJointsOpenAndSlide) {
     Wall wall(12, 6);
     wall.push(force);
     double before = lengthOf(wall.residuals());
-    LevelStep step(*wall.forces, wall.island().hierarchy);
+    LevelStep step(*wall.forces, wall.island().hierarchy, 1);
     for (int k = 0; k < 10; k++) step.apply();
     double after = lengthOf(wall.residuals());
     EXPECT_LT(after, before) << force;
@@ -149,7 +149,7 @@ TEST(LevelStep, GoesDownWhereJointsOpenAndSlide) {
 TEST(LevelStep, InBalanceNothingMoves) {
   Wall wall(12, 6);
   for (Wrench& r : wall.island().residual) r = {};
-  LevelStep step(*wall.forces, wall.island().hierarchy);
+  LevelStep step(*wall.forces, wall.island().hierarchy, 1);
   step.apply();
   for (const SolveMotion& m : wall.island().motion) {
     EXPECT_EQ(length(m.d), 0);

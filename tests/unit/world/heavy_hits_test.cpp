@@ -60,6 +60,27 @@ TEST(HeavyHits, AreOfWhatIsTenTimesAsHeavyAndGetsThere) {
   EXPECT_EQ(stepOf({.struck = BodyType::fixed}).parts, 1) << "nothing goes through what is fixed";
 }
 
+// It is pushed out of its neighbours, which the ball meets after a few millimetres.
+TEST(HeavyHits, AreOfTwiceTheMassWhereMortarHolds) {
+  auto partsOf = [](double density, bool mortared) {
+    WorldDef def;
+    def.gravity = {};
+    World world = makeWorld(def);
+    MortarDef mortar;
+    mortar.bodyA = add(world, bodyOf(boxOf(kBrick, 1900), {}));
+    mortar.bodyB = add(world, bodyOf(boxOf(kBrick, 1900), {0, 2 * kBrick.y, 0}, BodyType::fixed));
+    mortar.outline = *world.sharedFace(mortar.bodyA, mortar.bodyB);
+    if (mortared) (void)world.createMortar(mortar).value();
+    BodyDef ball = bodyOf(sphereOf(kBall, density), {0, 0, -(kBrick.z + 0.02 + kBall)});
+    ball.linearVelocity = {0, 0, 5};
+    add(world, ball);
+    return world.step(kDt)->parts;
+  };
+  EXPECT_EQ(partsOf(500, true), 4) << "7.1 kg, 2.6 bricks: 0.083 m, 0.026 m a part";
+  EXPECT_EQ(partsOf(500, false), 1);
+  EXPECT_EQ(partsOf(300, true), 1) << "4.2 kg, 1.6 bricks";
+}
+
 // Rubble beside its way and behind it would else have the whole world stepped in parts for seconds.
 TEST(HeavyHits, AreNotOfWhatItPassesOrLeavesBehind) {
   const Hit past{.across = 15, .ahead = -0.25, .sideways = -0.45};
