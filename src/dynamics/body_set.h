@@ -7,6 +7,7 @@
 // may then depend.
 #pragma once
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -68,7 +69,9 @@ struct BodyData {
   Vec3 force, torque;                            // N, N m: for the next step
   Vec3 lastLinearVelocity, lastAngularVelocity;  // at the start of the last step, for accelerations
   Vec3 linearAcceleration, angularAcceleration;
-  double lastKineticEnergy = 0;  // J, at the start of the last step (kinetic damping)
+  // J, its kinetic energy where that of its island last turned: above 0 the greatest since, while it grows; below 0 less
+  // the least, while it falls. Infinite: not watched yet (kinetic damping).
+  double turnEnergy = -std::numeric_limits<double>::infinity();
   SteadyChange steady;
   double impactLoss = 0;  // J: its part of what impacts that go on have taken so far; what rebounds may give back
   std::uint64_t userData = 0;

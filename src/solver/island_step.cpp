@@ -22,7 +22,6 @@ void prepareIsland(Island& island, Ties& ties, BodySet& bodies, StepContext& con
   const bool last = island.part == IslandPart::last;
   giveBlows(island, last, ties, bodies, context);
   island.facts = findFacts(island, context);
-  if (last) keepEnergies(island, bodies);
   island.plan = planFor(island.facts, context.settings, island.dt);
   if (last) dampSlowIsland(island, context, bodies);
   predictFreeMotions(context, bodies, island.bodies, island.dt, island.part != IslandPart::flight,

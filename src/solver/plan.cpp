@@ -95,7 +95,6 @@ IslandFacts findFacts(const Island& island, const StepContext& context) {
     const BodyMotion& m = bodies.motion[body];
     facts.locked = facts.locked || bodies.mass[body].locks != 0;
     facts.grounded = facts.grounded || holdsItself(body, context);
-    facts.energyBefore += bodies.data[body].lastKineticEnergy;
     facts.energy += bodies.kineticEnergy(body);
     facts.heaviest = std::max(facts.heaviest, bodies.mass[body].mass);
     const double unit = facts.scale.ofBody(bodies.mass[body].innerRadius).speed;
@@ -113,23 +112,15 @@ IslandFacts findFacts(const Island& island, const StepContext& context) {
   return facts;
 }
 
-void keepEnergies(const Island& island, BodySet& bodies) {
-  for (BodyIndex body : island.bodies) bodies.data[body].lastKineticEnergy = bodies.kineticEnergy(body);
-}
-
 SolvePlan planFor(const IslandFacts& facts, const SolverSettings& settings, double dt) {
   const PlanRow& row = rowOf(facts);
   bool supported = facts.grounded && !facts.partnersMove;
   bool calm =
       supported && facts.fastest <= settings.restSpeed + kCalmShare * facts.scale.gravity * dt / facts.scale.speed;
   SolvePlan plan;
-  // What swings on joints is in balance wherever it swings through its middle; what is alone may roll up a slope.
-  const double still = stillSpeed(settings);
   plan.alone = facts.bodies == 1;
-  plan.slow = supported && facts.fastest <= (facts.jointed ? still : settings.restSpeed);
-  plan.mayBeStopped = supported && facts.fastest <= (row.large                     ? kMovingSpeed
-                                                     : facts.jointed || plan.alone ? still
-                                                                                   : settings.restSpeed);
+  plan.slow = supported && facts.fastest <= settings.restSpeed;
+  plan.mayBeStopped = supported && facts.fastest <= (row.large ? kMovingSpeed : settings.restSpeed);
   plan.arcs = facts.jointed && !facts.locked && !row.large && facts.joints + 1 >= facts.bodies;
   plan.swings = plan.arcs && facts.joints == facts.ties && !facts.partnersMove;
   plan.exactSteps = row.exactSteps;

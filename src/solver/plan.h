@@ -37,7 +37,6 @@ struct IslandFacts {
   double fastestCentre = 0;  // m/s at the reference's scale, largest |v|
   double heaviest = 0;       // kg
   double energy = 0;         // J, kinetic
-  double energyBefore = 0;   // J, at the start of the last step
 
   // Hardly more ties than bodies, nearly all of them joints: a direct solve costs as much for each body as in a small
   // island.
@@ -63,7 +62,7 @@ struct SolvePlan {
   bool swings = false;        // ... and nothing else holds its bodies: their velocities are those of the step's end
   bool alone = false;         // one body
   bool slow = false;          // grounded, partners still, no body faster than restSpeed: it may be put to rest
-  bool mayBeStopped = false;  // supported, and so slow that what it loses is a vibration's
+  bool mayBeStopped = false;  // supported, and so slow that its motion is a vibration's
   bool exactSteps = false;    // see PlanRow
   bool direct = false;        // see PlanRow
   bool large = false;         // see PlanRow
@@ -81,8 +80,6 @@ struct SolvePlan {
 };
 
 IslandFacts findFacts(const Island& island, const StepContext& context);
-// Keeps each body's kinetic energy for the facts of the next step.
-void keepEnergies(const Island& island, BodySet& bodies);
 SolvePlan planFor(const IslandFacts& facts, const SolverSettings& settings, double dt);
 
 // The island stays where it is in this step.

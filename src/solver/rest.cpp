@@ -1,6 +1,7 @@
 #include "solver/rest.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "solver/imbalance.h"
 #include "solver/joint/swings.h"
@@ -12,28 +13,31 @@ namespace brickfall {
 
 namespace {
 
-//! - | too small: swings are stopped at their turning points | too large: what hangs swings for ever
-constexpr double kRisen = 2;  // of the energy that gravity took: an island that lost no more swings
-
-// J, that gravity took in the last step.
-double risenBy(const Island& island, const StepContext& context, const BodySet& bodies) {
-  double sum = 0;
+// Keeps the energies for the next steps to compare with.
+void watchEnergy(const Island& island, bool grows, BodySet& bodies) {
   for (BodyIndex body : island.bodies)
-    sum -= dot(context.gravity,
-               bodies.motion[body].linearVelocity - bodies.data[body].linearAcceleration * (0.5 * island.dt)) *
-           (bodies.mass[body].mass * bodies.data[body].gravityScale * island.dt);
-  return sum;
+    bodies.data[body].turnEnergy = std::copysign(bodies.kineticEnergy(body), grows ? 1.0 : -1.0);
+}
+
+// True in the step in which the kinetic energy has passed a maximum, by more than a trifle. The waves of a large island
+// die away without one: each step that takes so much of them counts.
+bool passesMaximum(const Island& island, BodySet& bodies) {
+  double sum = 0;
+  for (BodyIndex body : island.bodies) sum += bodies.data[body].turnEnergy;
+  const double energy = island.facts.energy, turn = std::fabs(sum);
+  const bool large = island.plan.large, grew = large || sum > 0;
+  const bool turns = grew ? energy < (1 - kTrifle) * turn : energy > (1 + kTrifle) * turn, grows = grew != turns;
+  if (turns || large || grows == (energy > turn)) watchEnergy(island, grows, bodies);
+  return turns && !grows && std::isfinite(turn);
 }
 
 }  // namespace
 
 void dampSlowIsland(Island& island, const StepContext& context, BodySet& bodies) {
-  if (island.plan.swings) fadeSwing(island, context, bodies);
-  const double lost = island.facts.energyBefore - island.facts.energy;
-  // It has swung through its middle. A ball that rolls on a wall costs the wall less.
-  if (!island.plan.mayBeStopped || !(lost > kTrifle * island.facts.energyBefore)) return;
-  // On joints bodies swing, and gravity takes what the island has lost.
-  if (island.facts.jointed && lost < kRisen * risenBy(island, context, bodies)) return;
+  const bool passed = passesMaximum(island, bodies);
+  // Stopped at maxima, what swings on joints alone does not come to rest at short steps (law 30v).
+  if (island.plan.swings) return fadeSwing(island, context, bodies);
+  if (!passed || !island.plan.mayBeStopped || isDriven(island, context)) return;
   // A body that nothing presses on has no part in a vibration: it falls.
   std::pmr::vector<char> touched(island.memory);
   findTouched(island, touched, [&](const auto& kind, std::size_t k) { return kind.ties(k, context); });
@@ -44,8 +48,8 @@ void dampSlowIsland(Island& island, const StepContext& context, BodySet& bodies)
     BodyIndex body = island.bodies[i];
     bodies.motion[body].linearVelocity = bodies.freeWay(body, left);
     bodies.motion[body].angularVelocity = {};
-    bodies.data[body].lastKineticEnergy = bodies.kineticEnergy(body);
   }
+  watchEnergy(island, false, bodies);
 }
 
 namespace {
@@ -72,12 +76,11 @@ bool balancedByLoad(const Island& island, const StepContext& context) {
 }
 
 // Where a swing turns back, the last of its velocity and gravity balance for a step: that is no rest.
-bool turnsBack(const Island& island, const StepContext& context) {
-  if (!island.facts.jointed) return false;
-  const double least = context.settings.restTolerance * island.facts.scale.gravity * island.dt;
-  return std::any_of(island.bodies.begin(), island.bodies.end(), [&](BodyIndex body) {
+bool standsStill(const Island& island, const StepContext& context) {
+  const double most = context.settings.restTolerance * island.facts.scale.gravity * island.dt;
+  return std::all_of(island.bodies.begin(), island.bodies.end(), [&](BodyIndex body) {
     const BodyMotion& m = context.bodies->motion[body];
-    return !(length(m.linearVelocity) + length(m.angularVelocity) * context.bodies->mass[body].outerRadius <= least);
+    return length(m.linearVelocity) + length(m.angularVelocity) * context.bodies->mass[body].outerRadius <= most;
   });
 }
 
@@ -86,10 +89,11 @@ bool turnsBack(const Island& island, const StepContext& context) {
 void restCheck(Island& island, StepContext& context) {
   island.ending = IslandEnding::unsolved;
   for (std::size_t i = 0; i < island.bodies.size(); i++) island.motion[i] = {};
-  if (!island.plan.slow || turnsBack(island, context)) return;
+  const bool still = island.plan.slow && standsStill(island, context);
+  if (!still && !(island.plan.slow && island.plan.large)) return;
   lightPass(island, false, context.statistics.lightVisits);
-  bool balanced = worstResidual(island, *context.bodies) < context.settings.restTolerance ||
-                  (island.plan.large && balancedByLoad(island, context));
+  const bool balanced = (still && worstResidual(island, *context.bodies) < context.settings.restTolerance) ||
+                        (island.plan.large && balancedByLoad(island, context));
   if (!balanced || (island.facts.energy > 0 && slides(island, context))) return;
   island.ending = IslandEnding::rested;
   context.statistics.restingIslands++;

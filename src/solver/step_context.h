@@ -46,7 +46,7 @@ constexpr double kLargestTurn = 0.5;  // rad per step of a body in contact: arms
 constexpr double kLeftOver = 0.05;  // of max(weight, load), of what resists rolling, of an island's bodies, of the rest
                                     // speed: a solve may leave so much
 
-// m/s: of each body of a large island that rests by load, and of a body alone.
+// m/s: of each body of a large island that rests by load.
 inline double stillSpeed(const SolverSettings& settings) { return kLeftOver * settings.restSpeed; }
 
 //! - | too small: heavily loaded bodies are solved too finely: cost | too large: heavily loaded bodies hang

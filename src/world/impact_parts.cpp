@@ -15,10 +15,6 @@ namespace {
 //! | too large: cost, impacts that are not solved well
 constexpr std::size_t kMostBodies = 5;
 
-//! inner radii | too small: sound impacts are looked for in ever shorter parts
-//! | too large: what spins ends in what it hits, and stays in it
-constexpr double kDeeper = 0.1;  // deeper than that at an impact, a body has turned into what it meets
-
 // Contacts of these shapes are true from afar: a shape that moves without a turn cannot pass the other one unseen.
 bool isFoundExactly(ShapeType a, ShapeType b) {
   if (a == ShapeType::plane || b == ShapeType::plane) return true;
@@ -87,7 +83,7 @@ bool ImpactParts::endsDeeper(const Island& island, double had) const {
     if (deeper) return;
     const Transform bInA = inverse(registry_.shapes.worldPose(c.shapeA, registry_.bodies)) *
                            registry_.shapes.worldPose(c.shapeB, registry_.bodies);
-    deeper = penetrationDepth(a.geometry, b.geometry, bInA) > had + kDeeper * std::min(a.innerRadius, b.innerRadius);
+    deeper = penetrationDepth(a.geometry, b.geometry, bInA) > had + kCoreShare * std::min(a.innerRadius, b.innerRadius);
   });
   return deeper;
 }

@@ -13,8 +13,8 @@ namespace {
 // half of that what sprang has swung, and what has lost its support has hardly moved.
 //! s of a brick | too small: an opening that slows down for a step counts as two | too large: a second hit is the first
 constexpr double kPause = 0.1;  // without damage, after which a joint opens anew
-//! s of a brick | too small: swings of what sprang are told | too large: who falls later counts as taking the load
-constexpr double kWatch = 0.05;  // after a break: the mean of what ties bear is taken over it, over one step at least
+//! not of the method: follows from kPause
+constexpr double kWatch = kPause / 2;  // after a break: what ties bear is a mean over it, over one step at least
 
 // x the method's times: of the smaller one of the joint's bodies that move.
 double timeScale(const Mortar& m, const StepContext& context) {

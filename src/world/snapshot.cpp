@@ -18,7 +18,7 @@ namespace {
 
 //! not of the method: the file's
 constexpr std::uint64_t kMagic = 0x30504e5346424b42ull;
-constexpr std::uint32_t kLayout = 26;
+constexpr std::uint32_t kLayout = 27;
 
 struct Header {
   std::uint64_t magic = kMagic;
@@ -125,8 +125,8 @@ class SnapshotArchive {
     a.choice(d.activity, BodyActivity::fixed);
     for (auto* flag : {&d.quarantined, &d.enabled, &d.allowSleep, &d.steady.sticks, &d.steady.swings}) a.flag(*flag);
     a.choice(d.locks, kAllLocks);
-    for (auto* number : {&d.gravityScale, &d.linearDamping, &d.angularDamping, &d.dragArea, &d.lastKineticEnergy,
-                         &d.steady.dt, &d.impactLoss})
+    for (auto* number : {&d.gravityScale, &d.linearDamping, &d.angularDamping, &d.dragArea, &d.turnEnergy, &d.steady.dt,
+                         &d.impactLoss})
       a.value(*number);
     for (auto* vector : {&d.force, &d.torque, &d.lastLinearVelocity, &d.lastAngularVelocity, &d.linearAcceleration,
                          &d.angularAcceleration, &d.surfaceVelocity, &d.steady.linear, &d.steady.angular})

@@ -31,7 +31,7 @@ void checkBody(Checks& check, const BodyData& d, const BodyMotion& m) {
       "a body moves too fast");
   check.condition(isFinite(d.force) && isFinite(d.torque) && isFinite(d.lastLinearVelocity) &&
                       isFinite(d.lastAngularVelocity) && isFinite(d.linearAcceleration) &&
-                      isFinite(d.angularAcceleration) && d.lastKineticEnergy >= 0,
+                      isFinite(d.angularAcceleration) && !std::isnan(d.turnEnergy),
                   "a body's forces or accelerations are not finite");
   check.condition(inRange(d.steady.linear, kFarthest) && inRange(d.steady.angular, kFarthest) && d.steady.dt >= 0 &&
                       d.steady.dt <= 1 && d.impactLoss >= 0 && std::isfinite(d.impactLoss),

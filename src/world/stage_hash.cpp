@@ -38,7 +38,7 @@ void hashGiven(const Registry& registry, const IslandSet& islands, const Ties& t
     const BodyData& d = bodies.data[body];
     mix(h, bodies.motion[body]);
     h(int(d.type), int(d.activity), d.quarantined, d.gravityScale, d.linearDamping, d.angularDamping, d.dragArea,
-      d.force, d.torque, d.lastKineticEnergy, bodies.still[body]);
+      d.force, d.torque, d.turnEnergy, bodies.still[body]);
   });
   ties.eachAwake(out.links(ties));
   ties.eachAsleep(out.links(ties));

@@ -105,7 +105,7 @@ struct Obstacles {
   void stopAll();
   void takeBack(BodyIndex body);
   void stop(BodyIndex body);
-  bool hold(BodyIndex body, bool everything, double thickness);
+  void hold(BodyIndex body, bool everything, double thickness);
   void joinMotions(BodyIndex one, BodyIndex other);
   void obstruct(ShapeIndex shape, bool everything, double thickness, Obstruction& first) const;
   const Island* islandWith(BodyIndex body) const;
@@ -174,24 +174,19 @@ void Obstacles::stop(BodyIndex body) {
   double thickness = bodies.mass[body].innerRadius * (turn < kLargestTurn && s.went == 1 ? 1 : 0.5);
   // What it was left behind by its turn, and kinematic bodies, may run over it, however slow it is itself.
   bool everything = s.went < 1 || turnsFar(bodies, body, s.th);
-  if (!(everything || !activity.moving.empty() || exceeds(s.d, thickness))) return;
-  for (int look = 0; look < kMostLooks && hold(body, everything, thickness); look++) {
-  }
+  if (everything || !activity.moving.empty() || exceeds(s.d, thickness)) hold(body, everything, thickness);
 }
 
-// True if the body has to look again: on a free turn it ends elsewhere than where it was looked for.
-bool Obstacles::hold(BodyIndex body, bool everything, double thickness) {
+void Obstacles::hold(BodyIndex body, bool everything, double thickness) {
   Obstruction first;
   for (ShapeIndex shape : bodies.shapes[body]) obstruct(shape, everything, thickness, first);
-  if (first.share == 1) return false;
+  if (first.share == 1) return;
   changed = true;
-  const bool elsewhere = context.solved[body].freeTurn && first.turnShare < 1;
   if (bodies.data[first.body].type != BodyType::dynamic)
     cut(body, shareLeft(body, first.share), shareLeft(body, first.turnShare), first.carried);
   else
     meet(body, first);
   if (first.held && bodies.data[first.body].type == BodyType::dynamic) joinMotions(body, first.body);
-  return elsewhere;
 }
 
 // Contacts have not parted two bodies where they were stopped before. Their velocities would lead nowhere, step for

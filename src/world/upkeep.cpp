@@ -1,6 +1,7 @@
 #include "world/upkeep.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "solver/rigid_sum.h"
 #include "world/mortar_succession.h"
@@ -225,6 +226,7 @@ void Upkeep::disturb(BodyIndex body) {
     activity_.unsettlePartnersOf(body);
     return;
   }
+  bodies.data[body].turnEnergy = -std::numeric_limits<double>::infinity();
   wakeIslandOf(body);
   activity_.unsettleIslandOf(body);
 }

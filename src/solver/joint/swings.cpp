@@ -188,6 +188,8 @@ class Swings : VelocitySystem {
 
 void finishSwings(Island& island, Ties& ties, StepContext& context) { Swings(island, context).run(ties); }
 
+bool isDriven(const Island& island, const StepContext& context) { return island.rows.joints.driven(*context.ties); }
+
 void fadeSwing(Island& island, const StepContext& context, BodySet& bodies) {
   const double part = std::min(1.0, island.dt / island.facts.scale.time);
   island.fastestLately *= 1 - part / kFadingTime;
@@ -199,7 +201,7 @@ void fadeSwing(Island& island, const StepContext& context, BodySet& bodies) {
     if (!(speed <= island.fastestLately * unit)) island.fastestLately = unit > 0 ? std::min(1.0, speed / unit) : 1;
   }
   if (!island.facts.grounded || !(island.fastestLately <= kFades)) return;
-  if (island.rows.joints.driven(*context.ties)) return;
+  if (isDriven(island, context)) return;
   for (BodyIndex body : island.bodies) {
     bodies.motion[body].linearVelocity *= 1 - part;
     bodies.motion[body].angularVelocity *= 1 - part;

@@ -14,6 +14,9 @@ namespace brickfall {
 // For islands whose plan says so (SolvePlan::swings), after the motion is stored.
 void finishSwings(Island& island, Ties& ties, StepContext& context);
 
+// Motors turn its joints: its motion is no vibration.
+bool isDriven(const Island& island, const StepContext& context);
+
 // Swings that have been very slow lately fade, before a step: hinges rub a little. Motors turn against that.
 void fadeSwing(Island& island, const StepContext& context, BodySet& bodies);
 

@@ -114,21 +114,14 @@ TEST(Plan, CalmIsATenthOfGravitysStepBeyondSlow) {
 TEST(Plan, SupportedIslandsMayBeStoppedWhereWhatTheyLoseIsAVibrations) {
   struct Case {
     std::size_t bodies;
-    bool jointed;
     double most;
   };
-  for (const Case& c : {Case{1, false, 0.0005},
-                        {2, true, 0.0005},
-                        {2, false, 0.01},
-                        {80, false, 0.01},
-                        {81, false, 0.03},
-                        {1000, false, 0.03}}) {
+  for (const Case& c : {Case{1, 0.01}, {2, 0.01}, {80, 0.01}, {81, 0.03}, {1000, 0.03}}) {
     SCOPED_TRACE(c.bodies);
     IslandFacts facts = factsOf(c.bodies, true, c.most);
-    facts.jointed = c.jointed;
     EXPECT_TRUE(planOf(facts).mayBeStopped);
     facts.fastest = 1.01 * c.most;
-    EXPECT_FALSE(planOf(facts).mayBeStopped) << "it may roll up a slope, swing or fall";
+    EXPECT_FALSE(planOf(facts).mayBeStopped);
     facts.fastest = 0;
     facts.grounded = false;
     EXPECT_FALSE(planOf(facts).mayBeStopped) << "nothing holds it";
@@ -218,11 +211,8 @@ TEST(Plan, FactsAreThoseOfTheBodies) {
   EXPECT_DOUBLE_EQ(facts.fastestCentre, 0.5);
   EXPECT_DOUBLE_EQ(facts.fastest, 0.1 + 20 * length(kBrick)) << "spin counts at the outer radius";
   EXPECT_NEAR(facts.energy, 0.5 * test::kBrickMass * (0.25 + 0.01) + 0.5 * inertia * 400, 1e-12);
-  EXPECT_EQ(facts.energyBefore, 0);
-  keepEnergies(lab.island(), lab.bodies);
   for (BodyIndex body : pile) lab.at(body).angularVelocity = {};
   IslandFacts next = findFacts(lab.island(), lab.context);
-  EXPECT_DOUBLE_EQ(next.energyBefore, facts.energy);
   EXPECT_DOUBLE_EQ(next.fastest, 0.5);
   TestIsland space;
   BodyIndex first = space.brick({}), second = space.brick({0, 2 * kBrick.y, 0});

@@ -48,7 +48,6 @@ TEST(Rest, NotWhileAnythingIsFasterThanTheRestSpeed) {
   EXPECT_EQ(lab.island().ending, IslandEnding::unsolved);
 }
 
-// A body alone only when it is slower: what rolls up a slope loses energy, too.
 TEST(Rest, KineticDampingStopsAtAMaximumOfTheEnergyAndNowhereElse) {
   for (int bodies : {1, 2}) {
     TestIsland lab;
@@ -58,26 +57,24 @@ TEST(Rest, KineticDampingStopsAtAMaximumOfTheEnergyAndNowhereElse) {
     for (ContactIndex k : lab.island().rows.contacts.contactOf) lab.load(k, above-- * kBrickWeight, 1e4 * lab.unit(k));
     const double speeds[] = {1e-3, 2e-3, 2e-3, 5e-3, 9e-3, 8.99e-3, 8.8e-3, 8e-3};  // m/s
     for (double v : speeds) {
-      const double most = bodies == 1 ? 0.05 * v : v;
-      for (BodyIndex body : pile) lab.at(body).linearVelocity = {most, 0, 0};
+      for (BodyIndex body : pile) lab.at(body).linearVelocity = {v, 0, 0};
       for (int k = 0; k < bodies; k++) lab.contact(std::size_t(k)).touching = true;
       lab.prepare();
-      bool passed = v == 8.8e-3;  // 0.2 % of the energy is none
+      bool passed = v == 8.8e-3;  // 0.2 % of the energy is none; after a stop it grows again
       for (BodyIndex body : pile) {
-        EXPECT_EQ(lab.at(body).linearVelocity.x, passed ? 0 : most) << "after a stop the energy grows again";
-        EXPECT_EQ(lab.context.free[body].startVelocity.x, passed ? 0 : most) << "free motion goes on from there";
-        if (passed) {
-          EXPECT_EQ(lab.bodies.data[body].lastKineticEnergy, 0);
-        }
+        EXPECT_EQ(lab.at(body).linearVelocity.x, passed ? 0 : v) << v;
+        EXPECT_EQ(lab.context.free[body].startVelocity.x, passed ? 0 : v) << "free motion goes on from there";
       }
     }
   }
 }
 
-TEST(Rest, KineticDampingLeavesABodyAloneThatIsFasterThanAMillimetreASecond) {
+// What rolls up a slope has passed no maximum; nor has what was given a velocity.
+TEST(Rest, KineticDampingLeavesWhatOnlyLosesEnergy) {
   OnGround lab;
   lab.load(lab.face, kBrickWeight, 1e4 * lab.unit(lab.face));
-  for (double v : {9e-3, 5e-3, 1.1e-3}) {
+  for (double v : {5e-3, 9e-3, 5e-3, 1.1e-3, 1e-4}) {
+    if (v == 9e-3) lab.bodies.data[lab.body].turnEnergy = BodyData{}.turnEnergy;
     lab.at(lab.body).linearVelocity = {v, 0, 0};
     lab.contact(0).touching = true;
     lab.prepare();
@@ -92,7 +89,7 @@ TEST(Rest, KineticDampingLeavesTheSlideThatSupportsCannotTake) {
       TestIsland lab;
       BodyIndex under = lab.ground(), lower = lab.brick({0, kBrick.y, 0}), upper = lab.brick({0, 3 * kBrick.y, 0});
       ContactIndex foot = lab.touch(under, lower, friction), joint = lab.touch(lower, upper);
-      for (double share : {1.0, 0.9}) {
+      for (double share : {0.5, 1.0, 0.9}) {
         if (pressed) lab.load(foot, 2 * kBrickWeight, 1e4 * lab.unit(foot));
         lab.load(joint, kBrickWeight, 1e4 * lab.unit(joint));
         lab.at(lower).linearVelocity = {8e-3 * share, -1e-3 * share, 0};
@@ -108,7 +105,7 @@ TEST(Rest, KineticDampingLeavesTheSlideThatSupportsCannotTake) {
 
 TEST(Rest, KineticDampingLeavesWhatNothingPressesOn) {
   OnGround lab;
-  for (double v : {9e-3, 8e-3}) {
+  for (double v : {5e-3, 9e-3, 8e-3}) {
     lab.at(lab.body).linearVelocity = {0, -v, 0};
     lab.contact(0).touching = false;
     lab.prepare();
@@ -124,7 +121,7 @@ TEST(Rest, KineticDampingLeavesWhatGainsEnergyOrIsFastOrFloats) {
     EXPECT_EQ(topples.at(topples.body).angularVelocity.x, 1e-3 * step);
   }
   OnGround fast;
-  for (double v : {2.0, 1.0, 0.02}) {
+  for (double v : {1.0, 2.0, 1.0, 0.02}) {
     fast.at(fast.body).linearVelocity = {v, 0, 0};
     fast.prepare();
     EXPECT_EQ(fast.at(fast.body).linearVelocity.x, v);
@@ -132,7 +129,7 @@ TEST(Rest, KineticDampingLeavesWhatGainsEnergyOrIsFastOrFloats) {
   TestIsland space;
   BodyIndex a = space.brick({}), b = space.brick({0, 2 * kBrick.y, 0});
   space.touch(a, b);
-  for (double v : {5e-3, 4e-3}) {
+  for (double v : {2e-3, 5e-3, 4e-3}) {
     space.at(a).linearVelocity = {v, 0, 0};
     space.prepare();
     EXPECT_EQ(space.at(a).linearVelocity.x, v) << "nothing holds it";
