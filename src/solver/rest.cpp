@@ -28,7 +28,7 @@ double risenBy(const Island& island, const StepContext& context, const BodySet& 
 }  // namespace
 
 void dampSlowIsland(Island& island, const StepContext& context, BodySet& bodies) {
-  if (island.plan.swings) fadeSwing(island, context, bodies);
+  if (island.plan.endVelocities) fadeSwing(island, context, bodies);
   const double lost = island.facts.energyBefore - island.facts.energy;
   // It has swung through its middle. A ball that rolls on a wall costs the wall less.
   if (!island.plan.mayBeStopped || !(lost > kTrifle * island.facts.energyBefore)) return;
@@ -73,7 +73,7 @@ bool balancedByLoad(const Island& island, const StepContext& context) {
 
 // Where a swing turns back, the last of its velocity and gravity balance for a step: that is no rest.
 bool turnsBack(const Island& island, const StepContext& context) {
-  if (!island.facts.jointed) return false;
+  if (!island.facts.swung) return false;
   const double least = context.settings.restTolerance * island.facts.scale.gravity * island.dt;
   return std::any_of(island.bodies.begin(), island.bodies.end(), [&](BodyIndex body) {
     const BodyMotion& m = context.bodies->motion[body];

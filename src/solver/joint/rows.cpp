@@ -397,7 +397,7 @@ void JointRows::prepare(Island& island, Ties& ties, const StepContext& context) 
         if (follows) start.follows |= 1u << (first + i);
         if (isHard(law)) start.hard |= 1u << (first + i);
         if (law == JointLaw::across) start.across |= 1u << (first + i);
-        write(joint, set.of[i], {hard, inert, island.dt, correct, most * (first == 0 ? size : 1)},
+        write(joint, set.of[i], {hard, inert, island.dt, correct, first == 0 ? most * size : double(kNoLimit)},
               double(start.before[first + i]), start.held[first + i], i, out);
       }
     };

@@ -125,7 +125,7 @@ TEST(Plan, SupportedIslandsMayBeStoppedWhereWhatTheyLoseIsAVibrations) {
                         {1000, false, 0.03}}) {
     SCOPED_TRACE(c.bodies);
     IslandFacts facts = factsOf(c.bodies, true, c.most);
-    facts.jointed = c.jointed;
+    facts.jointed = facts.swung = c.jointed;
     EXPECT_TRUE(planOf(facts).mayBeStopped);
     facts.fastest = 1.01 * c.most;
     EXPECT_FALSE(planOf(facts).mayBeStopped) << "it may roll up a slope, swing or fall";
