@@ -32,10 +32,11 @@ void startMotion(Island& island, const StepContext& context) {
   for (std::size_t i = 0; i < island.bodies.size(); i++) {
     const SolveMass& free = island.masses[i];
     const BodyMotion& m = context.bodies->motion[island.bodies[i]];
+    const FreeMotion& started = context.free[island.bodies[i]];
     SolveMotion& out = island.motion[i];
     out = {};
-    out.d = island.plan.startsFree ? free.dFree : toFloat(m.linearVelocity * island.dt);
-    out.th = island.plan.startsFree ? free.thFree : toFloat(m.angularVelocity * island.dt);
+    out.d = island.plan.startsFree ? free.dFree : toFloat((m.linearVelocity - started.late) * island.dt);
+    out.th = island.plan.startsFree ? free.thFree : toFloat((m.angularVelocity - started.lateSpin) * island.dt);
     if (island.plan.goesOn) goOnAccelerating(island, i, context, out);
   }
   island.chunks.start(island, context);

@@ -168,9 +168,8 @@ void predictFreeMotions(StepContext& context, BodySet& bodies, std::span<const B
     Vec3 acceleration = bodies.freeWay(body, context.gravity * data.gravityScale + data.force * mass.invMass);
     if (data.steady.swings != swings) bodies.data[body].steady = {};
     if (swings) {
-      const bool swung = data.steady.dt > 0;
-      free.late = (swung ? data.steady.linear : acceleration) * (0.5 * dt);
-      free.lateSpin = (swung ? data.steady.angular : bodies.worldInvInertia(body) * data.torque) * (0.5 * dt);
+      free.late = data.steady.linear * (0.5 * dt);
+      free.lateSpin = data.steady.angular * (0.5 * dt);
     } else if (hasContacts && list.size() == 1) {
       free.late = data.steady.linear * (0.5 * data.steady.dt);
       free.lateSpin = data.steady.angular * (0.5 * data.steady.dt);

@@ -7,6 +7,7 @@
 #include "solver/free_motion.h"
 #include "solver/impact.h"
 #include "solver/island_builder.h"
+#include "solver/joint/swings.h"
 #include "solver/joint/velocities.h"
 #include "solver/prepare.h"
 #include "solver/rest.h"
@@ -24,8 +25,9 @@ void prepareIsland(Island& island, Ties& ties, BodySet& bodies, StepContext& con
   island.facts = findFacts(island, context);
   island.plan = planFor(island.facts, context.settings, island.dt);
   if (last) dampSlowIsland(island, context, bodies);
+  if (island.plan.endVelocities) beginSwings(island, context, bodies);
   predictFreeMotions(context, bodies, island.bodies, island.dt, island.part != IslandPart::flight,
-                     island.plan.swings && island.part != IslandPart::flight);
+                     island.plan.endVelocities && island.part != IslandPart::flight);
   prepareBodies(island, context);
   prepareRows(island, ties, context);
   if (island.toImpact()) leaveOut(island, ties, context);

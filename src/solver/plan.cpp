@@ -5,6 +5,7 @@
 
 #include "base/take_larger.h"
 #include "solver/island.h"
+#include "solver/joint/swings.h"
 
 namespace brickfall {
 
@@ -88,6 +89,7 @@ IslandFacts findFacts(const Island& island, const StepContext& context) {
   facts.grounded = island.grounded();
   facts.ties = island.rows.size();
   facts.jointed = island.rows.anyLasting();
+  facts.swung = facts.jointed && hasSwung(island);
   facts.mortared = island.rows.anyYielding();
   facts.firm = island.rows.anyFirm();
   island.rows.eachKind([&]<class Kind>(const Kind& kind) { facts.joints += Kind::kLasts ? kind.size() : 0; });
@@ -123,6 +125,7 @@ SolvePlan planFor(const IslandFacts& facts, const SolverSettings& settings, doub
   plan.mayBeStopped = supported && facts.fastest <= (row.large ? kMovingSpeed : settings.restSpeed);
   plan.arcs = facts.jointed && !facts.locked && !row.large && facts.joints + 1 >= facts.bodies;
   plan.swings = plan.arcs && facts.joints == facts.ties && !facts.partnersMove;
+  plan.endVelocities = facts.jointed && !facts.locked;
   plan.exactSteps = row.exactSteps;
   plan.direct = row.direct;
   plan.calmStiffening = calm ? double(row.calmStiffening) : 1;

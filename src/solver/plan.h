@@ -25,6 +25,7 @@ struct IslandFacts {
   bool grounded = false;  // touches something fixed or kinematic
   std::size_t joints = 0, ties = 0;
   bool jointed = false;       // has ties that stay, and on which bodies swing
+  bool swung = false;         // ... and they have lately (joint/swings.h): where they turn back is no rest
   bool mortared = false;      // has ties that break, and give no impulse in no time
   bool locked = false;        // a body has locked axes
   bool firm = false;          // has ties so firm that the rounding of ways is a force
@@ -58,20 +59,21 @@ struct PlanRow {
 std::span<const PlanRow> planRows();
 
 struct SolvePlan {
-  bool arcs = false;          // joints know that the ends of their arms go along arcs
-  bool swings = false;        // ... and nothing else holds its bodies: their velocities are those of the step's end
-  bool alone = false;         // one body
-  bool slow = false;          // grounded, partners still, no body faster than restSpeed: it may be put to rest
-  bool mayBeStopped = false;  // supported, and so slow that its motion is a vibration's
-  bool exactSteps = false;    // see PlanRow
-  bool direct = false;        // see PlanRow
-  bool large = false;         // see PlanRow
-  bool startsFree = true;     // from free motion; else with as much of its fall as each body had
-  bool goesOn = false;        // large, not slow, supported by what rolls or slides alone: it goes on as it did
-  bool softDebris = false;    // contacts of moving bodies in it have impactStiffness
-  double calmStiffening = 1;  // x restingStiffness
-  double leastMass = 0;       // kg: contacts are as firm as between bodies of this effective mass
-  double tolerance = 0;       // weights: residual under which a body is left alone
+  bool arcs = false;           // joints know that the ends of their arms go along arcs
+  bool swings = false;         // ... and nothing else holds its bodies, nor drives them
+  bool alone = false;          // one body
+  bool slow = false;           // grounded, partners still, no body faster than restSpeed: it may be put to rest
+  bool mayBeStopped = false;   // supported, and so slow that its motion is a vibration's
+  bool exactSteps = false;     // see PlanRow
+  bool direct = false;         // see PlanRow
+  bool large = false;          // see PlanRow
+  bool startsFree = true;      // from free motion; else with as much of its fall as each body had
+  bool goesOn = false;         // large, not slow, supported by what rolls or slides alone: it goes on as it did
+  bool softDebris = false;     // contacts of moving bodies in it have impactStiffness
+  bool endVelocities = false;  // velocities of what hangs on joints are those of the step's end (joint/swings.h)
+  double calmStiffening = 1;   // x restingStiffness
+  double leastMass = 0;        // kg: contacts are as firm as between bodies of this effective mass
+  double tolerance = 0;        // weights: residual under which a body is left alone
   int minCycles = 0, maxCycles = 0;
   std::size_t together = 1;  // level of the hierarchy whose clusters are moved at once; 0: the bodies themselves
   int rounds = 0;            // sweeps over the bodies in a cycle, forwards and backwards in turn

@@ -59,7 +59,8 @@ Vec3f bendOf(const Island& island, const FaceRecord& r, const Contact& c, const 
     const Vec3 w = bodies.motion[body].angularVelocity;
     const bool far = lengthSquared(w) * dt * dt > kLargestTurn * kLargestTurn;
     if (own != 1 || c.rolls || far || !(bodies.mass[body].invMass > 0)) return Vec3{};
-    const double late = island.facts.partnersGo ? 0.5 : 0.5 * bodies.data[body].steady.dt / dt;
+    const SteadyChange& steady = bodies.data[body].steady;
+    const double late = island.facts.partnersGo ? 0.5 : steady.swings ? 0 : 0.5 * steady.dt / dt;
     return cross(w, cross(w, arm)) * ((1 - late) * dt * dt);
   };
   return toFloat(half(c.bodyB, c.bodyA) - half(c.bodyA, c.bodyB) + ownArc(c.bodyB, toDouble(r.armB)) -

@@ -45,6 +45,11 @@ struct Returned {
   double lasting = 0;   // J, by ties that last
 };
 
+Mat3 inertiaAtEnd(const StepContext& context, BodyIndex body) {
+  const Mat3 end = toMatrix(rotationAtEnd(body, context));
+  return end * context.bodies->mass[body].inertia * transpose(end);
+}
+
 struct GroupEnergy {
   double start = 0, end = 0;  // J, kinetic
   double outside = 0;         // J, work of gravity and outside forces
@@ -75,12 +80,18 @@ GroupEnergy energyOf(const Island& island, Bodies group, Vec3 frame, const StepC
     const SolvedMotion& s = context.solved[body];
     const BodyData& data = context.bodies->data[body];
     const double m = context.bodies->mass[body].mass;
-    sum.start += 0.5 * m * lengthSquared(free.startVelocity - frame) +
-                 0.5 * dot(free.startSpin, context.bodies->worldInertia(body) * free.startSpin);
-    sum.end += kineticEnergyAtEnd(body, frame, context);
-    const Vec3 way = leaps ? (free.startVelocity + s.velocity) * (0.5 * island.dt) - carried : s.d - carried;
-    const Vec3 turn = leaps ? (free.startSpin + spinAtEnd(body, s.angularMomentum, context)) * (0.5 * island.dt) : s.th;
-    const Vec3 fell = leaps && !s.flying ? s.d - (s.velocity - free.startVelocity) * (0.5 * island.dt) - carried : way;
+    const Lead lead = leaps ? leadOf(body, context) : Lead{};
+    const Mat3 inertia = context.bodies->worldInertia(body);
+    const Vec3 move = free.startVelocity - lead.before.move, spin = free.startSpin - lead.before.turn;
+    const Vec3 endMove = s.velocity - lead.after.move,
+               endSpin = spinAtEnd(body, s.angularMomentum, context) - lead.after.turn;
+    sum.start += 0.5 * m * lengthSquared(move - frame) + 0.5 * dot(spin, inertia * spin);
+    sum.end +=
+        leaps ? 0.5 * m * lengthSquared(endMove - frame) + 0.5 * dot(endSpin, inertiaAtEnd(context, body) * endSpin)
+              : kineticEnergyAtEnd(body, frame, context);
+    const Vec3 way = leaps ? (move + endMove) * (0.5 * island.dt) - carried : s.d - carried;
+    const Vec3 turn = leaps ? (spin + endSpin) * (0.5 * island.dt) : s.th;
+    const Vec3 fell = leaps && !s.flying ? s.d - (endMove - move) * (0.5 * island.dt) - carried : way;
     const double work = dot(context.gravity * (m * data.gravityScale) + data.force, fell) + dot(data.torque, turn);
     const Impulse given = fromTies(island, i, context);
     sum.outside += work;
@@ -116,11 +127,6 @@ double takeResidual(const Island& island, Bodies group, Vec3 frame, StepContext&
     accelerate(body, left.linear * (share * context.bodies->mass[body].invMass), left.angular * share, context);
   }
   return excess + linear * share + square * share * share;
-}
-
-Mat3 inertiaAtEnd(const StepContext& context, BodyIndex body) {
-  const Mat3 end = toMatrix(rotationAtEnd(body, context));
-  return end * context.bodies->mass[body].inertia * transpose(end);
 }
 
 // A rigid motion: velocity `move` at `centre`, and spin.

@@ -13,10 +13,10 @@ void finishMotion(Island& island, Ties& ties, StepContext& context) {
   storeMotion(island, context);
   if (island.resting()) return;
   finishFlights(island, context);
-  if (island.plan.swings) return finishSwings(island, ties, context);
   finishLoneBody(island, ties, context);
   finishSlides(island, context);
   turnFarFreely(island, context);
+  if (island.plan.endVelocities) finishSwings(island, ties, context);
 }
 
 }  // namespace brickfall

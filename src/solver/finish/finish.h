@@ -8,8 +8,8 @@
 //   flies        | nothing                               | under outside forces (flight.h)        | keep both momenta
 //   is alone     | fixed things, a body in an island     | in all of its motion (lone_body.h)     | are up to date
 //                | of one                                |                                        |
-//   swings       | nothing; joints alone hold it         | not                                    | are up to date
-//                |                                       | (joint/swings.h)                       |
+//   swings       | anything, besides hanging on joints   | not, but as it slides                  | are up to date
+//                |                                       |                                        | (joint/swings.h)
 //   slides       | ground along which all its points do  | along the ground (group_slide.h)       | as solved
 //   stands       | anything else                         | not                                    | as solved
 #pragma once

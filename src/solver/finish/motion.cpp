@@ -47,7 +47,7 @@ void storeMotion(const Island& island, StepContext& context) {
     out.freeTurn = !out.rest;
     if (out.rest) continue;
     const std::uint32_t group = island.groups.groupOf(i);
-    out.flying = island.groups.flies(group);
+    out.flying = out.steady.swings = island.groups.flies(group);
     const bool alone = out.flying && island.groups.bodies(group).size() == 1;
     out.freeTurn = alone || m.th == island.masses[i].thFree;
     // A body that nothing presses on goes its own way, whatever part of its weight cycles left.
@@ -93,7 +93,7 @@ void storeFreeBody(BodyIndex body, double dt, StepContext& context) {
   out.d = free.way;
   out.th = free.th;
   out.angularMomentum = free.angularMomentum;
-  out.flying = true;
+  out.flying = out.steady.swings = true;
 }
 
 void goFreely(BodyIndex body, StepContext& context) {
@@ -124,6 +124,14 @@ VelocityChange changeOf(BodyIndex body, const StepContext& context) {
   const SolvedMotion& s = context.solved[body];
   return {s.velocity - (free.startVelocity - free.late),
           context.bodies->worldInvInertia(body) * s.angularMomentum - (free.startSpin - free.lateSpin)};
+}
+
+Lead leadOf(BodyIndex body, const StepContext& context) {
+  const FreeMotion& free = context.free[body];
+  const SolvedMotion& s = context.solved[body];
+  if (s.flying) return {};
+  const double half = s.steady.swings ? 0.5 * s.steady.dt : 0;
+  return {{free.late, free.lateSpin}, {s.steady.linear * half, s.steady.angular * half}};
 }
 
 Quat rotationAtEnd(BodyIndex body, const StepContext& context) {

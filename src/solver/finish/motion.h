@@ -22,6 +22,13 @@ bool solvedWell(const Island& island, const StepContext& context);
 // How the body's velocities change in this step, so far.
 VelocityChange changeOf(BodyIndex body, const StepContext& context);
 
+// By how much velocities at the start of the step, and at its end, are ahead of those of the solve: of what swings on
+// joints. What flies has kept its momenta.
+struct Lead {
+  VelocityChange before, after;
+};
+Lead leadOf(BodyIndex body, const StepContext& context);
+
 // Where the body points at the end of the step.
 Quat rotationAtEnd(BodyIndex body, const StepContext& context);
 // rad/s, at the end of the step: the momentum stays, the body turns under it, and its inertia with it.

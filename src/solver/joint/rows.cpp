@@ -18,13 +18,13 @@ namespace brickfall {
 constexpr double kSlow = 0.5;  // a force whose geometric stiffness is less turns slowly enough for the step by itself
 
 Mat3 bending(Vec3 arm, Vec3 force, double resist) {
-  if (dot(arm, force) < 0) force = -force;
-  const double turning = length(arm) * length(force), share = turning / (turning + kSlow * resist);
-  const double one = share * 0.5 * (dot(arm, force) + turning);
+  const double size = length(arm), turning = std::fabs(dot(arm, force));
+  if (!(turning > 0)) return Mat3{} * 0.0;
+  const Vec3 along = arm * (1 / size);
+  const double stiffness = turning * turning / (turning + kSlow * resist);
   Mat3 out;
   for (int i = 0; i < 3; i++)
-    for (int j = 0; j < 3; j++)
-      out.row[i][j] = (i == j ? one : 0) - share * 0.5 * (arm[i] * force[j] + force[i] * arm[j]);
+    for (int j = 0; j < 3; j++) out.row[i][j] = stiffness * ((i == j ? 1 : 0) - along[i] * along[j]);
   return out;
 }
 
@@ -397,7 +397,7 @@ void JointRows::prepare(Island& island, Ties& ties, const StepContext& context) 
         if (follows) start.follows |= 1u << (first + i);
         if (isHard(law)) start.hard |= 1u << (first + i);
         if (law == JointLaw::across) start.across |= 1u << (first + i);
-        write(joint, set.of[i], {hard, inert, island.dt, correct, most * (first == 0 ? size : 1)},
+        write(joint, set.of[i], {hard, inert, island.dt, correct, first == 0 ? most * size : double(kNoLimit)},
               double(start.before[first + i]), start.held[first + i], i, out);
       }
     };

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "solver/finish/motion.h"
 #include "solver/joint/velocity_system.h"
+#include "solver/renewals.h"
 
 namespace brickfall {
 
@@ -13,31 +15,36 @@ namespace {
 //! x sqrt(gravity x radius) | too small: bridges swing by millimetres for ever | too large: small swings lose amplitude
 constexpr double kFades = 0.012;  // swings that were not faster lately fade
 //! s, at the reference's scale | too small: swings fade where they turn back | too large: what hangs moves on for long
-constexpr double kFadingTime = 8;  // in which the memory of a faster speed fades; speeds themselves in a second
+constexpr double kFadingTime = 3;  // in which the memory of a faster speed fades; speeds themselves in a second
+
+// By outside forces alone.
+SteadyChange outsideChange(const BodySet& bodies, BodyIndex body, Vec3 gravity) {
+  const BodyData& data = bodies.data[body];
+  SteadyChange change;
+  change.linear = gravity * data.gravityScale + data.force * bodies.mass[body].invMass;
+  change.angular = bodies.worldInvInertia(body) * data.torque;
+  change.swings = true;
+  return change;
+}
 
 class Swings : VelocitySystem {
  public:
-  Swings(Island& island, StepContext& context) : VelocitySystem(island, context) {}
+  Swings(Island& island, StepContext& context) : VelocitySystem(island, context), supports_(island.memory) {}
 
   // Half of a step's forces, where the step ends: velocities become those of that moment.
   void run(Ties& ties) {
-    findBodies();
+    findBodies(true);
     findEquations(ties);
     addMotors(ties);
-    const std::size_t hard = equations_.size();
+    hard_ = equations_.size();
     addResisting();
+    findSupports();
     resist();
-    assemble([](std::uint32_t, BodyBlock&) {});
-    if (!factor()) return;
-    const bool sprung = pushHalf(ties, true);
-    findChange(hard);
+    if (!findHalf(ties, true)) return;
     rememberHalf();
     rememberWhole(ties);
     // A spring that just began to act has no half to give yet.
-    if (sprung && begins()) {
-      pushHalf(ties, false);
-      findChange(hard);
-    }
+    if (sprung_ && begins() && !findHalf(ties, false)) return;
     for (std::uint32_t i = 0; i < island_.bodies.size(); i++) {
       if (place_[i] == kNoPlace || flies(i)) continue;
       const Body& body = bodies_[place_[i]];
@@ -48,14 +55,116 @@ class Swings : VelocitySystem {
   }
 
  private:
+  // A row of another kind on a body of the system. It holds that body where it held it in the step, as firmly as joints
+  // do, and pushes by no more than half of what it gave there: the rest of that was an impact's.
+  struct Support {
+    RowEnds ends;
+    Vec3 armA, armB, force, torque;  // N, N m: on B
+    BodyBlock stiffness = {};        // in units of mass
+    enum { holds, gives, open } state = holds;
+    double impulse[6] = {}, last[6] = {};  // N s, N m s: all, and of the last round
+  };
+  void findSupports() {
+    const double h2 = kFirmness * island_.dt * island_.dt;
+    std::as_const(island_.rows).each([&]<class Kind>(const Kind& kind, std::size_t k) {
+      if (Kind::kLasts || !kind.ties(k, context_)) return;
+      const RowEnds ends = kind.ends(k);
+      if (placeOf(ends.a) == kNoPlace && placeOf(ends.b) == kNoPlace) return;
+      const StiffReaction x = kind.reactStiff(k, island_.motion.data(), true);
+      Support s{ends, toDouble(wide::store3(x.armA)), toDouble(wide::store3(x.armB)), toDouble(wide::store3(x.force)),
+                toDouble(wide::store3(x.torque))};
+      for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++) {
+          s.stiffness[i][j] = h2 * double(x.stiffness.A[i][j]);
+          s.stiffness[i][j + 3] = s.stiffness[j + 3][i] = h2 * double(x.stiffness.B[i][j]);
+          s.stiffness[i + 3][j + 3] = h2 * double(x.stiffness.C[i][j]);
+        }
+      supports_.push_back(s);
+    });
+  }
+  std::uint32_t placeOf(std::uint32_t local) const { return moves(local) ? place_[local] : kNoPlace; }
+  void addSupports() {
+    for (const Support& s : supports_) {
+      if (s.state != Support::holds) continue;
+      const std::uint32_t a = placeOf(s.ends.a), b = placeOf(s.ends.b);
+      BodyBlock block;
+      if (a != kNoPlace) congruence(s.stiffness, s.armA, s.armA, 1, block), matrix_.add(a, a, block);
+      if (b != kNoPlace) congruence(s.stiffness, s.armB, s.armB, 1, block), matrix_.add(b, b, block);
+      if (a == kNoPlace || b == kNoPlace) continue;
+      congruence(s.stiffness, a > b ? s.armA : s.armB, a > b ? s.armB : s.armA, -1, block);
+      matrix_.add(std::max(a, b), std::min(a, b), block);
+    }
+  }
+  // What rows give that gave less, or what those that hold are still to give.
+  void pushSupports(bool holding) {
+    const double half = 0.5 * island_.dt;
+    for (const Support& s : supports_) {
+      if (s.state != (holding ? Support::holds : Support::gives)) continue;
+      const Vec3 p = holding ? Vec3{s.last[0], s.last[1], s.last[2]} : s.force * half;
+      const Vec3 t = holding ? Vec3{s.last[3], s.last[4], s.last[5]} : s.torque * half;
+      if (const std::uint32_t a = placeOf(s.ends.a); a != kNoPlace) push(a, -p, -t - cross(s.armA, p));
+      if (const std::uint32_t b = placeOf(s.ends.b); b != kNoPlace) push(b, p, t + cross(s.armB, p));
+    }
+  }
+  // What the change of velocities asks of those that hold.
+  void holdSupports() {
+    for (Support& s : supports_) {
+      if (s.state != Support::holds) continue;
+      auto changeAt = [&](std::uint32_t local, Vec3 arm, double(&out)[6], double sign) {
+        if (placeOf(local) == kNoPlace) return;
+        const Body& body = at(local);
+        const Vec3 move = body.move + cross(body.spin, arm);
+        for (int k = 0; k < 3; k++) out[k] += sign * move[k], out[k + 3] += sign * body.spin[k];
+      };
+      double change[6] = {};
+      changeAt(s.ends.b, s.armB, change, 1);
+      changeAt(s.ends.a, s.armA, change, -1);
+      for (int i = 0; i < 6; i++) {
+        s.last[i] = 0;
+        for (int j = 0; j < 6; j++) s.last[i] -= s.stiffness[i][j] * change[j];
+        s.impulse[i] += s.last[i];
+      }
+    }
+  }
+  // True if a row pulls where it pressed, or pushes by more than half of what it gave.
+  bool boundSupports() {
+    bool any = false;
+    for (Support& s : supports_) {
+      if (s.state != Support::holds) continue;
+      const double given = dot(Vec3{s.impulse[0], s.impulse[1], s.impulse[2]}, s.force),
+                   most = 0.5 * island_.dt * lengthSquared(s.force);
+      if (given >= -kTrifle * most && given <= (1 + kTrifle) * most) continue;
+      s.state = given < 0 ? Support::open : Support::gives;
+      any = true;
+    }
+    return any;
+  }
+
+  // The change of velocities over half of the step. False if it has no solution.
+  bool findHalf(const Ties& ties, bool springs) {
+    for (int round = 0; round < kBoundRounds; round++) {
+      assemble([](std::uint32_t, BodyBlock&) {});
+      addSupports();
+      if (!factor()) return false;
+      const bool any = pushHalf(ties, springs);
+      if (springs) sprung_ = any;
+      pushSupports(false);
+      for (Support& s : supports_) std::fill_n(s.impulse, 6, 0.0);
+      findChange();
+      if (!boundSupports()) break;
+    }
+    return true;
+  }
   // A body of which no change of velocity is remembered.
   bool begins() const {
-    return std::any_of(bodies_.begin(), bodies_.end(),
-                       [&](const Body& body) { return context_.bodies->data[body.body].steady.dt == 0; });
+    const auto& records = island_.rows.joints.records;
+    return std::any_of(records.begin(), records.end(),
+                       [&](const JointRecord& r) { return beginsAt(r.bodyA) || beginsAt(r.bodyB); });
   }
-  bool begins(std::uint32_t local) const {
-    return !moves(local) || (context_.bodies->data[at(local).body].steady.dt == 0 && !flies(local));
+  bool beginsAt(std::uint32_t local) const {
+    return moves(local) && context_.bodies->data[at(local).body].steady.dt == 0;
   }
+  bool begins(std::uint32_t local) const { return !moves(local) || (beginsAt(local) && !flies(local)); }
   // In the first step of a swing half of what holds places acts, and half at its end: joints tell the whole. Springs
   // and motors gave theirs.
   void rememberWhole(Ties& ties) {
@@ -111,14 +220,19 @@ class Swings : VelocitySystem {
     return springs && pushSprings(ties);
   }
   // The change of velocities that these impulses and the equations give.
-  void findChange(std::size_t hard) {
-    for (Body& body : bodies_) body.move = body.spin = {};
+  void findChange() {
+    for (auto* list : {&bodies_, &partners_})
+      for (Body& body : *list) body.move = body.spin = {};
     for (int round = 0; round < kHoldRounds; round++) {
-      if (round > 0) clear();
-      for (std::size_t i = 0; i < hard && round > 0; i++)
+      if (round > 0) {
+        clear();
+        pushSupports(true);
+      }
+      for (std::size_t i = 0; i < hard_ && round > 0; i++)
         give(equations_[i], -equations_[i].stiffness * speedOf(equations_[i]),
              [&](std::uint32_t place, Vec3 linear, Vec3 angular) { push(place, linear, angular); });
       solveMore();
+      holdSupports();
     }
   }
   // Those that are strong enough hold a speed; others give what they can, whatever moves.
@@ -182,13 +296,29 @@ class Swings : VelocitySystem {
     }
     return any;
   }
+
+  std::size_t hard_ = 0;  // equations that hold
+  bool sprung_ = false;   // springs act
+  std::pmr::vector<Support> supports_;
 };
 
 }  // namespace
 
+void beginSwings(const Island& island, const StepContext& context, BodySet& bodies) {
+  std::pmr::vector<char> jointed(island.bodies.size() + island.partners.size(), 0, island.memory);
+  for (const JointRecord& r : island.rows.joints.records) jointed[r.bodyA] = jointed[r.bodyB] = 1;
+  for (std::size_t i = 0; i < island.bodies.size(); i++) {
+    SteadyChange& steady = bodies.data[island.bodies[i]].steady;
+    if (steady.swings ? steady.dt > 0 : !jointed[i]) continue;
+    steady = outsideChange(bodies, island.bodies[i], context.gravity);
+  }
+}
+
 void finishSwings(Island& island, Ties& ties, StepContext& context) { Swings(island, context).run(ties); }
 
 bool isDriven(const Island& island, const StepContext& context) { return island.rows.joints.driven(*context.ties); }
+
+bool hasSwung(const Island& island) { return !(island.fastestLately <= kFades); }
 
 void fadeSwing(Island& island, const StepContext& context, BodySet& bodies) {
   const double part = std::min(1.0, island.dt / island.facts.scale.time);
@@ -200,7 +330,7 @@ void fadeSwing(Island& island, const StepContext& context, BodySet& bodies) {
     const double unit = std::sqrt(length(context.gravity) * radius);
     if (!(speed <= island.fastestLately * unit)) island.fastestLately = unit > 0 ? std::min(1.0, speed / unit) : 1;
   }
-  if (!island.facts.grounded || !(island.fastestLately <= kFades)) return;
+  if (!island.facts.grounded || hasSwung(island)) return;
   if (isDriven(island, context)) return;
   for (BodyIndex body : island.bodies) {
     bodies.motion[body].linearVelocity *= 1 - part;

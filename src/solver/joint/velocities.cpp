@@ -187,7 +187,10 @@ class HeldVelocities : VelocitySystem {
   Vec3 mean(std::uint32_t local, const Body& body, bool spin) const {
     if (!moves(local)) return spin ? body.startSpin : body.startMove;
     const FreeMotion& free = context_.free[body.body];
-    return (spin ? free.startSpin + body.spin : free.startVelocity + body.move) * 0.5;
+    const Vec3 sum = spin ? free.startSpin + body.spin : free.startVelocity + body.move;
+    if (island_.plan.swings) return sum * 0.5;
+    const Lead lead = leadOf(body.body, context_);
+    return (spin ? sum - lead.before.turn - lead.after.turn : sum - lead.before.move - lead.after.move) * 0.5;
   }
 
   // Friction of joints against what they leave free, where it goes far in the step.

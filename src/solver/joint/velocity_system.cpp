@@ -1,8 +1,10 @@
 #include "solver/joint/velocity_system.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "solver/finish/motion.h"
+#include "solver/support.h"
 
 namespace brickfall {
 
@@ -17,8 +19,8 @@ VelocitySystem::VelocitySystem(Island& island, StepContext& context)
       bodies_(island.memory),
       partners_(island.memory),
       equations_(island.memory),
-      step_(island.memory),
-      matrix_(island.memory) {}
+      matrix_(island.memory),
+      step_(island.memory) {}
 
 VelocitySystem::Body VelocitySystem::bodyAt(std::uint32_t local) const {
   const BodySet& bodies = *context_.bodies;
@@ -50,7 +52,38 @@ VelocitySystem::Body VelocitySystem::bodyAt(std::uint32_t local) const {
   return out;
 }
 
-void VelocitySystem::findBodies() {
+// Of a large island only what lies on a jointed body and is heavier, as in its solve (solver/joint_block.h).
+void VelocitySystem::enterLoads(std::pmr::vector<std::uint32_t>& found) {
+  const std::size_t own = island_.bodies.size();
+  auto enter = [&](std::uint32_t local) {
+    place_[local] = std::uint32_t(found.size());
+    found.push_back(local);
+  };
+  auto massOf = [&](std::uint32_t local) { return context_.bodies->mass[island_.bodies[local]].mass; };
+  auto presses = [&](const auto& kind, std::size_t k) {
+    const RowEnds ends = kind.ends(k);
+    return ends.a < own && ends.b < own && kind.ties(k, context_);
+  };
+  std::pmr::vector<char> jointed(own + island_.partners.size(), 0, island_.memory);
+  for (std::uint32_t local : found) jointed[local] = 1;
+  if (!island_.plan.large) {
+    growSupported(island_, jointed, presses);
+    for (std::uint32_t local = 0; local < own; local++)
+      if (jointed[local] && place_[local] == kNoPlace) enter(local);
+    return;
+  }
+  std::as_const(island_.rows).each([&](const auto& kind, std::size_t k) {
+    const RowEnds ends = kind.ends(k);
+    auto lies = [&](std::uint32_t load, std::uint32_t under) {
+      return jointed[under] && place_[load] == kNoPlace && massOf(load) > massOf(under);
+    };
+    if (!presses(kind, k)) return;
+    if (lies(ends.a, ends.b)) enter(ends.a);
+    if (lies(ends.b, ends.a)) enter(ends.b);
+  });
+}
+
+void VelocitySystem::findBodies(bool loads) {
   const std::size_t own = island_.bodies.size();
   const JointRows& joints = island_.rows.joints;
   std::pmr::vector<std::uint32_t> found(island_.memory);
@@ -65,10 +98,15 @@ void VelocitySystem::findBodies() {
       place_[local] = std::uint32_t(found.size());
       found.push_back(local);
     }
+  if (loads) enterLoads(found);
   Adjacency near(island_.memory);
   near.fill(std::uint32_t(found.size()), [&](auto visit) {
-    for (const JointRecord& r : joints.records)
-      if (r.bodyA < own && r.bodyB < own) visit(place_[r.bodyA], place_[r.bodyB]);
+    std::as_const(island_.rows).each([&]<class Kind>(const Kind& kind, std::size_t k) {
+      if (!loads && !Kind::kLasts) return;
+      const RowEnds ends = kind.ends(k);
+      if (ends.a < own && ends.b < own && place_[ends.a] != kNoPlace && place_[ends.b] != kNoPlace)
+        visit(place_[ends.a], place_[ends.b]);
+    });
   });
   const auto places = nearPlaces(near);
   matrix_.shape(lowestPlaces(near, places));

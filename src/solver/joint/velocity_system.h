@@ -36,7 +36,8 @@ class VelocitySystem {
     bool open = false;
   };
 
-  void findBodies();
+  // Those that joints tie; with `loads`, also those that other ties press on them.
+  void findBodies(bool loads = false);
   // What joints hold at the poses of the end. Limits and ropes hold if they did in the step.
   void findEquations(const Ties& ties);
   // N s/m, or N m s/rad: of a joint's equation.
@@ -92,15 +93,16 @@ class VelocitySystem {
   std::pmr::vector<Body> bodies_;          // by place
   std::pmr::vector<Body> partners_;
   std::pmr::vector<Equation> equations_;  // by row
+  BlockEnvelope matrix_;
 
  private:
   Body bodyAt(std::uint32_t local) const;
+  void enterLoads(std::pmr::vector<std::uint32_t>& found);
   void clearToInertia();
   std::size_t sumOfRow(std::size_t first, BodyBlock& K) const;
   void addRow(const Equation& of, const BodyBlock& K);
 
   std::pmr::vector<double> step_;
-  BlockEnvelope matrix_;
 };
 
 }  // namespace brickfall
