@@ -18,7 +18,7 @@ constexpr double kTouches = 1e-5;  // a gap this small is a touch
 
 //! m | too small: balls lose speed at the seams that they roll over
 //! | too large: balls pass edges that they should glance off
-constexpr double kGrazes = 2e-4;  // by which a round body may overlap a body that it goes past
+constexpr double kGrazes = 2e-4;  // by which a round body may overlap what it goes past, besides what it has sunk in
 
 // The shapes at a moment of the step.
 struct Moment {
@@ -31,17 +31,18 @@ struct Moment {
 
 class LookAhead {
  public:
-  LookAhead(const ShapeData& a, const ShapeData& b, const RelativeMotion& motion, double reach)
-      : a_(a), b_(b), motion_(motion), reach_(reach), scale_(lengthScale(a.innerRadius, b.innerRadius)) {}
+  LookAhead(const ShapeData& a, const ShapeData& b, const RelativeMotion& motion, const LookRoom& room)
+      : a_(a), b_(b), motion_(motion), room_(room), scale_(lengthScale(a.innerRadius, b.innerRadius)) {}
 
   double touches() const { return kTouches * scale_; }  // m
-  double grazes() const { return kGrazes * scale_; }    // m
+  bool isBorne() const { return room_.sunk > 0; }
+  double grazes() const { return kGrazes * scale_ + room_.sunk; }  // m
 
   Moment start(const Manifold& m) const { return measured(0, m); }
   // Without points the shapes are out of reach.
   Moment at(double time) const {
     Manifold m;
-    collide(a_.geometry, b_.geometry, inverse(a_.inCentreFrame) * placeAt(time) * b_.inCentreFrame, reach_, m);
+    collide(a_.geometry, b_.geometry, inverse(a_.inCentreFrame) * placeAt(time) * b_.inCentreFrame, room_.reach, m);
     return measured(time, m);
   }
   // Where the manifold lies at the start of the step, seen from the round body. A round shape touches with whatever
@@ -90,8 +91,18 @@ class LookAhead {
 
   const ShapeData &a_, &b_;
   const RelativeMotion& motion_;
-  double reach_, scale_;
+  const LookRoom& room_;
+  double scale_;
 };
+
+// The moment between two at which the shapes cease to come nearer.
+Moment nearest(const LookAhead& ahead, Moment closes, Moment parts, double apart) {
+  for (int k = 0; k < kMostLooks && parts.manifold.count > 0 && parts.apart > apart && !(parts.closing > 0); k++) {
+    Moment middle = ahead.at(0.5 * (closes.time + parts.time));
+    (middle.closing > 0 ? closes : parts) = middle;
+  }
+  return parts;
+}
 
 // The plane between two convex shapes keeps them apart until the nearest points would have met along its normal: steps
 // of that length pass over nothing. Ends where the shapes touch, where they are nearest, or with the step.
@@ -103,25 +114,34 @@ Moment advance(const LookAhead& ahead, Moment now, double dt) {
     before = now;
     now = ahead.at(std::min(dt, now.time + now.apart / now.closing));
   }
-  for (int k = 0; k < kMostLooks && now.manifold.count > 0 && now.apart > ahead.touches() && !(now.closing > 0); k++) {
-    Moment middle = ahead.at(0.5 * (before.time + now.time));
-    if (middle.closing > 0)
-      before = middle;
-    else
-      now = middle;
-  }
-  return now;
+  return nearest(ahead, before, now, ahead.touches());
 }
 
-// Whether touching shapes overlap by no more than kGrazes before they are past each other.
-bool grazes(const LookAhead& ahead, Moment now, double dt) {
+enum class Grazing { no, passing, past };
+
+// Whether touching shapes overlap by no more than grazes() before they are past each other. If that is in the step,
+// goes on to the moment when they come no nearer. What a slow ball passes later is foretold: its edge turns away
+// evenly. A ball that lands closes as fast at the end of the step, so it does not pass; one that nothing else
+// bears would fall.
+Grazing grazing(const LookAhead& ahead, Moment& now, double dt) {
   const double past = kOver * now.closing;
+  if (!(now.closing * dt > ahead.touches())) return Grazing::no;
   for (int k = 0; k < kMostLooks && now.closing > past && now.apart > -ahead.grazes(); k++) {
     const double until = now.time + (now.apart + 1.1 * ahead.grazes()) / now.closing;
-    if (until >= dt) return false;
+    if (until >= dt) {
+      const Moment end = ahead.at(dt);
+      const double slows = (now.closing - end.closing) / (dt - now.time);  // m/s2
+      if (end.closing > past) {
+        const bool passes = now.closing * now.closing <= 2 * slows * (now.apart + ahead.grazes());
+        return ahead.isBorne() && passes ? Grazing::passing : Grazing::no;
+      }
+      now = nearest(ahead, now, end, -ahead.grazes());
+      break;
+    }
     now = ahead.at(until);
   }
-  return now.manifold.count > 0 && now.apart > -ahead.grazes() && !(now.closing > past);
+  const bool clears = now.manifold.count > 0 && now.apart > -ahead.grazes() && !(now.closing > past);
+  return clears ? Grazing::past : Grazing::no;
 }
 
 // Turns bring shapes nearer that planes keep apart. The other shape is not passed if the step would end inside it.
@@ -137,11 +157,17 @@ Ahead passesAt(const Moment& then, double margin) {
 
 Ahead lookAheadRound(const LookAhead& ahead, const Moment& now, double dt, double margin, Manifold& m) {
   if (!(now.closing > 0) || now.apart < -ahead.grazes()) return {};
-  const Moment then = advance(ahead, now, dt);
-  const bool far = then.manifold.count == 0 || (then.apart > margin && (then.time >= dt || !(then.closing > 0)));
-  if (far || (then.apart <= ahead.touches() && grazes(ahead, then, dt)))
-    return endsIn(ahead, dt, ahead.grazes()) ? Ahead{} : far ? passesAt(then, margin) : Ahead{AheadFound::passes};
+  const Moment touch = advance(ahead, now, dt);
+  const bool far = touch.manifold.count == 0 || (touch.apart > margin && (touch.time >= dt || !(touch.closing > 0)));
+  Moment then = touch;
+  Grazing grazes = !far && touch.apart <= ahead.touches() ? grazing(ahead, then, dt) : Grazing::no;
+  const bool overlaps = (far || grazes != Grazing::no) && endsIn(ahead, dt, ahead.grazes());
+  if (far) return overlaps ? Ahead{} : passesAt(touch, margin);
+  if (overlaps) grazes = Grazing::no;
+  if (grazes == Grazing::passing) return {AheadFound::passes};
+  if (grazes == Grazing::no) then = touch;
   if (then.time == 0) return {};
+  // What is past an edge comes to lie on what is behind it.
   m = ahead.atStart(then);
   return {AheadFound::meets};
 }
@@ -176,16 +202,16 @@ bool turnsTooFar(const ShapeData& shape, Vec3 spin, double dt) {
 
 }  // namespace
 
-Ahead lookAhead(const ShapeData& a, const ShapeData& b, const RelativeMotion& motion, double dt, double reach,
-                double margin, Manifold& m) {
+Ahead lookAhead(const ShapeData& a, const ShapeData& b, const RelativeMotion& motion, double dt, const LookRoom& room,
+                Manifold& m) {
   const double scale = lengthScale(a.innerRadius, b.innerRadius), most = kLittleWay * scale / dt;
   if (a.geometry.type == ShapeType::plane || b.geometry.type == ShapeType::plane) return {};  // a plane has one normal
   if (lengthSquared(motion.velocity) < most * most) return {};
   const Vec3 spinB = rotate(conjugate(motion.pose.rotation), motion.spinB);
   if (turnsTooFar(a, motion.spinA, dt) || turnsTooFar(b, spinB, dt)) return {};
-  const LookAhead ahead(a, b, motion, reach);
+  const LookAhead ahead(a, b, motion, room);
   const Moment now = ahead.start(m);
-  if (isRound(a.geometry.type) || isRound(b.geometry.type)) return lookAheadRound(ahead, now, dt, margin, m);
+  if (isRound(a.geometry.type) || isRound(b.geometry.type)) return lookAheadRound(ahead, now, dt, room.margin, m);
   const double overlap = 2 * kLittleWay * scale;  // by which a hit is told from an edge that slides over a face
   if (!(now.closing > most) || now.apart < -overlap || !slidesOver(ahead, now, dt, overlap)) return {};
   return {AheadFound::passes};

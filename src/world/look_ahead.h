@@ -33,11 +33,18 @@ struct Ahead {
   double apart = 0;  // m, by which they clear each other until then
 };
 
+// m, of two shapes.
+struct LookRoom {
+  double reach = 0;   // of their manifold
+  double margin = 0;  // what passes at more than this passes
+  double sunk = 0;    // by which a round one lies too low under its load
+};
+
 // Finds what two shapes with the manifold `m` will meet in the coming dt. For round shapes that meet later in the step,
-// `m` becomes the manifold of the touch, as it lies now. Shapes that pass each other at more than `margin` (m) pass:
-// `m` stays. So does a shape that slides over a face whose side it would have hit. Shapes are convex; `reach` (m) is
-// that of the manifold.
-Ahead lookAhead(const ShapeData& a, const ShapeData& b, const RelativeMotion& motion, double dt, double reach,
-                double margin, Manifold& m);
+// `m` becomes the manifold of the touch, as it lies now. Shapes that pass each other at more than the margin pass: `m`
+// stays. So does a shape that slides over a face whose side it would have hit, and a round one that overlaps an edge by
+// hardly more than it has sunk in where it comes from: both would be level under rigid contacts. Shapes are convex.
+Ahead lookAhead(const ShapeData& a, const ShapeData& b, const RelativeMotion& motion, double dt, const LookRoom& room,
+                Manifold& m);
 
 }  // namespace brickfall

@@ -119,6 +119,7 @@ void NarrowPhase::run() {
   std::size_t kept = 0;
   proximity_.newParts.clear();
   proximity_.passed.clear();
+  findSinking(bodies_, shapes_, contacts_, proximity_.sinking);
   for (std::size_t n = 0; n < contacts_.pairs.size(); n++) {
     CandidatePair pair = contacts_.pairs[n];
     if (isStill(pair)) {  // whatever the shapes are
@@ -248,8 +249,9 @@ void NarrowPhase::lookAheadOf(const CandidatePair& pair, const Approach& approac
   const RelativeMotion motion{approach.relative, transposeTimes(a.orientation, approach.velocity),
                               transposeTimes(a.orientation, a.angularVelocity),
                               transposeTimes(a.orientation, b.angularVelocity)};
+  const double sunk = std::max(proximity_.sinking[pair.bodyA].rolling, proximity_.sinking[pair.bodyB].rolling);
   const Ahead ahead = lookAhead(shapes_.data[pair.shapeA], shapes_.data[pair.shapeB], motion, dt_,
-                                reachOf(pair, approach), marginOf(pair), m);
+                                {reachOf(pair, approach), marginOf(pair), sunk}, m);
   if (ahead.found != AheadFound::passes) return;
   proximity_.passed.push_back({kNoIndex, ahead.time, ahead.apart});
   m.count = 0;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "geometry/core.h"
 #include "solver/scale.h"
 #include "world/look_ahead.h"
 
@@ -23,7 +24,45 @@ double asideAfter(double time, const Course& course, double dt) {
   return time <= course.straightUntil ? 0 : course.slack + course.aside * (dt - course.straightUntil);
 }
 
+// m, of the points that carry force.
+double deepestLoaded(const Contact& c) {
+  double deepest = 0;
+  for (int i = 0; i < c.count; i++)
+    if (c.points.forceN[i] > 0) deepest = std::max(deepest, -double(c.points.gap[i]));
+  return deepest;
+}
+
 }  // namespace
+
+void findSinking(const BodySet& bodies, const ShapeSet& shapes, const ContactSet& contacts,
+                 std::vector<Sinking>& sinking) {
+  sinking.assign(bodies.slots(), {});
+  auto eachRolling = [&](auto&& visit) {
+    for (const CandidatePair& pair : contacts.pairs) {
+      if (pair.contact == kNoIndex || (bodies.still[pair.bodyA] && bodies.still[pair.bodyB])) continue;
+      const Contact& c = contacts.contacts[pair.contact];
+      if (!c.rolls || !c.touching) continue;
+      if (isRound(shapes.data[c.shapeA].geometry.type)) visit(c, c.bodyA, c.bodyB);
+      if (isRound(shapes.data[c.shapeB].geometry.type)) visit(c, c.bodyB, c.bodyA);
+    }
+  };
+  bool any = false;
+  eachRolling([&](const Contact&, BodyIndex, BodyIndex on) {
+    if (bodies.mass[on].invMass > 0) any = sinking[on].bears = true;
+  });
+  if (any)
+    for (const CandidatePair& pair : contacts.pairs) {
+      if (pair.contact == kNoIndex || (!sinking[pair.bodyA].bears && !sinking[pair.bodyB].bears)) continue;
+      const Contact& c = contacts.contacts[pair.contact];
+      if (c.rolls || !c.touching) continue;
+      for (BodyIndex body : {c.bodyA, c.bodyB})
+        if (sinking[body].bears) sinking[body].faces = std::max(sinking[body].faces, deepestLoaded(c));
+    }
+  eachRolling([&](const Contact& c, BodyIndex body, BodyIndex on) {
+    const double deep = deepestLoaded(c);
+    if (deep > 0) sinking[body].rolling = std::max(sinking[body].rolling, deep + sinking[on].faces);
+  });
+}
 
 void findCourses(const BodySet& bodies, const ContactSet& contacts, std::span<const PassedPair> passed,
                  std::vector<Course>& courses) {

@@ -1,4 +1,5 @@
-// Pairs of shapes that pass each other in the coming step, if other contacts let both go straight before that.
+// Pairs of shapes that pass each other in the coming step, if other contacts let both go straight before that; and how
+// deep bodies roll, which says what they pass.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -6,6 +7,7 @@
 
 #include "dynamics/body_set.h"
 #include "dynamics/contact_set.h"
+#include "dynamics/shape_set.h"
 
 namespace brickfall {
 
@@ -21,6 +23,18 @@ struct Course {
   double aside = 0;          // m/s: and then at this speed at most
   double slack = 0;          // m
 };
+
+// How far a body has sunk into what bears it: contacts are springs, softer the longer the step and the lighter the
+// bodies.
+struct Sinking {
+  bool bears = false;  // something rolls on the body
+  double faces = 0;    // m: of such a body
+  double rolling = 0;  // m: of one that rolls, with what it rolls on. So far it lies below what nothing presses on
+};
+
+// By body.
+void findSinking(const BodySet& bodies, const ShapeSet& shapes, const ContactSet& contacts,
+                 std::vector<Sinking>& sinking);
 
 // Courses by body. They say nothing of a body that passes no other.
 void findCourses(const BodySet& bodies, const ContactSet& contacts, std::span<const PassedPair> passed,

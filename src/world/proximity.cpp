@@ -91,6 +91,7 @@ void Proximity::keepRoom(std::size_t shapes, std::size_t pairs, std::size_t touc
   brickfall::keepRoom(newParts, touching);
   brickfall::keepRoom(passed, touching);
   keepRoomFor(courses, shapes);
+  keepRoomFor(sinking, shapes);
   keepRoomFor(following, shapes);
   brickfall::keepRoom(meshScratch.faces, kMeshScratch);
   brickfall::keepRoom(meshScratch.points, kMeshScratch);

@@ -40,6 +40,7 @@ class Proximity {
   std::vector<CandidatePair> newParts;  // of pairs with a mesh
   std::vector<PassedPair> passed;
   std::vector<Course> courses;          // by body (passed_pairs.h)
+  std::vector<Sinking> sinking;         // likewise
   std::vector<BoundsUpdate> following;  // bounds of which the broad phase is to be told
   MeshScratch meshScratch;
 

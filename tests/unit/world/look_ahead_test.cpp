@@ -26,7 +26,7 @@ Looked ahead(const ShapeData& a, const ShapeData& b, const RelativeMotion& motio
   Looked out;
   collide(a.geometry, b.geometry, inverse(a.inCentreFrame) * motion.pose * b.inCentreFrame, kReach, out.before);
   out.after = out.before;
-  out.found = lookAhead(a, b, motion, kStep, kReach, kMargin, out.after).found;
+  out.found = lookAhead(a, b, motion, kStep, {kReach, kMargin}, out.after).found;
   return out;
 }
 
