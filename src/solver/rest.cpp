@@ -36,9 +36,7 @@ bool passesMaximum(const Island& island, BodySet& bodies) {
 void dampSlowIsland(Island& island, const StepContext& context, BodySet& bodies) {
   const bool passed = passesMaximum(island, bodies);
   if (island.plan.endVelocities) fadeSwing(island, context, bodies);
-  // Stopped at maxima, what swings on joints alone does not come to rest at short steps (law 30v).
-  if (island.plan.swings || island.facts.swung) return;
-  if (!passed || !island.plan.mayBeStopped || isDriven(island, context)) return;
+  if (!passed || !island.plan.mayBeStopped || island.facts.swung || isDriven(island, context)) return;
   // A body that nothing presses on has no part in a vibration: it falls.
   std::pmr::vector<char> touched(island.memory);
   findTouched(island, touched, [&](const auto& kind, std::size_t k) { return kind.ties(k, context); });

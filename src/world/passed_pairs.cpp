@@ -24,11 +24,12 @@ double asideAfter(double time, const Course& course, double dt) {
   return time <= course.straightUntil ? 0 : course.slack + course.aside * (dt - course.straightUntil);
 }
 
-// m, of the points that carry force.
+// m, of the points that carry force and whose impact is over: a ball that is still being stopped has not sunk in.
 double deepestLoaded(const Contact& c) {
   double deepest = 0;
   for (int i = 0; i < c.count; i++)
-    if (c.points.forceN[i] > 0) deepest = std::max(deepest, -double(c.points.gap[i]));
+    if (c.points.forceN[i] > 0 && c.points.phase[i] == PointPhase::resting)
+      deepest = std::max(deepest, -double(c.points.gap[i]));
   return deepest;
 }
 

@@ -234,7 +234,7 @@ TEST(Law, Row30vSlowSwingsFade) {
     Chain chain(0.001);
     double time = 0;
     for (; time < 20 && chain.world.state(chain.ball)->awake; time += dt) chain.step(dt);
-    atMost("a swing by 8 mm of 2000 kg: at rest after", dt, time, 6, "s");
+    atMost("a swing by 8 mm of 2000 kg: at rest after", dt, time, 8, "s");
     Bridge bridge;
     auto awake = [&] {
       return std::any_of(bridge.boards.begin(), bridge.boards.end(),

@@ -195,7 +195,8 @@ class Swings : VelocitySystem {
       rememberSteady(body.body, change, context_);
     }
   }
-  // Inertia with what resists turns in the solve.
+  // Inertia with what resists turns in the solve, turned with the body. Else a thin link has the inertia about its axis
+  // that it had where its axis was: spins grow fourfold in a step.
   void resist() {
     const double h2 = island_.dt * island_.dt;
     for (std::uint32_t i = 0; i < island_.bodies.size(); i++) {
@@ -204,7 +205,9 @@ class Swings : VelocitySystem {
       const Vec3 rows[3] = {{double(m[0]), double(m[1]), double(m[3])},
                             {double(m[1]), double(m[2]), double(m[4])},
                             {double(m[3]), double(m[4]), double(m[5])}};
-      for (int r = 0; r < 3; r++) bodies_[place_[i]].inertia.row[r] = rows[r] * h2;
+      Body& body = bodies_[place_[i]];
+      const Mat3 turned = body.place.orientation * transpose(context_.bodies->motion[body.body].orientation);
+      body.inertia = turned * Mat3{{rows[0] * h2, rows[1] * h2, rows[2] * h2}} * transpose(turned);
     }
   }
   // Impulses of outside forces, and of springs, over half of the step. True if there are springs.
