@@ -338,38 +338,6 @@ TEST(Law, Row30kAChainThatSnapsGainsNothing) {
   }
 }
 
-// As a newcomer writes it: fourteen thin rods of steel on ball joints, and a ball of 1.4 t that swings from 45 degrees.
-TEST(Law, Row30xAChainOfThinRodsStaysClosed) {
-  constexpr int kRods = 14;
-  constexpr double kRod = 0.25, kBall = 0.35;
-  const Vec3 out = normalized(Vec3{1, -1, 0});
-  for (double radius : {0.02, 0.01})
-    for (double dt : {1.0 / 60, 1.0 / 120, 1.0 / 240}) {
-      World world = makeWorld();
-      std::vector<JointId> joints;
-      BodyId last = addFixed(world, {0, 20, 0});
-      auto hang = [&](const ShapeDef& shape, double from, double centre) {
-        BodyDef def = bodyOf(shape, Vec3{0, 20, 0} + out * centre);
-        def.rotation = quatFromAxisAngle({0, 0, 1}, kPi / 4);
-        const BodyId next = add(world, def);
-        joints.push_back(join(world, at(JointType::spherical, Vec3{0, 20, 0} + out * from), last, next));
-        last = next;
-      };
-      for (int i = 0; i < kRods; i++) hang(cylinderOf(radius, 0.5 * kRod, 7850), i * kRod, (i + 0.5) * kRod);
-      hang(sphereOf(kBall, 7850), kRods * kRod, kRods * kRod + kBall);
-      double error = 0;
-      const double start = energyOf(world), moves = 1400 * kG * kRods * kRod;
-      for (int i = 0; i < std::lround(3 / dt); i++) {
-        ASSERT_TRUE(world.step(dt).ok());
-        for (JointId joint : joints) error = std::max(error, world.state(joint)->error);
-      }
-      expectSound(world);
-      const std::string rods = "rods of " + text(1e3 * radius, 0) + " mm: ";
-      atMost(rods + "error of a joint", dt, 1e3 * error, 0.1, "mm");
-      atMost(rods + "energy lost in 3 s", dt, 100 * (start - energyOf(world)) / moves, 0.5, "% of what moves");
-    }
-}
-
 // A ball on a chain breaks a small wall. What a step gains is what gravity gives before a way instead of along it.
 TEST(Law, Row30mAChainGainsNothingInAHit) {
   for (int links : {7, 12})

@@ -37,9 +37,9 @@ constexpr double kFirmness = 100;  // in units of mass / dt^2: of a hard equatio
                                    // x the inertia of a joint's lighter body
 
 // N m: geometric stiffness of a force at the end of an arm that turns with a body, beside its inertia, about all that
-// turns the arm. A turn about the arm moves no end of it: there a thin link has next to no inertia, and any part of the
-// stiffness would spin it up. Of pressure as of tension, or what buckles would buckle at any speed. `resist`: the body's
-// inertia about that end / dt^2.
+// turns the arm. A turn about the arm moves no end of it: there a thin link has next to no inertia, and any part of
+// the stiffness would spin it up. Of pressure as of tension, or what buckles would buckle at any speed. `resist`: the
+// body's inertia about that end / dt^2.
 Mat3 bending(Vec3 arm, Vec3 force, double resist);
 
 // What the arcs of turns add to a joint's ways.
