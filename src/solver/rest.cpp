@@ -35,7 +35,7 @@ bool passesMaximum(const Island& island, BodySet& bodies) {
 
 void dampSlowIsland(Island& island, const StepContext& context, BodySet& bodies) {
   const bool passed = passesMaximum(island, bodies);
-  if (island.plan.endVelocities) fadeSwing(island, context, bodies);
+  if (island.facts.jointed) fadeSwing(island, context, bodies);
   if (!passed || !island.plan.mayBeStopped || island.facts.swung || isDriven(island, context)) return;
   // A body that nothing presses on has no part in a vibration: it falls.
   std::pmr::vector<char> touched(island.memory);

@@ -10,8 +10,8 @@ namespace brickfall {
 // stopped, nor is a body that nothing presses on. To be called before the bodies' free motion is predicted.
 void dampSlowIsland(Island& island, const StepContext& context, BodySet& bodies);
 
-// Without any motion, do the forces of the last step still balance? Then a slow island stays where it is, for the price
-// of one light pass. Sets Island::ending; leaves all motion at zero.
+// Without any motion, do the forces of the last step still balance? Then an island in which all but nothing moves stays
+// where it is, for the price of one light pass. Sets Island::ending; leaves all motion at zero.
 void restCheck(Island& island, StepContext& context);
 
 // The other way to rest: a slow island stays where it is if no point of it strays from its place for a while. The last

@@ -324,8 +324,8 @@ class LastCheck {
     if (!(excess > energy.slack())) return 0;
     const double left = takeRelative(island_, group, motionOf(island_, group, context_), {}, context_, excess);
     // No momenta fit those ways: the group goes as if it met nothing. Joints and locks hold it as well.
-    if (left > energy.slack() && !island_.facts.jointed && !island_.facts.locked)
-      for (std::uint32_t i : group) goFreely(island_.bodies[i], context_);
+    if (!(left > energy.slack()) || island_.facts.jointed || island_.facts.locked) return excess - left;
+    for (std::uint32_t i : group) goFreely(island_.bodies[i], context_);
     return excess;
   }
 

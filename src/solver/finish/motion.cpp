@@ -8,7 +8,7 @@ namespace brickfall {
 
 namespace {
 
-//! not of the method: rotation vectors beyond are those of turns the other way round
+//! not of the method: rotation vectors beyond are those of turns the other way round, which no solve can mean
 constexpr double kHalfTurn = 3;  // rad
 
 // Friction would drive the spin of a body that turns faster than the solve sees on and on: a brick under a rolling ball
@@ -108,7 +108,6 @@ void goFreely(BodyIndex body, StepContext& context) {
   storeFreeBody(body, free.dt, context);
   shortenFreeTurn(context, body, 1);
   if (context.aheadOf(body) > 0) takeBackAhead(body, context);
-  keepLocks(body, context);
 }
 
 bool solvedWell(const Island& island, const StepContext& context) {

@@ -13,7 +13,7 @@ void turnFarFreely(const Island& island, StepContext& context);
 // Bodies without ties: free motion over `dt` s, moved by the mean of old and new velocity.
 void storeFreeBody(BodyIndex body, double dt, StepContext& context);
 
-// Moves the body as if its ties were not there, for what is left of its step.
+// Moves a body without joints and locks as if its ties were not there, for what is left of its step.
 void goFreely(BodyIndex body, StepContext& context);
 
 // Whether the solved motion is finite, of every body.

@@ -142,6 +142,7 @@ class Swings : VelocitySystem {
 
   // The change of velocities over half of the step. False if it has no solution.
   bool findHalf(const Ties& ties, bool springs) {
+    for (Support& s : supports_) s.state = Support::holds;
     for (int round = 0; round < kBoundRounds; round++) {
       assemble([](std::uint32_t, BodyBlock&) {});
       addSupports();
