@@ -16,6 +16,8 @@ namespace {
 //! of its thickness along the way | too small: cost of hits
 //! | too large: bodies that a ball knocks out are gone before they can push anything aside
 constexpr double kHitWay = 0.5;  // of the struck body, in a part
+//! times the mass | too small: cost of what flies out of a wall | too large: as too large a kHitWay, in mortar
+constexpr double kHeldHeavier = 2;  // what hits a body that mortar holds
 
 // m: a body that goes less far in a step asks for no parts.
 double littleWay(double radius) { return kLittleWay * radius / kReferenceSize; }
@@ -42,6 +44,7 @@ class HitSearch {
         if (!overlaps(reach, proximity_.around[other].swept)) return true;  // kept bounds are the tree's history
         if (o.body == body || !isHeavyFor(body, o.body) || !shapes_.mayTouch(shape, other)) return true;
         if (!ties_.mayCollide(body, o.body)) return true;
+        // Half of a half where mortar holds what is hit.
         const double gone = thicknessesWithin(body, o) * (isHeld(o.body) ? 1 / kHitWay : 1);
         if (gone > 0) mass += bodies_.mass[o.body].mass / double(bodies_.shapes[o.body].size());
         most = std::max(most, gone);
@@ -59,7 +62,7 @@ class HitSearch {
   // What mortar holds is pushed out of its neighbours, which stop what comes after it: twice the mass is enough there.
   bool isHeavyFor(BodyIndex body, BodyIndex other) {
     if (bodies_.data[other].type != BodyType::dynamic) return false;
-    const double times = isHeld(other) ? 2 : kHeavier;
+    const double times = isHeld(other) ? kHeldHeavier : kHeavier;
     return bodies_.isDriven(body) || bodies_.mass[body].mass >= times * bodies_.mass[other].mass;
   }
   // By mortar, which is looked up where anything is hit.

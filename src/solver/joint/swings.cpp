@@ -29,7 +29,7 @@ SteadyChange outsideChange(const BodySet& bodies, BodyIndex body, Vec3 gravity) 
 
 class Swings : VelocitySystem {
  public:
-  Swings(Island& island, StepContext& context) : VelocitySystem(island, context), supports_(island.memory) {}
+  Swings(Island& island, StepContext& context) : VelocitySystem(island, context), others_(island.memory) {}
 
   // Half of a step's forces, where the step ends: velocities become those of that moment.
   void run(Ties& ties) {
@@ -38,7 +38,7 @@ class Swings : VelocitySystem {
     addMotors(ties);
     hard_ = equations_.size();
     addResisting();
-    findSupports();
+    findOthers();
     resist();
     if (!findHalf(ties, true)) return;
     rememberHalf();
@@ -57,35 +57,35 @@ class Swings : VelocitySystem {
  private:
   // A row of another kind on a body of the system. It holds that body where it held it in the step, as firmly as joints
   // do, and pushes by no more than half of what it gave there: the rest of that was an impact's.
-  struct Support {
+  struct OtherRow {
     RowEnds ends;
     Vec3 armA, armB, force, torque;  // N, N m: on B
     BodyBlock stiffness = {};        // in units of mass
     enum { holds, gives, open } state = holds;
     double impulse[6] = {}, last[6] = {};  // N s, N m s: all, and of the last round
   };
-  void findSupports() {
+  void findOthers() {
     const double h2 = kFirmness * island_.dt * island_.dt;
     std::as_const(island_.rows).each([&]<class Kind>(const Kind& kind, std::size_t k) {
       if (Kind::kLasts || !kind.ties(k, context_)) return;
       const RowEnds ends = kind.ends(k);
       if (placeOf(ends.a) == kNoPlace && placeOf(ends.b) == kNoPlace) return;
       const StiffReaction x = kind.reactStiff(k, island_.motion.data(), true);
-      Support s{ends, toDouble(wide::store3(x.armA)), toDouble(wide::store3(x.armB)), toDouble(wide::store3(x.force)),
-                toDouble(wide::store3(x.torque))};
+      OtherRow s{ends, toDouble(wide::store3(x.armA)), toDouble(wide::store3(x.armB)), toDouble(wide::store3(x.force)),
+                 toDouble(wide::store3(x.torque))};
       for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++) {
           s.stiffness[i][j] = h2 * double(x.stiffness.A[i][j]);
           s.stiffness[i][j + 3] = s.stiffness[j + 3][i] = h2 * double(x.stiffness.B[i][j]);
           s.stiffness[i + 3][j + 3] = h2 * double(x.stiffness.C[i][j]);
         }
-      supports_.push_back(s);
+      others_.push_back(s);
     });
   }
   std::uint32_t placeOf(std::uint32_t local) const { return moves(local) ? place_[local] : kNoPlace; }
-  void addSupports() {
-    for (const Support& s : supports_) {
-      if (s.state != Support::holds) continue;
+  void addOthers() {
+    for (const OtherRow& s : others_) {
+      if (s.state != OtherRow::holds) continue;
       const std::uint32_t a = placeOf(s.ends.a), b = placeOf(s.ends.b);
       BodyBlock block;
       if (a != kNoPlace) congruence(s.stiffness, s.armA, s.armA, 1, block), matrix_.add(a, a, block);
@@ -96,10 +96,10 @@ class Swings : VelocitySystem {
     }
   }
   // What rows give that gave less, or what those that hold are still to give.
-  void pushSupports(bool holding) {
+  void pushOthers(bool holding) {
     const double half = 0.5 * island_.dt;
-    for (const Support& s : supports_) {
-      if (s.state != (holding ? Support::holds : Support::gives)) continue;
+    for (const OtherRow& s : others_) {
+      if (s.state != (holding ? OtherRow::holds : OtherRow::gives)) continue;
       const Vec3 p = holding ? Vec3{s.last[0], s.last[1], s.last[2]} : s.force * half;
       const Vec3 t = holding ? Vec3{s.last[3], s.last[4], s.last[5]} : s.torque * half;
       if (const std::uint32_t a = placeOf(s.ends.a); a != kNoPlace) push(a, -p, -t - cross(s.armA, p));
@@ -107,9 +107,9 @@ class Swings : VelocitySystem {
     }
   }
   // What the change of velocities asks of those that hold.
-  void holdSupports() {
-    for (Support& s : supports_) {
-      if (s.state != Support::holds) continue;
+  void holdOthers() {
+    for (OtherRow& s : others_) {
+      if (s.state != OtherRow::holds) continue;
       auto changeAt = [&](std::uint32_t local, Vec3 arm, double(&out)[6], double sign) {
         if (placeOf(local) == kNoPlace) return;
         const Body& body = at(local);
@@ -127,14 +127,14 @@ class Swings : VelocitySystem {
     }
   }
   // True if a row pulls where it pressed, or pushes by more than half of what it gave.
-  bool boundSupports() {
+  bool boundOthers() {
     bool any = false;
-    for (Support& s : supports_) {
-      if (s.state != Support::holds) continue;
+    for (OtherRow& s : others_) {
+      if (s.state != OtherRow::holds) continue;
       const double given = dot(Vec3{s.impulse[0], s.impulse[1], s.impulse[2]}, s.force),
                    most = 0.5 * island_.dt * lengthSquared(s.force);
       if (given >= -kTrifle * most && given <= (1 + kTrifle) * most) continue;
-      s.state = given < 0 ? Support::open : Support::gives;
+      s.state = given < 0 ? OtherRow::open : OtherRow::gives;
       any = true;
     }
     return any;
@@ -142,17 +142,17 @@ class Swings : VelocitySystem {
 
   // The change of velocities over half of the step. False if it has no solution.
   bool findHalf(const Ties& ties, bool springs) {
-    for (Support& s : supports_) s.state = Support::holds;
+    for (OtherRow& s : others_) s.state = OtherRow::holds;
     for (int round = 0; round < kBoundRounds; round++) {
       assemble([](std::uint32_t, BodyBlock&) {});
-      addSupports();
+      addOthers();
       if (!factor()) return false;
       const bool any = pushHalf(ties, springs);
       if (springs) sprung_ = any;
-      pushSupports(false);
-      for (Support& s : supports_) std::fill_n(s.impulse, 6, 0.0);
+      pushOthers(false);
+      for (OtherRow& s : others_) std::fill_n(s.impulse, 6, 0.0);
       findChange();
-      if (!boundSupports()) break;
+      if (!boundOthers()) break;
     }
     return true;
   }
@@ -230,13 +230,13 @@ class Swings : VelocitySystem {
     for (int round = 0; round < kHoldRounds; round++) {
       if (round > 0) {
         clear();
-        pushSupports(true);
+        pushOthers(true);
       }
       for (std::size_t i = 0; i < hard_ && round > 0; i++)
         give(equations_[i], -equations_[i].stiffness * speedOf(equations_[i]),
              [&](std::uint32_t place, Vec3 linear, Vec3 angular) { push(place, linear, angular); });
       solveMore();
-      holdSupports();
+      holdOthers();
     }
   }
   // Those that are strong enough hold a speed; others give what they can, whatever moves.
@@ -303,7 +303,7 @@ class Swings : VelocitySystem {
 
   std::size_t hard_ = 0;  // equations that hold
   bool sprung_ = false;   // springs act
-  std::pmr::vector<Support> supports_;
+  std::pmr::vector<OtherRow> others_;
 };
 
 }  // namespace
