@@ -133,7 +133,7 @@ TEST(Law, Row18tPowersOfTwoChangeNoBit) {
 // down, at every size. What holds is the mean of some shots.
 TEST(Law, Row18tAHitMovesAsManyAtAnySizeGravityAndDensity) {
   auto meanOf = [](const Likeness& like) {
-    constexpr int kShots = 12;
+    constexpr int kShots = 8;
     double sum = 0;
     for (int k = 0; k < kShots; k++) {
       LikeScene s = hitWall(like, 0.2, 1e-6 * k);

@@ -127,11 +127,12 @@ function main(): void {
   };
   // From here to the end, in the time that it takes to show; pressed again it ends there.
   let recorder: MediaRecorder | null = null;
-  let filmed = 0; // ms, until when the run was playing
+  let filmed = 0; // ms, until when the run was playing; 0: it has not begun
   const film = (): void => {
     if (byId('record').hidden) return;
     if (recorder) return recorder.stop();
     const chunks: Blob[] = [];
+    filmed = 0;
     recorder = new MediaRecorder(stage.renderer.domElement.captureStream(60), { videoBitsPerSecond: 12e6 });
     recorder.ondataavailable = (event) => chunks.push(event.data);
     recorder.onstop = () => {
@@ -139,12 +140,14 @@ function main(): void {
       recorder = null;
       byId('record').setAttribute('aria-pressed', 'false');
     };
+    // It goes on from here once somebody takes it in: the last tenths of a second would be over before.
+    recorder.onstart = () => {
+      player.play();
+      filmed = performance.now();
+    };
     byId('record').setAttribute('aria-pressed', 'true');
-    recorder.start();
     controls.setLoop(false);
-    player.play();
-    filmed = performance.now();
-    dirty = true;
+    recorder.start();
   };
   byId('record').hidden = typeof MediaRecorder === 'undefined' || !MediaRecorder.isTypeSupported('video/webm');
   const controls = new Controls(take, player, { setColour, setView, savePicture, film, turn, nextArrows, deselect: () => select(-1) }, views.map((v) => v.name));
@@ -182,7 +185,10 @@ function main(): void {
     if (ticks++ > 1) player.advance(Math.min(0.25, (now - last) / 1000));
     // It takes in what was shown for a while: the last picture, too.
     if (player.playing) filmed = now;
-    if (recorder?.state === 'recording' && now - filmed > kLastShown) recorder.stop();
+    if (recorder?.state === 'recording') {
+      dirty = true; // a picture is taken in when it is drawn
+      if (filmed > 0 && now - filmed > kLastShown) recorder.stop();
+    }
     if (inRow > 1) stage.shade.judge(now - last);
     last = now;
     if (stage.resize()) {

@@ -13,7 +13,7 @@ namespace brickfall::oracle {
 namespace {
 
 #ifndef BRICKFALL_SHOTS
-#define BRICKFALL_SHOTS 1500
+#define BRICKFALL_SHOTS 1000
 #endif
 
 constexpr int kShots = BRICKFALL_SHOTS;
