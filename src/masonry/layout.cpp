@@ -60,19 +60,27 @@ std::vector<Cell> englishCourse(const WallDef& wall, const Layout& at, bool head
   return cells;
 }
 
-// Stretchers and headers in turn from half pitch k to half pitch `end`; what is left over is filled with headers.
+// Stretchers and headers in turn from both ends, half pitch k and half pitch `end`, to the middle. A stretcher and a header take
+// six half pitches: what is left in the middle is filled with headers, so that both ends bond at any length.
 void flemishRun(std::vector<Cell>& cells, const Layout& at, int k, int end, bool stretcherFirst) {
+  const auto lay = [&](int place, bool stretcher) {
+    if (stretcher) return Cell{0.5 * place * at.headerPitch, at.length, Laying::leaves, false};
+    return Cell{halfPitchPlace(at, place), at.width, Laying::header, false};
+  };
+  std::vector<Cell> right;
   for (bool stretcher = stretcherFirst; k + 2 <= end; stretcher = !stretcher) {
-    bool fits = stretcher && k + 4 <= end;
-    if (fits) {
-      double from = 0.5 * k * at.headerPitch;
-      cells.push_back({from, at.length, Laying::leaves, false});
-      k += 4;
+    const int size = stretcher ? 4 : 2;
+    if (end - k >= 2 * size) {
+      cells.push_back(lay(k, stretcher));
+      right.push_back(lay(end -= size, stretcher));
+    } else if (end - k != size) {
+      for (; k + 2 <= end; k += 2) cells.push_back(lay(k, false));
     } else {
-      cells.push_back({halfPitchPlace(at, k), at.width, Laying::header, false});
-      k += 2;
+      cells.push_back(lay(k, stretcher));
     }
+    k += size;
   }
+  cells.insert(cells.end(), right.rbegin(), right.rend());
 }
 
 std::vector<Cell> flemishCourse(const WallDef& wall, const Layout& at, bool shifted) {
@@ -81,7 +89,7 @@ std::vector<Cell> flemishCourse(const WallDef& wall, const Layout& at, bool shif
   if (!shifted) {
     flemishRun(cells, at, 0, end, true);
   } else if (!wall.halfBats) {
-    flemishRun(cells, at, 1, end, false);  // toothed: the first header is centred on the stretcher below
+    flemishRun(cells, at, 1, end - 1, false);  // toothed: the first header is centred on the stretcher below
   } else {
     double closer = 0.5 * at.headerPitch - at.headerJoint;
     cells.push_back({halfPitchPlace(at, 0), at.width, Laying::header, false});

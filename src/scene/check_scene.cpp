@@ -163,26 +163,12 @@ void warnOfBareOpenings(const SceneDescription& scene, std::vector<Diagnostic>& 
     }
 }
 
-// A stretcher and a header take three half bricks: only where one stretcher more fits do both ends bond.
-void warnOfUnbondedEnds(const SceneDescription& scene, std::vector<Diagnostic>& out) {
-  for (const SceneWall& wall : scene.walls) {
-    const WallDef& def = wall.wall;
-    if (def.bond != Bond::flemish || !def.halfBats || !def.path.empty() || def.radius != 0) continue;
-    if (def.bricksPerCourse % 3 != 1)
-      out.push_back(warning(scene, wall.place, def.name,
-                            "found " + std::to_string(def.bricksPerCourse) +
-                                " bricks in Flemish bond, expected 4, 7, 10, ...: the headers at its right end stand "
-                                "above each other, bonded to nothing"));
-  }
-}
-
 }  // namespace
 
 std::vector<Diagnostic> checkScene(const SceneDescription& scene) {
   std::vector<Diagnostic> out;
   warnOfLaunches(scene, out);
   warnOfBareOpenings(scene, out);
-  warnOfUnbondedEnds(scene, out);
   Result<SceneRun> run = SceneRun::create(scene);
   if (run)
     warnOfOverlaps(scene, *run, out);

@@ -142,6 +142,41 @@ TEST(FlemishBond, HeadersAreCentredOnTheStretchersBelow) {
   EXPECT_EQ(centred, 2 * 3 + 2 * 0);  // three inner headers, each over two leaves
 }
 
+// The headers at the right end of 2, 3, 5, 6, ... bricks stood above each other, bonded to nothing.
+TEST(FlemishBond, NoJointIsAboveAnotherAtAnyLength) {
+  for (bool halfBats : {true, false})
+    for (int length = 2; length <= 30; length++) {
+      WallDef wall = wallOf(Bond::flemish, 2, length);
+      wall.headJoint = 0.01;
+      wall.halfBats = halfBats;
+      std::set<double> ends[2];  // m, right ends of bricks within the wall
+      double last[2] = {0, 0};
+      const std::vector<BrickPlacement> bricks = lay(wall);
+      for (const BrickPlacement& brick : bricks) last[brick.course] = std::max(last[brick.course], upperOf(brick).x);
+      for (const BrickPlacement& brick : bricks)
+        if (upperOf(brick).x < last[brick.course] - 1e-9) ends[brick.course].insert(upperOf(brick).x);
+      EXPECT_NEAR(last[0], wallLength(wall), 1e-12) << length;
+      double nearest = 1e9;
+      for (double below : ends[0])
+        for (double above : ends[1]) nearest = std::min(nearest, std::fabs(above - below));
+      EXPECT_GE(ends[1].size(), std::size_t(2)) << length;
+      EXPECT_GT(nearest, 0.04) << length << " bricks";  // a quarter brick
+      // Both ends are alike.
+      for (const std::set<double>& course : ends)
+        for (double end : course) {
+          const double mirrored =
+              (&course == ends ? wallLength(wall) : last[1] + (halfBats ? 0 : 0.05625)) - end - 0.01;
+          EXPECT_LT(std::fabs(*std::min_element(course.begin(), course.end(),
+                                                [&](double a, double b) {
+                                                  return std::fabs(a - mirrored) < std::fabs(b - mirrored);
+                                                }) -
+                              mirrored),
+                    1e-9)
+              << length;
+        }
+    }
+}
+
 TEST(EnglishBond, StretchersAndHeadersTakeTurns) {
   std::vector<BrickPlacement> bricks = lay(wallOf(Bond::english, 4, 5));
   for (const BrickPlacement& brick : bricks) EXPECT_EQ(brick.size.z > 0.2, brick.course % 2 == 1) << brick.name;
