@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "geometry/queries.h"
 #include "solver/free_motion.h"
 #include "solver/impact.h"
 #include "world/core_sweep.h"
@@ -56,36 +55,6 @@ bool ImpactParts::foundExactly(const Island& island) const {
 Vec3 ImpactParts::turnOf(BodyIndex body) const {
   const BodyMotion& m = registry_.bodies.motion[body];
   return visibleTurn(registry_.bodies.mass[body], m.orientation, m.angularVelocity) * context_.dt;
-}
-
-bool ImpactParts::anyTurns(const Island& island) const {
-  return std::any_of(island.bodies.begin(), island.bodies.end(), [&](BodyIndex body) {
-    const BodySet& bodies = registry_.bodies;
-    const Vec3 turn = visibleTurn(bodies.mass[body], bodies.motion[body].orientation, context_.solved[body].th);
-    return lengthSquared(turn) > 0.25 * kMostTurn * kMostTurn;
-  });
-}
-
-double ImpactParts::deepestOf(const Island& island) const {
-  double deepest = 0;
-  island.rows.eachManifold([&](ContactIndex contact) {
-    const Contact& c = context_.ties->contacts.contacts[contact];
-    for (int i = 0; i < c.count; i++) deepest = std::max(deepest, -double(c.points.gap[i]));
-  });
-  return deepest;
-}
-
-bool ImpactParts::endsDeeper(const Island& island, double had) const {
-  bool deeper = false;
-  island.rows.eachManifold([&](ContactIndex contact) {
-    const Contact& c = context_.ties->contacts.contacts[contact];
-    const ShapeData &a = registry_.shapes.data[c.shapeA], &b = registry_.shapes.data[c.shapeB];
-    if (deeper) return;
-    const Transform bInA = inverse(registry_.shapes.worldPose(c.shapeA, registry_.bodies)) *
-                           registry_.shapes.worldPose(c.shapeB, registry_.bodies);
-    deeper = penetrationDepth(a.geometry, b.geometry, bInA) > had + kCoreShare * std::min(a.innerRadius, b.innerRadius);
-  });
-  return deeper;
 }
 
 bool ImpactParts::runThrough(const Island& island, double dt, const Proximity& proximity) const {

@@ -23,13 +23,6 @@ class ImpactParts {
   // tell it: they may be wrong about a body that is still far away, or turns.
   bool runThrough(const Island& island, double dt, const Proximity& proximity) const;
 
-  // A body turns so far on the way of StepContext::solved that the points of its start do not tell what it meets.
-  bool anyTurns(const Island& island) const;
-  // m: the deepest overlap of the island's contacts, as they know it.
-  double deepestOf(const Island& island) const;
-  // Where they are now, two shapes of a contact are deeper in each other than `had`, visibly.
-  bool endsDeeper(const Island& island, double had) const;
-
  private:
   bool foundExactly(const Island& island) const;
   Vec3 turnOf(BodyIndex body) const;

@@ -58,7 +58,8 @@ class Fitting {
         near_(context.memory) {}
 
   // First the bodies that may be shifted, of all islands. If there are any, then what they may end in.
-  void addBodies(const Island& island);
+  // `all`: not only those that end aside.
+  void addBodies(const Island& island, bool all);
   bool anyBodies();
   void addContacts(const Island& island);
   void addFound(const BroadPhase& tree);
@@ -71,7 +72,7 @@ class Fitting {
   }
   void findTied(const Island& island);
   bool turnsFar(BodyIndex body) const;
-  bool endsAsSolved(BodyIndex body, const SolveMotion& motion) const;
+  bool endsAsSolved(const Island& island, std::size_t i) const;
   bool endsAside(BodyIndex body) const;
   Transform endOf(BodyIndex body) const;
   std::pmr::vector<End>::const_iterator asideAt(BodyIndex body) const;
@@ -110,14 +111,14 @@ void Fitting::findTied(const Island& island) {
 }
 
 // A shift tears no firm tie, and changes no momentum that must stay.
-void Fitting::addBodies(const Island& island) {
+void Fitting::addBodies(const Island& island, bool all) {
   findTied(island);
   for (std::size_t i = 0; i < island.bodies.size(); i++) {
     const BodyIndex body = island.bodies[i];
     const SolvedMotion& s = context_.solved[body];
     if (!moves(body) || (s.flying && !island.grounded()) || !isFinite(s.d) || !isFinite(s.th)) continue;
-    if (!endsAside(body) || std::binary_search(tied_.begin(), tied_.end(), body)) continue;
-    End end{body, true, s.flying, endsAsSolved(body, island.motion[i]), bodies_.mass[body].invMass};
+    if ((!all && !endsAside(body)) || std::binary_search(tied_.begin(), tied_.end(), body)) continue;
+    End end{body, true, s.flying, !all && endsAsSolved(island, i), bodies_.mass[body].invMass};
     if (!s.freeTurn && !s.flying) end.invInertia = bodies_.worldInvInertia(body);
     end.pose = endOf(body);
     ends_.push_back(end);
@@ -140,10 +141,11 @@ bool Fitting::turnsFar(BodyIndex body) const {
 }
 
 // Contacts know it where the body does not turn far, and nothing has changed its way since they were looked for.
-bool Fitting::endsAsSolved(BodyIndex body, const SolveMotion& motion) const {
-  if (context_.ahead[body].hit) return false;
+bool Fitting::endsAsSolved(const Island& island, std::size_t i) const {
+  const BodyIndex body = island.bodies[i];
+  if (context_.ahead[body].hit || turnsFar(body)) return false;
   const double far = kNearlyClosed * lengthScale(bodies_.mass[body].innerRadius, bodies_.mass[body].innerRadius);
-  return !turnsFar(body) && lengthSquared(context_.solved[body].d - toDouble(motion.d)) <= far * far;
+  return lengthSquared(context_.solved[body].d - toDouble(island.motion[i].d)) <= far * far;
 }
 
 // The body turned so far, or ends so far from where its contacts were looked for, that they do not tell what it meets.
@@ -321,20 +323,20 @@ bool Fitting::shiftBy(End& end, Vec3 way, Vec3 turn, Vec3 frame) {
 
 void keepOut(const IslandSet& islands, const Registry& registry, const Proximity& proximity, StepContext& context) {
   Fitting fitting(registry, context);
-  auto each = [&](void (Fitting::*add)(const Island&)) {
+  auto each = [&](auto&& add) {
     for (const IslandPointer& island : islands.awake)
-      if (!island->resting()) (fitting.*add)(*island);
+      if (!island->resting()) add(*island);
   };
-  each(&Fitting::addBodies);
+  each([&](const Island& island) { fitting.addBodies(island, false); });
   if (!fitting.anyBodies()) return;
-  each(&Fitting::addContacts);
+  each([&](const Island& island) { fitting.addContacts(island); });
   fitting.addFound(*proximity.broadPhase);
   fitting.fit();
 }
 
-bool keepOut(const Island& island, const Registry& registry, StepContext& context) {
+bool keepOut(const Island& island, bool toImpact, const Registry& registry, StepContext& context) {
   Fitting fitting(registry, context);
-  fitting.addBodies(island);
+  fitting.addBodies(island, toImpact);
   if (!fitting.anyBodies()) return false;
   fitting.addContacts(island);
   return fitting.fit();

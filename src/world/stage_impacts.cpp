@@ -32,8 +32,6 @@ namespace {
 constexpr double kBlink = 1e-3;
 //! of the rest of the step | too small: a body that accelerates towards an impact stops short of it | too large: cost
 constexpr double kAhead = 1.3;
-//! - | too small: what spins towards an impact has its step whole, and may end in it | too large: cost
-constexpr int kHalvings = 4;  // of a way to an impact, until no corner has turned into something
 //! not of the method: a mark
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
@@ -56,9 +54,7 @@ class ImpactWalk {
  private:
   void solve(Island& island, double dt, bool toImpact, SolveStatistics& statistics);
   double nextImpact(Island& island, double left);
-  enum class Went { all, into, notAtAll };  // `into`: it would end in something, for a turn
-  Went goTo(Island& island, double dt, bool toImpact);
-  double goNear(Island& island, double dt, bool toImpact);
+  bool goTo(Island& island, double dt, bool toImpact);
   bool impact(Island& island);
 
   const WorldDef& def_;
@@ -90,38 +86,27 @@ double ImpactWalk::nextImpact(Island& island, double left) {
   return firstClosing(island, left, context_);
 }
 
-// If the island cannot go there, it stays where it is.
-ImpactWalk::Went ImpactWalk::goTo(Island& island, double dt, bool toImpact) {
+// If the island cannot go there, it stays where it is. What turned into something on the way is fitted in.
+bool ImpactWalk::goTo(Island& island, double dt, bool toImpact) {
   IslandTrial trial(island, ties_, bodies_);
   SolveStatistics tried;
+  const bool flies = toImpact && touchesNothing(island, context_);
   solve(island, dt, toImpact, tried);
-  if (!toImpact && keepOut(island, registry_, context_)) tried.energyTaken += balanceIsland(island, ties_, context_);
+  const bool fitted = keepOut(island, toImpact, registry_, context_);
+  if (fitted && !flies) tried.energyTaken += balanceIsland(island, ties_, context_);
   bool fine = solvedWell(island, context_) && !parts_.runThrough(island, dt, proximity_);
-  const bool turns = toImpact && parts_.anyTurns(island);
-  const double had = turns ? parts_.deepestOf(island) : 0;
   if (fine) advanceRows(island, ties_, context_);
   for (BodyIndex body : island.bodies) fine = fine && moveBody(body, bodies_, context_);
-  const bool into = fine && turns && parts_.endsDeeper(island, had);
-  if (!fine || into) {
+  if (!fine) {
     trial.restore();
     context_.statistics.addCost(tried);
-    return into ? Went::into : Went::notAtAll;
+    return false;
   }
   context_.statistics.add(tried);
   NarrowPhase narrow(registry_, context_.dt, proximity_, ties_.contacts);
   island.rows.eachManifold([&](ContactIndex contact) { narrow.renew(contact); });
   report_.manifoldsComputed += narrow.computed();
-  return Went::all;
-}
-
-// As far as the island goes before a turn brings corners into something that the points of its start do not show: s.
-double ImpactWalk::goNear(Island& island, double dt, bool toImpact) {
-  double way = dt;
-  for (int k = 0; k < kHalvings; k++, way *= 0.5) {
-    const Went went = goTo(island, way, toImpact);
-    if (went != Went::into) return went == Went::all ? way : 0;
-  }
-  return 0;
+  return true;
 }
 
 bool ImpactWalk::impact(Island& island) {
@@ -151,11 +136,9 @@ void ImpactWalk::run(Island& island) {
     if (!ahead && part == left) break;
     double way = std::min({part, next, left - blink});
     if (way > blink) {
-      const double gone = goNear(island, way, ahead);
-      if (gone == 0) break;
-      left -= gone;
+      if (!goTo(island, way, ahead)) break;
+      left -= way;
       for (BodyIndex body : island.bodies) context_.ahead[body].left = left / context_.dt;
-      if (gone < way) continue;
     }
     if (next <= part && !impact(island)) break;
   }
