@@ -3,7 +3,6 @@
 #include "base/take_larger.h"
 #include "solver/direct_solve.h"
 #include "solver/light_pass.h"
-#include "solver/relaxation.h"
 #include "solver/renewals.h"
 
 namespace brickfall {

@@ -56,10 +56,10 @@ void keepMomenta(const Island& island, const std::pmr::vector<Velocities>& befor
     missing.add(bodies.mass[body].mass, m.position, inertia, push * bodies.mass[body].mass, inertia * turn);
   });
   if (!(missing.mass() > 0)) return;
-  const Vec3 centre = missing.centre(), move = missing.velocity(), spin = missing.spin();
+  const RigidMotion kept = missing.motion();
   eachHit([&](BodyIndex, BodyMotion& m, Vec3, Vec3) {
-    m.linearVelocity += move + cross(spin, m.position - centre);
-    m.angularVelocity += spin;
+    m.linearVelocity += kept.at(m.position);
+    m.angularVelocity += kept.spin;
   });
 }
 

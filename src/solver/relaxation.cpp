@@ -1,4 +1,4 @@
-#include "solver/relaxation.h"
+#include "solver/cycles.h"
 
 #include <algorithm>
 #include <cmath>

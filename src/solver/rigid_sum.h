@@ -5,6 +5,12 @@
 
 namespace brickfall {
 
+// A rigid motion: velocity `move` (m/s) at `centre`, and spin (rad/s). Or, over a step, a way and a turn.
+struct RigidMotion {
+  Vec3 centre, move, spin;
+  Vec3 at(Vec3 place) const { return move + cross(spin, place - centre); }
+};
+
 class RigidSum {
  public:
   // Positions are summed relative to `origin`, somewhere near the group.
@@ -27,6 +33,7 @@ class RigidSum {
   Vec3 angularMomentum() const { return angular_ - cross(moment_ * (1 / mass_), momentum_); }
   Mat3 inertia() const { return inertia_ + pointInertia(moment_ * (1 / mass_), mass_) * -1.0; }
   Vec3 spin() const { return inverse(inertia()) * angularMomentum(); }
+  RigidMotion motion() const { return {centre(), velocity(), spin()}; }
 
  private:
   static Mat3 pointInertia(Vec3 r, double m) {

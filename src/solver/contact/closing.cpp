@@ -3,27 +3,12 @@
 #include <cmath>
 #include <limits>
 
-#include "solver/contact/impact.h"
+#include "solver/contact/speeds.h"
 #include "solver/contact/stiffness.h"
 
 namespace brickfall {
 
 namespace {
-
-struct Velocity {
-  Vec3 linear, angular;
-};
-Velocity startOf(const BodySet& bodies, BodyIndex body) {
-  return {bodies.motion[body].linearVelocity, bodies.motion[body].angularVelocity};
-}
-
-// Normal speed of B against A at each point: negative = closing.
-void speedsOf(const FaceRecord& r, int count, const Velocity& a, const Velocity& b, double* out) {
-  Vec3 n = toDouble(r.n), t1 = toDouble(r.t1), t2 = cross(n, t1);
-  Vec3 u = b.linear + cross(b.angular, toDouble(r.armB)) - a.linear - cross(a.angular, toDouble(r.armA));
-  Vec3 w = b.angular - a.angular;
-  for (int i = 0; i < count; i++) out[i] = dot(n, u) + dot(t1, w) * double(r.s2[i]) - dot(t2, w) * double(r.s1[i]);
-}
 
 // Time until a point at `gap`, which parts at `speed` under `acceleration`, closes faster than `least`.
 double closingTime(double gap, double speed, double acceleration, double least) {
@@ -90,24 +75,24 @@ void ContactRows::leaveOut(Ties& ties, const StepContext& context) {
 
 double ContactRows::firstClosing(const Island& island, double dt, const StepContext& context) const {
   const BodySet& bodies = *context.bodies;
+  const std::size_t count = island.bodies.size();
   const double least = slowestImpact(island, context);
-  auto velocities = [&](std::uint32_t local, Velocity& start, Velocity& end) {
-    BodyIndex body =
-        local < island.bodies.size() ? island.bodies[local] : island.partners[local - island.bodies.size()];
-    start = end = startOf(bodies, body);
-    if (local >= island.bodies.size()) return;
-    end = {context.solved[body].velocity, bodies.worldInvInertia(body) * context.solved[body].angularMomentum};
+  auto startOf = [&](std::uint32_t local) {
+    return velocityOf(bodies.motion[local < count ? island.bodies[local] : island.partners[local - count]]);
+  };
+  auto endOf = [&](std::uint32_t local) {
+    if (local >= count) return startOf(local);
+    const BodyIndex body = island.bodies[local];
+    return VelocityChange{context.solved[body].velocity,
+                          bodies.worldInvInertia(body) * context.solved[body].angularMomentum};
   };
   double first = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < size(); k++) {
     const Contact& c = context.ties->contacts.contacts[contactOf[k]];
     const FaceRecord& r = records[k];
-    Velocity startA, startB, endA, endB;
-    velocities(r.bodyA, startA, endA);
-    velocities(r.bodyB, startB, endB);
     double start[4], end[4];
-    speedsOf(r, c.count, startA, startB, start);
-    speedsOf(r, c.count, endA, endB, end);
+    speedsOf(r, c.count, {startOf(r.bodyA), startOf(r.bodyB)}, start);
+    speedsOf(r, c.count, {endOf(r.bodyA), endOf(r.bodyB)}, end);
     for (int i = 0; i < c.count; i++) {
       if (c.points.forceN[i] > 0) continue;
       double acceleration = (end[i] - start[i]) / dt;

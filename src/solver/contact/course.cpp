@@ -3,26 +3,18 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solver/contact/rows.h"
+#include "solver/contact/speeds.h"
 
 namespace brickfall {
 
 namespace {
 
-// m/s, along the normal: by how much the velocity of point i of a contact, of B against A, changes.
-double changeAtPoint(const FaceRecord& row, int i, const EndChanges& by) {
-  Vec3 n = toDouble(row.n), t1 = toDouble(row.t1);
-  Vec3 off = t1 * double(row.s1[i]) + cross(n, t1) * double(row.s2[i]);
-  return dot(n, by.b.move + cross(by.b.turn, toDouble(row.armB) + off) - by.a.move -
-                    cross(by.a.turn, toDouble(row.armA) + off));
-}
-
-// Point i neither lands nor leaves: it closes and parts by no more than small shocks do.
-bool isSteady(const FaceRecord& row, const ContactStart& start, int i, const EndChanges& change, const StepSpan& span) {
+// Point i neither lands nor leaves: it closes and parts by no more than small shocks do. `change`: m/s, of its speed.
+bool isSteady(const FaceRecord& row, const ContactStart& start, int i, double change, const StepSpan& span) {
   const double most = kCalmShare * start.scale.gravity * std::max(span.dt, span.before);
   // m/s: the change that the arc of a turning body makes.
   const double arc = span.arcs ? double(dot(row.n, start.bend)) / (0.5 * span.before - span.dt) : 0;
-  return std::fabs(changeAtPoint(row, i, change) - arc) <= most && std::fabs(start.approach[i]) <= most;
+  return std::fabs(change - arc) <= most && std::fabs(start.approach[i]) <= most;
 }
 
 }  // namespace
@@ -31,21 +23,25 @@ RowCourse ContactRows::courseOf(std::size_t k, const EndChanges& change, const S
                                 const StepContext& context) const {
   const PointMemory& points = context.ties->contacts.contacts[contactOf[k]].points;
   RowCourse course = RowCourse::idle;
+  double changes[4];
+  speedsOf(records[k], starts[k].points, change, changes);
   for (int i = 0; i < starts[k].points; i++) {
     if (!(points.forceN[i] > 0)) continue;
     course = RowCourse::goesOn;
-    if (!isSteady(records[k], starts[k], i, change, span)) return RowCourse::changes;
+    if (!isSteady(records[k], starts[k], i, changes[i], span)) return RowCourse::changes;
   }
   return course;
 }
 
 bool ContactRows::wouldMeet(std::size_t k, const EndChanges& nearer, const EndChanges& change, double dt) const {
-  const FaceRecord& row = records[k];
   const ContactStart& start = starts[k];
+  double nearing[4], changes[4];
+  speedsOf(records[k], start.points, nearer, nearing);
+  speedsOf(records[k], start.points, change, changes);
   for (int i = 0; i < start.points; i++) {
-    const double by = 0.5 * dt * changeAtPoint(row, i, nearer);
+    const double by = 0.5 * dt * nearing[i];
     if (by <= kNoGap * start.scale.length) continue;
-    const double speed = start.approach[i] + changeAtPoint(row, i, change);
+    const double speed = start.approach[i] + changes[i];
     if (start.gap[i] + speed * dt < by) return true;
   }
   return false;

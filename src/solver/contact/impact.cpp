@@ -1,10 +1,8 @@
 // Impacts of contacts: the impulses that stopped them in a step; and the solve of an impact at its moment
 // (solver/impact.h).
-#include "solver/contact/impact.h"
-
 #include <algorithm>
 
-#include "solver/contact/rebound.h"
+#include "solver/contact/speeds.h"
 #include "solver/face/point_forces.h"
 
 namespace brickfall {

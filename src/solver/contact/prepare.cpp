@@ -12,6 +12,7 @@
 #include <cmath>
 
 #include "dynamics/point_matcher.h"
+#include "solver/contact/speeds.h"
 #include "solver/contact/stiffness.h"
 
 namespace brickfall {
@@ -32,14 +33,10 @@ void updateFrame(FaceRecord& r, const Contact& c, const ContactGeometry& g, cons
 }
 
 void findApproach(const FaceRecord& r, const Contact& c, const BodySet& bodies, ContactStart& start) {
-  const BodyMotion &a = bodies.motion[c.bodyA], &b = bodies.motion[c.bodyB];
-  Vec3 n = toDouble(r.n), t1 = toDouble(r.t1), t2 = cross(n, t1);
-  Vec3 u = b.linearVelocity + cross(b.angularVelocity, toDouble(r.armB)) - a.linearVelocity -
-           cross(a.angularVelocity, toDouble(r.armA));
-  Vec3 w = b.angularVelocity - a.angularVelocity;
-  double un = dot(n, u), w1 = dot(t1, w), w2 = dot(t2, w);
+  double speeds[4] = {};
+  speedsOf(r, c.count, {velocityOf(bodies.motion[c.bodyA]), velocityOf(bodies.motion[c.bodyB])}, speeds);
   for (int i = 0; i < 4; i++) {
-    start.approach[i] = float(un + w1 * double(c.points.s2[i]) - w2 * double(c.points.s1[i]));
+    start.approach[i] = float(speeds[i]);
     start.gap[i] = c.points.gap[i];
   }
 }

@@ -3,11 +3,10 @@
 // the point then gives at least its impulse of this step and e times all of its impulse. The solve goes on from the
 // motion that it found. So the smallest restitution changes the least, and rebounds are borne, and rubbed against, like
 // any force.
-#include "solver/contact/rebound.h"
-
 #include <algorithm>
 #include <cmath>
 
+#include "solver/contact/speeds.h"
 #include "solver/face/point_forces.h"
 #include "solver/support.h"
 

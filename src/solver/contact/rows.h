@@ -85,8 +85,6 @@ struct ContactRows : FaceRows {
   // At the end of the step an open point is nearer to its partner than `nearer`, over half of the step, would move the
   // two towards each other.
   bool wouldMeet(std::size_t k, const EndChanges& nearer, const EndChanges& change, double dt) const;
-  // A body of the row will turn by `lessTurn` less than was solved: adds to its way (m) what keeps points from ending
-  // deeper than they would have.
   // Adds the friction of the last step on B, or on A, along a direction.
   void addFriction(std::size_t k, Vec3 along, bool onB, const StepContext& context, FrictionAlong& sum) const;
   // What the ties hold on to is to be where the step ends: the contacts' anchors.

@@ -129,12 +129,6 @@ double takeResidual(const Island& island, Bodies group, Vec3 frame, StepContext&
   return excess + linear * share + square * share * share;
 }
 
-// A rigid motion: velocity `move` at `centre`, and spin.
-struct RigidMotion {
-  Vec3 centre, move, spin;
-  Vec3 at(Vec3 place) const { return move + cross(spin, place - centre); }
-};
-
 // The motion of a group that flies, at the end of the step.
 RigidMotion motionOf(const Island& island, Bodies group, const StepContext& context) {
   RigidSum sum(island.origin);
@@ -145,7 +139,7 @@ RigidMotion motionOf(const Island& island, Bodies group, const StepContext& cont
     sum.add(m, context.bodies->motion[body].position + s.d, inertiaAtEnd(context, body), s.velocity * m,
             s.angularMomentum);
   }
-  return {sum.centre(), sum.velocity(), sum.spin()};
+  return sum.motion();
 }
 // The motion of the body that a group presses on.
 RigidMotion motionOf(const Island& island, std::uint32_t partner, const StepContext& context) {

@@ -1,8 +1,5 @@
 #include "solver/finish/finish.h"
 
-#include "solver/finish/flight.h"
-#include "solver/finish/group_slide.h"
-#include "solver/finish/lone_body.h"
 #include "solver/finish/motion.h"
 #include "solver/joint/swings.h"
 

@@ -1,4 +1,4 @@
-#include "solver/finish/flight.h"
+#include "solver/finish/finish.h"
 
 #include <algorithm>
 
@@ -10,11 +10,10 @@ namespace brickfall {
 
 namespace {
 
-// A motion of a whole group: ways in the place of velocities.
+// A motion of a whole group over the step.
 struct Missing {
-  Vec3 centre, move, turn;
+  RigidMotion motion;
   Vec3 aside;  // m: of the centre of mass from where its momentum leads
-  Vec3 at(Vec3 place) const { return move + cross(turn, place - centre); }
 };
 
 // The part of a group's momenta that the solve missed, kg m and kg m2. Bodies of an island that goes along arcs end at
@@ -39,9 +38,9 @@ Missing missingOf(const Island& island, std::span<const std::uint32_t> group, co
       missing.add(m, at, inertia, (way - s.d) * m, (spin - s.angularMomentum) * island.dt);
     }
   }
-  if (!turns) return {missing.centre(), missing.velocity(), missing.spin()};
-  return {solved.centre(), free.velocity() - solved.velocity(),
-          inverse(solved.inertia()) * (free.angularMomentum() - solved.angularMomentum()),
+  if (!turns) return {missing.motion(), {}};
+  return {{solved.centre(), free.velocity() - solved.velocity(),
+           inverse(solved.inertia()) * (free.angularMomentum() - solved.angularMomentum())},
           solved.centre() - (free.centre() + free.velocity())};
 }
 
@@ -88,7 +87,7 @@ void finishFlights(const Island& island, StepContext& context) {
     const std::span<const std::uint32_t> group = island.groups.bodies(g);
     if (!fallsAlike(island, group)) continue;
     if (group.size() > 1 && !island.facts.locked) {
-      const Missing missing = missingOf(island, group, context);
+      const auto [missing, aside] = missingOf(island, group, context);
       for (std::uint32_t i : group) {
         const BodyIndex body = island.bodies[i];
         const Vec3 at = context.bodies->motion[body].position;
@@ -96,10 +95,10 @@ void finishFlights(const Island& island, StepContext& context) {
         // Ways along arcs are what they should be, but for the floats in which the solve found them: a centre of mass
         // that these put aside would change the angular momentum.
         if (island.rigid.turns())
-          shift(body, -missing.aside, {}, context);
+          shift(body, -aside, {}, context);
         else
-          shift(body, way, missing.turn, context);
-        accelerate(body, way * (1 / island.dt), context.bodies->worldInertia(body) * missing.turn * (1 / island.dt),
+          shift(body, way, missing.spin, context);
+        accelerate(body, way * (1 / island.dt), context.bodies->worldInertia(body) * missing.spin * (1 / island.dt),
                    context);
       }
     }

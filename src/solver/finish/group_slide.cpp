@@ -3,7 +3,7 @@
 // is right to second order and feeds in no energy. A body that sticks to the ground, sways or rocks must not move so.
 // Only the slide and the turn along the ground of the group as a whole are corrected, as those of a rigid body. No body
 // moves against its neighbours.
-#include "solver/finish/group_slide.h"
+#include "solver/finish/finish.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,16 +17,12 @@ namespace brickfall {
 
 namespace {
 
-// Velocities of a group along the ground, as those of a rigid body, or their changes.
-struct Slide {
-  Slide(const RigidSum& sum, Vec3 normal) : centre(sum.centre()) {
-    const Vec3 v = sum.velocity();
-    move = v - normal * dot(normal, v);
-    turn = normal * (dot(normal, sum.angularMomentum()) / dot(normal, sum.inertia() * normal));
-  }
-  VelocityChange at(Vec3 position) const { return {move + cross(turn, position - centre), turn}; }
-  Vec3 centre, move, turn;
-};
+// The velocities of a group along the ground with this normal, or their changes.
+RigidMotion alongGround(const RigidSum& sum, Vec3 normal) {
+  const Vec3 v = sum.velocity();
+  return {sum.centre(), v - normal * dot(normal, v),
+          normal * (dot(normal, sum.angularMomentum()) / dot(normal, sum.inertia() * normal))};
+}
 
 class GroupSlides {
  public:
@@ -119,8 +115,10 @@ void GroupSlides::findChanges() {
   }
   changes_.resize(count_);
   for (std::uint32_t i = 0; i < count_; i++)
-    if (slides(i))
-      changes_[i] = Slide(changes[groupOf_[i]], normals_[groupOf_[i]]).at(bodies.motion[island_.bodies[i]].position);
+    if (slides(i)) {
+      const RigidMotion slide = alongGround(changes[groupOf_[i]], normals_[groupOf_[i]]);
+      changes_[i] = {slide.at(bodies.motion[island_.bodies[i]].position), slide.spin};
+    }
 }
 
 // A group that would be moved towards a body that one of its open points is about to meet is not corrected.

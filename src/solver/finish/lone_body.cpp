@@ -2,8 +2,8 @@
 // Verlet wrote it. A step starts the solve with velocities that are late by half of the last step. That makes its ways
 // and times of second order and keeps energy. A body remembers velocities that are up to date, and how they changed in
 // the last step. From rest, after flight and after an impact no velocity is late. Bodies that push each other are left
-// alone (what one gains the other would have to give), unless they slide as one: finish/group_slide.h.
-#include "solver/finish/lone_body.h"
+// alone (what one gains the other would have to give), unless they slide as one: finish/group_slide.cpp.
+#include "solver/finish/finish.h"
 
 #include <algorithm>
 #include <cmath>
