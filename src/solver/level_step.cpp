@@ -96,6 +96,7 @@ void LevelStep::apply() {
     if (!std::isfinite(slope)) return way.goBack();
     if (!kept) {
       searchAlong(way, slope);
+      valid_ = number_ > 0;  // of single bodies, tied firmly: kept, it would mostly go too far again
       return;
     }
     way.goBack();

@@ -26,6 +26,11 @@ double thicknessAlong(const Shape& shape, Vec3 direction) {
   return dot(coreSupport(shape, direction) - coreSupport(shape, -direction), direction) + 2 * coreRadius(shape);
 }
 
+// The most that a body goes of what it hits.
+struct Thicknesses {
+  double held = 0, loose = 0;  // by mortar, counted twice; all else
+};
+
 class HitSearch {
  public:
   HitSearch(const Registry& registry, const Proximity& proximity, const Ties& ties, double dt)
@@ -35,7 +40,8 @@ class HitSearch {
     const BodyMotion& m = bodies_.motion[body];
     if (bodies_.still[body] || !(length(m.linearVelocity) * dt_ > littleWay(bodies_.mass[body].innerRadius))) return;
     const Sweep own = sweepOf(bodies_, body, m.linearVelocity * dt_, m.angularVelocity * dt_);
-    double mass = 0, most = 0;  // kg, of bodies on the way; their thicknesses that the body goes
+    double mass = 0;   // kg, of bodies on the way
+    Thicknesses gone;  // of the body
     for (ShapeIndex shape : bodies_.shapes[body]) {
       const ShapeData& s = shapes_.data[shape];
       const Aabb reach = sweptBounds(s, own);
@@ -45,18 +51,21 @@ class HitSearch {
         if (o.body == body || !isHeavyFor(body, o.body) || !shapes_.mayTouch(shape, other)) return true;
         if (!ties_.mayCollide(body, o.body)) return true;
         // Half of a half where mortar holds what is hit.
-        const double gone = thicknessesWithin(body, o) * (isHeld(o.body) ? 1 / kHitWay : 1);
-        if (gone > 0) mass += bodies_.mass[o.body].mass / double(bodies_.shapes[o.body].size());
-        most = std::max(most, gone);
+        const bool held = isHeld(o.body);
+        const double way = thicknessesWithin(body, o) * (held ? 1 / kHitWay : 1);
+        if (way > 0) mass += bodies_.mass[o.body].mass / double(bodies_.shapes[o.body].size());
+        double& most = held ? gone.held : gone.loose;
+        most = std::max(most, way);
         return true;
       });
     }
     // A pebble on its way has not the whole world stepped in parts.
-    if (bodies_.isDriven(body) || mass >= kTrifle * bodies_.mass[body].mass)
-      thicknesses_ = std::max(thicknesses_, most);
+    if (!bodies_.isDriven(body) && !(mass >= kTrifle * bodies_.mass[body].mass)) return;
+    gone_.held = std::max(gone_.held, gone.held);
+    gone_.loose = std::max(gone_.loose, gone.loose);
   }
 
-  double thicknesses() const { return thicknesses_; }
+  const Thicknesses& gone() const { return gone_; }
 
  private:
   // What mortar holds is pushed out of its neighbours, which stop what comes after it: twice the mass is enough there.
@@ -103,18 +112,20 @@ class HitSearch {
   const Ties& ties_;
   const double dt_;
   std::vector<bool> held_;  // by body; empty: not looked up yet
-  double thicknesses_ = 0;  // gone within the step, the most of all struck bodies
+  Thicknesses gone_;        // within the step, the most of all struck bodies
 };
 
 }  // namespace
 
-int partsForHits(const Registry& registry, const Activity& activity, const Proximity& proximity, const Ties& ties,
-                 double dt, int most) {
-  if (most == 1) return 1;
+HitParts partsForHits(const Registry& registry, const Activity& activity, const Proximity& proximity, const Ties& ties,
+                      double dt, int most) {
+  if (most == 1) return {};
   HitSearch search(registry, proximity, ties, dt);
   for (BodyIndex body : activity.awake) search.look(body);
   for (BodyIndex body : activity.moving) search.look(body);
-  return int(std::ceil(std::clamp(search.thicknesses() / kHitWay, 1.0, double(most))));
+  const Thicknesses& gone = search.gone();
+  const auto count = int(std::ceil(std::clamp(std::max(gone.held, gone.loose) / kHitWay, 1.0, double(most))));
+  return {count, count > 1 && gone.held > gone.loose};
 }
 
 }  // namespace brickfall

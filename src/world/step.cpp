@@ -167,21 +167,31 @@ void World::Impl::endPart() {
   report.energyTaken += s.energyTaken;
 }
 
+void World::Impl::runPart(double dt, bool last) {
+  diary.report.manifolds = diary.report.contactPoints = diary.report.touchingPoints = 0;
+  clock.lastPart = last;
+  beginPart(dt);
+  runStages(Stage::pairs, Stage::count);
+  endPart();
+  clock.part++;
+  diary.report.parts++;
+}
+
 void World::Impl::runSubstep(double dt, bool last) {
   // No island stays settled when the time step changes.
   if (clock.beginSubstep(dt)) activity.unsettleAll();
-  const int parts = partsForHits(registry, activity, proximity, ties, dt, def.solver.maxHitParts);
-  for (int i = 0; i < parts; i++) {
-    diary.report.manifolds = diary.report.contactPoints = diary.report.touchingPoints = 0;
-    clock.lastPart = last && i == parts - 1;
-    beginPart(dt / parts);
-    runStages(Stage::pairs, Stage::count);
-    endPart();
-    clock.part++;
+  // What mortar holds slows down what hits it: what is left of the step may need fewer parts.
+  double left = dt;
+  for (int most = def.solver.maxHitParts; most > 0;) {
+    const HitParts hits = partsForHits(registry, activity, proximity, ties, left, most);
+    const double part = left / hits.count;
+    const int now = hits.ofHeld ? 1 : hits.count;
+    most = now == hits.count ? 0 : most - now;
+    for (int i = 1; i <= now; i++) runPart(part, last && most == 0 && i == now);
+    left -= part * now;
   }
   clock.time += dt;
   clock.stepCount++;
-  diary.report.parts += parts;
 }
 
 // All memory that the step may need is taken before the step.

@@ -38,6 +38,7 @@ struct World::Impl {
   // step.cpp. A step is made of substeps. Each is one part, or several where something heavy hits: begin, all stages,
   // end.
   void keepRoom();  // for all memory that the step may need
+  void runPart(double dt, bool last);
   void runSubstep(double dt, bool last);
   void beginPart(double dt);
   void runStages(Stage first, Stage end);
