@@ -60,10 +60,7 @@ void addHit(PointMemory& m, int i, float n, float t1, float t2) {
   m.hit1[i] += t1;
   m.hit2[i] += t2;
 }
-void endHit(PointMemory& m, int i) {
-  m.hitN[i] = m.hit1[i] = m.hit2[i] = 0;
-  m.metMask &= ~(1u << i);
-}
+void endHit(PointMemory& m, int i) { m.hitN[i] = m.hit1[i] = m.hit2[i] = 0; }
 
 void scaleForces(PointMemory& m, int i, float share) {
   m.multiplierN[i] = m.forceN[i] *= share;
@@ -90,7 +87,6 @@ void carryOver(PointMemory& to, int i, const PointMemory& from, int j, const Tan
   to.hitN[i] = from.hitN[j];
   to.hit1[i] = along1(from.hit1[j], from.hit2[j]);
   to.hit2[i] = along2(from.hit1[j], from.hit2[j]);
-  if (from.metMask >> j & 1) to.metMask |= 1u << i;
   if (from.impactMask >> j & 1) to.impactMask |= 1u << i;
   if (from.sticks(j)) to.stickingMask |= 1u << i;
 }

@@ -33,7 +33,6 @@ struct PointMemory {
   float hitN[4] = {}, hit1[4] = {},
         hit2[4] = {};              // N, mean over the last step of what its force leaves out: impacts that were
                                    // over within it, rebounds, other parts of the step
-  std::uint32_t metMask = 0;       // bit per point: hit in the last step, and not parted by it
   std::uint32_t impactMask = 0;    // bit per point: its force in the last step was an impact's
   std::uint32_t stickingMask = 0;  // bit per point: held by its anchor
 
@@ -48,8 +47,7 @@ enum class PointQuantity : std::uint8_t { length, overlap, force, pressure, stif
 template <class Memory, class Visitor> void eachField(Memory& m, Visitor&& visit) {
   // As many names as there are fields: one more in PointMemory does not compile until it is visited here.
   auto& [phase, feature, s1, s2, gap, offset, drift1, drift2, stiffness, multiplierN, multiplier1, multiplier2, forceN,
-         force1, force2, slip1, slip2, impulse, impactSpeed, hitN, hit1, hit2, metMask, impactMask, stickingMask] = m;
-  visit(metMask);
+         force1, force2, slip1, slip2, impulse, impactSpeed, hitN, hit1, hit2, impactMask, stickingMask] = m;
   visit(impactMask);
   visit(stickingMask);
   for (auto* lanes : {&s1, &s2, &gap}) visit(*lanes, PointQuantity::length);

@@ -21,10 +21,10 @@ double closingTime(double gap, double speed, double acceleration, double least) 
   return acceleration < 0 ? (speed + closing) / -acceleration : never;
 }
 
-// The point carried nothing in the last step, was not hit in this one, and is further apart than a closed point may be.
+// The point carried nothing in the last step, and is further apart than a closed point may be.
 bool isOpen(const Contact& c, int i, const StepContext& context) {
   const float open = float(kNoGap * scaleOfPair(c, context).length);
-  return c.points.forceN[i] == 0 && c.points.gap[i] > open && !(c.points.metMask >> i & 1);
+  return c.points.forceN[i] == 0 && c.points.gap[i] > open;
 }
 
 }  // namespace

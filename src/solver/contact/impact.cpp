@@ -40,8 +40,6 @@ void ContactRows::findHits(const Island& island, const StepContext& context, dou
 }
 
 void ContactRows::startImpact(const Island& island, const StepContext& context, double blink) {
-  double fastest = 0, heaviest = 0;
-  for (BodyIndex body : island.bodies) heaviest = std::max(heaviest, context.bodies->mass[body].mass);
   for (std::size_t k = 0; k < size(); k++) {
     const Contact& c = context.ties->contacts.contacts[contactOf[k]];
     FaceRecord& r = records[k];
@@ -52,13 +50,10 @@ void ContactRows::startImpact(const Island& island, const StepContext& context, 
       r.trialN[i] = closed ? 0 : -kLargestPointForce;
       r.trial1[i] = r.trial2[i] = r.limit[i] = 0;
       r.newPoints |= 1u << i;
-      if (closed) fastest = std::max(fastest, approach);
+      starts[k].stopping[i] = kLargestPointForce;  // friction limits follow the force, whatever it is
     }
     if (r.rolls) r.trial1[kRollingLane] = r.trial2[kRollingLane] = r.limit[kRollingLane] = 0;
   }
-  // No point takes more than what stops the heaviest and throws it back as fast.
-  for (ContactStart& start : starts)
-    for (float& most : start.stopping) most = float(2 * heaviest * fastest / island.dt);
 }
 
 void ContactRows::keepImpactForces(const Island& island) {
@@ -105,10 +100,6 @@ void ContactRows::endImpact(const Island& island, Ties& ties, const StepContext&
       // A point that was hit begins anew, and so does a point that the impact parts: its last force must not act on.
       bool hit = f.n[i] > 0, parts = double(f.way[i]) > slowestImpact(island, context) * island.dt;
       if (hit ? c.points.forceN[i] == 0 : parts) clearPoint(c.points, i);
-      if (hit && !parts) {  // micrometres away: the rest of the step must not close that in no time
-        c.points.metMask |= 1u << i;
-        c.points.gap[i] = std::min(0.0f, c.points.gap[i]);
-      }
       if (!hit) continue;
       addHit(c.points, i, f.n[i], f.t1[i], f.t2[i]);
       ties.contacts.strike(contactOf[k]);
