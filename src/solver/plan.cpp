@@ -130,7 +130,7 @@ SolvePlan planFor(const IslandFacts& facts, const SolverSettings& settings, doub
   plan.softDebris = row.large && facts.fastest > kDebrisSpeed;
   plan.tolerance = row.large ? settings.cycleTolerance : kSmallTolerance;
   plan.minCycles = row.direct && row.exactSteps ? 1 : settings.minCycles;
-  plan.maxCycles = row.direct ? plan.minCycles
+  plan.maxCycles = row.direct   ? plan.minCycles
                    : plan.alone ? std::max(settings.maxCycles, settings.maxCyclesSmall)
                                 : settings.maxCycles;
   plan.mostCycles = row.large ? kMostCycles * settings.maxCycles : plan.maxCycles;
