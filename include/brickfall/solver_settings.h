@@ -37,10 +37,10 @@ struct SolverSettings {
   int minCycles = 4;  // 1 .. 64: fewer glue bodies in place (they hang in the air). Before a direct solve of 2 to 24
                       // bodies there is one
   //! - | too small: slow collapses come late | too large: cost of hits
-  int maxCycles = 10;  // minCycles .. 256, islands of 64 bodies and more. Three times as many while a twentieth of
+  int maxCycles = 10;  // minCycles .. 256, islands of 25 bodies and more. Three times as many while a twentieth of
                        // the bodies is out of balance
-  //! - | too small: debris of 25 to 80 bodies, fast or in flight, stays unbalanced | too large: its cost
-  int maxCyclesSmall = 64;  // the same for the smallest islands (640 / bodies, clamped)
+  //! - | too small: bodies alone whose points open and close stay unbalanced | too large: its cost
+  int maxCyclesSmall = 64;  // the same for a body alone
   //! - | too small: at long time steps heavy balls punch clean holes into walls that they should push apart
   //! | too large: cost of fast hits
   int maxHitParts = 8;  // 1 .. 64: a step in which something heavy goes far into what it hits is made in up to so many

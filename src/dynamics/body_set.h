@@ -50,7 +50,6 @@ enum class BodyActivity : std::uint8_t { awake, asleep, fixed };  // fixed: stat
 struct SteadyChange {
   Vec3 linear, angular;  // m/s2, rad/s2
   double dt = 0;         // s, of that step; 0: they did not go on, or it was not alone
-  bool sticks = false;   // friction held it at one point at least
   bool swings = false;  // it flew, or hung on joints: its velocity is that of the step's end (joint/swings.h); in `dt`,
                         // half of this change is to be taken back
 };

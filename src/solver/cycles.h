@@ -17,8 +17,8 @@ void runCycles(Island& island, const StepContext& context, SolveStatistics& stat
 void startCycles(Island& island, const StepContext& context);
 bool goOn(Island& island, const StepContext& context, SolveStatistics& statistics, Renewals* renewals = nullptr);
 
-// The cycles (relaxation.cpp). They start from the present motion. A cycle moves the clusters of one level, all at once,
-// then one by one each body that is still out of balance. Bodies with a small residual are left alone and cost nothing.
+// The cycles (relaxation.cpp). They start from the present motion. A cycle moves a level's clusters all at once, then
+// one by one each body that is still out of balance. Bodies with a small residual are left alone and cost nothing.
 // Returns true when every body is in balance, false when the cycles of the plan were used up. Where the plan says so,
 // it sets anew what is frozen in the solve as it goes.
 bool relax(Island& island, const StepContext& context, SolveStatistics& statistics, Renewals* renewals = nullptr);

@@ -34,12 +34,6 @@ constexpr PlanRow kRows[] = {
     {"25 and more", kAny, false, false, false, false, 1, false, true},
 };
 
-// Small islands, when they collapse, need more cycles than a wall to move at their true speed.
-int cycleBudget(const IslandFacts& facts, const SolverSettings& settings) {
-  int bySize = int(640 / facts.bodies);
-  return std::clamp(bySize, settings.maxCycles, std::max(settings.maxCycles, settings.maxCyclesSmall));
-}
-
 const PlanRow& rowOf(const IslandFacts& facts) {
   bool slow = facts.grounded && facts.fastestCentre < kDebrisSpeed;
   return *std::find_if(std::begin(kRows), std::end(kRows), [&](const PlanRow& row) {
@@ -136,8 +130,10 @@ SolvePlan planFor(const IslandFacts& facts, const SolverSettings& settings, doub
   plan.softDebris = row.large && facts.fastest > kDebrisSpeed;
   plan.tolerance = row.large ? settings.cycleTolerance : kSmallTolerance;
   plan.minCycles = row.direct && row.exactSteps ? 1 : settings.minCycles;
-  plan.maxCycles = row.direct ? plan.minCycles : cycleBudget(facts, settings);
-  plan.mostCycles = row.large ? std::max(plan.maxCycles, kMostCycles * settings.maxCycles) : plan.maxCycles;
+  plan.maxCycles = row.direct   ? plan.minCycles
+                   : plan.alone ? std::max(settings.maxCycles, settings.maxCyclesSmall)
+                                : settings.maxCycles;
+  plan.mostCycles = row.large ? kMostCycles * settings.maxCycles : plan.maxCycles;
   plan.rounds = kRounds;
   if (!row.large || !facts.mortared) return plan;
   // Firm ties spread what all must do together through cycles, not through sweeps: as many sweeps, one in a cycle. They

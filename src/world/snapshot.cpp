@@ -18,7 +18,7 @@ namespace {
 
 //! not of the method: the file's
 constexpr std::uint64_t kMagic = 0x30504e5346424b42ull;
-constexpr std::uint32_t kLayout = 27;
+constexpr std::uint32_t kLayout = 28;
 
 struct Header {
   std::uint64_t magic = kMagic;
@@ -123,7 +123,7 @@ class SnapshotArchive {
   template <class Archive, class Data> static void body(Archive& a, Data& d) {
     a.choice(d.type, BodyType::dynamic);
     a.choice(d.activity, BodyActivity::fixed);
-    for (auto* flag : {&d.quarantined, &d.enabled, &d.allowSleep, &d.steady.sticks, &d.steady.swings}) a.flag(*flag);
+    for (auto* flag : {&d.quarantined, &d.enabled, &d.allowSleep, &d.steady.swings}) a.flag(*flag);
     a.choice(d.locks, kAllLocks);
     for (auto* number : {&d.gravityScale, &d.linearDamping, &d.angularDamping, &d.dragArea, &d.turnEnergy, &d.steady.dt,
                          &d.impactLoss})

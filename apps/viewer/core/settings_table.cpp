@@ -160,11 +160,10 @@ void addSolver(std::vector<Entry>& out) {
                  BRICKFALL_FIELD(world.solver.cycleTolerance)});
   out.push_back({whole("minCycles", "Solver", "Fewest cycles", 1, 64, 16, "Fewer than 4 hang bodies in the air"),
                  BRICKFALL_FIELD(world.solver.minCycles)});
-  out.push_back({whole("maxCycles", "Solver", "Most cycles", 1, 256, 64, "Of islands of 64 bodies and more"),
+  out.push_back({whole("maxCycles", "Solver", "Most cycles", 1, 256, 64, "Of islands of 25 bodies and more"),
                  BRICKFALL_FIELD(world.solver.maxCycles)});
-  out.push_back(
-      {whole("maxCyclesSmall", "Solver", "Most cycles, small islands", 1, 256, 256, "Of the smallest islands"),
-       BRICKFALL_FIELD(world.solver.maxCyclesSmall)});
+  out.push_back({whole("maxCyclesSmall", "Solver", "Most cycles, a body alone", 1, 256, 256, "Of a body alone"),
+                 BRICKFALL_FIELD(world.solver.maxCyclesSmall)});
   out.push_back(
       {whole("maxHitParts", "Solver", "Most parts of a hit", 1, 64, 16, "Of a step in which something heavy hits"),
        BRICKFALL_FIELD(world.solver.maxHitParts)});

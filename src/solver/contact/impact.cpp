@@ -40,8 +40,6 @@ void ContactRows::findHits(const Island& island, const StepContext& context, dou
 }
 
 void ContactRows::startImpact(const Island& island, const StepContext& context, double blink) {
-  double fastest = 0, heaviest = 0;
-  for (BodyIndex body : island.bodies) heaviest = std::max(heaviest, context.bodies->mass[body].mass);
   for (std::size_t k = 0; k < size(); k++) {
     const Contact& c = context.ties->contacts.contacts[contactOf[k]];
     FaceRecord& r = records[k];
@@ -52,13 +50,10 @@ void ContactRows::startImpact(const Island& island, const StepContext& context, 
       r.trialN[i] = closed ? 0 : -kLargestPointForce;
       r.trial1[i] = r.trial2[i] = r.limit[i] = 0;
       r.newPoints |= 1u << i;
-      if (closed) fastest = std::max(fastest, approach);
+      starts[k].stopping[i] = kLargestPointForce;  // friction limits follow the force, whatever it is
     }
     if (r.rolls) r.trial1[kRollingLane] = r.trial2[kRollingLane] = r.limit[kRollingLane] = 0;
   }
-  // No point takes more than what stops the heaviest and throws it back as fast.
-  for (ContactStart& start : starts)
-    for (float& most : start.stopping) most = float(2 * heaviest * fastest / island.dt);
 }
 
 void ContactRows::keepImpactForces(const Island& island) {

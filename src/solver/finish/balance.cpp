@@ -194,13 +194,6 @@ double takeRelative(const Island& island, Bodies group, const RigidMotion& rigid
   return excess - relative * (1 - kept * kept) - cross * (1 - kept);
 }
 
-// Not all that the bodies have makes up for an excess: then their ways are wrong, too. They are left a share of them,
-// in a frame that moves at `frame`. That changes no momentum.
-void goLess(const Island& island, Bodies group, double share, Vec3 frame, StepContext& context) {
-  for (std::uint32_t i : group)
-    shorten(island.bodies[i], share, share, frame * ((1 - share) * island.dt), false, context);
-}
-
 // Energy that compressed contacts give back is no error, but it keeps standing columns swaying. While no body of a
 // small island is faster than kSwaySpeed, it is taken from the bodies that a chain of loaded contacts connects to the
 // ground. The common sliding velocity that friction cannot stop is left to them.
@@ -284,8 +277,6 @@ class LastCheck {
                       ? excess
                       : takeRelative(island_, group, motionOf(island_, group, context_), under.move, context_, excess);
     if (left > energy.slack()) left = takeRelative(island_, group, under, under.move, context_, left);
-    if (left > energy.slack() && -energy.outside > left)
-      goLess(island_, group, 1 + left / energy.outside, under.move, context_);
     return excess - left;
   }
 

@@ -77,9 +77,8 @@ void catchUp(BodyIndex body, StepContext& context) {
 // The forces of this step are about those of the last: no body has hit, and late velocities can be brought up to date.
 bool goesOn(const SteadyChange& last, const SteadyChange& now, double radius) {
   auto size = [radius](Vec3 linear, Vec3 angular) { return length(linear) + radius * length(angular); };
-  return last.sticks == now.sticks &&
-         size(now.linear - last.linear, now.angular - last.angular) <=
-             kSameForces * std::max(size(last.linear, last.angular), size(now.linear, now.angular));
+  return size(now.linear - last.linear, now.angular - last.angular) <=
+         kSameForces * std::max(size(last.linear, last.angular), size(now.linear, now.angular));
 }
 
 }  // namespace
@@ -99,12 +98,10 @@ void finishLoneBody(const Island& island, Ties& ties, StepContext& context) {
     accelerate(body, -along, {}, context);
     return letGo(island, ties);
   }
-  bool sticks = false;
-  island.rows.each([&](const auto& kind, std::size_t k) { sticks = sticks || kind.sticks(k, context); });
   const SteadyChange& last = context.bodies->data[body].steady;
-  const SteadyChange now{change.move * (1 / h), change.turn * (1 / h), h, sticks};
+  const SteadyChange now{change.move * (1 / h), change.turn * (1 / h), h};
   if (last.dt > 0 && !goesOn(last, now, context.bodies->mass[body].outerRadius)) {
-    if (last.sticks == now.sticks && last.dt > 2 * h) catchUp(body, context);
+    if (last.dt > 2 * h) catchUp(body, context);
     return;
   }
   // In steps: by how much the start was late. From there it is half a step more to the middle of this step.

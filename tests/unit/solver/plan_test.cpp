@@ -128,15 +128,12 @@ TEST(Plan, SupportedIslandsMayBeStoppedWhereWhatTheyLoseIsAVibrations) {
   }
 }
 
-TEST(Plan, CyclesBySize) {
+TEST(Plan, Cycles) {
   auto most = [](std::size_t bodies, bool grounded, double speed) {
     return planOf(factsOf(bodies, grounded, speed)).maxCycles;
   };
   EXPECT_EQ(most(1, false, 5), 64);
-  EXPECT_EQ(most(26, false, 5), 24) << "640 / bodies";
-  EXPECT_EQ(most(40, false, 5), 16);
-  EXPECT_EQ(most(80, false, 5), 10);
-  EXPECT_EQ(most(1000, false, 5), 10);
+  for (std::size_t bodies : {26u, 80u, 1000u}) EXPECT_EQ(most(bodies, false, 5), 10) << bodies;
   EXPECT_EQ(most(1000, true, 5), 10);
   EXPECT_EQ(most(1000, true, 0), 10) << "slow";
   for (std::size_t bodies : {2u, 24u}) EXPECT_EQ(most(bodies, false, 5), 1) << "the direct solve goes on from there";
@@ -144,7 +141,7 @@ TEST(Plan, CyclesBySize) {
   SolverSettings many;
   many.maxCycles = 100;
   EXPECT_EQ(planFor(factsOf(1000, false, 5), many, kDt).maxCycles, 100);
-  EXPECT_EQ(planFor(factsOf(1, false, 5), many, kDt).maxCycles, 100) << "small islands never get fewer";
+  EXPECT_EQ(planFor(factsOf(1, false, 5), many, kDt).maxCycles, 100);
   EXPECT_EQ(planFor(factsOf(1000, false, 5), many, kDt).mostCycles, 300);
   for (std::size_t bodies : {81u, 1000u}) EXPECT_EQ(planOf(factsOf(bodies, true, 5)).mostCycles, 30) << bodies;
   for (std::size_t bodies : {1u, 24u, 80u})
