@@ -341,6 +341,20 @@ TEST(Law, Row30kAChainThatSnapsGainsNothing) {
   }
 }
 
+// Its small swings go up and down by a second order: what joints took comes back, and the last check takes nothing.
+TEST(Law, Row30kNothingIsTakenFromAChainThatSwings) {
+  Chain chain(0.3);
+  double taken = 0, least = chain.start;
+  for (int i = 0; i < std::lround(6 / kDt); i++) {
+    taken += chain.step(kDt).energyTaken;
+    least = std::min(least, energyOf(chain.world));
+  }
+  const double moves = (2000 * 9.81) * Chain::kLength * (1 - std::cos(0.3));
+  atMost("energy that the last check takes from a chain that swings by .3 rad", kDt, 1e6 * taken / moves, 1,
+         "millionths");
+  atMost("energy that such a chain has less than at its start", kDt, 100 * (chain.start - least) / moves, 0.2, "%");
+}
+
 // A ball on a chain breaks a small wall. What a step gains is what gravity gives before a way instead of along it.
 TEST(Law, Row30mAChainGainsNothingInAHit) {
   for (int links : {7, 12})

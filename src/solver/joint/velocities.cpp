@@ -52,7 +52,7 @@ class HeldVelocities : VelocitySystem {
     const double kept = std::min(lent - sum, kTrifle * held);
     for (JointIndex joint : joints.jointOf)
       ties.joints.slots[joint].lent = std::max(-owed, kept) / double(joints.size());
-    joints.returned = std::clamp(sum, 0.0, back + owed) + wound;
+    joints.returned = (sum > 0 ? std::clamp(back, 0.0, sum) + owed : 0) + wound;
     return taken;
   }
 
