@@ -67,12 +67,13 @@ struct GroupEnergy {
 // Energies in a frame that moves at `frame` (m/s) with the body that the group presses on. Otherwise the work of a body
 // that slides on a belt is lost in the rounding of the belt's work.
 //
-// The steps of bodies that swing on joints are those of a leapfrog: gravity acts before a way. So ties act on the mean
-// of old and new velocity, and gravity along the way less half of the change of velocity. Groups that fly have gone the
-// mean of both already.
+// Where something kinematic drives bodies that swing on joints, or a body has locks, ties are judged by what they gave
+// in the solve. Its steps are those of a leapfrog: gravity acts before a way. So ties act on the mean of old and new
+// velocity of the solve, and gravity along the way less half of the change of velocity. Groups that fly have gone the
+// mean of both already. All else is judged by the velocities of the step's start and end, and by the way between.
 GroupEnergy energyOf(const Island& island, Bodies group, Vec3 frame, const StepContext& context) {
   GroupEnergy sum;
-  const bool leaps = island.facts.jointed && !island.plan.swings;
+  const bool told = island.plan.endVelocities && !island.facts.partnersMove, leaps = island.facts.jointed && !told;
   const Vec3 carried = frame * island.dt;
   for (std::uint32_t i : group) {
     const BodyIndex body = island.bodies[i];
@@ -99,8 +100,8 @@ GroupEnergy energyOf(const Island& island, Bodies group, Vec3 frame, const StepC
     sum.lent += data.impactLoss;
     sum.ties += (dot(given.linear, way) + dot(given.angular, turn)) * (1 / island.dt);
   }
-  // Joints alone gave what is not from outside.
-  if (island.plan.swings) sum.ties = sum.end - sum.start - sum.outside;
+  // Ties gave what is not from outside.
+  if (told) sum.ties = sum.end - sum.start - sum.outside;
   return sum;
 }
 
@@ -289,11 +290,13 @@ class LastCheck {
     });
   }
 
-  // J: the most that the group's ties can give against partners at rest. In a solve that failed they do more.
+  // J: the most that the group's ties can give against partners at rest. In a solve that failed they do more. Contacts
+  // beside joints are pressed by all that hangs there, and may store 1 % of all that moves: they give rebounds alone.
   double mostWork(std::size_t g) const {
     const std::size_t count = island_.bodies.size();
     double sum = 0;
-    island_.rows.each([&](const auto& kind, std::size_t k) {
+    island_.rows.each([&]<class Kind>(const Kind& kind, std::size_t k) {
+      if (island_.plan.endVelocities && !Kind::kLasts && !Kind::kYields) return;
       const RowEnds ends = kind.ends(k);
       if (island_.groups.groupOf(ends.a < count ? ends.a : ends.b) == g) sum += kind.mostWork(k);
     });

@@ -18,8 +18,6 @@ constexpr double kLight = 0.2;  // a lighter turn, by the impulse on its arm in 
 constexpr double kForcesRound = 1e-6;
 //! of the energy that moves | too small: as a small kForcesRound | too large: what flies apart gains energy
 constexpr double kMostOwed = 1e-5;
-//! of the work of both halves of a step | too small: wide swings lose energy | too large: snaps return what they took
-constexpr double kReturns = 0.5;
 
 class HeldVelocities : VelocitySystem {
  public:
@@ -49,13 +47,24 @@ class HeldVelocities : VelocitySystem {
       weights += body.mass * length(context_.gravity) * context_.bodies->mass[body.body].outerRadius;
     const double held = energy();
     const double owed = std::min(kForcesRound * gain.loads, kMostOwed * (held + weights));
-    const double sum = gain.sum - wound;
-    const double taken = rub(held, sum - lent - owed);
-    const double kept = std::min({lent - sum, kReturns * gain.parts, kTrifle * held});
+    const double sum = gain.sum - wound, back = std::min(lent, mostReturned());
+    const double taken = rub(held, sum - back - owed);
+    const double kept = std::min(lent - sum, kTrifle * held);
     for (JointIndex joint : joints.jointOf)
       ties.joints.slots[joint].lent = std::max(-owed, kept) / double(joints.size());
-    joints.returned = std::clamp(sum, 0.0, lent + owed) + owed + wound;
+    joints.returned = (sum > 0 ? std::clamp(back, 0.0, sum) + owed : 0) + wound;
     return taken;
+  }
+
+  // J, in a step. Smooth swings go up and down by a small part of what gravity changes in it; snaps would return what
+  // they took within a step.
+  double mostReturned() const {
+    double work = 0;
+    for (const Body& body : bodies_) {
+      const BodyData& data = context_.bodies->data[body.body];
+      work += dot(context_.gravity * (body.mass * data.gravityScale) + data.force, context_.solved[body.body].d);
+    }
+    return kTrifle * std::fabs(work);
   }
 
   // J: work of joints whose length or limits were changed from outside, as far as they went that way.
@@ -132,7 +141,7 @@ class HeldVelocities : VelocitySystem {
   // J: what the joints gave in this step, by the mean of the velocities before and after it, and what of it is owed to
   // gravity, which acts along the way that was solved.
   struct Gain {
-    double sum = 0, parts = 0, loads = 0;
+    double sum = 0, loads = 0;
   };
   Gain gainOf(const Ties& ties) const {
     Gain gain;
@@ -152,7 +161,6 @@ class HeldVelocities : VelocitySystem {
           sum += joint.turn[i] * dot(toDouble(r.turn.axes[i % 3].unit), w);
       }
       gain.sum += sum * island_.dt;
-      gain.parts += std::fabs(sum * island_.dt);
       const double sizeA = moves(r.bodyA) ? context_.bodies->mass[a.body].outerRadius : 1e300,
                    sizeB = moves(r.bodyB) ? context_.bodies->mass[b.body].outerRadius : 1e300;
       gain.loads += length(joint.force) * std::min(sizeA, sizeB) + length(joint.torque);
@@ -162,15 +170,13 @@ class HeldVelocities : VelocitySystem {
       const Body &a = at(r.bodyA), &b = at(r.bodyB);
       const Vec3 wA = mean(r.bodyA, a, true), wB = mean(r.bodyB, b, true);
       const Vec3 u = mean(r.bodyB, b, false) + cross(wB, e.armB) - mean(r.bodyA, a, false) - cross(wA, e.armA);
-      const double work = e.impulse * dot(e.axis, e.turn ? wB - wA : u);
-      gain.sum += work;
-      gain.parts += std::fabs(work);
+      gain.sum += e.impulse * dot(e.axis, e.turn ? wB - wA : u);
     }
     for (const Body& body : bodies_) {
       const BodyData& data = context_.bodies->data[body.body];
       const FreeMotion& free = context_.free[body.body];
       const Vec3 weight = context_.gravity * (body.mass * data.gravityScale) + data.force;
-      if (!island_.plan.swings) {
+      if (!island_.plan.endVelocities || island_.facts.partnersMove) {
         gain.sum += island_.dt * dot(weight, body.move - body.startMove);
         continue;
       }
@@ -188,7 +194,7 @@ class HeldVelocities : VelocitySystem {
     if (!moves(local)) return spin ? body.startSpin : body.startMove;
     const FreeMotion& free = context_.free[body.body];
     const Vec3 sum = spin ? free.startSpin + body.spin : free.startVelocity + body.move;
-    if (island_.plan.swings) return sum * 0.5;
+    if (island_.plan.endVelocities && !island_.facts.partnersMove) return sum * 0.5;
     const Lead lead = leadOf(body.body, context_);
     return (spin ? sum - lead.before.turn - lead.after.turn : sum - lead.before.move - lead.after.move) * 0.5;
   }
