@@ -30,8 +30,8 @@ namespace {
 //! of the step | too small: the rest of the step after an impact is too short for floats
 //! | too large: impacts are met early
 constexpr double kBlink = 1e-3;
-//! of the rest of the step | too small: a body that accelerates towards an impact stops short of it | too large: cost
-constexpr double kAhead = 1.3;
+//! of the rest of the step | too small: implicit steps hold up what rebounds or falls towards an impact | too large: cost
+constexpr double kAhead = 2;
 //! not of the method: a mark
 constexpr double kNever = std::numeric_limits<double>::infinity();
 

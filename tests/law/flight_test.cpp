@@ -60,7 +60,7 @@ TEST(Law, Row6BouncesToHeightsOfTheRestitutionSquared) {
         reached({name + ": first bounce", dt, b.apexes[0], e * e, 0.02 * e * e, "m"});
         if (e > 0.6) reached({name + ": second bounce", dt, b.apexes[1], std::pow(e, 4), 0.02 * std::pow(e, 4), "m"});
         double total = std::sqrt(2 / kG) * (1 + e) / (1 - e);
-        reached({name + ": total time", dt, b.end, total, 0.02 * total, "s", 5 * dt / (1 - e)});
+        reached({name + ": total time", dt, b.end, total, 0.02 * total, "s", 1.5 * dt / (1 - e)});
         atMost(name + ": sideways", dt, b.sideways * 1e3, 1, "mm");
         if (sphere && e > 0.4 && dt == kSteps[1]) {
           curve.found.push_back(b.height);

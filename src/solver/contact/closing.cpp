@@ -13,7 +13,7 @@ namespace {
 // Time until a point at `gap`, which parts at `speed` under `acceleration`, closes faster than `least`.
 double closingTime(double gap, double speed, double acceleration, double least) {
   const double never = std::numeric_limits<double>::infinity();
-  if (gap <= 0) return -speed > least ? 0 : never;
+  if (gap <= 0 && !(speed > 0)) return -speed > least ? 0 : never;
   double square = speed * speed - 2 * acceleration * gap;
   if (!(square > least * least)) return never;
   double closing = std::sqrt(square);
@@ -21,10 +21,12 @@ double closingTime(double gap, double speed, double acceleration, double least) 
   return acceleration < 0 ? (speed + closing) / -acceleration : never;
 }
 
-// The point carried nothing in the last step, was not hit in this one, and is further apart than a closed point may be.
+// The point carried nothing in the last step, was not stopped in this one, and parts after a hit or is further apart than a
+// closed point may be.
 bool isOpen(const Contact& c, int i, const StepContext& context) {
   const float open = float(kNoGap * scaleOfPair(c, context).length);
-  return c.points.forceN[i] == 0 && c.points.gap[i] > open && !(c.points.metMask >> i & 1);
+  const bool apart = c.points.gap[i] > open || c.points.hitN[i] > 0;
+  return c.points.forceN[i] == 0 && apart && !(c.points.metMask >> i & 1);
 }
 
 }  // namespace

@@ -61,7 +61,7 @@ std::uint32_t impactsOf(const Contact& c, const ContactStart& start, double slow
 
 double slowestRebound(const Island& island, const StepContext& context) {
   double wanted = context.settings.restitutionSpeed * island.facts.scale.speed;
-  return island.plan.alone ? std::min(wanted, length(context.gravity) * context.dt) : wanted;
+  return island.plan.alone ? std::min(wanted, kTrifle * length(context.gravity) * context.dt) : wanted;
 }
 
 bool ContactRows::startRebounds(const Island& island, const StepContext& context) {
