@@ -30,7 +30,7 @@ namespace {
 //! of the step | too small: the rest of the step after an impact is too short for floats
 //! | too large: impacts are met early
 constexpr double kBlink = 1e-3;
-//! of the rest of the step | too small: implicit steps hold up what rebounds or falls towards an impact | too large: cost
+//! of the rest of the step | too small: implicit steps hold up what rebounds or falls to an impact | too large: cost
 constexpr double kAhead = 2;
 //! not of the method: a mark
 constexpr double kNever = std::numeric_limits<double>::infinity();

@@ -87,7 +87,7 @@ void sweepBouncing(int cases) {
     std::string which = setup.text() + ", " + name + label(", e %.3f", e) + label(", from %.2f m", height);
     heights.add(setup.part(), worst * 100, which, 3);
     if (e < .9 && want < 19)
-      total.add(setup.part(), (b.end / want - 1) * 100, which, (1.5 * setup.part() / (1 - e) + setup.dt) / want * 100);
+      total.add(setup.part(), (b.end / want - 1) * 100, which, (2.5 * setup.part() / (1 - e) + setup.dt) / want * 100);
     sideways.add(setup.part(), b.sideways / height, which);
   }
 }
