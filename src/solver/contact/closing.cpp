@@ -21,8 +21,8 @@ double closingTime(double gap, double speed, double acceleration, double least) 
   return acceleration < 0 ? (speed + closing) / -acceleration : never;
 }
 
-// The point carried nothing in the last step, was not stopped in this one, and parts after a hit or is further apart than
-// a closed point may be.
+// The point carried nothing in the last step, was not stopped in this one, and parts after a hit or is further apart
+// than a closed point may be.
 bool isOpen(const Contact& c, int i, const StepContext& context) {
   const float open = float(kNoGap * scaleOfPair(c, context).length);
   const bool apart = c.points.gap[i] > open || c.points.hitN[i] > 0;
