@@ -1,7 +1,5 @@
 // A description becomes a world: who is in it, with what material, and when the held ones are let go.
 #include <algorithm>
-#include <cmath>
-#include <map>
 #include <set>
 
 #include "unit/scene/scene_support.h"
@@ -172,19 +170,6 @@ position = [5, 0.3, 0]
 TEST(CheckScene, TouchingBodiesAreNoMistake) {
   EXPECT_EQ(
       allOf(checkScene(sound("[[wall]]\n[[wall]]\nbond = \"flemish\"\nyaw_degrees = 37\nposition = [0, 0, 3]\n"))), "");
-}
-
-TEST(CheckScene, WarnsOfEndsInFlemishBondThatNothingBonds) {
-  for (const int bricks : {5, 6, 7}) {
-    const SceneDescription scene =
-        sound("[[wall]]\nname = \"w\"\nbond = \"flemish\"\nbricks = " + std::to_string(bricks) + "\n");
-    std::map<int, double> last;  // by course: middle of the last brick
-    for (const BrickPlacement& brick : layBricks(scene.walls[0].wall, 1).value())
-      last[brick.course] = std::max(last[brick.course], brick.centre.x);
-    const bool stacked = std::fabs(last[0] - last[1]) < 1e-9;
-    EXPECT_EQ(stacked, bricks != 7) << bricks;
-    EXPECT_EQ(has(allOf(checkScene(scene)), "Flemish bond"), stacked) << bricks;
-  }
 }
 
 TEST(CheckScene, ManyOverlapsAreSummedUp) {
