@@ -60,8 +60,8 @@ std::vector<Cell> englishCourse(const WallDef& wall, const Layout& at, bool head
   return cells;
 }
 
-// Stretchers and headers in turn from both ends, half pitch k and half pitch `end`, to the middle. A stretcher and a header take
-// six half pitches: what is left in the middle is filled with headers, so that both ends bond at any length.
+// Stretchers and headers in turn from both ends, half pitch k and half pitch `end`, to the middle. A stretcher and a
+// header take six half pitches: what is left in the middle is filled with headers, so that both ends bond at any length.
 void flemishRun(std::vector<Cell>& cells, const Layout& at, int k, int end, bool stretcherFirst) {
   const auto lay = [&](int place, bool stretcher) {
     if (stretcher) return Cell{0.5 * place * at.headerPitch, at.length, Laying::leaves, false};

@@ -16,7 +16,7 @@ inline VelocityChange velocityOf(const BodyMotion& m) { return {m.linearVelocity
 // m/s: slower impacts are left to the step.
 double slowestImpact(const Island& island, const StepContext& context);
 // m/s: slower impacts do not rebound. In a heap every body would chatter with its neighbours. A body alone on something
-// fixed bounces on until a bounce takes no more than two steps.
+// fixed bounces on within the step, down to a trifle of what gravity gives it in one.
 double slowestRebound(const Island& island, const StepContext& context);
 
 }  // namespace brickfall
