@@ -28,9 +28,8 @@ if(BRICKFALL_ASSERTS)
   target_compile_definitions(brickfall_options INTERFACE $<BUILD_INTERFACE:BRICKFALL_ASSERTS=1>)
 endif()
 if(BRICKFALL_SANITIZE)
-  # The engine has no run-time types, which the check of virtual calls needs.
-  target_compile_options(brickfall_options INTERFACE -fsanitize=${BRICKFALL_SANITIZE} -fno-sanitize=vptr
-    -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  target_compile_options(brickfall_options INTERFACE -fsanitize=${BRICKFALL_SANITIZE}
+    -fno-sanitize=${BRICKFALL_SANITIZE_NOT} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   target_link_options(brickfall_options INTERFACE -fsanitize=${BRICKFALL_SANITIZE})
 endif()
 

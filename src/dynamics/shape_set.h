@@ -21,6 +21,9 @@ struct ShapeData {
   std::unique_ptr<Hull> hull;  // of hulls
   double innerRadius = 0;      // m
   Vec3 middle;                 // m, centroid in the frame of the body's centre of mass
+
+  // Queries with this mask.
+  bool answers(std::uint32_t mask) const { return (def.filter.category & mask) != 0 && !def.sensor; }
 };
 
 // What the program changed about two shapes for a part of a step.

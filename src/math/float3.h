@@ -9,5 +9,6 @@ using Mat3f = Mat3T<float>;
 
 inline Vec3f toFloat(Vec3 v) { return {float(v.x), float(v.y), float(v.z)}; }
 inline Vec3 toDouble(Vec3f v) { return {v.x, v.y, v.z}; }
+inline Vec3 toDouble(Vec3 v) { return v; }  // where a template takes both
 
 }  // namespace brickfall

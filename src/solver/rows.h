@@ -69,23 +69,16 @@ struct Rows {
     eachKind([&](const auto& kind) { rows += kind.size(); });
     return rows;
   }
-  // There are ties that stay, and on which bodies swing.
+  // There are ties that stay, and on which bodies swing; that break, and give no impulse in no time; so firm that the
+  // rounding of ways is a force.
   bool anyLasting() const {
-    bool any = false;
-    eachKind([&]<class Kind>(const Kind& kind) { any = any || (Kind::kLasts && kind.size() > 0); });
-    return any;
+    return any([]<class Kind>(const Kind&) { return Kind::kLasts; });
   }
-  // There are ties that break, and give no impulse in no time.
   bool anyYielding() const {
-    bool any = false;
-    eachKind([&]<class Kind>(const Kind& kind) { any = any || (Kind::kYields && kind.size() > 0); });
-    return any;
+    return any([]<class Kind>(const Kind&) { return Kind::kYields; });
   }
-  // There are ties so firm that the rounding of ways is a force.
   bool anyFirm() const {
-    bool any = false;
-    eachKind([&]<class Kind>(const Kind& kind) { any = any || (Kind::kFirm && kind.size() > 0); });
-    return any;
+    return any([]<class Kind>(const Kind&) { return Kind::kFirm; });
   }
   using Counts = std::array<std::size_t, kKinds>;  // rows by kind
   Counts counts() const {
@@ -163,6 +156,13 @@ struct Rows {
     if (!std::get<i>(kinds()).continues(std::get<i>(old.kinds()), context)) return false;
     if constexpr (i + 1 < kKinds) return continues<i + 1>(old, context);
     return true;
+  }
+
+ private:
+  template <class Wanted> bool any(Wanted&& wanted) const {
+    bool any = false;
+    eachKind([&](const auto& kind) { any = any || (kind.size() > 0 && wanted(kind)); });
+    return any;
   }
 };
 // Each kind of link is a kind of row.

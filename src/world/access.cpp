@@ -136,36 +136,35 @@ Status World::setAngularVelocity(BodyId id, Vec3 velocity) {
   return impl_->setVelocity(id, velocity, &BodyMotion::angularVelocity, &BodyData::lastAngularVelocity);
 }
 
+// If `check` found nothing wrong with the arguments.
+template <class Change> Status World::Impl::changeBody(BodyId id, const Checks& check, Change&& change) {
+  Result<BodyIndex> body = openForChange(id, check.error());
+  if (!body) return body.error();
+  upkeep().disturb(*body);
+  change(registry.bodies.data[*body]);
+  return {};
+}
+
 Status World::setGravityScale(BodyId id, double scale) {
   Checks check;
   check.range("scale", scale, -limits::kLargestGravityScale, limits::kLargestGravityScale);
-  Result<BodyIndex> body = impl_->openForChange(id, check.error());
-  if (!body) return body.error();
-  impl_->upkeep().disturb(*body);
-  impl_->registry.bodies.data[*body].gravityScale = scale;
-  return {};
+  return impl_->changeBody(id, check, [&](BodyData& data) { data.gravityScale = scale; });
 }
 
 Status World::setDamping(BodyId id, double linear, double angular) {
   Checks check;
   check.range("linear", linear, 0, limits::kLargestDamping);
   check.range("angular", angular, 0, limits::kLargestDamping);
-  Result<BodyIndex> body = impl_->openForChange(id, check.error());
-  if (!body) return body.error();
-  impl_->upkeep().disturb(*body);
-  impl_->registry.bodies.data[*body].linearDamping = linear;
-  impl_->registry.bodies.data[*body].angularDamping = angular;
-  return {};
+  return impl_->changeBody(id, check, [&](BodyData& data) {
+    data.linearDamping = linear;
+    data.angularDamping = angular;
+  });
 }
 
 Status World::setDragArea(BodyId id, double dragArea) {
   Checks check;
   check.range("dragArea", dragArea, 0, limits::kLargestDragArea);
-  Result<BodyIndex> body = impl_->openForChange(id, check.error());
-  if (!body) return body.error();
-  impl_->upkeep().disturb(*body);
-  impl_->registry.bodies.data[*body].dragArea = dragArea;
-  return {};
+  return impl_->changeBody(id, check, [&](BodyData& data) { data.dragArea = dragArea; });
 }
 
 Status World::setSurfaceVelocity(BodyId id, Vec3 velocity) {
@@ -258,10 +257,7 @@ Status World::setGravity(Vec3 gravity) {
 Vec3 World::gravity() const { return impl_->def.gravity; }
 
 Status World::wake(BodyId id) {
-  Result<BodyIndex> body = impl_->openForChange(id, {});
-  if (!body) return body.error();
-  impl_->upkeep().disturb(*body);
-  return {};
+  return impl_->changeBody(id, {}, [](BodyData&) {});
 }
 
 namespace {

@@ -5,6 +5,7 @@
 
 #include "solver/joint/equations.h"
 #include "world/checks.h"
+#include "world/tie_calls.h"
 #include "world/world_impl.h"
 
 namespace brickfall {
@@ -85,15 +86,6 @@ void checkJoint(Checks& check, const JointDef& def) {
   checkBreaking(check, def.breakForce, def.breakTorque);
 }
 
-Result<JointIndex> find(const JointSet& set, JointId id, std::uint16_t world) {
-  const JointIndex joint = id.index - 1;
-  if (id.index == 0) return Error{ErrorCode::staleId, "joint: the id is null"};
-  if (id.world != world) return Error{ErrorCode::staleId, "joint: the id is of another world"};
-  if (!set.has(joint) || set.slots[joint].generation != id.generation)
-    return Error{ErrorCode::staleId, "joint: id " + std::to_string(id.index) + " has ended"};
-  return joint;
-}
-
 // The frame whose first axis is this one.
 Quat frameAlong(Vec3 axis) {
   const Vec3 x{1, 0, 0}, to = normalized(axis);
@@ -143,10 +135,6 @@ Joint jointFrom(const JointDef& def, BodyIndex a, BodyIndex b, const BodySet& bo
   joint.breakForce = def.breakForce;
   joint.breakTorque = def.breakTorque;
   return joint;
-}
-
-JointId idOf(const JointSet& set, JointIndex joint, std::uint16_t world) {
-  return {joint + 1, set.slots[joint].generation, world};
 }
 
 // How far a joint is from what it holds.
@@ -223,25 +211,15 @@ JointDef definitionOf(const Joint& joint, const Registry& registry) {
 Result<JointId> World::createJoint(const JointDef& def) {
   Impl& w = *impl_;
   if (Status open = w.openForChange("createJoint"); !open) return open.error();
-  Result<BodyIndex> a = w.registry.find(def.bodyA), b = w.registry.find(def.bodyB);
-  if (!a) return Error{a.error().code, "bodyA: " + a.error().message};
-  if (!b) return Error{b.error().code, "bodyB: " + b.error().message};
-  Checks check;
-  check.condition(*a != *b, "bodyB: found the same body as bodyA, expected another");
-  checkJoint(check, def);
-  if (check.failed()) return check.error();
-  const BodySet& bodies = w.registry.bodies;
-  check.condition(!bodies.data[*a].quarantined && !bodies.data[*b].quarantined,
-                  "bodyA, bodyB: found a quarantined body, expected two that move");
-  check.condition(bodies.data[*a].type == BodyType::dynamic || bodies.data[*b].type == BodyType::dynamic,
-                  "bodyA, bodyB: found two bodies that nothing moves, expected a dynamic one");
-  if (check.failed()) return check.error();
-  return idOf(w.ties.joints, w.upkeep().join(jointFrom(def, *a, *b, bodies)), w.registry.worldNumber);
+  const auto ends = bodiesToTie(def, w.registry, [&](Checks& check) { checkJoint(check, def); });
+  if (!ends) return ends.error();
+  const Joint joint = jointFrom(def, ends->first, ends->second, w.registry.bodies);
+  return tieId<JointId>(w.ties.joints, w.upkeep().join(joint), w.registry);
 }
 
 Result<JointIndex> World::Impl::openForChange(const std::string& call, JointId id) const {
   if (Status open = openForChange(call); !open) return open.error();
-  return find(ties.joints, id, registry.worldNumber);
+  return findTie(ties.joints, id, registry, "joint");
 }
 
 Status World::destroyJoint(JointId id) {
@@ -251,38 +229,26 @@ Status World::destroyJoint(JointId id) {
   return {};
 }
 
-bool World::isValid(JointId id) const { return find(impl_->ties.joints, id, impl_->registry.worldNumber).ok(); }
+bool World::isValid(JointId id) const { return findTie(impl_->ties.joints, id, impl_->registry, "joint").ok(); }
 
 Result<JointState> World::state(JointId id) const {
   const Impl& w = *impl_;
-  Result<JointIndex> index = find(w.ties.joints, id, w.registry.worldNumber);
+  Result<JointIndex> index = findTie(w.ties.joints, id, w.registry, "joint");
   if (!index) return index.error();
   return stateOf(w.ties.joints.slots[*index], w.registry);
 }
 
 Result<JointDef> World::definition(JointId id) const {
   const Impl& w = *impl_;
-  Result<JointIndex> index = find(w.ties.joints, id, w.registry.worldNumber);
+  Result<JointIndex> index = findTie(w.ties.joints, id, w.registry, "joint");
   if (!index) return index.error();
   return definitionOf(w.ties.joints.slots[*index], w.registry);
 }
 
 std::vector<JointId> World::joints() const {
-  const JointSet& set = impl_->ties.joints;
-  std::vector<JointId> out;
-  for (JointIndex joint : set.inOrder()) out.push_back(idOf(set, joint, impl_->registry.worldNumber));
-  return out;
+  return tieIds<JointId>(impl_->ties.joints, impl_->registry, [](const Joint&) { return true; });
 }
-
-std::vector<JointId> World::joints(BodyId id) const {
-  const JointSet& set = impl_->ties.joints;
-  std::vector<JointId> out;
-  Result<BodyIndex> body = impl_->registry.find(id);
-  if (!body) return out;
-  for (JointIndex joint : set.inOrder())
-    if (set.slots[joint].names(*body)) out.push_back(idOf(set, joint, impl_->registry.worldNumber));
-  return out;
-}
+std::vector<JointId> World::joints(BodyId id) const { return tieIds<JointId>(impl_->ties.joints, impl_->registry, id); }
 
 template <class Check, class Change>
 Status World::Impl::changeJoint(const std::string& call, JointId id, Check&& check, Change&& change) {

@@ -7,6 +7,7 @@
 #include "solver/mortar/law.h"
 #include "solver/union_find.h"
 #include "world/checks.h"
+#include "world/tie_calls.h"
 #include "world/world_impl.h"
 
 namespace brickfall {
@@ -140,19 +141,6 @@ Mortar mortarFrom(const MortarDef& def, BodyIndex a, BodyIndex b, const BodySet&
   return m;
 }
 
-Result<MortarIndex> find(const MortarSet& set, MortarId id, std::uint16_t world) {
-  const MortarIndex mortar = id.index - 1;
-  if (id.index == 0) return Error{ErrorCode::staleId, "mortar: the id is null"};
-  if (id.world != world) return Error{ErrorCode::staleId, "mortar: the id is of another world"};
-  if (!set.has(mortar) || set.slots[mortar].generation != id.generation)
-    return Error{ErrorCode::staleId, "mortar: id " + std::to_string(id.index) + " has ended"};
-  return mortar;
-}
-
-MortarId idOf(const MortarSet& set, MortarIndex mortar, std::uint16_t world) {
-  return {mortar + 1, set.slots[mortar].generation, world};
-}
-
 // Stresses at the edge of the face, as if it were elastic.
 void findStresses(const Mortar& m, const MortarPose& pose, MortarState& s) {
   const double root3 = 3 * mortar::kKern;
@@ -206,7 +194,7 @@ std::vector<LoadTaker> takersOf(const OpeningMemory& past, const MortarSet& set,
   for (std::uint32_t i = 0; i < past.count; i++) {
     const TieLoad& load = past.loads[i];
     if (!(load.after > (1 + kTrifle) * load.before)) continue;
-    const MortarId mortar = load.mortar == kNoIndex ? MortarId{} : idOf(set, load.mortar, registry.worldNumber);
+    const MortarId mortar = load.mortar == kNoIndex ? MortarId{} : tieId<MortarId>(set, load.mortar, registry);
     takers.push_back({mortar, registry.idOf(load.bodyA), registry.idOf(load.bodyB), load.before, load.after});
   }
   std::stable_sort(takers.begin(), takers.end(),
@@ -218,7 +206,7 @@ std::vector<LoadTaker> takersOf(const OpeningMemory& past, const MortarSet& set,
 MortarPast pastFrom(const OpeningMemory& memory, const MortarSet& set, const Registry& registry) {
   const Mortar& m = set.slots[memory.mortar];
   MortarPast past;
-  past.mortar = idOf(set, memory.mortar, registry.worldNumber);
+  past.mortar = tieId<MortarId>(set, memory.mortar, registry);
   past.bodyA = registry.idOf(m.bodyA);
   past.bodyB = registry.idOf(m.bodyB);
   past.crackTime = memory.crackTime;
@@ -240,60 +228,42 @@ MortarPast pastFrom(const OpeningMemory& memory, const MortarSet& set, const Reg
 Result<MortarId> World::createMortar(const MortarDef& def) {
   Impl& w = *impl_;
   if (Status open = w.openForChange("createMortar"); !open) return open.error();
-  Result<BodyIndex> a = w.registry.find(def.bodyA), b = w.registry.find(def.bodyB);
-  if (!a) return Error{a.error().code, "bodyA: " + a.error().message};
-  if (!b) return Error{b.error().code, "bodyB: " + b.error().message};
-  Checks check;
-  check.condition(*a != *b, "bodyB: found the same body as bodyA, expected another");
-  checkOutline(check, def.outline);
-  checkStrength(check, def.strength);
-  if (check.failed()) return check.error();
-  const BodySet& bodies = w.registry.bodies;
-  check.condition(!bodies.data[*a].quarantined && !bodies.data[*b].quarantined,
-                  "bodyA, bodyB: found a quarantined body, expected two that move");
-  check.condition(bodies.data[*a].type == BodyType::dynamic || bodies.data[*b].type == BodyType::dynamic,
-                  "bodyA, bodyB: found two bodies that nothing moves, expected a dynamic one");
-  if (check.failed()) return check.error();
-  return idOf(w.ties.mortar, w.upkeep().glue(mortarFrom(def, *a, *b, bodies)), w.registry.worldNumber);
+  const auto ends = bodiesToTie(def, w.registry, [&](Checks& check) {
+    checkOutline(check, def.outline);
+    checkStrength(check, def.strength);
+  });
+  if (!ends) return ends.error();
+  const Mortar mortar = mortarFrom(def, ends->first, ends->second, w.registry.bodies);
+  return tieId<MortarId>(w.ties.mortar, w.upkeep().glue(mortar), w.registry);
 }
 
 Status World::destroyMortar(MortarId id) {
   if (Status open = impl_->openForChange("destroyMortar"); !open) return open.error();
-  Result<MortarIndex> mortar = find(impl_->ties.mortar, id, impl_->registry.worldNumber);
+  Result<MortarIndex> mortar = findTie(impl_->ties.mortar, id, impl_->registry, "mortar");
   if (!mortar) return mortar.error();
   impl_->upkeep().unglue(*mortar);
   return {};
 }
 
-bool World::isValid(MortarId id) const { return find(impl_->ties.mortar, id, impl_->registry.worldNumber).ok(); }
+bool World::isValid(MortarId id) const { return findTie(impl_->ties.mortar, id, impl_->registry, "mortar").ok(); }
 
 Result<MortarState> World::state(MortarId id) const {
   const Impl& w = *impl_;
-  Result<MortarIndex> index = find(w.ties.mortar, id, w.registry.worldNumber);
+  Result<MortarIndex> index = findTie(w.ties.mortar, id, w.registry, "mortar");
   if (!index) return index.error();
   return stateOf(w.ties.mortar.slots[*index], w.registry);
 }
 
 std::vector<MortarId> World::mortars() const {
-  const MortarSet& set = impl_->ties.mortar;
-  std::vector<MortarId> out;
-  for (MortarIndex mortar : set.inOrder()) out.push_back(idOf(set, mortar, impl_->registry.worldNumber));
-  return out;
+  return tieIds<MortarId>(impl_->ties.mortar, impl_->registry, [](const Mortar&) { return true; });
 }
-
 std::vector<MortarId> World::mortars(BodyId id) const {
-  const MortarSet& set = impl_->ties.mortar;
-  std::vector<MortarId> out;
-  Result<BodyIndex> body = impl_->registry.find(id);
-  if (!body) return out;
-  for (MortarIndex mortar : set.inOrder())
-    if (set.slots[mortar].names(*body)) out.push_back(idOf(set, mortar, impl_->registry.worldNumber));
-  return out;
+  return tieIds<MortarId>(impl_->ties.mortar, impl_->registry, id);
 }
 
 Result<MortarPast> World::past(MortarId id) const {
   const Impl& w = *impl_;
-  Result<MortarIndex> index = find(w.ties.mortar, id, w.registry.worldNumber);
+  Result<MortarIndex> index = findTie(w.ties.mortar, id, w.registry, "mortar");
   if (!index) return index.error();
   const OpeningMemory* memory = w.ties.mortar.pastOf(*index);
   if (!memory) return Error{ErrorCode::wrongState, "mortar: it has not cracked"};

@@ -11,53 +11,21 @@ namespace brickfall {
 
 namespace {
 
-bool answers(const ShapeData& shape, std::uint32_t mask) {
-  return (shape.def.filter.category & mask) != 0 && !shape.def.sensor;
-}
-
-}  // namespace
-
-Result<std::optional<RayHit>> World::castRay(Vec3 origin, Vec3 direction, double maxDistance,
-                                             std::uint32_t mask) const {
-  const Impl& w = *impl_;
-  Checks check;
-  check.vector("origin", origin, limits::kLargestReach);
-  double largest = std::max({std::fabs(direction.x), std::fabs(direction.y), std::fabs(direction.z)});
-  check.condition(isFinite(direction) && largest > 1e-12, "direction: found zero or not finite, expected a direction");
-  check.range("maxDistance", maxDistance, 0, limits::kLargestReach);
-  if (check.failed()) return check.error();
-  direction = normalized(direction * (1 / largest));  // first to about one: its square must not overflow
-  std::optional<RayHit> best;
-  w.proximity.broadPhase->queryRay(origin, direction, maxDistance, [&](std::uint32_t shape, double limit) {
-    const ShapeData& s = w.registry.shapes.data[shape];
-    if (!answers(s, mask)) return limit;
-    Transform pose = w.registry.shapes.worldPose(shape, w.registry.bodies), back = inverse(pose);
-    auto hit = brickfall::castRay(s.geometry, transformPoint(back, origin), rotate(back.rotation, direction), limit);
-    if (!hit) return limit;
-    bool nearer = !best || hit->distance < best->distance ||
-                  (hit->distance == best->distance && w.registry.idOfShape(shape) < best->shape);
-    if (!nearer) return limit;
-    best = RayHit{w.registry.idOf(s.body), w.registry.idOfShape(shape), transformPoint(pose, hit->point),
-                  rotate(pose.rotation, hit->normal), hit->distance};
-    return hit->distance;
-  });
-  return best;
-}
-
-namespace {
-
 // Bodies of which a shape fulfils `touches`, in order of their slots, each once.
 template <class Touches>
-std::vector<BodyIndex> bodiesNear(const BroadPhase& broadPhase, const ShapeSet& shapes, const Aabb& box,
-                                  std::uint32_t mask, Touches touches) {
+std::vector<BodyId> bodiesNear(const Proximity& proximity, const Registry& registry, const Aabb& box,
+                               std::uint32_t mask, Touches touches) {
   std::vector<BodyIndex> found;
-  broadPhase.query(box, [&](std::uint32_t shape) {
-    if (answers(shapes.data[shape], mask) && touches(shape)) found.push_back(shapes.data[shape].body);
+  proximity.broadPhase->query(box, [&](std::uint32_t shape) {
+    const ShapeData& s = registry.shapes.data[shape];
+    if (s.answers(mask) && touches(s, registry.shapes.worldPose(shape, registry.bodies))) found.push_back(s.body);
     return true;
   });
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());
-  return found;
+  std::vector<BodyId> out;
+  for (BodyIndex body : found) out.push_back(registry.idOf(body));
+  return out;
 }
 
 }  // namespace
@@ -74,15 +42,9 @@ Result<std::vector<BodyId>> World::overlapBox(const Aabb& box, std::uint32_t mas
   Shape region;
   region.halfExtents = max((box.upper - box.lower) * 0.5, Vec3{1e-9, 1e-9, 1e-9});
   Transform pose{(box.lower + box.upper) * 0.5, {}};
-  std::vector<BodyId> out;
-  auto touches = [&](std::uint32_t shape) {
-    const ShapeData& s = w.registry.shapes.data[shape];
-    return penetrationDepth(region, s.geometry, inverse(pose) * w.registry.shapes.worldPose(shape, w.registry.bodies)) >
-           0;
-  };
-  for (BodyIndex body : bodiesNear(*w.proximity.broadPhase, w.registry.shapes, box, mask, touches))
-    out.push_back(w.registry.idOf(body));
-  return out;
+  return bodiesNear(w.proximity, w.registry, box, mask, [&](const ShapeData& s, const Transform& at) {
+    return penetrationDepth(region, s.geometry, inverse(pose) * at) > 0;
+  });
 }
 
 Result<std::vector<BodyId>> World::overlapSphere(Vec3 centre, double radius, std::uint32_t mask) const {
@@ -91,15 +53,11 @@ Result<std::vector<BodyId>> World::overlapSphere(Vec3 centre, double radius, std
   check.vector("centre", centre, limits::kLargestReach);
   check.range("radius", radius, 0, limits::kLargestReach);
   if (check.failed()) return check.error();
-  auto touches = [&](std::uint32_t shape) {
-    Vec3 local = transformPoint(inverse(w.registry.shapes.worldPose(shape, w.registry.bodies)), centre);
-    return lengthSquared(closestPoint(w.registry.shapes.data[shape].geometry, local) - local) <= radius * radius;
-  };
-  std::vector<BodyId> out;
-  Aabb box = grown({centre, centre}, radius);
-  for (BodyIndex body : bodiesNear(*w.proximity.broadPhase, w.registry.shapes, box, mask, touches))
-    out.push_back(w.registry.idOf(body));
-  return out;
+  const Aabb box = grown({centre, centre}, radius);
+  return bodiesNear(w.proximity, w.registry, box, mask, [&](const ShapeData& s, const Transform& at) {
+    const Vec3 local = transformPoint(inverse(at), centre);
+    return lengthSquared(closestPoint(s.geometry, local) - local) <= radius * radius;
+  });
 }
 
 Result<std::optional<ClosestResult>> World::closest(Vec3 point, double maxDistance, std::uint32_t mask) const {
@@ -111,7 +69,7 @@ Result<std::optional<ClosestResult>> World::closest(Vec3 point, double maxDistan
   std::optional<ClosestResult> best;
   w.proximity.broadPhase->query(grown({point, point}, maxDistance), [&](std::uint32_t shape) {
     const ShapeData& s = w.registry.shapes.data[shape];
-    if (!answers(s, mask)) return true;
+    if (!s.answers(mask)) return true;
     Transform pose = w.registry.shapes.worldPose(shape, w.registry.bodies);
     Vec3 near = transformPoint(pose, closestPoint(s.geometry, transformPoint(inverse(pose), point)));
     double distance = length(near - point);

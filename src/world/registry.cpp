@@ -10,23 +10,22 @@
 
 namespace brickfall {
 
-Result<BodyIndex> Registry::find(BodyId id) const {
-  BodyIndex body = id.index - 1;
-  if (id.index == 0) return Error{ErrorCode::staleId, "body: the id is null"};
-  if (id.world != worldNumber) return Error{ErrorCode::staleId, "body: the id is of another world"};
-  if (!bodies.alive(body) || bodies.data[body].generation != id.generation)
-    return Error{ErrorCode::staleId, "body: id " + std::to_string(id.index) + " was destroyed"};
-  return body;
+namespace {
+
+template <class Set, class Id>
+Result<std::uint32_t> findIn(const Set& set, Id id, std::uint16_t world, const std::string& kind) {
+  const std::uint32_t index = id.index - 1;
+  if (id.index == 0) return Error{ErrorCode::staleId, kind + ": the id is null"};
+  if (id.world != world) return Error{ErrorCode::staleId, kind + ": the id is of another world"};
+  if (!set.alive(index) || set.data[index].generation != id.generation)
+    return Error{ErrorCode::staleId, kind + ": id " + std::to_string(id.index) + " was destroyed"};
+  return index;
 }
 
-Result<ShapeIndex> Registry::find(ShapeId id) const {
-  ShapeIndex shape = id.index - 1;
-  if (id.index == 0) return Error{ErrorCode::staleId, "shape: the id is null"};
-  if (id.world != worldNumber) return Error{ErrorCode::staleId, "shape: the id is of another world"};
-  if (!shapes.alive(shape) || shapes.data[shape].generation != id.generation)
-    return Error{ErrorCode::staleId, "shape: id " + std::to_string(id.index) + " was destroyed"};
-  return shape;
-}
+}  // namespace
+
+Result<BodyIndex> Registry::find(BodyId id) const { return findIn(bodies, id, worldNumber, "body"); }
+Result<ShapeIndex> Registry::find(ShapeId id) const { return findIn(shapes, id, worldNumber, "shape"); }
 
 Shape geometryOf(const ShapeDef& def, const Hull* hull) {
   Shape g;

@@ -1,4 +1,4 @@
-// Queries of a world that answer with all that is met, or ask with a whole shape.
+// Queries of a world with a ray, or with a whole shape.
 #include <algorithm>
 #include <cmath>
 
@@ -8,31 +8,61 @@
 
 namespace brickfall {
 
-Result<std::vector<RayHit>> World::castRayAll(Vec3 origin, Vec3 direction, double maxDistance,
-                                              std::uint32_t mask) const {
-  const Impl& w = *impl_;
+namespace {
+
+// tell(hit, limit) of shapes that a ray meets up to `limit` m from its origin, in any order; it returns the next limit.
+template <class Tell>
+Status eachHit(const Proximity& proximity, const Registry& registry, Vec3 origin, Vec3 direction, double maxDistance,
+               std::uint32_t mask, Tell&& tell) {
   Checks check;
   check.vector("origin", origin, limits::kLargestReach);
   const double largest = std::max({std::fabs(direction.x), std::fabs(direction.y), std::fabs(direction.z)});
   check.condition(isFinite(direction) && largest > 1e-12, "direction: found zero or not finite, expected a direction");
   check.range("maxDistance", maxDistance, 0, limits::kLargestReach);
   if (check.failed()) return check.error();
-  direction = normalized(direction * (1 / largest));
+  direction = normalized(direction * (1 / largest));  // first to about one: its square must not overflow
+  proximity.broadPhase->queryRay(origin, direction, maxDistance, [&](std::uint32_t shape, double limit) {
+    const ShapeData& s = registry.shapes.data[shape];
+    if (!s.answers(mask)) return limit;
+    const Transform pose = registry.shapes.worldPose(shape, registry.bodies), back = inverse(pose);
+    const auto hit = castRay(s.geometry, transformPoint(back, origin), rotate(back.rotation, direction), limit);
+    if (!hit) return limit;
+    return tell(RayHit{registry.idOf(s.body), registry.idOfShape(shape), transformPoint(pose, hit->point),
+                       rotate(pose.rotation, hit->normal), hit->distance},
+                limit);
+  });
+  return {};
+}
+
+bool isNearer(const RayHit& a, const RayHit& b) {
+  return a.distance != b.distance ? a.distance < b.distance : a.shape < b.shape;
+}
+
+}  // namespace
+
+Result<std::optional<RayHit>> World::castRay(Vec3 origin, Vec3 direction, double maxDistance,
+                                             std::uint32_t mask) const {
+  std::optional<RayHit> best;
+  const Status fine = eachHit(impl_->proximity, impl_->registry, origin, direction, maxDistance, mask,
+                              [&](const RayHit& hit, double limit) {
+                                if (best && !isNearer(hit, *best)) return limit;
+                                best = hit;
+                                return hit.distance;
+                              });
+  if (!fine) return fine.error();
+  return best;
+}
+
+Result<std::vector<RayHit>> World::castRayAll(Vec3 origin, Vec3 direction, double maxDistance,
+                                              std::uint32_t mask) const {
   std::vector<RayHit> hits;
-  w.proximity.broadPhase->queryRay(origin, direction, maxDistance, [&](std::uint32_t shape, double limit) {
-    const ShapeData& s = w.registry.shapes.data[shape];
-    if (!(s.def.filter.category & mask) || s.def.sensor) return limit;
-    const Transform pose = w.registry.shapes.worldPose(shape, w.registry.bodies), back = inverse(pose);
-    const auto hit =
-        brickfall::castRay(s.geometry, transformPoint(back, origin), rotate(back.rotation, direction), maxDistance);
-    if (hit)
-      hits.push_back({w.registry.idOf(s.body), w.registry.idOfShape(shape), transformPoint(pose, hit->point),
-                      rotate(pose.rotation, hit->normal), hit->distance});
-    return limit;
-  });
-  std::sort(hits.begin(), hits.end(), [](const RayHit& a, const RayHit& b) {
-    return a.distance != b.distance ? a.distance < b.distance : a.shape < b.shape;
-  });
+  const Status fine = eachHit(impl_->proximity, impl_->registry, origin, direction, maxDistance, mask,
+                              [&](const RayHit& hit, double limit) {
+                                hits.push_back(hit);
+                                return limit;
+                              });
+  if (!fine) return fine.error();
+  std::sort(hits.begin(), hits.end(), isNearer);
   return hits;
 }
 
@@ -96,7 +126,7 @@ Result<std::vector<ShapeId>> World::overlapShape(const ShapeDef& shape, const Tr
   std::vector<ShapeId> found;
   w.proximity.broadPhase->query(bounds(asking->shape, asking->pose), [&](std::uint32_t other) {
     const ShapeData& s = w.registry.shapes.data[other];
-    if (!(s.def.filter.category & mask) || s.def.sensor) return true;
+    if (!s.answers(mask)) return true;
     const Transform placed = back * w.registry.shapes.worldPose(other, w.registry.bodies);
     if (penetrationDepth(asking->shape, s.geometry, placed) > 0) found.push_back(w.registry.idOfShape(other));
     return true;
@@ -118,7 +148,7 @@ Result<std::optional<ShapeCastHit>> World::castShape(const ShapeDef& shape, cons
   std::optional<ShapeCastHit> best;
   w.proximity.broadPhase->query(swept, [&](std::uint32_t other) {
     const ShapeData& s = w.registry.shapes.data[other];
-    if (!(s.def.filter.category & mask) || s.def.sensor) return true;
+    if (!s.answers(mask)) return true;
     const Transform pose = w.registry.shapes.worldPose(other, w.registry.bodies), back = inverse(pose);
     const Transform placed = back * asking->pose;
     const Vec3 way = rotate(back.rotation, motion);

@@ -18,6 +18,7 @@
 
 namespace brickfall {
 
+class Checks;
 class HashItems;
 
 Status checkWorld(const WorldDef& def);  // names the field that is out of range
@@ -54,6 +55,7 @@ struct World::Impl {
   // Changes a joint if check(checks, its type) finds nothing wrong.
   template <class Check, class Change>
   Status changeJoint(const std::string& call, JointId id, Check&& check, Change&& change);
+  template <class Change> Status changeBody(BodyId id, const Checks& check, Change&& change);
   Status push(BodyId id, Vec3 linear, Vec3 angular, Vec3* pointWorld, bool impulse);
   void loadsChanged();
   void askContactFilter();  // it was set, or came with a world that was read

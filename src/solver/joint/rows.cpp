@@ -167,14 +167,8 @@ bool isHard(JointLaw law) { return law == JointLaw::hard || law == JointLaw::atM
 
 }  // namespace
 
-bool JointRows::continues(const JointRows& old, const StepContext& context) const {
-  if (jointOf != old.jointOf) return false;
-  return std::none_of(jointOf.begin(), jointOf.end(),
-                      [&](JointIndex joint) { return context.ties->joints.slots[joint].born; });
-}
-
 RowGrip JointRows::grip(std::size_t k, const StepContext& context) const {
-  Vec3 force = jointAt(k, *context.ties).force;
+  Vec3 force = at(k, *context.ties).force;
   if (!ties(k, context)) return {};
   if (force == Vec3{}) force = {0, 1e-30, 0};
   return {force, double(kNoLimit)};
@@ -349,7 +343,7 @@ void JointRows::prepare(Island& island, Ties& ties, const StepContext& context) 
   timePasses_ = true;
   findLoads(island, context);
   for (std::size_t k = 0; k < size(); k++) {
-    const Joint& joint = jointAt(k, ties);
+    const Joint& joint = at(k, ties);
     JointRecord& r = records[k];
     JointStart& start = starts[k];
     const JointPose pose(joint, bodies);
@@ -516,7 +510,7 @@ void JointRows::sumBoundary(const Boundary& b, BoundarySums& sums) const {
 bool JointRows::store(Island& island, Ties& ties, StepContext&) {
   const bool changed = !island.resting();
   for (std::size_t k = 0; k < size() && changed; k++) {
-    Joint& joint = ties.joints.slots[jointOf[k]];
+    Joint& joint = at(k, ties);
     const joint::Forces f = joint::forcesAt(records[k], island.motion.data());
     for (int i = 0; i < kJointLanes; i++) {
       joint.way[i] = double(f.way[i]);
@@ -546,22 +540,11 @@ double JointRows::resolved(std::size_t k, const Joint& spring) const {
 }
 
 void JointRows::tellShare(Ties& ties, float share) const {
-  for (JointIndex index : jointOf) {
+  for (JointIndex index : tieOf) {
     Joint& joint = ties.joints.slots[index];
     joint.earlierForce += joint.force * double(share);
     joint.earlierTorque += joint.torque * double(share);
   }
-}
-
-void JointRows::remember(const Ties& ties, Memory& out) const {
-  for (JointIndex joint : jointOf) out.joints.push_back(ties.joints.slots[joint]);
-}
-void JointRows::restore(Ties& ties, const Memory& memory) const {
-  for (std::size_t k = 0; k < size(); k++) ties.joints.slots[jointOf[k]] = memory.joints[k];
-}
-
-double JointRows::firstClosing(const Island&, double, const StepContext&) const {
-  return std::numeric_limits<double>::infinity();
 }
 
 // No time passes: places stay, and what takes time gives nothing.
@@ -589,7 +572,7 @@ void JointRows::keepImpactForces(const Island& island) {
 void JointRows::endImpact(const Island& island, Ties& ties, const StepContext& context, bool solved) {
   if (!solved) return;
   for (std::size_t k = 0; k < size(); k++) {
-    Joint& joint = ties.joints.slots[jointOf[k]];
+    Joint& joint = at(k, ties);
     const Reading f = joint::readingAt(records[k], island.motion.data());
     const double share = island.dt / context.dt;
     joint.earlierForce += toDouble(wide::store3(f.force)) * share;

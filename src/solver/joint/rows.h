@@ -19,17 +19,11 @@
 #include <utility>
 #include <vector>
 
-#include "brickfall/step_trace.h"
-#include "solver/blows.h"
-#include "solver/boundary.h"
 #include "solver/joint/record.h"
+#include "solver/lasting_rows.h"
 #include "solver/renewals.h"
-#include "solver/step_context.h"
-#include "solver/tie_report.h"
 
 namespace brickfall {
-
-struct Island;
 
 //! x the load that hangs by it | too small: more rounds until a heavy body is held; friction leaves gains
 //! | too large: floats leave light bodies out of balance; quiet joints are braked with those that gained
@@ -71,9 +65,8 @@ struct JointStart {
   float inert = 0;                     // N/m: inertia of both anchors against each other / dt^2
 };
 
-struct JointRows {
-  explicit JointRows(std::pmr::memory_resource* memory) : jointOf(memory), records(memory), starts(memory) {}
-  std::pmr::vector<JointIndex> jointOf;  // by row, ascending
+struct JointRows : LastingRows<JointRows, JointSet, &Ties::joints> {
+  explicit JointRows(std::pmr::memory_resource* memory) : LastingRows(memory), records(memory), starts(memory) {}
   std::pmr::vector<JointRecord> records;
   std::pmr::vector<JointStart> starts;
   BalanceChange support;  // what partners gave at the end of the step (velocities.h)
@@ -85,26 +78,11 @@ struct JointRows {
   static constexpr bool kYields = false;
   static constexpr bool kFirm = true;
   static constexpr std::size_t kRecordSize = sizeof(JointRecord) + sizeof(JointStart);
-  std::size_t size() const { return jointOf.size(); }
-  void reserve(std::size_t rows) { jointOf.reserve(rows); }
-  void add(std::uint32_t index) { jointOf.push_back(index); }
-  std::uint32_t indexOf(std::size_t k) const { return jointOf[k]; }
-  bool continues(const JointRows& old, const StepContext& context) const;
-  template <class Number> void bind(Ties& ties, Number number) {
-    records.assign(size(), JointRecord());
-    starts.assign(size(), JointStart());
-    for (std::size_t k = 0; k < size(); k++) {
-      Joint& joint = ties.joints.slots[jointOf[k]];
-      records[k].bodyA = number(joint.bodyA);
-      records[k].bodyB = number(joint.bodyB);
-      joint.born = false;
-    }
-  }
   RowEnds ends(std::size_t k) const { return {records[k].bodyA, records[k].bodyB}; }
   float strength(std::size_t, const StepContext&) const { return 1e4f; }  // chains share clusters
   // A slack rope ties nothing.
   bool ties(std::size_t k, const StepContext& context) const {
-    const Joint& joint = jointAt(k, *context.ties);
+    const Joint& joint = at(k, *context.ties);
     return joint.type != JointType::rope || joint.way[0] != 0;
   }
   bool carriesForce(std::size_t k, const StepContext& context) const { return ties(k, context); }
@@ -117,12 +95,9 @@ struct JointRows {
   RowCourse courseOf(std::size_t k, const EndChanges&, const StepSpan&, const StepContext& context) const {
     return ties(k, context) ? RowCourse::changes : RowCourse::idle;
   }
-  bool wouldMeet(std::size_t, const EndChanges&, const EndChanges&, double) const { return false; }
   bool meetsWithin(std::size_t k, Vec3f, const SolveMotion*, const StepContext& context) const {
     return ties(k, context);
   }
-  void addFriction(std::size_t, Vec3, bool, const StepContext&, FrictionAlong&) const {}
-  void letGo(Ties&) const {}
 
   void prepare(Island& island, Ties& ties, const StepContext& context);
   Arms arms(std::size_t k) const { return {wide::load3Padded(records[k].armA), wide::load3Padded(records[k].armB)}; }
@@ -142,67 +117,35 @@ struct JointRows {
   bool renewBounds(std::size_t, const SolveMotion*, float = 0) { return false; }
   // The forces found become multipliers; geometric stiffness grows with them.
   bool settleBounds(std::size_t k, const SolveMotion* motion, float slack);
-  bool holdJam(std::size_t, const SolveMotion*, float) { return false; }
   void addHolding(std::size_t, Vec3, const Ties&, const BodySet&, Holding&) const {}
-  void giveBlows(const Held&, double, Ties&, BodySet&, const StepContext&, Blows&) const {}
   bool renewFrozen(const Island&, const StepContext&, Renewal) { return false; }
   bool store(Island& island, Ties& ties, StepContext& context);
   void tellShare(Ties& ties, float share) const;
-  bool owes(std::size_t, const StepContext&) const { return false; }
-  double reboundWork(std::size_t, const SolveMotion*) const { return 0; }
   double mostWork(std::size_t k) const;
   double returnedWork(std::size_t k) const { return k == 0 ? returned : 0; }  // told with the first row
   void advance(const Island&, Ties&, const StepContext&) const {}
   // There is a motor.
   bool driven(const Ties& ties) const {
-    return std::any_of(jointOf.begin(), jointOf.end(),
-                       [&](JointIndex joint) { return ties.joints.slots[joint].driven; });
+    return std::any_of(tieOf.begin(), tieOf.end(), [&](JointIndex joint) { return ties.joints.slots[joint].driven; });
   }
   // The part of a spring that swings slowly enough for the step.
   double resolved(std::size_t k, const Joint& spring) const;
-  // What a trial of a step changes.
-  struct Memory {
-    explicit Memory(std::pmr::memory_resource* memory) : joints(memory) {}
-    std::pmr::vector<Joint> joints;
-  };
-  void remember(const Ties& ties, Memory& out) const;
-  void restore(Ties& ties, const Memory& memory) const;
 
   // --- what the world asks of the rows of an island
-  std::pair<BodyIndex, BodyIndex> bodies(std::size_t k, const Ties& ties) const {
-    return {jointAt(k, ties).bodyA, jointAt(k, ties).bodyB};
-  }
-  void archive(WriteArchive& a) const;
-  void archive(ReadArchive& a);
-  void hashName(Mix& h, std::size_t k, const Ties& ties) const { h(jointAt(k, ties).order); }
-  void hashMemory(Mix& h, std::size_t k, const Ties& ties) const { ties.joints.hash(h, jointOf[k]); }
   void hashRecord(Mix& h, std::size_t k, const Ties& ties) const;
-  void checkStructure(Findings& f, const Island& island, const Ties& ties, const BodySet& bodies, bool current) const;
   void checkRanges(Findings& f) const;
-  void check(Findings& f, const Island& island, const Ties& ties, bool current) const;
-  template <class Visit> void eachManifold(Visit&&) const {}
   template <class Visit> void eachResistance(Visit&&) const {}
   template <class Visit> void eachHold(Visit&&) const {}
-  PointCount countPoints(const Ties&) const { return {}; }
-  template <class Visit> void eachTouching(const Ties&, Visit&&) const {}
   void startAfresh(Ties& ties) const;
   static double elasticEnergy(JointIndex joint, const StepContext& context);
   void addWork(const Island& island, const StepContext& context, TieWork& sum) const;
-  void addSupport(const Island& island, const StepContext& context, BalanceChange& sum) const;
-  void findHits(const Island&, const StepContext&, double, std::pmr::vector<TieImpact>&) const {}
 
   // --- impacts at their moment (solver/impact.h). Joints hold velocities in them, not places.
-  bool mayClose(const StepContext&, double) const { return false; }
-  bool touchNothing(const StepContext&) const { return size() == 0; }
-  void leaveOut(Ties&, const StepContext&) {}
-  double firstClosing(const Island& island, double dt, const StepContext& context) const;
   void startImpact(const Island& island, const StepContext& context, double blink);
   void keepImpactForces(const Island& island);
-  bool reboundImpact(const Island&, const StepContext&, std::pmr::vector<TieImpact>&) { return false; }
   void endImpact(const Island& island, Ties& ties, const StepContext& context, bool solved);
 
  private:
-  const Joint& jointAt(std::size_t k, const Ties& ties) const { return ties.joints.slots[jointOf[k]]; }
   void findLoads(const Island& island, const StepContext& context);
   void bend(std::size_t k, Vec3f force);
   void turnLine(std::size_t k, float force);

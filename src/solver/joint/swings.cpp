@@ -172,7 +172,7 @@ class Swings : VelocitySystem {
     const JointRows& joints = island_.rows.joints;
     for (std::size_t k = 0; k < joints.size(); k++) {
       if (!begins(joints.records[k].bodyA) || !begins(joints.records[k].bodyB)) continue;
-      Joint& joint = ties.joints.slots[joints.jointOf[k]];
+      Joint& joint = joints.at(k, ties);
       const JointRecord& r = joints.records[k];
       for (int i = 0; i < kJointLanes; i++) {
         auto tell = [&](int lane, double& force, const JointEquations& of, Vec3& sum) {
@@ -243,7 +243,7 @@ class Swings : VelocitySystem {
   void addMotors(const Ties& ties) {
     const JointRows& joints = island_.rows.joints;
     for (std::uint32_t k = 0; k < joints.size(); k++) {
-      const Joint& joint = ties.joints.slots[joints.jointOf[k]];
+      const Joint& joint = joints.at(k, ties);
       const bool turn = joint.type == JointType::revolute;
       if (!joint.driven || !(std::fabs(turn ? joint.turn[0] : joint.way[0]) < (1 - kTrifle) * joint.strength)) continue;
       const Posed p = posed(k, joint);
@@ -279,7 +279,7 @@ class Swings : VelocitySystem {
     bool any = false;
     const JointRows& joints = island_.rows.joints;
     for (std::uint32_t k = 0; k < joints.size(); k++) {
-      const Joint& joint = ties.joints.slots[joints.jointOf[k]];
+      const Joint& joint = joints.at(k, ties);
       if (joint.type != JointType::spring && joint.type != JointType::drag) continue;
       any = true;
       const JointRecord& r = joints.records[k];

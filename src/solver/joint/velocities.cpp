@@ -42,7 +42,7 @@ class HeldVelocities : VelocitySystem {
     const double wound = windUp(ties);
     JointRows& joints = island_.rows.joints;
     double lent = 0, weights = 0;
-    for (JointIndex joint : joints.jointOf) lent += ties.joints.slots[joint].lent;
+    for (JointIndex joint : joints.tieOf) lent += ties.joints.slots[joint].lent;
     for (const Body& body : bodies_)
       weights += body.mass * length(context_.gravity) * context_.bodies->mass[body.body].outerRadius;
     const double held = energy();
@@ -50,8 +50,7 @@ class HeldVelocities : VelocitySystem {
     const double sum = gain.sum - wound, back = std::min(lent, mostReturned());
     const double taken = rub(held, sum - back - owed);
     const double kept = std::min(lent - sum, kTrifle * held);
-    for (JointIndex joint : joints.jointOf)
-      ties.joints.slots[joint].lent = std::max(-owed, kept) / double(joints.size());
+    for (JointIndex joint : joints.tieOf) ties.joints.slots[joint].lent = std::max(-owed, kept) / double(joints.size());
     joints.returned = (sum > 0 ? std::clamp(back, 0.0, sum) + owed : 0) + wound;
     return taken;
   }
@@ -72,7 +71,7 @@ class HeldVelocities : VelocitySystem {
     double sum = 0;
     const JointRows& joints = island_.rows.joints;
     for (std::uint32_t k = 0; k < joints.size(); k++) {
-      Joint& joint = ties.joints.slots[joints.jointOf[k]];
+      Joint& joint = joints.at(k, ties);
       if (!(joint.wound > 0)) continue;
       const JointRecord& r = joints.records[k];
       const Body &a = at(r.bodyA), &b = at(r.bodyB);
@@ -148,7 +147,7 @@ class HeldVelocities : VelocitySystem {
     const JointRows& joints = island_.rows.joints;
     for (std::uint32_t k = 0; k < joints.size(); k++) {
       const JointRecord& r = joints.records[k];
-      const Joint& joint = ties.joints.slots[joints.jointOf[k]];
+      const Joint& joint = joints.at(k, ties);
       const Body &a = at(r.bodyA), &b = at(r.bodyB);
       const Vec3 wA = mean(r.bodyA, a, true), wB = mean(r.bodyB, b, true);
       const Vec3 w = wB - wA, u = mean(r.bodyB, b, false) + cross(wB, toDouble(r.armB)) - mean(r.bodyA, a, false) -
@@ -343,7 +342,7 @@ class HeldVelocities : VelocitySystem {
     for (const Equation& e : equations_) support(e.row, e.armA, e.turn, e.axis * e.impulse);
     for (const Friction& f : frictions_) support(f.row, f.armA, f.turn, f.impulse);
     for (const Equation& e : equations_) {
-      Joint& joint = ties.joints.slots[island_.rows.joints.jointOf[e.row]];
+      Joint& joint = ties.joints.slots[island_.rows.joints.tieOf[e.row]];
       (e.turn ? joint.earlierTorque : joint.earlierForce) += e.axis * (e.impulse / context_.dt);
     }
   }

@@ -139,7 +139,7 @@ VelocitySystem::Posed VelocitySystem::posed(std::size_t row, const Joint& joint)
 void VelocitySystem::findEquations(const Ties& ties) {
   const JointRows& joints = island_.rows.joints;
   for (std::uint32_t k = 0; k < joints.size(); k++) {
-    const Joint& joint = ties.joints.slots[joints.jointOf[k]];
+    const Joint& joint = joints.at(k, ties);
     const Posed p = posed(k, joint);
     auto add = [&](const EquationSet& set, const double(&held)[kJointLanes], bool turn) {
       for (int i = 0; i < kJointLanes; i++) {

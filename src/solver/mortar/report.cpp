@@ -2,21 +2,10 @@
 #include <cmath>
 
 #include "solver/face/point_forces.h"
-#include "solver/island.h"
+#include "solver/lasting_report.h"
 #include "solver/mortar/rows.h"
 
 namespace brickfall {
-
-void MortarRows::archive(WriteArchive& a) const {
-  a.list(mortarOf);
-  a.list(records);
-  a.list(starts);
-}
-void MortarRows::archive(ReadArchive& a) {
-  a.list(mortarOf);
-  a.list(records);
-  a.list(starts);
-}
 
 namespace {
 
@@ -33,19 +22,6 @@ void MortarRows::hashRecord(Mix& h, std::size_t k, const Ties&) const {
   eachNumber(records[k], [&](float number) { h(number); });
 }
 
-void MortarRows::checkStructure(Findings& f, const Island& island, const Ties& ties, const BodySet& bodies,
-                                bool current) const {
-  const std::size_t all = island.bodies.size() + island.partners.size();
-  f.expect(records.size() == size() && starts.size() == size(), "islands: lists of mortar of different lengths");
-  for (MortarIndex m : mortarOf) f.expect(m < ties.mortar.slots.size(), "islands: mortar that is not there");
-  for (const FaceRecord& r : records) f.expect(r.bodyA < all && r.bodyB < all, "islands: a mortar's row names no body");
-  if (f.any() || !current) return;
-  for (std::size_t k = 0; k < size(); k++) {
-    const Mortar& m = mortarAt(k, ties);
-    f.expect(m.alive && !m.broken && bodies.alive(m.bodyA) && bodies.alive(m.bodyB), "islands: mortar that has ended");
-  }
-}
-
 void MortarRows::checkRanges(Findings& f) const {
   for (std::size_t k = 0; k < size(); k++) {
     bool fine = starts[k].left >= 0 && starts[k].left <= 1;
@@ -56,17 +32,6 @@ void MortarRows::checkRanges(Findings& f) const {
              std::fabs(starts[k].heldN[i]) <= 1e30f && std::fabs(starts[k].held1[i]) <= 1e30f &&
              std::fabs(starts[k].held2[i]) <= 1e30f;
     f.expect(fine, "a mortar's record is out of range");
-  }
-}
-
-void MortarRows::check(Findings& f, const Island& island, const Ties& ties, bool current) const {
-  if (!current) return;
-  const std::size_t own = island.bodies.size();
-  auto bodyOf = [&](std::uint32_t local) { return local < own ? island.bodies[local] : island.partners[local - own]; };
-  for (std::size_t k = 0; k < size(); k++) {
-    const Mortar& m = mortarAt(k, ties);
-    f.expect(bodyOf(records[k].bodyA) == m.bodyA && bodyOf(records[k].bodyB) == m.bodyB,
-             "islands: a mortar's row is of other bodies");
   }
 }
 
@@ -89,29 +54,13 @@ void MortarRows::addWork(const Island& island, const StepContext& context, TieWo
       sum.work += double(now.n[i]) * now.way[i] + double(now.t1[i]) * now.way1[i] + double(now.t2[i]) * now.way2[i];
       held += double(now.n[i]) * now.n[i] + double(now.t1[i]) * now.t1[i] + double(now.t2[i]) * now.t2[i];
     }
-    sum.elastic += held / (2 * mortar::stiffnessOf(mortarAt(k, *context.ties)));
+    sum.elastic += held / (2 * mortar::stiffnessOf(at(k, *context.ties)));
     sum.pull += double(starts[k].pull);
     sum.shear += double(starts[k].shear);
     sum.crush += double(starts[k].crush);
   }
 }
 
-void MortarRows::addSupport(const Island& island, const StepContext& context, BalanceChange& sum) const {
-  const BodySet& bodies = *context.bodies;
-  for (std::size_t k = 0; k < size(); k++) {
-    const FaceRecord& r = records[k];
-    const bool partnerA = r.bodyA >= island.bodies.size(), partnerB = r.bodyB >= island.bodies.size();
-    if (!partnerA && !partnerB) continue;
-    const Mortar& m = mortarAt(k, *context.ties);
-    const BodyMotion& partner = bodies.motion[partnerA ? m.bodyA : m.bodyB];
-    const Vec3 centre = bodies.motion[m.bodyA].position + toDouble(r.armA);
-    const double sign = partnerA ? island.dt : -island.dt;
-    const Vec3 impulse = toDouble(m.force) * sign, turning = toDouble(m.torque) * sign;
-    sum.linear += impulse;
-    sum.angular += cross(centre, impulse) + turning;
-    sum.energy += dot(impulse, partner.linearVelocity + cross(partner.angularVelocity, centre - partner.position)) +
-                  dot(turning, partner.angularVelocity);
-  }
-}
+template struct LastingRows<MortarRows, MortarSet, &Ties::mortar>;
 
 }  // namespace brickfall

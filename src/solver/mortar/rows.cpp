@@ -37,14 +37,8 @@ void placePoints(Mortar& m, const MortarPose& pose) {
 
 }  // namespace
 
-bool MortarRows::continues(const MortarRows& old, const StepContext& context) const {
-  if (mortarOf != old.mortarOf) return false;
-  return std::none_of(mortarOf.begin(), mortarOf.end(),
-                      [&](MortarIndex mortar) { return context.ties->mortar.slots[mortar].born; });
-}
-
 RowGrip MortarRows::grip(std::size_t k, const StepContext& context) const {
-  Vec3 force = toDouble(mortarAt(k, *context.ties).force);
+  Vec3 force = toDouble(at(k, *context.ties).force);
   if (force == Vec3{}) force = {0, 1e-30, 0};
   return {force, double(kLargestPointForce)};
 }
@@ -63,7 +57,7 @@ void MortarRows::writeCaps(std::size_t k, const Mortar& m) {
 }
 
 void MortarRows::addHolding(std::size_t k, Vec3 along, const Ties& ties, const BodySet& bodies, Holding& out) const {
-  const Mortar& m = mortarAt(k, ties);
+  const Mortar& m = at(k, ties);
   const double pull = std::fabs(dot(MortarPose(m, bodies).n, along)), left = mortar::strengthOf(m);
   const double shear = std::sqrt(std::max(0.0, 1 - pull * pull));
   out.force += left * kMortarPoints * (pull * mortar::pullOf(m) + shear * mortar::shearOf(m));
@@ -72,7 +66,7 @@ void MortarRows::addHolding(std::size_t k, Vec3 along, const Ties& ties, const B
 
 // A joint that goes on opening after a blow still owes what the blow crushes.
 void MortarRows::takeCrushes(const Island& island, const Ties& ties) {
-  for (std::size_t k = 0; k < size(); k++) starts[k].tougher = mortarAt(k, ties).tougher;
+  for (std::size_t k = 0; k < size(); k++) starts[k].tougher = at(k, ties).tougher;
   if (island.blows.crushes.empty()) return;
   std::pmr::vector<float> tougher(island.bodies.size() + island.partners.size(), 1, island.memory);
   for (const Crush& crush : island.blows.crushes)
@@ -83,7 +77,7 @@ void MortarRows::takeCrushes(const Island& island, const Ties& ties) {
 
 void MortarRows::prepare(Island& island, Ties& ties, const StepContext& context) {
   for (std::size_t k = 0; k < size(); k++) {
-    Mortar& m = ties.mortar.slots[mortarOf[k]];
+    Mortar& m = at(k, ties);
     const MortarPose pose(m, *context.bodies);
     placePoints(m, pose);
     writeFace(k, m, pose);
@@ -91,8 +85,8 @@ void MortarRows::prepare(Island& island, Ties& ties, const StepContext& context)
   }
   takeCrushes(island, ties);
   for (std::size_t k = 0; k < size(); k++) {
-    writeSprings(k, mortarAt(k, ties));
-    writeCaps(k, mortarAt(k, ties));
+    writeSprings(k, at(k, ties));
+    writeCaps(k, at(k, ties));
   }
 }
 
@@ -202,13 +196,6 @@ double MortarRows::mostWork(std::size_t k) const {
     sum += double(start.heldN[i]) * start.heldN[i] + double(start.held1[i]) * start.held1[i] +
            double(start.held2[i]) * start.held2[i];
   return start.stiffness > 0 ? sum / (2 * double(start.stiffness)) : 0.0;
-}
-
-void MortarRows::remember(const Ties& ties, Memory& out) const {
-  for (MortarIndex mortar : mortarOf) out.mortar.push_back(ties.mortar.slots[mortar]);
-}
-void MortarRows::restore(Ties& ties, const Memory& memory) const {
-  for (std::size_t k = 0; k < size(); k++) ties.mortar.slots[mortarOf[k]] = memory.mortar[k];
 }
 
 // No time passes.

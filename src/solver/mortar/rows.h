@@ -14,17 +14,12 @@
 #include <utility>
 #include <vector>
 
-#include "brickfall/step_trace.h"
-#include "solver/blows.h"
 #include "solver/face/rows.h"
+#include "solver/lasting_rows.h"
 #include "solver/mortar/law.h"
 #include "solver/renewals.h"
-#include "solver/step_context.h"
-#include "solver/tie_report.h"
 
 namespace brickfall {
-
-struct Island;
 
 // Facts of a joint at the start of a step that the record does not have. By point, where there are four.
 struct MortarStart {
@@ -41,10 +36,9 @@ struct MortarStart {
 
 static_assert(sizeof(MortarStart) <= 140);
 
-struct MortarRows : FaceRows {
-  explicit MortarRows(std::pmr::memory_resource* memory) : FaceRows(memory), mortarOf(memory), starts(memory) {}
-  std::pmr::vector<MortarIndex> mortarOf;  // by row, ascending
-  std::pmr::vector<MortarStart> starts;    // by row
+struct MortarRows : FaceRows, LastingRows<MortarRows, MortarSet, &Ties::mortar> {
+  explicit MortarRows(std::pmr::memory_resource* memory) : FaceRows(memory), LastingRows(memory), starts(memory) {}
+  std::pmr::vector<MortarStart> starts;  // by row
 
   // --- functions of every kind of row (row_kind.h)
   static constexpr double kPoints = 4;
@@ -52,21 +46,6 @@ struct MortarRows : FaceRows {
   static constexpr bool kYields = true;
   static constexpr bool kFirm = true;
   static constexpr std::size_t kRecordSize = sizeof(FaceRecord) + sizeof(MortarStart);
-  std::size_t size() const { return mortarOf.size(); }
-  void reserve(std::size_t rows) { mortarOf.reserve(rows); }
-  void add(std::uint32_t index) { mortarOf.push_back(index); }
-  std::uint32_t indexOf(std::size_t k) const { return mortarOf[k]; }
-  bool continues(const MortarRows& old, const StepContext& context) const;
-  template <class Number> void bind(Ties& ties, Number number) {
-    records.assign(size(), {});
-    starts.assign(size(), {});
-    for (std::size_t k = 0; k < size(); k++) {
-      Mortar& m = ties.mortar.slots[mortarOf[k]];
-      records[k].bodyA = number(m.bodyA);
-      records[k].bodyB = number(m.bodyB);
-      m.born = false;
-    }
-  }
   float strength(std::size_t, const StepContext&) const { return 4e3f; }  // mortared bricks share clusters
   bool ties(std::size_t, const StepContext&) const { return true; }
   bool carriesForce(std::size_t, const StepContext&) const { return true; }
@@ -81,70 +60,34 @@ struct MortarRows : FaceRows {
   RowCourse courseOf(std::size_t, const EndChanges&, const StepSpan&, const StepContext&) const {
     return RowCourse::changes;
   }
-  bool wouldMeet(std::size_t, const EndChanges&, const EndChanges&, double) const { return false; }
   bool meetsWithin(std::size_t, Vec3f, const SolveMotion*, const StepContext&) const { return true; }
-  void addFriction(std::size_t, Vec3, bool, const StepContext&, FrictionAlong&) const {}
-  void letGo(Ties&) const {}
 
   void addHolding(std::size_t k, Vec3 along, const Ties& ties, const BodySet& bodies, Holding& out) const;
-  void giveBlows(const Held&, double, Ties&, BodySet&, const StepContext&, Blows&) const {}
   void prepare(Island& island, Ties& ties, const StepContext& context);
   bool boundsFollow(std::size_t) const { return false; }
   bool renewBounds(std::size_t, const SolveMotion*, float = 0) { return false; }
   bool settleBounds(std::size_t, const SolveMotion*, float = 0) { return false; }
-  bool holdJam(std::size_t, const SolveMotion*, float) { return false; }
   bool renewFrozen(const Island& island, const StepContext& context, Renewal when);
   bool store(Island& island, Ties& ties, StepContext& context);
   void tellShare(Ties&, float) const {}
-  bool owes(std::size_t, const StepContext&) const { return false; }
-  double reboundWork(std::size_t, const SolveMotion*) const { return 0; }
   // J: what its springs hold.
   double mostWork(std::size_t k) const;
   double returnedWork(std::size_t) const { return 0; }
   void advance(const Island& island, Ties& ties, const StepContext& context) const;
-  // What a trial of a step changes.
-  struct Memory {
-    explicit Memory(std::pmr::memory_resource* memory) : mortar(memory) {}
-    std::pmr::vector<Mortar> mortar;
-  };
-  void remember(const Ties& ties, Memory& out) const;
-  void restore(Ties& ties, const Memory& memory) const;
 
   // --- what the world asks of the rows of an island
-  std::pair<BodyIndex, BodyIndex> bodies(std::size_t k, const Ties& ties) const {
-    return {mortarAt(k, ties).bodyA, mortarAt(k, ties).bodyB};
-  }
-  void archive(WriteArchive& a) const;
-  void archive(ReadArchive& a);
-  void hashName(Mix& h, std::size_t k, const Ties& ties) const { h(mortarAt(k, ties).order); }
-  void hashMemory(Mix& h, std::size_t k, const Ties& ties) const { ties.mortar.hash(h, mortarOf[k]); }
   void hashRecord(Mix& h, std::size_t k, const Ties& ties) const;
-  void checkStructure(Findings& f, const Island& island, const Ties& ties, const BodySet& bodies, bool current) const;
   void checkRanges(Findings& f) const;
-  void check(Findings& f, const Island& island, const Ties& ties, bool current) const;
-  template <class Visit> void eachManifold(Visit&&) const {}
-  PointCount countPoints(const Ties&) const { return {}; }
-  template <class Visit> void eachTouching(const Ties&, Visit&&) const {}
   void startAfresh(Ties&) const {}
   static double elasticEnergy(MortarIndex mortar, const StepContext& context);
   void addWork(const Island& island, const StepContext& context, TieWork& sum) const;
-  void addSupport(const Island& island, const StepContext& context, BalanceChange& sum) const;
-  void findHits(const Island&, const StepContext&, double, std::pmr::vector<TieImpact>&) const {}
 
   // --- impacts at their moment (solver/impact.h). Mortar has a largest force: in no time it gives nothing.
-  bool mayClose(const StepContext&, double) const { return false; }
-  bool touchNothing(const StepContext&) const { return size() == 0; }
-  void leaveOut(Ties&, const StepContext&) {}
-  double firstClosing(const Island&, double, const StepContext&) const {
-    return std::numeric_limits<double>::infinity();
-  }
   void startImpact(const Island& island, const StepContext& context, double blink);
   void keepImpactForces(const Island&) {}
-  bool reboundImpact(const Island&, const StepContext&, std::pmr::vector<TieImpact>&) { return false; }
   void endImpact(const Island&, Ties&, const StepContext&, bool) {}
 
  private:
-  const Mortar& mortarAt(std::size_t k, const Ties& ties) const { return ties.mortar.slots[mortarOf[k]]; }
   void writeFace(std::size_t k, const Mortar& m, const MortarPose& pose);
   void writeStart(std::size_t k, const Mortar& m, const MortarPose& pose, const Island& island, const BodySet& bodies);
   void writeSprings(std::size_t k, const Mortar& m);

@@ -151,7 +151,7 @@ double shareOf(const Taken& taken, const Mortar& m) {
 bool MortarRows::renewFrozen(const Island& island, const StepContext& context, Renewal) {
   bool fell = false;
   for (std::size_t k = 0; k < size(); k++) {
-    const Mortar& m = mortarAt(k, *context.ties);
+    const Mortar& m = at(k, *context.ties);
     if (m.crushed) continue;
     MortarStart& start = starts[k];
     const PointForces now = stateAt(records[k], start, island.motion.data());
@@ -175,7 +175,7 @@ bool MortarRows::renewFrozen(const Island& island, const StepContext& context, R
 bool MortarRows::store(Island& island, Ties& ties, StepContext&) {
   if (island.resting()) return false;
   for (std::size_t k = 0; k < size(); k++) {
-    Mortar& m = ties.mortar.slots[mortarOf[k]];
+    Mortar& m = at(k, ties);
     const FaceRecord& r = records[k];
     MortarStart& start = starts[k];
     const PointForces now = stateAt(r, start, island.motion.data());
@@ -220,7 +220,7 @@ void MortarRows::advance(const Island& island, Ties& ties, const StepContext& co
   const BodySet& bodies = *context.bodies;
   std::pmr::vector<std::optional<Mat3>> turns(island.bodies.size() + island.partners.size(), island.memory);
   for (std::size_t k = 0; k < size(); k++) {
-    Mortar& m = ties.mortar.slots[mortarOf[k]];
+    Mortar& m = at(k, ties);
     const FaceRecord& r = records[k];
     const MortarStart& start = starts[k];
     const PointForces now = stateAt(r, start, island.motion.data());
