@@ -30,9 +30,8 @@ template <class Rows, class Set, Set Ties::*kSet> struct LastingRows {
   void add(std::uint32_t index) { tieOf.push_back(index); }
   std::uint32_t indexOf(std::size_t k) const { return tieOf[k]; }
   bool continues(const Rows& old, const StepContext& context) const {
-    return tieOf == old.tieOf && std::none_of(tieOf.begin(), tieOf.end(), [&](std::uint32_t tie) {
-             return (context.ties->*kSet).slots[tie].born;
-           });
+    return tieOf == old.tieOf && std::none_of(tieOf.begin(), tieOf.end(),
+                                              [&](std::uint32_t tie) { return (context.ties->*kSet).slots[tie].born; });
   }
   template <class Number> void bind(Ties& ties, Number number) {
     auto beAnew = [&]<class Of>(std::pmr::vector<Of>& list) { list.assign(size(), Of()); };

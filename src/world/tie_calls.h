@@ -1,5 +1,5 @@
-// Parts of the calls that are the same for every kind of tie that a program makes (joints.cpp, mortar.cpp): its ids, its
-// two bodies.
+// Parts of the calls that are the same for every kind of tie that a program makes (joints.cpp, mortar.cpp): its ids,
+// and its two bodies.
 #pragma once
 #include <string>
 #include <utility>
@@ -40,7 +40,7 @@ template <class Id, class Set> std::vector<Id> tieIds(const Set& set, const Regi
   return tieIds<Id>(set, registry, [&](const auto& tie) { return tie.names(*body); });
 }
 
-// The bodies that a definition ties, if they can be tied and `checkRest(checks)` finds nothing wrong with the rest of it.
+// The bodies that a definition ties, if they can be tied and `checkRest(checks)` finds nothing wrong with the rest.
 template <class Def, class CheckRest>
 Result<std::pair<BodyIndex, BodyIndex>> bodiesToTie(const Def& def, const Registry& registry, CheckRest&& checkRest) {
   Result<BodyIndex> a = registry.find(def.bodyA), b = registry.find(def.bodyB);
