@@ -96,7 +96,7 @@ const frame = () => page.evaluate(() => window.brickfall.frame);
 
 try {
   // At one level of shade, whatever this machine keeps up with: the same pictures everywhere.
-  await page.goto(`file://${file}#paused&shade=0`, patience);
+  await page.goto(`file://${file}#paused&shade=0&check`, patience);
   await page.waitForFunction(() => window.brickfall?.ready, null, patience);
   let standing;
 
@@ -482,7 +482,7 @@ try {
 
   await check('bodies are shown only while they are there', async () => {
     await page.setViewportSize({ width: 640, height: 360 });
-    await page.goto(`file://${breaking}#paused&shade=0`, patience);
+    await page.goto(`file://${breaking}#paused&shade=0&check`, patience);
     await page.waitForFunction(() => window.brickfall?.ready, null, patience);
     const names = await page.evaluate(() => window.brickfall.names);
     const [brick, piece, passing] = ['brick 0', 'piece 0', 'piece 1'].map((name) => names.indexOf(name));

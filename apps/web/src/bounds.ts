@@ -58,7 +58,7 @@ function roomOf(take: Take, body: number, bottom: number): Box3 {
   const box = new Box3();
   const point = new Vector3();
   for (let k = 0; k < samples; k++) {
-    point.set(...take.position(first + Math.round((k * (last - first)) / Math.max(1, samples - 1)), body));
+    point.fromArray(take.positions, 3 * take.at(first + Math.round((k * (last - first)) / Math.max(1, samples - 1)), body));
     if (k === 0 || point.y > bottom) box.expandByPoint(point);
   }
   return box.expandByScalar(sizeOf(take, body));
@@ -122,8 +122,9 @@ export function boundsOf(take: Take): Bounds {
     start.union(new Box3().setFromCenterAndSize(point.set(...take.position(0, k)), new Vector3().setScalar(2 * sizeOf(take, k))));
   }
   const bottom = bottomOf(take);
-  const most = roomOfMost(counted.map((k) => roomOf(take, k, bottom))).union(start);
+  const roomBy = new Map(movable.map((k) => [k, roomOf(take, k, bottom)]));
+  const most = roomOfMost(counted.map((k) => roomBy.get(k)!)).union(start);
   const limit = most.clone().expandByScalar(kStrayReach * most.getSize(point).length());
-  const rooms = movable.map((k) => roomOf(take, k, bottom).intersect(limit)).filter((room) => !room.isEmpty());
+  const rooms = [...roomBy.values()].map((room) => room.intersect(limit)).filter((room) => !room.isEmpty());
   return { start, most, outermost: outermostOf(rooms) };
 }

@@ -1,6 +1,7 @@
 // The replay page: reads the take that is in the page, shows it, and answers to window.brickfall (which the tests drive).
 // In the address, #t=2.5 opens at a time (or #frame=120 at a frame), #camera=side at a camera (or #view=1, by its number), #paused
-// does not start playing, #arrows=velocity (force) draws arrows, #picture shows the scene alone, #shade=2 (1, 0) holds the shade where bodies meet at a level; joined with &.
+// does not start playing, #arrows=velocity (force) draws arrows, #picture shows the scene alone, #shade=2 (1, 0) holds the shade where bodies meet at a level,
+// #check tells of shaders that the device refuses; joined with &.
 import { Matrix4, Vector2, Vector3 } from 'three';
 import { Arrows, kArrowKinds, type ArrowKind } from './arrows';
 import { Bodies } from './bodies';
@@ -35,10 +36,11 @@ function main(): void {
   const decodeMilliseconds = performance.now() - started;
 
   const bounds = boundsOf(take);
-  const picture = new URLSearchParams(location.hash.slice(1)).has('picture');
+  const asked = new URLSearchParams(location.hash.slice(1));
+  const picture = asked.has('picture');
   let stage: Stage;
   try {
-    stage = new Stage(byId<HTMLCanvasElement>('view'), firstSide(take, bounds), picture);
+    stage = new Stage(byId<HTMLCanvasElement>('view'), firstSide(take, bounds), picture, asked.has('check'));
   } catch {
     fail('This replay needs WebGL 2, which this browser does not offer (or has switched off).');
     return;

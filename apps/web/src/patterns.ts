@@ -4,22 +4,30 @@
 
 // -1 .. 1 with one bump a unit of length; noiseSlope has the value in w and its slope in xyz.
 const kNoise = `
-  float cornerValue(vec3 p) {
-    p = fract(p * vec3(0.1031, 0.1030, 0.0973));
-    p += dot(p, p.yxz + 33.33);
-    return fract((p.x + p.y) * p.z) * 2.0 - 1.0;
+  // Values at the corners of a cell, from a hash of each: (0, 0), (1, 0), (0, 1) and (1, 1) along x and y, near and far along z. Worked out
+  // for all eight at once: where the processor draws, most of what the shader costs is this.
+  void cornersOf(vec3 cell, out vec4 near, out vec4 far) {
+    vec4 xy = fract(vec4(cell.xy, cell.xy + 1.0) * vec4(0.1031, 0.1030, 0.1031, 0.1030));
+    vec2 z = fract(vec2(cell.z, cell.z + 1.0) * 0.0973);
+    vec4 x = xy.xzxz, y = xy.yyww;
+    vec4 level = x * (y + 33.33) + y * (x + 33.33);
+    vec2 up = z * (z + 33.33);
+    vec4 sum = x + y, add = level + up.x;
+    near = fract((sum + 2.0 * add) * (z.x + add)) * 2.0 - 1.0;
+    add = level + up.y;
+    far = fract((sum + 2.0 * add) * (z.y + add)) * 2.0 - 1.0;
   }
   float noiseAt(vec3 p) {
     vec3 i = floor(p), f = p - i, u = f * f * (3.0 - 2.0 * f);
-    vec4 near = vec4(cornerValue(i), cornerValue(i + vec3(1, 0, 0)), cornerValue(i + vec3(0, 1, 0)), cornerValue(i + vec3(1, 1, 0)));
-    vec4 far = vec4(cornerValue(i + vec3(0, 0, 1)), cornerValue(i + vec3(1, 0, 1)), cornerValue(i + vec3(0, 1, 1)), cornerValue(i + vec3(1, 1, 1)));
+    vec4 near, far;
+    cornersOf(i, near, far);
     vec4 c = mix(near, far, u.z);
     return mix(mix(c.x, c.y, u.x), mix(c.z, c.w, u.x), u.y);
   }
   vec4 noiseSlope(vec3 p) {
     vec3 i = floor(p), f = p - i, u = f * f * (3.0 - 2.0 * f), rise = 6.0 * f * (1.0 - f);
-    vec4 near = vec4(cornerValue(i), cornerValue(i + vec3(1, 0, 0)), cornerValue(i + vec3(0, 1, 0)), cornerValue(i + vec3(1, 1, 0)));
-    vec4 far = vec4(cornerValue(i + vec3(0, 0, 1)), cornerValue(i + vec3(1, 0, 1)), cornerValue(i + vec3(0, 1, 1)), cornerValue(i + vec3(1, 1, 1)));
+    vec4 near, far;
+    cornersOf(i, near, far);
     vec4 c = mix(near, far, u.z), d = far - near;
     return vec4(mix(c.y - c.x, c.w - c.z, u.y) * rise.x, mix(c.z - c.x, c.w - c.y, u.x) * rise.y,
                 mix(mix(d.x, d.y, u.x), mix(d.z, d.w, u.x), u.y) * rise.z, mix(mix(c.x, c.y, u.x), mix(c.z, c.w, u.x), u.y));

@@ -50,11 +50,14 @@ export class Stage {
   private readonly sky = makeSky(this.sunDirection);
   private mostDistance = 100; // m, of the camera from what it turns about
 
-  // lookFrom: from what the scene's first camera looks at to the camera; isStill: a picture is wanted, whatever it costs.
-  constructor(canvas: HTMLCanvasElement, lookFrom: Vector3, isStill: boolean) {
+  // lookFrom: from what the scene's first camera looks at to the camera; isStill: a picture is wanted, whatever it costs; checksShaders: it tells of shaders
+  // that the device refuses.
+  constructor(canvas: HTMLCanvasElement, lookFrom: Vector3, isStill: boolean, checksShaders: boolean) {
     this.sunDirection.copy(sunOver(lookFrom));
     const isSlow = !isStill && drawsOnProcessor();
     this.renderer = new WebGLRenderer({ canvas, antialias: !isSlow, powerPreference: 'high-performance', preserveDrawingBuffer: true });
+    // Asking for a shader's faults waits until all that was drawn before is done.
+    this.renderer.debug.checkShaderErrors = checksShaders;
     this.renderer.toneMapping = CustomToneMapping;
     this.renderer.shadowMap.enabled = true;
     this.renderer.shadowMap.type = PCFShadowMap;

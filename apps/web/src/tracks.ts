@@ -291,7 +291,8 @@ export class Take {
         s = 1 / Math.sqrt(nx * nx + ny * ny + nz * nz + nw * nw);
         x = nx * s; y = ny * s; z = nz * s; w = nw * s;
       }
-      this.setRotation(first + f, x, y, z, w);
+      if (tx !== 0 || ty !== 0 || tz !== 0) this.setRotation(first + f, x, y, z, w);
+      else this.rotations.copyWithin((first + f) * 4, (first + f - 1) * 4, (first + f) * 4);
     }
   }
 
@@ -363,18 +364,18 @@ export class Take {
     const speeds = new Uint32Array(512); // histogram, 0.1 m/s each
     let moving = 0;
     const counts = this.meta.bodies.map((body) => body.role !== 'ball' && body.role !== 'ground');
-    for (let f = 0; f < this.frames; f++) {
-      let sum = 0;
-      for (let body = 0; body < this.bodies; body++) {
-        if (!counts[body] || !this.isThere(f, body)) continue;
+    const squares = new Float64Array(this.frames);
+    for (let body = 0; body < this.bodies; body++) {
+      if (!counts[body]) continue;
+      for (let f = this.births[body]; f < this.ends[body]; f++) {
         const speed = this.speed(f, body);
         if (speed <= kSeenSpeed) continue;
         speeds[Math.min(511, Math.floor(speed * 10))]++;
         moving++;
-        sum += Math.min(speed, 100) ** 2;
+        squares[f] += Math.min(speed, 100) ** 2;
       }
-      this.activity[f] = Math.sqrt(sum);
     }
+    for (let f = 0; f < this.frames; f++) this.activity[f] = Math.sqrt(squares[f]);
     let below = 0;
     let bin = 0;
     while (bin < 511 && (below += speeds[bin]) < 0.95 * moving) bin++;
