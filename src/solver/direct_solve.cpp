@@ -39,7 +39,7 @@ class Newton {
         from_(island.memory),
         rounding_(island.memory),
         matrix_(island.memory) {
-    if (island.facts.firm) rounding_.resize(island.bodies.size(), 0.0);
+    if (island.facts.firm) rounding_.resize(island.bodies.size());
     Adjacency neighbours(island.memory);
     neighbours.fill(std::uint32_t(place_.size()), [this](auto visit) { eachTie(visit); });
     place_ = nearPlaces(neighbours);
@@ -69,9 +69,10 @@ class Newton {
     if (rounding_.empty()) return worstResidual(island_, bodies);
     double worst = 0;
     for (std::size_t i = 0; i < place_.size(); i++) {
-      Measure measure = measureOf(island_, bodies, i, kHeavyLoad);
-      measure.force += rounding_[i] / island_.plan.tolerance;
-      takeLarger(worst, measure.of(island_.residual[i]));
+      const Measure measure = measureOf(island_, bodies, i, kHeavyLoad);
+      const double force = measure.force + rounding_[i].force / island_.plan.tolerance,
+                   torque = measure.force * measure.arm + rounding_[i].torque / island_.plan.tolerance;
+      takeLarger(worst, Measure{force, torque / force}.of(island_.residual[i]));
     }
     return worst;
   }
@@ -99,7 +100,7 @@ class Newton {
 
   void assemble() {
     matrix_.clear();
-    std::fill(rounding_.begin(), rounding_.end(), 0.0);
+    std::fill(rounding_.begin(), rounding_.end(), Rounding());
     for (std::size_t i = 0; i < place_.size(); i++) addBody(matrix_, place_[i], island_.masses[i]);
     auto placeOf = [this](std::uint32_t body) { return body < place_.size() ? place_[body] : kNoPlace; };
     std::as_const(island_.rows).each([&](const auto& kind, std::size_t k) {
@@ -116,11 +117,20 @@ class Newton {
         if (island_.locks[i] >> k & 1) entry(i, k) = 0;
   }
 
+  // A thin rod's is a torque at the ends of its arms, however little its inner radius.
+  struct Rounding {
+    double force = 0, torque = 0;  // N, N m
+  };
   void addRounding(RowEnds ends, const StiffReaction& x) {
     if (rounding_.empty()) return;
-    for (std::uint32_t body : {ends.a, ends.b})
-      if (body < place_.size())
-        rounding_[body] += kLastBit * double(x.stiffness.A[0][0]) * double(length(island_.motion[body].d));
+    auto add = [&](std::uint32_t body, wide::V arm) {
+      if (body >= place_.size()) return;
+      const double force = kLastBit * double(x.stiffness.A[0][0]) * double(length(island_.motion[body].d));
+      rounding_[body].force += force;
+      rounding_[body].torque += force * double(length(wide::store3(arm)));
+    };
+    add(ends.a, x.armA);
+    add(ends.b, x.armB);
   }
 
   // How fast the energy falls along the step. The slope itself falls along the step, and is zero at the minimum.
@@ -167,7 +177,7 @@ class Newton {
   std::pmr::vector<std::uint32_t> place_;  // of a body in the matrix
   std::pmr::vector<double> step_;          // by place
   std::pmr::vector<SolveMotion> from_;
-  std::pmr::vector<double> rounding_;  // N, by body; empty without firm ties
+  std::pmr::vector<Rounding> rounding_;  // by body; empty without firm ties
   BlockEnvelope matrix_;
 };
 

@@ -72,6 +72,7 @@ void revolute(const Joint& joint, const JointPose& pose, JointSystem& out) {
 }
 
 void prismatic(const Joint& joint, const JointPose& pose, JointSystem& out) {
+  out.onA = out.onB = 0.5;
   for (int i = 0; i < 3; i++) out.way.axes[i] = axisOf(pose.frameA, i);
   setHard(out.way, pose.way, 1);
   setFree(joint, out.position, out.way);
@@ -87,7 +88,6 @@ void alongLine(const Joint& joint, const JointPose& pose, JointSystem& out) {
                                                          : JointLaw::spring;
   out.way.of[0] = {law, span - joint.length};
   out.span = span;
-  out.onA = 0, out.onB = 1;
   out.way.of[1] = out.way.of[2] = {JointLaw::across};
 }
 

@@ -30,7 +30,9 @@ struct EquationSet {
 
 struct JointSystem {
   EquationSet way, turn;
-  double onA = 0.5, onB = 0.5;  // of the way from the anchor of A to that of B: where its forces act on each
+  // Of the way from the anchor of A to that of B: where its forces act on each. Each at its own anchor, or a force beside
+  // a gaping of micrometres spins a thin rod about its axis.
+  double onA = 0, onB = 1;
   double position = 0;          // JointState::position
   double span = 0;              // m: of a line between two points
 };

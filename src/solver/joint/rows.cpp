@@ -24,7 +24,8 @@ Mat3 bending(Vec3 arm, Vec3 force, double resist) {
   const double stiffness = turning * turning / (turning + kSlow * resist);
   Mat3 out;
   for (int i = 0; i < 3; i++)
-    for (int j = 0; j < 3; j++) out.row[i][j] = stiffness * ((i == j ? 1 : 0) - along[i] * along[j]);
+    for (int j = 0; j < 3; j++)
+      out.row[i][j] = stiffness * ((i == j ? 1 : 0) - (1 - kLastBit / kTrifle) * along[i] * along[j]);
   return out;
 }
 

@@ -132,8 +132,11 @@ VelocitySystem::Posed VelocitySystem::posed(std::size_t row, const Joint& joint)
   const JointRecord& r = island_.rows.joints.records[row];
   const JointPose pose(joint, at(r.bodyA).place, at(r.bodyB).place);
   const JointSystem system = equationsOf(joint, pose);
+  // What flies keeps its angular momentum: impulses act at one place on both.
+  const bool flies = island_.groups.flies(island_.groups.groupOf(moves(r.bodyA) ? r.bodyA : r.bodyB));
   const double middle = 0.5 * (system.onA + system.onB);
-  return {pose, system, pose.armA + pose.way * middle, pose.armB - pose.way * (1 - middle)};
+  return {pose, system, pose.armA + pose.way * (flies ? middle : system.onA),
+          pose.armB - pose.way * (1 - (flies ? middle : system.onB))};
 }
 
 void VelocitySystem::findEquations(const Ties& ties) {

@@ -46,7 +46,7 @@ class VelocitySystem {
   struct Posed {
     JointPose pose;
     JointSystem system;
-    Vec3 armA, armB;  // m, to the one place where impulses act on both: they change no angular momentum
+    Vec3 armA, armB;  // m, to where impulses act on each; of what flies, one place for both
   };
   Posed posed(std::size_t row, const Joint& joint) const;
 
