@@ -82,7 +82,8 @@ void swingsAside(double radius, double dt, double open, double lost) {
 
 TEST(Law, Row30yAChainOfThinRodsThatGoesAsideStaysClosed) {
   for (double radius : {0.01, 0.005})
-    for (double dt : {1.0 / 30, 1.0 / 60, 1.0 / 120}) swingsAside(radius, dt, dt > 1.0 / 40 ? 0.5 : 0.1, dt > 1.0 / 40 ? 3 : 0.5);
+    for (double dt : {1.0 / 30, 1.0 / 60, 1.0 / 120})
+      swingsAside(radius, dt, dt > 1.0 / 40 ? 0.5 : 0.1, dt > 1.0 / 40 ? 3 : 0.5);
 }
 
 TEST(Law, Row30zAWireThatHoldsATonStaysClosed) {

@@ -30,11 +30,11 @@ struct EquationSet {
 
 struct JointSystem {
   EquationSet way, turn;
-  // Of the way from the anchor of A to that of B: where its forces act on each. Each at its own anchor, or a force beside
-  // a gaping of micrometres spins a thin rod about its axis.
+  // Of the way from the anchor of A to that of B: where its forces act on each. Each at its own anchor, or a force
+  // beside a gaping of micrometres spins a thin rod about its axis.
   double onA = 0, onB = 1;
-  double position = 0;          // JointState::position
-  double span = 0;              // m: of a line between two points
+  double position = 0;  // JointState::position
+  double span = 0;      // m: of a line between two points
 };
 
 JointSystem equationsOf(const Joint& joint, const JointPose& pose);
