@@ -124,8 +124,11 @@ HitParts partsForHits(const Registry& registry, const Activity& activity, const 
   for (BodyIndex body : activity.awake) search.look(body);
   for (BodyIndex body : activity.moving) search.look(body);
   const Thicknesses& gone = search.gone();
-  const auto count = int(std::ceil(std::clamp(std::max(gone.held, gone.loose) / kHitWay, 1.0, double(most))));
-  return {count, count > 1 && gone.held > gone.loose};
+  const double wanted = std::max(gone.held, gone.loose) / kHitWay;
+  const bool ofHeld = gone.held > gone.loose;
+  const double limit = ofHeld && wanted > most ? std::ldexp(1.0, most - 1) : double(most);
+  const auto count = int(std::ceil(std::clamp(wanted, 1.0, limit)));
+  return {count, ofHeld && count > 1};
 }
 
 }  // namespace brickfall

@@ -156,7 +156,8 @@ template <class R> BRICKFALL_LANES auto closedAbove(const R& r, bool exact) {
 }
 
 // Loaded points resist along the normal, and so do near open points, unless `exact`: a Newton step must not run through
-// them. Sticking points resist tangentially; sliding ones only across their slip.
+// them. Nor through points of mortar at a cap, which are firm as soon as they turn back: they resist by their secant,
+// with which a step still lowers the energy. Sticking points resist tangentially; sliding ones only across their slip.
 template <class R, class L>
 BRICKFALL_LANES StiffnessOf<L> stiffness(const R& r, const Frame<L>& frame, const PointForces<L>& f, bool exact) {
   L s1 = pointsOf(r, &FaceRecord::s1), s2 = pointsOf(r, &FaceRecord::s2), k = pointsOf(r, &FaceRecord::k);
@@ -164,8 +165,10 @@ BRICKFALL_LANES StiffnessOf<L> stiffness(const R& r, const Frame<L>& frame, cons
   auto normalOn = f.trialN > closedAbove(r, exact);
   L kn = keepIf(normalOn, k);
   if (anyCrushes(r)) {
-    L most = mostInLanes(r);
-    kn = select((f.trialN > most) & (most > f.trialN - yieldInLanes(r)), zero, kn);
+    L most = mostInLanes(r), pull = pointsOf(r, &FaceRecord::leastN);
+    auto crushing = (f.trialN > most) & (most > f.trialN - yieldInLanes(r)), opening = pull > f.trialN;
+    kn = select(crushing, exact ? zero : k * (most / f.trialN), kn);
+    if (!exact) kn = select(opening & (zero > pull), k * (pull / f.trialN), kn);
   }
   auto frictional = limit > zero;
   L kt = keepIf(frictional, k);
