@@ -23,21 +23,25 @@ constexpr int kFitSweeps = 40;
 // A body where the step ends.
 struct End {
   BodyIndex body = kNoIndex;
-  bool shifts = false, pays = false;                   // may be shifted; the work of that is its own
-  bool asSolved = false;                               // ends as its contacts know
-  double invMass = 0;                                  // 1 / kg; 0 where it may not be shifted
+  bool may = false, shifts = false;  // may be shifted; is, where it ends in something
+  bool firm = true;                  // cannot be shifted, or was shifted up against what cannot
+  bool asSolved = true;              // ends as its contacts know, as far as it is not shifted
+  bool flies = false, free = false;  // nothing fixed is behind what presses on it; nor behind its island
+  bool single = false;               // of no island
+  double invMass = 0;                // 1 / kg; 0 where it may not be shifted
   Mat3 invInertia{{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}};  // 1 / (kg m2); 0 where it may not be turned
-  Transform pose;
-  int shifted = 0;  // the sweep in which it last was
+  Transform pose, solved;                              // now, and before anything was shifted
+  int shifted = 0;                                     // the sweep in which it last was
 };
 
 // Two shapes that may end in each other.
 struct Near {
   ShapeIndex a = kNoIndex, b = kNoIndex;
   std::uint32_t endA = 0, endB = 0;
-  Vec3 normal;      // of their contact, if they have one
-  double had = -1;  // m: the overlap that is left to them; below 0: it is not known yet
-  int looked = -1;  // the sweep before the last in which they were looked at
+  Vec3 normal;        // of their contact; else where B came from
+  double began = -1;  // m: the overlap at the start of the step; below 0: it is not known yet
+  double had = -1;    // m: the overlap that is left to them; likewise
+  int looked = -1;    // the sweep before the last in which they were looked at
   bool operator<(const Near& other) const { return a != other.a ? a < other.a : b < other.b; }
   bool operator==(const Near& other) const { return a == other.a && b == other.b; }
 };
@@ -57,13 +61,17 @@ class Fitting {
         ends_(context.memory),
         near_(context.memory) {}
 
-  // First the bodies that may be shifted, of all islands. If there are any, then what they may end in.
-  // `all`: not only those that end aside.
+  bool anyAside(const Island& island);
+  bool stopped(BodyIndex single) const {
+    return moves(single) && context_.solved[single].d != context_.free[single].way;
+  }
+  // First all bodies, then what they may end in. `all`: not only those are shifted that end aside.
   void addBodies(const Island& island, bool all);
-  bool anyBodies();
+  void addSingle(BodyIndex single);
+  void sortBodies();
   void addContacts(const Island& island);
-  void addFound(const BroadPhase& tree);
-  bool fit();
+  // What bodies without a contact end in, is looked for in `tree`.
+  bool fit(const BroadPhase* tree);
 
  private:
   bool moves(BodyIndex body) const {
@@ -71,31 +79,36 @@ class Fitting {
     return data.type == BodyType::dynamic && data.activity == BodyActivity::awake && !context_.solved[body].rest;
   }
   void findTied(const Island& island);
+  bool mayShift(BodyIndex body) const;
+  End& addBody(BodyIndex body, bool free, bool shifts, bool asSolved);
   bool turnsFar(BodyIndex body) const;
   bool endsAsSolved(const Island& island, std::size_t i) const;
   bool endsAside(BodyIndex body) const;
   Transform endOf(BodyIndex body) const;
-  std::pmr::vector<End>::const_iterator asideAt(BodyIndex body) const;
-  bool isAside(BodyIndex body) const { return asideAt(body) != ends_.begin() + std::ptrdiff_t(aside_); }
-  bool isMoved(BodyIndex body) const { return isAside(body) && !asideAt(body)->asSolved; }
   std::uint32_t numberOf(BodyIndex body);
+  void addFound(std::size_t first, std::size_t last);
+  void giveWay(std::uint32_t end);
 
   double leastOf(const Near& n) const {
     return kNearlyClosed * lengthScale(shapes_.data[n.a].innerRadius, shapes_.data[n.b].innerRadius);
   }
-  double depthAtStart(const Near& n) const;
+  double depthAt(const Near& n, const Transform& poseA, const Transform& poseB) const;
+  double depthLeft(const Near& n) const;
   Manifold overlapOf(const Near& n, const Transform& poseA, const Transform& bInA) const;
-  bool part(Near& n, int sweep);
-  Parting partingOf(const Near& n, const Manifold& m, const Transform& poseA) const;
-  bool shiftBy(End& end, Vec3 way, Vec3 turn, Vec3 frame);
+  bool part(std::size_t number, int sweep);
+  Parting partingOf(const Near& n, const Manifold& m, const Transform& poseA, bool givesA, bool givesB) const;
+  Parting partingInFlight(const Near& n, Vec3 normal, double depth) const;
+  bool shiftBy(End& end, Vec3 way, Vec3 turn, Vec3 frame, bool pays);
 
   const BodySet& bodies_;
   const ShapeSet& shapes_;
   StepContext& context_;
+  const BroadPhase* tree_ = nullptr;
   std::pmr::vector<BodyIndex> tied_;  // of an island, by firm ties, ascending
   std::pmr::vector<End> ends_;        // bodies that may be shifted, ascending; then others that they may meet
-  std::size_t aside_ = 0;             // of the former
-  std::pmr::vector<Near> near_;
+  std::size_t own_ = 0;               // of the former
+  std::pmr::vector<Near> near_;       // contacts, ascending; then what was found without one
+  std::size_t contacts_ = 0;          // of the former
 };
 
 void Fitting::findTied(const Island& island) {
@@ -110,25 +123,46 @@ void Fitting::findTied(const Island& island) {
   std::sort(tied_.begin(), tied_.end());
 }
 
-// A shift tears no firm tie, and changes no momentum that must stay.
+// A shift tears no firm tie.
+bool Fitting::mayShift(BodyIndex body) const {
+  const SolvedMotion& s = context_.solved[body];
+  return moves(body) && isFinite(s.d) && isFinite(s.th) && !std::binary_search(tied_.begin(), tied_.end(), body);
+}
+
+bool Fitting::anyAside(const Island& island) {
+  findTied(island);
+  return std::any_of(island.bodies.begin(), island.bodies.end(),
+                     [&](BodyIndex body) { return mayShift(body) && endsAside(body); });
+}
+
 void Fitting::addBodies(const Island& island, bool all) {
   findTied(island);
   for (std::size_t i = 0; i < island.bodies.size(); i++) {
     const BodyIndex body = island.bodies[i];
-    const SolvedMotion& s = context_.solved[body];
-    if (!moves(body) || (s.flying && !island.grounded()) || !isFinite(s.d) || !isFinite(s.th)) continue;
-    if ((!all && !endsAside(body)) || std::binary_search(tied_.begin(), tied_.end(), body)) continue;
-    End end{body, true, s.flying, !all && endsAsSolved(island, i), bodies_.mass[body].invMass};
-    if (!s.freeTurn && !s.flying) end.invInertia = bodies_.worldInvInertia(body);
-    end.pose = endOf(body);
-    ends_.push_back(end);
+    if (!mayShift(body)) continue;
+    const bool aside = !all && endsAside(body);
+    addBody(body, !island.grounded(), all || aside, !all && (!aside || endsAsSolved(island, i)));
   }
 }
 
-bool Fitting::anyBodies() {
+void Fitting::addSingle(BodyIndex single) {
+  tied_.clear();
+  if (mayShift(single)) addBody(single, true, stopped(single), false).single = true;
+}
+
+End& Fitting::addBody(BodyIndex body, bool free, bool shifts, bool asSolved) {
+  const SolvedMotion& s = context_.solved[body];
+  End end{body, true, shifts, false, asSolved, s.flying, free};
+  end.invMass = bodies_.mass[body].invMass;
+  if (!s.freeTurn && !s.flying) end.invInertia = bodies_.worldInvInertia(body);
+  end.pose = end.solved = endOf(body);
+  ends_.push_back(end);
+  return ends_.back();
+}
+
+void Fitting::sortBodies() {
   std::sort(ends_.begin(), ends_.end(), [](const End& a, const End& b) { return a.body < b.body; });
-  aside_ = ends_.size();
-  return aside_ > 0;
+  own_ = ends_.size();
 }
 
 bool Fitting::turnsFar(BodyIndex body) const {
@@ -169,17 +203,13 @@ Transform Fitting::endOf(BodyIndex body) const {
           normalized(quatFromRotationVector(m.angularVelocity * context_.dt) * m.rotation)};
 }
 
-std::pmr::vector<End>::const_iterator Fitting::asideAt(BodyIndex body) const {
-  const auto end = ends_.begin() + std::ptrdiff_t(aside_);
-  const auto at = std::lower_bound(ends_.begin(), end, body, [](const End& e, BodyIndex b) { return e.body < b; });
-  return at != end && at->body == body ? at : end;
-}
-
 std::uint32_t Fitting::numberOf(BodyIndex body) {
-  if (isAside(body)) return std::uint32_t(asideAt(body) - ends_.begin());
+  const auto own = ends_.begin() + std::ptrdiff_t(own_);
+  const auto at = std::lower_bound(ends_.begin(), own, body, [](const End& e, BodyIndex b) { return e.body < b; });
+  if (at != own && at->body == body) return std::uint32_t(at - ends_.begin());
   End other;
   other.body = body;
-  other.pose = endOf(body);
+  other.pose = other.solved = endOf(body);
   ends_.push_back(other);
   return std::uint32_t(ends_.size() - 1);
 }
@@ -187,63 +217,88 @@ std::uint32_t Fitting::numberOf(BodyIndex body) {
 void Fitting::addContacts(const Island& island) {
   island.rows.eachManifold([&](ContactIndex contact) {
     const Contact& c = context_.ties->contacts.contacts[contact];
-    if (!isAside(c.bodyA) && !isAside(c.bodyB)) return;
-    Near n{c.shapeA, c.shapeB};
+    Near n{c.shapeA, c.shapeB, numberOf(c.bodyA), numberOf(c.bodyB)};
     n.normal = bodies_.motion[c.bodyA].orientation * context_.ties->contacts.geometry[contact].normal;
-    n.had = leastOf(n);
-    for (int i = 0; i < c.count; i++) n.had = std::max(n.had, -double(c.points.gap[i]));
-    // The solve has said how far its springs give.
-    if (!isMoved(c.bodyA) && !isMoved(c.bodyB)) n.had = std::numeric_limits<double>::infinity();
+    n.began = leastOf(n);
+    for (int i = 0; i < c.count; i++) n.began = std::max(n.began, -double(c.points.gap[i]));
     near_.push_back(n);
   });
 }
 
-// What the bodies end in without a contact. The order in which the tree finds it must not matter.
-void Fitting::addFound(const BroadPhase& tree) {
-  std::sort(near_.begin(), near_.end());
+// What bodies end in without a contact. The order in which the tree finds it must not matter.
+void Fitting::addFound(std::size_t first, std::size_t last) {
   const std::size_t known = near_.size();
-  for (std::size_t e = 0; e < aside_; e++)
+  for (std::size_t e = first; e < last; e++) {
+    if (!ends_[e].shifts) continue;
     for (ShapeIndex shape : bodies_.shapes[ends_[e].body]) {
       const ShapeData& s = shapes_.data[shape];
-      tree.query(bounds(s.geometry, ends_[e].pose * s.inCentreFrame), [&](std::uint32_t other) {
+      tree_->query(bounds(s.geometry, ends_[e].pose * s.inCentreFrame), [&](std::uint32_t other) {
         const BodyIndex body = shapes_.data[other].body;
         if (body == s.body || !shapes_.mayTouch(shape, other) || !context_.ties->mayCollide(s.body, body)) return true;
         const Near n{std::min(shape, other), std::max(shape, other)};
-        if (!std::binary_search(near_.begin(), near_.begin() + std::ptrdiff_t(known), n)) near_.push_back(n);
+        const auto contacts = near_.begin() + std::ptrdiff_t(contacts_), before = near_.begin() + std::ptrdiff_t(known);
+        if (!std::binary_search(near_.begin(), contacts, n) && std::find(contacts, before, n) == before)
+          near_.push_back(n);
         return true;
       });
     }
+  }
   const auto found = near_.begin() + std::ptrdiff_t(known);
   std::sort(found, near_.end());
   near_.erase(std::unique(found, near_.end()), near_.end());
+  for (std::size_t i = known; i < near_.size(); i++) {
+    const BodyIndex a = shapes_.data[near_[i].a].body, b = shapes_.data[near_[i].b].body;
+    near_[i].endA = numberOf(a), near_[i].endB = numberOf(b);
+    const Vec3 came = bodies_.motion[a].linearVelocity - bodies_.motion[b].linearVelocity;
+    if (came != Vec3{}) near_[i].normal = normalized(came);  // where it came from, nothing was in the way
+  }
 }
 
-bool Fitting::fit() {
-  for (Near& n : near_) n.endA = numberOf(shapes_.data[n.a].body), n.endB = numberOf(shapes_.data[n.b].body);
+bool Fitting::fit(const BroadPhase* tree) {
+  tree_ = tree;
+  std::sort(near_.begin(), near_.end());
+  contacts_ = near_.size();
+  if (tree_) addFound(0, own_);
   bool any = false, shifted = true;
   for (int sweep = 1; sweep <= kFitSweeps && shifted; sweep++) {
     shifted = false;
-    for (Near& n : near_) shifted = part(n, sweep) || shifted;
+    for (std::size_t i = 0; i < near_.size(); i++) shifted = part(i, sweep) || shifted;
     any = any || shifted;
   }
   return any;
 }
 
-double Fitting::depthAtStart(const Near& n) const {
-  return penetrationDepth(shapes_.data[n.a].geometry, shapes_.data[n.b].geometry,
-                          inverse(shapes_.worldPose(n.a, bodies_)) * shapes_.worldPose(n.b, bodies_));
+// Where there is no room for what ends aside, its neighbours make it.
+void Fitting::giveWay(std::uint32_t end) {
+  if (ends_[end].shifts || !ends_[end].may) return;
+  ends_[end].shifts = true;
+  if (tree_) addFound(end, end + 1);
 }
 
-// In the frame of shape A. A mesh is only parted from along the normal of the contact.
+double Fitting::depthAt(const Near& n, const Transform& poseA, const Transform& poseB) const {
+  const ShapeData &a = shapes_.data[n.a], &b = shapes_.data[n.b];
+  return penetrationDepth(a.geometry, b.geometry, inverse(poseA * a.inCentreFrame) * (poseB * b.inCentreFrame));
+}
+
+// As deep as they began; where the contact knew both ways, the solve has said how far its springs give.
+double Fitting::depthLeft(const Near& n) const {
+  const End &a = ends_[n.endA], &b = ends_[n.endB];
+  if (n.began < 0) return std::max(leastOf(n), depthAt(n, bodies_.pose(a.body), bodies_.pose(b.body)));
+  return a.asSolved && b.asSolved ? std::max(n.began, depthAt(n, a.solved, b.solved)) : n.began;
+}
+
+// In the frame of shape A. What has come through something thin goes back, and a mesh is only parted from, along the
+// normal of the contact or the way there.
 Manifold Fitting::overlapOf(const Near& n, const Transform& poseA, const Transform& bInA) const {
   const ShapeData &a = shapes_.data[n.a], &b = shapes_.data[n.b];
+  const Vec3 normal = rotate(conjugate(poseA.rotation), n.normal);
+  const bool mesh = a.geometry.type == ShapeType::mesh || b.geometry.type == ShapeType::mesh;
   Manifold m;
-  if (a.geometry.type != ShapeType::mesh && b.geometry.type != ShapeType::mesh) {
-    collide(a.geometry, b.geometry, bInA, 0, m);
-  } else if (n.had >= 0) {
-    const End& moved = ends_[ends_[n.endA].shifts ? n.endA : n.endB];
+  if (!mesh) collide(a.geometry, b.geometry, bInA, 0, m);
+  if (n.normal != Vec3{} && (mesh || (m.count > 0 && dot(m.normal, normal) < -kAtOnce))) {
+    const End& moved = ends_[a.geometry.type == ShapeType::mesh ? n.endB : n.endA];
     m.count = 1;
-    m.normal = rotate(conjugate(poseA.rotation), n.normal);
+    m.normal = normal;
     m.points[0].onA = m.points[0].onB = transformPoint(inverse(poseA), moved.pose.position);
     m.points[0].separation = -penetrationDepth(a.geometry, b.geometry, bInA);
   }
@@ -251,31 +306,67 @@ Manifold Fitting::overlapOf(const Near& n, const Transform& poseA, const Transfo
 }
 
 // Parts two shapes if they ended deeper in each other than they began. Returns whether it did so.
-bool Fitting::part(Near& n, int sweep) {
-  End &a = ends_[n.endA], &b = ends_[n.endB];
-  if (n.looked >= a.shifted && n.looked >= b.shifted) return false;
-  n.looked = sweep - 1;
-  const double reach = bodies_.mass[a.body].outerRadius + bodies_.mass[b.body].outerRadius;
-  if (!(lengthSquared(a.pose.position - b.pose.position) <= reach * reach)) return false;
-  const Transform poseA = a.pose * shapes_.data[n.a].inCentreFrame;
-  const Manifold m = overlapOf(n, poseA, inverse(poseA) * (b.pose * shapes_.data[n.b].inCentreFrame));
+bool Fitting::part(std::size_t number, int sweep) {
+  {
+    Near& n = near_[number];
+    const End &a = ends_[n.endA], &b = ends_[n.endB];
+    if (!a.shifts && !b.shifts) return false;
+    if (n.began >= 0 && a.asSolved && b.asSolved && a.shifted + b.shifted == 0) return false;
+    if (n.looked >= a.shifted && n.looked >= b.shifted) return false;
+    n.looked = sweep - 1;
+    const double reach = bodies_.mass[a.body].outerRadius + bodies_.mass[b.body].outerRadius;
+    if (!(lengthSquared(a.pose.position - b.pose.position) <= reach * reach)) return false;
+  }
+  const Near& found = near_[number];
+  const Transform poseA = ends_[found.endA].pose * shapes_.data[found.a].inCentreFrame;
+  const Transform poseB = ends_[found.endB].pose * shapes_.data[found.b].inCentreFrame;
+  const Manifold m = overlapOf(found, poseA, inverse(poseA) * poseB);
   double deepest = 0;
   for (int i = 0; i < m.count; i++) deepest = std::max(deepest, -m.points[i].separation);
-  if (!(deepest > std::max(n.had, leastOf(n)))) return false;
-  if (n.had < 0) n.had = std::max(leastOf(n), depthAtStart(n));
-  if (!(deepest > n.had)) return false;
-  const Parting by = partingOf(n, m, poseA);
+  if (!(deepest > std::max({found.had, found.began, leastOf(found)}))) return false;
+  if (found.had < 0) near_[number].had = depthLeft(found);
+  if (!(deepest > found.had)) return false;
+  const std::uint32_t endA = found.endA, endB = found.endB;
+  // What flies in an island may yet be sent its free way.
+  if (ends_[endA].free && ends_[endB].free && !(ends_[endA].single && ends_[endB].single)) return false;
+  giveWay(endA);
+  giveWay(endB);
+  const Near& n = near_[number];
+  End &a = ends_[n.endA], &b = ends_[n.endB];
+  if (!a.free || !b.free) a.free = b.free = false;
+  const bool inFlight = a.free;
   const Vec3 frameA = bodies_.motion[a.body].linearVelocity, frameB = bodies_.motion[b.body].linearVelocity;
-  const bool movedA = a.shifts && shiftBy(a, by.wayA, by.turnA, frameB);
-  const bool movedB = b.shifts && shiftBy(b, by.wayB, by.turnB, frameA);
+  // What is pressed against something firm is firm, at last: else what is light stays in it under what is heavy.
+  const bool settles = 2 * sweep > kFitSweeps && a.firm != b.firm;
+  const bool givesA = a.shifts && !(settles && a.firm), givesB = b.shifts && !(settles && b.firm);
+  const Parting by = inFlight ? partingInFlight(n, rotate(poseA.rotation, m.normal), deepest - n.had)
+                              : partingOf(n, m, poseA, givesA, givesB);
+  const bool movedA = givesA && shiftBy(a, by.wayA, by.turnA, frameB, a.flies && !inFlight);
+  const bool movedB = givesB && shiftBy(b, by.wayB, by.turnB, frameA, b.flies && !inFlight);
   if (movedA) a.shifted = sweep;
   if (movedB) b.shifted = sweep;
+  if (settles) a.firm = b.firm = true;
   return movedA || movedB;
+}
+
+// Along their relative velocity, and by mass: neither the centre of mass nor a momentum changes.
+Parting Fitting::partingInFlight(const Near& n, Vec3 normal, double depth) const {
+  const End &a = ends_[n.endA], &b = ends_[n.endB];
+  Parting out;
+  if (!a.shifts || !b.shifts) return out;
+  const Vec3 relative = context_.solved[b.body].velocity - context_.solved[a.body].velocity;
+  const double size = length(relative);
+  const Vec3 along = size > 0 ? relative * (1 / size) : normal;
+  const double cosine = dot(along, normal);
+  const double way = kAtOnce * depth / std::copysign(std::max(std::fabs(cosine), kCoreShare), cosine);
+  out.wayA = along * (-way * a.invMass / (a.invMass + b.invMass));
+  out.wayB = along * (way * b.invMass / (a.invMass + b.invMass));
+  return out;
 }
 
 // Point by point, each as it is after those before. A body gives way at a point by its mass and its inertia: an end
 // that is pressed in turns out, and a brick wedged under a ball comes to lie where it has room.
-Parting Fitting::partingOf(const Near& n, const Manifold& m, const Transform& poseA) const {
+Parting Fitting::partingOf(const Near& n, const Manifold& m, const Transform& poseA, bool givesA, bool givesB) const {
   const End &a = ends_[n.endA], &b = ends_[n.endB];
   const Vec3 normal = rotate(poseA.rotation, m.normal);
   Parting out;
@@ -286,11 +377,12 @@ Parting Fitting::partingOf(const Near& n, const Manifold& m, const Transform& po
     const Vec3 turnA = a.invInertia * leverA, turnB = b.invInertia * leverB;
     const double parted = dot(normal, out.wayB + cross(out.turnB, armB) - out.wayA - cross(out.turnA, armA));
     const double depth = -m.points[i].separation - n.had - parted;
-    const double gives = a.invMass + b.invMass + dot(leverA, turnA) + dot(leverB, turnB);
+    const double ownA = givesA ? a.invMass + dot(leverA, turnA) : 0;
+    const double gives = ownA + (givesB ? b.invMass + dot(leverB, turnB) : 0);
     if (!(depth > 0) || !(gives > 0)) continue;
     const double push = kAtOnce * depth / gives;
-    out.wayA -= normal * (push * a.invMass), out.turnA -= turnA * push;
-    out.wayB += normal * (push * b.invMass), out.turnB += turnB * push;
+    if (givesA) out.wayA -= normal * (push * a.invMass), out.turnA -= turnA * push;
+    if (givesB) out.wayB += normal * (push * b.invMass), out.turnB += turnB * push;
   }
   return out;
 }
@@ -298,9 +390,9 @@ Parting Fitting::partingOf(const Near& n, const Manifold& m, const Transform& po
 // The work against gravity and outside forces is taken from the body's own motion if nothing presses on it, seen from
 // what it is shifted out of: the last check asks groups alone that are supported. It is taken along the force, as if
 // the body had flown so far against it: it is not thrown aside.
-bool Fitting::shiftBy(End& end, Vec3 way, Vec3 turn, Vec3 frame) {
+bool Fitting::shiftBy(End& end, Vec3 way, Vec3 turn, Vec3 frame, bool pays) {
   const BodyIndex body = end.body;
-  if (end.pays) {
+  if (pays) {
     const BodyData& data = bodies_.data[body];
     const SolvedMotion& s = context_.solved[body];
     const Vec3 force = context_.gravity * (bodies_.mass[body].mass * data.gravityScale) + data.force;
@@ -323,23 +415,31 @@ bool Fitting::shiftBy(End& end, Vec3 way, Vec3 turn, Vec3 frame) {
 
 void keepOut(const IslandSet& islands, const Registry& registry, const Proximity& proximity, StepContext& context) {
   Fitting fitting(registry, context);
+  auto any = [&](auto&& is) {
+    return std::any_of(islands.awake.begin(), islands.awake.end(),
+                       [&](const IslandPointer& island) { return !island->resting() && is(*island); });
+  };
+  if (!any([&](const Island& island) { return fitting.anyAside(island); }) &&
+      std::none_of(islands.single.begin(), islands.single.end(), [&](BodyIndex b) { return fitting.stopped(b); }))
+    return;
   auto each = [&](auto&& add) {
     for (const IslandPointer& island : islands.awake)
       if (!island->resting()) add(*island);
   };
   each([&](const Island& island) { fitting.addBodies(island, false); });
-  if (!fitting.anyBodies()) return;
+  for (BodyIndex single : islands.single) fitting.addSingle(single);
+  fitting.sortBodies();
   each([&](const Island& island) { fitting.addContacts(island); });
-  fitting.addFound(*proximity.broadPhase);
-  fitting.fit();
+  fitting.fit(proximity.broadPhase.get());
 }
 
 bool keepOut(const Island& island, bool toImpact, const Registry& registry, StepContext& context) {
   Fitting fitting(registry, context);
+  if (!toImpact && !fitting.anyAside(island)) return false;
   fitting.addBodies(island, toImpact);
-  if (!fitting.anyBodies()) return false;
+  fitting.sortBodies();
   fitting.addContacts(island);
-  return fitting.fit();
+  return fitting.fit(nullptr);
 }
 
 }  // namespace brickfall

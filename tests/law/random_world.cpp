@@ -113,6 +113,14 @@ BodyDef targetOf(RandomKind kind, Draw& draw, double size, const Material& mater
   return d;
 }
 
+bool overlaps(const World& world, BodyId body, const std::vector<BodyId>& others) {
+  for (BodyId other : others)
+    for (ShapeId a : world.shapes(body))
+      for (ShapeId b : world.shapes(other))
+        if (Result<double> depth = world.penetration(a, b); depth && *depth > 0) return true;
+  return false;
+}
+
 }  // namespace
 
 const char* nameOf(RandomKind kind) {
@@ -155,7 +163,11 @@ RandomWorld drawWorld(RandomKind kind, int seed, bool turned) {
     d.linearVelocity = from * -own + out.drive;
     d.angularVelocity = draw.direction() * (draw.oneIn(3) ? 0 : draw.scale(.1, 400));
     out.sizes.push_back(innerOf(d));
-    out.bodies.push_back(add(out.world, d));
+    const BodyId body = add(out.world, d);
+    // No two are drawn in each other: it comes from further away.
+    for (; overlaps(out.world, body, out.bodies); d.position += from * size)
+      EXPECT_TRUE(out.world.setTransform(body, d.position + from * size, d.rotation).ok());
+    out.bodies.push_back(body);
   }
   out.text = std::string(turned ? "turned bodies, " : "") + nameOf(kind) + label(" %g", seed) +
              label(": dt 1/%.4g s", 1 / out.dt) + label(" / %g", out.substeps) + label(", %g bodies", count) +
