@@ -44,7 +44,7 @@ struct SolverSettings {
   //! - | too small: at long time steps heavy balls punch clean holes into walls that they should push apart
   //! | too large: cost of fast hits
   int maxHitParts = 8;  // 1 .. 64: a step in which something heavy goes far into what it hits is made in up to so many
-                        // equal parts; 1: never
+                        // parts, equal but where mortar holds that; 1: never
 };
 
 }  // namespace brickfall
