@@ -86,6 +86,7 @@ class Fitting {
   bool endsAside(BodyIndex body) const;
   Transform endOf(BodyIndex body) const;
   std::uint32_t numberOf(BodyIndex body);
+  Vec3 wayOf(std::uint32_t end) const { return ends_[end].solved.position - bodies_.motion[ends_[end].body].position; }
   void addFound(std::size_t first, std::size_t last);
   void giveWay(std::uint32_t end);
 
@@ -249,8 +250,8 @@ void Fitting::addFound(std::size_t first, std::size_t last) {
   for (std::size_t i = known; i < near_.size(); i++) {
     const BodyIndex a = shapes_.data[near_[i].a].body, b = shapes_.data[near_[i].b].body;
     near_[i].endA = numberOf(a), near_[i].endB = numberOf(b);
-    const Vec3 came = bodies_.motion[a].linearVelocity - bodies_.motion[b].linearVelocity;
-    if (came != Vec3{}) near_[i].normal = normalized(came);  // where it came from, nothing was in the way
+    const Vec3 came = wayOf(near_[i].endA) - wayOf(near_[i].endB);
+    if (came != Vec3{}) near_[i].normal = normalized(came);  // where it was, nothing was in the way
   }
 }
 

@@ -16,7 +16,9 @@ TEST(Regression, BodiesBetweenOthersSinkIn) {
                                    {RandomKind::belt, 14620},
                                    {RandomKind::terrain, 15859},
                                    {RandomKind::terrain, 111},
-                                   {RandomKind::plate, 32358}}) {
+                                   {RandomKind::plate, 32358},
+                                   {RandomKind::wall, 33906},
+                                   {RandomKind::wall, 30171}}) {
     RandomWorld random = drawWorld(kind, seed);
     const RandomOutcome found = runWorld(random);
     EXPECT_LT(found.deep, 0.5) << random.text;
