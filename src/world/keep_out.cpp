@@ -24,7 +24,6 @@ constexpr int kFitSweeps = 40;
 struct End {
   BodyIndex body = kNoIndex;
   bool may = false, shifts = false;  // may be shifted; is, where it ends in something
-  bool firm = true;                  // cannot be shifted, or was shifted up against what cannot
   bool asSolved = true;              // ends as its contacts know, as far as it is not shifted
   bool flies = false, free = false;  // nothing fixed is behind what presses on it; nor behind its island
   bool single = false;               // of no island
@@ -97,7 +96,7 @@ class Fitting {
   double depthLeft(const Near& n) const;
   Manifold overlapOf(const Near& n, const Transform& poseA, const Transform& bInA) const;
   bool part(std::size_t number, int sweep);
-  Parting partingOf(const Near& n, const Manifold& m, const Transform& poseA, bool givesA, bool givesB) const;
+  Parting partingOf(const Near& n, const Manifold& m, const Transform& poseA) const;
   Parting partingInFlight(const Near& n, Vec3 normal, double depth) const;
   bool shiftBy(End& end, Vec3 way, Vec3 turn, Vec3 frame, bool pays);
 
@@ -153,7 +152,7 @@ void Fitting::addSingle(BodyIndex single) {
 
 End& Fitting::addBody(BodyIndex body, bool free, bool shifts, bool asSolved) {
   const SolvedMotion& s = context_.solved[body];
-  End end{body, true, shifts, false, asSolved, s.flying, free};
+  End end{body, true, shifts, asSolved, s.flying, free};
   end.invMass = bodies_.mass[body].invMass;
   if (!s.freeTurn && !s.flying) end.invInertia = bodies_.worldInvInertia(body);
   end.pose = end.solved = endOf(body);
@@ -337,16 +336,12 @@ bool Fitting::part(std::size_t number, int sweep) {
   if (!a.free || !b.free) a.free = b.free = false;
   const bool inFlight = a.free;
   const Vec3 frameA = bodies_.motion[a.body].linearVelocity, frameB = bodies_.motion[b.body].linearVelocity;
-  // What is pressed against something firm is firm, at last: else what is light stays in it under what is heavy.
-  const bool settles = 2 * sweep > kFitSweeps && a.firm != b.firm;
-  const bool givesA = a.shifts && !(settles && a.firm), givesB = b.shifts && !(settles && b.firm);
-  const Parting by = inFlight ? partingInFlight(n, rotate(poseA.rotation, m.normal), deepest - n.had)
-                              : partingOf(n, m, poseA, givesA, givesB);
-  const bool movedA = givesA && shiftBy(a, by.wayA, by.turnA, frameB, a.flies && !inFlight);
-  const bool movedB = givesB && shiftBy(b, by.wayB, by.turnB, frameA, b.flies && !inFlight);
+  const Parting by =
+      inFlight ? partingInFlight(n, rotate(poseA.rotation, m.normal), deepest - n.had) : partingOf(n, m, poseA);
+  const bool movedA = a.shifts && shiftBy(a, by.wayA, by.turnA, frameB, a.flies && !inFlight);
+  const bool movedB = b.shifts && shiftBy(b, by.wayB, by.turnB, frameA, b.flies && !inFlight);
   if (movedA) a.shifted = sweep;
   if (movedB) b.shifted = sweep;
-  if (settles) a.firm = b.firm = true;
   return movedA || movedB;
 }
 
@@ -367,7 +362,7 @@ Parting Fitting::partingInFlight(const Near& n, Vec3 normal, double depth) const
 
 // Point by point, each as it is after those before. A body gives way at a point by its mass and its inertia: an end
 // that is pressed in turns out, and a brick wedged under a ball comes to lie where it has room.
-Parting Fitting::partingOf(const Near& n, const Manifold& m, const Transform& poseA, bool givesA, bool givesB) const {
+Parting Fitting::partingOf(const Near& n, const Manifold& m, const Transform& poseA) const {
   const End &a = ends_[n.endA], &b = ends_[n.endB];
   const Vec3 normal = rotate(poseA.rotation, m.normal);
   Parting out;
@@ -378,12 +373,12 @@ Parting Fitting::partingOf(const Near& n, const Manifold& m, const Transform& po
     const Vec3 turnA = a.invInertia * leverA, turnB = b.invInertia * leverB;
     const double parted = dot(normal, out.wayB + cross(out.turnB, armB) - out.wayA - cross(out.turnA, armA));
     const double depth = -m.points[i].separation - n.had - parted;
-    const double ownA = givesA ? a.invMass + dot(leverA, turnA) : 0;
-    const double gives = ownA + (givesB ? b.invMass + dot(leverB, turnB) : 0);
+    const double ownA = a.shifts ? a.invMass + dot(leverA, turnA) : 0;
+    const double gives = ownA + (b.shifts ? b.invMass + dot(leverB, turnB) : 0);
     if (!(depth > 0) || !(gives > 0)) continue;
     const double push = kAtOnce * depth / gives;
-    if (givesA) out.wayA -= normal * (push * a.invMass), out.turnA -= turnA * push;
-    if (givesB) out.wayB += normal * (push * b.invMass), out.turnB += turnB * push;
+    if (a.shifts) out.wayA -= normal * (push * a.invMass), out.turnA -= turnA * push;
+    if (b.shifts) out.wayB += normal * (push * b.invMass), out.turnB += turnB * push;
   }
   return out;
 }
