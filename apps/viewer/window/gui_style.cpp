@@ -8,7 +8,7 @@ namespace brickfall::viewer {
 namespace {
 
 constexpr float kTextSize = 15, kHeadingSize = 16;  // pixels
-ImFont* heading = nullptr;
+ImFont* boldFont = nullptr;
 
 // A font of the system; ImGui brings one, which is legible but coarse.
 ImFont* fontFrom(const char* path, float size) {
@@ -24,11 +24,11 @@ ImVec4 shade(int colour, float alpha = 1) {
 
 }  // namespace
 
-ImFont* headingFont() { return heading; }
+ImFont* headingFont() { return boldFont; }
 
 void useStyle() {
   fontFrom("/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf", kTextSize);
-  heading = fontFrom("/usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf", kHeadingSize);
+  boldFont = fontFrom("/usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf", kHeadingSize);
   ImGui::StyleColorsDark();
   ImGuiStyle& style = ImGui::GetStyle();
   style.WindowRounding = style.ChildRounding = style.PopupRounding = 6;

@@ -377,7 +377,7 @@ TEST(MeshWorld, DebrisOnHillsSettlesInTheSameWayEveryTime) {
 // ridge under a box once gave one point at a time, and the box sank in while it rocked.)
 TEST(MeshWorld, NothingSinksIntoHills) {
   double worst = 0, third = 0;  // m, sums over worlds
-  constexpr int kWorlds = 8;
+  constexpr int kWorlds = 4;
   for (int n = 0; n < kWorlds; n++) {
     const int triangles = n % 2 ? 3000 : 400;
     World world = makeWorld();

@@ -6,7 +6,7 @@
 namespace brickfall::viewer {
 namespace {
 
-constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
+constexpr ImGuiWindowFlags kInPlace = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
                                     ImGuiWindowFlags_NoSavedSettings;
 
 using Show = void (*)(Desk&, const Frame&);
@@ -23,7 +23,7 @@ void showTabs(Desk& desk, const Frame& frame) {
   ImGui::SetNextWindowPos(ImVec2(margin, margin));
   ImGui::SetNextWindowSize(ImVec2(std::min(kPanelWidth, float(desk.size.width) - 2 * margin),
                                   float(desk.size.height) - kBarHeight - 3 * margin));
-  if (ImGui::Begin("panel", nullptr, kFixed)) {
+  if (ImGui::Begin("panel", nullptr, kInPlace)) {
     cover(desk);
     // Two rows of three: six names do not fit beside each other.
     static int open = 0;
