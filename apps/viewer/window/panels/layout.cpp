@@ -6,8 +6,8 @@
 namespace brickfall::viewer {
 namespace {
 
-constexpr ImGuiWindowFlags kInPlace = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
-                                    ImGuiWindowFlags_NoSavedSettings;
+constexpr ImGuiWindowFlags kInPlace = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
+                                      ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings;
 
 using Show = void (*)(Desk&, const Frame&);
 struct Tab {
