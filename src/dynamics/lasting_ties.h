@@ -29,6 +29,7 @@ template <class Tie, LinkKind kKind> class LastingTies {
       free_.pop_back();
       generation = std::uint16_t(slots[index].generation + 1);
     } else {
+      grow(slots);
       slots.emplace_back();
     }
     slots[index] = tie;
@@ -37,14 +38,14 @@ template <class Tie, LinkKind kKind> class LastingTies {
     slots[index].order = nextOrder_++;
     awake_.insert(std::lower_bound(awake_.begin(), awake_.end(), index), index);
     for (auto* list : {&awake_, &asleep_}) list->reserve(slots.capacity());  // all may fall asleep or wake at once
-    if (!tie.collides()) part(tie);
+    if (!tie.collides()) part(index);
     return index;
   }
   void destroy(Index index) {
     changed = true;
     Tie& tie = slots[index];
     for (auto* list : {&awake_, &asleep_}) std::erase(*list, index);
-    if (!tie.collides()) unpart(tie);
+    if (!tie.collides()) unpart(index);
     const std::uint16_t generation = tie.generation;
     tie = {};
     tie.generation = generation;
@@ -70,7 +71,9 @@ template <class Tie, LinkKind kKind> class LastingTies {
       if (slots[i].alive && (slots[i].bodyA == body || slots[i].bodyB == body)) destroy(i);
   }
   bool mayCollide(BodyIndex a, BodyIndex b) const {
-    return apart_.empty() || !std::binary_search(apart_.begin(), apart_.end(), pairOf(a, b));
+    const Pair pair = pairOf(a, b);
+    const auto place = placeOf(pair);
+    return place == apart_.end() || pairOf(*place) != pair;
   }
   void keepRoom(std::size_t) {}  // such ties come between steps only
   // A tie whose body moves or takes part or not from now on.
@@ -85,14 +88,14 @@ template <class Tie, LinkKind kKind> class LastingTies {
   // The tie stays in its slot, but its bodies may collide.
   void letCollide(Index index) {
     changed = true;
-    unpart(slots[index]);
+    unpart(index);
   }
 
   // The tie is no longer one of its body `from`, until it becomes one of another.
   void takeOff(Index index, BodyIndex from) {
     changed = true;
     Tie& tie = slots[index];
-    if (!tie.collides()) unpart(tie);
+    if (!tie.collides()) unpart(index);
     (tie.bodyA == from ? tie.bodyA : tie.bodyB) = kNoIndex;
   }
   void putOn(Index index, BodyIndex to) {
@@ -100,7 +103,7 @@ template <class Tie, LinkKind kKind> class LastingTies {
     Tie& tie = slots[index];
     (tie.bodyA == kNoIndex ? tie.bodyA : tie.bodyB) = to;
     tie.born = true;
-    if (!tie.collides()) part(tie);
+    if (!tie.collides()) part(index);
   }
 
   std::vector<Tie> slots;  // by index
@@ -113,7 +116,9 @@ template <class Tie, LinkKind kKind> class LastingTies {
     const std::uint64_t count = a.count(set.slots.size(), least);
     if constexpr (Archive::kReading) set.slots.resize(std::size_t(count));
     for (auto& tie : set.slots) {
-      a.flag(tie.alive);
+      bool alive = tie.alive;  // may be a bit
+      a.flag(alive);
+      if constexpr (Archive::kReading) tie.alive = alive;
       a.value(tie.generation);
       if (tie.alive) one(a, tie);
     }
@@ -127,9 +132,9 @@ template <class Tie, LinkKind kKind> class LastingTies {
   void findApart() {
     for (auto* list : {&awake_, &asleep_}) list->reserve(slots.size());
     apart_.clear();
-    for (const Tie& tie : slots)
-      if (tie.alive && !tie.collides()) apart_.push_back(pairOf(tie.bodyA, tie.bodyB));
-    std::sort(apart_.begin(), apart_.end());
+    for (Index i = 0; i < slots.size(); i++)
+      if (slots[i].alive && !slots[i].collides()) apart_.push_back(i);
+    std::sort(apart_.begin(), apart_.end(), [&](Index a, Index b) { return pairOf(a) < pairOf(b); });
   }
   // `name`: of the kind, for messages.
   void checkLists(Findings& f, const BodySet& bodies, const std::string& name) const {
@@ -171,6 +176,10 @@ template <class Tie, LinkKind kKind> class LastingTies {
   const std::vector<Index>& awake() const { return awake_; }
 
  private:
+  // By little, not twofold: a world has many ties, which are made once.
+  template <class T> static void grow(std::vector<T>& list) {
+    if (list.size() == list.capacity()) list.reserve(list.size() + list.size() / 32 + 4);
+  }
   static bool tiesNothing(const Tie& tie, const BodySet& bodies) {
     auto moves = [&](BodyIndex body) { return bodies.data[body].type == BodyType::dynamic; };
     if (!bodies.takesPart(tie.bodyA) || !bodies.takesPart(tie.bodyB)) return true;
@@ -178,13 +187,16 @@ template <class Tie, LinkKind kKind> class LastingTies {
   }
   using Pair = std::pair<BodyIndex, BodyIndex>;
   static Pair pairOf(BodyIndex a, BodyIndex b) { return {std::min(a, b), std::max(a, b)}; }
-  void part(const Tie& tie) {
-    const Pair pair = pairOf(tie.bodyA, tie.bodyB);
-    apart_.insert(std::lower_bound(apart_.begin(), apart_.end(), pair), pair);
+  Pair pairOf(Index tie) const { return pairOf(slots[tie].bodyA, slots[tie].bodyB); }
+  typename std::vector<Index>::const_iterator placeOf(Pair pair) const {
+    return std::lower_bound(apart_.begin(), apart_.end(), pair,
+                            [&](Index tie, Pair than) { return pairOf(tie) < than; });
   }
-  void unpart(const Tie& tie) {
-    apart_.erase(std::lower_bound(apart_.begin(), apart_.end(), pairOf(tie.bodyA, tie.bodyB)));
+  void part(Index tie) {
+    grow(apart_);
+    apart_.insert(placeOf(pairOf(tie)), tie);
   }
+  void unpart(Index tie) { apart_.erase(std::find(placeOf(pairOf(tie)), apart_.cend(), tie)); }
   template <class Visit> void eachLink(const std::vector<Index>& list, Visit& visit) const {
     for (Index tie : list)
       if (const Tie& t = slots[tie]; !t.idle) visit(Link{t.bodyA, t.bodyB, kLink, tie});
@@ -200,7 +212,7 @@ template <class Tie, LinkKind kKind> class LastingTies {
   }
 
   std::vector<Index> awake_, asleep_;  // ascending
-  std::vector<Pair> apart_;            // bodies that may not collide, the lower first, sorted: by tie
+  std::vector<Index> apart_;           // whose bodies may not collide: by these, the lower first
   std::vector<Index> free_;
   std::uint64_t nextOrder_ = 1;
 };

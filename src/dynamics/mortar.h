@@ -17,48 +17,52 @@ using MortarIndex = std::uint32_t;
 //! not of the method: a count
 constexpr int kMortarPoints = 4;
 
-// What a joint withstands (MortarStrength), in floats: a wall has three joints a brick.
+// What a joint withstands (MortarStrength), in floats: a wall has three joints a brick. These differ from one joint to
+// the next, where they scatter.
 struct JointStrength {
-  float tension = 0, cohesion = 0, friction = 0;  // Pa, Pa, 1
-  float tensionEnergy = 0, shearEnergy = 0;       // J/m2
-  float compression = 0, crushingEnergy = 0;      // Pa, J/m2
-  float stiffness = 0;                            // N/m3
+  float tension = 0, cohesion = 0;           // Pa
+  float tensionEnergy = 0, shearEnergy = 0;  // J/m2
+};
+// These do not: joints share them (MortarSet).
+struct SharedStrength {
+  float friction = 0;                         // 1
+  float compression = 0, crushingEnergy = 0;  // Pa, J/m2
+  float stiffness = 0;                        // N/m3
 };
 
 struct Mortar {
   std::uint16_t generation = 0;
-  bool alive = false;
-  bool born = true;      // made since the islands were built
-  bool idle = false;     // neither body is dynamic, one takes no part, or it is broken
-  bool cracked = false;  // its crack was told
-  bool broken = false;
-  bool opens = false;  // it took some of its energy in the last step; crushed, that nothing presses on it
+  bool alive : 1 = false;
+  bool born : 1 = true;      // made since the islands were built
+  bool idle : 1 = false;     // neither body is dynamic, one takes no part, or it is broken
+  bool cracked : 1 = false;  // its crack was told
+  bool broken : 1 = false;
+  bool opens : 1 = false;    // it took some of its energy in the last step; crushed, that nothing presses on it
+  bool crushed : 1 = false;  // it is told as broken, and bears pressure until it opens
   BodyIndex bodyA = kNoIndex, bodyB = kNoIndex;
-  std::uint64_t order = 0;  // grows with creation
-  std::uint64_t userData = 0;
+  float area = 0;                          // m2
+  std::uint64_t order = 0;                 // grows with creation
+  double damage = 0;                       // 0 .. 1
+  const SharedStrength* shared = nullptr;  // of the set; null: no joint
+  JointStrength strength;
+  float gyration[2] = {};  // m: along the second and the third axis
 
   // Floats round them; the points begin where that leaves them (keepForces).
   Vec3T<float> centreA, centreB;  // m, body frames: the face's centre
   QuatT<float> frameA, frameB;    // body frames: normal from A to B, and the face's principal axes
-  float area = 0;                 // m2
-  float gyration[2] = {};         // m: along the second and the third axis
-  JointStrength strength;
-  bool crushed = false;                                    // it is told as broken, and bears pressure until it opens
-  double damage = 0;                                       // 0 .. 1
   float tensionWork = 0, shearWork = 0, crushingWork = 0;  // J, spent
   float tougher = 1;  // x its energy, as long as it opens after a blow that crushed
   float arm = 1;      // of the kern: how far out the points are
   // m, in the frame of A: displacement of each point at which it carries nothing.
   float opening[kMortarPoints] = {}, slip1[kMortarPoints] = {}, slip2[kMortarPoints] = {};
   Vec3T<float> force, torque;  // N, N m, from A on B, about the face's centre: in the last step
-  Vec3T<float> earlierForce;   // N: in the step before the last one; written with `force`, and not kept
 
   bool gone() const { return broken; }
   bool collides() const { return broken; }
   bool names(BodyIndex body) const { return bodyA == body || bodyB == body; }
 };
 
-static_assert(sizeof(Mortar) <= 248);
+static_assert(sizeof(Mortar) <= 216);
 
 inline Vec3 inDouble(Vec3T<float> v) { return {v.x, v.y, v.z}; }
 inline Quat inDouble(QuatT<float> q) { return normalized(Quat{q.x, q.y, q.z, q.w}); }

@@ -1,7 +1,9 @@
 #include "dynamics/mortar_set.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <set>
 
 #include "dynamics/tie_ranges.h"
 
@@ -35,8 +37,27 @@ MortarMode modeOf(const Mortar& m) {
   if (!(workOn(m) > 0)) return MortarMode::none;
   const JointStrength& s = m.strength;
   const float tension = m.tensionWork / s.tensionEnergy, shear = m.shearWork / s.shearEnergy;
-  if (m.crushingWork / s.crushingEnergy > std::max(tension, shear)) return MortarMode::crushing;
+  if (m.crushingWork / m.shared->crushingEnergy > std::max(tension, shear)) return MortarMode::crushing;
   return tension >= shear ? MortarMode::tension : MortarMode::shear;
+}
+
+MortarIndex MortarSet::create(const Mortar& mortar, const SharedStrength& shared, std::uint64_t userData) {
+  // Each joint needs one at most: those of joints that are gone leave before there are twice as many.
+  if (shared_.size() > 2 * slots.size() + 16) {
+    std::set<const SharedStrength*> used;
+    for (const Mortar& m : slots) used.insert(m.shared);
+    std::erase_if(shared_, [&](const auto& entry) { return !used.contains(&entry.second); });
+  }
+  Mortar made = mortar;
+  made.shared = share(shared);
+  const MortarIndex index = LastingTies::create(made);
+  if (userData != 0 && index >= userData_.size()) userData_.resize(index + 1);
+  if (index < userData_.size()) userData_[index] = userData;
+  return index;
+}
+
+const SharedStrength* MortarSet::share(const SharedStrength& strength) {
+  return &shared_.try_emplace(std::bit_cast<Shared>(strength), strength).first->second;
 }
 
 void MortarSet::breakUp(MortarIndex index) {
@@ -106,20 +127,27 @@ void MortarSet::hash(Mix& h, MortarIndex mortar) const {
 
 namespace {
 
-template <class Archive, class One> void archiveMortar(Archive& a, One& m) {
-  for (auto* flag : {&m.born, &m.idle, &m.cracked, &m.broken, &m.opens, &m.crushed}) a.flag(*flag);
+template <class Archive, class One> void archiveMortar(Archive& a, One& m, SharedStrength& shared) {
+  bool flags[] = {m.born, m.idle, m.cracked, m.broken, m.opens, m.crushed};
+  for (bool& flag : flags) a.flag(flag);
+  if constexpr (Archive::kReading) {
+    m.born = flags[0];
+    m.idle = flags[1];
+    m.cracked = flags[2];
+    m.broken = flags[3];
+    m.opens = flags[4];
+    m.crushed = flags[5];
+  }
   for (auto* body : {&m.bodyA, &m.bodyB}) a.value(*body);
-  for (auto* number : {&m.order, &m.userData}) a.value(*number);
+  a.value(m.order);
   for (auto* place : {&m.centreA, &m.centreB}) a.value(*place);
   for (auto* frame : {&m.frameA, &m.frameB}) a.value(*frame);
   a.value(m.area);
   a.value(m.damage);
   for (auto* number : {&m.tensionWork, &m.shearWork, &m.crushingWork}) a.value(*number);
   a.value(m.gyration);
-  auto& s = m.strength;
-  for (auto* number : {&s.tension, &s.cohesion, &s.friction, &s.tensionEnergy, &s.shearEnergy, &s.compression,
-                       &s.crushingEnergy, &s.stiffness})
-    a.value(*number);
+  a.value(m.strength);
+  a.value(shared);
   for (auto* number : {&m.arm, &m.tougher}) a.value(*number);
   for (auto* list : {&m.opening, &m.slip1, &m.slip2}) a.value(*list);
   for (auto* v : {&m.force, &m.torque}) a.value(*v);
@@ -143,12 +171,21 @@ constexpr std::size_t kLeastMortar = 3;
 }  // namespace
 
 void MortarSet::archive(WriteArchive& a) const {
-  archiveSlots(a, *this, kLeastMortar, [](auto& to, const Mortar& m) { archiveMortar(to, m); });
+  archiveSlots(a, *this, kLeastMortar, [](auto& to, const Mortar& m) {
+    SharedStrength shared = *m.shared;
+    archiveMortar(to, m, shared);
+  });
+  a.list(userData_);
   a.list(watched);
   archivePasts(a, pasts_);
 }
 void MortarSet::archive(ReadArchive& a) {
-  archiveSlots(a, *this, kLeastMortar, [](auto& from, Mortar& m) { archiveMortar(from, m); });
+  archiveSlots(a, *this, kLeastMortar, [this](auto& from, Mortar& m) {
+    SharedStrength read;
+    archiveMortar(from, m, read);
+    m.shared = share(read);
+  });
+  a.list(userData_);
   a.list(watched);
   archivePasts(a, pasts_);
   findApart();
@@ -185,12 +222,13 @@ bool isSoundMortar(const Mortar& m) {
               m.area <= kFarthest && m.gyration[0] > 0 && m.gyration[0] <= kFarthest && m.gyration[1] > 0 &&
               m.gyration[1] <= kFarthest && isWithin(m.damage, 0, 1) && isWithin(double(m.arm), 1, 3) &&
               isWithin(double(m.tougher), 1, kLargestMemory);
-  for (float number :
-       {s.tension, s.cohesion, s.tensionEnergy, s.shearEnergy, s.compression, s.crushingEnergy, s.stiffness})
+  const SharedStrength& shared = *m.shared;
+  for (float number : {s.tension, s.cohesion, s.tensionEnergy, s.shearEnergy, shared.compression, shared.crushingEnergy,
+                       shared.stiffness})
     fine = fine && number > 0 && double(number) <= kLargestMemory;
   for (float work : {m.tensionWork, m.shearWork, m.crushingWork})
     fine = fine && isWithin(double(work), 0, kLargestMemory);
-  fine = fine && isWithin(s.friction, 0, kLargestMemory);
+  fine = fine && isWithin(shared.friction, 0, kLargestMemory);
   for (const auto& v : {m.force, m.torque})
     fine = fine && isNear({double(v.x), double(v.y), double(v.z)}, kLargestMemory);
   for (int i = 0; i < kMortarPoints; i++)

@@ -20,6 +20,7 @@ void prepareIsland(Island& island, Ties& ties, BodySet& bodies, StepContext& con
     island.ending = IslandEnding::settled;
     return;
   }
+  island.rows.eachKind([&](auto& kind) { kind.takeRoom(island, ties); });
   const bool last = island.part == IslandPart::last;
   giveBlows(island, last, ties, bodies, context);
   island.facts = findFacts(island, context);

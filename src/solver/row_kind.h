@@ -31,7 +31,7 @@ struct AnyVisit {
 // A list of rows, made of the links of an island.
 template <class Kind>
 concept ListsRows = requires(Kind& kind, const Kind& seen, std::size_t k, std::uint32_t index, Ties& ties,
-                             const Ties& ofAll, const StepContext& context) {
+                             const Ties& ofAll, const Island& island, const StepContext& context) {
   { Kind::kPoints } -> std::convertible_to<double>;           // visits that a row counts as; its points at most
   { Kind::kLasts } -> std::convertible_to<bool>;              // its ties stay, and bodies swing on them
   { Kind::kYields } -> std::convertible_to<bool>;             // it breaks, and gives no impulse in no time
@@ -43,6 +43,11 @@ concept ListsRows = requires(Kind& kind, const Kind& seen, std::size_t k, std::u
   { seen.indexOf(k) } -> std::same_as<std::uint32_t>;
   { seen.continues(seen, context) } -> std::same_as<bool>;  // the same ties as in an old list
   kind.bind(ties, AnyNumber{});                             // once for each list: its bodies' numbers in the island
+  // What the solve reads of rows may go while their island rests, and comes again before they are prepared. Ends that
+  // are known then, too; kNoIndex: the tie is gone.
+  kind.takeRoom(island, ofAll);
+  kind.giveRoom();
+  { seen.endsIn(island, ofAll, k) } -> std::same_as<RowEnds>;
   { seen.ends(k) } -> std::same_as<RowEnds>;
   { seen.bodies(k, ofAll) } -> std::same_as<std::pair<BodyIndex, BodyIndex>>;
   { seen.strength(k, context) } -> std::same_as<float>;  // how firmly it ties its bodies, for the hierarchy

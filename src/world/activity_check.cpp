@@ -9,7 +9,7 @@ namespace brickfall {
 
 namespace {
 
-void checkHierarchy(Findings& f, const Hierarchy& h, const Island& island, const std::string& name) {
+void checkHierarchy(Findings& f, const Hierarchy& h, const Island& island, const Ties& ties, const std::string& name) {
   f.expect(!h.valid || h.levels.size() >= (island.bodies.size() > 1 ? 2 : 1), name + ": a level is missing");
   const Level* finer = nullptr;
   for (const Level& level : h.levels) {
@@ -30,8 +30,10 @@ void checkHierarchy(Findings& f, const Hierarchy& h, const Island& island, const
       for (std::uint32_t k = c.sideBegin; k < c.sideEnd; k++) {
         std::uint32_t own = 0;
         island.rows.at(level.sides[k] / 2, [&](const auto& kind, std::size_t row) {
-          own = level.sides[k] % 2 == 1 ? kind.ends(row).b : kind.ends(row).a;
+          const RowEnds ends = kind.endsIn(island, ties, row);
+          own = level.sides[k] % 2 == 1 ? ends.b : ends.a;
         });
+        if (own == kNoIndex) continue;  // of a tie that has ended: the island is made anew
         f.expect(own < island.bodies.size() && level.clusterOf[own] == n, name + ": a side is not of its cluster");
       }
       bool own = true;
@@ -85,7 +87,7 @@ class StructureCheck {
     for (BodyIndex b : island.partners) f_.expect(bodies_.alive(b), "islands: a partner that is not there");
     island.rows.eachKind([&](const auto& kind) { kind.checkStructure(f_, island, ties_, bodies_, current); });
     if (f_.any()) return;
-    checkHierarchy(f_, island.hierarchy, island, "hierarchy");
+    checkHierarchy(f_, island.hierarchy, island, ties_, "hierarchy");
   }
 
   Findings& f_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/mortar/law.h"
 #include "solver/scale.h"
 
 namespace brickfall {
@@ -31,8 +32,19 @@ struct LoadOf {
   TieLoad load;  // before, and after the step
 };
 
+// N: of mortar before the step. Either of its bodies is in the joint's island, or none is in any.
+Vec3T<float> forceBefore(MortarIndex mortar, const Ties& ties, const Activity& activity) {
+  const Mortar& m = ties.mortar.slots[mortar];
+  for (BodyIndex body : {m.bodyA, m.bodyB}) {
+    const std::uint32_t in = body < activity.islandOf.size() ? activity.islandOf[body] : kNoIndex;
+    if (in < activity.islands.awake.size() && activity.islands.awake[in])
+      return mortar::forceBefore(*activity.islands.awake[in], mortar, m);
+  }
+  return m.force;
+}
+
 // All ties of the bodies listed (ascending), by body; contacts of two bodies together.
-std::vector<LoadOf> loadsOf(const std::vector<BodyIndex>& bodies, const Ties& ties) {
+std::vector<LoadOf> loadsOf(const std::vector<BodyIndex>& bodies, const Ties& ties, const Activity& activity) {
   std::vector<LoadOf> out;
   auto add = [&](const TieLoad& load) {
     for (BodyIndex body : {load.bodyA, load.bodyB})
@@ -40,7 +52,7 @@ std::vector<LoadOf> loadsOf(const std::vector<BodyIndex>& bodies, const Ties& ti
   };
   ties.mortar.eachAwake([&](const Link& link) {
     const Mortar& m = ties.mortar.slots[link.index];
-    add({link.index, m.bodyA, m.bodyB, length(m.earlierForce), length(m.force)});
+    add({link.index, m.bodyA, m.bodyB, length(forceBefore(link.index, ties, activity)), length(m.force)});
   });
   ties.contacts.eachAwake([&](const Link& link) {
     const Contact& c = ties.contacts.contacts[link.index];
@@ -90,7 +102,8 @@ void eachBeside(MortarIndex mortar, const Mortar& m, const std::vector<LoadOf>& 
 }
 
 // Joints whose opening begins in this step get a memory of their own.
-std::vector<MortarIndex> beginOpenings(double time, const StepContext& context, MortarSet& set) {
+std::vector<MortarIndex> beginOpenings(double time, const StepContext& context, const Activity& activity, Ties& ties) {
+  MortarSet& set = ties.mortar;
   std::vector<MortarIndex> begins;
   std::vector<OpeningMemory> fresh;
   set.eachAwake([&](const Link& link) {
@@ -103,7 +116,7 @@ std::vector<MortarIndex> beginOpenings(double time, const StepContext& context, 
       opening.mortar = link.index;
       opening.crackTime = past ? past->crackTime : time;
       opening.openTime = time;
-      opening.force = m.earlierForce;
+      opening.force = forceBefore(link.index, ties, activity);
       begins.push_back(link.index);
       if (!past) fresh.push_back(opening);
       if (past) *past = opening;
@@ -118,9 +131,9 @@ std::vector<MortarIndex> beginOpenings(double time, const StepContext& context, 
 
 }  // namespace
 
-void noteOpenings(double time, const StepContext& context, Ties& ties) {
+void noteOpenings(double time, const StepContext& context, const Activity& activity, Ties& ties) {
   MortarSet& set = ties.mortar;
-  const std::vector<MortarIndex> begins = beginOpenings(time, context, set);
+  const std::vector<MortarIndex> begins = beginOpenings(time, context, activity, ties);
   if (begins.empty() && set.watched.empty()) return;
   std::vector<BodyIndex> bodies;
   auto addBodies = [&](const std::vector<MortarIndex>& list) {
@@ -131,7 +144,7 @@ void noteOpenings(double time, const StepContext& context, Ties& ties) {
   addBodies(set.watched);
   std::sort(bodies.begin(), bodies.end());
   bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
-  const std::vector<LoadOf> loads = loadsOf(bodies, ties);
+  const std::vector<LoadOf> loads = loadsOf(bodies, ties, activity);
   for (MortarIndex mortar : begins) {
     OpeningMemory& past = *set.pastOf(mortar);
     eachBeside(mortar, set.slots[mortar], loads, [&](TieLoad load) { addLoad(past, load); });

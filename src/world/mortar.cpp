@@ -123,10 +123,8 @@ Mortar mortarFrom(const MortarDef& def, BodyIndex a, BodyIndex b, const BodySet&
   Mortar m;
   m.bodyA = a;
   m.bodyB = b;
-  m.userData = def.userData;
   const MortarStrength& s = def.strength;
-  m.strength = {float(s.tension),     float(s.cohesion),    float(s.friction),       float(s.tensionEnergy),
-                float(s.shearEnergy), float(s.compression), float(s.crushingEnergy), float(s.stiffness)};
+  m.strength = {float(s.tension), float(s.cohesion), float(s.tensionEnergy), float(s.shearEnergy)};
   m.area = float(face.area);
   m.gyration[0] = float(face.gyration[0]);
   m.gyration[1] = float(face.gyration[1]);
@@ -153,14 +151,13 @@ void findStresses(const Mortar& m, const MortarPose& pose, MortarState& s) {
   s.tension = bent - pressure;
   s.shear = length(along) / m.area + root3 * std::fabs(dot(s.torque, pose.n)) / (m.area * polar);
   const double left = std::max(1e-3, mortar::strengthOf(m));
-  const double shear =
-      std::max(left * m.strength.cohesion + m.strength.friction * pressure, 1e-3 * m.strength.cohesion);
+  const double shear = std::max(left * m.strength.cohesion + m.shared->friction * pressure, 1e-3 * m.strength.cohesion);
   s.utilisation = std::clamp(
-      std::max({s.tension / (left * m.strength.tension), s.shear / shear, (pressure + bent) / m.strength.compression}),
+      std::max({s.tension / (left * m.strength.tension), s.shear / shear, (pressure + bent) / m.shared->compression}),
       0.0, 1.0);
 }
 
-MortarState stateOf(const Mortar& m, const Registry& registry) {
+MortarState stateOf(const Mortar& m, std::uint64_t userData, const Registry& registry) {
   const BodySet& bodies = registry.bodies;
   const MortarPose pose(m, bodies);
   MortarState s;
@@ -182,7 +179,7 @@ MortarState stateOf(const Mortar& m, const Registry& registry) {
   if (!m.broken) findStresses(m, pose, s);
   auto isAwake = [&](BodyIndex body) { return bodies.data[body].activity == BodyActivity::awake; };
   s.awake = isAwake(m.bodyA) || isAwake(m.bodyB);
-  s.userData = m.userData;
+  s.userData = userData;
   return s;
 }
 
@@ -234,7 +231,9 @@ Result<MortarId> World::createMortar(const MortarDef& def) {
   });
   if (!ends) return ends.error();
   const Mortar mortar = mortarFrom(def, ends->first, ends->second, w.registry.bodies);
-  return tieId<MortarId>(w.ties.mortar, w.upkeep().glue(mortar), w.registry);
+  const MortarStrength& s = def.strength;
+  const SharedStrength shared{float(s.friction), float(s.compression), float(s.crushingEnergy), float(s.stiffness)};
+  return tieId<MortarId>(w.ties.mortar, w.upkeep().glue(mortar, shared, def.userData), w.registry);
 }
 
 Status World::destroyMortar(MortarId id) {
@@ -251,7 +250,7 @@ Result<MortarState> World::state(MortarId id) const {
   const Impl& w = *impl_;
   Result<MortarIndex> index = findTie(w.ties.mortar, id, w.registry, "mortar");
   if (!index) return index.error();
-  return stateOf(w.ties.mortar.slots[*index], w.registry);
+  return stateOf(w.ties.mortar.slots[*index], w.ties.mortar.userDataOf(*index), w.registry);
 }
 
 std::vector<MortarId> World::mortars() const {

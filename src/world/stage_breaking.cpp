@@ -47,8 +47,8 @@ void breakJoints(const Registry& registry, double dt, Ties& ties, Diary& diary, 
   }
 }
 
-void crumbleMortar(const Registry& registry, double time, const StepContext& context, Ties& ties, Diary& diary,
-                   Upkeep& upkeep) {
+void crumbleMortar(const Registry& registry, double time, const StepContext& context, const Activity& activity,
+                   Ties& ties, Diary& diary, Upkeep& upkeep) {
   std::vector<MortarIndex> broken;
   auto tell = [&](MortarIndex index, bool breaks) {
     const Mortar& m = ties.mortar.slots[index];
@@ -60,7 +60,7 @@ void crumbleMortar(const Registry& registry, double time, const StepContext& con
                                    workOn(m),
                                    breaks});
   };
-  noteOpenings(time, context, ties);
+  noteOpenings(time, context, activity, ties);
   ties.mortar.eachAwake([&](const Link& link) {
     Mortar& m = ties.mortar.slots[link.index];
     if (m.damage > 0 && !m.cracked) {
@@ -84,10 +84,10 @@ void crumbleMortar(const Registry& registry, double time, const StepContext& con
 
 }  // namespace
 
-void breakTies(const Registry& registry, const Clock& clock, const StepContext& context, Ties& ties, Diary& diary,
-               Upkeep& upkeep) {
+void breakTies(const Registry& registry, const Clock& clock, const StepContext& context, const Activity& activity,
+               Ties& ties, Diary& diary, Upkeep& upkeep) {
   breakJoints(registry, context.dt, ties, diary, upkeep);
-  if (ties.mortar.any()) crumbleMortar(registry, clock.time + clock.lastDt, context, ties, diary, upkeep);
+  if (ties.mortar.any()) crumbleMortar(registry, clock.time + clock.lastDt, context, activity, ties, diary, upkeep);
 }
 
 void hashBreaking(const Ties& ties, HashItems& out) {

@@ -18,6 +18,7 @@ void fallAsleep(const WorldDef& def, double dt, Registry& registry, Activity& ac
   activity.sleptNow = 0;
   for (IslandPointer& island : islands.awake) {
     diary.report.islandEndings[std::size_t(island->ending)]++;
+    if (island->settled()) island->rows.eachKind([](auto& kind) { kind.giveRoom(); });
     island->restTime = island->resting() ? island->restTime + dt : 0;
     bool sleeps = def.enableSleep && !island->facts.partnersMove && island->restTime >= def.sleepDelay &&
                   std::all_of(island->bodies.begin(), island->bodies.end(),
@@ -31,6 +32,7 @@ void fallAsleep(const WorldDef& def, double dt, Registry& registry, Activity& ac
       activity.islandOf[body] = kNoIndex;
       diary.events.fellAsleep.push_back(registry.idOf(body));
     }
+    island->rows.eachKind([](auto& kind) { kind.giveRoom(); });
     islands.asleep.push_back(std::move(island));
   }
   if (activity.sleptNow == 0) return;

@@ -65,7 +65,7 @@ void integrate(const Clock&, const StepContext&, Registry&, Activity&, Proximity
 void hashIntegrate(const Registry&, const Activity&, const Ties&, HashItems&);
 void bookIntegrate(const Registry&, const Activity&, const StepContext&, Diary&);
 
-void breakTies(const Registry&, const Clock&, const StepContext&, Ties&, Diary&, Upkeep&);
+void breakTies(const Registry&, const Clock&, const StepContext&, const Activity&, Ties&, Diary&, Upkeep&);
 void hashBreaking(const Ties&, HashItems&);
 
 void fallAsleep(const WorldDef&, double dt, Registry&, Activity&, Ties&, Diary&);

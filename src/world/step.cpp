@@ -82,7 +82,7 @@ std::span<const World::Impl::StageRow> World::Impl::stageRows() {
       {Stage::breaking,
        [](W& w) {
          Upkeep upkeep = w.upkeep();
-         breakTies(w.registry, w.clock, w.solve.context, w.ties, w.diary, upkeep);
+         breakTies(w.registry, w.clock, w.solve.context, w.activity, w.ties, w.diary, upkeep);
        },
        [](const W& w, H& out) { hashBreaking(w.ties, out); }},
 

@@ -157,8 +157,8 @@ void Upkeep::meetAnew(BodyIndex a, BodyIndex b) {
   for (BodyIndex body : {a, b}) renewProxies(body);
 }
 
-MortarIndex Upkeep::glue(const Mortar& mortar) {
-  const MortarIndex made = ties_.mortar.create(mortar);
+MortarIndex Upkeep::glue(const Mortar& mortar, const SharedStrength& shared, std::uint64_t userData) {
+  const MortarIndex made = ties_.mortar.create(mortar, shared, userData);
   for (BodyIndex body : {mortar.bodyA, mortar.bodyB})
     if (registry_.bodies.data[body].type == BodyType::dynamic) disturb(body);
   ties_.contacts.dropBetween(mortar.bodyA, mortar.bodyB);

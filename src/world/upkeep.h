@@ -30,7 +30,7 @@ class Upkeep {
   void disturbJoint(JointIndex joint);  // it was changed from outside
   void unjoin(JointIndex joint);        // what it tied may collide from now on
   // Glues its bodies, which it wakes; contacts between them end.
-  MortarIndex glue(const Mortar& mortar);
+  MortarIndex glue(const Mortar& mortar, const SharedStrength& shared, std::uint64_t userData);
   void unglue(MortarIndex mortar);   // it was taken away
   void crumble(MortarIndex mortar);  // it broke: what it held may collide from now on
   void relist(BodyIndex body);       // its velocity was set

@@ -9,12 +9,18 @@
 
 namespace brickfall {
 
+struct Island;
+class Ties;
+
 struct FaceRows {
   explicit FaceRows(std::pmr::memory_resource* memory) : records(memory) {}
   std::pmr::vector<FaceRecord> records;  // by row
   bool rolls = false;                    // any of them resists rolling in this step
 
   RowEnds ends(std::size_t k) const { return {records[k].bodyA, records[k].bodyB}; }
+  RowEnds endsIn(const Island&, const Ties&, std::size_t k) const { return ends(k); }
+  void takeRoom(const Island&, const Ties&) {}
+  void giveRoom() {}
   // The direction from A to B along which the face presses.
   Vec3 normal(std::size_t k) const { return toDouble(records[k].n); }
   Arms arms(std::size_t k) const { return {wide::load3Padded(records[k].armA), wide::load3Padded(records[k].armB)}; }

@@ -73,6 +73,12 @@ struct JointRows : LastingRows<JointRows, JointSet, &Ties::joints> {
   double returned = 0;    // J: what all of them took in earlier steps and gave back in this one (velocities.h)
 
   // --- functions of every kind of row (row_kind.h)
+  void takeRoom(const Island&, const Ties&) {}
+  void giveRoom() {}
+  Vec3 armOf(std::size_t k, bool ofB, const StepContext&) const {
+    return toDouble(ofB ? records[k].armB : records[k].armA);
+  }
+  RowEnds endsIn(const Island&, const Ties&, std::size_t k) const { return ends(k); }
   static constexpr double kPoints = 2;
   static constexpr bool kLasts = true;
   static constexpr bool kYields = false;

@@ -11,6 +11,10 @@
 #include "dynamics/mortar.h"
 #include "solver/step_context.h"
 
+namespace brickfall {
+struct Island;
+}
+
 namespace brickfall::mortar {
 
 //! not of the method: follows from kTrifle
@@ -38,19 +42,19 @@ inline double pullLeft(double damage, float arm) {
   return arm > armOf(damage) ? strengthLeft(0.5 * (double(arm) - 1)) : 1;
 }
 // N/m, of a point.
-inline double stiffnessOf(const Mortar& m) { return kFirmer * m.strength.stiffness * m.area / kMortarPoints; }
+inline double stiffnessOf(const Mortar& m) { return kFirmer * m.shared->stiffness * m.area / kMortarPoints; }
 // N, of a point of intact mortar: pull and, without pressure, shear.
 inline double pullOf(const Mortar& m) { return double(m.strength.tension) * m.area / kMortarPoints; }
 inline double shearOf(const Mortar& m) { return double(m.strength.cohesion) * m.area / kMortarPoints; }
 // N, of a point: the pressure that crushes it; m: how far it yields under it.
-inline double pressOf(const Mortar& m) { return double(m.strength.compression) * m.area / kMortarPoints; }
+inline double pressOf(const Mortar& m) { return double(m.shared->compression) * m.area / kMortarPoints; }
 inline double yieldOf(const Mortar& m) {
-  return (1 - m.damage) * double(m.strength.crushingEnergy) / double(m.strength.compression);
+  return (1 - m.damage) * double(m.shared->crushingEnergy) / double(m.shared->compression);
 }
 // J: that breaks it, by mode.
 inline double pullEnergy(const Mortar& m) { return double(m.strength.tensionEnergy) * m.area; }
 inline double shearEnergy(const Mortar& m) { return double(m.strength.shearEnergy) * m.area; }
-inline double crushEnergy(const Mortar& m) { return double(m.strength.crushingEnergy) * m.area; }
+inline double crushEnergy(const Mortar& m) { return double(m.shared->crushingEnergy) * m.area; }
 
 // m: along the face's axes, of point i; `arm` as Mortar::arm.
 struct PointPlace {
@@ -73,6 +77,9 @@ inline void keepForces(Mortar& m, const MortarPose& was, const MortarPose& is) {
     m.slip2[i] = float(double(m.slip2[i]) + more.z);
   }
 }
+
+// N: the joint's force before its island was solved last; where it was not, as it is.
+Vec3T<float> forceBefore(const Island& island, MortarIndex mortar, const Mortar& m);
 
 // m: the end of an arm goes so much further than turn x arm.
 inline Vec3 arcOfArm(Vec3 turn, Vec3 arm) {

@@ -1,4 +1,5 @@
 // Mortar of an island, as the world tells of it: as bytes and hashes, in its checks, in the ledger.
+#include <algorithm>
 #include <cmath>
 
 #include "solver/face/point_forces.h"
@@ -19,11 +20,12 @@ template <class Visit> void eachNumber(const FaceRecord& r, Visit visit) {
 }  // namespace
 
 void MortarRows::hashRecord(Mix& h, std::size_t k, const Ties&) const {
+  if (records.empty()) return;
   eachNumber(records[k], [&](float number) { h(number); });
 }
 
 void MortarRows::checkRanges(Findings& f) const {
-  for (std::size_t k = 0; k < size(); k++) {
+  for (std::size_t k = 0; k < records.size(); k++) {
     bool fine = starts[k].left >= 0 && starts[k].left <= 1;
     eachNumber(records[k], [&](float number) { fine = fine && std::fabs(number) <= 1e30f; });
     fine = fine && records[k].near <= 0 && records[k].near >= -1e30f && records[k].rolls == 0;
@@ -33,6 +35,12 @@ void MortarRows::checkRanges(Findings& f) const {
              std::fabs(starts[k].held2[i]) <= 1e30f;
     f.expect(fine, "a mortar's record is out of range");
   }
+}
+
+Vec3 MortarRows::armOf(std::size_t k, bool ofB, const StepContext& context) const {
+  if (!records.empty()) return toDouble(ofB ? records[k].armB : records[k].armA);
+  const MortarPose pose(at(k, *context.ties), *context.bodies);
+  return ofB ? pose.armB : pose.armA;
 }
 
 double MortarRows::elasticEnergy(MortarIndex index, const StepContext& context) {
@@ -48,6 +56,10 @@ double MortarRows::elasticEnergy(MortarIndex index, const StepContext& context) 
 
 void MortarRows::addWork(const Island& island, const StepContext& context, TieWork& sum) const {
   for (std::size_t k = 0; k < size(); k++) {
+    if (records.empty()) {
+      sum.elastic += elasticEnergy(tieOf[k], context);
+      continue;
+    }
     const PointForces now = pointForcesAt(records[k], island.motion.data());
     double held = 0;
     for (int i = 0; i < 4; i++) {
@@ -59,6 +71,14 @@ void MortarRows::addWork(const Island& island, const StepContext& context, TieWo
     sum.shear += double(starts[k].shear);
     sum.crush += double(starts[k].crush);
   }
+}
+
+Vec3T<float> mortar::forceBefore(const Island& island, MortarIndex index, const Mortar& m) {
+  const MortarRows& rows = island.rows.mortar;
+  const auto place = std::lower_bound(rows.tieOf.begin(), rows.tieOf.end(), index);
+  const bool solved = !island.resting() && rows.starts.size() == rows.size();
+  if (!solved || place == rows.tieOf.end() || *place != index) return m.force;
+  return rows.starts[std::size_t(place - rows.tieOf.begin())].before;
 }
 
 template struct LastingRows<MortarRows, MortarSet, &Ties::mortar>;

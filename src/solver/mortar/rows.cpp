@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/assert.h"
 #include "solver/face/point_forces.h"
 #include "solver/island.h"
 
@@ -37,6 +38,41 @@ void placePoints(Mortar& m, const MortarPose& pose) {
 
 }  // namespace
 
+void MortarRows::takeRoom(const Island& island, const Ties& ties) {
+  if (records.size() == size()) return;
+  std::pmr::vector<FaceRecord> fresh(size(), records.get_allocator());
+  starts.assign(size(), {});
+  for (std::size_t k = 0; k < size(); k++) {
+    const RowEnds ends = endsIn(island, ties, k);
+    BRICKFALL_ASSERT(ends.a != kNoIndex && ends.b != kNoIndex, "mortar of another island");
+    fresh[k].bodyA = ends.a;
+    fresh[k].bodyB = ends.b;
+    starts[k].before = at(k, ties).force;
+  }
+  records.swap(fresh);
+}
+
+void MortarRows::giveRoom() {
+  if (records.empty()) return;
+  auto empty = [](auto& list) { std::decay_t<decltype(list)>(list.get_allocator()).swap(list); };
+  empty(records);
+  empty(starts);
+}
+
+RowEnds MortarRows::endsIn(const Island& island, const Ties& ties, std::size_t k) const {
+  if (!records.empty()) return ends(k);
+  const std::size_t own = island.bodies.size();
+  auto localOf = [&](BodyIndex body) {
+    const auto place = std::lower_bound(island.bodies.begin(), island.bodies.end(), body);
+    if (place != island.bodies.end() && *place == body) return std::uint32_t(place - island.bodies.begin());
+    const auto partner = std::find(island.partners.begin(), island.partners.end(), body);
+    if (partner == island.partners.end()) return kNoIndex;
+    return std::uint32_t(own + std::size_t(partner - island.partners.begin()));
+  };
+  const Mortar& m = at(k, ties);
+  return {localOf(m.bodyA), localOf(m.bodyB)};
+}
+
 RowGrip MortarRows::grip(std::size_t k, const StepContext& context) const {
   Vec3 force = toDouble(at(k, *context.ties).force);
   if (force == Vec3{}) force = {0, 1e-30, 0};
@@ -49,7 +85,7 @@ void MortarRows::writeCaps(std::size_t k, const Mortar& m) {
   const double left = std::min(double(start.left), mortar::pullLeft(m.damage, start.arm));
   const float pull = float(left * mortar::pullOf(m));
   const float shear =
-      float(double(start.left) * mortar::shearOf(m) + double(m.strength.friction) * double(start.pressure));
+      float(double(start.left) * mortar::shearOf(m) + double(m.shared->friction) * double(start.pressure));
   for (int i = 0; i < 4; i++) {
     r.leastN[i] = -pull;
     r.limit[i] = std::max(0.0f, shear);

@@ -32,13 +32,16 @@ struct MortarStart {
   float left = 1;       // S: share of the caps that is left
   float arm = 1;        // of the kern: how far out the points are; grows within a step (widen)
   float pull = 0, shear = 0, crush = 0;  // J, that this step takes of the fracture energy, by mode
+  Vec3f before;                          // N: the joint's force before the last solve
 };
 
-static_assert(sizeof(MortarStart) <= 140);
+static_assert(sizeof(MortarStart) <= 152);
 
 struct MortarRows : FaceRows, LastingRows<MortarRows, MortarSet, &Ties::mortar> {
   explicit MortarRows(std::pmr::memory_resource* memory) : FaceRows(memory), LastingRows(memory), starts(memory) {}
-  std::pmr::vector<MortarStart> starts;  // by row
+  // By row, as `records`. Both are there while the island is solved or looked at, not while it rests: a joint at rest
+  // is its slot and a few numbers in lists.
+  std::pmr::vector<MortarStart> starts;
 
   // --- functions of every kind of row (row_kind.h)
   static constexpr double kPoints = 4;
@@ -46,6 +49,18 @@ struct MortarRows : FaceRows, LastingRows<MortarRows, MortarSet, &Ties::mortar> 
   static constexpr bool kYields = true;
   static constexpr bool kFirm = true;
   static constexpr std::size_t kRecordSize = sizeof(FaceRecord) + sizeof(MortarStart);
+  template <class Number> void bind(Ties& ties, Number number) {
+    for (std::size_t k = 0; k < size(); k++) {
+      Mortar& m = at(k, ties);
+      number(m.bodyA);  // partners get their numbers
+      number(m.bodyB);
+      m.born = false;
+    }
+  }
+  void takeRoom(const Island& island, const Ties& ties);
+  void giveRoom();
+  RowEnds endsIn(const Island& island, const Ties& ties, std::size_t k) const;
+  Vec3 armOf(std::size_t k, bool ofB, const StepContext& context) const;
   float strength(std::size_t, const StepContext&) const { return 4e3f; }  // mortared bricks share clusters
   bool ties(std::size_t, const StepContext&) const { return true; }
   bool carriesForce(std::size_t, const StepContext&) const { return true; }

@@ -68,7 +68,7 @@ struct Work {
 // each other a trace of speed would else cost as much as if it drove the standing force.
 Taken takenBy(const Mortar& m, const FaceRecord& r, const MortarStart& start, const PointForces& now) {
   Taken out;
-  const double k = mortar::stiffnessOf(m), rubs = std::max(0.0, double(m.strength.friction) * double(start.pressure));
+  const double k = mortar::stiffnessOf(m), rubs = std::max(0.0, double(m.shared->friction) * double(start.pressure));
   auto held = [&](double force, double before) { return 0.5 * (force * force - before * before) / k; };
   Work pull, shear;
   const double stood = m.opens ? 0 : 1;
@@ -94,7 +94,7 @@ Taken takenBy(const Mortar& m, const FaceRecord& r, const MortarStart& start, co
   out.shear = shear.taken() / double(start.tougher);
   if (out.yields) return out;
   // Within its strength mortar takes no more than a spring of its stiffness holds.
-  const double tension = m.strength.tension, cohesion = m.strength.cohesion, stiffness = m.strength.stiffness;
+  const double tension = m.strength.tension, cohesion = m.strength.cohesion, stiffness = m.shared->stiffness;
   const double pulled = 0.5 * tension * tension / stiffness * m.area;
   const double sheared = 0.5 * cohesion * cohesion / (kShearStiffness * stiffness) * m.area;
   const double share = out.pull / pulled + out.shear / sheared, more = share > 1 ? 1 - 1 / share : 0;
@@ -206,7 +206,7 @@ bool MortarRows::store(Island& island, Ties& ties, StepContext&) {
       if (slips) give(now.way2[i], now.t2[i], start.held2[i], m.slip2[i]);
     }
     const Reaction told = react(k, island.motion.data());
-    m.earlierForce = m.force;
+    start.before = m.force;
     m.force = wide::store3(told.force);
     m.torque = wide::store3(told.torque);
   }
