@@ -206,8 +206,8 @@ std::string TableReader::whatIsThere() const {
   if (!table_.empty()) return "a key of " + tableTitle(table_);
   std::string list;
   for (const KeySpec& spec : keySpecs())
-    if (!*spec.table && !isTableKind(spec.kind)) list += std::string(spec.key) + ", ";
-  return list + "or a table";
+    if (!*spec.table && !isTableKind(spec.kind)) list += (list.empty() ? "" : ", ") + std::string(spec.key);
+  return list + " or a table";
 }
 
 // The tables that there are, and the nearest of them: by its letters, or by the thing that was meant.
