@@ -54,7 +54,7 @@ Rgb skyLight(Vec3f towards, Vec3f sun) { return shader::skyLight(towards, sun); 
 Rgb ambientLight(Vec3f normal, Vec3f sun) { return shader::ambientLight(normal, sun); }
 float hazeShare(float away) { return shader::hazeShare(away); }
 Rgb hazeLight(Vec3f towards, Vec3f sun) { return shader::hazeLight(towards, sun); }
-float floorShade(float x, float z, float width) { return shader::floorShade({x, z}, {width, width}); }
+float floorShade(Vec3f place, Vec3f width) { return shader::floorShade({place.x, place.z}, {width.x, width.z}); }
 float edgeShade(float toEdge, float pixel) { return shader::edgeShade(toEdge, pixel); }
 Rgb toneMapped(Rgb light, float exposure) { return shader::toneMapped(light * exposure); }
 float usualExposure() { return shader::kExposure; }

@@ -54,7 +54,7 @@ float floorShade(vec2 place, vec2 width) { return 1.0f - 0.2f * max(jointAt(plac
 // joints by what lies beyond an edge, and is about as dark there.
 float edgeShade(float toEdge, float pixel) {
   float crack = 0.0033f + 0.7f * pixel;
-  float dark = smoothstep(0.0018f, 0.004f, pixel) * 0.0033f / crack;
+  float dark = smoothstep(0.0006f, 0.0025f, pixel) * 0.0033f / crack;
   return 1.0f - 0.55f * dark * (1.0f - smoothstep(0.25f * crack, 1.5f * crack, toEdge));
 }
 

@@ -17,8 +17,8 @@ Rgb ambientLight(Vec3f normal, Vec3f sun);
 // Of ground at a distance, m: share of the light of the horizon in what is seen, and that light.
 float hazeShare(float away);
 Rgb hazeLight(Vec3f towards, Vec3f sun);
-// What the joints of a floor leave of its colour. Place and width of a pixel: m.
-float floorShade(float x, float z, float width);
+// What the joints of a floor leave of its colour. Place, and width of a pixel along x and z: m.
+float floorShade(Vec3f place, Vec3f width);
 // What is left of a brick's colour so far from the edge of its face. Both m.
 float edgeShade(float toEdge, float pixel);
 // From light to what a screen shows, linear still: 0 stays 0, all light stays below 1 and rises with what comes in. Bright parts are

@@ -168,7 +168,6 @@ Surface paintGround(const Look& look, const SurfacePoint& point) {
   out.colour = out.colour * std::max(light, 0.2f);
   // Lone bits of gravel.
   out.colour = mix(out.colour, Rgb{0.42f, 0.40f, 0.37f}, 0.35f * pits(p, 0.012f, s + 7, f, 0.7f));
-  if (point.isFloor) out.colour = out.colour * floorShade(point.position.x, point.position.z, f);
   return out;
 }
 

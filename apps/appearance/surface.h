@@ -6,11 +6,10 @@
 namespace brickfall::appearance {
 
 struct SurfacePoint {
-  Vec3f position;        // m, in the shape's frame
-  Vec3f normal;          // unit, in the shape's frame
-  Vec3f halfExtents;     // m, of a box; 0 for other shapes
-  float footprint = 0;   // m, width of a pixel there: what is finer is left out; 0 = show all
-  bool isFloor = false;  // of ground without end
+  Vec3f position;       // m, in the shape's frame
+  Vec3f normal;         // unit, in the shape's frame
+  Vec3f halfExtents;    // m, of a box; 0 for other shapes
+  float footprint = 0;  // m, width of a pixel there: what is finer is left out; 0 = show all
 };
 
 struct Surface {

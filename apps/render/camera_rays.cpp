@@ -48,4 +48,16 @@ Ray CameraRays::through(float x, float y, float time) const {
   return ray;
 }
 
+Vec3f CameraRays::footprint(const Ray& ray, float distance, Vec3f normal, const Mat3f& toFrame) const {
+  const float forward = dot(ray.direction, open_.forward), against = dot(ray.direction, normal);
+  const float scale = 2 / height_ * distance * forward;
+  Vec3f sum;
+  for (const Vec3f side : {open_.right, open_.up}) {
+    // To the next pixel, and back to the plane along the ray.
+    const Vec3f step = toFrame * ((side - ray.direction * (dot(side, normal) / against)) * scale);
+    for (int k = 0; k < 3; k++) sum[k] += std::fabs(step[k]);
+  }
+  return sum;
+}
+
 }  // namespace brickfall::render

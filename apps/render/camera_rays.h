@@ -16,6 +16,8 @@ class CameraRays {
   CameraRays(const Camera& open, const Camera& close, int width, int height);
   // x from the left, y from the top, in pixels.
   Ray through(float x, float y, float time) const;
+  // How long a pixel is on a plane that a ray through its middle meets, along each axis of a frame: m.
+  Vec3f footprint(const Ray& ray, float distance, Vec3f normal, const Mat3f& toFrame) const;
   bool moves() const { return moves_; }
   // The angle that a pixel in the middle covers, rad.
   float pixelAngle() const { return pixelAngle_; }

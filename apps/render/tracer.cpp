@@ -165,12 +165,17 @@ Place PixelTracer::placeAt(const Ray& ray, const Hit& hit, float pixelAngle) {
   if (!same) {
     float footprint = hit.distance * pixelAngle / std::sqrt(slant);
     if (place.blurred) footprint = std::max(footprint, kSmear * part.sweep);
-    const SurfacePoint point{hit.local, hit.localNormal, part.halfExtents, footprint, part.isFloor()};
+    const SurfacePoint point{hit.local, hit.localNormal, part.halfExtents, footprint};
     last_ = appearance::surfaceAt(part.look, point);
     lastPart_ = hit.part;
     lastLocalNormal_ = hit.localNormal;
   }
   place.surface = last_;
+  // Its joints are finer than what differs within a pixel, and seen flat a pixel is far longer than wide.
+  if (part.isFloor()) {
+    const Vec3f width = rays_.footprint(ray, hit.distance, hit.normal, transpose(part.open));
+    place.surface.colour = place.surface.colour * appearance::floorShade(hit.local, width);
+  }
   place.normal = part.toWorld(last_.normal, ray.time);
   // Seen flat, a bump may turn away from the eye: then it is as if it stood on edge.
   const float facing = -dot(place.normal, ray.direction);

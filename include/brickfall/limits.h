@@ -1,6 +1,6 @@
-// What the engine takes and what it gives up, in one place. Three sets, which must not be taken for each other: what a call may
-// say (anything else is an error value, in every build), what a scene file may say (less: a number beyond it is a slip of the pen
-// sooner than a wish), and beyond what a body counts as lost (no error: its forces took it there; it is quarantined).
+// What the engine takes and what it gives up, in one place. Three sets, which must not be taken for each other.
+// What a call may say: anything else is an error value, in every build. What a scene file may say: less, since a number beyond it is
+// sooner a slip of the pen than a wish. Beyond what a body counts as lost: no error, its forces took it there; it is quarantined.
 #pragma once
 #include <cstddef>
 #include <cstdint>

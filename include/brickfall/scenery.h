@@ -26,8 +26,8 @@ struct Camera {
   std::string follow;                         // a body's name: while it is there the camera turns after it; empty: none
 };
 
-// Where a camera stands that nobody has set: it looks at the middle of the boxes from above and from a third of a right angle beside
-// `side` (the way from that middle to who throws something, or to the front), so near that they fill seven tenths of the picture.
+// Where a camera stands that nobody has set. `side`: from the middle of the boxes to who throws something, or to the front. It looks at
+// that middle from above and from a third of a right angle beside `side`, so near that the boxes fill seven tenths of the picture.
 Camera fittedCamera(const std::vector<Aabb>& boxes, const Vec3& side);
 
 // Of a path: nothing of it is wrong if this is empty. Times ascend, numbers are finite, it never stands on its target.

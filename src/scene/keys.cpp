@@ -129,7 +129,8 @@ void addSolverKeys(std::vector<KeySpec>& keys) {
   keys.push_back({"solver", "cycle_tolerance", K::number, "", 1e-6, 1, "0.02", "", "residual / max(weight, 0.3 load) under which a body of a large moving island is left alone"});
   keys.push_back({"solver", "min_cycles", K::integer, "", 1, 64, "4", "", "fewest cycles of a step, unless a cycle moves nothing; islands of 2 to 24 bodies, which are solved directly, get one; at most max_cycles"});
   keys.push_back({"solver", "max_cycles", K::integer, "", 1, 256, "10", "", "cycles of large islands; up to three times as many while a twentieth of one is out of balance"});
-  keys.push_back({"solver", "max_cycles_small", K::integer, "", 1, 256, "64", "", "cycles of a body alone"});
+  keys.push_back({"solver", "max_cycles_alone", K::integer, "", 1, 256, "64", "", "cycles of a body that is alone in its island"});
+  keys.push_back({"solver", "max_cycles_small", K::integer, "", 1, 256, "-", "", "old name of max_cycles_alone: still read, with a warning"});
   keys.push_back({"solver", "max_hit_parts", K::integer, "", 1, 64, "8", "", "a step in which something ten times as heavy goes far into what it hits is made in up to so many parts; 1: never"});
 }
 

@@ -19,7 +19,9 @@ void readSolver(TableReader& top, SolverSettings& solver) {
   reader.number("cycle_tolerance", solver.cycleTolerance);
   reader.integer("min_cycles", solver.minCycles);
   reader.integer("max_cycles", solver.maxCycles);
-  reader.integer("max_cycles_small", solver.maxCyclesSmall);
+  const char* const alone = reader.has("max_cycles_small") ? "max_cycles_small" : "max_cycles_alone";
+  reader.integer(alone, solver.maxCyclesSmall);
+  if (reader.has("max_cycles_small")) reader.warning(alone, "found an old name, expected max_cycles_alone");
   reader.integer("max_hit_parts", solver.maxHitParts);
   if (!(solver.impactStiffness <= solver.restingStiffness))
     reader.error(reader.has("impact_stiffness") ? "impact_stiffness" : "resting_stiffness",
@@ -30,8 +32,8 @@ void readSolver(TableReader& top, SolverSettings& solver) {
                  "found min_cycles " + std::to_string(solver.minCycles) +
                      ", expected at most max_cycles = " + std::to_string(solver.maxCycles));
   if (!(solver.minCycles <= solver.maxCyclesSmall))
-    reader.error(reader.has("max_cycles_small") ? "max_cycles_small" : "min_cycles",
-                 "found max_cycles_small " + std::to_string(solver.maxCyclesSmall) +
+    reader.error(reader.has(alone) ? alone : "min_cycles",
+                 "found " + std::string(alone) + " " + std::to_string(solver.maxCyclesSmall) +
                      ", expected at least min_cycles = " + std::to_string(solver.minCycles));
 }
 

@@ -19,6 +19,10 @@ const Node kEmptyTable;
 constexpr int kMostUnknownKeys = 200;  // told of one table: each costs a search for the nearest
 constexpr std::size_t kMostParameters = 1000;
 
+bool isTableKind(KeyKind kind) {
+  return kind == KeyKind::tables || kind == KeyKind::table || kind == KeyKind::parameters;
+}
+
 bool isNumber(const Node& node) { return node.kind == NodeKind::integer || node.kind == NodeKind::number; }
 
 // Evaluates parameters as they are needed by each other.
@@ -193,8 +197,17 @@ void TableReader::reportUnknownKeys() {
                                                  member.value.items[0].kind == NodeKind::table);
     context_->error(at, pathOf(member.key),
                     isTable && table_.empty() ? unknownTable(member.key)
-                                              : "found an unknown key, expected a key of " + tableTitle(table_) + hint);
+                                              : "found an unknown key, expected " + whatIsThere() + hint);
   }
+}
+
+// A key of this table; of the few that no table has, their names.
+std::string TableReader::whatIsThere() const {
+  if (!table_.empty()) return "a key of " + tableTitle(table_);
+  std::string list;
+  for (const KeySpec& spec : keySpecs())
+    if (!*spec.table && !isTableKind(spec.kind)) list += (list.empty() ? "" : ", ") + std::string(spec.key);
+  return list + " or a table";
 }
 
 // The tables that there are, and the nearest of them: by its letters, or by the thing that was meant.
@@ -202,9 +215,7 @@ std::string TableReader::unknownTable(const std::string& name) const {
   std::vector<std::string> tables;
   std::string list;
   for (const KeySpec& spec : keySpecs()) {
-    if (*spec.table ||
-        (spec.kind != KeyKind::tables && spec.kind != KeyKind::table && spec.kind != KeyKind::parameters))
-      continue;
+    if (*spec.table || !isTableKind(spec.kind)) continue;
     tables.push_back(spec.key);
     list += (list.empty() ? "" : ", ") + tableTitle(spec.key);
   }

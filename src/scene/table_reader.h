@@ -94,6 +94,7 @@ class TableReader {
   bool oneOf(const char* key, const std::vector<std::string>& names, std::string& out);
   void wrong(const Node& node, const std::string& path, const KeySpec& spec, const std::string& hint = {});
   void reportUnknownKeys();
+  std::string whatIsThere() const;
   std::string unknownTable(const std::string& name) const;
   Vec3 placed(const KeySpec& spec, Vec3 value) const;
 

@@ -83,6 +83,27 @@ Layers bakeLayers(const SurfaceKey& surface) {
   return out;
 }
 
+// A strip along an edge belongs to two faces, but wears the texture of one: between the places of two textures it would wear all of
+// both.
+void giveStripsOneFace(DrawMesh& mesh, Vec3 half) {
+  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+    const std::uint32_t first = mesh.indices[i];
+    const std::array<float, 3> outwards = mesh.normals[first];
+    const int axis = int(mesh.uvs[first][2]), u = (axis + 1) % 3, v = (axis + 2) % 3;
+    for (std::size_t k = 1; k < 3; k++) {
+      const std::uint32_t corner = mesh.indices[i + k];
+      if (int(mesh.uvs[corner][2]) == axis) continue;
+      const std::array<float, 3> at = mesh.positions[corner], normal = mesh.normals[corner];
+      mesh.indices[i + k] = std::uint32_t(mesh.positions.size());
+      mesh.positions.push_back(at);
+      mesh.normals.push_back(normal);
+      // As boxMesh lays it.
+      mesh.uvs.push_back({(float(half[u]) + at[std::size_t(u)] * outwards[std::size_t(axis)]) / (2 * kBrickHalf[u]),
+                          (float(half[v]) - at[std::size_t(v)]) / (2 * kBrickHalf[v]), float(axis)});
+    }
+  }
+}
+
 }  // namespace
 
 bool isScaled(const ShapeDef& shape) { return shape.type == ShapeType::sphere; }
@@ -166,6 +187,7 @@ DrawMesh drawMeshOf(const ShapeDef& shape, const SurfaceKey& surface) {
       out.uvs.push_back({u * scale, v * scale, 0});
     }
   }
+  if (surface.faces) giveStripsOneFace(out, shape.halfExtents);
   return out;
 }
 
@@ -201,13 +223,13 @@ const Looks::Textures& Looks::texturesOf(const SurfaceKey& surface) {
 }
 
 Ogre::MaterialPtr Looks::material(const SurfaceKey& surface, ShadowMode shadows) {
-  const bool depth = shadows == ShadowMode::depth;
-  Ogre::MaterialPtr& made = made_[{surface, depth}];
-  if (!made) made = makeSurface(surface, depth);
+  Ogre::MaterialPtr& made = made_[{surface, shadows}];
+  if (!made) made = makeSurface(surface, shadows);
   return made;
 }
 
-Ogre::MaterialPtr Looks::makeSurface(const SurfaceKey& surface, bool depth) {
+Ogre::MaterialPtr Looks::makeSurface(const SurfaceKey& surface, ShadowMode shadows) {
+  const bool depth = shadows == ShadowMode::depth;
   ProgramUse use;
   use.material = "surface" + std::to_string(made_.size());
   use.vertex = "body.vert";
@@ -219,6 +241,7 @@ Ogre::MaterialPtr Looks::makeSurface(const SurfaceKey& surface, bool depth) {
   material->getTechnique(0)->setShadowCasterMaterial(caster_);
   Ogre::Pass& pass = passOf(material);
   pass.getVertexProgramParameters()->setNamedConstant("faces", Ogre::Real(surface.faces ? 1 : 0));
+  pass.getVertexProgramParameters()->setNamedConstant("volumes", Ogre::Real(shadows == ShadowMode::stencil ? 1 : 0));
   const auto parameters = pass.getFragmentProgramParameters();
   parameters->setNamedConstant("bricks", Ogre::Real(surface.faces ? 1 : 0));
   parameters->setNamedConstant("flatColour", Ogre::Real(flat_ ? 1 : 0));

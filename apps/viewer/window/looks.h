@@ -58,10 +58,10 @@ class Looks {
   struct Textures {
     Ogre::TexturePtr look, relief;
   };
-  Ogre::MaterialPtr makeSurface(const SurfaceKey& surface, bool depth);
+  Ogre::MaterialPtr makeSurface(const SurfaceKey& surface, ShadowMode shadows);
   const Textures& texturesOf(const SurfaceKey& surface);
 
-  std::map<std::pair<SurfaceKey, bool>, Ogre::MaterialPtr> made_;
+  std::map<std::pair<SurfaceKey, ShadowMode>, Ogre::MaterialPtr> made_;
   std::map<SurfaceKey, Textures> textures_;
   Ogre::MaterialPtr caster_;
   bool fine_ = true, flat_ = false;

@@ -37,6 +37,7 @@ void bindNames(Ogre::GpuProgramParameters& parameters) {
   parameters.setNamedAutoConstant("projection", Auto::ACT_WORLDVIEWPROJ_MATRIX);
   parameters.setNamedAutoConstant("shadowMatrix", Auto::ACT_TEXTURE_VIEWPROJ_MATRIX, 0);
   parameters.setNamedAutoConstant("eye", Auto::ACT_CAMERA_POSITION);
+  parameters.setNamedAutoConstant("viewHeight", Auto::ACT_VIEWPORT_HEIGHT);
   parameters.setNamedConstant("flatColour", Ogre::Real(0));
 }
 

@@ -286,6 +286,8 @@ function main(): void {
   const wishes = takeWishes();
   window.addEventListener('hashchange', takeWishes);
   draw();
+  dirty = false; // it is seen until something changes: drawn twice it would come twice as late where no graphics card draws
+  api.drawn = 1;
   api.ready = true;
   if (!wishes.has('paused') && !window.matchMedia('(prefers-reduced-motion: reduce)').matches) player.play();
   requestAnimationFrame((now) => {

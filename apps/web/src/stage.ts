@@ -45,6 +45,7 @@ export class Stage {
   readonly renderer: WebGLRenderer;
   readonly controls: OrbitControls;
   readonly shade: Shade;
+  readonly shadowSamples: number; // each way
   private readonly sun = new DirectionalLight(kSunLight, 1);
   readonly sunDirection = new Vector3();
   private readonly sky = makeSky(this.sunDirection);
@@ -66,7 +67,7 @@ export class Stage {
     const size = Math.min(this.renderer.capabilities.maxTextureSize, 2048);
     this.sun.shadow.mapSize.set(size, size);
     this.sun.shadow.bias = -0.0004;
-    this.sun.shadow.radius = 4;
+    this.shadowSamples = isSlow ? 2 : 3;
     this.scene.add(this.sky, this.sun, this.sun.target);
     this.renderer.shadowMap.autoUpdate = false; // they change with the bodies, not with the camera
     this.shade = new Shade(this.renderer, this.scene, this.camera, isSlow ? 0 : kMostShade);

@@ -6,6 +6,7 @@ import { kLightFunctions } from './light';
 import { kKinds, type Kind } from './materials';
 import { patternsOf } from './patterns';
 import { kJointFunction } from './shade';
+import { shadowLookup } from './shadows';
 import type { Stage } from './stage';
 
 const kArris = 0.0035; // m, of an edge that is rubbed off
@@ -93,6 +94,7 @@ function withSurface(material: MeshStandardMaterial, kind: Kind, isBox: boolean,
         flat varying vec3 uHalf;
         ${patternsOf(kind, isFloor)}
         ${hasEdges ? kJointFunction : ''}`)
+      .replace('#include <shadowmap_pars_fragment>', shadowLookup(stage.shadowSamples))
       .replace('#include <lights_fragment_begin>', kFromAround)
       .replace('#include <color_fragment>', `#include <color_fragment>
         float pixel = max(length(dFdx(vLocal)), length(dFdy(vLocal)));

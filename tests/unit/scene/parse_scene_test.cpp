@@ -95,6 +95,26 @@ max_cycles = 9
   EXPECT_EQ(scene.world.solver.maxCycles, 9);
 }
 
+TEST(ParseScene, AnOldNameOfAKeyIsReadWithAWarning) {
+  const SceneLoad load = parseScene("[solver]\nmax_cycles_small = 40\n[[wall]]\n", "test.toml");
+  ASSERT_TRUE(load.scene);
+  EXPECT_EQ(load.scene->world.solver.maxCyclesSmall, 40);
+  EXPECT_TRUE(has(allOf(load.diagnostics), "test.toml:2:")) << allOf(load.diagnostics);
+  EXPECT_TRUE(
+      has(allOf(load.diagnostics), "warning: solver.max_cycles_small: found an old name, expected max_cycles_alone"));
+  const SceneLoad now = parseScene("[solver]\nmax_cycles_alone = 41\n[[wall]]\n", "test.toml");
+  ASSERT_TRUE(now.scene);
+  EXPECT_EQ(now.scene->world.solver.maxCyclesSmall, 41);
+  EXPECT_TRUE(now.diagnostics.empty()) << allOf(now.diagnostics);
+}
+
+TEST(ParseScene, AKeyThatNoTableIsAroundNamesThoseThatThereAre) {
+  const std::string told = faults("name = \"church\"\n[[wall]]\n");
+  EXPECT_TRUE(
+      has(told, "test.toml:1:1: error: name: found an unknown key, expected title, description, include or a table"))
+      << told;
+}
+
 TEST(ParseScene, Wall) {
   SceneDescription scene = sound(R"(
 [[material]]

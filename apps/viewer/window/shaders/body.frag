@@ -6,6 +6,7 @@ uniform float flatColour;  // 1: no light, for the polygon view
 uniform sampler2DArray look, relief;
 in vec3 worldPoint, worldNormal, base;
 in vec2 place;
+centroid in vec2 inFace;  // the same, never beyond the face
 in vec4 tint;
 flat in float layer, glow, ball;
 out vec4 pixel;
@@ -16,7 +17,7 @@ const vec3 kBrick = vec3(0.215, 0.065, 0.1025);  // m: one texture to each of it
 float toEdge() {
   int axis = int(layer) % 3;
   vec2 size = axis == 0 ? kBrick.yz : axis == 1 ? kBrick.zx : kBrick.xy;
-  vec2 inside = size * (0.5 - abs(place - 0.5));
+  vec2 inside = size * (0.5 - abs(inFace - 0.5));
   return min(inside.x, inside.y) < 0.0 ? 1.0 : min(inside.x, inside.y);
 }
 
