@@ -38,9 +38,9 @@ struct End {
 struct Near {
   ShapeIndex a = kNoIndex, b = kNoIndex;
   std::uint32_t endA = 0, endB = 0;
-  Vec3 normal;        // of their contact; else where B came from
-  double began = -1;  // m: the overlap at the start of the step; below 0: it is not known yet
-  double had = -1;    // m: the overlap that is left to them; likewise
+  Vec3 normal;       // of their contact; else where B came from
+  double told = -1;  // m: the overlap of which their contact knows; below 0: they have none
+  double had = -1;   // m: the overlap that is left to them; below 0: it is not known yet
   std::uint32_t beforeA = kNoIndex, beforeB = kNoIndex;  // the pair of its ends that was found before it
   int looks = 0;                                         // at it, so far
   double room = 0;                                       // m: as far they may come nearer until it is looked at again
@@ -111,7 +111,7 @@ class Fitting {
   double leastOf(const Near& n) const {
     return kNearlyClosed * lengthScale(shapes_.data[n.a].innerRadius, shapes_.data[n.b].innerRadius);
   }
-  double depthAt(const Near& n, const Transform& poseA, const Transform& poseB) const;
+  double openingOf(ContactIndex contact, int point) const;
   double depthLeft(const Near& n) const;
   Manifold overlapOf(const Near& n, const Transform& poseA, const Transform& bInA) const;
   bool part(std::uint32_t number);
@@ -255,6 +255,18 @@ void Fitting::addNear(Near n) {
   near_.push_back(n);
 }
 
+// m: by how much a point of a contact opens, as it was solved.
+double Fitting::openingOf(ContactIndex contact, int point) const {
+  const Contact& c = context_.ties->contacts.contacts[contact];
+  const ContactGeometry& g = context_.ties->contacts.geometry[contact];
+  auto wayOf = [&](BodyIndex body, Vec3 anchor) {
+    if (!moves(body)) return endOf(body).position - bodies_.motion[body].position;
+    return context_.solved[body].d + cross(context_.solved[body].th, bodies_.motion[body].orientation * anchor);
+  };
+  return dot(bodies_.motion[c.bodyA].orientation * g.normal,
+             wayOf(c.bodyB, g.anchorB[point]) - wayOf(c.bodyA, g.anchorA[point]));
+}
+
 // What the body may end in, of which not yet all is known.
 void Fitting::findNear(std::uint32_t end) {
   if (ends_[end].known) return;
@@ -265,8 +277,11 @@ void Fitting::findNear(std::uint32_t end) {
     Near n{c.shapeA, c.shapeB, numberOf(c.bodyA), numberOf(c.bodyB)};
     if (ends_[n.endA].known || ends_[n.endB].known) continue;
     n.normal = bodies_.motion[c.bodyA].orientation * context_.ties->contacts.geometry[contact].normal;
-    n.began = leastOf(n);
-    for (int i = 0; i < c.count; i++) n.began = std::max(n.began, -double(c.points.gap[i]));
+    n.told = leastOf(n);
+    // Where the contact knew both ways, the solve has said how far its springs give.
+    const bool asSolved = ends_[n.endA].asSolved && ends_[n.endB].asSolved;
+    for (int i = 0; i < c.count; i++)
+      n.told = std::max(n.told, -double(c.points.gap[i]) - (asSolved ? std::min(0.0, openingOf(contact, i)) : 0));
     addNear(n);
   }
   ends_[end].known = true;
@@ -312,7 +327,7 @@ bool Fitting::fit(const BroadPhase* tree) {
   const std::size_t aside = ends_.size();
   for (std::size_t e = 0; e < aside; e++) findNear(std::uint32_t(e));
   for (std::size_t i = 0; i < near_.size(); i++)
-    if (near_[i].began < 0 || !ends_[near_[i].endA].asSolved || !ends_[near_[i].endB].asSolved) {
+    if (near_[i].told < 0 || !ends_[near_[i].endA].asSolved || !ends_[near_[i].endB].asSolved) {
       near_[i].waits = true;
       waiting_.push_back(std::uint32_t(i));
     }
@@ -321,16 +336,11 @@ bool Fitting::fit(const BroadPhase* tree) {
   return any;
 }
 
-double Fitting::depthAt(const Near& n, const Transform& poseA, const Transform& poseB) const {
-  const ShapeData &a = shapes_.data[n.a], &b = shapes_.data[n.b];
-  return penetrationDepth(a.geometry, b.geometry, inverse(poseA * a.inCentreFrame) * (poseB * b.inCentreFrame));
-}
-
-// As deep as they began; where the contact knew both ways, the solve has said how far its springs give.
+// As deep as they began, or as springs gave.
 double Fitting::depthLeft(const Near& n) const {
-  const End &a = ends_[n.endA], &b = ends_[n.endB];
-  if (n.began < 0) return std::max(leastOf(n), depthAt(n, bodies_.pose(a.body), bodies_.pose(b.body)));
-  return a.asSolved && b.asSolved ? std::max(n.began, depthAt(n, a.solved, b.solved)) : n.began;
+  const double began = penetrationDepth(shapes_.data[n.a].geometry, shapes_.data[n.b].geometry,
+                                        inverse(shapes_.worldPose(n.a, bodies_)) * shapes_.worldPose(n.b, bodies_));
+  return std::max({leastOf(n), n.told, began});
 }
 
 // In the frame of shape A. What has come through something thin goes back, and a mesh is only parted from, along the
@@ -368,7 +378,7 @@ bool Fitting::part(std::uint32_t number) {
   const Manifold m = overlapOf(found, poseA, inverse(poseA) * poseB);
   double deepest = 0;
   for (int i = 0; i < m.count; i++) deepest = std::max(deepest, -m.points[i].separation);
-  near_[number].room = std::max({found.had, found.began, leastOf(found)}) - deepest;
+  near_[number].room = std::max({found.had, found.told, leastOf(found)}) - deepest;
   if (found.room >= 0) return false;
   if (found.had < 0) near_[number].had = depthLeft(found);
   near_[number].room = found.had + kTrifle * leastOf(found) - deepest;
