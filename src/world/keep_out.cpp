@@ -16,9 +16,9 @@ namespace brickfall {
 namespace {
 
 //! - | too small: sweeps | too large: what is jammed ends in one of the two alone
-constexpr double kAtOnce = 0.7;  // of an overlap, parted in a sweep
+constexpr double kAtOnce = 0.7;  // of an overlap, parted at a look
 //! - | too small: bodies wedged under something heavy end in it | too large: cost where there is no room
-constexpr int kFitSweeps = 40;
+constexpr int kFitLooks = 40;  // at a pair
 
 // A body where the step ends.
 struct End {
@@ -30,19 +30,28 @@ struct End {
   double invMass = 0;                // 1 / kg; 0 where it may not be shifted
   Mat3 invInertia{{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}};  // 1 / (kg m2); 0 where it may not be turned
   Transform pose, solved;                              // now, and before anything was shifted
-  int shifted = 0;                                     // the sweep in which it last was
+  std::uint32_t near = kNoIndex;                       // the last of its pairs that were found
+  bool known = false;                                  // all of them are
 };
 
 // Two shapes that may end in each other.
 struct Near {
   ShapeIndex a = kNoIndex, b = kNoIndex;
   std::uint32_t endA = 0, endB = 0;
-  Vec3 normal;        // of their contact; else where B came from
-  double began = -1;  // m: the overlap at the start of the step; below 0: it is not known yet
-  double had = -1;    // m: the overlap that is left to them; likewise
-  int looked = -1;    // the sweep before the last in which they were looked at
+  Vec3 normal;       // of their contact; else where B came from
+  double told = -1;  // m: the overlap of which their contact knows; below 0: they have none
+  double had = -1;   // m: the overlap that is left to them; below 0: it is not known yet
+  std::uint32_t beforeA = kNoIndex, beforeB = kNoIndex;  // the pair of its ends that was found before it
+  int looks = 0;                                         // at it, so far
+  double room = 0;                                       // m: as far they may come nearer until it is looked at again
+  bool waits = false;                                    // to be looked at
   bool operator<(const Near& other) const { return a != other.a ? a < other.a : b < other.b; }
-  bool operator==(const Near& other) const { return a == other.a && b == other.b; }
+};
+
+// A contact of a body, and the place of the one before it.
+struct Touch {
+  ContactIndex contact;
+  std::uint32_t before;
 };
 
 // Ways and turns that part two bodies.
@@ -52,22 +61,25 @@ struct Parting {
 
 class Fitting {
  public:
-  Fitting(const Registry& registry, StepContext& context)
+  // Of all awake islands, or of one alone.
+  Fitting(const Registry& registry, const Activity* activity, const Island* island, StepContext& context)
       : bodies_(registry.bodies),
         shapes_(registry.shapes),
+        activity_(activity),
+        island_(island),
         context_(context),
         tied_(context.memory),
         ends_(context.memory),
-        near_(context.memory) {}
+        endOfBody_(context.memory),
+        near_(context.memory),
+        touches_(context.memory),
+        touchOfBody_(context.memory),
+        waiting_(context.memory) {}
 
-  bool anyAside(const Island& island);
-  bool stopped(BodyIndex single) const {
-    return moves(single) && context_.solved[single].d != context_.free[single].way;
-  }
-  // First all bodies, then what they may end in. `all`: not only those are shifted that end aside.
+  // First those bodies that end aside, or all; if there are any, what they may end in.
   void addBodies(const Island& island, bool all);
   void addSingle(BodyIndex single);
-  void sortBodies();
+  bool anyBodies();
   void addContacts(const Island& island);
   // What bodies without a contact end in, is looked for in `tree`.
   bool fit(const BroadPhase* tree);
@@ -77,92 +89,106 @@ class Fitting {
     const BodyData& data = bodies_.data[body];
     return data.type == BodyType::dynamic && data.activity == BodyActivity::awake && !context_.solved[body].rest;
   }
-  void findTied(const Island& island);
-  bool mayShift(BodyIndex body) const;
-  End& addBody(BodyIndex body, bool free, bool shifts, bool asSolved);
+  std::size_t findTied(const Island& island);
+  bool mayShift(BodyIndex body, std::size_t firstTied) const;
+  void addEnd(BodyIndex body, bool may, bool shifts, bool asSolved);
   bool turnsFar(BodyIndex body) const;
   bool endsAsSolved(const Island& island, std::size_t i) const;
   bool endsAside(BodyIndex body) const;
   Transform endOf(BodyIndex body) const;
   std::uint32_t numberOf(BodyIndex body);
   Vec3 wayOf(std::uint32_t end) const { return ends_[end].solved.position - bodies_.motion[ends_[end].body].position; }
-  void addFound(std::size_t first, std::size_t last);
-  void giveWay(std::uint32_t end);
+  void findNear(std::uint32_t end);
+  void addFound(std::uint32_t end);
+  void addNear(Near n);
+  void awaken(std::uint32_t end, double way);
+  template <class Visit> void eachNear(std::uint32_t end, Visit&& visit) {
+    for (std::uint32_t i = ends_[end].near; i != kNoIndex;
+         i = near_[i].endA == end ? near_[i].beforeA : near_[i].beforeB)
+      visit(i);
+  }
 
   double leastOf(const Near& n) const {
     return kNearlyClosed * lengthScale(shapes_.data[n.a].innerRadius, shapes_.data[n.b].innerRadius);
   }
-  double depthAt(const Near& n, const Transform& poseA, const Transform& poseB) const;
+  double openingOf(ContactIndex contact, int point) const;
   double depthLeft(const Near& n) const;
   Manifold overlapOf(const Near& n, const Transform& poseA, const Transform& bInA) const;
-  bool part(std::size_t number, int sweep);
+  bool part(std::uint32_t number);
   Parting partingOf(const Near& n, const Manifold& m, const Transform& poseA) const;
   Parting partingInFlight(const Near& n, Vec3 normal, double depth) const;
   bool shiftBy(End& end, Vec3 way, Vec3 turn, Vec3 frame, bool pays);
 
   const BodySet& bodies_;
   const ShapeSet& shapes_;
+  const Activity* activity_;
+  const Island* island_;
   StepContext& context_;
   const BroadPhase* tree_ = nullptr;
-  std::pmr::vector<BodyIndex> tied_;  // of an island, by firm ties, ascending
-  std::pmr::vector<End> ends_;        // bodies that may be shifted, ascending; then others that they may meet
-  std::size_t own_ = 0;               // of the former
-  std::pmr::vector<Near> near_;       // contacts, ascending; then what was found without one
-  std::size_t contacts_ = 0;          // of the former
+  std::pmr::vector<BodyIndex> tied_;           // by firm ties, ascending
+  std::pmr::vector<End> ends_;                 // bodies that end aside, ascending; then others as they are met
+  std::pmr::vector<std::uint32_t> endOfBody_;  // by body
+  std::pmr::vector<Near> near_;
+  std::pmr::vector<Touch> touches_;
+  std::pmr::vector<std::uint32_t> touchOfBody_;  // by body: its last one
+  std::pmr::vector<std::uint32_t> waiting_;      // pairs that are to be looked at, in this order
 };
 
-void Fitting::findTied(const Island& island) {
-  tied_.clear();
-  if (!island.facts.firm) return;
+// Returns the place of the first.
+std::size_t Fitting::findTied(const Island& island) {
+  const std::size_t known = tied_.size();
+  if (!island.facts.firm) return known;
   island.rows.each([&]<class Kind>(const Kind& kind, std::size_t k) {
     if (!std::remove_cvref_t<Kind>::kFirm) return;
     const auto [a, b] = kind.bodies(k, *context_.ties);
     tied_.push_back(a);
     tied_.push_back(b);
   });
-  std::sort(tied_.begin(), tied_.end());
+  std::sort(tied_.begin() + std::ptrdiff_t(known), tied_.end());
+  return known;
 }
 
 // A shift tears no firm tie.
-bool Fitting::mayShift(BodyIndex body) const {
+bool Fitting::mayShift(BodyIndex body, std::size_t firstTied) const {
   const SolvedMotion& s = context_.solved[body];
-  return moves(body) && isFinite(s.d) && isFinite(s.th) && !std::binary_search(tied_.begin(), tied_.end(), body);
-}
-
-bool Fitting::anyAside(const Island& island) {
-  findTied(island);
-  return std::any_of(island.bodies.begin(), island.bodies.end(),
-                     [&](BodyIndex body) { return mayShift(body) && endsAside(body); });
+  return moves(body) && isFinite(s.d) && isFinite(s.th) &&
+         !std::binary_search(tied_.begin() + std::ptrdiff_t(firstTied), tied_.end(), body);
 }
 
 void Fitting::addBodies(const Island& island, bool all) {
-  findTied(island);
-  for (std::size_t i = 0; i < island.bodies.size(); i++) {
-    const BodyIndex body = island.bodies[i];
-    if (!mayShift(body)) continue;
-    const bool aside = !all && endsAside(body);
-    addBody(body, !island.grounded(), all || aside, !all && (!aside || endsAsSolved(island, i)));
-  }
+  const std::size_t tied = findTied(island);
+  for (std::size_t i = 0; i < island.bodies.size(); i++)
+    if (const BodyIndex body = island.bodies[i]; (all || endsAside(body)) && mayShift(body, tied))
+      addEnd(body, true, true, !all && endsAsSolved(island, i));
 }
 
 void Fitting::addSingle(BodyIndex single) {
-  tied_.clear();
-  if (mayShift(single)) addBody(single, true, stopped(single), false).single = true;
+  if (context_.solved[single].d != context_.free[single].way && mayShift(single, tied_.size()))
+    addEnd(single, true, true, false);
 }
 
-End& Fitting::addBody(BodyIndex body, bool free, bool shifts, bool asSolved) {
+void Fitting::addEnd(BodyIndex body, bool may, bool shifts, bool asSolved) {
   const SolvedMotion& s = context_.solved[body];
-  End end{body, true, shifts, asSolved, s.flying, free};
-  end.invMass = bodies_.mass[body].invMass;
-  if (!s.freeTurn && !s.flying) end.invInertia = bodies_.worldInvInertia(body);
+  End end{body, may, shifts, asSolved};
   end.pose = end.solved = endOf(body);
+  if (may) {
+    const std::uint32_t number = island_ ? 0 : activity_->islandOf[body];
+    const Island* island = island_ ? island_ : number == kNoIndex ? nullptr : activity_->islands.awake[number].get();
+    end.flies = s.flying, end.free = !island || !island->grounded(), end.single = !island;
+    end.invMass = bodies_.mass[body].invMass;
+    if (!s.freeTurn && !s.flying) end.invInertia = bodies_.worldInvInertia(body);
+  }
   ends_.push_back(end);
-  return ends_.back();
 }
 
-void Fitting::sortBodies() {
+bool Fitting::anyBodies() {
+  if (ends_.empty()) return false;
+  std::sort(tied_.begin(), tied_.end());
   std::sort(ends_.begin(), ends_.end(), [](const End& a, const End& b) { return a.body < b.body; });
-  own_ = ends_.size();
+  endOfBody_.assign(bodies_.motion.size(), kNoIndex);
+  touchOfBody_.assign(bodies_.motion.size(), kNoIndex);
+  for (std::size_t e = 0; e < ends_.size(); e++) endOfBody_[ends_[e].body] = std::uint32_t(e);
+  return true;
 }
 
 bool Fitting::turnsFar(BodyIndex body) const {
@@ -204,87 +230,117 @@ Transform Fitting::endOf(BodyIndex body) const {
 }
 
 std::uint32_t Fitting::numberOf(BodyIndex body) {
-  const auto own = ends_.begin() + std::ptrdiff_t(own_);
-  const auto at = std::lower_bound(ends_.begin(), own, body, [](const End& e, BodyIndex b) { return e.body < b; });
-  if (at != own && at->body == body) return std::uint32_t(at - ends_.begin());
-  End other;
-  other.body = body;
-  other.pose = other.solved = endOf(body);
-  ends_.push_back(other);
-  return std::uint32_t(ends_.size() - 1);
+  if (endOfBody_[body] == kNoIndex) {
+    endOfBody_[body] = std::uint32_t(ends_.size());
+    const bool single = !island_ && activity_->islandOf[body] == kNoIndex;
+    const bool may = mayShift(body, 0);
+    addEnd(body, may, false, !(may && single));
+  }
+  return endOfBody_[body];
 }
 
 void Fitting::addContacts(const Island& island) {
   island.rows.eachManifold([&](ContactIndex contact) {
     const Contact& c = context_.ties->contacts.contacts[contact];
-    Near n{c.shapeA, c.shapeB, numberOf(c.bodyA), numberOf(c.bodyB)};
-    n.normal = bodies_.motion[c.bodyA].orientation * context_.ties->contacts.geometry[contact].normal;
-    n.began = leastOf(n);
-    for (int i = 0; i < c.count; i++) n.began = std::max(n.began, -double(c.points.gap[i]));
-    near_.push_back(n);
+    for (BodyIndex body : {c.bodyA, c.bodyB}) {
+      touches_.push_back({contact, touchOfBody_[body]});
+      touchOfBody_[body] = std::uint32_t(touches_.size() - 1);
+    }
   });
 }
 
-// What bodies end in without a contact. The order in which the tree finds it must not matter.
-void Fitting::addFound(std::size_t first, std::size_t last) {
-  const std::size_t known = near_.size();
-  for (std::size_t e = first; e < last; e++) {
-    if (!ends_[e].shifts) continue;
-    for (ShapeIndex shape : bodies_.shapes[ends_[e].body]) {
-      const ShapeData& s = shapes_.data[shape];
-      tree_->query(bounds(s.geometry, ends_[e].pose * s.inCentreFrame), [&](std::uint32_t other) {
-        const BodyIndex body = shapes_.data[other].body;
-        if (body == s.body || !shapes_.mayTouch(shape, other) || !context_.ties->mayCollide(s.body, body)) return true;
-        const Near n{std::min(shape, other), std::max(shape, other)};
-        const auto contacts = near_.begin() + std::ptrdiff_t(contacts_), before = near_.begin() + std::ptrdiff_t(known);
-        if (!std::binary_search(near_.begin(), contacts, n) && std::find(contacts, before, n) == before)
-          near_.push_back(n);
-        return true;
-      });
-    }
+void Fitting::addNear(Near n) {
+  n.beforeA = ends_[n.endA].near, n.beforeB = ends_[n.endB].near;
+  ends_[n.endA].near = ends_[n.endB].near = std::uint32_t(near_.size());
+  near_.push_back(n);
+}
+
+// m: by how much a point of a contact opens, as it was solved.
+double Fitting::openingOf(ContactIndex contact, int point) const {
+  const Contact& c = context_.ties->contacts.contacts[contact];
+  const ContactGeometry& g = context_.ties->contacts.geometry[contact];
+  auto wayOf = [&](BodyIndex body, Vec3 anchor) {
+    if (!moves(body)) return endOf(body).position - bodies_.motion[body].position;
+    return context_.solved[body].d + cross(context_.solved[body].th, bodies_.motion[body].orientation * anchor);
+  };
+  return dot(bodies_.motion[c.bodyA].orientation * g.normal,
+             wayOf(c.bodyB, g.anchorB[point]) - wayOf(c.bodyA, g.anchorA[point]));
+}
+
+// What the body may end in, of which not yet all is known.
+void Fitting::findNear(std::uint32_t end) {
+  if (ends_[end].known) return;
+  const BodyIndex body = ends_[end].body;
+  for (std::uint32_t t = touchOfBody_[body]; t != kNoIndex; t = touches_[t].before) {
+    const ContactIndex contact = touches_[t].contact;
+    const Contact& c = context_.ties->contacts.contacts[contact];
+    Near n{c.shapeA, c.shapeB, numberOf(c.bodyA), numberOf(c.bodyB)};
+    if (ends_[n.endA].known || ends_[n.endB].known) continue;
+    n.normal = bodies_.motion[c.bodyA].orientation * context_.ties->contacts.geometry[contact].normal;
+    n.told = leastOf(n);
+    // Where the contact knew both ways, the solve has said how far its springs give.
+    const bool asSolved = ends_[n.endA].asSolved && ends_[n.endB].asSolved;
+    for (int i = 0; i < c.count; i++)
+      n.told = std::max(n.told, -double(c.points.gap[i]) - (asSolved ? std::min(0.0, openingOf(contact, i)) : 0));
+    addNear(n);
   }
-  const auto found = near_.begin() + std::ptrdiff_t(known);
-  std::sort(found, near_.end());
-  near_.erase(std::unique(found, near_.end()), near_.end());
-  for (std::size_t i = known; i < near_.size(); i++) {
-    const BodyIndex a = shapes_.data[near_[i].a].body, b = shapes_.data[near_[i].b].body;
-    near_[i].endA = numberOf(a), near_[i].endB = numberOf(b);
-    const Vec3 came = wayOf(near_[i].endA) - wayOf(near_[i].endB);
-    if (came != Vec3{}) near_[i].normal = normalized(came);  // where it was, nothing was in the way
+  ends_[end].known = true;
+  if (tree_) addFound(end);
+}
+
+// What it ends in without a contact. The order in which the tree finds it must not matter.
+void Fitting::addFound(std::uint32_t end) {
+  std::pmr::vector<Near> found(context_.memory);
+  for (ShapeIndex shape : bodies_.shapes[ends_[end].body]) {
+    const ShapeData& s = shapes_.data[shape];
+    tree_->query(bounds(s.geometry, ends_[end].pose * s.inCentreFrame), [&](std::uint32_t other) {
+      const BodyIndex body = shapes_.data[other].body;
+      if (body == s.body || !shapes_.mayTouch(shape, other) || !context_.ties->mayCollide(s.body, body)) return true;
+      const Near n{std::min(shape, other), std::max(shape, other)};
+      bool known = false;
+      eachNear(end, [&](std::uint32_t i) { known = known || (near_[i].a == n.a && near_[i].b == n.b); });
+      if (!known) found.push_back(n);
+      return true;
+    });
   }
+  std::sort(found.begin(), found.end());
+  for (Near& n : found) {
+    n.endA = numberOf(shapes_.data[n.a].body), n.endB = numberOf(shapes_.data[n.b].body);
+    const Vec3 came = wayOf(n.endA) - wayOf(n.endB);
+    if (came != Vec3{}) n.normal = normalized(came);  // where it was, nothing was in the way
+    addNear(n);
+  }
+}
+
+// No point of the body was moved by more than `way` (m).
+void Fitting::awaken(std::uint32_t end, double way) {
+  eachNear(end, [&](std::uint32_t i) {
+    near_[i].room -= way;
+    if (near_[i].room >= 0 || near_[i].waits || near_[i].looks == kFitLooks) return;
+    near_[i].waits = true;
+    waiting_.push_back(i);
+  });
 }
 
 bool Fitting::fit(const BroadPhase* tree) {
   tree_ = tree;
-  std::sort(near_.begin(), near_.end());
-  contacts_ = near_.size();
-  if (tree_) addFound(0, own_);
-  bool any = false, shifted = true;
-  for (int sweep = 1; sweep <= kFitSweeps && shifted; sweep++) {
-    shifted = false;
-    for (std::size_t i = 0; i < near_.size(); i++) shifted = part(i, sweep) || shifted;
-    any = any || shifted;
-  }
+  const std::size_t aside = ends_.size();
+  for (std::size_t e = 0; e < aside; e++) findNear(std::uint32_t(e));
+  for (std::size_t i = 0; i < near_.size(); i++)
+    if (near_[i].told < 0 || !ends_[near_[i].endA].asSolved || !ends_[near_[i].endB].asSolved) {
+      near_[i].waits = true;
+      waiting_.push_back(std::uint32_t(i));
+    }
+  bool any = false;
+  for (std::size_t i = 0; i < waiting_.size(); i++) any = part(waiting_[i]) || any;
   return any;
 }
 
-// Where there is no room for what ends aside, its neighbours make it.
-void Fitting::giveWay(std::uint32_t end) {
-  if (ends_[end].shifts || !ends_[end].may) return;
-  ends_[end].shifts = true;
-  if (tree_) addFound(end, end + 1);
-}
-
-double Fitting::depthAt(const Near& n, const Transform& poseA, const Transform& poseB) const {
-  const ShapeData &a = shapes_.data[n.a], &b = shapes_.data[n.b];
-  return penetrationDepth(a.geometry, b.geometry, inverse(poseA * a.inCentreFrame) * (poseB * b.inCentreFrame));
-}
-
-// As deep as they began; where the contact knew both ways, the solve has said how far its springs give.
+// As deep as they began, or as springs gave.
 double Fitting::depthLeft(const Near& n) const {
-  const End &a = ends_[n.endA], &b = ends_[n.endB];
-  if (n.began < 0) return std::max(leastOf(n), depthAt(n, bodies_.pose(a.body), bodies_.pose(b.body)));
-  return a.asSolved && b.asSolved ? std::max(n.began, depthAt(n, a.solved, b.solved)) : n.began;
+  const double began = penetrationDepth(shapes_.data[n.a].geometry, shapes_.data[n.b].geometry,
+                                        inverse(shapes_.worldPose(n.a, bodies_)) * shapes_.worldPose(n.b, bodies_));
+  return std::max({leastOf(n), n.told, began});
 }
 
 // In the frame of shape A. What has come through something thin goes back, and a mesh is only parted from, along the
@@ -306,16 +362,15 @@ Manifold Fitting::overlapOf(const Near& n, const Transform& poseA, const Transfo
 }
 
 // Parts two shapes if they ended deeper in each other than they began. Returns whether it did so.
-bool Fitting::part(std::size_t number, int sweep) {
+bool Fitting::part(std::uint32_t number) {
   {
     Near& n = near_[number];
+    n.waits = false;
+    n.looks++;
     const End &a = ends_[n.endA], &b = ends_[n.endB];
-    if (!a.shifts && !b.shifts) return false;
-    if (n.began >= 0 && a.asSolved && b.asSolved && a.shifted + b.shifted == 0) return false;
-    if (n.looked >= a.shifted && n.looked >= b.shifted) return false;
-    n.looked = sweep - 1;
     const double reach = bodies_.mass[a.body].outerRadius + bodies_.mass[b.body].outerRadius;
-    if (!(lengthSquared(a.pose.position - b.pose.position) <= reach * reach)) return false;
+    n.room = length(a.pose.position - b.pose.position) - reach;
+    if (n.room > 0) return false;
   }
   const Near& found = near_[number];
   const Transform poseA = ends_[found.endA].pose * shapes_.data[found.a].inCentreFrame;
@@ -323,14 +378,19 @@ bool Fitting::part(std::size_t number, int sweep) {
   const Manifold m = overlapOf(found, poseA, inverse(poseA) * poseB);
   double deepest = 0;
   for (int i = 0; i < m.count; i++) deepest = std::max(deepest, -m.points[i].separation);
-  if (!(deepest > std::max({found.had, found.began, leastOf(found)}))) return false;
+  near_[number].room = std::max({found.had, found.told, leastOf(found)}) - deepest;
+  if (found.room >= 0) return false;
   if (found.had < 0) near_[number].had = depthLeft(found);
-  if (!(deepest > found.had)) return false;
+  near_[number].room = found.had + kTrifle * leastOf(found) - deepest;
+  if (found.room >= 0) return false;
   const std::uint32_t endA = found.endA, endB = found.endB;
   // What flies in an island may yet be sent its free way.
   if (ends_[endA].free && ends_[endB].free && !(ends_[endA].single && ends_[endB].single)) return false;
-  giveWay(endA);
-  giveWay(endB);
+  for (std::uint32_t end : {endA, endB})
+    if (ends_[end].may) {  // where there is no room for what ends aside, its neighbours make it
+      ends_[end].shifts = true;
+      findNear(end);
+    }
   const Near& n = near_[number];
   End &a = ends_[n.endA], &b = ends_[n.endB];
   if (!a.free || !b.free) a.free = b.free = false;
@@ -340,8 +400,8 @@ bool Fitting::part(std::size_t number, int sweep) {
       inFlight ? partingInFlight(n, rotate(poseA.rotation, m.normal), deepest - n.had) : partingOf(n, m, poseA);
   const bool movedA = a.shifts && shiftBy(a, by.wayA, by.turnA, frameB, a.flies && !inFlight);
   const bool movedB = b.shifts && shiftBy(b, by.wayB, by.turnB, frameA, b.flies && !inFlight);
-  if (movedA) a.shifted = sweep;
-  if (movedB) b.shifted = sweep;
+  if (movedA) awaken(endA, length(by.wayA) + length(by.turnA) * bodies_.mass[a.body].outerRadius);
+  if (movedB) awaken(endB, length(by.wayB) + length(by.turnB) * bodies_.mass[b.body].outerRadius);
   return movedA || movedB;
 }
 
@@ -409,31 +469,23 @@ bool Fitting::shiftBy(End& end, Vec3 way, Vec3 turn, Vec3 frame, bool pays) {
 
 }  // namespace
 
-void keepOut(const IslandSet& islands, const Registry& registry, const Proximity& proximity, StepContext& context) {
-  Fitting fitting(registry, context);
-  auto any = [&](auto&& is) {
-    return std::any_of(islands.awake.begin(), islands.awake.end(),
-                       [&](const IslandPointer& island) { return !island->resting() && is(*island); });
-  };
-  if (!any([&](const Island& island) { return fitting.anyAside(island); }) &&
-      std::none_of(islands.single.begin(), islands.single.end(), [&](BodyIndex b) { return fitting.stopped(b); }))
-    return;
+void keepOut(const Activity& activity, const Registry& registry, const Proximity& proximity, StepContext& context) {
+  Fitting fitting(registry, &activity, nullptr, context);
   auto each = [&](auto&& add) {
-    for (const IslandPointer& island : islands.awake)
+    for (const IslandPointer& island : activity.islands.awake)
       if (!island->resting()) add(*island);
   };
   each([&](const Island& island) { fitting.addBodies(island, false); });
-  for (BodyIndex single : islands.single) fitting.addSingle(single);
-  fitting.sortBodies();
+  for (BodyIndex single : activity.islands.single) fitting.addSingle(single);
+  if (!fitting.anyBodies()) return;
   each([&](const Island& island) { fitting.addContacts(island); });
   fitting.fit(proximity.broadPhase.get());
 }
 
 bool keepOut(const Island& island, bool toImpact, const Registry& registry, StepContext& context) {
-  Fitting fitting(registry, context);
-  if (!toImpact && !fitting.anyAside(island)) return false;
+  Fitting fitting(registry, nullptr, &island, context);
   fitting.addBodies(island, toImpact);
-  fitting.sortBodies();
+  if (!fitting.anyBodies()) return false;
   fitting.addContacts(island);
   return fitting.fit(nullptr);
 }

@@ -13,7 +13,7 @@ namespace brickfall {
 // keeps momenta. An island that flies is not parted from others: it may yet be sent its free way.
 
 // All awake islands, and what they would end in without a contact.
-void keepOut(const IslandSet& islands, const Registry& registry, const Proximity& proximity, StepContext& context);
+void keepOut(const Activity& activity, const Registry& registry, const Proximity& proximity, StepContext& context);
 // One island, by its contacts; on a way to an impact, of which contacts foretell only its start, all of its bodies.
 // Returns whether anything was moved.
 bool keepOut(const Island& island, bool toImpact, const Registry& registry, StepContext& context);

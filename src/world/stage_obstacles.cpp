@@ -327,7 +327,7 @@ void Obstacles::stopAll() {
     for (BodyIndex body : islands.single) (this->*act)(body);
   };
   each(&Obstacles::takeBack);
-  keepOut(islands, registry, proximity, context);
+  keepOut(activity, registry, proximity, context);
   changed = true;
   for (int look = 0; look < kMostLooks && changed; look++) {
     changed = false;
@@ -335,7 +335,7 @@ void Obstacles::stopAll() {
     each(&Obstacles::stop);
     stopped = stopped || changed;
   }
-  if (stopped) keepOut(islands, registry, proximity, context);
+  if (stopped) keepOut(activity, registry, proximity, context);
 }
 
 // The first thing on a body's way, for one shape of the body. `everything`: it may be the other that does the moving.

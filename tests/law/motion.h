@@ -103,22 +103,25 @@ struct Untouched {
       pressed.insert(hit.bodyA);
       pressed.insert(hit.bodyB);
     }
-    for (BodyId body : bodies) {
-      bool now = pressed.count(body) > 0, was = before_.count(body) > 0;
-      if (now || was || first_) continue;
-      Vec3 a = world.state(body)->linearAcceleration;
+    for (const auto& [body, a] : fell_) {
+      if (pressed.count(body) > 0) continue;  // it may have met that at the end of the last step
       worst = std::max(worst, length(a - Vec3{0, -gravity, 0}) / gravity);
       thrown = std::max(thrown, length(a - Vec3{0, std::clamp(a.y, -gravity, 0.0), 0}) / gravity);
       held += length(a - Vec3{0, -gravity, 0}) > 0.05 * gravity;
       sum += -a.y / gravity;
       seen++;
     }
+    fell_.clear();
+    for (BodyId body : bodies)
+      if (!first_ && pressed.count(body) + before_.count(body) == 0)
+        fell_.push_back({body, world.state(body)->linearAcceleration});
     before_ = pressed;
     first_ = false;
   }
 
  private:
   std::set<BodyId> before_;
+  std::vector<std::pair<BodyId, Vec3>> fell_;  // in the last step
   bool first_ = true;
 };
 
