@@ -49,7 +49,7 @@ struct Near {
 };
 
 // A contact of a body, and the place of the one before it.
-struct Touch {
+struct TouchAt {
   ContactIndex contact;
   std::uint32_t before;
 };
@@ -129,7 +129,7 @@ class Fitting {
   std::pmr::vector<End> ends_;                 // bodies that end aside, ascending; then others as they are met
   std::pmr::vector<std::uint32_t> endOfBody_;  // by body
   std::pmr::vector<Near> near_;
-  std::pmr::vector<Touch> touches_;
+  std::pmr::vector<TouchAt> touches_;
   std::pmr::vector<std::uint32_t> touchOfBody_;  // by body: its last one
   std::pmr::vector<std::uint32_t> waiting_;      // pairs that are to be looked at, in this order
 };
