@@ -41,7 +41,8 @@ struct JointDef {
   std::optional<Limit> limit;  // none: free
   std::optional<double> cone;  // rad, 0.01 .. 3: the axis of B stays within this angle of the axis of A; none: free
 
-  // Drives the free turn or way of B against A.
+  // Drives the free turn or way of B against A. With speed 0 it is the friction of a hinge or a slide: it holds up to its
+  // strength, then rubs with it.
   struct Motor {
     double speed = 0;     // rad/s or m/s, at most 1e5 either way
     double strength = 0;  // N m or N, 0 .. 1e12: the most with which it drives or brakes

@@ -404,6 +404,7 @@ void addChainKeys(std::vector<KeySpec>& keys) {
   keys.push_back({"chain", "width", K::number, "m", kSmall, kLarge, "0.5", "", "of a board"});
   keys.push_back({"chain", "sag", K::number, "m", 0, kLarge, "0", "", "so much lower is its middle at the start"});
   keys.push_back({"chain", "hinge_axis", K::vector, "", -1000, 1000, "-", "", "joints are hinges about it; default: ball joints"});
+  keys.push_back({"chain", "hinge_friction", K::number, "N m", 0, 1e12, "0", "", "of each hinge: it holds up to this torque, then rubs with it"});
   keys.push_back({"chain", "material", K::material, "", 0, 0, "\"steel\"", "", "of the links"});
   keys.push_back({"chain", "break_force", K::number, "N", 1e-6, 1e12, "-", "", "of each joint, as that of [[joint]]"});
   keys.push_back({"chain", "break_torque", K::number, "N m", 1e-6, 1e12, "-", "", "the same"});

@@ -113,6 +113,7 @@ struct ChainDef {
   double radius = 0.02, thickness = 0.05, width = 0.5, sag = 0;
   bool hinged = false;
   Vec3 axis;
+  double friction = 0;  // N m, of a hinge
   JointDef joint;
 
   Vec3 point(int k) const {
@@ -174,6 +175,9 @@ void readChainNumbers(TableReader& reader, ChainDef& def) {
   reader.number("sag", def.sag);
   reader.material("material", def.link.material);
   def.hinged = reader.vector("hinge_axis", def.axis);
+  reader.number("hinge_friction", def.friction);
+  if (!def.hinged && def.friction > 0)
+    reader.error("hinge_friction", "found on a chain of ball joints, expected hinge_axis, too");
   for (const char* key : {"thickness", "width"})
     if (!def.boards && reader.has(key)) reader.error(key, "found on links that are no boards, expected link \"board\"");
   if (def.boards && reader.has("radius")) reader.error("radius", "found on boards, expected thickness and width");
@@ -199,6 +203,7 @@ void checkChain(TableReader& reader, ChainDef& def) {
   }
   def.joint.type = def.hinged ? JointType::revolute : JointType::spherical;
   if (def.hinged) def.joint.axis = def.axis;
+  if (def.hinged && def.friction > 0) def.joint.motor = JointDef::Motor{0, def.friction};
 }
 
 }  // namespace

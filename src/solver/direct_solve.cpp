@@ -38,6 +38,7 @@ class Newton {
         step_(6 * island.bodies.size(), 0.0, island.memory),
         from_(island.memory),
         rounding_(island.memory),
+        tight_(island.memory),
         matrix_(island.memory) {
     if (island.facts.firm) rounding_.resize(island.bodies.size());
     Adjacency neighbours(island.memory);
@@ -46,17 +47,12 @@ class Newton {
     matrix_.shape(lowestPlaces(neighbours, place_));
   }
 
-  // One step to about the minimum of the energy along it. False if the matrix is not positive definite.
-  bool step(bool boundsFollow, double enough) {
-    assemble();
-    if (!matrix_.factor()) return false;
-    for (std::size_t i = 0; i < place_.size(); i++)
-      for (int k = 0; k < 3; k++) {
-        entry(i, k) = double(island_.residual[i].force[k]);
-        entry(i, k + 3) = double(island_.residual[i].torque[k]);
-      }
-    matrix_.solve(step_.data());
-    if (anyLocks(island_)) leaveLocked();
+  // One step to about the minimum of the energy along it. `tight`: ropes that are slack by less than their ends go in
+  // this time step count as tight, for a row of them that snaps would close one by one. False if the matrix is not
+  // positive definite.
+  bool step(bool boundsFollow, double enough, bool tight) {
+    if (!findStep(tight)) return false;
+    if (!tight_.empty() && !(slope() > 0) && !findStep(false)) return false;
     from_.assign(island_.motion.begin(), island_.motion.begin() + std::ptrdiff_t(place_.size()));
     search(enough);
     readForces(boundsFollow);
@@ -98,15 +94,61 @@ class Newton {
   }
   void readForces(bool boundsFollow) { lightPass(island_, boundsFollow, statistics_.lightVisits); }
 
-  void assemble() {
+  bool findStep(bool tight) {
+    assemble(tight);
+    if (!matrix_.factor()) return false;
+    for (std::size_t i = 0; i < place_.size(); i++)
+      for (int k = 0; k < 3; k++) {
+        entry(i, k) = double(island_.residual[i].force[k]);
+        entry(i, k + 3) = double(island_.residual[i].torque[k]);
+      }
+    for (const Tight& rope : tight_) {
+      pull(rope.ends.a, rope.armA, -rope.force);
+      pull(rope.ends.b, rope.armB, rope.force);
+    }
+    matrix_.solve(step_.data());
+    if (anyLocks(island_)) leaveLocked();
+    return true;
+  }
+
+  // A slack rope that counts as tight, with the force by which it would push.
+  struct Tight {
+    RowEnds ends;
+    Vec3f armA, armB, force;  // m, N: on B
+  };
+  template <class Kind> void holdTight(const Kind&, std::size_t, StiffReaction&) {}
+  void holdTight(const JointRows& joints, std::size_t k, StiffReaction& x) {
+    const JointRecord& r = joints.records[k];
+    if (joints.starts[k].across == 0 || r.way.most[0] != 0) return;
+    const float push = joint::trialOf(r.way, joint::relativeMotion(r, island_.motion.data()).way)[0];
+    float reach = 0;
+    for (std::uint32_t body : {r.bodyA, r.bodyB})
+      if (body < place_.size()) reach += length(island_.motion[body].d);
+    if (!(push > 0 && push < r.way.k[0] * reach)) return;
+    const wide::V axis = wide::load(&r.way.axes[0].unit.x);
+    for (int i = 0; i < 3; i++) x.stiffness.A[i] += axis * (r.way.k[0] * axis[i]);
+    tight_.push_back({joints.ends(k), wide::store3(x.armA), wide::store3(x.armB), r.way.axes[0].unit * push});
+  }
+  void pull(std::uint32_t body, Vec3f arm, Vec3f force) {
+    if (body >= place_.size()) return;
+    const Vec3f torque = cross(arm, force);
+    for (int k = 0; k < 3; k++) {
+      entry(body, k) += double(force[k]);
+      entry(body, k + 3) += double(torque[k]);
+    }
+  }
+
+  void assemble(bool tight) {
+    tight_.clear();
     matrix_.clear();
     std::fill(rounding_.begin(), rounding_.end(), Rounding());
     for (std::size_t i = 0; i < place_.size(); i++) addBody(matrix_, place_[i], island_.masses[i]);
     auto placeOf = [this](std::uint32_t body) { return body < place_.size() ? place_[body] : kNoPlace; };
-    std::as_const(island_.rows).each([&](const auto& kind, std::size_t k) {
-      const StiffReaction x = kind.reactStiff(k, island_.motion.data(), true);
+    std::as_const(island_.rows).each([&]<class Kind>(const Kind& kind, std::size_t k) {
+      StiffReaction x = kind.reactStiff(k, island_.motion.data(), true);
+      if (tight) holdTight(kind, k, x);
       addRow(matrix_, kind.ends(k), x, placeOf);
-      addRounding(kind.ends(k), x);
+      if constexpr (Kind::kFirm) addRounding(kind.ends(k), x);
     });
     for (std::size_t i = 0; i < island_.locks.size(); i++)
       matrix_.stiffen(place_[i], island_.locks[i], kLockedStiffness);
@@ -123,9 +165,11 @@ class Newton {
   };
   void addRounding(RowEnds ends, const StiffReaction& x) {
     if (rounding_.empty()) return;
+    const wide::V* A = x.stiffness.A;  // of a line: firm along it alone, whichever way it hangs
+    const double firmest = double(std::max({A[0][0], A[1][1], A[2][2]}));
     auto add = [&](std::uint32_t body, wide::V arm) {
       if (body >= place_.size()) return;
-      const double force = kLastBit * double(x.stiffness.A[0][0]) * double(length(island_.motion[body].d));
+      const double force = kLastBit * firmest * double(length(island_.motion[body].d));
       rounding_[body].force += force;
       rounding_[body].torque += force * double(length(wide::store3(arm)));
     };
@@ -178,6 +222,7 @@ class Newton {
   std::pmr::vector<double> step_;          // by place
   std::pmr::vector<SolveMotion> from_;
   std::pmr::vector<Rounding> rounding_;  // by body; empty without firm ties
+  std::pmr::vector<Tight> tight_;
   BlockEnvelope matrix_;
 };
 
@@ -187,6 +232,7 @@ void solveDirectly(Island& island, const StepContext& context, double tolerance,
   Newton newton(island, statistics);
   Stall stall;
   int boundSolves = 0;
+  bool tight = true;
   for (int k = 0; k < kDirectSteps; k++) {
     const double worst = newton.worst(*context.bodies);
     const int stalled = stall.after(worst);
@@ -196,8 +242,11 @@ void solveDirectly(Island& island, const StepContext& context, double tolerance,
       if (boundSolves++ >= kBoundRounds || !newton.settleBounds()) return;
       stall = {};
       k = std::max(k, kMostRenewals);
+      tight = true;
     }
-    if (!newton.step(k < kMostRenewals, stalled < kStalledSteps ? double(kFarFromMinimum) : kEnoughStalled)) return;
+    const double share = stalled < kStalledSteps ? double(kFarFromMinimum) : kEnoughStalled;
+    if (!newton.step(k < kMostRenewals, share, tight)) return;
+    tight = false;
     statistics.cycles++;
   }
 }

@@ -74,7 +74,22 @@ bool balancedByLoad(const Island& island, const StepContext& context) {
   return true;
 }
 
-// Where a swing turns back, the last of its velocity and gravity balance for a step: that is no rest.
+// Where a swing turns back, the last of its velocity and gravity balance for a step: that is no rest. Of what hangs on
+// joints alone, its forces must balance as well.
+bool forcesBalance(const Island& island, const StepContext& context) {
+  for (std::size_t i = 0; i < island.bodies.size(); i++) {
+    const BodyIndex body = island.bodies[i];
+    const FreeMotion& free = context.free[body];
+    const Vec3 move = (free.startVelocity - free.late) * (context.bodies->mass[body].mass / island.dt),
+               turn = context.bodies->worldInertia(body) * (free.startSpin - free.lateSpin) * (1 / island.dt);
+    const Wrench left{island.residual[i].force - toFloat(move), island.residual[i].torque - toFloat(turn)};
+    if (!isWithin(left, measureOf(island, *context.bodies, i, kHeavyLoad), context.settings.restTolerance))
+      return false;
+  }
+  return true;
+}
+
+// As slow as what rests.
 bool standsStill(const Island& island, const StepContext& context) {
   const double most = context.settings.restTolerance * island.facts.scale.gravity * island.dt;
   return std::all_of(island.bodies.begin(), island.bodies.end(), [&](BodyIndex body) {
@@ -94,6 +109,7 @@ void restCheck(Island& island, StepContext& context) {
   const bool balanced = (still && worstResidual(island, *context.bodies) < context.settings.restTolerance) ||
                         (island.plan.large && balancedByLoad(island, context));
   if (!balanced || (island.facts.energy > 0 && slides(island, context))) return;
+  if (island.plan.swings && !forcesBalance(island, context)) return;
   island.ending = IslandEnding::rested;
   context.statistics.restingIslands++;
 }

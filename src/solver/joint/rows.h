@@ -130,9 +130,12 @@ struct JointRows : LastingRows<JointRows, JointSet, &Ties::joints> {
   double mostWork(std::size_t k) const;
   double returnedWork(std::size_t k) const { return k == 0 ? returned : 0; }  // told with the first row
   void advance(const Island&, Ties&, const StepContext&) const {}
-  // There is a motor.
+  // There is a motor that turns. One that holds still rubs: it is a brake, and drives nothing.
   bool driven(const Ties& ties) const {
-    return std::any_of(tieOf.begin(), tieOf.end(), [&](JointIndex joint) { return ties.joints.slots[joint].driven; });
+    return std::any_of(tieOf.begin(), tieOf.end(), [&](JointIndex index) {
+      const Joint& joint = ties.joints.slots[index];
+      return joint.driven && joint.speed != 0;
+    });
   }
   // The part of a spring that swings slowly enough for the step.
   double resolved(std::size_t k, const Joint& spring) const;

@@ -237,8 +237,10 @@ class HeldVelocities : VelocitySystem {
       };
       take(moves(r.bodyA), double(joints.starts[f.row].resist[0]), a.mass);
       take(moves(r.bodyB), double(joints.starts[f.row].resist[1]), b.mass);
-      const double far = f.turn ? lengthSquared(f.free(w)) * h2
-                                : lengthSquared(f.free(u)) * h2 / std::max(1e-12, lengthSquared(f.armA + f.armB));
+      // A line turns by its way across it, over its length.
+      const double span = joints.starts[f.row].across != 0 ? double(joints.starts[f.row].span) : 0,
+                   reach = std::max(span * span, lengthSquared(f.armA + f.armB));
+      const double far = lengthSquared(f.free(f.turn ? w : u)) * h2 / (f.turn ? 1 : std::max(1e-12, reach));
       f.stiffness = least * std::min(far, 1.0);
       if (f.turn) {
         Vec3 impulse;

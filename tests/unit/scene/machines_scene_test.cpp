@@ -141,6 +141,8 @@ TEST(JointScene, TellsWhereSomethingIsWrong) {
                   "chain[0].radius: found 0.2 m with links of 0.25 m"));
   EXPECT_TRUE(has(faults("[[body]]\n[[chain]]\nfrom = [0, 9, 0]\nto = [0, 8, 0]\nhinge_axis = [0, 1, 0]\n"),
                   "chain[0].hinge_axis: found one along the chain"));
+  EXPECT_TRUE(has(faults("[[body]]\n[[chain]]\nfrom = [0, 9, 0]\nto = [0, 8, 0]\nhinge_friction = 2\n"),
+                  "chain[0].hinge_friction: found on a chain of ball joints"));
 }
 
 // A ball that waits is joined, and held; then it swings, and its chain holds it. Snapshots keep all of it.

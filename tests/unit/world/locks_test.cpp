@@ -153,6 +153,57 @@ TEST(AxisLocks, AShelfThatIsLockedIsAsGoodAsFixed) {
   expectNear(balls[1], balls[0], 2e-3);
 }
 
+// A wall in running bond of bricks that keep to its plane, a box on top that slides along x alone, and three boxes that hang
+// beside it on hinges: all rests and sleeps, where it was, and not by one bit beside its plane, whatever threads step it.
+TEST(AxisLocks, WhatIsLockedRestsWhereItIs) {
+  std::uint64_t hashes[2];
+  for (const int threads : {1, 3}) {
+    WorldDef of;
+    of.threads = threads;
+    World world = makeWorld(of);
+    addGround(world);
+    std::vector<std::pair<BodyId, Vec3>> all;
+    const auto anyAwake = [&] {
+      return std::any_of(all.begin(), all.end(), [&](const auto& body) { return world.state(body.first)->awake; });
+    };
+    const auto lay = [&](Vec3 half, Vec3 position, const AxisLocks& locks) {
+      all.emplace_back(add(world, lockedBox(half, position, locks)), position);
+      return all.back().first;
+    };
+    for (int course = 0; course < 6; course++)
+      for (int i = 0; i < 5 - course % 2; i++)
+        lay({.1, .05, .1}, {.21 * i + .105 * (course % 2), .05 + .1 * course, .013 * i}, AxisLocks::plane());
+    lay({.2, .05, .1}, {.5, .65, .02}, railAlongX());
+    BodyId last = add(world, bodyOf(boxOf({.05, .05, .05}), {2, 2.1, .3}, BodyType::fixed));
+    std::vector<JointId> hinges;
+    for (int i = 0; i < 3; i++) {
+      JointDef hinge;
+      hinge.type = JointType::revolute;
+      hinge.axis = {0, 0, 1};
+      hinge.anchor = {2, 2 - .3 * i, .3};
+      hinge.bodyA = last;
+      hinge.bodyB = last = lay({.05, .15, .05}, {2, 1.85 - .3 * i, .3}, AxisLocks::plane());
+      hinges.push_back(*world.createJoint(hinge));
+    }
+    ASSERT_TRUE(world.applyImpulse(last, {.05, 0, 3}).ok());
+    for (int i = 0; i < 5 * 60 && anyAwake(); i++) {
+      stepSound(world);
+      for (const auto& [body, place] : all) {
+        const BodyState s = *world.state(body);
+        ASSERT_EQ(s.position.z, place.z);
+        ASSERT_TRUE(s.linearVelocity.z == 0 && s.angularVelocity.x == 0 && s.angularVelocity.y == 0);
+        ASSERT_TRUE(s.rotation.x == 0 && s.rotation.y == 0);
+      }
+    }
+    EXPECT_FALSE(anyAwake());
+    for (const auto& [body, place] : all) expectNear(world.state(body)->position, place, 2e-3);
+    for (JointId hinge : hinges) EXPECT_LT(world.state(hinge)->error, 1e-5);
+    EXPECT_TRUE(world.state(all[27].first)->rotation == Quat{});
+    hashes[threads > 1] = world.stateHash();
+  }
+  EXPECT_EQ(hashes[0], hashes[1]);
+}
+
 // --- Switched off and on
 
 TEST(Enabled, WhatIsOffTakesNoPart) {
