@@ -18,7 +18,7 @@ namespace {
 //! - | too small: sweeps | too large: what is jammed ends in one of the two alone
 constexpr double kAtOnce = 0.7;  // of an overlap, parted at a look
 //! - | too small: bodies wedged under something heavy end in it | too large: cost where there is no room
-constexpr int kFitLooks = 40;  // at a pair
+constexpr int kFitLooks = 16;  // at a pair
 
 // A body where the step ends.
 struct End {
