@@ -278,7 +278,22 @@ class LastCheck {
                       ? excess
                       : takeRelative(island_, group, motionOf(island_, group, context_), under.move, context_, excess);
     if (left > energy.slack()) left = takeRelative(island_, group, under, under.move, context_, left);
+    if (left > energy.slack() && group.size() == 1 && !jointed)
+      left = takeWay(island_.bodies[group[0]], under.move, left);
     return excess - left;
+  }
+
+  // A body alone that has no velocity left to give has gone too far against the forces on it: it goes a share of its way.
+  double takeWay(BodyIndex body, Vec3 frame, double excess) {
+    const SolvedMotion& s = context_.solved[body];
+    const BodyData& data = context_.bodies->data[body];
+    const Vec3 way = s.d - frame * island_.dt;
+    const Vec3 force = context_.gravity * (context_.bodies->mass[body].mass * data.gravityScale) + data.force;
+    const double climbed = -dot(force, way) - dot(data.torque, s.th);
+    if (!(climbed > 0)) return excess;
+    const double less = std::min(1.0, excess / climbed);
+    shift(body, way * -less, s.th * -less, context_);
+    return excess - less * climbed;
   }
 
   // A partner of the island moves, seen from a body that goes straight on: its ties work.
