@@ -283,7 +283,8 @@ class LastCheck {
     return excess - left;
   }
 
-  // A body alone that has no velocity left to give has gone too far against the forces on it: it goes a share of its way.
+  // A body alone that has no velocity left to give has gone too far against the forces on it.
+  // It goes a share of its way.
   double takeWay(BodyIndex body, Vec3 frame, double excess) {
     const SolvedMotion& s = context_.solved[body];
     const BodyData& data = context_.bodies->data[body];
