@@ -1,30 +1,14 @@
-// Joints: pendulums against closed forms, a heavy ball on light links, linkages that stay closed, loads, breaking.
+// Joints: pendulums against closed forms, a heavy ball on light links, linkages that stay closed, breaking. Bridges:
+// bridge_test.cpp.
 #include <algorithm>
 #include <functional>
 
+#include "law/joint_parts.h"
 #include "law/law.h"
 
 namespace brickfall::law {
 namespace {
 
-JointId join(World& world, JointDef def, BodyId a, BodyId b) {
-  def.bodyA = a;
-  def.bodyB = b;
-  Result<JointId> joint = world.createJoint(def);
-  EXPECT_TRUE(joint.ok()) << joint.error().message;
-  return joint.ok() ? *joint : JointId{};
-}
-JointDef at(JointType type, Vec3 anchor, Vec3 axis = {0, 0, 1}) {
-  JointDef def;
-  def.type = type;
-  def.anchor = anchor;
-  def.axis = axis;
-  return def;
-}
-BodyId addFixed(World& world, Vec3 position) {
-  return add(world, bodyOf(boxOf({0.1, 0.1, 0.1}), position, BodyType::fixed));
-}
-double energyOf(const World& world) { return world.energy().kinetic + world.energy().potential; }
 // s: of a swing of this amplitude, by the arithmetic-geometric mean.
 double periodOf(double length, double amplitude) {
   double a = 1, b = std::cos(0.5 * amplitude);
@@ -194,54 +178,12 @@ TEST(Law, Row30wEnergyIsThatOfOneMomentUnderALoad) {
   }
 }
 
-// Twenty tight boards.
-struct Bridge {
-  static constexpr double kBoards = 20, kStep = 0.3, kSpan = kBoards * kStep;
-  World world = makeWorld();
-  std::vector<BodyId> boards;
-  std::vector<JointId> hinges;
-  double length = 0;  // m
-
-  static double height(double x) {
-    const double sag = std::sqrt(3 * kSpan * kSpan * 0.03 / 8);
-    return 5 - 4 * sag * (x / kSpan) * (1 - x / kSpan);
-  }
-  Bridge() {
-    BodyId last = add(world, bodyOf(boxOf({0.2, 0.2, 0.6}), {-0.21, 5, 0}, BodyType::fixed));
-    Vec3 at0{0, height(0), 0};
-    for (int i = 0; i < kBoards; i++) {
-      double low = at0.x, high = at0.x + kStep;
-      for (int k = 0; k < 50; k++) {
-        const double middle = 0.5 * (low + high);
-        (brickfall::length(Vec3{middle, height(middle), 0} - at0) < kStep ? low : high) = middle;
-      }
-      const Vec3 at1{high, height(high), 0}, along = at1 - at0;
-      BodyDef def = bodyOf(boxOf({0.5 * kStep - 0.01, 0.02, 0.5}, 600), (at0 + at1) * 0.5);
-      def.rotation = quatFromAxisAngle({0, 0, 1}, std::atan2(along.y, along.x));
-      boards.push_back(add(world, def));
-      hinges.push_back(join(world, at(JointType::revolute, at0), last, boards.back()));
-      last = boards.back();
-      at0 = at1;
-    }
-    hinges.push_back(join(world, at(JointType::revolute, at0), last,
-                          add(world, bodyOf(boxOf({0.2, 0.2, 0.6}), at0 + Vec3{0.25, 0, 0}, BodyType::fixed))));
-    length = at0.x;
-  }
-};
-
 TEST(Law, Row30vSlowSwingsFade) {
   for (double dt : {1.0 / 60, 1.0 / 240}) {
     Chain chain(0.001);
     double time = 0;
     for (; time < 20 && chain.world.state(chain.ball)->awake; time += dt) chain.step(dt);
     atMost("a swing by 8 mm of 2000 kg: at rest after", dt, time, 8, "s");
-    Bridge bridge;
-    auto awake = [&] {
-      return std::any_of(bridge.boards.begin(), bridge.boards.end(),
-                         [&](BodyId board) { return bridge.world.state(board)->awake; });
-    };
-    for (time = 0; time < 20 && awake(); time += dt) ASSERT_TRUE(bridge.world.step(dt).ok());
-    atMost("twenty boards, made as a parabola: at rest after", dt, time, 6, "s");
     // A thousandth of what turns it back: alone that would take minutes.
     Pendulum braked(0.003, JointType::revolute);
     ASSERT_TRUE(braked.world.setMotor(braked.joint, JointDef::Motor{0, 2e-3}).ok());
@@ -251,20 +193,6 @@ TEST(Law, Row30vSlowSwingsFade) {
     const Vec3 place = braked.world.state(braked.bob)->centreOfMass;
     atMost("its angle there, of 3 mrad", dt, 1e3 * std::fabs(std::atan2(place.x, 10 - place.y)), 1, "mrad");
   }
-}
-
-// 500 kg lie on the twenty boards. Hinges without friction swing on, and nothing feeds them; hinges that rub come to rest.
-TEST(Law, Row30vABridgeUnderALoadRestsWhereItsHingesRub) {
-  const double dt = 1.0 / 120;
-  Bridge bridge;
-  World& world = bridge.world;
-  for (JointId hinge : bridge.hinges) ASSERT_TRUE(world.setMotor(hinge, JointDef::Motor{0, 5}).ok());
-  const double side = 0.3, height = bridge.height(0.5 * bridge.length);
-  const BodyId box = add(world, bodyOf(boxOf({side, 0.25, side}, 500 / (8 * side * side * 0.25)),
-                                       {0.5 * bridge.length, height + 0.37, 0}));
-  double time = 0;
-  for (; time < 15 && world.state(box)->awake; time += dt) ASSERT_TRUE(world.step(dt).ok());
-  atMost("a bridge under 500 kg, hinges that rub with 5 N m: at rest after", dt, time, 12, "s");
 }
 
 TEST(Law, Row30cAHeavyBallHangsStillOnLightLinks) {
@@ -404,65 +332,6 @@ TEST(Law, Row30mAChainGainsNothingInAHit) {
       atMost("gain of a step of a chain of " + std::to_string(links) + " links in a hit", dt, 100 * most / start, 1,
              "%");
     }
-}
-
-// 500 kg fall on them from 0.1 m.
-TEST(Law, Row30lABridgeOfTightBoardsBearsABlow) {
-  Bridge bridge;
-  World& world = bridge.world;
-  const double radius = 0.3, height = bridge.height(0.5 * bridge.length);
-  const BodyId ball = add(world, bodyOf(sphereOf(radius, 500 / (4.0 / 3 * kPi * radius * radius * radius)),
-                                        {0.5 * bridge.length, height + radius + 0.1, 0}));
-  const double start = energyOf(world), fall = 500 * kG * 0.1;
-  double gape = 0, rise = 0;
-  for (int i = 0; i < 120; i++) {
-    ASSERT_TRUE(world.step(kDt).ok());
-    for (JointId hinge : bridge.hinges) gape = std::max(gape, world.state(hinge)->error);
-    rise = std::max(rise, energyOf(world) - start);
-  }
-  expectSound(world);
-  atMost("error of a hinge under the blow", kDt, 1e3 * gape, 1, "mm");
-  atMost("gain of energy, of that of the fall", kDt, 100 * rise / fall, 1, "%");
-  EXPECT_GT(world.state(ball)->centreOfMass.y, height - 0.5);
-}
-
-// A hundred boards of 7 kg, made as a parabola hangs, bear 500 kg that fall on them from 0.1 m.
-TEST(Law, Row30qALongBridgeBearsABlow) {
-  World world = makeWorld();
-  const int boards = 100;
-  const double step = 0.2, span = 0.98 * boards * step, sag = std::sqrt(3 * span * span * 0.02 / 8);
-  auto height = [&](double x) { return 5 - 4 * sag * (x / span) * (1 - x / span); };
-  BodyId last = add(world, bodyOf(boxOf({0.1, 0.1, 0.6}), {-0.11, 5, 0}, BodyType::fixed));
-  std::vector<JointId> hinges;
-  Vec3 from{0, 5, 0};
-  for (int i = 0; i < boards; i++) {
-    double low = from.x, high = from.x + step;
-    for (int k = 0; k < 50; k++) {
-      const double middle = 0.5 * (low + high);
-      (length(Vec3{middle, height(middle), 0} - from) < step ? low : high) = middle;
-    }
-    const Vec3 to{high, height(high), 0}, along = to - from;
-    BodyDef def = bodyOf(boxOf({0.09, 0.01, 0.5}, 7 / (0.18 * 0.02)), (from + to) * 0.5);
-    def.rotation = quatFromAxisAngle({0, 0, 1}, std::atan2(along.y, along.x));
-    const BodyId board = add(world, def);
-    hinges.push_back(join(world, at(JointType::revolute, from), last, board));
-    last = board, from = to;
-  }
-  hinges.push_back(join(world, at(JointType::revolute, from), last,
-                        add(world, bodyOf(boxOf({0.1, 0.1, 0.6}), from + Vec3{0.11, 0, 0}, BodyType::fixed))));
-  const double radius = 0.25, middle = 0.5 * from.x;
-  add(world, bodyOf(sphereOf(radius, 500 / (4.0 / 3 * kPi * radius * radius * radius)),
-                    {middle, height(middle) + radius + 0.11, 0}));
-  const double start = energyOf(world), fall = 500 * kG * 0.1;
-  double gape = 0, rise = 0;
-  for (int i = 0; i < 60; i++) {
-    ASSERT_TRUE(world.step(kDt).ok());
-    for (JointId hinge : hinges) gape = std::max(gape, world.state(hinge)->error);
-    rise = std::max(rise, energyOf(world) - start);
-  }
-  expectSound(world);
-  atMost("error of a hinge of a hundred boards under the blow", kDt, 1e3 * gape, 0.5, "mm");
-  atMost("gain of energy, of that of the fall", kDt, 100 * rise / fall, 1, "%");
 }
 
 // Twenty balls of 1 kg on rods or ropes from centre to centre, and 500 kg at their end.

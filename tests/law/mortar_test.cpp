@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "law/glued.h"
+#include "law/lab.h"
 #include "law/sweeps.h"
 
 namespace brickfall::law {

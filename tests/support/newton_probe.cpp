@@ -4,20 +4,13 @@
 #include <map>
 
 #include "solver/cycles.h"
-#include "world/world_impl.h"
+#include "support/inside_world.h"
 
 namespace brickfall::oracle {
 
 namespace {
 
-// The world's insides for tests: an explicit instantiation may name what is private.
-auto insideOfWorld();
-template <auto member> struct Opener {
-  friend auto insideOfWorld() { return member; }
-};
-template struct Opener<&World::impl_>;
-
-auto& inside(World& world) { return *(world.*insideOfWorld()); }
+using test::inside;
 
 Ending endingOf(const Island& island) {
   if (island.resting()) return Ending::rested;

@@ -1,18 +1,11 @@
 // What a world holds for a mortar joint, container by container.
 #include <gtest/gtest.h>
 
+#include "support/inside_world.h"
 #include "support/mortared_wall.h"
-#include "world/world_impl.h"
 
 namespace brickfall::test {
 namespace {
-
-// The world's insides: an explicit instantiation may name what is private.
-auto insideOfAWorld();
-template <auto member> struct Inside {
-  friend auto insideOfAWorld() { return member; }
-};
-template struct Inside<&World::impl_>;
 
 struct MortarBytes {
   double slots = 0;      // the joints themselves
@@ -24,7 +17,7 @@ struct MortarBytes {
 
 // By joint. Slots with the room that their list has left.
 MortarBytes bytesOfMortar(World& world) {
-  auto& w = *(world.*insideOfAWorld());
+  auto& w = inside(world);
   const std::size_t joints = w.ties.mortar.slots.size();
   MortarBytes sum;
   sum.slots = double(w.ties.mortar.slots.capacity() * sizeof(Mortar));
