@@ -444,8 +444,8 @@ Parting Fitting::partingOf(const Near& n, const Manifold& m, const Transform& po
 }
 
 // The work against gravity and outside forces is taken from the body's own motion if nothing presses on it, seen from
-// what it is shifted out of: the last check asks groups alone that are supported. It is taken along the force, as if
-// the body had flown so far against it: it is not thrown aside.
+// what it is shifted out of: the last check asks groups alone that are supported. It is taken along the force first, as
+// if the body had flown so far against it, and then from what goes across: it is slowed down, and not thrown aside.
 bool Fitting::shiftBy(End& end, Vec3 way, Vec3 turn, Vec3 frame, bool pays) {
   const BodyIndex body = end.body;
   if (pays) {
@@ -455,10 +455,14 @@ bool Fitting::shiftBy(End& end, Vec3 way, Vec3 turn, Vec3 frame, bool pays) {
     const double work = std::max(0.0, -dot(force, way));
     if (work > 0) {
       const Vec3 along = normalized(force);
-      const double speed = dot(s.velocity - frame, along);
-      const double left = speed * speed - 2 * work * end.invMass;
-      if (!(left > 0)) return false;
-      accelerate(body, along * (std::copysign(std::sqrt(left), speed) - speed), {}, context_);
+      const Vec3 velocity = s.velocity - frame;
+      const double speed = dot(velocity, along), left = speed * speed - 2 * work * end.invMass;
+      const Vec3 across = velocity - along * speed;
+      const double squared = lengthSquared(across);
+      if (!(left + squared > 0)) return false;
+      const Vec3 paid = left >= 0 ? along * (std::copysign(std::sqrt(left), speed) - speed)
+                                  : across * (std::sqrt(1 + left / squared) - 1) - along * speed;
+      accelerate(body, paid, {}, context_);
     }
   }
   const double far = length(turn);
