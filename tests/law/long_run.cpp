@@ -31,6 +31,7 @@ TEST(LongAnywhere, Row31dOpenings) { sweepOpenings(18); }
 TEST(LongAnywhere, Row31eBreakOuts) { sweepBreakOuts(18); }
 TEST(LongAnywhere, Row31mPiers) { sweepPiers(18); }
 TEST(LongAnywhere, Row31nPushedWalls) { sweepPushedWalls(18); }
+TEST(LongAnywhere, Row31vShearWalls) { sweepShearWalls(18); }
 
 TEST(LongRun, Row13TenMinutes) {
   ValidationCurve curve{"13",      "Wall of 10 courses x 10, ten minutes: how far its bricks are below their place",

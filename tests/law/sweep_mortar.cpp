@@ -122,7 +122,63 @@ struct LeanWall : Glued {
   std::size_t bricks = 0;
 };
 
+// A wall of 0.99 m x 1 m x 0.1 m between a fixed base and a beam that stays level and is free to rise: it cracks and
+// rocks about two opposite corners. What its mortar bears while it opens adds to that as long as the crack is short: so
+// its energy in tension is small, and its friction so large that nothing slides.
+struct ShearWall : Glued {
+  explicit ShearWall(const GluedSetup& setup) : Glued(setup) {
+    brick({0.5 * kLength, -0.05, 0}, BodyType::fixed, {kLength, 0.1, kThick});
+    for (int course = 0; course < kCourses; course++)
+      for (int i = 0; i < 5; i++) {
+        const bool bat = i == (course % 2 == 0 ? 4 : 0);
+        const double from = (i - (course % 2 != 0 && i > 0 ? 0.5 : 0.0)) * kPitch, size = bat ? 0.5 * kPitch : kPitch;
+        brick({from + 0.5 * size, (course + 0.5) * kCourse, 0}, BodyType::dynamic, {size, kCourse, kThick});
+      }
+    Box beam{{0.5 * kLength, kHeight + 0.05, 0}, {kLength, 0.1, kThick}};
+    beam.locks = AxisLocks::noTurns();
+    box(beam);
+    strength.tensionEnergy *= 0.03;
+    strength.friction = 1.3;
+    glue();
+  }
+  void press(double pressure, double along, double dt) {
+    const std::size_t beam = boxes.size() - 1;
+    push(beam, {along, weight(beam) - pressure * kLength * kThick, 0});
+    step(dt);
+  }
+  // N: on the beam, when it has gone by a twentieth of the wall's thickness.
+  double bears(double pressure, double expected, double dt) {
+    for (int i = 0; i < int(std::lround(0.2 / dt)); i++) press(pressure, 0, dt);
+    double force = 0;
+    while (move(boxes.size() - 1).x < 0.05 * kThick && force < 2 * expected) {
+      force += (force < 0.8 * expected ? 2.5 : 0.1) * expected * dt;
+      press(pressure, force, dt);
+    }
+    return force;
+  }
+  double wallWeight() const {
+    double sum = 0;
+    for (std::size_t i = 1; i + 1 < boxes.size(); i++) sum += weight(i);
+    return sum;
+  }
+  static constexpr double kPitch = 0.22, kLength = 0.99, kThick = 0.1, kHeight = 1;  // m
+  static constexpr int kCourses = 18;
+  static constexpr double kCourse = kHeight / kCourses;
+};
+
 }  // namespace
+
+void sweepShearWalls(int cases) {
+  Sweep sweep("a wall sheared under a level beam: force off (N + W / 2) (L / H) (1 - nu) by", 5, "%");
+  for (const GluedSetup& setup : gluedSetups(cases))
+    for (double pressure : {0.3e6, 0.6e6}) {
+      ShearWall wall(setup);
+      const double load = pressure * wall.kLength * wall.kThick, toe = pressure / (0.85 * wall.strength.compression);
+      const double expected = (load + 0.5 * wall.wallWeight()) * wall.kLength / wall.kHeight * (1 - toe);
+      sweep.add(setup.dt, percentOff(wall.bears(pressure, expected, setup.dt), expected),
+                setup.text() + label(", under %.1f MPa", pressure * 1e-6));
+    }
+}
 
 void sweepCouplets(int cases) {
   Sweep pull("a couplet: pull that breaks it, off ft A by", 1, "%"),

@@ -31,6 +31,7 @@ TEST(LawAnywhere, Row31cTriplets) { sweepTriplets(2); }
 TEST(LawAnywhere, Row31dOpenings) { sweepOpenings(2); }
 TEST(LawAnywhere, Row31mPiers) { sweepPiers(1); }
 TEST(LawAnywhere, Row31nPushedWalls) { sweepPushedWalls(1); }
+TEST(LawAnywhere, Row31vShearWalls) { sweepShearWalls(1); }
 
 }  // namespace
 }  // namespace brickfall::law

@@ -32,5 +32,6 @@ void sweepOpenings(int cases);     // row 31d
 void sweepBreakOuts(int cases);    // row 31e
 void sweepPiers(int cases);        // row 31m
 void sweepPushedWalls(int cases);  // row 31n
+void sweepShearWalls(int cases);   // row 31v
 
 }  // namespace brickfall::law

@@ -34,6 +34,7 @@ struct Sums {
   // Energy that no input accounts for: J, and J/kg of all bodies.
   double joints = -1e300;    // J: what contacts ever gave in a step beyond what they held, less the rounding of floats
   double unsolved = -1e300;  // J: most that what the solve left ever gave in a step
+  double renewed = 0;        // J: most that contacts were ever told to hold in a step without moving
   double withElastic = -1e300;  // J: largest rise in a step, of all energy with what contacts hold
   double largestRise = -1e300, largestRisePerMass = -1e300;
   int riseStep = 0;
@@ -82,6 +83,8 @@ struct Sums {
     const double known = world.mortars().empty() ? 0 : 1.5e-3 * l.before.kinetic;
     joints = std::max(joints, made - known - 1e-7 * (mass + l.before.kinetic + l.before.elastic));
     unsolved = std::max(unsolved, l.solve.energy);
+    renewed = std::max(renewed, l.renewed.elastic);
+    moved_ = std::max({moved_, l.before.kinetic, l.after.kinetic});
     const double elastic = l.after.elastic - l.before.elastic;
     const double input = l.forces.energy + l.supports.energy, rise = energyOf(l.after) - energyOf(l.before) - input;
     if (rise > largestRise) {
@@ -96,9 +99,11 @@ struct Sums {
     low_ = std::min(low_, net);
     recovered = std::max(recovered, net - low_);
   }
+  // J: that moved, or was lost.
+  double spent() const { return moved_ - low_; }
 
  private:
-  double low_ = 0;
+  double low_ = 0, moved_ = 0;
 
   void measureBodies(const World& world) {
     mass = reach = 0;

@@ -16,6 +16,11 @@ double springEnergy(double stiffness, double way, double multiplier) {
   return 0.5 * stiffness * way * way + decaying * decaying / (6 * stiffness);
 }
 
+// So far apart that it presses only after both have come nearer.
+bool opened(double stiffness, double gap, double multiplier) {
+  return gap > 0 && stiffness * gap >= double(kMultiplierShare) * multiplier;
+}
+
 }  // namespace
 
 double elasticEnergy(const Contact& c, const StepContext& context) {
@@ -31,7 +36,7 @@ double elasticEnergy(const Contact& c, const StepContext& context) {
       sum += left(c.points.forceN[i]) + left(c.points.force1[i]) + left(c.points.force2[i]);
       continue;
     }
-    sum += springEnergy(k, gap, c.points.multiplierN[i]);
+    if (!opened(k, gap, c.points.multiplierN[i])) sum += springEnergy(k, gap, c.points.multiplierN[i]);
     // A point that slid gets the place at which its spring carries the sliding force; a point that opened lets go of
     // its anchor.
     bool sticks = c.points.stickingMask >> i & 1;

@@ -49,6 +49,15 @@ TEST(ContactEnergy, WhatIsOpenOrFreshHoldsNothing) {
   }
   m.stickingMask = 0;
   EXPECT_EQ(held(lab), 0);
+  // With a force left: it presses on below half of force / k, and further out it would have to come nearer first.
+  for (double share : {0.4, 0.6, 1e6}) {
+    for (int i = 0; i < 4; i++) {
+      m.multiplierN[i] = m.forceN[i] = 25;
+      m.gap[i] = float(share * 25 / k);
+      m.drift1[i] = 0;
+    }
+    EXPECT_EQ(held(lab) > 0, share < 0.5) << share;
+  }
 }
 
 TEST(ContactEnergy, AnImpactHoldsWhatARestingPointWouldUnderItsLastForce) {
