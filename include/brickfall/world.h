@@ -215,7 +215,7 @@ class World {
   // first; false: they never touch. It must answer by nothing but the two shapes, always the same: it is asked again whenever
   // the two come near each other, on the thread that steps, and never when they no longer are apart. It must not throw; calls
   // that change the world answer wrongState meanwhile. Set it before the bodies come that it is for: pairs that are near each
-  // other already are not asked about. A snapshot does not hold it; restore keeps it. Empty: none.
+  // other already are not asked about. Sensors do not ask it. A snapshot does not hold it; restore keeps it. Empty: none.
   using ContactFilter = std::function<bool(ShapeId, ShapeId)>;
   Status setContactFilter(ContactFilter filter);
 

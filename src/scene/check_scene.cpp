@@ -149,13 +149,29 @@ void warnOfLaunches(const SceneDescription& scene, std::vector<Diagnostic>& out)
                                 " s"));
 }
 
+// Whether an opening goes on above in another, or something stands in it as an arch does: of straight walls.
+bool isFilledAbove(const SceneDescription& scene, const WallDef& wall, const Opening& opening) {
+  if (!wall.path.empty() || wall.radius > 0) return false;
+  const double head = opening.sill + opening.height;
+  for (const Opening& other : wall.openings)
+    if (std::fabs(other.sill - head) < 0.5 * wall.brick.size.y && other.from <= opening.from &&
+        other.from + other.width >= opening.from + opening.width)
+      return true;
+  const Quat back = conjugate(quatFromAxisAngle({0, 1, 0}, wall.yawDegrees * scene::kRadians));
+  return std::any_of(scene.bodies.begin(), scene.bodies.end(), [&](const SceneBody& body) {
+    const Vec3 at = rotate(back, body.def.position - wall.position);
+    return body.def.type == BodyType::dynamic && at.x > opening.from && at.x < opening.from + opening.width &&
+           at.y > opening.sill && at.y < head && std::fabs(at.z) < 0.5 * wallThickness(wall);
+  });
+}
+
 void warnOfBareOpenings(const SceneDescription& scene, std::vector<Diagnostic>& out) {
   for (const SceneWall& wall : scene.walls)
     for (std::size_t i = 0; !wall.mortar && i < wall.wall.openings.size(); i++) {  // mortar may hold them
       const Opening& opening = wall.wall.openings[i];
       double height = wall.wall.courses * (wall.wall.brick.size.y + wall.wall.bedJoint);
       bool bricksAbove = opening.sill + opening.height < height - wall.wall.brick.size.y;
-      if (bricksAbove && opening.lintelHeight == 0)
+      if (bricksAbove && opening.lintelHeight == 0 && !isFilledAbove(scene, wall.wall, opening))
         out.push_back(
             warning(scene, i < wall.openingPlaces.size() ? wall.openingPlaces[i] : wall.place,
                     wall.wall.name + ".opening[" + std::to_string(i) + "]",

@@ -9,7 +9,6 @@
 #include "scene/shape_choices.h"
 
 namespace brickfall::scene {
-
 namespace {
 
 using K = KeyKind;
@@ -334,6 +333,7 @@ void addArchKeys(std::vector<KeySpec>& keys) {
   keys.push_back({"arch", "stones", K::integer, "", 2, 1000, "21", "", "how many"});
   keys.push_back({"arch", "radius", K::number, "m", kSmall, kLarge, "1", "", "of the line through the middle of the stones"});
   keys.push_back({"arch", "thickness", K::number, "m", kSmall, kLarge, "0.2", "", "along the radius"});
+  keys.push_back({"arch", "block", K::pair, "m", kSmall, kLarge, "-", "", "width and height (from the centre up) of a block that its stones fill: of an opening of a wall"});
   keys.push_back({"arch", "depth", K::number, "m", kSmall, kLarge, "0.3", "", "along the arch's axis (z)"});
   keys.push_back({"arch", "angle_degrees", K::number, "degrees", 1, 180, "180", "", "that it spans; 180: half a circle, its feet flat"});
   keys.push_back({"arch", "position", K::vector, "m", -kFar, kFar, "[0, 0, 0]", "", "the circle's centre"});

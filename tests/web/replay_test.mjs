@@ -100,6 +100,11 @@ try {
   await page.waitForFunction(() => window.brickfall?.ready, null, patience);
   let standing;
 
+  await check('the first picture is drawn once', async () => {
+    await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => requestAnimationFrame(done)))));
+    assert.equal(await page.evaluate(() => window.brickfall.drawn), 1);
+  });
+
   await check('opens from disk and asks for nothing else', async () => {
     assert.deepEqual(requests.map((url) => url.split('#')[0]), [`file://${file}`]);
     assert.equal(await page.evaluate(() => window.brickfall.frameCount), 240);

@@ -2,7 +2,7 @@
 
 LIMITS: pages that have grown beyond use once, with the words that they may have in all (as `wc -w` counts, tables included) and in a
 sentence (code and tables excepted). Every link to a heading must meet one, as GitHub names it, in each page of the project; every page of
-docs/ that any file names must be there; every shipped scene must be in the table of docs/scene-file.md.
+docs/ that any file names must be there, and some way by links must lead to it from docs/README.md; every shipped scene must be in the table of docs/scene-file.md.
 """
 import os
 import re
@@ -15,6 +15,7 @@ LIMITS.update({f"docs/{page}.md": (10**6, 36) for page in (
     "README tutorial animators game-programmers teachers engineers faq scene-file command-line outputs summary series export render "
     "viewer").split()})
 LIMITS["README.md"] = (10**6, 36)
+LIMITS["CHANGELOG.md"] = (10**6, 40)
 
 
 def paragraphs(text):
@@ -89,8 +90,24 @@ def check_scenes(names):
             errors.append(f"docs/scene-file.md: the shipped scene {file[:-5]} is not in its table")
 
 
+def check_reached(names):
+    """Pages of docs/ to which no way by links leads from its index."""
+    reached, waiting = {"docs/README.md"}, ["docs/README.md"]
+    while waiting:
+        page = waiting.pop()
+        for target in re.findall(r"\]\(([^)\s#]+)", read(page) or ""):
+            found = os.path.normpath(os.path.join(os.path.dirname(page), target))
+            if found.endswith(".md") and found not in reached and os.path.isfile(os.path.join(ROOT, found)):
+                reached.add(found)
+                waiting.append(found)
+    for name in names:
+        if name.startswith("docs/") and name.endswith(".md") and name not in reached:
+            errors.append(f"{name}: no link leads here from docs/README.md")
+
+
 def check(names):
     check_scenes(names)
+    check_reached(names)
     known = {}
     for name in names:
         text = read(name)

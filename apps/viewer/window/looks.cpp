@@ -16,14 +16,13 @@
 #include "appearance/noise.h"
 #include "viewer_window/depth_shadows.h"
 #include "viewer_window/programs.h"
+#include "viewer_window/strips.h"
 
 namespace brickfall::viewer {
 namespace {
 
 constexpr double kPlaneReach = 400;  // m: a fixed plane is drawn this far; haze hides its end
-// Of a brick's texture, which cut bricks and stones of other sizes wear too: a part of it, or mirrored on.
-constexpr float kBrickHalf[3] = {0.1075f, 0.0325f, 0.05125f};
-constexpr float kTile = 0.5f;  // m: side of all other textures
+constexpr float kTile = 0.5f;        // m: side of all other textures
 constexpr std::uint32_t kMortarColour = 0xA9A69F;
 constexpr int kPatterns = 4;  // of each surface, so that neighbours differ
 
@@ -81,27 +80,6 @@ Layers bakeLayers(const SurfaceKey& surface) {
     out.normal.insert(out.normal.end(), image.normal.begin(), image.normal.end());
   }
   return out;
-}
-
-// A strip along an edge belongs to two faces, but wears the texture of one: between the places of two textures it would wear all of
-// both.
-void giveStripsOneFace(DrawMesh& mesh, Vec3 half) {
-  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
-    const std::uint32_t first = mesh.indices[i];
-    const std::array<float, 3> outwards = mesh.normals[first];
-    const int axis = int(mesh.uvs[first][2]), u = (axis + 1) % 3, v = (axis + 2) % 3;
-    for (std::size_t k = 1; k < 3; k++) {
-      const std::uint32_t corner = mesh.indices[i + k];
-      if (int(mesh.uvs[corner][2]) == axis) continue;
-      const std::array<float, 3> at = mesh.positions[corner], normal = mesh.normals[corner];
-      mesh.indices[i + k] = std::uint32_t(mesh.positions.size());
-      mesh.positions.push_back(at);
-      mesh.normals.push_back(normal);
-      // As boxMesh lays it.
-      mesh.uvs.push_back({(float(half[u]) + at[std::size_t(u)] * outwards[std::size_t(axis)]) / (2 * kBrickHalf[u]),
-                          (float(half[v]) - at[std::size_t(v)]) / (2 * kBrickHalf[v]), float(axis)});
-    }
-  }
 }
 
 }  // namespace

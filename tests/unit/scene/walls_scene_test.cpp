@@ -71,6 +71,36 @@ TEST(MeetingWalls, ARoofStandsOnTwoWalls) {
   EXPECT_EQ(sound(nailed).joints.size(), 8u);
 }
 
+// A doorway with an arched head: the wall leaves out a block, which the arch's stones fill.
+TEST(MeetingWalls, AnArchFillsAnOpeningAndCarriesWhatIsAbove) {
+  const std::string text =
+      "[[wall]]\nbricks = 9\ncourses = 14\n"
+      "[[wall.opening]]\nfrom = 0.645\nwidth = 0.645\nheight = 0.26\nlintel_height = 0\n"
+      "[[wall.opening]]\nfrom = 0.5375\nwidth = 0.86\nsill = 0.26\nheight = 0.455\nlintel_height = 0\n"
+      "[[arch]]\nstones = 9\nradius = 0.3725\nthickness = 0.1\ndepth = 0.1025\nblock = [0.86, 0.455]\nposition = "
+      "[0.9675, "
+      "0.26, 0]\n";
+  const SceneDescription scene = sound(text);
+  EXPECT_EQ(allOf(checkScene(scene)), "");
+  Result<SceneRun> run = SceneRun::create(scene);
+  ASSERT_TRUE(run.ok()) << run.error().message;
+  double area = 0;
+  for (const PlacedBody& body : run->bodies())
+    if (body.name.starts_with("arch")) area += run->world().state(body.id)->mass / (1900 * 0.1025);
+  // The block without half a circle, whose round is of chords.
+  EXPECT_NEAR(area, 0.86 * 0.455 - 0.5 * 9 * std::sin(20 * 0.017453292519943295) * 0.3225 * 0.3225, 1e-6);
+  for (int i = 0; i < 60; i++) ASSERT_TRUE(run->step().ok());
+  for (const PlacedBody& body : run->bodies())
+    EXPECT_LT(length(run->world().state(body.id)->position - body.def.position), 0.002) << body.name;
+  EXPECT_FALSE(run->world().castRay({0.9675, 0.5, 1}, {0, 0, -1}, 2)->has_value());
+  EXPECT_TRUE(run->world().castRay({0.9675, 0.65, 1}, {0, 0, -1}, 2)->has_value());
+}
+
+TEST(MeetingWalls, ABlockHasRoomForItsOpening) {
+  EXPECT_TRUE(has(faults("[[arch]]\nblock = [1.7, 2]\n"), "expected more than 1.8 x 0.9 m"));
+  EXPECT_TRUE(has(faults("[[arch]]\nblock = [3, 2]\nangle_degrees = 90\n"), "expected 180 where there is a block"));
+}
+
 // One rule: the material of the walls.
 TEST(MeetingWalls, ABrickIsWhatIsMadeOfTheWallsMaterial) {
   const SceneDescription scene = sound(
