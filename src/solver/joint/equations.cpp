@@ -29,7 +29,8 @@ void setHard(EquationSet& set, Vec3 error, int first = 0) {
 JointEquation limitOf(const Joint& joint, double at) {
   if (!(joint.lower < joint.upper)) return {JointLaw::hard, at - joint.upper};
   const bool upper = joint.upper - at < at - joint.lower;
-  return upper ? JointEquation{JointLaw::atMost, at - joint.upper} : JointEquation{JointLaw::atLeast, at - joint.lower};
+  return {upper ? JointLaw::atMost : JointLaw::atLeast, at - (upper ? joint.upper : joint.lower), 0,
+          joint.upper - joint.lower};
 }
 
 void setFree(const Joint& joint, double at, EquationSet& set) {
@@ -44,7 +45,7 @@ Vec3 swingOf(Vec3 a, Vec3 b) {
 }
 
 // Points: all three ways. The axes are the world's, whatever turns.
-void spherical(const Joint& joint, const JointPose& pose, JointSystem& out) {
+void spherical(const Joint& joint, const JointPose& pose, Vec3 turning, JointSystem& out) {
   setHard(out.way, pose.way);
   if (!joint.limited && !joint.coned) return;
   const Vec3 a = axisOf(pose.frameA, 0), b = axisOf(pose.frameB, 0), swing = swingOf(a, b);
@@ -53,8 +54,13 @@ void spherical(const Joint& joint, const JointPose& pose, JointSystem& out) {
   completeAxes(out.turn.axes);
   if (joint.limited) out.turn.of[0] = limitOf(joint, out.position);
   if (!joint.coned) return;
-  if (lengthSquared(swing) > 0) out.turn.axes[1] = normalized(swing);
-  out.turn.of[1] = {JointLaw::atMost, length(swing) - joint.cone};
+  Vec3 leads = swing + turning;
+  leads -= out.turn.axes[0] * dot(out.turn.axes[0], leads);
+  if (lengthSquared(leads) > 0) {
+    out.turn.axes[1] = normalized(leads);
+    out.turn.axes[2] = cross(out.turn.axes[0], out.turn.axes[1]);
+  }
+  out.turn.of[1] = {JointLaw::atMost, dot(out.turn.axes[1], swing) - joint.cone, 0, 2 * joint.cone};
 }
 
 Vec3 turnBetween(const JointPose& pose) { return rotationVector(normalized(pose.frameB * conjugate(pose.frameA))); }
@@ -119,12 +125,12 @@ double positionOf(const Joint& joint, const JointPose& pose) {
 
 }  // namespace
 
-JointSystem equationsOf(const Joint& joint, const JointPose& pose) {
+JointSystem equationsOf(const Joint& joint, const JointPose& pose, Vec3 turning) {
   JointSystem out;
   out.position = positionOf(joint, pose);
   switch (joint.type) {
     case JointType::spherical:
-      spherical(joint, pose, out);
+      spherical(joint, pose, turning, out);
       break;
     case JointType::fixed:
       fixed(joint, pose, out);

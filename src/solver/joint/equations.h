@@ -1,6 +1,8 @@
 // The types of joints: each is a list of equations, written from the poses of its bodies at the start of a step. A new
 // type is a function here.
 #pragma once
+#include <limits>
+
 #include "dynamics/joint.h"
 
 namespace brickfall {
@@ -18,8 +20,9 @@ enum class JointLaw : std::uint8_t {
 
 struct JointEquation {
   JointLaw law = JointLaw::none;
-  double error = 0;  // m or rad: what it measures
-  double speed = 0;  // m/s or rad/s, of a motor
+  double error = 0;                                       // m or rad: what it measures
+  double speed = 0;                                       // m/s or rad/s, of a motor
+  double room = std::numeric_limits<double>::infinity();  // m or rad: to a limit's other bound
 };
 
 // Along or about three axes, and the first once more.
@@ -37,6 +40,7 @@ struct JointSystem {
   double span = 0;      // m: of a line between two points
 };
 
-JointSystem equationsOf(const Joint& joint, const JointPose& pose);
+// `turning` is the turn of B against A that is expected, rad: a cone lies where it leads to.
+JointSystem equationsOf(const Joint& joint, const JointPose& pose, Vec3 turning = {});
 
 }  // namespace brickfall

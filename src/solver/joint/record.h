@@ -4,6 +4,7 @@
 //
 //   f = trial - k C, not below `least`, not above `most`        C: way (m) or turn (rad) in the step, along its axis
 //
+// A limit has two bounds: one is written so, and where trial - k C goes beyond `other`, the second one gives the rest.
 // Hard joints have a multiplier in `trial`, which follows the force within the solve (rows.h). Limits, ropes, motors
 // and springs differ from them in k, trial and range alone.
 #pragma once
@@ -26,6 +27,7 @@ struct alignas(16) JointEquations {
   float k[kJointLanes] = {};  // N/m, or N m/rad; 0: no equation, or a force that is given
   float trial[kJointLanes] = {};
   float least[kJointLanes] = {}, most[kJointLanes] = {};
+  float other[kJointLanes] = {};  // above 0 of an upper bound, below 0 of a lower one; 0: there is one bound
 };
 
 struct alignas(16) JointRecord {
@@ -35,7 +37,7 @@ struct alignas(16) JointRecord {
   std::uint32_t bodyB = 0;
   JointEquations way, turn;
 };
-static_assert(sizeof(JointRecord) == 256);
+static_assert(sizeof(JointRecord) == 288);
 
 namespace joint {
 
@@ -46,8 +48,13 @@ BRICKFALL_LANES V alongAxes(const JointEquations& e, V motion) {
   const V first = wide::load(&e.axes[0].unit.x) * motion;
   return wide::sums(first, wide::load(&e.axes[1].unit.x) * motion, wide::load(&e.axes[2].unit.x) * motion, first);
 }
+BRICKFALL_LANES V beyondOther(const JointEquations& e, V trial) {
+  const V other = wide::load(e.other), none = {};
+  return wide::keepIf((other > none) & (trial > other), trial - other) +
+         wide::keepIf((none > other) & (other > trial), trial - other);
+}
 BRICKFALL_LANES V clamped(const JointEquations& e, V trial) {
-  return -wide::max(-wide::max(trial, wide::load(e.least)), -wide::load(e.most));
+  return -wide::max(-wide::max(trial, wide::load(e.least)), -wide::load(e.most)) + beyondOther(e, trial);
 }
 BRICKFALL_LANES V trialOf(const JointEquations& e, V motion) {
   return wide::load(e.trial) - wide::load(e.k) * alongAxes(e, motion);
@@ -86,8 +93,9 @@ inline Reading readingAt(const JointRecord& r, const SolveMotion* motion) {
 
 // Equations within their range resist.
 inline void addStiffness(const JointEquations& e, V motion, V out[3]) {
-  const V trial = trialOf(e, motion);
-  const V k = wide::keepIf((trial > wide::load(e.least)) & (wide::load(e.most) > trial), wide::load(e.k));
+  const V trial = trialOf(e, motion), other = wide::load(e.other), none = {}, all = wide::load(e.k);
+  const V k = wide::keepIf((trial > wide::load(e.least)) & (wide::load(e.most) > trial), all) +
+              wide::keepIf((other > none) & (trial > other), all) + wide::keepIf((none > other) & (other > trial), all);
   const float by[3] = {k[0] + k[3], k[1], k[2]};
   for (int lane = 0; lane < 3; lane++) {
     const V axis = wide::load(&e.axes[lane].unit.x), weighted = axis * by[lane];

@@ -11,7 +11,7 @@ namespace {
 
 template <class Visit> void eachNumber(const JointRecord& r, Visit visit) {
   for (const JointEquations* e : {&r.way, &r.turn})
-    for (const float* list : {e->k, e->trial, e->least, e->most})
+    for (const float* list : {e->k, e->trial, e->least, e->most, e->other})
       for (int i = 0; i < kJointLanes; i++) visit(list[i]);
   for (const JointEquations* e : {&r.way, &r.turn})
     for (const auto& axis : e->axes)

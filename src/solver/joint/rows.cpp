@@ -119,12 +119,19 @@ double unresolved(double stiffness, double inert) {
   return fast * fast / (kResolved * kResolved + fast * fast);
 }
 
+bool isLimit(JointLaw law) { return law == JointLaw::atMost || law == JointLaw::atLeast; }
+bool isHard(JointLaw law) { return law == JointLaw::hard || isLimit(law); }
+
 // One equation from its law.
 void write(const Joint& joint, const JointEquation& from, const Firmness& firm, double before, float held, int lane,
            JointEquations& out) {
   out.least[lane] = -kNoLimit;
   out.most[lane] = kNoLimit;
   out.k[lane] = float(firm.hard);
+  out.other[lane] = 0;
+  if (isLimit(from.law) && from.room < kNoLimit)
+    out.other[lane] =
+        std::copysign(std::min(out.k[lane] * float(from.room), kNoLimit), from.law == JointLaw::atMost ? 1.0f : -1.0f);
   auto place = [&](double share) {
     const double error = share < 1 ? std::clamp(from.error, -firm.most, firm.most) : from.error;
     return held - float(firm.hard * share * error);
@@ -164,7 +171,21 @@ void write(const Joint& joint, const JointEquation& from, const Firmness& firm, 
   }
 }
 
-bool isHard(JointLaw law) { return law == JointLaw::hard || law == JointLaw::atMost || law == JointLaw::atLeast; }
+// The other bound of a limit.
+JointEquation otherBound(const JointEquation& e) {
+  const bool most = e.law == JointLaw::atMost;
+  return {most ? JointLaw::atLeast : JointLaw::atMost, e.error + (most ? e.room : -e.room), 0, e.room};
+}
+// The bound that is nearer where this way ends.
+JointEquation boundAhead(const JointEquation& e, double way) {
+  const bool other = isLimit(e.law) && (e.law == JointLaw::atMost ? -1 : 1) * (e.error + way) - 0.5 * e.room > 0;
+  return other ? otherBound(e) : e;
+}
+float heldBy(JointLaw law, double force) {
+  return float(law == JointLaw::atMost    ? std::min(force, 0.0)
+               : law == JointLaw::atLeast ? std::max(force, 0.0)
+                                          : force);
+}
 
 }  // namespace
 
@@ -188,8 +209,8 @@ struct Hanging {
 
   // The load that a joint of theirs must hold as one joint alone would hold it. Joints in a row give in a row: all of
   // their load hangs on a spring that is so much softer. But floats must tell the way of a body finely enough.
-  double load(double gravity, double dt) const {
-    const double inRow = kInRow * (mass + heaviest) * depth * depth / std::max(joints, 1.0);
+  double load(double gravity, double dt, double reach = 1) const {
+    const double inRow = kInRow * (mass + heaviest) * depth * depth / std::max(joints, 1.0) * reach;
     const double told =
         kMostRounded * lightest * gravity * dt / (kFirmness * 0.5 * kLastBit * (fastest + gravity * dt));
     return std::max(heaviest, std::min(inRow, told));
@@ -261,8 +282,11 @@ void JointRows::findLoads(const Island& island, const StepContext& context) {
   });
   auto setOf = [&](const JointRecord& r) -> Hanging& { return hanging[sets.find(std::min(r.bodyA, r.bodyB))]; };
   for (const JointRecord& r : records) setOf(r).joints++;
-  for (std::size_t k = 0; k < size(); k++)
-    starts[k].load = float(setOf(records[k]).load(context.judgingGravity, island.dt));
+  for (std::size_t k = 0; k < size(); k++) {
+    const Hanging& all = setOf(records[k]);
+    starts[k].load = float(all.load(context.judgingGravity, island.dt));
+    starts[k].turning = float(all.load(context.judgingGravity, island.dt, all.depth * all.depth));
+  }
 }
 
 // Puts the geometric stiffness of this force into the masses, in the place of that which is there.
@@ -328,9 +352,24 @@ void brake(const JointStart& start, Vec3 spin, double dt, JointEquations& turn) 
     }
 }
 
+// Adds an arc to the ways of all equations, a limit beside a motor as well.
+void takeArc(const JointStart& start, Vec3f arc, JointEquations& way) {
+  for (int i = 0; i < kJointLanes; i++) way.trial[i] -= start.bends * way.k[i] * dot(way.axes[i % 3].unit, arc);
+}
+
 // Velocities of the last step's way: those of now are up to date where a body swings.
 Vec3 before(const Island& island, std::uint32_t local, Vec3 now, Vec3 FreeMotion::*late, const StepContext& context) {
   return local < island.bodies.size() ? now - context.free[island.bodies[local]].*late : now;
+}
+
+}  // namespace
+
+namespace {
+
+void measureArm(JointStart& start, int end, const BodyMass& mass, Vec3 arm, double dt) {
+  const double own = (mass.inertia.row[0].x + mass.inertia.row[1].y + mass.inertia.row[2].z) / 3;
+  start.swung[end] = float(mass.mass * lengthSquared(arm) / (dt * dt));
+  start.resist[end] = float((own + mass.mass * lengthSquared(arm)) / (dt * dt));
 }
 
 }  // namespace
@@ -348,24 +387,19 @@ void JointRows::prepare(Island& island, Ties& ties, const StepContext& context) 
     JointRecord& r = records[k];
     JointStart& start = starts[k];
     const JointPose pose(joint, bodies);
-    const JointSystem system = equationsOf(joint, pose);
     const BodyMotion &a = bodies.motion[joint.bodyA], &b = bodies.motion[joint.bodyB];
+    const Vec3 spinA = before(island, r.bodyA, a.angularVelocity, &FreeMotion::lateSpin, context),
+               spinB = before(island, r.bodyB, b.angularVelocity, &FreeMotion::lateSpin, context);
+    const JointSystem system = equationsOf(joint, pose, (spinB - spinA) * island.dt);
     const Vec3 armA = pose.armA + pose.way * system.onA, armB = pose.armB - pose.way * (1 - system.onB);
     r.armA = toFloat(armA);
     r.armB = toFloat(armB);
     start.anchorA = toFloat(pose.armA);
     start.anchorB = toFloat(pose.armB);
-    for (int end = 0; end < 2; end++) {
-      const BodyMass& mass = bodies.mass[end == 0 ? joint.bodyA : joint.bodyB];
-      const Vec3 arm = end == 0 ? pose.armA : pose.armB;
-      const double own = (mass.inertia.row[0].x + mass.inertia.row[1].y + mass.inertia.row[2].z) / 3;
-      start.swung[end] = float(mass.mass * lengthSquared(arm) / (island.dt * island.dt));
-      start.resist[end] = float((own + mass.mass * lengthSquared(arm)) / (island.dt * island.dt));
-    }
+    measureArm(start, 0, bodies.mass[joint.bodyA], pose.armA, island.dt);
+    measureArm(start, 1, bodies.mass[joint.bodyB], pose.armB, island.dt);
     start.bent = {};
     start.follows = start.hard = start.across = 0;
-    const Vec3 spinA = before(island, r.bodyA, a.angularVelocity, &FreeMotion::lateSpin, context),
-               spinB = before(island, r.bodyB, b.angularVelocity, &FreeMotion::lateSpin, context);
     const Vec3 speed = before(island, r.bodyB, b.linearVelocity, &FreeMotion::late, context) + cross(spinB, armB) -
                        before(island, r.bodyA, a.linearVelocity, &FreeMotion::late, context) - cross(spinA, armA);
     const double size = std::max(bodies.mass[joint.bodyA].outerRadius * (r.bodyA < island.bodies.size()),
@@ -373,7 +407,8 @@ void JointRows::prepare(Island& island, Ties& ties, const StepContext& context) 
     // A way that grew over a longer step is an arc of it: corrected at once, it would be a blow.
     const double part = island.dt / std::max(island.dt, joint.over), correct = double(kCorrect) * part * part;
     const bool arcs = island.plan.arcs;
-    const double most = arcs ? kSamePlace : double(kNoLimit);
+    const double farthest = arcs ? kSamePlace : double(kNoLimit);
+    start.correct = float(correct);
     const double firm = kFirmness * double(start.load) / (island.dt * island.dt);
     double gives = 0;
     if (r.bodyA < island.bodies.size()) gives += givenWay(bodies.mass[joint.bodyA], pose.armA);
@@ -384,20 +419,25 @@ void JointRows::prepare(Island& island, Ties& ties, const StepContext& context) 
                         JointEquations& out) {
       for (int i = 0; i < 3; i++) out.axes[i].unit = toFloat(set.axes[i]);
       for (int i = 0; i < kJointLanes; i++) {
-        const JointLaw law = set.of[i].law;
-        const bool follows = isHard(law) || law == JointLaw::motor;
         start.before[first + i] = float(dot(set.axes[i % 3], moves) * island.dt);
-        start.error[first + i] = float(set.of[i].error);
-        start.held[first + i] = follows ? float(held[i]) : 0;
+        const JointEquation e = boundAhead(set.of[i], double(start.before[first + i]));
+        const JointLaw law = e.law;
+        const bool follows = isHard(law) || law == JointLaw::motor;
+        start.error[first + i] = float(e.error);
+        start.room[first + i] = isLimit(law) && e.room < double(kNoLimit) ? float(e.room) : 0;
+        start.held[first + i] = follows ? heldBy(law, held[i]) : 0;
         if (follows) start.follows |= 1u << (first + i);
         if (isHard(law)) start.hard |= 1u << (first + i);
         if (law == JointLaw::across) start.across |= 1u << (first + i);
-        write(joint, set.of[i], {hard, inert, island.dt, correct, first == 0 ? most * size : double(kNoLimit)},
+        // What drives or rubs a turn need not be as firm.
+        const double firmness = law == JointLaw::motor && first > 0 ? firm * size * size : hard;
+        write(joint, e, {firmness, inert, island.dt, correct, first == 0 ? farthest * size : double(kNoLimit)},
               double(start.before[first + i]), start.held[first + i], i, out);
       }
     };
     writeSet(system.way, joint.way, speed, firm, 0, r.way);
-    writeSet(system.turn, joint.turn, spinB - spinA, firm * size * size, kJointLanes, r.turn);
+    const double firmTurn = kFirmness * double(start.turning) / (island.dt * island.dt);
+    writeSet(system.turn, joint.turn, spinB - spinA, firmTurn * size * size, kJointLanes, r.turn);
     brake(start, spinB - spinA, island.dt, r.turn);
     bend(k, toFloat(joint.force));
     if (start.across != 0) {
@@ -411,7 +451,7 @@ void JointRows::prepare(Island& island, Ties& ties, const StepContext& context) 
     if (joint.type == JointType::spring && r.way.k[0] > 0)
       start.bends = float(joint.stiffness * unresolved(joint.stiffness, inert)) / r.way.k[0];
     start.arc = arcAt(k, spinA * island.dt, spinB * island.dt, speed * island.dt);
-    for (int i = 0; i < 3; i++) r.way.trial[i] -= start.bends * r.way.k[i] * dot(r.way.axes[i].unit, start.arc);
+    takeArc(start, start.arc, r.way);
   }
 }
 
@@ -463,18 +503,45 @@ bool JointRows::followArcs(std::size_t k, const SolveMotion* motion, float slack
                           toDouble(wide::store3(joint::relativeMotion(r, motion).way)));
   const Vec3f by = arc - start.arc;
   float most = 0, force = 0;
-  for (int i = 0; i < 3; i++) {
-    most = std::max(most, std::fabs(start.bends * r.way.k[i] * dot(r.way.axes[i].unit, by)));
+  for (int i = 0; i < kJointLanes; i++) {
+    most = std::max(most, std::fabs(start.bends * r.way.k[i] * dot(r.way.axes[i % 3].unit, by)));
     force = std::max(force, std::fabs(start.held[i]));
   }
   if (!(most > slack * force)) return false;
-  for (int i = 0; i < 3; i++) r.way.trial[i] -= start.bends * r.way.k[i] * dot(r.way.axes[i].unit, by);
+  takeArc(start, by, r.way);
   start.arc = arc;
   return true;
 }
 
+// A limit that its other bound holds is written for that: what is far from the bound is told by fewer digits. True if
+// any changed.
+bool JointRows::watchBounds(std::size_t k, const SolveMotion* motion) {
+  JointRecord& r = records[k];
+  JointStart& start = starts[k];
+  const joint::Relative moved = joint::relativeMotion(r, motion);
+  bool any = false;
+  for (int i = 0; i < 2 * kJointLanes; i++) {
+    if (!(start.room[i] > 0)) continue;
+    const int lane = i % kJointLanes;
+    JointEquations& e = i < kJointLanes ? r.way : r.turn;
+    const bool most = e.most[lane] == 0;
+    const float trial = joint::trialOf(e, i < kJointLanes ? moved.way : moved.turn)[lane];
+    if (!(most ? trial > e.other[lane] : trial < e.other[lane])) continue;
+    auto counts = [&](float error) { return (error > 0) == most && error != 0 ? start.correct * error : error; };
+    const float error = start.error[i] + (most ? start.room[i] : -start.room[i]);
+    e.trial[lane] += e.k[lane] * (counts(start.error[i]) - error) - start.held[i];
+    start.held[i] = 0;
+    start.error[i] = error;
+    e.most[lane] = most ? kNoLimit : 0;
+    e.least[lane] = most ? 0 : -kNoLimit;
+    e.other[lane] = -e.other[lane];
+    any = true;
+  }
+  return any;
+}
+
 bool JointRows::settleBounds(std::size_t k, const SolveMotion* motion, float) {
-  const bool followed = follow(k, motion, kFollowed);
+  const bool turned = watchBounds(k, motion), followed = follow(k, motion, kFollowed) || turned;
   if (!timePasses_) return followed;
   if (!followArcs(k, motion, kFollowed) && !followed) return false;
   const Vec3f force = wide::store3(joint::readingAt(records[k], motion).force);
@@ -561,7 +628,7 @@ void JointRows::startImpact(const Island&, const StepContext&, double) {
       // What is not hard, and limits that are not reached.
       const bool open = (e.most[lane] == 0 && e.trial[lane] > 0) || (e.least[lane] == 0 && e.trial[lane] < 0);
       if (!(start.hard >> i & 1) || open) e.k[lane] = 0;
-      e.trial[lane] = start.held[i] = 0;
+      e.trial[lane] = e.other[lane] = start.held[i] = 0;
     }
   }
 }

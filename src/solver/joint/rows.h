@@ -51,9 +51,11 @@ struct JointStart {
   Vec3f arc;                           // m: what the arcs of both anchors add to the way of B against A; in `trial`
   float resist[2] = {};                // N m: inertia of each body about its anchor / dt^2; 0: nothing moves it
   float load = 0;                      // kg: of what hangs together by joints, and of what touches it
+  float turning = 0;                   // kg: the same, of a turn that moves all that hangs by it
   float held[2 * kJointLanes] = {};    // N, N m: multiplier in `trial`, ways and then turns
   float before[2 * kJointLanes] = {};  // m, rad: way of the last step along each axis
   float error[2 * kJointLanes] = {};   // m, rad: of hard equations
+  float room[2 * kJointLanes] = {};    // m, rad: of limits, from this bound to the other
   std::uint32_t follows = 0;           // bit per equation that has a multiplier
   float swung[2] = {};                 // N m: the part of `resist` that is the arm's
   JointArcs arcs = JointArcs::none;    // that the solve knows of
@@ -63,6 +65,7 @@ struct JointStart {
   float span = 0;                      // m: of the line
   float turned = 0;                    // N, of its force: as in `bent`
   float inert = 0;                     // N/m: inertia of both anchors against each other / dt^2
+  float correct = 0;                   // share of an old error that the step corrects
 };
 
 struct JointRows : LastingRows<JointRows, JointSet, &Ties::joints> {
@@ -161,6 +164,7 @@ struct JointRows : LastingRows<JointRows, JointSet, &Ties::joints> {
   Vec3f arcAt(std::size_t k, Vec3 turnA, Vec3 turnB, Vec3 way) const;
   bool followArcs(std::size_t k, const SolveMotion* motion, float slack);
   bool follow(std::size_t k, const SolveMotion* motion, float slack);
+  bool watchBounds(std::size_t k, const SolveMotion* motion);
 
   std::pmr::vector<SolveMass>* masses_ = nullptr;  // of the island, since prepare
   bool timePasses_ = true;                         // no impact is solved
