@@ -160,6 +160,7 @@ struct StepContext {
   std::vector<SolvedMotion> solved;                                      // by body slot
   std::vector<FlownAhead> ahead;                                         // by body slot
   SolveStatistics statistics;
+  bool freed = false;  // the last check let a group go freely
 
   double aheadOf(BodyIndex body) const { return body < ahead.size() ? ahead[body].share : 0; }
 };

@@ -395,7 +395,8 @@ bool Fitting::part(std::uint32_t number) {
   End &a = ends_[n.endA], &b = ends_[n.endB];
   if (!a.free || !b.free) a.free = b.free = false;
   const bool inFlight = a.free;
-  const Vec3 frameA = bodies_.motion[a.body].linearVelocity, frameB = bodies_.motion[b.body].linearVelocity;
+  auto frameOf = [&](BodyIndex body) { return bodies_.isDriven(body) ? bodies_.motion[body].linearVelocity : Vec3{}; };
+  const Vec3 frameA = frameOf(a.body), frameB = frameOf(b.body);
   const Parting by =
       inFlight ? partingInFlight(n, rotate(poseA.rotation, m.normal), deepest - n.had) : partingOf(n, m, poseA);
   const bool movedA = a.shifts && shiftBy(a, by.wayA, by.turnA, frameB, a.flies && !inFlight);

@@ -1,4 +1,5 @@
-// The last check on the energy of each island, once, when nothing changes its motion any more.
+// The last check on the energy of each island, once, when nothing changes its motion any more. A group that it lets go
+// freely goes a way that nobody has looked along: then once more.
 #include "solver/island_step.h"
 #include "solver/joint/velocities.h"
 #include "world/activity.h"
@@ -9,9 +10,17 @@
 
 namespace brickfall {
 
-void balanceIslands(const IslandSet& islands, Ties& ties, StepContext& context) {
-  for (const IslandPointer& island : islands.awake)
-    context.statistics.energyTaken += balanceIsland(*island, ties, context);
+void balanceIslands(const Registry& registry, const Activity& activity, const Proximity& proximity, Ties& ties,
+                    StepContext& context) {
+  auto balance = [&] {
+    context.freed = false;
+    for (const IslandPointer& island : activity.islands.awake)
+      context.statistics.energyTaken += balanceIsland(*island, ties, context);
+    return !context.freed;
+  };
+  if (balance()) return;
+  stopAtObstacles(registry, activity, proximity, context, true);
+  balance();
 }
 
 void hashBalance(const IslandSet& islands, const StepContext& context, HashItems& out) { out.solved(islands, context); }

@@ -102,7 +102,7 @@ struct Obstacles {
   bool goTogether(BodyIndex body, BodyIndex other) const;
   void divert(BodyIndex body, const Group& group, Vec3 way, double turnShare);
   void meet(BodyIndex body, const Obstruction& first);
-  void stopAll();
+  void stopAll(bool again);
   void takeBack(BodyIndex body);
   void stop(BodyIndex body);
   void hold(BodyIndex body, bool everything, double thickness);
@@ -141,7 +141,8 @@ std::span<const std::uint32_t> Obstacles::movesWith(const Island& island, BodyIn
 }
 
 // Leaves the body a share of its way, then `carried`, and a share of its turn; it keeps its velocities. All of a group
-// that flies goes the same share: its step ends there, and neither its linear nor its angular momentum changes.
+// that flies goes the same share, and is carried alike: its step ends there, and its bodies stay as they are to each
+// other.
 void Obstacles::cut(BodyIndex body, double share, double turnShare, Vec3 carried) {
   const Island* island = islandWith(body);
   const bool flies = context.solved[body].flying;
@@ -149,7 +150,7 @@ void Obstacles::cut(BodyIndex body, double share, double turnShare, Vec3 carried
   const std::span<const std::uint32_t> group = movesWith(*island, body);
   if (group.size() == 1) return shorten(body, share, turnShare, carried, flies, context);
   share = std::min(share, turnShare);
-  for (std::uint32_t i : group) shorten(island->bodies[i], share, share, {}, true, context);
+  for (std::uint32_t i : group) shorten(island->bodies[i], share, share, carried, true, context);
 }
 
 // What is far lighter is carried along and stops nothing: bricks pressed into a wrecking ball must not hold it in the
@@ -319,14 +320,14 @@ void Obstacles::meet(BodyIndex body, const Obstruction& first) {
   if (moves(first.body)) divert(first.body, b, toB * -shareOfB, otherShare);
 }
 
-void Obstacles::stopAll() {
+void Obstacles::stopAll(bool again) {
   auto each = [&](void (Obstacles::*act)(BodyIndex)) {
     for (const IslandPointer& island : islands.awake)
       if (!island->resting())
         for (BodyIndex body : island->bodies) (this->*act)(body);
     for (BodyIndex body : islands.single) (this->*act)(body);
   };
-  each(&Obstacles::takeBack);
+  if (!again) each(&Obstacles::takeBack);
   keepOut(activity, registry, proximity, context);
   changed = true;
   for (int look = 0; look < kMostLooks && changed; look++) {
@@ -396,12 +397,12 @@ void Obstacles::obstruct(ShapeIndex shape, bool everything, double thickness, Ob
 }  // namespace
 
 void stopAtObstacles(const Registry& registry, const Activity& activity, const Proximity& proximity,
-                     StepContext& context) {
+                     StepContext& context, bool again) {
   Obstacles{registry,        registry.bodies,
             registry.shapes, proximity,
             activity,        activity.islands,
             context,         LastingGroups(registry.bodies.motion.size(), activity.islands, context.memory)}
-      .stopAll();
+      .stopAll(again);
 }
 
 void hashObstacles(const IslandSet& islands, const StepContext& context, HashItems& out) {

@@ -53,11 +53,12 @@ void storeSolution(const WorldDef&, const Registry&, IslandSet&, Ties&, StepCont
 void hashStore(const IslandSet&, const Ties&, const StepContext&, HashItems&);
 void bookStore(const Registry&, const Activity&, const StepContext&, Diary&);
 
-void stopAtObstacles(const Registry&, const Activity&, const Proximity&, StepContext&);
+// `again`: ways are whole, none is without the share that was flown ahead.
+void stopAtObstacles(const Registry&, const Activity&, const Proximity&, StepContext&, bool again = false);
 void hashObstacles(const IslandSet&, const StepContext&, HashItems&);
 void bookObstacles(const Registry&, const Activity&, const StepContext&, Diary&);
 
-void balanceIslands(const IslandSet&, Ties&, StepContext&);
+void balanceIslands(const Registry&, const Activity&, const Proximity&, Ties&, StepContext&);
 void hashBalance(const IslandSet&, const StepContext&, HashItems&);
 void bookBalance(const Registry&, const Activity&, const StepContext&, Diary&);
 

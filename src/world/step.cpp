@@ -67,7 +67,7 @@ std::span<const World::Impl::StageRow> World::Impl::stageRows() {
        [](const W& w, H& out) { hashObstacles(w.activity.islands, w.solve.context, out); },
        [](W& w) { bookObstacles(w.registry, w.activity, w.solve.context, w.diary); }},
 
-      {Stage::balance, [](W& w) { balanceIslands(w.activity.islands, w.ties, w.solve.context); },
+      {Stage::balance, [](W& w) { balanceIslands(w.registry, w.activity, w.proximity, w.ties, w.solve.context); },
        [](const W& w, H& out) { hashBalance(w.activity.islands, w.solve.context, out); },
        [](W& w) { bookBalance(w.registry, w.activity, w.solve.context, w.diary); }},
 

@@ -260,4 +260,16 @@ RandomOutcome runWorld(RandomWorld& r) {
   return out;
 }
 
+void expectNothingFromNothing(RandomKind kind, int seed) {
+  RandomWorld random = drawWorld(kind, seed);
+  const RandomOutcome found = runWorld(random);
+  EXPECT_LE(found.gain, 1e-3) << random.text;
+  EXPECT_TRUE(found.finite) << random.text;
+  EXPECT_EQ(found.through, 0) << random.text;
+  EXPECT_LE(found.deep, 1) << random.text;
+  if (kind != RandomKind::space) return;
+  EXPECT_LE(found.linear, 1e-9) << random.text;
+  EXPECT_LE(found.angular, 1e-9) << random.text;
+}
+
 }  // namespace brickfall::law

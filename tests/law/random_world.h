@@ -34,5 +34,8 @@ struct RandomOutcome {
 };
 // Runs the world to its end.
 RandomOutcome runWorld(RandomWorld& random);
+// Runs it, and expects that nothing gains energy, goes through, is lost or is left deep in anything; in space, that momenta
+// stay.
+void expectNothingFromNothing(RandomKind kind, int seed);
 
 }  // namespace brickfall::law

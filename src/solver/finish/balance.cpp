@@ -333,12 +333,18 @@ class LastCheck {
     return excess;
   }
 
-  // While impacts go on, all that the group has lost since they began may come back.
+  // While impacts go on, all that the group has lost since they began may come back: to each body by the energy that it
+  // had and has, since the group may part before.
   void keepLosses(Bodies group, Vec3 frame, const Returned& back) {
     if (!back.owed) return;
-    const GroupEnergy energy = energyOf(island_, group, frame, context_);
-    const double loss = std::max(0.0, energy.lent - (energy.end - energy.start - energy.outside));
-    for (std::uint32_t i : group) keepLoss(island_.bodies[i], loss / double(group.size()), context_);
+    const GroupEnergy all = energyOf(island_, group, frame, context_);
+    const double loss = std::max(0.0, all.lent - (all.end - all.start - all.outside));
+    const double had = all.start + all.end + all.lent;
+    if (!(had > 0)) return;
+    for (std::uint32_t i : group) {
+      const GroupEnergy own = energyOf(island_, {&i, 1}, frame, context_);
+      keepLoss(island_.bodies[i], loss * ((own.start + own.end + own.lent) / had), context_);
+    }
   }
 
   const Island& island_;

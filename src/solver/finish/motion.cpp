@@ -108,6 +108,7 @@ void goFreely(BodyIndex body, StepContext& context) {
   storeFreeBody(body, free.dt, context);
   shortenFreeTurn(context, body, 1);
   if (context.aheadOf(body) > 0) takeBackAhead(body, context);
+  context.freed = true;
 }
 
 bool solvedWell(const Island& island, const StepContext& context) {
