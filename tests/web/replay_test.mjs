@@ -105,6 +105,17 @@ try {
     assert.equal(await page.evaluate(() => window.brickfall.drawn), 1);
   });
 
+  await check('the first picture is as all that follow', async () => {
+    const other = await browser.newPage({ viewport: { width: 480, height: 270 } });
+    await other.goto(`file://${file}#paused&picture&shade=1`, patience);
+    await other.waitForFunction(() => window.brickfall?.ready, null, patience);
+    const first = await other.screenshot(patience);
+    await other.evaluate(() => window.brickfall.setShade(1));
+    await other.waitForFunction(() => window.brickfall.drawn > 1, null, patience);
+    assert.ok(first.equals(await other.screenshot(patience)));
+    await other.close();
+  });
+
   await check('opens from disk and asks for nothing else', async () => {
     assert.deepEqual(requests.map((url) => url.split('#')[0]), [`file://${file}`]);
     assert.equal(await page.evaluate(() => window.brickfall.frameCount), 240);

@@ -142,9 +142,9 @@ export class Stage {
     this.camera.near = Math.min(1, Math.max(0.008, 0.03 * this.controls.getDistance()));
     this.camera.updateProjectionMatrix();
     this.camera.updateMatrixWorld();
-    this.shade.render();
-    this.sky.position.copy(this.camera.position);
+    this.sky.position.copy(this.camera.position); // before the shade, which sees it from inside as nothing
     this.sky.scale.setScalar(this.camera.far * 0.5);
+    this.shade.render();
     this.renderer.render(this.scene, this.camera);
   }
 }
