@@ -46,6 +46,7 @@ struct Joint {
   double meanForce = 0, meanTorque = 0;  // N, N m: over kReferenceStep, what a break is judged by
 
   bool gone() const { return false; }
+  bool endsNow() const { return false; }
   bool collides() const { return collide; }
   bool names(BodyIndex body) const { return bodyA == body || bodyB == body; }
 };

@@ -70,10 +70,13 @@ template <class Tie, LinkKind kKind> class LastingTies {
     for (Index i = 0; i < slots.size(); i++)
       if (slots[i].alive && (slots[i].bodyA == body || slots[i].bodyB == body)) destroy(i);
   }
+  // A tie that ends with the step keeps its bodies apart no more, from where its island was stored on.
   bool mayCollide(BodyIndex a, BodyIndex b) const {
-    const Pair pair = pairOf(a, b);
-    const auto place = placeOf(pair);
-    return place == apart_.end() || pairOf(*place) != pair;
+    return everyTie(a, b, [](const Tie& tie) { return tie.endsNow(); });
+  }
+  // Nothing keeps the two apart from one step to the next.
+  bool strangers(BodyIndex a, BodyIndex b) const {
+    return everyTie(a, b, [](const Tie&) { return false; });
   }
   void keepRoom(std::size_t) {}  // such ties come between steps only
   // A tie whose body moves or takes part or not from now on.
@@ -191,6 +194,13 @@ template <class Tie, LinkKind kKind> class LastingTies {
   typename std::vector<Index>::const_iterator placeOf(Pair pair) const {
     return std::lower_bound(apart_.begin(), apart_.end(), pair,
                             [&](Index tie, Pair than) { return pairOf(tie) < than; });
+  }
+  // Of those that keep the two apart.
+  template <class Ask> bool everyTie(BodyIndex a, BodyIndex b, Ask&& ask) const {
+    const Pair pair = pairOf(a, b);
+    for (auto place = placeOf(pair); place != apart_.end() && pairOf(*place) == pair; ++place)
+      if (!ask(slots[*place])) return false;
+    return true;
   }
   void part(Index tie) {
     grow(apart_);

@@ -39,6 +39,7 @@ struct Mortar {
   bool broken : 1 = false;
   bool opens : 1 = false;    // it took some of its energy in the last step; crushed, that nothing presses on it
   bool crushed : 1 = false;  // it is told as broken, and bears pressure until it opens
+  bool ends : 1 = false;     // with this step: nothing is left that opens, or crushes, the face
   BodyIndex bodyA = kNoIndex, bodyB = kNoIndex;
   float area = 0;                          // m2
   std::uint64_t order = 0;                 // grows with creation
@@ -58,6 +59,7 @@ struct Mortar {
   Vec3T<float> force, torque;  // N, N m, from A on B, about the face's centre: in the last step
 
   bool gone() const { return broken; }
+  bool endsNow() const { return ends; }
   bool collides() const { return broken; }
   bool names(BodyIndex body) const { return bodyA == body || bodyB == body; }
 };

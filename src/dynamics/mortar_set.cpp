@@ -64,6 +64,7 @@ void MortarSet::breakUp(MortarIndex index) {
   letCollide(index);
   Mortar& m = slots[index];
   m.broken = m.idle = true;
+  m.ends = false;
   m.damage = 1;
   m.force = m.torque = {};
 }
@@ -71,7 +72,7 @@ void MortarSet::breakUp(MortarIndex index) {
 void MortarSet::crush(MortarIndex index) {
   Mortar& m = slots[index];
   m.crushed = true;
-  m.opens = false;
+  m.opens = m.ends = false;
   m.damage = 1;
 }
 

@@ -36,11 +36,11 @@ namespace {
 // The part of a fast turn that the solve sees, of a body with contacts. Taken from the spin: a rotation vector wraps at
 // half a turn, a spin does not.
 //
-// A body that does not turn so fast yet is turned so far by a torque only in its free motion: all of the torque is for
-// its ties to bear.
+// A body that does not turn so fast yet is turned so far by a torque or a blow only in its free motion: all of either
+// is for its ties to bear.
 void limitTurn(FreeMotion& free, const BodyMass& mass, const BodyMotion& m, Vec3 spin, double dt) {
   if (!(lengthSquared(spin) * dt * dt > kLargestTurn * kLargestTurn)) return;
-  if (!(lengthSquared(free.startSpin) * dt * dt > kLargestTurn * kLargestTurn)) {
+  if (!(lengthSquared(free.unstruckSpin) * dt * dt > kLargestTurn * kLargestTurn)) {
     free.th = spin * dt;
     return;
   }

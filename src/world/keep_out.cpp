@@ -139,8 +139,10 @@ std::size_t Fitting::findTied(const Island& island) {
   const std::size_t known = tied_.size();
   if (!island.facts.firm) return known;
   island.rows.each([&]<class Kind>(const Kind& kind, std::size_t k) {
-    if (!std::remove_cvref_t<Kind>::kFirm) return;
+    using Rows = std::remove_cvref_t<Kind>;
+    if (!Rows::kFirm) return;
     const auto [a, b] = kind.bodies(k, *context_.ties);
+    if (Rows::kYields && context_.ties->mayCollide(a, b)) return;  // it has just broken
     tied_.push_back(a);
     tied_.push_back(b);
   });
@@ -307,7 +309,9 @@ void Fitting::addFound(std::uint32_t end) {
   for (Near& n : found) {
     n.endA = numberOf(shapes_.data[n.a].body), n.endB = numberOf(shapes_.data[n.b].body);
     const Vec3 came = wayOf(n.endA) - wayOf(n.endB);
-    if (came != Vec3{}) n.normal = normalized(came);  // where it was, nothing was in the way
+    // Bodies whose mortar has just broken began side by side, whichever way they went.
+    if (came != Vec3{} && context_.ties->mortar.strangers(ends_[n.endA].body, ends_[n.endB].body))
+      n.normal = normalized(came);  // where it was, nothing was in the way
     addNear(n);
   }
 }

@@ -67,7 +67,7 @@ void crumbleMortar(const Registry& registry, double time, const StepContext& con
       m.cracked = true;
       tell(link.index, false);
     }
-    if (m.crushed ? m.opens : m.damage >= (m.opens ? mortar::kBroken : mortar::kThread)) broken.push_back(link.index);
+    if (m.ends) broken.push_back(link.index);
   });
   for (MortarIndex index : broken) {
     Mortar& m = ties.mortar.slots[index];

@@ -84,8 +84,9 @@ void MortarRows::writeCaps(std::size_t k, const Mortar& m) {
   const MortarStart& start = starts[k];
   const double left = std::min(double(start.left), mortar::pullLeft(m.damage, start.arm));
   const float pull = float(left * mortar::pullOf(m));
-  const float shear =
-      float(double(start.left) * mortar::shearOf(m) + double(m.shared->friction) * double(start.pressure));
+  // Pulled no harder than its cap lets it be, or it would slide for nothing.
+  const double pressure = std::max(double(start.pressure), -double(pull));
+  const float shear = float(double(start.left) * mortar::shearOf(m) + double(m.shared->friction) * pressure);
   for (int i = 0; i < 4; i++) {
     r.leastN[i] = -pull;
     r.limit[i] = std::max(0.0f, shear);
@@ -143,6 +144,36 @@ void MortarRows::widen(std::size_t k, const Mortar& m) {
   writeCaps(k, m);
 }
 
+// m: so much further than by turn x arm, of B against A.
+Vec3f MortarRows::arcBy(std::size_t k, Vec3 turnA, Vec3 turnB, const Island& island) const {
+  const Vec3 armA = toDouble(records[k].armA), armB = toDouble(records[k].armB);
+  return toFloat(mortar::arcOfArm(turnB, armB) - mortar::arcOfArm(turnA, armA) -
+                 mortar::arcOfArm(island.rigid.turn, armB - armA));
+}
+
+// What a blow made spin, or what meets something, may turn by less than its velocity told, along a shorter arc. True if
+// that was worth a force that breaks the joint. What begins to turn is taken as it ends (advance).
+bool MortarRows::renewArc(std::size_t k, const Mortar& m, const Island& island, const BodySet& bodies) {
+  FaceRecord& r = records[k];
+  auto turnOf = [&](std::uint32_t local, BodyIndex body) {
+    if (local < island.bodies.size()) return toDouble(island.motion[local].th) + island.rigid.turn;
+    return bodies.motion[body].angularVelocity * island.dt;
+  };
+  const Vec3f arc = arcBy(k, turnOf(r.bodyA, m.bodyA), turnOf(r.bodyB, m.bodyB), island);
+  const Vec3f more = arc - starts[k].arc;
+  if (!(lengthSquared(arc) < lengthSquared(starts[k].arc)) ||
+      !(length(toDouble(more)) * double(r.k[0]) > mortar::pullOf(m)))
+    return false;
+  starts[k].arc = arc;
+  const float moreN = dot(r.n, more), more1 = dot(r.t1, more), more2 = dot(cross(r.n, r.t1), more);
+  for (int i = 0; i < 4; i++) {
+    r.trialN[i] -= r.k[i] * moreN;
+    r.trial1[i] -= r.k[i] * more1;
+    r.trial2[i] -= r.k[i] * more2;
+  }
+  return true;
+}
+
 // Where the face and its points are, and what they hold.
 void MortarRows::writeFace(std::size_t k, const Mortar& m, const MortarPose& pose) {
   FaceRecord& r = records[k];
@@ -179,8 +210,7 @@ void MortarRows::writeStart(std::size_t k, const Mortar& m, const MortarPose& po
     if (const RigidWay* chunk = local < island.bodies.size() ? island.chunks.of(local) : nullptr) return chunk->turn;
     return motion.angularVelocity * island.dt;
   };
-  const Vec3 arcs = mortar::arcOfArm(turnOf(r.bodyB, b), pose.armB) - mortar::arcOfArm(turnOf(r.bodyA, a), pose.armA);
-  start.arc = toFloat(arcs - mortar::arcOfArm(island.rigid.turn, pose.armB - pose.armA));
+  start.arc = arcBy(k, turnOf(r.bodyA, a), turnOf(r.bodyB, b), island);
   auto inFace = [&](Vec3 v) { return Vec3{dot(pose.n, v), dot(pose.t1, v), dot(pose.t2, v)}; };
   const Vec3 move = inFace(b.linearVelocity + cross(b.angularVelocity, pose.armB) - a.linearVelocity -
                            cross(a.angularVelocity, pose.armA));

@@ -105,6 +105,8 @@ struct MortarRows : FaceRows, LastingRows<MortarRows, MortarSet, &Ties::mortar> 
  private:
   void writeFace(std::size_t k, const Mortar& m, const MortarPose& pose);
   void writeStart(std::size_t k, const Mortar& m, const MortarPose& pose, const Island& island, const BodySet& bodies);
+  Vec3f arcBy(std::size_t k, Vec3 turnA, Vec3 turnB, const Island& island) const;
+  bool renewArc(std::size_t k, const Mortar& m, const Island& island, const BodySet& bodies);
   void writeSprings(std::size_t k, const Mortar& m);
   void writeCaps(std::size_t k, const Mortar& m);
   void widen(std::size_t k, const Mortar& m);

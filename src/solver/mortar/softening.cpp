@@ -141,6 +141,19 @@ void placeWidened(Mortar& m, const MortarStart& start) {
   m.arm = start.arm;
 }
 
+// The middle of the face went so far that its whole strength, falling evenly to nothing, would have taken more than is
+// left to it.
+bool wentTooFar(const Mortar& m, const MortarStart& start, const PointForces& now) {
+  double pulled = 0, sheared = 0;  // m, sums over its points
+  for (int i = 0; i < 4; i++) {
+    pulled += double(now.way[i]);
+    sheared += std::sqrt(double(now.way1[i]) * now.way1[i] + double(now.way2[i]) * now.way2[i]);
+  }
+  const double share = std::max(0.0, pulled) * mortar::pullOf(m) / mortar::pullEnergy(m) +
+                       sheared * mortar::shearOf(m) / mortar::shearEnergy(m);
+  return 0.5 * mortar::strengthOf(m) * share > (1 - m.damage) * double(start.tougher);
+}
+
 // Of what caps on pull and shear take, and S makes less.
 double shareOf(const Taken& taken, const Mortar& m) {
   return taken.pull / mortar::pullEnergy(m) + taken.shear / mortar::shearEnergy(m);
@@ -152,6 +165,10 @@ bool MortarRows::renewFrozen(const Island& island, const StepContext& context, R
   bool fell = false;
   for (std::size_t k = 0; k < size(); k++) {
     const Mortar& m = at(k, *context.ties);
+    if (renewArc(k, m, island, *context.bodies)) {
+      fell = true;
+      continue;
+    }
     if (m.crushed) continue;
     MortarStart& start = starts[k];
     const PointForces now = stateAt(records[k], start, island.motion.data());
@@ -182,9 +199,10 @@ bool MortarRows::store(Island& island, Ties& ties, StepContext&) {
     const Taken taken = takenBy(m, r, start, now);
     const double share = m.crushed ? 0 : shareOf(taken, m) + taken.crush / mortar::crushEnergy(m),
                  most = share > 1 - m.damage ? (1 - m.damage) / share : 1;
-    m.damage = std::min(1.0, m.damage + share * most);
+    m.damage = wentTooFar(m, start, now) ? 1 : std::min(1.0, m.damage + share * most);
     if (start.arm > m.arm) m.damage = std::max(m.damage, damageBy(m, start, now));
     m.opens = m.crushed ? !(std::max({now.n[0], now.n[1], now.n[2], now.n[3]}) > 0) : share > 0;
+    m.ends = m.crushed ? m.opens : m.damage >= (m.opens ? mortar::kBroken : mortar::kThread);
     m.tougher = m.opens ? start.tougher : 1;
     start.pull = float(taken.pull * most);
     start.shear = float(taken.shear * most);
