@@ -142,7 +142,6 @@ struct FlownAhead {
   Vec3 frame;        // m/s: of what drives its island
   double left = 1;   // of the step: what its way is still to be gone in
   bool hit = false;  // by an impact within the step
-  Vec3 looked;       // m/s: the velocity before that, along which contacts were looked for
 };
 
 struct StepContext {

@@ -92,6 +92,7 @@ class Fitting {
   std::size_t findTied(const Island& island);
   bool mayShift(BodyIndex body, std::size_t firstTied) const;
   void addEnd(BodyIndex body, bool may, bool shifts, bool asSolved);
+  bool wentAhead(BodyIndex body) const { return context_.ahead[body].left < 1; }  // it is not where its step began
   bool turnsFar(BodyIndex body) const;
   bool endsAsSolved(const Island& island, std::size_t i) const;
   bool endsAside(BodyIndex body) const;
@@ -165,8 +166,8 @@ void Fitting::addBodies(const Island& island, bool all) {
 }
 
 void Fitting::addSingle(BodyIndex single) {
-  if (context_.solved[single].d != context_.free[single].way && mayShift(single, tied_.size()))
-    addEnd(single, true, true, false);
+  const bool aside = context_.solved[single].d != context_.free[single].way || turnsFar(single);
+  if (aside && mayShift(single, tied_.size())) addEnd(single, true, true, false);
 }
 
 void Fitting::addEnd(BodyIndex body, bool may, bool shifts, bool asSolved) {
@@ -212,12 +213,11 @@ bool Fitting::endsAsSolved(const Island& island, std::size_t i) const {
 
 // The body turned so far, or ends so far from where its contacts were looked for, that they do not tell what it meets.
 bool Fitting::endsAside(BodyIndex body) const {
-  if (turnsFar(body)) return true;
+  if (wentAhead(body) || turnsFar(body)) return true;
   const FreeMotion& free = context_.free[body];
   const SolvedMotion& s = context_.solved[body];
   // Contacts were looked for all along the way of its velocity: what stays where it was ends nowhere else.
-  const FlownAhead& ahead = context_.ahead[body];
-  const Vec3 led = (ahead.hit ? ahead.looked : free.startVelocity) * free.dt;
+  const Vec3 led = free.startVelocity * free.dt;
   const double all = lengthSquared(led), share = all > 0 ? std::clamp(dot(s.d, led) / all, 0.0, 1.0) : 0;
   const double most = kRoom * bodies_.mass[body].innerRadius;
   return lengthSquared(s.d - led * share) > most * most;
@@ -340,8 +340,10 @@ bool Fitting::fit(const BroadPhase* tree) {
   return any;
 }
 
-// As deep as they began, or as springs gave.
+// As deep as they began, or as springs gave. What had no contact began apart: where an impact has moved it since, its
+// place tells nothing of that.
 double Fitting::depthLeft(const Near& n) const {
+  if (n.told < 0 && (wentAhead(ends_[n.endA].body) || wentAhead(ends_[n.endB].body))) return leastOf(n);
   const double began = penetrationDepth(shapes_.data[n.a].geometry, shapes_.data[n.b].geometry,
                                         inverse(shapes_.worldPose(n.a, bodies_)) * shapes_.worldPose(n.b, bodies_));
   return std::max({leastOf(n), n.told, began});
@@ -388,8 +390,6 @@ bool Fitting::part(std::uint32_t number) {
   near_[number].room = found.had + kTrifle * leastOf(found) - deepest;
   if (found.room >= 0) return false;
   const std::uint32_t endA = found.endA, endB = found.endB;
-  // What flies in an island may yet be sent its free way.
-  if (ends_[endA].free && ends_[endB].free && !(ends_[endA].single && ends_[endB].single)) return false;
   for (std::uint32_t end : {endA, endB})
     if (ends_[end].may) {  // where there is no room for what ends aside, its neighbours make it
       ends_[end].shifts = true;

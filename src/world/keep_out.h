@@ -9,8 +9,7 @@
 namespace brickfall {
 
 // Moves and turns bodies that end elsewhere than their contacts foresaw, and those that they press on, until they are
-// no deeper in what they meet than they began. Two that fly, each by itself, part along their relative velocity, which
-// keeps momenta. An island that flies is not parted from others: it may yet be sent its free way.
+// no deeper in what they meet than they began. Two that fly part along their relative velocity, which keeps momenta.
 
 // All awake islands, and what they would end in without a contact.
 void keepOut(const Activity& activity, const Registry& registry, const Proximity& proximity, StepContext& context);

@@ -113,8 +113,6 @@ bool ImpactWalk::impact(Island& island) {
   std::pmr::vector<TieImpact> impacts(island.memory);
   island.dt = context_.dt;
   updateHierarchy(island, context_);
-  for (BodyIndex body : island.bodies)
-    if (FlownAhead& ahead = context_.ahead[body]; !ahead.hit) ahead.looked = bodies_.motion[body].linearVelocity;
   if (!solveImpact(island, ties_, bodies_, context_, kBlink * context_.dt, context_.statistics, impacts)) return false;
   for (BodyIndex body : island.bodies) {
     bodies_.data[body].steady = {};

@@ -70,7 +70,8 @@ TEST(Law, AHitLeavesFewBricksOutOfBalance) {
 }
 
 // Bricks that a ball of 4 t wedges under itself, and what flies out of the wall, end in nothing. (Shifted out of what
-// they touch, but not turned, and groups in the air stopped as a whole: 39 and 22 mm.)
+// they touch, but not turned, and groups in the air stopped as a whole: 39 and 22 mm. With impacts that stay soft while
+// they go on, and nothing looked for where impacts within the step have led: a median of 23 mm and up to 66.)
 TEST(Law, BricksOverlapLittleInAHit) {
   constexpr int kCourses = 6, kBricks = 12, kShots = 8;
   const Vec3 half{0.1075, 0.0325, 0.05125};
@@ -94,7 +95,9 @@ TEST(Law, BricksOverlapLittleInAHit) {
     }
     std::sort(deepest.begin(), deepest.end());
     atMost("4 t at 20 m/s into bricks: deepest overlap, median of 8 shots", dt, deepest[kShots / 2] * 1e3,
-           dt > 0.01 ? 28 : 17, "mm");
+           dt > 0.01 ? 14 : 9, "mm");
+    atMost("4 t at 20 m/s into bricks: deepest overlap, worst of 8 shots", dt, deepest.back() * 1e3,
+           dt > 0.01 ? 35 : 25, "mm");
   }
 }
 

@@ -1,10 +1,10 @@
 // The start of a step for the contacts of an island. They remember forces, plastic offsets and friction anchors. Here
 // this memory becomes the trial force of each point at zero motion.
 //
-// Normal return map: a point is born with all its overlap plastic (it causes no force). An impact is over when its soft
-// point no longer closes. Then the point becomes stiff, and its offset is chosen so that it goes on with the force it
-// has. Otherwise the soft overlap would come back as a rebound. Every step a tenth of the offset becomes real overlap
-// again, which parts the bodies slowly.
+// Normal return map: a point is born with all its overlap plastic (it causes no force). An impact is soft in its first
+// step. Then the point becomes stiff, and its offset is chosen so that it goes on with the force it has. Otherwise the
+// soft overlap would come back as a rebound. Every step a tenth of the offset becomes real overlap again, which parts
+// the bodies slowly.
 //
 // Friction return map: a sticking point keeps its anchor. A point that slid gets an anchor at which its spring carries
 // just the sliding force it had: no jump, no creep.
@@ -80,8 +80,13 @@ struct PointRules {
   float kept;        // of the plastic offset
   float release;     // m, of the plastic offset at least
   bool debris;       // the island is stirred up: what bears goes on bearing
+  bool driven;       // by something kinematic: what that jams gives way, or it would be thrown out
 
   bool isQuiet(float approach) const { return approach > -quietSpeed; }
+  // A point that has borne for a step is firm, unless it goes on being driven in.
+  bool isFirm(const PointMemory& m, int i, float approach) const {
+    return m.forceN[i] > 0 && (isQuiet(approach) || !driven);
+  }
 };
 
 // Slow surfaces rest from the start; so do impacts that must be as stiff as resting points.
@@ -90,18 +95,21 @@ void startPhase(PointMemory& m, int i, float approach, const PointRules& rules) 
   m.phase[i] = rules.stiffness.isFull(m.stiffness[i]) ? PointPhase::resting : PointPhase::impact;
 }
 
-// An impact is over, an island has calmed down, or steps have become shorter: the point is softer than one that would
-// start now. One that closes may be as soft as any impact; softer ones would stop nothing.
+// An impact has borne for a step, an island has calmed down, or steps have become shorter: the point is softer than one
+// that would start now. The soft spring of an impact is made for the inertia of its two bodies, which it stops in a
+// step: what closes after that has more behind it. A point that bears nothing and closes may be as soft as any impact;
+// softer ones would stop nothing.
 bool isTooSoft(const PointMemory& m, int i, float approach, const PointRules& rules) {
   if (m.phase[i] == PointPhase::fresh) return false;
-  if (rules.isQuiet(approach)) return m.forceN[i] > 0 && !rules.stiffness.isFull(m.stiffness[i]);
-  return m.stiffness[i] < (1 - float(kTrifle)) * std::min(rules.stiffness.softest, rules.stiffness.full);
+  if (rules.isFirm(m, i, approach)) return !rules.stiffness.isFull(m.stiffness[i]);
+  return !rules.isQuiet(approach) &&
+         m.stiffness[i] < (1 - float(kTrifle)) * std::min(rules.stiffness.softest, rules.stiffness.full);
 }
 // The point starts anew, but goes on with the force that it has. One that no longer closes keeps at most that of a
 // sudden load, and its friction goes on if it was at rest: the spring has grown stiffer under its drift.
 void stiffen(PointMemory& m, int i, float approach, const PointRules& rules) {
   const bool quiet = rules.isQuiet(approach), rested = m.phase[i] == PointPhase::resting;
-  startPhase(m, i, approach, rules);
+  startPhase(m, i, rules.isFirm(m, i, approach) ? 0 : approach, rules);
   if (quiet && m.forceN[i] > rules.cap) scaleForces(m, i, rules.cap / m.forceN[i]);
   if (quiet && rested && m.sticks(i)) {
     m.slip1[i] = -m.force1[i] / m.stiffness[i];
@@ -224,7 +232,7 @@ void ContactRows::prepare(const Island& island, Ties& ties, const StepContext& c
     const PointRules rules{stiff, float(context.settings.restingApproachSpeed * stiff.scale.speed), cap,
                            // A part of a step releases a part of the offset.
                            1 - (1 - kOffsetKept) * float(island.dt / context.dt),
-                           float(kLeastRelease * stiff.scale.speed * island.dt), debris};
+                           float(kLeastRelease * stiff.scale.speed * island.dt), debris, island.facts.partnersGo};
     r.newPoints = start.falling = 0;
     start.points = c.count;
     start.friction = c.friction;
