@@ -81,8 +81,10 @@ Look lookOf(const LookQuery& query) {
 Look lookOf(const TakeBody& body, std::size_t shape, std::uint32_t bodyNumber) {
   const std::string& material = shape < body.shapeMaterials.size() ? body.shapeMaterials[shape] : body.material;
   const bool own = material == body.material || body.material.empty();
-  return lookOf({material, body.role, own ? body.colour : kKinds[int(kindOf(material, body.role))].usualColour,
-                 body.look.value_or(bodyNumber)});
+  const std::uint32_t colour = shape < body.shapeColours.size() ? body.shapeColours[shape]
+                               : own                            ? body.colour
+                                                                : kKinds[int(kindOf(material, body.role))].usualColour;
+  return lookOf({material, body.role, colour, body.look.value_or(bodyNumber)});
 }
 
 }  // namespace brickfall::appearance

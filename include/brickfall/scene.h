@@ -222,6 +222,8 @@ class SceneRun {
   const std::vector<MortarId>& mortars() const { return mortars_; }
   const PlacedBody* find(BodyId id) const;  // null for a body that is not listed
   const DrawnBody* drawn(BodyId id) const;  // null: it is drawn as it is
+  // 0xRRGGBB, of what is drawn of a body, shape by shape: its own, and those of its other materials. Mortar has one.
+  std::vector<std::uint32_t> colours(BodyId id) const;
   // `id` of what is given is not read; with a launchTime to come a body that can move is held until then.
   Result<BodyId> createBody(PlacedBody body);
   Status destroyBody(BodyId id);

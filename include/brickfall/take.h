@@ -25,6 +25,8 @@ struct TakeBody {
   std::vector<ShapeDef> shapes;             // geometry and local pose; of their materials only the names, below
   std::string material;                     // its name in the scene; empty: not known
   std::vector<std::string> shapeMaterials;  // one per shape; empty: `material` for all
+  // 0xRRGGBB, one per shape; empty: `colour`, and of another material the usual one of its stuff.
+  std::vector<std::uint32_t> shapeColours;
   // By which it differs in looks from others of its stuff: its place in the world. A reader always has one: its number in a take
   // that says nothing.
   std::optional<std::uint32_t> look;

@@ -44,10 +44,26 @@ std::string groupOf(const std::string& name) {
   return slash == std::string::npos ? std::string() : name.substr(0, slash);
 }
 
-// The take has one colour for a body; the mortar on a brick has its own.
+// Of a body of which the take has one colour, mortar has its own.
 std::uint32_t colourOf(const TakeBody& body, std::size_t shape) {
+  if (shape < body.shapeColours.size()) return body.shapeColours[shape];
   const bool mortar = shape < body.shapeMaterials.size() && body.shapeMaterials[shape] == "mortar";
   return mortar && body.material != "mortar" ? kMortar : body.colour;
+}
+
+// Each once, the body's own first.
+std::vector<std::uint32_t> coloursOf(const TakeBody& body) {
+  std::vector<std::uint32_t> out{body.colour};
+  for (std::size_t k = 0; k < body.shapes.size(); k++)
+    if (std::find(out.begin(), out.end(), colourOf(body, k)) == out.end()) out.push_back(colourOf(body, k));
+  return out;
+}
+
+// By which a glTF material is called: that of the first shape of a colour.
+std::string materialOf(const TakeBody& body, std::uint32_t colour) {
+  for (std::size_t k = 0; k < body.shapeMaterials.size(); k++)
+    if (colour != body.colour && colourOf(body, k) == colour) return body.shapeMaterials[k];
+  return body.material;
 }
 
 // What of a body has this colour. A shape that encloses nothing is not drawn.
@@ -119,15 +135,16 @@ class SceneWriter {
 };
 
 int SceneWriter::material(const TakeBody& body, std::uint32_t colour, int tone) {
-  const bool ball = body.role == BodyRole::ball, mortar = colour != body.colour;
-  std::string name = mortar ? "mortar" : body.material.empty() ? roleName(body.role) : body.material;
+  const bool ball = body.role == BodyRole::ball, other = colour != body.colour;
+  std::string name = materialOf(body, colour);
+  if (name.empty()) name = roleName(body.role);
   if (const auto first = colours_.try_emplace(name, colour).first; first->second != colour) {
     char suffix[16];
     std::snprintf(suffix, sizeof suffix, " #%06X", unsigned(colour & 0xFFFFFF));
     name += suffix;
   }
   if (ball && name != "ball") name += " ball";
-  const bool toned = tone >= 0 && !mortar;
+  const bool toned = tone >= 0 && !other;
   if (toned) name += " " + std::to_string(tone + 1);
   auto [at, added] = materials_.try_emplace(name, 0);
   if (!added) return at->second;
@@ -168,8 +185,7 @@ const json& SceneWriter::geometry(const std::string& key, const ShapeMesh& mesh)
 int SceneWriter::mesh(const TakeBody& body, int tone) {
   std::vector<std::pair<std::uint32_t, ShapeMesh>> parts;
   std::string whole;
-  for (std::uint32_t colour : {body.colour, kMortar}) {
-    if (!parts.empty() && parts[0].first == colour) continue;
+  for (std::uint32_t colour : coloursOf(body)) {
     ShapeMesh part = meshOf(body, colour);
     if (part.indices.empty()) continue;
     whole += keyOf(part) + ":" + std::to_string(material(body, colour, tone)) + ";";

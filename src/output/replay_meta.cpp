@@ -154,6 +154,7 @@ std::string replayMeta(const TakeReader& take, const std::vector<TakeBreak>& bre
                       {"parts", std::move(parts)}});
     if (!body.material.empty()) bodies.back()["material"] = body.material;
     if (!body.shapeMaterials.empty()) bodies.back()["partMaterials"] = body.shapeMaterials;
+    if (!body.shapeColours.empty()) bodies.back()["partColours"] = body.shapeColours;
     if (body.look.value_or(k) != k) bodies.back()["look"] = *body.look;
     if (life.birth > 0) bodies.back()["birth"] = life.birth;
     if (life.end < frames) bodies.back()["end"] = life.end;

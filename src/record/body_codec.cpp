@@ -148,13 +148,32 @@ std::string bodyFault(const TakeBody& body) {
   if (!body.shapeMaterials.empty() && body.shapeMaterials.size() != body.shapes.size())
     return std::to_string(body.shapeMaterials.size()) + " shapeMaterials, expected none or one for each of its " +
            std::to_string(body.shapes.size()) + " shapes";
+  if (!body.shapeColours.empty() && body.shapeColours.size() != body.shapes.size())
+    return std::to_string(body.shapeColours.size()) + " shapeColours, expected none or one for each of its " +
+           std::to_string(body.shapes.size()) + " shapes";
   return {};
 }
+
+namespace {
+
+constexpr std::uint64_t kColourBytes = 3;
+
+void putColour(ByteWriter& out, std::uint32_t colour) {
+  for (int k = 0; k < 3; k++) out.u8(std::uint8_t(colour >> (8 * k)));
+}
+
+std::uint32_t getColour(ByteReader& in) {
+  std::uint32_t colour = 0;
+  for (int k = 0; k < 3; k++) colour |= std::uint32_t(in.u8()) << (8 * k);
+  return colour;
+}
+
+}  // namespace
 
 void put(ByteWriter& out, const TakeBody& body) {
   out.text(body.name);
   out.u8(std::uint8_t(body.role));
-  for (int k = 0; k < 3; k++) out.u8(std::uint8_t(body.colour >> (8 * k)));
+  putColour(out, body.colour);
   out.f64(body.mass);
   out.varint(body.shapes.size());
   for (const ShapeDef& shape : body.shapes) put(out, shape);
@@ -162,15 +181,15 @@ void put(ByteWriter& out, const TakeBody& body) {
   out.varint(body.shapeMaterials.size());
   for (const std::string& material : body.shapeMaterials) out.text(material);
   out.varint(body.look ? std::uint64_t(*body.look) + 1 : 0);
+  out.varint(body.shapeColours.size());
+  for (std::uint32_t colour : body.shapeColours) putColour(out, colour);
 }
 
 TakeBody getBody(ByteReader& in, std::uint32_t version, bool& sound) {
   TakeBody body;
   body.name = in.text();
   body.role = BodyRole(in.u8());
-  body.colour = in.u8();
-  body.colour |= std::uint32_t(in.u8()) << 8;
-  body.colour |= std::uint32_t(in.u8()) << 16;
+  body.colour = getColour(in);
   body.mass = in.f64();
   std::uint64_t shapes = in.varint();
   sound = sound && in.canHold(shapes, kLeastShapeBytes);
@@ -183,6 +202,9 @@ TakeBody getBody(ByteReader& in, std::uint32_t version, bool& sound) {
   const std::uint64_t look = sound && version >= kVersion5 ? in.varint() : 0;
   sound = sound && look <= std::uint64_t(UINT32_MAX) + 1;
   if (look > 0) body.look = std::uint32_t(look - 1);
+  const std::uint64_t colours = sound && version >= kVersion7 ? in.varint() : 0;
+  sound = sound && in.canHold(colours, kColourBytes);
+  for (std::uint64_t k = 0; sound && k < colours; k++) body.shapeColours.push_back(getColour(in));
   return body;
 }
 

@@ -21,6 +21,8 @@ constexpr std::uint32_t kVersion4 = 4;
 constexpr std::uint32_t kVersion5 = 5;
 // From here on cameras say whom they turn after.
 constexpr std::uint32_t kVersion6 = 6;
+// From here on shapes have colours of their own.
+constexpr std::uint32_t kVersion7 = 7;
 constexpr std::size_t kLeastMortarBytes = 2 + 9 * 4;
 
 bool withinTakeSize(Vec3 v);

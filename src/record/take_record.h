@@ -14,7 +14,7 @@ namespace brickfall {
 
 constexpr std::uint8_t kTakeMagic[8] = {0x89, 'B', 'F', 'T', 'A', 'K', 'E', '\n'};
 constexpr std::uint8_t kTakeEndMagic[8] = {0x89, 'B', 'F', 'T', 'E', 'N', 'D', '\n'};
-constexpr std::uint32_t kTakeVersion = 6;  // which is written; versions 1 to 5 are read too
+constexpr std::uint32_t kTakeVersion = 7;  // which is written; versions 1 to 6 are read too
 constexpr std::size_t kTakeStartBytes = 12;
 constexpr std::size_t kTakeEndBytes = 16;
 

@@ -95,6 +95,7 @@ TakeRecorder::Describe descriptionsOf(const SceneRun& run) {
       body.shapes = drawn->shapes;
       body.shapeMaterials = drawn->materials;
     }
+    if (!body.shapeMaterials.empty()) body.shapeColours = run.colours(id);
     return body;
   };
 }

@@ -91,7 +91,7 @@ DrawnBody drawnBrick(const BrickPlacement& brick, const GrownBrick& grown, const
     shape.halfExtents = slab.size * 0.5;
     shape.local.position = slab.centre;
     drawn.shapes.push_back(shape);
-    drawn.materials.push_back("mortar");
+    drawn.materials.push_back(kMortarMaterial);
   }
   return drawn;
 }

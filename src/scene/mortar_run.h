@@ -8,6 +8,10 @@
 
 namespace brickfall::scene {
 
+// What mortar is drawn as, unless the scene has a material of that name.
+constexpr const char* kMortarMaterial = "mortar";
+constexpr std::uint32_t kMortarColour = 0xA9A69F;  // 0xRRGGBB
+
 struct LaidWall {
   const SceneWall* scene = nullptr;
   std::vector<BrickPlacement> bricks;

@@ -376,6 +376,19 @@ const DrawnBody* SceneRun::drawn(BodyId id) const {
   return found == drawn_.end() ? nullptr : &found->second;
 }
 
+std::vector<std::uint32_t> SceneRun::colours(BodyId id) const {
+  const PlacedBody* body = find(id);
+  if (!body) return {};
+  const DrawnBody* drawn = this->drawn(id);
+  const std::vector<std::string>& materials = drawn ? drawn->materials : body->materials;
+  std::vector<std::uint32_t> out;
+  for (const std::string& name : materials) {
+    const MaterialDef* other = name == body->materials.front() ? nullptr : findMaterial(scene_, name);
+    out.push_back(other ? other->colour : name == scene::kMortarMaterial ? scene::kMortarColour : body->colour);
+  }
+  return out;
+}
+
 void SceneRun::list(std::vector<PlacedBody> bodies) {
   bodies_ = std::move(bodies);
   for (std::size_t k = 0; k < bodies_.size(); k++) {

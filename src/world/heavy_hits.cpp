@@ -40,7 +40,8 @@ class HitSearch {
     const BodyMotion& m = bodies_.motion[body];
     if (bodies_.still[body] || !(length(m.linearVelocity) * dt_ > littleWay(bodies_.mass[body].innerRadius))) return;
     const Sweep own = sweepOf(bodies_, body, m.linearVelocity * dt_, m.angularVelocity * dt_);
-    double mass = 0;   // kg, of bodies on the way
+    double mass = 0;  // kg, of bodies on the way
+    double flight = 1;
     Thicknesses gone;  // of the body
     for (ShapeIndex shape : bodies_.shapes[body]) {
       const ShapeData& s = shapes_.data[shape];
@@ -52,20 +53,26 @@ class HitSearch {
         if (!ties_.mayCollide(body, o.body)) return true;
         // Half of a half where mortar holds what is hit.
         const bool held = isHeld(o.body);
-        const double way = thicknessesWithin(body, o) * (held ? 1 / kHitWay : 1);
-        if (way > 0) mass += bodies_.mass[o.body].mass / double(bodies_.shapes[o.body].size());
+        const Approach way = approach(body, s, o);
+        if (!(way.thicknesses > 0)) return true;
+        mass += bodies_.mass[o.body].mass / double(bodies_.shapes[o.body].size());
+        flight = std::min(flight, way.flight);
+        // Of what mortar holds, beyond the flight.
         double& most = held ? gone.held : gone.loose;
-        most = std::max(most, way);
+        most = std::max(most, held ? way.thicknesses * (1 - way.flight) / kHitWay : way.thicknesses);
         return true;
       });
     }
     // A pebble on its way has not the whole world stepped in parts.
     if (!bodies_.isDriven(body) && !(mass >= kTrifle * bodies_.mass[body].mass)) return;
+    flight_ = std::min(flight_, flight);
     gone_.held = std::max(gone_.held, gone.held);
     gone_.loose = std::max(gone_.loose, gone.loose);
   }
 
   const Thicknesses& gone() const { return gone_; }
+  // Share of the step in which nothing hits yet.
+  double flight() const { return flight_; }
 
  private:
   // What mortar holds is pushed out of its neighbours, which stop what comes after it: twice the mass is enough there.
@@ -95,15 +102,27 @@ class HitSearch {
     return length(to - way * std::clamp(along / far, 0.0, 1.0)) < own.outerRadius + its.outerRadius;
   }
 
-  // The way of the body against `struck`, in thicknesses of `struck`.
-  double thicknessesWithin(BodyIndex body, const ShapeData& struck) const {
+  // m: how far a shape reaches along a direction.
+  double reachOf(const ShapeData& shape, Vec3 direction) const {
+    const BodyMotion& m = bodies_.motion[shape.body];
+    const Vec3 middle = m.position + m.orientation * shape.inCentreFrame.position;
+    const Vec3 local = rotate(conjugate(shape.inCentreFrame.rotation), transposeTimes(m.orientation, direction));
+    return dot(middle, direction) + dot(coreSupport(shape.geometry, local), local) + coreRadius(shape.geometry);
+  }
+
+  struct Approach {
+    double thicknesses = 0;  // of `struck`: the way of the body against it
+    double flight = 1;       // share of the step before they can touch: apart along that way
+  };
+  Approach approach(BodyIndex body, const ShapeData& own, const ShapeData& struck) const {
     const BodyMotion& other = bodies_.motion[struck.body];
     const Vec3 way = (bodies_.motion[body].linearVelocity - other.linearVelocity) * dt_;
     const double far = length(way);
-    if (!(far > littleWay(struck.innerRadius)) || !mayMeet(body, struck.body, way, far)) return 0;
-    const Vec3 along =
-        rotate(conjugate(struck.inCentreFrame.rotation), transposeTimes(other.orientation, way * (1 / far)));
-    return far / thicknessAlong(struck.geometry, along);
+    if (!(far > littleWay(struck.innerRadius)) || !mayMeet(body, struck.body, way, far)) return {};
+    const Vec3 direction = way * (1 / far);
+    const Vec3 along = rotate(conjugate(struck.inCentreFrame.rotation), transposeTimes(other.orientation, direction));
+    const double apart = -reachOf(struck, -direction) - reachOf(own, direction);
+    return {far / thicknessAlong(struck.geometry, along), std::clamp(apart / far, 0.0, 1.0)};
   }
 
   const BodySet& bodies_;
@@ -112,7 +131,8 @@ class HitSearch {
   const Ties& ties_;
   const double dt_;
   std::vector<bool> held_;  // by body; empty: not looked up yet
-  Thicknesses gone_;        // within the step, the most of all struck bodies
+  double flight_ = 1;
+  Thicknesses gone_;  // within the step, the most of all struck bodies
 };
 
 }  // namespace
@@ -126,6 +146,9 @@ HitParts partsForHits(const Registry& registry, const Activity& activity, const 
   const Thicknesses& gone = search.gone();
   const double wanted = std::max(gone.held, gone.loose) / kHitWay;
   const bool ofHeld = gone.held > gone.loose;
+  // Parts before the hit would be missing after it: one for the flight, up to a part's length before it ends.
+  if (const double part = (1 - search.flight()) / wanted; ofHeld && wanted > 1 && search.flight() > 2 * part)
+    return {2, true, search.flight() - part};
   const double limit = ofHeld && wanted > most ? std::ldexp(1.0, most - 1) : double(most);
   const auto count = int(std::ceil(std::clamp(wanted, 1.0, limit)));
   return {count, ofHeld && count > 1};

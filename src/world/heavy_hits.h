@@ -11,12 +11,14 @@ struct HitParts {
   int count = 1;
   bool ofHeld = false;  // what mortar holds asks for them, which slows down what hits it: one is made, then they are
                         // counted anew
+  double flight = 0;    // share of the step that is made first, before anything hits
 };
 
 // The number of parts, 1 .. `most`, for a step of `dt` s. In each part a body far heavier than one on its way goes at
 // most half through it. (Of what mortar holds: twice as heavy, a fourth.) Contacts are found where a part begins:
 // bodies that a struck body meets on its way out must begin another. Where `most` are too few for what mortar holds,
-// the count is larger, and parts grow: each is as long as all after it at most.
+// the count is larger, and parts grow: each is as long as all after it at most. What flies towards it gets one part for
+// all of its flight.
 HitParts partsForHits(const Registry& registry, const Activity& activity, const Proximity& proximity, const Ties& ties,
                       double dt, int most);
 

@@ -184,7 +184,7 @@ void World::Impl::runSubstep(double dt, bool last) {
   double left = dt;
   for (int most = def.solver.maxHitParts; most > 0;) {
     const HitParts hits = partsForHits(registry, activity, proximity, ties, left, most);
-    const double part = left / hits.count;
+    const double part = hits.flight > 0 ? left * hits.flight : left / hits.count;
     const int now = hits.ofHeld ? 1 : hits.count;
     most = now == hits.count ? 0 : most - now;
     for (int i = 1; i <= now; i++) runPart(part, last && most == 0 && i == now);

@@ -106,6 +106,7 @@ void addOtherShapes(std::vector<TakeBody>& bodies, std::vector<Mover>& movers) {
   pair.shapes[1].radius = 0.06;
   pair.shapes[1].local.position = {0, 0.02, 0.08};
   pair.shapeMaterials = {"brick", "steel"};
+  pair.shapeColours = {0x6F8F4F, 0x222426};
   double x = -0.4;
   for (TakeBody* body : {&capsule, &hull, &pair}) {
     bodies.push_back(*body);

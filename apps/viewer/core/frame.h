@@ -34,6 +34,7 @@ struct ListedBody {
   // Bricks in mortar are drawn as they are laid, with their mortar; empty: the shapes are drawn.
   std::vector<ShapeDef> drawn;
   std::vector<std::string> drawnMaterials;  // of what is drawn, shape by shape; empty: `material` for all
+  std::vector<std::uint32_t> drawnColours;  // 0xRRGGBB, likewise; empty: `colour` for all
 };
 
 // The bodies of a frame. The same object from frame to frame as long as nobody comes or goes: compare pointers.

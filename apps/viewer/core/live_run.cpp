@@ -31,10 +31,12 @@ ListedBody listed(const SceneRun& run, BodyId id, Serial serial) {
   body.role = placed->role;
   body.colour = placed->colour;
   if (!placed->materials.empty()) body.material = placed->materials.front();
+  if (placed->materials.size() > 1) body.drawnMaterials = placed->materials;
   if (const DrawnBody* drawn = run.drawn(id)) {
     body.drawn = drawn->shapes;
     body.drawnMaterials = drawn->materials;
   }
+  if (!body.drawnMaterials.empty()) body.drawnColours = run.colours(id);
   return body;
 }
 

@@ -177,6 +177,7 @@ void TakePlayer::list() {
     body.mass = from.mass;
     body.shapes = from.shapes;
     body.drawnMaterials = from.shapeMaterials;
+    body.drawnColours = from.shapeColours;
     body.radius = radiusOf(from.shapes);
     made->bodies.push_back(std::move(body));
   }

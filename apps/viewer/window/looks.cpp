@@ -125,8 +125,11 @@ PartLook partLook(const ListedBody& body, std::size_t part) {
   PartLook look{body.material, body.role, body.colour, body.number};
   if (part >= body.drawnMaterials.size() || body.drawnMaterials[part] == body.material) return look;
   look.material = body.drawnMaterials[part];
-  // A body has one colour, that of its first material; its mortar has its own.
-  if (look.material == "mortar") look.colour = kMortarColour;
+  // In old takes a body has one colour, that of its first material; its mortar has its own.
+  if (part < body.drawnColours.size())
+    look.colour = body.drawnColours[part];
+  else if (look.material == "mortar")
+    look.colour = kMortarColour;
   return look;
 }
 

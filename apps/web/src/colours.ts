@@ -58,8 +58,10 @@ function fire(colour: Color, number: number): Color {
 }
 const scratch = new Color();
 
-// The take has one colour for a body, that of its first material. A part of another has the usual one of its stuff.
+// Of a part of another material than its body, whose colour the take does not know: the usual one of its stuff.
 function ownColour(meta: BodyMeta, part: number): number {
+  const colour = meta.partColours?.[part];
+  if (colour !== undefined) return colour;
   const material = meta.partMaterials?.[part];
   return material === undefined || material === meta.material ? meta.colour : kKinds[kindOf(meta, part)].colour;
 }

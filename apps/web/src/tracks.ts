@@ -23,6 +23,7 @@ export interface BodyMeta {
   mass: number;
   material?: string; // its name in the scene; left out: not known
   partMaterials?: string[]; // one for each part, where they differ
+  partColours?: number[]; // likewise
   parts: PartMeta[];
   look?: number; // by which it differs from others of its stuff; left out: its own number
   birth?: number; // the first frame in which it is there; left out: 0

@@ -38,6 +38,17 @@ TEST(Look, ShapesOfABodyMayDiffer) {
   EXPECT_EQ(lookOf(body, 1, 7).metalness, 1);
 }
 
+TEST(Look, AShapeHasTheColourThatItsSceneGaveItsMaterial) {
+  TakeBody body;
+  body.material = "bumper";
+  body.shapes.resize(2);
+  body.shapeMaterials = {"bumper", "wheel"};
+  const float pale = lookOf(body, 1, 7).colour.x;  // of a material whose colour nobody knows
+  body.shapeColours = {body.colour, 0x222426};
+  EXPECT_LT(lookOf(body, 1, 7).colour.x, 0.2f * pale);
+  EXPECT_EQ(lookOf(body, 0, 7).colour, lookOf({"bumper", body.role, body.colour, 7}).colour);
+}
+
 TEST(Look, BricksDifferFromOneToTheNextAndStayThemselves) {
   std::set<float> reds;
   float mean = 0;

@@ -211,6 +211,19 @@ TEST(Glb, MortarOnABrickHasItsOwnColour) {
   EXPECT_EQ(glb.root["materials"][a[1]["material"].get<int>()]["name"], "mortar");
 }
 
+TEST(Glb, PartsHaveTheColoursOfTheirMaterials) {
+  OutputFolder folder;
+  TakeReader reader = test::opened(test::makeSyntheticTake({.frames = 2}), folder.file("a.take"));
+  ASSERT_TRUE(writeGlb(reader, folder.file("a.glb")));
+  Glb glb = readGlb(folder.file("a.glb"));
+  const std::size_t pair = reader.bodies().size() - 1;
+  const json& parts = glb.root["meshes"][glb.root["nodes"][pair]["mesh"].get<int>()]["primitives"];
+  ASSERT_EQ(parts.size(), 2u);
+  const json& dark = glb.root["materials"][parts[1]["material"].get<int>()];
+  EXPECT_EQ(dark["name"], "steel");
+  EXPECT_LT(dark["pbrMetallicRoughness"]["baseColorFactor"][0], 0.03);
+}
+
 TEST(Glb, AnimationStaysWithinToleranceOfEveryFrameAndIsThinned) {
   OutputFolder folder;
   test::SyntheticTake take = test::makeSyntheticTake({});

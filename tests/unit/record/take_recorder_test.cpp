@@ -91,6 +91,7 @@ TEST_F(TakeRecording, bodiesKeepTheNamesOfTheirMaterials) {
   SceneDescription scene = smallScene();
   scene.bodies[1].def.shapes.resize(3, scene.bodies[1].def.shapes[0]);
   scene.bodies[1].shapeMaterials = {"dull", "steel"};
+  scene.bodies[1].colour = 0x123456;          // its own, not its steel's
   scene.bodies[2].shapeMaterials = {"dull"};  // as the body: nothing to tell apart
   record(scene, 1);
   const Result<TakeReader> take = TakeReader::open(path_);
@@ -98,6 +99,7 @@ TEST_F(TakeRecording, bodiesKeepTheNamesOfTheirMaterials) {
   EXPECT_EQ(take->bodies()[0].material, "dull");
   EXPECT_EQ(take->bodies()[1].material, "dull");
   EXPECT_EQ(take->bodies()[1].shapeMaterials, (std::vector<std::string>{"dull", "steel", "dull"}));
+  EXPECT_EQ(take->bodies()[1].shapeColours, (std::vector<std::uint32_t>{0x123456, 0x70757A, 0x123456}));
   EXPECT_EQ(take->bodies()[2].material, "dull");
   EXPECT_TRUE(take->bodies()[2].shapeMaterials.empty());
 }

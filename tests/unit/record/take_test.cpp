@@ -124,6 +124,7 @@ TEST(Take, HeaderComesBackAsWritten) {
     EXPECT_EQ(a.mass, b.mass);
     EXPECT_EQ(a.material, b.material);
     EXPECT_EQ(a.shapeMaterials, b.shapeMaterials);
+    EXPECT_EQ(a.shapeColours, b.shapeColours);
     ASSERT_EQ(a.shapes.size(), b.shapes.size());
     for (std::size_t s = 0; s < a.shapes.size(); s++) {
       EXPECT_EQ(a.shapes[s].type, b.shapes[s].type);
@@ -155,6 +156,7 @@ TEST(Take, HeaderComesBackAsWritten) {
   EXPECT_EQ(got.cameras[1].path[1].fieldOfViewDegrees, 35);
   EXPECT_EQ(bodies[2].material, "brick");
   EXPECT_EQ(bodies.back().shapeMaterials, (std::vector<std::string>{"brick", "steel"}));
+  EXPECT_EQ(bodies.back().shapeColours, (std::vector<std::uint32_t>{0x6F8F4F, 0x222426}));
 }
 
 TEST(Take, AnyOrderGivesTheSameFrames) {
@@ -218,6 +220,7 @@ TEST(Take, WrongChangesAreRefusedAndSpoilNothing) {
   refused([&](TakeChange& c) { c.births[2].shapes[0].halfExtents.x = 0; }, "halfExtents");
   refused([&](TakeChange& c) { c.births[1].shapes[0].radius = -1; }, "radius");
   refused([&](TakeChange& c) { c.births[1].shapeMaterials = {"steel", "brick"}; }, "2 shapeMaterials, expected none");
+  refused([&](TakeChange& c) { c.births[1].shapeColours = {1, 2}; }, "2 shapeColours, expected none");
   refused([&](TakeChange& c) { c.births.pop_back(); }, "4 poses, expected one for each of the 3");
   refused([&](TakeChange& c) { c.ends = {0}; }, "body 0 ends, but is not there");
   ASSERT_TRUE(writer->write(take.frames[0], take.change(0)));
@@ -316,6 +319,18 @@ TEST(Take, VersionFiveStillOpens) {
   ASSERT_EQ(reader->header().cameras.size(), take.header.cameras.size());
   for (const Camera& camera : reader->header().cameras) EXPECT_EQ(camera.follow, "");
   for (std::size_t k = 0; k < take.bodies.size(); k++) EXPECT_EQ(reader->bodies()[k].look, std::uint32_t(k + 7));
+  for (std::size_t f : {69, 0, 30}) expectSame(take.frames[f], *reader->frame(f), "frame " + std::to_string(f));
+}
+
+// So was version6.take: shapes have no colours.
+TEST(Take, VersionSixStillOpens) {
+  SyntheticTake take = makeSyntheticTake(
+      {.courses = 2, .bricksPerCourse = 3, .frames = 70, .hitFrame = 40, .breaking = true, .mortared = true});
+  Result<TakeReader> reader = TakeReader::open(BRICKFALL_SOURCE_DIR "/tests/unit/record/version6.take");
+  ASSERT_TRUE(reader) << reader.error().message;
+  EXPECT_TRUE(reader->complete());
+  EXPECT_EQ(reader->header().cameras[0].follow, "ball");
+  for (const TakeBody& body : reader->bodies()) EXPECT_TRUE(body.shapeColours.empty());
   for (std::size_t f : {69, 0, 30}) expectSame(take.frames[f], *reader->frame(f), "frame " + std::to_string(f));
 }
 
