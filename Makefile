@@ -31,7 +31,7 @@ help:
 	@echo "make docs               the documents as a site, out/docs/index.html, with the library's reference and a check of all links"
 	@echo "make gallery            replays of the shipped scenes for the site, in out/gallery (GALLERY='wall hole' for others)"
 	@echo "make dist               a release archive, out/brickfall-VERSION.tar.gz: builds without node and without a network"
-	@echo "make deb                a Debian package of what was built, in $(BUILD)/"
+	@echo "make deb                a Debian package of what was built, in $(BUILD)/deb/, and a try whether it runs"
 	@echo "make clean              remove $(BUILD)/ and out/"
 	@echo "All but check and clean first install what is missing (Debian packages: apt-get, as root or with sudo)."
 
@@ -120,18 +120,13 @@ gallery: build
 	@tools/gallery --command $(BUILD)/bin/brickfall $(if $(ADDRESS),--address $(ADDRESS)) out/gallery $(GALLERY)
 
 # The source as it is committed, with the page bundled.
-VERSION = $(shell sed -n 's/^project.brickfall VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
 dist: build
-	@mkdir -p out/dist/brickfall-$(VERSION)/prebuilt
-	@git archive --prefix=brickfall-$(VERSION)/ HEAD | tar -x -C out/dist
-	@cp $(BUILD)/web/replay_template.cpp out/dist/brickfall-$(VERSION)/prebuilt/
-	@tar -C out/dist --sort=name --owner=0 --group=0 --numeric-owner -czf out/brickfall-$(VERSION).tar.gz brickfall-$(VERSION)
-	@rm -rf out/dist
-	@echo out/brickfall-$(VERSION).tar.gz
+	@tools/dist $(BUILD) out
 
 deb: build
+	@tools/install-dependencies deb
 	@cmake --build $(BUILD) -j $(JOBS)
-	@cd $(BUILD) && cpack -G DEB >/dev/null && ls *.deb
+	@cmake -DBUILD_DIR=$(BUILD) -DWORK_DIR=$(abspath $(BUILD))/deb -P tests/package/deb.cmake
 
 clean:
 	@rm -rf $(BUILD) out

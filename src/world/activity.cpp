@@ -25,6 +25,7 @@ bool isPartner(const Island& island, BodyIndex body) {
 
 void Activity::enlist(BodySet& bodies, BodyIndex body) {
   BodyData& data = bodies.data[body];
+  membershipChanged = true;
   if (!bodies.takesPart(body)) {
     data.activity = BodyActivity::fixed;
     bodies.still[body] = 1;
@@ -35,7 +36,6 @@ void Activity::enlist(BodySet& bodies, BodyIndex body) {
   if (data.type == BodyType::dynamic) insert(awake, body);
   if (bodies.isDriven(body)) insert(moving, body);
   if (data.type != BodyType::dynamic) countAsMoved(bodies, body);
-  membershipChanged = true;
 }
 
 // The body's pairs are looked at in the next step, though neither side may move.

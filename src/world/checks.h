@@ -1,6 +1,7 @@
 // Checks of values that come in through the public API. They are written in the positive form, so that NaN fails them.
 #pragma once
 #include <cmath>
+#include <cstdio>
 #include <span>
 #include <string>
 
@@ -15,14 +16,8 @@ namespace brickfall {
 inline std::string numberText(double value) {
   if (std::isnan(value)) return "nan";
   if (std::isinf(value)) return value > 0 ? "infinity" : "-infinity";
-  std::string text = std::to_string(value);
-  if (std::fabs(value) >= 1e12 || (value != 0 && std::fabs(value) < 1e-4)) {
-    int exponent = 0;
-    double v = std::fabs(value);
-    while (v >= 10) v /= 10, exponent++;
-    while (v < 1) v *= 10, exponent--;
-    text = (value < 0 ? "-" : "") + std::to_string(v) + "e" + std::to_string(exponent);
-  }
+  char text[32];
+  std::snprintf(text, sizeof text, "%.10g", value);
   return text;
 }
 

@@ -212,7 +212,7 @@ void World::trace(const TraceOptions& options) {
 
 Result<StepReport> World::step(double dt, int substeps) {
   if (!(dt >= limits::kShortestTimeStep && dt <= limits::kLongestTimeStep))
-    return Error{ErrorCode::invalidArgument, "dt: found " + std::to_string(dt) + " s, expected 0.00001 .. 0.1 s"};
+    return Error{ErrorCode::invalidArgument, "dt: found " + numberText(dt) + " s, expected 0.00001 .. 0.1 s"};
   if (!(substeps >= 1 && substeps <= limits::kMostSubsteps))
     return Error{ErrorCode::invalidArgument, "substeps: found " + std::to_string(substeps) + ", expected 1 .. 64"};
   Impl& w = *impl_;

@@ -1,4 +1,6 @@
-# snippets.py COMPILER INCLUDE FOLDER PAGE...: every ```cpp block of the pages compiles, each as a function of its own.
+# snippets.py COMPILER INCLUDE FOLDER PAGE...: every ```cpp block of the pages compiles, each as a function of its own. Each section of
+# the first page has one, and a picture.
+import os
 import re
 import subprocess
 import sys
@@ -23,10 +25,19 @@ for page in pages:
         source += f"namespace snippet{count} {{\nusing namespace brickfall;\nvoid shown({parameters}) {{\n"
         source += f'#line {line} "{page}"\n{body}\n}}\n}}\n'
         count += 1
+guide = open(pages[0]).read()
+for section in re.split(r"^## ", guide, flags=re.M)[1:-1]:
+    title = section.split("\n")[0]
+    assert "```cpp" in section, f"{pages[0]}: no snippet under {title}"
+    pictures = re.findall(r"^!\[.+\]\((.+)\)$", section, re.M)
+    assert pictures, f"{pages[0]}: no picture under {title}"
+    for picture in pictures:
+        assert os.path.exists(os.path.join(os.path.dirname(pages[0]), picture)), f"{pages[0]}: {picture} is not there"
 assert count > 15, f"{count} snippets found"
 path = folder + "/snippets.cpp"
 with open(path, "w") as file:
     file.write(source)
+program = os.path.join(os.path.dirname(pages[0]), "images/api/pictures.cpp")  # what makes pictures for it
 command = [compiler, "-std=c++20", "-fsyntax-only", "-Wall", "-Werror", "-Wno-unused-variable",
-           "-Wno-unused-but-set-variable", "-I", include, path]
+           "-Wno-unused-but-set-variable", "-I", include, path, program]
 sys.exit(subprocess.run(command).returncode)

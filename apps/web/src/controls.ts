@@ -7,7 +7,7 @@ import type { Take } from './tracks';
 const kSpeeds = [0.1, 0.25, 0.5, 1, 2, 4];
 const kKeys: [string, string][] = [
   ['space', 'play or pause'], [', \u2190 and . \u2192', 'one frame back or on (with shift: ten)'], ['home, end', 'first or last frame'],
-  ['- and +', 'slower or faster'], ['c', 'colour: material, speed, contact force; where there is mortar its utilisation, its damage'], ['v', 'next camera'], ['a', 'arrows: velocities, forces, none'], ['l', 'loop'], ['p', 'save the picture'], ['r', 'film from here to the end, as a WebM file'], ['f', 'full screen'], ['e', 'figures over time: energy, forces'],
+  ['- and +', 'slower or faster'], ['c', 'colour: material, speed, contact force; where there is mortar its use, its damage'], ['v', 'next camera'], ['a', 'arrows: velocities, forces, none'], ['l', 'loop'], ['p', 'save the picture'], ['r', 'film from here to the end, as a WebM file'], ['f', 'full screen'], ['e', 'figures over time: energy, forces'],
   ['arrows, page up and down, where the picture has the focus (tab)', 'turn, come closer and go back'],
   ['esc', 'let go of the selected brick'], ['h', 'this list'],
 ];

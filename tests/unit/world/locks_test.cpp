@@ -250,6 +250,21 @@ TEST(Enabled, WhatIsOffTakesNoPart) {
   EXPECT_LT(world.state(low)->position.y, -1);
 }
 
+// It has a number that no list of the islands knew.
+TEST(Enabled, ABodyMadeSwitchedOffLeavesTheIslandsWhole) {
+  World world = makeWorld();
+  addGround(world);
+  addBox(world, {.1, .1, .1}, {0, .1, 0});
+  run(world, .2);
+  BodyDef def = bodyOf(boxOf({.1, .1, .1}), {0, .3, 0});
+  def.enabled = false;
+  const BodyId made = add(world, def);
+  stepSound(world);
+  ASSERT_TRUE(world.setEnabled(made, true).ok());
+  run(world, .2);
+  EXPECT_NEAR(world.state(made)->position.y, .3, 2e-3);
+}
+
 // --- Before the solve
 
 TEST(PreSolve, ChangesContactsForTheStepInAFixedOrder) {

@@ -1,5 +1,6 @@
 // Answers of commands: done for some seconds, mistakes until they are closed. And how to begin, before anything has happened.
 #include <algorithm>
+#include <vector>
 
 #include "viewer_window/panels/panels.h"
 #include "viewer_window/panels/parts.h"
@@ -28,15 +29,22 @@ void showBeginning(const Desk& desk, const Frame& frame, const Room& room) {
   const bool begun = status.running || status.step > 0 || !status.undo.empty() || !status.loading.empty();
   if (begun || !frame.info || frame.info->kind == RunKind::nothing) return;
   const bool take = frame.info->kind == RunKind::take;
-  const char* text = take ? "Space plays it      F1: all keys and help"
-                          : "Space runs it      F or a click shoots a ball      F1: all keys and help";
+  const std::vector<const char*> parts = {take ? "Space plays it" : "Space runs it",
+                                          take ? "" : "F or a click shoots a ball", "F1: all keys and help"};
   const float bottom = float(desk.size.height) - (desk.panelShown ? kBarHeight + 22 : 14);
   ImGui::SetNextWindowPos(ImVec2(room.from + room.width / 2, bottom), 0, ImVec2(0.5f, 1));
   ImGui::SetNextWindowSizeConstraints(ImVec2(0, 0), ImVec2(room.width, 100));
   if (ImGui::Begin("beginning", nullptr, kFlags | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoBringToFrontOnFocus)) {
-    ImGui::PushTextWrapPos(room.width - 30);
-    ImGui::TextUnformatted(text);
-    ImGui::PopTextWrapPos();
+    // In one line, or in several where that is too long; never broken within a part.
+    float used = 0;
+    for (const char* part : parts) {
+      const float gap = 28, wide = ImGui::CalcTextSize(part).x;
+      if (wide == 0) continue;
+      const bool fits = used > 0 && used + gap + wide <= room.width - 30;
+      if (fits) ImGui::SameLine(0, gap);
+      used = fits ? used + gap + wide : wide;
+      ImGui::TextUnformatted(part);
+    }
   }
   ImGui::End();
 }
