@@ -40,7 +40,7 @@ void JointSet::beginStep() {
 
 void JointSet::hash(Mix& h, JointIndex joint) const {
   const Joint& j = slots[joint];
-  h(j.order, j.speed, j.length, j.lent, j.wound, j.over, j.meanForce, j.meanTorque, j.anchorA);
+  h(j.order, j.speed, j.length, j.lent, j.held, j.wound, j.over, j.meanForce, j.meanTorque, j.anchorA);
   h.list(j.way, kJointLanes).list(j.turn, kJointLanes);
 }
 
@@ -54,7 +54,7 @@ template <class Archive, class One> void archiveJoint(Archive& a, One& j) {
   for (auto* place : {&j.anchorA, &j.anchorB, &j.force, &j.torque, &j.earlierForce, &j.earlierTorque}) a.value(*place);
   for (auto* frame : {&j.frameA, &j.frameB}) a.value(*frame);
   for (auto* number : {&j.lower, &j.upper, &j.cone, &j.speed, &j.strength, &j.length, &j.stiffness, &j.damping,
-                       &j.breakForce, &j.breakTorque, &j.lent, &j.wound, &j.over, &j.meanForce, &j.meanTorque})
+                       &j.breakForce, &j.breakTorque, &j.lent, &j.held, &j.wound, &j.over, &j.meanForce, &j.meanTorque})
     a.value(*number);
   a.value(j.way);
   a.value(j.turn);
@@ -87,9 +87,10 @@ bool isSoundJoint(const Joint& j) {
               j.upper <= kFarthest && j.cone >= 0 && j.cone <= kFarthest && isFinite(Vec3{j.speed, 0, 0}) &&
               j.strength >= 0 && j.strength <= kLargestMemory && j.length >= 0 && j.length <= kFarthest &&
               j.stiffness >= 0 && j.stiffness <= kLargestMemory && j.damping >= 0 && j.damping <= kLargestMemory &&
-              j.breakForce > 0 && j.breakTorque > 0 && std::fabs(j.lent) <= kLargestMemory && j.wound >= 0 &&
-              j.wound <= kFarthest && j.over >= 0 && j.over <= 1 && j.meanForce >= 0 && j.meanForce <= kLargestMemory &&
-              j.meanTorque >= 0 && j.meanTorque <= kLargestMemory;
+              j.breakForce > 0 && j.breakTorque > 0 && std::fabs(j.lent) <= kLargestMemory &&
+              std::fabs(j.held) <= kLargestMemory && j.wound >= 0 && j.wound <= kFarthest && j.over >= 0 &&
+              j.over <= 1 && j.meanForce >= 0 && j.meanForce <= kLargestMemory && j.meanTorque >= 0 &&
+              j.meanTorque <= kLargestMemory;
   for (Vec3 v : {j.force, j.torque, j.earlierForce, j.earlierTorque}) fine = fine && isNear(v, kLargestMemory);
   for (int i = 0; i < kJointLanes; i++)
     fine = fine && std::fabs(j.way[i]) <= kLargestMemory && std::fabs(j.turn[i]) <= kLargestMemory;

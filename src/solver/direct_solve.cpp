@@ -73,7 +73,8 @@ class Newton {
     return worst;
   }
 
-  // Sets the friction limits of new points by the forces that were found. True if any changed.
+  // Sets the friction limits of new points by the forces that were found, and the multipliers of joints. True if any
+  // changed.
   bool settleBounds() {
     bool any = false;
     island_.rows.each([&](auto& kind, std::size_t k) {
@@ -231,6 +232,8 @@ class Newton {
 void solveDirectly(Island& island, const StepContext& context, double tolerance, SolveStatistics& statistics) {
   Newton newton(island, statistics);
   Stall stall;
+  // Where a row of limits is hit, each of them moves the others. Beside contacts more rounds end in none of them.
+  const int rounds = island.facts.joints == island.facts.ties ? kBoundRounds * kBoundRounds : kBoundRounds;
   int boundSolves = 0;
   bool tight = true;
   for (int k = 0; k < kDirectSteps; k++) {
@@ -239,7 +242,7 @@ void solveDirectly(Island& island, const StepContext& context, double tolerance,
     // Stalled, ten times the residual is good enough; after twice as many steps a hundred times, if nothing is to rest.
     const double enough = stalled < kStalledSteps ? 1 : stalled < 2 * kStalledSteps || island.plan.slow ? 10 : 100;
     if (worst < enough * tolerance) {
-      if (boundSolves++ >= kBoundRounds || !newton.settleBounds()) return;
+      if (boundSolves++ >= rounds || !newton.settleBounds()) return;
       stall = {};
       k = std::max(k, kMostRenewals);
       tight = true;

@@ -40,7 +40,7 @@ namespace {
 // is for its ties to bear.
 void limitTurn(FreeMotion& free, const BodyMass& mass, const BodyMotion& m, Vec3 spin, double dt) {
   if (!(lengthSquared(spin) * dt * dt > kLargestTurn * kLargestTurn)) return;
-  if (!(lengthSquared(free.unstruckSpin) * dt * dt > kLargestTurn * kLargestTurn)) {
+  if (!(lengthSquared(free.startSpin - free.struckSpin) * dt * dt > kLargestTurn * kLargestTurn)) {
     free.th = spin * dt;
     return;
   }

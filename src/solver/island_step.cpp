@@ -22,8 +22,9 @@ void prepareIsland(Island& island, Ties& ties, BodySet& bodies, StepContext& con
   }
   island.rows.eachKind([&](auto& kind) { kind.takeRoom(island, ties); });
   const bool last = island.part == IslandPart::last;
-  for (BodyIndex body : island.bodies) context.free[body].unstruckSpin = bodies.motion[body].angularVelocity;
+  for (BodyIndex body : island.bodies) context.free[body].struckSpin = -bodies.motion[body].angularVelocity;
   giveBlows(island, last, ties, bodies, context);
+  for (BodyIndex body : island.bodies) context.free[body].struckSpin += bodies.motion[body].angularVelocity;
   island.facts = findFacts(island, context);
   island.plan = planFor(island.facts, context.settings, island.dt);
   if (last) dampSlowIsland(island, context, bodies);

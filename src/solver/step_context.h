@@ -96,7 +96,7 @@ struct FreeMotion {
   double seen = 1;                // ... which is so much of the turn
   Vec3 angularMomentum;           // kg m2/s, at the end
   Vec3 startVelocity, startSpin;  // before forces
-  Vec3 unstruckSpin;              // rad/s, of a body with contacts: before a blow of this step, too (blows.h)
+  Vec3 struckSpin;                // rad/s: of startSpin what a blow of this step gave to a body with contacts (blows.h)
   Vec3 late, lateSpin;            // m/s, rad/s: the solve starts with so much less (finish/lone_body.cpp)
 };
 

@@ -14,9 +14,6 @@ namespace brickfall {
 
 namespace {
 
-//! outer radii | too small: bodies meet before their contacts are found | too large: hits act along the wrong line
-constexpr double kShortOf = 0.1;
-
 class FlightAhead {
  public:
   FlightAhead(const Registry& registry, const Proximity& proximity, const StepContext& context, const Island& island)

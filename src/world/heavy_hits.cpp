@@ -7,6 +7,7 @@
 #include "geometry/core.h"
 #include "solver/step_context.h"
 #include "world/core_sweep.h"
+#include "world/fly_ahead.h"
 #include "world/look_ahead.h"
 
 namespace brickfall {
@@ -46,20 +47,26 @@ class HitSearch {
     for (ShapeIndex shape : bodies_.shapes[body]) {
       const ShapeData& s = shapes_.data[shape];
       const Aabb reach = sweptBounds(s, own);
-      proximity_.broadPhase->query(reach, [&](std::uint32_t other) {
+      // What ends a little before what mortar holds flies ahead to it, and hits it in this step.
+      const double beyond = ties_.mortar.any() ? kShortOf * bodies_.mass[body].outerRadius : 0;
+      const Vec3 room{beyond, beyond, beyond};
+      const Aabb further{reach.lower - room, reach.upper + room};
+      proximity_.broadPhase->query(further, [&](std::uint32_t other) {
         const ShapeData& o = shapes_.data[other];
-        if (!overlaps(reach, proximity_.around[other].swept)) return true;  // kept bounds are the tree's history
+        const Aabb& there = proximity_.around[other].swept;  // kept bounds are the tree's history
+        if (!overlaps(reach, there) && !(overlaps(further, there) && isHeld(o.body))) return true;
         if (o.body == body || !isHeavyFor(body, o.body) || !shapes_.mayTouch(shape, other)) return true;
         if (!ties_.mayCollide(body, o.body)) return true;
         // Half of a half where mortar holds what is hit.
         const bool held = isHeld(o.body);
-        const Approach way = approach(body, s, o);
+        const Approach way = approach(body, s, o, held ? beyond : 0);
         if (!(way.thicknesses > 0)) return true;
+        if (held) part_ = std::min(part_, kHitWay * kHitWay / way.thicknesses);
         mass += bodies_.mass[o.body].mass / double(bodies_.shapes[o.body].size());
         flight = std::min(flight, way.flight);
         // Of what mortar holds, beyond the flight.
         double& most = held ? gone.held : gone.loose;
-        most = std::max(most, held ? way.thicknesses * (1 - way.flight) / kHitWay : way.thicknesses);
+        most = std::max(most, held ? way.thicknesses * std::max(0.0, 1 - way.flight) / kHitWay : way.thicknesses);
         return true;
       });
     }
@@ -73,6 +80,8 @@ class HitSearch {
   const Thicknesses& gone() const { return gone_; }
   // Share of the step in which nothing hits yet.
   double flight() const { return flight_; }
+  // Share of the step in which a hit on what mortar holds is to be made.
+  double part() const { return part_; }
 
  private:
   // What mortar holds is pushed out of its neighbours, which stop what comes after it: twice the mass is enough there.
@@ -114,15 +123,17 @@ class HitSearch {
     double thicknesses = 0;  // of `struck`: the way of the body against it
     double flight = 1;       // share of the step before they can touch: apart along that way
   };
-  Approach approach(BodyIndex body, const ShapeData& own, const ShapeData& struck) const {
+  // `beyond`: m, that count as a part of the way.
+  Approach approach(BodyIndex body, const ShapeData& own, const ShapeData& struck, double beyond) const {
     const BodyMotion& other = bodies_.motion[struck.body];
     const Vec3 way = (bodies_.motion[body].linearVelocity - other.linearVelocity) * dt_;
     const double far = length(way);
-    if (!(far > littleWay(struck.innerRadius)) || !mayMeet(body, struck.body, way, far)) return {};
+    if (!(far > littleWay(struck.innerRadius)) || !mayMeet(body, struck.body, way * (1 + beyond / far), far + beyond))
+      return {};
     const Vec3 direction = way * (1 / far);
     const Vec3 along = rotate(conjugate(struck.inCentreFrame.rotation), transposeTimes(other.orientation, direction));
     const double apart = -reachOf(struck, -direction) - reachOf(own, direction);
-    return {far / thicknessAlong(struck.geometry, along), std::clamp(apart / far, 0.0, 1.0)};
+    return {far / thicknessAlong(struck.geometry, along), std::clamp(apart / far, 0.0, 1 + beyond / far)};
   }
 
   const BodySet& bodies_;
@@ -131,7 +142,7 @@ class HitSearch {
   const Ties& ties_;
   const double dt_;
   std::vector<bool> held_;  // by body; empty: not looked up yet
-  double flight_ = 1;
+  double flight_ = 1, part_ = 1;
   Thicknesses gone_;  // within the step, the most of all struck bodies
 };
 
@@ -147,8 +158,7 @@ HitParts partsForHits(const Registry& registry, const Activity& activity, const 
   const double wanted = std::max(gone.held, gone.loose) / kHitWay;
   const bool ofHeld = gone.held > gone.loose;
   // Parts before the hit would be missing after it: one for the flight, up to a part's length before it ends.
-  if (const double part = (1 - search.flight()) / wanted; ofHeld && wanted > 1 && search.flight() > 2 * part)
-    return {2, true, search.flight() - part};
+  if (gone.held >= gone.loose && search.flight() > 2 * search.part()) return {2, true, search.flight() - search.part()};
   const double limit = ofHeld && wanted > most ? std::ldexp(1.0, most - 1) : double(most);
   const auto count = int(std::ceil(std::clamp(wanted, 1.0, limit)));
   return {count, ofHeld && count > 1};

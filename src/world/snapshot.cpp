@@ -18,7 +18,7 @@ namespace {
 
 //! not of the method: the file's
 constexpr std::uint64_t kMagic = 0x30504e5346424b42ull;
-constexpr std::uint32_t kLayout = 29;
+constexpr std::uint32_t kLayout = 30;
 
 struct Header {
   std::uint64_t magic = kMagic;

@@ -83,7 +83,7 @@ TEST(Law, Row31wWhatHoldsIsNotTorn) {
   }
   EXPECT_GT(broken, 500);
   EXPECT_GT(cracked, 500);
-  atMost("of joints that hold in 60 walls that are hit, faces are apart by", 0, 1000 * torn, 10, "mm");
+  atMost("of joints that hold in 60 walls that are hit, faces are apart by", 0, 1000 * torn, 5, "mm");
   atMost("walls in which anything is 20 mm deep in anything, of 60", 0, deepWalls, 2, "");
 }
 

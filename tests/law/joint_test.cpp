@@ -205,23 +205,27 @@ TEST(Law, Row30cAHeavyBallHangsStillOnLightLinks) {
   reached({"force of its uppermost joint", kDt, chain.world.state(chain.joints[0])->force.y / weight, 1, 2e-3, ""});
 }
 
-// Small swings go up and down by a second order: what joints took comes back, and the last check takes nothing.
+// Small swings go up and down by a second order. What they lose by the fourth is given back: it was 0.8 % of the amplitude
+// in ten swings at 1/30 s.
 TEST(Law, Row30dAHeavyBallSwingsOnLightLinks) {
-  Chain chain(0.3);
-  Swing swing{.last = 0.3};
-  double taken = 0;
-  for (int i = 0; i < 900; i++) {
-    taken += chain.step(kDt).energyTaken;
-    const Vec3 p = chain.world.state(chain.ball)->centreOfMass;
-    swing.look((i + 1) * kDt, kDt, std::atan2(p.x, 20 - p.y));
+  for (auto [dt, swings] : {std::pair{1.0 / 30, 10}, {kDt, 3}}) {
+    Chain chain(0.3);
+    Swing swing{.last = 0.3};
+    double taken = 0;
+    for (int i = 0; swing.periods < swings - 1; i++) {
+      ASSERT_LT(i, 4000);
+      taken += chain.step(dt).energyTaken;
+      const Vec3 p = chain.world.state(chain.ball)->centreOfMass;
+      swing.look((i + 1) * dt, dt, std::atan2(p.x, 20 - p.y));
+    }
+    const double reach = Chain::kLinks * Chain::kLink;
+    const double light = 5 * Chain::kLinks, moment = 2000 * Chain::kLength + light * 0.5 * reach;
+    const double inertia = 2000 * (Chain::kLength * Chain::kLength + 0.4 * 0.16) + light * reach * reach / 3;
+    reached({"period of the chain", dt, 100 * (swing.period() / periodOf(inertia / moment, 0.3) - 1), 0, 0.1, "%"});
+    reached({"its amplitude", dt, 100 * (swing.amplitude / 0.3 - 1), 0, 0.1, "%"});
+    atMost("its stretch", dt, 100 * chain.stretch / Chain::kLength, 0.05, "%");
+    atMost("what the last check takes from it", dt, taken, dt > kDt ? 4 : 1, "J");
   }
-  const double reach = Chain::kLinks * Chain::kLink;
-  const double light = 5 * Chain::kLinks, moment = 2000 * Chain::kLength + light * 0.5 * reach;
-  const double inertia = 2000 * (Chain::kLength * Chain::kLength + 0.4 * 0.16) + light * reach * reach / 3;
-  reached({"period of the chain", kDt, 100 * (swing.period() / periodOf(inertia / moment, 0.3) - 1), 0, 0.1, "%"});
-  reached({"its amplitude", kDt, 100 * (swing.amplitude / 0.3 - 1), 0, 0.1, "%"});
-  atMost("its stretch", kDt, 100 * chain.stretch / Chain::kLength, 0.05, "%");
-  atMost("what the last check takes from it", kDt, taken, 1, "J");
 }
 
 // A ring of ten bars with a hinge between each two, thrown into space and turning.
@@ -256,6 +260,53 @@ TEST(Law, Row30eALinkageInFlightStaysClosedAndKeepsItsMomenta) {
   atMost("its gain of energy", kDt, rise, 1e-6 * start, "J");
 }
 
+// Loops of bars that fall with one bar fixed: four in a plane, and six with hinges square to each other in turn (of Bricard), which
+// move only because of their measures.
+TEST(Law, Row30eLoopsStayClosed) {
+  struct Loop {
+    const char* name;
+    std::vector<Vec3> corners, axes;
+  };
+  const double side = 0.5 * std::sqrt(3.0);
+  const Vec3 a{-1, 0, 0}, b{1, 0, 0}, c{0, 0, 2 * side}, up{0, 1, 0};
+  const Vec3 ab = (a + b) * 0.5, bc = (b + c) * 0.5, ca = (c + a) * 0.5;
+  const Vec3 z{0, 0, 1};
+  const Loop loops[] = {{"four bars", {{0, 0, 0}, {1, 0, 0}, {1.4, 0.9, 0}, {-0.3, 0.6, 0}}, {z, z, z, z}},
+                        {"Bricard's six bars",
+                         {a, ab, b, bc, c, ca},
+                         {up, cross(b - a, up), up, cross(c - b, up), up, cross(a - c, up)}}};
+  for (const Loop& loop : loops)
+    for (double dt : {1.0 / 30, 1.0 / 60, 1.0 / 240}) {
+      World world = makeWorld();
+      const std::size_t count = loop.corners.size();
+      std::vector<BodyId> bars;
+      std::vector<JointId> joints;
+      for (std::size_t i = 0; i < count; i++) {
+        const Vec3 from = loop.corners[i], to = loop.corners[(i + 1) % count], along = to - from;
+        BodyDef def = bodyOf(boxOf({0.5 * length(along) - 0.04, 0.02, 0.02}), Vec3{0, 10, 0} + (from + to) * 0.5,
+                             i == 0 ? BodyType::fixed : BodyType::dynamic);
+        const Vec3 turn = cross(Vec3{1, 0, 0}, normalized(along));
+        def.rotation = normalized(Quat{turn.x, turn.y, turn.z, 1 + normalized(along).x + 1e-9});
+        def.shapes[0].filter = {2, 0};
+        bars.push_back(add(world, def));
+      }
+      for (std::size_t i = 0; i < count; i++)
+        joints.push_back(join(world, at(JointType::revolute, Vec3{0, 10, 0} + loop.corners[i], loop.axes[i]),
+                              bars[(i + count - 1) % count], bars[i]));
+      const double start = energyOf(world);
+      double gape = 0, rise = 0, fell = 0;
+      for (int i = 0; i < std::lround(4 / dt); i++) {
+        ASSERT_TRUE(world.step(dt).ok());
+        for (JointId joint : joints) gape = std::max(gape, world.state(joint)->error);
+        rise = std::max(rise, energyOf(world) - start), fell = std::max(fell, world.energy().kinetic);
+      }
+      expectSound(world);
+      EXPECT_GT(fell, 1);
+      atMost(std::string(loop.name) + ": error of a hinge", dt, 1e3 * gape, 0.1, "mm");
+      atMost(std::string(loop.name) + ": energy over the start", dt, 1e6 * rise / fell, 5, "millionths of what moves");
+    }
+}
+
 // The bob meets a fixed block at its lowest point.
 TEST(Law, Row30fABobThatHitsABlockStaysOnItsJoint) {
   Pendulum p(-1);
@@ -284,8 +335,8 @@ TEST(Law, Row30kAChainThatSnapsGainsNothing) {
       rise = std::max(rise, now - chain.start), step = std::max(step, now - last), last = now;
     }
     expectSound(chain.world);
-    atMost("energy gained by a chain that snaps from " + text(angle, 1) + " rad", dt, rise, 0, "J");
-    atMost("its largest gain in a step", dt, step, 0, "J", 60);
+    atMost("energy gained by a chain that snaps from " + text(angle, 1) + " rad", dt, rise, 1e-6, "J");
+    atMost("its largest gain in a step", dt, step, 0, "J", dt < kDt ? 10 : 1);
     atMost("stretch of it", dt, 100 * chain.stretch / Chain::kLength, 0.1, "%");
     atMost("error of a joint of it", dt, 1e3 * gape, 20, "mm");
   }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "solver/finish/motion.h"
+#include "solver/joint/velocities.h"
 #include "solver/rigid_sum.h"
 #include "solver/support.h"
 
@@ -185,7 +186,8 @@ double takeRelative(const Island& island, Bodies group, const RigidMotion& rigid
   if (!(relative > 0)) return excess;
   // relative (1 - x^2) + cross (1 - x) = excess; if no x fits, x = 0 takes most.
   const double root = cross * cross + 4 * relative * (relative + cross - excess);
-  const double kept = root > 0 ? std::clamp((-cross + std::sqrt(root)) / (2 * relative), 0.0, 1.0) : 0;
+  const double most = excess < 0 ? 1 + kTrifle : 1;
+  const double kept = root > 0 ? std::clamp((-cross + std::sqrt(root)) / (2 * relative), 0.0, most) : 0;
   for (std::uint32_t i : group) {
     const BodyIndex body = island.bodies[i];
     const SolvedMotion& s = context.solved[body];
@@ -257,6 +259,10 @@ class LastCheck {
     const RigidMotion under = motionOf(island_, island_.groups.partner(g), context_);
     const bool driven = movesAgainst(under), jointed = island_.facts.jointed;
     GroupEnergy energy = energyOf(island_, group, under.move, context_);
+    if (swingsOn(group)) {
+      takeRelative(island_, group, under, under.move, context_, lapse(energy));
+      return 0;
+    }
     auto given = [&] {
       const double fromTies = energy.fromTies(back);
       return driven ? fromTies : std::min(fromTies, mostWork(g));
@@ -281,6 +287,18 @@ class LastCheck {
     if (left > energy.slack() && group.size() == 1 && !jointed)
       left = takeWay(island_.bodies[group[0]], under.move, left);
     return excess - left;
+  }
+
+  // J: what a step of bodies that swing on joints alone made of nothing. Energy goes up and down by a second order, as
+  // the joints tell.
+  double lapse(const GroupEnergy& energy) const { return energy.gain({}) + heldEnergy(island_); }
+  // Nothing but gravity and joints acts on the group, and its swing is smooth: it keeps what a leapfrog keeps.
+  bool swingsOn(Bodies group) const {
+    if (!keepsEnergy(island_) || island_.groups.count() > 1) return false;
+    return std::none_of(group.begin(), group.end(), [&](std::uint32_t i) {
+      const BodyData& data = context_.bodies->data[island_.bodies[i]];
+      return data.linearDamping > 0 || data.angularDamping > 0 || data.dragArea > 0;
+    });
   }
 
   // A body alone that has no velocity left to give has gone too far against the forces on it.

@@ -378,7 +378,7 @@ void JointRows::prepare(Island& island, Ties& ties, const StepContext& context) 
   if (size() == 0) return;
   const BodySet& bodies = *context.bodies;
   masses_ = &island.masses;
-  returned = 0;
+  returned = held_ = 0;
   support = {};
   timePasses_ = true;
   findLoads(island, context);
@@ -574,12 +574,46 @@ void JointRows::sumBoundary(const Boundary& b, BoundarySums& sums) const {
   }
 }
 
+// Its turn goes on nearly as in the last step, a line's as well. What goes to and fro within some steps loses energy
+// because it is not resolved: given back, it would tear light links apart.
+bool JointRows::turnsSteadily(std::size_t k, const SolveMotion* motion) const {
+  const JointStart& start = starts[k];
+  const joint::Relative moved = joint::relativeMotion(records[k], motion);
+  const wide::V ways = joint::alongAxes(records[k].way, moved.way),
+                turns = joint::alongAxes(records[k].turn, moved.turn);
+  for (int i = 0; i < 3; i++) {
+    if (!(std::fabs(turns[i] - start.before[i + kJointLanes]) <= float(kTrifle))) return false;
+    if ((start.across >> i & 1) != 0 && !(std::fabs(ways[i] - start.before[i]) <= float(kTrifle) * start.span))
+      return false;
+  }
+  return true;
+}
+
+// Springs and motors give; brakes take, and limits and ropes that did not act before.
+void JointRows::watchEnergy(std::size_t k, const Joint& joint, const joint::Forces& f, const SolveMotion* motion) {
+  const JointRecord& r = records[k];
+  for (int i = 0; i < kJointLanes; i++) {
+    auto look = [&](int lane, const JointEquations& e, double before, float now) {
+      if (now == 0 || (starts[k].across >> lane & 1) != 0) return;
+      const bool hard = (starts[k].hard >> lane & 1) != 0, oneSided = e.least[i] == 0 || e.most[i] == 0;
+      if (!hard && (e.trial[i] != 0 || (starts[k].follows >> lane & 1) != 0)) giveNone_ = false;
+      if (!hard || (oneSided && before == 0)) keepEnergy_ = false;
+    };
+    look(i, r.way, joint.way[i], f.way[i]);
+    look(i + kJointLanes, r.turn, joint.turn[i], f.turn[i]);
+  }
+  if (joint.wound > 0) giveNone_ = false;
+  keepEnergy_ = keepEnergy_ && giveNone_ && turnsSteadily(k, motion);
+}
+
 // An island that rests goes on with the forces that it has: what is left of errors would add up.
 bool JointRows::store(Island& island, Ties& ties, StepContext&) {
   const bool changed = !island.resting();
+  giveNone_ = keepEnergy_ = changed && island.plan.swings && island.facts.swung && island.facts.grounded;
   for (std::size_t k = 0; k < size() && changed; k++) {
     Joint& joint = at(k, ties);
     const joint::Forces f = joint::forcesAt(records[k], island.motion.data());
+    watchEnergy(k, joint, f, island.motion.data());
     for (int i = 0; i < kJointLanes; i++) {
       joint.way[i] = double(f.way[i]);
       joint.turn[i] = double(f.turn[i]);

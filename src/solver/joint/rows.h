@@ -140,6 +140,15 @@ struct JointRows : LastingRows<JointRows, JointSet, &Ties::joints> {
       return joint.driven && joint.speed != 0;
     });
   }
+  // In this step, of bodies that swing on joints alone: nothing that can give energy acts.
+  bool giveNone() const { return giveNone_; }
+  // Nor anything that takes it, unless something snaps: all that acts holds places, as it did before.
+  bool keepEnergy() const { return keepEnergy_; }
+  void stopKeeping() { keepEnergy_ = false; }
+  // J: of what a swing keeps, all that is no energy of the step's end (swings.cpp); then by how much that grew
+  // (velocities.cpp).
+  void hold(double energy) { held_ = energy; }
+  double held() const { return held_; }
   // The part of a spring that swings slowly enough for the step.
   double resolved(std::size_t k, const Joint& spring) const;
 
@@ -165,9 +174,13 @@ struct JointRows : LastingRows<JointRows, JointSet, &Ties::joints> {
   bool followArcs(std::size_t k, const SolveMotion* motion, float slack);
   bool follow(std::size_t k, const SolveMotion* motion, float slack);
   bool watchBounds(std::size_t k, const SolveMotion* motion);
+  bool turnsSteadily(std::size_t k, const SolveMotion* motion) const;
+  void watchEnergy(std::size_t k, const Joint& joint, const joint::Forces& f, const SolveMotion* motion);
 
   std::pmr::vector<SolveMass>* masses_ = nullptr;  // of the island, since prepare
   bool timePasses_ = true;                         // no impact is solved
+  bool giveNone_ = false, keepEnergy_ = false;
+  double held_ = 0;
 };
 
 }  // namespace brickfall

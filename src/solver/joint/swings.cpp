@@ -43,6 +43,7 @@ class Swings : VelocitySystem {
     if (!findHalf(ties, true)) return;
     rememberHalf();
     rememberWhole(ties);
+    island_.rows.joints.hold(heldEnergy());
     // A spring that just began to act has no half to give yet.
     if (sprung_ && begins() && !findHalf(ties, false)) return;
     for (std::uint32_t i = 0; i < island_.bodies.size(); i++) {
@@ -195,6 +196,20 @@ class Swings : VelocitySystem {
       change.swings = true;
       rememberSteady(body.body, change, context_);
     }
+  }
+  // J. What a leapfrog keeps is not the energy of the step's end. With v the velocity there, a half of its change in a
+  // step, M the inertia and S what resists turns besides, it is v (M + S) v / 2 - a (M + S) a / 2 and the energy of
+  // places. This is what it has beside that energy.
+  double heldEnergy() const {
+    double sum = 0;
+    for (const Body& body : bodies_) {
+      const Vec3 spin = body.startSpin + body.spin;
+      const Mat3 end = toMatrix(body.place.rotation);
+      const Vec3 own = end * (context_.bodies->mass[body.body].inertia * (transpose(end) * spin));
+      sum += 0.5 * (dot(spin, body.inertia * spin) - dot(spin, own) - body.mass * lengthSquared(body.move) -
+                    dot(body.spin, body.inertia * body.spin));
+    }
+    return sum;
   }
   // Inertia with what resists turns in the solve, turned with the body. Else a thin link has the inertia about its axis
   // that it had where its axis was: spins grow fourfold in a step.

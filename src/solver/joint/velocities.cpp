@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "solver/finish/motion.h"
 #include "solver/joint/velocity_system.h"
@@ -27,8 +28,10 @@ class HeldVelocities : VelocitySystem {
   double run(Ties& ties) {
     findBodies();
     findEquations(ties);
-    if (equations_.empty() || !hold()) return 0;
-    if (findFrictions() && !hold()) return 0;
+    if (equations_.empty() || !hold() || (findFrictions() && !hold())) {
+      island_.rows.joints.stopKeeping();
+      return 0;
+    }
     const double taken = takeGain(ties);
     tell(ties);
     return taken;
@@ -47,12 +50,44 @@ class HeldVelocities : VelocitySystem {
       weights += body.mass * length(context_.gravity) * context_.bodies->mass[body.body].outerRadius;
     const double held = energy();
     const double owed = std::min(kForcesRound * gain.loads, kMostOwed * (held + weights));
-    const double sum = gain.sum - wound, back = std::min(lent, mostReturned());
+    const double sum = gain.sum - wound, smooth = mostReturned();
+    double before = 0;
+    const double share = joints.held() / double(joints.size());
+    for (JointIndex joint : joints.tieOf) before += std::exchange(ties.joints.slots[joint].held, share);
+    joints.hold(std::max(joints.held() - before, -std::max(lent, 0.0)));
+    const bool steady = joints.keepEnergy();
+    if (!swingsOn(held)) joints.stopKeeping();
+    if (joints.giveNone()) {
+      const double rest = joints.keepEnergy() ? lent + joints.held() : steady ? lent : 0;
+      for (JointIndex joint : joints.tieOf) ties.joints.slots[joint].lent = rest / double(joints.size());
+      joints.returned = 0;
+      return !joints.keepEnergy() || sum > smooth ? rub(held, sum) : 0;
+    }
+    const double back = std::min(lent, smooth);
     const double taken = rub(held, sum - back - owed);
-    const double kept = std::min(lent - sum, kTrifle * held);
+    const double kept = std::min(lent - (sum < -smooth ? 0 : sum), kTrifle * held);
     for (JointIndex joint : joints.tieOf) ties.joints.slots[joint].lent = std::max(-owed, kept) / double(joints.size());
     joints.returned = (sum > 0 ? std::clamp(back, 0.0, sum) + owed : 0) + wound;
     return taken;
+  }
+
+  // The swing is smooth. More than a trifle of the work that moves it is a snap's; what joints do not explain is not
+  // resolved. False as well where no step of this length is remembered.
+  bool swingsOn(double energyAtEnd) const {
+    double gain = energyAtEnd, moved = 0;
+    for (const Body& body : bodies_) {
+      const BodyData& data = context_.bodies->data[body.body];
+      if (data.steady.dt != island_.dt) return false;
+      const FreeMotion& free = context_.free[body.body];
+      const SolvedMotion& s = context_.solved[body.body];
+      const double work =
+          dot(context_.gravity * (body.mass * data.gravityScale) + data.force, s.d) + dot(data.torque, s.th);
+      gain -= 0.5 * body.mass * lengthSquared(free.startVelocity) + work +
+              0.5 * dot(free.startSpin, context_.bodies->worldInertia(body.body) * free.startSpin);
+      moved += std::fabs(work);
+    }
+    const double held = island_.rows.joints.held();
+    return std::fabs(gain + held) <= std::fabs(gain) && std::fabs(held) <= kTrifle * moved;
   }
 
   // J, in a step. Smooth swings go up and down by a small part of what gravity changes in it; snaps would return what
@@ -369,6 +404,9 @@ class HeldVelocities : VelocitySystem {
 }  // namespace
 
 BalanceChange supportAtEnd(const Island& island) { return island.rows.joints.support; }
+
+bool keepsEnergy(const Island& island) { return island.rows.joints.keepEnergy(); }
+double heldEnergy(const Island& island) { return island.rows.joints.held(); }
 
 double holdVelocities(Island& island, Ties& ties, StepContext& context) {
   if (!island.plan.arcs) return 0;

@@ -9,6 +9,11 @@ namespace brickfall {
 // places, and their correction, give no velocity; momenta stay. Returns the energy taken, J.
 double holdVelocities(Island& island, Ties& ties, StepContext& context);
 
+// Nothing took energy from what swings in this step, unless something snapped; and what it keeps besides its energy, by
+// how much that grew (J).
+bool keepsEnergy(const Island& island);
+double heldEnergy(const Island& island);
+
 // What fixed and kinematic bodies gave by that.
 BalanceChange supportAtEnd(const Island& island);
 
