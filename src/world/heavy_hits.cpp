@@ -57,10 +57,10 @@ class HitSearch {
         if (!overlaps(reach, there) && !(overlaps(further, there) && isHeld(o.body))) return true;
         if (o.body == body || !isHeavyFor(body, o.body) || !shapes_.mayTouch(shape, other)) return true;
         if (!ties_.mayCollide(body, o.body)) return true;
-        // Half of a half where mortar holds what is hit.
         const bool held = isHeld(o.body);
         const Approach way = approach(body, s, o, held ? beyond : 0);
         if (!(way.thicknesses > 0)) return true;
+        // Half of a half where mortar holds what is hit.
         if (held) part_ = std::min(part_, kHitWay * kHitWay / way.thicknesses);
         mass += bodies_.mass[o.body].mass / double(bodies_.shapes[o.body].size());
         flight = std::min(flight, way.flight);
