@@ -40,9 +40,8 @@ struct Joint {
   double way[kJointLanes] = {}, turn[kJointLanes] = {};  // N, N m: by equation, of the last part of the step
   Vec3 force, torque;                // N, N m: from A on B at the middle of the anchors, of the last part of the step
   Vec3 earlierForce, earlierTorque;  // of the parts before, and of impacts: by their share of the step
-  double lent = 0;  // J: work that it took and may give back, or owes, since its errors and arcs hold it
-  double held =
-      0;  // J: of the energy that swings keep, what is not theirs at the end of a step (solver/joint/swings.cpp)
+  double lent = 0;   // J: work that it took and may give back, or owes, since its errors and arcs hold it
+  double held = 0;   // J: the energy that swings keep, less theirs where a step ends (solver/joint/swings.cpp)
   double wound = 0;  // m or rad: its length or limits were changed by so much from outside, and it has not gone it yet
   double over = 0;   // s: the step over which its errors grew
   double meanForce = 0, meanTorque = 0;  // N, N m: over kReferenceStep, what a break is judged by

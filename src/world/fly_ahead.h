@@ -8,7 +8,7 @@
 namespace brickfall {
 
 //! outer radii | too small: bodies meet before their contacts are found | too large: hits act along the wrong line
-constexpr double kShortOf = 0.1;  // of what it meets a body that flies ahead ends
+constexpr double kShortOf = 0.1;  // so far from what it meets a flight ahead ends
 
 // The line of a contact force serves both bodies, and runs where they are at the start of the step. From afar that is
 // not where they meet. So a body of the island that goes further than four times its outer radius, and touches nothing,

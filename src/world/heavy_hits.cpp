@@ -42,7 +42,7 @@ class HitSearch {
     if (bodies_.still[body] || !(length(m.linearVelocity) * dt_ > littleWay(bodies_.mass[body].innerRadius))) return;
     const Sweep own = sweepOf(bodies_, body, m.linearVelocity * dt_, m.angularVelocity * dt_);
     double mass = 0;  // kg, of bodies on the way
-    double flight = 1;
+    double flight = 1, part = 1;
     Thicknesses gone;  // of the body
     for (ShapeIndex shape : bodies_.shapes[body]) {
       const ShapeData& s = shapes_.data[shape];
@@ -61,7 +61,7 @@ class HitSearch {
         const Approach way = approach(body, s, o, held ? beyond : 0);
         if (!(way.thicknesses > 0)) return true;
         // Half of a half where mortar holds what is hit.
-        if (held) part_ = std::min(part_, kHitWay * kHitWay / way.thicknesses);
+        if (held) part = std::min(part, kHitWay * kHitWay / way.thicknesses);
         mass += bodies_.mass[o.body].mass / double(bodies_.shapes[o.body].size());
         flight = std::min(flight, way.flight);
         // Of what mortar holds, beyond the flight.
@@ -73,6 +73,7 @@ class HitSearch {
     // A pebble on its way has not the whole world stepped in parts.
     if (!bodies_.isDriven(body) && !(mass >= kTrifle * bodies_.mass[body].mass)) return;
     flight_ = std::min(flight_, flight);
+    part_ = std::min(part_, part);
     gone_.held = std::max(gone_.held, gone.held);
     gone_.loose = std::max(gone_.loose, gone.loose);
   }

@@ -26,7 +26,6 @@ struct End {
   bool may = false, shifts = false;  // may be shifted; is, where it ends in something
   bool asSolved = true;              // ends as its contacts know, as far as it is not shifted
   bool flies = false, free = false;  // nothing fixed is behind what presses on it; nor behind its island
-  bool single = false;               // of no island
   double invMass = 0;                // 1 / kg; 0 where it may not be shifted
   Mat3 invInertia{{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}};  // 1 / (kg m2); 0 where it may not be turned
   Transform pose, solved;                              // now, and before anything was shifted
@@ -177,7 +176,7 @@ void Fitting::addEnd(BodyIndex body, bool may, bool shifts, bool asSolved) {
   if (may) {
     const std::uint32_t number = island_ ? 0 : activity_->islandOf[body];
     const Island* island = island_ ? island_ : number == kNoIndex ? nullptr : activity_->islands.awake[number].get();
-    end.flies = s.flying, end.free = !island || !island->grounded(), end.single = !island;
+    end.flies = s.flying, end.free = !island || !island->grounded();
     end.invMass = bodies_.mass[body].invMass;
     if (!s.freeTurn && !s.flying) end.invInertia = bodies_.worldInvInertia(body);
   }

@@ -2,13 +2,7 @@
 # takes half a minute, so it is part of `make deb`, not of `make test`.
 # What it says of itself, what it holds, and that its command runs from where it is unpacked: with an empty
 # environment, and as root in a root folder of its own that has nothing else but the libraries that it names.
-function(must)
-  execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
-  if(NOT result EQUAL 0)
-    message(FATAL_ERROR "failed (${result}): ${ARGN}\n${output}")
-  endif()
-  set(output "${output}" PARENT_SCOPE)
-endfunction()
+include(${CMAKE_CURRENT_LIST_DIR}/must.cmake)
 
 file(REMOVE_RECURSE ${WORK_DIR})
 find_program(CPACK cpack)

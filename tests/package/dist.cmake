@@ -1,15 +1,9 @@
 # What a release archive holds, and that it configures where there is neither node nor a network: every node and npm that could be
 # found is one that fails.
-function(must)
-  execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
-  if(NOT result EQUAL 0)
-    message(FATAL_ERROR "failed (${result}): ${ARGN}\n${output}")
-  endif()
-  set(output "${output}" PARENT_SCOPE)
-endfunction()
+include(${CMAKE_CURRENT_LIST_DIR}/must.cmake)
 
 if(NOT EXISTS ${SOURCE_DIR}/.git)
-  message("skipped: the source is no git checkout, so there is nothing to make an archive of")
+  message("missing: a git checkout of the source, of which an archive is made")
   return()
 endif()
 file(REMOVE_RECURSE ${WORK_DIR})

@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "convex_model.h"
+#include "counting_memory.h"
 #include "math/random.h"
 #include "support/world_helpers.h"
 
@@ -55,23 +56,6 @@ class ShuffledTasks final : public TaskSystem {
 
  private:
   Random random_{7};
-};
-
-class CountedMemory final : public std::pmr::memory_resource {
- public:
-  std::size_t held = 0, taken = 0;
-
- private:
-  void* do_allocate(std::size_t bytes, std::size_t alignment) override {
-    held += bytes;
-    taken += bytes;
-    return std::pmr::new_delete_resource()->allocate(bytes, alignment);
-  }
-  void do_deallocate(void* memory, std::size_t bytes, std::size_t alignment) override {
-    held -= bytes;
-    std::pmr::new_delete_resource()->deallocate(memory, bytes, alignment);
-  }
-  bool do_is_equal(const memory_resource& other) const noexcept override { return this == &other; }
 };
 
 // What the process was told through its hooks.
@@ -507,7 +491,7 @@ TEST(Library, RandomCallsAgreeWithAModel) {
   setNoteHandler(takeNote);
   setFailureHandler(takeFailure);
   ShuffledTasks tasks;
-  CountedMemory memory;
+  CountingMemory memory;
   int decided = 0, open = 0, hits = 0, presolved = 0;
   for (std::uint64_t seed : {1, 2, 3, 4}) {
     Program alone(seed, {}, true);

@@ -5,6 +5,7 @@
 #include <thread>
 #include <unordered_set>
 
+#include "counting_memory.h"
 #include "math/random.h"
 #include "support/world_helpers.h"
 
@@ -351,23 +352,6 @@ class CountingTasks final : public TaskSystem {
       end = begin;
     }
   }
-};
-
-class CountingMemory final : public std::pmr::memory_resource {
- public:
-  std::size_t held = 0, taken = 0;
-
- private:
-  void* do_allocate(std::size_t bytes, std::size_t alignment) override {
-    held += bytes;
-    taken += bytes;
-    return std::pmr::new_delete_resource()->allocate(bytes, alignment);
-  }
-  void do_deallocate(void* memory, std::size_t bytes, std::size_t alignment) override {
-    held -= bytes;
-    std::pmr::new_delete_resource()->deallocate(memory, bytes, alignment);
-  }
-  bool do_is_equal(const memory_resource& other) const noexcept override { return this == &other; }
 };
 
 TEST(Host, ThreadsAndMemoryOfTheProgramChangeNoBit) {
