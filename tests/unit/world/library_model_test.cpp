@@ -3,7 +3,6 @@
 // own threads, memory, log and handler of failures.
 #include <algorithm>
 #include <map>
-#include <memory_resource>
 #include <optional>
 #include <set>
 #include <stdexcept>

@@ -1,7 +1,6 @@
 // Calls of a program that has a world of its own: sensors, whole shapes as questions, masses of its own, its own filter,
 // threads and memory.
 #include <algorithm>
-#include <memory_resource>
 #include <thread>
 #include <unordered_set>
 
