@@ -40,16 +40,21 @@ void BlockEnvelope::shape(const std::pmr::vector<std::uint32_t>& lowest) {
     begin_[row] = count;
     count += row - lowest[row] + 1;
   }
-  blocks_.resize(count);
-  clear();
+  blocks_.assign(count, Block{});
 }
 
 void BlockEnvelope::clear() { std::fill(blocks_.begin(), blocks_.end(), Block{}); }
 
 void BlockEnvelope::add(std::size_t row, std::size_t column, const double (&b)[6][6]) {
   Block& to = at(row, column);
-  for (int i = 0; i < 6; i++)
-    for (int j = 0; j < 6; j++) to.column[j][i] += b[i][j];
+  for (int j = 0; j < 6; j++) {
+    Six sum = load(to.column[j]);
+    const Six more = load(b[j]);
+    sum.a += more.a;
+    sum.b += more.b;
+    sum.c += more.c;
+    store(sum, to.column[j]);
+  }
 }
 
 void BlockEnvelope::stiffen(std::size_t row, unsigned rows, double times) {
@@ -58,13 +63,35 @@ void BlockEnvelope::stiffen(std::size_t row, unsigned rows, double times) {
     if (rows >> k & 1) block.column[k][k] *= times;
 }
 
-// from -= left right^T
-void BlockEnvelope::takeProduct(Block& from, const Block& left, const Block& right) {
-  Six columns[6];
-  for (int k = 0; k < 6; k++) columns[k] = load(left.column[k]);
+// from -= the sum of left right^T over so many blocks. Three columns at a time stay in registers.
+void BlockEnvelope::takeProducts(Block& from, const Block* left, const Block* right, std::size_t count) {
+  for (int first = 0; first < 6; first += 3) {
+    Six x = load(from.column[first]), y = load(from.column[first + 1]), z = load(from.column[first + 2]);
+    for (std::size_t n = 0; n < count; n++)
+      for (int k = 0; k < 6; k++) {
+        const Six column = load(left[n].column[k]);
+        const double* by = right[n].column[k] + first;
+        takeScaled(x, column, by[0]);
+        takeScaled(y, column, by[1]);
+        takeScaled(z, column, by[2]);
+      }
+    store(x, from.column[first]);
+    store(y, from.column[first + 1]);
+    store(z, from.column[first + 2]);
+  }
+}
+
+// On and under the diagonal: from -= left left^T
+void BlockEnvelope::takeSquare(Block& from, const Block& left) {
   for (int j = 0; j < 6; j++) {
     Six sum = load(from.column[j]);
-    for (int k = 0; k < 6; k++) takeScaled(sum, columns[k], right.column[k][j]);
+    for (int k = 0; k < 6; k++) {
+      const Six column = load(left.column[k]);
+      const double share = left.column[k][j];
+      if (j < 2) sum.a -= column.a * share;
+      if (j < 4) sum.b -= column.b * share;
+      sum.c -= column.c * share;
+    }
     store(sum, from.column[j]);
   }
 }
@@ -102,9 +129,10 @@ bool BlockEnvelope::factor() {
     Block& diagonal = at(row, row);
     for (std::size_t j = lowest_[row]; j < row; j++) {
       Block& b = at(row, j);
-      for (std::size_t k = std::max(lowest_[row], lowest_[j]); k < j; k++) takeProduct(b, at(row, k), at(j, k));
+      const std::size_t first = std::max(lowest_[row], lowest_[j]);
+      if (first < j) takeProducts(b, &at(row, first), &at(j, first), j - first);
       divideBy(b, at(j, j));
-      takeProduct(diagonal, b, b);
+      takeSquare(diagonal, b);
     }
     if (!factorDiagonal(diagonal)) return false;
   }

@@ -15,7 +15,7 @@ class BlockEnvelope {
   // lowest: the first column of each row of blocks. Sets all entries to 0.
   void shape(const std::pmr::vector<std::uint32_t>& lowest);
   void clear();
-  // Adds a block on or under the diagonal, by rows. A block on the diagonal is given whole.
+  // Adds a block on or under the diagonal, by columns. A block on the diagonal is given whole.
   void add(std::size_t row, std::size_t column, const double (&b)[6][6]);
   // Times so much on the diagonal, where `rows` has a bit: what these six unknowns find is 0 to all others.
   void stiffen(std::size_t row, unsigned rows, double times);
@@ -30,7 +30,8 @@ class BlockEnvelope {
   struct Block {
     double column[6][6];
   };
-  static void takeProduct(Block& from, const Block& left, const Block& right);
+  static void takeProducts(Block& from, const Block* left, const Block* right, std::size_t count);
+  static void takeSquare(Block& from, const Block& left);
   static void divideBy(Block& b, const Block& diagonal);
   static bool factorDiagonal(Block& b);
 

@@ -8,23 +8,44 @@
 
 namespace brickfall {
 
-using BodyBlock = double[6][6];
+using BodyBlock = double[6][6];  // by columns
 
 inline constexpr std::uint32_t kNoPlace = 0xffffffffu;  // of a body that is not in the matrix
 
-// J(left)^T K J(right) times sign, where J = [1 -[r]; 0 1] gives (u, w) at the row from a body's (d, th).
+// J(left)^T K J(right) times sign, where J = [1 -[r]; 0 1] gives (u, w) at the row from a body's (d, th). K is
+// symmetric.
 inline void congruence(const BodyBlock& K, Vec3 left, Vec3 right, double sign, BodyBlock& out) {
   for (int i = 0; i < 6; i++) {
-    Vec3 d{K[i][0], K[i][1], K[i][2]}, t = Vec3{K[i][3], K[i][4], K[i][5]} + cross(right, d);
-    for (int k = 0; k < 3; k++) {
-      out[i][k] = sign * d[k];
-      out[i][k + 3] = sign * t[k];
-    }
+    const double x = K[i][0], y = K[i][1], z = K[i][2];
+    out[0][i] = sign * x;
+    out[1][i] = sign * y;
+    out[2][i] = sign * z;
+    out[3][i] = sign * (K[i][3] + (right.y * z - right.z * y));
+    out[4][i] = sign * (K[i][4] + (right.z * x - right.x * z));
+    out[5][i] = sign * (K[i][5] + (right.x * y - right.y * x));
   }
-  for (int j = 0; j < 6; j++) {
-    Vec3 t = cross(left, Vec3{out[0][j], out[1][j], out[2][j]});
-    for (int k = 0; k < 3; k++) out[k + 3][j] += t[k];
+  for (auto& column : out) {
+    const Vec3 t = cross(left, Vec3{column[0], column[1], column[2]});
+    for (int k = 0; k < 3; k++) column[k + 3] += t[k];
   }
+}
+
+// Of a row between two bodies, with arms to it. kNoPlace: does not move.
+struct MatrixEnd {
+  std::uint32_t place = kNoPlace;
+  Vec3 arm;  // m
+};
+inline void addTie(BlockEnvelope& matrix, const BodyBlock& K, MatrixEnd a, MatrixEnd b) {
+  BodyBlock block;
+  for (const MatrixEnd& end : {a, b}) {
+    if (end.place == kNoPlace) continue;
+    congruence(K, end.arm, end.arm, 1, block);
+    matrix.add(end.place, end.place, block);
+  }
+  if (a.place == kNoPlace || b.place == kNoPlace) return;
+  if (a.place < b.place) std::swap(a, b);
+  congruence(K, a.arm, b.arm, -1, block);
+  matrix.add(a.place, b.place, block);
 }
 
 inline void addBody(BlockEnvelope& matrix, std::uint32_t place, const SolveMass& m) {
@@ -39,27 +60,15 @@ inline void addBody(BlockEnvelope& matrix, std::uint32_t place, const SolveMass&
 // placeOf(body) is kNoPlace for bodies that do not move.
 template <class PlaceOf> void addRow(BlockEnvelope& matrix, RowEnds rowEnds, const StiffReaction& x, PlaceOf placeOf) {
   const Stiffness& s = x.stiffness;
-  BodyBlock K, b;
+  BodyBlock K;
   for (int i = 0; i < 3; i++)
     for (int j = 0; j < 3; j++) {
       K[i][j] = double(s.A[i][j]);
       K[i][j + 3] = K[j + 3][i] = double(s.B[i][j]);
       K[i + 3][j + 3] = double(s.C[i][j]);
     }
-  struct End {
-    std::uint32_t place;
-    Vec3 arm;
-  } ends[2] = {{placeOf(rowEnds.a), toDouble(wide::store3(x.armA))},
-               {placeOf(rowEnds.b), toDouble(wide::store3(x.armB))}};
-  for (const End& end : ends) {
-    if (end.place == kNoPlace) continue;
-    congruence(K, end.arm, end.arm, 1, b);
-    matrix.add(end.place, end.place, b);
-  }
-  if (ends[0].place == kNoPlace || ends[1].place == kNoPlace) return;
-  if (ends[0].place < ends[1].place) std::swap(ends[0], ends[1]);
-  congruence(K, ends[0].arm, ends[1].arm, -1, b);
-  matrix.add(ends[0].place, ends[1].place, b);
+  addTie(matrix, K, {placeOf(rowEnds.a), toDouble(wide::store3(x.armA))},
+         {placeOf(rowEnds.b), toDouble(wide::store3(x.armB))});
 }
 
 }  // namespace brickfall

@@ -2,6 +2,7 @@
 
 #include "base/take_larger.h"
 #include "solver/direct_solve.h"
+#include "solver/joint/swings.h"
 #include "solver/light_pass.h"
 #include "solver/renewals.h"
 
@@ -59,8 +60,11 @@ bool Renewals::next(Island& island, const StepContext& context, Renewal when) {
 }
 
 bool goOn(Island& island, const StepContext& context, SolveStatistics& statistics, Renewals* renewals) {
-  bool done = relax(island, context, statistics, renewals);
-  if (!island.plan.direct) return done;
+  // Moved one by one, bodies on joints get nowhere; but they find which bounds are reached.
+  if (island.plan.direct && island.facts.jointsAlone() && !hasBounds(island))
+    lightPass(island, false, statistics.lightVisits);
+  else if (const bool done = relax(island, context, statistics, renewals); !island.plan.direct)
+    return done;
   solveDirectly(island, context, island.plan.tolerance, statistics);
   return worstResidual(island, *context.bodies) < island.plan.tolerance;
 }

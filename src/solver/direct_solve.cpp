@@ -12,10 +12,12 @@
 #include "solver/block_envelope.h"
 #include "solver/body_matrix.h"
 #include "solver/imbalance.h"
+#include "solver/joint/swings.h"
 #include "solver/light_pass.h"
 #include "solver/locks.h"
 #include "solver/numbering.h"
 #include "solver/renewals.h"
+#include "solver/rounding.h"
 #include "solver/row_forces.h"
 #include "solver/slope_search.h"
 
@@ -48,29 +50,27 @@ class Newton {
   }
 
   // One step to about the minimum of the energy along it. `tight`: ropes that are slack by less than their ends go in
-  // this time step count as tight, for a row of them that snaps would close one by one. False if the matrix is not
-  // positive definite.
-  bool step(bool boundsFollow, double enough, bool tight) {
-    if (!findStep(tight)) return false;
+  // this time step count as tight, for a row of them that snaps would close one by one. `again`: by the last matrix,
+  // which is nearly that of now. False if the matrix is not positive definite.
+  bool step(bool boundsFollow, double enough, bool tight, bool again) {
+    if (!(again ? solve() : findStep(tight))) return false;
     if (!tight_.empty() && !(slope() > 0) && !findStep(false)) return false;
     from_.assign(island_.motion.begin(), island_.motion.begin() + std::ptrdiff_t(place_.size()));
     search(enough);
-    readForces(boundsFollow);
+    if (boundsFollow && !island_.facts.jointsAlone()) readForces(true);
     return true;
   }
+  // Of joints alone, what was frozen changes forces, and stiffness next to nothing: but which bounds are reached.
+  bool stiffnessStays() const { return island_.facts.jointsAlone() && !hasBounds(island_); }
 
-  // The largest residual over its body's measure. Joints are so firm that the rounding of their bodies' ways is a
-  // force: it counts as balance, or no step of a fast island would be the last.
+  // The largest residual over its body's measure, which counts what floats round.
   double worst(const BodySet& bodies) const {
     if (rounding_.empty()) return worstResidual(island_, bodies);
+    const double share = island_.plan.tolerance;
     double worst = 0;
-    for (std::size_t i = 0; i < place_.size(); i++) {
-      const Measure measure = measureOf(island_, bodies, i, kHeavyLoad);
-      const double force = measure.force + rounding_[i].force / island_.plan.tolerance,
-                   torque = measure.force * measure.arm + rounding_[i].torque / island_.plan.tolerance;
-      takeLarger(worst, Measure{force, torque / force}.of(island_.residual[i]));
-    }
-    return worst;
+    for (std::size_t i = 0; i < place_.size(); i++)
+      takeLarger(worst, over(island_.residual[i], measureOf(island_, bodies, i, kHeavyLoad), share, rounding_[i]));
+    return share * worst;
   }
 
   // Sets the friction limits of new points by the forces that were found, and the multipliers of joints. True if any
@@ -97,7 +97,9 @@ class Newton {
 
   bool findStep(bool tight) {
     assemble(tight);
-    if (!matrix_.factor()) return false;
+    return matrix_.factor() && solve();
+  }
+  bool solve() {
     for (std::size_t i = 0; i < place_.size(); i++)
       for (int k = 0; k < 3; k++) {
         entry(i, k) = double(island_.residual[i].force[k]);
@@ -149,7 +151,8 @@ class Newton {
       StiffReaction x = kind.reactStiff(k, island_.motion.data(), true);
       if (tight) holdTight(kind, k, x);
       addRow(matrix_, kind.ends(k), x, placeOf);
-      if constexpr (Kind::kFirm) addRounding(kind.ends(k), x);
+      if constexpr (Kind::kFirm)
+        if (!rounding_.empty()) addRounding(rounding_, kind.ends(k), x, island_.motion.data());
     });
     for (std::size_t i = 0; i < island_.locks.size(); i++)
       matrix_.stiffen(place_[i], island_.locks[i], kLockedStiffness);
@@ -158,24 +161,6 @@ class Newton {
     for (std::size_t i = 0; i < place_.size(); i++)
       for (int k = 0; k < 6; k++)
         if (island_.locks[i] >> k & 1) entry(i, k) = 0;
-  }
-
-  // A thin rod's is a torque at the ends of its arms, however little its inner radius.
-  struct Rounding {
-    double force = 0, torque = 0;  // N, N m
-  };
-  void addRounding(RowEnds ends, const StiffReaction& x) {
-    if (rounding_.empty()) return;
-    const wide::V* A = x.stiffness.A;  // of a line: firm along it alone, whichever way it hangs
-    const double firmest = double(std::max({A[0][0], A[1][1], A[2][2]}));
-    auto add = [&](std::uint32_t body, wide::V arm) {
-      if (body >= place_.size()) return;
-      const double force = kLastBit * firmest * double(length(island_.motion[body].d));
-      rounding_[body].force += force;
-      rounding_[body].torque += force * double(length(wide::store3(arm)));
-    };
-    add(ends.a, x.armA);
-    add(ends.b, x.armB);
   }
 
   // How fast the energy falls along the step. The slope itself falls along the step, and is zero at the minimum.
@@ -233,9 +218,9 @@ void solveDirectly(Island& island, const StepContext& context, double tolerance,
   Newton newton(island, statistics);
   Stall stall;
   // Where a row of limits is hit, each of them moves the others. Beside contacts more rounds end in none of them.
-  const int rounds = island.facts.joints == island.facts.ties ? kBoundRounds * kBoundRounds : kBoundRounds;
+  const int rounds = island.facts.jointsAlone() ? kBoundRounds * kBoundRounds : kBoundRounds;
   int boundSolves = 0;
-  bool tight = true;
+  bool tight = true, again = false;
   for (int k = 0; k < kDirectSteps; k++) {
     const double worst = newton.worst(*context.bodies);
     const int stalled = stall.after(worst);
@@ -244,12 +229,13 @@ void solveDirectly(Island& island, const StepContext& context, double tolerance,
     if (worst < enough * tolerance) {
       if (boundSolves++ >= rounds || !newton.settleBounds()) return;
       stall = {};
+      again = k > 0 && newton.stiffnessStays();
       k = std::max(k, kMostRenewals);
-      tight = true;
+      tight = !again;
     }
     const double share = stalled < kStalledSteps ? double(kFarFromMinimum) : kEnoughStalled;
-    if (!newton.step(k < kMostRenewals, share, tight)) return;
-    tight = false;
+    if (!newton.step(k < kMostRenewals, share, tight, again)) return;
+    tight = again = false;
     statistics.cycles++;
   }
 }

@@ -21,6 +21,7 @@ JointBlock::JointBlock(RowForces& forces)
       lasting_(island_.memory),
       step_(island_.memory),
       from_(island_.memory),
+      rounding_(island_.memory),
       matrix_(island_.memory) {
   if (!island_.plan.large || !island_.facts.jointed) return;
   findBodies();
@@ -91,11 +92,14 @@ void JointBlock::findRows() {
 
 void JointBlock::assemble() {
   matrix_.clear();
+  rounding_.assign(place_.size(), Rounding());
   for (std::uint32_t i = 0; i < bodies_.size(); i++) addBody(matrix_, i, island_.masses[bodies_[i]]);
   auto placeOf = [this](std::uint32_t body) { return body < place_.size() ? place_[body] : kNoIndex; };
   for (std::uint32_t row : rows_)
-    std::as_const(island_.rows).at(row, [&](const auto& kind, std::size_t k) {
-      addRow(matrix_, kind.ends(k), kind.reactStiff(k, island_.motion.data(), true), placeOf);
+    std::as_const(island_.rows).at(row, [&]<class Kind>(const Kind& kind, std::size_t k) {
+      const StiffReaction x = kind.reactStiff(k, island_.motion.data(), true);
+      addRow(matrix_, kind.ends(k), x, placeOf);
+      if constexpr (Kind::kFirm) addRounding(rounding_, kind.ends(k), x, island_.motion.data());
     });
   if (!anyLocks(island_)) return;
   for (std::uint32_t i = 0; i < bodies_.size(); i++) matrix_.stiffen(i, island_.locks[bodies_[i]], kLockedStiffness);
@@ -146,9 +150,12 @@ void JointBlock::search(double start) {
   }
 }
 
-void JointBlock::apply(bool follow) {
+bool JointBlock::factor() {
   assemble();
-  if (!matrix_.factor()) return;
+  return matrix_.factor();
+}
+
+void JointBlock::findStep() {
   for (std::size_t i = 0; i < bodies_.size(); i++)
     for (int k = 0; k < 3; k++) {
       step_[6 * i + std::size_t(k)] = double(island_.residual[bodies_[i]].force[k]);
@@ -158,15 +165,41 @@ void JointBlock::apply(bool follow) {
   for (std::size_t i = 0; anyLocks(island_) && i < bodies_.size(); i++)
     for (std::size_t k = 0; k < 6; k++)
       if (island_.locks[bodies_[i]] >> k & 1) step_[6 * i + k] = 0;
+}
+
+bool JointBlock::balanced(const BodySet& bodies) const {
+  return std::all_of(bodies_.begin(), bodies_.end(), [&](std::uint32_t body) {
+    return over(island_.residual[body], measureOf(island_, bodies, body, kHeavyLoad), kSmallTolerance,
+                rounding(body)) <= 1;
+  });
+}
+
+bool JointBlock::apply() {
+  double start = 0;
+  if (last_ > 0) {
+    findStep();
+    start = slope();
+  }
+  if (!(start > 0) || start > double(kFarFromMinimum) * last_) {
+    last_ = 0;
+    if (!factor()) return false;
+    findStep();
+    start = slope();
+  }
+  if (!(start > 0)) return false;
+  last_ = start;
   from_.clear();
   for (std::uint32_t body : bodies_) from_.push_back(island_.motion[body]);
-  const double start = slope();
-  if (!(start > 0)) return;
   search(start);
-  if (!follow) return;
+  return true;
+}
+
+bool JointBlock::follow() {
+  bool any = false;
   addInertias(-1);  // geometric stiffness may grow
-  for (std::uint32_t row : lasting_) forces_.settle(row);
+  for (std::uint32_t row : lasting_) any = forces_.settle(row) || any;
   addInertias(1);
+  return any;
 }
 
 }  // namespace brickfall

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "solver/block_envelope.h"
+#include "solver/rounding.h"
 #include "solver/row_forces.h"
 
 namespace brickfall {
@@ -17,14 +18,23 @@ class JointBlock {
 
   bool any() const { return !bodies_.empty(); }
   bool has(std::uint32_t body) const { return any() && place_[body] != kNoIndex; }
-  // One Newton step, with a search along it. Then, if wanted, the joints' multipliers follow the forces found.
-  void apply(bool follow);
+  // As well as by a direct solve of the block.
+  bool balanced(const BodySet& bodies) const;
+  // Of a body, as the last step was found.
+  Rounding rounding(std::uint32_t body) const { return rounding_.empty() ? Rounding() : rounding_[body]; }
+  // One Newton step, with a search along it. True if it leads anywhere. The factor serves as long as steps by it get
+  // shorter: in a wide net it is nearly all of the cost.
+  bool apply();
+  // The joints' multipliers follow the forces found. True if any changed.
+  bool follow();
 
  private:
   void findBodies();
   void enterLoads();
   void findRows();
   void assemble();
+  bool factor();
+  void findStep();
   double slope() const;
   double moveTo(double part);
   void search(double start);
@@ -38,7 +48,9 @@ class JointBlock {
   std::pmr::vector<std::uint32_t> lasting_;  // those of ties that last
   std::pmr::vector<double> step_;
   std::pmr::vector<SolveMotion> from_;
+  std::pmr::vector<Rounding> rounding_;  // by body of the island
   BlockEnvelope matrix_;
+  double last_ = 0;  // slope along the last step; 0: the factor is none
 };
 
 }  // namespace brickfall

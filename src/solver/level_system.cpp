@@ -20,13 +20,13 @@ using wide::cross3;
 using wide::spread;
 using wide::V;
 
-// Block entries of six motions as a matrix of doubles, for the envelope.
+// Block entries of six motions as a matrix of doubles, for the envelope: by columns.
 struct Doubles {
   double of[6][6] = {};
   void setColumn(int column, V force, V torque) {
     for (int k = 0; k < 3; k++) {
-      of[k][column] = double(force[k]);
-      of[k + 3][column] = double(torque[k]);
+      of[column][k] = double(force[k]);
+      of[column][k + 3] = double(torque[k]);
     }
   }
 };

@@ -9,6 +9,7 @@ std::pmr::vector<std::uint32_t> nearPlaces(const Adjacency& adjacency) {
   std::uint32_t n = adjacency.count();
   std::pmr::vector<char> seen(memory);
   std::pmr::vector<std::uint32_t> order(memory), places(n, 0, memory);
+  order.reserve(n);
   auto visitFrom = [&](std::uint32_t first) {
     if (seen[first]) return;
     std::size_t i = order.size();

@@ -39,6 +39,7 @@ struct IslandFacts {
   double heaviest = 0;       // kg
   double energy = 0;         // J, kinetic
 
+  bool jointsAlone() const { return jointed && joints == ties; }
   // Hardly more ties than bodies, nearly all of them joints: a direct solve costs as much for each body as in a small
   // island.
   bool inLine() const { return 8 * ties <= 9 * bodies && 8 * joints >= 7 * bodies; }

@@ -140,6 +140,9 @@ class Relaxation {
   float innerRadius(std::size_t i) const { return float(context_.bodies->mass[island_.bodies[i]].innerRadius); }
   bool balanced(std::size_t i, float share = 1) const {
     const float rounding = island_.plan.direct ? float(kFloatsRound) * island_.loads[i] : 0;
+    if (block_.has(std::uint32_t(i)))
+      return over(island_.residual[i], {double(allowed_[i]), double(innerRadius(i))}, double(share),
+                  block_.rounding(std::uint32_t(i))) <= 1;
     return isWithin(island_.residual[i], std::max(share * allowed_[i], rounding), innerRadius(i));
   }
   void countOut() {
@@ -185,15 +188,17 @@ class Relaxation {
     const std::size_t before = forces_.sidesRead();
     const int rounds = few ? 1 : island_.plan.rounds;
     for (int round = 0; round < rounds; round++) {
-      if (block_.any()) block_.apply(round == 0);
-      if (!singleSweep(round % 2 != 0) && !block_.any()) break;
+      bool any = !block_.balanced(*context_.bodies) && block_.apply();
+      any = (round == 0 && block_.any() && block_.follow()) || any;
+      any = singleSweep(round % 2 != 0) || any;
+      if (!any) break;
+      moved = moved || block_.any();
     }
     if (large) acceleration_.end();
     const std::size_t sides = forces_.sidesRead() - before;
     worthReading_ = sides > island_.rows.size();
-    return moved || sides > 0 || block_.any();
+    return moved || sides > 0;
   }
-
   // Whether a cluster is out of balance. (What a single body may be left with can be more than the weight of all.)
   bool clustersOut() const {
     const Level& level = island_.hierarchy.levels[1];

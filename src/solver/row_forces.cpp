@@ -50,12 +50,15 @@ void RowForces::readRows(const std::pmr::vector<std::uint32_t>& rows) {
     });
 }
 
-void RowForces::settle(std::uint32_t row) {
+bool RowForces::settle(std::uint32_t row) {
+  bool any = false;
   island_.rows.at(row, [&](auto& kind, std::uint32_t index) {
     if (!kind.settleBounds(index, island_.motion.data(), 0)) return;
+    any = true;
     const Reaction now = kind.react(index, island_.motion.data());
     take(row, kind.ends(index), {now.armA, now.armB}, {now.force, now.torque});
   });
+  return any;
 }
 
 bool RowForces::renewBounds() {

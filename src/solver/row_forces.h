@@ -32,7 +32,7 @@ class RowForces {
   // These rows once more, at the present motion.
   void readRows(const std::pmr::vector<std::uint32_t>& rows);
   // What a row keeps frozen follows the force found.
-  void settle(std::uint32_t row);
+  bool settle(std::uint32_t row);
   // Half the sum of the forces on each body: Island::loads.
   void findLoads();
 

@@ -95,10 +95,11 @@ GroupEnergy energyOf(const Island& island, Bodies group, Vec3 frame, const StepC
     const Vec3 turn = leaps ? (spin + endSpin) * (0.5 * island.dt) : s.th;
     const Vec3 fell = leaps && !s.flying ? s.d - (endMove - move) * (0.5 * island.dt) - carried : way;
     const double work = dot(context.gravity * (m * data.gravityScale) + data.force, fell) + dot(data.torque, turn);
-    const Impulse given = fromTies(island, i, context);
     sum.outside += work;
     sum.moved += std::fabs(work);
     sum.lent += data.impactLoss;
+    if (told) continue;
+    const Impulse given = fromTies(island, i, context);
     sum.ties += (dot(given.linear, way) + dot(given.angular, turn)) * (1 / island.dt);
   }
   // Ties gave what is not from outside.

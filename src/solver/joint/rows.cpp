@@ -462,13 +462,22 @@ bool JointRows::follow(std::size_t k, const SolveMotion* motion, float slack) {
   const joint::Forces f = joint::forcesAt(r, motion);
   float by[2] = {}, all[2] = {};
   auto larger = [](float& most, float value) { most = std::max(most, value); };
+  // What floats round of the ways of both ends is no change.
+  const float turned = length(motion[r.bodyA].th) + length(motion[r.bodyB].th),
+              gone = length(motion[r.bodyA].d) + length(motion[r.bodyB].d) +
+                     length(motion[r.bodyA].th) * length(r.armA) + length(motion[r.bodyB].th) * length(r.armB);
+  float rounds[2] = {};
+  for (int i = 0; i < kJointLanes && slack > 0; i++) {
+    if (start.follows >> i & 1) larger(rounds[0], float(kLastBit) * r.way.k[i] * gone);
+    if (start.follows >> (i + kJointLanes) & 1) larger(rounds[1], float(kLastBit) * r.turn.k[i] * turned);
+  }
   for (int i = 0; i < kJointLanes; i++) {
     if (start.follows >> i & 1) larger(by[0], std::fabs(f.way[i] - start.held[i]));
     if (start.follows >> (i + kJointLanes) & 1) larger(by[1], std::fabs(f.turn[i] - start.held[i + kJointLanes]));
     larger(all[0], std::fabs(f.way[i]));
     larger(all[1], std::fabs(f.turn[i]));
   }
-  if (by[0] <= slack * all[0] && by[1] <= slack * all[1]) return false;
+  if (by[0] <= slack * all[0] + rounds[0] && by[1] <= slack * all[1] + rounds[1]) return false;
   for (int i = 0; i < kJointLanes; i++) {
     auto take = [&](int lane, float force, float& trial) {
       if (!(start.follows >> lane & 1)) return;
@@ -603,12 +612,14 @@ void JointRows::watchEnergy(std::size_t k, const Joint& joint, const joint::Forc
     look(i + kJointLanes, r.turn, joint.turn[i], f.turn[i]);
   }
   if (joint.wound > 0) giveNone_ = false;
-  keepEnergy_ = keepEnergy_ && giveNone_ && turnsSteadily(k, motion);
+  steady_ = steady_ && turnsSteadily(k, motion);
+  keepEnergy_ = keepEnergy_ && giveNone_ && steady_;
 }
 
 // An island that rests goes on with the forces that it has: what is left of errors would add up.
 bool JointRows::store(Island& island, Ties& ties, StepContext&) {
   const bool changed = !island.resting();
+  steady_ = changed;
   giveNone_ = keepEnergy_ = changed && island.plan.swings && island.facts.swung && island.facts.grounded;
   for (std::size_t k = 0; k < size() && changed; k++) {
     Joint& joint = at(k, ties);

@@ -144,6 +144,8 @@ struct JointRows : LastingRows<JointRows, JointSet, &Ties::joints> {
   bool giveNone() const { return giveNone_; }
   // Nor anything that takes it, unless something snaps: all that acts holds places, as it did before.
   bool keepEnergy() const { return keepEnergy_; }
+  // Whatever else acts, nothing goes to and fro within some steps, as in a snap.
+  bool steady() const { return steady_; }
   void stopKeeping() { keepEnergy_ = false; }
   // J: of what a swing keeps, all that is no energy of the step's end (swings.cpp); then by how much that grew
   // (velocities.cpp).
@@ -179,7 +181,7 @@ struct JointRows : LastingRows<JointRows, JointSet, &Ties::joints> {
 
   std::pmr::vector<SolveMass>* masses_ = nullptr;  // of the island, since prepare
   bool timePasses_ = true;                         // no impact is solved
-  bool giveNone_ = false, keepEnergy_ = false;
+  bool giveNone_ = false, keepEnergy_ = false, steady_ = false;
   double held_ = 0;
 };
 

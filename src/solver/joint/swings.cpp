@@ -83,17 +83,10 @@ class Swings : VelocitySystem {
       others_.push_back(s);
     });
   }
-  std::uint32_t placeOf(std::uint32_t local) const { return moves(local) ? place_[local] : kNoPlace; }
   void addOthers() {
     for (const OtherRow& s : others_) {
       if (s.state != OtherRow::holds) continue;
-      const std::uint32_t a = placeOf(s.ends.a), b = placeOf(s.ends.b);
-      BodyBlock block;
-      if (a != kNoPlace) congruence(s.stiffness, s.armA, s.armA, 1, block), matrix_.add(a, a, block);
-      if (b != kNoPlace) congruence(s.stiffness, s.armB, s.armB, 1, block), matrix_.add(b, b, block);
-      if (a == kNoPlace || b == kNoPlace) continue;
-      congruence(s.stiffness, a > b ? s.armA : s.armB, a > b ? s.armB : s.armA, -1, block);
-      matrix_.add(std::max(a, b), std::min(a, b), block);
+      addTie(matrix_, s.stiffness, {placeOf(s.ends.a), s.armA}, {placeOf(s.ends.b), s.armB});
     }
   }
   // What rows give that gave less, or what those that hold are still to give.
@@ -247,9 +240,9 @@ class Swings : VelocitySystem {
         clear();
         pushOthers(true);
       }
-      for (std::size_t i = 0; i < hard_ && round > 0; i++)
-        give(equations_[i], -equations_[i].stiffness * speedOf(equations_[i]),
-             [&](std::uint32_t place, Vec3 linear, Vec3 angular) { push(place, linear, angular); });
+      eachRow(round > 0 ? hard_ : 0, [&](std::size_t first, std::size_t end) {
+        give(first, end, [&](std::uint32_t place, Vec3 linear, Vec3 angular) { push(place, linear, angular); });
+      });
       solveMore();
       holdOthers();
     }
@@ -336,6 +329,17 @@ void beginSwings(const Island& island, const StepContext& context, BodySet& bodi
 void finishSwings(Island& island, Ties& ties, StepContext& context) { Swings(island, context).run(ties); }
 
 bool isDriven(const Island& island, const StepContext& context) { return island.rows.joints.driven(*context.ties); }
+
+bool hasBounds(const Island& island) {
+  auto isBounded = [](const JointEquations& e) {
+    for (int i = 0; i < kJointLanes; i++)
+      if (e.k[i] > 0 && (e.least[i] == 0 || e.most[i] == 0)) return true;
+    return false;
+  };
+  const auto& records = island.rows.joints.records;
+  return std::any_of(records.begin(), records.end(),
+                     [&](const JointRecord& r) { return isBounded(r.way) || isBounded(r.turn); });
+}
 
 bool hasSwung(const Island& island) { return !(island.fastestLately <= kFades); }
 

@@ -31,4 +31,7 @@ bool hasSwung(const Island& island);
 // Swings that have been very slow lately fade, before a step: hinges rub a little. Motors turn against that.
 void fadeSwing(Island& island, const StepContext& context, BodySet& bodies);
 
+// A joint has a limit, or is a rope.
+bool hasBounds(const Island& island);
+
 }  // namespace brickfall

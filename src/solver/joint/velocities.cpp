@@ -63,9 +63,9 @@ class HeldVelocities : VelocitySystem {
       joints.returned = 0;
       return !joints.keepEnergy() || sum > smooth ? rub(held, sum) : 0;
     }
-    const double back = std::min(lent, smooth);
+    const double back = joints.steady() ? std::min(lent, smooth) : 0;
     const double taken = rub(held, sum - back - owed);
-    const double kept = std::min(lent - (sum < -smooth ? 0 : sum), kTrifle * held);
+    const double kept = joints.steady() ? std::min(lent - (sum < -smooth ? 0 : sum), kTrifle * held) : 0;
     for (JointIndex joint : joints.tieOf) ties.joints.slots[joint].lent = std::max(-owed, kept) / double(joints.size());
     joints.returned = (sum > 0 ? std::clamp(back, 0.0, sum) + owed : 0) + wound;
     return taken;
@@ -297,16 +297,16 @@ class HeldVelocities : VelocitySystem {
   }
 
   void assembleAll() {
+    std::size_t next = 0;  // both lists are in the order of rows
     assemble([&](std::uint32_t row, BodyBlock& K) {
-      for (const Friction& f : frictions_) {
-        if (f.row != row) continue;
-        const int corner = f.turn ? 3 : 0;
-        for (int i = 0; i < 3; i++) {
-          Vec3 unit;
-          unit[i] = 1;
-          const Vec3 column = f.free(unit);
-          for (int j = 0; j < 3; j++) K[corner + i][corner + j] += (friction_ * f.stiffness + f.always) * column[j];
-        }
+      if (next == frictions_.size() || frictions_[next].row != row) return;
+      const Friction& f = frictions_[next++];
+      const int corner = f.turn ? 3 : 0;
+      for (int i = 0; i < 3; i++) {
+        Vec3 unit;
+        unit[i] = 1;
+        const Vec3 column = f.free(unit);
+        for (int j = 0; j < 3; j++) K[corner + i][corner + j] += (friction_ * f.stiffness + f.always) * column[j];
       }
     });
   }
@@ -328,26 +328,18 @@ class HeldVelocities : VelocitySystem {
   void relax() {
     clear();
     auto pushAt = [&](std::uint32_t place, Vec3 linear, Vec3 angular) { push(place, linear, angular); };
-    for (const Equation& e : equations_)
-      if (!e.open) give(e, -e.stiffness * speedOf(e), pushAt);
+    eachRow(equations_.size(), [&](std::size_t first, std::size_t end) { give(first, end, pushAt); });
     for (const Friction& f : frictions_) giveAll(f, frictionOf(f) - f.impulse, pushAt);
     solveMore();
     for (Body& body : bodies_) body.impulse = body.turning = {};
-    for (Equation& e : equations_) {
-      if (e.open) continue;
-      e.impulse -= e.stiffness * speedOf(e);
-    }
-    for (Equation& e : equations_)
-      give(e, e.impulse, [&](std::uint32_t place, Vec3 linear, Vec3 angular) {
-        bodies_[place].impulse += linear;
-        bodies_[place].turning += angular;
-      });
+    auto sumAt = [&](std::uint32_t place, Vec3 linear, Vec3 angular) {
+      bodies_[place].impulse += linear;
+      bodies_[place].turning += angular;
+    };
+    eachRow(equations_.size(), [&](std::size_t first, std::size_t end) { take(first, end, sumAt); });
     for (Friction& f : frictions_) {
       f.impulse = frictionOf(f);
-      giveAll(f, f.impulse, [&](std::uint32_t place, Vec3 linear, Vec3 angular) {
-        bodies_[place].impulse += linear;
-        bodies_[place].turning += angular;
-      });
+      giveAll(f, f.impulse, sumAt);
     }
     for (Body& body : bodies_) {
       body.move = body.startMove + body.impulse * (1 / body.mass);

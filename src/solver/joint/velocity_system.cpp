@@ -38,7 +38,7 @@ VelocitySystem::Body VelocitySystem::bodyAt(std::uint32_t local) const {
     out.invInertia = end * bodies.mass[out.body].invInertia * transpose(end);
     out.mass = bodies.mass[out.body].mass;
     out.startMove = s.velocity;
-    out.startSpin = spinAtEnd(out.body, s.angularMomentum, context_);
+    out.startSpin = bodies.spinAt(out.body, end, s.angularMomentum);
   } else {
     place.position = m.position + m.linearVelocity * island_.dt;
     place.rotation = normalized(quatFromRotationVector(m.angularVelocity * island_.dt) * m.rotation);
@@ -87,6 +87,7 @@ void VelocitySystem::findBodies(bool loads) {
   const std::size_t own = island_.bodies.size();
   const JointRows& joints = island_.rows.joints;
   std::pmr::vector<std::uint32_t> found(island_.memory);
+  found.reserve(own);
   for (std::size_t k = 0; k < joints.size(); k++)
     for (std::uint32_t local : {joints.records[k].bodyA, joints.records[k].bodyB}) {
       if (place_[local] != kNoPlace) continue;
@@ -141,6 +142,7 @@ VelocitySystem::Posed VelocitySystem::posed(std::size_t row, const Joint& joint)
 
 void VelocitySystem::findEquations(const Ties& ties) {
   const JointRows& joints = island_.rows.joints;
+  equations_.reserve(6 * joints.size());
   for (std::uint32_t k = 0; k < joints.size(); k++) {
     const Joint& joint = joints.at(k, ties);
     const Posed p = posed(k, joint);
@@ -158,11 +160,10 @@ void VelocitySystem::findEquations(const Ties& ties) {
   }
 }
 
-double VelocitySystem::speedOf(const Equation& e) const {
+VelocitySystem::Speeds VelocitySystem::speedsOf(const Equation& e) const {
   const JointRecord& r = island_.rows.joints.records[e.row];
   const Body &a = at(r.bodyA), &b = at(r.bodyB);
-  if (e.turn) return dot(e.axis, b.spin - a.spin);
-  return dot(e.axis, (b.move + cross(b.spin, e.armB)) - (a.move + cross(a.spin, e.armA)));
+  return {(b.move + cross(b.spin, e.armB)) - (a.move + cross(a.spin, e.armA)), b.spin - a.spin};
 }
 
 void VelocitySystem::clearToInertia() {
@@ -191,21 +192,8 @@ std::size_t VelocitySystem::sumOfRow(std::size_t first, BodyBlock& K) const {
 }
 
 void VelocitySystem::addRow(const Equation& of, const BodyBlock& K) {
-  BodyBlock block;
   const JointRecord& r = island_.rows.joints.records[of.row];
-  const Vec3 armA = of.armA, armB = of.armB;
-  if (moves(r.bodyA)) {
-    congruence(K, armA, armA, 1, block);
-    matrix_.add(place_[r.bodyA], place_[r.bodyA], block);
-  }
-  if (moves(r.bodyB)) {
-    congruence(K, armB, armB, 1, block);
-    matrix_.add(place_[r.bodyB], place_[r.bodyB], block);
-  }
-  if (!moves(r.bodyA) || !moves(r.bodyB)) return;
-  const bool aFirst = place_[r.bodyA] < place_[r.bodyB];
-  congruence(K, aFirst ? armB : armA, aFirst ? armA : armB, -1, block);
-  matrix_.add(std::max(place_[r.bodyA], place_[r.bodyB]), std::min(place_[r.bodyA], place_[r.bodyB]), block);
+  addTie(matrix_, K, {placeOf(r.bodyA), of.armA}, {placeOf(r.bodyB), of.armB});
 }
 
 void VelocitySystem::solveMore() {

@@ -51,10 +51,21 @@ class VelocitySystem {
   Posed posed(std::size_t row, const Joint& joint) const;
 
   bool moves(std::uint32_t local) const { return local < island_.bodies.size(); }
+  std::uint32_t placeOf(std::uint32_t local) const { return moves(local) ? place_[local] : kNoPlace; }
   const Body& at(std::uint32_t local) const { return moves(local) ? bodies_[place_[local]] : partners_[place_[local]]; }
 
-  // m/s or rad/s: of B against A.
-  double speedOf(const Equation& e) const;
+  // m/s and rad/s: of B against A, where its impulses act.
+  struct Speeds {
+    Vec3 way, turn;
+  };
+  Speeds speedsOf(const Equation& e) const;
+  // visit(first, end) for the equations of each row, of the first `count`.
+  template <class Visit> void eachRow(std::size_t count, Visit visit) const {
+    for (std::size_t first = 0, end = 0; first < count; first = end) {
+      for (end = first; end < count && equations_[end].row == equations_[first].row;) end++;
+      visit(first, end);
+    }
+  }
 
   // The matrix of all equations, of inertia, and of what `addTo(row, block)` adds to a joint's block.
   template <class AddTo> void assemble(AddTo addTo) {
@@ -67,13 +78,31 @@ class VelocitySystem {
     }
   }
   bool factor() { return matrix_.factor(); }
-  // Sums an impulse along an equation's axis, on B and back on A.
-  template <class Give> void give(const Equation& e, double impulse, Give giveTo) const {
-    const JointRecord& r = island_.rows.joints.records[e.row];
-    const Vec3 p = e.axis * impulse;
-    const Vec3 linear = e.turn ? Vec3{} : p;
-    if (moves(r.bodyA)) giveTo(place_[r.bodyA], -linear, e.turn ? -p : cross(e.armA, -p));
-    if (moves(r.bodyB)) giveTo(place_[r.bodyB], linear, e.turn ? p : cross(e.armB, p));
+  // What the equations of a row ask of the speeds of now: told with give, or added to their impulses, and those told.
+  template <class Give> void give(std::size_t first, std::size_t end, Give giveTo) const {
+    const Speeds now = speedsOf(equations_[first]);
+    Vec3 linear, angular;
+    for (std::size_t i = first; i < end; i++) {
+      const Equation& e = equations_[i];
+      if (!e.open) (e.turn ? angular : linear) -= e.axis * (e.stiffness * dot(e.axis, e.turn ? now.turn : now.way));
+    }
+    giveBoth(equations_[first], linear, angular, giveTo);
+  }
+  template <class Give> void take(std::size_t first, std::size_t end, Give giveTo) {
+    const Speeds now = speedsOf(equations_[first]);
+    Vec3 linear, angular;
+    for (std::size_t i = first; i < end; i++) {
+      Equation& e = equations_[i];
+      if (!e.open) e.impulse -= e.stiffness * dot(e.axis, e.turn ? now.turn : now.way);
+      (e.turn ? angular : linear) += e.axis * e.impulse;
+    }
+    giveBoth(equations_[first], linear, angular, giveTo);
+  }
+  // On B and back on A.
+  template <class Give> void giveBoth(const Equation& at, Vec3 linear, Vec3 angular, Give giveTo) const {
+    const JointRecord& r = island_.rows.joints.records[at.row];
+    if (moves(r.bodyA)) giveTo(place_[r.bodyA], -linear, -angular - cross(at.armA, linear));
+    if (moves(r.bodyB)) giveTo(place_[r.bodyB], linear, angular + cross(at.armB, linear));
   }
 
   // Of the right side.

@@ -22,15 +22,15 @@ struct Problem {
     Random random(11);
     for (std::size_t row = 0; row < lowest_.size(); row++)
       for (std::size_t column = lowest_[row]; column <= row; column++) {
-        double b[6][6];
+        double b[6][6];  // by columns
         for (int i = 0; i < 6; i++)
           for (int j = 0; j < 6; j++) {
-            b[i][j] = row == column && j < i ? b[j][i] : random.between(-1, 1);
-            if (row == column && i == j) b[i][j] = 20 * double(lowest_.size()) - shift;
-            dense[6 * row + std::size_t(i)][6 * column + std::size_t(j)] = b[i][j];
+            b[j][i] = row == column && j < i ? b[i][j] : random.between(-1, 1);
+            if (row == column && i == j) b[j][i] = 20 * double(lowest_.size()) - shift;
+            dense[6 * row + std::size_t(i)][6 * column + std::size_t(j)] = b[j][i];
           }
         for (int i = 0; i < 6; i++)
-          for (int j = 0; j < 6; j++) dense[6 * column + std::size_t(j)][6 * row + std::size_t(i)] = b[i][j];
+          for (int j = 0; j < 6; j++) dense[6 * column + std::size_t(j)][6 * row + std::size_t(i)] = b[j][i];
         matrix.add(row, column, b);
       }
   }
