@@ -101,9 +101,13 @@ class Relaxation {
     forces_.findLoads();
     float tolerance = float(island_.plan.tolerance);
     for (std::size_t i = 0; i < allowed_.size(); i++) allowed_[i] = tolerance * float(measure(i).force);
-    for (std::size_t i = 0; i < hold_.size(); i++) allowed_[i] = std::max(allowed_[i], kHeldShare * hold_[i]);
+    const float share = heldShare();
+    for (std::size_t i = 0; i < hold_.size(); i++) allowed_[i] = std::max(allowed_[i], share * hold_[i]);
     if (island_.plan.large) feelResistance();
   }
+  // What a solve leaves undone is a way that goes as the square of the time. A hit in parts (heavy_hits.h) may so leave
+  // the more force in each.
+  float heldShare() const { return std::min(kHeldShare / float(context_.part * context_.part), kNearMinimum); }
   // N, by body in a large island: what the weakest joint of mortar on it bears. Its forces follow from places alone, so
   // what a solve leaves is made up in the next step, and joints do not feel it.
   void findHold() {

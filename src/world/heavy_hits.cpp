@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "geometry/core.h"
+#include "solver/blows.h"
+#include "solver/mortar/law.h"
 #include "solver/step_context.h"
 #include "world/core_sweep.h"
 #include "world/fly_ahead.h"
@@ -120,12 +123,26 @@ class HitSearch {
     return dot(middle, direction) + dot(coreSupport(shape.geometry, local), local) + coreRadius(shape.geometry);
   }
 
+  // s: in which the whole strength of what mortar holds stops what comes along a way at a speed. A longer part sees
+  // none of the force that a blow makes. Infinity where the blow has not the energy to break it.
+  double stopping(BodyIndex body, BodyIndex other, Vec3 along, double speed) const {
+    Holding held;
+    auto add = [&](const Link& link) {
+      if (link.bodyA == other || link.bodyB == other)
+        mortar::addHolding(ties_.mortar.slots[link.index], bodies_, along, held);
+    };
+    ties_.mortar.eachAwake(add);
+    ties_.mortar.eachAsleep(add);
+    const double impulse = bodies_.mass[body].mass * speed;
+    return 0.5 * impulse * speed > held.energy ? impulse / held.force : std::numeric_limits<double>::infinity();
+  }
+
   struct Approach {
-    double thicknesses = 0;  // of `struck`: the way of the body against it
+    double thicknesses = 0;  // of `struck`: the way of the body against it; of what mortar holds, as many parts ask for
     double flight = 1;       // share of the step before they can touch: apart along that way
   };
   // `beyond`: m, that count as a part of the way.
-  Approach approach(BodyIndex body, const ShapeData& own, const ShapeData& struck, double beyond) const {
+  Approach approach(BodyIndex body, const ShapeData& own, const ShapeData& struck, double beyond) {
     const BodyMotion& other = bodies_.motion[struck.body];
     const Vec3 way = (bodies_.motion[body].linearVelocity - other.linearVelocity) * dt_;
     const double far = length(way);
@@ -134,7 +151,11 @@ class HitSearch {
     const Vec3 direction = way * (1 / far);
     const Vec3 along = rotate(conjugate(struck.inCentreFrame.rotation), transposeTimes(other.orientation, direction));
     const double apart = -reachOf(struck, -direction) - reachOf(own, direction);
-    return {far / thicknessAlong(struck.geometry, along), std::clamp(apart / far, 0.0, 1 + beyond / far)};
+    double thicknesses = far / thicknessAlong(struck.geometry, along);
+    // Of a blow that is to come: what follows pushes, and the joints stop it.
+    if (apart > 0 && isHeld(struck.body) && !bodies_.isDriven(body))
+      thicknesses = std::max(thicknesses, kHitWay * kHitWay * dt_ / stopping(body, struck.body, direction, far / dt_));
+    return {thicknesses, std::clamp(apart / far, 0.0, 1 + beyond / far)};
   }
 
   const BodySet& bodies_;

@@ -2,6 +2,7 @@
 // through them.
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <string>
 
 #include "brickfall/limits.h"
@@ -177,18 +178,30 @@ void World::Impl::runPart(double dt, bool last) {
   diary.report.parts++;
 }
 
+namespace {
+
+// What a short part has begun to break, a part twice as long at most goes on with.
+HitParts afterHit(double made, double left, HitParts hits, int most) {
+  if (!(made > 0) || most == 1 || hits.flight > 0) return hits;
+  const int count = int(std::ceil(std::min(left / (2 * made), 1e6)));
+  return count > hits.count ? HitParts{count, true} : hits;
+}
+
+}  // namespace
+
 void World::Impl::runSubstep(double dt, bool last) {
   // No island stays settled when the time step changes.
   if (clock.beginSubstep(dt)) activity.unsettleAll();
   // What mortar holds slows down what hits it: what is left of the step may need fewer parts.
-  double left = dt;
+  double left = dt, made = 0;
   for (int most = def.solver.maxHitParts; most > 0;) {
-    const HitParts hits = partsForHits(registry, activity, proximity, ties, left, most);
+    const HitParts hits = afterHit(made, left, partsForHits(registry, activity, proximity, ties, left, most), most);
     const double part = hits.flight > 0 ? left * hits.flight : left / hits.count;
     const int now = hits.ofHeld ? 1 : hits.count;
     most = now == hits.count ? 0 : most - now;
     for (int i = 1; i <= now; i++) runPart(part, last && most == 0 && i == now);
     left -= part * now;
+    made = hits.ofHeld && !(hits.flight > 0) ? part : 0;
   }
   clock.time += dt;
   clock.stepCount++;

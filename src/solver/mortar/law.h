@@ -12,8 +12,9 @@
 #include "solver/step_context.h"
 
 namespace brickfall {
+struct Holding;
 struct Island;
-}
+}  // namespace brickfall
 
 namespace brickfall::mortar {
 
@@ -77,6 +78,9 @@ inline void keepForces(Mortar& m, const MortarPose& was, const MortarPose& is) {
     m.slip2[i] = float(double(m.slip2[i]) + more.z);
   }
 }
+
+// What a joint bears along a direction, and the energy that breaks it there.
+void addHolding(const Mortar& m, const BodySet& bodies, Vec3 along, Holding& out);
 
 // N: the joint's force before its island was solved last; where it was not, as it is.
 Vec3T<float> forceBefore(const Island& island, MortarIndex mortar, const Mortar& m);

@@ -93,8 +93,7 @@ void MortarRows::writeCaps(std::size_t k, const Mortar& m) {
   }
 }
 
-void MortarRows::addHolding(std::size_t k, Vec3 along, const Ties& ties, const BodySet& bodies, Holding& out) const {
-  const Mortar& m = at(k, ties);
+void mortar::addHolding(const Mortar& m, const BodySet& bodies, Vec3 along, Holding& out) {
   const double pull = std::fabs(dot(MortarPose(m, bodies).n, along)), left = mortar::strengthOf(m);
   const double shear = std::sqrt(std::max(0.0, 1 - pull * pull));
   out.force += left * kMortarPoints * (pull * mortar::pullOf(m) + shear * mortar::shearOf(m));
@@ -155,6 +154,8 @@ Vec3f MortarRows::arcBy(std::size_t k, Vec3 turnA, Vec3 turnB, const Island& isl
 // that was worth a force that breaks the joint. What begins to turn is taken as it ends (advance).
 bool MortarRows::renewArc(std::size_t k, const Mortar& m, const Island& island, const BodySet& bodies) {
   FaceRecord& r = records[k];
+  // A shorter arc is off by less than twice this one.
+  if (!(3 * length(toDouble(starts[k].arc)) * double(r.k[0]) > mortar::pullOf(m))) return false;
   auto turnOf = [&](std::uint32_t local, BodyIndex body) {
     if (local < island.bodies.size()) return toDouble(island.motion[local].th) + island.rigid.turn;
     return bodies.motion[body].angularVelocity * island.dt;

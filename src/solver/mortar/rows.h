@@ -77,7 +77,9 @@ struct MortarRows : FaceRows, LastingRows<MortarRows, MortarSet, &Ties::mortar> 
   }
   bool meetsWithin(std::size_t, Vec3f, const SolveMotion*, const StepContext&) const { return true; }
 
-  void addHolding(std::size_t k, Vec3 along, const Ties& ties, const BodySet& bodies, Holding& out) const;
+  void addHolding(std::size_t k, Vec3 along, const Ties& ties, const BodySet& bodies, Holding& out) const {
+    mortar::addHolding(at(k, ties), bodies, along, out);
+  }
   void prepare(Island& island, Ties& ties, const StepContext& context);
   bool boundsFollow(std::size_t) const { return false; }
   bool renewBounds(std::size_t, const SolveMotion*, float = 0) { return false; }
