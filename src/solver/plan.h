@@ -73,7 +73,7 @@ struct SolvePlan {
   bool softDebris = false;     // contacts of moving bodies in it have impactStiffness
   bool endVelocities = false;  // velocities of what hangs on joints are those of the step's end (joint/swings.h)
   double calmStiffening = 1;   // x restingStiffness
-  double leastMass = 0;        // kg: contacts are as firm as between bodies of this effective mass
+  double leastMass = 0;        // kg: contacts that bear a load are as firm as between bodies of this effective mass
   double tolerance = 0;        // weights: residual under which a body is left alone
   int minCycles = 0, maxCycles = 0;
   std::size_t together = 1;  // level of the hierarchy whose clusters are moved at once; 0: the bodies themselves

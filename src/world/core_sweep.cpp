@@ -65,7 +65,7 @@ double coreWayOnArc(const ShapeData& moving, const Sweep& way, const ShapeData& 
 
 }  // namespace
 
-double coreWay(const ShapeData& moving, const Sweep& way, const ShapeData& still, const Sweep& of, bool* held) {
+double coreWay(const ShapeData& moving, const Sweep& way, const ShapeData& still, const Sweep& of) {
   Transform pose = of.start * still.inCentreFrame, back = inverse(pose);
   Vec3 from = transformPoint(way.start, moving.middle);
   // Among debris that flies along together, most shapes nearby are out of reach. First their extent shows it, then
@@ -80,7 +80,6 @@ double coreWay(const ShapeData& moving, const Sweep& way, const ShapeData& still
   core.radius = radius;
   // Half the distance: however often the body is stopped there, the core never reaches the other shape.
   double apart = shapeDistance(still.geometry, core, coreInOther).distance, target = core.radius;
-  if (held) *held = apart < (1 + 1e-3) * core.radius;
   if (!(apart > 0)) {  // pressed in: at least its centre must stay outside
     core.radius = 0;
     apart = shapeDistance(still.geometry, core, coreInOther).distance;

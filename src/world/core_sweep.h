@@ -56,9 +56,7 @@ Sweep sweepOf(const BodySet& bodies, BodyIndex body, Vec3 way, Vec3 turn);
 Aabb sweptBounds(const ShapeData& shape, const Sweep& own);
 
 // Share of its way that the core of `moving` gets past `still`. A turning shape is seen from its own frame: the way
-// then leads to the core's last place in that frame. Sets `held`: the core begins where it would have been stopped
-// before.
-double coreWay(const ShapeData& moving, const Sweep& way, const ShapeData& still, const Sweep& of,
-               bool* held = nullptr);
+// then leads to the core's last place in that frame.
+double coreWay(const ShapeData& moving, const Sweep& way, const ShapeData& still, const Sweep& of);
 
 }  // namespace brickfall

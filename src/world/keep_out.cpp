@@ -139,10 +139,8 @@ std::size_t Fitting::findTied(const Island& island) {
   const std::size_t known = tied_.size();
   if (!island.facts.firm) return known;
   island.rows.each([&]<class Kind>(const Kind& kind, std::size_t k) {
-    using Rows = std::remove_cvref_t<Kind>;
-    if (!Rows::kFirm) return;
+    if (!std::remove_cvref_t<Kind>::kFirm) return;
     const auto [a, b] = kind.bodies(k, *context_.ties);
-    if (Rows::kYields && context_.ties->mayCollide(a, b)) return;  // it has just broken
     tied_.push_back(a);
     tied_.push_back(b);
   });

@@ -117,15 +117,12 @@ Moment advance(const LookAhead& ahead, Moment now, double dt) {
   return nearest(ahead, before, now, ahead.touches());
 }
 
-enum class Grazing { no, passing, past };
-
-// Whether touching shapes overlap by no more than grazes() before they are past each other. If that is in the step,
-// goes on to the moment when they come no nearer. What a slow ball passes later is foretold: its edge turns away
-// evenly. A ball that lands closes as fast at the end of the step, so it does not pass; one that nothing else
-// bears would fall.
-Grazing grazing(const LookAhead& ahead, Moment& now, double dt) {
+// Whether touching shapes overlap by no more than grazes() before they are past each other. What a slow ball passes
+// after the step is foretold: its edge turns away evenly. A ball that lands closes as fast at the end of the step, so
+// it does not pass; one that nothing else bears would fall.
+bool grazes(const LookAhead& ahead, Moment now, double dt) {
   const double past = kOver * now.closing;
-  if (!(now.closing * dt > ahead.touches())) return Grazing::no;
+  if (!(now.closing * dt > ahead.touches())) return false;
   for (int k = 0; k < kMostLooks && now.closing > past && now.apart > -ahead.grazes(); k++) {
     const double until = now.time + (now.apart + 1.1 * ahead.grazes()) / now.closing;
     if (until >= dt) {
@@ -133,15 +130,14 @@ Grazing grazing(const LookAhead& ahead, Moment& now, double dt) {
       const double slows = (now.closing - end.closing) / (dt - now.time);  // m/s2
       if (end.closing > past) {
         const bool passes = now.closing * now.closing <= 2 * slows * (now.apart + ahead.grazes());
-        return ahead.isBorne() && passes ? Grazing::passing : Grazing::no;
+        return ahead.isBorne() && passes;
       }
       now = nearest(ahead, now, end, -ahead.grazes());
       break;
     }
     now = ahead.at(until);
   }
-  const bool clears = now.manifold.count > 0 && now.apart > -ahead.grazes() && !(now.closing > past);
-  return clears ? Grazing::past : Grazing::no;
+  return now.manifold.count > 0 && now.apart > -ahead.grazes() && !(now.closing > past);
 }
 
 // Turns bring shapes nearer that planes keep apart. The other shape is not passed if the step would end inside it.
@@ -159,16 +155,10 @@ Ahead lookAheadRound(const LookAhead& ahead, const Moment& now, double dt, doubl
   if (!(now.closing > 0) || now.apart < -ahead.grazes()) return {};
   const Moment touch = advance(ahead, now, dt);
   const bool far = touch.manifold.count == 0 || (touch.apart > margin && (touch.time >= dt || !(touch.closing > 0)));
-  Moment then = touch;
-  Grazing grazes = !far && touch.apart <= ahead.touches() ? grazing(ahead, then, dt) : Grazing::no;
-  const bool overlaps = (far || grazes != Grazing::no) && endsIn(ahead, dt, ahead.grazes());
-  if (far) return overlaps ? Ahead{} : passesAt(touch, margin);
-  if (overlaps) grazes = Grazing::no;
-  if (grazes == Grazing::passing) return {AheadFound::passes};
-  if (grazes == Grazing::no) then = touch;
-  if (then.time == 0) return {};
-  // What is past an edge comes to lie on what is behind it.
-  m = ahead.atStart(then);
+  const bool passes = far || (touch.apart <= ahead.touches() && grazes(ahead, touch, dt));
+  if (passes && !endsIn(ahead, dt, ahead.grazes())) return far ? passesAt(touch, margin) : Ahead{AheadFound::passes};
+  if (far || touch.time == 0) return {};
+  m = ahead.atStart(touch);
   return {AheadFound::meets};
 }
 

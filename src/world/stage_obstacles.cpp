@@ -6,14 +6,12 @@
 // something, or run over the core of something smaller, the two go on together for the rest of the step. So debris that
 // flies along together never stands still. Before a fixed thing the body stops; what a kinematic body runs into is
 // taken along. What is long and turns is looked at in its own frame, where ways are arcs, in parts of 0.2 rad.
-// Velocities stay, so that the next step finds the contact and does the rest. If it does not, the two go on as one
-// body.
+// Velocities stay, so that the next step finds the contact and does the rest.
 #include <algorithm>
 #include <cmath>
 
 #include "solver/finish/motion.h"
 #include "solver/free_motion.h"
-#include "solver/rigid_sum.h"
 #include "solver/union_find.h"
 #include "world/activity.h"
 #include "world/core_sweep.h"
@@ -36,7 +34,6 @@ struct Motion {
 struct Obstruction {
   double share = 1;           // of the step: when a way ends
   double turnShare = 1;       // of the step: when the turn does
-  bool held = false;          // its core began the step where it was stopped before
   BodyIndex body = kNoIndex;  // what ends it
   Vec3 carried;               // m: how far that takes along, from there, what does not get past it
 };
@@ -106,7 +103,6 @@ struct Obstacles {
   void takeBack(BodyIndex body);
   void stop(BodyIndex body);
   void hold(BodyIndex body, bool everything, double thickness);
-  void joinMotions(BodyIndex one, BodyIndex other);
   void obstruct(ShapeIndex shape, bool everything, double thickness, Obstruction& first) const;
   const Island* islandWith(BodyIndex body) const;
   Motion motionOf(BodyIndex body) const;
@@ -187,29 +183,6 @@ void Obstacles::hold(BodyIndex body, bool everything, double thickness) {
     cut(body, shareLeft(body, first.share), shareLeft(body, first.turnShare), first.carried);
   else
     meet(body, first);
-  if (first.held && bodies.data[first.body].type == BodyType::dynamic) joinMotions(body, first.body);
-}
-
-// Contacts have not parted two bodies where they were stopped before. Their velocities would lead nowhere, step for
-// step: from now on the two go on as one body, and their momenta stay.
-void Obstacles::joinMotions(BodyIndex one, BodyIndex other) {
-  if (!moves(other)) return;
-  auto placeOf = [&](BodyIndex b) { return bodies.motion[b].position + context.solved[b].d; };
-  auto inertiaOf = [&](BodyIndex b) {
-    const Mat3 end = toMatrix(rotationAtEnd(b, context));
-    return end * bodies.mass[b].inertia * transpose(end);
-  };
-  RigidSum sum(placeOf(one));
-  for (BodyIndex b : {one, other}) {
-    const SolvedMotion& s = context.solved[b];
-    sum.add(bodies.mass[b].mass, placeOf(b), inertiaOf(b), s.velocity * bodies.mass[b].mass, s.angularMomentum);
-  }
-  const Vec3 centre = sum.centre(), move = sum.velocity(), spin = sum.spin();
-  for (BodyIndex b : {one, other}) {
-    const SolvedMotion& s = context.solved[b];
-    accelerate(b, move + cross(spin, placeOf(b) - centre) - s.velocity, inertiaOf(b) * spin - s.angularMomentum,
-               context);
-  }
 }
 
 bool Obstacles::moves(BodyIndex body) const {
@@ -377,18 +350,16 @@ void Obstacles::obstruct(ShapeIndex shape, bool everything, double thickness, Ob
     const Vec3 motion = own.way - way.way;
     const bool turns = own.turns || way.turns;
     if (!turns && !exceeds(everything || type == BodyType::kinematic ? motion : own.way, thickness)) return true;
-    bool held = false, heldOver = false;
-    double share = coreWay(s, own, o, way, &held);
+    double share = coreWay(s, own, o, way);
     double turnShare = centred ? 1 : share;
     if (type == BodyType::dynamic && (turns || exceeds(motion, o.innerRadius))) {
-      double over = coreWay(o, way, s, own, &heldOver);
-      held = over < share ? heldOver : held;
+      const double over = coreWay(o, way, s, own);
       share = std::min(share, over), turnShare = std::min(turnShare, over);
     }
     auto ofStep = [&](double part) { return part < 1 ? from + part * (1 - from) : 1; };
     if (own.turns) first.turnShare = std::min(first.turnShare, ofStep(turnShare));
     if (!(ofStep(share) < first.share)) return true;
-    first.share = ofStep(share), first.body = o.body, first.held = held;
+    first.share = ofStep(share), first.body = o.body;
     first.carried = way.carry(transformPoint(own.at(share), s.middle), share);
     return true;
   });

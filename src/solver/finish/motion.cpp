@@ -11,17 +11,6 @@ namespace {
 //! not of the method: rotation vectors beyond are those of turns the other way round, which no solve can mean
 constexpr double kHalfTurn = 3;  // rad
 
-// Friction would drive the spin of a body that turns faster than the solve sees on and on: a brick under a rolling ball
-// would spin up without end. The turn by this step's torque counts only as far as the solved spin exceeds the spin that
-// the body had.
-Vec3 effectiveTurn(Vec3 turned, Vec3 end, const FreeMotion& free, const Mat3& invInertia, double dt) {
-  double size = length(turned);
-  if (!(size > 0)) return turned;
-  Vec3 along = turned * (1 / size);
-  double had = dot(invInertia * free.angularMomentum, along) * dt, ends = dot(end, along);
-  return along * std::min(size, std::max(0.0, ends - had));
-}
-
 // To the last bit: nothing that a body does here goes along its locks.
 void keepLocks(BodyIndex body, StepContext& context) {
   const BodySet& bodies = *context.bodies;
@@ -62,9 +51,7 @@ void storeMotion(const Island& island, StepContext& context) {
       out.angularMomentum += bodies.worldInertia(body) * free.lateSpin;
     }
     // Torque impulses are added to the angular momentum, so that it is kept to rounding.
-    Vec3 turned = out.freeTurn ? Vec3{} : toDouble(m.th) - toDouble(island.masses[i].thFree);
-    if (free.turnsFaster && !out.flying)
-      turned = effectiveTurn(turned, toDouble(m.th), free, bodies.worldInvInertia(body), island.dt);
+    const Vec3 turned = out.freeTurn ? Vec3{} : toDouble(m.th) - toDouble(island.masses[i].thFree);
     out.angularMomentum += bodies.worldInertia(body) * turned * perDt;
     // What the solve saw of a fast turn lies on the way of the whole turn: all along it, energy stays as it is.
     if (!out.freeTurn && free.turnsFaster) shortenFreeTurn(context, body, free.seen);
