@@ -203,6 +203,7 @@ class Relaxation {
     worthReading_ = sides > island_.rows.size();
     return moved || sides > 0;
   }
+
   // Whether a cluster is out of balance. (What a single body may be left with can be more than the weight of all.)
   bool clustersOut() const {
     const Level& level = island_.hierarchy.levels[1];

@@ -14,6 +14,12 @@ namespace {
 //! | too large: cost, impacts that are not solved well
 constexpr std::size_t kMostBodies = 5;
 
+// Contacts of these shapes are true from afar: a shape that moves without a turn cannot pass the other one unseen.
+bool isFoundExactly(ShapeType a, ShapeType b) {
+  if (a == ShapeType::plane || b == ShapeType::plane) return true;
+  return (isRound(a) && (isRound(b) || b == ShapeType::box)) || (isRound(b) && a == ShapeType::box);
+}
+
 }  // namespace
 
 bool ImpactParts::mayBeCut(const Island& island) const {
@@ -21,6 +27,9 @@ bool ImpactParts::mayBeCut(const Island& island) const {
   auto carries = [&](BodyIndex body) { return bodies.carries(body); };
   if (island.bodies.size() > kMostBodies) return false;
   if (std::any_of(island.partners.begin(), island.partners.end(), carries)) return false;
+  const bool alone = island.bodies.size() == 1;
+  // Without a turn a way of any length may be parted.
+  if (alone && length(turnOf(island.bodies[0])) < kTrifle && foundExactly(island)) return true;
   return std::all_of(island.bodies.begin(), island.bodies.end(), [&](BodyIndex body) {
     return length(bodies.motion[body].linearVelocity) * context_.dt <= kFarWay * bodies.mass[body].outerRadius;
   });
@@ -28,10 +37,24 @@ bool ImpactParts::mayBeCut(const Island& island) const {
 
 double ImpactParts::longest(const Island& island) const {
   if (island.bodies.size() > 1 || touchesNothing(island, context_)) return context_.dt;
-  const BodyIndex body = island.bodies[0];
-  const BodyMotion& m = registry_.bodies.motion[body];
-  const double speed = length(visibleTurn(registry_.bodies.mass[body], m.orientation, m.angularVelocity));
+  double speed = length(turnOf(island.bodies[0])) / context_.dt;
   return std::max(context_.dt / kMostParts, kMostTurn / std::max(speed, 1e-9));
+}
+
+bool ImpactParts::foundExactly(const Island& island) const {
+  bool all = true;
+  island.rows.eachManifold([&](ContactIndex contact) {
+    const Contact& c = context_.ties->contacts.contacts[contact];
+    const auto& shapes = registry_.shapes.data;
+    all = all && isFoundExactly(shapes[c.shapeA].geometry.type, shapes[c.shapeB].geometry.type);
+  });
+  return all;
+}
+
+// Visible turn (rad) in a step at the present spin.
+Vec3 ImpactParts::turnOf(BodyIndex body) const {
+  const BodyMotion& m = registry_.bodies.motion[body];
+  return visibleTurn(registry_.bodies.mass[body], m.orientation, m.angularVelocity) * context_.dt;
 }
 
 bool ImpactParts::runThrough(const Island& island, double dt, const Proximity& proximity) const {

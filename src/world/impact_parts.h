@@ -24,6 +24,9 @@ class ImpactParts {
   bool runThrough(const Island& island, double dt, const Proximity& proximity) const;
 
  private:
+  bool foundExactly(const Island& island) const;
+  Vec3 turnOf(BodyIndex body) const;
+
   const Registry& registry_;
   const StepContext& context_;
 };
