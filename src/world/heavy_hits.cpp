@@ -97,12 +97,25 @@ class HitSearch {
   // By mortar, which is looked up where anything is hit.
   bool isHeld(BodyIndex body) {
     if (!ties_.mortar.any()) return false;
-    if (held_.empty()) {
-      held_.assign(bodies_.motion.size(), false);
-      ties_.mortar.eachAwake([&](const Link& link) { held_[link.bodyA] = held_[link.bodyB] = true; });
-      ties_.mortar.eachAsleep([&](const Link& link) { held_[link.bodyA] = held_[link.bodyB] = true; });
-    }
-    return held_[body];
+    if (firstOf_.empty()) listMortar();
+    return firstOf_[body] < firstOf_[body + 1];
+  }
+  // A wall has three joints for each brick, and a ball asks of many bricks: by body, those awake first.
+  void listMortar() {
+    auto each = [&](auto&& visit) {
+      ties_.mortar.eachAwake(visit);
+      ties_.mortar.eachAsleep(visit);
+    };
+    firstOf_.assign(bodies_.motion.size() + 1, 0);
+    each([&](const Link& link) {
+      for (BodyIndex body : {link.bodyA, link.bodyB}) firstOf_[body + 1]++;
+    });
+    for (std::size_t body = 1; body < firstOf_.size(); body++) firstOf_[body] += firstOf_[body - 1];
+    mortarOf_.resize(firstOf_.back());
+    std::vector<std::uint32_t> next = firstOf_;
+    each([&](const Link& link) {
+      for (BodyIndex body : {link.bodyA, link.bodyB}) mortarOf_[next[body]++] = link.index;
+    });
   }
 
   // Whether a body may meet another that it moves by `way` against, judged by the bounding spheres of both. Bodies that
@@ -127,12 +140,8 @@ class HitSearch {
   // none of the force that a blow makes. Infinity where the blow has not the energy to break it.
   double stopping(BodyIndex body, BodyIndex other, Vec3 along, double speed) const {
     Holding held;
-    auto add = [&](const Link& link) {
-      if (link.bodyA == other || link.bodyB == other)
-        mortar::addHolding(ties_.mortar.slots[link.index], bodies_, along, held);
-    };
-    ties_.mortar.eachAwake(add);
-    ties_.mortar.eachAsleep(add);
+    for (std::uint32_t i = firstOf_[other]; i < firstOf_[other + 1]; i++)
+      mortar::addHolding(ties_.mortar.slots[mortarOf_[i]], bodies_, along, held);
     const double impulse = bodies_.mass[body].mass * speed;
     return 0.5 * impulse * speed > held.energy ? impulse / held.force : std::numeric_limits<double>::infinity();
   }
@@ -163,7 +172,8 @@ class HitSearch {
   const Proximity& proximity_;
   const Ties& ties_;
   const double dt_;
-  std::vector<bool> held_;  // by body; empty: not looked up yet
+  std::vector<std::uint32_t> firstOf_;  // by body: its first in `mortarOf_`; empty: not looked up yet
+  std::vector<MortarIndex> mortarOf_;
   double flight_ = 1, part_ = 1;
   Thicknesses gone_;  // within the step, the most of all struck bodies
 };

@@ -111,5 +111,36 @@ TEST(Law, Row31xABrickInStrongMortarDoesNotSpin) {
   }
 }
 
+// Two bricks that mortar holds tumble, and land: their turn grows or ends within a step, or the last check lets them go.
+// None of it parts the faces.
+TEST(Law, Row31zAPairThatLandsIsNotTorn) {
+  for (double strong : {1.0, 20.0})
+    for (double dt : {1.0 / 30, 1.0 / 60, 1.0 / 120}) {
+      double apart = 0;
+      for (int k = 0; k < 12; k++) {
+        Glued g;
+        for (double* of :
+             {&g.strength.tension, &g.strength.cohesion, &g.strength.tensionEnergy, &g.strength.shearEnergy})
+          *of *= strong;
+        const double spin = 12, half = 0.5 * kBrickSize.x;  // rad/s, m
+        g.brick({0, -0.5, 0}, BodyType::fixed, {10, 1, 10});
+        for (double side : {-1.0, 1.0}) {
+          const BodyId body = g.brick({side * half, 0.5 + 0.02 * k, 0});
+          ASSERT_TRUE(g.world.setAngularVelocity(body, {0, 0, spin}).ok());
+          ASSERT_TRUE(g.world.setLinearVelocity(body, {1, side * spin * half, 0}).ok());
+        }
+        g.gluePair(1, 2);
+        for (int i = 0; i < int(std::lround(0.5 / dt)) && g.broken == 0; i++) {
+          g.step(dt);
+          if (g.broken == 0)
+            apart = std::max(apart, length(placeNow(g.world, g.bodies[1], {half, 0, 0}) -
+                                           placeNow(g.world, g.bodies[2], {-half, 0, 0})));
+        }
+      }
+      atMost(label("a pair in %.0f x cement that lands: faces apart by", strong), dt, 1000 * apart, dt > 0.02 ? 2 : 0.4,
+             "mm");
+    }
+}
+
 }  // namespace
 }  // namespace brickfall::law

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <vector>
 
 #include "law/law.h"
 
@@ -21,6 +22,17 @@ struct GluedSetup {
            " degrees, seed " + std::to_string(seed);
   }
 };
+
+// Evenly out of all steps, turns and seeds.
+inline std::vector<GluedSetup> gluedSetups(int cases) {
+  std::vector<GluedSetup> all;
+  for (unsigned seed : {0u, 1u, 2u})
+    for (double degrees : {0.0, 37.0})
+      for (double dt : {1.0 / 60, 1.0 / 120, 1.0 / 240}) all.push_back({dt, degrees * kPi / 180, seed});
+  std::vector<GluedSetup> out;
+  for (std::size_t i = 0; i < std::size_t(cases) && i < all.size(); i++) out.push_back(all[11 * i % all.size()]);
+  return out;
+}
 
 // The boxes have their faces along the axes of a frame that may be turned about the vertical. Places, forces and ways
 // are told in that frame.

@@ -32,6 +32,9 @@ TEST(LongAnywhere, Row31eBreakOuts) { sweepBreakOuts(18); }
 TEST(LongAnywhere, Row31mPiers) { sweepPiers(18); }
 TEST(LongAnywhere, Row31nPushedWalls) { sweepPushedWalls(18); }
 TEST(LongAnywhere, Row31vShearWalls) { sweepShearWalls(18); }
+TEST(LongAnywhere, Row31yHeldShearWalls) { sweepHeldShearWalls(6); }
+TEST(LongAnywhere, Row31yBoulders) { sweepBoulders(6); }
+TEST(LongAnywhere, Row31yPanels) { sweepPanels(6); }
 
 TEST(LongRun, Row13TenMinutes) {
   ValidationCurve curve{"13",      "Wall of 10 courses x 10, ten minutes: how far its bricks are below their place",

@@ -12,17 +12,6 @@ constexpr double kThinModulus = kBrickSize.x * kThin * kThin / 6;  // m3, of a b
 constexpr double kMasonry = 19e3;                                  // N/m3
 constexpr Vec3 kLaidBrick{0.225, 0.075, kThin};                    // m: with its share of the joints
 
-// Evenly out of all steps, turns and seeds.
-std::vector<GluedSetup> gluedSetups(int cases) {
-  std::vector<GluedSetup> all;
-  for (unsigned seed : {0u, 1u, 2u})
-    for (double degrees : {0.0, 37.0})
-      for (double dt : {1.0 / 60, 1.0 / 120, 1.0 / 240}) all.push_back({dt, degrees * kPi / 180, seed});
-  std::vector<GluedSetup> out;
-  for (std::size_t i = 0; i < std::size_t(cases) && i < all.size(); i++) out.push_back(all[11 * i % all.size()]);
-  return out;
-}
-
 double percentOff(double found, double expected) { return (found / expected - 1) * 100; }
 
 // N: the pull that tears a brick of this size off a fixed one, its weight with it.

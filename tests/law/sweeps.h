@@ -25,13 +25,16 @@ void sweepDrag(int cases);            // row 17
 void sweepRandomWorlds(int cases);    // row 18u; cases of each kind
 void sweepRandomLinkages(int cases);  // row 30t; cases of each kind
 // At three steps, turned or not, bodies made in three orders: 18 cases.
-void sweepCouplets(int cases);     // row 31a
-void sweepWrenches(int cases);     // row 31b
-void sweepTriplets(int cases);     // row 31c
-void sweepOpenings(int cases);     // row 31d
-void sweepBreakOuts(int cases);    // row 31e
-void sweepPiers(int cases);        // row 31m
-void sweepPushedWalls(int cases);  // row 31n
-void sweepShearWalls(int cases);   // row 31v
+void sweepCouplets(int cases);        // row 31a
+void sweepWrenches(int cases);        // row 31b
+void sweepTriplets(int cases);        // row 31c
+void sweepOpenings(int cases);        // row 31d
+void sweepBreakOuts(int cases);       // row 31e
+void sweepPiers(int cases);           // row 31m
+void sweepPushedWalls(int cases);     // row 31n
+void sweepShearWalls(int cases);      // row 31v
+void sweepHeldShearWalls(int cases);  // row 31y
+void sweepBoulders(int cases);        // row 31y
+void sweepPanels(int cases);          // row 31y
 
 }  // namespace brickfall::law

@@ -348,7 +348,12 @@ class LastCheck {
     const double left = takeRelative(island_, group, motionOf(island_, group, context_), {}, context_, excess);
     // No momenta fit those ways: the group goes as if it met nothing. Joints and locks hold it as well.
     if (!(left > energy.slack()) || island_.facts.jointed || island_.facts.locked) return excess - left;
-    for (std::uint32_t i : group) goFreely(island_.bodies[i], context_);
+    auto flewAhead = [&](std::uint32_t i) { return context_.aheadOf(island_.bodies[i]) > 0; };
+    if (island_.facts.mortared && std::none_of(group.begin(), group.end(), flewAhead)) {
+      goAsOne(group, island_, context_);
+    } else {
+      for (std::uint32_t i : group) goFreely(island_.bodies[i], context_);
+    }
     return excess;
   }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "solver/free_motion.h"
+#include "solver/rigid_way.h"
 
 namespace brickfall {
 
@@ -96,6 +97,32 @@ void goFreely(BodyIndex body, StepContext& context) {
   shortenFreeTurn(context, body, 1);
   if (context.aheadOf(body) > 0) takeBackAhead(body, context);
   context.freed = true;
+}
+
+void goAsOne(std::span<const std::uint32_t> group, const Island& island, StepContext& context) {
+  const BodySet& bodies = *context.bodies;
+  RigidSum sum(island.origin), fall(island.origin);
+  for (std::uint32_t i : group) {
+    const BodyIndex body = island.bodies[i];
+    const FreeMotion& free = context.free[body];
+    const double m = bodies.mass[body].mass;
+    const Mat3 inertia = bodies.worldInertia(body);
+    const Vec3 spin = inertia * bodies.motion[body].angularVelocity + bodies.data[body].torque * free.dt;
+    sum.add(m, bodies.motion[body].position, inertia, free.d * m, spin * free.dt);
+    fall.add(m, bodies.motion[body].position, inertia, (free.d - free.startVelocity * free.dt) * m, {});
+  }
+  const RigidWay way = rigidWayOf(sum);
+  for (std::uint32_t i : group) {
+    const BodyIndex body = island.bodies[i];
+    const Vec3 at = bodies.motion[body].position;
+    SolvedMotion& out = context.solved[body];
+    context.free[body].turnsFaster = out.freeTurn = false;
+    out.d = way.of(at) - fall.velocity() * 0.5;
+    out.th = way.turn;
+    out.velocity = way.endOf(at) * (1 / island.dt);
+    const Mat3 end = toMatrix(rotationAtEnd(body, context));
+    out.angularMomentum = end * (bodies.mass[body].inertia * transposeTimes(end, way.spin)) * (1 / island.dt);
+  }
 }
 
 bool solvedWell(const Island& island, const StepContext& context) {

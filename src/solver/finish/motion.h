@@ -1,5 +1,7 @@
 // The result of the solve, as motion of the bodies: the one writer of StepContext::solved.
 #pragma once
+#include <span>
+
 #include "solver/island.h"
 
 namespace brickfall {
@@ -15,6 +17,9 @@ void storeFreeBody(BodyIndex body, double dt, StepContext& context);
 
 // Moves a body without joints and locks as if its ties were not there, for what is left of its step.
 void goFreely(BodyIndex body, StepContext& context);
+// The same for bodies that mortar joins: they go as one, or the arcs of their turns would part them. None has flown
+// ahead.
+void goAsOne(std::span<const std::uint32_t> group, const Island& island, StepContext& context);
 
 // Whether the solved motion is finite, of every body.
 bool solvedWell(const Island& island, const StepContext& context);

@@ -150,22 +150,27 @@ Vec3f MortarRows::arcBy(std::size_t k, Vec3 turnA, Vec3 turnB, const Island& isl
                  mortar::arcOfArm(island.rigid.turn, armB - armA));
 }
 
-// What a blow made spin, or what meets something, may turn by less than its velocity told, along a shorter arc. True if
-// that was worth a force that breaks the joint. What begins to turn is taken as it ends (advance).
+// What a blow made spin, or what meets something, may turn by less than its velocity told, along a shorter arc; and two
+// bodies that a blow turns together, by more. True if that was worth a force that breaks the joint. What begins to turn
+// against the other body is taken as it ends (advance).
 bool MortarRows::renewArc(std::size_t k, const Mortar& m, const Island& island, const BodySet& bodies) {
   FaceRecord& r = records[k];
-  // A shorter arc is off by less than twice this one.
-  if (!(3 * length(toDouble(starts[k].arc)) * double(r.k[0]) > mortar::pullOf(m))) return false;
+  MortarStart& start = starts[k];
+  // A shorter arc is off by less than twice this one. Nor does what stood begin to go along arcs: it overshoots.
+  if (!(3 * double(start.longest) * double(r.k[0]) > mortar::pullOf(m))) return false;
   auto turnOf = [&](std::uint32_t local, BodyIndex body) {
     if (local < island.bodies.size()) return toDouble(island.motion[local].th) + island.rigid.turn;
     return bodies.motion[body].angularVelocity * island.dt;
   };
-  const Vec3f arc = arcBy(k, turnOf(r.bodyA, m.bodyA), turnOf(r.bodyB, m.bodyB), island);
-  const Vec3f more = arc - starts[k].arc;
-  if (!(lengthSquared(arc) < lengthSquared(starts[k].arc)) ||
-      !(length(toDouble(more)) * double(r.k[0]) > mortar::pullOf(m)))
-    return false;
-  starts[k].arc = arc;
+  const Vec3 turnA = turnOf(r.bodyA, m.bodyA), turnB = turnOf(r.bodyB, m.bodyB);
+  const Vec3 shared = lengthSquared(turnA) < lengthSquared(turnB) ? turnA : turnB;
+  Vec3f arc = arcBy(k, turnA, turnB, island);
+  const double far = length(toDouble(arc)),
+               most = std::max(double(start.longest), length(toDouble(arcBy(k, shared, shared, island))));
+  if (far > most) arc = arc * float(most / far);
+  const Vec3f more = arc - start.arc;
+  if (!(length(toDouble(more)) * double(r.k[0]) > mortar::pullOf(m))) return false;
+  start.arc = arc;
   const float moreN = dot(r.n, more), more1 = dot(r.t1, more), more2 = dot(cross(r.n, r.t1), more);
   for (int i = 0; i < 4; i++) {
     r.trialN[i] -= r.k[i] * moreN;
@@ -212,6 +217,7 @@ void MortarRows::writeStart(std::size_t k, const Mortar& m, const MortarPose& po
     return motion.angularVelocity * island.dt;
   };
   start.arc = arcBy(k, turnOf(r.bodyA, a), turnOf(r.bodyB, b), island);
+  start.longest = float(length(toDouble(start.arc)));
   auto inFace = [&](Vec3 v) { return Vec3{dot(pose.n, v), dot(pose.t1, v), dot(pose.t2, v)}; };
   const Vec3 move = inFace(b.linearVelocity + cross(b.angularVelocity, pose.armB) - a.linearVelocity -
                            cross(a.angularVelocity, pose.armA));

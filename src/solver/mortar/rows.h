@@ -26,6 +26,7 @@ struct MortarStart {
   float heldN[4] = {}, held1[4] = {}, held2[4] = {};  // N: forces at the start
   float opens[4] = {}, goes1[4] = {}, goes2[4] = {};  // m: ways by the velocities at the start
   Vec3f arc;            // m: of B against A beyond its linear way, as the bodies turn at the start
+  float longest = 0;    // m: of the arc, by the velocities at the start
   float stiffness = 0;  // N/m, of a point, firm as it is
   float pressure = 0;   // N, of a point: mean of the last step; below 0: pull
   float tougher = 1;    // x the fracture energy: what a blow crushes until the joint's force is reached
@@ -35,7 +36,7 @@ struct MortarStart {
   Vec3f before;                          // N: the joint's force before the last solve
 };
 
-static_assert(sizeof(MortarStart) <= 152);
+static_assert(sizeof(MortarStart) <= 156);
 
 struct MortarRows : FaceRows, LastingRows<MortarRows, MortarSet, &Ties::mortar> {
   explicit MortarRows(std::pmr::memory_resource* memory) : FaceRows(memory), LastingRows(memory), starts(memory) {}
