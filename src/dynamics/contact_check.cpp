@@ -1,6 +1,7 @@
 // Invariants of candidate pairs and their contacts.
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "brickfall/limits.h"
 #include "dynamics/contact_set.h"
@@ -105,6 +106,12 @@ void ContactSet::checkStructure(Findings& f, const BodySet& bodies, const ShapeS
 
 void ContactSet::check(Findings& f, const BodySet& bodies, const ShapeSet& shapes) const {
   checkPairs(f, bodies, shapes, *this);
+  std::vector<bool> listed(contacts.size(), false);
+  for (ContactIndex contact : struck)
+    if (contact < listed.size()) listed[contact] = true;
+  for (std::size_t i = 0; i < contacts.size(); i++)
+    f.expect(!contacts[i].struck || listed[i],
+             "a contact that was struck is not listed: its hit would be told for ever");
 }
 
 void ContactSet::checkRanges(Findings& f) const {

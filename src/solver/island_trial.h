@@ -32,13 +32,13 @@ class IslandTrial {
   void restore() const;
 
  private:
-  static auto fieldsOf(Island& i) { return std::tie(i.dt, i.ending); }
+  static auto fieldsOf(Island& i) { return std::tie(i.dt, i.ending, i.fastestLately); }
 
   Island& island_;
   BodySet& bodies_;
   TiesMemory ties_;
   std::pmr::vector<std::pair<BodyMotion, BodyData>> states_;  // by body
-  std::tuple<double, IslandEnding> fields_;
+  std::tuple<double, IslandEnding, double> fields_;
 };
 
 }  // namespace brickfall

@@ -160,6 +160,7 @@ struct StepContext {
   std::vector<SolvedMotion> solved;                                      // by body slot
   std::vector<FlownAhead> ahead;                                         // by body slot
   SolveStatistics statistics;
+  double overlap = 0;  // that the step adds to a pair, at most, in cores of the smaller body (world/keep_out.h)
   bool freed = false;  // the last check let a group go freely
 
   double aheadOf(BodyIndex body) const { return body < ahead.size() ? ahead[body].share : 0; }

@@ -82,6 +82,8 @@ class Fitting {
   void addContacts(const Island& island);
   // What bodies without a contact end in, is looked for in `tree`.
   bool fit(const BroadPhase* tree);
+  // How much deeper a pair ends than it began, at most: in cores of the smaller body.
+  double overlapLeft() const;
 
  private:
   bool moves(BodyIndex body) const {
@@ -110,6 +112,13 @@ class Fitting {
 
   double leastOf(const Near& n) const {
     return kNearlyClosed * lengthScale(shapes_.data[n.a].innerRadius, shapes_.data[n.b].innerRadius);
+  }
+  // Of the two shapes.
+  bool anyMesh(const Near& n) const {
+    return shapes_.data[n.a].geometry.type == ShapeType::mesh || shapes_.data[n.b].geometry.type == ShapeType::mesh;
+  }
+  Transform poseOf(ShapeIndex shape, std::uint32_t end) const {
+    return ends_[end].pose * shapes_.data[shape].inCentreFrame;
   }
   double openingOf(ContactIndex contact, int point) const;
   double depthLeft(const Near& n) const;
@@ -306,8 +315,10 @@ void Fitting::addFound(std::uint32_t end) {
   for (Near& n : found) {
     n.endA = numberOf(shapes_.data[n.a].body), n.endB = numberOf(shapes_.data[n.b].body);
     const Vec3 came = wayOf(n.endA) - wayOf(n.endB);
-    // Bodies whose mortar has just broken began side by side, whichever way they went.
-    if (came != Vec3{} && context_.ties->mortar.strangers(ends_[n.endA].body, ends_[n.endB].body))
+    // Bodies whose mortar has just broken began side by side, whichever way they went. So did those that came no
+    // further than the thinner one is thick: none has come through.
+    const double thick = anyMesh(n) ? 0 : std::min(shapes_.data[n.a].innerRadius, shapes_.data[n.b].innerRadius);
+    if (lengthSquared(came) > thick * thick && context_.ties->mortar.strangers(ends_[n.endA].body, ends_[n.endB].body))
       n.normal = normalized(came);  // where it was, nothing was in the way
     addNear(n);
   }
@@ -337,6 +348,28 @@ bool Fitting::fit(const BroadPhase* tree) {
   return any;
 }
 
+double Fitting::overlapLeft() const {
+  double most = 0;
+  auto sizeOf = [&](ShapeIndex shape) {
+    const ShapeData& s = shapes_.data[shape];
+    return bodies_.data[s.body].type == BodyType::dynamic ? s.innerRadius : std::numeric_limits<double>::infinity();
+  };
+  // What something kinematic jams has no room in any part: shorter ones would only press harder.
+  auto isJammed = [&](std::uint32_t end) {
+    const std::uint32_t island = activity_->islandOf[ends_[end].body];
+    return island != kNoIndex && activity_->islands.awake[island]->facts.partnersGo;
+  };
+  for (const Near& n : near_) {
+    const double core = kCoreShare * std::min(sizeOf(n.a), sizeOf(n.b));
+    const bool mayBe = n.room < -core * most;  // it was last seen with more than that, or has been moved since
+    if (!mayBe || isJammed(n.endA) || isJammed(n.endB)) continue;
+    const double depth = penetrationDepth(shapes_.data[n.a].geometry, shapes_.data[n.b].geometry,
+                                          inverse(poseOf(n.a, n.endA)) * poseOf(n.b, n.endB));
+    most = std::max(most, (depth - std::max({n.had, n.told, leastOf(n)})) / core);
+  }
+  return most;
+}
+
 // As deep as they began, or as springs gave. What had no contact began apart: where an impact has moved it since, its
 // place tells nothing of that.
 double Fitting::depthLeft(const Near& n) const {
@@ -351,7 +384,7 @@ double Fitting::depthLeft(const Near& n) const {
 Manifold Fitting::overlapOf(const Near& n, const Transform& poseA, const Transform& bInA) const {
   const ShapeData &a = shapes_.data[n.a], &b = shapes_.data[n.b];
   const Vec3 normal = rotate(conjugate(poseA.rotation), n.normal);
-  const bool mesh = a.geometry.type == ShapeType::mesh || b.geometry.type == ShapeType::mesh;
+  const bool mesh = anyMesh(n);
   Manifold m;
   if (!mesh) collide(a.geometry, b.geometry, bInA, 0, m);
   if (n.normal != Vec3{} && (mesh || (m.count > 0 && dot(m.normal, normal) < -kAtOnce))) {
@@ -376,8 +409,7 @@ bool Fitting::part(std::uint32_t number) {
     if (n.room > 0) return false;
   }
   const Near& found = near_[number];
-  const Transform poseA = ends_[found.endA].pose * shapes_.data[found.a].inCentreFrame;
-  const Transform poseB = ends_[found.endB].pose * shapes_.data[found.b].inCentreFrame;
+  const Transform poseA = poseOf(found.a, found.endA), poseB = poseOf(found.b, found.endB);
   const Manifold m = overlapOf(found, poseA, inverse(poseA) * poseB);
   double deepest = 0;
   for (int i = 0; i < m.count; i++) deepest = std::max(deepest, -m.points[i].separation);
@@ -486,6 +518,7 @@ void keepOut(const Activity& activity, const Registry& registry, const Proximity
   if (!fitting.anyBodies()) return;
   each([&](const Island& island) { fitting.addContacts(island); });
   fitting.fit(proximity.broadPhase.get());
+  context.overlap = fitting.overlapLeft();
 }
 
 bool keepOut(const Island& island, bool toImpact, const Registry& registry, StepContext& context) {

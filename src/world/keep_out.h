@@ -11,7 +11,7 @@ namespace brickfall {
 // Moves and turns bodies that end elsewhere than their contacts foresaw, and those that they press on, until they are
 // no deeper in what they meet than they began. Two that fly part along their relative velocity, which keeps momenta.
 
-// All awake islands, and what they would end in without a contact.
+// All awake islands, and what they would end in without a contact. What is left is told in StepContext::overlap.
 void keepOut(const Activity& activity, const Registry& registry, const Proximity& proximity, StepContext& context);
 // One island, by its contacts; on a way to an impact, of which contacts foretell only its start, all of its bodies.
 // Returns whether anything was moved.

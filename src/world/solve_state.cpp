@@ -2,8 +2,9 @@
 // heap any more, whichever bodies meet, part, wake or fall asleep in it.
 //
 // Lists have room for as much as so many shapes are likely to need, and for a fourth more than they hold. The pool has
-// more than a body of a wall under a hit needs (4 KiB with rebounds), and half more than it ever gave out at once. This
-// is address space, not memory: the system never gives pages that are not touched.
+// more than a body of a wall under a hit needs (4 KiB with rebounds, and what a part that may be taken again had been),
+// and half more than it ever gave out at once. This is address space, not memory: the system never gives pages that are
+// not touched.
 #include "world/solve_state.h"
 
 #include <algorithm>
@@ -15,7 +16,7 @@ namespace brickfall {
 namespace {
 
 //! not of the method: room
-constexpr std::size_t kPoolPerBody = 16 * 1024;  // bytes
+constexpr std::size_t kPoolPerBody = 24 * 1024;  // bytes
 constexpr std::size_t kPoolPerBodyBeyond = 2 * 1024, kManyBodies = 10000;
 
 std::size_t poolFor(std::size_t bodies) {

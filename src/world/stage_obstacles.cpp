@@ -301,6 +301,7 @@ void Obstacles::stopAll(bool again) {
     for (BodyIndex body : islands.single) (this->*act)(body);
   };
   if (!again) each(&Obstacles::takeBack);
+  context.overlap = 0;
   keepOut(activity, registry, proximity, context);
   changed = true;
   for (int look = 0; look < kMostLooks && changed; look++) {

@@ -6,8 +6,10 @@
 #include <string>
 
 #include "brickfall/limits.h"
+#include "world/core_sweep.h"
 #include "world/heavy_hits.h"
 #include "world/notes.h"
+#include "world/part_trial.h"
 #include "world/sense.h"
 #include "world/stage_hash.h"
 #include "world/stages.h"
@@ -153,26 +155,49 @@ void World::Impl::beginPart(double dt) {
   quarantineAbsurd(registry, activity, dt, out);
 }
 
+void World::Impl::addCost() {
+  const SolveStatistics& s = solve.context.statistics;
+  diary.report.cycles += s.cycles;
+  diary.report.solveVisits += 0.5 * s.solveSides;
+  diary.report.lightVisits += s.lightVisits;
+}
+
 void World::Impl::endPart() {
   registry.shapes.edits.clear();
+  addCost();
   const SolveStatistics& s = solve.context.statistics;
   StepReport& report = diary.report;
   report.islands = s.islands;
   report.restingIslands = s.restingIslands;
-  report.cycles += s.cycles;
-  report.solveVisits += 0.5 * s.solveSides;
-  report.lightVisits += s.lightVisits;
   report.residualRms = std::max(report.residualRms, s.residualRms);
   report.worstResidual = std::max(report.worstResidual, s.worstResidual);
   report.unbalancedBodies += s.leftOver;
   report.energyTaken += s.energyTaken;
 }
 
+// Arms, normals and the choice of contacts are those of a part's start, so a body that a hit turns far may end where no
+// force is against it, and no room. What can't be known before the part is solved is judged by how it ends.
 void World::Impl::runPart(double dt, bool last) {
   diary.report.manifolds = diary.report.contactPoints = diary.report.touchingPoints = 0;
   clock.lastPart = last;
+  const std::size_t hashes = diary.report.stageHashes.size();
   beginPart(dt);
-  runStages(Stage::pairs, Stage::count);
+  runStages(Stage::pairs, Stage::impacts);
+  const bool mayBeCut = 2 * dt * def.solver.maxHitParts > clock.lastDt && def.solver.maxHitParts > 1;
+  if (mayBeCut && mayEndDeep(registry.bodies, activity.islands, dt)) {
+    PartTrial trial(registry.bodies, activity.islands, ties, diary, &solve.memory);
+    runStages(Stage::impacts, Stage::balance);
+    if (solve.context.overlap > kCoreShare) {
+      addCost();
+      trial.restore();
+      diary.report.stageHashes.resize(hashes);
+      runPart(dt / 2, false);
+      return runPart(dt / 2, last);
+    }
+    runStages(Stage::balance, Stage::count);
+  } else {
+    runStages(Stage::impacts, Stage::count);
+  }
   endPart();
   clock.part++;
   diary.report.parts++;

@@ -43,6 +43,7 @@ struct World::Impl {
   void runSubstep(double dt, bool last);
   void beginPart(double dt);
   void runStages(Stage first, Stage end);
+  void addCost();
   void endPart();
 
   Upkeep upkeep() { return {registry, activity, proximity, ties, diary}; }

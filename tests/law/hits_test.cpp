@@ -69,11 +69,11 @@ TEST(Law, AHitLeavesFewBricksOutOfBalance) {
   }
 }
 
-// Bricks that a ball of 4 t wedges under itself, and what flies out of the wall, end in nothing. (Shifted out of what
-// they touch, but not turned, and groups in the air stopped as a whole: 39 and 22 mm. With impacts that stay soft while
-// they go on, and nothing looked for where impacts within the step have led: a median of 23 mm and up to 66.)
+// Bricks that a ball of 4 t wedges under itself, and what flies out of the wall, end in nothing. The wall is like that of
+// `wall_hit`, with the ball where it has fallen to when it hits. (Parts of a step that were not taken again where they end
+// with bodies in each other: a median of 36 and 30 mm, and up to 45.)
 TEST(Law, BricksOverlapLittleInAHit) {
-  constexpr int kCourses = 6, kBricks = 12, kShots = 8;
+  constexpr int kCourses = 12, kBricks = 12, kShots = 8;
   const Vec3 half{0.1075, 0.0325, 0.05125};
   for (double dt : {1.0 / 60, 1.0 / 120}) {
     std::vector<double> deepest(kShots, 0);
@@ -82,11 +82,12 @@ TEST(Law, BricksOverlapLittleInAHit) {
       addGround(world);
       for (int c = 0; c < kCourses; c++)
         for (int i = 0; i < kBricks; i++)
-          add(world, bodyOf(boxOf(half, 1900), {2 * half.x * (i + 0.5 * (c % 2)), half.y * (2 * c + 1), 0}));
-      BodyDef ball = bodyOf(sphereOf(0.5, 7800), {half.x * kBricks + 0.037 * shot, 0.6, 0.7});
-      ball.linearVelocity = {0, 0, -20};
+          add(world,
+              bodyOf(boxOf(half, 1900), {2 * half.x * (i + (c % 2) / 3.0 - 0.5 * kBricks), half.y * (2 * c + 1), 0}));
+      BodyDef ball = bodyOf(sphereOf(0.5, 7800), {0.037 * shot, 0.6, 0.8});
+      ball.linearVelocity = {0, -1.2, -20};
       add(world, ball);
-      for (int k = 0; k < int(0.25 / dt); k++) {
+      for (int k = 0; k < int(0.17 / dt); k++) {
         stepSound(world, dt);
         world.forEachContact([&](const ContactView& c) {
           deepest[std::size_t(shot)] = std::max(deepest[std::size_t(shot)], *world.penetration(c.shapeA, c.shapeB));
@@ -94,13 +95,8 @@ TEST(Law, BricksOverlapLittleInAHit) {
       }
     }
     std::sort(deepest.begin(), deepest.end());
-    atMost("4 t at 20 m/s into bricks: deepest overlap, median of 8 shots", dt, deepest[kShots / 2] * 1e3,
-           dt > 0.01 ? 14 : 9, "mm");
-    // One in forty is worse, where a brick that the ball wedges in turns by 2 rad in a step: 44, 31 and 24 mm of 120 shots at
-    // 1/60 s, 32 at 1/120 s.
-    atMost("4 t at 20 m/s into bricks: deepest overlap, second of 8 shots", dt, deepest[kShots - 2] * 1e3, 20, "mm");
-    atMost("4 t at 20 m/s into bricks: deepest overlap, worst of 8 shots", dt, deepest.back() * 1e3,
-           dt > 0.01 ? 50 : 25, "mm");
+    atMost("4 t at 20 m/s into bricks: deepest overlap, median of 8 shots", dt, deepest[kShots / 2] * 1e3, 12, "mm");
+    atMost("4 t at 20 m/s into bricks: deepest overlap, worst of 8 shots", dt, deepest.back() * 1e3, 20, "mm");
   }
 }
 
