@@ -27,7 +27,6 @@ class FallFinder {
   std::optional<std::uint32_t> first(std::uint32_t body) const;
 
  private:
-  std::uint32_t chunkOf(std::uint32_t body) const;
   bool isEarlier(std::uint32_t a, std::uint32_t b) const;
   bool holdsUp(std::uint32_t joint, std::uint32_t body) const;
 

@@ -18,6 +18,13 @@ struct Shape {
   const MeshTree* mesh = nullptr;  // mesh; the same
 };
 
+inline Shape sphereOfRadius(double radius) {
+  Shape out;
+  out.type = ShapeType::sphere;
+  out.radius = radius;
+  return out;
+}
+
 // A core and a ball around it: its contacts wander as it moves, and are found anew in every step.
 inline bool isRound(ShapeType type) {
   switch (type) {

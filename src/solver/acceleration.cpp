@@ -116,27 +116,24 @@ double Acceleration::slopeAlong(const Shares& shares) {
   return sum;
 }
 
-void Acceleration::moveBy(const Shares& shares, double part) {
+template <class WayOf> void Acceleration::addWays(const Shares& shares, double part, WayOf wayOf) {
   for (int j = 0; j < count_; j++) {
     float share = float(shares[std::size_t(j)] * part);
     const Change* c = change(j);
     for (std::size_t k = 0; k < island_.bodies.size(); k++) {
-      island_.motion[k].d += c[k].way.d * share;
-      island_.motion[k].th += c[k].way.th * share;
+      wayOf(k).d += c[k].way.d * share;
+      wayOf(k).th += c[k].way.th * share;
     }
   }
 }
 
+void Acceleration::moveBy(const Shares& shares, double part) {
+  addWays(shares, part, [&](std::size_t k) -> SolveMotion& { return island_.motion[k]; });
+}
+
 void Acceleration::makeNewestWhole(const Shares& shares, double part) {
   Change* whole = change(0);
-  for (int j = 0; j < count_; j++) {
-    float share = float(shares[std::size_t(j)] * part);
-    const Change* c = change(j);
-    for (std::size_t k = 0; k < island_.bodies.size(); k++) {
-      whole[k].way.d += c[k].way.d * share;
-      whole[k].way.th += c[k].way.th * share;
-    }
-  }
+  addWays(shares, part, [&](std::size_t k) -> SolveMotion& { return whole[k].way; });
   for (std::size_t k = 0; k < island_.bodies.size(); k++) {
     whole[k].fell.force += startResidual_[k].force - island_.residual[k].force;
     whole[k].fell.torque += startResidual_[k].torque - island_.residual[k].torque;

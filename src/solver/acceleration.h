@@ -1,8 +1,13 @@
 // Goes on from the last cycles: among all motions that their changes add up to, it takes the one of least energy.
 //
-// A cycle moves bodies and clusters one at a time. Some motions many bodies must make together: a wall that sways on
-// stiff contacts, a heap that settles. They come along by a little in each cycle, in much the same way. So the island
-// is moved by
+// Motions that many bodies must make together (a wall that sways, a heap that settles) come along by a little in each
+// cycle, in much the same way. So the island is moved by
+//
+//   P = sum of x_j s_j,   x such that   s_i . (residual - sum of x_j y_j) = 0   for all i,
+//
+// with s_j the change of the motion in one of the last cycles, and y_j by how much the residual fell. The newest change
+// is then made whole by P, so that the next ones stand across it. (Nonlinear Krylov acceleration: Carlson and Miller,
+// SIAM J. Sci. Comput. 19, 1998; for minima, De Sterck, SIAM J. Sci. Comput. 34, 2012.)
 #pragma once
 #include <array>
 #include <memory_resource>
@@ -41,6 +46,7 @@ class Acceleration {
   Curvature curvature();
   Shares slopes();  // s_i . residual
   double slopeAlong(const Shares& shares);
+  template <class WayOf> void addWays(const Shares& shares, double part, WayOf wayOf);
   void moveBy(const Shares& shares, double part);
   void makeNewestWhole(const Shares& shares, double part);
 

@@ -55,12 +55,6 @@ void BlockRows::clear() {
   std::fill(blocks_.begin(), blocks_.end(), Block{});
 }
 
-BlockRows::Block& BlockRows::at(std::uint32_t row, std::uint32_t column) {
-  std::uint32_t k = neighbours_.begin[row];
-  while (neighbours_.list[k] != column) k++;
-  return blocks_[k];
-}
-
 void BlockRows::multiply(const Wrenches& x, Wrenches& out) const {
   for (std::uint32_t row = 0; row < diagonal_.size(); row++) {
     SixSum sum;
@@ -85,21 +79,19 @@ bool BlockRows::factor() {
 }
 
 void BlockRows::sweepForwards(const Wrenches& right, Wrenches& x) const {
-  for (std::uint32_t row = 0; row < diagonal_.size(); row++) {
-    SixSum sum{wide::load(&right[row].force.x), wide::load(&right[row].torque.x)};
-    for (std::uint32_t k = neighbours_.begin[row]; k < neighbours_.begin[row + 1]; k++)
-      if (std::uint32_t other = neighbours_.list[k]; other < row) sum.take(blocks_[k], x[other]);
-    x[row] = factors_[row].solve({wide::store3(sum.force), wide::store3(sum.torque)});
-  }
+  for (std::uint32_t row = 0; row < diagonal_.size(); row++) settle(row, right, x, row);
 }
 
 void BlockRows::sweepBackwards(const Wrenches& right, Wrenches& x) const {
-  for (std::uint32_t row = std::uint32_t(diagonal_.size()); row-- > 0;) {
-    SixSum sum{wide::load(&right[row].force.x), wide::load(&right[row].torque.x)};
-    for (std::uint32_t k = neighbours_.begin[row]; k < neighbours_.begin[row + 1]; k++)
-      sum.take(blocks_[k], x[neighbours_.list[k]]);
-    x[row] = factors_[row].solve({wide::store3(sum.force), wide::store3(sum.torque)});
-  }
+  const std::uint32_t rows = std::uint32_t(diagonal_.size());
+  for (std::uint32_t row = rows; row-- > 0;) settle(row, right, x, rows);
+}
+
+void BlockRows::settle(std::uint32_t row, const Wrenches& right, Wrenches& x, std::uint32_t below) const {
+  SixSum sum{wide::load(&right[row].force.x), wide::load(&right[row].torque.x)};
+  for (std::uint32_t k = neighbours_.begin[row]; k < neighbours_.begin[row + 1]; k++)
+    if (std::uint32_t other = neighbours_.list[k]; other < below) sum.take(blocks_[k], x[other]);
+  x[row] = factors_[row].solve({wide::store3(sum.force), wide::store3(sum.torque)});
 }
 
 Wrench BlockRows::leftForwards(std::uint32_t row, const Wrenches& x) const {

@@ -32,7 +32,7 @@ class BlockRows {
   void clear();
   Block& diagonal(std::uint32_t row) { return diagonal_[row]; }
   // The block of a row and its neighbour. Both halves of the matrix are written.
-  Block& at(std::uint32_t row, std::uint32_t column);
+  Block& at(std::uint32_t row, std::uint32_t column) { return blocks_[neighbours_.find(row, column)]; }
 
   void multiply(const Wrenches& x, Wrenches& out) const;
   // Factors the diagonal, for the sweeps. False if it is not positive definite.
@@ -44,6 +44,9 @@ class BlockRows {
   Wrench leftForwards(std::uint32_t row, const Wrenches& x) const;
 
  private:
+  // Solves one row for its own unknowns, with those of neighbours below a row as they are, the others 0.
+  void settle(std::uint32_t row, const Wrenches& right, Wrenches& x, std::uint32_t below) const;
+
   Adjacency neighbours_;
   std::pmr::vector<Block> diagonal_;  // by row
   std::pmr::vector<Block> blocks_;    // as neighbours_.list

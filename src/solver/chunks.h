@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "dynamics/body_set.h"
-#include "solver/rigid_way.h"
+#include "solver/rigid_sum.h"
 
 namespace brickfall {
 

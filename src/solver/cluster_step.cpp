@@ -4,17 +4,8 @@
 //   matrix    H = cluster mass and inertia / dt^2  +  sum over boundary rows of their stiffness, moved to the centre
 //   step      x = H^-1 g, all bodies of the cluster move rigidly by t x
 //
-// The slope (residual . step) is positive while the step still lowers the energy. Where the forces have kinks the full
-// step may be too long: a bracketed secant search (Illinois rule, every third time halving) finds the zero of the
-// slope.
-//
-// Open points nearer than kNearContact are in the matrix, so that no step runs through them. But a body that turns away
-// from them, or towards a point that is still far, then gets a step up to a hundred times too short. It seems to hang
-// in the air. Exact steps leave these points out and search instead.
-//
-// Making the matrix costs as much as two readings of the boundary, so its factor is kept while its steps end well. A
-// step that is too long is tried again with a new factor before anything is searched. After a step that is too short
-// the next factor is made anew.
+// The slope (residual . step) is positive while the step still lowers the energy. docs/step.md ("Cycles") says which
+// points are in the matrix, how long its factor is kept, and when a step is searched for.
 #include "solver/cluster_step.h"
 
 #include <algorithm>

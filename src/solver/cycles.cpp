@@ -1,7 +1,6 @@
 #include "solver/cycles.h"
 
 #include "base/take_larger.h"
-#include "solver/direct_solve.h"
 #include "solver/joint/swings.h"
 #include "solver/light_pass.h"
 #include "solver/renewals.h"

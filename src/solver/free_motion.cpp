@@ -1,6 +1,5 @@
 #include "solver/free_motion.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "math/free_turn.h"
@@ -21,17 +20,6 @@ double decay(double x) {
   for (int i = 0; i < halvings; i++) share *= share;
   return share;
 }
-
-}  // namespace
-
-Vec3 visibleTurn(const BodyMass& mass, const Mat3& orientation, Vec3 th) {
-  if (mass.round) return {};
-  if (mass.symmetryAxis == Vec3{}) return th;
-  Vec3 axis = orientation * mass.symmetryAxis;
-  return th - axis * dot(axis, th);
-}
-
-namespace {
 
 // The part of a fast turn that the solve sees, of a body with contacts. Taken from the spin: a rotation vector wraps at
 // half a turn, a spin does not.
@@ -149,6 +137,13 @@ class WaitingTurns {
 };
 
 }  // namespace
+
+Vec3 visibleTurn(const BodyMass& mass, const Mat3& orientation, Vec3 th) {
+  if (mass.round) return {};
+  if (mass.symmetryAxis == Vec3{}) return th;
+  Vec3 axis = orientation * mass.symmetryAxis;
+  return th - axis * dot(axis, th);
+}
 
 void predictFreeMotions(StepContext& context, BodySet& bodies, std::span<const BodyIndex> list, double dt,
                         bool hasContacts, bool swings) {

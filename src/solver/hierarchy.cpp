@@ -1,5 +1,7 @@
 #include "solver/hierarchy.h"
 
+#include "solver/numbering.h"
+
 namespace brickfall {
 
 namespace {
@@ -9,62 +11,31 @@ constexpr std::uint32_t kClusterSize = 6;  // a fourth more visits with 4 for th
 //! not of the method: room; 6^13 bodies are more than any world has
 constexpr int kMaxLevels = 13;
 
-struct Tie {
-  std::uint32_t other;
-  float strength;
-};
-
 using Memory = std::pmr::memory_resource;
 using Numbers = std::pmr::vector<std::uint32_t>;
 
-// Neighbours of every cluster, rows in one array; both directions of every link.
+// Neighbours of every cluster, with the strength of all links to each.
 struct Neighbours {
-  explicit Neighbours(Memory* memory) : begin(memory), ties(memory) {}
-  Numbers begin;
-  std::pmr::vector<Tie> ties;
+  explicit Neighbours(Memory* memory) : of(memory), strength(memory) {}
+  Adjacency of;
+  std::pmr::vector<float> strength;  // as of.list
 };
 
-// Sums links between the same two clusters. Order: by first appearance in `links`.
 Neighbours neighboursOf(std::span<const ClusterLink> links, const Numbers& clusterOf, std::uint32_t clusters) {
-  Memory* memory = clusterOf.get_allocator().resource();
-  Neighbours out(memory);
-  Numbers room(clusters + 1, 0, memory);
-  auto ends = [&](const ClusterLink& link, std::uint32_t& a, std::uint32_t& b) {
-    if (link.bodyA == kNoIndex || link.bodyB == kNoIndex) return false;
-    a = clusterOf[link.bodyA];
-    b = clusterOf[link.bodyB];
-    return a != b;
-  };
-  std::uint32_t a, b;
-  for (const ClusterLink& link : links)
-    if (ends(link, a, b)) {
-      room[a + 1]++;
-      room[b + 1]++;
+  Neighbours out(clusterOf.get_allocator().resource());
+  auto eachLink = [&](auto visit) {
+    for (const ClusterLink& link : links) {
+      if (link.bodyA == kNoIndex || link.bodyB == kNoIndex) continue;
+      const std::uint32_t a = clusterOf[link.bodyA], b = clusterOf[link.bodyB];
+      if (a != b) visit(a, b, link.strength);
     }
-  for (std::uint32_t c = 0; c < clusters; c++) room[c + 1] += room[c];
-  std::pmr::vector<Tie> rows(room[clusters], memory);
-  Numbers count(clusters, 0, memory);
-  auto add = [&](std::uint32_t from, std::uint32_t to, float strength) {
-    Tie* row = rows.data() + room[from];
-    for (std::uint32_t i = 0; i < count[from]; i++)
-      if (row[i].other == to) {
-        row[i].strength += strength;
-        return;
-      }
-    row[count[from]++] = {to, strength};
   };
-  for (const ClusterLink& link : links)
-    if (ends(link, a, b)) {
-      add(a, b, link.strength);
-      add(b, a, link.strength);
-    }
-  out.begin.resize(clusters + 1);
-  out.ties.reserve(rows.size());
-  for (std::uint32_t c = 0; c < clusters; c++) {
-    out.begin[c] = std::uint32_t(out.ties.size());
-    out.ties.insert(out.ties.end(), rows.begin() + room[c], rows.begin() + room[c] + count[c]);
-  }
-  out.begin[clusters] = std::uint32_t(out.ties.size());
+  out.of.fill(clusters, [&](auto visit) { eachLink([&](std::uint32_t a, std::uint32_t b, float) { visit(a, b); }); });
+  out.strength.assign(out.of.list.size(), 0);
+  eachLink([&](std::uint32_t a, std::uint32_t b, float strength) {
+    out.strength[out.of.find(a, b)] += strength;
+    out.strength[out.of.find(b, a)] += strength;
+  });
   return out;
 }
 
@@ -83,12 +54,12 @@ std::uint32_t aggregate(const Neighbours& graph, std::uint32_t clusters, Numbers
       std::uint32_t best = kNoIndex;
       float bestTie = 0;
       for (std::uint32_t m = 0; m < count; m++)
-        for (std::uint32_t e = graph.begin[members[m]]; e < graph.begin[members[m] + 1]; e++) {
-          std::uint32_t candidate = graph.ties[e].other;
+        for (std::uint32_t e = graph.of.begin[members[m]]; e < graph.of.begin[members[m] + 1]; e++) {
+          std::uint32_t candidate = graph.of.list[e];
           if (aggregateOf[candidate] != kNoIndex) continue;
           float tie = 0;
-          for (std::uint32_t l = graph.begin[candidate]; l < graph.begin[candidate + 1]; l++)
-            if (aggregateOf[graph.ties[l].other] == id) tie += graph.ties[l].strength;
+          for (std::uint32_t l = graph.of.begin[candidate]; l < graph.of.begin[candidate + 1]; l++)
+            if (aggregateOf[graph.of.list[l]] == id) tie += graph.strength[l];
           if (tie > bestTie) {
             bestTie = tie;
             best = candidate;
@@ -101,10 +72,10 @@ std::uint32_t aggregate(const Neighbours& graph, std::uint32_t clusters, Numbers
     if (count == 1) {
       std::uint32_t host = kNoIndex;
       float bestTie = 0;
-      for (std::uint32_t e = graph.begin[i]; e < graph.begin[i + 1]; e++) {
-        std::uint32_t other = aggregateOf[graph.ties[e].other];
-        if (other != kNoIndex && other != id && graph.ties[e].strength > bestTie && size[other] <= kClusterSize) {
-          bestTie = graph.ties[e].strength;
+      for (std::uint32_t e = graph.of.begin[i]; e < graph.of.begin[i + 1]; e++) {
+        std::uint32_t other = aggregateOf[graph.of.list[e]];
+        if (other != kNoIndex && other != id && graph.strength[e] > bestTie && size[other] <= kClusterSize) {
+          bestTie = graph.strength[e];
           host = other;
         }
       }

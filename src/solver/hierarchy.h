@@ -32,8 +32,6 @@ struct Level {
   // A list of levels hands its memory on to them.
   using allocator_type = std::pmr::polymorphic_allocator<std::byte>;
   explicit Level(allocator_type from = {}) : clusters(from), clusterOf(from), bodies(from), sides(from) {}
-  Level(const Level&) = default;
-  Level(Level&&) noexcept = default;
   Level(const Level& other, allocator_type from)
       : clusters(other.clusters, from),
         clusterOf(other.clusterOf, from),

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "base/take_larger.h"
-#include "solver/rigid_cluster.h"
+#include "solver/island.h"
 
 namespace brickfall {
 
@@ -52,6 +52,21 @@ inline bool isWithin(const Wrench& residual, float most, float arm) {
 inline bool isWithin(const Wrench& residual, const Measure& measure, double share) {
   return isWithin(residual, float(share * measure.force), float(measure.arm));
 }
+
+// Residual of the cluster's bodies together, about the cluster's centre.
+inline Wrench residualOf(const Island& island, const Level& level, const Cluster& cluster) {
+  Wrench sum;
+  for (std::uint32_t k = cluster.bodyBegin; k < cluster.bodyEnd; k++) {
+    std::uint32_t body = level.bodies[k];
+    const Wrench& r = island.residual[body];
+    sum.force += r.force;
+    sum.torque += r.torque + cross(island.masses[body].position - cluster.centre, r.force);
+  }
+  return sum;
+}
+
+// Square of the radius of gyration, m2.
+inline float gyrationSquared(const Cluster& c) { return (c.inertia[0] + c.inertia[2] + c.inertia[5]) / (3 * c.mass); }
 
 // Measure of a body: the larger of so many of its weights and the given share of its load; arm: its inner radius.
 inline Measure measureOf(const Island& island, const BodySet& bodies, std::size_t i, double ofLoad,

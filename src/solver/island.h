@@ -10,7 +10,7 @@
 #include "solver/finish/groups.h"
 #include "solver/hierarchy.h"
 #include "solver/plan.h"
-#include "solver/rigid_way.h"
+#include "solver/rigid_sum.h"
 #include "solver/rows.h"
 #include "solver/solve_body.h"
 #include "solver/step_context.h"
@@ -39,8 +39,8 @@ struct Island {
   std::pmr::vector<Wrench> residual{memory};     // bodies
   std::pmr::vector<std::uint8_t> locks{memory};  // bodies (dynamics/axis_locks.h); empty: none has any
   std::pmr::vector<float> loads{memory};         // N, bodies: half the sum of the forces that rows exert on the body
-  std::pmr::vector<float> speeds{
-      memory};  // m/s at the reference's scale, bodies: |v| + |w| outer radius at the start of the step
+  // m/s at the reference's scale, bodies: |v| + |w| outer radius at the start of the step
+  std::pmr::vector<float> speeds{memory};
   Hierarchy hierarchy{memory};
   double dt = 0;          // s: its time step: the rest of the world's after the impacts that it met (stage_impacts.cpp)
   Vec3 origin;            // m, of SolveMass::position and Cluster::centre
@@ -66,8 +66,9 @@ struct Island {
   BodyIndex key() const { return bodies.front(); }
   bool grounded() const { return !partners.empty(); }  // touches something fixed or kinematic
   bool toImpact() const { return part == IslandPart::toImpact || part == IslandPart::flight; }
-  bool resting() const { return isResting(ending); }
-  bool settled() const { return isSettled(ending); }
+  // It stays where it is in this step; nothing about it changes: the coming step passes it over.
+  bool resting() const { return ending == IslandEnding::rested || settled(); }
+  bool settled() const { return ending == IslandEnding::inPlace || ending == IslandEnding::settled; }
   // The island was changed from outside: the coming step looks at it again, and a watch of its place begins anew.
   void unsettle() {
     placePoses.clear();

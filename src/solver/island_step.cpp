@@ -15,6 +15,22 @@
 
 namespace brickfall {
 
+namespace {
+
+// After the forces of the step are stored. Sets the groups of the island, and StepContext::solved of its bodies.
+void finishMotion(Island& island, Ties& ties, StepContext& context) {
+  island.groups.find(island, context);
+  storeMotion(island, context);
+  if (island.resting()) return;
+  finishFlights(island, context);
+  finishLoneBody(island, ties, context);
+  finishSlides(island, context);
+  turnFarFreely(island, context);
+  if (island.plan.endVelocities) finishSwings(island, ties, context);
+}
+
+}  // namespace
+
 void prepareIsland(Island& island, Ties& ties, BodySet& bodies, StepContext& context) {
   if (island.settled()) {
     island.ending = IslandEnding::settled;

@@ -16,8 +16,11 @@ namespace brickfall {
 // What the ties of an island remember.
 class TiesMemory {
  public:
-  TiesMemory(const Island& island, Ties& ties);
-  void restore() const;
+  TiesMemory(const Island& island, Ties& ties)
+      : rows_(island.rows), ties_(ties), memory_(Rows::memoryFrom(island.memory)) {
+    rows_.remember(ties_, memory_);
+  }
+  void restore() const { rows_.restore(ties_, memory_); }
 
  private:
   const Rows& rows_;
@@ -27,12 +30,20 @@ class TiesMemory {
 
 class IslandTrial {
  public:
-  IslandTrial(Island& island, Ties& ties, BodySet& bodies);
+  IslandTrial(Island& island, Ties& ties, BodySet& bodies)
+      : island_(island), bodies_(bodies), ties_(island, ties), states_(island.memory), fields_(fieldsOf(island)) {
+    for (BodyIndex body : island.bodies) states_.emplace_back(bodies.motion[body], bodies.data[body]);
+  }
   // To be called as long as the island has the same bodies and ties.
-  void restore() const;
+  void restore() const {
+    ties_.restore();
+    for (std::size_t i = 0; i < states_.size(); i++)
+      std::tie(bodies_.motion[island_.bodies[i]], bodies_.data[island_.bodies[i]]) = states_[i];
+    fieldsOf(island_) = fields_;
+  }
 
  private:
-  static auto fieldsOf(Island& i) { return std::tie(i.dt, i.ending, i.fastestLately); }
+  static std::tuple<double&, IslandEnding&, double&> fieldsOf(Island& i) { return {i.dt, i.ending, i.fastestLately}; }
 
   Island& island_;
   BodySet& bodies_;

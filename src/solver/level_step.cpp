@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "solver/imbalance.h"
 #include "solver/locks.h"
-#include "solver/rigid_cluster.h"
 #include "solver/slope_search.h"
 
 namespace brickfall {

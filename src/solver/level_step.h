@@ -1,11 +1,9 @@
 // All clusters of a level at once: one Newton step of the island as if each of them were rigid.
 //
-// Where firm ties hold, the level is that of the bodies: what strains the clusters then spreads as far as they reach.
-//
 // Single bodies find the motion of a wall as a whole (it sways, leans, is pushed along) only slowly, each from its
-// neighbours. The step finds it for all of them; bending and parting within the clusters is left to the bodies. As with
-// single bodies, the matrix is kept while its steps end well. A step that is too long is tried again with a new matrix
-// before anything is searched. After a step that is too short the next matrix is made anew.
+// neighbours. The step finds it for all of them; bending and parting within the clusters is left to the bodies. Where
+// firm ties hold, the level is that of the bodies: what strains the clusters then spreads as far as they reach. The
+// matrix is kept as that of a single body is.
 #pragma once
 #include <memory_resource>
 #include <optional>

@@ -20,16 +20,16 @@ using wide::cross3;
 using wide::spread;
 using wide::V;
 
-// Block entries of six motions as a matrix of doubles, for the envelope: by columns.
-struct Doubles {
-  double of[6][6] = {};
-  void setColumn(int column, V force, V torque) {
+// For the envelope: by columns.
+void addTo(BlockEnvelope& matrix, std::uint32_t row, std::uint32_t column, const BlockRows::Block& block) {
+  double b[6][6];
+  for (int j = 0; j < 6; j++)
     for (int k = 0; k < 3; k++) {
-      of[column][k] = double(force[k]);
-      of[column][k + 3] = double(torque[k]);
+      b[j][k] = double(block.of[j].force[k]);
+      b[j][k + 3] = double(block.of[j].torque[k]);
     }
-  }
-};
+  matrix.add(row, column, b);
+}
 
 BlockRows::Block inertiaOf(const Cluster& c) {
   BlockRows::Block out;
@@ -69,11 +69,6 @@ struct LevelSystem::Motions {
       wide::store(wide::load(&to.force.x) + force[j] * sign, &to.force.x);
       wide::store(wide::load(&to.torque.x) + (cross3(arm, force[j]) + torque[j]) * sign, &to.torque.x);
     }
-  }
-  Doubles seenFrom(V arm, float sign) const {
-    Doubles out;
-    for (int j = 0; j < 6; j++) out.setColumn(j, force[j] * sign, (cross3(arm, force[j]) + torque[j]) * sign);
-    return out;
   }
 };
 
@@ -129,12 +124,8 @@ bool LevelSystem::chooseCoarse(const Level& level, double mostProducts) {
 void LevelSystem::addInertia() {
   for (std::uint32_t c = 0; c < fine_.clusters.size(); c++) matrix_.diagonal(c) = inertiaOf(fine_.clusters[c]);
   if (!coarse_) return;
-  for (std::size_t c = 0; c < coarse_->clusters.size(); c++) {
-    BlockRows::Block inertia = inertiaOf(coarse_->clusters[c]);
-    Doubles block;
-    for (int j = 0; j < 6; j++) block.setColumn(j, wide::load3(inertia.of[j].force), wide::load3(inertia.of[j].torque));
-    factor_.add(places_[c], places_[c], block.of);
-  }
+  for (std::size_t c = 0; c < coarse_->clusters.size(); c++)
+    addTo(factor_, places_[c], places_[c], inertiaOf(coarse_->clusters[c]));
 }
 
 // After all else is in the matrices.
@@ -156,6 +147,25 @@ void LevelSystem::lock() {
   }
 }
 
+// From the cluster's centre to the row's centre.
+V LevelSystem::armFrom(const Level& level, std::uint32_t cluster, std::uint32_t body, V arm) const {
+  return arm + (wide::load3(island_.masses[body].position) - wide::load3(level.clusters[cluster].centre));
+}
+
+// add(cluster on which the row acts, cluster that moves, Motions, arm, sign)
+template <class Add> void LevelSystem::addRow(const Level& level, RowEnds ends, const StiffReaction& x, Add add) const {
+  const std::uint32_t bodies[2] = {ends.a, ends.b};
+  const V arms[2] = {x.armA, x.armB};
+  for (int i = 0; i < 2; i++) {
+    std::uint32_t own = clusterOf(level, bodies[i]), other = clusterOf(level, bodies[1 - i]);
+    if (own == kNoIndex) continue;
+    V arm = armFrom(level, own, bodies[i], arms[i]);
+    Motions motions(x.stiffness, arm);
+    add(own, own, motions, arm, 1);
+    if (other != kNoIndex) add(other, own, motions, armFrom(level, other, bodies[1 - i], arms[1 - i]), -1);
+  }
+}
+
 bool LevelSystem::make() {
   matrix_.clear();
   factor_.clear();
@@ -164,44 +174,19 @@ bool LevelSystem::make() {
     RowEnds ends = kind.ends(k);
     if (clusterOf(fine_, ends.a) == clusterOf(fine_, ends.b)) return;
     StiffReaction now = kind.reactStiff(k, island_.motion.data(), false);
-    addRow(ends, now);
-    if (coarse_ && clusterOf(*coarse_, ends.a) != clusterOf(*coarse_, ends.b)) addCoarseRow(ends, now);
+    addRow(fine_, ends, now, [&](std::uint32_t to, std::uint32_t moved, const Motions& motions, V arm, float sign) {
+      motions.addTo(to == moved ? matrix_.diagonal(to) : matrix_.at(to, moved), arm, sign);
+    });
+    if (!coarse_ || clusterOf(*coarse_, ends.a) == clusterOf(*coarse_, ends.b)) return;
+    addRow(*coarse_, ends, now, [&](std::uint32_t to, std::uint32_t moved, const Motions& motions, V arm, float sign) {
+      if (places_[to] < places_[moved]) return;
+      BlockRows::Block block;
+      motions.addTo(block, arm, sign);
+      addTo(factor_, places_[to], places_[moved], block);
+    });
   });
   lock();
   return matrix_.factor() && factor_.factor();
-}
-
-// From the cluster's centre to the row's centre.
-V LevelSystem::armFrom(const Level& level, std::uint32_t cluster, std::uint32_t body, V arm) const {
-  return arm + (wide::load3(island_.masses[body].position) - wide::load3(level.clusters[cluster].centre));
-}
-
-void LevelSystem::addRow(RowEnds ends, const StiffReaction& x) {
-  const std::uint32_t bodies[2] = {ends.a, ends.b};
-  const V arms[2] = {x.armA, x.armB};
-  for (int i = 0; i < 2; i++) {
-    std::uint32_t own = clusterOf(fine_, bodies[i]), other = clusterOf(fine_, bodies[1 - i]);
-    if (own == kNoIndex) continue;
-    V arm = armFrom(fine_, own, bodies[i], arms[i]);
-    Motions motions(x.stiffness, arm);
-    motions.addTo(matrix_.diagonal(own), arm, 1);
-    if (other != kNoIndex) motions.addTo(matrix_.at(other, own), armFrom(fine_, other, bodies[1 - i], arms[1 - i]), -1);
-  }
-}
-
-void LevelSystem::addCoarseRow(RowEnds ends, const StiffReaction& x) {
-  const std::uint32_t bodies[2] = {ends.a, ends.b};
-  const V arms[2] = {x.armA, x.armB};
-  for (int i = 0; i < 2; i++) {
-    std::uint32_t own = clusterOf(*coarse_, bodies[i]), other = clusterOf(*coarse_, bodies[1 - i]);
-    if (own == kNoIndex) continue;
-    V arm = armFrom(*coarse_, own, bodies[i], arms[i]);
-    Motions motions(x.stiffness, arm);
-    factor_.add(places_[own], places_[own], motions.seenFrom(arm, 1).of);
-    if (other != kNoIndex && places_[other] > places_[own])
-      factor_.add(places_[other], places_[own],
-                  motions.seenFrom(armFrom(*coarse_, other, bodies[1 - i], arms[1 - i]), -1).of);
-  }
 }
 
 // Symmetric: forwards, together, backwards.

@@ -35,9 +35,8 @@ class LevelSystem {
   wide::V armFrom(const Level& level, std::uint32_t cluster, std::uint32_t body, wide::V arm) const;
   bool chooseCoarse(const Level& level, double mostProducts);
   void addInertia();
-  void addRow(RowEnds ends, const StiffReaction& x);
+  template <class Add> void addRow(const Level& level, RowEnds ends, const StiffReaction& x, Add add) const;
   void lock();
-  void addCoarseRow(RowEnds ends, const StiffReaction& x);
   void precondition(const Wrenches& right, Wrenches& x);
 
   const Island& island_;

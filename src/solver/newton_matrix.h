@@ -54,12 +54,8 @@ struct MatrixSums {
 
 inline void addInertia(Symmetric6& H, const Cluster& c) {
   for (int i = 0; i < 3; i++) H.at(i, i) += c.mass;
-  H.at(3, 3) += c.inertia[0];
-  H.at(4, 3) += c.inertia[1];
-  H.at(4, 4) += c.inertia[2];
-  H.at(5, 3) += c.inertia[3];
-  H.at(5, 4) += c.inertia[4];
-  H.at(5, 5) += c.inertia[5];
+  for (int i = 0, at = 0; i < 3; i++)
+    for (int j = 0; j <= i; j++) H.at(3 + i, 3 + j) += c.inertia[at++];
 }
 
 }  // namespace brickfall

@@ -13,6 +13,12 @@ struct Adjacency {
   std::pmr::vector<std::uint32_t> begin, list;
 
   std::uint32_t count() const { return std::uint32_t(begin.size()) - 1; }
+  // In `list`, of two that are neighbours.
+  std::uint32_t find(std::uint32_t of, std::uint32_t neighbour) const {
+    std::uint32_t k = begin[of];
+    while (list[k] != neighbour) k++;
+    return k;
+  }
   // eachTie(visit) calls visit(a, b), a other than b, for each tie between two of `count`. A pair may be named many
   // times.
   template <class EachTie> void fill(std::uint32_t count, EachTie eachTie) {

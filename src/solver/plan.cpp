@@ -1,7 +1,6 @@
 #include "solver/plan.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "base/take_larger.h"
 #include "solver/island.h"

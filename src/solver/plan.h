@@ -6,7 +6,6 @@
 #pragma once
 #include <cstddef>
 #include <span>
-#include <string>
 #include <string_view>
 
 #include "brickfall/island_ending.h"
@@ -84,12 +83,5 @@ struct SolvePlan {
 
 IslandFacts findFacts(const Island& island, const StepContext& context);
 SolvePlan planFor(const IslandFacts& facts, const SolverSettings& settings, double dt);
-
-// The island stays where it is in this step.
-constexpr bool isResting(IslandEnding e) {
-  return e == IslandEnding::rested || e == IslandEnding::inPlace || e == IslandEnding::settled;
-}
-// Nothing about the island changes: the coming step passes it over.
-constexpr bool isSettled(IslandEnding e) { return e == IslandEnding::inPlace || e == IslandEnding::settled; }
 
 }  // namespace brickfall

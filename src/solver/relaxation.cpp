@@ -1,7 +1,6 @@
 #include "solver/cycles.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "solver/acceleration.h"
@@ -68,7 +67,6 @@ class Relaxation {
         changed = forces_.renewBounds() || changed;
       if (island_.plan.large && island_.facts.partnersGo && (cycle + 1) % island_.plan.minCycles == 0)
         changed = forces_.holdJams() || changed;
-      findAllowed();
       countOut();
       // More cycles would find nothing to do.
       const bool idle = island_.plan.large && !changed && out_ == 0;
@@ -79,7 +77,6 @@ class Relaxation {
         done = false;
         forces_.readAll();
         findHold();
-        findAllowed();
         countOut();
       }
       if (stalls()) break;
@@ -87,10 +84,7 @@ class Relaxation {
     if (island_.grounded() && !island_.plan.exactSteps && (!island_.plan.slow || slides(island_, context_)))
       moveAsOne();
     // The step of the whole island may have put bodies out of balance.
-    if (done && island_.plan.large) {
-      findAllowed();
-      countOut();
-    }
+    if (done && island_.plan.large) countOut();
     return done && out_ == 0;
   }
 
@@ -150,6 +144,7 @@ class Relaxation {
     return isWithin(island_.residual[i], std::max(share * allowed_[i], rounding), innerRadius(i));
   }
   void countOut() {
+    findAllowed();
     out_ = 0;
     for (std::size_t i = 0; i < allowed_.size(); i++) out_ += !balanced(i);
   }

@@ -6,7 +6,6 @@
 #include "solver/imbalance.h"
 #include "solver/joint/swings.h"
 #include "solver/light_pass.h"
-#include "solver/rigid_cluster.h"
 #include "solver/support.h"
 
 namespace brickfall {
@@ -31,32 +30,10 @@ bool passesMaximum(const Island& island, BodySet& bodies) {
   return turns && !grows && std::isfinite(turn);
 }
 
-}  // namespace
-
-void dampSlowIsland(Island& island, const StepContext& context, BodySet& bodies) {
-  const bool passed = passesMaximum(island, bodies);
-  if (island.facts.jointed) fadeSwing(island, context, bodies);
-  if (!passed || !island.plan.mayBeStopped || island.facts.swung || isDriven(island, context)) return;
-  // A body that nothing presses on has no part in a vibration: it falls.
-  std::pmr::vector<char> touched(island.memory);
-  findTouched(island, touched, [&](const auto& kind, std::size_t k) { return kind.ties(k, context); });
-  const Vec3 left =
-      slideLeft(island, touched, context, [&](BodyIndex body) { return bodies.motion[body].linearVelocity; });
-  for (std::size_t i = 0; i < island.bodies.size(); i++) {
-    if (!touched[i]) continue;
-    BodyIndex body = island.bodies[i];
-    bodies.motion[body].linearVelocity = bodies.freeWay(body, left);
-    bodies.motion[body].angularVelocity = {};
-  }
-  watchEnergy(island, false, bodies);
-}
-
-namespace {
-
 // As the rest check, but each body is judged by its load, and clusters by their weight. An island that leans or slides
 // as a whole is out of balance as a whole, however little each of its bodies is.
 bool balancedByLoad(const Island& island, const StepContext& context) {
-  const float still = float(stillSpeed(context.settings));
+  const float still = float(kLeftOver * context.settings.restSpeed);
   for (std::size_t i = 0; i < island.bodies.size(); i++) {
     if (!(island.speeds[i] < still)) return false;
     if (!isWithin(island.residual[i], measureOf(island, *context.bodies, i, kLoadShare),
@@ -98,7 +75,35 @@ bool standsStill(const Island& island, const StepContext& context) {
   });
 }
 
+// How far any point of the body is from its place in the pose `from`.
+double strayed(const BodySet& bodies, BodyIndex body, const Transform& from) {
+  const BodyMotion& m = bodies.motion[body];
+  Quat turned = conjugate(from.rotation) * m.rotation;
+  double angle = 2 * length(Vec3{turned.x, turned.y, turned.z});
+  return length(m.position - from.position) + angle * bodies.mass[body].outerRadius;
+}
+
 }  // namespace
+
+void dampSlowIsland(Island& island, const StepContext& context, BodySet& bodies) {
+  const bool passed = passesMaximum(island, bodies);
+  if (island.facts.jointed) fadeSwing(island, context, bodies);
+  if (!passed || !island.plan.mayBeStopped || island.facts.swung || isDriven(island, context)) return;
+  // A body that nothing presses on has no part in a vibration: it falls.
+  std::pmr::vector<char> touched(island.bodies.size() + island.partners.size(), 0, island.memory);
+  island.rows.each([&](const auto& kind, std::size_t k) {
+    if (kind.ties(k, context)) touched[kind.ends(k).a] = touched[kind.ends(k).b] = 1;
+  });
+  const Vec3 left =
+      slideLeft(island, touched, context, [&](BodyIndex body) { return bodies.motion[body].linearVelocity; });
+  for (std::size_t i = 0; i < island.bodies.size(); i++) {
+    if (!touched[i]) continue;
+    BodyIndex body = island.bodies[i];
+    bodies.motion[body].linearVelocity = bodies.freeWay(body, left);
+    bodies.motion[body].angularVelocity = {};
+  }
+  watchEnergy(island, false, bodies);
+}
 
 void restCheck(Island& island, StepContext& context) {
   island.ending = IslandEnding::unsolved;
@@ -113,18 +118,6 @@ void restCheck(Island& island, StepContext& context) {
   island.ending = IslandEnding::rested;
   context.statistics.restingIslands++;
 }
-
-namespace {
-
-// How far any point of the body is from its place in the pose `from`.
-double strayed(const BodySet& bodies, BodyIndex body, const Transform& from) {
-  const BodyMotion& m = bodies.motion[body];
-  Quat turned = conjugate(from.rotation) * m.rotation;
-  double angle = 2 * length(Vec3{turned.x, turned.y, turned.z});
-  return length(m.position - from.position) + angle * bodies.mass[body].outerRadius;
-}
-
-}  // namespace
 
 void restInPlace(Island& island, const StepContext& context) {
   const BodySet& bodies = *context.bodies;

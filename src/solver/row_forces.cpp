@@ -2,8 +2,7 @@
 
 #include <algorithm>
 
-#include "solver/locks.h"
-#include "solver/residual_sum.h"
+#include "solver/light_pass.h"
 
 namespace brickfall {
 
@@ -28,35 +27,27 @@ void RowForces::readAll() {
 }
 
 void RowForces::readAgain() {
-  island_.residual.resize(bodies_);
-  for (std::uint32_t i = 0; i < bodies_; i++)
-    island_.residual[i] = inertiaResidual(island_.masses[i], island_.motion[i]);
-  Reading* now = readings_.data();
-  island_.rows.eachKind([&](const auto& kind) {
-    kind.read(0, kind.size(), island_.motion.data(), now);
-    for (std::size_t k = 0; k < kind.size(); k++, now++)
-      addTo(island_.residual.data(), bodies_, kind.ends(k), kind.arms(k), now->force, now->torque);
-    statistics_.lightVisits += kind.kPoints * double(kind.size());
-  });
-  keepFree(island_);
+  readResiduals(island_, statistics_.lightVisits, readings_.data(), [](RowEnds, const Reading&) {});
+}
+
+template <class Kind> void RowForces::readRow(std::uint32_t row, const Kind& kind, std::size_t index) {
+  const Reaction now = kind.react(index, island_.motion.data());
+  take(row, kind.ends(index), {now.armA, now.armB}, {now.force, now.torque});
 }
 
 void RowForces::readRows(const std::pmr::vector<std::uint32_t>& rows) {
   for (std::uint32_t row : rows)
-    island_.rows.at(row, [&](auto& kind, std::uint32_t index) {
-      const Reaction now = kind.react(index, island_.motion.data());
+    island_.rows.at(row, [&](const auto& kind, std::size_t index) {
       statistics_.lightVisits += kind.kPoints;
-      take(row, kind.ends(index), {now.armA, now.armB}, {now.force, now.torque});
+      readRow(row, kind, index);
     });
 }
 
 bool RowForces::settle(std::uint32_t row) {
   bool any = false;
-  island_.rows.at(row, [&](auto& kind, std::uint32_t index) {
-    if (!kind.settleBounds(index, island_.motion.data(), 0)) return;
-    any = true;
-    const Reaction now = kind.react(index, island_.motion.data());
-    take(row, kind.ends(index), {now.armA, now.armB}, {now.force, now.torque});
+  island_.rows.at(row, [&](auto& kind, std::size_t index) {
+    any = kind.settleBounds(index, island_.motion.data(), 0);
+    if (any) readRow(row, kind, index);
   });
   return any;
 }
@@ -64,12 +55,11 @@ bool RowForces::settle(std::uint32_t row) {
 bool RowForces::renewBounds() {
   bool any = false;
   for (std::uint32_t row : following_)
-    island_.rows.at(row, [&](auto& kind, std::uint32_t index) {
+    island_.rows.at(row, [&](auto& kind, std::size_t index) {
       if (!kind.renewBounds(index, island_.motion.data(), float(kTrifle))) return;
       any = true;
       statistics_.lightVisits += kind.kPoints;
-      Reaction now = kind.react(index, island_.motion.data());
-      take(row, kind.ends(index), {now.armA, now.armB}, {now.force, now.torque});
+      readRow(row, kind, index);
     });
   return any;
 }
@@ -82,37 +72,23 @@ bool RowForces::holdJams() {
     if (!kind.holdJam(index, island_.motion.data(), length(wide::store3(readings_[now].force)))) return;
     any = true;
     statistics_.lightVisits += kind.kPoints;
-    const Reaction x = kind.react(index, island_.motion.data());
-    take(now, kind.ends(index), {x.armA, x.armB}, {x.force, x.torque});
+    readRow(now, kind, index);
   });
   return any;
 }
 
 void RowForces::acceptBoundary(const Level& level, const Cluster& cluster) {
   const Reading* trial = trial_.data();
-  Reading* readings = readings_.data();
-  Wrench* residual = island_.residual.data();
   for (std::uint32_t k = cluster.sideBegin; k < cluster.sideEnd; k++, trial++) {
-    std::uint32_t row = level.sides[k] / 2;
-    Reading& old = readings[row];
-    island_.rows.at(row, [&](const auto& kind, std::uint32_t index) {
-      addTo(residual, bodies_, kind.ends(index), kind.arms(index), trial->force - old.force,
-            trial->torque - old.torque);
-      if (anyLocks(island_)) keepFree(island_, kind.ends(index));
-    });
-    old = *trial;
+    const std::uint32_t row = level.sides[k] / 2;
+    island_.rows.at(row, [&](const auto& kind, std::size_t i) { take(row, kind.ends(i), kind.arms(i), *trial); });
   }
 }
 
 void RowForces::findLoads() {
   island_.loads.assign(bodies_, 0);
   std::uint32_t row = 0;
-  island_.rows.each([&](const auto& kind, std::size_t k) {
-    float half = 0.5f * length(wide::store3(readings_[row++].force));
-    RowEnds ends = kind.ends(k);
-    if (ends.a < bodies_) island_.loads[ends.a] += half;
-    if (ends.b < bodies_) island_.loads[ends.b] += half;
-  });
+  island_.rows.each([&](const auto& kind, std::size_t k) { addLoad(island_, kind.ends(k), readings_[row++]); });
 }
 
 // Sides are in the order of their rows, so sides of one kind follow each other.

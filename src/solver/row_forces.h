@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "solver/boundary.h"
+#include "solver/imbalance.h"
 #include "solver/island.h"
-#include "solver/rigid_cluster.h"
 
 namespace brickfall {
 
@@ -47,6 +47,7 @@ class RowForces {
 
  private:
   void take(std::uint32_t row, RowEnds ends, Arms arms, Reading now);
+  template <class Kind> void readRow(std::uint32_t row, const Kind& kind, std::size_t index);
 
   Island& island_;
   SolveStatistics& statistics_;

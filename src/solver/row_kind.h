@@ -158,14 +158,4 @@ template <class Kind>
 concept RowKind =
     ListsRows<Kind> && HoldsBodies<Kind> && GoesThroughAStep<Kind> && MeetsImpacts<Kind> && IsReported<Kind>;
 
-// One by one, so that the compiler says which function is missing.
-template <class Kind> constexpr bool isRowKind() {
-  static_assert(ListsRows<Kind>, "a kind of row lacks a function of row_kind.h");
-  static_assert(HoldsBodies<Kind>, "a kind of row lacks a function of row_kind.h");
-  static_assert(GoesThroughAStep<Kind>, "a kind of row lacks a function of row_kind.h");
-  static_assert(MeetsImpacts<Kind>, "a kind of row lacks a function of row_kind.h");
-  static_assert(IsReported<Kind>, "a kind of row lacks a function of row_kind.h");
-  return RowKind<Kind>;
-}
-
 }  // namespace brickfall

@@ -165,9 +165,9 @@ struct Rows {
     return any;
   }
 };
-// Each kind of link is a kind of row.
-template <class... Kinds> constexpr bool areRowKinds(const std::tuple<Kinds&...>*) {
-  return sizeof...(Kinds) == kLinkKinds && (isRowKind<Kinds>() && ...);
+// Each kind of link is a kind of row: the compiler says which function of row_kind.h is missing.
+template <RowKind... Kinds> constexpr bool areRowKinds(const std::tuple<Kinds&...>*) {
+  return sizeof...(Kinds) == kLinkKinds;
 }
 static_assert(areRowKinds(static_cast<decltype(std::declval<Rows&>().kinds())*>(nullptr)));
 

@@ -2,6 +2,7 @@
 // every third time halving).
 #pragma once
 #include <algorithm>
+#include <cmath>
 
 namespace brickfall {
 
@@ -42,6 +43,26 @@ template <class Way> void searchAlong(Way& way, float slope) {
       slopeHigh = slope;
       slopeLow *= 0.5f;
     }
+  }
+}
+
+// The same along a step of many bodies, in doubles, until the slope is `share` of that at the start. While the slope
+// says so, the step is doubled first, so many times at most.
+template <class MoveTo> void searchAlong(double start, double share, int doublings, int steps, MoveTo moveTo) {
+  const double enough = share * start;
+  double low = 0, slopeLow = start, high = 1, slopeHigh = moveTo(1), slope = slopeHigh;
+  for (int k = 0; slope > enough && k < doublings; k++) {
+    low = high;
+    slopeLow = slope;
+    high *= 2;
+    slope = slopeHigh = moveTo(high);
+  }
+  for (int k = 0; k < steps && std::fabs(slope) > enough && slopeHigh < 0; k++) {
+    const double next = k % 3 == 2 ? 0.5 * (low + high) : low + (high - low) * slopeLow / (slopeLow - slopeHigh);
+    slope = moveTo(next);
+    (slope > 0 ? low : high) = next;
+    (slope > 0 ? slopeLow : slopeHigh) = slope;
+    (slope > 0 ? slopeHigh : slopeLow) *= 0.5;
   }
 }
 

@@ -46,9 +46,6 @@ constexpr double kLargestTurn = 0.5;  // rad per step of a body in contact: arms
 constexpr double kLeftOver = 0.05;  // of max(weight, load), of what resists rolling, of an island's bodies, of the rest
                                     // speed: a solve may leave so much
 
-// m/s: of each body of a large island that rests by load.
-inline double stillSpeed(const SolverSettings& settings) { return kLeftOver * settings.restSpeed; }
-
 //! - | too small: heavily loaded bodies are solved too finely: cost | too large: heavily loaded bodies hang
 constexpr double kLoadShare = 0.3;  // of a body's load: so much counts like its weight
 //! - | too small: floats leave bodies under a great load out of balance: cost | too large: such bodies are solved badly

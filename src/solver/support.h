@@ -1,21 +1,11 @@
-// Walks over the rows of an island: which bodies bear load, and which are supported from the ground by a chain of
-// loaded rows. Also how much of their common slide friction at the supports can stop.
+// Walks over the rows of an island: which bodies are supported from the ground by a chain of loaded rows, and how much
+// of their common slide friction at the supports can stop.
 #pragma once
 #include <algorithm>
 
 #include "solver/island.h"
 
 namespace brickfall {
-
-// Marks the bodies (and partners) with any row that `counts(kind, k)`.
-template <class Counts> void findTouched(const Island& island, std::pmr::vector<char>& touched, Counts&& counts) {
-  touched.assign(island.bodies.size() + island.partners.size(), 0);
-  island.rows.each([&](const auto& kind, std::size_t k) {
-    if (!counts(kind, k)) return;
-    RowEnds ends = kind.ends(k);
-    touched[ends.a] = touched[ends.b] = 1;
-  });
-}
 
 // Marks the bodies that a chain of rows that `counts(kind, k)` joins to bodies marked already. A row is asked only
 // where its answer matters. In a wall rows lie from the ground up, so hardly any has to be kept for a second look.

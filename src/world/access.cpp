@@ -8,6 +8,49 @@
 
 namespace brickfall {
 
+namespace {
+
+Error switchedOff(const std::string& call) {
+  return {ErrorCode::wrongState, call + ": the body is switched off (setEnabled)"};
+}
+
+bool sameSolver(const SolverSettings& a, const SolverSettings& b) {
+  std::vector<double> first, second;
+  eachSetting(a, [&](auto, auto value, auto, auto) { first.push_back(double(value)); });
+  eachSetting(b, [&](auto, auto value, auto, auto) { second.push_back(double(value)); });
+  return first == second;
+}
+
+// Settings that were fixed when the world was made.
+void checkKept(Checks& check, const WorldDef& now, const WorldDef& wanted) {
+  const std::string end = ", as the world was made";
+  check.condition(wanted.maxBodies == now.maxBodies, "maxBodies: found " + std::to_string(wanted.maxBodies) +
+                                                         ", expected " + std::to_string(now.maxBodies) + end);
+  check.condition(wanted.broadPhase == now.broadPhase,
+                  "broadPhase: found " + std::string(broadPhaseName(wanted.broadPhase)) + ", expected " +
+                      std::string(broadPhaseName(now.broadPhase)) + end);
+  check.condition(wanted.tasks == now.tasks && wanted.memory == now.memory,
+                  "tasks, memory: found others, expected those" + end);
+  check.condition(wanted.solver.contactMargin == now.solver.contactMargin,
+                  "solver.contactMargin: found " + numberText(wanted.solver.contactMargin) + ", expected " +
+                      numberText(now.solver.contactMargin) + end);
+}
+
+// A body that never becomes dynamic may have any mass.
+void checkMassWith(Checks& check, const Registry& registry, BodyIndex body, std::span<const Material> materials) {
+  if (registry.bodies.data[body].type != BodyType::fixed && !registry.hasMesh(body))
+    checkMass(check, registry.massWith(body, materials));
+}
+
+Checks forceCheck(Vec3 value, Vec3 point) {
+  Checks check;
+  check.vector("force", value, limits::kLargestPush);
+  check.vector("pointWorld", point, limits::kLargestReach);
+  return check;
+}
+
+}  // namespace
+
 bool World::isValid(BodyId id) const { return impl_->registry.find(id).ok(); }
 
 Result<BodyState> World::state(BodyId id) const {
@@ -260,14 +303,6 @@ Status World::wake(BodyId id) {
   return impl_->changeBody(id, {}, [](BodyData&) {});
 }
 
-namespace {
-
-Error switchedOff(const std::string& call) {
-  return {ErrorCode::wrongState, call + ": the body is switched off (setEnabled)"};
-}
-
-}  // namespace
-
 Status World::sleep(BodyId id) {
   Impl& w = *impl_;
   Result<BodyIndex> body = w.openForChange(id, {});
@@ -288,32 +323,6 @@ void World::Impl::loadsChanged() {
 
 const WorldDef& World::definition() const { return impl_->def; }
 
-namespace {
-
-bool sameSolver(const SolverSettings& a, const SolverSettings& b) {
-  std::vector<double> first, second;
-  eachSetting(a, [&](auto, auto value, auto, auto) { first.push_back(double(value)); });
-  eachSetting(b, [&](auto, auto value, auto, auto) { second.push_back(double(value)); });
-  return first == second;
-}
-
-// Settings that were fixed when the world was made.
-void checkKept(Checks& check, const WorldDef& now, const WorldDef& wanted) {
-  const std::string end = ", as the world was made";
-  check.condition(wanted.maxBodies == now.maxBodies, "maxBodies: found " + std::to_string(wanted.maxBodies) +
-                                                         ", expected " + std::to_string(now.maxBodies) + end);
-  check.condition(wanted.broadPhase == now.broadPhase,
-                  "broadPhase: found " + std::string(broadPhaseName(wanted.broadPhase)) + ", expected " +
-                      std::string(broadPhaseName(now.broadPhase)) + end);
-  check.condition(wanted.tasks == now.tasks && wanted.memory == now.memory,
-                  "tasks, memory: found others, expected those" + end);
-  check.condition(wanted.solver.contactMargin == now.solver.contactMargin,
-                  "solver.contactMargin: found " + numberText(wanted.solver.contactMargin) + ", expected " +
-                      numberText(now.solver.contactMargin) + end);
-}
-
-}  // namespace
-
 Status World::setDefinition(const WorldDef& def) {
   Impl& w = *impl_;
   if (Status open = w.openForChange("setDefinition"); !open) return open;
@@ -329,16 +338,6 @@ Status World::setDefinition(const WorldDef& def) {
   if (loads || sleepEnds) w.loadsChanged();
   return {};
 }
-
-namespace {
-
-// A body that never becomes dynamic may have any mass.
-void checkMassWith(Checks& check, const Registry& registry, BodyIndex body, std::span<const Material> materials) {
-  if (registry.bodies.data[body].type != BodyType::fixed && !registry.hasMesh(body))
-    checkMass(check, registry.massWith(body, materials));
-}
-
-}  // namespace
 
 Status World::setMaterial(ShapeId id, const Material& material) {
   Impl& w = *impl_;
@@ -372,17 +371,6 @@ Status World::checkMaterials(BodyId id, std::span<const Material> materials) con
   if (!check.failed()) checkMassWith(check, w.registry, *body, materials);
   return check.failed() ? Status(check.error()) : Status();
 }
-
-namespace {
-
-Checks forceCheck(Vec3 value, Vec3 point) {
-  Checks check;
-  check.vector("force", value, limits::kLargestPush);
-  check.vector("pointWorld", point, limits::kLargestReach);
-  return check;
-}
-
-}  // namespace
 
 // Force and torque about the centre of mass for the next step, or impulses at once.
 Status World::Impl::push(BodyId id, Vec3 linear, Vec3 angular, Vec3* pointWorld, bool impulse) {

@@ -1,7 +1,6 @@
 // Invariants of the lists of awake bodies and of the islands: each body is in one island at most, and each island has
 // the contacts of its bodies.
 #include <algorithm>
-#include <string>
 
 #include "world/activity.h"
 
@@ -9,23 +8,23 @@ namespace brickfall {
 
 namespace {
 
-void checkHierarchy(Findings& f, const Hierarchy& h, const Island& island, const Ties& ties, const std::string& name) {
-  f.expect(!h.valid || h.levels.size() >= (island.bodies.size() > 1 ? 2 : 1), name + ": a level is missing");
+void checkHierarchy(Findings& f, const Hierarchy& h, const Island& island, const Ties& ties) {
+  f.expect(!h.valid || h.levels.size() >= (island.bodies.size() > 1 ? 2 : 1), "hierarchy: a level is missing");
   const Level* finer = nullptr;
   for (const Level& level : h.levels) {
     f.expect(level.clusterOf.size() == island.bodies.size() && level.bodies.size() == island.bodies.size(),
-             name + ": a level does not hold every body");
+             "hierarchy: a level does not hold every body");
     if (f.any()) return;
-    for (std::uint32_t c : level.clusterOf) f.expect(c < level.clusters.size(), name + ": a body is in no cluster");
+    for (std::uint32_t c : level.clusterOf) f.expect(c < level.clusters.size(), "hierarchy: a body is in no cluster");
     for (std::uint32_t b : level.bodies)
-      f.expect(b < island.bodies.size(), name + ": a cluster names a body that is not there");
-    for (std::uint32_t s : level.sides) f.expect(s / 2 < island.rows.size(), name + ": a side names no row");
+      f.expect(b < island.bodies.size(), "hierarchy: a cluster names a body that is not there");
+    for (std::uint32_t s : level.sides) f.expect(s / 2 < island.rows.size(), "hierarchy: a side names no row");
     if (f.any()) return;
     for (std::size_t n = 0; n < level.clusters.size(); n++) {
       const Cluster& c = level.clusters[n];
       f.expect(c.bodyBegin < c.bodyEnd && c.bodyEnd <= level.bodies.size() && c.sideBegin <= c.sideEnd &&
                    c.sideEnd <= level.sides.size(),
-               name + ": a cluster's ranges are wrong");
+               "hierarchy: a cluster's ranges are wrong");
       if (f.any()) return;
       for (std::uint32_t k = c.sideBegin; k < c.sideEnd; k++) {
         std::uint32_t own = 0;
@@ -34,11 +33,11 @@ void checkHierarchy(Findings& f, const Hierarchy& h, const Island& island, const
           own = level.sides[k] % 2 == 1 ? ends.b : ends.a;
         });
         if (own == kNoIndex) continue;  // of a tie that has ended: the island is made anew
-        f.expect(own < island.bodies.size() && level.clusterOf[own] == n, name + ": a side is not of its cluster");
+        f.expect(own < island.bodies.size() && level.clusterOf[own] == n, "hierarchy: a side is not of its cluster");
       }
       bool own = true;
       for (std::uint32_t k = c.bodyBegin; k < c.bodyEnd; k++) own = own && level.clusterOf[level.bodies[k]] == n;
-      f.expect(own, name + ": a cluster names another's body");
+      f.expect(own, "hierarchy: a cluster names another's body");
     }
     bool whole = true;
     for (std::size_t n = 0; finer && n < finer->clusters.size(); n++) {
@@ -47,54 +46,12 @@ void checkHierarchy(Findings& f, const Hierarchy& h, const Island& island, const
       for (std::uint32_t k = c.bodyBegin; k < c.bodyEnd; k++)
         whole = whole && level.clusterOf[finer->bodies[k]] == into;
     }
-    f.expect(whole, name + ": a cluster was torn apart");
+    f.expect(whole, "hierarchy: a cluster was torn apart");
     if (f.any()) return;
     finer = &level;
   }
-  if (!h.levels.empty()) f.expect(h.levels.back().clusters.size() == 1, name + ": the top level is not one cluster");
+  if (!h.levels.empty()) f.expect(h.levels.back().clusters.size() == 1, "hierarchy: the top level is not one cluster");
 }
-
-class StructureCheck {
- public:
-  StructureCheck(Findings& f, const Activity& activity, const BodySet& bodies, const Ties& ties)
-      : f_(f), a_(activity), bodies_(bodies), ties_(ties) {}
-
-  void run() {
-    for (BodyIndex b : a_.awake) f_.expect(is(b, BodyType::dynamic), "awake: not a dynamic body");
-    for (BodyIndex b : a_.moving) f_.expect(is(b, BodyType::kinematic), "moving: not a kinematic body");
-    f_.expect(isAscending(a_.awake) && isAscending(a_.moving), "awake or moving: not sorted");
-    for (const auto* list : {&a_.islands.awake, &a_.islands.asleep})
-      for (const auto& island : *list) {
-        checkIsland(*island, list == &a_.islands.asleep || a_.current(ties_));
-        if (f_.any()) return;
-      }
-    for (BodyIndex b : a_.islands.single)
-      f_.expect(is(b, BodyType::dynamic), "islands: a single body that is not there");
-    for (std::uint32_t i : a_.islandOf)
-      f_.expect(i == kNoIndex || i < a_.islands.awake.size(), "islandOf: an island that is not there");
-    for (const auto* list : {&a_.pushed, &a_.unsettled}) {
-      f_.expect(isAscending(*list), "pushed or unsettled: not sorted");
-      for (BodyIndex b : *list) f_.expect(bodies_.alive(b), "pushed or unsettled: a body that is not there");
-    }
-  }
-
- private:
-  bool is(BodyIndex body, BodyType type) const { return bodies_.alive(body) && bodies_.data[body].type == type; }
-
-  void checkIsland(const Island& island, bool current) {
-    f_.expect(!island.bodies.empty() && isAscending(island.bodies), "islands: bodies not sorted, or none");
-    for (BodyIndex b : island.bodies) f_.expect(is(b, BodyType::dynamic), "islands: not a dynamic body");
-    for (BodyIndex b : island.partners) f_.expect(bodies_.alive(b), "islands: a partner that is not there");
-    island.rows.eachKind([&](const auto& kind) { kind.checkStructure(f_, island, ties_, bodies_, current); });
-    if (f_.any()) return;
-    checkHierarchy(f_, island.hierarchy, island, ties_, "hierarchy");
-  }
-
-  Findings& f_;
-  const Activity& a_;
-  const BodySet& bodies_;
-  const Ties& ties_;
-};
 
 class LinkCheck {
  public:
@@ -208,7 +165,27 @@ class LinkCheck {
 }  // namespace
 
 void Activity::checkStructure(Findings& f, const BodySet& bodies, const Ties& ties) const {
-  StructureCheck(f, *this, bodies, ties).run();
+  auto is = [&](BodyIndex body, BodyType type) { return bodies.alive(body) && bodies.data[body].type == type; };
+  for (BodyIndex b : awake) f.expect(is(b, BodyType::dynamic), "awake: not a dynamic body");
+  for (BodyIndex b : moving) f.expect(is(b, BodyType::kinematic), "moving: not a kinematic body");
+  f.expect(isAscending(awake) && isAscending(moving), "awake or moving: not sorted");
+  for (const auto* list : {&islands.awake, &islands.asleep})
+    for (const auto& island : *list) {
+      f.expect(!island->bodies.empty() && isAscending(island->bodies), "islands: bodies not sorted, or none");
+      for (BodyIndex b : island->bodies) f.expect(is(b, BodyType::dynamic), "islands: not a dynamic body");
+      for (BodyIndex b : island->partners) f.expect(bodies.alive(b), "islands: a partner that is not there");
+      const bool now = list == &islands.asleep || current(ties);
+      island->rows.eachKind([&](const auto& kind) { kind.checkStructure(f, *island, ties, bodies, now); });
+      if (!f.any()) checkHierarchy(f, island->hierarchy, *island, ties);
+      if (f.any()) return;
+    }
+  for (BodyIndex b : islands.single) f.expect(is(b, BodyType::dynamic), "islands: a single body that is not there");
+  for (std::uint32_t i : islandOf)
+    f.expect(i == kNoIndex || i < islands.awake.size(), "islandOf: an island that is not there");
+  for (const auto* list : {&pushed, &unsettled}) {
+    f.expect(isAscending(*list), "pushed or unsettled: not sorted");
+    for (BodyIndex b : *list) f.expect(bodies.alive(b), "pushed or unsettled: a body that is not there");
+  }
 }
 
 void Activity::check(Findings& f, const BodySet& bodies, const Ties& ties) const {

@@ -75,9 +75,7 @@ double coreWay(const ShapeData& moving, const Sweep& way, const ShapeData& still
   const double safe = mostApproach(moving, way, of, from) + kSurelyApart + kSurelyApartShare * extent;
   if (hasExtent && length(from - pose.position) - extent > 2 * radius + safe) return 1;
   Transform coreInOther{transformPoint(back, from), {}};
-  Shape core;
-  core.type = ShapeType::sphere;
-  core.radius = radius;
+  Shape core = sphereOfRadius(radius);
   // Half the distance: however often the body is stopped there, the core never reaches the other shape.
   double apart = shapeDistance(still.geometry, core, coreInOther).distance, target = core.radius;
   if (!(apart > 0)) {  // pressed in: at least its centre must stay outside

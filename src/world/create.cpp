@@ -12,25 +12,6 @@
 
 namespace brickfall {
 
-void checkMaterial(Checks& check, const std::string& at, const Material& m) {
-  check.above(at + ".density", m.density, 0, limits::kLargestDensity);
-  check.range(at + ".friction", m.friction, 0, limits::kLargestFriction);
-  check.range(at + ".restitution", m.restitution, 0, 1);
-  check.range(at + ".rollingResistance", m.rollingResistance, 0, limits::kLargestFriction);
-  check.range(at + ".hardness", m.hardness, limits::kLeastHardness, limits::kLargestHardness);
-  check.condition(m.frictionRule <= CombineRule::maximum,
-                  at + ".frictionRule: found " + std::to_string(int(m.frictionRule)) + ", expected a CombineRule");
-  check.condition(
-      m.restitutionRule <= CombineRule::maximum,
-      at + ".restitutionRule: found " + std::to_string(int(m.restitutionRule)) + ", expected a CombineRule");
-}
-
-Status checkMaterial(const Material& material) {
-  Checks check;
-  checkMaterial(check, "material", material);
-  return check.failed() ? Status(check.error()) : Status();
-}
-
 namespace {
 
 void checkMesh(Checks& check, const std::string& at, const ShapeDef& s, BodyType type) {
@@ -41,10 +22,6 @@ void checkMesh(Checks& check, const std::string& at, const ShapeDef& s, BodyType
   check.vector(at + ".mesh.bounds.lower", s.mesh->bounds().lower, limits::kLargestSize);
   check.vector(at + ".mesh.bounds.upper", s.mesh->bounds().upper, limits::kLargestSize);
 }
-
-}  // namespace
-
-namespace {
 
 void checkShapeSize(Checks& check, const std::string& at, const ShapeDef& s, BodyType type) {
   checkMaterial(check, at + ".material", s.material);
@@ -91,34 +68,6 @@ void checkDistribution(Checks& check, const std::string& at, const ShapeDef& s) 
   check.condition(wrong.empty(), at + "." + wrong + ", expected mass that can lie so in the shape");
 }
 
-}  // namespace
-
-void checkShape(Checks& check, const std::string& at, const ShapeDef& s, BodyType type) {
-  checkShapeSize(check, at, s, type);
-  if (s.distribution && !check.failed()) checkDistribution(check, at + ".distribution", s);
-}
-
-// A plane has no box around it: whatever is on it is fixed, and its mass is never read.
-void checkGivenMass(Checks& check, const MassProperties& given, std::span<const ShapeDef> shapes) {
-  check.range("massProperties.mass", given.mass, limits::kSmallestMass, limits::kLargestMass);
-  check.vector("massProperties.centre", given.centre, limits::kLargestSize);
-  if (check.failed()) return;
-  Aabb around = bounds(shapes[0], Transform{});
-  for (const ShapeDef& shape : shapes) around = merged(around, bounds(shape, Transform{}));
-  const std::string wrong = impossibleMass(given, around);
-  check.condition(wrong.empty(), "massProperties." + wrong + ", expected mass that can lie so in the body");
-}
-
-void checkMotionSettings(Checks& check, double gravityScale, double linearDamping, double angularDamping,
-                         double dragArea) {
-  check.range("gravityScale", gravityScale, -limits::kLargestGravityScale, limits::kLargestGravityScale);
-  check.range("linearDamping", linearDamping, 0, limits::kLargestDamping);
-  check.range("angularDamping", angularDamping, 0, limits::kLargestDamping);
-  check.range("dragArea", dragArea, 0, limits::kLargestDragArea);
-}
-
-namespace {
-
 void checkBody(Checks& check, const BodyDef& def) {
   check.condition(!def.shapes.empty(), "shapes: found none, expected at least one");
   check.condition(def.shapes.size() <= limits::kMostShapes, "shapes: found " + std::to_string(def.shapes.size()) +
@@ -150,7 +99,78 @@ double massOf(const BodyDef& def, const std::vector<std::unique_ptr<Hull>>& hull
   return mass;
 }
 
+Result<BodyPlan> planned(const BodyDef& def) {
+  Checks check;
+  checkBody(check, def);
+  BodyPlan plan;
+  plan.def = &def;
+  plan.hulls.resize(def.shapes.size());
+  for (std::size_t i = 0; i < def.shapes.size() && !check.failed(); i++) {
+    if (def.shapes[i].type != ShapeType::hull) continue;
+    Result<Hull> hull = buildHull(std::span<const Vec3>(def.shapes[i].vertices));
+    if (hull)
+      plan.hulls[i] = std::make_unique<Hull>(std::move(hull).value());
+    else
+      check.take({hull.error().code, "shapes[" + std::to_string(i) + "].vertices: " + hull.error().message});
+  }
+  // A body with a mesh never becomes dynamic: it may weigh nothing.
+  bool hasMesh =
+      std::any_of(def.shapes.begin(), def.shapes.end(), [](const ShapeDef& s) { return s.type == ShapeType::mesh; });
+  if (!check.failed() && def.type != BodyType::fixed && !hasMesh) checkMass(check, massOf(def, plan.hulls));
+  if (check.failed()) return check.error();
+  return plan;
+}
+
+Error tooManyBodies(const std::string& call, int most) {
+  return {ErrorCode::limitExceeded, call + ": the world has maxBodies = " + std::to_string(most) + " bodies"};
+}
+
 }  // namespace
+
+void checkMaterial(Checks& check, const std::string& at, const Material& m) {
+  check.above(at + ".density", m.density, 0, limits::kLargestDensity);
+  check.range(at + ".friction", m.friction, 0, limits::kLargestFriction);
+  check.range(at + ".restitution", m.restitution, 0, 1);
+  check.range(at + ".rollingResistance", m.rollingResistance, 0, limits::kLargestFriction);
+  check.range(at + ".hardness", m.hardness, limits::kLeastHardness, limits::kLargestHardness);
+  check.condition(m.frictionRule <= CombineRule::maximum,
+                  at + ".frictionRule: found " + std::to_string(int(m.frictionRule)) + ", expected a CombineRule");
+  check.condition(
+      m.restitutionRule <= CombineRule::maximum,
+      at + ".restitutionRule: found " + std::to_string(int(m.restitutionRule)) + ", expected a CombineRule");
+}
+
+Status checkMaterial(const Material& material) {
+  Checks check;
+  checkMaterial(check, "material", material);
+  return check.failed() ? Status(check.error()) : Status();
+}
+
+void checkShape(Checks& check, const std::string& at, const ShapeDef& s, BodyType type) {
+  checkShapeSize(check, at, s, type);
+  if (s.distribution && !check.failed()) checkDistribution(check, at + ".distribution", s);
+}
+
+// A plane has no box around it: whatever is on it is fixed, and its mass is never read.
+void checkGivenMass(Checks& check, const MassProperties& given, std::span<const ShapeDef> shapes) {
+  check.range("massProperties.mass", given.mass, limits::kSmallestMass, limits::kLargestMass);
+  check.vector("massProperties.centre", given.centre, limits::kLargestSize);
+  if (check.failed()) return;
+  Aabb around = bounds(shapes[0], Transform{});
+  for (const ShapeDef& shape : shapes) around = merged(around, bounds(shape, Transform{}));
+  const std::string wrong = impossibleMass(given, around);
+  check.condition(wrong.empty(), "massProperties." + wrong + ", expected mass that can lie so in the body");
+}
+
+void checkMotionSettings(Checks& check, double gravityScale, double linearDamping, double angularDamping,
+                         double dragArea) {
+  check.range("gravityScale", gravityScale, -limits::kLargestGravityScale, limits::kLargestGravityScale);
+  check.range("linearDamping", linearDamping, 0, limits::kLargestDamping);
+  check.range("angularDamping", angularDamping, 0, limits::kLargestDamping);
+  check.range("dragArea", dragArea, 0, limits::kLargestDragArea);
+}
+
+const char* versionString() { return BRICKFALL_VERSION; }
 
 World::World(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 World::World(World&&) noexcept = default;
@@ -186,36 +206,6 @@ Result<World> World::create(const WorldDef& def) {
   impl->solve.workers = std::make_unique<WorkerPool>(def.threads, def.tasks);
   return World(std::move(impl));
 }
-
-namespace {
-
-Result<BodyPlan> planned(const BodyDef& def) {
-  Checks check;
-  checkBody(check, def);
-  BodyPlan plan;
-  plan.def = &def;
-  plan.hulls.resize(def.shapes.size());
-  for (std::size_t i = 0; i < def.shapes.size() && !check.failed(); i++) {
-    if (def.shapes[i].type != ShapeType::hull) continue;
-    Result<Hull> hull = buildHull(std::span<const Vec3>(def.shapes[i].vertices));
-    if (hull)
-      plan.hulls[i] = std::make_unique<Hull>(std::move(hull).value());
-    else
-      check.take({hull.error().code, "shapes[" + std::to_string(i) + "].vertices: " + hull.error().message});
-  }
-  // A body with a mesh never becomes dynamic: it may weigh nothing.
-  bool hasMesh =
-      std::any_of(def.shapes.begin(), def.shapes.end(), [](const ShapeDef& s) { return s.type == ShapeType::mesh; });
-  if (!check.failed() && def.type != BodyType::fixed && !hasMesh) checkMass(check, massOf(def, plan.hulls));
-  if (check.failed()) return check.error();
-  return plan;
-}
-
-Error tooManyBodies(const std::string& call, int most) {
-  return {ErrorCode::limitExceeded, call + ": the world has maxBodies = " + std::to_string(most) + " bodies"};
-}
-
-}  // namespace
 
 Result<BodyId> World::createBody(const BodyDef& def) {
   Impl& w = *impl_;

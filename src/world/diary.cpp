@@ -29,19 +29,13 @@ void appendTouching(const Island& island, const Ties& ties, TouchingPairs& out) 
 
 // Both lists of events keep their memory.
 void Diary::tellPending() {
-  events.begin.clear();
-  events.hits.clear();
-  events.breaks.clear();
+  auto clear = [](auto&... lists) { (lists.clear(), ...); };
+  clear(events.begin, events.hits, events.breaks, events.sensorBegin, events.sensorEnd, events.moved,
+        events.fellAsleep);
   events.mortar.assign(pending.mortar.begin(), pending.mortar.end());
-  pending.mortar.clear();
-  events.sensorBegin.clear();
-  events.sensorEnd.clear();
-  events.moved.clear();
-  events.fellAsleep.clear();
   events.end.assign(pending.end.begin(), pending.end.end());
   events.woke.assign(pending.woke.begin(), pending.woke.end());
-  pending.end.clear();
-  pending.woke.clear();
+  clear(pending.mortar, pending.end, pending.woke);
 }
 
 void Diary::addTouching(const Island& island, const Ties& ties) {
@@ -84,8 +78,7 @@ void Diary::keepRoom(std::size_t slots, std::size_t touching) {
   for (Events* e : {&events, &pending}) {
     for (auto* list : {&e->begin, &e->end}) brickfall::keepRoom(*list, touching);
     for (auto* list : {&e->fellAsleep, &e->woke}) keepRoomFor(*list, slots);
-    keepRoomFor(e->moved,
-                2 * slots);  // before pairs of this part of the step are told apart from pairs of the parts before
+    keepRoomFor(e->moved, 2 * slots);  // bodies of several parts, before they are told apart
     brickfall::keepRoom(e->hits, touching);
   }
 }

@@ -3,21 +3,18 @@
 #include <utility>
 
 #include "dynamics/body_set.h"
+#include "solver/union_find.h"
 
 namespace brickfall {
 
 FallFinder::FallFinder(std::span<const FallJoint> joints, const std::vector<bool>& moves)
     : joints_(joints), moves_(moves), chunk_(moves.size()), start_(moves.size() + 1, 0) {
-  for (std::uint32_t body = 0; body < chunk_.size(); body++) chunk_[body] = body;
-  auto find = [&](std::uint32_t body) {
-    while (chunk_[body] != body) body = chunk_[body] = chunk_[chunk_[body]];
-    return body;
-  };
+  UnionFind chunks(moves.size(), std::pmr::get_default_resource());
   auto isKnown = [&](const FallJoint& j) { return j.bodyA < moves_.size() && j.bodyB < moves_.size(); };
   auto breaks = [](const FallJoint& j) { return j.breakTime < std::numeric_limits<double>::infinity(); };
   for (const FallJoint& j : joints_)
-    if (isKnown(j) && !breaks(j) && moves_[j.bodyA] && moves_[j.bodyB]) chunk_[find(j.bodyA)] = find(j.bodyB);
-  for (std::uint32_t body = 0; body < chunk_.size(); body++) chunk_[body] = find(body);
+    if (isKnown(j) && !breaks(j) && moves_[j.bodyA] && moves_[j.bodyB]) chunks.join(j.bodyA, j.bodyB);
+  for (std::uint32_t body = 0; body < chunk_.size(); body++) chunk_[body] = chunks.find(body);
   for (const FallJoint& j : joints_)
     if (isKnown(j) && breaks(j)) start_[j.bodyA + 1]++, start_[j.bodyB + 1]++;
   for (std::size_t i = 1; i < start_.size(); i++) start_[i] += start_[i - 1];
@@ -57,8 +54,7 @@ std::optional<std::uint32_t> FallFinder::first(std::uint32_t body) const {
   const FallJoint& own = joints_[found];
   std::uint32_t under = chunk_[own.bodyA] == chunk ? own.bodyB : own.bodyA;
   // Times only go back, so this ends.
-  for (bool goesOn = true; goesOn && moves_[under];) {
-    goesOn = false;
+  while (moves_[under]) {
     std::uint32_t before = found;
     for (std::uint32_t i = start_[under]; i < start_[under + 1]; i++) {
       const std::uint32_t k = broken_[i];
@@ -67,7 +63,6 @@ std::optional<std::uint32_t> FallFinder::first(std::uint32_t body) const {
     if (before == found) break;
     found = before;
     under = joints_[found].bodyA == under ? joints_[found].bodyB : joints_[found].bodyA;
-    goesOn = true;
   }
   return found;
 }

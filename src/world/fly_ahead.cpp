@@ -41,9 +41,7 @@ class FlightAhead {
   double untilMet(BodyIndex body, ShapeIndex shape, Vec3 way) const {
     const BodySet& bodies = registry_.bodies;
     const BodyData& data = bodies.data[body];
-    Shape ball;
-    ball.type = ShapeType::sphere;
-    ball.radius = bodies.mass[body].outerRadius;
+    const Shape ball = sphereOfRadius(bodies.mass[body].outerRadius);
     // m: so far from what it meets it ends, and so far its way bends.
     const Vec3 acceleration = context_.gravity * data.gravityScale + data.force * bodies.mass[body].invMass;
     const double bend = 0.5 * length(acceleration) * context_.dt * context_.dt, apart = kShortOf * ball.radius + bend;
@@ -66,10 +64,7 @@ class FlightAhead {
     const BodyMotion& m = bodies.motion[other.body];
     const bool turns = turnsFar(bodies, other.body, m.angularVelocity * context_.dt);
     const Vec3 othersWay = (m.linearVelocity - frame_) * context_.dt;
-    Shape around;
-    around.type = ShapeType::sphere;
-    around.radius = bodies.mass[other.body].outerRadius;
-    const Shape& shape = turns ? around : other.geometry;
+    const Shape shape = turns ? sphereOfRadius(bodies.mass[other.body].outerRadius) : other.geometry;
     const Transform back = inverse(turns ? bodies.pose(other.body) : bodies.pose(other.body) * other.inCentreFrame);
     const Transform ballInOther{transformPoint(back, at), {}};
     // Faces that a straight way leaves behind, its bend may meet.

@@ -206,6 +206,10 @@ JointDef definitionOf(const Joint& joint, const Registry& registry) {
   return def;
 }
 
+void checkType(Checks& check, const std::string& call, bool fits) {
+  check.condition(fits, call + ": found a joint of a type that has none");
+}
+
 }  // namespace
 
 Result<JointId> World::createJoint(const JointDef& def) {
@@ -261,14 +265,6 @@ Status World::Impl::changeJoint(const std::string& call, JointId id, Check&& che
   upkeep().disturbJoint(*joint);
   return {};
 }
-
-namespace {
-
-void checkType(Checks& check, const std::string& call, bool fits) {
-  check.condition(fits, call + ": found a joint of a type that has none");
-}
-
-}  // namespace
 
 Status World::setMotor(JointId id, std::optional<JointDef::Motor> motor) {
   return impl_->changeJoint(

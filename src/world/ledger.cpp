@@ -25,11 +25,6 @@ void addBody(Balance& sum, const BodyMass& mass, Vec3 position, Vec3 velocity, V
   sum.kinetic += 0.5 * dot(velocity, momentum) + 0.5 * dot(spin, spinMomentum);
 }
 
-double elasticAwake(const StepContext& context) {
-  double sum = 0;
-  context.ties->eachAwake([&](const Link& link) { sum += Rows::elasticEnergy(link, context); });
-  return sum;
-}
 double elasticAsleep(const StepContext& context) {
   double sum = 0;
   context.ties->eachAsleep([&](const Link& link) { sum += Rows::elasticEnergy(link, context); });
@@ -38,7 +33,8 @@ double elasticAsleep(const StepContext& context) {
 
 Balance balanceNow(const BodySet& bodies, const StepContext& context) {
   Balance sum;
-  sum.elastic = elasticAwake(context) + elasticAsleep(context);
+  context.ties->eachAwake([&](const Link& link) { sum.elastic += Rows::elasticEnergy(link, context); });
+  sum.elastic += elasticAsleep(context);
   for (BodyIndex i = 0; i < bodies.slots(); i++) {
     if (!bodies.alive(i) || bodies.data[i].type != BodyType::dynamic || !bodies.data[i].enabled) continue;
     const BodyMotion& m = bodies.motion[i];

@@ -38,8 +38,7 @@ BalanceChange operator-(const BalanceChange& a, const BalanceChange& b);
 void operator+=(BalanceChange& a, const BalanceChange& b);
 
 void addBody(Balance& sum, const BodyMass& mass, Vec3 position, Vec3 velocity, Vec3 spin, Vec3 spinMomentum);
-// Elastic energy of the ties that are awake, and of those that sleep.
-double elasticAwake(const StepContext& context);
+// Elastic energy of the ties that sleep.
 double elasticAsleep(const StepContext& context);
 // Balance of all dynamic bodies, where they are.
 Balance balanceNow(const BodySet& bodies, const StepContext& context);

@@ -1,7 +1,6 @@
 #include "world/load_shift.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "solver/mortar/law.h"
 #include "solver/scale.h"

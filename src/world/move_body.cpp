@@ -1,9 +1,22 @@
 #include "world/move_body.h"
 
+#include <cmath>
+
+#include "brickfall/limits.h"
 #include "solver/finish/motion.h"
-#include "world/quarantine.h"
 
 namespace brickfall {
+
+namespace {
+
+// Finite, and not lost in space.
+bool isSane(const BodyMotion& m) {
+  return isFinite(m.position) && isFinite(m.rotation) && isFinite(m.linearVelocity) && isFinite(m.angularVelocity) &&
+         std::fabs(m.position.x) < lost::kDistance && std::fabs(m.position.y) < lost::kDistance &&
+         std::fabs(m.position.z) < lost::kDistance;
+}
+
+}  // namespace
 
 bool moveBody(BodyIndex body, BodySet& bodies, const StepContext& context) {
   const SolvedMotion& s = context.solved[body];

@@ -24,19 +24,6 @@ LoadedPoints loadedPoints(const Contact& c) {
   return out;
 }
 
-// A manifold is kept until a point has moved by kHardlyMoved, or soon will by kLittleWay. Of more than four points, the
-// four chosen serve as long as all of them carry. Else the load may be moving to another
-// point.
-bool canReuse(const Contact& c, const ContactGeometry& g, const Transform& relative, Vec3 relativeVelocity, double dt,
-              double scale, double reach) {
-  if (c.rolls || (c.partial && loadedPoints(c).count < c.count)) return false;
-  Quat turned = conjugate(g.relativeRotation) * relative.rotation;
-  const double moved =
-      length(relative.position - g.relativePosition) + 2 * length(Vec3{turned.x, turned.y, turned.z}) * reach;
-  const double mostInStep = kLittleWay * scale;
-  return moved < kHardlyMoved * scale && lengthSquared(relativeVelocity) * dt * dt < mostInStep * mostInStep;
-}
-
 Vec3 anyPerpendicular(Vec3 n) {
   return normalized(std::fabs(n.x) < 0.7 ? cross(n, Vec3{1, 0, 0}) : cross(n, Vec3{0, 1, 0}));
 }
@@ -178,10 +165,8 @@ void NarrowPhase::renew(ContactIndex contact) {
 }
 
 void NarrowPhase::follow(ContactIndex contact) {
-  const Contact& old = contacts_.contacts[contact];
-  const CandidatePair pair{old.shapeA, old.shapeB, old.bodyA, old.bodyB, contact, 0};
   Contact& c = contacts_.contacts[contact];
-  const Approach approach = approachOf(pair);
+  const Approach approach = approachOf({c.shapeA, c.shapeB, c.bodyA, c.bodyB, contact, 0});
   measurePoints(c, contacts_.geometry[contact], approach.relative);
   const float away = float(length(approach.velocity) * dt_);
   for (int i = 0; i < c.count; i++) c.points.gap[i] = std::max(c.points.gap[i], away);
@@ -223,11 +208,19 @@ double NarrowPhase::reachOf(const CandidatePair& pair, const Approach& approach)
   return marginOf(pair) + speed * dt_ + (std::isfinite(spin) ? spin : 0.0);
 }
 
+// A manifold is kept until a point has moved by kHardlyMoved, or soon will by kLittleWay. Of more than four points, the
+// four chosen serve as long as all of them carry. Else the load may be moving to another point.
 bool NarrowPhase::mayReuse(const CandidatePair& pair, const Approach& approach) const {
-  return canReuse(contacts_.contacts[pair.contact], contacts_.geometry[pair.contact], approach.relative,
-                  approach.velocity, dt_,
-                  lengthScale(shapes_.data[pair.shapeA].innerRadius, shapes_.data[pair.shapeB].innerRadius),
-                  std::min(bodies_.mass[pair.bodyA].outerRadius, bodies_.mass[pair.bodyB].outerRadius));
+  const Contact& c = contacts_.contacts[pair.contact];
+  if (c.rolls || (c.partial && loadedPoints(c).count < c.count)) return false;
+  const ContactGeometry& g = contacts_.geometry[pair.contact];
+  const Quat turned = conjugate(g.relativeRotation) * approach.relative.rotation;
+  const double reach = std::min(bodies_.mass[pair.bodyA].outerRadius, bodies_.mass[pair.bodyB].outerRadius);
+  const double moved =
+      length(approach.relative.position - g.relativePosition) + 2 * length(Vec3{turned.x, turned.y, turned.z}) * reach;
+  const double scale = lengthScale(shapes_.data[pair.shapeA].innerRadius, shapes_.data[pair.shapeB].innerRadius);
+  const double mostInStep = kLittleWay * scale;
+  return moved < kHardlyMoved * scale && lengthSquared(approach.velocity) * dt_ * dt_ < mostInStep * mostInStep;
 }
 
 void NarrowPhase::collidePair(const CandidatePair& pair, const Approach& approach, Look look, Manifold& m) {

@@ -1,17 +1,10 @@
 #include "world/quarantine.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "brickfall/limits.h"
 
 namespace brickfall {
-
-bool isSane(const BodyMotion& m) {
-  return isFinite(m.position) && isFinite(m.rotation) && isFinite(m.linearVelocity) && isFinite(m.angularVelocity) &&
-         std::fabs(m.position.x) < lost::kDistance && std::fabs(m.position.y) < lost::kDistance &&
-         std::fabs(m.position.z) < lost::kDistance;
-}
 
 void Quarantine::hold(BodyIndex body) {
   BodyMotion& m = registry_.bodies.motion[body];

@@ -8,8 +8,6 @@
 
 namespace brickfall {
 
-bool isSane(const BodyMotion& motion);  // finite, and not lost in space
-
 class Quarantine {
  public:
   Quarantine(Registry& registry, StepReport& report, Upkeep upkeep)

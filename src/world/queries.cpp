@@ -1,6 +1,5 @@
 // Queries of a world between steps.
 #include <algorithm>
-#include <cmath>
 
 #include "base/hash.h"
 #include "geometry/queries.h"
@@ -26,6 +25,12 @@ std::vector<BodyId> bodiesNear(const Proximity& proximity, const Registry& regis
   std::vector<BodyId> out;
   for (BodyIndex body : found) out.push_back(registry.idOf(body));
   return out;
+}
+
+// In sums over the world.
+template <class Visit> void eachThatCounts(const BodySet& bodies, Visit visit) {
+  for (BodyIndex i = 0; i < bodies.slots(); i++)
+    if (bodies.alive(i) && bodies.data[i].type == BodyType::dynamic && bodies.data[i].enabled) visit(i);
 }
 
 }  // namespace
@@ -144,45 +149,31 @@ Result<double> World::penetration(ShapeId a, ShapeId b) const {
   return penetrationDepth(w.registry.shapes.data[*shapeA].geometry, w.registry.shapes.data[*shapeB].geometry, bInA);
 }
 
-namespace {
-
-// In sums over the world.
-bool counts(const BodySet& bodies, BodyIndex body) {
-  return bodies.alive(body) && bodies.data[body].type == BodyType::dynamic && bodies.data[body].enabled;
-}
-
-}  // namespace
-
 Energy World::energy() const {
-  const Impl& w = *impl_;
+  const BodySet& bodies = impl_->registry.bodies;
   Energy e;
-  for (BodyIndex i = 0; i < w.registry.bodies.slots(); i++) {
-    if (!counts(w.registry.bodies, i)) continue;
-    e.kinetic += w.registry.bodies.kineticEnergy(i);
-    e.potential -= w.registry.bodies.mass[i].mass * w.registry.bodies.data[i].gravityScale *
-                   dot(w.def.gravity, w.registry.bodies.motion[i].position);
-  }
+  eachThatCounts(bodies, [&](BodyIndex i) {
+    e.kinetic += bodies.kineticEnergy(i);
+    e.potential -=
+        bodies.mass[i].mass * bodies.data[i].gravityScale * dot(impl_->def.gravity, bodies.motion[i].position);
+  });
   return e;
 }
 
 Vec3 World::linearMomentum() const {
-  const Impl& w = *impl_;
+  const BodySet& bodies = impl_->registry.bodies;
   Vec3 sum;
-  for (BodyIndex i = 0; i < w.registry.bodies.slots(); i++)
-    if (counts(w.registry.bodies, i))
-      sum += w.registry.bodies.motion[i].linearVelocity * w.registry.bodies.mass[i].mass;
+  eachThatCounts(bodies, [&](BodyIndex i) { sum += bodies.motion[i].linearVelocity * bodies.mass[i].mass; });
   return sum;
 }
 
 Vec3 World::angularMomentum() const {
-  const Impl& w = *impl_;
+  const BodySet& bodies = impl_->registry.bodies;
   Vec3 sum;
-  for (BodyIndex i = 0; i < w.registry.bodies.slots(); i++) {
-    if (!counts(w.registry.bodies, i)) continue;
-    const BodyMotion& m = w.registry.bodies.motion[i];
-    sum += cross(m.position, m.linearVelocity * w.registry.bodies.mass[i].mass) +
-           w.registry.bodies.worldInertia(i) * m.angularVelocity;
-  }
+  eachThatCounts(bodies, [&](BodyIndex i) {
+    const BodyMotion& m = bodies.motion[i];
+    sum += cross(m.position, m.linearVelocity * bodies.mass[i].mass) + bodies.worldInertia(i) * m.angularVelocity;
+  });
   return sum;
 }
 

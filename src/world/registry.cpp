@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "brickfall/geometry/mesh_tree.h"
+#include "dynamics/tie_ranges.h"
 #include "geometry/frustum.h"
 #include "geometry/mass_properties.h"
 #include "math/free_turn.h"
@@ -21,6 +22,32 @@ Result<std::uint32_t> findIn(const Set& set, Id id, std::uint16_t world, const s
     return Error{ErrorCode::staleId, kind + ": id " + std::to_string(id.index) + " was destroyed"};
   return index;
 }
+
+// A quaternion of unit length to rounding stays as it is, so that a rotation that was read can be put back bit for bit.
+Quat unitRotation(Quat q) {
+  double square = q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
+  return std::fabs(square - 1) < 1e-14 ? q : normalized(q);
+}
+
+Status rebuildGeometry(ShapeData& s) {
+  if (s.def.type == ShapeType::hull) {
+    Result<Hull> hull = buildHull(std::span<const Vec3>(s.def.vertices));
+    if (!hull) return Error{ErrorCode::badFormat, "a hull can't be built: " + hull.error().message};
+    s.hull = std::make_unique<Hull>(std::move(hull).value());
+  }
+  s.geometry = geometryOf(s.def, s.hull.get());
+  s.innerRadius = innerRadius(s.geometry);
+  return {};
+}
+
+void checkMotion(Findings& f, const BodyMotion& m, BodyIndex i) {
+  f.expect(isFinite(m.position) && isFinite(m.rotation) && isFinite(m.linearVelocity) && isFinite(m.angularVelocity),
+           "body", i, "not finite");
+  f.expect(ties::hasUnitLength(m.rotation), "body", i, "its quaternion is not of unit length");
+}
+
+// A slot whose generations are used up is neither alive nor free.
+template <class Data> bool isFree(const Data& d) { return !d.alive && d.generation != 0xffff; }
 
 }  // namespace
 
@@ -109,16 +136,6 @@ void Registry::keepLocks(BodyIndex body) {
   for (Vec3* v : {&m.angularVelocity, &data.lastAngularVelocity}) *v = bodies.freeTurn(body, *v);
   if (bodies.mass[body].locks != 0) data.steady = {};
 }
-
-namespace {
-
-// A quaternion of unit length to rounding stays as it is, so that a rotation that was read can be put back bit for bit.
-Quat unitRotation(Quat q) {
-  double square = q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
-  return std::fabs(square - 1) < 1e-14 ? q : normalized(q);
-}
-
-}  // namespace
 
 void Registry::setPose(BodyIndex body, Vec3 position, Quat rotation) {
   bodies.setRotation(body, unitRotation(rotation));
@@ -226,21 +243,6 @@ void Registry::updateMass(BodyIndex body, Vec3 origin) {
                    std::fabs(I.row[0].y) < slack && std::fabs(I.row[0].z) < slack && std::fabs(I.row[1].z) < slack;
 }
 
-namespace {
-
-Status rebuildGeometry(ShapeData& s) {
-  if (s.def.type == ShapeType::hull) {
-    Result<Hull> hull = buildHull(std::span<const Vec3>(s.def.vertices));
-    if (!hull) return Error{ErrorCode::badFormat, "a hull can't be built: " + hull.error().message};
-    s.hull = std::make_unique<Hull>(std::move(hull).value());
-  }
-  s.geometry = geometryOf(s.def, s.hull.get());
-  s.innerRadius = innerRadius(s.geometry);
-  return {};
-}
-
-}  // namespace
-
 Status Registry::rebuild() {
   for (ShapeIndex i = 0; i < shapes.slots(); i++)
     if (shapes.alive(i) && shapes.data[i].def.sensor) sensors.push_back(i);
@@ -287,21 +289,6 @@ void Registry::checkStructure(Findings& f) const {
   for (BodyIndex b : bodies.unused()) f.expect(b < n && !bodies.data[b].alive, "bodies: a free slot that is not free");
   for (ShapeIndex s : shapes.unused()) f.expect(s < m && !shapes.data[s].alive, "shapes: a free slot that is not free");
 }
-
-namespace {
-
-void checkMotion(Findings& f, const BodyMotion& m, BodyIndex i) {
-  f.expect(isFinite(m.position) && isFinite(m.rotation) && isFinite(m.linearVelocity) && isFinite(m.angularVelocity),
-           "body", i, "not finite");
-  double norm = m.rotation.x * m.rotation.x + m.rotation.y * m.rotation.y + m.rotation.z * m.rotation.z +
-                m.rotation.w * m.rotation.w;
-  f.expect(std::fabs(norm - 1) < 1e-9, "body", i, "its quaternion is not of unit length");
-}
-
-// A slot whose generations are used up is neither alive nor free.
-template <class Data> bool isFree(const Data& d) { return !d.alive && d.generation != 0xffff; }
-
-}  // namespace
 
 void Registry::check(Findings& f) const {
   checkFreeSlots(f, bodies.unused(), bodies.slots(), [&](std::size_t i) { return isFree(bodies.data[i]); });

@@ -38,36 +38,6 @@ bool isNearer(const RayHit& a, const RayHit& b) {
   return a.distance != b.distance ? a.distance < b.distance : a.shape < b.shape;
 }
 
-}  // namespace
-
-Result<std::optional<RayHit>> World::castRay(Vec3 origin, Vec3 direction, double maxDistance,
-                                             std::uint32_t mask) const {
-  std::optional<RayHit> best;
-  const Status fine = eachHit(impl_->proximity, impl_->registry, origin, direction, maxDistance, mask,
-                              [&](const RayHit& hit, double limit) {
-                                if (best && !isNearer(hit, *best)) return limit;
-                                best = hit;
-                                return hit.distance;
-                              });
-  if (!fine) return fine.error();
-  return best;
-}
-
-Result<std::vector<RayHit>> World::castRayAll(Vec3 origin, Vec3 direction, double maxDistance,
-                                              std::uint32_t mask) const {
-  std::vector<RayHit> hits;
-  const Status fine = eachHit(impl_->proximity, impl_->registry, origin, direction, maxDistance, mask,
-                              [&](const RayHit& hit, double limit) {
-                                hits.push_back(hit);
-                                return limit;
-                              });
-  if (!fine) return fine.error();
-  std::sort(hits.begin(), hits.end(), isNearer);
-  return hits;
-}
-
-namespace {
-
 // A shape that asks: its geometry, and where it is.
 struct Asking {
   Shape shape;
@@ -116,6 +86,32 @@ Touch touchOf(const Shape& other, const Shape& shape, const Transform& placed, V
 }
 
 }  // namespace
+
+Result<std::optional<RayHit>> World::castRay(Vec3 origin, Vec3 direction, double maxDistance,
+                                             std::uint32_t mask) const {
+  std::optional<RayHit> best;
+  const Status fine = eachHit(impl_->proximity, impl_->registry, origin, direction, maxDistance, mask,
+                              [&](const RayHit& hit, double limit) {
+                                if (best && !isNearer(hit, *best)) return limit;
+                                best = hit;
+                                return hit.distance;
+                              });
+  if (!fine) return fine.error();
+  return best;
+}
+
+Result<std::vector<RayHit>> World::castRayAll(Vec3 origin, Vec3 direction, double maxDistance,
+                                              std::uint32_t mask) const {
+  std::vector<RayHit> hits;
+  const Status fine = eachHit(impl_->proximity, impl_->registry, origin, direction, maxDistance, mask,
+                              [&](const RayHit& hit, double limit) {
+                                hits.push_back(hit);
+                                return limit;
+                              });
+  if (!fine) return fine.error();
+  std::sort(hits.begin(), hits.end(), isNearer);
+  return hits;
+}
 
 Result<std::vector<ShapeId>> World::overlapShape(const ShapeDef& shape, const Transform& pose,
                                                  std::uint32_t mask) const {

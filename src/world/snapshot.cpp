@@ -37,6 +37,8 @@ std::uint64_t hashOf(std::span<const std::byte> bytes) {
   return hash.value();
 }
 
+Error badSnapshot(const std::string& why) { return {ErrorCode::badFormat, "snapshot: " + why}; }
+
 }  // namespace
 
 // Sees the private lists of the sets.
@@ -54,9 +56,7 @@ class SnapshotArchive {
     a.list(w.activity.moving);
     a.list(w.activity.islandOf);
     a.flag(w.activity.membershipChanged);
-    a.value(w.clock.time);
-    a.value(w.clock.lastDt);
-    a.value(w.clock.stiffnessDt);
+    for (auto* seconds : {&w.clock.time, &w.clock.lastDt, &w.clock.stiffnessDt}) a.value(*seconds);
     a.value(w.clock.steadySteps);
     a.value(w.clock.stepCount);
     a.list(w.diary.touchingBefore);
@@ -85,11 +85,8 @@ class SnapshotArchive {
     a.value(d.gravity);
     a.value(d.airDensity);
     a.flag(d.enableSleep);
-    a.value(d.sleepDelay);
-    a.value(d.hitEventSpeed);
-    a.value(d.hitEventImpulse);
-    a.value(d.threads);
-    a.value(d.maxBodies);
+    for (auto* number : {&d.sleepDelay, &d.hitEventSpeed, &d.hitEventImpulse}) a.value(*number);
+    for (auto* number : {&d.threads, &d.maxBodies}) a.value(*number);
     a.choice(d.broadPhase, BroadPhaseMethod(kBroadPhaseMethodCount - 1));
     a.choice(d.integrator, Integrator(kIntegratorCount - 1));
     eachSetting(d.solver, [&](auto, auto& value, auto, auto) { a.value(value); });
@@ -133,13 +130,17 @@ class SnapshotArchive {
       a.value(*vector);
     a.value(d.userData);
     a.value(d.order);
-    bool given = d.givenMass.has_value();
-    a.flag(given);
-    if (!given) return;
+    optionalMass(a, d.givenMass, [](const MassProperties& mass) { return std::optional(mass); });
+  }
+
+  template <class Archive, class Mass, class Make> static void optionalMass(Archive& a, Mass& given, Make make) {
+    bool any = bool(given);
+    a.flag(any);
+    if (!any) return;
     MassProperties mass;
-    if constexpr (!Archive::kReading) mass = *d.givenMass;
+    if constexpr (!Archive::kReading) mass = *given;
     a.value(mass);
-    if constexpr (Archive::kReading) d.givenMass = mass;
+    if constexpr (Archive::kReading) given = make(mass);
   }
 
   template <class Archive, class Shapes, class Around> static void shapes(Archive& a, Shapes& s, Around& around) {
@@ -165,23 +166,14 @@ class SnapshotArchive {
     a.value(s.def.halfHeight);
     a.list(s.def.vertices);
     a.value(s.def.local);
-    a.value(s.def.material.density);
-    a.value(s.def.material.friction);
-    a.value(s.def.material.restitution);
-    a.value(s.def.material.rollingResistance);
-    a.value(s.def.material.hardness);
-    a.choice(s.def.material.frictionRule, CombineRule::maximum);
-    a.choice(s.def.material.restitutionRule, CombineRule::maximum);
+    auto& m = s.def.material;
+    for (auto* number : {&m.density, &m.friction, &m.restitution, &m.rollingResistance, &m.hardness}) a.value(*number);
+    for (auto* rule : {&m.frictionRule, &m.restitutionRule}) a.choice(*rule, CombineRule::maximum);
     a.value(s.def.filter);
     a.flag(s.def.sensor);
     a.value(s.def.userData);
-    bool uneven = s.def.distribution != nullptr;
-    a.flag(uneven);
-    if (!uneven) return;
-    MassProperties mass;
-    if constexpr (!Archive::kReading) mass = *s.def.distribution;
-    a.value(mass);
-    if constexpr (Archive::kReading) s.def.distribution = std::make_shared<const MassProperties>(mass);
+    optionalMass(a, s.def.distribution,
+                 [](const MassProperties& mass) { return std::make_shared<const MassProperties>(mass); });
   }
 
   // Each mesh once, however many shapes have it, in the order of the first of these shapes. Trees are built anew.
@@ -265,12 +257,6 @@ std::vector<std::byte> World::snapshot() const {
   out.insert(out.end(), bytes.begin(), bytes.end());
   return out;
 }
-
-namespace {
-
-Error badSnapshot(const std::string& why) { return {ErrorCode::badFormat, "snapshot: " + why}; }
-
-}  // namespace
 
 Status World::restore(std::span<const std::byte> snapshot) {
   if (Status open = impl_->openForChange("restore"); !open) return open;

@@ -10,38 +10,36 @@ namespace brickfall {
 
 namespace {
 
-//! not of the method: what a snapshot may say
-constexpr double kFarthest = 1e9;        // m: a moving platform may have gone this far
-constexpr double kLargestBounds = 2e30;  // m: those of a plane are 1e30
+using ties::hasUnitLength;
+using ties::isNear;
+using ties::kFarthest;
 
-bool unitLength(Quat q) { return std::fabs(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w - 1) < 1e-9; }
-bool inRange(Vec3 v, double limit) {
-  return std::fabs(v.x) <= limit && std::fabs(v.y) <= limit && std::fabs(v.z) <= limit;
-}
+//! not of the method: what a snapshot may say
+constexpr double kLargestBounds = 2e30;  // m: those of a plane are 1e30
 
 void checkBody(Checks& check, const BodyData& d, const BodyMotion& m) {
   checkMotionSettings(check, d.gravityScale, d.linearDamping, d.angularDamping, d.dragArea);
   check.vector("surfaceVelocity", d.surfaceVelocity, limits::kLargestSpeed);
-  check.condition(inRange(m.position, kFarthest), "a body is not in the world");
-  check.condition(unitLength(m.rotation), "a body's quaternion is not of unit length");
+  check.condition(isNear(m.position, kFarthest), "a body is not in the world");
+  check.condition(hasUnitLength(m.rotation), "a body's quaternion is not of unit length");
   check.condition(isFinite(m.linearVelocity) && isFinite(m.angularVelocity), "a body's motion is not finite");
   // A dynamic body that is too fast is quarantined by the next step.
   check.condition(
-      d.type == BodyType::dynamic || (inRange(m.linearVelocity, kFarthest) && inRange(m.angularVelocity, kFarthest)),
+      d.type == BodyType::dynamic || (isNear(m.linearVelocity, kFarthest) && isNear(m.angularVelocity, kFarthest)),
       "a body moves too fast");
   check.condition(isFinite(d.force) && isFinite(d.torque) && isFinite(d.lastLinearVelocity) &&
                       isFinite(d.lastAngularVelocity) && isFinite(d.linearAcceleration) &&
                       isFinite(d.angularAcceleration) && !std::isnan(d.turnEnergy),
                   "a body's forces or accelerations are not finite");
-  check.condition(inRange(d.steady.linear, kFarthest) && inRange(d.steady.angular, kFarthest) && d.steady.dt >= 0 &&
+  check.condition(isNear(d.steady.linear, kFarthest) && isNear(d.steady.angular, kFarthest) && d.steady.dt >= 0 &&
                       d.steady.dt <= 1 && d.impactLoss >= 0 && std::isfinite(d.impactLoss),
                   "what a body remembers of its last step is out of range");
 }
 
 void checkShapeData(Checks& check, const ShapeData& s, const Aabb& b, BodyType type) {
   checkShape(check, "shape", s.def, type);
-  check.condition(unitLength(s.def.local.rotation), "a shape's quaternion is not of unit length");
-  bool bounds = inRange(b.lower, kLargestBounds) && inRange(b.upper, kLargestBounds) && b.lower.x <= b.upper.x &&
+  check.condition(hasUnitLength(s.def.local.rotation), "a shape's quaternion is not of unit length");
+  bool bounds = isNear(b.lower, kLargestBounds) && isNear(b.upper, kLargestBounds) && b.lower.x <= b.upper.x &&
                 b.lower.y <= b.upper.y && b.lower.z <= b.upper.z;
   check.condition(bounds, "a shape's bounds are not sound");
 }
@@ -103,7 +101,7 @@ Status World::Impl::rebuild() {
   }
   for (BodyId& body : diary.pending.woke) body.world = registry.worldNumber;
   for (MortarEvent& event : diary.pending.mortar) {
-    if (!ties::isNear(event.pointWorld, ties::kFarthest) || !(std::fabs(event.energy) <= ties::kLargestMemory))
+    if (!isNear(event.pointWorld, kFarthest) || !(std::fabs(event.energy) <= ties::kLargestMemory))
       return Error{ErrorCode::badFormat, "events: mortar that was dropped is out of range"};
     event.bodyA.world = event.bodyB.world = event.mortar.world = registry.worldNumber;
   }

@@ -1,6 +1,5 @@
 // Results of the solve are kept: forces for the next step, motions for the stages to come. Hits are told here, by the
 // forces of the solve.
-#include <algorithm>
 
 #include "solver/finish/motion.h"
 #include "solver/island_step.h"
@@ -24,28 +23,6 @@ void collectHits(const WorldDef& def, const Registry& registry, const Island& is
   tellHits(def, registry, impacts, out);
 }
 
-}  // namespace
-
-void storeSolution(const WorldDef& def, const Registry& registry, IslandSet& islands, Ties& ties, StepContext& context,
-                   Events& events) {
-  for (BodyIndex body : islands.single) storeFreeBody(body, context.dt, context);
-  for (IslandPointer& island : islands.awake) {
-    const bool solved = !island->resting();  // even if it is put to rest in place below
-    storeIsland(*island, ties, context);
-    if (solved) collectHits(def, registry, *island, context, events.hits);
-  }
-}
-
-void hashStore(const IslandSet& islands, const Ties& ties, const StepContext& context, HashItems& out) {
-  out.solved(islands, context);
-  out.rows(islands, ties, [&](Mix& h, const Island& island, const auto& kind, std::size_t k) {
-    kind.hashMemory(h, k, ties);
-    h(int(island.ending), island.inPlaceTime, island.fastestLately);
-  });
-}
-
-namespace {
-
 // The work of ties, and how it changed their elastic energy.
 BalanceChange tiesNow(const IslandSet& islands, const StepContext& context, double elasticBefore, double& rebound,
                       StepLedger& ledger) {
@@ -65,6 +42,24 @@ BalanceChange tiesNow(const IslandSet& islands, const StepContext& context, doub
 }
 
 }  // namespace
+
+void storeSolution(const WorldDef& def, const Registry& registry, IslandSet& islands, Ties& ties, StepContext& context,
+                   Events& events) {
+  for (BodyIndex body : islands.single) storeFreeBody(body, context.dt, context);
+  for (IslandPointer& island : islands.awake) {
+    const bool solved = !island->resting();  // even if it is put to rest in place below
+    storeIsland(*island, ties, context);
+    if (solved) collectHits(def, registry, *island, context, events.hits);
+  }
+}
+
+void hashStore(const IslandSet& islands, const Ties& ties, const StepContext& context, HashItems& out) {
+  out.solved(islands, context);
+  out.rows(islands, ties, [&](Mix& h, const Island& island, const auto& kind, std::size_t k) {
+    kind.hashMemory(h, k, ties);
+    h(int(island.ending), island.inPlaceTime, island.fastestLately);
+  });
+}
 
 void bookStore(const Registry& registry, const Activity& activity, const StepContext& context, Diary& diary) {
   const BodySet& bodies = registry.bodies;

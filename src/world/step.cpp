@@ -6,6 +6,7 @@
 #include <string>
 
 #include "brickfall/limits.h"
+#include "world/checks.h"
 #include "world/core_sweep.h"
 #include "world/heavy_hits.h"
 #include "world/notes.h"
@@ -16,6 +17,25 @@
 #include "world/world_impl.h"
 
 namespace brickfall {
+
+namespace {
+
+//! not of the method: room
+constexpr std::size_t kTouchingPerBody = 4;
+
+std::int64_t nowNanoseconds() {
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::steady_clock::now().time_since_epoch())
+      .count();
+}
+
+// What a short part has begun to break, a part twice as long at most goes on with.
+HitParts afterHit(double made, double left, HitParts hits, int most) {
+  if (!(made > 0) || most == 1 || hits.flight > 0) return hits;
+  const int count = int(std::ceil(std::min(left / (2 * made), 1e6)));
+  return count > hits.count ? HitParts{count, true} : hits;
+}
+
+}  // namespace
 
 struct World::Impl::StageRow {
   Stage stage;
@@ -98,18 +118,6 @@ std::span<const World::Impl::StageRow> World::Impl::stageRows() {
   static_assert(std::size(kRows) == kStageCount);
   return kRows;
 }
-
-namespace {
-
-//! not of the method: room
-constexpr std::size_t kTouchingPerBody = 4;
-
-std::int64_t nowNanoseconds() {
-  return std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::steady_clock::now().time_since_epoch())
-      .count();
-}
-
-}  // namespace
 
 void World::Impl::runStages(Stage first, Stage end) {
   for (const StageRow& row : stageRows()) {
@@ -202,17 +210,6 @@ void World::Impl::runPart(double dt, bool last) {
   clock.part++;
   diary.report.parts++;
 }
-
-namespace {
-
-// What a short part has begun to break, a part twice as long at most goes on with.
-HitParts afterHit(double made, double left, HitParts hits, int most) {
-  if (!(made > 0) || most == 1 || hits.flight > 0) return hits;
-  const int count = int(std::ceil(std::min(left / (2 * made), 1e6)));
-  return count > hits.count ? HitParts{count, true} : hits;
-}
-
-}  // namespace
 
 void World::Impl::runSubstep(double dt, bool last) {
   // No island stays settled when the time step changes.

@@ -108,42 +108,40 @@ void Upkeep::setPose(BodyIndex body, Vec3 position, Quat rotation) {
 void Upkeep::setMaterial(ShapeIndex shape, const Material& material) {
   const BodyIndex body = registry_.shapes.data[shape].body;
   const bool densityChanged = registry_.shapes.data[shape].def.material.density != material.density;
-  disturb(body);
-  wakeTied(body);  // of a fixed body, too
-  // Anchors of contacts are measured from the centre of mass.
-  if (registry_.setMaterial(shape, material)) {
-    displace(body);
-    renewProxies(body);
-  }
-  ties_.renewConstants(body, registry_.shapes, registry_.bodies);
-  if (densityChanged) activity_.forgetIslandsOf(body);
-  activity_.unsettlePartnersOf(body);
+  remake(body, densityChanged, [&] { return registry_.setMaterial(shape, material); });
 }
 
 void Upkeep::setMass(BodyIndex body, const std::optional<MassProperties>& given) {
+  remake(body, true, [&] { return registry_.setMass(body, given); });
+}
+
+// `change`: true if the centre of mass is elsewhere in the body, from where anchors of contacts are measured.
+template <class Change> void Upkeep::remake(BodyIndex body, bool massChanges, Change change) {
   disturb(body);
-  wakeTied(body);
-  if (registry_.setMass(body, given)) {
+  wakeTied(body);  // of a fixed body, too
+  if (change()) {
     displace(body);
     renewProxies(body);
   }
   ties_.renewConstants(body, registry_.shapes, registry_.bodies);
-  activity_.forgetIslandsOf(body);
+  if (massChanges) activity_.forgetIslandsOf(body);
   activity_.unsettlePartnersOf(body);
 }
 
 JointIndex Upkeep::join(const Joint& joint) {
   const JointIndex made = ties_.joints.create(joint);
   ties_.renewConstants(joint.bodyA, registry_.shapes, registry_.bodies);
-  disturbJoint(made);
+  disturbEnds(joint);
   if (!joint.collide) ties_.contacts.dropBetween(joint.bodyA, joint.bodyB);
   return made;
 }
 
-void Upkeep::disturbJoint(JointIndex joint) {
-  for (BodyIndex body : {ties_.joints.slots[joint].bodyA, ties_.joints.slots[joint].bodyB})
+template <class Tie> void Upkeep::disturbEnds(const Tie& tie) {
+  for (BodyIndex body : {tie.bodyA, tie.bodyB})
     if (registry_.bodies.data[body].type == BodyType::dynamic) disturb(body);
 }
+
+void Upkeep::disturbJoint(JointIndex joint) { disturbEnds(ties_.joints.slots[joint]); }
 
 void Upkeep::unjoin(JointIndex joint) {
   disturbJoint(joint);
@@ -159,16 +157,14 @@ void Upkeep::meetAnew(BodyIndex a, BodyIndex b) {
 
 MortarIndex Upkeep::glue(const Mortar& mortar, const SharedStrength& shared, std::uint64_t userData) {
   const MortarIndex made = ties_.mortar.create(mortar, shared, userData);
-  for (BodyIndex body : {mortar.bodyA, mortar.bodyB})
-    if (registry_.bodies.data[body].type == BodyType::dynamic) disturb(body);
+  disturbEnds(mortar);
   ties_.contacts.dropBetween(mortar.bodyA, mortar.bodyB);
   return made;
 }
 
 void Upkeep::unglue(MortarIndex mortar) {
   const Mortar was = ties_.mortar.slots[mortar];
-  for (BodyIndex body : {was.bodyA, was.bodyB})
-    if (registry_.bodies.data[body].type == BodyType::dynamic) disturb(body);
+  disturbEnds(was);
   ties_.mortar.destroy(mortar);
   if (!was.broken) meetAnew(was.bodyA, was.bodyB);
 }

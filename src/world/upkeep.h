@@ -44,6 +44,8 @@ class Upkeep {
   // A force and a torque about `at` for the coming step, shared by dynamic pieces so that they gain speed as one rigid
   // body would.
   void push(const std::vector<BodyIndex>& pieces, Vec3 at, Vec3 force, Vec3 torque);
+  template <class Change> void remake(BodyIndex body, bool massChanges, Change change);
+  template <class Tie> void disturbEnds(const Tie& tie);
   void meetAnew(BodyIndex a, BodyIndex b);
   void endTiesOf(BodyIndex body);  // of a body that goes
   void displace(BodyIndex body);   // a body that is put elsewhere, or becomes another: ties to its place end

@@ -5,7 +5,6 @@
 //
 // Resistance to rolling is the same law for (C1, C2) = radius x (turn about t1, turn about t2): a torque radius x ft.
 // It is in the last lane of faces that have no fourth point (FaceRecord::rolls); others pass it by.
-//
 #pragma once
 #include "math/wide.h"
 #include "solver/face/record.h"

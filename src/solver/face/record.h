@@ -29,10 +29,9 @@ struct alignas(64) FaceRecord {
   float s1[4] = {}, s2[4] = {};  // m
   float trialN[4] = {};          // N, force at zero motion: share of the multiplier - k (correctable gap)
   float trial1[4] = {}, trial2[4] = {};
-  float k[4] = {};      // N/m; 0 in unused lanes
-  float limit[4] = {};  // N, friction cone
-  float leastN[4] =
-      {};  // N, least normal force: 0 of a dry point, below 0 of a bonded one, above 0 of one that rebounds
+  float k[4] = {};       // N/m; 0 in unused lanes
+  float limit[4] = {};   // N, friction cone
+  float leastN[4] = {};  // N, least normal force: below 0 of a bonded point, above 0 of one that rebounds
 };
 static_assert(sizeof(FaceRecord) == 192);
 

@@ -7,15 +7,8 @@
 
 namespace brickfall {
 
-void Groups::clear() {
-  of_.clear();
-  bodies_.clear();
-  begin_.clear();
-  partner_.clear();
-}
-
 void Groups::find(const Island& island, const StepContext& context) {
-  clear();
+  for (auto* list : {&of_, &bodies_, &begin_, &partner_}) list->clear();
   if (island.resting()) return;
   const std::size_t count = island.bodies.size();
   UnionFind sets(count, island.memory);

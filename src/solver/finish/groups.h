@@ -1,7 +1,6 @@
 // Groups of an island, found once a step when its forces are known: bodies that rows tie to each other, directly or
-// through others. A contact ties while it carries force. Nothing acts between two groups, so momentum and energy are
-// booked by group. Every correction of the finish treats all bodies of a group alike. All bodies that something fixed
-// or kinematic supports are one group: they act on each other through it.
+// through others. A contact ties while it carries force. All bodies that something fixed or kinematic supports are one
+// group: they act on each other through it.
 #pragma once
 #include <cstdint>
 #include <memory_resource>
@@ -21,7 +20,6 @@ class Groups {
 
   // By the forces that the island's ties carry. An island that rests has no groups.
   void find(const Island& island, const StepContext& context);
-  void clear();
 
   std::size_t count() const { return partner_.size(); }
   // Numbers in the island, ascending.

@@ -1,12 +1,9 @@
 // One body on something fixed, or on a surface that runs, whose contacts go on through the step: the leapfrog, as
-// Verlet wrote it. A step starts the solve with velocities that are late by half of the last step. That makes its ways
-// and times of second order and keeps energy. A body remembers velocities that are up to date, and how they changed in
-// the last step. From rest, after flight and after an impact no velocity is late. Bodies that push each other are left
-// alone (what one gains the other would have to give), unless they slide as one: finish/group_slide.cpp.
+// Verlet wrote it (docs/step.md). Bodies that push each other are left alone (what one gains the other would have to
+// give), unless they slide as one: finish/group_slide.cpp.
 #include "solver/finish/finish.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 #include "solver/finish/motion.h"
@@ -63,11 +60,6 @@ double partUntilStopped(const Island& island, const StepContext& context, const 
   return friction.limit + others > slowing ? slowing / (friction.limit + others) : 1;
 }
 
-// The contacts' anchors are to be where the body stops.
-void letGo(const Island& island, Ties& ties) {
-  island.rows.eachKind([&](const auto& kind) { kind.letGo(ties); });
-}
-
 // Gives back by how much the body started late.
 void catchUp(BodyIndex body, StepContext& context) {
   const FreeMotion& free = context.free[body];
@@ -96,7 +88,8 @@ void finishLoneBody(const Island& island, Ties& ties, StepContext& context) {
     const Vec3 along = start * (dot(solved, start) / lengthSquared(start));
     shift(body, start * (0.5 * part * h) - along * h, {}, context);
     accelerate(body, -along, {}, context);
-    return letGo(island, ties);
+    // The contacts' anchors are to be where the body stops.
+    return island.rows.eachKind([&](const auto& kind) { kind.letGo(ties); });
   }
   const SteadyChange& last = context.bodies->data[body].steady;
   const SteadyChange now{change.move * (1 / h), change.turn * (1 / h), h};

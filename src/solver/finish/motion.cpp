@@ -1,9 +1,7 @@
 #include "solver/finish/motion.h"
 
-#include <algorithm>
-
 #include "solver/free_motion.h"
-#include "solver/rigid_way.h"
+#include "solver/rigid_sum.h"
 
 namespace brickfall {
 
@@ -20,6 +18,14 @@ void keepLocks(BodyIndex body, StepContext& context) {
   s.d = bodies.freeWay(body, s.d);
   s.th = bodies.freeTurn(body, s.th);
   s.velocity = bodies.freeWay(body, s.velocity);
+}
+
+void shortenTurn(BodyIndex body, double share, StepContext& context) {
+  SolvedMotion& s = context.solved[body];
+  s.th *= share;
+  if (!s.freeTurn && !context.free[body].turnsFaster) return;
+  const Vec3 turned = shortenFreeTurn(context, body, share);
+  if (s.freeTurn && lengthSquared(s.th) <= kHalfTurn * kHalfTurn) s.th = turned;
 }
 
 }  // namespace
@@ -170,18 +176,6 @@ double kineticEnergyAtEnd(BodyIndex body, Vec3 frame, const StepContext& context
   return 0.5 * context.bodies->mass[body].mass * lengthSquared(s.velocity - frame) +
          0.5 * dot(s.angularMomentum, spinAtEnd(body, s.angularMomentum, context));
 }
-
-namespace {
-
-void shortenTurn(BodyIndex body, double share, StepContext& context) {
-  SolvedMotion& s = context.solved[body];
-  s.th *= share;
-  if (!s.freeTurn && !context.free[body].turnsFaster) return;
-  const Vec3 turned = shortenFreeTurn(context, body, share);
-  if (s.freeTurn && lengthSquared(s.th) <= kHalfTurn * kHalfTurn) s.th = turned;
-}
-
-}  // namespace
 
 void shift(BodyIndex body, Vec3 way, Vec3 turn, StepContext& context) {
   SolvedMotion& s = context.solved[body];

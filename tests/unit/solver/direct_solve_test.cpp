@@ -1,5 +1,5 @@
 // Newton on all bodies at once: it ends in the minimum of the step's energy, wherever bodies must bend or part.
-#include "solver/direct_solve.h"
+#include "solver/cycles.h"
 
 #include <gtest/gtest.h>
 

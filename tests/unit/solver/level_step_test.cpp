@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "solver/rigid_cluster.h"
+#include "solver/imbalance.h"
 #include "support/test_island.h"
 
 namespace brickfall::test {
