@@ -130,13 +130,25 @@ class Newton {
   std::pmr::vector<Tight> tight_;
 };
 
+// Some body turns so far that arcs count.
+bool turnsFar(const Island& island) {
+  const std::size_t own = island.bodies.size();
+  return std::any_of(island.motion.begin(), island.motion.begin() + std::ptrdiff_t(own),
+                     [](const SolveMotion& m) { return length(m.th) > float(kTrifle); });
+}
+
 }  // namespace
 
 void solveDirectly(Island& island, const StepContext& context, double tolerance, SolveStatistics& statistics) {
   Newton newton(island, statistics);
   Stall stall;
-  // Where a row of limits is hit, each of them moves the others. Beside contacts more rounds end in none of them.
-  const int rounds = island.facts.jointsAlone() ? kBoundRounds * kBoundRounds : kBoundRounds;
+  // Where a row of limits is hit, each of them moves the others; what turns far has another arc in each round. Beside
+  // contacts a solve in the midst of which steps run out is worse than one round less.
+  auto mayFollow = [&](int round, int k) {
+    if (round < kBoundRounds) return true;
+    return round < kBoundRounds * kBoundRounds &&
+           (island.facts.jointsAlone() || (island.plan.endVelocities && k < kDirectSteps / 2 && turnsFar(island)));
+  };
   int boundSolves = 0;
   bool tight = true, again = false;
   for (int k = 0; k < kDirectSteps; k++) {
@@ -145,7 +157,7 @@ void solveDirectly(Island& island, const StepContext& context, double tolerance,
     // Stalled, ten times the residual is good enough; after twice as many steps a hundred times, if nothing is to rest.
     const double enough = stalled < kStalledSteps ? 1 : stalled < 2 * kStalledSteps || island.plan.slow ? 10 : 100;
     if (worst < enough * tolerance) {
-      if (boundSolves++ >= rounds || !newton.settleBounds()) return;
+      if (!mayFollow(boundSolves++, k) || !newton.settleBounds()) return;
       stall = {};
       again = k > 0 && newton.stiffnessStays();
       k = std::max(k, kMostRenewals);

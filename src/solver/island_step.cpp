@@ -47,6 +47,7 @@ void prepareIsland(Island& island, Ties& ties, BodySet& bodies, StepContext& con
   if (island.plan.endVelocities) beginSwings(island, context, bodies);
   predictFreeMotions(context, bodies, island.bodies, island.dt, island.part != IslandPart::flight,
                      island.plan.endVelocities && island.part != IslandPart::flight);
+  if (island.plan.endVelocities) seeWholeTurns(island, context);
   prepareBodies(island, context);
   prepareRows(island, ties, context);
   if (island.toImpact()) leaveOut(island, ties, context);

@@ -116,9 +116,9 @@ SolvePlan planFor(const IslandFacts& facts, const SolverSettings& settings, doub
   plan.alone = facts.bodies == 1;
   plan.slow = supported && facts.fastest <= settings.restSpeed;
   plan.mayBeStopped = supported && facts.fastest <= (row.large ? kMovingSpeed : settings.restSpeed);
-  plan.arcs = facts.jointed && !facts.locked && !row.large && facts.joints + 1 >= facts.bodies;
-  plan.swings = plan.arcs && facts.joints == facts.ties && !facts.partnersMove;
   plan.endVelocities = facts.jointed && !facts.locked;
+  plan.holds = plan.endVelocities && !row.large && facts.joints + 1 >= facts.bodies;
+  plan.swings = plan.holds && facts.joints == facts.ties && !facts.partnersMove;
   plan.exactSteps = row.exactSteps;
   plan.direct = row.direct;
   plan.calmStiffening = calm ? double(row.calmStiffening) : 1;

@@ -59,7 +59,9 @@ struct PlanRow {
 std::span<const PlanRow> planRows();
 
 struct SolvePlan {
-  bool arcs = false;           // joints know that the ends of their arms go along arcs
+  bool endVelocities = false;  // jointed, nothing locked: velocities are those of the step's end (joint/swings.h), and
+                               // joints know that the ends of their arms go along arcs
+  bool holds = false;          // ... and joints are nearly all that ties its bodies: velocities are held, too
   bool swings = false;         // ... and nothing else holds its bodies, nor drives them
   bool alone = false;          // one body
   bool slow = false;           // grounded, partners still, no body faster than restSpeed: it may be put to rest
@@ -70,7 +72,6 @@ struct SolvePlan {
   bool startsFree = true;      // from free motion; else with as much of its fall as each body had
   bool goesOn = false;         // large, not slow, supported by what rolls or slides alone: it goes on as it did
   bool softDebris = false;     // contacts of moving bodies in it have impactStiffness
-  bool endVelocities = false;  // velocities of what hangs on joints are those of the step's end (joint/swings.h)
   double calmStiffening = 1;   // x restingStiffness
   double leastMass = 0;        // kg: contacts that bear a load are as firm as between bodies of this effective mass
   double tolerance = 0;        // weights: residual under which a body is left alone

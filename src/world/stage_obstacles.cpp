@@ -46,7 +46,7 @@ class LastingGroups {
       : sets_(any(islands) ? slots : 0, memory), has_(any(islands) ? slots : 0, 0, memory) {
     if (has_.empty()) return;
     for (const IslandPointer& island : islands.awake)
-      if (island->plan.arcs)
+      if (island->plan.endVelocities)
         island->rows.eachKind([&]<class Kind>(const Kind& kind) {
           if constexpr (Kind::kLasts)
             for (std::size_t k = 0; k < kind.size(); k++) join(*island, kind.ends(k));
@@ -138,15 +138,20 @@ std::span<const std::uint32_t> Obstacles::movesWith(const Island& island, BodyIn
 
 // Leaves the body a share of its way, then `carried`, and a share of its turn; it keeps its velocities. All of a group
 // that flies goes the same share, and is carried alike: its step ends there, and its bodies stay as they are to each
-// other.
+// other. So does all that hangs together by joints, or they would be torn.
 void Obstacles::cut(BodyIndex body, double share, double turnShare, Vec3 carried) {
   const Island* island = islandWith(body);
   const bool flies = context.solved[body].flying;
   if (!island) return shorten(body, share, turnShare, carried, flies, context);
   const std::span<const std::uint32_t> group = movesWith(*island, body);
-  if (group.size() == 1) return shorten(body, share, turnShare, carried, flies, context);
+  const bool hangs = !flies && joined.has(body);
+  if (group.size() == 1 && !hangs) return shorten(body, share, turnShare, carried, flies, context);
   share = std::min(share, turnShare);
-  for (std::uint32_t i : group) shorten(island->bodies[i], share, share, carried, true, context);
+  if (hangs)
+    for (BodyIndex other : island->bodies)
+      if (joined.together(other, body)) shorten(other, share, share, carried, false, context);
+  if (!hangs)
+    for (std::uint32_t i : group) shorten(island->bodies[i], share, share, carried, true, context);
 }
 
 // What is far lighter is carried along and stops nothing: bricks pressed into a wrecking ball must not hold it in the

@@ -206,7 +206,7 @@ TEST(Determinism, JointsBreakAlikeOnAnyNumberOfThreadsAndThroughSnapshots) {
     wanted.push_back(one.stateHash());
   }
   EXPECT_LT(one.joints().size(), had - 3) << "none broke";
-  EXPECT_GT(one.joints().size(), had / 3);
+  EXPECT_GT(one.joints().size(), had / 4) << "hardly any is left";
   for (int threads : {2, 4, 8}) {
     World many = jointsThatBreak(threads);
     EXPECT_EQ(hashes(many, kSteps), wanted) << threads;

@@ -325,7 +325,7 @@ TEST(Law, Row30fABobThatHitsABlockStaysOnItsJoint) {
 
 // From above its pivot a heavy ball falls, its chain goes slack, and snaps.
 TEST(Law, Row30kAChainThatSnapsGainsNothing) {
-  for (auto [angle, dt] : {std::pair{2.2, kDt}, {2.6, kDt}, {3.0, kDt}, {2.9, 0.5 * kDt}}) {
+  for (auto [angle, dt] : {std::pair{2.2, kDt}, {2.6, kDt}, {3.0, kDt}, {2.8, 0.5 * kDt}, {2.9, 0.5 * kDt}}) {
     Chain chain(angle);
     double rise = 0, step = 0, gape = 0, last = chain.start;
     for (int i = 0; i < std::lround(4 / dt); i++) {
@@ -336,7 +336,7 @@ TEST(Law, Row30kAChainThatSnapsGainsNothing) {
     }
     expectSound(chain.world);
     atMost("energy gained by a chain that snaps from " + text(angle, 1) + " rad", dt, rise, 1e-6, "J");
-    atMost("its largest gain in a step", dt, step, 0, "J", 1);
+    atMost("its largest gain in a step", dt, step, 1e-6, "J", angle < 2.8 ? 1e-6 : 1);
     atMost("stretch of it", dt, 100 * chain.stretch / Chain::kLength, 0.1, "%");
     atMost("error of a joint of it", dt, 1e3 * gape, 20, "mm");
   }
@@ -633,7 +633,7 @@ TEST(Law, Row30jAChainHoldsInAHitOfAWall) {
       if (chained) stretch = std::max(stretch, length(world.state(body)->centreOfMass - top) - reach);
     }
     expectSound(world);
-    if (chained) atMost("stretch of a chain of 5 kg in a hit by 200 kg", kDt, 100 * stretch / reach, 0.5, "%");
+    if (chained) atMost("stretch of a chain of 5 kg in a hit by 200 kg", kDt, 100 * stretch / reach, 0.1, "%");
   }
   atMost("bodies out of balance, beside a free ball", kDt, unbalanced[1] - unbalanced[0], 1, "");
 }

@@ -406,7 +406,7 @@ void JointRows::prepare(Island& island, Ties& ties, const StepContext& context) 
                                  bodies.mass[joint.bodyB].outerRadius * (r.bodyB < island.bodies.size()));
     // A way that grew over a longer step is an arc of it: corrected at once, it would be a blow.
     const double part = island.dt / std::max(island.dt, joint.over), correct = double(kCorrect) * part * part;
-    const bool arcs = island.plan.arcs;
+    const bool arcs = island.plan.endVelocities;
     const double farthest = arcs ? kSamePlace : double(kNoLimit);
     start.correct = float(correct);
     const double firm = kFirmness * double(start.load) / (island.dt * island.dt);

@@ -10,8 +10,7 @@
 // matrix beside the body's inertia. It is stable at any step; where steps are short enough to do without, it fades.
 //
 // The end of an arm goes along an arc: by the frozen arm alone, a joint gapes by a second order of the turn, which the
-// next steps correct. In small islands the solve knows the arc, and linkages stay closed. In large ones it does not:
-// that gaping is what damps the links of a chain.
+// next steps correct. So the solve knows the arc.
 #pragma once
 #include <algorithm>
 #include <cstdint>

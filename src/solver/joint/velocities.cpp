@@ -49,7 +49,8 @@ class HeldVelocities : VelocitySystem {
     for (const Body& body : bodies_)
       weights += body.mass * length(context_.gravity) * context_.bodies->mass[body.body].outerRadius;
     const double held = energy();
-    const double owed = std::min(kForcesRound * gain.loads, kMostOwed * (held + weights));
+    // A snap would take it in each of its steps, and never return it.
+    const double owed = joints.steady() ? std::min(kForcesRound * gain.loads, kMostOwed * (held + weights)) : 0;
     const double sum = gain.sum - wound, smooth = mostReturned();
     double before = 0;
     const double share = joints.held() / double(joints.size());
@@ -401,7 +402,7 @@ bool keepsEnergy(const Island& island) { return island.rows.joints.keepEnergy();
 double heldEnergy(const Island& island) { return island.rows.joints.held(); }
 
 double holdVelocities(Island& island, Ties& ties, StepContext& context) {
-  if (!island.plan.arcs) return 0;
+  if (!island.plan.holds) return 0;
   return HeldVelocities(island, context).run(ties);
 }
 
