@@ -147,11 +147,12 @@ void Obstacles::cut(BodyIndex body, double share, double turnShare, Vec3 carried
   const bool hangs = !flies && joined.has(body);
   if (group.size() == 1 && !hangs) return shorten(body, share, turnShare, carried, flies, context);
   share = std::min(share, turnShare);
-  if (hangs)
-    for (BodyIndex other : island->bodies)
-      if (joined.together(other, body)) shorten(other, share, share, carried, false, context);
-  if (!hangs)
+  if (!hangs) {
     for (std::uint32_t i : group) shorten(island->bodies[i], share, share, carried, true, context);
+    return;
+  }
+  for (BodyIndex other : island->bodies)
+    if (joined.together(other, body)) shorten(other, share, share, carried, false, context);
 }
 
 // What is far lighter is carried along and stops nothing: bricks pressed into a wrecking ball must not hold it in the
