@@ -79,7 +79,7 @@ LAWS ?= *
 validate:
 	@tools/install-dependencies build test
 	@$(CONFIGURE) $(TESTED)
-	@cmake --build $(BUILD) -j $(JOBS) --target test_law brickfall_validate test_ledger_scenes \
+	@cmake --build $(BUILD) -j $(JOBS) --target brickfall_cli test_law brickfall_validate test_ledger_scenes \
 	  brickfall_validate_solver brickfall_validate_toolkit brickfall_validate_collision brickfall_validate_continuous
 	@JOBS=$(JOBS) tools/validate $(BUILD) '$(LAWS)'
 

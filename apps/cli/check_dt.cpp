@@ -1,6 +1,7 @@
 // brickfall check-dt: how far the outcomes of a scene agree from one time step to another.
 #include <chrono>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "cli/commands.h"
@@ -65,6 +66,38 @@ std::optional<Outcome> outcomeAt(SceneDescription scene, int rate, Progress& pro
   return out;
 }
 
+void tellAsTable(const SceneDescription& scene, const std::vector<Outcome>& outcomes) {
+  const Outcome& finest = outcomes.back();
+  sayf("{}: {} s of {} bodies that can move", printable(scene.name), scene.seconds, finest.ends.size());
+  sayf("{:>9}  {:>6}  {:>16}  {:>14}  {:>6}  {:>16}  {:>9}", "time step", "moved", "same as 1/480 s", "ends apart, m",
+       "broken", "same as 1/480 s", "took, s");
+  for (std::size_t k = 0; k < outcomes.size(); k++) {
+    const Outcome& out = outcomes[k];
+    sayf("{:>9}  {:>6}  {:>14.1f} %  {:>14.3f}  {:>6}  {:>14.1f} %  {:>9.1f}", fmt::format("1/{} s", kRates[k]),
+         out.moved.size(), 100 * overlapOf(out.moved, finest.moved), apartOf(out, finest), out.broken.size(),
+         100 * overlapOf(out.broken, finest.broken), out.seconds);
+  }
+}
+
+// The same, shares as 0 .. 1.
+void tellAsJson(const SceneDescription& scene, const std::vector<Outcome>& outcomes) {
+  const Outcome& finest = outcomes.back();
+  auto runs = nlohmann::ordered_json::array();
+  for (std::size_t k = 0; k < outcomes.size(); k++) {
+    const Outcome& out = outcomes[k];
+    runs.push_back({{"dt", 1.0 / kRates[k]},
+                    {"moved", out.moved.size()},
+                    {"moved_as_finest", overlapOf(out.moved, finest.moved)},
+                    {"ends_apart", apartOf(out, finest)},
+                    {"broken", out.broken.size()},
+                    {"broken_as_finest", overlapOf(out.broken, finest.broken)},
+                    {"took", out.seconds}});
+  }
+  const nlohmann::ordered_json answer = {
+      {"scene", scene.name}, {"seconds", scene.seconds}, {"bodies", finest.ends.size()}, {"runs", runs}};
+  say(answer.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+}
+
 }  // namespace
 
 int checkDt(const CheckDtCommand& options) {
@@ -81,16 +114,10 @@ int checkDt(const CheckDtCommand& options) {
     outcomes.push_back(std::move(*outcome));
   }
   progress.display.finish();
-  const Outcome& finest = outcomes.back();
-  sayf("{}: {} s of {} bodies that can move", printable(choice.scene->name), choice.scene->seconds, finest.ends.size());
-  sayf("{:>9}  {:>6}  {:>16}  {:>14}  {:>6}  {:>16}  {:>9}", "time step", "moved", "same as 1/480 s", "ends apart, m",
-       "broken", "same as 1/480 s", "took, s");
-  for (std::size_t k = 0; k < outcomes.size(); k++) {
-    const Outcome& out = outcomes[k];
-    sayf("{:>9}  {:>6}  {:>14.1f} %  {:>14.3f}  {:>6}  {:>14.1f} %  {:>9.1f}", fmt::format("1/{} s", kRates[k]),
-         out.moved.size(), 100 * overlapOf(out.moved, finest.moved), apartOf(out, finest), out.broken.size(),
-         100 * overlapOf(out.broken, finest.broken), out.seconds);
-  }
+  if (options.asJson)
+    tellAsJson(*choice.scene, outcomes);
+  else
+    tellAsTable(*choice.scene, outcomes);
   return kOk;
 }
 

@@ -58,6 +58,7 @@ struct CheckDtCommand {
   std::optional<int> threads;
   Overrides overrides;
   bool quiet = false;  // no progress
+  bool asJson = false;
 };
 
 int run(const RunOptions& options);

@@ -95,10 +95,12 @@ void defineCheckDt(CLI::App& app, Arguments& arguments) {
       ->type_name("SCENE");
   addRunOptions(command, arguments);
   command.add_flag("--quiet", arguments.checkDt.quiet, "Leave out the progress");
+  command.add_flag("--json", arguments.checkDt.asJson, "Answer in JSON, on standard output");
   command.footer(
       std::string(
           "Runs it at 1/60, 1/120, 1/240 and 1/480 s: what moved, what broke, and how much of that is the same.\n\n"
-          "Examples:\n  brickfall check-dt wall\n  brickfall check-dt hole --seconds 3\n\n") +
+          "Examples:\n  brickfall check-dt wall\n  brickfall check-dt hole --seconds 3\n"
+          "  brickfall check-dt hole --quiet --json > hole.json\n\n") +
       exitCodes("130 interrupted, nothing is told"));
 }
 

@@ -37,11 +37,15 @@ double apartOf(const Outcome& a, const Outcome& b) {
 
 OutcomeWatch::OutcomeWatch(const SceneRun& run) {
   for (auto& [id, name] : run.joints()) joints_[id] = name;
+  for (MortarId id : run.mortars()) mortars_.emplace(id, "mortar " + std::to_string(mortars_.size() + 1));
 }
 
 void OutcomeWatch::afterStep(const SceneRun& run) {
   for (const BreakEvent& event : run.world().events().breaks)
     if (const auto found = joints_.find(event.joint); found != joints_.end()) broken_.insert(found->second);
+  for (const MortarEvent& event : run.world().events().mortar)
+    if (const auto found = mortars_.find(event.mortar); event.broken && found != mortars_.end())
+      broken_.insert(found->second);
 }
 
 Outcome OutcomeWatch::outcomeOf(const SceneRun& run) const {

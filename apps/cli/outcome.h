@@ -10,7 +10,7 @@ namespace brickfall::cli {
 
 struct Outcome {
   std::set<std::string> moved;       // bodies that ended further from where they stood than half of their least extent
-  std::set<std::string> broken;      // joints
+  std::set<std::string> broken;      // joints, and mortar by its number
   std::map<std::string, Vec3> ends;  // of all dynamic bodies, m
   double seconds = 0;                // of computing
 };
@@ -20,7 +20,7 @@ double overlapOf(const std::set<std::string>& a, const std::set<std::string>& b)
 // m: the mean distance of the places where those that moved in either ended.
 double apartOf(const Outcome& a, const Outcome& b);
 
-// What happened in a run so far; joints that broke are noted while it runs.
+// Joints and mortar that broke so far are noted while it runs.
 class OutcomeWatch {
  public:
   explicit OutcomeWatch(const SceneRun& run);
@@ -29,6 +29,7 @@ class OutcomeWatch {
 
  private:
   std::map<JointId, std::string> joints_;
+  std::map<MortarId, std::string> mortars_;
   std::set<std::string> broken_;
 };
 

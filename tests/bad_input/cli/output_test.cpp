@@ -130,6 +130,13 @@ TEST_F(Outputs, jsonForPrograms) {
   bool listed = false;
   for (const json& scene : json::parse(scenes.output)) listed = listed || scene["name"] == "cube";
   EXPECT_TRUE(listed);
+  const Finished compared = run({"check-dt", "cube", "--seconds", "0.5", "--quiet", "--json"});
+  EXPECT_EQ(compared.exitCode, 0) << compared.errors;
+  const json outcome = json::parse(compared.output);
+  EXPECT_EQ(outcome["scene"], "cube");
+  ASSERT_EQ(outcome["runs"].size(), 4u);
+  EXPECT_DOUBLE_EQ(outcome["runs"][1]["dt"], 1.0 / 120);
+  EXPECT_EQ(outcome["runs"][3]["moved_as_finest"], 1);
 }
 
 // The report's system, whose energy grows without end, leaves sound files too.

@@ -41,5 +41,25 @@ TEST(Outcome, tellsWhatMovedAndWhatBroke) {
   EXPECT_EQ(outcome.broken, (std::set<std::string>{"thread"}));
 }
 
+// A block glued to a post by mortar too weak for its weight.
+TEST(Outcome, mortarThatBreaksCountsToo) {
+  const SceneLoad load = parseScene(
+      "[[body]]\nname = \"post\"\ntype = \"fixed\"\nsize = [1, 4, 1]\nposition = [0, 2, 0]\n"
+      "[[body]]\nname = \"block\"\nsize = [1, 1, 1]\nposition = [1, 3, 0]\n"
+      "[[mortar]]\nbody_a = \"post\"\nbody_b = \"block\"\nkind = \"thin\"\n"
+      "[[mortar_kind]]\nname = \"thin\"\ntension = 100\ncohesion = 100\n"
+      "tension_energy = 0.1\nshear_energy = 0.1\n",
+      "test.toml");
+  ASSERT_TRUE(load.scene.has_value()) << format(load.diagnostics.front());
+  Result<SceneRun> run = SceneRun::create(*load.scene);
+  ASSERT_TRUE(run.ok());
+  OutcomeWatch watch(*run);
+  for (int k = 0; k < 60; k++) {
+    ASSERT_TRUE(run->step().ok());
+    watch.afterStep(*run);
+  }
+  EXPECT_EQ(watch.outcomeOf(*run).broken, (std::set<std::string>{"mortar 1"}));
+}
+
 }  // namespace
 }  // namespace brickfall::cli
