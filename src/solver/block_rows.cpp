@@ -1,34 +1,34 @@
 #include "solver/block_rows.h"
 
 #include <algorithm>
-#include <utility>
+
+#include "solver/block_sweeps_kernel.h"
 
 namespace brickfall {
 
 namespace {
 
-using wide::spread;
-using wide::V;
-
-struct SixSum {
-  V force = {}, torque = {};
-
-  void take(const BlockRows::Block& block, const Wrench& x) {  // -= block x
-    V d = wide::load(&x.force.x), th = wide::load(&x.torque.x);
-    const V parts[6] = {spread<0>(d), spread<1>(d), spread<2>(d), spread<0>(th), spread<1>(th), spread<2>(th)};
-    for (int j = 0; j < 6; j++) {
-      force -= wide::load(&block.of[j].force.x) * parts[j];
-      torque -= wide::load(&block.of[j].torque.x) * parts[j];
-    }
-  }
-};
+SweepFunctions chooseSweeps() {
+#if defined(__x86_64__)
+  SweepFunctions eight = sweepsInEight();
+  if (eight.forwards && __builtin_cpu_supports("avx2")) return eight;
+#endif
+  return sweepsInHalves();
+}
 
 }  // namespace
+
+SweepFunctions sweepsInHalves() { return blocks::sweepFunctions<wide::Halves>(); }
+
+const SweepFunctions& sweeps() {
+  static const SweepFunctions functions = chooseSweeps();
+  return functions;
+}
 
 double dotOf(const Wrenches& x, const Wrenches& y) {
   double sum = 0;
   for (std::size_t i = 0; i < x.size(); i++) {
-    V part =
+    wide::V part =
         wide::load(&x[i].force.x) * wide::load(&y[i].force.x) + wide::load(&x[i].torque.x) * wide::load(&y[i].torque.x);
     sum += double((part[0] + part[2]) + part[1]);
   }
@@ -42,11 +42,17 @@ void addTimes(Wrenches& x, const Wrenches& y, float share) {
   }
 }
 
-void BlockRows::shape(Adjacency neighbours) {
-  neighbours_ = std::move(neighbours);
-  diagonal_.resize(neighbours_.count());
-  factors_.resize(neighbours_.count());
-  blocks_.resize(neighbours_.list.size());
+void BlockRows::shape(const Adjacency& neighbours) {
+  earlier_.begin.assign(1, 0);
+  earlier_.list.clear();
+  for (std::uint32_t row = 0; row < neighbours.count(); row++) {
+    for (std::uint32_t k = neighbours.begin[row]; k < neighbours.begin[row + 1]; k++)
+      if (neighbours.list[k] < row) earlier_.list.push_back(neighbours.list[k]);
+    earlier_.begin.push_back(std::uint32_t(earlier_.list.size()));
+  }
+  diagonal_.resize(neighbours.count());
+  inverses_.resize(neighbours.count());
+  blocks_.resize(earlier_.list.size());
   clear();
 }
 
@@ -55,50 +61,27 @@ void BlockRows::clear() {
   std::fill(blocks_.begin(), blocks_.end(), Block{});
 }
 
-void BlockRows::multiply(const Wrenches& x, Wrenches& out) const {
-  for (std::uint32_t row = 0; row < diagonal_.size(); row++) {
-    SixSum sum;
-    sum.take(diagonal_[row], x[row]);
-    for (std::uint32_t k = neighbours_.begin[row]; k < neighbours_.begin[row + 1]; k++)
-      sum.take(blocks_[k], x[neighbours_.list[k]]);
-    wide::store(-sum.force, &out[row].force.x);
-    wide::store(-sum.torque, &out[row].torque.x);
-  }
+bool BlockRows::invert() {
+  return sweeps().invert(diagonal_.data(), std::uint32_t(diagonal_.size()), inverses_.data());
 }
 
-bool BlockRows::factor() {
-  for (std::size_t row = 0; row < diagonal_.size(); row++) {
-    for (int column = 0; column < 6; column++)
-      for (int i = column; i < 6; i++) {
-        const Wrench& of = diagonal_[row].of[column];
-        factors_[row].at(i, column) = i < 3 ? of.force[i] : of.torque[i - 3];
-      }
-    if (!factors_[row].factor()) return false;
-  }
-  return true;
+BlockView BlockRows::view() const {
+  return {std::uint32_t(diagonal_.size()), earlier_.begin.data(), earlier_.list.data(), blocks_.data(),
+          inverses_.data()};
 }
 
-void BlockRows::sweepForwards(const Wrenches& right, Wrenches& x) const {
-  for (std::uint32_t row = 0; row < diagonal_.size(); row++) settle(row, right, x, row);
+void BlockRows::sweepForwards(const Wrenches& right, Wrenches& x, Wrenches& left) const {
+  left.assign(right.size(), {});
+  sweeps().forwards(view(), right.data(), x.data(), left.data());
 }
 
-void BlockRows::sweepBackwards(const Wrenches& right, Wrenches& x) const {
-  const std::uint32_t rows = std::uint32_t(diagonal_.size());
-  for (std::uint32_t row = rows; row-- > 0;) settle(row, right, x, rows);
+void BlockRows::sweepBackwards(const Wrenches& right, Wrenches& x) {
+  rest_.assign(right.begin(), right.end());
+  sweeps().backwards(view(), rest_.data(), x.data());
 }
 
-void BlockRows::settle(std::uint32_t row, const Wrenches& right, Wrenches& x, std::uint32_t below) const {
-  SixSum sum{wide::load(&right[row].force.x), wide::load(&right[row].torque.x)};
-  for (std::uint32_t k = neighbours_.begin[row]; k < neighbours_.begin[row + 1]; k++)
-    if (std::uint32_t other = neighbours_.list[k]; other < below) sum.take(blocks_[k], x[other]);
-  x[row] = factors_[row].solve({wide::store3(sum.force), wide::store3(sum.torque)});
-}
-
-Wrench BlockRows::leftForwards(std::uint32_t row, const Wrenches& x) const {
-  SixSum sum;
-  for (std::uint32_t k = neighbours_.begin[row]; k < neighbours_.begin[row + 1]; k++)
-    if (std::uint32_t other = neighbours_.list[k]; other > row) sum.take(blocks_[k], x[other]);
-  return {wide::store3(sum.force), wide::store3(sum.torque)};
+void BlockRows::multiplySwept(const Wrenches& right, const Wrenches& from, const Wrenches& x, Wrenches& out) const {
+  sweeps().multiply(view(), right.data(), from.data(), x.data(), out.data());
 }
 
 }  // namespace brickfall

@@ -82,8 +82,11 @@ LevelSystem::LevelSystem(const Island& island, const Hierarchy& hierarchy, std::
       coarseX_(island.memory),
       left_(island.memory),
       better_(island.memory),
+      betterProduct_(island.memory),
       direction_(island.memory),
-      product_(island.memory) {
+      product_(island.memory),
+      swept_(island.memory),
+      behind_(island.memory) {
   Adjacency neighbours(island.memory);
   neighbours.fill(std::uint32_t(fine_.clusters.size()), [&](auto visit) {
     island.rows.each([&](const auto& kind, std::size_t k) {
@@ -92,7 +95,7 @@ LevelSystem::LevelSystem(const Island& island, const Hierarchy& hierarchy, std::
       if (a != b && a != kNoIndex && b != kNoIndex) visit(a, b);
     });
   });
-  matrix_.shape(std::move(neighbours));
+  matrix_.shape(neighbours);
   // The finest level that is cheap enough; the last has one cluster.
   for (std::size_t l = level + 1; l < hierarchy.levels.size(); l++)
     if (chooseCoarse(hierarchy.levels[l], kMostProducts * double(island.rows.size()))) break;
@@ -101,12 +104,12 @@ LevelSystem::LevelSystem(const Island& island, const Hierarchy& hierarchy, std::
 bool LevelSystem::chooseCoarse(const Level& level, double mostProducts) {
   above_.clear();
   for (const Cluster& c : fine_.clusters) above_.push_back(level.clusterOf[fine_.bodies[c.bodyBegin]]);
-  const Adjacency& fine = matrix_.neighbours();
+  const Adjacency& fine = matrix_.earlier();
   Adjacency neighbours(island_.memory);
   neighbours.fill(std::uint32_t(level.clusters.size()), [&](auto visit) {
     for (std::uint32_t c = 0; c < fine.count(); c++)
       for (std::uint32_t k = fine.begin[c]; k < fine.begin[c + 1]; k++)
-        if (above_[c] < above_[fine.list[k]]) visit(above_[c], above_[fine.list[k]]);
+        if (above_[c] != above_[fine.list[k]]) visit(above_[c], above_[fine.list[k]]);
   });
   places_ = nearPlaces(neighbours);
   std::pmr::vector<std::uint32_t> lowest = lowestPlaces(neighbours, places_);
@@ -175,7 +178,7 @@ bool LevelSystem::make() {
     if (clusterOf(fine_, ends.a) == clusterOf(fine_, ends.b)) return;
     StiffReaction now = kind.reactStiff(k, island_.motion.data(), false);
     addRow(fine_, ends, now, [&](std::uint32_t to, std::uint32_t moved, const Motions& motions, V arm, float sign) {
-      motions.addTo(to == moved ? matrix_.diagonal(to) : matrix_.at(to, moved), arm, sign);
+      if (to >= moved) motions.addTo(to == moved ? matrix_.diagonal(to) : matrix_.at(to, moved), arm, sign);
     });
     if (!coarse_ || clusterOf(*coarse_, ends.a) == clusterOf(*coarse_, ends.b)) return;
     addRow(*coarse_, ends, now, [&](std::uint32_t to, std::uint32_t moved, const Motions& motions, V arm, float sign) {
@@ -186,19 +189,19 @@ bool LevelSystem::make() {
     });
   });
   lock();
-  return matrix_.factor() && factor_.factor();
+  return matrix_.invert() && factor_.factor();
 }
 
 // Symmetric: forwards, together, backwards.
 void LevelSystem::precondition(const Wrenches& right, Wrenches& x) {
-  matrix_.sweepForwards(right, x);
+  matrix_.sweepForwards(right, x, behind_);
   if (coarse_) {
     auto armOf = [&](std::uint32_t c) {
       return wide::load3(fine_.clusters[c].centre) - wide::load3(coarse_->clusters[above_[c]].centre);
     };
     coarseX_.assign(6 * places_.size(), 0);
     for (std::uint32_t c = 0; c < above_.size(); c++) {
-      Wrench left = matrix_.leftForwards(c, x);
+      const Wrench& left = behind_[c];
       V force = wide::load(&left.force.x), torque = wide::load(&left.torque.x) + cross3(armOf(c), force);
       double* six = coarseX_.data() + 6 * places_[above_[c]];
       for (int k = 0; k < 3; k++) {
@@ -214,6 +217,7 @@ void LevelSystem::precondition(const Wrenches& right, Wrenches& x) {
       wide::store(wide::load(&x[c].torque.x) + turn, &x[c].torque.x);
     }
   }
+  swept_.assign(x.begin(), x.end());
   matrix_.sweepBackwards(right, x);
 }
 
@@ -221,23 +225,27 @@ void LevelSystem::solve(const Wrenches& right, Wrenches& x) {
   x.assign(right.size(), {});
   left_.assign(right.begin(), right.end());
   better_.resize(right.size());
-  product_.resize(right.size());
-  precondition(left_, better_);
-  direction_.assign(better_.begin(), better_.end());
-  double now = dotOf(left_, better_);
-  const double enough = double(kNearMinimum * kNearMinimum) * now;
-  for (int k = 0; now > enough; k++) {
-    matrix_.multiply(direction_, product_);
+  betterProduct_.resize(right.size());
+  direction_.assign(right.size(), {});
+  product_.assign(right.size(), {});
+  double before = 0, enough = 0;
+  for (int k = 0; k < kMostIterations; k++) {
+    precondition(left_, better_);
+    const double now = dotOf(left_, better_);
+    if (!(now > enough)) return;
+    if (k == 0) enough = double(kNearMinimum * kNearMinimum) * now;
+    const float again = k == 0 ? 0 : float(now / before);
+    before = now;
+    matrix_.multiplySwept(left_, swept_, better_, betterProduct_);
+    addTimes(better_, direction_, again);
+    direction_.swap(better_);
+    addTimes(betterProduct_, product_, again);
+    product_.swap(betterProduct_);
     const double curvature = dotOf(direction_, product_);
     if (!(curvature > 0)) return;
     const float part = float(now / curvature);
     addTimes(x, direction_, part);
-    if (k + 1 == kMostIterations) return;
     addTimes(left_, product_, -part);
-    precondition(left_, better_);
-    const double before = std::exchange(now, dotOf(left_, better_));
-    addTimes(better_, direction_, float(now / before));
-    direction_.swap(better_);
   }
 }
 

@@ -5,7 +5,7 @@
 // Solved by conjugate gradients. Gauss-Seidel sweeps settle clusters that touch against each other. A coarser level
 // finds the motion that many clusters must make together, with so few clusters that its matrix is factored. (Two-grid
 // preconditioner: Briggs, Henson and McCormick, A Multigrid Tutorial, 2000.) One to three iterations take a hit wall of
-// any length to a fifth of the error.
+// any length to a fifth of the error. Products with the matrix come from the sweeps: what was settled is balanced.
 #pragma once
 #include <memory_resource>
 #include <vector>
@@ -42,12 +42,13 @@ class LevelSystem {
   const Island& island_;
   const Level& fine_;
   const Level* coarse_ = nullptr;
-  BlockRows matrix_;                              // of fine_
-  BlockEnvelope factor_;                          // of *coarse_
-  std::pmr::vector<std::uint32_t> above_;         // by cluster of fine_: the cluster of *coarse_ that it is part of
-  std::pmr::vector<std::uint32_t> places_;        // by cluster of *coarse_: its place in factor_
-  std::pmr::vector<double> coarseX_;              // by place
-  Wrenches left_, better_, direction_, product_;  // of conjugate gradients, by cluster
+  BlockRows matrix_;                        // of fine_
+  BlockEnvelope factor_;                    // of *coarse_
+  std::pmr::vector<std::uint32_t> above_;   // by cluster of fine_: the cluster of *coarse_ that it is part of
+  std::pmr::vector<std::uint32_t> places_;  // by cluster of *coarse_: its place in factor_
+  std::pmr::vector<double> coarseX_;        // by place
+  // Of conjugate gradients, by cluster. `swept_`, `behind_`: of the preconditioner, before it sweeps back.
+  Wrenches left_, better_, betterProduct_, direction_, product_, swept_, behind_;
 };
 
 }  // namespace brickfall

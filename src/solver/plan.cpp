@@ -140,7 +140,6 @@ SolvePlan planFor(const IslandFacts& facts, const SolverSettings& settings, doub
   plan.together = 0;
   plan.rounds = 1;
   plan.renewAfter = plan.maxCycles;
-  plan.maxCycles *= kRounds;
   plan.mostCycles *= kRounds;
   return plan;
 }

@@ -90,7 +90,7 @@ TEST(StepAllocation, PileLandsAndSleepsWithThreads) {
 
 TEST(StepAllocation, StirredPileSleepsAndWakes) {
   BusyScene scene = stirredPile();
-  Seen seen = watch(scene, 10);
+  Seen seen = watch(scene, 20);
   EXPECT_GT(seen.contactChanges, 200);
   EXPECT_GT(seen.sleepChanges, 0);
 }
