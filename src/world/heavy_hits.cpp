@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "geometry/core.h"
+#include "geometry/queries.h"
 #include "solver/blows.h"
 #include "solver/mortar/law.h"
 #include "solver/step_context.h"
@@ -61,7 +62,7 @@ class HitSearch {
         if (o.body == body || !isHeavyFor(body, o.body) || !shapes_.mayTouch(shape, other)) return true;
         if (!ties_.mayCollide(body, o.body)) return true;
         const bool held = isHeld(o.body);
-        const Approach way = approach(body, s, o, held ? beyond : 0);
+        const Approach way = approach(body, shape, other, held ? beyond : 0);
         if (!(way.thicknesses > 0)) return true;
         // Half of a half where mortar holds what is hit.
         if (held) part = std::min(part, kHitWay * kHitWay / way.thicknesses);
@@ -128,14 +129,6 @@ class HitSearch {
     return length(to - way * std::clamp(along / far, 0.0, 1.0)) < own.outerRadius + its.outerRadius;
   }
 
-  // m: how far a shape reaches along a direction.
-  double reachOf(const ShapeData& shape, Vec3 direction) const {
-    const BodyMotion& m = bodies_.motion[shape.body];
-    const Vec3 middle = m.position + m.orientation * shape.inCentreFrame.position;
-    const Vec3 local = rotate(conjugate(shape.inCentreFrame.rotation), transposeTimes(m.orientation, direction));
-    return dot(middle, direction) + dot(coreSupport(shape.geometry, local), local) + coreRadius(shape.geometry);
-  }
-
   // s: in which the whole strength of what mortar holds stops what comes along a way at a speed. A longer part sees
   // none of the force that a blow makes. Infinity where the blow has not the energy to break it.
   double stopping(BodyIndex body, BodyIndex other, Vec3 along, double speed) const {
@@ -148,23 +141,35 @@ class HitSearch {
 
   struct Approach {
     double thicknesses = 0;  // of `struck`: the way of the body against it; of what mortar holds, as many parts ask for
-    double flight = 1;       // share of the step before they can touch: apart along that way
+    double flight = 1;       // share of the step before they touch, where anything is held by mortar
   };
   // `beyond`: m, that count as a part of the way.
-  Approach approach(BodyIndex body, const ShapeData& own, const ShapeData& struck, double beyond) {
-    const BodyMotion& other = bodies_.motion[struck.body];
+  Approach approach(BodyIndex body, ShapeIndex own, ShapeIndex struck, double beyond) {
+    const ShapeData &s = shapes_.data[own], &o = shapes_.data[struck];
+    const BodyMotion& other = bodies_.motion[o.body];
     const Vec3 way = (bodies_.motion[body].linearVelocity - other.linearVelocity) * dt_;
     const double far = length(way);
-    if (!(far > littleWay(struck.innerRadius)) || !mayMeet(body, struck.body, way * (1 + beyond / far), far + beyond))
-      return {};
+    if (!(far > littleWay(o.innerRadius))) return {};
+    const double room = 1 + beyond / far;
+    if (!mayMeet(body, o.body, way * room, far * room)) return {};
     const Vec3 direction = way * (1 / far);
-    const Vec3 along = rotate(conjugate(struck.inCentreFrame.rotation), transposeTimes(other.orientation, direction));
-    const double apart = -reachOf(struck, -direction) - reachOf(own, direction);
-    double thicknesses = far / thicknessAlong(struck.geometry, along);
-    // Of a blow that is to come: what follows pushes, and the joints stop it.
-    if (apart > 0 && isHeld(struck.body) && !bodies_.isDriven(body))
-      thicknesses = std::max(thicknesses, kHitWay * kHitWay * dt_ / stopping(body, struck.body, direction, far / dt_));
-    return {thicknesses, std::clamp(apart / far, 0.0, 1 + beyond / far)};
+    const Vec3 along = rotate(conjugate(o.inCentreFrame.rotation), transposeTimes(other.orientation, direction));
+    Approach out{far / thicknessAlong(o.geometry, along)};
+    if (!ties_.mortar.any()) return out;
+    const Transform at = shapes_.worldPose(struck, bodies_);
+    Transform ownInStruck = inverse(at) * shapes_.worldPose(own, bodies_);
+    const Vec3 motion = rotate(conjugate(at.rotation), way * room);
+    const std::optional<double> met =
+        timeOfImpact(o.geometry, s.geometry, ownInStruck, motion, kShapesRound * o.innerRadius);
+    out.flight = room * met.value_or(1);
+    // Before a blow: what follows it pushes, and the joints stop it. It acts along the normal of where they meet.
+    if (!met || *met == 0 || !isHeld(o.body) || bodies_.isDriven(body)) return out;
+    ownInStruck.position += motion * *met;
+    const DistanceResult gap = shapeDistance(o.geometry, s.geometry, ownInStruck);
+    const Vec3 push = gap.distance > 0 ? rotate(at.rotation, (gap.onA - gap.onB) * (1 / gap.distance)) : direction;
+    const double closing = dot(way, push) / dt_;
+    if (closing > 0) out.thicknesses = std::max(out.thicknesses, dt_ / stopping(body, o.body, push, closing));
+    return out;
   }
 
   const BodySet& bodies_;

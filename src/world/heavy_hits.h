@@ -16,7 +16,7 @@ struct HitParts {
 
 // The number of parts, 1 .. `most`, for a step of `dt` s. In each part a body far heavier than one on its way goes at
 // most half through it. (Of what mortar holds: twice as heavy, a fourth. Before a blow that breaks it, no part is
-// longer than its whole strength takes to stop the blow.) Contacts are found where a part begins:
+// longer than a fourth of the time in which its whole strength stops the blow.) Contacts are found where a part begins:
 // bodies that a struck body meets on its way out must begin another. Where `most` are too few for what mortar holds,
 // the count is larger, and parts grow: each is as long as all after it at most. What flies towards it, or ends so near
 // before it that it would fly ahead to it, gets one part for all of its flight.

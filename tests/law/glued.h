@@ -180,20 +180,28 @@ inline double speedThatBreaksOut(double mass, double expected, const GluedSetup&
   return high;
 }
 
-// Steel balls into a wall in cement: joints broken within .25 s, the mean over balls that come a millimetre and a part of
-// a step beside each other.
-inline double meanBroken(int courses, int bricks, double speed, double dt, int balls) {
+// What comes at the middle of a wall: a steel ball.
+struct Shot {
+  Vec3 velocity;          // m/s; the wall lies in z = 0
+  double radius = 0.08;   // m
+  MortarStrength mortar;  // of the wall
+};
+
+// Joints broken within .25 s, the mean over balls that come a millimetre and a part of a step beside each other.
+inline double meanBroken(int courses, int bricks, const Shot& shot, double dt, int balls) {
   double sum = 0;
   for (int ball = 0; ball < balls; ball++) {
     Glued g;
+    g.strength = shot.mortar;
     g.brick({0.5 * bricks * kBrickSize.x, -0.5, 0}, BodyType::fixed, {10, 1, 10});
     g.wall(courses, bricks);
     g.glue(1, std::size_t(bricks) + 2);
     for (int i = 0; i < int(std::lround(0.3 / dt)); i++) g.step(dt);
-    BodyDef def = bodyOf(sphereOf(0.08, 7800), {0.5 * bricks * kBrickSize.x + 0.001 * ball,
-                                                0.5 * courses * kBrickSize.y + 0.001 * (5 * ball % 16),
-                                                0.15 + speed * dt * (ball + 0.5) / balls});
-    def.linearVelocity = {0, 0, -speed};
+    const double speed = -shot.velocity.z;
+    BodyDef def = bodyOf(sphereOf(shot.radius, 7800), {0.5 * bricks * kBrickSize.x + 0.001 * ball,
+                                                       0.5 * courses * kBrickSize.y + 0.001 * (5 * ball % 16),
+                                                       0.07 + shot.radius + speed * dt * (ball + 0.5) / balls});
+    def.linearVelocity = shot.velocity;
     add(g.world, def);
     for (int i = 0; i < int(std::lround((0.25 + 0.02 / speed) / dt)); i++) g.step(dt);
     sum += g.broken;
