@@ -108,7 +108,7 @@ concept GoesThroughAStep = requires(Kind& kind, const Kind& seen, std::size_t k,
   { seen.owes(k, given) } -> std::same_as<bool>;
   { seen.reboundWork(k, motion) } -> std::same_as<double>;
   { seen.mostWork(k) } -> std::same_as<double>;  // J: the most that it can give to bodies while partners are at rest
-  { seen.returnedWork(k) } -> std::same_as<double>;  // J: taken in earlier steps by what holds places
+  { seen.returnedWork(k) } -> std::same_as<double>;  // J: by what holds places
   seen.advance(solved, ties, given);
 };
 

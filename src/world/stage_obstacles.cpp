@@ -92,6 +92,7 @@ struct Obstacles {
     bool flies = false;
   };
   bool moves(BodyIndex body) const;
+  bool hangs(BodyIndex body) const { return !context.solved[body].flying && joined.has(body); }
   double leftOf(BodyIndex body) const;
   double shareLeft(BodyIndex body, double share) const;
   Vec3 framesWay(BodyIndex body) const;
@@ -144,10 +145,10 @@ void Obstacles::cut(BodyIndex body, double share, double turnShare, Vec3 carried
   const bool flies = context.solved[body].flying;
   if (!island) return shorten(body, share, turnShare, carried, flies, context);
   const std::span<const std::uint32_t> group = movesWith(*island, body);
-  const bool hangs = !flies && joined.has(body);
-  if (group.size() == 1 && !hangs) return shorten(body, share, turnShare, carried, flies, context);
+  const bool joints = hangs(body);
+  if (group.size() == 1 && !joints) return shorten(body, share, turnShare, carried, flies, context);
   share = std::min(share, turnShare);
-  if (!hangs) {
+  if (!joints) {
     for (std::uint32_t i : group) shorten(island->bodies[i], share, share, carried, true, context);
     return;
   }
@@ -238,8 +239,10 @@ bool Obstacles::goTogether(BodyIndex body, BodyIndex other) const {
 }
 
 // Adds to the ways of the body's group, and leaves it a share of its turn about its centre of mass. Bodies are moved
-// along their velocities against the group's, and the centre of mass stays: so does the angular momentum.
+// along their velocities against the group's, and the centre of mass stays: so does the angular momentum. What hangs by
+// joints goes no other way, or they would be torn.
 void Obstacles::divert(BodyIndex body, const Group& group, Vec3 way, double turnShare) {
+  if (hangs(body)) return turnShare < 1 ? cut(body, 1, turnShare) : void();
   const Island* island = islandWith(body);
   if (!island) return shorten(body, 1, turnShare, way, false, context);
   const std::span<const std::uint32_t> members = movesWith(*island, body);
@@ -262,7 +265,7 @@ void Obstacles::divert(BodyIndex body, const Group& group, Vec3 way, double turn
 // Two of one group are not held: contacts part what is thick, and for what is thin the group ends its turn. Else two
 // that meet go on together for the rest of the step. What flies has the way of both masses: the shift is along the
 // relative velocity, so neither the centre of mass nor a momentum changes. Else the faster follows the slower, and what
-// is far lighter the heavier one.
+// is far lighter the heavier one; what hangs by joints follows nothing: it is followed, or its step ends.
 void Obstacles::meet(BodyIndex body, const Obstruction& first) {
   // What of a group's pace lies along its velocity.
   auto endOf = [](const Group& g) {
@@ -275,6 +278,8 @@ void Obstacles::meet(BodyIndex body, const Obstruction& first) {
     if (!isThick(body) || !isThick(first.body)) divert(body, groupOf(body), {}, share);
     return;
   }
+  if (hangs(body) && (last || hangs(first.body) || !moves(first.body)))
+    return cut(body, shareLeft(body, first.share), turnShare);
   const Group a = groupOf(body), b = groupOf(first.body);
   const double rest = 1 - first.share;
   const bool otherTurns = turnsFar(bodies, first.body, motionOf(first.body).turn);
@@ -291,8 +296,8 @@ void Obstacles::meet(BodyIndex body, const Obstruction& first) {
     toB = size2 > 0 ? relative * (dot(toB, relative) / size2) : Vec3{};
     shareOfA = b.mass / (a.mass + b.mass);
     shareOfB = 1 - shareOfA;
-  } else if (!farHeavier(first.body, body) &&
-             (farHeavier(body, first.body) || lengthSquared(a.pace) < lengthSquared(b.pace))) {
+  } else if (hangs(body) || (!hangs(first.body) && !farHeavier(first.body, body) &&
+                             (farHeavier(body, first.body) || lengthSquared(a.pace) < lengthSquared(b.pace)))) {
     shareOfA = 0, shareOfB = 1;
   }
   divert(body, a, toB * shareOfA, turnShare);

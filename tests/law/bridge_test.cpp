@@ -128,5 +128,44 @@ TEST(Law, Row30qALongBridgeBearsABlow) {
   atMost("gain of energy, of that of the fall", kDt, 100 * rise / fall, 1, "%");
 }
 
+// Four hundred boards that hang by their rim, made flat: their net goes tight within some steps, and joints that gape by hundredths
+// of a millimetre could close only by lifting all of it.
+TEST(Law, Row30lANetThatGoesTightGainsNothing) {
+  const int side = 20;
+  const double step = 0.2;
+  World world = makeWorld();
+  auto place = [&](int i, int k) { return Vec3{step * (i - 0.5 * (side - 1)), 5, step * (k - 0.5 * (side - 1))}; };
+  std::vector<BodyId> boards;
+  std::vector<JointId> joints;
+  auto tie = [&](Vec3 anchor, BodyId a, BodyId b) {
+    joints.push_back(join(world, at(JointType::spherical, anchor), a, b));
+  };
+  for (int i = 0; i < side; i++)
+    for (int k = 0; k < side; k++) {
+      const BodyId board =
+          boards.emplace_back(add(world, bodyOf(boxOf({0.45 * step, 0.01, 0.45 * step}, 600), place(i, k))));
+      auto hang = [&](Vec3 out) {
+        const Vec3 edge = place(i, k) + out * (0.5 * step);
+        tie(edge, add(world, bodyOf(boxOf({0.02, 0.02, 0.02}), edge + out * 0.03, BodyType::fixed)), board);
+      };
+      if (i > 0) tie((place(i, k) + place(i - 1, k)) * 0.5, boards[std::size_t((i - 1) * side + k)], board);
+      if (k > 0) tie((place(i, k) + place(i, k - 1)) * 0.5, boards[std::size_t(i * side + k - 1)], board);
+      if (i == 0 || i == side - 1) hang({i == 0 ? -1.0 : 1.0, 0, 0});
+      if (k == 0 || k == side - 1) hang({0, 0, k == 0 ? -1.0 : 1.0});
+    }
+  double last = energyOf(world), gain = 0, gape = 0, fell = 0;
+  for (int i = 0; i < 60; i++) {
+    ASSERT_TRUE(world.step(kDt).ok());
+    for (JointId joint : joints) gape = std::max(gape, world.state(joint)->error);
+    const double now = energyOf(world);
+    gain = std::max(gain, now - last), last = now;
+    fell = std::max(fell, world.energy().kinetic);
+  }
+  expectSound(world);
+  EXPECT_GT(fell, 1);
+  atMost("a net of 840 joints: gained in a step", kDt, 1e6 * gain / fell, 1, "millionths of what moves");
+  atMost("a net of 840 joints: gape", kDt, 1e3 * gape, 0.1, "mm");
+}
+
 }  // namespace
 }  // namespace brickfall::law

@@ -285,8 +285,7 @@ class LastCheck {
                       ? excess
                       : takeRelative(island_, group, motionOf(island_, group, context_), under.move, context_, excess);
     if (left > energy.slack()) left = takeRelative(island_, group, under, under.move, context_, left);
-    if (left > energy.slack() && group.size() == 1 && !jointed)
-      left = takeWay(island_.bodies[group[0]], under.move, left);
+    if (left > energy.slack() && (jointed || group.size() == 1)) left = takeWay(group, under.move, left);
     return excess - left;
   }
 
@@ -302,17 +301,21 @@ class LastCheck {
     });
   }
 
-  // A body alone that has no velocity left to give has gone too far against the forces on it.
-  // It goes a share of its way.
-  double takeWay(BodyIndex body, Vec3 frame, double excess) {
-    const SolvedMotion& s = context_.solved[body];
-    const BodyData& data = context_.bodies->data[body];
-    const Vec3 way = s.d - frame * island_.dt;
-    const Vec3 force = context_.gravity * (context_.bodies->mass[body].mass * data.gravityScale) + data.force;
-    const double climbed = -dot(force, way) - dot(data.torque, s.th);
+  // What has no velocity left to give has gone too far against the forces on it: a body alone, or what hangs on joints
+  // with all that it touches. It goes a share of its way.
+  double takeWay(Bodies group, Vec3 frame, double excess) {
+    double climbed = 0;
+    for (std::uint32_t i : group) {
+      const BodyIndex body = island_.bodies[i];
+      const SolvedMotion& s = context_.solved[body];
+      const BodyData& data = context_.bodies->data[body];
+      const Vec3 force = context_.gravity * (context_.bodies->mass[body].mass * data.gravityScale) + data.force;
+      climbed -= dot(force, s.d - frame * island_.dt) + dot(data.torque, s.th);
+    }
     if (!(climbed > 0)) return excess;
     const double less = std::min(1.0, excess / climbed);
-    shift(body, way * -less, s.th * -less, context_);
+    for (std::uint32_t i : group)
+      shorten(island_.bodies[i], 1 - less, 1 - less, frame * (island_.dt * less), false, context_);
     return excess - less * climbed;
   }
 

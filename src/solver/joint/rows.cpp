@@ -50,6 +50,10 @@ constexpr double kForgets = 0.8;  // of Joint::over, a step
 //! | too large: swings lose energy, since that stiffness comes late
 constexpr float kFallsTo = 0.5f;  // geometric stiffness follows a force that falls no further within a solve
 
+//! of the time step of reference, at the island's scale | too small: what a snap took comes back in short steps
+//! | too large: short pendulums lose amplitude
+constexpr double kSteadyStep = 0.5;  // in shorter steps a turn that goes on may change by less, as the square
+
 //! rad | too small: fast pendulums are braked | too large: light links tear the joints of a chain
 constexpr double kFarTurn = 0.3;  // of B against A, in a step: further turns are braked
 //! of the arm's inertia / dt^2 | too small: as too large a kFarTurn | too large: links move as one
@@ -362,10 +366,6 @@ Vec3 before(const Island& island, std::uint32_t local, Vec3 now, Vec3 FreeMotion
   return local < island.bodies.size() ? now - context.free[island.bodies[local]].*late : now;
 }
 
-}  // namespace
-
-namespace {
-
 void measureArm(JointStart& start, int end, const BodyMass& mass, Vec3 arm, double dt) {
   const double own = (mass.inertia.row[0].x + mass.inertia.row[1].y + mass.inertia.row[2].z) / 3;
   start.swung[end] = float(mass.mass * lengthSquared(arm) / (dt * dt));
@@ -583,23 +583,23 @@ void JointRows::sumBoundary(const Boundary& b, BoundarySums& sums) const {
   }
 }
 
-// Its turn goes on nearly as in the last step, a line's as well. What goes to and fro within some steps loses energy
-// because it is not resolved: given back, it would tear light links apart.
-bool JointRows::turnsSteadily(std::size_t k, const SolveMotion* motion) const {
+// Its turn goes on nearly as in the last step, a line's as well: by how much it may change, goes as the square of the
+// step. What goes to and fro within some steps loses energy because it is not resolved: given back, it would tear light
+// links apart.
+bool JointRows::turnsSteadily(std::size_t k, const SolveMotion* motion, float most) const {
   const JointStart& start = starts[k];
   const joint::Relative moved = joint::relativeMotion(records[k], motion);
   const wide::V ways = joint::alongAxes(records[k].way, moved.way),
                 turns = joint::alongAxes(records[k].turn, moved.turn);
   for (int i = 0; i < 3; i++) {
-    if (!(std::fabs(turns[i] - start.before[i + kJointLanes]) <= float(kTrifle))) return false;
-    if ((start.across >> i & 1) != 0 && !(std::fabs(ways[i] - start.before[i]) <= float(kTrifle) * start.span))
-      return false;
+    if (!(std::fabs(turns[i] - start.before[i + kJointLanes]) <= most)) return false;
+    if ((start.across >> i & 1) != 0 && !(std::fabs(ways[i] - start.before[i]) <= most * start.span)) return false;
   }
   return true;
 }
 
 // Springs and motors give; brakes take, and limits and ropes that did not act before.
-void JointRows::watchEnergy(std::size_t k, const Joint& joint, const joint::Forces& f, const SolveMotion* motion) {
+void JointRows::watchEnergy(std::size_t k, const Joint& joint, const joint::Forces& f) {
   const JointRecord& r = records[k];
   for (int i = 0; i < kJointLanes; i++) {
     auto look = [&](int lane, const JointEquations& e, double before, float now) {
@@ -612,7 +612,6 @@ void JointRows::watchEnergy(std::size_t k, const Joint& joint, const joint::Forc
     look(i + kJointLanes, r.turn, joint.turn[i], f.turn[i]);
   }
   if (joint.wound > 0) giveNone_ = false;
-  steady_ = steady_ && turnsSteadily(k, motion);
   keepEnergy_ = keepEnergy_ && giveNone_ && steady_;
 }
 
@@ -621,10 +620,12 @@ bool JointRows::store(Island& island, Ties& ties, StepContext&) {
   const bool changed = !island.resting();
   steady_ = changed;
   giveNone_ = keepEnergy_ = changed && island.plan.swings && island.facts.swung && island.facts.grounded;
+  const double steps = std::min(1.0, island.dt / (kSteadyStep * kReferenceStep * island.facts.scale.time));
   for (std::size_t k = 0; k < size() && changed; k++) {
     Joint& joint = at(k, ties);
     const joint::Forces f = joint::forcesAt(records[k], island.motion.data());
-    watchEnergy(k, joint, f, island.motion.data());
+    steady_ = steady_ && turnsSteadily(k, island.motion.data(), float(kTrifle * steps * steps));
+    watchEnergy(k, joint, f);
     for (int i = 0; i < kJointLanes; i++) {
       joint.way[i] = double(f.way[i]);
       joint.turn[i] = double(f.turn[i]);

@@ -72,7 +72,7 @@ struct JointRows : LastingRows<JointRows, JointSet, &Ties::joints> {
   std::pmr::vector<JointRecord> records;
   std::pmr::vector<JointStart> starts;
   BalanceChange support;  // what partners gave at the end of the step (velocities.h)
-  double returned = 0;    // J: what all of them took in earlier steps and gave back in this one (velocities.h)
+  double returned = 0;    // J: what all of them gave in this step, for rounding and as wound up (velocities.h)
 
   // --- functions of every kind of row (row_kind.h)
   void takeRoom(const Island&, const Ties&) {}
@@ -175,8 +175,8 @@ struct JointRows : LastingRows<JointRows, JointSet, &Ties::joints> {
   bool followArcs(std::size_t k, const SolveMotion* motion, float slack);
   bool follow(std::size_t k, const SolveMotion* motion, float slack);
   bool watchBounds(std::size_t k, const SolveMotion* motion);
-  bool turnsSteadily(std::size_t k, const SolveMotion* motion) const;
-  void watchEnergy(std::size_t k, const Joint& joint, const joint::Forces& f, const SolveMotion* motion);
+  bool turnsSteadily(std::size_t k, const SolveMotion* motion, float most) const;
+  void watchEnergy(std::size_t k, const Joint& joint, const joint::Forces& f);
 
   std::pmr::vector<SolveMass>* masses_ = nullptr;  // of the island, since prepare
   bool timePasses_ = true;                         // no impact is solved

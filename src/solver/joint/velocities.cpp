@@ -18,7 +18,7 @@ constexpr double kLight = 0.2;  // a lighter turn, by the impulse on its arm in 
 //! of force x radius | too small: swings lose what floats and residuals round | too large: joints may owe energy
 constexpr double kForcesRound = 1e-6;
 //! of the energy that moves | too small: as a small kForcesRound | too large: what flies apart gains energy
-constexpr double kMostOwed = 1e-5;
+constexpr double kMostOwed = 1e-6;
 
 class HeldVelocities : VelocitySystem {
  public:
@@ -38,8 +38,9 @@ class HeldVelocities : VelocitySystem {
   }
 
  private:
-  // What the joints gave is measured. They may give what they took before, since smooth swings go up and down by a
-  // second order. More than that comes from turns that no step can follow: friction takes it.
+  // What the joints gave is measured. What swings on joints alone may get back what smooth steps lost, since its energy
+  // goes up and down by a second order. Elsewhere joints owe what floats round, and give nothing. More than that comes
+  // from turns that no step can follow: friction takes it.
   double takeGain(Ties& ties) {
     const Gain gain = gainOf(ties);
     const double wound = windUp(ties);
@@ -64,11 +65,11 @@ class HeldVelocities : VelocitySystem {
       joints.returned = 0;
       return !joints.keepEnergy() || sum > smooth ? rub(held, sum) : 0;
     }
-    const double back = joints.steady() ? std::min(lent, smooth) : 0;
-    const double taken = rub(held, sum - back - owed);
-    const double kept = joints.steady() ? std::min(lent - (sum < -smooth ? 0 : sum), kTrifle * held) : 0;
-    for (JointIndex joint : joints.tieOf) ties.joints.slots[joint].lent = std::max(-owed, kept) / double(joints.size());
-    joints.returned = (sum > 0 ? std::clamp(back, 0.0, sum) + owed : 0) + wound;
+    const double owes = joints.steady() ? std::min(lent, 0.0) : 0;
+    const double taken = rub(held, sum - owes - owed);
+    for (JointIndex joint : joints.tieOf)
+      ties.joints.slots[joint].lent = std::max(-owed, std::min(owes - sum, 0.0)) / double(joints.size());
+    joints.returned = (sum > 0 ? owed : 0) + wound;
     return taken;
   }
 
