@@ -1,10 +1,13 @@
 // The record of a world's steps: events, the report, and on request hashes and the ledger. Code that moves bodies reads
 // nothing of it.
 #pragma once
+#include <memory_resource>
 #include <vector>
 
 #include "brickfall/events.h"
 #include "brickfall/step_report.h"
+#include "brickfall/world.h"
+#include "solver/tie_report.h"
 #include "world/activity.h"
 #include "world/ledger.h"
 #include "world/registry.h"
@@ -55,5 +58,9 @@ class Diary {
 ContactEvent byCreation(TouchingPair pair, const Registry& registry);
 // Pairs of shapes that press on each other; a pair comes once for each of its contacts.
 void appendTouching(const Island& island, const Ties& ties, TouchingPairs& out);
+
+// Hits among impacts, as far as the world asks to hear of them.
+void tellHits(const WorldDef& def, const Registry& registry, const std::pmr::vector<TieImpact>& impacts,
+              std::vector<HitEvent>& out);
 
 }  // namespace brickfall

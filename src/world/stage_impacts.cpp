@@ -15,7 +15,6 @@
 #include "world/core_sweep.h"
 #include "world/diary.h"
 #include "world/fly_ahead.h"
-#include "world/hits.h"
 #include "world/impact_parts.h"
 #include "world/keep_out.h"
 #include "world/move_body.h"

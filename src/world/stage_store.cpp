@@ -6,7 +6,6 @@
 #include "solver/store.h"
 #include "world/activity.h"
 #include "world/diary.h"
-#include "world/hits.h"
 #include "world/registry.h"
 #include "world/stage_hash.h"
 #include "world/stages.h"
