@@ -32,22 +32,28 @@ class ContactSet {
   void insert(const std::vector<CandidatePair>& found);
   void dropBetween(BodyIndex a, BodyIndex b);  // they may no longer collide
 
-  // --- functions of every kind of tie (link.h). Pairs without points sleep and go as those with a contact do.
+  // --- functions of every kind of tie (ties.h asks them). Pairs without points sleep and go as those with a contact do.
   static constexpr LinkKind kLink = LinkKind::contact;
+  // visit(link), in the order of the set: ties of which at least one body is awake, or moves; and those of which none
+  // is.
   template <class Visit> void eachAwake(Visit&& visit) const { eachLink(pairs, visit); }
   template <class Visit> void eachAsleep(Visit&& visit) const { eachLink(asleep, visit); }
-  bool anyAsleep() const { return !asleep.empty(); }
+  bool anyAsleep() const { return !asleep.empty(); }  // be it a tie yet or not
+  // Ties whose bodies fulfil leaves(a, b), or wakes(a, b).
   template <class Leaves> void sleepWhere(Leaves leaves) { movePairs(pairs, asleep, leaves); }
   template <class Wakes> void wakeWhere(Wakes wakes) { movePairs(asleep, pairs, wakes); }
-  void dropOf(BodyIndex body);
-  void displace(BodyIndex body) { dropOf(body); }  // its pairs are found anew
-  bool mayCollide(BodyIndex, BodyIndex) const { return true; }
+  void dropOf(BodyIndex body);  // the body goes
+  // The body is put elsewhere, or its type or centre of mass changes. Its pairs are found anew.
+  void displace(BodyIndex body) { dropOf(body); }
+  bool mayCollide(BodyIndex, BodyIndex) const { return true; }  // the set lets shapes of these two touch
+  // The body's material has changed, and with it perhaps its mass.
   void renewConstants(BodyIndex body, const ShapeSet& shapes, const BodySet& bodies);
-  void beginStep();  // no contact is struck
-  void keepRoom(std::size_t shapes);
-  void hash(Mix& h, ContactIndex contact) const;
+  void beginStep();                               // or a part of one: no contact is struck
+  void keepRoom(std::size_t shapes);              // of a world of so many: the step itself takes no memory
+  void hash(Mix& h, ContactIndex contact) const;  // all that it remembers
   void archive(WriteArchive& a) const;
   void archive(ReadArchive& a);
+  // What must hold before a tie may be followed; values that a snapshot may have; all the rest.
   void checkStructure(Findings& f, const BodySet& bodies, const ShapeSet& shapes) const;
   void checkRanges(Findings& f) const;
   void check(Findings& f, const BodySet& bodies, const ShapeSet& shapes) const;

@@ -7,7 +7,7 @@ namespace brickfall {
 
 class JointSet : public LastingTies<Joint, LinkKind::joint> {
  public:
-  // --- functions of every kind of tie (link.h)
+  // --- functions of every kind of tie (contact_set.h)
   void displace(BodyIndex) {}  // a joint pulls its bodies together again, wherever they are put
   void renewConstants(BodyIndex body, const ShapeSet& shapes, const BodySet& bodies);
   void beginStep();

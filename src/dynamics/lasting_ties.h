@@ -59,7 +59,7 @@ template <class Tie, LinkKind kKind> class LastingTies {
     return out;
   }
 
-  // --- functions of every kind of tie (link.h)
+  // --- functions of every kind of tie (contact_set.h)
   template <class Visit> void eachAwake(Visit&& visit) const { eachLink(awake_, visit); }
   template <class Visit> void eachAsleep(Visit&& visit) const { eachLink(asleep_, visit); }
   bool anyAsleep() const { return !asleep_.empty(); }

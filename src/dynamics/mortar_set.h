@@ -24,7 +24,7 @@ class MortarSet : public LastingTies<Mortar, LinkKind::mortar> {
   const OpeningMemory* pastOf(MortarIndex mortar) const;
   void addPasts(std::vector<OpeningMemory>&& fresh);
 
-  // --- functions of every kind of tie (link.h)
+  // --- functions of every kind of tie (contact_set.h)
   void dropOf(BodyIndex body);
   void displace(BodyIndex) {}  // a body that is put elsewhere tears its mortar, or is pulled back
   void renewConstants(BodyIndex body, const ShapeSet& shapes, const BodySet& bodies);

@@ -1,7 +1,7 @@
 // All that ties bodies to each other: an owner of a world's state. It has a set
 // for each kind of tie. Whatever asks what hangs together, falls asleep, wakes
-// or goes asks here, and never which kind it is. What a kind must answer is in
-// link.h, and the compiler names what is missing.
+// or goes asks here, and never which kind it is. The functions of every kind are
+// those of ContactSet (contact_set.h).
 #pragma once
 #include <tuple>
 #include <utility>
@@ -116,16 +116,11 @@ class Ties {
   }
 };
 
-// Each set has the functions that a world asks of it, and stands where its kind
-// says.
-template <class Set> constexpr bool isTieSet(std::size_t place) {
-  static_assert(TieSet<Set>, "a kind of tie lacks a function of link.h");
-  return std::size_t(Set::kLink) == place;
-}
-template <class... Sets> constexpr bool areTieSets(const std::tuple<Sets&...>*) {
+// Each set stands where its kind says.
+template <class... Sets> constexpr bool areInOrder(const std::tuple<Sets&...>*) {
   std::size_t place = 0;
-  return sizeof...(Sets) == kLinkKinds && (isTieSet<Sets>(place++) && ...);
+  return sizeof...(Sets) == kLinkKinds && ((std::size_t(Sets::kLink) == place++) && ...);
 }
-static_assert(areTieSets(static_cast<decltype(std::declval<Ties&>().kinds())*>(nullptr)));
+static_assert(areInOrder(static_cast<decltype(std::declval<Ties&>().kinds())*>(nullptr)));
 
 }  // namespace brickfall

@@ -67,7 +67,7 @@ class Newton {
   bool settleBounds() {
     bool any = false;
     island_.rows.each([&](auto& kind, std::size_t k) {
-      any = (kind.boundsFollow(k) && kind.settleBounds(k, island_.motion.data(), float(kTrifle))) || any;
+      any = (kind.boundsFollow(k) && kind.renewBounds(k, island_.motion.data(), float(kTrifle), true)) || any;
     });
     if (any) readForces(false);
     return any;

@@ -63,6 +63,9 @@ struct Island {
   double fastestLately = 0.02;  // x sqrt(gravity x radius), of a body that swings; it fades
   double restTime = 0;          // s, rested without a break
 
+  BodyIndex bodyAt(std::uint32_t local) const {  // as numbered in `motion`
+    return local < bodies.size() ? bodies[local] : partners[local - bodies.size()];
+  }
   BodyIndex key() const { return bodies.front(); }
   bool grounded() const { return !partners.empty(); }  // touches something fixed or kinematic
   bool toImpact() const { return part == IslandPart::toImpact || part == IslandPart::flight; }

@@ -8,7 +8,8 @@
 namespace brickfall {
 
 void lightPass(Island& island, bool renewBounds, double& visits) {
-  if (renewBounds) island.rows.each([&](auto& kind, std::size_t k) { kind.renewBounds(k, island.motion.data()); });
+  if (renewBounds)
+    island.rows.each([&](auto& kind, std::size_t k) { kind.renewBounds(k, island.motion.data(), 0, false); });
   island.loads.assign(island.bodies.size(), 0);
   readResiduals(island, visits, nullptr, [&](RowEnds ends, const Reading& x) { addLoad(island, ends, x); });
 }

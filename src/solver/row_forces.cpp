@@ -19,7 +19,7 @@ void RowForces::readAll() {
   following_.clear();
   std::uint32_t row = 0;
   island_.rows.each([&](auto& kind, std::size_t k) {
-    kind.renewBounds(k, island_.motion.data(), 0);
+    kind.renewBounds(k, island_.motion.data(), 0, false);
     if (kind.boundsFollow(k)) following_.push_back(row);
     row++;
   });
@@ -46,7 +46,7 @@ void RowForces::readRows(const std::pmr::vector<std::uint32_t>& rows) {
 bool RowForces::settle(std::uint32_t row) {
   bool any = false;
   island_.rows.at(row, [&](auto& kind, std::size_t index) {
-    any = kind.settleBounds(index, island_.motion.data(), 0);
+    any = kind.renewBounds(index, island_.motion.data(), 0, true);
     if (any) readRow(row, kind, index);
   });
   return any;
@@ -56,7 +56,7 @@ bool RowForces::renewBounds() {
   bool any = false;
   for (std::uint32_t row : following_)
     island_.rows.at(row, [&](auto& kind, std::size_t index) {
-      if (!kind.renewBounds(index, island_.motion.data(), float(kTrifle))) return;
+      if (!kind.renewBounds(index, island_.motion.data(), float(kTrifle), false)) return;
       any = true;
       statistics_.lightVisits += kind.kPoints;
       readRow(row, kind, index);

@@ -1,11 +1,11 @@
 // The ties between the bodies of an island, as the solve reads them: rows, a list for each kind of tie.
 //
-// A kind is a folder (contact/): its list with the functions that every kind has (row_kind.h names them), the
-// record that the solve reads, its law, its preparing and storing, its energy. It joins the solve as a member of Rows,
-// named in kinds(). Code that walks rows (cycles, direct solve, flight, hierarchies) never asks for their kind. The
-// list of kinds is closed and known to the compiler: no virtual calls, and a row's arithmetic stays in its loop. How a
-// kind lays out its records is its own affair. A row may be a lane of a pack of several, since nobody but the kind
-// reads them: `rows.contacts` stands in contact/ alone (tools/rules/kinds.py).
+// A kind is a folder (contact/): its list with the functions that every kind has (contact/rows.h says what each is
+// for), the record that the solve reads, its law, its preparing and storing, its energy. It joins the solve as a member
+// of Rows, named in kinds(). Code that walks rows (cycles, direct solve, flight, hierarchies) never asks for their
+// kind. The list of kinds is closed and known to the compiler: no virtual calls, and a row's arithmetic stays in its
+// loop. How a kind lays out its records is its own affair. A row may be a lane of a pack of several, since nobody but
+// the kind reads them: `rows.contacts` stands in contact/ alone (tools/rules/kinds.py).
 //
 // Rows are numbered through all kinds, in the order of the members; side 2 x row + end is one body's end of a row.
 #pragma once
@@ -17,7 +17,6 @@
 #include "solver/contact/rows.h"
 #include "solver/joint/rows.h"
 #include "solver/mortar/rows.h"
-#include "solver/row_kind.h"
 
 namespace brickfall {
 
@@ -91,17 +90,15 @@ struct Rows {
     std::get<i>(kinds()).reserve(counts[i]);
     if constexpr (i + 1 < kKinds) reserve<i + 1>(counts);
   }
-  template <std::size_t i = 0> void add(const Link& link) {
-    if constexpr (i + 1 < kKinds)
-      if (std::size_t(link.kind) != i) return add<i + 1>(link);
-    std::get<i>(kinds()).add(link.index);
+  void add(const Link& link) {
+    eachKind([&](auto& kind) {
+      if (kind.kLink == link.kind) kind.add(link.index);
+    });
   }
   // Row k of the link's kind is the link's row.
-  template <std::size_t i = 0> bool names(const Link& link, std::size_t k) const {
-    if constexpr (i + 1 < kKinds)
-      if (std::size_t(link.kind) != i) return names<i + 1>(link, k);
-    const auto& kind = std::get<i>(kinds());
-    return k < kind.size() && kind.indexOf(k) == link.index;
+  bool names(const Link& link, std::size_t k) const {
+    return any(
+        [&](const auto& kind) { return kind.kLink == link.kind && k < kind.size() && kind.tieOf[k] == link.index; });
   }
   // J: elastic energy that a tie holds, of whatever kind.
   template <std::size_t i = 0> static double elasticEnergy(const Link& link, const StepContext& context) {
@@ -165,10 +162,6 @@ struct Rows {
     return any;
   }
 };
-// Each kind of link is a kind of row: the compiler says which function of row_kind.h is missing.
-template <RowKind... Kinds> constexpr bool areRowKinds(const std::tuple<Kinds&...>*) {
-  return sizeof...(Kinds) == kLinkKinds;
-}
-static_assert(areRowKinds(static_cast<decltype(std::declval<Rows&>().kinds())*>(nullptr)));
+static_assert(std::tuple_size_v<decltype(std::declval<Rows&>().kinds())> == kLinkKinds);
 
 }  // namespace brickfall

@@ -128,8 +128,7 @@ ConvergedStep stepConverged(World& world, double dt, double tolerance) {
     out.iterations += s.iterations;
     out.worst = std::max(out.worst, s.left.worst());
     std::map<ContactIndex, std::size_t> record;
-    for (std::size_t k = 0; k < island.rows.contacts.contactOf.size(); k++)
-      record[island.rows.contacts.contactOf[k]] = k;
+    for (std::size_t k = 0; k < island.rows.contacts.tieOf.size(); k++) record[island.rows.contacts.tieOf[k]] = k;
     for (const ProblemPoint& p : problems[i].points)
       island.rows.contacts.records[record.at(p.contact)].limit[p.lane] = float(p.limit);
     for (std::size_t k = 0; k < s.motion.size(); k++) {

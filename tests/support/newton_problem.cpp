@@ -95,7 +95,7 @@ Problem problemOf(const Island& island, const StepContext& context) {
     const BodyMotion& m = context.bodies->motion[body];
     out.partners.push_back({m.linearVelocity * dt, m.angularVelocity * dt});
   }
-  for (ContactIndex index : island.rows.contacts.contactOf) {
+  for (ContactIndex index : island.rows.contacts.tieOf) {
     const Contact& c = context.ties->contacts.contacts[index];
     for (int i = 0; i < c.count; i++) {
       ProblemPoint p = pointOf(c, context.ties->contacts.geometry[index], i, island, context, dt);
@@ -110,8 +110,8 @@ Problem problemOf(const Island& island, const StepContext& context) {
 
 void takeLimits(Problem& problem, const Island& island) {
   std::map<ContactIndex, const FaceRecord*> records;
-  for (std::size_t k = 0; k < island.rows.contacts.contactOf.size(); k++)
-    records[island.rows.contacts.contactOf[k]] = &island.rows.contacts.records[k];
+  for (std::size_t k = 0; k < island.rows.contacts.tieOf.size(); k++)
+    records[island.rows.contacts.tieOf[k]] = &island.rows.contacts.records[k];
   for (ProblemPoint& p : problem.points) p.limit = double(records.at(p.contact)->limit[p.lane]);
 }
 

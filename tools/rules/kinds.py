@@ -33,6 +33,6 @@ def check(names):
             if not re.fullmatch(r"(src|apps)/.*\.(h|cpp)", name) or name.startswith(folder) or name == LIST:
                 continue
             text = code_only(read(name))
-            find(rf"\brows_?\.{member}\b", text, name, f"rows.{member} is read and written in {folder} only: ask all rows (row_kind.h)")
+            find(rf"\brows_?\.{member}\b", text, name, f"rows.{member} is read and written in {folder} only: ask all rows (contact/rows.h)")
             for word in types:
                 find(rf"\b{word}\b", text, name, f"{word} is known in {folder} only")

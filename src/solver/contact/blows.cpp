@@ -255,13 +255,13 @@ void ContactRows::giveBlows(const Held& held, double dt, Ties& ties, BodySet& bo
   auto endsOf = [&](std::size_t k) { return RowEnds{records[k].bodyA, records[k].bodyB}; };
   for (std::size_t k = 0; k < size(); k++) {
     if (!striking.isHeld(endsOf(k))) continue;
-    striking.takeStruck(contactOf[k], endsOf(k));
+    striking.takeStruck(tieOf[k], endsOf(k));
     if (!(dt > 0)) continue;
-    if (const double time = striking.closingTime(contactOf[k]); time >= 0) order.push_back({time, k});
+    if (const double time = striking.closingTime(tieOf[k]); time >= 0) order.push_back({time, k});
   }
   std::sort(order.begin(), order.end(),
             [](const Closing& a, const Closing& b) { return a.time != b.time ? a.time < b.time : a.row < b.row; });
-  for (const Closing& at : order) striking.strike(contactOf[at.row], endsOf(at.row));
+  for (const Closing& at : order) striking.strike(tieOf[at.row], endsOf(at.row));
 }
 
 }  // namespace brickfall

@@ -42,7 +42,7 @@ double slowestImpact(const Island& island, const StepContext& context) {
 bool ContactRows::mayClose(const StepContext& context, double ahead) const {
   const BodySet& bodies = *context.bodies;
   const double fall = length(context.gravity) * context.dt * context.dt;
-  for (ContactIndex contact : contactOf) {
+  for (ContactIndex contact : tieOf) {
     const Contact& c = context.ties->contacts.contacts[contact];
     const BodyMotion &a = bodies.motion[c.bodyA], &b = bodies.motion[c.bodyB];
     double most = length(b.linearVelocity - a.linearVelocity) +
@@ -55,7 +55,7 @@ bool ContactRows::mayClose(const StepContext& context, double ahead) const {
 }
 
 bool ContactRows::touchNothing(const StepContext& context) const {
-  for (ContactIndex contact : contactOf) {
+  for (ContactIndex contact : tieOf) {
     const Contact& c = context.ties->contacts.contacts[contact];
     if (c.touching) return false;
     for (int i = 0; i < c.count; i++)
@@ -66,7 +66,7 @@ bool ContactRows::touchNothing(const StepContext& context) const {
 
 void ContactRows::leaveOut(Ties& ties, const StepContext& context) {
   for (std::size_t k = 0; k < size(); k++) {
-    Contact& c = ties.contacts.contacts[contactOf[k]];
+    Contact& c = at(k, ties);
     for (int i = 0; i < c.count; i++) {
       if (!isOpen(c, i, context)) continue;
       records[k].trialN[i] = -kLargestPointForce;
@@ -79,9 +79,7 @@ double ContactRows::firstClosing(const Island& island, double dt, const StepCont
   const BodySet& bodies = *context.bodies;
   const std::size_t count = island.bodies.size();
   const double least = slowestImpact(island, context);
-  auto startOf = [&](std::uint32_t local) {
-    return velocityOf(bodies.motion[local < count ? island.bodies[local] : island.partners[local - count]]);
-  };
+  auto startOf = [&](std::uint32_t local) { return velocityOf(bodies.motion[island.bodyAt(local)]); };
   auto endOf = [&](std::uint32_t local) {
     if (local >= count) return startOf(local);
     const BodyIndex body = island.bodies[local];
@@ -90,7 +88,7 @@ double ContactRows::firstClosing(const Island& island, double dt, const StepCont
   };
   double first = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < size(); k++) {
-    const Contact& c = context.ties->contacts.contacts[contactOf[k]];
+    const Contact& c = at(k, *context.ties);
     const FaceRecord& r = records[k];
     double start[4], end[4];
     speedsOf(r, c.count, {startOf(r.bodyA), startOf(r.bodyB)}, start);

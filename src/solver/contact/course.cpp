@@ -21,7 +21,7 @@ bool isSteady(const FaceRecord& row, const ContactStart& start, int i, double ch
 
 RowCourse ContactRows::courseOf(std::size_t k, const EndChanges& change, const StepSpan& span,
                                 const StepContext& context) const {
-  const PointMemory& points = context.ties->contacts.contacts[contactOf[k]].points;
+  const PointMemory& points = at(k, *context.ties).points;
   RowCourse course = RowCourse::idle;
   double changes[4];
   speedsOf(records[k], starts[k].points, change, changes);
@@ -49,7 +49,7 @@ bool ContactRows::wouldMeet(std::size_t k, const EndChanges& nearer, const EndCh
 
 void ContactRows::addFriction(std::size_t k, Vec3 along, bool onB, const StepContext& context,
                               FrictionAlong& sum) const {
-  const Contact& c = context.ties->contacts.contacts[contactOf[k]];
+  const Contact& c = at(k, *context.ties);
   Vec3 t1 = toDouble(records[k].t1), t2 = cross(toDouble(records[k].n), t1);
   for (int i = 0; i < c.count; i++) {
     if (!(c.points.forceN[i] > 0)) continue;
@@ -60,7 +60,7 @@ void ContactRows::addFriction(std::size_t k, Vec3 along, bool onB, const StepCon
 }
 
 void ContactRows::letGo(Ties& ties) const {
-  for (ContactIndex contact : contactOf) ties.contacts.contacts[contact].points.stickingMask = 0;
+  for (ContactIndex contact : tieOf) ties.contacts.contacts[contact].points.stickingMask = 0;
 }
 
 }  // namespace brickfall

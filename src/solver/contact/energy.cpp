@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "solver/contact/stiffness.h"
-#include "solver/face/kernel.h"
+#include "solver/face/point_forces.h"
 
 namespace brickfall {
 
@@ -57,29 +57,25 @@ double ContactRows::elasticEnergy(ContactIndex contact, const StepContext& conte
 
 void ContactRows::addWork(const Island& island, const StepContext& context, TieWork& sum) const {
   for (std::size_t k = 0; k < size(); k++) {
-    Contact c = context.ties->contacts.contacts[contactOf[k]];  // as if the multiplier were all of the force
-    auto m = kernel::pointMotion(records[k], kernel::frame(records[k]), island.motion.data());
-    alignas(16) float way[3][4];
-    kernel::store(m.n, way[0]);
-    kernel::store(m.t1, way[1]);
-    kernel::store(m.t2, way[2]);
+    Contact c = at(k, *context.ties);  // as if the multiplier were all of the force
     const FaceRecord& r = records[k];
-    const Vec3f bend = starts[k].bend + starts[k].run;  // the law sees it as a part of the way
+    PointWays m = pointWaysAt(r, island.motion.data());
+    const Vec3f carried = inFace(r, starts[k].bend + starts[k].run);  // the law sees it as a part of the way
     for (int i = 0; i < c.count; i++) {
-      way[0][i] += dot(r.n, bend), way[1][i] += dot(r.t1, bend), way[2][i] += dot(cross(r.n, r.t1), bend);
+      m.way[i] += carried.x, m.way1[i] += carried.y, m.way2[i] += carried.z;
       auto work = [&](const float* normal, const float* along1, const float* along2) {
-        return double(normal[i]) * double(way[0][i]) + double(along1[i]) * double(way[1][i]) +
-               double(along2[i]) * double(way[2][i]);
+        return double(normal[i]) * double(m.way[i]) + double(along1[i]) * double(m.way1[i]) +
+               double(along2[i]) * double(m.way2[i]);
       };
       sum.work += work(c.points.forceN, c.points.force1, c.points.force2);
       sum.rebound += work(starts[k].back, starts[k].back1, starts[k].back2);
-      c.points.gap[i] += way[0][i];
-      c.points.drift1[i] += way[1][i];
-      c.points.drift2[i] += way[2][i];
+      c.points.gap[i] += m.way[i];
+      c.points.drift1[i] += m.way1[i];
+      c.points.drift2[i] += m.way2[i];
     }
     if (r.rolls)
-      sum.work += double(c.points.force1[kRollingLane]) * double(way[1][kRollingLane]) +
-                  double(c.points.force2[kRollingLane]) * double(way[2][kRollingLane]);
+      sum.work += double(c.points.force1[kRollingLane]) * double(m.way1[kRollingLane]) +
+                  double(c.points.force2[kRollingLane]) * double(m.way2[kRollingLane]);
     std::copy(c.points.forceN, c.points.forceN + 4, c.points.multiplierN);
     std::copy(c.points.force1, c.points.force1 + 4, c.points.multiplier1);
     std::copy(c.points.force2, c.points.force2 + 4, c.points.multiplier2);
@@ -117,9 +113,7 @@ void ContactRows::addSupport(const Island& island, const StepContext& context, B
   for (std::size_t k = 0; k < size(); k++) {
     const FaceRecord& r = records[k];
     bool partnerA = r.bodyA >= island.bodies.size(), partnerB = r.bodyB >= island.bodies.size();
-    if (partnerA || partnerB)
-      addImpulse(context.ties->contacts.contacts[contactOf[k]], r, starts[k], *context.bodies, partnerA, island.dt,
-                 sum);
+    if (partnerA || partnerB) addImpulse(at(k, *context.ties), r, starts[k], *context.bodies, partnerA, island.dt, sum);
   }
 }
 

@@ -27,7 +27,7 @@ void ContactRows::findHits(const Island& island, const StepContext& context, dou
                            std::pmr::vector<TieImpact>& out) const {
   if (double(fastestApproach) < least) return;
   for (std::size_t k = 0; k < size(); k++) {
-    const Contact& c = context.ties->contacts.contacts[contactOf[k]];
+    const Contact& c = at(k, *context.ties);
     if (!comesOn(starts[k], least) || !c.touching) continue;
     TieImpact impact = impactAt(c, records[k], context);
     for (int i = 0; i < c.count; i++) {
@@ -41,7 +41,7 @@ void ContactRows::findHits(const Island& island, const StepContext& context, dou
 
 void ContactRows::startImpact(const Island& island, const StepContext& context, double blink) {
   for (std::size_t k = 0; k < size(); k++) {
-    const Contact& c = context.ties->contacts.contacts[contactOf[k]];
+    const Contact& c = at(k, *context.ties);
     FaceRecord& r = records[k];
     for (int i = 0; i < c.count; i++) {
       double approach = std::max(0.0, -double(starts[k].approach[i]));
@@ -73,7 +73,7 @@ bool ContactRows::reboundImpact(const Island& island, const StepContext& context
   double least = slowestRebound(island, context);
   bool rebounds = false;
   for (std::size_t k = 0; k < size(); k++) {
-    const Contact& c = context.ties->contacts.contacts[contactOf[k]];
+    const Contact& c = at(k, *context.ties);
     PointForces f = pointForcesAt(records[k], island.motion.data());
     TieImpact impact = impactAt(c, records[k], context);
     for (int i = 0; i < c.count; i++) {
@@ -92,7 +92,7 @@ bool ContactRows::reboundImpact(const Island& island, const StepContext& context
 
 void ContactRows::endImpact(const Island& island, Ties& ties, const StepContext& context, bool solved) {
   for (std::size_t k = 0; k < size(); k++) {
-    Contact& c = ties.contacts.contacts[contactOf[k]];
+    Contact& c = at(k, ties);
     PointForces f = pointForcesAt(records[k], island.motion.data());
     for (float& least : records[k].leastN) least = 0;
     if (!solved) continue;
@@ -106,7 +106,7 @@ void ContactRows::endImpact(const Island& island, Ties& ties, const StepContext&
       }
       if (!hit) continue;
       addHit(c.points, i, f.n[i], f.t1[i], f.t2[i]);
-      ties.contacts.strike(contactOf[k]);
+      ties.contacts.strike(tieOf[k]);
     }
   }
 }

@@ -217,11 +217,11 @@ void ContactRows::prepare(const Island& island, Ties& ties, const StepContext& c
   fastestApproach = 0;
   rolls = false;
   for (std::size_t k = 0; k < size(); k++) {
-    Contact& c = set.contacts[contactOf[k]];
+    Contact& c = at(k, ties);
     FaceRecord& r = records[k];
     ContactStart& start = starts[k];
     bool still = bodies.still[c.bodyA] && bodies.still[c.bodyB];
-    if (c.fresh || !still) updateFrame(r, c, set.geometry[contactOf[k]], bodies);
+    if (c.fresh || !still) updateFrame(r, c, set.geometry[tieOf[k]], bodies);
     c.fresh = false;
     findApproach(r, c, bodies, start);
     const float cap = kMultiplierWeights * float(context.judgingGravity) * c.effectiveMass;
@@ -238,8 +238,7 @@ void ContactRows::prepare(const Island& island, Ties& ties, const StepContext& c
     start.friction = c.friction;
     start.bend = bendOf(island, r, c, bodies, island.dt);
     start.run = runOf(c, r, bodies, island.dt);
-    const Vec3f carried = start.bend + start.run;
-    float bendN = dot(r.n, start.bend), bend1 = dot(r.t1, carried), bend2 = dot(cross(r.n, r.t1), carried);
+    const Vec3f carried = start.carried(r);
     for (int i = 0; i < 4; i++) {
       start.taken[i] = start.back[i] = start.back1[i] = start.back2[i] = 0;
       if (i >= c.count) {
@@ -252,13 +251,16 @@ void ContactRows::prepare(const Island& island, Ties& ties, const StepContext& c
       if (follows || falls) r.newPoints |= 1u << i;
       if (falls) start.falling |= 1u << i;
       float gap = mapNormalOffset(c.points, i, start.approach[i], rules);
-      mapFrictionAnchor(c, i, set.geometry[contactOf[k]], r, kSamePlace * start.scale.size, bodies);
+      mapFrictionAnchor(c, i, set.geometry[tieOf[k]], r, kSamePlace * start.scale.size, bodies);
       if (island.facts.mortared) gap = ease(c.points, i, c.effectiveMass * float(context.judgingGravity));
       float stiffness = c.points.stiffness[i];
       r.k[i] = stiffness;
-      r.trialN[i] = kMultiplierShare * c.points.multiplierN[i] - stiffness * ((gap > 0 ? gap : kCorrect * gap) + bendN);
-      r.trial1[i] = kMultiplierShare * c.points.multiplier1[i] - stiffness * (kCorrect * c.points.drift1[i] + bend1);
-      r.trial2[i] = kMultiplierShare * c.points.multiplier2[i] - stiffness * (kCorrect * c.points.drift2[i] + bend2);
+      r.trialN[i] =
+          kMultiplierShare * c.points.multiplierN[i] - stiffness * ((gap > 0 ? gap : kCorrect * gap) + carried.x);
+      r.trial1[i] =
+          kMultiplierShare * c.points.multiplier1[i] - stiffness * (kCorrect * c.points.drift1[i] + carried.y);
+      r.trial2[i] =
+          kMultiplierShare * c.points.multiplier2[i] - stiffness * (kCorrect * c.points.drift2[i] + carried.z);
       start.stopping[i] = c.effectiveMass *
                           (std::max(0.0f, -start.approach[i]) + float(context.judgingGravity * island.dt)) /
                           float(island.dt);

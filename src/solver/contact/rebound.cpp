@@ -70,7 +70,7 @@ bool ContactRows::startRebounds(const Island& island, const StepContext& context
   std::pmr::vector<char> supported(island.memory);  // bodies; found where there is an impact
   bool any = false;
   for (std::size_t k = 0; k < size(); k++) {
-    const Contact& c = context.ties->contacts.contacts[contactOf[k]];
+    const Contact& c = at(k, *context.ties);
     if (c.restitution == 0) continue;
     ContactStart& start = starts[k];
     FaceRecord& r = records[k];

@@ -3,17 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/face/point_forces.h"
+
 namespace brickfall {
 
-// A contact's slot may have gone to another contact since: such contacts are marked born.
-bool ContactRows::continues(const ContactRows& old, const StepContext& context) const {
-  if (contactOf != old.contactOf) return false;
-  return std::none_of(contactOf.begin(), contactOf.end(),
-                      [&](ContactIndex c) { return context.ties->contacts.contacts[c].born; });
-}
-
 void ContactRows::remember(const Ties& ties, Memory& out) const {
-  for (ContactIndex contact : contactOf) {
+  for (ContactIndex contact : tieOf) {
     out.contacts.push_back(ties.contacts.contacts[contact]);
     out.geometry.push_back(ties.contacts.geometry[contact]);
   }
@@ -22,8 +17,8 @@ void ContactRows::remember(const Ties& ties, Memory& out) const {
 }
 void ContactRows::restore(Ties& ties, const Memory& memory) const {
   for (std::size_t k = 0; k < size(); k++) {
-    ties.contacts.contacts[contactOf[k]] = memory.contacts[k];
-    ties.contacts.geometry[contactOf[k]] = memory.geometry[k];
+    at(k, ties) = memory.contacts[k];
+    ties.contacts.geometry[tieOf[k]] = memory.geometry[k];
   }
   ties.contacts.struck.resize(memory.struck);
   ties.contacts.touchingChanged = memory.touchingChanged;
@@ -31,7 +26,7 @@ void ContactRows::restore(Ties& ties, const Memory& memory) const {
 
 // Each point counts 1, and 100 per effective weight that it carries.
 float ContactRows::strength(std::size_t k, const StepContext& context) const {
-  const Contact& c = context.ties->contacts.contacts[contactOf[k]];
+  const Contact& c = at(k, *context.ties);
   float sum = 0;
   for (int i = 0; i < c.count; i++)
     sum += 1 + 100 * std::fabs(c.points.multiplierN[i]) / (c.effectiveMass * float(context.judgingGravity));
@@ -39,7 +34,7 @@ float ContactRows::strength(std::size_t k, const StepContext& context) const {
 }
 
 bool ContactRows::holds(std::size_t k, const StepContext& context) const {
-  const Contact& c = context.ties->contacts.contacts[contactOf[k]];
+  const Contact& c = at(k, *context.ties);
   const float leaves = float(context.settings.restingApproachSpeed * starts[k].scale.speed);
   bool any = false;
   for (int i = 0; i < c.count; i++)
@@ -48,20 +43,19 @@ bool ContactRows::holds(std::size_t k, const StepContext& context) const {
 }
 
 RowGrip ContactRows::grip(std::size_t k, const StepContext& context) const {
-  const Contact& c = context.ties->contacts.contacts[contactOf[k]];
+  const Contact& c = at(k, *context.ties);
   double force = 0;
   for (int i = 0; i < c.count; i++) force += double(c.points.forceN[i]);
   return {toDouble(records[k].n) * force, double(c.friction) * force};
 }
 
 bool ContactRows::meetsWithin(std::size_t k, Vec3f way, const SolveMotion* motion, const StepContext& context) const {
-  const Contact& c = context.ties->contacts.contacts[contactOf[k]];
+  const Contact& c = at(k, *context.ties);
   if (c.touching) return true;
-  alignas(16) float n[4];
-  kernel::store(kernel::pointMotion(records[k], kernel::frame(records[k]), motion).n, n);
-  float reach = std::fabs(dot(records[k].n, way));
+  const PointWays moved = pointWaysAt(records[k], motion);
+  const float reach = std::fabs(dot(records[k].n, way));
   for (int i = 0; i < c.count; i++)
-    if (c.points.gap[i] + n[i] < reach) return true;
+    if (c.points.gap[i] + moved.way[i] < reach) return true;
   return false;
 }
 
@@ -72,16 +66,16 @@ constexpr float kMostOver = 1e4f;  // of ContactStart::stopping
 // A point that carried nothing in the last step has no frozen normal force for its friction limit. It gets the present
 // force, but no more than stops the approach and carries the pair's weight; `over`: up to kMostOver times that. A point
 // whose limit only falls after an impact gets no more than it had.
-bool ContactRows::renewNewPoints(std::size_t k, const SolveMotion* motion, float slack, bool over) {
+bool ContactRows::renewBounds(std::size_t k, const SolveMotion* motion, float slack, bool over) {
   FaceRecord& r = records[k];
+  if (r.newPoints == 0) return false;
   const ContactStart& start = starts[k];
-  alignas(16) float fn[4];
-  kernel::store(kernel::pointForces(r, kernel::pointMotion(r, kernel::frame(r), motion)).n, fn);
+  const PointForces now = pointForcesAt(r, motion);
   bool changed = false;
   for (int i = 0; i < start.points; i++) {
     if (!(r.newPoints >> i & 1)) continue;
     const float most = start.stopping[i] * (over && !(start.falling >> i & 1) ? kMostOver : 1);
-    const float limit = start.friction * std::max(0.0f, std::min(fn[i], most));
+    const float limit = start.friction * std::max(0.0f, std::min(now.n[i], most));
     if (std::fabs(limit - r.limit[i]) <= slack * std::max(limit, r.limit[i])) continue;
     r.limit[i] = limit;
     changed = true;
@@ -89,7 +83,7 @@ bool ContactRows::renewNewPoints(std::size_t k, const SolveMotion* motion, float
   if (changed && r.rolls) {
     float load = 0;
     for (int i = 0; i < start.points; i++)
-      load += std::max(0.0f, r.newPoints >> i & 1 ? std::min(fn[i], start.stopping[i]) : fn[i]);
+      load += std::max(0.0f, r.newPoints >> i & 1 ? std::min(now.n[i], start.stopping[i]) : now.n[i]);
     r.limit[kRollingLane] = start.rolling * load;
   }
   return changed;
@@ -106,14 +100,13 @@ bool ContactRows::holdJam(std::size_t k, const SolveMotion* motion, float force)
   for (int i = 0; i < start.points; i++)
     sum += known[i] = kJammed * std::max(r.limit[i] / start.friction, start.stopping[i]);
   if (!(force > sum)) return false;
-  alignas(16) float fn[4];
-  kernel::store(kernel::pointForces(r, kernel::pointMotion(r, kernel::frame(r), motion)).n, fn);
+  const PointForces now = pointForcesAt(r, motion);
   bool changed = false;
   for (int i = 0; i < start.points; i++) {
-    if (!(fn[i] > known[i])) continue;
-    start.stopping[i] = fn[i];
+    if (!(now.n[i] > known[i])) continue;
+    start.stopping[i] = now.n[i];
     start.falling &= ~(1u << i);
-    r.limit[i] = start.friction * fn[i];
+    r.limit[i] = start.friction * now.n[i];
     r.newPoints |= 1u << i;
     changed = true;
   }
@@ -121,22 +114,18 @@ bool ContactRows::holdJam(std::size_t k, const SolveMotion* motion, float force)
 }
 
 bool ContactRows::owes(std::size_t k, const StepContext& context) const {
-  const PointMemory& m = context.ties->contacts.contacts[contactOf[k]].points;
+  const PointMemory& m = at(k, *context.ties).points;
   return std::any_of(m.impulse, m.impulse + starts[k].points, [](float taken) { return taken > 0; });
 }
 
 double ContactRows::reboundWork(std::size_t k, const SolveMotion* motion) const {
   const ContactStart& start = starts[k];
   if (std::none_of(start.back, start.back + start.points, [](float force) { return force > 0; })) return 0;
-  auto m = kernel::pointMotion(records[k], kernel::frame(records[k]), motion);
-  alignas(16) float n[4], t1[4], t2[4];
-  kernel::store(m.n, n);
-  kernel::store(m.t1, t1);
-  kernel::store(m.t2, t2);
+  const PointWays m = pointWaysAt(records[k], motion);
   double work = 0;
   for (int i = 0; i < start.points; i++)
-    work += double(start.back[i]) * double(n[i]) + double(start.back1[i]) * double(t1[i]) +
-            double(start.back2[i]) * double(t2[i]);
+    work += double(start.back[i]) * double(m.way[i]) + double(start.back1[i]) * double(m.way1[i]) +
+            double(start.back2[i]) * double(m.way2[i]);
   return work;
 }
 

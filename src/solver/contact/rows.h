@@ -12,6 +12,7 @@
 #include "solver/renewals.h"
 #include "solver/step_context.h"
 #include "solver/tie_report.h"
+#include "solver/tie_rows.h"
 
 namespace brickfall {
 
@@ -33,52 +34,43 @@ struct ContactStart {
   std::uint32_t falling = 0;  // bit per point whose friction limit follows downwards only: after an impact
   std::int32_t points = 0;    // 0 .. 4
   Scale scale;                // of the pair
+
+  // m, along the normal and the tangents: what the solve does not see of the way.
+  Vec3f carried(const FaceRecord& r) const {
+    const Vec3f along = inFace(r, bend + run);
+    return {dot(r.n, bend), along.y, along.z};
+  }
 };
 
-struct ContactRows : FaceRows {
-  explicit ContactRows(std::pmr::memory_resource* memory) : FaceRows(memory), contactOf(memory), starts(memory) {}
-  std::pmr::vector<ContactIndex> contactOf;  // by row, in pair order
-  std::pmr::vector<ContactStart> starts;     // by row
-  float fastestApproach = 0;                 // m/s, of any point at the start of the step
+// Rows in the order of their pairs.
+struct ContactRows : FaceRows, TieRows<ContactRows, ContactSet, &Ties::contacts, &ContactSet::contacts> {
+  explicit ContactRows(std::pmr::memory_resource* memory) : FaceRows(memory), TieRows(memory), starts(memory) {}
+  std::pmr::vector<ContactStart> starts;  // by row
+  float fastestApproach = 0;              // m/s, of any point at the start of the step
 
-  // --- functions of every kind of row (row_kind.h)
+  // --- functions of every kind of row, in the order in which a step calls them; those of the list are in tie_rows.h. A
+  // joint's answers to most are one line.
   static constexpr double kPoints = 4;    // visits that a row counts as; points at most
   static constexpr bool kLasts = false;   // its ties stay, and bodies swing on them
   static constexpr bool kYields = false;  // it breaks, and gives no impulse in no time
   static constexpr bool kFirm = false;    // the rounding of its bodies' ways is a force
   static constexpr std::size_t kRecordSize = sizeof(FaceRecord);
-  std::size_t size() const { return contactOf.size(); }
-  void reserve(std::size_t rows) { contactOf.reserve(rows); }
-  void add(std::uint32_t index) { contactOf.push_back(index); }
-  std::uint32_t indexOf(std::size_t k) const { return contactOf[k]; }  // in the set of its kind
-
-  // The same contacts as in `old`; no slot has gone to another contact.
-  bool continues(const ContactRows& old, const StepContext& context) const;
-  // New rows: `number` gives a body's place in Island::motion.
+  static bool isThere(const Contact& c) { return c.count >= 1 && c.count <= 4; }
   template <class Number> void bind(Ties& ties, Number number) {
-    records.assign(size(), {});
-    starts.assign(size(), {});
-    for (std::size_t k = 0; k < size(); k++) {
-      Contact& c = ties.contacts.contacts[contactOf[k]];
-      records[k].bodyA = number(c.bodyA);
-      records[k].bodyB = number(c.bodyB);
-      c.fresh = true;
-      c.born = false;
-    }
+    TieRows::bind(ties, number);
+    for (std::size_t k = 0; k < size(); k++) at(k, ties).fresh = true;
   }
   // How firmly the contact ties its two bodies: more than 0.
   float strength(std::size_t k, const StepContext& context) const;
   bool ties(std::size_t k, const StepContext& context) const { return carriesForce(k, context); }
-  bool carriesForce(std::size_t k, const StepContext& context) const {
-    return context.ties->contacts.contacts[contactOf[k]].touching;
-  }
+  bool carriesForce(std::size_t k, const StepContext& context) const { return at(k, *context.ties).touching; }
   // The contact carries force, and at one point at least it sticks.
   bool sticks(std::size_t k, const StepContext& context) const {
-    return carriesForce(k, context) && context.ties->contacts.contacts[contactOf[k]].points.stickingMask != 0;
+    return carriesForce(k, context) && at(k, *context.ties).points.stickingMask != 0;
   }
   // The contact sticks, and nothing rolls on it: it holds one body in its place on the other.
   bool pins(std::size_t k, const StepContext& context) const {
-    return sticks(k, context) && !context.ties->contacts.contacts[contactOf[k]].rolls;
+    return sticks(k, context) && !at(k, *context.ties).rolls;
   }
   // After the forces are stored: how they go on, if the velocities of the row's bodies change so in the step.
   RowCourse courseOf(std::size_t k, const EndChanges& change, const StepSpan& span, const StepContext& context) const;
@@ -97,22 +89,15 @@ struct ContactRows : FaceRows {
   bool meetsWithin(std::size_t k, Vec3f way, const SolveMotion* motion, const StepContext& context) const;
 
   void prepare(const Island& island, Ties& ties, const StepContext& context);
-  // Friction limits that follow the solve: those of points that carried nothing in the last step, or an impact. While
-  // the solve goes on, the pair's own weight and approach cap them: forces met on the solve's way are no measure.
-  // Changes of less than `slack` of a limit are left. True if any changed.
+  // What a row keeps frozen in a solve follows the motion found: friction limits of points that carried nothing in the
+  // last step, or an impact. While the solve goes on, the pair's own weight and approach cap them, since forces met on
+  // its way are no measure; `over`: it has ended. Changes of less than `slack` of a limit are left. True if any did.
   bool boundsFollow(std::size_t k) const { return records[k].newPoints != 0; }
-  bool renewBounds(std::size_t k, const SolveMotion* motion, float slack = 0) {
-    return records[k].newPoints && renewNewPoints(k, motion, slack, false);
-  }
-  // After the solve has ended: friction limits by the forces that the points were found to carry.
-  bool settleBounds(std::size_t k, const SolveMotion* motion, float slack) {
-    return records[k].newPoints && renewNewPoints(k, motion, slack, true);
-  }
+  bool renewBounds(std::size_t k, const SolveMotion* motion, float slack, bool over);
   // Something that nothing stops presses, so that a point bears many times what stops its pair: its friction limit is
   // that of the force found. `force` (N): of the row, as last read.
   bool holdJam(std::size_t k, const SolveMotion* motion, float force);
   // Before the step is prepared: what closes on a body that is marked exchanges the impulse of the two alone.
-  void addHolding(std::size_t, Vec3, const Ties&, const BodySet&, Holding&) const {}
   void giveBlows(const Held& held, double dt, Ties& ties, BodySet& bodies, const StepContext& context,
                  Blows& blows) const;
   // After the first solve: impacts that are over give back their share, in a solve that goes on from there. True if any
@@ -124,7 +109,6 @@ struct ContactRows : FaceRows {
   bool owes(std::size_t k, const StepContext& context) const;
   // J: work of the contact's rebounds in this step, on the way that was solved; 0 if there was none.
   double reboundWork(std::size_t k, const SolveMotion* motion) const;
-  double returnedWork(std::size_t) const { return 0; }  // contacts are elastic
   // Writes the forces at the final motion into the contacts. True if any changed by more than rounding. For an island
   // that does not rest this is not compared, and the result is true.
   bool store(Island& island, Ties& ties, StepContext& context);
@@ -144,31 +128,19 @@ struct ContactRows : FaceRows {
   void restore(Ties& ties, const Memory& memory) const;
 
   // --- what the world asks of the rows of an island
-  // The bodies that a row's tie names.
-  std::pair<BodyIndex, BodyIndex> bodies(std::size_t k, const Ties& ties) const {
-    const Contact& c = ties.contacts.contacts[contactOf[k]];
-    return {c.bodyA, c.bodyB};
-  }
-  // A snapshot of the rows, and of their number.
-  void archive(WriteArchive& a) const;
-  void archive(ReadArchive& a);
   // Hashes: which tie it is; what it remembers; what the solve reads.
   void hashName(Mix& h, std::size_t k, const Ties& ties) const;
   void hashMemory(Mix& h, std::size_t k, const Ties& ties) const;
   void hashRecord(Mix& h, std::size_t k, const Ties& ties) const;
-  // What must hold before a row may be followed; values that a snapshot may have; all the rest. `current`: no tie came
-  // or went since the island was built.
-  void checkStructure(Findings& f, const Island& island, const Ties& ties, const BodySet& bodies, bool current) const;
-  void checkRanges(Findings& f) const;
-  void check(Findings& f, const Island& island, const Ties& ties, bool current) const;
+  void checkRanges(Findings& f) const;  // values that a snapshot may have
   // visit(contact): the manifolds that the rows stand on, for the narrow phase.
   template <class Visit> void eachManifold(Visit&& visit) const {
-    for (ContactIndex contact : contactOf) visit(contact);
+    for (ContactIndex contact : tieOf) visit(contact);
   }
   PointCount countPoints(const Ties& ties) const;
   // visit(contact): ties that pressed in the last step, as listeners are told.
   template <class Visit> void eachTouching(const Ties& ties, Visit&& visit) const {
-    for (ContactIndex contact : contactOf) {
+    for (ContactIndex contact : tieOf) {
       const Contact& c = ties.contacts.contacts[contact];
       if (c.touching || c.struck) visit(c);
     }
@@ -202,7 +174,6 @@ struct ContactRows : FaceRows {
   void endImpact(const Island& island, Ties& ties, const StepContext& context, bool solved);
 
  private:
-  bool renewNewPoints(std::size_t k, const SolveMotion* motion, float slack, bool over);
   bool startRebounds(const Island& island, const StepContext& context);
 };
 

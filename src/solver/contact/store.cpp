@@ -83,7 +83,7 @@ bool ContactRows::store(Island& island, Ties& ties, StepContext& context) {
   bool changed = !compare;
   PointMemory before;
   for (std::size_t k = 0; k < size(); k++) {
-    Contact& c = ties.contacts.contacts[contactOf[k]];
+    Contact& c = at(k, ties);
     c.points.impactMask = records[k].newPoints & ~starts[k].falling;
     if (!changed) before = c.points;
     if (mortar) c.earlierForce = forceOf(c);
@@ -96,7 +96,7 @@ bool ContactRows::store(Island& island, Ties& ties, StepContext& context) {
       touches = touches || f.n[i] > 0;
       bool rebounds = starts[k].back[i] > 0;
       keepImpact(c, i, starts[k], f);
-      if (rebounds) ties.contacts.strike(contactOf[k]);
+      if (rebounds) ties.contacts.strike(tieOf[k]);
       records[k].leastN[i] = 0;
       holdForce(c, i, f, context.judgingGravity);
       if (f.n[i] > 0 && !sliding) c.points.stickingMask |= 1u << i;
@@ -117,7 +117,7 @@ bool ContactRows::store(Island& island, Ties& ties, StepContext& context) {
 }
 
 void ContactRows::tellShare(Ties& ties, float share) const {
-  for (ContactIndex contact : contactOf) {
+  for (ContactIndex contact : tieOf) {
     PointMemory& m = ties.contacts.contacts[contact].points;
     for (int i = 0; i < ties.contacts.contacts[contact].count; i++) {
       if (m.forceN[i] == 0) continue;
@@ -129,21 +129,15 @@ void ContactRows::tellShare(Ties& ties, float share) const {
 
 void ContactRows::advance(const Island& island, Ties& ties, const StepContext&) const {
   for (std::size_t k = 0; k < size(); k++) {
-    Contact& c = ties.contacts.contacts[contactOf[k]];
+    Contact& c = at(k, ties);
     const FaceRecord& r = records[k];
-    auto m = kernel::pointMotion(r, kernel::frame(r), island.motion.data());
-    alignas(16) float n[4], t1[4], u2[4];
-    kernel::store(m.n, n);
-    kernel::store(m.t1, t1);
-    kernel::store(m.t2, u2);
-    const Vec3f bend = starts[k].bend, carried = bend + starts[k].run;
-    float bendN = dot(r.n, bend), bend1 = dot(r.t1, carried), bend2 = dot(cross(r.n, r.t1), carried);
-    runAnchors(ties.contacts.geometry[contactOf[k]], dot(r.t1, starts[k].run), dot(cross(r.n, r.t1), starts[k].run),
-               r.bodyA >= island.bodies.size());
+    const PointWays m = pointWaysAt(r, island.motion.data());
+    const Vec3f carried = starts[k].carried(r), run = inFace(r, starts[k].run);
+    runAnchors(ties.contacts.geometry[tieOf[k]], run.y, run.z, r.bodyA >= island.bodies.size());
     for (int i = 0; i < c.count; i++) {
-      c.points.gap[i] += n[i] + bendN;
-      c.points.drift1[i] += t1[i] + bend1;
-      c.points.drift2[i] += u2[i] + bend2;
+      c.points.gap[i] += m.way[i] + carried.x;
+      c.points.drift1[i] += m.way1[i] + carried.y;
+      c.points.drift2[i] += m.way2[i] + carried.z;
     }
   }
 }

@@ -35,6 +35,9 @@ struct alignas(64) FaceRecord {
 };
 static_assert(sizeof(FaceRecord) == 192);
 
+// Along the normal and the two tangents.
+inline Vec3f inFace(const FaceRecord& r, Vec3f v) { return {dot(r.n, v), dot(r.t1, v), dot(cross(r.n, r.t1), v)}; }
+
 //! not of the method: parts of a way that a number of 16 bits counts
 inline constexpr float kYieldParts = 64;
 // N, of a point: the most that it bears while it crushes; how much more a firm spring would bear until it is crushed.

@@ -9,18 +9,11 @@
 
 namespace brickfall {
 
-struct Island;
-class Ties;
-
 struct FaceRows {
   explicit FaceRows(std::pmr::memory_resource* memory) : records(memory) {}
   std::pmr::vector<FaceRecord> records;  // by row
   bool rolls = false;                    // any of them resists rolling in this step
 
-  RowEnds ends(std::size_t k) const { return {records[k].bodyA, records[k].bodyB}; }
-  RowEnds endsIn(const Island&, const Ties&, std::size_t k) const { return ends(k); }
-  void takeRoom(const Island&, const Ties&) {}
-  void giveRoom() {}
   // The direction from A to B along which the face presses.
   Vec3 normal(std::size_t k) const { return toDouble(records[k].n); }
   Arms arms(std::size_t k) const { return {wide::load3Padded(records[k].armA), wide::load3Padded(records[k].armB)}; }
@@ -32,9 +25,8 @@ struct FaceRows {
   template <class Visit> void eachResistance(Visit&& visit) const {
     if (!rolls) return;
     for (std::size_t k = 0; k < records.size(); k++)
-      if (records[k].rolls) visit(ends(k), records[k].limit[3]);
+      if (records[k].rolls) visit(RowEnds{records[k].bodyA, records[k].bodyB}, records[k].limit[3]);
   }
-  template <class Visit> void eachHold(Visit&&) const {}
   // J: the most that the face's law gives in a step, by whatever way: that of a spring which is released halfway.
   double mostWork(std::size_t k) const {
     const FaceRecord& r = records[k];

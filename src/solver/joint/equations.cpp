@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "solver/step_context.h"
 
@@ -46,6 +47,8 @@ Vec3 swingOf(Vec3 a, Vec3 b) {
 
 // Points: all three ways. The axes are the world's, whatever turns.
 void spherical(const Joint& joint, const JointPose& pose, Vec3 turning, JointSystem& out) {
+  out.position = twistOf(pose.frameA, pose.frameB);
+  out.arcs = JointArcs::points;
   setHard(out.way, pose.way);
   if (!joint.limited && !joint.coned) return;
   const Vec3 a = axisOf(pose.frameA, 0), b = axisOf(pose.frameB, 0), swing = swingOf(a, b);
@@ -65,91 +68,64 @@ void spherical(const Joint& joint, const JointPose& pose, Vec3 turning, JointSys
 
 Vec3 turnBetween(const JointPose& pose) { return rotationVector(normalized(pose.frameB * conjugate(pose.frameA))); }
 
-void fixed(const Joint&, const JointPose& pose, JointSystem& out) {
+void fixed(const Joint&, const JointPose& pose, Vec3, JointSystem& out) {
+  out.arcs = JointArcs::points;
   setHard(out.way, pose.way);
   setHard(out.turn, turnBetween(pose));
 }
 
-void revolute(const Joint& joint, const JointPose& pose, JointSystem& out) {
+void revolute(const Joint& joint, const JointPose& pose, Vec3, JointSystem& out) {
+  out.position = twistOf(pose.frameA, pose.frameB);
+  out.arcs = JointArcs::points;
   setHard(out.way, pose.way);
   for (int i = 0; i < 3; i++) out.turn.axes[i] = axisOf(pose.frameA, i);
   setHard(out.turn, swingOf(out.turn.axes[0], axisOf(pose.frameB, 0)), 1);
   setFree(joint, out.position, out.turn);
 }
 
-void prismatic(const Joint& joint, const JointPose& pose, JointSystem& out) {
+void prismatic(const Joint& joint, const JointPose& pose, Vec3, JointSystem& out) {
+  out.arcs = JointArcs::slide;
   out.onA = out.onB = 0.5;
   for (int i = 0; i < 3; i++) out.way.axes[i] = axisOf(pose.frameA, i);
+  out.position = dot(out.way.axes[0], pose.way);
   setHard(out.way, pose.way, 1);
   setFree(joint, out.position, out.way);
   setHard(out.turn, turnBetween(pose));
 }
 
-void alongLine(const Joint& joint, const JointPose& pose, JointSystem& out) {
-  const double span = length(pose.way);
-  if (span > kNoGap) out.way.axes[0] = pose.way * (1 / span);
-  completeAxes(out.way.axes);
+// The first axis along a way, if that has a direction. Returns its length.
+double pointAlong(Vec3 way, EquationSet& set) {
+  const double span = length(way);
+  if (span > kNoGap) set.axes[0] = way * (1 / span);
+  completeAxes(set.axes);
+  return span;
+}
+
+void alongLine(const Joint& joint, const JointPose& pose, Vec3, JointSystem& out) {
+  out.arcs = JointArcs::line;
+  out.position = out.span = pointAlong(pose.way, out.way);
   const JointLaw law = joint.type == JointType::distance ? JointLaw::hard
                        : joint.type == JointType::rope   ? JointLaw::atMost
                                                          : JointLaw::spring;
-  out.way.of[0] = {law, span - joint.length};
-  out.span = span;
+  out.way.of[0] = {law, out.span - joint.length};
   out.way.of[1] = out.way.of[2] = {JointLaw::across};
 }
 
-void drag(const Joint&, const JointPose& pose, JointSystem& out) {
-  const double far = length(pose.way);
-  if (far > kNoGap) out.way.axes[0] = pose.way * (1 / far);
-  completeAxes(out.way.axes);
+void drag(const Joint&, const JointPose& pose, Vec3, JointSystem& out) {
+  out.position = pointAlong(pose.way, out.way);
   out.onA = out.onB = 1;
   for (int i = 0; i < 3; i++) out.way.of[i] = {JointLaw::spring, dot(out.way.axes[i], pose.way)};
-}
-
-double positionOf(const Joint& joint, const JointPose& pose) {
-  switch (joint.type) {
-    case JointType::spherical:
-    case JointType::revolute:
-      return twistOf(pose.frameA, pose.frameB);
-    case JointType::prismatic:
-      return dot(axisOf(pose.frameA, 0), pose.way);
-    case JointType::fixed:
-      return 0;
-    case JointType::distance:
-    case JointType::rope:
-    case JointType::spring:
-    case JointType::drag:
-      return length(pose.way);
-  }
-  return 0;
 }
 
 }  // namespace
 
 JointSystem equationsOf(const Joint& joint, const JointPose& pose, Vec3 turning) {
+  // By JointType.
+  constexpr void (*kWrite[])(const Joint&, const JointPose&, Vec3, JointSystem&) = {
+      spherical, fixed, revolute, prismatic, alongLine, alongLine, alongLine, drag};
+  static_assert(std::size(kWrite) == kJointTypeCount);
   JointSystem out;
-  out.position = positionOf(joint, pose);
-  switch (joint.type) {
-    case JointType::spherical:
-      spherical(joint, pose, turning, out);
-      break;
-    case JointType::fixed:
-      fixed(joint, pose, out);
-      break;
-    case JointType::revolute:
-      revolute(joint, pose, out);
-      break;
-    case JointType::prismatic:
-      prismatic(joint, pose, out);
-      break;
-    case JointType::distance:
-    case JointType::rope:
-    case JointType::spring:
-      alongLine(joint, pose, out);
-      break;
-    case JointType::drag:
-      drag(joint, pose, out);
-      break;
-  }
+  kWrite[std::size_t(joint.type)](joint, pose, turning, out);
   return out;
 }
 

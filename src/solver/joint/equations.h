@@ -31,8 +31,17 @@ struct EquationSet {
   JointEquation of[kJointLanes];
 };
 
+// What the arcs of turns add to a joint's ways.
+enum class JointArcs : std::uint32_t {
+  none,
+  points,  // held at one place: ends of arms
+  line,    // held at a distance: along the line
+  slide,   // held to a line that turns with A
+};
+
 struct JointSystem {
   EquationSet way, turn;
+  JointArcs arcs = JointArcs::none;
   // Of the way from the anchor of A to that of B: where its forces act on each. Each at its own anchor, or a force
   // beside a gaping of micrometres spins a thin rod about its axis.
   double onA = 0, onB = 1;

@@ -3,7 +3,7 @@
 
 #include "solver/island.h"
 #include "solver/joint/equations.h"
-#include "solver/lasting_report.h"
+#include "solver/rows_report.h"
 
 namespace brickfall {
 
@@ -64,6 +64,7 @@ void JointRows::addWork(const Island& island, const StepContext& context, TieWor
   }
 }
 
+template struct TieRows<JointRows, JointSet, &Ties::joints, &JointSet::slots>;
 template struct LastingRows<JointRows, JointSet, &Ties::joints>;
 
 }  // namespace brickfall

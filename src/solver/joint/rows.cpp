@@ -8,7 +8,6 @@
 #include "dynamics/point_matcher.h"
 #include "math/wide_pair.h"
 #include "solver/island.h"
-#include "solver/joint/equations.h"
 #include "solver/numbering.h"
 #include "solver/union_find.h"
 
@@ -76,24 +75,6 @@ Vec3 arcOf(Vec3 turn, Vec3 arm) {
   sinCos(angle, sine, cosine);
   const Vec3 once = cross(turn, arm), twice = cross(turn, once);
   return once * (sine / angle - 1) + twice * ((1 - cosine) / (angle * angle));
-}
-
-JointArcs arcsOf(JointType type) {
-  switch (type) {
-    case JointType::spherical:
-    case JointType::fixed:
-    case JointType::revolute:
-      return JointArcs::points;
-    case JointType::prismatic:
-      return JointArcs::slide;
-    case JointType::distance:
-    case JointType::rope:
-    case JointType::spring:
-      return JointArcs::line;
-    case JointType::drag:
-      break;
-  }
-  return JointArcs::none;
 }
 
 // m: what the ways of B in the frame of A gain by turns, besides the way of the point between both anchors.
@@ -333,11 +314,12 @@ void JointRows::turnLine(std::size_t k, float force) {
 
 namespace {
 
-// N/m: the inertia of a body about the end of its arm / dt^2, as 1 / x of it.
-double givenWay(const BodyMass& mass, Vec3 arm) {
-  const double own = (mass.inertia.row[0].x + mass.inertia.row[1].y + mass.inertia.row[2].z) / 3;
-  return 1 / mass.mass + lengthSquared(arm) / own;
+// kg m2: about an axis through the centre, the mean of all.
+double meanInertia(const BodyMass& mass) {
+  return (mass.inertia.row[0].x + mass.inertia.row[1].y + mass.inertia.row[2].z) / 3;
 }
+// N/m: the inertia of a body about the end of its arm / dt^2, as 1 / x of it.
+double givenWay(const BodyMass& mass, Vec3 arm) { return 1 / mass.mass + lengthSquared(arm) / meanInertia(mass); }
 
 // Arms are frozen in a step. Where they turn too far for that, friction takes from the turn: of a pendulum nothing, of
 // links that are flung about what no step could follow.
@@ -367,9 +349,8 @@ Vec3 before(const Island& island, std::uint32_t local, Vec3 now, Vec3 FreeMotion
 }
 
 void measureArm(JointStart& start, int end, const BodyMass& mass, Vec3 arm, double dt) {
-  const double own = (mass.inertia.row[0].x + mass.inertia.row[1].y + mass.inertia.row[2].z) / 3;
   start.swung[end] = float(mass.mass * lengthSquared(arm) / (dt * dt));
-  start.resist[end] = float((own + mass.mass * lengthSquared(arm)) / (dt * dt));
+  start.resist[end] = float((meanInertia(mass) + mass.mass * lengthSquared(arm)) / (dt * dt));
 }
 
 }  // namespace
@@ -445,7 +426,7 @@ void JointRows::prepare(Island& island, Ties& ties, const StepContext& context) 
       turnLine(k, float(joint.way[0]));
     }
     start.arc = {};
-    start.arcs = arcs ? arcsOf(joint.type) : JointArcs::none;
+    start.arcs = arcs ? system.arcs : JointArcs::none;
     if (start.arcs == JointArcs::none) continue;
     start.bends = 1;
     if (joint.type == JointType::spring && r.way.k[0] > 0)
@@ -549,7 +530,8 @@ bool JointRows::watchBounds(std::size_t k, const SolveMotion* motion) {
   return any;
 }
 
-bool JointRows::settleBounds(std::size_t k, const SolveMotion* motion, float) {
+bool JointRows::renewBounds(std::size_t k, const SolveMotion* motion, float, bool over) {
+  if (!over) return false;
   const bool turned = watchBounds(k, motion), followed = follow(k, motion, kFollowed) || turned;
   if (!timePasses_) return followed;
   if (!followArcs(k, motion, kFollowed) && !followed) return false;

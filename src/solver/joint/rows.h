@@ -18,6 +18,7 @@
 #include <utility>
 #include <vector>
 
+#include "solver/joint/equations.h"
 #include "solver/joint/record.h"
 #include "solver/lasting_rows.h"
 #include "solver/renewals.h"
@@ -34,14 +35,6 @@ constexpr double kFirmness = 100;  // in units of mass / dt^2: of a hard equatio
 // the stiffness would spin it up. Of pressure as of tension, or what buckles would buckle at any speed. `resist`: the
 // body's inertia about that end / dt^2.
 Mat3 bending(Vec3 arm, Vec3 force, double resist);
-
-// What the arcs of turns add to a joint's ways.
-enum class JointArcs : std::uint32_t {
-  none,
-  points,  // held at one place: ends of arms
-  line,    // held at a distance: along the line
-  slide,   // held to a line that turns with A
-};
 
 // Facts of a joint at the start of a step that the record does not have.
 struct JointStart {
@@ -74,38 +67,23 @@ struct JointRows : LastingRows<JointRows, JointSet, &Ties::joints> {
   BalanceChange support;  // what partners gave at the end of the step (velocities.h)
   double returned = 0;    // J: what all of them gave in this step, for rounding and as wound up (velocities.h)
 
-  // --- functions of every kind of row (row_kind.h)
-  void takeRoom(const Island&, const Ties&) {}
-  void giveRoom() {}
+  // --- functions of every kind of row (contact/rows.h)
   Vec3 armOf(std::size_t k, bool ofB, const StepContext&) const {
     return toDouble(ofB ? records[k].armB : records[k].armA);
   }
-  RowEnds endsIn(const Island&, const Ties&, std::size_t k) const { return ends(k); }
   static constexpr double kPoints = 2;
   static constexpr bool kLasts = true;
   static constexpr bool kYields = false;
   static constexpr bool kFirm = true;
   static constexpr std::size_t kRecordSize = sizeof(JointRecord) + sizeof(JointStart);
-  RowEnds ends(std::size_t k) const { return {records[k].bodyA, records[k].bodyB}; }
   float strength(std::size_t, const StepContext&) const { return 1e4f; }  // chains share clusters
   // A slack rope ties nothing.
   bool ties(std::size_t k, const StepContext& context) const {
     const Joint& joint = at(k, *context.ties);
     return joint.type != JointType::rope || joint.way[0] != 0;
   }
-  bool carriesForce(std::size_t k, const StepContext& context) const { return ties(k, context); }
-  bool sticks(std::size_t k, const StepContext& context) const { return ties(k, context); }
-  bool pins(std::size_t k, const StepContext& context) const { return ties(k, context); }
-  bool holds(std::size_t k, const StepContext& context) const { return ties(k, context); }
   RowGrip grip(std::size_t k, const StepContext& context) const;
   Vec3 normal(std::size_t k) const { return toDouble(records[k].way.axes[0].unit); }
-  // The solve makes joints' motions of second order by itself.
-  RowCourse courseOf(std::size_t k, const EndChanges&, const StepSpan&, const StepContext& context) const {
-    return ties(k, context) ? RowCourse::changes : RowCourse::idle;
-  }
-  bool meetsWithin(std::size_t k, Vec3f, const SolveMotion*, const StepContext& context) const {
-    return ties(k, context);
-  }
 
   void prepare(Island& island, Ties& ties, const StepContext& context);
   Arms arms(std::size_t k) const { return {wide::load3Padded(records[k].armA), wide::load3Padded(records[k].armB)}; }
@@ -122,11 +100,8 @@ struct JointRows : LastingRows<JointRows, JointSet, &Ties::joints> {
     return {react(k, motion), joint::stiffnessAt(records[k], motion)};
   }
   bool boundsFollow(std::size_t) const { return true; }
-  bool renewBounds(std::size_t, const SolveMotion*, float = 0) { return false; }
   // The forces found become multipliers; geometric stiffness grows with them.
-  bool settleBounds(std::size_t k, const SolveMotion* motion, float slack);
-  void addHolding(std::size_t, Vec3, const Ties&, const BodySet&, Holding&) const {}
-  bool renewFrozen(const Island&, const StepContext&, Renewal) { return false; }
+  bool renewBounds(std::size_t k, const SolveMotion* motion, float slack, bool over);
   bool store(Island& island, Ties& ties, StepContext& context);
   void tellShare(Ties& ties, float share) const;
   double mostWork(std::size_t k) const;
@@ -157,7 +132,6 @@ struct JointRows : LastingRows<JointRows, JointSet, &Ties::joints> {
   void hashRecord(Mix& h, std::size_t k, const Ties& ties) const;
   void checkRanges(Findings& f) const;
   template <class Visit> void eachResistance(Visit&&) const {}
-  template <class Visit> void eachHold(Visit&&) const {}
   void startAfresh(Ties& ties) const;
   static double elasticEnergy(JointIndex joint, const StepContext& context);
   void addWork(const Island& island, const StepContext& context, TieWork& sum) const;

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "solver/face/point_forces.h"
-#include "solver/lasting_report.h"
 #include "solver/mortar/rows.h"
+#include "solver/rows_report.h"
 
 namespace brickfall {
 
@@ -81,6 +81,7 @@ Vec3T<float> mortar::forceBefore(const Island& island, MortarIndex index, const 
   return rows.starts[std::size_t(place - rows.tieOf.begin())].before;
 }
 
+template struct TieRows<MortarRows, MortarSet, &Ties::mortar, &MortarSet::slots>;
 template struct LastingRows<MortarRows, MortarSet, &Ties::mortar>;
 
 }  // namespace brickfall

@@ -44,7 +44,7 @@ struct MortarRows : FaceRows, LastingRows<MortarRows, MortarSet, &Ties::mortar> 
   // is its slot and a few numbers in lists.
   std::pmr::vector<MortarStart> starts;
 
-  // --- functions of every kind of row (row_kind.h)
+  // --- functions of every kind of row (contact/rows.h)
   static constexpr double kPoints = 4;
   static constexpr bool kLasts = false;
   static constexpr bool kYields = true;
@@ -58,39 +58,30 @@ struct MortarRows : FaceRows, LastingRows<MortarRows, MortarSet, &Ties::mortar> 
       m.born = false;
     }
   }
+  bool laidOut() const { return records.size() == size() || records.empty(); }
   void takeRoom(const Island& island, const Ties& ties);
   void giveRoom();
   RowEnds endsIn(const Island& island, const Ties& ties, std::size_t k) const;
   Vec3 armOf(std::size_t k, bool ofB, const StepContext& context) const;
   float strength(std::size_t, const StepContext&) const { return 4e3f; }  // mortared bricks share clusters
   bool ties(std::size_t, const StepContext&) const { return true; }
-  bool carriesForce(std::size_t, const StepContext&) const { return true; }
-  bool sticks(std::size_t, const StepContext&) const { return true; }
-  bool pins(std::size_t, const StepContext&) const { return true; }
-  bool holds(std::size_t, const StepContext&) const { return true; }
   RowGrip grip(std::size_t k, const StepContext& context) const;
   // visit(ends, force): of each row the pull that it bears, N.
   template <class Visit> void eachHold(Visit&& visit) const {
     for (const FaceRecord& r : records) visit(RowEnds{r.bodyA, r.bodyB}, -float(kPoints) * r.leastN[0]);
   }
-  RowCourse courseOf(std::size_t, const EndChanges&, const StepSpan&, const StepContext&) const {
-    return RowCourse::changes;
-  }
-  bool meetsWithin(std::size_t, Vec3f, const SolveMotion*, const StepContext&) const { return true; }
 
   void addHolding(std::size_t k, Vec3 along, const Ties& ties, const BodySet& bodies, Holding& out) const {
     mortar::addHolding(at(k, ties), bodies, along, out);
   }
   void prepare(Island& island, Ties& ties, const StepContext& context);
   bool boundsFollow(std::size_t) const { return false; }
-  bool renewBounds(std::size_t, const SolveMotion*, float = 0) { return false; }
-  bool settleBounds(std::size_t, const SolveMotion*, float = 0) { return false; }
+  bool renewBounds(std::size_t, const SolveMotion*, float, bool) { return false; }
   bool renewFrozen(const Island& island, const StepContext& context, Renewal when);
   bool store(Island& island, Ties& ties, StepContext& context);
   void tellShare(Ties&, float) const {}
   // J: what its springs hold.
   double mostWork(std::size_t k) const;
-  double returnedWork(std::size_t) const { return 0; }
   void advance(const Island& island, Ties& ties, const StepContext& context) const;
 
   // --- what the world asks of the rows of an island

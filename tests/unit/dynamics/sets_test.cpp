@@ -96,21 +96,6 @@ TEST(ContactSet, ReusesSlotsFresh) {
   EXPECT_TRUE(set.contacts[a].born);
 }
 
-// A set that lacks a function of the contract is none.
-static_assert(TieSet<ContactSet>);
-struct CannotBeDropped : ContactSet {
-  void dropOf();
-};
-static_assert(!TieSet<CannotBeDropped>);
-struct NeverSleeps : ContactSet {
-  void sleepWhere();
-};
-static_assert(!TieSet<NeverSleeps>);
-struct CannotBeChecked : ContactSet {
-  void check();
-};
-static_assert(!TieSet<CannotBeChecked>);
-
 TEST(Ties, SleepWakeAndGoWithTheirBodies) {
   auto pair = [](ShapeIndex a, ShapeIndex b) { return CandidatePair{a, b, a, b, kNoIndex, 0}; };
   Ties ties;

@@ -16,7 +16,7 @@ struct Standing : TestIsland {
     pile(under, bricks);
     island();
     int above = bricks;
-    for (ContactIndex k : island().rows.contacts.contactOf) load(k, above-- * kBrickWeight, 1000 * unit(k));
+    for (ContactIndex k : island().rows.contacts.tieOf) load(k, above-- * kBrickWeight, 1000 * unit(k));
     prepare();
     for (SolveMotion& m : island().motion) m = {};
     forces.emplace(island(), counts);

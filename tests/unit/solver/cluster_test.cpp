@@ -74,7 +74,7 @@ struct Scene {
         r.trialN[3] = -kLargestPointForce;
         if (k > 0) r.limit[3] = 60;
       }
-      island.rows.contacts.contactOf.push_back(k);
+      island.rows.contacts.tieOf.push_back(k);
       island.rows.contacts.records.push_back(r);
     }
     level.clusterOf = {0, both ? 0u : 1u};

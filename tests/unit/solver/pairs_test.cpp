@@ -60,7 +60,7 @@ struct PairScene {
         r.trial1[3] = float(random.between(-50, 50));
         r.limit[3] = float(random.between(0, 60));
       }
-      rows.contactOf.push_back(k);
+      rows.tieOf.push_back(k);
       rows.records.push_back(r);
       readings.push_back({wide::load3(vector(900)), wide::load3(vector(90))});
       sides.push_back(2 * (kFirstRow + k) + (random.between(0, 1) < 0.5 ? 1 : 0));

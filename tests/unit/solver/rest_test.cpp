@@ -54,7 +54,7 @@ TEST(Rest, KineticDampingStopsAtAMaximumOfTheEnergyAndNowhereElse) {
     std::vector<BodyIndex> pile = lab.pile(lab.ground(), bodies);
     lab.island();
     int above = bodies;
-    for (ContactIndex k : lab.island().rows.contacts.contactOf) lab.load(k, above-- * kBrickWeight, 1e4 * lab.unit(k));
+    for (ContactIndex k : lab.island().rows.contacts.tieOf) lab.load(k, above-- * kBrickWeight, 1e4 * lab.unit(k));
     const double speeds[] = {1e-3, 2e-3, 2e-3, 5e-3, 9e-3, 8.99e-3, 8.8e-3, 8e-3};  // m/s
     for (double v : speeds) {
       for (BodyIndex body : pile) lab.at(body).linearVelocity = {v, 0, 0};

@@ -14,29 +14,6 @@ using test::kBrick;
 using test::kBrickWeight;
 using test::TestIsland;
 
-// A kind that lacks a function of the contract, or has it with another signature, is none.
-static_assert(RowKind<ContactRows>);
-struct CannotBeHashed : ContactRows {
-  void hashMemory();
-};
-static_assert(!RowKind<CannotBeHashed>);
-struct DoesNotSayWhatItTies : ContactRows {
-  void ties();
-};
-static_assert(!RowKind<DoesNotSayWhatItTies>);
-struct HasNoEnergy : ContactRows {
-  double elasticEnergy();
-};
-static_assert(!RowKind<HasNoEnergy>);
-struct ForgetsItsSupports : ContactRows {
-  void addSupport();
-};
-static_assert(!RowKind<ForgetsItsSupports>);
-struct CannotBeKept : ContactRows {
-  void archive();
-};
-static_assert(!RowKind<CannotBeKept>);
-
 TEST(Rows, AreNumberedThroughAllKindsInTheOrderOfTheirPairs) {
   TestIsland lab;
   std::vector<BodyIndex> pile = lab.pile(lab.ground(), 5);
