@@ -32,6 +32,7 @@ class IslandTrial {
  public:
   IslandTrial(Island& island, Ties& ties, BodySet& bodies)
       : island_(island), bodies_(bodies), ties_(island, ties), states_(island.memory), fields_(fieldsOf(island)) {
+    states_.reserve(island.bodies.size());
     for (BodyIndex body : island.bodies) states_.emplace_back(bodies.motion[body], bodies.data[body]);
   }
   // To be called as long as the island has the same bodies and ties.

@@ -173,6 +173,23 @@ bool slidesOver(const LookAhead& ahead, const Moment& now, double dt, double ove
          then.closing * dt < overlap;
 }
 
+// Shapes without points may yet meet: where they are, no face lies over the other's. If the step would end with one in
+// the other, they have the points of the moment at which they touch.
+Ahead meetsLater(const LookAhead& ahead, double dt, Manifold& m) {
+  Moment touch = ahead.at(dt);
+  if (touch.manifold.count == 0 || touch.apart > -ahead.grazes()) return {};
+  double apart = 0;  // s
+  for (int k = 0; k < kMostLooks && touch.apart <= -ahead.touches(); k++) {
+    const Moment middle = ahead.at(0.5 * (apart + touch.time));
+    if (middle.manifold.count > 0 && middle.apart <= ahead.touches())
+      touch = middle;
+    else
+      apart = middle.time;
+  }
+  m = ahead.atStart(touch);
+  return {AheadFound::meets};
+}
+
 // The axis of a cylinder or cone goes through the body's centre.
 bool isOnAxis(const ShapeData& shape) {
   const Vec3 centre = transformPoint(inverse(shape.inCentreFrame), Vec3{});
@@ -200,6 +217,7 @@ Ahead lookAhead(const ShapeData& a, const ShapeData& b, const RelativeMotion& mo
   const Vec3 spinB = rotate(conjugate(motion.pose.rotation), motion.spinB);
   if (turnsTooFar(a, motion.spinA, dt) || turnsTooFar(b, spinB, dt)) return {};
   const LookAhead ahead(a, b, motion, room);
+  if (m.count == 0) return meetsLater(ahead, dt, m);
   const Moment now = ahead.start(m);
   if (isRound(a.geometry.type) || isRound(b.geometry.type)) return lookAheadRound(ahead, now, dt, room.margin, m);
   const double overlap = 2 * kLittleWay * scale;  // by which a hit is told from an edge that slides over a face

@@ -41,9 +41,10 @@ struct LookRoom {
 };
 
 // Finds what two shapes with the manifold `m` will meet in the coming dt. For round shapes that meet later in the step,
-// `m` becomes the manifold of the touch, as it lies now. Shapes that pass each other at more than the margin pass: `m`
-// stays. So does a shape that slides over a face whose side it would have hit, and a round one that overlaps an edge by
-// hardly more than it has sunk in where it comes from: both would be level under rigid contacts. Shapes are convex.
+// and for any without points that would end in each other, `m` becomes the manifold of the touch, as it lies now.
+// Shapes that pass each other at more than the margin pass: `m` stays. So does a shape that slides over a face whose
+// side it would have hit, and a round one that overlaps an edge by hardly more than it has sunk in where it comes from:
+// both would be level under rigid contacts. Shapes are convex.
 Ahead lookAhead(const ShapeData& a, const ShapeData& b, const RelativeMotion& motion, double dt, const LookRoom& room,
                 Manifold& m);
 

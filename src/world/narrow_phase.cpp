@@ -231,7 +231,7 @@ void NarrowPhase::collidePair(const CandidatePair& pair, const Approach& approac
   computed_++;
   // A rolling body that carries a load is not looked up ahead: it already touches where it is.
   const bool touches = had && had->touching && had->rolls;
-  if (m.count > 0 && look == Look::ahead && !touches) lookAheadOf(pair, approach, m);
+  if (look == Look::ahead && !touches) lookAheadOf(pair, approach, m);
   if (m.count > 0)
     dropFarPoints(m, bodies_.motion[pair.bodyA], bodies_.motion[pair.bodyB], bodies_.pose(pair.bodyA) * a.inCentreFrame,
                   marginOf(pair), proximity_.fall, dt_);

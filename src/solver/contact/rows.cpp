@@ -8,6 +8,8 @@
 namespace brickfall {
 
 void ContactRows::remember(const Ties& ties, Memory& out) const {
+  out.contacts.reserve(size());
+  out.geometry.reserve(size());
   for (ContactIndex contact : tieOf) {
     out.contacts.push_back(ties.contacts.contacts[contact]);
     out.geometry.push_back(ties.contacts.geometry[contact]);
