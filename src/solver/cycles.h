@@ -24,7 +24,7 @@ bool goOn(Island& island, const StepContext& context, SolveStatistics& statistic
 bool relax(Island& island, const StepContext& context, SolveStatistics& statistics, Renewals* renewals = nullptr);
 
 // Newton on all bodies of a small island at once (direct_solve.cpp). From the present motion and Island::residual,
-// until the worst residual is under `tolerance` weights, or, where steps better nothing, under kLeftOver.
+// until the worst residual is under `tolerance` weights, or after many steps under ten times that.
 void solveDirectly(Island& island, const StepContext& context, double tolerance, SolveStatistics& statistics);
 
 }  // namespace brickfall

@@ -103,18 +103,18 @@ TEST(DirectSolve, EndsUnderItsToleranceAndInTheMinimumOfTheEnergy) {
         ASSERT_TRUE(lab->island().plan.direct);
         SolveStatistics counts = lab->solve();
         Solved solved = now(*lab);
-        // Where floats round a hundred times that will do, once four steps have bettered nothing, and is told as unbalanced.
-        bool stalled = counts.cycles >= 1 + 4 && solved.residual >= 5e-4;
-        EXPECT_EQ(lab->island().ending, stalled ? IslandEnding::unbalanced : IslandEnding::balanced) << counts.cycles;
-        EXPECT_LT(solved.residual, stalled ? 5e-3 : 5e-4) << counts.cycles;
-        EXPECT_TRUE(!stalled || bricks == 12) << counts.cycles;
+        // Where floats round ten times that will do, once four steps have bettered nothing, and is told as unbalanced.
+        bool tenfold = counts.cycles >= 1 + 4 && solved.residual >= 5e-4;
+        EXPECT_EQ(lab->island().ending, tenfold ? IslandEnding::unbalanced : IslandEnding::balanced) << counts.cycles;
+        EXPECT_LT(solved.residual, tenfold ? 5e-3 : 5e-4) << counts.cycles;
+        EXPECT_TRUE(!tenfold || bricks == 12) << counts.cycles;
         solves++;
-        tight += !stalled;
+        tight += !tenfold;
 
         oracle::Problem problem = oracle::problemOf(lab->island(), lab->context);
         oracle::takeLimits(problem, lab->island());
         double least = oracle::stepEnergy(problem, solved.motion);
-        EXPECT_NEAR(oracle::imbalanceAt(problem, solved.motion).worst(), solved.residual, stalled ? 3e-3 : 2e-3)
+        EXPECT_NEAR(oracle::imbalanceAt(problem, solved.motion).worst(), solved.residual, tenfold ? 3e-3 : 2e-3)
             << "the law in double agrees";
         for (int n = 0; n < 30; n++) {
           std::vector<oracle::Motion> other = solved.motion;
