@@ -21,9 +21,23 @@ double decay(double x) {
   return share;
 }
 
-// The turn of a body with contacts, as the solve takes it. A rotation vector wraps at half a turn, a spin does not.
-void unwrapTurn(FreeMotion& free, Vec3 spin, double dt) {
-  if (lengthSquared(spin) * dt * dt > kHalfTurn * kHalfTurn) free.th = spin * dt;
+// The part of a fast turn that the solve sees, of a body with contacts. Taken from the spin: a rotation vector wraps at
+// half a turn, a spin does not.
+//
+// A body that does not turn so fast yet is turned so far by a torque or a blow only in its free motion: all of either
+// is for its ties to bear.
+void limitTurn(FreeMotion& free, const BodyMass& mass, const BodyMotion& m, Vec3 spin, double dt) {
+  if (!(lengthSquared(spin) * dt * dt > kLargestTurn * kLargestTurn)) return;
+  if (!(lengthSquared(free.startSpin - free.struckSpin) * dt * dt > kLargestTurn * kLargestTurn)) {
+    free.th = spin * dt;
+    return;
+  }
+  Vec3 turn = spin * dt;
+  Vec3 visible = visibleTurn(mass, m.orientation, turn);
+  double size = length(visible);
+  free.turnsFaster = size > kLargestTurn;
+  free.seen = free.turnsFaster ? kLargestTurn / size : 1;
+  free.th = turn - visible + visible * free.seen;
 }
 
 // Free motion by one of the integrators that are there to be compared.
@@ -107,7 +121,7 @@ class WaitingTurns {
       FreeMotion& free = context_.free[body_[i]];
       free.rotation = turns_[i].rotation;
       free.th = rotationVector(normalized(free.rotation * conjugate(m.rotation)));
-      if (hasContacts_) unwrapTurn(free, spin_[i], dt_);
+      if (hasContacts_) limitTurn(free, bodies_.mass[body_[i]], m, spin_[i], dt_);
     }
     count_ = 0;
   }
@@ -140,6 +154,8 @@ void predictFreeMotions(StepContext& context, BodySet& bodies, std::span<const B
     const BodyData& data = bodies.data[body];
     FreeMotion& free = context.free[body];
     free.dt = free.turnTime = dt;
+    free.turnsFaster = false;
+    free.seen = 1;
     free.startVelocity = m.linearVelocity;
     free.startSpin = m.angularVelocity;
     free.late = free.lateSpin = {};
@@ -163,7 +179,7 @@ void predictFreeMotions(StepContext& context, BodySet& bodies, std::span<const B
     Vec3 momentum = bodies.worldInertia(body) * (m.angularVelocity - free.lateSpin) + data.torque * left;
     if (bodies.turnsLocked(body)) {
       const Vec3 turning = predictLockedTurn(free, bodies, body, momentum, dt);
-      if (hasContacts) unwrapTurn(free, turning, dt);
+      if (hasContacts) limitTurn(free, mass, m, turning, dt);
       continue;
     }
     free.angularMomentum = momentum;
@@ -174,7 +190,7 @@ void predictFreeMotions(StepContext& context, BodySet& bodies, std::span<const B
     }
     free.th = spin * dt;
     free.rotation = normalized(quatFromRotationVector(free.th) * m.rotation);
-    if (hasContacts) unwrapTurn(free, spin, dt);
+    if (hasContacts) limitTurn(free, mass, m, spin, dt);
   }
 }
 
@@ -183,7 +199,7 @@ Vec3 shortenFreeTurn(StepContext& context, BodyIndex body, double share) {
   FreeMotion& free = context.free[body];
   free.turnTime *= share;
   if (context.bodies->turnsLocked(body)) {
-    const Vec3 turn = free.th * (free.turnTime / free.dt);
+    const Vec3 turn = free.th * (free.turnTime / (free.dt * free.seen));
     free.rotation = normalized(quatFromRotationVector(turn) * context.bodies->motion[body].rotation);
     return turn;
   }

@@ -25,6 +25,7 @@ void finishMotion(Island& island, Ties& ties, StepContext& context) {
   finishFlights(island, context);
   finishLoneBody(island, ties, context);
   finishSlides(island, context);
+  turnFarFreely(island, context);
   if (island.plan.endVelocities) finishSwings(island, ties, context);
 }
 
@@ -37,13 +38,16 @@ void prepareIsland(Island& island, Ties& ties, BodySet& bodies, StepContext& con
   }
   island.rows.eachKind([&](auto& kind) { kind.takeRoom(island, ties); });
   const bool last = island.part == IslandPart::last;
+  for (BodyIndex body : island.bodies) context.free[body].struckSpin = -bodies.motion[body].angularVelocity;
   giveBlows(island, last, ties, bodies, context);
+  for (BodyIndex body : island.bodies) context.free[body].struckSpin += bodies.motion[body].angularVelocity;
   island.facts = findFacts(island, context);
   island.plan = planFor(island.facts, context.settings, island.dt);
   if (last) dampSlowIsland(island, context, bodies);
   if (island.plan.endVelocities) beginSwings(island, context, bodies);
   predictFreeMotions(context, bodies, island.bodies, island.dt, island.part != IslandPart::flight,
                      island.plan.endVelocities && island.part != IslandPart::flight);
+  if (island.plan.endVelocities) seeWholeTurns(island, context);
   prepareBodies(island, context);
   prepareRows(island, ties, context);
   if (island.toImpact()) leaveOut(island, ties, context);

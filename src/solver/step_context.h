@@ -39,11 +39,8 @@ constexpr double kInPlaceTime = 0.5;  // a slow island of which no point strays 
 //! m/s | too small: a hit wall that sways is taken for debris, and sways on for seconds: walls sag
 //! | too large: rubble is treated like a standing wall, and a body that begins to fall slowly may be stopped
 constexpr double kMovingSpeed = 0.03;  // of a body of a large island: faster ones move, slower ones sway at most
-//! rad | too small: bodies that turn fast about their points creep outwards
-//! | too large: a body that spins is taken to turn about its points
-constexpr double kLargestTurn = 0.5;  // in a step: of further turns no arc of a body alone is known
-//! not of the method: rotation vectors beyond are those of turns the other way round
-constexpr double kHalfTurn = 3;  // rad
+//! rad | too small: fast spins reach contacts too weakly | too large: rebounds at high speed explode
+constexpr double kLargestTurn = 0.5;  // rad per step of a body in contact: arms are frozen during a step
 //! - | too small: counts residuals that nobody sees: cost
 //! | too large: bodies hang in the air, balls on loose bricks roll on
 constexpr double kLeftOver = 0.05;  // of max(weight, load), of what resists rolling, of an island's bodies, of the rest
@@ -88,12 +85,15 @@ constexpr double kOver = 0.1;  // an approach that has become so slow is over
 struct FreeMotion {
   Vec3 d;                         // m: velocity at the end x dt
   Vec3 way;                       // m: of a body without contacts
-  Vec3 th;                        // rad, rotation vector; of a body with contacts more than half a turn, if it turns so
+  Vec3 th;                        // rad, rotation vector
   Quat rotation;                  // at the end of the turn: exact torque-free turn
   double dt = 0;                  // s, of the whole motion
   double turnTime = 0;            // s, of the turn: less than dt if the body was stopped
+  bool turnsFaster = false;       // the body turns further than th shows
+  double seen = 1;                // ... which is so much of the turn
   Vec3 angularMomentum;           // kg m2/s, at the end
   Vec3 startVelocity, startSpin;  // before forces
+  Vec3 struckSpin;                // rad/s: of startSpin what a blow of this step gave to a body with contacts (blows.h)
   Vec3 late, lateSpin;            // m/s, rad/s: the solve starts with so much less (finish/lone_body.cpp)
 };
 

@@ -206,7 +206,7 @@ bool Fitting::turnsFar(BodyIndex body) const {
     const Vec3 visible = visibleTurn(bodies_.mass[body], bodies_.motion[body].orientation, turn);
     return lengthSquared(visible) > 0.25 * kMostTurn * kMostTurn;
   };
-  return far(context_.solved[body].th) || far(free.startSpin * free.dt);
+  return free.turnsFaster || far(context_.solved[body].th) || far(free.startSpin * free.dt);
 }
 
 // Contacts know it where the body does not turn far, and nothing has changed its way since they were looked for.

@@ -7,6 +7,9 @@ namespace brickfall {
 
 namespace {
 
+//! not of the method: rotation vectors beyond are those of turns the other way round, which no solve can mean
+constexpr double kHalfTurn = 3;  // rad
+
 // To the last bit: nothing that a body does here goes along its locks.
 void keepLocks(BodyIndex body, StepContext& context) {
   const BodySet& bodies = *context.bodies;
@@ -20,9 +23,9 @@ void keepLocks(BodyIndex body, StepContext& context) {
 void shortenTurn(BodyIndex body, double share, StepContext& context) {
   SolvedMotion& s = context.solved[body];
   s.th *= share;
-  if (!s.freeTurn) return;
+  if (!s.freeTurn && !context.free[body].turnsFaster) return;
   const Vec3 turned = shortenFreeTurn(context, body, share);
-  if (lengthSquared(s.th) <= kHalfTurn * kHalfTurn) s.th = turned;
+  if (s.freeTurn && lengthSquared(s.th) <= kHalfTurn * kHalfTurn) s.th = turned;
 }
 
 }  // namespace
@@ -57,7 +60,22 @@ void storeMotion(const Island& island, StepContext& context) {
     // Torque impulses are added to the angular momentum, so that it is kept to rounding.
     const Vec3 turned = out.freeTurn ? Vec3{} : toDouble(m.th) - toDouble(island.masses[i].thFree);
     out.angularMomentum += bodies.worldInertia(body) * turned * perDt;
+    // What the solve saw of a fast turn lies on the way of the whole turn: all along it, energy stays as it is.
+    if (!out.freeTurn && free.turnsFaster) shortenFreeTurn(context, body, free.seen);
     keepLocks(body, context);
+  }
+}
+
+void turnFarFreely(const Island& island, StepContext& context) {
+  for (BodyIndex body : island.bodies) {
+    SolvedMotion& s = context.solved[body];
+    FreeMotion& free = context.free[body];
+    if (s.freeTurn || !(lengthSquared(s.th) > kHalfTurn * kHalfTurn) || context.bodies->turnsLocked(body)) continue;
+    s.freeTurn = true;
+    free.angularMomentum = s.angularMomentum;
+    free.turnsFaster = false;
+    free.turnTime = free.dt;
+    shortenFreeTurn(context, body, 1);
   }
 }
 
@@ -79,6 +97,8 @@ void goFreely(BodyIndex body, StepContext& context) {
   free.angularMomentum =
       bodies.worldInertia(body) * bodies.motion[body].angularVelocity + bodies.data[body].torque * forces;
   free.turnTime = free.dt;
+  free.turnsFaster = false;
+  free.seen = 1;
   storeFreeBody(body, free.dt, context);
   shortenFreeTurn(context, body, 1);
   if (context.aheadOf(body) > 0) takeBackAhead(body, context);
@@ -102,7 +122,7 @@ void goAsOne(std::span<const std::uint32_t> group, const Island& island, StepCon
     const BodyIndex body = island.bodies[i];
     const Vec3 at = bodies.motion[body].position;
     SolvedMotion& out = context.solved[body];
-    out.freeTurn = false;
+    context.free[body].turnsFaster = out.freeTurn = false;
     out.d = way.of(at) - fall.velocity() * 0.5;
     out.th = way.turn;
     out.velocity = way.endOf(at) * (1 / island.dt);
@@ -136,11 +156,14 @@ Lead leadOf(BodyIndex body, const StepContext& context) {
 
 Quat rotationAtEnd(BodyIndex body, const StepContext& context) {
   const SolvedMotion& s = context.solved[body];
-  if (s.freeTurn) return context.free[body].rotation;
-  const Quat from = context.bodies->motion[body].rotation;
+  const FreeMotion& free = context.free[body];
+  if (s.freeTurn) return free.rotation;
+  const bool faster = free.turnsFaster;
+  const Vec3 turn = faster ? s.th - free.th * (free.turnTime / (free.dt * free.seen)) : s.th;
+  const Quat from = faster ? free.rotation : context.bodies->motion[body].rotation;
   // The spin about an axis of symmetry goes with the axis: it does not tilt it on the arc of both.
-  const Vec3 visible = visibleTurn(context.bodies->mass[body], toMatrix(from), s.th);
-  return normalized(quatFromRotationVector(visible) * (quatFromRotationVector(s.th - visible) * from));
+  const Vec3 visible = visibleTurn(context.bodies->mass[body], toMatrix(from), turn);
+  return normalized(quatFromRotationVector(visible) * (quatFromRotationVector(turn - visible) * from));
 }
 
 Vec3 spinAtEnd(BodyIndex body, Vec3 angularMomentum, const StepContext& context) {

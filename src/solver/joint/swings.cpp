@@ -326,6 +326,18 @@ void beginSwings(const Island& island, const StepContext& context, BodySet& bodi
   }
 }
 
+void seeWholeTurns(const Island& island, StepContext& context) {
+  for (const JointRecord& r : island.rows.joints.records)
+    for (std::uint32_t local : {r.bodyA, r.bodyB}) {
+      if (local >= island.bodies.size()) continue;
+      const BodyIndex body = island.bodies[local];
+      FreeMotion& free = context.free[body];
+      if (!std::exchange(free.turnsFaster, false)) continue;
+      free.seen = 1;
+      free.th = rotationVector(normalized(free.rotation * conjugate(context.bodies->motion[body].rotation)));
+    }
+}
+
 void finishSwings(Island& island, Ties& ties, StepContext& context) { Swings(island, context).run(ties); }
 
 bool isDriven(const Island& island, const StepContext& context) { return island.rows.joints.driven(*context.ties); }
