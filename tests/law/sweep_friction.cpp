@@ -9,7 +9,7 @@ namespace {
 
 // A flat body on a slope, which is either a tilted plane or box, or a level one under tilted gravity.
 struct Slope {
-  double friction, degrees, size = 0;  // m
+  double friction, degrees;
   Lab lab;
   BodyId body;
   Vec3 start, down;
@@ -18,8 +18,7 @@ struct Slope {
   Slope(Draw& draw, const LabSetup& setup, double mu, double angle)
       : friction(mu), degrees(angle), lab(setup, 0), text(setup.text()) {
     bool tiltGravity = draw.oneIn(2), box = draw.oneIn(2);
-    size = draw.scale(.01, 10);
-    FlatBody flat = flatBody(draw, size, mu);
+    FlatBody flat = flatBody(draw, draw.scale(.01, 10), mu);
     if (tiltGravity) lab.tiltGravity(angle);
     Quat slope = tiltGravity ? Quat{} : turn({0, 0, 1}, -angle);
     BodyDef ground = bodyOf(planeOf(mu), {}, BodyType::fixed);
@@ -69,7 +68,6 @@ void sweepSticking(int cases) {
 
 void sweepSliding(int cases) {
   Sweep sweep("any block, 2 to 15 degrees above: acceleration", 1, "%");
-  int spinning = 0;
   for (int i = 0; i < cases; i++) {
     Draw draw(i + 1000);
     LabSetup setup = draw.setup();
@@ -78,14 +76,9 @@ void sweepSliding(int cases) {
     s.lab.run(0.5);
     double before = dot(s.lab.state(s.body).linearVelocity, s.down);
     s.lab.run(1);
-    const BodyState now = s.lab.state(s.body);
-    double found = dot(now.linearVelocity, s.down) - before;
-    // Friction at a leading edge turns a block round, from the last bit on. Where it spins, friction no longer points back.
-    const bool spins = length(now.angularVelocity) * s.size > 0.1 * length(now.linearVelocity);
-    spinning += spins;
-    if (!spins) sweep.add(setup.part(), (found / s.acceleration() - 1) * 100, s.text);
+    double found = dot(s.lab.state(s.body).linearVelocity, s.down) - before;
+    sweep.add(setup.part(), (found / s.acceleration() - 1) * 100, s.text);
   }
-  EXPECT_LE(spinning, cases / 50);
 }
 
 void sweepStopping(int cases) {

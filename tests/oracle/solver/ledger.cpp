@@ -63,7 +63,7 @@ constexpr double kNoise = 5e-5;  // weights: float kernels under loads of some t
 constexpr double kRoundings =
     5;  // of what floats may round off a motion, over rows and bodies (4.3 in an arch that comes down)
 constexpr double kDoubles =
-    0x1p-27;  // their rounding to that of floats: a ball of 4 t at 80 m/s leaves the oracle 4.4e-10 weights
+    0x1p-29;  // their rounding to that of floats: a ball of 4 t at 80 m/s leaves the oracle 1.6e-10 weights
 constexpr std::size_t kOwnBoundBodies = 200;  // larger islands cost too much to solve over and over
 
 }  // namespace
