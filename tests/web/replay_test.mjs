@@ -29,10 +29,10 @@ async function check(name, body) {
   await body();
   console.log(`ok ${name} (${Date.now() - start} ms)`);
 }
-// Does something to the page and waits until it has been drawn.
+// Does something to the page and waits until it has been drawn. Both in one call: a picture that what came before had asked
+// for, drawn between two calls, would be taken for this one.
 async function drawn(action, argument) {
-  const before = await page.evaluate(() => window.brickfall.drawn);
-  await page.evaluate(action, argument);
+  const before = await page.evaluate(`(() => { const { drawn } = window.brickfall; (${action})(${JSON.stringify(argument)}); return drawn; })()`);
   await page.waitForFunction((n) => window.brickfall.drawn > n, before, patience);
 }
 // The page learns how high its title and bar are from an observer, which is told within a frame of the layout, not at once.
@@ -172,7 +172,10 @@ try {
   });
 
   await check('the address opens at a time and a camera', async () => {
-    await drawn(() => (location.hash = '#paused&shade=0&t=1.5&camera=side'));
+    await page.evaluate(() => new Promise((done) => {
+      window.addEventListener('hashchange', done, { once: true }); // told after the page has been
+      location.hash = '#paused&shade=0&t=1.5&camera=side';
+    }));
     const state = await page.evaluate(() => ({ time: window.brickfall.time, view: window.brickfall.views[window.brickfall.view] }));
     assert.ok(Math.abs(state.time - 1.5) < 0.02, `${state.time} s`);
     assert.equal(state.view, 'side');
