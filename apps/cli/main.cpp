@@ -146,7 +146,7 @@ void defineCommands(CLI::App& app, Arguments& arguments) {
   run.footer(std::string("Examples:\n"
                          "  brickfall run wall\n"
                          "  brickfall run hole -o short --seconds 3\n"
-                         "  brickfall run wall --set world.seed=7 --no-glb\n\n"
+                         "  brickfall run mortar-wall --set world.seed=7 --no-glb\n\n"
                          "Ctrl-C ends the simulation and still writes the results of what was simulated.\n") +
              exitCodes(kRunCodes));
 

@@ -150,7 +150,8 @@ int run(const RunOptions& options) {
   if (!options.output.quiet) sayResult(summary);
   const int delivered = deliver(recorder->file(), folder, json, toCsv(series.columns()), options.output, display);
   if (summary.figures.quarantined > 0)
-    complainf("{} bodies became non-finite and were taken out of the simulation", summary.figures.quarantined);
+    complainf("bodies became non-finite or were lost (too fast, too far), and were taken out of the simulation: {}",
+              summary.figures.quarantined);
   return firstProblem(
       {simulated.exitCode, interrupted, finished, delivered, summary.figures.quarantined > 0 ? kQuarantined : kOk});
 }

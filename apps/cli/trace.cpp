@@ -1,5 +1,7 @@
 // brickfall trace: writes down what every stage of a run did, as hashes, and finds where two such runs part.
+#include <cerrno>
 #include <cmath>
+#include <cstring>
 #include <fstream>
 #include <sstream>
 
@@ -32,10 +34,12 @@ void append(const StepReport& report, std::uint64_t step, const SceneRun& run, T
 }
 
 Result<Trace> readTrace(const std::string& path) {
+  errno = 0;
   std::ifstream file(path, std::ios::binary);
   std::ostringstream text;
   if (file) text << file.rdbuf();
-  if (!file || file.bad()) return Error{ErrorCode::inputOutput, fmt::format("cannot read trace '{}'", path)};
+  if (!file || file.bad())
+    return Error{ErrorCode::inputOutput, fmt::format("cannot read trace '{}': {}", path, std::strerror(errno))};
   return parseTrace(std::move(text).str(), path);
 }
 

@@ -60,7 +60,7 @@ void define(CLI::App& app, Options& options, Texts& texts) {
   add(texts.status, "--status", "FILE", "A line of JSON for each picture and after each action");
   app.footer(
       "Examples:\n"
-      "  brickfall-view                         the wall of 100 bricks, live\n"
+      "  brickfall-view                         the wall of 105 bricks, live\n"
       "  brickfall-view hole                    look first; Space runs it, the left button shoots\n"
       "  brickfall-view out/wall/wall.take      a recording: scrub it to and fro\n"
       "  brickfall-view mine.toml --set speed=6\n\n"

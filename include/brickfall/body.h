@@ -10,7 +10,7 @@
 
 namespace brickfall {
 
-// static: never moves. kinematic: moves with the velocity it is given, whatever it hits. dynamic: moves by forces.
+// fixed: never moves. kinematic: moves with the velocity it is given, whatever it hits. dynamic: moves by forces.
 enum class BodyType : std::uint8_t { fixed, kinematic, dynamic };
 
 // Ways of the centre of mass along the world's axes, and turns about them, that a dynamic body may not make: whatever hits it,
@@ -71,7 +71,7 @@ struct BodyState {
   bool awake = true;
   bool enabled = true;  // false: switched off (World::setEnabled)
   AxisLocks locks;
-  bool quarantined = false;  // became non-finite; held still and out of all contacts since then
+  bool quarantined = false;  // became non-finite or lost (limits.h); held still and out of all contacts since then
   std::uint64_t userData = 0;
 };
 

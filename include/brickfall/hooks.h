@@ -1,5 +1,6 @@
-// Hooks of the whole process: who is told before a bug ends it. Nothing else of the engine is global, and nothing in it
-// prints: what happened in a step stands in its report and its events.
+// Hooks of the whole process: who is told before a bug ends it. Besides this and the note handler (notes.h) nothing of the
+// engine is global. Without a handler a failure is a line on standard error; nothing else is printed: what happened in a
+// step stands in its report and its events.
 #pragma once
 #include <atomic>
 #include <cstdio>

@@ -12,7 +12,7 @@ enum class IslandEnding : std::uint8_t {
   balanced,    // every residual under the tolerance of its plan
   rested,      // balanced without any motion (rest check): stays where it is
   inPlace,     // slow, and no point of it strayed for a while: stopped where it is
-  settled,     // rested, and not one bit of its forces changed: passed over until something disturbs it
+  settled,     // rested, and no force changed by more than rounding: passed over until something disturbs it
   count
 };
 constexpr int kIslandEndingCount = int(IslandEnding::count);

@@ -93,7 +93,7 @@ struct Shake {
 class ShakeMotion {
  public:
   struct State {
-    double acceleration = 0, velocity = 0, displacement = 0;
+    double acceleration = 0, velocity = 0, displacement = 0;  // m/s2, m/s, m
   };
   static Result<ShakeMotion> create(const Shake& shake);
   State at(double time) const;
@@ -129,7 +129,7 @@ Status applyWind(World& world, const Wind& wind, double time, double dt);
 
 // An impulse that spreads from a point: the share of a face is its solid angle, and acts away from the point.
 struct Blast {
-  Vec3 centre;
+  Vec3 centre;            // m
   double impulse = 0;     // N s, >= 0, over all directions together
   double radius = 1;      // m, > 0: no face beyond feels it
   double time = 0;        // s

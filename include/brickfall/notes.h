@@ -7,7 +7,7 @@
 namespace brickfall {
 
 enum class NoteKind : std::uint8_t {
-  quarantined,  // a body became non-finite and is held since then (StepReport::quarantined)
+  quarantined,  // a body became non-finite or lost (limits.h) and is held since then (StepReport::quarantined)
   tiesEnded,    // joints and mortar went with a body that was destroyed
 };
 

@@ -27,7 +27,7 @@ struct Diagnostic {
   Severity severity = Severity::error;
   std::string file;
   int line = 0, column = 0;  // from 1; 0 = the file as a whole, or a --set
-  std::string key;           // dotted path, "walls[0].courses"
+  std::string key;           // dotted path, "wall[0].courses"
   std::string message;       // found, expected, nearest key
 };
 std::string format(const Diagnostic& diagnostic);
@@ -131,7 +131,7 @@ struct SceneDescription {
   double seconds = 10;                // simulated time of a run, at most
   bool stopAtRest = false;            // it ends when everything rests and nothing is to come
   std::optional<double> removeBelow;  // m: dynamic bodies whose centres are lower are taken out
-  double timeStep = 1.0 / 60;
+  double timeStep = 1.0 / 60;         // s
   int substeps = 1;
   double framesPerSecond = 60;  // of the recorded take
   std::uint64_t seed = 1;

@@ -54,7 +54,7 @@ struct ShapeDef {
   double topRadius = 0;             // cone: at y = +halfHeight, m, >= 0; 0: a point, else the cone is cut off
   double halfHeight = 0.5;          // capsule, cylinder, cone: half the distance of the two caps along local y, m, > 0
   std::vector<Vec3> vertices;       // hull: 4 .. 64 points that span a volume; inner points are dropped
-  // plane: the half space y <= 0 of the shape's frame is solid; static bodies only
+  // plane: the half space y <= 0 of the shape's frame is solid; fixed bodies only
   // mesh: a surface of triangles that pushes towards the front of each; fixed and kinematic bodies only. Shared, not copied:
   // many shapes and worlds may use one. Docs: docs/mesh.md
   std::shared_ptr<const MeshTree> mesh;

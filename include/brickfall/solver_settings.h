@@ -17,22 +17,22 @@ struct SolverSettings {
   double impactStiffness = 30;  // u, 1 .. restingStiffness: of a point born in an impact
   //! m/s | too small: settling bricks count as impacts: soft, plastic
   //! | too large: real impacts are stiff from the start
-  double restingApproachSpeed = 0.3;  // m/s: contacts born slower are resting, not impacts
+  double restingApproachSpeed = 0.3;  // m/s, 0 .. 100: contacts born slower are resting, not impacts
   //! m | too small: points come too late: fast bodies overlap first | too large: more points that carry nothing
   double contactMargin = 0.010;  // m, 1e-5 .. 1: contacts are made this early (and approach x dt more), between
       // dynamic bodies plus the way of the faster one in the step; at most 0.3 inner radii of the
       // thinner shape
-  //! m/s | too small: heaps chatter | too large: bounces end early (a body alone goes on to g h)
-  double restitutionSpeed = 1;  // m/s, >= 0: slower impacts do not rebound; for a body alone on something fixed at most
-                                // gravity x dt. Smaller: heaps chatter longer before they rest
+  //! m/s | too small: heaps chatter | too large: bounces end early (a body alone goes on to g h / 100)
+  double restitutionSpeed = 1;  // m/s, 0 .. 100: slower impacts do not rebound; for a body alone on something fixed
+                                // at most a hundredth of gravity x dt. Smaller: heaps chatter longer before they rest
   //! m/s | too small: walls sway for seconds after a hit | too large: a body that begins to fall slowly may be stopped
-  double restSpeed = 1e-2;  // m/s: only islands slower than this may be stopped or put to rest; large ones of up to
-                            // 30 mm/s are stopped too, where a swing ends
+  double restSpeed = 1e-2;  // m/s, 0 .. 1: only islands slower than this may be stopped or put to rest; large ones of
+                            // up to 30 mm/s are stopped too, where a swing ends
   //! weights | too small: float noise keeps walls awake | too large: slow topples are stopped
-  double restTolerance = 1e-3;  // residual / max(weight, 0.02 load) accepted as "nothing moves"
+  double restTolerance = 1e-3;  // 0 .. 1: residual / max(weight, 0.02 load) accepted as "nothing moves"
   //! of load | too small: more cycles | too large: the left-over error moves bodies
-  double cycleTolerance = 2e-2;  // residual / max(weight, 0.3 load) under which a body of a large moving island is left
-                                 // alone; load: half the sum of the forces on it
+  double cycleTolerance = 2e-2;  // 1e-6 .. 10: residual / max(weight, 0.3 load) under which a body of a large moving
+                                 // island is left alone; load: half the sum of the forces on it
   //! - | too small: 2 hang bodies in the air (`topple` stays up) | too large: cost
   int minCycles = 4;  // 1 .. 64: fewer glue bodies in place (they hang in the air). Before a direct solve of 2 to 24
                       // bodies there is one
@@ -40,11 +40,12 @@ struct SolverSettings {
   int maxCycles = 10;  // minCycles .. 256, islands of 25 bodies and more. Three times as many while a twentieth of
                        // the bodies is out of balance
   //! - | too small: bodies alone whose points open and close stay unbalanced | too large: its cost
-  int maxCyclesSmall = 64;  // the same for a body alone
+  int maxCyclesSmall = 64;  // minCycles .. 256: the same for a body alone
   //! - | too small: at long time steps heavy balls punch clean holes into walls that they should push apart
   //! | too large: cost of fast hits
   int maxHitParts = 8;  // 1 .. 64: a step in which something heavy goes far into what it hits is made in up to so many
-                        // parts, equal but where mortar holds that; 1: never
+                        // parts, equal but where mortar holds that; up to twice as
+                        // many where a part is taken again in halves; 1: never
 };
 
 }  // namespace brickfall

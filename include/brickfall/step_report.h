@@ -38,7 +38,7 @@ struct StepReport {
   int impacts = 0;  // of small islands, each met at its moment within the step
   int manifoldsReused = 0;
   int manifoldsComputed = 0;
-  std::vector<BodyId> quarantined;  // bodies that became non-finite in this step
+  std::vector<BodyId> quarantined;  // bodies that became non-finite or lost (limits.h) in this step
   // Only as World::trace asked for:
   std::vector<StageHash> stageHashes;  // of every part: what it was given, then each stage
   std::optional<StepLedger> ledger;    // of all parts together

@@ -83,7 +83,7 @@ struct StepLedger {
   BalanceChange forces;    // of applyForce and its like
   BalanceChange damping;   // damping, air drag, spins that are cut in contact
   BalanceChange stopped;   // kinetic damping of slow islands
-  BalanceChange supports;  // contacts with static and kinematic bodies; energy: the work of kinematic ones
+  BalanceChange supports;  // contacts with fixed and kinematic bodies; energy: the work of kinematic ones
   BalanceChange
       contacts;         // the work of contacts on dynamic bodies, and what it did to what they hold: friction, impacts,
                         // springs. energy + elastic is a loss in every step: no contact gives what it was not given

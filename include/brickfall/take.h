@@ -63,8 +63,8 @@ enum class TakeEventType : std::uint8_t { hit, launch, fellAsleep, quarantined }
 struct TakeEvent {
   TakeEventType type = TakeEventType::hit;
   std::uint32_t bodyA = 0, bodyB = 0;  // numbers of bodies that are or were there; bodyB only for hits
-  Vec3 pointWorld;
-  float impulse = 0;  // N s
+  Vec3 pointWorld;                     // m
+  float impulse = 0;                   // N s
 };
 
 // 0 .. 1 both, kept to 1 / 255. Broken: damage is 1.

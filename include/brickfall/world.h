@@ -60,7 +60,7 @@ struct ContactView {
   ContactPointView points[4];
 };
 
-// Bodies that hang together by contacts, not through anything fixed, as the last step found them.
+// Bodies that hang together by contacts, joints or mortar, not through anything fixed, as the last step found them.
 struct IslandView {
   std::span<const BodyId> bodies;  // dynamic; valid until the callback returns
   bool awake = true;
@@ -84,7 +84,7 @@ struct PreSolveContact {
 struct RayHit {
   BodyId body;
   ShapeId shape;
-  Vec3 pointWorld;
+  Vec3 pointWorld;      // m
   Vec3 normalWorld;     // unit, out of the shape
   double distance = 0;  // m along the ray
 };
@@ -98,7 +98,7 @@ struct ShapeCastHit {
 struct ClosestResult {
   BodyId body;
   ShapeId shape;
-  Vec3 pointWorld;      // nearest point of the shape
+  Vec3 pointWorld;      // m, nearest point of the shape
   double distance = 0;  // m, 0 inside
 };
 
@@ -197,9 +197,9 @@ class World {
   // Dynamic bodies that reach a fixed or kinematic one through mortar that holds, joints, or contacts that press.
   std::vector<BodyId> carried() const;
 
-  // --- Settings, as the world has them now. All are changed at once, or none on an error. maxBodies, broadPhase and
-  // solver.contactMargin are for the life of a world: what differs there is refused. New loads or solver settings wake who
-  // sleeps and end all rest; so does enableSleep = false.
+  // --- Settings, as the world has them now. All are changed at once, or none on an error. maxBodies, broadPhase, tasks,
+  // memory and solver.contactMargin are for the life of a world: what differs there is refused. New loads or solver settings
+  // wake who sleeps and end all rest; so does enableSleep = false.
   const WorldDef& definition() const;
   Status setDefinition(const WorldDef& def);
 
@@ -230,8 +230,8 @@ class World {
   Status setPreSolve(PreSolve callback);
 
   // --- Time. Advances by dt seconds (1e-5 .. 0.1), in `substeps` equal parts (1 .. 64), each of which is made in
-  // up to SolverSettings::maxHitParts where something heavy hits. dt / substeps may vary from step to step: what rests goes on
-  // resting if the longest is no more than four times the shortest. Equal ones cost least.
+  // up to SolverSettings::maxHitParts where something heavy hits, or twice as many where a part is taken again.
+  // dt / substeps may vary from step to step: what rests goes on resting if the longest is no more than four times the shortest. Equal ones cost least.
   Result<StepReport> step(double dt, int substeps = 1);
   double time() const;  // s
   std::uint64_t stepCount() const;
@@ -259,7 +259,8 @@ class World {
   // While forEachContact, forEachIsland or draw runs its callbacks, calls that change the world answer wrongState; reading is
   // fine. The callbacks must not throw.
   void forEachContact(const std::function<void(const ContactView&)>& visit) const;
-  // Awake islands, then those that sleep, each in the order of their lowest body. Bodies without contacts are in none.
+  // Awake islands, then those that sleep, each in the order of their lowest body. Bodies without contacts, joints
+  // and mortar are in none.
   void forEachIsland(const std::function<void(const IslandView&)>& visit) const;
   // Exact overlap depth of two shapes, m: 0 when apart. What is really there, not what the solver believes.
   Result<double> penetration(ShapeId a, ShapeId b) const;

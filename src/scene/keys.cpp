@@ -121,7 +121,7 @@ void addSolverKeys(std::vector<KeySpec>& keys) {
   keys.push_back({"solver", "resting_stiffness", K::number, "u", 10, 1e5, "1000", "", "of resting contacts; u = effective mass / time_step^2; islands of 25 bodies and more that are not solved directly take a part of it at steps under 1/60 s"});
   keys.push_back({"solver", "impact_stiffness", K::number, "u", 1, 1e5, "30", "", "of a contact born in an impact; at most resting_stiffness"});
   keys.push_back({"solver", "resting_approach_speed", K::number, "m/s", 0, 100, "0.3", "", "contacts born slower are resting, not impacts"});
-  keys.push_back({"solver", "restitution_speed", K::number, "m/s", 0, 100, "1", "", "slower impacts do not rebound; a body alone on something fixed bounces on until gravity x time_step"});
+  keys.push_back({"solver", "restitution_speed", K::number, "m/s", 0, 100, "1", "", "slower impacts do not rebound; a body alone on something fixed bounces on until a hundredth of gravity x time_step"});
   keys.push_back({"solver", "contact_margin", K::number, "m", 1e-5, 1, "0.01", "", "contacts are made this early, and earlier by what moves"});
   keys.push_back({"solver", "rest_speed", K::number, "m/s", 0, 1, "0.01", "", "only slower islands are stopped or put to rest; large ones up to 0.03 m/s are stopped too, where a swing ends"});
   keys.push_back({"solver", "rest_tolerance", K::number, "", 0, 1, "0.001", "", "force residual / max(weight, 0.02 load) taken as: nothing moves"});
@@ -130,7 +130,7 @@ void addSolverKeys(std::vector<KeySpec>& keys) {
   keys.push_back({"solver", "max_cycles", K::integer, "", 1, 256, "10", "", "cycles of large islands; up to three times as many while a twentieth of one is out of balance"});
   keys.push_back({"solver", "max_cycles_alone", K::integer, "", 1, 256, "64", "", "cycles of a body that is alone in its island"});
   keys.push_back({"solver", "max_cycles_small", K::integer, "", 1, 256, "-", "", "old name of max_cycles_alone: still read, with a warning"});
-  keys.push_back({"solver", "max_hit_parts", K::integer, "", 1, 64, "8", "", "a step in which something ten times as heavy goes far into what it hits is made in up to so many parts; 1: never"});
+  keys.push_back({"solver", "max_hit_parts", K::integer, "", 1, 64, "8", "", "a step in which something ten times as heavy goes far into what it hits is made in up to so many parts, in up to twice as many where bodies end deep in each other; 1: never"});
 }
 
 void addReportKeys(std::vector<KeySpec>& keys) {

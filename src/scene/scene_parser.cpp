@@ -58,9 +58,10 @@ void readAll(scene::SceneBuild& build, scene::Node& root) {
                   top.has("array") || top.has("arch") || top.has("dome");
   if (!anything && !build.context.syntaxErrors) {
     scene::Node file;
-    build.context.error(file, "",
-                        "found nothing to simulate, expected at least one [[wall]], [[body]], [[ball]], [[array]], "
-                        "[[arch]] or [[dome]]");
+    build.context.error(
+        file, "",
+        "found nothing to simulate, expected at least one [[wall]], [[pier]], [[roof]], [[body]], [[ball]], "
+        "[[array]], [[arch]] or [[dome]]");
   }
 }
 

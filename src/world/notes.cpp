@@ -20,7 +20,7 @@ void noteStep(const StepReport& report) {
   if (!handler) return;
   char text[128];
   for (BodyId body : report.quarantined) {
-    std::snprintf(text, sizeof text, "step %llu: body %u became non-finite; it is held where it was",
+    std::snprintf(text, sizeof text, "step %llu: body %u became non-finite or was lost; it is held where it was",
                   static_cast<unsigned long long>(report.stepIndex), body.index);
     handler({NoteKind::quarantined, text, report.stepIndex, body.index, 0});
   }

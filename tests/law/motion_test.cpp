@@ -62,7 +62,7 @@ TEST(Law, Row18bWhatNothingTouchesFallsWithGDuringAHit) {
                          " hit at " + text(c.speed, 0) + " m/s" +
                          (c.aside > 0 ? ", " + text(c.aside * 1e3, 0) + " mm aside: " : ": ");
       reached({name + "mean a / g", dt, untouched.mean(), 1, 0.01, ""});
-      atMost(name + "worst |a - g| / g", dt, untouched.worst, 0.05, "");
+      atMost(name + "worst error of a / g", dt, untouched.worst, 0.05, "");
     }
 }
 

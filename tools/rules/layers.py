@@ -10,7 +10,7 @@ from rules.source import errors, made_block, read
 
 # Public headers that the engine must not know.
 ABOVE_ENGINE = {"brickfall/" + name for name in ("machines.h", "masonry.h", "mesh_file.h", "report.h", "scene.h", "scenery.h", "take.h",
-                                                "take_recorder.h", "whole_file.h", "output.h")}
+                                                "take_recorder.h", "whole_file.h", "output.h", "export.h")}
 
 
 class Module:

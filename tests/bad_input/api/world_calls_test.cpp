@@ -12,7 +12,7 @@ using BodyCall = std::function<Error(World&, BodyId)>;
 
 template <class Answer> Error errorOf(const Answer& answer) { return answer.ok() ? Error{} : answer.error(); }
 
-// All calls that take a body.
+// All calls that take one body.
 std::vector<std::pair<const char*, BodyCall>> bodyCalls() {
   Vec3 v{1, 2, 3};
   return {
@@ -34,6 +34,13 @@ std::vector<std::pair<const char*, BodyCall>> bodyCalls() {
       {"applyImpulse", [=](World& w, BodyId b) { return errorOf(w.applyImpulse(b, v)); }},
       {"applyImpulseAtPoint", [=](World& w, BodyId b) { return errorOf(w.applyImpulseAtPoint(b, v, v)); }},
       {"applyAngularImpulse", [=](World& w, BodyId b) { return errorOf(w.applyAngularImpulse(b, v)); }},
+      {"replaceBody", [](World& w, BodyId b) { return errorOf(w.replaceBody(b, {})); }},
+      {"setSurfaceVelocity", [=](World& w, BodyId b) { return errorOf(w.setSurfaceVelocity(b, v)); }},
+      {"setMassProperties", [](World& w, BodyId b) { return errorOf(w.setMassProperties(b, std::nullopt)); }},
+      {"setLocks", [](World& w, BodyId b) { return errorOf(w.setLocks(b, {})); }},
+      {"setEnabled", [](World& w, BodyId b) { return errorOf(w.setEnabled(b, false)); }},
+      {"sleep", [](World& w, BodyId b) { return errorOf(w.sleep(b)); }},
+      {"whyFell", [](World& w, BodyId b) { return errorOf(w.whyFell(b)); }},
   };
 }
 
@@ -59,6 +66,8 @@ TEST(WorldCalls, EveryKindOfBadBodyIdIsRefusedByEveryCall) {
       SCOPED_TRACE(name);
       unchanged.refuses(Status(call(s.world, id)), ErrorCode::staleId, "body");
     }
+    unchanged.refuses(s.world.sharedFace(s.box, id), ErrorCode::staleId, "body");
+    unchanged.refuses(s.world.sharedFace(id, s.box), ErrorCode::staleId, "body");
   }
   ShapeId good = s.world.shapes(s.box)[0], foreign = other.world.shapes(other.box)[0], later = good;
   later.generation++;
@@ -68,7 +77,7 @@ TEST(WorldCalls, EveryKindOfBadBodyIdIsRefusedByEveryCall) {
     unchanged.refuses(s.world.penetration(id, good), ErrorCode::staleId, "shape");
     unchanged.refuses(s.world.penetration(good, id), ErrorCode::staleId, "shape");
   }
-  EXPECT_EQ(unchanged.calls(), int(6 * bodyCalls().size()) + 20);
+  EXPECT_EQ(unchanged.calls(), int(6 * (bodyCalls().size() + 2)) + 20);
   stepSound(s.world);
 }
 
