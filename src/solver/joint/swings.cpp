@@ -40,12 +40,12 @@ class Swings : VelocitySystem {
     addResisting();
     findOthers();
     resist();
-    if (!findHalf(ties, true)) return;
+    if (!findHalf(ties, false)) return;
     rememberHalf();
     rememberWhole(ties);
     island_.rows.joints.hold(heldEnergy());
     // A spring that just began to act has no half to give yet.
-    if (sprung_ && begins() && !findHalf(ties, false)) return;
+    if (young_ && !findHalf(ties, true)) return;
     for (std::uint32_t i = 0; i < island_.bodies.size(); i++) {
       if (place_[i] == kNoPlace || flies(i)) continue;
       const Body& body = bodies_[place_[i]];
@@ -135,14 +135,13 @@ class Swings : VelocitySystem {
   }
 
   // The change of velocities over half of the step. False if it has no solution.
-  bool findHalf(const Ties& ties, bool springs) {
+  bool findHalf(const Ties& ties, bool withoutYoung) {
     for (OtherRow& s : others_) s.state = OtherRow::holds;
     for (int round = 0; round < kBoundRounds; round++) {
       assemble([](std::uint32_t, BodyBlock&) {});
       addOthers();
       if (!factor()) return false;
-      const bool any = pushHalf(ties, springs);
-      if (springs) sprung_ = any;
+      pushHalf(ties, withoutYoung);
       pushOthers(false);
       for (OtherRow& s : others_) std::fill_n(s.impulse, 6, 0.0);
       findChange();
@@ -151,11 +150,6 @@ class Swings : VelocitySystem {
     return true;
   }
   // A body of which no change of velocity is remembered.
-  bool begins() const {
-    const auto& records = island_.rows.joints.records;
-    return std::any_of(records.begin(), records.end(),
-                       [&](const JointRecord& r) { return beginsAt(r.bodyA) || beginsAt(r.bodyB); });
-  }
   bool beginsAt(std::uint32_t local) const {
     return moves(local) && context_.bodies->data[at(local).body].steady.dt == 0;
   }
@@ -219,8 +213,8 @@ class Swings : VelocitySystem {
       body.inertia = turned * Mat3{{rows[0] * h2, rows[1] * h2, rows[2] * h2}} * transpose(turned);
     }
   }
-  // Impulses of outside forces, and of springs, over half of the step. True if there are springs.
-  bool pushHalf(const Ties& ties, bool springs) {
+  // Impulses of outside forces, and of springs, over half of the step.
+  void pushHalf(const Ties& ties, bool withoutYoung) {
     clear();
     for (std::uint32_t i = 0; i < island_.bodies.size(); i++) {
       if (place_[i] == kNoPlace || flies(i)) continue;
@@ -229,7 +223,7 @@ class Swings : VelocitySystem {
       push(place_[i], (context_.gravity * (body.mass * data.gravityScale) + data.force) * (0.5 * island_.dt),
            data.torque * (0.5 * island_.dt));
     }
-    return springs && pushSprings(ties);
+    pushSprings(ties, withoutYoung);
   }
   // The change of velocities that these impulses and the equations give.
   void findChange() {
@@ -283,14 +277,16 @@ class Swings : VelocitySystem {
   bool flies(std::uint32_t local) const { return island_.groups.flies(island_.groups.groupOf(local)); }
 
   // Springs, by their force where the step ends; those too fast for the step have given all of it.
-  bool pushSprings(const Ties& ties) {
-    bool any = false;
+  void pushSprings(const Ties& ties, bool withoutYoung) {
     const JointRows& joints = island_.rows.joints;
     for (std::uint32_t k = 0; k < joints.size(); k++) {
       const Joint& joint = joints.at(k, ties);
       if (joint.type != JointType::spring && joint.type != JointType::drag) continue;
-      any = true;
       const JointRecord& r = joints.records[k];
+      if (begins(r.bodyA) && begins(r.bodyB)) {
+        young_ = true;
+        if (withoutYoung) continue;
+      }
       const Body &a = this->at(r.bodyA), &b = this->at(r.bodyB);
       const Posed at = posed(k, joint);
       const EquationSet& set = at.system.way;
@@ -306,11 +302,10 @@ class Swings : VelocitySystem {
       if (moves(r.bodyA) && !flies(r.bodyA)) push(place_[r.bodyA], -p, cross(at.armA, -p));
       if (moves(r.bodyB) && !flies(r.bodyB)) push(place_[r.bodyB], p, cross(at.armB, p));
     }
-    return any;
   }
 
   std::size_t hard_ = 0;  // equations that hold
-  bool sprung_ = false;   // springs act
+  bool young_ = false;    // a spring begins to act
   std::pmr::vector<OtherRow> others_;
 };
 
