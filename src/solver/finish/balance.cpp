@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "solver/finish/motion.h"
+#include "solver/joint/springs.h"
 #include "solver/joint/velocities.h"
 #include "solver/rigid_sum.h"
 #include "solver/support.h"
@@ -332,7 +333,7 @@ class LastCheck {
   // beside joints are pressed by all that hangs there, and may store 1 % of all that moves: they give rebounds alone.
   double mostWork(std::size_t g) const {
     const std::size_t count = island_.bodies.size();
-    double sum = 0;
+    double sum = releasedBySprings(island_, std::uint32_t(g), context_);
     island_.rows.each([&]<class Kind>(const Kind& kind, std::size_t k) {
       if (island_.plan.endVelocities && !Kind::kLasts && !Kind::kYields) return;
       const RowEnds ends = kind.ends(k);
@@ -346,7 +347,7 @@ class LastCheck {
   double checkFlying(std::size_t g, const Returned& back) {
     const Bodies group = island_.groups.bodies(g);
     const GroupEnergy energy = energyOf(island_, group, {}, context_);
-    const double excess = energy.gain(back) - back.lasting;
+    const double excess = energy.gain(back) - back.lasting - releasedBySprings(island_, std::uint32_t(g), context_);
     if (!(excess > energy.slack())) return 0;
     const double left = takeRelative(island_, group, motionOf(island_, group, context_), {}, context_, excess);
     // No momenta fit those ways: the group goes as if it met nothing. Joints and locks hold it as well.

@@ -8,6 +8,7 @@
 #include "dynamics/point_matcher.h"
 #include "math/wide_pair.h"
 #include "solver/island.h"
+#include "solver/joint/springs.h"
 #include "solver/numbering.h"
 #include "solver/union_find.h"
 
@@ -35,10 +36,8 @@ namespace {
 constexpr double kInRow = 0.1;  // a load's part by which long rows of joints are firm
 //! of a body's weight | too small: long rows of joints that are fast are soft | too large: whips are left unsolved
 constexpr double kMostRounded = 0.1;  // that the rounding of its way, times kFirmness of a row, may be
-//! of the second difference | too small: stiff springs fly apart | too large: their period grows with the step
-constexpr double kSpringShare = 0.5;  // of a spring's stiffness, that the solve knows
-//! (angular frequency x dt)^2 | too small: springs lose amplitude | too large: stiff springs gain energy
-constexpr double kResolved = 2;  // of a spring that swings half with the leapfrog, half damped
+//! not of the method: the rule of the trapezoid (springs.h)
+constexpr double kSpringShare = 0.25;  // of a spring's stiffness, that the solve knows, of the second difference
 //! of the force | too small: cost | too large: joints stretch
 constexpr float kFollowed = 1e-3f;  // a smaller change of a multiplier is left
 
@@ -97,11 +96,9 @@ struct Firmness {
   double most = 0;     // m or rad: no more of it is looked at
 };
 
-// The part of a spring that swings too fast for the step: its force is that of the step's end, which damps it. A
-// leapfrog would take a stiff spring as far as its bodies go in a step, whatever work that is.
-double unresolved(double stiffness, double inert) {
-  const double fast = stiffness / inert;  // (angular frequency x dt)^2
-  return fast * fast / (kResolved * kResolved + fast * fast);
+// N/m: what the solve knows of a spring, of the second difference of its stretch.
+double knownOf(const Joint& spring, double inert) {
+  return kSpringShare * spring.stiffness * resolvedPart(spring.stiffness, inert);
 }
 
 bool isLimit(JointLaw law) { return law == JointLaw::atMost || law == JointLaw::atLeast; }
@@ -143,8 +140,7 @@ void write(const Joint& joint, const JointEquation& from, const Firmness& firm, 
       out.least[lane] = -out.most[lane];
       return;
     case JointLaw::spring: {
-      const double late = unresolved(joint.stiffness, firm.inert);
-      const double follows = kSpringShare * joint.stiffness * (1 - late), ends = joint.stiffness * late;
+      const double follows = knownOf(joint, firm.inert), ends = joint.stiffness - follows / kSpringShare;
       out.k[lane] = float(follows + ends + joint.damping / firm.dt);
       out.trial[lane] = float(follows * before - joint.stiffness * from.error);
       if (joint.type == JointType::drag) {
@@ -314,13 +310,6 @@ void JointRows::turnLine(std::size_t k, float force) {
 
 namespace {
 
-// kg m2: about an axis through the centre, the mean of all.
-double meanInertia(const BodyMass& mass) {
-  return (mass.inertia.row[0].x + mass.inertia.row[1].y + mass.inertia.row[2].z) / 3;
-}
-// N/m: the inertia of a body about the end of its arm / dt^2, as 1 / x of it.
-double givenWay(const BodyMass& mass, Vec3 arm) { return 1 / mass.mass + lengthSquared(arm) / meanInertia(mass); }
-
 // Arms are frozen in a step. Where they turn too far for that, friction takes from the turn: of a pendulum nothing, of
 // links that are flung about what no step could follow.
 void brake(const JointStart& start, Vec3 spin, double dt, JointEquations& turn) {
@@ -339,8 +328,8 @@ void brake(const JointStart& start, Vec3 spin, double dt, JointEquations& turn) 
 }
 
 // Adds an arc to the ways of all equations, a limit beside a motor as well.
-void takeArc(const JointStart& start, Vec3f arc, JointEquations& way) {
-  for (int i = 0; i < kJointLanes; i++) way.trial[i] -= start.bends * way.k[i] * dot(way.axes[i % 3].unit, arc);
+void takeArc(Vec3f arc, JointEquations& way) {
+  for (int i = 0; i < kJointLanes; i++) way.trial[i] -= way.k[i] * dot(way.axes[i % 3].unit, arc);
 }
 
 // Velocities of the last step's way: those of now are up to date where a body swings.
@@ -428,11 +417,11 @@ void JointRows::prepare(Island& island, Ties& ties, const StepContext& context) 
     start.arc = {};
     start.arcs = arcs ? system.arcs : JointArcs::none;
     if (start.arcs == JointArcs::none) continue;
-    start.bends = 1;
-    if (joint.type == JointType::spring && r.way.k[0] > 0)
-      start.bends = float(joint.stiffness * unresolved(joint.stiffness, inert)) / r.way.k[0];
+    if (joint.type == JointType::spring)
+      r.way.trial[0] -= float(knownOf(joint, inert)) *
+                        dot(r.way.axes[0].unit, arcAt(k, spinA * -island.dt, spinB * -island.dt, speed * -island.dt));
     start.arc = arcAt(k, spinA * island.dt, spinB * island.dt, speed * island.dt);
-    takeArc(start, start.arc, r.way);
+    takeArc(start.arc, r.way);
   }
 }
 
@@ -494,11 +483,11 @@ bool JointRows::followArcs(std::size_t k, const SolveMotion* motion, float slack
   const Vec3f by = arc - start.arc;
   float most = 0, force = 0;
   for (int i = 0; i < kJointLanes; i++) {
-    most = std::max(most, std::fabs(start.bends * r.way.k[i] * dot(r.way.axes[i % 3].unit, by)));
+    most = std::max(most, std::fabs(r.way.k[i] * dot(r.way.axes[i % 3].unit, by)));
     force = std::max(force, std::fabs(start.held[i]));
   }
   if (!(most > slack * force)) return false;
-  takeArc(start, by, r.way);
+  takeArc(by, r.way);
   start.arc = arc;
   return true;
 }
@@ -619,20 +608,16 @@ bool JointRows::store(Island& island, Ties& ties, StepContext&) {
   return changed;
 }
 
-// Motors, springs and brakes by their law, whatever the way; what holds places by what it took before.
+// Motors by their law, whatever the way; what holds places by what it took before. Springs: springs.h.
 double JointRows::mostWork(std::size_t k) const {
   double sum = returned / double(size());
   for (int i = 0; i < 2 * kJointLanes; i++) {
-    if ((starts[k].hard | starts[k].across) >> i & 1) continue;
+    if ((starts[k].hard | ~starts[k].follows) >> i & 1) continue;
     const JointEquations& e = i < kJointLanes ? records[k].way : records[k].turn;
     const double stiffness = e.k[i % kJointLanes], trial = e.trial[i % kJointLanes];
     if (trial != 0) sum += stiffness > 0 ? trial * trial / (4 * stiffness) : std::numeric_limits<double>::infinity();
   }
   return sum;
-}
-
-double JointRows::resolved(std::size_t k, const Joint& spring) const {
-  return 1 - unresolved(spring.stiffness, double(starts[k].inert));
 }
 
 void JointRows::tellShare(Ties& ties, float share) const {

@@ -51,7 +51,6 @@ struct JointStart {
   std::uint32_t follows = 0;           // bit per equation that has a multiplier
   float swung[2] = {};                 // N m: the part of `resist` that is the arm's
   JointArcs arcs = JointArcs::none;    // that the solve knows of
-  float bends = 1;                     // share of k with which they count
   std::uint32_t hard = 0;              // bit per equation that gives no energy: holds a place
   std::uint32_t across = 0;            // bit per equation across a line
   float span = 0;                      // m: of the line
@@ -125,8 +124,6 @@ struct JointRows : LastingRows<JointRows, JointSet, &Ties::joints> {
   // (velocities.cpp).
   void hold(double energy) { held_ = energy; }
   double held() const { return held_; }
-  // The part of a spring that swings slowly enough for the step.
-  double resolved(std::size_t k, const Joint& spring) const;
 
   // --- what the world asks of the rows of an island
   void hashRecord(Mix& h, std::size_t k, const Ties& ties) const;

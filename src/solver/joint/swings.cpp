@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "solver/finish/motion.h"
+#include "solver/joint/springs.h"
 #include "solver/joint/velocity_system.h"
 #include "solver/renewals.h"
 
@@ -40,12 +41,10 @@ class Swings : VelocitySystem {
     addResisting();
     findOthers();
     resist();
-    if (!findHalf(ties, false)) return;
+    if (!findHalf(ties)) return;
     rememberHalf();
     rememberWhole(ties);
     island_.rows.joints.hold(heldEnergy());
-    // A spring that just began to act has no half to give yet.
-    if (young_ && !findHalf(ties, true)) return;
     for (std::uint32_t i = 0; i < island_.bodies.size(); i++) {
       if (place_[i] == kNoPlace || flies(i)) continue;
       const Body& body = bodies_[place_[i]];
@@ -135,13 +134,13 @@ class Swings : VelocitySystem {
   }
 
   // The change of velocities over half of the step. False if it has no solution.
-  bool findHalf(const Ties& ties, bool withoutYoung) {
+  bool findHalf(const Ties& ties) {
     for (OtherRow& s : others_) s.state = OtherRow::holds;
     for (int round = 0; round < kBoundRounds; round++) {
       assemble([](std::uint32_t, BodyBlock&) {});
       addOthers();
       if (!factor()) return false;
-      pushHalf(ties, withoutYoung);
+      pushHalf(ties);
       pushOthers(false);
       for (OtherRow& s : others_) std::fill_n(s.impulse, 6, 0.0);
       findChange();
@@ -214,7 +213,7 @@ class Swings : VelocitySystem {
     }
   }
   // Impulses of outside forces, and of springs, over half of the step.
-  void pushHalf(const Ties& ties, bool withoutYoung) {
+  void pushHalf(const Ties& ties) {
     clear();
     for (std::uint32_t i = 0; i < island_.bodies.size(); i++) {
       if (place_[i] == kNoPlace || flies(i)) continue;
@@ -223,7 +222,7 @@ class Swings : VelocitySystem {
       push(place_[i], (context_.gravity * (body.mass * data.gravityScale) + data.force) * (0.5 * island_.dt),
            data.torque * (0.5 * island_.dt));
     }
-    pushSprings(ties, withoutYoung);
+    pushSprings(ties);
   }
   // The change of velocities that these impulses and the equations give.
   void findChange() {
@@ -276,36 +275,22 @@ class Swings : VelocitySystem {
   }
   bool flies(std::uint32_t local) const { return island_.groups.flies(island_.groups.groupOf(local)); }
 
-  // Springs, by their force where the step ends; those too fast for the step have given all of it.
-  void pushSprings(const Ties& ties, bool withoutYoung) {
+  void pushSprings(const Ties& ties) {
     const JointRows& joints = island_.rows.joints;
-    for (std::uint32_t k = 0; k < joints.size(); k++) {
+    for (std::size_t k = 0; k < joints.size(); k++) {
       const Joint& joint = joints.at(k, ties);
       if (joint.type != JointType::spring && joint.type != JointType::drag) continue;
       const JointRecord& r = joints.records[k];
-      if (begins(r.bodyA) && begins(r.bodyB)) {
-        young_ = true;
-        if (withoutYoung) continue;
-      }
       const Body &a = this->at(r.bodyA), &b = this->at(r.bodyB);
       const Posed at = posed(k, joint);
-      const EquationSet& set = at.system.way;
       const Vec3 speed = b.startMove + cross(b.startSpin, at.armB) - a.startMove - cross(a.startSpin, at.armA);
-      const double slowed = joint.damping / (1 + joint.damping / (2 * double(joints.starts[k].inert) * island_.dt));
-      Vec3 force;
-      for (int i = 0; i < 3; i++)
-        if (set.of[i].law == JointLaw::spring)
-          force -= set.axes[i] *
-                   (joint.stiffness * joints.resolved(k, joint) * set.of[i].error + slowed * dot(set.axes[i], speed));
-      if (joint.type == JointType::drag && length(force) > joint.strength) force *= joint.strength / length(force);
-      const Vec3 p = force * (0.5 * island_.dt);
+      const Vec3 p = springForce(joints, k, joint, at.system.way, speed, island_.dt) * (0.5 * island_.dt);
       if (moves(r.bodyA) && !flies(r.bodyA)) push(place_[r.bodyA], -p, cross(at.armA, -p));
       if (moves(r.bodyB) && !flies(r.bodyB)) push(place_[r.bodyB], p, cross(at.armB, p));
     }
   }
 
   std::size_t hard_ = 0;  // equations that hold
-  bool young_ = false;    // a spring begins to act
   std::pmr::vector<OtherRow> others_;
 };
 
@@ -314,11 +299,15 @@ class Swings : VelocitySystem {
 void beginSwings(const Island& island, const StepContext& context, BodySet& bodies) {
   std::pmr::vector<char> jointed(island.bodies.size() + island.partners.size(), 0, island.memory);
   for (const JointRecord& r : island.rows.joints.records) jointed[r.bodyA] = jointed[r.bodyB] = 1;
+  // What flew until now has no late velocities of springs: it may go on to fly.
+  std::pmr::vector<char> begins(jointed.size(), 0, island.memory);
   for (std::size_t i = 0; i < island.bodies.size(); i++) {
     SteadyChange& steady = bodies.data[island.bodies[i]].steady;
     if (steady.swings ? steady.dt > 0 : !jointed[i]) continue;
+    begins[i] = island.facts.grounded && !steady.swings;
     steady = outsideChange(bodies, island.bodies[i], context.gravity);
   }
+  addSpringsBefore(island, context, begins, bodies);
 }
 
 void seeWholeTurns(const Island& island, StepContext& context) {

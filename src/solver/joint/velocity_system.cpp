@@ -12,6 +12,22 @@ namespace brickfall {
 //! | too large: doubles round
 constexpr double kStiff = 1e5;  // in units of mass: of an equation of velocities
 
+JointPlace placeAtEnd(const Island& island, std::uint32_t local, const StepContext& context) {
+  const BodyIndex body = bodyOf(island, local);
+  const BodyMotion& m = context.bodies->motion[body];
+  JointPlace place;
+  if (local < island.bodies.size()) {
+    place.position = m.position + context.solved[body].d;
+    place.rotation = rotationAtEnd(body, context);
+  } else {
+    place.position = m.position + m.linearVelocity * island.dt;
+    place.rotation = normalized(quatFromRotationVector(m.angularVelocity * island.dt) * m.rotation);
+  }
+  place.orientation = toMatrix(place.rotation);
+  place.localCentre = context.bodies->data[body].localCentre;
+  return place;
+}
+
 VelocitySystem::VelocitySystem(Island& island, StepContext& context)
     : island_(island),
       context_(context),
@@ -24,29 +40,21 @@ VelocitySystem::VelocitySystem(Island& island, StepContext& context)
 
 VelocitySystem::Body VelocitySystem::bodyAt(std::uint32_t local) const {
   const BodySet& bodies = *context_.bodies;
-  const std::size_t own = island_.bodies.size();
   Body out;
-  out.body = local < own ? island_.bodies[local] : island_.partners[local - own];
-  const BodyMotion& m = bodies.motion[out.body];
-  JointPlace& place = out.place;
-  if (local < own) {
+  out.body = bodyOf(island_, local);
+  out.place = placeAtEnd(island_, local, context_);
+  if (moves(local)) {
     const SolvedMotion& s = context_.solved[out.body];
-    place.position = m.position + s.d;
-    place.rotation = rotationAtEnd(out.body, context_);
-    const Mat3 end = toMatrix(place.rotation);
+    const Mat3& end = out.place.orientation;
     out.inertia = end * bodies.mass[out.body].inertia * transpose(end);
     out.invInertia = end * bodies.mass[out.body].invInertia * transpose(end);
     out.mass = bodies.mass[out.body].mass;
     out.startMove = s.velocity;
     out.startSpin = bodies.spinAt(out.body, end, s.angularMomentum);
   } else {
-    place.position = m.position + m.linearVelocity * island_.dt;
-    place.rotation = normalized(quatFromRotationVector(m.angularVelocity * island_.dt) * m.rotation);
-    out.startMove = m.linearVelocity;
-    out.startSpin = m.angularVelocity;
+    out.startMove = bodies.motion[out.body].linearVelocity;
+    out.startSpin = bodies.motion[out.body].angularVelocity;
   }
-  place.orientation = toMatrix(place.rotation);
-  place.localCentre = bodies.data[out.body].localCentre;
   out.move = out.startMove;
   out.spin = out.startSpin;
   return out;

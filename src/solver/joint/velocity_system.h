@@ -14,6 +14,13 @@ namespace brickfall {
 //! - | too small: joints keep a part of their velocity | too large: cost
 constexpr int kHoldRounds = 2;  // each leaves a part of what the last left
 
+// By its number in an island, partners last.
+inline BodyIndex bodyOf(const Island& island, std::uint32_t local) {
+  return local < island.bodies.size() ? island.bodies[local] : island.partners[local - island.bodies.size()];
+}
+// Where the step ends.
+JointPlace placeAtEnd(const Island& island, std::uint32_t local, const StepContext& context);
+
 class VelocitySystem {
  protected:
   VelocitySystem(Island& island, StepContext& context);
