@@ -93,9 +93,17 @@ void fly(BodyIndex body, double dt, Vec3 frame, BodySet& bodies, StepContext& co
 void flyAhead(const Island& island, Registry& registry, Proximity& proximity, Ties& ties, StepContext& context,
               StepReport& report) {
   const FlightAhead ahead(registry, proximity, context, island);
+  // What hangs on joints goes with what they hold.
+  std::pmr::vector<char> held(island.bodies.size() + island.partners.size(), 0, island.memory);
+  island.rows.each([&]<class Kind>(const Kind& kind, std::size_t k) {
+    if (!Kind::kLasts) return;
+    const RowEnds ends = kind.ends(k);
+    held[ends.a] = held[ends.b] = 1;
+  });
   auto moved = [&](BodyIndex body) { return context.aheadOf(body) > 0; };
-  for (BodyIndex body : island.bodies) {
-    const double share = ahead.shareOf(body);
+  for (std::size_t i = 0; i < island.bodies.size(); i++) {
+    const BodyIndex body = island.bodies[i];
+    const double share = held[i] ? 0.0 : ahead.shareOf(body);
     context.ahead[body] = {share, ahead.frame(), 1 - share};
   }
   if (std::none_of(island.bodies.begin(), island.bodies.end(), moved)) return;
