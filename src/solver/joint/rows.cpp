@@ -401,7 +401,7 @@ void JointRows::prepare(Island& island, Ties& ties, const StepContext& context) 
         if (law == JointLaw::across) start.across |= 1u << (first + i);
         // What drives or rubs a turn need not be as firm.
         const double firmness = law == JointLaw::motor && first > 0 ? firm * size * size : hard;
-        write(joint, e, {firmness, inert, island.dt, correct, first == 0 ? farthest * size : double(kNoLimit)},
+        write(joint, e, {firmness, inert, island.dt, correct, farthest * (first == 0 ? size : 1.0)},
               double(start.before[first + i]), start.held[first + i], i, out);
       }
     };
