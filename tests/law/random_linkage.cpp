@@ -7,9 +7,10 @@ namespace brickfall::law {
 
 namespace {
 
-constexpr double kResolved = 0.2;  // of the size of the smallest body, that a fall or a throw goes in a step
-constexpr double kApart = 1.85;    // of two sizes: so far apart no shapes of these sizes touch
-constexpr int kTries = 60;         // to place a body beside the others
+constexpr double kResolved = 0.2;    // of the size of the smallest body, that a fall or a throw goes in a step
+constexpr double kApart = 1.85;      // of two sizes: so far apart no shapes of these sizes touch
+constexpr int kTries = 60;           // to place a body beside the others
+constexpr double kLeastWay = 1e-15;  // of a size, that a place tells
 
 ShapeDef anyShape(Draw& draw, double size, double density) {
   switch (draw.below(4)) {
@@ -224,8 +225,10 @@ LinkageOutcome runLinkage(RandomLinkage& r) {
   for (BodyId body : r.bodies) {
     const BodyState& s = before.emplace_back(*r.world.state(body));
     most += .1 * s.mass * length(r.world.gravity()) * size;
-    momentum += s.mass * length(s.linearVelocity);
-    angular += s.mass * length(s.linearVelocity) * (length(s.position) + size);
+    // Of what is made at rest, what doubles round of its place in a step.
+    const double speed = length(s.linearVelocity) + kLeastWay * size / r.dt;
+    momentum += s.mass * speed;
+    angular += s.mass * speed * (length(s.position) + size);
   }
   most = std::max(most, 1e-12);
   const Vec3 p = r.world.linearMomentum(), l = r.world.angularMomentum();
