@@ -80,8 +80,8 @@ class Fitting {
   void addSingle(BodyIndex single);
   bool anyBodies();
   void addContacts(const Island& island);
-  // What bodies without a contact end in, is looked for in `tree`.
-  bool fit(const BroadPhase* tree);
+  // What bodies without a contact end in, is looked for in `proximity`.
+  bool fit(const Proximity* proximity);
   // How much deeper a pair ends than it began, at most: in cores of the smaller body.
   double overlapLeft() const;
 
@@ -101,6 +101,7 @@ class Fitting {
   std::uint32_t numberOf(BodyIndex body);
   Vec3 wayOf(std::uint32_t end) const { return ends_[end].solved.position - bodies_.motion[ends_[end].body].position; }
   void findNear(std::uint32_t end);
+  Aabb boundsOf(ShapeIndex shape) const;
   void addFound(std::uint32_t end);
   void addNear(Near n);
   void awaken(std::uint32_t end, double way);
@@ -133,7 +134,7 @@ class Fitting {
   const Activity* activity_;
   const Island* island_;
   StepContext& context_;
-  const BroadPhase* tree_ = nullptr;
+  const Proximity* proximity_ = nullptr;
   std::pmr::vector<BodyIndex> tied_;           // by firm ties, ascending
   std::pmr::vector<End> ends_;                 // bodies that end aside, ascending; then others as they are met
   std::pmr::vector<std::uint32_t> endOfBody_;  // by body
@@ -293,7 +294,13 @@ void Fitting::findNear(std::uint32_t end) {
     addNear(n);
   }
   ends_[end].known = true;
-  if (tree_) addFound(end);
+  if (proximity_) addFound(end);
+}
+
+// Bounds in which the tree keeps the shape, whatever else these hold: those depend on the history of the tree.
+Aabb Fitting::boundsOf(ShapeIndex shape) const {
+  if (!bodies_.still[shapes_.data[shape].body]) return proximity_->around[shape].swept;
+  return bounds(shapes_.data[shape].geometry, shapes_.worldPose(shape, bodies_));
 }
 
 // What it ends in without a contact. The order in which the tree finds it must not matter.
@@ -301,8 +308,10 @@ void Fitting::addFound(std::uint32_t end) {
   std::pmr::vector<Near> found(context_.memory);
   for (ShapeIndex shape : bodies_.shapes[ends_[end].body]) {
     const ShapeData& s = shapes_.data[shape];
-    tree_->query(bounds(s.geometry, ends_[end].pose * s.inCentreFrame), [&](std::uint32_t other) {
+    const Aabb own = bounds(s.geometry, ends_[end].pose * s.inCentreFrame);
+    proximity_->broadPhase->query(own, [&](std::uint32_t other) {
       const BodyIndex body = shapes_.data[other].body;
+      if (!overlaps(own, boundsOf(other))) return true;
       if (body == s.body || !shapes_.mayTouch(shape, other) || !context_.ties->mayCollide(s.body, body)) return true;
       const Near n{std::min(shape, other), std::max(shape, other)};
       bool known = false;
@@ -334,8 +343,8 @@ void Fitting::awaken(std::uint32_t end, double way) {
   });
 }
 
-bool Fitting::fit(const BroadPhase* tree) {
-  tree_ = tree;
+bool Fitting::fit(const Proximity* proximity) {
+  proximity_ = proximity;
   const std::size_t aside = ends_.size();
   for (std::size_t e = 0; e < aside; e++) findNear(std::uint32_t(e));
   for (std::size_t i = 0; i < near_.size(); i++)
@@ -447,8 +456,8 @@ Parting Fitting::partingInFlight(const Near& n, Vec3 normal, double depth) const
   const Vec3 relative = context_.solved[b.body].velocity - context_.solved[a.body].velocity;
   const double size = length(relative);
   const Vec3 along = size > 0 ? relative * (1 / size) : normal;
-  const double cosine = dot(along, normal);
-  const double way = kAtOnce * depth / std::copysign(std::max(std::fabs(cosine), kCoreShare), cosine);
+  const double cosine = std::max(std::fabs(dot(along, normal)), kCoreShare);
+  const double way = std::copysign(kAtOnce * depth / cosine, dot(along, n.normal != Vec3{} ? n.normal : normal));
   out.wayA = along * (-way * a.invMass / (a.invMass + b.invMass));
   out.wayB = along * (way * b.invMass / (a.invMass + b.invMass));
   return out;
@@ -517,7 +526,7 @@ void keepOut(const Activity& activity, const Registry& registry, const Proximity
   for (BodyIndex single : activity.islands.single) fitting.addSingle(single);
   if (!fitting.anyBodies()) return;
   each([&](const Island& island) { fitting.addContacts(island); });
-  fitting.fit(proximity.broadPhase.get());
+  fitting.fit(&proximity);
   context.overlap = fitting.overlapLeft();
 }
 

@@ -125,6 +125,17 @@ TEST(Shots, ThoseThatWentThroughWhatSpins) {
   }
 }
 
+// Stopped at the corner of a plate that flew, too, it was parted from that along its way: on and through, since the face nearest to
+// it was one of the rim. Two that fly part to the side from which they came.
+TEST(Shots, OneThatWasPartedFromWhatItWentThrough) {
+  const Shot shot = randomShot(9914);
+  const Flight flight = fly(shot);
+  ASSERT_TRUE(flight.fired) << describe(shot);
+  EXPECT_TRUE(flight.hit) << describe(shot);
+  EXPECT_FALSE(flight.through) << describe(shot);
+  EXPECT_FALSE(flight.within) << describe(shot);
+}
+
 TEST(Shots, NothingGoesThrough) {
   Tally tally;
   std::uint64_t first = std::max<std::uint64_t>(seedFrom("BRICKFALL_SHOTS_FROM"), 1);
