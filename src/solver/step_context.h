@@ -105,6 +105,7 @@ struct SolvedMotion {
   Vec3 velocity;          // m/s
   Vec3 angularMomentum;   // kg m2/s
   double went = 1;        // share of its way that obstacles left it
+  bool foreseen = true;   // goes from where its contacts were looked for, and as it was solved
   bool freeTurn = true;   // no torque acted: take FreeMotion::rotation
   bool rest = false;      // does not move
   bool flying = false;    // no chain of forces leads to anything fixed or kinematic
@@ -135,10 +136,10 @@ struct SolveStatistics {
 
 // What a body has gone of its step before its island is solved for the rest.
 struct FlownAhead {
-  double share = 0;  // of the step: flown to near what it meets, seen from what drives its island (world/fly_ahead.h)
-  Vec3 frame;        // m/s: of what drives its island
-  double left = 1;   // of the step: what its way is still to be gone in
-  bool hit = false;  // by an impact within the step
+  double share = 0;    // of the step: flown to near what it meets, seen from what drives its island (world/fly_ahead.h)
+  Vec3 frame;          // m/s: of what drives its island
+  double left = 1;     // of the step: what its way is still to be gone in
+  bool moved = false;  // by such a way, or by an impact within the step
 };
 
 struct StepContext {
@@ -161,6 +162,7 @@ struct StepContext {
   bool freed = false;  // the last check let a group go freely
 
   double aheadOf(BodyIndex body) const { return body < ahead.size() ? ahead[body].share : 0; }
+  bool hasMoved(BodyIndex body) const { return body < ahead.size() && ahead[body].moved; }
 };
 
 }  // namespace brickfall

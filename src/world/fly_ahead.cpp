@@ -104,7 +104,7 @@ void flyAhead(const Island& island, Registry& registry, Proximity& proximity, Ti
   for (std::size_t i = 0; i < island.bodies.size(); i++) {
     const BodyIndex body = island.bodies[i];
     const double share = held[i] ? 0.0 : ahead.shareOf(body);
-    context.ahead[body] = {share, ahead.frame(), 1 - share};
+    context.ahead[body] = {share, ahead.frame(), 1 - share, share > 0};
   }
   if (std::none_of(island.bodies.begin(), island.bodies.end(), moved)) return;
   for (BodyIndex body : island.bodies)

@@ -77,7 +77,9 @@ class Fitting {
 
   // First those bodies that end aside, or all; if there are any, what they may end in.
   void addBodies(const Island& island, bool all);
-  void addSingle(BodyIndex single);
+  void addSingle(BodyIndex single) {
+    if (endsAside(single) && mayShift(single, tied_.size())) addEnd(single, true, true, false);
+  }
   bool anyBodies();
   void addContacts(const Island& island);
   // What bodies without a contact end in, is looked for in `proximity`.
@@ -93,9 +95,7 @@ class Fitting {
   std::size_t findTied(const Island& island);
   bool mayShift(BodyIndex body, std::size_t firstTied) const;
   void addEnd(BodyIndex body, bool may, bool shifts, bool asSolved);
-  bool wentAhead(BodyIndex body) const { return context_.ahead[body].left < 1; }  // it is not where its step began
-  bool turnsFar(BodyIndex body) const;
-  bool endsAsSolved(const Island& island, std::size_t i) const;
+  bool endsAsSolved(BodyIndex body) const;
   bool endsAside(BodyIndex body) const;
   Transform endOf(BodyIndex body) const;
   std::uint32_t numberOf(BodyIndex body);
@@ -167,14 +167,8 @@ bool Fitting::mayShift(BodyIndex body, std::size_t firstTied) const {
 
 void Fitting::addBodies(const Island& island, bool all) {
   const std::size_t tied = findTied(island);
-  for (std::size_t i = 0; i < island.bodies.size(); i++)
-    if (const BodyIndex body = island.bodies[i]; (all || endsAside(body)) && mayShift(body, tied))
-      addEnd(body, true, true, !all && endsAsSolved(island, i));
-}
-
-void Fitting::addSingle(BodyIndex single) {
-  const bool aside = context_.solved[single].d != context_.free[single].way || turnsFar(single);
-  if (aside && mayShift(single, tied_.size())) addEnd(single, true, true, false);
+  for (BodyIndex body : island.bodies)
+    if ((all || endsAside(body)) && mayShift(body, tied)) addEnd(body, true, true, !all && endsAsSolved(body));
 }
 
 void Fitting::addEnd(BodyIndex body, bool may, bool shifts, bool asSolved) {
@@ -201,33 +195,25 @@ bool Fitting::anyBodies() {
   return true;
 }
 
-bool Fitting::turnsFar(BodyIndex body) const {
+// Contacts know how it ends: by the arms and points of the start. On the arc of its turn its surface leaves these.
+bool Fitting::endsAsSolved(BodyIndex body) const {
+  const BodyMass& mass = bodies_.mass[body];
   const FreeMotion& free = context_.free[body];
-  auto far = [&](Vec3 turn) {
-    const Vec3 visible = visibleTurn(bodies_.mass[body], bodies_.motion[body].orientation, turn);
-    return lengthSquared(visible) > 0.25 * kMostTurn * kMostTurn;
+  auto leaves = [&](Vec3 turn) {
+    const Vec3 visible = visibleTurn(mass, bodies_.motion[body].orientation, turn);
+    return 0.5 * lengthSquared(visible) * mass.outerRadius > kTrifle * mass.innerRadius;
   };
-  return free.turnsFaster || far(context_.solved[body].th) || far(free.startSpin * free.dt);
+  if (!context_.solved[body].foreseen || free.turnsFaster) return false;
+  return !leaves(context_.solved[body].th) && !leaves(free.startSpin * free.dt);
 }
 
-// Contacts know it where the body does not turn far, and nothing has changed its way since they were looked for.
-bool Fitting::endsAsSolved(const Island& island, std::size_t i) const {
-  const BodyIndex body = island.bodies[i];
-  if (context_.ahead[body].hit || turnsFar(body)) return false;
-  const double far = kNearlyClosed * lengthScale(bodies_.mass[body].innerRadius, bodies_.mass[body].innerRadius);
-  return lengthSquared(context_.solved[body].d - toDouble(island.motion[i].d)) <= far * far;
-}
-
-// The body turned so far, or ends so far from where its contacts were looked for, that they do not tell what it meets.
+// So, or so far from the way along which its contacts were looked for, that they do not tell what it meets.
 bool Fitting::endsAside(BodyIndex body) const {
-  if (wentAhead(body) || turnsFar(body)) return true;
-  const FreeMotion& free = context_.free[body];
-  const SolvedMotion& s = context_.solved[body];
-  // Contacts were looked for all along the way of its velocity: what stays where it was ends nowhere else.
-  const Vec3 led = free.startVelocity * free.dt;
-  const double all = lengthSquared(led), share = all > 0 ? std::clamp(dot(s.d, led) / all, 0.0, 1.0) : 0;
+  if (!endsAsSolved(body)) return true;
+  const Vec3 way = context_.solved[body].d, led = context_.free[body].startVelocity * context_.free[body].dt;
+  const double all = lengthSquared(led), share = all > 0 ? std::clamp(dot(way, led) / all, 0.0, 1.0) : 0;
   const double most = kRoom * bodies_.mass[body].innerRadius;
-  return lengthSquared(s.d - led * share) > most * most;
+  return lengthSquared(way - led * share) > most * most;
 }
 
 Transform Fitting::endOf(BodyIndex body) const {
@@ -241,9 +227,7 @@ Transform Fitting::endOf(BodyIndex body) const {
 std::uint32_t Fitting::numberOf(BodyIndex body) {
   if (endOfBody_[body] == kNoIndex) {
     endOfBody_[body] = std::uint32_t(ends_.size());
-    const bool single = !island_ && activity_->islandOf[body] == kNoIndex;
-    const bool may = mayShift(body, 0);
-    addEnd(body, may, false, !(may && single));
+    addEnd(body, mayShift(body, 0), false, true);
   }
   return endOfBody_[body];
 }
@@ -382,7 +366,7 @@ double Fitting::overlapLeft() const {
 // As deep as they began, or as springs gave. What had no contact began apart: where an impact has moved it since, its
 // place tells nothing of that.
 double Fitting::depthLeft(const Near& n) const {
-  if (n.told < 0 && (wentAhead(ends_[n.endA].body) || wentAhead(ends_[n.endB].body))) return leastOf(n);
+  if (n.told < 0 && (context_.hasMoved(ends_[n.endA].body) || context_.hasMoved(ends_[n.endB].body))) return leastOf(n);
   const double began = penetrationDepth(shapes_.data[n.a].geometry, shapes_.data[n.b].geometry,
                                         inverse(shapes_.worldPose(n.a, bodies_)) * shapes_.worldPose(n.b, bodies_));
   return std::max({leastOf(n), n.told, began});

@@ -1,5 +1,5 @@
 // The solve sees bodies with the arms and points of the start of a step, and contacts are found along the velocities
-// before it. So what turns far, what a hit throws elsewhere and what was stopped on its way may end in something. Such
+// before it. So what turns far, what a hit throws elsewhere and what goes on otherwise may end in something. Such
 // bodies are fitted in where they end: overlap that no force made would be seen, and be let go by a tenth in each step.
 #pragma once
 #include "world/activity.h"

@@ -115,7 +115,7 @@ bool ImpactWalk::impact(Island& island) {
   if (!solveImpact(island, ties_, bodies_, context_, kBlink * context_.dt, context_.statistics, impacts)) return false;
   for (BodyIndex body : island.bodies) {
     bodies_.data[body].steady = {};
-    context_.ahead[body].hit = true;
+    context_.ahead[body].moved = true;
   }
   tellHits(def_, registry_, impacts, events_.hits);
   report_.impacts++;
@@ -135,7 +135,8 @@ void ImpactWalk::run(Island& island) {
     if (way > blink) {
       if (!goTo(island, way, ahead)) break;
       left -= way;
-      for (BodyIndex body : island.bodies) context_.ahead[body].left = left / context_.dt;
+      for (BodyIndex body : island.bodies)
+        context_.ahead[body].left = left / context_.dt, context_.ahead[body].moved = true;
     }
     if (next <= part && !impact(island)) break;
   }

@@ -41,6 +41,7 @@ void storeMotion(const Island& island, StepContext& context) {
     out = {};
     out.rest = island.resting();
     out.freeTurn = !out.rest;
+    out.foreseen = !context.hasMoved(body);
     if (out.rest) continue;
     const std::uint32_t group = island.groups.groupOf(i);
     out.flying = out.steady.swings = island.groups.flies(group);
@@ -100,6 +101,7 @@ void goFreely(BodyIndex body, StepContext& context) {
   free.turnsFaster = false;
   free.seen = 1;
   storeFreeBody(body, free.dt, context);
+  context.solved[body].foreseen = false;
   shortenFreeTurn(context, body, 1);
   if (context.aheadOf(body) > 0) takeBackAhead(body, context);
   context.freed = true;
@@ -205,6 +207,7 @@ void shorten(BodyIndex body, double share, double turnShare, Vec3 carried, bool 
   SolvedMotion& s = context.solved[body];
   const FreeMotion& free = context.free[body];
   const double lost = s.went * (1 - share);
+  s.foreseen = false;
   s.d = s.d * share + carried;
   s.went *= share;
   if (falls) {
