@@ -19,8 +19,7 @@ namespace brickfall {
 
 class Acceleration {
  public:
-  explicit Acceleration(Island& island)
-      : island_(island), startMotion_(island.memory), startResidual_(island.memory), changes_(island.memory) {}
+  explicit Acceleration(Island& island) : island_(island) {}
 
   // Moves the island by P and reads its forces there. Nothing happens before the first change, or if P is no way down.
   // If P ends too far beyond its minimum, even when it has been made shorter, the island is put back as it was.
@@ -51,9 +50,9 @@ class Acceleration {
   void makeNewestWhole(const Shares& shares, double part);
 
   Island& island_;
-  std::pmr::vector<SolveMotion> startMotion_;  // by body: where a cycle, or P, begins
-  std::pmr::vector<Wrench> startResidual_;     // by body
-  std::pmr::vector<Change> changes_;           // kChanges lists by body, used in turn
+  std::pmr::vector<SolveMotion> startMotion_{island_.memory};  // by body: where a cycle, or P, begins
+  std::pmr::vector<Wrench> startResidual_{island_.memory};     // by body
+  std::pmr::vector<Change> changes_{island_.memory};           // kChanges lists by body, used in turn
   int count_ = 0, made_ = 0;
 };
 

@@ -6,15 +6,6 @@
 
 namespace brickfall {
 
-BodyNewton::BodyNewton(Island& of)
-    : island(of),
-      bodies(of.memory),
-      place(of.memory),
-      matrix(of.memory),
-      step(of.memory),
-      from(of.memory),
-      rounding(of.memory) {}
-
 void BodyNewton::findPlaces() {
   Adjacency neighbours(island.memory);
   neighbours.fill(std::uint32_t(bodies.size()), [this](auto visit) {

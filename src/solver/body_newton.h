@@ -12,15 +12,15 @@
 namespace brickfall {
 
 struct BodyNewton {
-  explicit BodyNewton(Island& of);
+  explicit BodyNewton(Island& of) : island(of) {}
 
   Island& island;
-  std::pmr::vector<std::uint32_t> bodies;  // in the order in which sums take them
-  std::pmr::vector<std::uint32_t> place;   // of a body of the island in the matrix; kNoPlace: it stays
-  BlockEnvelope matrix;
-  std::pmr::vector<double> step;        // by place
-  std::pmr::vector<SolveMotion> from;   // as `bodies`: where the step begins
-  std::pmr::vector<Rounding> rounding;  // by body of the island; empty without firm ties
+  std::pmr::vector<std::uint32_t> bodies{island.memory};  // in the order in which sums take them
+  std::pmr::vector<std::uint32_t> place{island.memory};   // of a body of the island in the matrix; kNoPlace: it stays
+  BlockEnvelope matrix{island.memory};
+  std::pmr::vector<double> step{island.memory};        // by place
+  std::pmr::vector<SolveMotion> from{island.memory};   // as `bodies`: where the step begins
+  std::pmr::vector<Rounding> rounding{island.memory};  // by body of the island; empty without firm ties
 
   bool has(std::uint32_t body) const { return body < place.size() && place[body] != kNoPlace; }
   void enter(std::uint32_t body) {

@@ -22,21 +22,6 @@ namespace {
 
 using wide::V;
 
-float power(const Wrench& a, const Wrench& b) { return dot(a.force, b.force) + dot(a.torque, b.torque); }
-
-// Uses the arithmetic of the solve's loads: a body's lanes are stored as they will be read.
-void moveCluster(Island& island, const Level& level, const Cluster& cluster, const Wrench& step, float part) {
-  V way = wide::load(&step.force.x) * part, turn = wide::load(&step.torque.x) * part;
-  V centre = wide::loadAnywhere(&cluster.centre.x);
-  for (std::uint32_t k = cluster.bodyBegin; k < cluster.bodyEnd; k++) {
-    std::uint32_t body = level.bodies[k];
-    SolveMotion& m = island.motion[body];
-    V arm = wide::load(&island.masses[body].position.x) - centre;
-    wide::store(wide::load(&m.d.x) + (way + wide::cross3(turn, arm)), &m.d.x);
-    wide::store(wide::load(&m.th.x) + turn, &m.th.x);
-  }
-}
-
 // A step and how far along it the cluster is. The slope is the energy's slope downwards.
 class Way {
  public:
@@ -52,7 +37,8 @@ class Way {
   }
   // Returns the slope there.
   float moveTo(float part) {
-    moveCluster(forces_.island(), level_, cluster_, step_, part - at_);
+    Island& island = forces_.island();
+    moveCluster(island, level_, cluster_, step_, part - at_, island.motion.data());
     at_ = part;
     return start_ + power(forces_.readBoundary(level_, cluster_, exact_, nullptr), step_) - part * resist_;
   }
@@ -83,6 +69,19 @@ bool makeFactor(RowForces& forces, const Level& level, const Cluster& cluster, b
 }
 
 }  // namespace
+
+void moveCluster(Island& island, const Level& level, const Cluster& cluster, const Wrench& step, float part,
+                 const SolveMotion* from) {
+  V way = wide::load(&step.force.x) * part, turn = wide::load(&step.torque.x) * part;
+  V centre = wide::loadAnywhere(&cluster.centre.x);
+  for (std::uint32_t k = cluster.bodyBegin; k < cluster.bodyEnd; k++) {
+    std::uint32_t body = level.bodies[k];
+    SolveMotion& m = island.motion[body];
+    V arm = wide::load(&island.masses[body].position.x) - centre;
+    wide::store(wide::load(&from[body].d.x) + (way + wide::cross3(turn, arm)), &m.d.x);
+    wide::store(wide::load(&from[body].th.x) + turn, &m.th.x);
+  }
+}
 
 Symmetric6 clusterMatrix(RowForces& forces, const Level& level, const Cluster& cluster, bool exact) {
   MatrixSums sums;

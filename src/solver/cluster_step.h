@@ -13,6 +13,11 @@ struct ClusterFactor {
   bool kept = false;  // a step has been made with it
 };
 
+// Moves a cluster's bodies by a part of its step, from these motions. Uses the arithmetic of the solve's loads: a body's
+// lanes are stored as they will be read.
+void moveCluster(Island& island, const Level& level, const Cluster& cluster, const Wrench& step, float part,
+                 const SolveMotion* from);
+
 // Exact: open points are left out of the matrix and searched for. Else open points nearer than kNearContact are in it.
 Symmetric6 clusterMatrix(RowForces& forces, const Level& level, const Cluster& cluster, bool exact);
 

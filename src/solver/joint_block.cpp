@@ -9,8 +9,7 @@
 
 namespace brickfall {
 
-JointBlock::JointBlock(RowForces& forces)
-    : island_(forces.island()), forces_(forces), newton_(island_), rows_(island_.memory), lasting_(island_.memory) {
+JointBlock::JointBlock(RowForces& forces) : island_(forces.island()), forces_(forces) {
   if (!island_.plan.large || !island_.facts.jointed) return;
   findBodies();
   findRows();

@@ -38,10 +38,10 @@ class JointBlock {
 
   Island& island_;
   RowForces& forces_;
-  BodyNewton newton_;
-  std::pmr::vector<std::uint32_t> rows_;     // on any of its bodies
-  std::pmr::vector<std::uint32_t> lasting_;  // those of ties that last
-  double last_ = 0;                          // slope along the last step; 0: the factor is none
+  BodyNewton newton_{island_};
+  std::pmr::vector<std::uint32_t> rows_{island_.memory};     // on any of its bodies
+  std::pmr::vector<std::uint32_t> lasting_{island_.memory};  // those of ties that last
+  double last_ = 0;                                          // slope along the last step; 0: the factor is none
 };
 
 }  // namespace brickfall

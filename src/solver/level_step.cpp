@@ -4,13 +4,12 @@
 #include <cmath>
 #include <utility>
 
+#include "solver/cluster_step.h"
 #include "solver/imbalance.h"
 #include "solver/locks.h"
 #include "solver/slope_search.h"
 
 namespace brickfall {
-
-using wide::V;
 
 // The step of a level, and how far along it the island is.
 struct LevelWay {
@@ -20,26 +19,13 @@ struct LevelWay {
 
   double slope() const {
     double sum = 0;
-    for (std::size_t c = 0; c < level.clusters.size(); c++) {
-      Wrench now = residualOf(of.island_, level, level.clusters[c]);
-      sum += double(dot(now.force, of.step_[c].force) + dot(now.torque, of.step_[c].torque));
-    }
+    for (std::size_t c = 0; c < level.clusters.size(); c++)
+      sum += double(power(residualOf(of.island_, level, level.clusters[c]), of.step_[c]));
     return sum;
   }
   float moveTo(float part) {
-    for (std::size_t c = 0; c < level.clusters.size(); c++) {
-      const Cluster& cluster = level.clusters[c];
-      V way = wide::load(&of.step_[c].force.x) * part, turn = wide::load(&of.step_[c].torque.x) * part;
-      V centre = wide::load3(cluster.centre);
-      for (std::uint32_t k = cluster.bodyBegin; k < cluster.bodyEnd; k++) {
-        const std::uint32_t body = level.bodies[k];
-        const SolveMotion& from = of.from_[body];
-        SolveMotion& m = of.island_.motion[body];
-        V arm = wide::load3(of.island_.masses[body].position) - centre;
-        wide::store(wide::load(&from.d.x) + (way + wide::cross3(turn, arm)), &m.d.x);
-        wide::store(wide::load(&from.th.x) + turn, &m.th.x);
-      }
-    }
+    for (std::size_t c = 0; c < level.clusters.size(); c++)
+      moveCluster(of.island_, level, level.clusters[c], of.step_[c], part, of.from_.data());
     of.forces_.readAgain();
     return float(slope());
   }
@@ -51,15 +37,6 @@ struct LevelWay {
   float lowest() const { return -kNearMinimum * startSlope; }
   float highest() const { return kFarFromMinimum * startSlope; }
 };
-
-LevelStep::LevelStep(RowForces& forces, const Hierarchy& hierarchy, std::size_t level)
-    : forces_(forces),
-      island_(forces.island()),
-      hierarchy_(hierarchy),
-      number_(level),
-      residuals_(island_.memory),
-      step_(island_.memory),
-      from_(island_.memory) {}
 
 void LevelStep::findResiduals() {
   const Level& level = system_->level();

@@ -17,7 +17,8 @@ namespace brickfall {
 class LevelStep {
  public:
   // Of the clusters of a level. Nothing is made before the first step.
-  LevelStep(RowForces& forces, const Hierarchy& hierarchy, std::size_t level);
+  LevelStep(RowForces& forces, const Hierarchy& hierarchy, std::size_t level)
+      : forces_(forces), island_(forces.island()), hierarchy_(hierarchy), number_(level) {}
   // Moves the island's bodies, and reads its forces there.
   void apply();
 
@@ -31,9 +32,9 @@ class LevelStep {
   const Hierarchy& hierarchy_;
   const std::size_t number_;  // of the level
   std::optional<LevelSystem> system_;
-  bool valid_ = false;                  // the matrix
-  Wrenches residuals_, step_;           // by cluster
-  std::pmr::vector<SolveMotion> from_;  // by body
+  bool valid_ = false;                                         // the matrix
+  Wrenches residuals_{island_.memory}, step_{island_.memory};  // by cluster
+  std::pmr::vector<SolveMotion> from_{island_.memory};         // by body
 };
 
 }  // namespace brickfall

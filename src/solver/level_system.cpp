@@ -1,8 +1,5 @@
 #include "solver/level_system.h"
 
-#include <algorithm>
-#include <utility>
-
 #include "solver/locks.h"
 #include "solver/slope_search.h"
 
@@ -73,20 +70,7 @@ struct LevelSystem::Motions {
 };
 
 LevelSystem::LevelSystem(const Island& island, const Hierarchy& hierarchy, std::size_t level)
-    : island_(island),
-      fine_(hierarchy.levels[level]),
-      matrix_(island.memory),
-      factor_(island.memory),
-      above_(island.memory),
-      places_(island.memory),
-      coarseX_(island.memory),
-      left_(island.memory),
-      better_(island.memory),
-      betterProduct_(island.memory),
-      direction_(island.memory),
-      product_(island.memory),
-      swept_(island.memory),
-      behind_(island.memory) {
+    : island_(island), fine_(hierarchy.levels[level]) {
   Adjacency neighbours(island.memory);
   neighbours.fill(std::uint32_t(fine_.clusters.size()), [&](auto visit) {
     island.rows.each([&](const auto& kind, std::size_t k) {

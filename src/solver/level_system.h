@@ -42,13 +42,15 @@ class LevelSystem {
   const Island& island_;
   const Level& fine_;
   const Level* coarse_ = nullptr;
-  BlockRows matrix_;                        // of fine_
-  BlockEnvelope factor_;                    // of *coarse_
-  std::pmr::vector<std::uint32_t> above_;   // by cluster of fine_: the cluster of *coarse_ that it is part of
-  std::pmr::vector<std::uint32_t> places_;  // by cluster of *coarse_: its place in factor_
-  std::pmr::vector<double> coarseX_;        // by place
+  std::pmr::memory_resource* const memory_ = island_.memory;
+  BlockRows matrix_{memory_};                        // of fine_
+  BlockEnvelope factor_{memory_};                    // of *coarse_
+  std::pmr::vector<std::uint32_t> above_{memory_};   // by cluster of fine_: the cluster of *coarse_ that it is part of
+  std::pmr::vector<std::uint32_t> places_{memory_};  // by cluster of *coarse_: its place in factor_
+  std::pmr::vector<double> coarseX_{memory_};        // by place
   // Of conjugate gradients, by cluster. `swept_`, `behind_`: of the preconditioner, before it sweeps back.
-  Wrenches left_, better_, betterProduct_, direction_, product_, swept_, behind_;
+  Wrenches left_{memory_}, better_{memory_}, betterProduct_{memory_}, direction_{memory_}, product_{memory_},
+      swept_{memory_}, behind_{memory_};
 };
 
 }  // namespace brickfall

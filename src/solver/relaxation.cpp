@@ -40,12 +40,7 @@ class Relaxation {
       : island_(island),
         context_(context),
         statistics_(statistics),
-        forces_(island, statistics),
-        acceleration_(island),
-        together_(forces_, island.hierarchy, island.plan.together),
-        block_(forces_),
         allowed_(island.bodies.size(), 0, island.memory),
-        hold_(island.memory),
         factors_(island.bodies.size(), island.memory),
         exactFactors_(island.bodies.size(), island.memory) {}
 
@@ -277,12 +272,12 @@ class Relaxation {
   Island& island_;
   const StepContext& context_;
   SolveStatistics& statistics_;
-  RowForces forces_;
-  Acceleration acceleration_;
-  LevelStep together_;
-  JointBlock block_;
+  RowForces forces_{island_, statistics_};
+  Acceleration acceleration_{island_};
+  LevelStep together_{forces_, island_.hierarchy, island_.plan.together};
+  JointBlock block_{forces_};
   std::pmr::vector<float> allowed_;               // N, by body
-  std::pmr::vector<float> hold_;                  // N, by body; empty without mortar
+  std::pmr::vector<float> hold_{island_.memory};  // N, by body; empty without mortar
   Stall stall_;                                   // of a body alone
   int renewed_ = 0;                               // the cycle after which what is frozen was last set anew
   std::size_t out_ = 0;                           // bodies out of balance

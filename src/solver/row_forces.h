@@ -5,7 +5,6 @@
 #include <memory_resource>
 #include <vector>
 
-#include "solver/boundary.h"
 #include "solver/imbalance.h"
 #include "solver/island.h"
 
@@ -14,12 +13,7 @@ namespace brickfall {
 class RowForces {
  public:
   RowForces(Island& island, SolveStatistics& statistics)
-      : island_(island),
-        statistics_(statistics),
-        bodies_(std::uint32_t(island.bodies.size())),
-        readings_(island.rows.size(), island.memory),
-        trial_(island.memory),
-        following_(island.memory) {}
+      : island_(island), statistics_(statistics), readings_(island.rows.size(), island.memory) {}
 
   // Reads all rows at the present motion: Island::residual. Friction limits that follow the solve are renewed first.
   void readAll();
@@ -51,11 +45,11 @@ class RowForces {
 
   Island& island_;
   SolveStatistics& statistics_;
-  std::uint32_t bodies_;
+  std::uint32_t bodies_ = std::uint32_t(island_.bodies.size());
   std::size_t sidesRead_ = 0;
-  std::pmr::vector<Reading> readings_;         // by row
-  std::pmr::vector<Reading> trial_;            // of the boundary read last
-  std::pmr::vector<std::uint32_t> following_;  // rows with friction limits that follow the solve
+  std::pmr::vector<Reading> readings_;                         // by row
+  std::pmr::vector<Reading> trial_{island_.memory};            // of the boundary read last
+  std::pmr::vector<std::uint32_t> following_{island_.memory};  // rows with friction limits that follow the solve
 };
 
 }  // namespace brickfall

@@ -35,6 +35,9 @@ struct alignas(16) Wrench {
 };
 static_assert(sizeof(Wrench) == 32);
 
+// Of forces along a motion.
+inline float power(const Wrench& a, const Wrench& b) { return dot(a.force, b.force) + dot(a.torque, b.torque); }
+
 // A symmetric 3 x 3 matrix by its lower triangle, times a vector in three lanes.
 inline wide::V timesSymmetric(const float* m, wide::V v) {
   wide::V low = wide::loadAnywhere(m), high = wide::loadAnywhere(m + 2);  // xx yx yy zx, yy zx zy zz

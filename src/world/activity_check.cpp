@@ -56,12 +56,7 @@ void checkHierarchy(Findings& f, const Hierarchy& h, const Island& island, const
 class LinkCheck {
  public:
   LinkCheck(Findings& f, const Activity& activity, const BodySet& bodies, const Ties& ties)
-      : f_(f),
-        a_(activity),
-        bodies_(bodies),
-        ties_(ties),
-        current_(activity.current(ties)),
-        islandOf_(bodies.slots(), kNoIndex) {}
+      : f_(f), a_(activity), bodies_(bodies), ties_(ties), islandOf_(bodies.slots(), kNoIndex) {}
 
   void run() {
     checkLists();
@@ -157,7 +152,7 @@ class LinkCheck {
   const Activity& a_;
   const BodySet& bodies_;
   const Ties& ties_;
-  bool current_;                         // islands match the contacts
+  bool current_ = a_.current(ties_);     // islands match the contacts
   std::vector<std::uint32_t> islandOf_;  // by body, in islands_
   std::vector<const Island*> islands_;   // awake, then asleep
 };

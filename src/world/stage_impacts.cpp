@@ -34,101 +34,86 @@ constexpr double kAhead = 2;
 //! not of the method: a mark
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-class ImpactWalk {
- public:
-  ImpactWalk(const WorldDef& def, Registry& registry, Proximity& proximity, Ties& ties, StepContext& context,
-             StepReport& report, Events& events)
-      : def_(def),
-        registry_(registry),
-        bodies_(registry.bodies),
-        proximity_(proximity),
-        ties_(ties),
-        context_(context),
-        parts_(registry, context),
-        report_(report),
-        events_(events) {}
-
+struct ImpactWalk {
   void run(Island& island);
-
- private:
   void solve(Island& island, double dt, bool toImpact, SolveStatistics& statistics);
   double nextImpact(Island& island, double left);
   bool goTo(Island& island, double dt, bool toImpact);
   bool impact(Island& island);
 
-  const WorldDef& def_;
-  Registry& registry_;
-  BodySet& bodies_;
-  Proximity& proximity_;
-  Ties& ties_;
-  StepContext& context_;
-  const ImpactParts parts_;
-  StepReport& report_;
-  Events& events_;
+  const WorldDef& def;
+  Registry& registry;
+  Proximity& proximity;
+  Ties& ties;
+  StepContext& context;
+  StepReport& report;
+  Events& events;
+  BodySet& bodies = registry.bodies;
+  const ImpactParts parts{registry, context};
 };
 
 // Fills StepContext::solved of the island's bodies, for `dt` s; to an impact: as if its open points were not there.
 void ImpactWalk::solve(Island& island, double dt, bool toImpact, SolveStatistics& statistics) {
-  IslandPart part = !toImpact                          ? IslandPart::between
-                    : touchesNothing(island, context_) ? IslandPart::flight
-                                                       : IslandPart::toImpact;
-  stepIsland(island, part, dt, ties_, bodies_, context_, statistics);
+  IslandPart part = !toImpact                         ? IslandPart::between
+                    : touchesNothing(island, context) ? IslandPart::flight
+                                                      : IslandPart::toImpact;
+  stepIsland(island, part, dt, ties, bodies, context, statistics);
 }
 
 // Time from now (s) at which the next point closes, if that is within `left` s, else infinity. Changes nothing.
 double ImpactWalk::nextImpact(Island& island, double left) {
-  IslandTrial trial(island, ties_, bodies_);
+  IslandTrial trial(island, ties, bodies);
   SolveStatistics tried;  // of a motion that nothing makes: its cost counts, its left-over residual does not
   solve(island, left, true, tried);
   trial.restore();
-  context_.statistics.addCost(tried);
-  return firstClosing(island, left, context_);
+  context.statistics.addCost(tried);
+  return firstClosing(island, left, context);
 }
 
 // If the island cannot go there, it stays where it is. What turned into something on the way is fitted in.
 bool ImpactWalk::goTo(Island& island, double dt, bool toImpact) {
-  IslandTrial trial(island, ties_, bodies_);
+  IslandTrial trial(island, ties, bodies);
   SolveStatistics tried;
-  const bool flies = toImpact && touchesNothing(island, context_);
+  const bool flies = toImpact && touchesNothing(island, context);
   solve(island, dt, toImpact, tried);
-  const bool fitted = keepOut(island, toImpact, registry_, context_);
-  if (fitted && !flies) tried.energyTaken += balanceIsland(island, ties_, context_);
-  bool fine = solvedWell(island, context_) && !parts_.runThrough(island, dt, proximity_);
-  if (fine) advanceRows(island, ties_, context_);
-  for (BodyIndex body : island.bodies) fine = fine && moveBody(body, bodies_, context_);
+  const bool fitted = keepOut(island, toImpact, registry, context);
+  if (fitted && !flies) tried.energyTaken += balanceIsland(island, ties, context);
+  bool fine = solvedWell(island, context) && !parts.runThrough(island, dt, proximity);
+  if (fine) advanceRows(island, ties, context);
+  for (BodyIndex body : island.bodies) fine = fine && moveBody(body, bodies, context);
   if (!fine) {
     trial.restore();
-    context_.statistics.addCost(tried);
+    context.statistics.addCost(tried);
     return false;
   }
-  context_.statistics.add(tried);
-  NarrowPhase narrow(registry_, context_.dt, proximity_, ties_.contacts);
+  context.statistics.add(tried);
+  NarrowPhase narrow(registry, context.dt, proximity, ties.contacts);
   island.rows.eachManifold([&](ContactIndex contact) { narrow.renew(contact); });
-  report_.manifoldsComputed += narrow.computed();
+  report.manifoldsComputed += narrow.computed();
   return true;
 }
 
 bool ImpactWalk::impact(Island& island) {
   std::pmr::vector<TieImpact> impacts(island.memory);
-  island.dt = context_.dt;
-  updateHierarchy(island, context_);
-  if (!solveImpact(island, ties_, bodies_, context_, kBlink * context_.dt, context_.statistics, impacts)) return false;
+  island.dt = context.dt;
+  updateHierarchy(island, context);
+  if (!solveImpact(island, ties, bodies, context, kBlink * context.dt, context.statistics, impacts)) return false;
   for (BodyIndex body : island.bodies) {
-    bodies_.data[body].steady = {};
-    context_.ahead[body].moved = true;
+    bodies.data[body].steady = {};
+    context.ahead[body].moved = true;
   }
-  tellHits(def_, registry_, impacts, events_.hits);
-  report_.impacts++;
+  tellHits(def, registry, impacts, events.hits);
+  report.impacts++;
   return true;
 }
 
 void ImpactWalk::run(Island& island) {
-  if (!parts_.mayBeCut(island)) return flyAhead(island, registry_, proximity_, ties_, context_, report_);
-  double left = context_.dt;
-  const double blink = kBlink * context_.dt;
+  if (!parts.mayBeCut(island)) return flyAhead(island, registry, proximity, ties, context, report);
+  double left = context.dt;
+  const double blink = kBlink * context.dt;
   for (int made = 0; made < kMostParts && left > blink; made++) {
-    double part = std::min(left, parts_.longest(island));
-    double next = mayClose(island, context_, kAhead) ? nextImpact(island, part) : kNever;
+    double part = std::min(left, parts.longest(island));
+    double next = mayClose(island, context, kAhead) ? nextImpact(island, part) : kNever;
     bool ahead = next <= kAhead * part;  // a point that closes a little later must not stop the island short
     if (!ahead && part == left) break;
     double way = std::min({part, next, left - blink});
@@ -136,7 +121,7 @@ void ImpactWalk::run(Island& island) {
       if (!goTo(island, way, ahead)) break;
       left -= way;
       for (BodyIndex body : island.bodies)
-        context_.ahead[body].left = left / context_.dt, context_.ahead[body].moved = true;
+        context.ahead[body].left = left / context.dt, context.ahead[body].moved = true;
     }
     if (next <= part && !impact(island)) break;
   }
@@ -151,7 +136,7 @@ void meetImpacts(const WorldDef& def, Registry& registry, IslandSet& islands, Pr
   context.solved.resize(registry.bodies.slots());
   context.ahead.assign(registry.bodies.slots(), {});
   ties.beginStep();
-  ImpactWalk walk(def, registry, proximity, ties, context, report, events);
+  ImpactWalk walk{def, registry, proximity, ties, context, report, events};
   for (IslandPointer& island : islands.awake) {
     island->dt = context.dt;
     if (!island->settled()) walk.run(*island);

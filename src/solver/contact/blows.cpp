@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "solver/contact/stiffness.h"
-#include "solver/island.h"
 
 namespace brickfall {
 
@@ -12,19 +11,10 @@ namespace {
 // Two bodies at a point, and what an impulse does to them.
 class Pair {
  public:
-  Pair(BodySet& bodies, BodyIndex a, BodyIndex b, Vec3 at)
-      : bodies_(bodies),
-        a_(a),
-        b_(b),
-        at_(at),
-        armA_(at - bodies.motion[a].position),
-        armB_(at - bodies.motion[b].position) {}
+  Pair(BodySet& bodies, BodyIndex a, BodyIndex b, Vec3 at) : bodies_(bodies), a_(a), b_(b), at_(at) {}
 
   // m/s, of B against A at the point.
-  Vec3 velocity() const {
-    const BodyMotion &a = bodies_.motion[a_], &b = bodies_.motion[b_];
-    return b.linearVelocity + cross(b.angularVelocity, armB_) - a.linearVelocity - cross(a.angularVelocity, armA_);
-  }
+  Vec3 velocity() const { return velocityAgainst(bodies_.motion[a_], bodies_.motion[b_], armA_, armB_); }
   // kg: an impulse along `axis` changes the velocity along it by impulse / mass.
   double massAlong(Vec3 axis) const {
     const double both = inverse(a_, armA_, axis) + inverse(b_, armB_, axis);
@@ -69,7 +59,7 @@ class Pair {
 
   BodySet& bodies_;
   BodyIndex a_, b_;
-  Vec3 at_, armA_, armB_;
+  Vec3 at_, armA_ = at_ - bodies_.motion[a_].position, armB_ = at_ - bodies_.motion[b_].position;
 };
 
 // Bits of the points that would close within the step.
@@ -157,13 +147,7 @@ TieImpact strikePair(Contact& c, const ContactGeometry& g, double speed, std::ui
 class Striking {
  public:
   Striking(const Held& held, double dt, Ties& ties, BodySet& bodies, const StepContext& context, Blows& blows)
-      : held_(held),
-        dt_(dt),
-        contacts_(ties.contacts),
-        bodies_(bodies),
-        context_(context),
-        blows_(blows),
-        brakes_(held.bodies.get_allocator()) {}
+      : held_(held), dt_(dt), contacts_(ties.contacts), bodies_(bodies), context_(context), blows_(blows) {}
 
   bool isHeld(RowEnds ends) const { return held_.bodies[ends.a] || held_.bodies[ends.b]; }
   // What it hit at its moment, in an earlier part of the step.
@@ -242,7 +226,7 @@ class Striking {
   BodySet& bodies_;
   const StepContext& context_;
   Blows& blows_;
-  std::pmr::vector<Brake> brakes_;
+  std::pmr::vector<Brake> brakes_{held_.bodies.get_allocator()};
 };
 
 }  // namespace

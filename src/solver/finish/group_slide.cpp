@@ -25,12 +25,9 @@ class GroupSlides {
   GroupSlides(const Island& island, StepContext& context)
       : island_(island),
         context_(context),
-        count_(std::uint32_t(island.bodies.size())),
-        held_(island.memory),
         groupOf_(count_, 0, island.memory),
         normals_(count_, Vec3{}, island.memory),
-        stays_(count_, 0, island.memory),
-        changes_(island.memory) {}
+        stays_(count_, 0, island.memory) {}
 
   // False if no body slides.
   bool findGroups();
@@ -56,14 +53,14 @@ class GroupSlides {
 
   const Island& island_;
   StepContext& context_;
-  std::uint32_t count_;
-  std::pmr::vector<char> held_;              // bodies and partners: counts as ground
-  std::pmr::vector<std::uint32_t> groupOf_;  // body -> the group's lowest body
+  std::uint32_t count_ = std::uint32_t(island_.bodies.size());
+  std::pmr::vector<char> held_{island_.memory};  // bodies and partners: counts as ground
+  std::pmr::vector<std::uint32_t> groupOf_;      // body -> the group's lowest body
   // By group:
   std::pmr::vector<Vec3> normals_;  // of the ground; zero: the group touches no ground
   std::pmr::vector<char> stays_;    // the group is not corrected
   // By body: the change of its group's velocity at the body; zero if the group is not corrected.
-  std::pmr::vector<VelocityChange> changes_;
+  std::pmr::vector<VelocityChange> changes_{island_.memory};
 };
 
 // Groups: bodies that press on each other. A body that sticks to something fixed, directly or through a chain of
