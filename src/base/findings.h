@@ -1,6 +1,5 @@
 // The result of a look at invariants: the texts of the broken ones, each once in a row.
 #pragma once
-#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -26,11 +25,6 @@ class Findings {
   static constexpr std::size_t kMost = 100;
   std::vector<std::string> found_;
 };
-
-template <class List> bool isAscending(const List& list) {
-  return std::adjacent_find(list.begin(), list.end(), [](const auto& a, const auto& b) { return !(a < b); }) ==
-         list.end();
-}
 
 // Checks slots: the list of free slots names exactly the free ones, each once.
 template <class Free>

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/ascending.h"
 #include "base/assert.h"
 
 namespace brickfall {
@@ -85,8 +86,7 @@ void BoxTree::updateAll(std::span<const BoundsUpdate> updates) {
 
 // So many that the tree is to be built anew. Also brings the list of what moved in order, each leaf once.
 bool BoxTree::manyMoved() {
-  std::sort(moved_.begin(), moved_.end());
-  moved_.erase(std::unique(moved_.begin(), moved_.end()), moved_.end());
+  makeAscending(moved_);
   return count_ >= kLeastRebuilt && kRebuildShare * moved_.size() > std::size_t(count_);
 }
 

@@ -43,6 +43,11 @@ struct BodyMass {
   Vec3 symmetryAxis;         // body axes: one capsule looks the same however it turns about it; else 0
 };
 
+// m/s: of B at the end of an arm from its centre against A at the end of one from its own.
+inline Vec3 velocityAgainst(const BodyMotion& a, const BodyMotion& b, Vec3 armA, Vec3 armB) {
+  return b.linearVelocity + cross(b.angularVelocity, armB) - a.linearVelocity - cross(a.angularVelocity, armA);
+}
+
 enum class BodyActivity : std::uint8_t { awake, asleep, fixed };  // fixed: static bodies, and kinematic ones at rest
 
 // How the velocities of a body alone on something fixed changed in the last step, if its contacts went on through it: what the

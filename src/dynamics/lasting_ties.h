@@ -36,7 +36,7 @@ template <class Tie, LinkKind kKind> class LastingTies {
     slots[index].alive = slots[index].born = true;
     slots[index].generation = generation;
     slots[index].order = nextOrder_++;
-    awake_.insert(std::lower_bound(awake_.begin(), awake_.end(), index), index);
+    insertAscending(awake_, index);
     for (auto* list : {&awake_, &asleep_}) list->reserve(slots.capacity());  // all may fall asleep or wake at once
     if (!tie.collides()) part(index);
     return index;

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "base/archive.h"
+#include "base/ascending.h"
 #include "base/findings.h"
 #include "base/mix.h"
 #include "dynamics/body_set.h"

@@ -5,7 +5,6 @@
 
 #include "brickfall/step_trace.h"
 #include "solver/blows.h"
-#include "solver/boundary.h"
 #include "solver/tie_report.h"
 #include "solver/tie_rows.h"
 

@@ -126,8 +126,7 @@ Result<BodyIndex> World::Impl::openForChange(BodyId id, const Error& bad) const 
 Status World::setType(BodyId id, BodyType type) {
   Impl& w = *impl_;
   Checks check;
-  check.condition(type == BodyType::fixed || type == BodyType::kinematic || type == BodyType::dynamic,
-                  "type: found " + std::to_string(int(type)) + ", expected a BodyType");
+  check.bodyType(type);
   Result<BodyIndex> body = w.openForChange(id, check.error());
   if (!body) return body.error();
   for (ShapeIndex shape : w.registry.bodies.shapes[*body])

@@ -8,11 +8,6 @@ namespace brickfall {
 
 namespace {
 
-void insert(std::vector<BodyIndex>& list, BodyIndex body) {
-  auto place = std::lower_bound(list.begin(), list.end(), body);
-  if (place == list.end() || *place != body) list.insert(place, body);
-}
-
 template <class List> bool contains(const List& list, BodyIndex body) {
   return std::binary_search(list.begin(), list.end(), body);
 }
@@ -33,15 +28,15 @@ void Activity::enlist(BodySet& bodies, BodyIndex body) {
   }
   data.activity = data.type == BodyType::dynamic ? BodyActivity::awake : BodyActivity::fixed;
   bodies.still[body] = 0;
-  if (data.type == BodyType::dynamic) insert(awake, body);
-  if (bodies.isDriven(body)) insert(moving, body);
+  if (data.type == BodyType::dynamic) insertAscending(awake, body);
+  if (bodies.isDriven(body)) insertAscending(moving, body);
   if (data.type != BodyType::dynamic) countAsMoved(bodies, body);
 }
 
 // The body's pairs are looked at in the next step, though neither side may move.
 void Activity::countAsMoved(BodySet& bodies, BodyIndex body) {
   bodies.still[body] = 0;
-  insert(unsettled, body);
+  insertAscending(unsettled, body);
 }
 
 void Activity::delist(BodySet& bodies, BodyIndex body) {
@@ -57,7 +52,7 @@ void Activity::settleUnmoved(BodySet& bodies) {
   unsettled.clear();
 }
 
-void Activity::push(BodyIndex body) { insert(pushed, body); }
+void Activity::push(BodyIndex body) { insertAscending(pushed, body); }
 
 void Activity::dropForces(BodySet& bodies) {
   for (BodyIndex body : pushed) bodies.data[body].force = bodies.data[body].torque = {};

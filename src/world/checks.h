@@ -36,10 +36,11 @@ class Checks {
     if (!failed() && !(value > low && value <= high))
       error_ = outOfRange(field, value, "more than " + numberText(low) + ", at most " + numberText(high));
   }
-  void vector(const std::string& field, Vec3 value, double limit) {
-    range(field + ".x", value.x, -limit, limit);
-    range(field + ".y", value.y, -limit, limit);
-    range(field + ".z", value.z, -limit, limit);
+  void vector(const std::string& field, Vec3 value, double limit) { vector(field, value, -limit, limit); }
+  void vector(const std::string& field, Vec3 value, double low, double high) {
+    range(field + ".x", value.x, low, high);
+    range(field + ".y", value.y, low, high);
+    range(field + ".z", value.z, low, high);
   }
   void rotation(const std::string& field, Quat q) {
     double square = q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
@@ -49,6 +50,10 @@ class Checks {
   }
   void condition(bool holds, const std::string& message) {
     if (!failed() && !holds) error_ = {ErrorCode::invalidArgument, message};
+  }
+  void bodyType(BodyType type) {
+    condition(type == BodyType::fixed || type == BodyType::kinematic || type == BodyType::dynamic,
+              "type: found " + std::to_string(int(type)) + ", expected a BodyType");
   }
   void take(const Error& error) {
     if (!failed()) error_ = error;

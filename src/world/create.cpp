@@ -29,9 +29,7 @@ void checkShapeSize(Checks& check, const std::string& at, const ShapeDef& s, Bod
   check.rotation(at + ".local.rotation", s.local.rotation);
   switch (s.type) {
     case ShapeType::box:
-      check.range(at + ".halfExtents.x", s.halfExtents.x, limits::kSmallestSize, limits::kLargestSize);
-      check.range(at + ".halfExtents.y", s.halfExtents.y, limits::kSmallestSize, limits::kLargestSize);
-      check.range(at + ".halfExtents.z", s.halfExtents.z, limits::kSmallestSize, limits::kLargestSize);
+      check.vector(at + ".halfExtents", s.halfExtents, limits::kSmallestSize, limits::kLargestSize);
       return;
     case ShapeType::cone:
       if (s.topRadius != 0) check.range(at + ".topRadius", s.topRadius, limits::kSmallestSize, limits::kLargestSize);
@@ -73,8 +71,7 @@ void checkBody(Checks& check, const BodyDef& def) {
   check.condition(def.shapes.size() <= limits::kMostShapes, "shapes: found " + std::to_string(def.shapes.size()) +
                                                                 ", expected at most " +
                                                                 std::to_string(limits::kMostShapes));
-  check.condition(def.type == BodyType::fixed || def.type == BodyType::kinematic || def.type == BodyType::dynamic,
-                  "type: found " + std::to_string(int(def.type)) + ", expected a BodyType");
+  check.bodyType(def.type);
   check.vector("position", def.position, limits::kLargestCoordinate);
   check.rotation("rotation", def.rotation);
   check.vector("linearVelocity", def.linearVelocity, limits::kLargestSpeed);
@@ -104,12 +101,10 @@ Result<BodyPlan> planned(const BodyDef& def) {
   checkBody(check, def);
   BodyPlan plan;
   plan.def = &def;
-  plan.hulls.resize(def.shapes.size());
   for (std::size_t i = 0; i < def.shapes.size() && !check.failed(); i++) {
-    if (def.shapes[i].type != ShapeType::hull) continue;
-    Result<Hull> hull = buildHull(std::span<const Vec3>(def.shapes[i].vertices));
+    Result<std::unique_ptr<Hull>> hull = hullOf(def.shapes[i]);
     if (hull)
-      plan.hulls[i] = std::make_unique<Hull>(std::move(hull).value());
+      plan.hulls.push_back(std::move(hull).value());
     else
       check.take({hull.error().code, "shapes[" + std::to_string(i) + "].vertices: " + hull.error().message});
   }
@@ -133,11 +128,12 @@ void checkMaterial(Checks& check, const std::string& at, const Material& m) {
   check.range(at + ".restitution", m.restitution, 0, 1);
   check.range(at + ".rollingResistance", m.rollingResistance, 0, limits::kLargestFriction);
   check.range(at + ".hardness", m.hardness, limits::kLeastHardness, limits::kLargestHardness);
-  check.condition(m.frictionRule <= CombineRule::maximum,
-                  at + ".frictionRule: found " + std::to_string(int(m.frictionRule)) + ", expected a CombineRule");
-  check.condition(
-      m.restitutionRule <= CombineRule::maximum,
-      at + ".restitutionRule: found " + std::to_string(int(m.restitutionRule)) + ", expected a CombineRule");
+  auto checkRule = [&](const std::string& field, CombineRule rule) {
+    check.condition(rule <= CombineRule::maximum,
+                    field + ": found " + std::to_string(int(rule)) + ", expected a CombineRule");
+  };
+  checkRule(at + ".frictionRule", m.frictionRule);
+  checkRule(at + ".restitutionRule", m.restitutionRule);
 }
 
 Status checkMaterial(const Material& material) {

@@ -41,8 +41,7 @@ void Diary::tellPending() {
 
 void Diary::addTouching(const Island& island, const Ties& ties) {
   appendTouching(island, ties, touchingBefore);
-  std::sort(touchingBefore.begin(), touchingBefore.end());
-  touchingBefore.erase(std::unique(touchingBefore.begin(), touchingBefore.end()), touchingBefore.end());
+  makeAscending(touchingBefore);
 }
 
 void Diary::endTouchingOf(BodyIndex body, const Registry& registry) {
@@ -54,8 +53,7 @@ void Diary::endTouchingOf(BodyIndex body, const Registry& registry) {
 }
 
 void Diary::tellSensed() {
-  std::sort(sensedNow.begin(), sensedNow.end());
-  sensedNow.erase(std::unique(sensedNow.begin(), sensedNow.end()), sensedNow.end());
+  makeAscending(sensedNow);
   std::set_difference(sensedNow.begin(), sensedNow.end(), sensed.begin(), sensed.end(),
                       std::back_inserter(events.sensorBegin));
   std::set_difference(sensed.begin(), sensed.end(), sensedNow.begin(), sensedNow.end(),

@@ -167,8 +167,7 @@ JointState stateOf(const Joint& joint, const Registry& registry) {
   s.torque = joint.torque + joint.earlierTorque - cross(pose.way * (1 - system.onB), s.force);
   s.position = system.position;
   const Vec3 spin = b.angularVelocity - a.angularVelocity;
-  const Vec3 speed = b.linearVelocity + cross(b.angularVelocity, pose.armB) - a.linearVelocity -
-                     cross(a.angularVelocity, pose.armA + pose.way * (hasAxis(joint.type) ? 1.0 : 0.0));
+  const Vec3 speed = velocityAgainst(a, b, pose.armA + pose.way * (hasAxis(joint.type) ? 1.0 : 0.0), pose.armB);
   s.speed = isOneOf(joint.type, {JointType::spherical, JointType::revolute}) ? dot(s.axis, spin)
             : joint.type == JointType::prismatic                             ? dot(s.axis, speed)
             : hasTwoAnchors(joint.type)                                      ? dot(system.way.axes[0], speed)

@@ -141,8 +141,7 @@ void noteOpenings(double time, const StepContext& context, const Activity& activ
   };
   addBodies(begins);
   addBodies(set.watched);
-  std::sort(bodies.begin(), bodies.end());
-  bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
+  makeAscending(bodies);
   const std::vector<LoadOf> loads = loadsOf(bodies, ties, activity);
   for (MortarIndex mortar : begins) {
     OpeningMemory& past = *set.pastOf(mortar);
@@ -179,7 +178,7 @@ void noteBreak(MortarIndex mortar, double time, MortarSet& set) {
   OpeningMemory* const past = set.pastOf(mortar);
   if (!past) return;
   past->breakTime = time;
-  set.watched.insert(std::lower_bound(set.watched.begin(), set.watched.end(), mortar), mortar);
+  insertAscending(set.watched, mortar);
 }
 
 }  // namespace brickfall

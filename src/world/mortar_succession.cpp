@@ -1,7 +1,6 @@
 #include "world/mortar_succession.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "geometry/queries.h"
 #include "solver/mortar/law.h"

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "dynamics/point_matcher.h"
-#include "geometry/queries.h"
 #include "narrowphase/collide.h"
 #include "narrowphase/mesh_collide.h"
 #include "solver/scale.h"
@@ -37,8 +36,7 @@ void dropFarPoints(Manifold& m, const BodyMotion& a, const BodyMotion& b, const 
   double speeds[4], hit = 0, nearest = 1e30;     // m/s of approach
   for (int i = 0; i < m.count; i++) {
     const Vec3 onA = transformPoint(poseA, m.points[i].onA), onB = transformPoint(poseA, m.points[i].onB);
-    speeds[i] = -dot(n, b.linearVelocity + cross(b.angularVelocity, onB - b.position) - a.linearVelocity -
-                            cross(a.angularVelocity, onA - a.position));
+    speeds[i] = -dot(n, velocityAgainst(a, b, onA - a.position, onB - b.position));
     if (m.points[i].separation < nearest) nearest = m.points[i].separation, hit = std::max(0.0, speeds[i]);
   }
   const double whip = nearest <= margin + (hit + fall) * dt ? kWhip * (hit + fall) : 0;

@@ -14,8 +14,7 @@ namespace {
 // Closing speed (m/s) at the middle of a contact's points.
 double closingSpeed(const BodyMotion& a, const BodyMotion& b, const ContactGeometry& g) {
   const Vec3 n = a.orientation * g.normal, at = a.position + a.orientation * g.centre;
-  return dot(n, a.linearVelocity + cross(a.angularVelocity, at - a.position) - b.linearVelocity -
-                    cross(b.angularVelocity, at - b.position));
+  return dot(n, velocityAgainst(b, a, at - b.position, at - a.position));
 }
 
 // How far (m) a body of the pair may have drifted sideways by the end of the step if a contact deflects it before

@@ -23,8 +23,7 @@ PreSolveContact shown(const Contact& c, const ContactGeometry& g, const Registry
   out.shapeB = registry.idOfShape(c.shapeB);
   out.normalWorld = a.orientation * g.normal;
   out.pointWorld = a.position + a.orientation * g.anchorA[nearest];
-  out.velocityWorld = b.linearVelocity + cross(b.angularVelocity, out.pointWorld - b.position) - a.linearVelocity -
-                      cross(a.angularVelocity, out.pointWorld - a.position);
+  out.velocityWorld = velocityAgainst(a, b, out.pointWorld - a.position, out.pointWorld - b.position);
   out.separation = double(c.points.gap[nearest]);
   out.friction = double(c.friction);
   out.restitution = double(c.restitution);

@@ -3,7 +3,6 @@
 #pragma once
 #include <vector>
 
-#include "solver/island.h"
 #include "world/upkeep.h"
 
 namespace brickfall {

@@ -15,12 +15,8 @@ namespace {
 
 template <class Set, class Id>
 Result<std::uint32_t> findIn(const Set& set, Id id, std::uint16_t world, const std::string& kind) {
-  const std::uint32_t index = id.index - 1;
-  if (id.index == 0) return Error{ErrorCode::staleId, kind + ": the id is null"};
-  if (id.world != world) return Error{ErrorCode::staleId, kind + ": the id is of another world"};
-  if (!set.alive(index) || set.data[index].generation != id.generation)
-    return Error{ErrorCode::staleId, kind + ": id " + std::to_string(id.index) + " was destroyed"};
-  return index;
+  return slotOf(id, world, kind,
+                [&](std::uint32_t slot) { return set.alive(slot) && set.data[slot].generation == id.generation; });
 }
 
 // A quaternion of unit length to rounding stays as it is, so that a rotation that was read can be put back bit for bit.
@@ -29,15 +25,10 @@ Quat unitRotation(Quat q) {
   return std::fabs(square - 1) < 1e-14 ? q : normalized(q);
 }
 
-Status rebuildGeometry(ShapeData& s) {
-  if (s.def.type == ShapeType::hull) {
-    Result<Hull> hull = buildHull(std::span<const Vec3>(s.def.vertices));
-    if (!hull) return Error{ErrorCode::badFormat, "a hull can't be built: " + hull.error().message};
-    s.hull = std::make_unique<Hull>(std::move(hull).value());
-  }
+void setGeometry(ShapeData& s, std::unique_ptr<Hull> hull) {
+  s.hull = std::move(hull);
   s.geometry = geometryOf(s.def, s.hull.get());
   s.innerRadius = innerRadius(s.geometry);
-  return {};
 }
 
 void checkMotion(Findings& f, const BodyMotion& m, BodyIndex i) {
@@ -53,6 +44,13 @@ template <class Data> bool isFree(const Data& d) { return !d.alive && d.generati
 
 Result<BodyIndex> Registry::find(BodyId id) const { return findIn(bodies, id, worldNumber, "body"); }
 Result<ShapeIndex> Registry::find(ShapeId id) const { return findIn(shapes, id, worldNumber, "shape"); }
+
+Result<std::unique_ptr<Hull>> hullOf(const ShapeDef& def) {
+  if (def.type != ShapeType::hull) return std::unique_ptr<Hull>();
+  Result<Hull> hull = buildHull(std::span<const Vec3>(def.vertices));
+  if (!hull) return hull.error();
+  return std::make_unique<Hull>(std::move(hull).value());
+}
 
 Shape geometryOf(const ShapeDef& def, const Hull* hull) {
   Shape g;
@@ -92,11 +90,9 @@ BodyIndex Registry::add(BodyPlan&& plan) {
     s.def = def.shapes[i];
     s.def.local.rotation = normalized(s.def.local.rotation);
     s.body = body;
-    s.hull = std::move(plan.hulls[i]);
-    s.geometry = geometryOf(s.def, s.hull.get());
-    s.innerRadius = innerRadius(s.geometry);
+    setGeometry(s, std::move(plan.hulls[i]));
     bodies.shapes[body].push_back(shape);
-    if (s.def.sensor) sensors.insert(std::lower_bound(sensors.begin(), sensors.end(), shape), shape);
+    if (s.def.sensor) insertAscending(sensors, shape);
   }
   updateMass(body, def.position);
   keepLocks(body);
@@ -246,9 +242,12 @@ void Registry::updateMass(BodyIndex body, Vec3 origin) {
 Status Registry::rebuild() {
   for (ShapeIndex i = 0; i < shapes.slots(); i++)
     if (shapes.alive(i) && shapes.data[i].def.sensor) sensors.push_back(i);
-  for (ShapeData& s : shapes.data)
-    if (s.alive)
-      if (Status built = rebuildGeometry(s); !built) return built;
+  for (ShapeData& s : shapes.data) {
+    if (!s.alive) continue;
+    Result<std::unique_ptr<Hull>> hull = hullOf(s.def);
+    if (!hull) return Error{ErrorCode::badFormat, "a hull can't be built: " + hull.error().message};
+    setGeometry(s, std::move(hull).value());
+  }
   for (BodyIndex i = 0; i < bodies.slots(); i++) {
     if (!bodies.alive(i)) continue;
     bodies.setRotation(i, bodies.motion[i].rotation);

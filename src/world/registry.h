@@ -21,6 +21,16 @@ struct BodyPlan {
   std::vector<std::unique_ptr<Hull>> hulls;  // by shape; null but for hulls
 };
 
+// The slot that an id names. `has(slot)`: the slot is in use by what had this generation; `kind`: for the message.
+template <class Id, class Has>
+Result<std::uint32_t> slotOf(Id id, std::uint16_t world, const std::string& kind, Has&& has) {
+  if (id.index == 0) return Error{ErrorCode::staleId, kind + ": the id is null"};
+  if (id.world != world) return Error{ErrorCode::staleId, kind + ": the id is of another world"};
+  if (!has(id.index - 1))
+    return Error{ErrorCode::staleId, kind + ": id " + std::to_string(id.index) + " was destroyed"};
+  return id.index - 1;
+}
+
 class Registry {
  public:
   BodySet bodies;
@@ -62,6 +72,8 @@ class Registry {
   bool renewMass(BodyIndex body);  // true if the centre of mass is elsewhere in the body
 };
 
+// The hull of a shape that is one; null of others.
+Result<std::unique_ptr<Hull>> hullOf(const ShapeDef& def);
 // The shape as geometry; `hull` of hulls.
 Shape geometryOf(const ShapeDef& def, const Hull* hull);
 

@@ -55,12 +55,10 @@ Result<Asking> askingWith(const ShapeDef& def, const Transform& body) {
   check.vector("pose.position", body.position, limits::kLargestReach);
   check.rotation("pose.rotation", body.rotation);
   if (check.failed()) return check.error();
+  Result<std::unique_ptr<Hull>> hull = hullOf(def);
+  if (!hull) return Error{hull.error().code, "shape.vertices: " + hull.error().message};
   Asking out;
-  if (def.type == ShapeType::hull) {
-    Result<Hull> hull = buildHull(std::span<const Vec3>(def.vertices));
-    if (!hull) return Error{hull.error().code, "shape.vertices: " + hull.error().message};
-    out.hull = std::make_unique<Hull>(std::move(hull).value());
-  }
+  out.hull = std::move(hull).value();
   out.shape = geometryOf(def, out.hull.get());
   out.pose = Transform{body.position, normalized(body.rotation)} *
              Transform{def.local.position, normalized(def.local.rotation)};

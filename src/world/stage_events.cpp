@@ -80,9 +80,7 @@ void collectEvents(const Registry& registry, Activity& activity, Ties& ties, Dia
   for (BodyIndex body : activity.awake)
     if (!registry.bodies.still[body]) moved.push_back(registry.idOf(body));
   for (BodyIndex body : activity.moving) moved.push_back(registry.idOf(body));
-  if (!toldBefore) return;
-  std::sort(moved.begin(), moved.end());
-  moved.erase(std::unique(moved.begin(), moved.end()), moved.end());
+  if (toldBefore) makeAscending(moved);
 }
 
 void hashEvents(const Events& events, HashItems& out) {

@@ -1,7 +1,5 @@
 #include "world/stage_hash.h"
 
-#include "brickfall/step_report.h"
-
 namespace brickfall {
 
 std::string_view nameOf(const StageHash& hash) {

@@ -39,8 +39,7 @@ std::vector<CandidatePair> Succession::meet(const Registry& registry, const std:
                                             Proximity& proximity, Ties& ties) const {
   std::vector<ShapeIndex> neighbours;
   for (const Estate& estate : estates_) neighbours.push_back(estate.neighbour);
-  std::sort(neighbours.begin(), neighbours.end());
-  neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
+  makeAscending(neighbours);
   NarrowPhase narrow(registry, 0, proximity, ties.contacts);
   std::vector<CandidatePair> found;
   for (BodyIndex piece : pieces)

@@ -18,12 +18,8 @@ template <class Id, class Set> Id tieId(const Set& set, std::uint32_t tie, const
 // `kind`: for the message, "joint".
 template <class Set, class Id>
 Result<std::uint32_t> findTie(const Set& set, Id id, const Registry& registry, const std::string& kind) {
-  const std::uint32_t tie = id.index - 1;
-  if (id.index == 0) return Error{ErrorCode::staleId, kind + ": the id is null"};
-  if (id.world != registry.worldNumber) return Error{ErrorCode::staleId, kind + ": the id is of another world"};
-  if (!set.has(tie) || set.slots[tie].generation != id.generation)
-    return Error{ErrorCode::staleId, kind + ": id " + std::to_string(id.index) + " has ended"};
-  return tie;
+  return slotOf(id, registry.worldNumber, kind,
+                [&](std::uint32_t tie) { return set.has(tie) && set.slots[tie].generation == id.generation; });
 }
 
 // In the order of creation, those that `wanted` says of.

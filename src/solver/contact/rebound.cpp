@@ -4,7 +4,6 @@
 // motion that it found. So the smallest restitution changes the least, and rebounds are borne, and rubbed against, like
 // any force.
 #include <algorithm>
-#include <cmath>
 
 #include "solver/contact/speeds.h"
 #include "solver/face/point_forces.h"

@@ -2,7 +2,6 @@
 #pragma once
 #include <cstdint>
 #include <memory_resource>
-#include <utility>
 #include <vector>
 
 #include "brickfall/step_trace.h"

@@ -1,7 +1,6 @@
 #include "solver/joint/equations.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 
 #include "solver/step_context.h"

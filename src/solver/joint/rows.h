@@ -15,7 +15,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <memory_resource>
-#include <utility>
 #include <vector>
 
 #include "solver/joint/equations.h"
