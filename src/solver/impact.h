@@ -13,8 +13,6 @@ namespace brickfall {
 bool mayClose(const Island& island, const StepContext& context, double ahead);
 // No tie carried force in the last step, and every point is open.
 bool touchesNothing(const Island& island, const StepContext& context);
-// For prepared rows of an island: its open points carry nothing in the coming solve, and stay as fresh as they were.
-void leaveOut(Island& island, Ties& ties, const StepContext& context);
 // In how many s the island's first open point closes; infinity if none does. By StepContext::solved, the island's
 // motion over `dt` s as if its open points were not there.
 double firstClosing(const Island& island, double dt, const StepContext& context);

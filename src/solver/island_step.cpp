@@ -50,7 +50,7 @@ void prepareIsland(Island& island, Ties& ties, BodySet& bodies, StepContext& con
   if (island.plan.endVelocities) seeWholeTurns(island, context);
   prepareBodies(island, context);
   prepareRows(island, ties, context);
-  if (island.toImpact()) leaveOut(island, ties, context);
+  if (island.toImpact()) island.rows.eachKind([&](auto& kind) { kind.leaveOut(ties, context); });
 }
 
 void restIsland(Island& island, StepContext& context) {

@@ -55,6 +55,9 @@ template <class Rows, class Set, Set Ties::*kSet, auto kList> struct TieRows {
   bool laidOut() const { return rows().records.size() == size(); }
   RowEnds endsIn(const Island&, const Ties&, std::size_t k) const { return rows().ends(k); }
   RowEnds ends(std::size_t k) const { return {rows().records[k].bodyA, rows().records[k].bodyB}; }
+  Arms arms(std::size_t k) const {
+    return {wide::load3Padded(rows().records[k].armA), wide::load3Padded(rows().records[k].armB)};
+  }
   // The bodies that a row's tie names.
   std::pair<BodyIndex, BodyIndex> bodies(std::size_t k, const Ties& ties) const {
     return {at(k, ties).bodyA, at(k, ties).bodyB};

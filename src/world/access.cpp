@@ -112,7 +112,6 @@ Status World::Impl::openForChange(const std::string& call) const {
   return {};
 }
 
-// Checks at the start of every setter: no step or callback is under way, the body is alive, the arguments are sound.
 Result<BodyIndex> World::Impl::openForChange(BodyId id, const Error& bad) const {
   if (Status open = openForChange("body"); !open) return open.error();
   Result<BodyIndex> body = registry.find(id);
@@ -368,7 +367,7 @@ Status World::checkMaterials(BodyId id, std::span<const Material> materials) con
   check.condition(materials.size() == shapes, "materials: found " + std::to_string(materials.size()) + ", expected " +
                                                   std::to_string(shapes) + ", one for each shape");
   if (!check.failed()) checkMassWith(check, w.registry, *body, materials);
-  return check.failed() ? Status(check.error()) : Status();
+  return check.error();
 }
 
 // Force and torque about the centre of mass for the next step, or impulses at once.

@@ -139,7 +139,7 @@ void checkMaterial(Checks& check, const std::string& at, const Material& m) {
 Status checkMaterial(const Material& material) {
   Checks check;
   checkMaterial(check, "material", material);
-  return check.failed() ? Status(check.error()) : Status();
+  return check.error();
 }
 
 void checkShape(Checks& check, const std::string& at, const ShapeDef& s, BodyType type) {
@@ -187,7 +187,7 @@ Status checkWorld(const WorldDef& def) {
     check.range(std::string("solver.") + name, value, least, most);
   });
   check.range("integrator", int(def.integrator), 0, kIntegratorCount - 1);
-  return check.failed() ? Status(check.error()) : Status();
+  return check.error();
 }
 
 Result<World> World::create(const WorldDef& def) {

@@ -62,7 +62,7 @@ bool ask(const World::PreSolve& callback, CandidatePair& pair, ContactSet& conta
 
 }  // namespace
 
-void askPreSolve(const World::PreSolve& callback, Registry& registry, Ties& ties, Upkeep& upkeep) {
+void askPreSolve(const World::PreSolve& callback, Registry& registry, Ties& ties, Upkeep upkeep) {
   ContactSet& contacts = ties.contacts;
   registry.shapes.edits.clear();
   std::vector<BodyIndex> changed;

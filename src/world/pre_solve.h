@@ -9,6 +9,6 @@ class Ties;
 class Upkeep;
 
 // After all contacts of the part are found. Contacts that are switched off end.
-void askPreSolve(const World::PreSolve& callback, Registry& registry, Ties& ties, Upkeep& upkeep);
+void askPreSolve(const World::PreSolve& callback, Registry& registry, Ties& ties, Upkeep upkeep);
 
 }  // namespace brickfall

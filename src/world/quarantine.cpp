@@ -19,7 +19,7 @@ void Quarantine::isolateHeld() {
   caught_.clear();
 }
 
-void quarantineAbsurd(const Registry& registry, const Activity& activity, double dt, Quarantine& quarantine) {
+void quarantineAbsurd(const Registry& registry, const Activity& activity, double dt, Quarantine quarantine) {
   const BodySet& bodies = registry.bodies;
   for (BodyIndex body : activity.awake) {
     if (bodies.still[body]) continue;

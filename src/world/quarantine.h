@@ -23,6 +23,6 @@ class Quarantine {
 };
 
 // A body that its forces or impulses would make absurdly fast is taken out before it can spoil the sums of its island.
-void quarantineAbsurd(const Registry& registry, const Activity& activity, double dt, Quarantine& quarantine);
+void quarantineAbsurd(const Registry& registry, const Activity& activity, double dt, Quarantine quarantine);
 
 }  // namespace brickfall

@@ -35,7 +35,7 @@ void tellBreak(JointIndex index, const Ties& ties, const Registry& registry, std
                  joint.torque + joint.earlierTorque});
 }
 
-void breakJoints(const Registry& registry, double dt, Ties& ties, Diary& diary, Upkeep& upkeep) {
+void breakJoints(const Registry& registry, double dt, Ties& ties, Diary& diary, Upkeep upkeep) {
   if (!ties.joints.any()) return;
   std::vector<JointIndex> broken;
   ties.joints.eachAwake([&](const Link& link) {
@@ -48,7 +48,7 @@ void breakJoints(const Registry& registry, double dt, Ties& ties, Diary& diary, 
 }
 
 void crumbleMortar(const Registry& registry, double time, const StepContext& context, const Activity& activity,
-                   Ties& ties, Diary& diary, Upkeep& upkeep) {
+                   Ties& ties, Diary& diary, Upkeep upkeep) {
   std::vector<MortarIndex> broken;
   auto tell = [&](MortarIndex index, bool breaks) {
     const Mortar& m = ties.mortar.slots[index];
@@ -85,7 +85,7 @@ void crumbleMortar(const Registry& registry, double time, const StepContext& con
 }  // namespace
 
 void breakTies(const Registry& registry, const Clock& clock, const StepContext& context, const Activity& activity,
-               Ties& ties, Diary& diary, Upkeep& upkeep) {
+               Ties& ties, Diary& diary, Upkeep upkeep) {
   breakJoints(registry, context.dt, ties, diary, upkeep);
   if (ties.mortar.any()) crumbleMortar(registry, clock.time + clock.lastDt, context, activity, ties, diary, upkeep);
 }

@@ -11,7 +11,7 @@ namespace brickfall {
 namespace {
 
 // Wakes sleeping bodies on which an awake body presses, or which it is about to hit.
-void wakeByNewTies(const Registry& registry, const Ties& ties, const StepContext& context, Upkeep& upkeep) {
+void wakeByNewTies(const Registry& registry, const Ties& ties, const StepContext& context, Upkeep upkeep) {
   auto asleep = [&](BodyIndex body) { return registry.bodies.data[body].activity == BodyActivity::asleep; };
   std::pmr::vector<BodyIndex> wake(context.memory);
   ties.eachAwake([&](const Link& link) {
@@ -24,7 +24,7 @@ void wakeByNewTies(const Registry& registry, const Ties& ties, const StepContext
 }  // namespace
 
 void updateContacts(const PreSolveCall& preSolve, Registry& registry, const Activity& activity,
-                    const StepContext& context, Proximity& proximity, Ties& ties, StepReport& report, Upkeep& upkeep) {
+                    const StepContext& context, Proximity& proximity, Ties& ties, StepReport& report, Upkeep upkeep) {
   NarrowPhase narrow(registry, context.dt, proximity, ties.contacts);
   narrow.run();
   report.manifoldsReused += narrow.reused();

@@ -103,7 +103,7 @@ void Integration::drive(BodyIndex body) {
 }  // namespace
 
 void integrate(const Clock& clock, const StepContext& context, Registry& registry, Activity& activity,
-               Proximity& proximity, Ties& ties, Quarantine& quarantine) {
+               Proximity& proximity, Ties& ties, Quarantine quarantine) {
   Integration all{clock, registry.bodies, registry, proximity, ties, context, quarantine};
   for (IslandPointer& island : activity.islands.awake) all.finishIsland(*island);
   for (BodyIndex body : activity.islands.single) all.finishBody(body);

@@ -1,5 +1,6 @@
 // The stages of a step, each in a file of its name. A stage takes as const what it reads, and by reference what it
-// changes. docs/step.md has the same as a table. The step itself, the list of stages in their order, is step.cpp.
+// changes; an upkeep is such references. docs/step.md has the same as a table. The step itself, the list of stages in
+// their order, is step.cpp.
 //
 // Beside each stage stand the functions that report on request: a hash of its output, and its change of momentum and
 // energy.
@@ -28,7 +29,7 @@ void findPairs(const Registry&, const Activity&, const StepContext&, Proximity&,
 void hashPairs(const Registry&, const Activity&, const Proximity&, HashItems&);
 
 void updateContacts(const PreSolveCall&, Registry&, const Activity&, const StepContext&, Proximity&, Ties&, StepReport&,
-                    Upkeep&);
+                    Upkeep);
 void hashContacts(const Ties&, HashItems&);
 
 void renewIslands(const Registry&, const StepContext&, Activity&, Ties&);
@@ -62,11 +63,11 @@ void balanceIslands(const Registry&, const Activity&, const Proximity&, Ties&, S
 void hashBalance(const IslandSet&, const StepContext&, HashItems&);
 void bookBalance(const Registry&, const Activity&, const StepContext&, Diary&);
 
-void integrate(const Clock&, const StepContext&, Registry&, Activity&, Proximity&, Ties&, Quarantine&);
+void integrate(const Clock&, const StepContext&, Registry&, Activity&, Proximity&, Ties&, Quarantine);
 void hashIntegrate(const Registry&, const Activity&, const Ties&, HashItems&);
 void bookIntegrate(const Registry&, const Activity&, const StepContext&, Diary&);
 
-void breakTies(const Registry&, const Clock&, const StepContext&, const Activity&, Ties&, Diary&, Upkeep&);
+void breakTies(const Registry&, const Clock&, const StepContext&, const Activity&, Ties&, Diary&, Upkeep);
 void hashBreaking(const Ties&, HashItems&);
 
 void fallAsleep(const WorldDef&, double dt, Registry&, Activity&, Ties&, Diary&);

@@ -53,9 +53,8 @@ std::span<const World::Impl::StageRow> World::Impl::stageRows() {
 
       {Stage::contacts,
        [](W& w) {
-         Upkeep upkeep = w.upkeep();
          updateContacts(w.preSolve, w.registry, w.activity, w.solve.context, w.proximity, w.ties, w.diary.report,
-                        upkeep);
+                        w.upkeep());
        },
        [](const W& w, H& out) { hashContacts(w.ties, out); }},
 
@@ -95,18 +94,12 @@ std::span<const World::Impl::StageRow> World::Impl::stageRows() {
        [](W& w) { bookBalance(w.registry, w.activity, w.solve.context, w.diary); }},
 
       {Stage::integrate,
-       [](W& w) {
-         Quarantine quarantine = w.quarantine();
-         integrate(w.clock, w.solve.context, w.registry, w.activity, w.proximity, w.ties, quarantine);
-       },
+       [](W& w) { integrate(w.clock, w.solve.context, w.registry, w.activity, w.proximity, w.ties, w.quarantine()); },
        [](const W& w, H& out) { hashIntegrate(w.registry, w.activity, w.ties, out); },
        [](W& w) { bookIntegrate(w.registry, w.activity, w.solve.context, w.diary); }},
 
       {Stage::breaking,
-       [](W& w) {
-         Upkeep upkeep = w.upkeep();
-         breakTies(w.registry, w.clock, w.solve.context, w.activity, w.ties, w.diary, upkeep);
-       },
+       [](W& w) { breakTies(w.registry, w.clock, w.solve.context, w.activity, w.ties, w.diary, w.upkeep()); },
        [](const W& w, H& out) { hashBreaking(w.ties, out); }},
 
       {Stage::sleep, [](W& w) { fallAsleep(w.def, w.solve.context.dt, w.registry, w.activity, w.ties, w.diary); },
@@ -159,8 +152,7 @@ void World::Impl::beginPart(double dt) {
         Balance now = balanceNow(w.registry.bodies, w.solve.context);
         w.diary.beginLedger(now, w.clock.part == 0);
       });
-  Quarantine out = quarantine();
-  quarantineAbsurd(registry, activity, dt, out);
+  quarantineAbsurd(registry, activity, dt, quarantine());
 }
 
 void World::Impl::addCost() {

@@ -159,6 +159,7 @@ struct ContactRows : FaceRows, TieRows<ContactRows, ContactSet, &Ties::contacts,
   // --- impacts at their moment (solver/impact.h)
   bool mayClose(const StepContext& context, double ahead) const;
   bool touchNothing(const StepContext& context) const;
+  // Of prepared rows: open points carry nothing in the coming solve, and stay as fresh as they were.
   void leaveOut(Ties& ties, const StepContext& context);
   double firstClosing(const Island& island, double dt, const StepContext& context) const;
   // Prepared rows become those of an impact. Closed points may not close further, open points do not exist, and no

@@ -16,7 +16,6 @@ struct FaceRows {
 
   // The direction from A to B along which the face presses.
   Vec3 normal(std::size_t k) const { return toDouble(records[k].n); }
-  Arms arms(std::size_t k) const { return {wide::load3Padded(records[k].armA), wide::load3Padded(records[k].armB)}; }
   // Reads `count` rows from k on.
   void read(std::size_t k, std::size_t count, const SolveMotion* motion, Reading* out) const {
     readFaces(records.data() + k, count, motion, out);

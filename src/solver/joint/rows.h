@@ -84,7 +84,6 @@ struct JointRows : LastingRows<JointRows, JointSet, &Ties::joints> {
   Vec3 normal(std::size_t k) const { return toDouble(records[k].way.axes[0].unit); }
 
   void prepare(Island& island, Ties& ties, const StepContext& context);
-  Arms arms(std::size_t k) const { return {wide::load3Padded(records[k].armA), wide::load3Padded(records[k].armB)}; }
   void read(std::size_t k, std::size_t count, const SolveMotion* motion, Reading* out) const {
     for (std::size_t i = 0; i < count; i++) out[i] = joint::readingAt(records[k + i], motion);
   }
