@@ -13,8 +13,8 @@ struct ClusterFactor {
   bool kept = false;  // a step has been made with it
 };
 
-// Moves a cluster's bodies by a part of its step, from these motions. Uses the arithmetic of the solve's loads: a body's
-// lanes are stored as they will be read.
+// Moves a cluster's bodies by a part of its step, from these motions. Uses the arithmetic of the solve's loads: what is
+// stored are lanes as they will be read.
 void moveCluster(Island& island, const Level& level, const Cluster& cluster, const Wrench& step, float part,
                  const SolveMotion* from);
 
