@@ -128,7 +128,7 @@ class Relaxation {
     if (moves(i)) return measureOf(island_, *context_.bodies, i, 1, kMovingWeights);
     return measureOf(island_, *context_.bodies, i, kLoadShare);
   }
-  bool moves(std::size_t i) const { return !island_.plan.slow && island_.speeds[i] > float(kMovingSpeed); }
+  bool moves(std::size_t i) const { return island_.speeds[i] > float(kMovingSpeed); }
 
   float innerRadius(std::size_t i) const { return float(context_.bodies->mass[island_.bodies[i]].innerRadius); }
   bool balanced(std::size_t i, float share = 1) const {

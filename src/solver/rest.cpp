@@ -108,11 +108,10 @@ void dampSlowIsland(Island& island, const StepContext& context, BodySet& bodies)
 void restCheck(Island& island, StepContext& context) {
   island.ending = IslandEnding::unsolved;
   for (std::size_t i = 0; i < island.bodies.size(); i++) island.motion[i] = {};
-  const bool still = island.plan.slow && standsStill(island, context);
-  if (!still && !(island.plan.slow && island.plan.large)) return;
+  if (!island.plan.slow || !(island.plan.large || standsStill(island, context))) return;
   lightPass(island, false, context.statistics.lightVisits);
-  const bool balanced = (still && worstResidual(island, *context.bodies) < context.settings.restTolerance) ||
-                        (island.plan.large && balancedByLoad(island, context));
+  const bool balanced = island.plan.large ? balancedByLoad(island, context)
+                                          : worstResidual(island, *context.bodies) < context.settings.restTolerance;
   if (!balanced || (island.facts.energy > 0 && slides(island, context))) return;
   if (island.plan.swings && !forcesBalance(island, context)) return;
   island.ending = IslandEnding::rested;

@@ -96,26 +96,16 @@ void startPhase(PointMemory& m, int i, float approach, const PointRules& rules) 
 }
 
 // An impact has borne for a step, an island has calmed down, or steps have become shorter: the point is softer than one
-// that would start now. The soft spring of an impact is made for the inertia of its two bodies, which it stops in a
-// step: what closes after that has more behind it. A point that bears nothing and closes may be as soft as any impact;
-// softer ones would stop nothing.
+// that rests. The soft spring of an impact is made for the inertia of its two bodies, which it stops in a step: what
+// closes after that has more behind it.
 bool isTooSoft(const PointMemory& m, int i, float approach, const PointRules& rules) {
-  if (m.phase[i] == PointPhase::fresh) return false;
-  if (rules.isFirm(m, i, approach)) return !rules.stiffness.isFull(m.stiffness[i]);
-  return !rules.isQuiet(approach) &&
-         m.stiffness[i] < (1 - float(kTrifle)) * std::min(rules.stiffness.softest, rules.stiffness.full);
+  return m.phase[i] != PointPhase::fresh && rules.isFirm(m, i, approach) && !rules.stiffness.isFull(m.stiffness[i]);
 }
-// The point starts anew, but goes on with the force that it has. One that no longer closes keeps at most that of a
-// sudden load, and its friction goes on if it was at rest: the spring has grown stiffer under its drift.
+// The point starts anew, at rest, but goes on with the force that it has. One that no longer closes keeps at most that
+// of a sudden load.
 void stiffen(PointMemory& m, int i, float approach, const PointRules& rules) {
-  const bool quiet = rules.isQuiet(approach), rested = m.phase[i] == PointPhase::resting;
-  startPhase(m, i, rules.isFirm(m, i, approach) ? 0 : approach, rules);
-  if (quiet && m.forceN[i] > rules.cap) scaleForces(m, i, rules.cap / m.forceN[i]);
-  if (quiet && rested && m.sticks(i)) {
-    m.slip1[i] = -m.force1[i] / m.stiffness[i];
-    m.slip2[i] = -m.force2[i] / m.stiffness[i];
-    m.stickingMask &= ~(1u << i);
-  }
+  startPhase(m, i, 0, rules);
+  if (rules.isQuiet(approach) && m.forceN[i] > rules.cap) scaleForces(m, i, rules.cap / m.forceN[i]);
   m.offset[i] = std::min(0.0f, m.gap[i] + m.forceN[i] / m.stiffness[i]);
 }
 

@@ -57,7 +57,6 @@ PairStiffness stiffnessOf(const Contact& pair, bool debris, const Island& island
   return {float(unit),
           float(full),
           float(settings.impactStiffness * unit),
-          float(settings.impactStiffness * pair.effectiveMass / (context.dt * context.dt)),
           float(deepestOverlap(bodies.mass[pair.bodyA], bodies.mass[pair.bodyB])),
           float(island.dt),
           scale};

@@ -13,7 +13,6 @@ struct PairStiffness {
   float unit;
   float full;     // of a resting point
   float soft;     // of an impact, at least
-  float softest;  // the same in a step, or part of one, of full length
   float deepest;  // m: how far an impact may press the two bodies into each other
   float dt;       // s
   Scale scale;    // of the pair
