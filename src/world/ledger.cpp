@@ -31,22 +31,17 @@ double elasticAsleep(const StepContext& context) {
   return sum;
 }
 
-Balance balanceOf(const BodySet& bodies, Vec3 gravity) {
+Balance balanceNow(const BodySet& bodies, const StepContext& context) {
   Balance sum;
+  context.ties->eachAwake([&](const Link& link) { sum.elastic += Rows::elasticEnergy(link, context); });
+  sum.elastic += elasticAsleep(context);
   for (BodyIndex i = 0; i < bodies.slots(); i++) {
     if (!bodies.alive(i) || bodies.data[i].type != BodyType::dynamic || !bodies.data[i].enabled) continue;
     const BodyMotion& m = bodies.motion[i];
     addBody(sum, bodies.mass[i], m.position, m.linearVelocity, m.angularVelocity,
             bodies.worldInertia(i) * m.angularVelocity);
-    sum.potential -= bodies.mass[i].mass * bodies.data[i].gravityScale * dot(gravity, m.position);
+    sum.potential -= bodies.mass[i].mass * bodies.data[i].gravityScale * dot(context.gravity, m.position);
   }
-  return sum;
-}
-
-Balance balanceNow(const BodySet& bodies, const StepContext& context) {
-  Balance sum = balanceOf(bodies, context.gravity);
-  context.ties->eachAwake([&](const Link& link) { sum.elastic += Rows::elasticEnergy(link, context); });
-  sum.elastic += elasticAsleep(context);
   return sum;
 }
 

@@ -40,8 +40,7 @@ void operator+=(BalanceChange& a, const BalanceChange& b);
 void addBody(Balance& sum, const BodyMass& mass, Vec3 position, Vec3 velocity, Vec3 spin, Vec3 spinMomentum);
 // Elastic energy of the ties that sleep.
 double elasticAsleep(const StepContext& context);
-// Balance of all dynamic bodies, where they are; then with what ties hold.
-Balance balanceOf(const BodySet& bodies, Vec3 gravity);
+// Balance of all dynamic bodies, where they are.
 Balance balanceNow(const BodySet& bodies, const StepContext& context);
 // Balance of the awake bodies as the solve left them, where they are at the end of the step.
 Balance solvedBalance(const std::vector<BodyIndex>& awake, const BodySet& bodies, const StepContext& context);

@@ -26,6 +26,12 @@ std::vector<BodyId> bodiesNear(const Proximity& proximity, const Registry& regis
   return out;
 }
 
+// In sums over the world.
+template <class Visit> void eachThatCounts(const BodySet& bodies, Visit visit) {
+  for (BodyIndex i = 0; i < bodies.slots(); i++)
+    if (bodies.alive(i) && bodies.data[i].type == BodyType::dynamic && bodies.data[i].enabled) visit(i);
+}
+
 }  // namespace
 
 Result<std::vector<BodyId>> World::overlapBox(const Aabb& box, std::uint32_t mask) const {
@@ -143,11 +149,32 @@ Result<double> World::penetration(ShapeId a, ShapeId b) const {
 }
 
 Energy World::energy() const {
-  const Balance now = balanceOf(impl_->registry.bodies, impl_->def.gravity);
-  return {now.kinetic, now.potential};
+  const BodySet& bodies = impl_->registry.bodies;
+  Energy e;
+  eachThatCounts(bodies, [&](BodyIndex i) {
+    e.kinetic += bodies.kineticEnergy(i);
+    e.potential -=
+        bodies.mass[i].mass * bodies.data[i].gravityScale * dot(impl_->def.gravity, bodies.motion[i].position);
+  });
+  return e;
 }
-Vec3 World::linearMomentum() const { return balanceOf(impl_->registry.bodies, impl_->def.gravity).linear; }
-Vec3 World::angularMomentum() const { return balanceOf(impl_->registry.bodies, impl_->def.gravity).angular; }
+
+Vec3 World::linearMomentum() const {
+  const BodySet& bodies = impl_->registry.bodies;
+  Vec3 sum;
+  eachThatCounts(bodies, [&](BodyIndex i) { sum += bodies.motion[i].linearVelocity * bodies.mass[i].mass; });
+  return sum;
+}
+
+Vec3 World::angularMomentum() const {
+  const BodySet& bodies = impl_->registry.bodies;
+  Vec3 sum;
+  eachThatCounts(bodies, [&](BodyIndex i) {
+    const BodyMotion& m = bodies.motion[i];
+    sum += cross(m.position, m.linearVelocity * bodies.mass[i].mass) + bodies.worldInertia(i) * m.angularVelocity;
+  });
+  return sum;
+}
 
 std::uint64_t World::stateHash() const {
   const Impl& w = *impl_;
