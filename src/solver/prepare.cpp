@@ -6,8 +6,12 @@ namespace brickfall {
 namespace {
 
 void writeInertia(SolveMass& out, const Mat3& world, double perDt2) {
-  for (int row = 0, at = 0; row < 3; row++)
-    for (int column = 0; column <= row; column++) out.inertia[at++] = float(world.row[row][column] * perDt2);
+  out.inertia[0] = float(world.row[0].x * perDt2);
+  out.inertia[1] = float(world.row[1].x * perDt2);
+  out.inertia[2] = float(world.row[1].y * perDt2);
+  out.inertia[3] = float(world.row[2].x * perDt2);
+  out.inertia[4] = float(world.row[2].y * perDt2);
+  out.inertia[5] = float(world.row[2].z * perDt2);
 }
 
 // Way of the island as a whole, where nothing holds it.
