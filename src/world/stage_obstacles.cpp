@@ -115,7 +115,8 @@ struct Obstacles {
 
 const Island* Obstacles::islandWith(BodyIndex body) const {
   std::uint32_t n = activity.islandOf[body];
-  return n == kNoIndex ? nullptr : islands.awake[n].get();
+  // An island that rests has no groups: what is fitted in beside it goes by itself.
+  return n == kNoIndex || islands.awake[n]->groups.count() == 0 ? nullptr : islands.awake[n].get();
 }
 
 Motion Obstacles::motionOf(BodyIndex body) const {
