@@ -115,8 +115,7 @@ struct Obstacles {
 
 const Island* Obstacles::islandWith(BodyIndex body) const {
   std::uint32_t n = activity.islandOf[body];
-  // An island that rests has no groups: what is fitted in beside it goes by itself.
-  return n == kNoIndex || islands.awake[n]->groups.count() == 0 ? nullptr : islands.awake[n].get();
+  return n == kNoIndex ? nullptr : islands.awake[n].get();
 }
 
 Motion Obstacles::motionOf(BodyIndex body) const {
@@ -241,8 +240,9 @@ bool Obstacles::goTogether(BodyIndex body, BodyIndex other) const {
 
 // Adds to the ways of the body's group, and leaves it a share of its turn about its centre of mass. Bodies are moved
 // along their velocities against the group's, and the centre of mass stays: so does the angular momentum. What hangs by
-// joints goes no other way, or they would be torn.
+// joints goes no other way, or they would be torn. What rests has no way, and its island no groups.
 void Obstacles::divert(BodyIndex body, const Group& group, Vec3 way, double turnShare) {
+  if (!moves(body)) return;
   if (hangs(body)) return turnShare < 1 ? cut(body, 1, turnShare) : void();
   const Island* island = islandWith(body);
   if (!island) return shorten(body, 1, turnShare, way, false, context);
@@ -302,7 +302,7 @@ void Obstacles::meet(BodyIndex body, const Obstruction& first) {
     shareOfA = 0, shareOfB = 1;
   }
   divert(body, a, toB * shareOfA, turnShare);
-  if (moves(first.body)) divert(first.body, b, toB * -shareOfB, otherShare);
+  divert(first.body, b, toB * -shareOfB, otherShare);
 }
 
 void Obstacles::stopAll(bool again) {
