@@ -35,14 +35,18 @@ double kineticEnergy(const Island& island, const BodySet& bodies) {
   return sum;
 }
 
+struct Velocities {
+  Vec3 linear, angular;
+};
+
 // Where no fixed body was hit, the momenta of the struck bodies are those before the impact: a solve leaves them off by
 // its residual.
-void keepMomenta(const Island& island, const std::pmr::vector<VelocityChange>& before, BodySet& bodies) {
+void keepMomenta(const Island& island, const std::pmr::vector<Velocities>& before, BodySet& bodies) {
   if (island.grounded() || island.facts.locked) return;
   auto eachHit = [&](auto&& act) {
     for (std::size_t i = 0; i < before.size(); i++) {
       BodyMotion& m = bodies.motion[island.bodies[i]];
-      const Vec3 push = before[i].move - m.linearVelocity, turn = before[i].turn - m.angularVelocity;
+      const Vec3 push = before[i].linear - m.linearVelocity, turn = before[i].angular - m.angularVelocity;
       if (push != Vec3{} || turn != Vec3{}) act(island.bodies[i], m, push, turn);
     }
   };
@@ -61,7 +65,7 @@ void keepMomenta(const Island& island, const std::pmr::vector<VelocityChange>& b
 
 // Returns false, and changes nothing, if the result would be no impact.
 bool changeVelocities(const Island& island, BodySet& bodies) {
-  std::pmr::vector<VelocityChange> before(island.memory);
+  std::pmr::vector<Velocities> before(island.memory);
   const double had = kineticEnergy(island, bodies), perDt = 1 / island.dt;
   bool finite = true;
   for (std::size_t i = 0; i < island.bodies.size(); i++) {
@@ -74,8 +78,8 @@ bool changeVelocities(const Island& island, BodySet& bodies) {
   if (finite) keepMomenta(island, before, bodies);
   if (finite && kineticEnergy(island, bodies) <= had * (1 + kFloatsRound)) return true;
   for (std::size_t i = 0; i < before.size(); i++) {
-    bodies.motion[island.bodies[i]].linearVelocity = before[i].move;
-    bodies.motion[island.bodies[i]].angularVelocity = before[i].turn;
+    bodies.motion[island.bodies[i]].linearVelocity = before[i].linear;
+    bodies.motion[island.bodies[i]].angularVelocity = before[i].angular;
   }
   return false;
 }

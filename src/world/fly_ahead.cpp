@@ -95,10 +95,9 @@ void flyAhead(const Island& island, Registry& registry, Proximity& proximity, Ti
   const FlightAhead ahead(registry, proximity, context, island);
   // What hangs on joints goes with what they hold.
   std::pmr::vector<char> held(island.bodies.size() + island.partners.size(), 0, island.memory);
-  island.rows.each([&]<class Kind>(const Kind& kind, std::size_t k) {
-    if (!Kind::kLasts) return;
-    const RowEnds ends = kind.ends(k);
-    held[ends.a] = held[ends.b] = 1;
+  island.rows.eachKind([&]<class Kind>(const Kind& kind) {
+    if constexpr (Kind::kLasts)
+      for (std::size_t k = 0; k < kind.size(); k++) held[kind.ends(k).a] = held[kind.ends(k).b] = 1;
   });
   auto moved = [&](BodyIndex body) { return context.aheadOf(body) > 0; };
   for (std::size_t i = 0; i < island.bodies.size(); i++) {
