@@ -17,6 +17,7 @@
 #include <memory_resource>
 #include <vector>
 
+#include "solver/boundary.h"
 #include "solver/joint/equations.h"
 #include "solver/joint/record.h"
 #include "solver/lasting_rows.h"
