@@ -2,6 +2,7 @@
 // step (finish/finish.h).
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "solver/contact/speeds.h"
 
@@ -31,6 +32,27 @@ RowCourse ContactRows::courseOf(std::size_t k, const EndChanges& change, const S
     if (!isSteady(records[k], starts[k], i, changes[i], span)) return RowCourse::changes;
   }
   return course;
+}
+
+double ContactRows::slidesFor(std::size_t k, const EndChanges& now, const EndChanges& change,
+                              const StepContext& context) const {
+  const FaceRecord& r = records[k];
+  const Vec3 t1 = toDouble(r.t1), t2 = cross(toDouble(r.n), t1);
+  const PointMemory& points = at(k, *context.ties).points;
+  double left = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < starts[k].points; i++) {
+    if (!(starts[k].slid >> i & 1) || !(points.forceN[i] > 0)) continue;
+    if (points.sticks(i)) return 0;
+    const Vec3 place = t1 * double(r.s1[i]) + t2 * double(r.s2[i]);
+    auto slip = [&](const EndChanges& by) {
+      const Vec3 v = by.b.move + cross(by.b.turn, toDouble(r.armB) + place) - by.a.move -
+                     cross(by.a.turn, toDouble(r.armA) + place);
+      return t1 * dot(t1, v) + t2 * dot(t2, v);
+    };
+    const double nearing = -dot(slip(now), slip(change));
+    if (nearing > 0) left = std::min(left, nearing / lengthSquared(slip(change)));
+  }
+  return left;
 }
 
 bool ContactRows::wouldMeet(std::size_t k, const EndChanges& nearer, const EndChanges& change, double dt) const {

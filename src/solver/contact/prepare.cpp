@@ -225,6 +225,7 @@ void ContactRows::prepare(const Island& island, Ties& ties, const StepContext& c
                            float(kLeastRelease * stiff.scale.speed * island.dt), debris, island.facts.partnersGo};
     r.newPoints = start.falling = 0;
     start.points = c.count;
+    start.slid = 0;
     start.friction = c.friction;
     start.bend = bendOf(island, r, c, bodies, island.dt);
     start.run = runOf(c, r, bodies, island.dt);
@@ -240,6 +241,7 @@ void ContactRows::prepare(const Island& island, Ties& ties, const StepContext& c
       const bool falls = !follows && (c.points.impactMask >> i & 1);
       if (follows || falls) r.newPoints |= 1u << i;
       if (falls) start.falling |= 1u << i;
+      if (c.points.forceN[i] > 0 && !c.points.sticks(i)) start.slid |= 1u << i;
       float gap = mapNormalOffset(c.points, i, start.approach[i], rules);
       mapFrictionAnchor(c, i, set.geometry[tieOf[k]], r, kSamePlace * start.scale.size, bodies);
       if (island.facts.mortared) gap = ease(c.points, i, c.effectiveMass * float(context.judgingGravity));

@@ -30,6 +30,7 @@ struct ContactStart {
   Vec3f run;                  // m, of B against A: the way of surfaces that run in this step, along the face
   float friction = 0;         // coefficient
   float rolling = 0;          // coefficient, where a lane of the record resists rolling
+  std::uint32_t slid = 0;     // bit per point that pressed and slid in the last step
   std::uint32_t falling = 0;  // bit per point whose friction limit follows downwards only: after an impact
   std::int32_t points = 0;    // 0 .. 4
   Scale scale;                // of the pair
@@ -73,6 +74,8 @@ struct ContactRows : FaceRows, TieRows<ContactRows, ContactSet, &Ties::contacts,
   }
   // After the forces are stored: how they go on, if the velocities of the row's bodies change so in the step.
   RowCourse courseOf(std::size_t k, const EndChanges& change, const StepSpan& span, const StepContext& context) const;
+  // How many steps more a point that slid takes until it stops, if its bodies go at `now` and change so in each.
+  double slidesFor(std::size_t k, const EndChanges& now, const EndChanges& change, const StepContext& context) const;
   // At the end of the step an open point is nearer to its partner than `nearer`, over half of the step, would move the
   // two towards each other.
   bool wouldMeet(std::size_t k, const EndChanges& nearer, const EndChanges& change, double dt) const;

@@ -4,6 +4,7 @@
 #include "solver/finish/finish.h"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 
 #include "solver/finish/motion.h"
@@ -12,14 +13,17 @@ namespace brickfall {
 
 namespace {
 
+EndChanges ofRow(RowEnds ends, const VelocityChange& body) {
+  return ends.a == 0 ? EndChanges{body, {}} : EndChanges{{}, body};
+}
+
 // All points that carry force neither land nor leave in this step, and there is one.
 bool steadyContacts(const Island& island, const StepContext& context, const VelocityChange& change) {
   bool carried = false, steady = true;
   const StepSpan span{island.dt, context.bodies->data[island.bodies[0]].steady.dt, true};
   island.rows.each([&](const auto& kind, std::size_t k) {
     if (!steady) return;
-    const EndChanges changes = kind.ends(k).a == 0 ? EndChanges{change, {}} : EndChanges{{}, change};
-    const RowCourse course = kind.courseOf(k, changes, span, context);
+    const RowCourse course = kind.courseOf(k, ofRow(kind.ends(k), change), span, context);
     carried = carried || course != RowCourse::idle;
     steady = course != RowCourse::changes;
   });
@@ -58,6 +62,18 @@ double partUntilStopped(const Island& island, const StepContext& context, const 
       [&](const auto& kind, std::size_t k) { kind.addFriction(k, back, kind.ends(k).a != 0, context, friction); });
   const double others = dot(change.move, back) * mass / h - friction.given, slowing = speed * mass / h;
   return friction.limit + others > slowing ? slowing / (friction.limit + others) : 1;
+}
+
+// In steps like this one: for how long what slid goes on to. Where its slide becomes rolling, its friction is over.
+double slidesFor(const Island& island, const StepContext& context, const VelocityChange& change, Vec3 run) {
+  const BodyIndex body = island.bodies[0];
+  const SolvedMotion& s = context.solved[body];
+  const VelocityChange now{s.velocity - run, context.bodies->worldInvInertia(body) * s.angularMomentum};
+  double steps = std::numeric_limits<double>::infinity();
+  island.rows.each([&](const auto& kind, std::size_t k) {
+    steps = std::min(steps, kind.slidesFor(k, ofRow(kind.ends(k), now), ofRow(kind.ends(k), change), context));
+  });
+  return steps;
 }
 
 // Gives back by how much the body started late.
@@ -100,8 +116,9 @@ void finishLoneBody(const Island& island, Ties& ties, StepContext& context) {
   // In steps: by how much the start was late. From there it is half a step more to the middle of this step.
   const double late = 0.5 * last.dt / h;
   shift(body, change.move * ((late - 0.5) * h), change.turn * ((late - 0.5) * h), context);
-  accelerate(body, change.move * late, context.bodies->worldInertia(body) * change.turn * late, context);
-  rememberSteady(body, now, context);
+  const double on = std::min(late, slidesFor(island, context, change, *run));
+  accelerate(body, change.move * on, context.bodies->worldInertia(body) * change.turn * on, context);
+  if (on == late) rememberSteady(body, now, context);
 }
 
 }  // namespace brickfall
