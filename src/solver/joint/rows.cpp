@@ -311,14 +311,20 @@ void JointRows::turnLine(std::size_t k, float force) {
 namespace {
 
 // Arms are frozen in a step. Where they turn too far for that, friction takes from the turn: of a pendulum nothing, of
-// links that are flung about what no step could follow.
+// links that are flung about what no step could follow. What turns about an axis through its centre, as a wheel does,
+// swings no arm.
 void brake(const JointStart& start, Vec3 spin, double dt, JointEquations& turn) {
-  const double far = length(spin) * dt / kFarTurn - 1;
+  double turned = length(spin) * dt, least = std::numeric_limits<double>::infinity();
+  if (!(turned > kFarTurn)) return;
+  auto look = [&](int end, Vec3f arm) {
+    if (!(start.resist[end] > 0)) return;
+    least = std::min(least, double(start.swung[end]));
+    turned = std::min(turned, length(cross(spin, normalized(toDouble(arm)))) * dt);
+  };
+  look(0, start.anchorA);
+  look(1, start.anchorB);
+  const double far = turned / kFarTurn - 1;
   if (!(far > 0)) return;
-  double least = std::numeric_limits<double>::infinity();
-  for (float swung : start.swung)
-    if (swung > 0) least = std::min(least, double(swung));
-  if (!(least < std::numeric_limits<double>::infinity())) return;
   for (int i = 0; i < 3; i++)
     if (turn.k[i] == 0 && turn.most[i] == 0 && turn.least[i] == 0) {
       turn.k[i] = float(std::min(far, 1.0) * kBrake * least);
@@ -586,6 +592,23 @@ void JointRows::watchEnergy(std::size_t k, const Joint& joint, const joint::Forc
   keepEnergy_ = keepEnergy_ && giveNone_ && steady_;
 }
 
+// J: what a motor gave, by the mean of its old and new speed: what flies has those of the middle of a step.
+double JointRows::givenByMotor(std::size_t k, const SolveMotion* motion, const joint::Forces& f) const {
+  const JointStart& start = starts[k];
+  const std::uint32_t motors = start.follows & ~start.hard;
+  if (motors == 0) return 0;
+  const joint::Relative moved = joint::relativeMotion(records[k], motion);
+  const wide::V ways = joint::alongAxes(records[k].way, moved.way),
+                turns = joint::alongAxes(records[k].turn, moved.turn);
+  double sum = 0;
+  for (int i = 0; i < kJointLanes; i++) {
+    if (motors >> i & 1) sum += 0.5 * double(f.way[i]) * (double(start.before[i]) + double(ways[i]));
+    const int turn = i + kJointLanes;
+    if (motors >> turn & 1) sum += 0.5 * double(f.turn[i]) * (double(start.before[turn]) + double(turns[i]));
+  }
+  return std::max(0.0, sum);
+}
+
 // An island that rests goes on with the forces that it has: what is left of errors would add up.
 bool JointRows::store(Island& island, Ties& ties, StepContext&) {
   const bool changed = !island.resting();
@@ -597,6 +620,7 @@ bool JointRows::store(Island& island, Ties& ties, StepContext&) {
     const joint::Forces f = joint::forcesAt(records[k], island.motion.data());
     steady_ = steady_ && turnsSteadily(k, island.motion.data(), float(kTrifle * steps * steps));
     watchEnergy(k, joint, f);
+    starts[k].driven = givenByMotor(k, island.motion.data(), f);
     for (int i = 0; i < kJointLanes; i++) {
       joint.way[i] = double(f.way[i]);
       joint.turn[i] = double(f.turn[i]);

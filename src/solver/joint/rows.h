@@ -57,6 +57,7 @@ struct JointStart {
   float turned = 0;                    // N, of its force: as in `bent`
   float inert = 0;                     // N/m: inertia of both anchors against each other / dt^2
   float correct = 0;                   // share of an old error that the step corrects
+  double driven = 0;                   // J: what its motor gave in the step
 };
 
 struct JointRows : LastingRows<JointRows, JointSet, &Ties::joints> {
@@ -103,7 +104,8 @@ struct JointRows : LastingRows<JointRows, JointSet, &Ties::joints> {
   bool store(Island& island, Ties& ties, StepContext& context);
   void tellShare(Ties& ties, float share) const;
   double mostWork(std::size_t k) const;
-  double returnedWork(std::size_t k) const { return k == 0 ? returned : 0; }  // told with the first row
+  // `returned` is told with the first row.
+  double returnedWork(std::size_t k) const { return starts[k].driven + (k == 0 ? returned : 0); }
   void advance(const Island&, Ties&, const StepContext&) const {}
   // There is a motor that turns. One that holds still rubs: it is a brake, and drives nothing.
   bool driven(const Ties& ties) const {
@@ -147,6 +149,7 @@ struct JointRows : LastingRows<JointRows, JointSet, &Ties::joints> {
   bool watchBounds(std::size_t k, const SolveMotion* motion);
   bool turnsSteadily(std::size_t k, const SolveMotion* motion, float most) const;
   void watchEnergy(std::size_t k, const Joint& joint, const joint::Forces& f);
+  double givenByMotor(std::size_t k, const SolveMotion* motion, const joint::Forces& f) const;
 
   std::pmr::vector<SolveMass>* masses_ = nullptr;  // of the island, since prepare
   bool timePasses_ = true;                         // no impact is solved
