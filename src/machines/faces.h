@@ -12,10 +12,10 @@ struct Face {
   Vec3 area() const { return cross(corners[1] - corners[0], corners[2] - corners[0]) * 0.5; }  // m2, outwards
 };
 
-// Appends the triangles of a shape of a body at `pose`. Round ones are divided coarsely.
+// Appends the triangles of a shape of a body at `pose`. Round ones are divided coarsely. A sensor has none.
 void appendFaces(const ShapeDef& shape, const Transform& pose, std::vector<Face>& out);
 
-// Whether a way along `direction` from `origin` meets anything.
-bool meets(const World& world, Vec3 origin, Vec3 direction, double farthest);
+// Whether a way along `direction` from `origin`, on a face of `own`, meets any other shape.
+bool meets(const World& world, ShapeId own, Vec3 origin, Vec3 direction, double farthest);
 
 }  // namespace brickfall::machines

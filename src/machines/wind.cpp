@@ -42,7 +42,7 @@ class Exposed {
     invInertia_ = turn * inverse(mass.inertia) * transpose(turn);
   }
 
-  void take(const Face& face, Vec3 velocity, double density) {
+  void take(const Face& face, ShapeId shape, Vec3 velocity, double density) {
     const Vec3 area = face.area(), centre = face.centre(), arm = centre - state_.centreOfMass;
     const double size = length(area);
     if (!(size > 0)) return;
@@ -55,7 +55,8 @@ class Exposed {
     const double lift = kLift * std::sqrt(size);
     // Upwind whatever stands there; behind, only what is nearer than the face is wide.
     if (wind_.shelter && dot(away, normal) > 0 &&
-        machines::meets(world_, centre + normal * lift, away, speed < 0 ? machines::kFarthest : std::sqrt(size)))
+        machines::meets(world_, shape, centre + normal * lift, away,
+                        speed < 0 ? machines::kFarthest : std::sqrt(size)))
       return;
     const double slope = 0.5 * density * share * size * std::fabs(speed);  // N s/m, force over speed
     const Vec3 push = normal * (slope * speed), lever = cross(arm, normal);
@@ -86,10 +87,11 @@ Status applyWind(World& world, const Wind& wind, double time, double dt) {
     const Result<BodyState> state = world.state(body);
     if (!state || state->type != BodyType::dynamic || state->quarantined || !state->enabled) continue;
     Exposed exposed(world, wind, *state, *world.massProperties(body));
-    faces.clear();
-    for (ShapeId shape : world.shapes(body))
+    for (ShapeId shape : world.shapes(body)) {
+      faces.clear();
       machines::appendFaces(*world.shape(shape), {state->position, state->rotation}, faces);
-    for (const Face& face : faces) exposed.take(face, velocity, density);
+      for (const Face& face : faces) exposed.take(face, shape, velocity, density);
+    }
     // As the force falls while it acts, so much of it is left on the mean: no body is pushed beyond the wind.
     const double left = 1 / (1 + exposed.rate * dt);
     if (exposed.force == Vec3{} && exposed.torque == Vec3{}) continue;
