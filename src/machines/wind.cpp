@@ -22,8 +22,10 @@ double strengthAt(const Wind& wind, double time) {
   return std::min({1.0, (time - wind.from) / wind.ramp, (wind.until - time) / wind.ramp});
 }
 
-Status checkWind(const Wind& wind) {
+Status checkWind(const Wind& wind, double time, double dt) {
   machines::Fields check;
+  check.condition(std::isfinite(time), "time", std::to_string(time), "a time in s");
+  check.condition(dt > 0 && dt <= 1e6, "dt", std::to_string(dt), "a time step above 0");
   check.range("velocity",
               std::max({std::fabs(wind.velocity.x), std::fabs(wind.velocity.y), std::fabs(wind.velocity.z)}), 0,
               machines::kFastest);
@@ -78,7 +80,7 @@ class Exposed {
 }  // namespace
 
 Status applyWind(World& world, const Wind& wind, double time, double dt) {
-  if (Status fine = checkWind(wind); !fine) return fine;
+  if (Status fine = checkWind(wind, time, dt); !fine) return fine;
   const Vec3 velocity = wind.velocity * strengthAt(wind, time);
   if (!(lengthSquared(velocity) > 0)) return {};
   const double density = world.definition().airDensity;

@@ -75,7 +75,9 @@ Result<std::optional<ClosestResult>> World::closest(Vec3 point, double maxDistan
     const ShapeData& s = w.registry.shapes.data[shape];
     if (!s.answers(mask)) return true;
     Transform pose = w.registry.shapes.worldPose(shape, w.registry.bodies);
-    Vec3 near = transformPoint(pose, closestPoint(s.geometry, transformPoint(inverse(pose), point)));
+    const Vec3 local = transformPoint(inverse(pose), point), closest = closestPoint(s.geometry, local);
+    // There and back again a point inside would be 1e-16 m off.
+    const Vec3 near = closest == local ? point : transformPoint(pose, closest);
     double distance = length(near - point);
     if (!(distance <= maxDistance)) return true;
     ShapeId id = w.registry.idOfShape(shape);

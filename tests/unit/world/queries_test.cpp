@@ -186,6 +186,21 @@ TEST(Queries, AnyFiniteDirectionLengthIsFine) {
   }
 }
 
+TEST(Queries, APointInsideIsAtNoDistance) {
+  World world = makeWorld();
+  BodyDef def = bodyOf(boxOf({0.3, 0.2, 0.1}), {1.1, 0.7, -0.3});
+  def.rotation = turn({1, 2, 3}, 40);
+  const BodyId box = add(world, def);
+  for (int i = -5; i <= 5; i++) {
+    const Vec3 at = def.position + rotate(normalized(def.rotation), Vec3{0.05, 0.03, 0.01} * double(i));
+    const auto near = *world.closest(at, 0);
+    ASSERT_TRUE(near.has_value()) << i;
+    EXPECT_EQ(near->body, box);
+    EXPECT_EQ(near->distance, 0);
+    EXPECT_EQ(near->pointWorld, at);
+  }
+}
+
 TEST(Queries, RefuseWhatIsNotFinite) {
   World world = emptySpace();
   double nan = std::nan("");
