@@ -57,8 +57,7 @@ class Exposed {
     const double lift = kLift * std::sqrt(size);
     // Upwind whatever stands there; behind, only what is nearer than the face is wide.
     if (wind_.shelter && dot(away, normal) > 0 &&
-        machines::meets(world_, shape, centre + normal * lift, away,
-                        speed < 0 ? machines::kFarthest : std::sqrt(size)))
+        machines::meets(world_, shape, centre + normal * lift, away, speed < 0 ? machines::kFarthest : std::sqrt(size)))
       return;
     const double slope = 0.5 * density * share * size * std::fabs(speed);  // N s/m, force over speed
     const Vec3 push = normal * (slope * speed), lever = cross(arm, normal);

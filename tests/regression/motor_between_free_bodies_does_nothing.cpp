@@ -38,8 +38,8 @@ TEST(Regression, MotorBetweenFreeBodiesDoesNothing) {
       EXPECT_NEAR(turning.state(hinge)->speed, 10, 0.01);
       EXPECT_NEAR(sliding.state(slide)->speed, 0.5, 0.005);
       EXPECT_NEAR(turning.angularMomentum().y, 0, 1e-6);
-      EXPECT_NEAR(length(turning.linearMomentum() - Vec3{0, gravity * 5, 0} * (turning.state(turned[0])->mass +
-                                                                               turning.state(turned[1])->mass)),
+      EXPECT_NEAR(length(turning.linearMomentum() -
+                         Vec3{0, gravity * 5, 0} * (turning.state(turned[0])->mass + turning.state(turned[1])->mass)),
                   0, 1e-6);
     }
 }

@@ -52,6 +52,9 @@ constexpr float kFallsTo = 0.5f;  // geometric stiffness follows a force that fa
 //! | too large: short pendulums lose amplitude
 constexpr double kSteadyStep = 0.5;  // in shorter steps a turn that goes on may change by less, as the square
 
+//! of a body's outer radius, or rad | too small: winches lag behind | too large: a length that is changed at once is a blow
+constexpr double kWinds = 0.25;  // so much of an error is looked at where a length or a limit was changed from outside
+
 //! rad | too small: fast pendulums are braked | too large: light links tear the joints of a chain
 constexpr double kFarTurn = 0.3;  // of B against A, in a step: further turns are braked
 //! of the arm's inertia / dt^2 | too small: as too large a kFarTurn | too large: links move as one
@@ -383,7 +386,7 @@ void JointRows::prepare(Island& island, Ties& ties, const StepContext& context) 
     // A way that grew over a longer step is an arc of it: corrected at once, it would be a blow.
     const double part = island.dt / std::max(island.dt, joint.over), correct = double(kCorrect) * part * part;
     const bool arcs = island.plan.endVelocities;
-    const double farthest = arcs ? kSamePlace : double(kNoLimit);
+    const double farthest = !arcs ? double(kNoLimit) : joint.wound > 0 ? kWinds : kSamePlace;
     start.correct = float(correct);
     const double firm = kFirmness * double(start.load) / (island.dt * island.dt);
     double gives = 0;

@@ -119,11 +119,16 @@ class HeldVelocities : VelocitySystem {
                    turn = dot(toDouble(r.turn.axes[0].unit), wB - wA) * island_.dt;
       const bool turns = joint.type == JointType::spherical || joint.type == JointType::revolute;
       const double force = turns ? joint.turn[0] + joint.turn[3] : joint.way[0] + joint.way[3];
-      const double gone = turns ? turn : way;
+      const double gone = turns ? turn : joint.type == JointType::distance ? grown(joint, a, b) : way;
       if (force * gone > 0) sum += std::fabs(force) * std::min(std::fabs(gone), joint.wound);
       joint.wound = std::max(0.0, joint.wound - std::fabs(gone));
     }
     return sum;
+  }
+
+  // m: what its ends have parted in the step, which velocities along a rod do not tell: it holds them.
+  double grown(const Joint& rod, const Body& a, const Body& b) const {
+    return length(JointPose(rod, a.place, b.place).way) - length(JointPose(rod, *context_.bodies).way);
   }
 
   // Friction that takes this, if it can. Friction as firm as joints are, and none, both leave velocities that joints
