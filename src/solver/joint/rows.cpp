@@ -52,7 +52,8 @@ constexpr float kFallsTo = 0.5f;  // geometric stiffness follows a force that fa
 //! | too large: short pendulums lose amplitude
 constexpr double kSteadyStep = 0.5;  // in shorter steps a turn that goes on may change by less, as the square
 
-//! of a body's outer radius, or rad | too small: winches lag behind | too large: a length that is changed at once is a blow
+//! of a body's outer radius, or rad | too small: winches lag behind
+//! | too large: a length that is changed at once is a blow
 constexpr double kWinds = 0.25;  // so much of an error is looked at where a length or a limit was changed from outside
 
 //! rad | too small: fast pendulums are braked | too large: light links tear the joints of a chain
