@@ -164,7 +164,9 @@ Status World::Impl::setVelocity(BodyId id, Vec3 velocity, Vec3 BodyMotion::*whic
     return Error{ErrorCode::wrongState, "velocity: the body is BodyType::fixed"};
   Upkeep keeper = upkeep();
   keeper.disturb(*body);
-  registry.bodies.motion[*body].*which = registry.bodies.data[*body].*last = velocity;
+  registry.bodies.motion[*body].*which = velocity;
+  // That of a kinematic body is a new speed of its way; of others a blow, and no acceleration.
+  if (registry.bodies.data[*body].type == BodyType::dynamic) registry.bodies.data[*body].*last = velocity;
   registry.keepLocks(*body);
   keeper.relist(*body);
   return {};

@@ -115,6 +115,10 @@ void Registry::setType(BodyIndex body, BodyType type) {
   bodies.data[body].type = type;
   if (type == BodyType::dynamic) bodies.data[body].surfaceVelocity = {};
   if (type == BodyType::fixed) bodies.motion[body].linearVelocity = bodies.motion[body].angularVelocity = {};
+  if (type != BodyType::kinematic) {
+    bodies.data[body].lastLinearVelocity = bodies.motion[body].linearVelocity;
+    bodies.data[body].lastAngularVelocity = bodies.motion[body].angularVelocity;
+  }
   updateMass(body, origin);
   keepLocks(body);
 }

@@ -29,6 +29,7 @@ struct Integration {
   void finishIsland(Island& island);
   void salvage(Island& island);
   void drive(BodyIndex body);
+  void rememberSpeed(BodyIndex body);
 };
 
 // Pose, velocity and acceleration of a body after the solve.
@@ -48,8 +49,7 @@ void Integration::finishBody(BodyIndex body) {
   if (!clock.lastPart) return;
   data.linearAcceleration = (m.linearVelocity - data.lastLinearVelocity) * (1 / clock.callDt);
   data.angularAcceleration = (m.angularVelocity - data.lastAngularVelocity) * (1 / clock.callDt);
-  data.lastLinearVelocity = m.linearVelocity;
-  data.lastAngularVelocity = m.angularVelocity;
+  rememberSpeed(body);
 }
 
 // The sums of an island overflowed. Its fastest body, which must have caused it, is quarantined. The others stay where
@@ -100,6 +100,12 @@ void Integration::drive(BodyIndex body) {
   proximity.keepBounds(registry, body);
 }
 
+// What drives a body does so evenly: a change of its speed from step to step is an acceleration.
+void Integration::rememberSpeed(BodyIndex body) {
+  bodies.data[body].lastLinearVelocity = bodies.motion[body].linearVelocity;
+  bodies.data[body].lastAngularVelocity = bodies.motion[body].angularVelocity;
+}
+
 }  // namespace
 
 void integrate(const Clock& clock, const StepContext& context, Registry& registry, Activity& activity,
@@ -107,6 +113,8 @@ void integrate(const Clock& clock, const StepContext& context, Registry& registr
   Integration all{clock, registry.bodies, registry, proximity, ties, context, quarantine};
   for (IslandPointer& island : activity.islands.awake) all.finishIsland(*island);
   for (BodyIndex body : activity.islands.single) all.finishBody(body);
+  for (const auto* list : {&activity.moving, &activity.unsettled})
+    for (BodyIndex body : *list) all.rememberSpeed(body);
   activity.settleUnmoved(registry.bodies);
   for (BodyIndex body : activity.moving) all.drive(body);
   quarantine.isolateHeld();

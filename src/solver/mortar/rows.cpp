@@ -211,17 +211,27 @@ void MortarRows::writeStart(std::size_t k, const Mortar& m, const MortarPose& po
                             const BodySet& bodies) {
   const FaceRecord& r = records[k];
   MortarStart& start = starts[k];
-  const BodyMotion &a = bodies.motion[m.bodyA], &b = bodies.motion[m.bodyB];
-  auto turnOf = [&](std::uint32_t local, const BodyMotion& motion) {
-    if (const RigidWay* chunk = local < island.bodies.size() ? island.chunks.of(local) : nullptr) return chunk->turn;
-    return motion.angularVelocity * island.dt;
+  // Of something kinematic those of its last step: what changes them is an acceleration, not a blow.
+  struct Velocities {
+    Vec3 linear, angular;
   };
-  start.arc = arcBy(k, turnOf(r.bodyA, a), turnOf(r.bodyB, b), island);
+  auto lastOf = [&](std::uint32_t local, BodyIndex body) -> Velocities {
+    const BodyMotion& motion = bodies.motion[body];
+    if (local < island.bodies.size()) return {motion.linearVelocity, motion.angularVelocity};
+    return {bodies.data[body].lastLinearVelocity, bodies.data[body].lastAngularVelocity};
+  };
+  const Velocities a = lastOf(r.bodyA, m.bodyA), b = lastOf(r.bodyB, m.bodyB);
+  auto turnOf = [&](std::uint32_t local, Vec3 spin) {
+    if (const RigidWay* chunk = local < island.bodies.size() ? island.chunks.of(local) : nullptr) return chunk->turn;
+    return spin * island.dt;
+  };
+  const Vec3 gone = toDouble(arcBy(k, turnOf(r.bodyA, a.angular), turnOf(r.bodyB, b.angular), island));
+  start.arc = arcBy(k, turnOf(r.bodyA, bodies.motion[m.bodyA].angularVelocity),
+                    turnOf(r.bodyB, bodies.motion[m.bodyB].angularVelocity), island);
   start.longest = float(length(toDouble(start.arc)));
   auto inFace = [&](Vec3 v) { return Vec3{dot(pose.n, v), dot(pose.t1, v), dot(pose.t2, v)}; };
-  const Vec3 move = inFace(b.linearVelocity + cross(b.angularVelocity, pose.armB) - a.linearVelocity -
-                           cross(a.angularVelocity, pose.armA));
-  const Vec3 turn = inFace(b.angularVelocity - a.angularVelocity), arc = inFace(toDouble(start.arc));
+  const Vec3 move = inFace(b.linear + cross(b.angular, pose.armB) - a.linear - cross(a.angular, pose.armA));
+  const Vec3 turn = inFace(b.angular - a.angular), arc = inFace(gone);
   for (int i = 0; i < 4; i++) {
     const double s1 = double(r.s1[i]), s2 = double(r.s2[i]);
     start.opens[i] = float((move.x + turn.y * s2 - turn.z * s1) * island.dt - arc.x);

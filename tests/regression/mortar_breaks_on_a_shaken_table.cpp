@@ -1,0 +1,81 @@
+// Mortar on a kinematic body that changed its speed broke far below its strength: a block on a shake table at 0.3 of what it
+// withstands at 1/60 to 1/240 s. Its own speed at the start of a step was measured against the new speed of the table, as if a
+// blow had to be stopped.
+#include "brickfall/machines.h"
+#include "support/world_helpers.h"
+
+namespace brickfall {
+namespace {
+
+using namespace test;
+
+MortarId glue(World& world, BodyId a, BodyId b, const MortarStrength& strength) {
+  MortarDef def;
+  def.bodyA = a;
+  def.bodyB = b;
+  def.outline = world.sharedFace(a, b).value();
+  def.strength = strength;
+  return world.createMortar(def).value();
+}
+
+// A flat block on a table that shakes by so much of what shears it off.
+bool shakenOff(double share, double energy, double dt) {
+  World world = makeWorld();
+  const BodyId table = add(world, bodyOf(boxOf({2, 0.1, 2}), {0, -0.1, 0}, BodyType::kinematic)),
+               block = add(world, bodyOf(boxOf({0.2, 0.025, 0.2}, 8000), {0, 0.025, 0}));
+  MortarStrength strength;
+  strength.tension = 20e3;
+  strength.cohesion = 30e3;
+  strength.tensionEnergy *= energy;
+  strength.shearEnergy *= energy;
+  const MortarId mortar = glue(world, table, block, strength);
+  const double mass = world.state(block)->mass;
+  Shake sine;
+  sine.amplitude = share * (strength.cohesion * 0.16 / mass + strength.friction * kG);
+  sine.frequency = 2;
+  sine.seconds = 3;
+  Machines machines;
+  EXPECT_TRUE(machines.shake(world, table, sine).ok());
+  for (int i = 0; i < int(3.2 / dt); i++) {
+    EXPECT_TRUE(machines.act(world, i * dt, dt).ok());
+    EXPECT_TRUE(world.step(dt).ok());
+  }
+  const bool broken = world.state(mortar)->broken;
+  if (!broken) run(world, 2, dt);
+  EXPECT_TRUE(broken || !world.state(block)->awake) << "it rests when the table stands";
+  return broken;
+}
+
+// A brick that hangs by its mortar, pulled up by ever more, to so much of what tears it off.
+bool tornOff(double share, double dt) {
+  World world = makeWorld();
+  const BodyId hoist = add(world, bodyOf(boxOf({0.5, 0.1, 0.5}), {0, 1, 0}, BodyType::kinematic)),
+               brick = add(world, bodyOf(boxOf({0.1, 0.15, 0.05}, 1900), {0, 0.75, 0}));
+  MortarStrength strength;
+  strength.tension = 20e3;
+  strength.cohesion = 35e3;
+  const MortarId mortar = glue(world, hoist, brick, strength);
+  const double most = share * strength.tension * 0.02 / world.state(brick)->mass - kG;
+  double speed = 0;
+  for (int i = 0; i < int(1.5 / dt); i++) {
+    speed += most * std::min(1.0, i * dt) * dt;
+    EXPECT_TRUE(world.setLinearVelocity(hoist, {0, speed, 0}).ok());
+    EXPECT_TRUE(world.step(dt).ok());
+  }
+  return world.state(mortar)->broken;
+}
+
+TEST(Regression, MortarBreaksOnAShakenTable) {
+  for (double dt : {1.0 / 60, 1.0 / 120, 1.0 / 240}) {
+    for (double energy : {1.0, 0.1}) {
+      EXPECT_FALSE(shakenOff(0.3, energy, dt)) << dt;
+      EXPECT_FALSE(shakenOff(0.9, energy, dt)) << dt;
+      EXPECT_TRUE(shakenOff(1.1, energy, dt)) << dt;
+    }
+    EXPECT_FALSE(tornOff(0.9, dt)) << dt;
+    EXPECT_TRUE(tornOff(1.1, dt)) << dt;
+  }
+}
+
+}  // namespace
+}  // namespace brickfall
