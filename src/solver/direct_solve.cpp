@@ -18,7 +18,7 @@ namespace {
 // Half of all solves are done after 1 step, 99 % after 45, all after 51: scene `wall`, its rubble.
 //! - | too small: rubble is left with many weights unbalanced | too large: cost of rubble
 constexpr int kDirectSteps = 100;
-//! - | too small: cost | too large: steps jump to and fro over edges that open and close: leaning bodies stay up
+//! - | too small: cost | too large: steps jump to and fro over edges that open and close: chains that snap gain
 constexpr double kEnoughStalled = 0.1;  // the same after kStalledSteps
 
 class Newton {
@@ -30,22 +30,28 @@ class Newton {
     newton_.findPlaces();
   }
 
-  // One step to about the minimum of the energy along it. `tight`: ropes that are slack by less than their ends go in
-  // this time step count as tight, for a row of them that snaps would close one by one. `again`: by the last matrix,
-  // which is nearly that of now. False if the matrix is not positive definite.
-  bool step(bool boundsFollow, double enough, bool tight, bool again) {
-    if (again)
+  struct How {
+    double enough;      // of the slope at its start: how near to the minimum along it a step ends
+    bool boundsFollow;  // friction limits of new points do
+    bool tight;    // ropes that are slack by less than their ends go in this time step count as tight, for a row of
+                   // them that snaps would close one by one
+    bool again;    // by the last matrix, which is nearly that of now
+    bool secants;  // what slides resists by its secant
+  };
+  // One step to about the minimum of the energy along it. False if the matrix is not positive definite.
+  bool step(const How& how) {
+    if (how.again)
       solve();
-    else if (!findStep(tight))
+    else if (!findStep(how.tight, how.secants))
       return false;
-    if (!tight_.empty() && !(newton_.slope() > 0) && !findStep(false)) return false;
+    if (!tight_.empty() && !(newton_.slope() > 0) && !findStep(false, how.secants)) return false;
     newton_.begin();
-    searchAlong(newton_.slope(), enough, 4, kSearchStepsOfAll, [this](double part) {
+    searchAlong(newton_.slope(), how.enough, 4, kSearchStepsOfAll, [this](double part) {
       newton_.moveBodies(part);
       readForces(false);
       return newton_.slope();
     });
-    if (boundsFollow && !island_.facts.jointsAlone()) readForces(true);
+    if (how.boundsFollow && !island_.facts.jointsAlone()) readForces(true);
     return true;
   }
   // Of joints alone, what was frozen changes forces, and stiffness next to nothing: but which bounds are reached.
@@ -76,11 +82,11 @@ class Newton {
  private:
   void readForces(bool boundsFollow) { lightPass(island_, boundsFollow, statistics_.lightVisits); }
 
-  bool findStep(bool tight) {
+  bool findStep(bool tight, bool secants) {
     tight_.clear();
     newton_.beginMatrix();
     std::as_const(island_.rows).each([&](const auto& kind, std::size_t k) {
-      StiffReaction x = kind.reactStiff(k, island_.motion.data(), true);
+      StiffReaction x = kind.reactStiff(k, island_.motion.data(), secants ? Resist::bySecants : Resist::exactly);
       if (tight) holdTight(kind, k, x);
       newton_.add(kind, k, x);
     });
@@ -154,8 +160,9 @@ void solveDirectly(Island& island, const StepContext& context, double tolerance,
   for (int k = 0; k < kDirectSteps; k++) {
     const double worst = newton.worst(*context.bodies);
     const int stalled = stall.after(worst);
-    // Stalled, ten times the residual is good enough; after twice as many steps a hundred times, if nothing is to rest.
-    const double enough = stalled < kStalledSteps ? 1 : stalled < 2 * kStalledSteps || island.plan.slow ? 10 : 100;
+    // Stalled, ten times the residual is good enough; after twice as many steps a hundred times.
+    const bool stuck = stalled >= kStalledSteps;
+    const double enough = !stuck ? 1 : stalled < 2 * kStalledSteps ? 10 : 100;
     if (worst < enough * tolerance) {
       if (!mayFollow(boundSolves++, k) || !newton.settleBounds()) return;
       stall = {};
@@ -163,8 +170,8 @@ void solveDirectly(Island& island, const StepContext& context, double tolerance,
       k = std::max(k, kMostRenewals);
       tight = !again;
     }
-    const double share = stalled < kStalledSteps ? double(kFarFromMinimum) : kEnoughStalled;
-    if (!newton.step(k < kMostRenewals, share, tight, again)) return;
+    const double share = stuck ? kEnoughStalled : double(kFarFromMinimum);
+    if (!newton.step({share, k < kMostRenewals, tight, again, stuck})) return;
     tight = again = false;
     statistics.cycles++;
   }

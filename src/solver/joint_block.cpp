@@ -63,7 +63,7 @@ bool JointBlock::factor() {
   newton_.beginMatrix();
   for (std::uint32_t row : rows_)
     std::as_const(island_.rows).at(row, [&](const auto& kind, std::size_t k) {
-      newton_.add(kind, k, kind.reactStiff(k, island_.motion.data(), true));
+      newton_.add(kind, k, kind.reactStiff(k, island_.motion.data(), Resist::exactly));
     });
   return newton_.factor();
 }

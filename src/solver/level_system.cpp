@@ -160,7 +160,7 @@ bool LevelSystem::make() {
   island_.rows.each([&](const auto& kind, std::size_t k) {
     RowEnds ends = kind.ends(k);
     if (clusterOf(fine_, ends.a) == clusterOf(fine_, ends.b)) return;
-    StiffReaction now = kind.reactStiff(k, island_.motion.data(), false);
+    StiffReaction now = kind.reactStiff(k, island_.motion.data(), Resist::nearly);
     addRow(fine_, ends, now, [&](std::uint32_t to, std::uint32_t moved, const Motions& motions, V arm, float sign) {
       if (to >= moved) motions.addTo(to == moved ? matrix_.diagonal(to) : matrix_.at(to, moved), arm, sign);
     });

@@ -65,6 +65,13 @@ struct Reading {
   wide::V force, torque;
 };
 
+// How a row resists a Newton step.
+enum class Resist : std::uint8_t {
+  nearly,    // open points nearby resist, too, and points of mortar at a cap by their secants
+  exactly,   // by its law, as it is at this motion
+  bySecants  // the same, but what slides or yields by its secant: no step jumps to and fro over where it holds
+};
+
 // By rows: [A B; B^T C], A and C symmetric. For one row, or for two side by side (math/wide_pair.h).
 template <class L> struct StiffnessOf { L A[3], B[3], C[3]; };
 using Stiffness = StiffnessOf<wide::V>;

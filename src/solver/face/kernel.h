@@ -143,40 +143,46 @@ BRICKFALL_LANES WideWrench<L> wrench(const R& r, const Frame<L>& frame, const Po
           frame.n * spread<3>(force) + frame.t1 * spread<0>(tilt) - frame.t2 * spread<1>(tilt)};
 }
 
-// N: points count as closed above this normal force. Unless `exact`, open points that are near count as closed, too. A
-// point that a rebound pushes apart does not.
-template <class R> BRICKFALL_LANES auto closedAbove(const R& r, bool exact) {
+// N: points count as closed above this normal force. Open points that are near may count as closed, too. A point that a
+// rebound pushes apart does not.
+template <class R> BRICKFALL_LANES auto closedAbove(const R& r, Resist how) {
   auto least = pointsOf(r, &FaceRecord::leastN);
   using L = decltype(least);
   L reach{};
-  if (!exact)
+  if (how == Resist::nearly)
     reach = pointsOf(r, &FaceRecord::k) * lanesOf(r, [](const FaceRecord& one) { return wide::all<V>(one.near); });
   return select(least > L{}, least, -max(-least, reach));
 }
 
-// Loaded points resist along the normal, and so do near open points, unless `exact`: a Newton step must not run through
-// them. Nor through points of mortar at a cap, which are firm as soon as they turn back: they resist by their secant,
-// with which a step still lowers the energy. Sticking points resist tangentially; sliding ones only across their slip.
+// Loaded points resist along the normal, and near open points may, too: a Newton step must not run through them. Nor
+// through points of mortar at a cap, which are firm as soon as they turn back: they resist by their secant, with which
+// a step still lowers the energy. Sticking points resist tangentially; sliding ones only across their slip, or by their
+// secant in all directions.
 template <class R, class L>
-BRICKFALL_LANES StiffnessOf<L> stiffness(const R& r, const Frame<L>& frame, const PointForces<L>& f, bool exact) {
+BRICKFALL_LANES StiffnessOf<L> stiffness(const R& r, const Frame<L>& frame, const PointForces<L>& f, Resist how) {
   L s1 = pointsOf(r, &FaceRecord::s1), s2 = pointsOf(r, &FaceRecord::s2), k = pointsOf(r, &FaceRecord::k);
   L limit = pointsOf(r, &FaceRecord::limit), zero{};
-  auto normalOn = f.trialN > closedAbove(r, exact);
+  auto normalOn = f.trialN > closedAbove(r, how);
   L kn = keepIf(normalOn, k);
   if (anyCrushes(r)) {
     L most = mostInLanes(r), pull = pointsOf(r, &FaceRecord::leastN);
     auto crushing = (f.trialN > most) & (most > f.trialN - yieldInLanes(r)), opening = pull > f.trialN;
+    const bool exact = how == Resist::exactly;
     kn = select(crushing, exact ? zero : k * (most / f.trialN), kn);
     if (!exact) kn = select(opening & (zero > pull), k * (pull / f.trialN), kn);
   }
   auto frictional = limit > zero;
   L kt = keepIf(frictional, k);
   auto sliding = f.slides & frictional;
-  // Sliding: k |f| / |trial| on the direction across the trial force.
+  // Sliding: k |f| / |trial|, on the direction across the trial force alone or on all.
   L share = kt * (limit * f.inverse), along1 = f.trial1 * f.inverse, along2 = f.trial2 * f.inverse;
   L t11 = select(sliding, share * (along2 * along2), kt);
   L t22 = select(sliding, share * (along1 * along1), kt);
   L t12 = select(sliding, -(share * (along1 * along2)), zero);
+  if (how == Resist::bySecants) {
+    t11 = t22 = select(sliding, share, kt);
+    t12 = zero;
+  }
   L roll11{}, roll12{}, roll22{};  // torque against turns about t1 and t2
   const bool rolls = anyRolls(r);
   if (rolls) {

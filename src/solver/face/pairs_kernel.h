@@ -42,7 +42,8 @@ BRICKFALL_LANES void sumPair(const Boundary& b, const FaceRecord* records, SideP
     return own + (wide::load3Padded(b.masses[(side & 1) ? one.bodyB : one.bodyA].position) - b.centre);
   });
   sides.add(w.force, w.torque, arm, sums);
-  if constexpr (withMatrix) matrix->add(stiffness(r, f, forces, b.exact), arm, sides.both());
+  if constexpr (withMatrix)
+    matrix->add(stiffness(r, f, forces, b.exact ? Resist::exactly : Resist::nearly), arm, sides.both());
 }
 
 template <class L, bool withMatrix> void sumFaces(const Boundary& b, const FaceRecord* records, BoundarySums& out) {

@@ -45,13 +45,12 @@ struct FaceRows {
     auto w = kernel::wrench(r, frame, kernel::pointForces(r, kernel::pointMotion(r, frame, motion)));
     return {w.force, w.torque, frame.armA, frame.armB};
   }
-  // Exact: open points are searched for; near ones do not count as closed.
-  StiffReaction reactStiff(std::size_t k, const SolveMotion* motion, bool exact) const {
+  StiffReaction reactStiff(std::size_t k, const SolveMotion* motion, Resist how) const {
     const FaceRecord& r = records[k];
     auto frame = kernel::frame(r);
     auto f = kernel::pointForces(r, kernel::pointMotion(r, frame, motion));
     auto w = kernel::wrench(r, frame, f);
-    return {{w.force, w.torque, frame.armA, frame.armB}, kernel::stiffness(r, frame, f, exact)};
+    return {{w.force, w.torque, frame.armA, frame.armB}, kernel::stiffness(r, frame, f, how)};
   }
 };
 

@@ -95,7 +95,7 @@ struct JointRows : LastingRows<JointRows, JointSet, &Ties::joints> {
     const Arms at = arms(k);
     return {now.force, now.torque, at.a, at.b};
   }
-  StiffReaction reactStiff(std::size_t k, const SolveMotion* motion, bool) const {
+  StiffReaction reactStiff(std::size_t k, const SolveMotion* motion, Resist) const {
     return {react(k, motion), joint::stiffnessAt(records[k], motion)};
   }
   bool boundsFollow(std::size_t) const { return true; }

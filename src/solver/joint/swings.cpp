@@ -70,7 +70,7 @@ class Swings : VelocitySystem {
       if (Kind::kLasts || !kind.ties(k, context_)) return;
       const RowEnds ends = kind.ends(k);
       if (placeOf(ends.a) == kNoPlace && placeOf(ends.b) == kNoPlace) return;
-      const StiffReaction x = kind.reactStiff(k, island_.motion.data(), true);
+      const StiffReaction x = kind.reactStiff(k, island_.motion.data(), Resist::exactly);
       OtherRow s{ends, toDouble(wide::store3(x.armA)), toDouble(wide::store3(x.armB)), toDouble(wide::store3(x.force)),
                  toDouble(wide::store3(x.torque))};
       for (int i = 0; i < 3; i++)

@@ -98,7 +98,7 @@ Sums oneByOne(const PairScene& s, const Boundary& b) {
   for (std::uint32_t i = 0; i < b.count; i++) {
     std::uint32_t row = b.sides[i] / 2, k = row - b.firstRow;
     bool isB = b.sides[i] & 1;
-    StiffReaction x = s.rows.reactStiff(k, b.motion, b.exact);
+    StiffReaction x = s.rows.reactStiff(k, b.motion, b.exact ? Resist::exactly : Resist::nearly);
     b.trial[i] = {x.force, x.torque};
     wide::V arm = isB ? x.armB : x.armA;
     RowEnds ends = s.rows.ends(k);
