@@ -24,7 +24,8 @@ void finishMotion(Island& island, Ties& ties, StepContext& context) {
   if (island.resting()) return;
   finishFlights(island, context);
   finishLoneBody(island, ties, context);
-  finishSlides(island, context);
+  const std::pmr::vector<char> moved = finishChunks(island, context);
+  finishSlides(island, moved, context);
   turnFarFreely(island, context);
   if (island.plan.endVelocities) finishSwings(island, ties, context);
 }

@@ -4,6 +4,7 @@
 
 #include "law/glued.h"
 #include "law/lab.h"
+#include "law/reference.h"
 #include "law/sweeps.h"
 
 namespace brickfall::law {
@@ -394,6 +395,48 @@ TEST(Law, Row31uABreakKeepsMomenta) {
     atMost("change of momentum", dt, length(g.world.linearMomentum() - linear) / length(linear), 1e-12, "");
     atMost("change of angular momentum", dt, length(g.world.angularMomentum() - angular) / length(angular), 1e-12, "");
   }
+}
+
+// On a dry bed a mortared wall rocks as a block of its size does (Housner): it starts about its lower edge, swings out,
+// lands and swings to the other side.
+TEST(Law, Row31oAMortaredWallRocksAsABlock) {
+  struct Case {
+    int courses;
+    double spin;  // rad/s, at the start
+  };
+  for (const Case& c : {Case{20, 0.15}, Case{20, 0.25}, Case{30, 0.1}})
+    for (double dt : {1.0 / 60, 1.0 / 120, 1.0 / 240}) {
+      const int bricks = 6;
+      const double height = c.courses * kBrickSize.y, width = kBrickSize.z;
+      Glued g;
+      g.strength = {.tension = 5e6, .cohesion = 5e6, .tensionEnergy = 2000, .shearEnergy = 2000};
+      g.brick({0.5 * bricks * kBrickSize.x, -0.5, 0}, BodyType::fixed, {10, 1, 10});
+      g.wall(c.courses, bricks);
+      g.glue(1, std::size_t(bricks) + 2);
+      for (int i = 0; i < int(std::lround(0.3 / dt)); i++) g.step(dt);
+      const Vec3 spin{-c.spin, 0, 0};
+      for (std::size_t i = 1; i < g.bodies.size(); i++) {
+        const Vec3 at = g.world.state(g.bodies[i])->position;
+        ASSERT_TRUE(g.world.setLinearVelocity(g.bodies[i], cross(spin, {0, at.y, at.z + 0.5 * width})).ok());
+        ASSERT_TRUE(g.world.setAngularVelocity(g.bodies[i], spin).ok());
+      }
+      RockingBlock block(height, width, 1e-9);
+      block.rate = c.spin;
+      double out = 0, back = 0, blockOut = 0, blockBack = 0;
+      for (int i = 0; i < int(std::lround(2 / dt)); i++) {
+        g.step(dt);
+        const double way = g.move(g.bodies.size() - 1).z / (height - 0.5 * kBrickSize.y);
+        out = std::max(out, -way);
+        back = std::max(back, way);
+      }
+      for (; block.time < 2; block.advance(1e-4)) {
+        blockOut = std::max(blockOut, block.tilt);
+        blockBack = std::max(blockBack, -block.tilt);
+      }
+      const std::string of = label(" of %.0f courses", c.courses) + label(" from %.2f rad/s", c.spin);
+      reached({"first swing of a wall" + of, dt, out / blockOut, 1, 0.06, "of a block's"});
+      reached({"second swing of a wall" + of, dt, back / blockBack, 1, 0.27, "of a block's"});
+    }
 }
 
 // Energy never rises, and the ledger has what broke.

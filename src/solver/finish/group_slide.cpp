@@ -30,7 +30,7 @@ class GroupSlides {
         stays_(count_, 0, island.memory) {}
 
   // False if no body slides.
-  bool findGroups();
+  bool findGroups(const std::pmr::vector<char>& moved);
   bool judgeGround();
   void findChanges();
   void judgeOpen();
@@ -64,9 +64,10 @@ class GroupSlides {
 };
 
 // Groups: bodies that press on each other. A body that sticks to something fixed, directly or through a chain of
-// sticking contacts, is in no group: it counts as ground.
-bool GroupSlides::findGroups() {
+// sticking contacts, is in no group: it counts as ground. So does what was moved as a chunk.
+bool GroupSlides::findGroups(const std::pmr::vector<char>& moved) {
   findSupported(island_, held_, [&](const auto& kind, std::size_t k) { return kind.sticks(k, context_); });
+  for (std::size_t i = 0; i < moved.size(); i++) held_[i] = held_[i] || moved[i];
   if (std::find(held_.begin(), held_.end(), 0) == held_.end()) return false;
   UnionFind sets(count_, island_.memory);
   island_.rows.each([&](const auto& kind, std::size_t k) {
@@ -136,13 +137,13 @@ void GroupSlides::correct() {
 
 }  // namespace
 
-void finishSlides(Island& island, StepContext& context) {
+void finishSlides(Island& island, const std::pmr::vector<char>& moved, StepContext& context) {
   if (!island.grounded() || island.facts.fastest <= context.settings.restSpeed) return;
   if (island.bodies.size() == 1 && !island.facts.partnersGo) return;
   for (BodyIndex partner : island.partners)
     if (context.bodies->motion[partner].angularVelocity != Vec3{}) return;
   GroupSlides slides(island, context);
-  if (!slides.findGroups() || !slides.judgeGround()) return;
+  if (!slides.findGroups(moved) || !slides.judgeGround()) return;
   slides.findChanges();
   slides.judgeOpen();
   slides.correct();
