@@ -8,6 +8,9 @@
 // the face bears a moment of (1 - D) ft W + N (t / 6 + D t / 3): it cracks at the true moment, and broken it rocks
 // about its edge.
 #pragma once
+#include <algorithm>
+#include <cmath>
+
 #include "dynamics/mortar.h"
 #include "solver/step_context.h"
 
@@ -51,6 +54,19 @@ inline double shearOf(const Mortar& m) { return double(m.strength.cohesion) * m.
 inline double pressOf(const Mortar& m) { return double(m.shared->compression) * m.area / kMortarPoints; }
 inline double yieldOf(const Mortar& m) {
   return (1 - m.damage) * double(m.shared->crushingEnergy) / double(m.shared->compression);
+}
+// Of the energy that breaks it, what is left. What a blow crushes besides is owed (`tougher` - 1, for an intact joint)
+// as far as the joint still bears: a thread presses too little to crush.
+inline double energyLeft(double damage, double tougher) {
+  const double left = 1 - damage;
+  return left * (1 + (tougher - 1) * left);
+}
+// The damage that `spent` of the energy makes, which also pays what is owed.
+inline double damageFor(double damage, double tougher, double spent) {
+  const double owed = tougher - 1, left = energyLeft(damage, tougher) - spent;
+  if (!(owed > 0)) return spent;
+  if (!(left > 0)) return 1 - damage;
+  return std::max(0.0, 1 - damage - 2 * left / (1 + std::sqrt(1 + 4 * owed * left)));
 }
 // J: that breaks it, by mode.
 inline double pullEnergy(const Mortar& m) { return double(m.strength.tensionEnergy) * m.area; }

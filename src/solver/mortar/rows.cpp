@@ -100,15 +100,18 @@ void mortar::addHolding(const Mortar& m, const BodySet& bodies, Vec3 along, Hold
   out.energy += (1 - m.damage) * (pull * pull * mortar::pullEnergy(m) + shear * shear * mortar::shearEnergy(m));
 }
 
-// A joint that goes on opening after a blow still owes what the blow crushes.
+// A joint that goes on opening after a blow still owes what the blow crushes. As if it had been intact: all of that is
+// owed from its damage on (mortar::energyLeft).
 void MortarRows::takeCrushes(const Island& island, const Ties& ties) {
   for (std::size_t k = 0; k < size(); k++) starts[k].tougher = at(k, ties).tougher;
   if (island.blows.crushes.empty()) return;
   std::pmr::vector<float> tougher(island.bodies.size() + island.partners.size(), 1, island.memory);
   for (const Crush& crush : island.blows.crushes)
     tougher[crush.body] = std::max(tougher[crush.body], float(crush.tougher));
-  for (std::size_t k = 0; k < size(); k++)
-    starts[k].tougher = std::max({starts[k].tougher, tougher[records[k].bodyA], tougher[records[k].bodyB]});
+  for (std::size_t k = 0; k < size(); k++) {
+    const double owed = double(std::max(tougher[records[k].bodyA], tougher[records[k].bodyB])) - 1;
+    starts[k].tougher = std::max(starts[k].tougher, float(1 + owed / std::max(1 - at(k, ties).damage, kTrifle)));
+  }
 }
 
 void MortarRows::prepare(Island& island, Ties& ties, const StepContext& context) {
@@ -253,7 +256,7 @@ void MortarRows::writeSprings(std::size_t k, const Mortar& m) {
                    mortar::shearOf(m) * along / mortar::shearEnergy(m));
   }
   const double whole = mortar::strengthOf(m), stood = m.opens ? 0 : standing,
-               most = worn > 0 ? stood + (1 - m.damage) * double(start.tougher) / worn : whole;
+               most = worn > 0 ? stood + mortar::energyLeft(m.damage, double(start.tougher)) / worn : whole;
   start.left = float(std::min(whole, most));
   // A tie that is less firm holds less of its force, or it would give more than it holds.
   const float held = float(most < whole ? std::max(most / whole, kLeastFirmness) : 1);

@@ -89,9 +89,8 @@ Taken takenBy(const Mortar& m, const FaceRecord& r, const MortarStart& start, co
                              cohesive * std::sqrt(hold1 * hold1 + hold2 * hold2) / mortar::shearOf(m)});
   }
   out.standing = pull.stops() || shear.stops() ? stood * std::min(out.standing, out.use) : 0;
-  // Of what a blow takes, crushing has its share.
-  out.pull = pull.taken() / double(start.tougher);
-  out.shear = shear.taken() / double(start.tougher);
+  out.pull = pull.taken();
+  out.shear = shear.taken();
   if (out.yields) return out;
   // Within its strength mortar takes no more than a spring of its stiffness holds.
   const double tension = m.strength.tension, cohesion = m.strength.cohesion, stiffness = m.shared->stiffness;
@@ -101,6 +100,28 @@ Taken takenBy(const Mortar& m, const FaceRecord& r, const MortarStart& start, co
   out.pull *= more;
   out.shear *= more;
   return out;
+}
+
+// Whether takenBy can find more than is left of the energy, by the most that its points bear: most joints of a wall are
+// far from it.
+bool mayTakeAll(const Mortar& m, const FaceRecord& r, const MortarStart& start, const SolveMotion* motion) {
+  using wide::V;
+  auto most = [](V a, V b) { return wide::max(a, b); };
+  auto size = [&](V a) { return most(a, -a); };
+  const V zero{}, half = wide::all<V>(0.5f / start.stiffness);
+  const auto moved = kernel::pointMotion(r, kernel::frame(r), motion);
+  const V arcN = wide::all<V>(dot(r.n, start.arc)), arc1 = wide::all<V>(dot(r.t1, start.arc)),
+          arc2 = wide::all<V>(dot(cross(r.n, r.t1), start.arc));
+  const V pulls = most(zero, -wide::loadAnywhere(start.heldN)), held1 = wide::loadAnywhere(start.held1),
+          held2 = wide::loadAnywhere(start.held2);
+  const V opens = most(size(wide::loadAnywhere(start.opens)), size(moved.n + arcN));
+  const V goes = most(size(wide::loadAnywhere(start.goes1)) + size(wide::loadAnywhere(start.goes2)),
+                      size(moved.t1 + arc1) + size(moved.t2 + arc2));
+  const V pull = most(-wide::load(r.leastN), pulls) * opens + pulls * pulls * half;
+  const V shear = (wide::load(r.limit) + size(held1) + size(held2)) * goes + (held1 * held1 + held2 * held2) * half;
+  auto total = [](V v) { return double((v[0] + v[2]) + (v[1] + v[3])); };
+  return total(pull) / mortar::pullEnergy(m) + total(shear) / mortar::shearEnergy(m) >
+         mortar::energyLeft(m.damage, double(start.tougher));
 }
 
 // N, of a point.
@@ -151,7 +172,7 @@ bool wentTooFar(const Mortar& m, const MortarStart& start, const PointForces& no
   }
   const double share = std::max(0.0, pulled) * mortar::pullOf(m) / mortar::pullEnergy(m) +
                        sheared * mortar::shearOf(m) / mortar::shearEnergy(m);
-  return 0.5 * mortar::strengthOf(m) * share > (1 - m.damage) * double(start.tougher);
+  return 0.5 * mortar::strengthOf(m) * share > mortar::energyLeft(m.damage, double(start.tougher));
 }
 
 // Of what caps on pull and shear take, and S makes less.
@@ -171,9 +192,10 @@ bool MortarRows::renewFrozen(const Island& island, const StepContext& context, R
     }
     if (m.crushed) continue;
     MortarStart& start = starts[k];
+    if (!mayTakeAll(m, records[k], start, island.motion.data())) continue;
     const PointForces now = stateAt(records[k], start, island.motion.data());
     const Taken taken = takenBy(m, records[k], start, now);
-    const double share = shareOf(taken, m), left = 1 - m.damage;
+    const double share = shareOf(taken, m), left = mortar::energyLeft(m.damage, double(start.tougher));
     if (!(share > (1 + kMoreThanLeft) * left)) continue;
     if (stiffens(m, start, taken, now)) {
       widen(k, m);
@@ -197,15 +219,16 @@ bool MortarRows::store(Island& island, Ties& ties, StepContext&) {
     MortarStart& start = starts[k];
     const PointForces now = stateAt(r, start, island.motion.data());
     const Taken taken = takenBy(m, r, start, now);
-    const double share = m.crushed ? 0 : shareOf(taken, m) + taken.crush / mortar::crushEnergy(m),
-                 most = share > 1 - m.damage ? (1 - m.damage) / share : 1;
+    const double opened = shareOf(taken, m), hurt = mortar::damageFor(m.damage, double(start.tougher), opened);
+    const double share = m.crushed ? 0 : hurt + taken.crush / mortar::crushEnergy(m),
+                 most = share > 1 - m.damage ? (1 - m.damage) / share : 1, paid = opened > 0 ? most * hurt / opened : 0;
     m.damage = wentTooFar(m, start, now) ? 1 : std::min(1.0, m.damage + share * most);
     if (start.arm > m.arm) m.damage = std::max(m.damage, damageBy(m, start, now));
     m.opens = m.crushed ? !(std::max({now.n[0], now.n[1], now.n[2], now.n[3]}) > 0) : share > 0;
     m.ends = m.crushed ? m.opens : m.damage >= (m.opens ? mortar::kBroken : mortar::kThread);
     m.tougher = m.opens ? start.tougher : 1;
-    start.pull = float(taken.pull * most);
-    start.shear = float(taken.shear * most);
+    start.pull = float(taken.pull * paid);
+    start.shear = float(taken.shear * paid);
     start.crush = float(taken.crush * most);
     m.tensionWork += start.pull;
     m.shearWork += start.shear;
@@ -265,11 +288,12 @@ void MortarRows::advance(const Island& island, Ties& ties, const StepContext& co
              t2 * startOf(m.slip2[i], now.t2[i], now.way2[i]);
     };
     // The arms end in the middle between the two faces.
-    const Vec3 half = (gapAt(0) + gapAt(1) + gapAt(2) + gapAt(3)) * 0.125;
+    const Vec3 gaps[4] = {gapAt(0), gapAt(1), gapAt(2), gapAt(3)};
+    const Vec3 half = (gaps[0] + gaps[1] + gaps[2] + gaps[3]) * 0.125;
     for (int i = 0; i < 4; i++) {
       const Vec3 pointA = toDouble(r.armA) - half + t1 * double(r.s1[i]) + t2 * double(r.s2[i]);
-      const Vec3 pointB = pointA + gapAt(i) + toDouble(r.armB) - toDouble(r.armA);
-      const Vec3 gap = gapAt(i) + moved + (turnB * pointB - pointB) - (turnA * pointA - pointA);
+      const Vec3 pointB = pointA + gaps[i] + toDouble(r.armB) - toDouble(r.armA);
+      const Vec3 gap = gaps[i] + moved + (turnB * pointB - pointB) - (turnA * pointA - pointA);
       auto take = [&](Vec3 axis, float force, float& place) {
         const double ends = dot(turnA * axis, gap);
         if (std::fabs(stiffness * (ends - double(place)) + double(force)) > unseen)
