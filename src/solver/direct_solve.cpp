@@ -170,8 +170,10 @@ void solveDirectly(Island& island, const StepContext& context, double tolerance,
       k = std::max(k, kMostRenewals);
       tight = !again;
     }
-    const double share = stuck ? kEnoughStalled : double(kFarFromMinimum);
-    if (!newton.step({share, k < kMostRenewals, tight, again, stuck})) return;
+    // Rounds of joints' multipliers need the end of a solve, which secants near too slowly: their searches go nearer.
+    const bool joints = island.facts.jointed;
+    const double share = stuck && joints ? kEnoughStalled : double(kFarFromMinimum);
+    if (!newton.step({share, k < kMostRenewals, tight, again, stuck && !joints})) return;
     tight = again = false;
     statistics.cycles++;
   }
