@@ -21,10 +21,18 @@ constexpr int kDirectSteps = 100;
 //! - | too small: cost | too large: steps jump to and fro over edges that open and close: chains that snap gain
 constexpr double kEnoughStalled = 0.1;  // the same after kStalledSteps
 
+//! of the residual that a round begins with | too small: steps run out before rounds do: limbs that are struck gape
+//! | too large: multipliers follow forces that are met on the way
+constexpr double kEarlyEnd = 0.1;  // with so much left the next round of limits begins beside contacts
+//! - | too small: limbs that are struck gape by millimetres | too large: cost
+constexpr int kEarlyRounds = 16;  // of such a solve
+//! - | too small: as of kEarlyRounds | too large: solves end anywhere
+constexpr int kLastEarly = 60;  // after so many steps no such round begins
+
 class Newton {
  public:
-  Newton(Island& island, SolveStatistics& statistics)
-      : island_(island), statistics_(statistics), newton_(island), tight_(island.memory) {
+  Newton(Island& island, bool limits, SolveStatistics& statistics)
+      : island_(island), limits_(limits), statistics_(statistics), newton_(island), tight_(island.memory) {
     newton_.place.resize(island.bodies.size());
     for (std::uint32_t i = 0; i < island.bodies.size(); i++) newton_.enter(i);
     newton_.findPlaces();
@@ -46,11 +54,15 @@ class Newton {
       return false;
     if (!tight_.empty() && !(newton_.slope() > 0) && !findStep(false, how.secants)) return false;
     newton_.begin();
-    searchAlong(newton_.slope(), how.enough, 4, kSearchStepsOfAll, [this](double part) {
+    auto moveTo = [this](double part) {
       newton_.moveBodies(part);
       readForces(false);
       return newton_.slope();
-    });
+    };
+    if (limits_)
+      searchOverKinks(newton_.slope(), how.enough, 4, kSearchStepsOfAll, moveTo);
+    else
+      searchAlong(newton_.slope(), how.enough, 4, kSearchStepsOfAll, moveTo);
     if (how.boundsFollow && !island_.facts.jointsAlone()) readForces(true);
     return true;
   }
@@ -131,6 +143,7 @@ class Newton {
   }
 
   Island& island_;
+  bool limits_;  // some joint has a limit or is a rope
   SolveStatistics& statistics_;
   BodyNewton newton_;
   std::pmr::vector<Tight> tight_;
@@ -146,29 +159,43 @@ bool turnsFar(const Island& island) {
 }  // namespace
 
 void solveDirectly(Island& island, const StepContext& context, double tolerance, SolveStatistics& statistics) {
-  Newton newton(island, statistics);
+  const bool limits = island.plan.endVelocities && hasBounds(island);
+  // Where limits and ropes are reached a round takes many steps, which the next would undo. Beside contacts steps run
+  // out: so the next begins before the last one is solved to its end.
+  const bool early = limits && !island.facts.jointsAlone();
+  Newton newton(island, limits, statistics);
   Stall stall;
   // Where a row of limits is hit, each of them moves the others; what turns far has another arc in each round. Beside
   // contacts a solve in the midst of which steps run out is worse than one round less.
+  const int rounds = early ? kEarlyRounds : kBoundRounds * kBoundRounds;
+  const int last = early ? kLastEarly : kDirectSteps / 2;
   auto mayFollow = [&](int round, int k) {
     if (round < kBoundRounds) return true;
-    return round < kBoundRounds * kBoundRounds &&
-           (island.facts.jointsAlone() || (island.plan.endVelocities && k < kDirectSteps / 2 && turnsFar(island)));
+    return round < rounds &&
+           (island.facts.jointsAlone() || (island.plan.endVelocities && k < last && turnsFar(island)));
   };
   int boundSolves = 0;
-  bool tight = true, again = false;
+  bool begins = true, tight = true, again = false;
+  double nearEnough = 0;  // for the next round
   for (int k = 0; k < kDirectSteps; k++) {
     const double worst = newton.worst(*context.bodies);
     const int stalled = stall.after(worst);
     // Stalled, ten times the residual is good enough; after twice as many steps a hundred times.
     const bool stuck = stalled >= kStalledSteps;
     const double enough = !stuck ? 1 : stalled < 2 * kStalledSteps ? 10 : 100;
-    if (worst < enough * tolerance) {
-      if (!mayFollow(boundSolves++, k) || !newton.settleBounds()) return;
-      stall = {};
-      again = k > 0 && newton.stiffnessStays();
-      k = std::max(k, kMostRenewals);
-      tight = !again;
+    const bool done = worst < enough * tolerance;
+    if (std::exchange(begins, false)) nearEnough = early ? kEarlyEnd * worst : 0;
+    if (done || worst < nearEnough) {
+      if (mayFollow(boundSolves, k) && newton.settleBounds()) {
+        boundSolves++;
+        stall = {};
+        again = k > 0 && newton.stiffnessStays();
+        k = std::max(k, kMostRenewals);
+        tight = !again;
+        begins = true;
+      } else if (done) {
+        return;
+      }
     }
     // Rounds of joints' multipliers need the end of a solve, which secants near too slowly: their searches go nearer.
     const bool joints = island.facts.jointed;

@@ -66,4 +66,36 @@ template <class MoveTo> void searchAlong(double start, double share, int doublin
   }
 }
 
+// The same where the slope has kinks, as where limits and ropes are reached. By turns a secant, and the line through
+// the last two points on one side of the zero: of a slope that is straight on that side, it leads there.
+template <class MoveTo> void searchOverKinks(double start, double share, int doublings, int steps, MoveTo moveTo) {
+  struct Point {
+    double at, slope;
+  };
+  const double enough = share * start;
+  Point low{0, start}, high{1, moveTo(1)}, beforeLow = low;
+  for (int k = 0; high.slope > enough && k < doublings; k++) {
+    beforeLow = low;
+    low = high;
+    high.at *= 2;
+    high.slope = moveTo(high.at);
+  }
+  if (!(high.slope < 0)) return;
+  Point beforeHigh = high;
+  auto zeroOf = [](Point a, Point b) { return a.at + (b.at - a.at) * a.slope / (a.slope - b.slope); };
+  auto inside = [&](double at) { return at > low.at && at < high.at; };
+  double slope = high.slope;
+  for (int k = 0; k < steps && std::fabs(slope) > enough; k++) {
+    double next = zeroOf(low, high);
+    if (k % 2 > 0) {
+      const double fromHigh = beforeHigh.at > high.at ? zeroOf(high, beforeHigh) : high.at;
+      const double fromLow = beforeLow.at < low.at ? zeroOf(beforeLow, low) : low.at;
+      next = inside(fromHigh) ? fromHigh : inside(fromLow) ? fromLow : 0.5 * (low.at + high.at);
+    }
+    slope = moveTo(next);
+    (slope > 0 ? beforeLow : beforeHigh) = slope > 0 ? low : high;
+    (slope > 0 ? low : high) = {next, slope};
+  }
+}
+
 }  // namespace brickfall

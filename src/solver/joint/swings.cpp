@@ -55,13 +55,13 @@ class Swings : VelocitySystem {
   }
 
  private:
-  // A row of another kind on a body of the system. It holds that body where it held it in the step, as firmly as joints
-  // do, and pushes by no more than half of what it gave there: the rest of that was an impact's.
+  // A row of another kind on a body of the system. It gives half of what it gave in the step: so what is at rest stays.
+  // Where that would part its bodies, it holds them as firmly as joints do: the rest of its force was an impact's.
   struct OtherRow {
     RowEnds ends;
     Vec3 armA, armB, force, torque;  // N, N m: on B
     BodyBlock stiffness = {};        // in units of mass
-    enum { holds, gives, open } state = holds;
+    enum { holds, gives, open } state = gives;
     double impulse[6] = {}, last[6] = {};  // N s, N m s: all, and of the last round
   };
   void findOthers() {
@@ -119,23 +119,43 @@ class Swings : VelocitySystem {
       }
     }
   }
-  // True if a row pulls where it pressed, or pushes by more than half of what it gave.
+  // W: of the force that the row gave in the step, by the changes of velocity. Above 0, its bodies part.
+  double powerOf(const OtherRow& s) const {
+    double sum = 0;
+    auto add = [&](std::uint32_t local, Vec3 arm, double sign) {
+      if (placeOf(local) == kNoPlace) return;
+      const Body& body = at(local);
+      sum += sign * (dot(s.force, body.move + cross(body.spin, arm)) + dot(s.torque, body.spin));
+    };
+    add(s.ends.b, s.armB, 1);
+    add(s.ends.a, s.armA, -1);
+    return sum;
+  }
+  // True if any row changed. One that parts its bodies holds them instead; one that pulls where it pressed opens, until
+  // they meet; one that pushes by more than half of what it gave gives just that.
   bool boundOthers() {
     bool any = false;
     for (OtherRow& s : others_) {
-      if (s.state != OtherRow::holds) continue;
-      const double given = dot(Vec3{s.impulse[0], s.impulse[1], s.impulse[2]}, s.force),
-                   most = 0.5 * island_.dt * lengthSquared(s.force);
-      if (given >= -kTrifle * most && given <= (1 + kTrifle) * most) continue;
-      s.state = given < 0 ? OtherRow::open : OtherRow::gives;
-      any = true;
+      const double half = 0.5 * island_.dt;
+      const double given = dot(Vec3{s.impulse[0], s.impulse[1], s.impulse[2]}, s.force), parts = powerOf(s);
+      const double most = half * lengthSquared(s.force);
+      const double slowly = kTrifle * half * length(s.force) * length(context_.gravity);
+      const auto before = s.state;
+      if (s.state == OtherRow::gives && parts > slowly)
+        s.state = OtherRow::holds;
+      else if (s.state == OtherRow::open && parts < -slowly)
+        s.state = OtherRow::holds;
+      else if (s.state == OtherRow::holds && given < -kTrifle * most)
+        s.state = OtherRow::open;
+      else if (s.state == OtherRow::holds && given > (1 + kTrifle) * most)
+        s.state = OtherRow::gives;
+      any = any || s.state != before;
     }
     return any;
   }
 
   // The change of velocities over half of the step. False if it has no solution.
   bool findHalf(const Ties& ties) {
-    for (OtherRow& s : others_) s.state = OtherRow::holds;
     for (int round = 0; round < kBoundRounds; round++) {
       assemble([](std::uint32_t, BodyBlock&) {});
       addOthers();
