@@ -157,6 +157,11 @@ struct StepContext {
   std::vector<FreeMotion> free;                                          // by body slot
   std::vector<SolvedMotion> solved;                                      // by body slot
   std::vector<FlownAhead> ahead;                                         // by body slot
+  // Bodies that no step has solved yet do not move: in a restored world some rest at once.
+  void makeRoom(std::size_t slots) {
+    free.resize(slots);
+    solved.resize(slots, {.rest = true});
+  }
   SolveStatistics statistics;
   double overlap = 0;  // that the step adds to a pair, at most, in cores of the smaller body (world/keep_out.h)
   bool freed = false;  // the last check let a group go freely

@@ -132,8 +132,7 @@ void ImpactWalk::run(Island& island) {
 
 void meetImpacts(const WorldDef& def, Registry& registry, IslandSet& islands, Proximity& proximity, Ties& ties,
                  StepContext& context, StepReport& report, Events& events) {
-  context.free.resize(registry.bodies.slots());
-  context.solved.resize(registry.bodies.slots());
+  context.makeRoom(registry.bodies.slots());
   context.ahead.assign(registry.bodies.slots(), {});
   ties.beginStep();
   ImpactWalk walk{def, registry, proximity, ties, context, report, events};

@@ -371,7 +371,10 @@ void Obstacles::obstruct(ShapeIndex shape, bool everything, double thickness, Ob
     }
     auto ofStep = [&](double part) { return part < 1 ? from + part * (1 - from) : 1; };
     if (own.turns) first.turnShare = std::min(first.turnShare, ofStep(turnShare));
-    if (!(ofStep(share) < first.share)) return true;
+    // Of two that are met at once the first by number: the order in which the tree finds them must not matter.
+    const bool earlier =
+        ofStep(share) < first.share || (share < 1 && ofStep(share) == first.share && o.body < first.body);
+    if (!earlier) return true;
     first.share = ofStep(share), first.body = o.body;
     first.carried = way.carry(transformPoint(own.at(share), s.middle), share);
     return true;

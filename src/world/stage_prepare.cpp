@@ -12,8 +12,7 @@ namespace brickfall {
 
 void prepare(Registry& registry, IslandSet& islands, Ties& ties, StepContext& context) {
   BodySet& bodies = registry.bodies;
-  context.free.resize(bodies.slots());
-  context.solved.resize(bodies.slots());
+  context.makeRoom(bodies.slots());
   predictFreeMotions(context, bodies, islands.single, context.dt, false);
   for (IslandPointer& island : islands.awake) prepareIsland(*island, ties, bodies, context);
 }
