@@ -124,7 +124,7 @@ struct Wind {
   bool shelter = true;           // what stands before a face keeps the wind from it
 };
 // Forces of the wind at `time` on all dynamic bodies, for the next step of dt. A body's own drag area is that of still air and
-// comes on top: where wind blows, give none.
+// comes on top: where wind blows, give none. Errors name the field: `time` is finite, `dt` above 0 s, 1e6 at most.
 Status applyWind(World& world, const Wind& wind, double time, double dt);
 
 // An impulse that spreads from a point: the share of a face is its solid angle, and acts away from the point.

@@ -9,25 +9,34 @@
 
 namespace brickfall {
 
+std::pmr::vector<std::uint32_t> chunksOf(const Island& island) {
+  const std::uint32_t count = std::uint32_t(island.bodies.size());
+  UnionFind sets(count, island.memory);
+  std::pmr::vector<std::uint32_t> chunkOf(count, kNoIndex, island.memory);
+  island.rows.each([&]<class Kind>(const Kind& kind, std::size_t k) {
+    if (!std::remove_cvref_t<Kind>::kYields) return;
+    const RowEnds ends = kind.ends(k);
+    if (ends.a < count && ends.b < count) sets.join(ends.a, ends.b);
+    for (std::uint32_t body : {ends.a, ends.b})
+      if (body < count) chunkOf[body] = 0;
+  });
+  for (std::uint32_t i = 0; i < count; i++)
+    if (chunkOf[i] != kNoIndex) chunkOf[i] = sets.find(i);
+  return chunkOf;
+}
+
 void Chunks::find(const Island& island, const StepContext& context) {
   ways_.clear();
   chunkOf_.clear();
   all_ = false;
   if (!island.facts.mortared || island.facts.jointed || island.facts.locked || island.grounded()) return;
   const std::size_t count = island.bodies.size();
-  UnionFind sets(count, island.memory);
-  chunkOf_.assign(count, kNoIndex);
-  island.rows.each([&]<class Kind>(const Kind& kind, std::size_t k) {
-    if (!std::remove_cvref_t<Kind>::kYields) return;
-    const RowEnds ends = kind.ends(k);
-    sets.join(ends.a, ends.b);
-    chunkOf_[ends.a] = chunkOf_[ends.b] = 0;
-  });
+  const std::pmr::vector<std::uint32_t> found = chunksOf(island);
+  chunkOf_.assign(found.begin(), found.end());
   const BodySet& bodies = *context.bodies;
   std::pmr::vector<RigidSum> sums(count, RigidSum(island.origin), island.memory);
   for (std::uint32_t i = 0; i < count; i++) {
     if (chunkOf_[i] == kNoIndex) continue;
-    chunkOf_[i] = sets.find(i);
     const BodyIndex body = island.bodies[i];
     const double m = bodies.mass[body].mass;
     const Mat3 inertia = bodies.worldInertia(body);

@@ -1,5 +1,5 @@
-// Chunks: bodies of an island in flight that breakable ties join, directly or through others. A chunk moves as one
-// body.
+// Chunks: bodies of an island that breakable ties join, directly or through others. A chunk moves as one body, both in
+// flight (Chunks) and on the ground (finish/chunk_turn.cpp).
 #pragma once
 #include <memory_resource>
 #include <vector>
@@ -12,6 +12,10 @@ namespace brickfall {
 struct Island;
 struct StepContext;
 
+// By body: the lowest of its chunk; kNoIndex: it is in none.
+std::pmr::vector<std::uint32_t> chunksOf(const Island& island);
+
+// In flight.
 class Chunks {
  public:
   explicit Chunks(std::pmr::memory_resource* memory) : ways_(memory), chunkOf_(memory) {}

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <type_traits>
 
+#include "solver/chunks.h"
 #include "solver/finish/motion.h"
 #include "solver/rigid_sum.h"
-#include "solver/union_find.h"
 
 namespace brickfall {
 
@@ -17,10 +17,7 @@ namespace {
 class ChunkTurns {
  public:
   ChunkTurns(const Island& island, StepContext& context)
-      : island_(island),
-        context_(context),
-        chunkOf_(count_, kNoIndex, island.memory),
-        stays_(count_, 0, island.memory) {}
+      : island_(island), context_(context), chunkOf_(chunksOf(island)), stays_(count_, 0, island.memory) {}
 
   // False if mortar joins all to what is fixed.
   bool findChunks();
@@ -33,10 +30,6 @@ class ChunkTurns {
   }
 
  private:
-  VelocityChange solvedChange(std::uint32_t body) const {
-    return body < count_ ? changeOf(island_.bodies[body], context_) : VelocityChange{};
-  }
-  EndChanges solvedChanges(RowEnds ends) const { return {solvedChange(ends.a), solvedChange(ends.b)}; }
   // How a correction would move the bodies back.
   EndChanges takenBack(RowEnds ends) const {
     auto of = [this](std::uint32_t body) {
@@ -62,18 +55,9 @@ class ChunkTurns {
 };
 
 bool ChunkTurns::findChunks() {
-  UnionFind sets(count_, island_.memory);
-  auto eachJoint = [&](auto&& visit) {
-    island_.rows.each([&]<class Kind>(const Kind& kind, std::size_t k) {
-      if (std::remove_cvref_t<Kind>::kYields) visit(kind.ends(k));
-    });
-  };
-  eachJoint([&](RowEnds ends) {
-    if (ends.a < count_ && ends.b < count_) sets.join(ends.a, ends.b);
-  });
-  eachJoint([&](RowEnds ends) {
-    for (std::uint32_t body : {ends.a, ends.b})
-      if (body < count_) chunkOf_[body] = sets.find(body);
+  island_.rows.each([&]<class Kind>(const Kind& kind, std::size_t k) {
+    if (!std::remove_cvref_t<Kind>::kYields) return;
+    const RowEnds ends = kind.ends(k);
     if (ends.a >= count_ || ends.b >= count_) stay(ends);
   });
   for (std::uint32_t i = 0; i < count_; i++)
@@ -87,7 +71,7 @@ void ChunkTurns::judgeContacts() {
     if (std::remove_cvref_t<Kind>::kYields) return;
     const RowEnds ends = kind.ends(k);
     if ((!turns(ends.a) && !turns(ends.b)) || !kind.carriesForce(k, context_)) return;
-    if (kind.courseOf(k, solvedChanges(ends), {island_.dt}, context_) == RowCourse::changes) stay(ends);
+    if (kind.courseOf(k, changesOf(ends, island_, context_), {island_.dt}, context_) == RowCourse::changes) stay(ends);
   });
 }
 
@@ -119,7 +103,7 @@ void ChunkTurns::judgeOpen() {
   island_.rows.each([&](const auto& kind, std::size_t k) {
     const RowEnds ends = kind.ends(k);
     if ((!turns(ends.a) && !turns(ends.b)) || kind.carriesForce(k, context_)) return;
-    if (kind.wouldMeet(k, takenBack(ends), solvedChanges(ends), island_.dt)) stay(ends);
+    if (kind.wouldMeet(k, takenBack(ends), changesOf(ends, island_, context_), island_.dt)) stay(ends);
   });
 }
 

@@ -41,10 +41,6 @@ class GroupSlides {
   bool slides(std::uint32_t body) const {
     return !isGround(body) && !stays_[groupOf_[body]] && normals_[groupOf_[body]] != Vec3{};
   }
-  VelocityChange solvedChange(std::uint32_t body) const {
-    return body < count_ ? changeOf(island_.bodies[body], context_) : VelocityChange{};
-  }
-  EndChanges solvedChanges(RowEnds ends) const { return {solvedChange(ends.a), solvedChange(ends.b)}; }
   // How a correction would move the bodies back.
   EndChanges takenBack(RowEnds ends) const {
     auto of = [this](std::uint32_t body) { return slides(body) ? changes_[body] : VelocityChange{}; };
@@ -88,7 +84,7 @@ bool GroupSlides::judgeGround() {
     const Vec3 n = kind.normal(k);
     if (normals_[group] == Vec3{}) normals_[group] = n;
     stays_[group] = !(length(cross(normals_[group], n)) <= kShapesRound) ||
-                    kind.courseOf(k, solvedChanges(ends), {island_.dt}, context_) == RowCourse::changes;
+                    kind.courseOf(k, changesOf(ends, island_, context_), {island_.dt}, context_) == RowCourse::changes;
   });
   for (std::uint32_t i = 0; i < count_; i++)
     if (slides(i)) return true;
@@ -121,7 +117,7 @@ void GroupSlides::judgeOpen() {
     RowEnds ends = kind.ends(k);
     if ((!slides(ends.a) && !slides(ends.b)) || kind.carriesForce(k, context_)) return;
     if (!isGround(ends.a) && !isGround(ends.b) && groupOf_[ends.a] == groupOf_[ends.b]) return;
-    if (!kind.wouldMeet(k, takenBack(ends), solvedChanges(ends), island_.dt)) return;
+    if (!kind.wouldMeet(k, takenBack(ends), changesOf(ends, island_, context_), island_.dt)) return;
     for (std::uint32_t body : {ends.a, ends.b})
       if (!isGround(body)) stays_[groupOf_[body]] = 1;
   });

@@ -148,6 +148,13 @@ VelocityChange changeOf(BodyIndex body, const StepContext& context) {
           context.bodies->worldInvInertia(body) * s.angularMomentum - (free.startSpin - free.lateSpin)};
 }
 
+EndChanges changesOf(RowEnds ends, const Island& island, const StepContext& context) {
+  auto of = [&](std::uint32_t body) {
+    return body < island.bodies.size() ? changeOf(island.bodies[body], context) : VelocityChange{};
+  };
+  return {of(ends.a), of(ends.b)};
+}
+
 Lead leadOf(BodyIndex body, const StepContext& context) {
   const FreeMotion& free = context.free[body];
   const SolvedMotion& s = context.solved[body];

@@ -26,6 +26,8 @@ bool solvedWell(const Island& island, const StepContext& context);
 
 // How the body's velocities change in this step, so far.
 VelocityChange changeOf(BodyIndex body, const StepContext& context);
+// Those of a row's two bodies; none of partners.
+EndChanges changesOf(RowEnds ends, const Island& island, const StepContext& context);
 
 // By how much velocities at the start of the step, and at its end, are ahead of those of the solve: of what swings on
 // joints. What flies has kept its momenta.
