@@ -104,7 +104,7 @@ int checkDt(const CheckDtCommand& options) {
   SceneChoice choice = chooseSceneToRun(options.scene, options.overrides, options.seconds, options.threads);
   if (!choice.scene) return choice.exitCode;
   watchInterrupts();
-  Progress progress(*choice.scene, options.quiet);
+  Progress progress(*choice.scene, options.quiet || options.asJson);  // the answer is all that is on standard output
   std::vector<Outcome> outcomes;
   for (int rate : kRates) {
     std::optional<Outcome> outcome = outcomeAt(*choice.scene, rate, progress);

@@ -41,9 +41,15 @@ struct Arguments {
   std::string shell;
 };
 
+// A name that a script left empty would be the default one.
+std::string namesSomething(const std::string& text) {
+  return text.empty() ? "found \"\", expected a name" : std::string();
+}
+
 void addOutputOptions(CLI::App& command, OutputOptions& options, const std::string& defaultFolder) {
   command.add_option("-o,--output", options.folder, "Folder for the results (default: " + defaultFolder + ")")
-      ->type_name("DIR");
+      ->type_name("DIR")
+      ->check(namesSomething);
   for (const OutputKind& kind : outputKinds()) {
     const auto leaveOut = [&options, name = std::string(kind.name)] { options.leftOut.push_back(name); };
     command.add_flag_callback(std::string("--no-") + kind.name, leaveOut, "Leave out " + outputFile(kind, "<scene>"));
@@ -72,7 +78,8 @@ void defineTrace(CLI::App& app, Arguments& arguments) {
   trace.add_option("scene", arguments.trace.scene, "A scene file, or a shipped scene: its trace is written")
       ->type_name("SCENE");
   trace.add_option("-o,--output", arguments.trace.output, "The trace (default: out/<scene>/<scene>.trace)")
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->check(namesSomething);
   addRunOptions(trace, arguments);
   trace.add_option("--items", arguments.items, "In this step also a hash of each body and contact")->type_name("STEP");
   trace.add_option("--compare", arguments.compared, "Two traces: where do they part? No scene is run")
@@ -100,7 +107,7 @@ void defineCheckDt(CLI::App& app, Arguments& arguments) {
       std::string(
           "Runs it at 1/60, 1/120, 1/240 and 1/480 s: what moved, what broke, and how much of that is the same.\n\n"
           "Examples:\n  brickfall check-dt wall\n  brickfall check-dt hole --seconds 3\n"
-          "  brickfall check-dt hole --quiet --json > hole.json\n\n") +
+          "  brickfall check-dt hole --json > hole.json\n\n") +
       exitCodes("130 interrupted, nothing is told"));
 }
 
@@ -117,7 +124,8 @@ void defineExport(CLI::App& app, Arguments& arguments) {
   command.add_option("--every", arguments.every, "Poses of every N-th frame only")->type_name("N");
   command
       .add_option("-o,--output", arguments.exported.folder, "Folder for the files (default: the folder of the take)")
-      ->type_name("DIR");
+      ->type_name("DIR")
+      ->check(namesSomething);
   command.add_flag("--quiet", arguments.exported.quiet, "Say nothing but errors");
   command.footer(std::string("Examples:\n"
                              "  brickfall export out/wall/wall.take                four tables of text\n"

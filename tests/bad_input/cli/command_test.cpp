@@ -44,6 +44,7 @@ TEST_F(BadArguments, aCommandIsExpected) {
 TEST_F(BadArguments, optionsOfACommand) {
   const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
       {{"run"}, "scene is required"},
+      {{"run", "cube", "-o", ""}, "--output: found \"\", expected a name"},
       {{"run", "cube", "--frobnicate"}, "--frobnicate"},
       {{"run", "cube", "--second", "3"}, "--second (did you mean \"--seconds\"?)"},
       {{"run", "cube", "--outptu=x"}, "did you mean \"--output\"?"},

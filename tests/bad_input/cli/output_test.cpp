@@ -130,7 +130,7 @@ TEST_F(Outputs, jsonForPrograms) {
   bool listed = false;
   for (const json& scene : json::parse(scenes.output)) listed = listed || scene["name"] == "cube";
   EXPECT_TRUE(listed);
-  const Finished compared = run({"check-dt", "cube", "--seconds", "0.5", "--quiet", "--json"});
+  const Finished compared = run({"check-dt", "cube", "--seconds", "0.5", "--json"});
   EXPECT_EQ(compared.exitCode, 0) << compared.errors;
   const json outcome = json::parse(compared.output);
   EXPECT_EQ(outcome["scene"], "cube");
