@@ -18,6 +18,15 @@ bool isSteady(const FaceRecord& row, const ContactStart& start, int i, double ch
   return std::fabs(change - arc) <= most && std::fabs(start.approach[i]) <= most;
 }
 
+// m/s: how point i slides along the face, B against A.
+Vec3 slipOf(const FaceRecord& row, int i, const EndChanges& by) {
+  const Vec3 t1 = toDouble(row.t1), t2 = cross(toDouble(row.n), t1);
+  const Vec3 place = t1 * double(row.s1[i]) + t2 * double(row.s2[i]);
+  const Vec3 v = by.b.move + cross(by.b.turn, toDouble(row.armB) + place) - by.a.move -
+                 cross(by.a.turn, toDouble(row.armA) + place);
+  return t1 * dot(t1, v) + t2 * dot(t2, v);
+}
+
 }  // namespace
 
 RowCourse ContactRows::courseOf(std::size_t k, const EndChanges& change, const StepSpan& span,
@@ -36,23 +45,29 @@ RowCourse ContactRows::courseOf(std::size_t k, const EndChanges& change, const S
 
 double ContactRows::slidesFor(std::size_t k, const EndChanges& now, const EndChanges& change,
                               const StepContext& context) const {
-  const FaceRecord& r = records[k];
-  const Vec3 t1 = toDouble(r.t1), t2 = cross(toDouble(r.n), t1);
   const PointMemory& points = at(k, *context.ties).points;
   double left = std::numeric_limits<double>::infinity();
   for (int i = 0; i < starts[k].points; i++) {
     if (!(starts[k].slid >> i & 1) || !(points.forceN[i] > 0)) continue;
     if (points.sticks(i)) return 0;
-    const Vec3 place = t1 * double(r.s1[i]) + t2 * double(r.s2[i]);
-    auto slip = [&](const EndChanges& by) {
-      const Vec3 v = by.b.move + cross(by.b.turn, toDouble(r.armB) + place) - by.a.move -
-                     cross(by.a.turn, toDouble(r.armA) + place);
-      return t1 * dot(t1, v) + t2 * dot(t2, v);
-    };
-    const double nearing = -dot(slip(now), slip(change));
-    if (nearing > 0) left = std::min(left, nearing / lengthSquared(slip(change)));
+    const Vec3 slip = slipOf(records[k], i, now), by = slipOf(records[k], i, change);
+    const double nearing = -dot(slip, by);
+    if (nearing > 0) left = std::min(left, nearing / lengthSquared(by));
   }
   return left;
+}
+
+bool ContactRows::slips(std::size_t k, const EndChanges& now, double dt, const StepContext& context) const {
+  const PointMemory& points = at(k, *context.ties).points;
+  const Scale& scale = starts[k].scale;
+  const double least = context.settings.restSpeed * scale.speed + kCalmShare * scale.gravity * dt;
+  bool any = false;
+  for (int i = 0; i < starts[k].points; i++) {
+    if (!(points.forceN[i] > 0)) continue;
+    if (points.sticks(i) || !(length(slipOf(records[k], i, now)) > least)) return false;
+    any = true;
+  }
+  return any;
 }
 
 bool ContactRows::wouldMeet(std::size_t k, const EndChanges& nearer, const EndChanges& change, double dt) const {

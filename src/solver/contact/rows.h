@@ -76,6 +76,8 @@ struct ContactRows : FaceRows, TieRows<ContactRows, ContactSet, &Ties::contacts,
   RowCourse courseOf(std::size_t k, const EndChanges& change, const StepSpan& span, const StepContext& context) const;
   // How many steps more a point that slid takes until it stops, if its bodies go at `now` and change so in each.
   double slidesFor(std::size_t k, const EndChanges& now, const EndChanges& change, const StepContext& context) const;
+  // Every point that presses slides faster than what settles, if the bodies go at `now`.
+  bool slips(std::size_t k, const EndChanges& now, double dt, const StepContext& context) const;
   // At the end of the step an open point is nearer to its partner than `nearer`, over half of the step, would move the
   // two towards each other.
   bool wouldMeet(std::size_t k, const EndChanges& nearer, const EndChanges& change, double dt) const;

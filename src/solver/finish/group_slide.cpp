@@ -38,6 +38,10 @@ class GroupSlides {
 
  private:
   bool isGround(std::uint32_t body) const { return held_[body]; }
+  // The row presses a group on what it slides on: ground, or another group.
+  bool presses(RowEnds ends) const {
+    return isGround(ends.a) ? !isGround(ends.b) : isGround(ends.b) || groupOf_[ends.a] != groupOf_[ends.b];
+  }
   bool slides(std::uint32_t body) const {
     return !isGround(body) && !stays_[groupOf_[body]] && normals_[groupOf_[body]] != Vec3{};
   }
@@ -60,15 +64,28 @@ class GroupSlides {
 };
 
 // Groups: bodies that press on each other. A body that sticks to something fixed, directly or through a chain of
-// sticking contacts, is in no group: it counts as ground. So does what was moved as a chunk.
+// sticking contacts, is in no group: it counts as ground. So does what was moved as a chunk. What slides on a group, on
+// a face that lies as the ground does, is a group of its own: its velocity changes otherwise.
 bool GroupSlides::findGroups(const std::pmr::vector<char>& moved) {
   findSupported(island_, held_, [&](const auto& kind, std::size_t k) { return kind.sticks(k, context_); });
   for (std::size_t i = 0; i < moved.size(); i++) held_[i] = held_[i] || moved[i];
   if (std::find(held_.begin(), held_.end(), 0) == held_.end()) return false;
+  Vec3 ground;
+  island_.rows.each([&](const auto& kind, std::size_t k) {
+    const RowEnds ends = kind.ends(k);
+    if (ground == Vec3{} && isGround(ends.a) != isGround(ends.b) && kind.carriesForce(k, context_))
+      ground = kind.normal(k);
+  });
+  auto now = [&](std::uint32_t body) {
+    const SolvedMotion& s = context_.solved[island_.bodies[body]];
+    return VelocityChange{s.velocity, context_.bodies->worldInvInertia(island_.bodies[body]) * s.angularMomentum};
+  };
   UnionFind sets(count_, island_.memory);
   island_.rows.each([&](const auto& kind, std::size_t k) {
     RowEnds ends = kind.ends(k);
-    if (!isGround(ends.a) && !isGround(ends.b) && kind.ties(k, context_)) sets.join(ends.a, ends.b);
+    if (isGround(ends.a) || isGround(ends.b) || !kind.ties(k, context_)) return;
+    const bool lies = length(cross(ground, kind.normal(k))) <= kShapesRound;
+    if (!lies || !kind.slips(k, {now(ends.a), now(ends.b)}, island_.dt, context_)) sets.join(ends.a, ends.b);
   });
   for (std::uint32_t i = 0; i < count_; i++) groupOf_[i] = sets.find(i);
   return true;
@@ -78,13 +95,16 @@ bool GroupSlides::findGroups(const std::pmr::vector<char>& moved) {
 bool GroupSlides::judgeGround() {
   island_.rows.each([&](const auto& kind, std::size_t k) {
     RowEnds ends = kind.ends(k);
-    if (isGround(ends.a) == isGround(ends.b) || !kind.carriesForce(k, context_)) return;
-    const std::uint32_t group = groupOf_[isGround(ends.a) ? ends.b : ends.a];
-    if (stays_[group]) return;
+    if (!presses(ends) || !kind.carriesForce(k, context_)) return;
     const Vec3 n = kind.normal(k);
-    if (normals_[group] == Vec3{}) normals_[group] = n;
-    stays_[group] = !(length(cross(normals_[group], n)) <= kShapesRound) ||
-                    kind.courseOf(k, changesOf(ends, island_, context_), {island_.dt}, context_) == RowCourse::changes;
+    const bool changes =
+        kind.courseOf(k, changesOf(ends, island_, context_), {island_.dt}, context_) == RowCourse::changes;
+    for (std::uint32_t body : {ends.a, ends.b}) {
+      if (isGround(body)) continue;
+      const std::uint32_t group = groupOf_[body];
+      if (normals_[group] == Vec3{}) normals_[group] = n;
+      stays_[group] = stays_[group] || changes || !(length(cross(normals_[group], n)) <= kShapesRound);
+    }
   });
   for (std::uint32_t i = 0; i < count_; i++)
     if (slides(i)) return true;
