@@ -71,7 +71,8 @@ void turnFarFreely(const Island& island, StepContext& context) {
   for (BodyIndex body : island.bodies) {
     SolvedMotion& s = context.solved[body];
     FreeMotion& free = context.free[body];
-    if (s.freeTurn || !(lengthSquared(s.th) > kHalfTurn * kHalfTurn) || context.bodies->turnsLocked(body)) continue;
+    const double most = s.flying && !island.facts.jointed && !island.facts.mortared ? kLargestTurn : kHalfTurn;
+    if (s.freeTurn || !(lengthSquared(s.th) > most * most) || context.bodies->turnsLocked(body)) continue;
     s.freeTurn = true;
     free.angularMomentum = s.angularMomentum;
     free.turnsFaster = false;

@@ -9,8 +9,9 @@ namespace brickfall {
 // Sets ways, turns and velocities of the island's bodies as they were solved. An island that rests gets none. A body at
 // which no tie carries force gets those of free motion. Needs the island's groups.
 void storeMotion(const Island& island, StepContext& context);
-// A solve with frozen arms does not say where a body points that turns by half a turn and more: its momentum does, as
-// in free flight. Else its energy would be another one for each way that it could point.
+// A solve with frozen arms does not say where a body points that turns by half a turn and more, or, in flight, by more
+// than kLargestTurn: its momentum does, as in free flight. Else its energy would be another one for each way that it
+// could point.
 void turnFarFreely(const Island& island, StepContext& context);
 // Bodies without ties: free motion over `dt` s, moved by the mean of old and new velocity.
 void storeFreeBody(BodyIndex body, double dt, StepContext& context);
