@@ -52,7 +52,8 @@ double partUntilStopped(const Island& island, const StepContext& context, const 
   const BodyIndex body = island.bodies[0];
   const Vec3 start = context.free[body].startVelocity - run, solved = context.solved[body].velocity - run;
   const double speed = length(start), mass = context.bodies->mass[body].mass, h = island.dt;
-  if (!(speed > 0)) return 1;
+  // What spins in its place does not slide.
+  if (!(speed > kTrifle * length(context.free[body].startSpin) * context.bodies->mass[body].outerRadius)) return 1;
   const Vec3 back = start * (-1 / speed);
   const double late = 0.5 * context.bodies->data[body].steady.dt / h;
   const bool turnsBack = dot(solved + change.move * late, back) > 0;
