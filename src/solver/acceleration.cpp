@@ -8,8 +8,6 @@ namespace brickfall {
 
 namespace {
 
-//! - | too small: rounding is taken for a direction of its own | too large: changes that are alike are lost
-constexpr double kAlike = 1e-4;  // of a change's own curvature: share of it that must be left across the newer changes
 //! not of the method: bodies that are summed as floats before a double takes over
 constexpr std::size_t kRun = 64;
 
@@ -48,7 +46,8 @@ std::array<double, most> minimum(int count, const double (&matrix)[most][most], 
       pivot[j] -= lower[j][k] * s;
       right[j] -= lower[j][k] * right[k];
     }
-    if (!(pivot[j] > kAlike * matrix[j][j])) pivot[j] = 0;
+    // A trifle of the change is across the newer ones: it is alike. Its curvature is that of a square.
+    if (!(pivot[j] > kTrifle * kTrifle * matrix[j][j])) pivot[j] = 0;
   }
   std::array<double, most> out{};
   for (int j = count - 1; j >= 0; j--) {

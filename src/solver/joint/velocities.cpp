@@ -15,10 +15,6 @@ namespace {
 //! of a joint's inertia | too small: chains under a great load are braked
 //! | too large: links that an impulse turns far fly apart
 constexpr double kLight = 0.2;  // a lighter turn, by the impulse on its arm in a step, is rubbed against
-//! of force x radius | too small: swings lose what floats and residuals round | too large: joints may owe energy
-constexpr double kForcesRound = 1e-6;
-//! of the energy that moves | too small: as a small kForcesRound | too large: what flies apart gains energy
-constexpr double kMostOwed = 1e-6;
 
 class HeldVelocities : VelocitySystem {
  public:
@@ -51,7 +47,7 @@ class HeldVelocities : VelocitySystem {
       weights += body.mass * length(context_.gravity) * context_.bodies->mass[body.body].outerRadius;
     const double held = energy();
     // A snap would take it in each of its steps, and never return it.
-    const double owed = joints.steady() ? std::min(kForcesRound * gain.loads, kMostOwed * (held + weights)) : 0;
+    const double owed = joints.steady() ? kFloatsRound * std::min(gain.loads, held + weights) : 0;
     const double sum = gain.sum - wound, smooth = mostReturned();
     double before = 0;
     const double share = joints.held() / double(joints.size());
