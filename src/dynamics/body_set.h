@@ -59,6 +59,11 @@ struct SteadyChange {
                         // half of this change is to be taken back
 };
 
+//! x | too small: a motion that begins evenly is blows | too large: a jump after a smaller one is none
+constexpr double kUsualTimes = 2;  // the largest change of late, that the next one may be without being a jump
+//! of it, by step | too small: shakes are blows where they turn | too large: the second of two jumps is none
+constexpr double kUsualKept = 0.9;
+
 struct BodyData {
   bool alive = false;
   BodyType type = BodyType::dynamic;
@@ -78,7 +83,8 @@ struct BodyData {
   // the least, while it falls. Infinite: not watched yet (kinetic damping).
   double turnEnergy = -std::numeric_limits<double>::infinity();
   SteadyChange steady;
-  double impactLoss = 0;  // J: its part of what impacts that go on have taken so far; what rebounds may give back
+  double usualChange = 0;  // m/s, of something kinematic: the most that its speed changed in a step of late (speedJump)
+  double impactLoss = 0;   // J: its part of what impacts that go on have taken so far; what rebounds may give back
   std::uint64_t userData = 0;
   std::uint64_t order = 0;                  // grows with creation
   MassProperties bodyFrameMass;             // as asked for, whatever the type
@@ -114,6 +120,19 @@ class BodySet {
     const BodyMotion& m = motion[body];
     return data[body].type == BodyType::kinematic &&
            (lengthSquared(m.linearVelocity) > 0 || lengthSquared(m.angularVelocity) > 0);
+  }
+  // m/s: by which something kinematic, or its rim, goes otherwise than in the last step.
+  double speedChange(BodyIndex body) const {
+    const BodyMotion& m = motion[body];
+    const BodyData& d = data[body];
+    return length(m.linearVelocity - d.lastLinearVelocity) +
+           mass[body].outerRadius * length(m.angularVelocity - d.lastAngularVelocity);
+  }
+  // The share of that which is a jump, a blow to what hangs on it. It is an acceleration as far as its speed changed of
+  // late: what a program moves evenly changes from step to step, more or less.
+  double speedJump(BodyIndex body) const {
+    const double change = speedChange(body), usual = kUsualTimes * data[body].usualChange;
+    return change > usual ? 1 - usual / change : 0;
   }
   // m/s, world axes: of the body's surface against the body.
   Vec3 surfaceVelocity(BodyIndex body) const { return motion[body].orientation * data[body].surfaceVelocity; }

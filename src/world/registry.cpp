@@ -116,6 +116,7 @@ void Registry::setType(BodyIndex body, BodyType type) {
   if (type == BodyType::dynamic) bodies.data[body].surfaceVelocity = {};
   if (type == BodyType::fixed) bodies.motion[body].linearVelocity = bodies.motion[body].angularVelocity = {};
   if (type != BodyType::kinematic) {
+    bodies.data[body].usualChange = 0;
     bodies.data[body].lastLinearVelocity = bodies.motion[body].linearVelocity;
     bodies.data[body].lastAngularVelocity = bodies.motion[body].angularVelocity;
   }

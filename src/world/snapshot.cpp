@@ -18,7 +18,7 @@ namespace {
 
 //! not of the method: the file's
 constexpr std::uint64_t kMagic = 0x30504e5346424b42ull;
-constexpr std::uint32_t kLayout = 30;
+constexpr std::uint32_t kLayout = 31;
 
 struct Header {
   std::uint64_t magic = kMagic;
@@ -123,7 +123,7 @@ class SnapshotArchive {
     for (auto* flag : {&d.quarantined, &d.enabled, &d.allowSleep, &d.steady.swings}) a.flag(*flag);
     a.choice(d.locks, kAllLocks);
     for (auto* number : {&d.gravityScale, &d.linearDamping, &d.angularDamping, &d.dragArea, &d.turnEnergy, &d.steady.dt,
-                         &d.impactLoss})
+                         &d.usualChange, &d.impactLoss})
       a.value(*number);
     for (auto* vector : {&d.force, &d.torque, &d.lastLinearVelocity, &d.lastAngularVelocity, &d.linearAcceleration,
                          &d.angularAcceleration, &d.surfaceVelocity, &d.steady.linear, &d.steady.angular})

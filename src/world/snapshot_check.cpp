@@ -32,7 +32,8 @@ void checkBody(Checks& check, const BodyData& d, const BodyMotion& m) {
                       isFinite(d.angularAcceleration) && !std::isnan(d.turnEnergy),
                   "a body's forces or accelerations are not finite");
   check.condition(isNear(d.steady.linear, kFarthest) && isNear(d.steady.angular, kFarthest) && d.steady.dt >= 0 &&
-                      d.steady.dt <= 1 && d.impactLoss >= 0 && std::isfinite(d.impactLoss),
+                      d.steady.dt <= 1 && d.usualChange >= 0 && std::isfinite(d.usualChange) && d.impactLoss >= 0 &&
+                      std::isfinite(d.impactLoss),
                   "what a body remembers of its last step is out of range");
 }
 

@@ -1,5 +1,6 @@
 // New poses and velocities. A body that became non-finite is quarantined here: it stays where it was, out of all
 // contacts.
+#include <algorithm>
 #include <cmath>
 
 #include "solver/finish/motion.h"
@@ -29,6 +30,7 @@ struct Integration {
   void finishIsland(Island& island);
   void salvage(Island& island);
   void drive(BodyIndex body);
+  void rememberDriven(BodyIndex body);
   void rememberSpeed(BodyIndex body);
 };
 
@@ -100,7 +102,14 @@ void Integration::drive(BodyIndex body) {
   proximity.keepBounds(registry, body);
 }
 
-// What drives a body does so evenly: a change of its speed from step to step is an acceleration.
+// What stands has no motion that goes on.
+void Integration::rememberDriven(BodyIndex body) {
+  double& usual = bodies.data[body].usualChange;
+  const double kept = clock.lastPart ? kUsualKept * usual : usual;
+  usual = bodies.isDriven(body) ? std::max(kept, bodies.speedChange(body)) : 0;
+  rememberSpeed(body);
+}
+
 void Integration::rememberSpeed(BodyIndex body) {
   bodies.data[body].lastLinearVelocity = bodies.motion[body].linearVelocity;
   bodies.data[body].lastAngularVelocity = bodies.motion[body].angularVelocity;
@@ -113,8 +122,9 @@ void integrate(const Clock& clock, const StepContext& context, Registry& registr
   Integration all{clock, registry.bodies, registry, proximity, ties, context, quarantine};
   for (IslandPointer& island : activity.islands.awake) all.finishIsland(*island);
   for (BodyIndex body : activity.islands.single) all.finishBody(body);
-  for (const auto* list : {&activity.moving, &activity.unsettled})
-    for (BodyIndex body : *list) all.rememberSpeed(body);
+  for (BodyIndex body : activity.moving) all.rememberDriven(body);
+  for (BodyIndex body : activity.unsettled)
+    if (!registry.bodies.isDriven(body)) all.rememberDriven(body);
   activity.settleUnmoved(registry.bodies);
   for (BodyIndex body : activity.moving) all.drive(body);
   quarantine.isolateHeld();

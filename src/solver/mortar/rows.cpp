@@ -214,14 +214,17 @@ void MortarRows::writeStart(std::size_t k, const Mortar& m, const MortarPose& po
                             const BodySet& bodies) {
   const FaceRecord& r = records[k];
   MortarStart& start = starts[k];
-  // Of something kinematic those of its last step: what changes them is an acceleration, not a blow.
+  // Of something kinematic those of its last step, and what of their change is a blow.
   struct Velocities {
     Vec3 linear, angular;
   };
   auto lastOf = [&](std::uint32_t local, BodyIndex body) -> Velocities {
     const BodyMotion& motion = bodies.motion[body];
     if (local < island.bodies.size()) return {motion.linearVelocity, motion.angularVelocity};
-    return {bodies.data[body].lastLinearVelocity, bodies.data[body].lastAngularVelocity};
+    const BodyData& data = bodies.data[body];
+    const double jump = bodies.speedJump(body);
+    return {data.lastLinearVelocity + (motion.linearVelocity - data.lastLinearVelocity) * jump,
+            data.lastAngularVelocity + (motion.angularVelocity - data.lastAngularVelocity) * jump};
   };
   const Velocities a = lastOf(r.bodyA, m.bodyA), b = lastOf(r.bodyB, m.bodyB);
   auto turnOf = [&](std::uint32_t local, Vec3 spin) {
