@@ -32,6 +32,7 @@ template <class Rows, class Set, Set Ties::*kSet> struct LastingRows : TieRows<R
   double slidesFor(std::size_t, const EndChanges&, const EndChanges&, const StepContext&) const {
     return std::numeric_limits<double>::infinity();
   }
+  bool keepsForces(std::size_t, const EndChanges&, double, const StepContext&) const { return false; }
   bool wouldMeet(std::size_t, const EndChanges&, const EndChanges&, double) const { return false; }
   void addFriction(std::size_t, Vec3, bool, const StepContext&, FrictionAlong&) const {}
   void letGo(Ties&) const {}

@@ -70,6 +70,17 @@ bool ContactRows::slips(std::size_t k, const EndChanges& now, double dt, const S
   return any;
 }
 
+bool ContactRows::keepsForces(std::size_t k, const EndChanges& back, double dt, const StepContext& context) const {
+  const PointMemory& points = at(k, *context.ties).points;
+  double speeds[4];
+  speedsOf(records[k], starts[k].points, back, speeds);
+  for (int i = 0; i < starts[k].points; i++) {
+    const double force = points.forceN[i];
+    if (force > 0 && !(0.5 * dt * std::fabs(speeds[i]) * double(records[k].k[i]) <= force)) return false;
+  }
+  return true;
+}
+
 bool ContactRows::wouldMeet(std::size_t k, const EndChanges& nearer, const EndChanges& change, double dt) const {
   const ContactStart& start = starts[k];
   double nearing[4], changes[4];

@@ -78,6 +78,9 @@ struct ContactRows : FaceRows, TieRows<ContactRows, ContactSet, &Ties::contacts,
   double slidesFor(std::size_t k, const EndChanges& now, const EndChanges& change, const StepContext& context) const;
   // Every point that presses slides faster than what settles, if the bodies go at `now`.
   bool slips(std::size_t k, const EndChanges& now, double dt, const StepContext& context) const;
+  // Moved by `back` over half of the step, no point that presses goes further against its partner than its force has
+  // compressed it.
+  bool keepsForces(std::size_t k, const EndChanges& back, double dt, const StepContext& context) const;
   // At the end of the step an open point is nearer to its partner than `nearer`, over half of the step, would move the
   // two towards each other.
   bool wouldMeet(std::size_t k, const EndChanges& nearer, const EndChanges& change, double dt) const;

@@ -21,9 +21,8 @@ class ChunkTurns {
 
   // False if mortar joins all to what is fixed.
   bool findChunks();
-  void judgeContacts();
   void findChanges();
-  void judgeOpen();
+  void judgeRows();
   void correct();
   bool turns(std::uint32_t body) const {
     return body < count_ && chunkOf_[body] != kNoIndex && !stays_[chunkOf_[body]];
@@ -65,16 +64,6 @@ bool ChunkTurns::findChunks() {
   return false;
 }
 
-// A chunk at which a point that presses lands or leaves is not corrected.
-void ChunkTurns::judgeContacts() {
-  island_.rows.each([&]<class Kind>(const Kind& kind, std::size_t k) {
-    if (std::remove_cvref_t<Kind>::kYields) return;
-    const RowEnds ends = kind.ends(k);
-    if ((!turns(ends.a) && !turns(ends.b)) || !kind.carriesForce(k, context_)) return;
-    if (kind.courseOf(k, changesOf(ends, island_, context_), {island_.dt}, context_) == RowCourse::changes) stay(ends);
-  });
-}
-
 void ChunkTurns::findChanges() {
   const BodySet& bodies = *context_.bodies;
   std::pmr::vector<RigidSum> changes(count_, RigidSum(island_.origin), island_.memory), ways(changes);
@@ -98,12 +87,18 @@ void ChunkTurns::findChanges() {
   }
 }
 
-// A chunk that would be moved towards a body that one of its open points is about to meet is not corrected.
-void ChunkTurns::judgeOpen() {
-  island_.rows.each([&](const auto& kind, std::size_t k) {
+// A chunk is not corrected where that would press on what it touches as no force of the solve does, or leave it: what
+// begins anew in each step is work for the next. Nor towards a body that one of its open points is about to meet.
+void ChunkTurns::judgeRows() {
+  island_.rows.each([&]<class Kind>(const Kind& kind, std::size_t k) {
+    if (std::remove_cvref_t<Kind>::kYields) return;
     const RowEnds ends = kind.ends(k);
-    if ((!turns(ends.a) && !turns(ends.b)) || kind.carriesForce(k, context_)) return;
-    if (kind.wouldMeet(k, takenBack(ends), changesOf(ends, island_, context_), island_.dt)) stay(ends);
+    if (!turns(ends.a) && !turns(ends.b)) return;
+    const EndChanges back = takenBack(ends);
+    const bool keeps = kind.carriesForce(k, context_)
+                           ? kind.keepsForces(k, back, island_.dt, context_)
+                           : !kind.wouldMeet(k, back, changesOf(ends, island_, context_), island_.dt);
+    if (!keeps) stay(ends);
   });
 }
 
@@ -130,9 +125,8 @@ std::pmr::vector<char> finishChunks(const Island& island, StepContext& context) 
     return moved;
   ChunkTurns chunks(island, context);
   if (!chunks.findChunks()) return moved;
-  chunks.judgeContacts();
   chunks.findChanges();
-  chunks.judgeOpen();
+  chunks.judgeRows();
   chunks.correct();
   moved.resize(island.bodies.size());
   for (std::uint32_t i = 0; i < moved.size(); i++) moved[i] = chunks.turns(i);
