@@ -8,6 +8,7 @@
 #include "dynamics/point_matcher.h"
 #include "math/wide_pair.h"
 #include "solver/island.h"
+#include "solver/joint/arcs.h"
 #include "solver/joint/springs.h"
 #include "solver/numbering.h"
 #include "solver/union_find.h"
@@ -68,28 +69,6 @@ void addBending(SolveMass& mass, Vec3 arm, Vec3 force, double resist, double sig
   const Mat3 more = bending(arm, force, resist) * sign;
   for (int row = 0, at = 0; row < 3; row++)
     for (int column = 0; column <= row; column++, at++) mass.inertia[at] += float(more.row[row][column]);
-}
-
-// m: what a turn moves the end of an arm besides turn x arm.
-Vec3 arcOf(Vec3 turn, Vec3 arm) {
-  const double angle = length(turn);
-  if (!(angle > 1e-12)) return {};
-  double sine, cosine;
-  sinCos(angle, sine, cosine);
-  const Vec3 once = cross(turn, arm), twice = cross(turn, once);
-  return once * (sine / angle - 1) + twice * ((1 - cosine) / (angle * angle));
-}
-
-// m: what the ways of B in the frame of A gain by turns, besides the way of the point between both anchors.
-Vec3 arcOfSlide(Vec3 between, Vec3 turnA, Vec3 turnB, Vec3 way, Vec3 arc) {
-  const Vec3 end = between + way + cross(turnA + turnB, between) * 0.5 + arc;
-  return arcOf(-turnA, end) - cross(turnA, end) + end - between - way;
-}
-
-// m: what a way of one end of a line against the other makes it longer, besides the way along it.
-double arcOfLine(double span, Vec3 along, Vec3 way) {
-  const double far = dot(along, way), across = lengthSquared(way) - far * far, left = std::max(span + far, 0.1 * span);
-  return across > 0 ? across / (left + std::sqrt(left * left + across)) : 0;
 }
 
 struct Firmness {
@@ -347,9 +326,15 @@ Vec3 before(const Island& island, std::uint32_t local, Vec3 now, Vec3 FreeMotion
   return local < island.bodies.size() ? now - context.free[island.bodies[local]].*late : now;
 }
 
-void measureArm(JointStart& start, int end, const BodyMass& mass, Vec3 arm, double dt) {
-  start.swung[end] = float(mass.mass * lengthSquared(arm) / (dt * dt));
-  start.resist[end] = float((meanInertia(mass) + mass.mass * lengthSquared(arm)) / (dt * dt));
+void measureArm(JointStart& start, int end, const Island& island, std::uint32_t local, BodyIndex body,
+                const BodySet& bodies, Vec3 arm) {
+  const BodyMass& mass = bodies.mass[body];
+  const double dt2 = island.dt * island.dt;
+  start.swung[end] = float(mass.mass * lengthSquared(arm) / dt2);
+  start.resist[end] = float((meanInertia(mass) + mass.mass * lengthSquared(arm)) / dt2);
+  // What is fixed or kinematic turns as a whole.
+  const bool own = local < island.bodies.size();
+  start.symmetry[end] = own ? toFloat(bodies.motion[body].orientation * mass.symmetryAxis) : Vec3f{};
 }
 
 }  // namespace
@@ -376,8 +361,8 @@ void JointRows::prepare(Island& island, Ties& ties, const StepContext& context) 
     r.armB = toFloat(armB);
     start.anchorA = toFloat(pose.armA);
     start.anchorB = toFloat(pose.armB);
-    measureArm(start, 0, bodies.mass[joint.bodyA], pose.armA, island.dt);
-    measureArm(start, 1, bodies.mass[joint.bodyB], pose.armB, island.dt);
+    measureArm(start, 0, island, r.bodyA, joint.bodyA, bodies, pose.armA);
+    measureArm(start, 1, island, r.bodyB, joint.bodyB, bodies, pose.armB);
     start.bent = {};
     start.follows = start.hard = start.across = 0;
     const Vec3 speed = before(island, r.bodyB, b.linearVelocity, &FreeMotion::late, context) + cross(spinB, armB) -
@@ -473,11 +458,12 @@ bool JointRows::follow(std::size_t k, const SolveMotion* motion, float slack) {
 // m: what the arcs of turns and of a way add to the way of B against A. A line knows it along itself.
 Vec3f JointRows::arcAt(std::size_t k, Vec3 turnA, Vec3 turnB, Vec3 way) const {
   const JointStart& start = starts[k];
-  const Vec3 arc = arcOf(turnB, toDouble(start.anchorB)) - arcOf(turnA, toDouble(start.anchorA));
+  const ArmTurns turnsA = ArmTurns::of(turnA, start.symmetry[0]), turnsB = ArmTurns::of(turnB, start.symmetry[1]);
+  const Vec3 arc = turnsB.arc(toDouble(start.anchorB)) - turnsA.arc(toDouble(start.anchorA));
   if (start.arcs == JointArcs::points) return toFloat(arc);
   if (start.arcs == JointArcs::slide) {
     const Vec3 between = (toDouble(records[k].armA) - toDouble(start.anchorA)) * 2.0;
-    return toFloat(arcOfSlide(between, turnA, turnB, way, arc));
+    return toFloat(arcOfSlide(between, turnsA, turnA, turnB, way, arc));
   }
   const Vec3 along = toDouble(records[k].way.axes[0].unit);
   return toFloat(along * (dot(along, arc) + arcOfLine(std::max(double(start.span), kNoGap), along, way + arc)));

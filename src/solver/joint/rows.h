@@ -39,6 +39,7 @@ Mat3 bending(Vec3 arm, Vec3 force, double resist);
 // Facts of a joint at the start of a step that the record does not have.
 struct JointStart {
   Vec3f anchorA, anchorB;              // m, from the centres of mass: where forces turn with the bodies
+  Vec3f symmetry[2];                   // unit: axis about which each body turns first; 0: none
   Vec3f bent;                          // N, on B: the force whose geometric stiffness is in the masses
   Vec3f arc;                           // m: what the arcs of both anchors add to the way of B against A; in `trial`
   float resist[2] = {};                // N m: inertia of each body about its anchor / dt^2; 0: nothing moves it
