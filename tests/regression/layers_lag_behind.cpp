@@ -9,8 +9,6 @@ namespace {
 
 using namespace test;
 
-constexpr double kG = 9.81;
-
 // Three layers; the lowest, on smooth ground, is pulled from under the others.
 TEST(Regression, LayersThatArePulledApartGoAsFarAsTheyMust) {
   const double lower = 0.3, upper = 0.2, seconds = 0.5;  // friction between the layers
