@@ -18,6 +18,7 @@ template <class Rows, class Set, Set Ties::*kSet> struct LastingRows : TieRows<R
   // They do all of that while they tie.
   bool carriesForce(std::size_t k, const StepContext& context) const { return this->rows().ties(k, context); }
   bool sticks(std::size_t k, const StepContext& context) const { return this->rows().ties(k, context); }
+  double depth(std::size_t) const { return 0; }
   bool slips(std::size_t, const EndChanges&, double, const StepContext&) const { return false; }
   bool pins(std::size_t k, const StepContext& context) const { return this->rows().ties(k, context); }
   bool holds(std::size_t k, const StepContext& context) const { return this->rows().ties(k, context); }

@@ -71,6 +71,21 @@ class LastingGroups {
   std::pmr::vector<char> has_;
 };
 
+// m, of each body: how deep it begins the step in another.
+std::pmr::vector<double> depthsOf(std::size_t slots, const IslandSet& islands, std::pmr::memory_resource* memory) {
+  std::pmr::vector<double> out(slots, 0, memory);
+  for (const IslandPointer& island : islands.awake) {
+    if (island->resting()) continue;
+    island->rows.each([&](const auto& kind, std::size_t k) {
+      const double depth = kind.depth(k);
+      const RowEnds ends = kind.ends(k);
+      for (std::uint32_t end : {ends.a, ends.b})
+        if (end < island->bodies.size()) out[island->bodies[end]] = std::max(out[island->bodies[end]], depth);
+    });
+  }
+  return out;
+}
+
 struct Obstacles {
   const Registry& registry;
   const BodySet& bodies;
@@ -80,6 +95,7 @@ struct Obstacles {
   const IslandSet& islands;
   StepContext& context;
   LastingGroups joined;
+  std::pmr::vector<double> depths;
 
   bool changed = false, last = false;  // in this look along all ways; it is the last one
   bool stopped = false;                // in any look
@@ -175,7 +191,9 @@ void Obstacles::stop(BodyIndex body) {
   const SolvedMotion& s = context.solved[body];
   if (s.rest || !isFinite(s.d)) return;
   double turn = length(visibleTurn(bodies.mass[body], bodies.motion[body].orientation, s.th));
-  double thickness = bodies.mass[body].innerRadius * (turn < kLargestTurn && s.went == 1 ? 1 : 0.5);
+  // What begins the step in something goes less far until it comes out on its other side.
+  const double whole = bodies.mass[body].innerRadius * (turn < kLargestTurn && s.went == 1 ? 1 : 0.5);
+  const double thickness = std::max(0.0, whole - depths[body]);
   // What it was left behind by its turn, and kinematic bodies, may run over it, however slow it is itself.
   bool everything = s.went < 1 || turnsFar(bodies, body, s.th);
   if (everything || !activity.moving.empty() || exceeds(s.d, thickness)) hold(body, everything, thickness);
@@ -385,10 +403,15 @@ void Obstacles::obstruct(ShapeIndex shape, bool everything, double thickness, Ob
 
 void stopAtObstacles(const Registry& registry, const Activity& activity, const Proximity& proximity,
                      StepContext& context, bool again) {
-  Obstacles{registry,        registry.bodies,
-            registry.shapes, proximity,
-            activity,        activity.islands,
-            context,         LastingGroups(registry.bodies.motion.size(), activity.islands, context.memory)}
+  Obstacles{registry,
+            registry.bodies,
+            registry.shapes,
+            proximity,
+            activity,
+            activity.islands,
+            context,
+            LastingGroups(registry.bodies.motion.size(), activity.islands, context.memory),
+            depthsOf(registry.bodies.motion.size(), activity.islands, context.memory)}
       .stopAll(again);
 }
 

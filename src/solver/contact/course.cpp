@@ -81,6 +81,12 @@ bool ContactRows::keepsForces(std::size_t k, const EndChanges& back, double dt, 
   return true;
 }
 
+double ContactRows::depth(std::size_t k) const {
+  float deepest = 0;
+  for (int i = 0; i < starts[k].points; i++) deepest = std::max(deepest, -starts[k].gap[i]);
+  return deepest;
+}
+
 bool ContactRows::wouldMeet(std::size_t k, const EndChanges& nearer, const EndChanges& change, double dt) const {
   const ContactStart& start = starts[k];
   double nearing[4], changes[4];

@@ -81,6 +81,8 @@ struct ContactRows : FaceRows, TieRows<ContactRows, ContactSet, &Ties::contacts,
   // Moved by `back` over half of the step, no point that presses goes further against its partner than its force has
   // compressed it.
   bool keepsForces(std::size_t k, const EndChanges& back, double dt, const StepContext& context) const;
+  // m: how deep a point begins the step in its partner.
+  double depth(std::size_t k) const;
   // At the end of the step an open point is nearer to its partner than `nearer`, over half of the step, would move the
   // two towards each other.
   bool wouldMeet(std::size_t k, const EndChanges& nearer, const EndChanges& change, double dt) const;
