@@ -43,12 +43,20 @@ template <class Impl> void finishStep(Impl& w, Stage from = Stage::store) {
   w.endPart();
 }
 
-// What the end of the step has of momenta, as a motion.
-std::vector<Motion> keptBy(const Island& island, const Problem& problem, const StepContext& context) {
+std::vector<Vec3> freeSpins(const Island& island, const StepContext& context) {
+  std::vector<Vec3> out;
+  for (BodyIndex body : island.bodies) out.push_back(context.free[body].angularMomentum);
+  return out;
+}
+
+// What the end of the step has of momenta, as a motion. `spins`: angular momenta of free motion, as the solve had them; what
+// turns far in flight has that of its end when it is done.
+std::vector<Motion> keptBy(const Island& island, const Problem& problem, const std::vector<Vec3>& spins,
+                           const StepContext& context) {
   std::vector<Motion> out;
   for (std::size_t i = 0; i < island.bodies.size(); i++) {
     const SolvedMotion& s = context.solved[island.bodies[i]];
-    const Vec3 given = s.angularMomentum - context.free[island.bodies[i]].angularMomentum;
+    const Vec3 given = s.angularMomentum - spins[i];
     const ProblemBody& b = problem.bodies[i];
     out.push_back({s.velocity * problem.dt, b.thFree + b.invInertia * given * problem.dt});
   }
@@ -99,9 +107,12 @@ std::uint64_t probeStep(const World& world, double dt, const std::function<void(
     found.residualRms = statistics.residualRms;
     found.solveVisits = statistics.solveSides;
   }
+  std::vector<std::vector<Vec3>> spins;
+  for (auto& [island, found] : all) spins.push_back(freeSpins(*island, w.solve.context));
   w.runStages(Stage::store, Stage::obstacles);
-  for (auto& [island, found] : all) {
-    found.kept = keptBy(*island, found.problem, w.solve.context);
+  for (std::size_t i = 0; i < all.size(); i++) {
+    auto& [island, found] = all[i];
+    found.kept = keptBy(*island, found.problem, spins[i], w.solve.context);
     if (island->dt >= kShortest * dt) look(found);
   }
   finishStep(w, Stage::obstacles);
