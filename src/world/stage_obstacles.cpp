@@ -78,6 +78,7 @@ std::pmr::vector<double> depthsOf(std::size_t slots, const IslandSet& islands, s
     if (island->resting()) continue;
     island->rows.each([&](const auto& kind, std::size_t k) {
       const double depth = kind.depth(k);
+      if (!(depth > 0)) return;
       const RowEnds ends = kind.ends(k);
       for (std::uint32_t end : {ends.a, ends.b})
         if (end < island->bodies.size()) out[island->bodies[end]] = std::max(out[island->bodies[end]], depth);

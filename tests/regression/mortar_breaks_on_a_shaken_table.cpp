@@ -21,17 +21,29 @@ MortarId glue(World& world, BodyId a, BodyId b, const MortarStrength& strength) 
   return world.createMortar(def).value();
 }
 
-// A flat block on a table that shakes by so much of what shears it off.
-bool shakenOff(double share, double energy, double dt) {
+// A flat block of 64 kg glued to a table.
+struct OnATable {
   World world = makeWorld();
-  const BodyId table = add(world, bodyOf(boxOf({2, 0.1, 2}), {0, -0.1, 0}, BodyType::kinematic)),
-               block = add(world, bodyOf(boxOf({0.2, 0.025, 0.2}, 8000), {0, 0.025, 0}));
+  BodyId table, block;
   MortarStrength strength;
-  strength.tension = 20e3;
-  strength.cohesion = 30e3;
-  strength.tensionEnergy *= energy;
-  strength.shearEnergy *= energy;
-  const MortarId mortar = glue(world, table, block, strength);
+  MortarId mortar;
+};
+
+OnATable blockAt(double x, double energy) {
+  OnATable t;
+  t.table = add(t.world, bodyOf(boxOf({2, 0.1, 2}), {0, -0.1, 0}, BodyType::kinematic));
+  t.block = add(t.world, bodyOf(boxOf({0.2, 0.025, 0.2}, 8000), {x, 0.025, 0}));
+  t.strength.tension = 20e3;
+  t.strength.cohesion = 30e3;
+  t.strength.tensionEnergy *= energy;
+  t.strength.shearEnergy *= energy;
+  t.mortar = glue(t.world, t.table, t.block, t.strength);
+  return t;
+}
+
+// On a table that shakes by so much of what shears it off.
+bool shakenOff(double share, double energy, double dt) {
+  auto [world, table, block, strength, mortar] = blockAt(0, energy);
   const double mass = world.state(block)->mass;
   Shake sine;
   sine.amplitude = share * (strength.cohesion * 0.16 / mass + strength.friction * kG);
@@ -75,27 +87,22 @@ struct Jump {
 
 // A block on a table that goes off at once, or, having done so once at half of that speed, does so again.
 bool jumpedOff(const Jump& jump, double dt) {
-  World world = makeWorld();
-  const BodyId table = add(world, bodyOf(boxOf({2, 0.1, 2}), {0, -0.1, 0}, BodyType::kinematic)),
-               block = add(world, bodyOf(boxOf({0.2, 0.025, 0.2}, 8000), {1, 0.025, 0}));
-  MortarStrength strength;
-  strength.tension = 20e3;
-  strength.cohesion = 30e3;
-  const MortarId mortar = glue(world, table, block, strength);
-  const double speed = jump.share * std::sqrt(2 * strength.shearEnergy * 0.16 / world.state(block)->mass);
+  OnATable t = blockAt(1, 1);
+  const double speed = jump.share * std::sqrt(2 * t.strength.shearEnergy * 0.16 / t.world.state(t.block)->mass);
   auto go = [&](double v) {
-    EXPECT_TRUE(
-        (jump.turns ? world.setAngularVelocity(table, {0, v, 0}) : world.setLinearVelocity(table, {v, 0, 0})).ok());
-    run(world, 1, dt);
+    const Status told =
+        jump.turns ? t.world.setAngularVelocity(t.table, {0, v, 0}) : t.world.setLinearVelocity(t.table, {v, 0, 0});
+    EXPECT_TRUE(told.ok());
+    run(t.world, 1, dt);
   };
-  run(world, 0.5, dt);
+  run(t.world, 0.5, dt);
   if (jump.again) {
     go(0.5 * speed);
     go(0);
   }
-  EXPECT_FALSE(world.state(mortar)->broken) << dt;
+  EXPECT_FALSE(t.world.state(t.mortar)->broken) << dt;
   go(speed);
-  return world.state(mortar)->broken;
+  return t.world.state(t.mortar)->broken;
 }
 
 TEST(Regression, MortarHoldsOnATableThatGoesOffAtOnce) {
