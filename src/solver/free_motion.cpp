@@ -33,8 +33,12 @@ void limitTurn(FreeMotion& free, const BodyMass& mass, const BodyMotion& m, Vec3
     return;
   }
   Vec3 turn = spin * dt;
-  Vec3 visible = visibleTurn(mass, m.orientation, turn);
+  Vec3 visible = free.asOne ? turn : visibleTurn(mass, m.orientation, turn);
   double size = length(visible);
+  if (free.held && size > kLargestTurn) {
+    free.th = rotationVector(normalized(free.rotation * conjugate(m.rotation)));
+    return;
+  }
   free.turnsFaster = size > kLargestTurn;
   free.seen = free.turnsFaster ? kLargestTurn / size : 1;
   free.th = turn - visible + visible * free.seen;

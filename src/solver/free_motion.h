@@ -8,8 +8,9 @@ namespace brickfall {
 
 // Over `dt` s: applies damping and drag to the bodies' velocities and predicts their free motion under the step's
 // forces, with the exact turn. For bodies with contacts the solve sees at most kLargestTurn of the turn, since arms are
-// frozen during a step; their momentum stays. A torque is not cut: ties bear all of it. Each body's result is
-// its own, whatever the others in the list. What `swings` starts late (joint/swings.h).
+// frozen during a step; their momentum stays. A torque is not cut: ties bear all of it. Nor is the turn of what is held
+// (FreeMotion::held). Each body's result is its own, whatever the others in the list. What `swings` starts late
+// (joint/swings.h).
 void predictFreeMotions(StepContext& context, BodySet& bodies, std::span<const BodyIndex> list, double dt,
                         bool hasContacts, bool swings = false);
 inline void predictFreeMotion(StepContext& context, BodySet& bodies, BodyIndex body, double dt, bool hasContacts) {

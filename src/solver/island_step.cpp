@@ -30,6 +30,25 @@ void finishMotion(Island& island, Ties& ties, StepContext& context) {
   if (island.plan.endVelocities) finishSwings(island, ties, context);
 }
 
+// Arms of joints know their arcs, as those of mortar in flight do. Of a part of a turn the rest would be added after
+// the solve, and tear them.
+void findHeld(const Island& island, const Ties& ties, StepContext& context) {
+  for (BodyIndex body : island.bodies) context.free[body].held = context.free[body].asOne = false;
+  island.rows.eachKind([&]<class Kind>(const Kind& kind) {
+    if (!Kind::kFirm) return;
+    const bool knowsArcs = Kind::kLasts ? island.plan.endVelocities : !island.grounded();
+    for (std::size_t k = 0; k < kind.size(); k++) {
+      const RowEnds ends = kind.ends(k);
+      for (std::uint32_t i : {ends.a, ends.b}) {
+        if (i >= island.bodies.size()) continue;
+        FreeMotion& free = context.free[island.bodies[i]];
+        free.held = free.held || knowsArcs;
+        free.asOne = free.asOne || kind.turnsAsOne(k, ties);
+      }
+    }
+  });
+}
+
 }  // namespace
 
 void prepareIsland(Island& island, Ties& ties, BodySet& bodies, StepContext& context) {
@@ -46,9 +65,9 @@ void prepareIsland(Island& island, Ties& ties, BodySet& bodies, StepContext& con
   island.plan = planFor(island.facts, context.settings, island.dt);
   if (last) dampSlowIsland(island, context, bodies);
   if (island.plan.endVelocities) beginSwings(island, context, bodies);
+  findHeld(island, ties, context);
   predictFreeMotions(context, bodies, island.bodies, island.dt, island.part != IslandPart::flight,
                      island.plan.endVelocities && island.part != IslandPart::flight);
-  if (island.plan.endVelocities) seeWholeTurns(island, context);
   prepareBodies(island, context);
   prepareRows(island, ties, context);
   if (island.toImpact()) island.rows.eachKind([&](auto& kind) { kind.leaveOut(ties, context); });

@@ -91,6 +91,8 @@ struct FreeMotion {
   double turnTime = 0;            // s, of the turn: less than dt if the body was stopped
   bool turnsFaster = false;       // the body turns further than th shows
   double seen = 1;                // ... which is so much of the turn
+  bool held = false;              // joints hold it, or mortar in flight: they see all of its turn
+  bool asOne = false;             // one of its ties leaves it no axis to turn about by itself
   Vec3 angularMomentum;           // kg m2/s, at the end
   Vec3 startVelocity, startSpin;  // before forces
   Vec3 struckSpin;                // rad/s: of startSpin what a blow of this step gave to a body with contacts (blows.h)

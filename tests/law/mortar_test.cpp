@@ -139,6 +139,111 @@ TEST(Law, Row31fAChunkThatSpinsIsRigid) {
   }
 }
 
+// Four bodies in a row, of which every second may be a drum, or all, across each other. As firm as mortar may be: at a
+// wall's stiffness they stretch by microns as they spin.
+struct SpunRow {
+  enum Kind { boxes, drumsAndBoxes, drumsAcross };
+
+  SpunRow(Kind kind, bool mortared, double speed) {
+    double mass = 0;
+    for (int i = 0; i < 4; i++) {
+      ShapeDef shape = boxOf({0.1, 0.1, 0.1}, 2000);
+      if (kind == drumsAcross || (kind == drumsAndBoxes && i % 2 == 1)) {
+        shape.type = ShapeType::cylinder;
+        shape.radius = shape.halfHeight = 0.1;
+      }
+      BodyDef def = bodyOf(shape, {i == 3 ? 0.05 : 0.0, 0.2 * i, 0});
+      if (kind == drumsAcross && i % 2 == 1) def.rotation = quatFromRotationVector({kPi / 2, 0, 0});
+      bodies.push_back(add(world, def));
+      start.push_back(*world.state(bodies[i]));
+      centre += start[i].position * start[i].mass;
+      mass += start[i].mass;
+    }
+    centre *= 1 / mass;
+    for (int i = 0; i < 3; i++) mortared ? glue(i) : fix(i);
+    const Vec3 spin = normalized(Vec3{0.3, 0.8, 0.5}) * speed;
+    for (int i = 0; i < 4; i++) {
+      EXPECT_TRUE(world.setAngularVelocity(bodies[i], spin).ok());
+      EXPECT_TRUE(world.setLinearVelocity(bodies[i], cross(spin, start[i].position - centre)).ok());
+    }
+  }
+  void glue(int i) {
+    MortarDef mortar;
+    mortar.bodyA = bodies[i];
+    mortar.bodyB = bodies[i + 1];
+    mortar.strength = {.tension = 1e8,
+                       .cohesion = 2e8,
+                       .tensionEnergy = 1e6,
+                       .shearEnergy = 1e6,
+                       .compression = 1e10,
+                       .crushingEnergy = 1e6,
+                       .stiffness = 1e13};
+    for (int k = 0; k < 12; k++)
+      mortar.outline.push_back(
+          {0.025 * (i == 2) + 0.07 * std::cos(k * kPi / 6), 0.2 * i + 0.1, -0.07 * std::sin(k * kPi / 6)});
+    EXPECT_TRUE(world.createMortar(mortar).ok());
+  }
+  void fix(int i) {
+    JointDef joint;
+    joint.type = JointType::fixed;
+    joint.bodyA = bodies[i];
+    joint.bodyB = bodies[i + 1];
+    joint.anchor = (start[i].position + start[i + 1].position) * 0.5;
+    EXPECT_TRUE(world.createJoint(joint).ok());
+  }
+  // How far any body is from where the first one would have it: of the row's length, and rad.
+  std::pair<double, double> strain() const {
+    std::pair<double, double> out{0, 0};
+    const Quat first = world.state(bodies[0])->rotation * conjugate(start[0].rotation);
+    const Vec3 at = world.state(bodies[0])->position;
+    for (int i = 1; i < 4; i++) {
+      const BodyState now = *world.state(bodies[i]);
+      const Vec3 arm = start[i].position - start[0].position;
+      out.first = std::max(out.first, length(now.position - at - rotate(first, arm)) / 0.6);
+      const Quat turned = conjugate(first) * now.rotation * conjugate(start[i].rotation);
+      out.second = std::max(out.second, length(rotationVector(normalized(turned))));
+    }
+    return out;
+  }
+
+  World world = emptySpace();
+  std::vector<BodyId> bodies;
+  std::vector<BodyState> start;
+  Vec3 centre;
+};
+
+// What holds them is all that tells how bodies turn that are held, whatever they look like.
+TEST(Law, Row31fHeldBodiesTurnAsOne) {
+  struct Case {
+    bool mortared;
+    double speed, dt;
+    double turn;  // rad: strain at 60 rad/s
+  };
+  const Case cases[] = {
+      {true, 15, 1.0 / 30, 1e-6}, {true, 60, 1.0 / 60, 2e-6}, {true, 15, 1.0 / 240, 1e-6}, {false, 2, 1.0 / 60, 1e-6}};
+  const std::string names[] = {"boxes", "drums and boxes", "drums across each other"};
+  for (const Case& c : cases)
+    for (SpunRow::Kind kind : {SpunRow::boxes, SpunRow::drumsAndBoxes, SpunRow::drumsAcross}) {
+      SpunRow row(kind, c.mortared, c.speed);
+      const double energy = row.world.energy().kinetic;
+      const Vec3 momentum = row.world.angularMomentum();
+      double apart = 0, turned = 0;
+      for (int i = 0; i < int(std::lround(2 / c.dt)); i++) {
+        ASSERT_TRUE(row.world.step(c.dt).ok());
+        const auto [far, turn] = row.strain();
+        apart = std::max(apart, far);
+        turned = std::max(turned, turn);
+      }
+      const std::string name =
+          names[kind] + label(c.mortared ? " in mortar, %g rad/s" : " on fixed joints, %g rad/s", c.speed);
+      atMost(name + ": out of shape", c.dt, apart, 1e-6, "");
+      atMost(name + ": turned apart", c.dt, turned, c.turn, "rad");
+      atMost(name + ": change of energy", c.dt, std::fabs(row.world.energy().kinetic / energy - 1), 1e-5, "");
+      atMost(name + ": change of angular momentum", c.dt,
+             length(row.world.angularMomentum() - momentum) / length(momentum), 1e-9, "");
+    }
+}
+
 // A wall starts without a shock, rests and sleeps; a hit below its strength leaves it where it was.
 TEST(Law, Row31gAMortaredWallStandsAndComesBack) {
   Glued g;

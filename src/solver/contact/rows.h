@@ -63,6 +63,8 @@ struct ContactRows : FaceRows, TieRows<ContactRows, ContactSet, &Ties::contacts,
   // How firmly the contact ties its two bodies: more than 0.
   float strength(std::size_t k, const StepContext& context) const;
   bool ties(std::size_t k, const StepContext& context) const { return carriesForce(k, context); }
+  // Neither of its bodies can turn about any axis of its own against the other.
+  bool turnsAsOne(std::size_t, const Ties&) const { return false; }
   bool carriesForce(std::size_t k, const StepContext& context) const { return at(k, *context.ties).touching; }
   // The contact carries force, and at one point at least it sticks.
   bool sticks(std::size_t k, const StepContext& context) const {

@@ -327,13 +327,14 @@ Vec3 before(const Island& island, std::uint32_t local, Vec3 now, Vec3 FreeMotion
 }
 
 void measureArm(JointStart& start, int end, const Island& island, std::uint32_t local, BodyIndex body,
-                const BodySet& bodies, Vec3 arm) {
+                const StepContext& context, Vec3 arm) {
+  const BodySet& bodies = *context.bodies;
   const BodyMass& mass = bodies.mass[body];
   const double dt2 = island.dt * island.dt;
   start.swung[end] = float(mass.mass * lengthSquared(arm) / dt2);
   start.resist[end] = float((meanInertia(mass) + mass.mass * lengthSquared(arm)) / dt2);
   // What is fixed or kinematic turns as a whole.
-  const bool own = local < island.bodies.size();
+  const bool own = local < island.bodies.size() && !context.free[body].asOne;
   start.symmetry[end] = own ? toFloat(bodies.motion[body].orientation * mass.symmetryAxis) : Vec3f{};
 }
 
@@ -361,8 +362,8 @@ void JointRows::prepare(Island& island, Ties& ties, const StepContext& context) 
     r.armB = toFloat(armB);
     start.anchorA = toFloat(pose.armA);
     start.anchorB = toFloat(pose.armB);
-    measureArm(start, 0, island, r.bodyA, joint.bodyA, bodies, pose.armA);
-    measureArm(start, 1, island, r.bodyB, joint.bodyB, bodies, pose.armB);
+    measureArm(start, 0, island, r.bodyA, joint.bodyA, context, pose.armA);
+    measureArm(start, 1, island, r.bodyB, joint.bodyB, context, pose.armB);
     start.bent = {};
     start.follows = start.hard = start.across = 0;
     const Vec3 speed = before(island, r.bodyB, b.linearVelocity, &FreeMotion::late, context) + cross(spinB, armB) -

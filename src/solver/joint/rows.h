@@ -83,6 +83,10 @@ struct JointRows : LastingRows<JointRows, JointSet, &Ties::joints> {
     const Joint& joint = at(k, *context.ties);
     return joint.type != JointType::rope || joint.way[0] != 0;
   }
+  bool turnsAsOne(std::size_t k, const Ties& ties) const {
+    const JointType type = at(k, ties).type;
+    return type == JointType::fixed || type == JointType::prismatic;
+  }
   RowGrip grip(std::size_t k, const StepContext& context) const;
   Vec3 normal(std::size_t k) const { return toDouble(records[k].way.axes[0].unit); }
 

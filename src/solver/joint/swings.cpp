@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "solver/finish/motion.h"
 #include "solver/joint/springs.h"
@@ -328,18 +327,6 @@ void beginSwings(const Island& island, const StepContext& context, BodySet& bodi
     steady = outsideChange(bodies, island.bodies[i], context.gravity);
   }
   addSpringsBefore(island, context, begins, bodies);
-}
-
-void seeWholeTurns(const Island& island, StepContext& context) {
-  for (const JointRecord& r : island.rows.joints.records)
-    for (std::uint32_t local : {r.bodyA, r.bodyB}) {
-      if (local >= island.bodies.size()) continue;
-      const BodyIndex body = island.bodies[local];
-      FreeMotion& free = context.free[body];
-      if (!std::exchange(free.turnsFaster, false)) continue;
-      free.seen = 1;
-      free.th = rotationVector(normalized(free.rotation * conjugate(context.bodies->motion[body].rotation)));
-    }
 }
 
 void finishSwings(Island& island, Ties& ties, StepContext& context) { Swings(island, context).run(ties); }

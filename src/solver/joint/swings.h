@@ -19,10 +19,6 @@ namespace brickfall {
 // swing by outside forces alone.
 void beginSwings(const Island& island, const StepContext& context, BodySet& bodies);
 
-// What joints hold turns as far as it would, for joints know the arcs of their arms. Of a part of a turn the rest would
-// be added after the solve, and tear them.
-void seeWholeTurns(const Island& island, StepContext& context);
-
 // After the motion is stored and finished.
 void finishSwings(Island& island, Ties& ties, StepContext& context);
 
