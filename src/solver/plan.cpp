@@ -121,8 +121,9 @@ SolvePlan planFor(const IslandFacts& facts, const SolverSettings& settings, doub
   plan.swings = plan.holds && facts.joints == facts.ties && !facts.partnersMove;
   plan.exactSteps = row.exactSteps;
   plan.direct = row.direct;
+  plan.calm = calm;
   plan.calmStiffening = calm ? double(row.calmStiffening) : 1;
-  plan.leastMass = row.direct && facts.grounded ? kTrifle * facts.heaviest : 0;
+  plan.leastMass = row.direct ? kTrifle * facts.heaviest : 0;
   plan.large = row.large;
   plan.startsFree = !facts.grounded || !(row.large || facts.mortared);
   plan.goesOn = row.large && facts.pressed && !facts.pinned && !plan.slow;

@@ -73,6 +73,7 @@ struct SolvePlan {
   bool goesOn = false;         // large, not slow, supported by what rolls or slides alone: it goes on as it did
   bool softDebris = false;     // contacts of moving bodies in it have impactStiffness
   double calmStiffening = 1;   // x restingStiffness
+  bool calm = false;           // supported, and nothing is faster than what settles
   double leastMass = 0;        // kg: contacts that bear a load are as firm as between bodies of this effective mass
   double tolerance = 0;        // weights: residual under which a body is left alone
   int minCycles = 0, maxCycles = 0;

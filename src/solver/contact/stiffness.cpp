@@ -50,7 +50,10 @@ PairStiffness stiffnessOf(const Contact& pair, bool debris, const Island& island
   const Scale scale = scaleOfPair(pair, context);
   const double perDt2 = 1 / (island.dt * island.dt), stretch = context.stretch;
   const double share = plan.large ? firmShare(settings, island.dt, stretch * context.part, scale) : stretch * stretch;
-  const double unit = pair.effectiveMass * perDt2, firm = std::max(double(pair.effectiveMass), plan.leastMass) * perDt2;
+  // Firmer springs would multiply what floats round in the way of a body to more than its own speed.
+  const double most = plan.calm ? plan.leastMass : pair.effectiveMass / (kFloatsRound * settings.restingStiffness);
+  const double unit = pair.effectiveMass * perDt2;
+  const double firm = std::max(double(pair.effectiveMass), std::min(plan.leastMass, most)) * perDt2;
   const double full =
       debris ? settings.impactStiffness * unit : settings.restingStiffness * (plan.calmStiffening * share) * firm;
   const BodySet& bodies = *context.bodies;
