@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "solver/body_newton.h"
+#include "solver/joint/round.h"
 #include "solver/joint/swings.h"
 #include "solver/light_pass.h"
 #include "solver/renewals.h"
@@ -66,6 +67,7 @@ class Newton {
     if (how.boundsFollow && !island_.facts.jointsAlone()) readForces(true);
     return true;
   }
+  bool limits() const { return limits_; }
   // Of joints alone, what was frozen changes forces, and stiffness next to nothing: but which bounds are reached.
   bool stiffnessStays() const { return island_.facts.jointsAlone() && !hasBounds(island_); }
 
@@ -84,14 +86,23 @@ class Newton {
   // changed.
   bool settleBounds() {
     bool any = false;
-    island_.rows.each([&](auto& kind, std::size_t k) {
-      any = (kind.boundsFollow(k) && kind.renewBounds(k, island_.motion.data(), float(kTrifle), true)) || any;
-    });
+    island_.rows.each([&](auto& kind, std::size_t k) { any = settle(kind, k) || any; });
     if (any) readForces(false);
     return any;
   }
+  // The motion, and what joints keep frozen, are those of an earlier round.
+  void goOnFrom(const JointRound& round) {
+    round.restore(island_);
+    island_.rows.each([&]<class Kind>(Kind& kind, std::size_t k) {
+      if constexpr (!Kind::kLasts) settle(kind, k);
+    });
+    readForces(false);
+  }
 
  private:
+  template <class Kind> bool settle(Kind& kind, std::size_t k) {
+    return kind.boundsFollow(k) && kind.renewBounds(k, island_.motion.data(), float(kTrifle), true);
+  }
   void readForces(bool boundsFollow) { lightPass(island_, boundsFollow, statistics_.lightVisits); }
 
   bool findStep(bool tight, bool secants) {
@@ -156,14 +167,12 @@ bool turnsFar(const Island& island) {
                      [](const SolveMotion& m) { return length(m.th) > float(kTrifle); });
 }
 
-}  // namespace
-
-void solveDirectly(Island& island, const StepContext& context, double tolerance, SolveStatistics& statistics) {
-  const bool limits = island.plan.endVelocities && hasBounds(island);
+// Offers each round from the third on to `nearest`.
+void solveInRounds(Island& island, const StepContext& context, double tolerance, Newton& newton, JointRound& nearest,
+                   SolveStatistics& statistics) {
   // Where limits and ropes are reached a round takes many steps, which the next would undo. Beside contacts steps run
   // out: so the next begins before the last one is solved to its end.
-  const bool early = limits && !island.facts.jointsAlone();
-  Newton newton(island, limits, statistics);
+  const bool early = newton.limits() && !island.facts.jointsAlone();
   Stall stall;
   // Where a row of limits is hit, each of them moves the others; what turns far has another arc in each round. Beside
   // contacts a solve in the midst of which steps run out is worse than one round less.
@@ -185,6 +194,8 @@ void solveDirectly(Island& island, const StepContext& context, double tolerance,
     const double enough = !stuck ? 1 : stalled < 2 * kStalledSteps ? 10 : 100;
     const bool done = worst < enough * tolerance;
     if (std::exchange(begins, false)) nearEnough = early ? kEarlyEnd * worst : 0;
+    const bool joints = island.facts.jointed;
+    if (done && joints && boundSolves + 1 >= kBoundRounds && !nearest.offer(island)) return;
     if (done || worst < nearEnough) {
       if (mayFollow(boundSolves, k) && newton.settleBounds()) {
         boundSolves++;
@@ -198,12 +209,20 @@ void solveDirectly(Island& island, const StepContext& context, double tolerance,
       }
     }
     // Rounds of joints' multipliers need the end of a solve, which secants near too slowly: their searches go nearer.
-    const bool joints = island.facts.jointed;
     const double share = stuck && joints ? kEnoughStalled : double(kFarFromMinimum);
     if (!newton.step({share, k < kMostRenewals, tight, again, stuck && !joints})) return;
     tight = again = false;
     statistics.cycles++;
   }
+}
+
+}  // namespace
+
+void solveDirectly(Island& island, const StepContext& context, double tolerance, SolveStatistics& statistics) {
+  Newton newton(island, island.plan.endVelocities && hasBounds(island), statistics);
+  JointRound nearest(island.memory);
+  solveInRounds(island, context, tolerance, newton, nearest, statistics);
+  if (nearest.isLeft(island)) newton.goOnFrom(nearest);
 }
 
 }  // namespace brickfall

@@ -110,5 +110,10 @@ inline Stiffness stiffnessAt(const JointRecord& r, const SolveMotion* motion) {
   return s;
 }
 
+// Adds an arc to the ways of all equations, a limit beside a motor as well.
+inline void takeArc(Vec3f arc, JointEquations& way) {
+  for (int i = 0; i < kJointLanes; i++) way.trial[i] -= way.k[i] * dot(way.axes[i % 3].unit, arc);
+}
+
 }  // namespace joint
 }  // namespace brickfall

@@ -316,11 +316,6 @@ void brake(const JointStart& start, Vec3 spin, double dt, JointEquations& turn) 
     }
 }
 
-// Adds an arc to the ways of all equations, a limit beside a motor as well.
-void takeArc(Vec3f arc, JointEquations& way) {
-  for (int i = 0; i < kJointLanes; i++) way.trial[i] -= way.k[i] * dot(way.axes[i % 3].unit, arc);
-}
-
 // Velocities of the last step's way: those of now are up to date where a body swings.
 Vec3 before(const Island& island, std::uint32_t local, Vec3 now, Vec3 FreeMotion::*late, const StepContext& context) {
   return local < island.bodies.size() ? now - context.free[island.bodies[local]].*late : now;
@@ -417,7 +412,7 @@ void JointRows::prepare(Island& island, Ties& ties, const StepContext& context) 
       r.way.trial[0] -= float(knownOf(joint, inert)) *
                         dot(r.way.axes[0].unit, arcAt(k, spinA * -island.dt, spinB * -island.dt, speed * -island.dt));
     start.arc = arcAt(k, spinA * island.dt, spinB * island.dt, speed * island.dt);
-    takeArc(start.arc, r.way);
+    joint::takeArc(start.arc, r.way);
   }
 }
 
@@ -470,21 +465,25 @@ Vec3f JointRows::arcAt(std::size_t k, Vec3 turnA, Vec3 turnB, Vec3 way) const {
   return toFloat(along * (dot(along, arc) + arcOfLine(std::max(double(start.span), kNoGap), along, way + arc)));
 }
 
+Vec3f JointRows::arcNow(std::size_t k, const SolveMotion* motion) const {
+  const JointRecord& r = records[k];
+  return arcAt(k, toDouble(motion[r.bodyA].th), toDouble(motion[r.bodyB].th),
+               toDouble(wide::store3(joint::relativeMotion(r, motion).way)));
+}
+
 // True if the arcs have changed.
 bool JointRows::followArcs(std::size_t k, const SolveMotion* motion, float slack) {
   JointRecord& r = records[k];
   JointStart& start = starts[k];
   if (start.arcs == JointArcs::none) return false;
-  const Vec3f arc = arcAt(k, toDouble(motion[r.bodyA].th), toDouble(motion[r.bodyB].th),
-                          toDouble(wide::store3(joint::relativeMotion(r, motion).way)));
-  const Vec3f by = arc - start.arc;
+  const Vec3f arc = arcNow(k, motion), by = arc - start.arc;
   float most = 0, force = 0;
   for (int i = 0; i < kJointLanes; i++) {
     most = std::max(most, std::fabs(r.way.k[i] * dot(r.way.axes[i % 3].unit, by)));
     force = std::max(force, std::fabs(start.held[i]));
   }
   if (!(most > slack * force)) return false;
-  takeArc(by, r.way);
+  joint::takeArc(by, r.way);
   start.arc = arc;
   return true;
 }

@@ -106,6 +106,8 @@ struct JointRows : LastingRows<JointRows, JointSet, &Ties::joints> {
   bool boundsFollow(std::size_t) const { return true; }
   // The forces found become multipliers; geometric stiffness grows with them.
   bool renewBounds(std::size_t k, const SolveMotion* motion, float slack, bool over);
+  // J: of all places that are held, by how far they are off at the end of these motions, as firm as they are.
+  double apart(const SolveMotion* motion) const;
   bool store(Island& island, Ties& ties, StepContext& context);
   void tellShare(Ties& ties, float share) const;
   double mostWork(std::size_t k) const;
@@ -149,6 +151,7 @@ struct JointRows : LastingRows<JointRows, JointSet, &Ties::joints> {
   void bend(std::size_t k, Vec3f force);
   void turnLine(std::size_t k, float force);
   Vec3f arcAt(std::size_t k, Vec3 turnA, Vec3 turnB, Vec3 way) const;
+  Vec3f arcNow(std::size_t k, const SolveMotion* motion) const;
   bool followArcs(std::size_t k, const SolveMotion* motion, float slack);
   bool follow(std::size_t k, const SolveMotion* motion, float slack);
   bool watchBounds(std::size_t k, const SolveMotion* motion);
