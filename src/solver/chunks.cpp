@@ -9,12 +9,12 @@
 
 namespace brickfall {
 
-std::pmr::vector<std::uint32_t> chunksOf(const Island& island) {
+std::pmr::vector<std::uint32_t> chunksOf(const Island& island, const Ties& ties) {
   const std::uint32_t count = std::uint32_t(island.bodies.size());
   UnionFind sets(count, island.memory);
   std::pmr::vector<std::uint32_t> chunkOf(count, kNoIndex, island.memory);
-  island.rows.each([&]<class Kind>(const Kind& kind, std::size_t k) {
-    if (!std::remove_cvref_t<Kind>::kYields) return;
+  island.rows.each([&](const auto& kind, std::size_t k) {
+    if (!kind.makesOne(k, ties)) return;
     const RowEnds ends = kind.ends(k);
     if (ends.a < count && ends.b < count) sets.join(ends.a, ends.b);
     for (std::uint32_t body : {ends.a, ends.b})
@@ -25,13 +25,27 @@ std::pmr::vector<std::uint32_t> chunksOf(const Island& island) {
   return chunkOf;
 }
 
+namespace {
+
+// Joints know of no motion but that of all.
+bool allMakeOne(const Island& island, const Ties& ties) {
+  bool all = true;
+  island.rows.each([&]<class Kind>(const Kind& kind, std::size_t k) {
+    if (std::remove_cvref_t<Kind>::kLasts) all = all && kind.makesOne(k, ties);
+  });
+  return all;
+}
+
+}  // namespace
+
 void Chunks::find(const Island& island, const StepContext& context) {
   ways_.clear();
   chunkOf_.clear();
   all_ = false;
-  if (!island.facts.mortared || island.facts.jointed || island.facts.locked || island.grounded()) return;
+  if (!island.facts.firm || island.facts.locked || island.grounded()) return;
+  if (island.facts.jointed && !allMakeOne(island, *context.ties)) return;
   const std::size_t count = island.bodies.size();
-  const std::pmr::vector<std::uint32_t> found = chunksOf(island);
+  const std::pmr::vector<std::uint32_t> found = chunksOf(island, *context.ties);
   chunkOf_.assign(found.begin(), found.end());
   const BodySet& bodies = *context.bodies;
   std::pmr::vector<RigidSum> sums(count, RigidSum(island.origin), island.memory);
@@ -44,6 +58,7 @@ void Chunks::find(const Island& island, const StepContext& context) {
                           inertia * context.free[body].startSpin * island.dt);
   }
   all_ = std::all_of(chunkOf_.begin(), chunkOf_.end(), [](std::uint32_t chunk) { return chunk == 0; });
+  if (island.facts.jointed && !all_) return chunkOf_.clear();
   ways_.resize(count);
   for (std::uint32_t i = 0; i < count; i++)
     if (chunkOf_[i] == i) ways_[i] = rigidWayOf(sums[i]);

@@ -1,10 +1,11 @@
-// Chunks: bodies of an island that breakable ties join, directly or through others. A chunk moves as one body, both in
-// flight (Chunks) and on the ground (finish/chunk_turn.cpp).
+// Chunks: bodies of an island that mortar or fixed joints join, directly or through others. A chunk moves as one body,
+// both in flight (Chunks) and, in mortar, on the ground (finish/chunk_turn.cpp).
 #pragma once
 #include <memory_resource>
 #include <vector>
 
 #include "dynamics/body_set.h"
+#include "dynamics/ties.h"
 #include "solver/rigid_sum.h"
 
 namespace brickfall {
@@ -13,14 +14,14 @@ struct Island;
 struct StepContext;
 
 // By body: the lowest of its chunk; kNoIndex: it is in none.
-std::pmr::vector<std::uint32_t> chunksOf(const Island& island);
+std::pmr::vector<std::uint32_t> chunksOf(const Island& island, const Ties& ties);
 
 // In flight.
 class Chunks {
  public:
   explicit Chunks(std::pmr::memory_resource* memory) : ways_(memory), chunkOf_(memory) {}
 
-  // Of this step, by free motion. None where anything holds the island, or joints are in it.
+  // Of this step, by free motion. None where anything holds the island, or joints do not make it one.
   void find(const Island& island, const StepContext& context);
   // The motion of the chunk that is all of the island; null if it is not one chunk.
   const RigidWay* ofAll() const { return all_ ? &ways_[0] : nullptr; }

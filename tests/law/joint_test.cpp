@@ -1,7 +1,10 @@
 // Joints: pendulums against closed forms, a heavy ball on light links, linkages that stay closed, breaking. Bridges:
 // bridge_test.cpp.
 #include <algorithm>
+#include <cmath>
 #include <functional>
+#include <string>
+#include <utility>
 
 #include "law/joint_parts.h"
 #include "law/law.h"
@@ -258,6 +261,48 @@ TEST(Law, Row30eALinkageInFlightStaysClosedAndKeepsItsMomenta) {
   atMost("error of ten hinges in a ring", kDt, 1e3 * gape, 0.1, "mm");
   atMost("its angular momentum, relative", kDt, length(world.angularMomentum() - before) / length(before), 1e-9, "");
   atMost("its gain of energy", kDt, rise, 1e-6 * start, "J");
+}
+
+// Four boxes in a row that turn as one, by up to two radians in a step: no step follows their arcs. What is held wholly
+// flies as one body (law 31f); all else may lose by that, and gains nothing.
+TEST(Law, Row30eALinkageThatSpinsGainsNothing) {
+  struct Kind {
+    const char* name;
+    JointType outer, middle;
+  };
+  for (const Kind& kind : {Kind{"on hinges", JointType::revolute, JointType::revolute},
+                           Kind{"on ball joints", JointType::spherical, JointType::spherical},
+                           Kind{"two and two, and a hinge", JointType::fixed, JointType::revolute},
+                           Kind{"two and two, and a ball joint", JointType::fixed, JointType::spherical}})
+    for (double dt : {1.0 / 30, kDt, 1.0 / 120, 1.0 / 240}) {
+      World world = emptySpace();
+      std::vector<BodyId> boxes;
+      const Vec3 centre{0.0125, 0.3, 0}, spin = normalized(Vec3{0.3, 0.8, 0.5}) * 60.0;
+      for (int i = 0; i < 4; i++) {
+        BodyDef def = bodyOf(boxOf({0.1, 0.1, 0.1}), {i == 3 ? 0.05 : 0, 0.2 * i, 0});
+        def.angularVelocity = spin;
+        def.linearVelocity = cross(spin, def.position - centre);
+        boxes.push_back(add(world, def));
+      }
+      for (int i = 0; i < 3; i++)
+        join(world, at(i == 1 ? kind.middle : kind.outer, {i == 2 ? 0.025 : 0, 0.2 * i + 0.1, 0}, {1, 0.5, 0.7 * i}),
+             boxes[std::size_t(i)], boxes[std::size_t(i + 1)]);
+      ASSERT_TRUE(world.step(dt).ok());  // velocities become those that joints let be
+      const double start = energyOf(world);
+      const Vec3 momentum = world.angularMomentum();
+      double most = start, rise = 0, last = start;
+      for (int i = 0; i < int(std::lround(2 / dt)); i++) {
+        ASSERT_TRUE(world.step(dt).ok());
+        const double now = energyOf(world);
+        most = std::max(most, now);
+        rise = std::max(rise, now - std::exchange(last, now));
+      }
+      const std::string name = std::string("four boxes at 60 rad/s, ") + kind.name;
+      atMost(name + ": gain of energy", dt, most / start - 1, 1e-5, "");
+      atMost(name + ": gain in a step", dt, rise / start, 2e-6, "");
+      atMost(name + ": change of angular momentum", dt, length(world.angularMomentum() - momentum) / length(momentum),
+             1e-9, "");
+    }
 }
 
 // Loops of bars that fall with one bar fixed: four in a plane, and six with hinges square to each other in turn (of Bricard), which

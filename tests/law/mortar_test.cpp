@@ -219,8 +219,9 @@ TEST(Law, Row31fHeldBodiesTurnAsOne) {
     double speed, dt;
     double turn;  // rad: strain at 60 rad/s
   };
-  const Case cases[] = {
-      {true, 15, 1.0 / 30, 1e-6}, {true, 60, 1.0 / 60, 2e-6}, {true, 15, 1.0 / 240, 1e-6}, {false, 2, 1.0 / 60, 1e-6}};
+  const Case cases[] = {{true, 15, 1.0 / 30, 1e-6},  {true, 60, 1.0 / 60, 2e-6},  {true, 15, 1.0 / 240, 1e-6},
+                        {false, 2, 1.0 / 60, 1e-6},  {false, 15, 1.0 / 30, 1e-6}, {false, 60, 1.0 / 30, 1e-6},
+                        {false, 60, 1.0 / 120, 1e-6}};
   const std::string names[] = {"boxes", "drums and boxes", "drums across each other"};
   for (const Case& c : cases)
     for (SpunRow::Kind kind : {SpunRow::boxes, SpunRow::drumsAndBoxes, SpunRow::drumsAcross}) {

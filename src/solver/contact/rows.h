@@ -65,6 +65,8 @@ struct ContactRows : FaceRows, TieRows<ContactRows, ContactSet, &Ties::contacts,
   bool ties(std::size_t k, const StepContext& context) const { return carriesForce(k, context); }
   // Neither of its bodies can turn about any axis of its own against the other.
   bool turnsAsOne(std::size_t, const Ties&) const { return false; }
+  // Its two bodies move as one.
+  bool makesOne(std::size_t, const Ties&) const { return false; }
   bool carriesForce(std::size_t k, const StepContext& context) const { return at(k, *context.ties).touching; }
   // The contact carries force, and at one point at least it sticks.
   bool sticks(std::size_t k, const StepContext& context) const {

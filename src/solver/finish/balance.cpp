@@ -350,10 +350,10 @@ class LastCheck {
     const double excess = energy.gain(back) - back.lasting - releasedBySprings(island_, std::uint32_t(g), context_);
     if (!(excess > energy.slack())) return 0;
     const double left = takeRelative(island_, group, motionOf(island_, group, context_), {}, context_, excess);
-    // No momenta fit those ways: the group goes as if it met nothing. Joints and locks hold it as well.
-    if (!(left > energy.slack()) || island_.facts.jointed || island_.facts.locked) return excess - left;
+    // No momenta fit those ways: the group goes as if it met nothing, what is held as one body. Locks hold it as well.
+    if (!(left > energy.slack()) || island_.facts.locked) return excess - left;
     auto flewAhead = [&](std::uint32_t i) { return context_.aheadOf(island_.bodies[i]) > 0; };
-    if (island_.facts.mortared && std::none_of(group.begin(), group.end(), flewAhead)) {
+    if (island_.facts.firm && std::none_of(group.begin(), group.end(), flewAhead)) {
       goAsOne(group, island_, context_);
     } else {
       for (std::uint32_t i : group) goFreely(island_.bodies[i], context_);

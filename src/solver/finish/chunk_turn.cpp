@@ -17,7 +17,10 @@ namespace {
 class ChunkTurns {
  public:
   ChunkTurns(const Island& island, StepContext& context)
-      : island_(island), context_(context), chunkOf_(chunksOf(island)), stays_(count_, 0, island.memory) {}
+      : island_(island),
+        context_(context),
+        chunkOf_(chunksOf(island, *context.ties)),
+        stays_(count_, 0, island.memory) {}
 
   // False if mortar joins all to what is fixed.
   bool findChunks();

@@ -126,6 +126,7 @@ void goAsOne(std::span<const std::uint32_t> group, const Island& island, StepCon
     const Vec3 at = bodies.motion[body].position;
     SolvedMotion& out = context.solved[body];
     context.free[body].turnsFaster = out.freeTurn = false;
+    context.free[body].asOne = true;
     out.d = way.of(at) - fall.velocity() * 0.5;
     out.th = way.turn;
     out.velocity = way.endOf(at) * (1 / island.dt);

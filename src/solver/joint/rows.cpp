@@ -255,6 +255,7 @@ void JointRows::findLoads(const Island& island, const StepContext& context) {
 
 // Puts the geometric stiffness of this force into the masses, in the place of that which is there.
 void JointRows::bend(std::size_t k, Vec3f force) {
+  if (asOne_) return;  // no turn but that of all, which needs none
   JointStart& start = starts[k];
   const JointRecord& r = records[k];
   auto change = [&](Vec3f f, double share) {
@@ -333,6 +334,22 @@ void measureArm(JointStart& start, int end, const Island& island, std::uint32_t 
   start.symmetry[end] = own ? toFloat(bodies.motion[body].orientation * mass.symmetryAxis) : Vec3f{};
 }
 
+// In an island that turns as one, a joint is written where that takes it: what is left of errors turns with the bodies.
+// It gives no torque by that, and its way has all arcs.
+JointSystem systemOf(const Joint& joint, const JointPose& pose, Vec3 turning, const RigidWay& rigid,
+                     const BodySet& bodies) {
+  if (!rigid.turns()) return equationsOf(joint, pose, turning);
+  auto placeOf = [&](BodyIndex body) {
+    const BodyMotion& m = bodies.motion[body];
+    const Quat rotation = normalized(quatFromRotationVector(rigid.turn) * m.rotation);
+    return JointPlace{m.position + rigid.of(m.position), rotation, toMatrix(rotation), bodies.data[body].localCentre};
+  };
+  JointSystem system = equationsOf(joint, {joint, placeOf(joint.bodyA), placeOf(joint.bodyB)}, turning);
+  system.onA = system.onB = 0.5;
+  system.arcs = JointArcs::none;
+  return system;
+}
+
 }  // namespace
 
 void JointRows::prepare(Island& island, Ties& ties, const StepContext& context) {
@@ -341,7 +358,7 @@ void JointRows::prepare(Island& island, Ties& ties, const StepContext& context) 
   masses_ = &island.masses;
   returned = held_ = 0;
   support = {};
-  timePasses_ = true;
+  timePasses_ = true, asOne_ = island.rigid.turns();
   findLoads(island, context);
   for (std::size_t k = 0; k < size(); k++) {
     const Joint& joint = at(k, ties);
@@ -351,7 +368,7 @@ void JointRows::prepare(Island& island, Ties& ties, const StepContext& context) 
     const BodyMotion &a = bodies.motion[joint.bodyA], &b = bodies.motion[joint.bodyB];
     const Vec3 spinA = before(island, r.bodyA, a.angularVelocity, &FreeMotion::lateSpin, context),
                spinB = before(island, r.bodyB, b.angularVelocity, &FreeMotion::lateSpin, context);
-    const JointSystem system = equationsOf(joint, pose, (spinB - spinA) * island.dt);
+    const JointSystem system = systemOf(joint, pose, (spinB - spinA) * island.dt, island.rigid, bodies);
     const Vec3 armA = pose.armA + pose.way * system.onA, armB = pose.armB - pose.way * (1 - system.onB);
     r.armA = toFloat(armA);
     r.armB = toFloat(armB);

@@ -87,6 +87,7 @@ struct JointRows : LastingRows<JointRows, JointSet, &Ties::joints> {
     const JointType type = at(k, ties).type;
     return type == JointType::fixed || type == JointType::prismatic;
   }
+  bool makesOne(std::size_t k, const Ties& ties) const { return at(k, ties).type == JointType::fixed; }
   RowGrip grip(std::size_t k, const StepContext& context) const;
   Vec3 normal(std::size_t k) const { return toDouble(records[k].way.axes[0].unit); }
 
@@ -160,6 +161,7 @@ struct JointRows : LastingRows<JointRows, JointSet, &Ties::joints> {
   double givenByMotor(std::size_t k, const SolveMotion* motion, const joint::Forces& f) const;
 
   std::pmr::vector<SolveMass>* masses_ = nullptr;  // of the island, since prepare
+  bool asOne_ = false;                             // the island turns as one: Island::rigid
   bool timePasses_ = true;                         // no impact is solved
   bool giveNone_ = false, keepEnergy_ = false, steady_ = false;
   double held_ = 0;

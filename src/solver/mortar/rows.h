@@ -66,6 +66,7 @@ struct MortarRows : FaceRows, LastingRows<MortarRows, MortarSet, &Ties::mortar> 
   float strength(std::size_t, const StepContext&) const { return 4e3f; }  // mortared bricks share clusters
   bool ties(std::size_t, const StepContext&) const { return true; }
   bool turnsAsOne(std::size_t k, const Ties& ties) const { return !at(k, ties).crushed; }
+  bool makesOne(std::size_t, const Ties&) const { return true; }
   RowGrip grip(std::size_t k, const StepContext& context) const;
   // visit(ends, force): of each row the pull that it bears, N.
   template <class Visit> void eachHold(Visit&& visit) const {
