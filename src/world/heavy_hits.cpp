@@ -20,7 +20,10 @@ namespace {
 
 //! of its thickness along the way | too small: cost of hits
 //! | too large: bodies that a ball knocks out are gone before they can push anything aside
-constexpr double kHitWay = 0.5;  // of the struck body, in a part
+constexpr double kHitWay = 0.35;  // of the struck body, in a part
+//! of another's way, or of the time in which mortar stops the blow with all of its strength | too small: cost of hits
+//! | too large: loose bodies are pressed into what hits them; blows that break mortar are borne by forces of the part
+constexpr double kFirstPart = 0.25;  // of a hit
 //! times the mass | too small: cost of what flies out of a wall | too large: as too large a kHitWay, in mortar
 constexpr double kHeldHeavier = 2;  // what hits a body that mortar holds
 
@@ -31,23 +34,22 @@ double thicknessAlong(const Shape& shape, Vec3 direction) {
   return dot(coreSupport(shape, direction) - coreSupport(shape, -direction), direction) + 2 * coreRadius(shape);
 }
 
-// The most that a body goes of what it hits.
-struct Thicknesses {
-  double held = 0, loose = 0;  // by mortar, counted twice; all else
-};
-
 class HitSearch {
  public:
-  HitSearch(const Registry& registry, const Proximity& proximity, const Ties& ties, double dt)
-      : bodies_(registry.bodies), shapes_(registry.shapes), proximity_(proximity), ties_(ties), dt_(dt) {}
+  HitSearch(const Registry& registry, const Proximity& proximity, const Ties& ties, double dt, bool flown)
+      : bodies_(registry.bodies),
+        shapes_(registry.shapes),
+        proximity_(proximity),
+        ties_(ties),
+        dt_(dt),
+        flown_(flown) {}
 
   void look(BodyIndex body) {
     const BodyMotion& m = bodies_.motion[body];
     if (bodies_.still[body] || !(length(m.linearVelocity) * dt_ > littleWay(bodies_.mass[body].innerRadius))) return;
     const Sweep own = sweepOf(bodies_, body, m.linearVelocity * dt_, m.angularVelocity * dt_);
-    double mass = 0;  // kg, of bodies on the way
-    double flight = 1, part = 1;
-    Thicknesses gone;  // of the body
+    double mass = 0;                         // kg, of bodies on the way
+    double flight = 1, part = 1, parts = 0;  // of the body
     for (ShapeIndex shape : bodies_.shapes[body]) {
       const ShapeData& s = shapes_.data[shape];
       const Aabb reach = sweptBounds(s, own);
@@ -63,14 +65,11 @@ class HitSearch {
         if (!ties_.mayCollide(body, o.body)) return true;
         const bool held = isHeld(o.body);
         const Approach way = approach(body, shape, other, held ? beyond : 0);
-        if (!(way.thicknesses > 0)) return true;
-        // Half of a half where mortar holds what is hit.
-        if (held) part = std::min(part, kHitWay * kHitWay / way.thicknesses);
-        mass += bodies_.mass[o.body].mass / double(bodies_.shapes[o.body].size());
+        if (!(way.parts > 0)) return true;
+        part = std::min(part, 1 / way.parts);
         flight = std::min(flight, way.flight);
-        // Of what mortar holds, beyond the flight.
-        double& most = held ? gone.held : gone.loose;
-        most = std::max(most, held ? way.thicknesses * std::max(0.0, 1 - way.flight) / kHitWay : way.thicknesses);
+        parts = std::max(parts, way.parts * (1 - way.flight));
+        mass += bodies_.mass[o.body].mass / double(bodies_.shapes[o.body].size());
         return true;
       });
     }
@@ -78,15 +77,15 @@ class HitSearch {
     if (!bodies_.isDriven(body) && !(mass >= kTrifle * bodies_.mass[body].mass)) return;
     flight_ = std::min(flight_, flight);
     part_ = std::min(part_, part);
-    gone_.held = std::max(gone_.held, gone.held);
-    gone_.loose = std::max(gone_.loose, gone.loose);
+    parts_ = std::max(parts_, parts);
   }
 
-  const Thicknesses& gone() const { return gone_; }
   // Share of the step in which nothing hits yet.
   double flight() const { return flight_; }
-  // Share of the step in which a hit on what mortar holds is to be made.
+  // Share of the step in which a hit is to be made.
   double part() const { return part_; }
+  // In how many what follows the flight is to be made; 0: nothing hits.
+  double parts() const { return parts_; }
 
  private:
   // What mortar holds is pushed out of its neighbours, which stop what comes after it: twice the mass is enough there.
@@ -140,8 +139,8 @@ class HitSearch {
   }
 
   struct Approach {
-    double thicknesses = 0;  // of `struck`: the way of the body against it; of what mortar holds, as many parts ask for
-    double flight = 1;       // share of the step before they touch, where anything is held by mortar
+    double parts = 0;   // that it asks for, if all of the step were a hit; 0: they do not meet
+    double flight = 1;  // share of the step before they touch, or come near
   };
   // `beyond`: m, that count as a part of the way.
   Approach approach(BodyIndex body, ShapeIndex own, ShapeIndex struck, double beyond) {
@@ -154,21 +153,25 @@ class HitSearch {
     if (!mayMeet(body, o.body, way * room, far * room)) return {};
     const Vec3 direction = way * (1 / far);
     const Vec3 along = rotate(conjugate(o.inCentreFrame.rotation), transposeTimes(other.orientation, direction));
-    Approach out{far / thicknessAlong(o.geometry, along)};
-    if (!ties_.mortar.any()) return out;
+    Approach out{far / (kHitWay * thicknessAlong(o.geometry, along))};
+    // Springs of a blow give by its way in the part. Mortar's takes its time, below.
+    if (flown_ && !isHeld(o.body)) out.parts /= kFirstPart;
     const Transform at = shapes_.worldPose(struck, bodies_);
     Transform ownInStruck = inverse(at) * shapes_.worldPose(own, bodies_);
     const Vec3 motion = rotate(conjugate(at.rotation), way * room);
-    const std::optional<double> met =
-        timeOfImpact(o.geometry, s.geometry, ownInStruck, motion, kShapesRound * o.innerRadius);
-    out.flight = room * met.value_or(1);
+    auto until = [&](double apart) {
+      return timeOfImpact(o.geometry, s.geometry, ownInStruck, motion, apart * o.innerRadius);
+    };
+    const std::optional<double> met = until(kShapesRound), near = met ? met : until(kShortOf);
+    if (!near) return {};
+    out.flight = std::min(room * *near, 1.0);
     // Before a blow: what follows it pushes, and the joints stop it. It acts along the normal of where they meet.
     if (!met || *met == 0 || !isHeld(o.body) || bodies_.isDriven(body)) return out;
     ownInStruck.position += motion * *met;
     const DistanceResult gap = shapeDistance(o.geometry, s.geometry, ownInStruck);
     const Vec3 push = gap.distance > 0 ? rotate(at.rotation, (gap.onA - gap.onB) * (1 / gap.distance)) : direction;
     const double closing = dot(way, push) / dt_;
-    if (closing > 0) out.thicknesses = std::max(out.thicknesses, dt_ / stopping(body, o.body, push, closing));
+    if (closing > 0) out.parts = std::max(out.parts, dt_ / (kFirstPart * stopping(body, o.body, push, closing)));
     return out;
   }
 
@@ -177,28 +180,25 @@ class HitSearch {
   const Proximity& proximity_;
   const Ties& ties_;
   const double dt_;
+  const bool flown_;                    // the part before ended where this one hits
   std::vector<std::uint32_t> firstOf_;  // by body: its first in `mortarOf_`; empty: not looked up yet
   std::vector<MortarIndex> mortarOf_;
-  double flight_ = 1, part_ = 1;
-  Thicknesses gone_;  // within the step, the most of all struck bodies
+  double flight_ = 1, part_ = 1, parts_ = 0;
 };
 
 }  // namespace
 
-HitParts partsForHits(const Registry& registry, const Activity& activity, const Proximity& proximity, const Ties& ties,
-                      double dt, int most) {
-  if (most == 1) return {};
-  HitSearch search(registry, proximity, ties, dt);
+HitPart partForHits(const Registry& registry, const Activity& activity, const Proximity& proximity, const Ties& ties,
+                    double left, const HitPart& before, int most) {
+  if (most == 1) return {left};
+  HitSearch search(registry, proximity, ties, left, before.flight);
   for (BodyIndex body : activity.awake) search.look(body);
   for (BodyIndex body : activity.moving) search.look(body);
-  const Thicknesses& gone = search.gone();
-  const double wanted = std::max(gone.held, gone.loose) / kHitWay;
-  const bool ofHeld = gone.held > gone.loose;
-  // Parts before the hit would be missing after it: one for the flight, up to a part's length before it ends.
-  if (gone.held >= gone.loose && search.flight() > 2 * search.part()) return {2, true, search.flight() - search.part()};
-  const double limit = ofHeld && wanted > most ? std::ldexp(1.0, most - 1) : double(most);
-  const auto count = int(std::ceil(std::clamp(wanted, 1.0, limit)));
-  return {count, ofHeld && count > 1};
+  // Parts before the hit would be missing after it.
+  if (search.flight() > 2 * search.part()) return {left * (search.flight() - kTrifle * search.part()), true};
+  // What a short part has begun, a part twice as long at most goes on with.
+  const double grown = before.flight || before.length == 0 ? 1 : left / (2 * before.length);
+  return {left / std::ceil(std::clamp(std::max(search.parts(), grown), 1.0, std::ldexp(1.0, most - 1)))};
 }
 
 }  // namespace brickfall

@@ -1,4 +1,4 @@
-// In how many parts a step is made, so that nothing heavy goes right through a body that it hits within one part.
+// How long the next part of a step is, so that nothing heavy goes right through a body that it hits within one part.
 #pragma once
 #include "dynamics/ties.h"
 #include "world/activity.h"
@@ -7,20 +7,19 @@
 
 namespace brickfall {
 
-struct HitParts {
-  int count = 1;
-  bool ofHeld = false;  // what mortar holds asks for them, which slows down what hits it: one is made, then they are
-                        // counted anew
-  double flight = 0;    // share of the step that is made first, before anything hits
+struct HitPart {
+  double length = 0;    // s
+  bool flight = false;  // nothing hits in it
 };
 
-// The number of parts, 1 .. `most`, for a step of `dt` s. In each part a body far heavier than one on its way goes at
-// most half through it. (Of what mortar holds: twice as heavy, a fourth. Before a blow that breaks it, no part is
-// longer than a fourth of the time in which its whole strength stops the blow.) Contacts are found where a part begins:
-// bodies that a struck body meets on its way out must begin another. Where `most` are too few for what mortar holds,
-// the count is larger, and parts grow: each is as long as all after it at most. What flies towards it, or ends so near
-// before it that it would fly ahead to it, gets one part for all of its flight.
-HitParts partsForHits(const Registry& registry, const Activity& activity, const Proximity& proximity, const Ties& ties,
-                      double dt, int most);
+// The next part of what is `left` of a step (s), in `most` parts at most (>= 1), after `before`. In a part a body far
+// heavier than one on its way goes at most 0.35 of its thickness through it: ten times as heavy, twice where mortar
+// holds it. Before a blow that breaks mortar, none is longer than a fourth of the time in which its whole strength
+// stops the blow. Contacts are found where a part begins: bodies that a struck body meets on its way out must begin
+// another. The flight before a hit is one part, and a trifle is left: the hit is not in it. The part after it goes a
+// fourth as far, and parts grow: each is at most twice the one before and, where `most` are too few, as long as all
+// after it.
+HitPart partForHits(const Registry& registry, const Activity& activity, const Proximity& proximity, const Ties& ties,
+                    double left, const HitPart& before, int most);
 
 }  // namespace brickfall

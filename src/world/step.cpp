@@ -28,13 +28,6 @@ std::int64_t nowNanoseconds() {
       .count();
 }
 
-// What a short part has begun to break, a part twice as long at most goes on with.
-HitParts afterHit(double made, double left, HitParts hits, int most) {
-  if (!(made > 0) || most == 1 || hits.flight > 0) return hits;
-  const int count = int(std::ceil(std::min(left / (2 * made), 1e6)));
-  return count > hits.count ? HitParts{count, true} : hits;
-}
-
 }  // namespace
 
 struct World::Impl::StageRow {
@@ -206,16 +199,14 @@ void World::Impl::runPart(double dt, bool last) {
 void World::Impl::runSubstep(double dt, bool last) {
   // No island stays settled when the time step changes.
   if (clock.beginSubstep(dt)) activity.unsettleAll();
-  // What mortar holds slows down what hits it: what is left of the step may need fewer parts.
-  double left = dt, made = 0;
-  for (int most = def.solver.maxHitParts; most > 0;) {
-    const HitParts hits = afterHit(made, left, partsForHits(registry, activity, proximity, ties, left, most), most);
-    const double part = hits.flight > 0 ? left * hits.flight : left / hits.count;
-    const int now = hits.ofHeld ? 1 : hits.count;
-    most = now == hits.count ? 0 : most - now;
-    for (int i = 1; i <= now; i++) runPart(part, last && most == 0 && i == now);
-    left -= part * now;
-    made = hits.ofHeld && !(hits.flight > 0) ? part : 0;
+  // What is hit slows down what hits it: after each part the next is asked for.
+  HitPart part;
+  double left = dt;
+  for (int most = def.solver.maxHitParts; left > 0; most--) {
+    part = partForHits(registry, activity, proximity, ties, left, part, most);
+    const bool whole = part.length == left;
+    runPart(part.length, last && whole);
+    left = whole ? 0 : left - part.length;
   }
   clock.time += dt;
   clock.stepCount++;
