@@ -41,10 +41,10 @@ constexpr double kInPlaceTime = 0.5;  // a slow island of which no point strays 
 constexpr double kMovingSpeed = 0.03;  // of a body of a large island: faster ones move, slower ones sway at most
 //! rad | too small: fast spins reach contacts too weakly | too large: rebounds at high speed explode
 constexpr double kLargestTurn = 0.5;  // rad per step of a body in contact: arms are frozen during a step
-//! - | too small: counts residuals that nobody sees: cost
-//! | too large: bodies hang in the air, balls on loose bricks roll on
-constexpr double kLeftOver = 0.05;  // of max(weight, load), of what resists rolling, of an island's bodies, of the rest
-                                    // speed: a solve may leave so much
+//! - | too small: counts residuals that nobody sees: cost; shapes of chunks that spin creep
+//! | too large: bodies hang in the air, balls on loose bricks roll on; what turns in a hit breaks mortar by its turn
+constexpr double kLeftOver = 0.05;  // of max(weight, load), of mortar's strength, of what resists rolling, of an
+                                    // island's bodies, of the rest speed: a solve may leave so much
 
 //! - | too small: heavily loaded bodies are solved too finely: cost | too large: heavily loaded bodies hang
 constexpr double kLoadShare = 0.3;  // of a body's load: so much counts like its weight

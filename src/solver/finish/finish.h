@@ -8,7 +8,7 @@ namespace brickfall {
 
 // Linear and angular momentum of each group that flies become exact: a solve that acts on one body after the other
 // leaves them off by its residual. The group is moved by the mean of its velocities under outside forces, unless
-// anything is nearer than that.
+// anything is nearer than that. What presses on smooth flat ground alone keeps its linear momentum along that.
 void finishFlights(const Island& island, StepContext& context);
 // One body that touches only fixed bodies, and slides, rolls, rocks or topples by itself, while its contacts go on.
 // Friction that stops it within the step acts for a part of the step: its points are anchored where it stops.

@@ -1,10 +1,13 @@
 #include "solver/finish/finish.h"
 
 #include <algorithm>
+#include <numeric>
+#include <utility>
 
 #include "solver/finish/motion.h"
 #include "solver/rigid_sum.h"
 #include "solver/support.h"
+#include "solver/union_find.h"
 
 namespace brickfall {
 
@@ -77,6 +80,68 @@ bool fallsAlike(const Island& island, std::span<const std::uint32_t> group) {
                      [&](std::uint32_t i) { return (island.locks[i] & kAllWays) == first; });
 }
 
+// What nothing holds along a direction keeps its momentum in it.
+void keepMomenta(const Island& island, std::span<const std::uint32_t> group, Vec3 ground, StepContext& context) {
+  const bool turns = island.rigid.turns(), lies = ground != Vec3{};
+  const auto [all, aside] = missingOf(island, group, context);
+  RigidMotion missing = all;
+  if (lies) missing = {all.centre, all.move - ground * dot(ground, all.move), {}};
+  for (std::uint32_t i : group) {
+    const BodyIndex body = island.bodies[i];
+    const Vec3 at = context.bodies->motion[body].position;
+    const Vec3 way = missing.at(turns ? at + context.solved[body].d : at);
+    // Ways along arcs are what they should be, but for the floats in which the solve found them: a centre of mass
+    // that these put aside would change the angular momentum.
+    if (!turns)
+      shift(body, way, missing.spin, context);
+    else if (!lies)
+      shift(body, -aside, {}, context);
+    accelerate(body, way * (1 / island.dt), context.bodies->worldInertia(body) * missing.spin * (1 / island.dt),
+               context);
+  }
+}
+
+// Bodies that press on each other, and on smooth flat ground alone, as if they flew along it.
+void finishOnSmoothGround(const Island& island, StepContext& context) {
+  const std::uint32_t count = std::uint32_t(island.bodies.size());
+  struct Ground {
+    std::uint32_t body;
+    Vec3 normal;
+    bool smooth;
+  };
+  std::pmr::vector<Ground> grounds(island.memory);
+  UnionFind sets(count, island.memory);
+  bool any = false;
+  island.rows.each([&](const auto& kind, std::size_t k) {
+    const RowEnds ends = kind.ends(k);
+    if (!kind.ties(k, context)) return;
+    if (ends.a < count && ends.b < count) return sets.join(ends.a, ends.b);
+    const RowGrip grip = kind.grip(k, context);
+    const bool smooth = grip.friction == 0 && grip.force != Vec3{} && !kind.sticks(k, context);
+    grounds.push_back({std::min(ends.a, ends.b), kind.normal(k), smooth});
+    any = any || smooth;
+  });
+  if (!any) return;
+  // By set, which its lowest body names.
+  std::pmr::vector<Vec3> normals(count, Vec3{}, island.memory);
+  std::pmr::vector<char> held(count, 0, island.memory);
+  for (const Ground& ground : grounds) {
+    const std::uint32_t set = sets.find(ground.body);
+    if (normals[set] == Vec3{}) normals[set] = ground.normal;
+    if (!ground.smooth || !(length(cross(normals[set], ground.normal)) <= kShapesRound)) held[set] = 1;
+  }
+  std::pmr::vector<std::uint32_t> bodies(count, island.memory);
+  std::iota(bodies.begin(), bodies.end(), 0u);
+  std::sort(bodies.begin(), bodies.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return std::pair(sets.find(a), a) < std::pair(sets.find(b), b); });
+  for (auto begin = bodies.begin(), end = begin; begin != bodies.end(); begin = end) {
+    const std::uint32_t set = sets.find(*begin);
+    end = std::find_if(begin, bodies.end(), [&](std::uint32_t body) { return sets.find(body) != set; });
+    if (normals[set] == Vec3{} || held[set]) continue;
+    keepMomenta(island, {&*begin, std::size_t(end - begin)}, normals[set], context);
+  }
+}
+
 }  // namespace
 
 void finishFlights(const Island& island, StepContext& context) {
@@ -86,26 +151,12 @@ void finishFlights(const Island& island, StepContext& context) {
     if (near.empty()) near = nearSupport(island, context);
     const std::span<const std::uint32_t> group = island.groups.bodies(g);
     if (!fallsAlike(island, group)) continue;
-    if (group.size() > 1 && !island.facts.locked) {
-      const auto [missing, aside] = missingOf(island, group, context);
-      for (std::uint32_t i : group) {
-        const BodyIndex body = island.bodies[i];
-        const Vec3 at = context.bodies->motion[body].position;
-        const Vec3 way = missing.at(island.rigid.turns() ? at + context.solved[body].d : at);
-        // Ways along arcs are what they should be, but for the floats in which the solve found them: a centre of mass
-        // that these put aside would change the angular momentum.
-        if (island.rigid.turns())
-          shift(body, -aside, {}, context);
-        else
-          shift(body, way, missing.spin, context);
-        accelerate(body, way * (1 / island.dt), context.bodies->worldInertia(body) * missing.spin * (1 / island.dt),
-                   context);
-      }
-    }
+    if (group.size() > 1 && !island.facts.locked) keepMomenta(island, group, {}, context);
     if (near[group.front()]) continue;
     const Vec3 fall = halfFall(island, group, context);
     for (std::uint32_t i : group) shift(island.bodies[i], fall, {}, context);
   }
+  if (island.grounded() && island.bodies.size() > 1 && !island.facts.locked) finishOnSmoothGround(island, context);
 }
 
 }  // namespace brickfall

@@ -19,9 +19,6 @@ constexpr double kMoreThanLeft = 0.02;  // of the energy left, that a joint may 
 //! of the tension stiffness | too small: hits leave no trace | too large: shear within its strength counts as damage
 constexpr double kShearStiffness = 0.44;  // of mortar, ks / kn
 
-//! of the strength | too small: shapes of chunks that spin creep | too large: what turns in a hit breaks by its turn
-constexpr double kUnseen = 0.05;  // a force of a joint's place that nobody solved, and that stays
-
 // Forces and ways at the present motion, arcs and all.
 PointForces stateAt(const FaceRecord& r, const MortarStart& start, const SolveMotion* motion) {
   PointForces out = pointForcesAt(r, motion);
@@ -278,7 +275,7 @@ void MortarRows::advance(const Island& island, Ties& ties, const StepContext& co
     const Mat3 &turnA = *turns[r.bodyA], &turnB = *turns[r.bodyB];
     const Vec3 n = toDouble(r.n), t1 = toDouble(r.t1), t2 = cross(n, t1);
     const Vec3 moved = wayOf(r.bodyB, m.bodyB) - wayOf(r.bodyA, m.bodyA);
-    const double stiffness = start.stiffness, unseen = kUnseen * mortar::pullOf(m);
+    const double stiffness = start.stiffness, unseen = kLeftOver * mortar::pullOf(m);
     // At the start of the step: after its way a point is from its place by its force.
     auto startOf = [&](float place, float force, float way) {
       return double(place) - double(force) / stiffness - double(way);
