@@ -110,18 +110,21 @@ void finishOnSmoothGround(const Island& island, StepContext& context) {
     bool smooth;
   };
   std::pmr::vector<Ground> grounds(island.memory);
-  UnionFind sets(count, island.memory);
   bool any = false;
   island.rows.each([&](const auto& kind, std::size_t k) {
     const RowEnds ends = kind.ends(k);
-    if (!kind.ties(k, context)) return;
-    if (ends.a < count && ends.b < count) return sets.join(ends.a, ends.b);
+    if ((ends.a < count && ends.b < count) || !kind.ties(k, context)) return;
     const RowGrip grip = kind.grip(k, context);
     const bool smooth = grip.friction == 0 && grip.force != Vec3{} && !kind.sticks(k, context);
     grounds.push_back({std::min(ends.a, ends.b), kind.normal(k), smooth});
     any = any || smooth;
   });
   if (!any) return;
+  UnionFind sets(count, island.memory);
+  island.rows.each([&](const auto& kind, std::size_t k) {
+    const RowEnds ends = kind.ends(k);
+    if (ends.a < count && ends.b < count && kind.ties(k, context)) sets.join(ends.a, ends.b);
+  });
   // By set, which its lowest body names.
   std::pmr::vector<Vec3> normals(count, Vec3{}, island.memory);
   std::pmr::vector<char> held(count, 0, island.memory);
