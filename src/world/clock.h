@@ -10,6 +10,7 @@ struct Clock {
   double lastDt = 0;       // s, of the last substep
   double stiffnessDt = 0;  // s: the time step that the stiffness of resting contacts is made for
   int steadySteps = 0;     // substeps in a row as long as the one before; not counted beyond kSteadySteps
+  double rings = 0;        // s: no longer is the next part of a step (HitPart::rings); 0: as long as the step
   double callDt = 0;       // s, of the whole call under way
   int part = 0;            // of the call, from 0
   bool lastPart = true;    // of the call

@@ -21,9 +21,15 @@ namespace {
 //! of its thickness along the way | too small: cost of hits
 //! | too large: bodies that a ball knocks out are gone before they can push anything aside
 constexpr double kHitWay = 0.35;  // of the struck body, in a part
-//! of another's way, or of the time in which mortar stops the blow with all of its strength | too small: cost of hits
-//! | too large: loose bodies are pressed into what hits them; blows that break mortar are borne by forces of the part
+//! of another's way | too small: cost of hits | too large: loose bodies are pressed into what hits them
 constexpr double kFirstPart = 0.25;  // of a hit
+//! of the time in which mortar stops the blow with all of its strength | too small: cost of hits
+//! | too large: what lies beside what is struck gives way before it moves
+constexpr double kBlowPart = 1.0 / 12;  // the first of a blow that breaks mortar
+//! x the part before | too small: cost of the steps after hits
+//! | too large: long parts damp the waves of a blow, and a wall that is hit rocks less
+constexpr double kBlowGrows = 4.0 / 3;                            // each part after a blow on mortar, at most
+constexpr double kAny = std::numeric_limits<double>::infinity();  // s: of any length
 //! times the mass | too small: cost of what flies out of a wall | too large: as too large a kHitWay, in mortar
 constexpr double kHeldHeavier = 2;  // what hits a body that mortar holds
 
@@ -50,6 +56,7 @@ class HitSearch {
     const Sweep own = sweepOf(bodies_, body, m.linearVelocity * dt_, m.angularVelocity * dt_);
     double mass = 0;                         // kg, of bodies on the way
     double flight = 1, part = 1, parts = 0;  // of the body
+    bool breaksMortar = false;
     for (ShapeIndex shape : bodies_.shapes[body]) {
       const ShapeData& s = shapes_.data[shape];
       const Aabb reach = sweptBounds(s, own);
@@ -69,6 +76,7 @@ class HitSearch {
         part = std::min(part, 1 / way.parts);
         flight = std::min(flight, way.flight);
         parts = std::max(parts, way.parts * (1 - way.flight));
+        breaksMortar = breaksMortar || way.breaksMortar;
         mass += bodies_.mass[o.body].mass / double(bodies_.shapes[o.body].size());
         return true;
       });
@@ -78,6 +86,7 @@ class HitSearch {
     flight_ = std::min(flight_, flight);
     part_ = std::min(part_, part);
     parts_ = std::max(parts_, parts);
+    breaksMortar_ = breaksMortar_ || breaksMortar;
   }
 
   // Share of the step in which nothing hits yet.
@@ -86,6 +95,8 @@ class HitSearch {
   double part() const { return part_; }
   // In how many what follows the flight is to be made; 0: nothing hits.
   double parts() const { return parts_; }
+  // Whether a blow will break mortar.
+  bool breaksMortar() const { return breaksMortar_; }
 
  private:
   // What mortar holds is pushed out of its neighbours, which stop what comes after it: twice the mass is enough there.
@@ -135,12 +146,13 @@ class HitSearch {
     for (std::uint32_t i = firstOf_[other]; i < firstOf_[other + 1]; i++)
       mortar::addHolding(ties_.mortar.slots[mortarOf_[i]], bodies_, along, held);
     const double impulse = bodies_.mass[body].mass * speed;
-    return 0.5 * impulse * speed > held.energy ? impulse / held.force : std::numeric_limits<double>::infinity();
+    return 0.5 * impulse * speed > held.energy ? impulse / held.force : kAny;
   }
 
   struct Approach {
     double parts = 0;   // that it asks for, if all of the step were a hit; 0: they do not meet
     double flight = 1;  // share of the step before they touch, or come near
+    bool breaksMortar = false;
   };
   // `beyond`: m, that count as a part of the way.
   Approach approach(BodyIndex body, ShapeIndex own, ShapeIndex struck, double beyond) {
@@ -171,7 +183,10 @@ class HitSearch {
     const DistanceResult gap = shapeDistance(o.geometry, s.geometry, ownInStruck);
     const Vec3 push = gap.distance > 0 ? rotate(at.rotation, (gap.onA - gap.onB) * (1 / gap.distance)) : direction;
     const double closing = dot(way, push) / dt_;
-    if (closing > 0) out.parts = std::max(out.parts, dt_ / (kFirstPart * stopping(body, o.body, push, closing)));
+    if (!(closing > 0)) return out;
+    const double stops = stopping(body, o.body, push, closing);
+    out.breaksMortar = stops < kAny;
+    out.parts = std::max(out.parts, dt_ / (kBlowPart * stops));
     return out;
   }
 
@@ -184,21 +199,28 @@ class HitSearch {
   std::vector<std::uint32_t> firstOf_;  // by body: its first in `mortarOf_`; empty: not looked up yet
   std::vector<MortarIndex> mortarOf_;
   double flight_ = 1, part_ = 1, parts_ = 0;
+  bool breaksMortar_ = false;
 };
 
 }  // namespace
 
 HitPart partForHits(const Registry& registry, const Activity& activity, const Proximity& proximity, const Ties& ties,
                     double left, const HitPart& before, int most) {
-  if (most == 1) return {left};
+  if (most == 1) return {left, false, before.rings > 0 ? kBlowGrows * left : 0};
   HitSearch search(registry, proximity, ties, left, before.flight);
   for (BodyIndex body : activity.awake) search.look(body);
   for (BodyIndex body : activity.moving) search.look(body);
   // Parts before the hit would be missing after it.
   if (search.flight() > 2 * search.part()) return {left * (search.flight() - kTrifle * search.part()), true};
-  // What a short part has begun, a part twice as long at most goes on with.
-  const double grown = before.flight || before.length == 0 ? 1 : left / (2 * before.length);
-  return {left / std::ceil(std::clamp(std::max(search.parts(), grown), 1.0, std::ldexp(1.0, most - 1)))};
+  // What a short part has begun, a part twice as long at most goes on with; waves in mortar one little longer.
+  double longest = search.parts() > 0 ? left / search.parts() : kAny;
+  if (before.rings > 0)
+    longest = std::min(longest, before.rings);
+  else if (before.length > 0 && !before.flight)
+    longest = std::min(longest, 2 * before.length);
+  const bool rings = before.rings > 0 || search.breaksMortar();
+  return {left / std::ceil(std::clamp(left / longest, 1.0, std::ldexp(1.0, most - 1))), false,
+          rings ? kBlowGrows * longest : 0};
 }
 
 }  // namespace brickfall

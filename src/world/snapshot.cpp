@@ -18,7 +18,7 @@ namespace {
 
 //! not of the method: the file's
 constexpr std::uint64_t kMagic = 0x30504e5346424b42ull;
-constexpr std::uint32_t kLayout = 31;
+constexpr std::uint32_t kLayout = 32;
 
 struct Header {
   std::uint64_t magic = kMagic;
@@ -56,7 +56,7 @@ class SnapshotArchive {
     a.list(w.activity.moving);
     a.list(w.activity.islandOf);
     a.flag(w.activity.membershipChanged);
-    for (auto* seconds : {&w.clock.time, &w.clock.lastDt, &w.clock.stiffnessDt}) a.value(*seconds);
+    for (auto* seconds : {&w.clock.time, &w.clock.lastDt, &w.clock.stiffnessDt, &w.clock.rings}) a.value(*seconds);
     a.value(w.clock.steadySteps);
     a.value(w.clock.stepCount);
     a.list(w.diary.touchingBefore);

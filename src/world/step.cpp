@@ -200,7 +200,7 @@ void World::Impl::runSubstep(double dt, bool last) {
   // No island stays settled when the time step changes.
   if (clock.beginSubstep(dt)) activity.unsettleAll();
   // What is hit slows down what hits it: after each part the next is asked for.
-  HitPart part;
+  HitPart part{.rings = clock.rings};
   double left = dt;
   for (int most = def.solver.maxHitParts; left > 0; most--) {
     part = partForHits(registry, activity, proximity, ties, left, part, most);
@@ -208,6 +208,7 @@ void World::Impl::runSubstep(double dt, bool last) {
     runPart(part.length, last && whole);
     left = whole ? 0 : left - part.length;
   }
+  clock.rings = part.rings < limits::kLongestTimeStep ? part.rings : 0;
   clock.time += dt;
   clock.stepCount++;
 }

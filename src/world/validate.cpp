@@ -23,7 +23,7 @@ void World::Impl::checkLinks(Findings& f) const {
   diary.check(f, registry);
   auto isStep = [](double dt) { return dt >= 0 && dt <= limits::kLongestTimeStep; };
   f.expect(clock.time >= 0 && std::isfinite(clock.time) && isStep(clock.lastDt) && isStep(clock.stiffnessDt) &&
-               clock.steadySteps >= 0,
+               isStep(clock.rings) && clock.steadySteps >= 0,
            "time: out of range");
 }
 
