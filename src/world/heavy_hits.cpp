@@ -28,7 +28,8 @@ constexpr double kFirstPart = 0.25;  // of a hit
 constexpr double kBlowPart = 1.0 / 12;  // the first of a blow that breaks mortar
 //! x the part before | too small: cost of the steps after hits
 //! | too large: long parts damp the waves of a blow, and a wall that is hit rocks less
-constexpr double kBlowGrows = 4.0 / 3;                            // each part after a blow on mortar, at most
+constexpr double kBlowGrows = 4.0 / 3;  // each part after a blow on mortar, at most
+//! not of the method: no bound
 constexpr double kAny = std::numeric_limits<double>::infinity();  // s: of any length
 //! times the mass | too small: cost of what flies out of a wall | too large: as too large a kHitWay, in mortar
 constexpr double kHeldHeavier = 2;  // what hits a body that mortar holds
