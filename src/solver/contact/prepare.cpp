@@ -221,7 +221,7 @@ void ContactRows::prepare(const Island& island, Ties& ties, const StepContext& c
     r.near = float(kNearContact * stiff.scale.length);
     const PointRules rules{stiff, float(context.settings.restingApproachSpeed * stiff.scale.speed), cap,
                            // A part of a step releases a part of the offset.
-                           1 - (1 - kOffsetKept) * float(island.dt / context.dt),
+                           1 - (1 - kOffsetKept) * float(context.part * island.dt / context.dt),
                            float(kLeastRelease * stiff.scale.speed * island.dt), debris, island.facts.partnersGo};
     r.newPoints = start.falling = 0;
     start.points = c.count;
