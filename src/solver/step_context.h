@@ -56,7 +56,7 @@ constexpr double kHeavyLoad = 0.02;  // of a body's load: this counts like its w
 //! away the balance of light blocks under a great load
 constexpr double kTrifle = 0.01;  // of a force, stiffness, speed, energy, mass, size or turn: so little counts as none
 
-//! - | too small: rounding is taken for change: islands do not settle, sound impacts are dropped
+//! - | too small: rounding is taken for change: islands do not settle
 //! | too large: forces stop short of their end, energy may creep up
 constexpr double kFloatsRound = 1e-6;  // of a sum that floats found
 
