@@ -51,6 +51,24 @@ double elasticEnergy(const Contact& c, const StepContext& context) {
   return sum;
 }
 
+float energyToGiveBack(const Contact& c, const StepContext& context) {
+  const PointMemory& m = c.points;
+  double mass = 0;
+  for (BodyIndex body : {c.bodyA, c.bodyB})
+    if (context.bodies->mass[body].invMass > 0) mass = std::max(mass, context.bodies->mass[body].mass);
+  const double weight = mass * context.judgingGravity;
+  double sum = 0;
+  auto add = [&sum](double stiffness, double share, double n, double t1, double t2) {
+    if (stiffness > 0) sum += 0.5 * share * share * (n * n + t1 * t1 + t2 * t2) / stiffness;
+  };
+  for (int i = 0; i < c.count; i++) {
+    const double most = std::max(double(m.multiplierN[i]), weight);
+    add(m.stiffness[i], m.forceN[i] > most ? most / m.forceN[i] : 1, m.forceN[i], m.force1[i], m.force2[i]);
+  }
+  if (resistsRolling(c)) add(m.stiffness[0], 1, 0, m.force1[kRollingLane], m.force2[kRollingLane]);
+  return float(std::min(sum, double(kLargestPointForce)));
+}
+
 double ContactRows::elasticEnergy(ContactIndex contact, const StepContext& context) {
   return brickfall::elasticEnergy(context.ties->contacts.contacts[contact], context);
 }

@@ -13,4 +13,8 @@ namespace brickfall {
 // under the force that is then left, in the softest island (plan.h).
 double elasticEnergy(const Contact& contact, const StepContext& context);
 
+// J: what springs may give back of it in the next step, under the forces of the last one. A force counts up to its
+// multiplier, or the weight of the heavier body: what is more is a blow's, and comes back by a rebound alone.
+float energyToGiveBack(const Contact& contact, const StepContext& context);
+
 }  // namespace brickfall

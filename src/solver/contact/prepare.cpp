@@ -12,6 +12,7 @@
 #include <cmath>
 
 #include "dynamics/point_matcher.h"
+#include "solver/contact/energy.h"
 #include "solver/contact/speeds.h"
 #include "solver/contact/stiffness.h"
 
@@ -121,8 +122,9 @@ void soften(PointMemory& m, int i, const PointRules& rules) {
   if (m.forceN[i] > 0) m.offset[i] = std::min(0.0f, m.gap[i] + lasts / rules.stiffness.full);
 }
 
-// Returns the gap that causes force.
-float mapNormalOffset(PointMemory& m, int i, float approach, const PointRules& rules) {
+// Returns the gap that causes force. Overlap that is let go lifts what lies on the point, which was lost when that sank
+// in: adds this work to `held` (J).
+float mapNormalOffset(PointMemory& m, int i, float approach, const PointRules& rules, float& held) {
   if (rules.stiffness.isFull(m.stiffness[i])) m.phase[i] = PointPhase::resting;
   // The time step has grown, the island is calm no longer, or it has become debris.
   if (rules.stiffness.isAboveFull(m.stiffness[i])) soften(m, i, rules);
@@ -130,6 +132,7 @@ float mapNormalOffset(PointMemory& m, int i, float approach, const PointRules& r
   if (isTooSoft(m, i, approach, rules)) stiffen(m, i, approach, rules);
   float offset = std::min(0.0f, std::max(m.offset[i], m.gap[i]));
   m.offset[i] = std::min(0.0f, std::max(rules.kept * offset, offset + rules.release));
+  held += m.multiplierN[i] * (m.offset[i] - offset);
   if (m.phase[i] == PointPhase::fresh) startPhase(m, i, approach, rules);
   return m.gap[i] - m.offset[i];
 }
@@ -227,6 +230,7 @@ void ContactRows::prepare(const Island& island, Ties& ties, const StepContext& c
     start.points = c.count;
     start.slid = 0;
     start.friction = c.friction;
+    start.held = energyToGiveBack(c, context);
     start.bend = bendOf(island, r, c, bodies, island.dt);
     start.run = runOf(c, r, bodies, island.dt);
     const Vec3f carried = start.carried(r);
@@ -242,7 +246,7 @@ void ContactRows::prepare(const Island& island, Ties& ties, const StepContext& c
       if (follows || falls) r.newPoints |= 1u << i;
       if (falls) start.falling |= 1u << i;
       if (c.points.forceN[i] > 0 && !c.points.sticks(i)) start.slid |= 1u << i;
-      float gap = mapNormalOffset(c.points, i, start.approach[i], rules);
+      float gap = mapNormalOffset(c.points, i, start.approach[i], rules, start.held);
       mapFrictionAnchor(c, i, set.geometry[tieOf[k]], r, kSamePlace * start.scale.size, bodies);
       if (island.facts.mortared) gap = ease(c.points, i, c.effectiveMass * float(context.judgingGravity));
       float stiffness = c.points.stiffness[i];

@@ -12,7 +12,8 @@ bool isForce(float x) { return std::fabs(x) <= kLargestPointForce; }
 
 bool isSound(const FaceRecord& r, const ContactStart& start) {
   bool fine = r.newPoints < 16 && r.rolls <= 1 && start.falling < 16 && isForce(start.friction) &&
-              isForce(start.rolling) && start.points >= 0 && start.points <= (r.rolls ? kRollingLane : 4);
+              isForce(start.rolling) && std::isfinite(start.held) && start.points >= 0 &&
+              start.points <= (r.rolls ? kRollingLane : 4);
   for (const Vec3f& v : {r.n, r.t1, r.armA, r.armB, start.bend, start.run})
     fine = fine && isLength(v.x) && isLength(v.y) && isLength(v.z);
   for (int i = 0; i < 4; i++)

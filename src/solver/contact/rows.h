@@ -1,5 +1,6 @@
 // Contacts as rows of an island's solve.
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <memory_resource>
 #include <vector>
@@ -25,12 +26,13 @@ struct ContactStart {
   float stopping[4] = {};  // N, stops the approach and carries the pair's weight; after an impact: its last force
   float taken[4] = {};     // N s, of an impact that will rebound, in this step
   float back[4] = {}, back1[4] = {},
-        back2[4] = {};        // N, that a rebound gives in this step, beside the point's remembered force
-  Vec3f bend;                 // m, of B against A: the arc of a turning partner adds this to the ways along its tangent
-  Vec3f run;                  // m, of B against A: the way of surfaces that run in this step, along the face
-  float friction = 0;         // coefficient
-  float rolling = 0;          // coefficient, where a lane of the record resists rolling
-  std::uint32_t slid = 0;     // bit per point that pressed and slid in the last step
+        back2[4] = {};     // N, that a rebound gives in this step, beside the point's remembered force
+  Vec3f bend;              // m, of B against A: the arc of a turning partner adds this to the ways along its tangent
+  Vec3f run;               // m, of B against A: the way of surfaces that run in this step, along the face
+  float friction = 0;      // coefficient
+  float rolling = 0;       // coefficient, where a lane of the record resists rolling
+  float held = 0;          // J, that springs held when the last step ended, and that lifts what lies on overlap let go
+  std::uint32_t slid = 0;  // bit per point that pressed and slid in the last step
   std::uint32_t falling = 0;  // bit per point whose friction limit follows downwards only: after an impact
   std::int32_t points = 0;    // 0 .. 4
   Scale scale;                // of the pair
@@ -100,6 +102,10 @@ struct ContactRows : FaceRows, TieRows<ContactRows, ContactSet, &Ties::contacts,
   RowGrip grip(std::size_t k, const StepContext& context) const;
   // The contact carries force, or would at the present motion if one of its bodies went `way` (m) further.
   bool meetsWithin(std::size_t k, Vec3f way, const SolveMotion* motion, const StepContext& context) const;
+
+  // J: the most that the contact gives in this step. Overlap that is let go and springs that soften hold more than
+  // bodies gave to them: that is nobody's to have.
+  double mostWork(std::size_t k) const { return std::min(FaceRows::mostWork(k), double(starts[k].held)); }
 
   void prepare(const Island& island, Ties& ties, const StepContext& context);
   // What a row keeps frozen in a solve follows the motion found: friction limits of points that carried nothing in the
