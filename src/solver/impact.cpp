@@ -77,8 +77,8 @@ double shareThatGainsNothing(const Island& island, const std::pmr::vector<Veloci
   return 1 - gain / ofChange;
 }
 
-// Returns false, and changes nothing, if the result would be no impact. A solve is right to rounding, but where nothing is
-// lost, that may be a gain: all velocities change less by as much.
+// Returns false, and changes nothing, if the result would be no impact. Where nothing is lost, the rounding of a sound
+// solve may be a gain: all velocities change less by as much.
 bool changeVelocities(const Island& island, BodySet& bodies) {
   std::pmr::vector<Velocities> before(island.memory);
   const double had = kineticEnergy(island, bodies), perDt = 1 / island.dt;

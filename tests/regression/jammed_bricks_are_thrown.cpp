@@ -43,7 +43,13 @@ double fastestStirred(int shot) {
   return fastest;
 }
 
-TEST(Regression, JammedBricksAreThrown) { EXPECT_LT(fastestStirred(0) + fastestStirred(1), 2 * 2.3 * kTip); }
+// Chance decides much in one shot: of forty the mean is 5.3 m/s, two are over 8.
+TEST(Regression, JammedBricksAreThrown) {
+  constexpr int kShots = 4;
+  double sum = 0;
+  for (int shot = 0; shot < kShots; shot++) sum += fastestStirred(shot);
+  EXPECT_LT(sum, kShots * 2.3 * kTip);
+}
 
 }  // namespace
 }  // namespace brickfall
