@@ -25,7 +25,7 @@ constexpr double kHitWay = 0.35;  // of the struck body, in a part
 constexpr double kFirstPart = 0.25;  // of a hit
 //! of the time in which mortar stops the blow with all of its strength | too small: cost of hits
 //! | too large: what lies beside what is struck gives way before it moves
-constexpr double kBlowPart = 1.0 / 12;  // the first of a blow that breaks mortar
+constexpr double kBlowPart = 1.0 / 8;  // the first of a blow that breaks mortar
 //! x the part before | too small: cost of the steps after hits
 //! | too large: long parts damp the waves of a blow, and a wall that is hit rocks less
 constexpr double kBlowGrows = 4.0 / 3;  // each part after a blow on mortar, at most

@@ -81,7 +81,7 @@ TEST(HeavyHits, AreOfTwiceTheMassWhereMortarHolds) {
     return world.step(kDt)->parts;
   };
   EXPECT_EQ(partsOf(500, true), 8)
-      << "7.1 kg, 2.6 bricks: the flight, then a twelfth of 4.6 ms, and each a third longer than the last";
+      << "7.1 kg, 2.6 bricks: the flight, then an eighth of 4.6 ms, and each a third longer than the last";
   EXPECT_EQ(partsOf(500, false), 1);
   EXPECT_EQ(partsOf(300, true), 1) << "4.2 kg, 1.6 bricks";
 }
