@@ -20,7 +20,7 @@ double firstClosing(const Island& island, double dt, const StepContext& context)
 // Changes the velocities of the island's bodies by the impacts at closed points, with friction and rebound. A point is
 // closed if it is nearer than 20 micrometres, or than its approach takes it in `blink` s. Points that are hit are fresh
 // afterwards. Returns false, and changes nothing, if its solve left more than a hundredth of the forces unbalanced, or
-// if energy would rise by more than that.
+// if energy would rise by more than a hundredth of the change takes back: by less, all of the change is that much less.
 bool solveImpact(Island& island, Ties& ties, BodySet& bodies, StepContext& context, double blink,
                  SolveStatistics& statistics, std::pmr::vector<TieImpact>& impacts);
 
