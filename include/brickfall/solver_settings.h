@@ -22,9 +22,9 @@ struct SolverSettings {
   double contactMargin = 0.010;  // m, 1e-5 .. 1: contacts are made this early (and approach x dt more), between
       // dynamic bodies plus the way of the faster one in the step; at most 0.3 inner radii of the
       // thinner shape
-  //! m/s | too small: heaps chatter | too large: bounces end early (a body alone goes on to g h / 100)
-  double restitutionSpeed = 1;  // m/s, 0 .. 100: slower impacts do not rebound; for a body alone on something fixed
-                                // at most a hundredth of gravity x dt. Smaller: heaps chatter longer before they rest
+  //! m/s | too small: heaps chatter | too large: bounces end early (few bodies go on to g h / 100)
+  double restitutionSpeed = 1;  // m/s, 0 .. 100: slower impacts do not rebound; of few bodies (docs/step.md, impacts at
+                                // their moment) at most a hundredth of gravity x dt. Smaller: heaps chatter longer
   //! m/s | too small: walls sway for seconds after a hit | too large: a body that begins to fall slowly may be stopped
   double restSpeed = 1e-2;  // m/s, 0 .. 1: only islands slower than this may be stopped or put to rest; large ones of
                             // up to 30 mm/s are stopped too, where a swing ends

@@ -121,7 +121,7 @@ void addSolverKeys(std::vector<KeySpec>& keys) {
   keys.push_back({"solver", "resting_stiffness", K::number, "u", 10, 1e5, "1000", "", "of resting contacts; u = effective mass / time_step^2; islands of 25 bodies and more that are not solved directly take a part of it at steps under 1/60 s"});
   keys.push_back({"solver", "impact_stiffness", K::number, "u", 1, 1e5, "30", "", "of a contact born in an impact; at most resting_stiffness"});
   keys.push_back({"solver", "resting_approach_speed", K::number, "m/s", 0, 100, "0.3", "", "contacts born slower are resting, not impacts"});
-  keys.push_back({"solver", "restitution_speed", K::number, "m/s", 0, 100, "1", "", "slower impacts do not rebound; a body alone on something fixed bounces on until a hundredth of gravity x time_step"});
+  keys.push_back({"solver", "restitution_speed", K::number, "m/s", 0, 100, "1", "", "slower impacts do not rebound; few bodies (an island of up to five, balls in a row) bounce on until a hundredth of gravity x time_step"});
   keys.push_back({"solver", "contact_margin", K::number, "m", 1e-5, 1, "0.01", "", "contacts are made this early, and earlier by what moves"});
   keys.push_back({"solver", "rest_speed", K::number, "m/s", 0, 1, "0.01", "", "only slower islands are stopped or put to rest; large ones up to 0.03 m/s are stopped too, where a swing ends"});
   keys.push_back({"solver", "rest_tolerance", K::number, "", 0, 1, "0.001", "", "force residual / max(weight, 0.02 load) taken as: nothing moves"});
@@ -160,7 +160,7 @@ void addMaterialKeys(std::vector<KeySpec>& keys) {
   keys.push_back({"material", "name", K::name, "", 0, 0, "", "", "what other tables call it"});
   keys.push_back({"material", "density", K::number, "kg/m3", scene_limits::kSmallestDensity, scene_limits::kLargestDensity, "1900", "", "mass by volume"});
   keys.push_back({"material", "friction", K::number, "", 0, limits::kLargestFriction, "0.6", "", "Coulomb coefficient"});
-  keys.push_back({"material", "restitution", K::number, "", 0, 1, "0", "", "rebound speed / impact speed; impacts slower than restitution_speed do not rebound"});
+  keys.push_back({"material", "restitution", K::number, "", 0, 1, "0", "", "rebound speed / impact speed; in heaps impacts slower than restitution_speed do not rebound"});
   keys.push_back({"material", "rolling_resistance", K::number, "", 0, limits::kLargestFriction, "0", "", "torque that rolling takes / (normal force x radius); the larger of two counts"});
   keys.push_back({"material", "friction_rule", K::choice, "", 0, 0, "\"geometric_mean\"", "geometric_mean|average|minimum|multiply|maximum", "how two materials' values become one"});
   keys.push_back({"material", "hardness", K::number, "Pa", 1e3, 1e13, "60e6", "", "pressure at which a blow crushes it, where something round hits what mortar holds; of what crushes first"});

@@ -117,9 +117,9 @@ bool touchesNothing(const Island& island, const StepContext& context) {
   return none;
 }
 
-double firstClosing(const Island& island, double dt, const StepContext& context) {
+double firstClosing(Island& island, double dt, const StepContext& context) {
   double first = std::numeric_limits<double>::infinity();
-  island.rows.eachKind([&](const auto& kind) { first = std::min(first, kind.firstClosing(island, dt, context)); });
+  island.rows.eachKind([&](auto& kind) { first = std::min(first, kind.firstClosing(island, dt, context)); });
   return first;
 }
 

@@ -15,7 +15,7 @@ bool mayClose(const Island& island, const StepContext& context, double ahead);
 bool touchesNothing(const Island& island, const StepContext& context);
 // In how many s the island's first open point closes; infinity if none does. By StepContext::solved, the island's
 // motion over `dt` s as if its open points were not there.
-double firstClosing(const Island& island, double dt, const StepContext& context);
+double firstClosing(Island& island, double dt, const StepContext& context);
 
 // Changes the velocities of the island's bodies by the impacts at closed points, with friction and rebound. A point is
 // closed if it is nearer than 20 micrometres, or than its approach takes it in `blink` s. Points that are hit are fresh

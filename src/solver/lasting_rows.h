@@ -58,6 +58,7 @@ template <class Rows, class Set, Set Ties::*kSet> struct LastingRows : TieRows<R
   double firstClosing(const Island&, double, const StepContext&) const {
     return std::numeric_limits<double>::infinity();
   }
+  void forgetSlow() {}
   bool reboundImpact(const Island&, const StepContext&, std::pmr::vector<TieImpact>&) { return false; }
 
   void hashName(Mix& h, std::size_t k, const Ties& ties) const { h(this->at(k, ties).order); }

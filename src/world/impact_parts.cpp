@@ -25,7 +25,7 @@ bool isFoundExactly(ShapeType a, ShapeType b) {
 bool ImpactParts::mayBeCut(const Island& island) const {
   const BodySet& bodies = registry_.bodies;
   auto carries = [&](BodyIndex body) { return bodies.carries(body); };
-  if (island.bodies.size() > kMostBodies) return false;
+  if (island.bodies.size() > kMostBodies && !passesBlowsOn(island)) return false;
   if (std::any_of(island.partners.begin(), island.partners.end(), carries)) return false;
   const bool alone = island.bodies.size() == 1;
   // Without a turn a way of any length may be parted.
@@ -33,6 +33,21 @@ bool ImpactParts::mayBeCut(const Island& island) const {
   return std::all_of(island.bodies.begin(), island.bodies.end(), [&](BodyIndex body) {
     return length(bodies.motion[body].linearVelocity) * context_.dt <= kFarWay * bodies.mass[body].outerRadius;
   });
+}
+
+// A row of bodies that nothing presses passes a blow from one to the next; it has gone on through 1 / (1 - restitution)
+// times as many bodies when as much of it is lost.
+bool ImpactParts::passesBlowsOn(const Island& island) const {
+  const std::size_t count = island.bodies.size();
+  if (count > std::size_t(kMostParts)) return false;
+  float most = 0;
+  bool pressed = false;
+  island.rows.eachManifold([&](ContactIndex contact) {
+    const Contact& c = context_.ties->contacts.contacts[contact];
+    most = std::max(most, c.restitution);
+    pressed = pressed || c.touching;
+  });
+  return !pressed && double(count) * (1 - double(most)) <= double(kMostBodies);
 }
 
 double ImpactParts::longest(const Island& island) const {

@@ -14,8 +14,8 @@ class ImpactParts {
  public:
   ImpactParts(const Registry& registry, const StepContext& context) : registry_(registry), context_(context) {}
 
-  // Left whole are large islands, islands with a body that moves far beyond its own size, and islands that a kinematic
-  // body moves.
+  // Left whole are large islands, but not rows that pass blows on; islands with a body that moves far beyond its own
+  // size; and islands that a kinematic body moves.
   bool mayBeCut(const Island& island) const;
   // Longest part (s) in which no body in contact turns visibly by more than kMostTurn.
   double longest(const Island& island) const;
@@ -24,6 +24,7 @@ class ImpactParts {
   bool runThrough(const Island& island, double dt, const Proximity& proximity) const;
 
  private:
+  bool passesBlowsOn(const Island& island) const;
   bool foundExactly(const Island& island) const;
   Vec3 turnOf(BodyIndex body) const;
 

@@ -62,6 +62,7 @@ void ImpactWalk::solve(Island& island, double dt, bool toImpact, SolveStatistics
 
 // Time from now (s) at which the next point closes, if that is within `left` s, else infinity. Changes nothing.
 double ImpactWalk::nextImpact(Island& island, double left) {
+  island.rows.eachKind([](auto& kind) { kind.forgetSlow(); });
   IslandTrial trial(island, ties, bodies);
   SolveStatistics tried;  // of a motion that nothing makes: its cost counts, its left-over residual does not
   solve(island, left, true, tried);

@@ -31,12 +31,15 @@ bool isOpen(const Contact& c, int i, const StepContext& context) {
 
 }  // namespace
 
-// Of a body alone, what is slower than gravity makes it in a step rebounds into the next step at most, at any size.
-double slowestImpact(const Island& island, const StepContext& context) {
+// Of a body alone, what is slower than gravity makes it in a step rebounds into the next step at most, at any size. Of
+// several bodies, what gives nothing back rests before that.
+double slowestImpact(const Contact& contact, const Island& island, const StepContext& context) {
   const Scale& scale = island.facts.scale;
   const double unseen = kNearlyClosed * scale.length / context.dt;
-  return island.plan.alone ? std::min(unseen, scale.gravity * context.dt)
-                           : std::max(unseen, context.settings.restingApproachSpeed * scale.speed);
+  if (island.plan.alone) return std::min(unseen, scale.gravity * context.dt);
+  const double resting = context.settings.restingApproachSpeed * scale.speed;
+  const double falls = kTrifle * length(context.gravity) * context.dt;
+  return std::max(unseen, contact.restitution > 0 ? std::min(resting, falls) : resting);
 }
 
 bool ContactRows::mayClose(const StepContext& context, double ahead) const {
@@ -55,11 +58,11 @@ bool ContactRows::mayClose(const StepContext& context, double ahead) const {
 }
 
 bool ContactRows::touchNothing(const StepContext& context) const {
-  for (ContactIndex contact : tieOf) {
-    const Contact& c = context.ties->contacts.contacts[contact];
+  for (std::size_t k = 0; k < size(); k++) {
+    const Contact& c = at(k, *context.ties);
     if (c.touching) return false;
     for (int i = 0; i < c.count; i++)
-      if (!isOpen(c, i, context)) return false;
+      if (!isOpen(c, i, context) || isSlow(k, i)) return false;
   }
   return true;
 }
@@ -68,17 +71,16 @@ void ContactRows::leaveOut(Ties& ties, const StepContext& context) {
   for (std::size_t k = 0; k < size(); k++) {
     Contact& c = at(k, ties);
     for (int i = 0; i < c.count; i++) {
-      if (!isOpen(c, i, context)) continue;
+      if (!isOpen(c, i, context) || isSlow(k, i)) continue;
       records[k].trialN[i] = -kLargestPointForce;
       clearPoint(c.points, i);
     }
   }
 }
 
-double ContactRows::firstClosing(const Island& island, double dt, const StepContext& context) const {
+double ContactRows::firstClosing(const Island& island, double dt, const StepContext& context) {
   const BodySet& bodies = *context.bodies;
   const std::size_t count = island.bodies.size();
-  const double least = slowestImpact(island, context);
   auto startOf = [&](std::uint32_t local) { return velocityOf(bodies.motion[island.bodyAt(local)]); };
   auto endOf = [&](std::uint32_t local) {
     if (local >= count) return startOf(local);
@@ -87,9 +89,11 @@ double ContactRows::firstClosing(const Island& island, double dt, const StepCont
                           bodies.worldInvInertia(body) * context.solved[body].angularMomentum};
   };
   double first = std::numeric_limits<double>::infinity();
+  slow.assign(size(), 0);
   for (std::size_t k = 0; k < size(); k++) {
     const Contact& c = at(k, *context.ties);
     const FaceRecord& r = records[k];
+    const double least = slowestImpact(c, island, context);
     double start[4], end[4];
     speedsOf(r, c.count, {startOf(r.bodyA), startOf(r.bodyB)}, start);
     speedsOf(r, c.count, {endOf(r.bodyA), endOf(r.bodyB)}, end);
@@ -97,7 +101,9 @@ double ContactRows::firstClosing(const Island& island, double dt, const StepCont
       if (c.points.forceN[i] > 0) continue;
       double acceleration = (end[i] - start[i]) / dt;
       double gap = c.points.gap[i] > float(kNoGap * starts[k].scale.length) ? double(c.points.gap[i]) : 0;
-      first = std::min(first, closingTime(gap, start[i], acceleration, least));
+      const double met = closingTime(gap, start[i], acceleration, least);
+      first = std::min(first, met);
+      if (!std::isfinite(met) && closingTime(gap, start[i], acceleration, 0) < dt) slow[k] |= std::uint8_t(1u << i);
     }
   }
   return first;

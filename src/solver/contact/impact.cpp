@@ -70,12 +70,13 @@ void ContactRows::keepImpactForces(const Island& island) {
 
 bool ContactRows::reboundImpact(const Island& island, const StepContext& context,
                                 std::pmr::vector<TieImpact>& impacts) {
-  double least = slowestRebound(island, context);
   bool rebounds = false;
   for (std::size_t k = 0; k < size(); k++) {
     const Contact& c = at(k, *context.ties);
     PointForces f = pointForcesAt(records[k], island.motion.data());
     TieImpact impact = impactAt(c, records[k], context);
+    // Few bodies rebound as long as their impacts count as such.
+    const double least = std::min(slowestRebound(island, context), slowestImpact(c, island, context));
     for (int i = 0; i < c.count; i++) {
       if (!(f.n[i] > 0)) continue;
       double approach = -double(starts[k].approach[i]);
@@ -94,11 +95,12 @@ void ContactRows::endImpact(const Island& island, Ties& ties, const StepContext&
   for (std::size_t k = 0; k < size(); k++) {
     Contact& c = at(k, ties);
     PointForces f = pointForcesAt(records[k], island.motion.data());
+    const double slowest = slowestImpact(c, island, context);
     for (float& least : records[k].leastN) least = 0;
     if (!solved) continue;
     for (int i = 0; i < c.count; i++) {
       // A point that was hit begins anew, and so does a point that the impact parts: its last force must not act on.
-      bool hit = f.n[i] > 0, parts = double(f.way[i]) > slowestImpact(island, context) * island.dt;
+      bool hit = f.n[i] > 0, parts = double(f.way[i]) > slowest * island.dt;
       if (hit ? c.points.forceN[i] == 0 : parts) clearPoint(c.points, i);
       if (hit && !parts) {  // micrometres away: the rest of the step must not close that in no time
         c.points.metMask |= 1u << i;

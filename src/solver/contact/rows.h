@@ -46,8 +46,10 @@ struct ContactStart {
 
 // Rows in the order of their pairs.
 struct ContactRows : FaceRows, TieRows<ContactRows, ContactSet, &Ties::contacts, &ContactSet::contacts> {
-  explicit ContactRows(std::pmr::memory_resource* memory) : FaceRows(memory), TieRows(memory), starts(memory) {}
+  explicit ContactRows(std::pmr::memory_resource* memory)
+      : FaceRows(memory), TieRows(memory), starts(memory), slow(memory) {}
   std::pmr::vector<ContactStart> starts;  // by row
+  std::pmr::vector<std::uint8_t> slow;    // by row, or none: bits of points that close too slowly for an impact
   float fastestApproach = 0;              // m/s, of any point at the start of the step
 
   // --- functions of every kind of row, in the order in which a step calls them; those of the list are in tie_rows.h. A
@@ -179,9 +181,12 @@ struct ContactRows : FaceRows, TieRows<ContactRows, ContactSet, &Ties::contacts,
   // --- impacts at their moment (solver/impact.h)
   bool mayClose(const StepContext& context, double ahead) const;
   bool touchNothing(const StepContext& context) const;
-  // Of prepared rows: open points carry nothing in the coming solve, and stay as fresh as they were.
+  // Of prepared rows: open points carry nothing in the coming solve, and stay as fresh as they were. Not those that
+  // close on the way without an impact: nothing else would stop them there.
   void leaveOut(Ties& ties, const StepContext& context);
-  double firstClosing(const Island& island, double dt, const StepContext& context) const;
+  // Finds `slow` as well.
+  double firstClosing(const Island& island, double dt, const StepContext& context);
+  void forgetSlow() { slow.clear(); }
   // Prepared rows become those of an impact. Closed points may not close further, open points do not exist, and no
   // point has a memory.
   void startImpact(const Island& island, const StepContext& context, double blink);
@@ -194,6 +199,7 @@ struct ContactRows : FaceRows, TieRows<ContactRows, ContactSet, &Ties::contacts,
   void endImpact(const Island& island, Ties& ties, const StepContext& context, bool solved);
 
  private:
+  bool isSlow(std::size_t k, int i) const { return k < slow.size() && (slow[k] >> i & 1); }
   bool startRebounds(const Island& island, const StepContext& context);
 };
 

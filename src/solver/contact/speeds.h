@@ -13,10 +13,10 @@ inline void speedsOf(const FaceRecord& r, int count, const EndChanges& by, doubl
 }
 inline VelocityChange velocityOf(const BodyMotion& m) { return {m.linearVelocity, m.angularVelocity}; }
 
-// m/s: slower impacts are left to the step.
-double slowestImpact(const Island& island, const StepContext& context);
-// m/s: slower impacts do not rebound. In a heap every body would chatter with its neighbours. A body alone on something
-// fixed bounces on within the step, down to a trifle of what gravity gives it in one.
+// m/s: slower impacts of the contact are left to the step.
+double slowestImpact(const Contact& contact, const Island& island, const StepContext& context);
+// m/s: slower impacts do not rebound within a step. In a heap every body would chatter with its neighbours. A body
+// alone on something fixed bounces on, down to a trifle of what gravity gives it in one.
 double slowestRebound(const Island& island, const StepContext& context);
 
 }  // namespace brickfall
