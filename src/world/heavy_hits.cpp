@@ -43,17 +43,20 @@ double thicknessAlong(const Shape& shape, Vec3 direction) {
 
 class HitSearch {
  public:
-  HitSearch(const Registry& registry, const Proximity& proximity, const Ties& ties, double dt, bool flown)
+  HitSearch(const Registry& registry, const Proximity& proximity, const Ties& ties, const HitRoom& room, bool flown)
       : bodies_(registry.bodies),
         shapes_(registry.shapes),
         proximity_(proximity),
         ties_(ties),
-        dt_(dt),
+        dt_(room.left),
+        resting_(room.resting),
         flown_(flown) {}
 
   void look(BodyIndex body) {
     const BodyMotion& m = bodies_.motion[body];
-    if (bodies_.still[body] || !(length(m.linearVelocity) * dt_ > littleWay(bodies_.mass[body].innerRadius))) return;
+    const double speed = length(m.linearVelocity), inner = bodies_.mass[body].innerRadius;
+    if (bodies_.still[body]) return;
+    if (!(speed * dt_ > littleWay(inner)) && !(ties_.mortar.any() && strikes(speed, inner))) return;
     const Sweep own = sweepOf(bodies_, body, m.linearVelocity * dt_, m.angularVelocity * dt_);
     double mass = 0;                         // kg, of bodies on the way
     double flight = 1, part = 1, parts = 0;  // of the body
@@ -150,6 +153,23 @@ class HitSearch {
     return 0.5 * impulse * speed > held.energy ? impulse / held.force : kAny;
   }
 
+  // Faster than what begins to rest: mortar gets a blow (solver/blows.h), however short the part is.
+  bool strikes(double speed, double innerRadius) const {
+    return speed > resting_ * std::sqrt(innerRadius / kReferenceSize);
+  }
+  // Two shapes on each other: their blow is over.
+  bool presses(ShapeIndex a, ShapeIndex b) const {
+    CandidatePair pair{std::min(a, b), std::max(a, b)};
+    const auto& pairs = ties_.contacts.pairs;
+    for (auto at = std::lower_bound(pairs.begin(), pairs.end(), pair); at != pairs.end(); ++at) {
+      if (at->shapeA != pair.shapeA || at->shapeB != pair.shapeB) break;
+      if (at->contact == kNoIndex) continue;
+      const Contact& c = ties_.contacts.contacts[at->contact];
+      if (c.touching || c.struck) return true;
+    }
+    return false;
+  }
+
   struct Approach {
     double parts = 0;   // that it asks for, if all of the step were a hit; 0: they do not meet
     double flight = 1;  // share of the step before they touch, or come near
@@ -161,7 +181,7 @@ class HitSearch {
     const BodyMotion& other = bodies_.motion[o.body];
     const Vec3 way = (bodies_.motion[body].linearVelocity - other.linearVelocity) * dt_;
     const double far = length(way);
-    if (!(far > littleWay(o.innerRadius))) return {};
+    if (!(far > littleWay(o.innerRadius)) && !(isHeld(o.body) && strikes(far / dt_, o.innerRadius))) return {};
     const double room = 1 + beyond / far;
     if (!mayMeet(body, o.body, way * room, far * room)) return {};
     const Vec3 direction = way * (1 / far);
@@ -179,7 +199,7 @@ class HitSearch {
     if (!near) return {};
     out.flight = std::min(room * *near, 1.0);
     // Before a blow: what follows it pushes, and the joints stop it. It acts along the normal of where they meet.
-    if (!met || *met == 0 || !isHeld(o.body) || bodies_.isDriven(body)) return out;
+    if (!met || presses(own, struck) || !isHeld(o.body) || bodies_.isDriven(body)) return out;
     ownInStruck.position += motion * *met;
     const DistanceResult gap = shapeDistance(o.geometry, s.geometry, ownInStruck);
     const Vec3 push = gap.distance > 0 ? rotate(at.rotation, (gap.onA - gap.onB) * (1 / gap.distance)) : direction;
@@ -195,7 +215,8 @@ class HitSearch {
   const ShapeSet& shapes_;
   const Proximity& proximity_;
   const Ties& ties_;
-  const double dt_;
+  const double dt_;                     // s
+  const double resting_;                // m/s, of a brick
   const bool flown_;                    // the part before ended where this one hits
   std::vector<std::uint32_t> firstOf_;  // by body: its first in `mortarOf_`; empty: not looked up yet
   std::vector<MortarIndex> mortarOf_;
@@ -206,9 +227,10 @@ class HitSearch {
 }  // namespace
 
 HitPart partForHits(const Registry& registry, const Activity& activity, const Proximity& proximity, const Ties& ties,
-                    double left, const HitPart& before, int most) {
-  if (most == 1) return {left, false, before.rings > 0 ? kBlowGrows * left : 0};
-  HitSearch search(registry, proximity, ties, left, before.flight);
+                    const HitRoom& room, const HitPart& before) {
+  const double left = room.left;
+  if (room.most == 1) return {left, false, before.rings > 0 ? kBlowGrows * left : 0};
+  HitSearch search(registry, proximity, ties, room, before.flight);
   for (BodyIndex body : activity.awake) search.look(body);
   for (BodyIndex body : activity.moving) search.look(body);
   // Parts before the hit would be missing after it.
@@ -220,7 +242,7 @@ HitPart partForHits(const Registry& registry, const Activity& activity, const Pr
   else if (before.length > 0 && !before.flight)
     longest = std::min(longest, 2 * before.length);
   const bool rings = before.rings > 0 || search.breaksMortar();
-  return {left / std::ceil(std::clamp(left / longest, 1.0, std::ldexp(1.0, most - 1))), false,
+  return {left / std::ceil(std::clamp(left / longest, 1.0, std::ldexp(1.0, room.most - 1))), false,
           rings ? kBlowGrows * longest : 0};
 }
 

@@ -13,14 +13,21 @@ struct HitPart {
   double rings = 0;     // s: waves of a blow on mortar are under way, and the next part is no longer; 0: none are
 };
 
-// The next part of what is `left` of a step (s), in `most` parts at most (>= 1), after `before`. In a part a body far
+// What is left of a step.
+struct HitRoom {
+  double left = 0;     // s
+  int most = 1;        // parts in which it is to be made at most, >= 1
+  double resting = 0;  // m/s: slower, a brick does not strike what mortar holds
+};
+
+// The next part of what is left of a step, after `before`. In a part a body far
 // heavier than one on its way goes at most 0.35 of its thickness through it: ten times as heavy, twice where mortar
 // holds it. A blow that breaks mortar begins with an eighth of the time in which its whole strength stops the blow.
 // Each part after it is at most a third longer than the one before, in this step and those that follow. Contacts are
 // found where a part begins: bodies that a struck body meets on its way out must begin another. The flight before a
 // hit is one part, and a trifle is left: the hit is not in it. The part after it goes a fourth as far, and grows, too:
-// each is at most twice the one before and, where `most` are too few, as long as all after it.
+// each is at most twice the one before and, where parts are too few, as long as all after it.
 HitPart partForHits(const Registry& registry, const Activity& activity, const Proximity& proximity, const Ties& ties,
-                    double left, const HitPart& before, int most);
+                    const HitRoom& room, const HitPart& before);
 
 }  // namespace brickfall

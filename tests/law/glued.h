@@ -152,7 +152,8 @@ struct Glued {
   }
 };
 
-// Whether a ball of steel breaks a brick out that is glued to four fixed ones. It comes `part` of a step's way away.
+// Whether a ball of steel breaks a brick out that is glued to four fixed ones. It comes `part` of a step's way away, and meets
+// the middle of the brick along its normal: what falls as it comes presses on the beds as well, the more the longer it flew.
 inline bool breaksOut(double mass, double speed, const GluedSetup& setup, double part) {
   Glued g(setup);
   g.brick({0, 1, 0});
@@ -162,9 +163,10 @@ inline bool breaksOut(double mass, double speed, const GluedSetup& setup, double
   g.make();
   for (std::size_t j = 1; j < 5; j++) g.gluePair(0, j);
   const double radius = std::cbrt(mass / (7800 * 4.0 / 3 * kPi));
-  BodyDef ball =
-      bodyOf(sphereOf(radius, 7800), g.turn * Vec3{0, 1, 0.5 * kBrickSize.z + radius + part * speed * setup.dt});
-  ball.linearVelocity = g.turn * Vec3{0, 0, -speed};
+  const double flies = part * setup.dt;  // s
+  BodyDef ball = bodyOf(sphereOf(radius, 7800),
+                        g.turn * Vec3{0, 1 - 0.5 * kG * flies * flies, 0.5 * kBrickSize.z + radius + speed * flies});
+  ball.linearVelocity = g.turn * Vec3{0, kG * flies, -speed};
   add(g.world, ball);
   for (int i = 0; i < 6; i++) g.step(setup.dt);
   return g.broken == 4;

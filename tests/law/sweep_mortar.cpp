@@ -1,4 +1,5 @@
 // Row 31: mortar against closed forms, at every step, turned by 37 degrees, bodies made in any order.
+#include "law/draw.h"
 #include "law/glued.h"
 #include "law/lab.h"
 #include "law/sweeps.h"
@@ -224,11 +225,12 @@ void sweepOpenings(int cases) {
 
 void sweepBreakOuts(int cases) {
   Sweep sweep("a ball breaks a brick out: speed off the true one by", 8, "%");
+  Draw draw(1);
   for (const GluedSetup& setup : gluedSetups(cases))
     for (auto [mass, speed] : {std::pair{16.7, 1.41}, {5.0, 3.16}, {1.0, 10.3}})
-      for (double part : {0.05, 0.3, 0.7})
+      for (double part : {draw.between(0, 1), draw.between(0, 1), draw.between(0.99, 1), 1.0})
         sweep.add(setup.dt, percentOff(speedThatBreaksOut(mass, speed, setup, part), speed),
-                  setup.text() + label(", %.1f kg", mass) + label(", %.2f of a step away", part));
+                  setup.text() + label(", %.1f kg", mass) + label(", %.4f of a step away", part));
 }
 
 void sweepPiers(int cases) {

@@ -42,6 +42,7 @@ struct Taken {
   double use = 0;                         // largest force of a point over that of intact mortar
   double standing = 0;                    // of `use`: in balance before the step
   bool yields = false;
+  bool loads = false;  // its forces are overcome
 };
 
 // Of a joint's forces in one mode, J.
@@ -86,6 +87,7 @@ Taken takenBy(const Mortar& m, const FaceRecord& r, const MortarStart& start, co
                              cohesive * std::sqrt(hold1 * hold1 + hold2 * hold2) / mortar::shearOf(m)});
   }
   out.standing = pull.stops() || shear.stops() ? stood * std::min(out.standing, out.use) : 0;
+  out.loads = pull.found + shear.found > 0;
   out.pull = pull.taken();
   out.shear = shear.taken();
   if (out.yields) return out;
@@ -223,7 +225,7 @@ bool MortarRows::store(Island& island, Ties& ties, StepContext&) {
     if (start.arm > m.arm) m.damage = std::max(m.damage, damageBy(m, start, now));
     m.opens = m.crushed ? !(std::max({now.n[0], now.n[1], now.n[2], now.n[3]}) > 0) : share > 0;
     m.ends = m.crushed ? m.opens : m.damage >= (m.opens ? mortar::kBroken : mortar::kThread);
-    m.tougher = m.opens ? start.tougher : 1;
+    m.tougher = m.opens || taken.loads ? start.tougher : 1;
     start.pull = float(taken.pull * paid);
     start.shear = float(taken.shear * paid);
     start.crush = float(taken.crush * most);
