@@ -52,11 +52,12 @@ class HitSearch {
         resting_(room.resting),
         flown_(flown) {}
 
+  void weigh(BodyIndex body) { lightest_ = std::min(lightest_, bodies_.mass[body].mass); }
   void look(BodyIndex body) {
     const BodyMotion& m = bodies_.motion[body];
     const double speed = length(m.linearVelocity), inner = bodies_.mass[body].innerRadius;
     if (bodies_.still[body]) return;
-    if (!(speed * dt_ > littleWay(inner)) && !(ties_.mortar.any() && strikes(speed, inner))) return;
+    if (!(speed * dt_ > littleWay(inner)) && !(ties_.mortar.any() && strikes(body, lightest_, speed))) return;
     const Sweep own = sweepOf(bodies_, body, m.linearVelocity * dt_, m.angularVelocity * dt_);
     double mass = 0;                         // kg, of bodies on the way
     double flight = 1, part = 1, parts = 0;  // of the body
@@ -85,8 +86,8 @@ class HitSearch {
         return true;
       });
     }
-    // A pebble on its way has not the whole world stepped in parts.
-    if (!bodies_.isDriven(body) && !(mass >= kTrifle * bodies_.mass[body].mass)) return;
+    // A loose pebble on its way has not the whole world stepped in parts.
+    if (!breaksMortar && !bodies_.isDriven(body) && !(mass >= kTrifle * bodies_.mass[body].mass)) return;
     flight_ = std::min(flight_, flight);
     part_ = std::min(part_, part);
     parts_ = std::max(parts_, parts);
@@ -153,9 +154,11 @@ class HitSearch {
     return 0.5 * impulse * speed > held.energy ? impulse / held.force : kAny;
   }
 
-  // Faster than what begins to rest: mortar gets a blow (solver/blows.h), however short the part is.
-  bool strikes(double speed, double innerRadius) const {
-    return speed > resting_ * std::sqrt(innerRadius / kReferenceSize);
+  // Mortar may get a blow (solver/blows.h) from what is faster than what begins to rest, or heavy, however short the
+  // part is.
+  bool strikes(BodyIndex body, double mass, double speed) const {
+    return speed > resting_ * std::sqrt(bodies_.mass[body].innerRadius / kReferenceSize) ||
+           bodies_.mass[body].mass >= kHeavier * mass;
   }
   // Two shapes on each other: their blow is over.
   bool presses(ShapeIndex a, ShapeIndex b) const {
@@ -181,7 +184,9 @@ class HitSearch {
     const BodyMotion& other = bodies_.motion[o.body];
     const Vec3 way = (bodies_.motion[body].linearVelocity - other.linearVelocity) * dt_;
     const double far = length(way);
-    if (!(far > littleWay(o.innerRadius)) && !(isHeld(o.body) && strikes(far / dt_, o.innerRadius))) return {};
+    // What goes a little way asks for parts by a blow alone.
+    const bool little = !(far > littleWay(o.innerRadius));
+    if (little && !(far > 0 && isHeld(o.body) && strikes(body, bodies_.mass[o.body].mass, far / dt_))) return {};
     const double room = 1 + beyond / far;
     if (!mayMeet(body, o.body, way * room, far * room)) return {};
     const Vec3 direction = way * (1 / far);
@@ -199,14 +204,16 @@ class HitSearch {
     if (!near) return {};
     out.flight = std::min(room * *near, 1.0);
     // Before a blow: what follows it pushes, and the joints stop it. It acts along the normal of where they meet.
-    if (!met || presses(own, struck) || !isHeld(o.body) || bodies_.isDriven(body)) return out;
+    const Approach noBlow = little ? Approach{} : out;
+    if (!met || presses(own, struck) || !isHeld(o.body) || bodies_.isDriven(body)) return noBlow;
     ownInStruck.position += motion * *met;
     const DistanceResult gap = shapeDistance(o.geometry, s.geometry, ownInStruck);
     const Vec3 push = gap.distance > 0 ? rotate(at.rotation, (gap.onA - gap.onB) * (1 / gap.distance)) : direction;
     const double closing = dot(way, push) / dt_;
-    if (!(closing > 0)) return out;
+    if (!(closing > 0)) return noBlow;
     const double stops = stopping(body, o.body, push, closing);
     out.breaksMortar = stops < kAny;
+    if (!out.breaksMortar) return noBlow;
     out.parts = std::max(out.parts, dt_ / (kBlowPart * stops));
     return out;
   }
@@ -217,6 +224,7 @@ class HitSearch {
   const Ties& ties_;
   const double dt_;                     // s
   const double resting_;                // m/s, of a brick
+  double lightest_ = kAny;              // kg, of what is awake
   const bool flown_;                    // the part before ended where this one hits
   std::vector<std::uint32_t> firstOf_;  // by body: its first in `mortarOf_`; empty: not looked up yet
   std::vector<MortarIndex> mortarOf_;
@@ -231,6 +239,7 @@ HitPart partForHits(const Registry& registry, const Activity& activity, const Pr
   const double left = room.left;
   if (room.most == 1) return {left, false, before.rings > 0 ? kBlowGrows * left : 0};
   HitSearch search(registry, proximity, ties, room, before.flight);
+  for (BodyIndex body : activity.awake) search.weigh(body);
   for (BodyIndex body : activity.awake) search.look(body);
   for (BodyIndex body : activity.moving) search.look(body);
   // Parts before the hit would be missing after it.

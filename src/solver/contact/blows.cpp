@@ -76,6 +76,10 @@ std::uint32_t closing(const Contact& c, double speed, double dt) {
 //! | too large: heavy balls do not
 constexpr double kCrushed = 1.4;  // the force rises on while joints give way: by a calculation in steps of 0.2 us
 
+//! times the mass | too small: cost of debris on what mortar holds
+//! | too large: what is slow and heavy stops at a brick for nothing
+constexpr double kHeavyStriker = 10;  // it strikes below the resting approach speed, too
+
 // A contact that closes within the step.
 struct Closing {
   double time = 0;  // s, from the start of the step
@@ -158,10 +162,10 @@ class Striking {
     brake(c, contacts_.geometry[contact], ends);
   }
   // s: when it closes. Below 0: not within the step.
-  double closingTime(ContactIndex contact) const {
+  double closingTime(ContactIndex contact, RowEnds ends) const {
     const Contact& c = contacts_.contacts[contact];
     const double speed = speedOf(c, contacts_.geometry[contact]);
-    if (!strikes(c, speed) || closing(c, speed, dt_) == 0) return -1;
+    if (closing(c, speed, dt_) == 0 || !strikes(c, contacts_.geometry[contact], speed, ends)) return -1;
     return std::max(0.0, double(*std::min_element(c.points.gap, c.points.gap + c.count))) / -speed;
   }
   void strike(ContactIndex contact, RowEnds ends) {
@@ -171,7 +175,7 @@ class Striking {
     if (!comes(ends.a, c.bodyA, c.bodyB, onA, onB) || !comes(ends.b, c.bodyB, c.bodyA, onB, onA)) return;
     const double speed = speedOf(c, g);
     const std::uint32_t points = closing(c, speed, dt_);
-    if (points == 0 || !strikes(c, speed)) return;
+    if (points == 0 || !strikes(c, g, speed, ends)) return;
     crush(c, g, ends);
     blows_.impacts.push_back(strikePair(c, g, speed, points, bodies_, context_, blows_.change));
     contacts_.strike(contact);
@@ -182,8 +186,15 @@ class Striking {
   double speedOf(const Contact& c, const ContactGeometry& g) const {
     return dot(normalOf(c, g, bodies_), pairAt(c, g, bodies_).velocity());
   }
-  bool strikes(const Contact& c, double speed) const {
-    return -speed > context_.settings.restingApproachSpeed * scaleOfPair(c, context_).speed;
+  // Faster than what begins to rest. What is heavy strikes slower, too, if it has the energy to break what it meets.
+  bool strikes(const Contact& c, const ContactGeometry& g, double speed, RowEnds ends) const {
+    if (-speed > context_.settings.restingApproachSpeed * scaleOfPair(c, context_).speed) return true;
+    if (!(speed < 0) || held_.bodies[ends.a] == held_.bodies[ends.b]) return false;
+    const bool strikesA = held_.bodies[ends.a];
+    const Vec3 n = normalOf(c, g, bodies_);
+    const Pair pair = pairAt(c, g, bodies_);
+    if (!(pair.inverse(strikesA, n) * kHeavyStriker <= pair.inverse(!strikesA, n))) return false;
+    return pair.energyAlong(n) > held_.holding(strikesA ? ends.a : ends.b, n).energy;
   }
   bool comes(std::uint32_t local, BodyIndex body, BodyIndex other, Vec3 own, Vec3 place) const {
     return held_.bodies[local] || comesTo(body, other, own, place, bodies_, dt_, brakes_);
@@ -241,7 +252,7 @@ void ContactRows::giveBlows(const Held& held, double dt, Ties& ties, BodySet& bo
     if (!striking.isHeld(endsOf(k))) continue;
     striking.takeStruck(tieOf[k], endsOf(k));
     if (!(dt > 0)) continue;
-    if (const double time = striking.closingTime(tieOf[k]); time >= 0) order.push_back({time, k});
+    if (const double time = striking.closingTime(tieOf[k], endsOf(k)); time >= 0) order.push_back({time, k});
   }
   std::sort(order.begin(), order.end(),
             [](const Closing& a, const Closing& b) { return a.time != b.time ? a.time < b.time : a.row < b.row; });
