@@ -43,14 +43,16 @@ double thicknessAlong(const Shape& shape, Vec3 direction) {
 
 class HitSearch {
  public:
-  HitSearch(const Registry& registry, const Proximity& proximity, const Ties& ties, const HitRoom& room, bool flown)
+  HitSearch(const Registry& registry, const Proximity& proximity, const Ties& ties, const HitRoom& room,
+            const HitPart& before)
       : bodies_(registry.bodies),
         shapes_(registry.shapes),
         proximity_(proximity),
         ties_(ties),
         dt_(room.left),
         resting_(room.resting),
-        flown_(flown) {}
+        flown_(before.flight),
+        rings_(before.rings > 0) {}
 
   void weigh(BodyIndex body) { lightest_ = std::min(lightest_, bodies_.mass[body].mass); }
   void look(BodyIndex body) {
@@ -157,6 +159,7 @@ class HitSearch {
   // Mortar may get a blow (solver/blows.h) from what is faster than what begins to rest, or heavy, however short the
   // part is.
   bool strikes(BodyIndex body, double mass, double speed) const {
+    if (rings_) return false;  // parts are short already
     return speed > resting_ * std::sqrt(bodies_.mass[body].innerRadius / kReferenceSize) ||
            bodies_.mass[body].mass >= kHeavier * mass;
   }
@@ -205,7 +208,8 @@ class HitSearch {
     out.flight = std::min(room * *near, 1.0);
     // Before a blow: what follows it pushes, and the joints stop it. It acts along the normal of where they meet.
     const Approach noBlow = little ? Approach{} : out;
-    if (!met || presses(own, struck) || !isHeld(o.body) || bodies_.isDriven(body)) return noBlow;
+    if (!met || (*met == 0 && (rings_ || presses(own, struck))) || !isHeld(o.body) || bodies_.isDriven(body))
+      return noBlow;
     ownInStruck.position += motion * *met;
     const DistanceResult gap = shapeDistance(o.geometry, s.geometry, ownInStruck);
     const Vec3 push = gap.distance > 0 ? rotate(at.rotation, (gap.onA - gap.onB) * (1 / gap.distance)) : direction;
@@ -222,10 +226,11 @@ class HitSearch {
   const ShapeSet& shapes_;
   const Proximity& proximity_;
   const Ties& ties_;
-  const double dt_;                     // s
-  const double resting_;                // m/s, of a brick
-  double lightest_ = kAny;              // kg, of what is awake
-  const bool flown_;                    // the part before ended where this one hits
+  const double dt_;         // s
+  const double resting_;    // m/s, of a brick
+  double lightest_ = kAny;  // kg, of what is awake
+  const bool flown_;        // the part before ended where this one hits
+  const bool rings_;        // a blow on mortar is under way: what is as near as shapes are round is part of it
   std::vector<std::uint32_t> firstOf_;  // by body: its first in `mortarOf_`; empty: not looked up yet
   std::vector<MortarIndex> mortarOf_;
   double flight_ = 1, part_ = 1, parts_ = 0;
@@ -238,7 +243,7 @@ HitPart partForHits(const Registry& registry, const Activity& activity, const Pr
                     const HitRoom& room, const HitPart& before) {
   const double left = room.left;
   if (room.most == 1) return {left, false, before.rings > 0 ? kBlowGrows * left : 0};
-  HitSearch search(registry, proximity, ties, room, before.flight);
+  HitSearch search(registry, proximity, ties, room, before);
   for (BodyIndex body : activity.awake) search.weigh(body);
   for (BodyIndex body : activity.awake) search.look(body);
   for (BodyIndex body : activity.moving) search.look(body);
