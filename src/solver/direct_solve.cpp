@@ -22,14 +22,6 @@ constexpr int kDirectSteps = 100;
 //! - | too small: cost | too large: steps jump to and fro over edges that open and close: chains that snap gain
 constexpr double kEnoughStalled = 0.1;  // the same after kStalledSteps
 
-//! of the residual that a round begins with | too small: steps run out before rounds do: limbs that are struck gape
-//! | too large: multipliers follow forces that are met on the way
-constexpr double kEarlyEnd = 0.1;  // with so much left the next round of limits begins beside contacts
-//! - | too small: limbs that are struck gape by millimetres | too large: cost
-constexpr int kEarlyRounds = 16;  // of such a solve
-//! - | too small: as of kEarlyRounds | too large: solves end anywhere
-constexpr int kLastEarly = 60;  // after so many steps no such round begins
-
 class Newton {
  public:
   Newton(Island& island, bool limits, SolveStatistics& statistics)
@@ -47,13 +39,28 @@ class Newton {
     bool again;    // by the last matrix, which is nearly that of now
     bool secants;  // what slides resists by its secant
   };
-  // One step to about the minimum of the energy along it. False if the matrix is not positive definite.
-  bool step(const How& how) {
+  // Finds a step. False if the matrix is not positive definite.
+  bool find(const How& how) {
     if (how.again)
       solve();
     else if (!findStep(how.tight, how.secants))
       return false;
-    if (!tight_.empty() && !(newton_.slope() > 0) && !findStep(false, how.secants)) return false;
+    return tight_.empty() || newton_.slope() > 0 || findStep(false, how.secants);
+  }
+  // Beside contacts a round takes many steps, which the next would undo, and steps run out. So a round ends where what
+  // the step found would still gain is little beside what joints would still do. Their multipliers follow, and the step.
+  void endRound() {
+    if (!endsRound(newton_.slope(), island_)) return;
+    bool any = false;
+    island_.rows.each([&]<class Kind>(Kind& kind, std::size_t k) {
+      if constexpr (Kind::kLasts) any = settle(kind, k) || any;
+    });
+    if (!any) return;
+    readForces(false);
+    solve();
+  }
+  // Goes to about the minimum of the energy along the step.
+  void go(const How& how) {
     newton_.begin();
     auto moveTo = [this](double part) {
       newton_.moveBodies(part);
@@ -65,9 +72,7 @@ class Newton {
     else
       searchAlong(newton_.slope(), how.enough, 4, kSearchStepsOfAll, moveTo);
     if (how.boundsFollow && !island_.facts.jointsAlone()) readForces(true);
-    return true;
   }
-  bool limits() const { return limits_; }
   // Of joints alone, what was frozen changes forces, and stiffness next to nothing: but which bounds are reached.
   bool stiffnessStays() const { return island_.facts.jointsAlone() && !hasBounds(island_); }
 
@@ -170,22 +175,16 @@ bool turnsFar(const Island& island) {
 // Offers each round from the third on to `nearest`.
 void solveInRounds(Island& island, const StepContext& context, double tolerance, Newton& newton, JointRound& nearest,
                    SolveStatistics& statistics) {
-  // Where limits and ropes are reached a round takes many steps, which the next would undo. Beside contacts steps run
-  // out: so the next begins before the last one is solved to its end.
-  const bool early = newton.limits() && !island.facts.jointsAlone();
   Stall stall;
   // Where a row of limits is hit, each of them moves the others; what turns far has another arc in each round. Beside
   // contacts a solve in the midst of which steps run out is worse than one round less.
-  const int rounds = early ? kEarlyRounds : kBoundRounds * kBoundRounds;
-  const int last = early ? kLastEarly : kDirectSteps / 2;
   auto mayFollow = [&](int round, int k) {
     if (round < kBoundRounds) return true;
-    return round < rounds &&
-           (island.facts.jointsAlone() || (island.plan.endVelocities && k < last && turnsFar(island)));
+    return round < kBoundRounds * kBoundRounds &&
+           (island.facts.jointsAlone() || (island.plan.endVelocities && k < kDirectSteps / 2 && turnsFar(island)));
   };
   int boundSolves = 0;
-  bool begins = true, tight = true, again = false;
-  double nearEnough = 0;  // for the next round
+  bool tight = true, again = false;
   for (int k = 0; k < kDirectSteps; k++) {
     const double worst = newton.worst(*context.bodies);
     const int stalled = stall.after(worst);
@@ -193,24 +192,22 @@ void solveInRounds(Island& island, const StepContext& context, double tolerance,
     const bool stuck = stalled >= kStalledSteps;
     const double enough = !stuck ? 1 : stalled < 2 * kStalledSteps ? 10 : 100;
     const bool done = worst < enough * tolerance;
-    if (std::exchange(begins, false)) nearEnough = early ? kEarlyEnd * worst : 0;
     const bool joints = island.facts.jointed;
     if (done && joints && boundSolves + 1 >= kBoundRounds && !nearest.offer(island)) return;
-    if (done || worst < nearEnough) {
-      if (mayFollow(boundSolves, k) && newton.settleBounds()) {
-        boundSolves++;
-        stall = {};
-        again = k > 0 && newton.stiffnessStays();
-        k = std::max(k, kMostRenewals);
-        tight = !again;
-        begins = true;
-      } else if (done) {
-        return;
-      }
+    if (done) {
+      if (!mayFollow(boundSolves, k) || !newton.settleBounds()) return;
+      boundSolves++;
+      stall = {};
+      again = k > 0 && newton.stiffnessStays();
+      k = std::max(k, kMostRenewals);
+      tight = !again;
     }
     // Rounds of joints' multipliers need the end of a solve, which secants near too slowly: their searches go nearer.
     const double share = stuck && joints ? kEnoughStalled : double(kFarFromMinimum);
-    if (!newton.step({share, k < kMostRenewals, tight, again, stuck && !joints})) return;
+    const Newton::How how{share, k < kMostRenewals, tight, again, stuck && !joints};
+    if (!newton.find(how)) return;
+    if (joints && !island.facts.jointsAlone()) newton.endRound();
+    newton.go(how);
     tight = again = false;
     statistics.cycles++;
   }

@@ -4,6 +4,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "solver/joint/swings.h"
 #include "solver/locks.h"
 #include "solver/slope_search.h"
 
@@ -11,6 +12,7 @@ namespace brickfall {
 
 JointBlock::JointBlock(RowForces& forces) : island_(forces.island()), forces_(forces) {
   if (!island_.plan.large || !island_.facts.jointed) return;
+  kinks_ = hasBounds(island_);
   findBodies();
   findRows();
 }
@@ -110,7 +112,11 @@ bool JointBlock::apply() {
   if (!(start > 0)) return false;
   last_ = start;
   newton_.begin();
-  searchAlong(start, double(kNearMinimum), 0, kSearchSteps, [this](double part) { return moveTo(part); });
+  auto go = [this](double part) { return moveTo(part); };
+  if (kinks_)
+    searchOverKinks(start, double(kNearMinimum), 0, kSearchSteps, go);
+  else
+    searchAlong(start, double(kNearMinimum), 0, kSearchSteps, go);
   return true;
 }
 

@@ -41,6 +41,7 @@ class JointBlock {
   BodyNewton newton_{island_};
   std::pmr::vector<std::uint32_t> rows_{island_.memory};     // on any of its bodies
   std::pmr::vector<std::uint32_t> lasting_{island_.memory};  // those of ties that last
+  bool kinks_ = false;                                       // some joint has a limit or is a rope
   double last_ = 0;                                          // slope along the last step; 0: the factor is none
 };
 

@@ -2,6 +2,14 @@
 
 namespace brickfall {
 
+//! of what joints would still do, J | too small: steps run out before rounds do: joints that are struck gape
+//! | too large: multipliers follow forces that are met on the way
+constexpr double kRoundEnd = 0.1;  // beside contacts a round of limits ends with less left to gain
+
+bool endsRound(double gain, const Island& island) {
+  return gain < kRoundEnd * island.rows.joints.apart(island.motion.data());
+}
+
 // What the next round would add to multipliers tells it, limits that are reached included.
 double JointRows::apart(const SolveMotion* motion) const {
   double sum = 0;

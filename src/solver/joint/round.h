@@ -9,6 +9,9 @@
 
 namespace brickfall {
 
+// So much (J) is left to gain in a round: little beside what joints would still do in the next ones.
+bool endsRound(double gain, const Island& island);
+
 class JointRound {
  public:
   explicit JointRound(std::pmr::memory_resource* memory)
