@@ -137,19 +137,6 @@ Joint jointFrom(const JointDef& def, BodyIndex a, BodyIndex b, const BodySet& bo
   return joint;
 }
 
-// How far a joint is from what it holds.
-double errorOf(const EquationSet& set) {
-  double square = 0;
-  for (const JointEquation& e : set.of) {
-    const double error = e.law == JointLaw::hard      ? e.error
-                         : e.law == JointLaw::atMost  ? std::max(0.0, e.error)
-                         : e.law == JointLaw::atLeast ? std::min(0.0, e.error)
-                                                      : 0;
-    square += error * error;
-  }
-  return std::sqrt(square);
-}
-
 JointState stateOf(const Joint& joint, const Registry& registry) {
   const BodySet& bodies = registry.bodies;
   const BodyMotion &a = bodies.motion[joint.bodyA], &b = bodies.motion[joint.bodyB];

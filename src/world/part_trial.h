@@ -1,4 +1,4 @@
-// A part of a step that may be taken again, in halves: what its stages from impacts to obstacles change, as it was
+// A part of a step that may be taken again, in halves: what its stages from impacts to the balance change, as it was
 // before them.
 #pragma once
 #include <memory_resource>
@@ -14,6 +14,9 @@ namespace brickfall {
 
 // Whether a body of an island goes, or turns, so far that it may end deeper in another one by a core.
 bool mayEndDeep(const BodySet& bodies, const IslandSet& islands, double dt);
+
+// Whether the part, as it would end, leaves a body too deep in another one, or a joint of two too far open.
+bool endsApart(const IslandSet& islands, const Ties& ties, const StepContext& context);
 
 class PartTrial {
  public:

@@ -179,15 +179,15 @@ void World::Impl::runPart(double dt, bool last) {
   const bool mayBeCut = 2 * dt * def.solver.maxHitParts > clock.lastDt && def.solver.maxHitParts > 1;
   if (mayBeCut && mayEndDeep(registry.bodies, activity.islands, dt)) {
     PartTrial trial(registry.bodies, activity.islands, ties, diary, &solve.memory);
-    runStages(Stage::impacts, Stage::balance);
-    if (solve.context.overlap > kCoreShare) {
+    runStages(Stage::impacts, Stage::integrate);
+    if (endsApart(activity.islands, ties, solve.context)) {
       addCost();
       trial.restore();
       diary.report.stageHashes.resize(hashes);
       runPart(dt / 2, false);
       return runPart(dt / 2, last);
     }
-    runStages(Stage::balance, Stage::count);
+    runStages(Stage::integrate, Stage::count);
   } else {
     runStages(Stage::impacts, Stage::count);
   }

@@ -1,6 +1,7 @@
 #include "solver/joint/equations.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 #include "solver/step_context.h"
@@ -117,6 +118,18 @@ void drag(const Joint&, const JointPose& pose, Vec3, JointSystem& out) {
 }
 
 }  // namespace
+
+double errorOf(const EquationSet& set) {
+  double square = 0;
+  for (const JointEquation& e : set.of) {
+    const double error = e.law == JointLaw::hard      ? e.error
+                         : e.law == JointLaw::atMost  ? std::max(0.0, e.error)
+                         : e.law == JointLaw::atLeast ? std::min(0.0, e.error)
+                                                      : 0;
+    square += error * error;
+  }
+  return std::sqrt(square);
+}
 
 JointSystem equationsOf(const Joint& joint, const JointPose& pose, Vec3 turning) {
   // By JointType.

@@ -30,6 +30,8 @@ struct EquationSet {
   Vec3 axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};  // unit, world
   JointEquation of[kJointLanes];
 };
+// m or rad: how far a joint is from what it holds.
+double errorOf(const EquationSet& set);
 
 // What the arcs of turns add to a joint's ways.
 enum class JointArcs : std::uint32_t {
