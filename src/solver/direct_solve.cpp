@@ -48,7 +48,7 @@ class Newton {
     return tight_.empty() || newton_.slope() > 0 || findStep(false, how.secants);
   }
   // Beside contacts a round takes many steps, which the next would undo, and steps run out. So a round ends where what
-  // the step found would still gain is little beside what joints would still do. Their multipliers follow, and the step.
+  // the step found would still gain is little beside what joints would still do. Multipliers follow, and the step.
   void endRound() {
     if (!endsRound(newton_.slope(), island_)) return;
     bool any = false;

@@ -1,43 +1,12 @@
 #include "world/part_trial.h"
 
 #include <algorithm>
-#include <limits>
 #include <tuple>
 
-#include "solver/finish/motion.h"
-#include "solver/joint/equations.h"
+#include "solver/joint/opening.h"
 #include "world/core_sweep.h"
 
 namespace brickfall {
-
-namespace {
-
-//! of the outer radius of the smaller body | too small: cost of hits | too large: light links that are struck gape
-constexpr double kOpens = 0.004;  // by which a joint may open in a part of a step that could be taken in halves
-
-// Where a body is when the part ends.
-JointPlace placeAtEnd(BodyIndex body, const StepContext& context) {
-  const BodySet& bodies = *context.bodies;
-  const BodyMotion& m = bodies.motion[body];
-  const bool driven = bodies.data[body].type != BodyType::dynamic;
-  const Quat rotation = driven ? normalized(quatFromRotationVector(m.angularVelocity * context.dt) * m.rotation)
-                               : rotationAtEnd(body, context);
-  return {m.position + (driven ? m.linearVelocity * context.dt : context.solved[body].d), rotation, toMatrix(rotation),
-          bodies.data[body].localCentre};
-}
-
-// A solve that its joints' arcs or contacts kept from its end opens them, and so does a way that is cut short.
-bool opens(const Joint& joint, const StepContext& context) {
-  const BodySet& bodies = *context.bodies;
-  double size = std::numeric_limits<double>::infinity();
-  for (BodyIndex body : {joint.bodyA, joint.bodyB})
-    if (bodies.data[body].type == BodyType::dynamic) size = std::min(size, bodies.mass[body].outerRadius);
-  auto gapeAt = [&](const JointPose& pose) { return errorOf(equationsOf(joint, pose).way); };
-  const JointPose end(joint, placeAtEnd(joint.bodyA, context), placeAtEnd(joint.bodyB, context));
-  return gapeAt(end) > gapeAt(JointPose(joint, bodies)) + kOpens * size;
-}
-
-}  // namespace
 
 bool mayEndDeep(const BodySet& bodies, const IslandSet& islands, double dt) {
   auto goesFar = [&](BodyIndex body) {
@@ -51,14 +20,10 @@ bool mayEndDeep(const BodySet& bodies, const IslandSet& islands, double dt) {
   });
 }
 
-bool endsApart(const IslandSet& islands, const Ties& ties, const StepContext& context) {
-  if (context.overlap > kCoreShare) return true;
-  return std::any_of(islands.awake.begin(), islands.awake.end(), [&](const IslandPointer& island) {
-    if (island->resting() || !island->plan.endVelocities || !island->facts.grounded) return false;
-    const auto& joints = island->rows.joints.tieOf;
-    return std::any_of(joints.begin(), joints.end(),
-                       [&](JointIndex joint) { return opens(ties.joints.slots[joint], context); });
-  });
+bool endsApart(const IslandSet& islands, const StepContext& context) {
+  return context.overlap > kCoreShare ||
+         std::any_of(islands.awake.begin(), islands.awake.end(),
+                     [&](const IslandPointer& island) { return opensJoints(*island, context); });
 }
 
 PartTrial::PartTrial(BodySet& bodies, const IslandSet& islands, Ties& ties, Diary& diary,

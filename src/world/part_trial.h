@@ -16,7 +16,7 @@ namespace brickfall {
 bool mayEndDeep(const BodySet& bodies, const IslandSet& islands, double dt);
 
 // Whether the part, as it would end, leaves a body too deep in another one, or a joint of two too far open.
-bool endsApart(const IslandSet& islands, const Ties& ties, const StepContext& context);
+bool endsApart(const IslandSet& islands, const StepContext& context);
 
 class PartTrial {
  public:

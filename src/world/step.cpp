@@ -180,7 +180,7 @@ void World::Impl::runPart(double dt, bool last) {
   if (mayBeCut && mayEndDeep(registry.bodies, activity.islands, dt)) {
     PartTrial trial(registry.bodies, activity.islands, ties, diary, &solve.memory);
     runStages(Stage::impacts, Stage::integrate);
-    if (endsApart(activity.islands, ties, solve.context)) {
+    if (endsApart(activity.islands, solve.context)) {
       addCost();
       trial.restore();
       diary.report.stageHashes.resize(hashes);
