@@ -7,17 +7,17 @@
 namespace brickfall {
 namespace {
 
-constexpr double kRadius = 0.0285;
+constexpr double kBallRadius = 0.0285;
 
 double reboundOf(double speed, double gravity, double dt) {
   WorldDef def;
   def.gravity = {0, -gravity, 0};
   World world = makeWorld(def);
-  ShapeDef ball = sphereOf(kRadius, 1700, 0);
+  ShapeDef ball = sphereOf(kBallRadius, 1700, 0);
   ball.material.restitution = 0.9;
   BodyDef first = bodyOf(ball, {});
   first.linearVelocity = {speed, 0, 0};
-  const BodyId a = add(world, first), b = add(world, bodyOf(ball, {2 * kRadius + 0.003, 0, 0}));
+  const BodyId a = add(world, first), b = add(world, bodyOf(ball, {2 * kBallRadius + 0.003, 0, 0}));
   for (double t = 0; t < 0.003 / speed + 0.2; t += dt) EXPECT_TRUE(world.step(dt).ok());
   return (world.state(b)->linearVelocity.x - world.state(a)->linearVelocity.x) / speed;
 }
@@ -39,9 +39,9 @@ TEST(Regression, CradleSwingsAsOne) {
         World world = makeWorld();
         const BodyId frame = add(world, bodyOf(sphereOf(0.02), {0, 0.5, 0}, BodyType::fixed));
         std::vector<BodyId> all;
-        auto foot = [&](int i) { return i * (2 * kRadius + gap); };
+        auto foot = [&](int i) { return i * (2 * kBallRadius + gap); };
         for (int i = 0; i < balls; i++) {
-          ShapeDef ball = sphereOf(kRadius, 8000, 0);
+          ShapeDef ball = sphereOf(kBallRadius, 8000, 0);
           ball.material.restitution = 1;
           const double angle = i < come ? lifted : 0;
           BodyDef def = bodyOf(ball, {foot(i) - arm * std::sin(angle), -arm * std::cos(angle), 0});
