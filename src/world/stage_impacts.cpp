@@ -109,6 +109,7 @@ bool ImpactWalk::impact(Island& island) {
 }
 
 void ImpactWalk::run(Island& island) {
+  island.rows.eachKind([](auto& kind) { kind.forgetSlow(); });
   if (!parts.mayBeCut(island)) return flyAhead(island, registry, proximity, ties, context, report);
   double left = context.dt;
   const double blink = kBlink * context.dt;
