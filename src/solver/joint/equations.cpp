@@ -64,6 +64,8 @@ void spherical(const Joint& joint, const JointPose& pose, Vec3 turning, JointSys
     out.turn.axes[2] = cross(out.turn.axes[0], out.turn.axes[1]);
   }
   out.turn.of[1] = {JointLaw::atMost, dot(out.turn.axes[1], swing) - joint.cone, 0, 2 * joint.cone};
+  out.turn.of[2] = {JointLaw::across};
+  out.span = joint.cone;
 }
 
 Vec3 turnBetween(const JointPose& pose) { return rotationVector(normalized(pose.frameB * conjugate(pose.frameA))); }

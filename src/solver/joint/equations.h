@@ -15,7 +15,7 @@ enum class JointLaw : std::uint8_t {
   atLeast,  // ... pushes back what is below 0
   motor,    // reaches a speed, with no more than its strength
   spring,   // pulls what it measures to 0 with its stiffness and damping, with no more than its strength
-  across    // the stiffness that the force along a line has by its direction, against a change of the way
+  across  // the stiffness that the force along a line has by its direction, against a change of the way; of a cone, too
 };
 
 struct JointEquation {
@@ -48,7 +48,7 @@ struct JointSystem {
   // beside a gaping of micrometres spins a thin rod about its axis.
   double onA = 0, onB = 1;
   double position = 0;  // JointState::position
-  double span = 0;      // m: of a line between two points
+  double span = 0;      // m: of a line between two points; rad: of a cone
 };
 
 // `turning` is the turn of B against A that is expected, rad: a cone lies where it leads to.

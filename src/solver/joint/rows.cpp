@@ -253,42 +253,55 @@ void JointRows::findLoads(const Island& island, const StepContext& context) {
   }
 }
 
-// Puts the geometric stiffness of this force into the masses, in the place of that which is there.
-void JointRows::bend(std::size_t k, Vec3f force) {
+// Puts the geometric stiffness of this force into the masses, in the place of that which is there. The torque of a cone
+// turns with both bodies: half with each.
+void JointRows::bend(std::size_t k, Vec3f force, Vec3f torque) {
   if (asOne_) return;  // no turn but that of all, which needs none
   JointStart& start = starts[k];
   const JointRecord& r = records[k];
-  auto change = [&](Vec3f f, double share) {
-    if (f == Vec3f{}) return;
+  if (!start.coned) torque = {};
+  auto change = [&](Vec3f f, Vec3f t, double share) {
     for (int end = 0; end < 2; end++) {
       if (start.resist[end] == 0) continue;
       SolveMass& mass = (*masses_)[end == 0 ? r.bodyA : r.bodyB];
       const Vec3 arm = toDouble(end == 0 ? start.anchorA : start.anchorB);
-      addBending(mass, arm, toDouble(end == 0 ? -f : f), double(start.resist[end]), share);
+      if (f != Vec3f{}) addBending(mass, arm, toDouble(end == 0 ? -f : f), double(start.resist[end]), share);
+      if (t == Vec3f{}) continue;
+      const double own = double(start.resist[end] - start.swung[end]);
+      addBending(mass, normalized(toDouble(t)), toDouble(t) * 0.5, own, share);
     }
   };
-  change(start.bent, -1);
-  change(force, 1);
+  change(start.bent, start.twisted, -1);
+  change(force, torque, 1);
   start.bent = force;
+  start.twisted = torque;
+}
+
+float JointRows::alongLine(std::size_t k, const joint::Forces& f) const {
+  return starts[k].coned ? f.turn[1] : f.way[0];
 }
 
 // A line turns with its ends, and its force with it: that resists a way across as the arms of a joint resist a turn. Of
-// pressure as of tension, likewise.
+// pressure as of tension, likewise. A cone is a line of turns, as long as its angle.
 void JointRows::turnLine(std::size_t k, float force) {
   JointStart& start = starts[k];
   start.turned = force;
-  const double turning = std::fabs(double(force)) / std::max(double(start.span), kNoGap),
+  const int first = start.coned ? kJointLanes : 0;
+  JointEquations& e = start.coned ? records[k].turn : records[k].way;
+  const double span = std::max(double(start.span), kNoGap), turning = std::fabs(double(force)) / span,
                stiffness = turning > 0 ? turning * turning / (turning + kSlow * double(start.inert)) : 0;
   double way = 0;
-  for (int i = 0; i < kJointLanes; i++)
-    if (start.across >> i & 1) way += double(start.before[i]) * double(start.before[i]);
-  const double far = std::clamp(std::sqrt(way) / (kFarTurn * std::max(double(start.span), kNoGap)) - 1, 0.0, 1.0);
   for (int i = 0; i < kJointLanes; i++) {
-    if (!(start.across >> i & 1)) continue;
-    records[k].way.k[i] = float(stiffness);
-    records[k].way.trial[i] = records[k].way.k[i] * start.before[i] * float(1 - far);
-    records[k].way.least[i] = -kNoLimit;
-    records[k].way.most[i] = kNoLimit;
+    const double before = double(start.before[first + i]);
+    if (start.across >> (first + i) & 1) way += before * before;
+  }
+  const double far = std::clamp(std::sqrt(way) / (kFarTurn * span) - 1, 0.0, 1.0);
+  for (int i = 0; i < kJointLanes; i++) {
+    if (!(start.across >> (first + i) & 1)) continue;
+    e.k[i] = float(stiffness);
+    e.trial[i] = e.k[i] * start.before[first + i] * float(1 - far);
+    e.least[i] = -kNoLimit;
+    e.most[i] = kNoLimit;
   }
 }
 
@@ -320,6 +333,12 @@ void brake(const JointStart& start, Vec3 spin, double dt, JointEquations& turn) 
 // Velocities of the last step's way: those of now are up to date where a body swings.
 Vec3 before(const Island& island, std::uint32_t local, Vec3 now, Vec3 FreeMotion::*late, const StepContext& context) {
   return local < island.bodies.size() ? now - context.free[island.bodies[local]].*late : now;
+}
+
+// Of both ends against each other; 0: nothing moves that end.
+float together(const float (&resist)[2]) {
+  const float gives = (resist[0] > 0 ? 1 / resist[0] : 0) + (resist[1] > 0 ? 1 / resist[1] : 0);
+  return gives > 0 ? 1 / gives : 0;
 }
 
 void measureArm(JointStart& start, int end, const Island& island, std::uint32_t local, BodyIndex body,
@@ -376,7 +395,7 @@ void JointRows::prepare(Island& island, Ties& ties, const StepContext& context) 
     start.anchorB = toFloat(pose.armB);
     measureArm(start, 0, island, r.bodyA, joint.bodyA, context, pose.armA);
     measureArm(start, 1, island, r.bodyB, joint.bodyB, context, pose.armB);
-    start.bent = {};
+    start.bent = start.twisted = {};
     start.follows = start.hard = start.across = 0;
     const Vec3 speed = before(island, r.bodyB, b.linearVelocity, &FreeMotion::late, context) + cross(spinB, armB) -
                        before(island, r.bodyA, a.linearVelocity, &FreeMotion::late, context) - cross(spinA, armA);
@@ -417,10 +436,13 @@ void JointRows::prepare(Island& island, Ties& ties, const StepContext& context) 
     const double firmTurn = kFirmness * double(start.turning) / (island.dt * island.dt);
     writeSet(system.turn, joint.turn, spinB - spinA, firmTurn * size * size, kJointLanes, r.turn);
     brake(start, spinB - spinA, island.dt, r.turn);
-    bend(k, toFloat(joint.force));
+    start.coned = start.across >> kJointLanes != 0;
+    if (start.coned && r.turn.most[2] != 0) start.across = 0;  // braked
+    bend(k, toFloat(joint.force), toFloat(joint.torque));
     if (start.across != 0) {
       start.span = float(system.span);
-      turnLine(k, float(joint.way[0]));
+      if (start.coned) start.inert = together(start.resist);
+      turnLine(k, float(start.coned ? joint.turn[1] : joint.way[0]));
     }
     start.arc = {};
     start.arcs = arcs ? system.arcs : JointArcs::none;
@@ -537,10 +559,11 @@ bool JointRows::renewBounds(std::size_t k, const SolveMotion* motion, float, boo
   const bool turned = watchBounds(k, motion), followed = follow(k, motion, kFollowed) || turned;
   if (!timePasses_) return followed;
   if (!followArcs(k, motion, kFollowed) && !followed) return false;
-  const Vec3f force = wide::store3(joint::readingAt(records[k], motion).force);
-  if (length(force) > kFallsTo * length(starts[k].bent)) bend(k, force);
+  const Reading now = joint::readingAt(records[k], motion);
+  const Vec3f force = wide::store3(now.force);
+  if (length(force) > kFallsTo * length(starts[k].bent)) bend(k, force, wide::store3(now.torque));
   if (starts[k].across != 0) {
-    const float along = joint::forcesAt(records[k], motion).way[0];
+    const float along = alongLine(k, joint::forcesAt(records[k], motion));
     if (std::fabs(along) > kFallsTo * std::fabs(starts[k].turned)) turnLine(k, along);
   }
   return true;
@@ -663,7 +686,7 @@ void JointRows::tellShare(Ties& ties, float share) const {
 void JointRows::startImpact(const Island&, const StepContext&, double) {
   timePasses_ = false;
   for (std::size_t k = 0; k < size(); k++) {
-    bend(k, {});
+    bend(k, {}, {});
     JointRecord& r = records[k];
     JointStart& start = starts[k];
     for (int i = 0; i < 2 * kJointLanes; i++) {

@@ -41,6 +41,7 @@ struct JointStart {
   Vec3f anchorA, anchorB;              // m, from the centres of mass: where forces turn with the bodies
   Vec3f symmetry[2];                   // unit: axis about which each body turns first; 0: none
   Vec3f bent;                          // N, on B: the force whose geometric stiffness is in the masses
+  Vec3f twisted;                       // N m, on B: the torque of a cone, likewise
   Vec3f arc;                           // m: what the arcs of both anchors add to the way of B against A; in `trial`
   float resist[2] = {};                // N m: inertia of each body about its anchor / dt^2; 0: nothing moves it
   float load = 0;                      // kg: of what hangs together by joints, and of what touches it
@@ -53,12 +54,13 @@ struct JointStart {
   float swung[2] = {};                 // N m: the part of `resist` that is the arm's
   JointArcs arcs = JointArcs::none;    // that the solve knows of
   std::uint32_t hard = 0;              // bit per equation that gives no energy: holds a place
-  std::uint32_t across = 0;            // bit per equation across a line
-  float span = 0;                      // m: of the line
-  float turned = 0;                    // N, of its force: as in `bent`
-  float inert = 0;                     // N/m: inertia of both anchors against each other / dt^2
-  float correct = 0;                   // share of an old error that the step corrects
-  double driven = 0;                   // J: what its motor gave in the step
+  std::uint32_t across = 0;            // bit per equation across a line, or along the bound of a cone
+  bool coned = false;                  // its torques turn with both bodies
+  float span = 0;                      // m: of the line; rad: of the cone
+  float turned = 0;                    // N, of its force, or N m: as in `bent`
+  float inert = 0;    // N/m: inertia of both anchors against each other / dt^2; of a cone N m: of turns
+  float correct = 0;  // share of an old error that the step corrects
+  double driven = 0;  // J: what its motor gave in the step
 };
 
 struct JointRows : LastingRows<JointRows, JointSet, &Ties::joints> {
@@ -149,8 +151,9 @@ struct JointRows : LastingRows<JointRows, JointSet, &Ties::joints> {
 
  private:
   void findLoads(const Island& island, const StepContext& context);
-  void bend(std::size_t k, Vec3f force);
+  void bend(std::size_t k, Vec3f force, Vec3f torque);
   void turnLine(std::size_t k, float force);
+  float alongLine(std::size_t k, const joint::Forces& f) const;
   Vec3f arcAt(std::size_t k, Vec3 turnA, Vec3 turnB, Vec3 way) const;
   Vec3f arcNow(std::size_t k, const SolveMotion* motion) const;
   bool followArcs(std::size_t k, const SolveMotion* motion, float slack);

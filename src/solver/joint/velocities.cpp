@@ -194,7 +194,7 @@ class HeldVelocities : VelocitySystem {
       for (int i = 0; i < kJointLanes; i++) {
         if ((joints.starts[k].hard | joints.starts[k].across) >> i & 1)
           sum += joint.way[i] * dot(toDouble(r.way.axes[i % 3].unit), u);
-        if (joints.starts[k].hard >> (i + kJointLanes) & 1)
+        if ((joints.starts[k].hard | joints.starts[k].across) >> (i + kJointLanes) & 1)
           sum += joint.turn[i] * dot(toDouble(r.turn.axes[i % 3].unit), w);
       }
       gain.sum += sum * island_.dt;
@@ -276,7 +276,7 @@ class HeldVelocities : VelocitySystem {
       take(moves(r.bodyA), double(joints.starts[f.row].resist[0]), a.mass);
       take(moves(r.bodyB), double(joints.starts[f.row].resist[1]), b.mass);
       // A line turns by its way across it, over its length.
-      const double span = joints.starts[f.row].across != 0 ? double(joints.starts[f.row].span) : 0,
+      const double span = !f.turn && joints.starts[f.row].across != 0 ? double(joints.starts[f.row].span) : 0,
                    reach = std::max(span * span, lengthSquared(f.armA + f.armB));
       const double far = lengthSquared(f.free(f.turn ? w : u)) * h2 / (f.turn ? 1 : std::max(1e-12, reach));
       f.stiffness = least * std::min(far, 1.0);
