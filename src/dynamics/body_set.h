@@ -41,6 +41,7 @@ struct BodyMass {
   bool isotropic = false;    // inertia is a multiple of the unit matrix: no gyroscopic torque
   bool round = false;        // one sphere: however it turns, it looks the same
   Vec3 symmetryAxis;         // body axes: one capsule looks the same however it turns about it; else 0
+  bool rims = false;         // that is the axis of a cylinder or cone
 };
 
 // m/s: of B at the end of an arm from its centre against A at the end of one from its own.

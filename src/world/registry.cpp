@@ -227,6 +227,7 @@ void Registry::updateMass(BodyIndex body, Vec3 origin) {
     mass.round = only.geometry.type == ShapeType::sphere;
     const ShapeType type = only.geometry.type;
     const bool turned = type == ShapeType::capsule || isFrustum(type);
+    mass.rims = isFrustum(type);
     if (turned) mass.symmetryAxis = rotate(only.def.local.rotation, Vec3{0, 1, 0});
   }
   if (data.type != BodyType::dynamic) return;

@@ -69,6 +69,35 @@ TEST(Law, Row19bCoinGainsNothing) {
     }
 }
 
+// J, of that at the start: the most that a coin gains which rolls round on its rim, its centre at one place, at the speed
+// at which a thin one would do so for ever.
+double gainedRollingRound(double radius, double tilt, double friction, double dt) {
+  Lab lab(LabSetup{.dt = dt}, 0, kG, 0);
+  lab.addGround(friction);
+  const double half = 0.08 * radius, angle = tilt * kPi / 180, round = std::sqrt(4 * kG / (radius * std::sin(angle)));
+  BodyDef d =
+      bodyOf(cylinderOf(radius, half, 7800, friction), {0, radius * std::sin(angle) + half * std::cos(angle), 0});
+  d.rotation = turn({0, 0, 1}, tilt);
+  d.angularVelocity = Vec3{std::cos(angle), std::sin(angle), 0} * (round * std::sin(angle));
+  lab.add(d);
+  auto energy = [&] { return lab.world.energy().kinetic + lab.world.energy().potential; };
+  const double start = energy();
+  double most = start;
+  for (int n = 0; n < std::lround(0.5 / dt) && lab.step(); n++) most = std::max(most, energy());
+  return most / start - 1;
+}
+
+TEST(Law, Row19bCoinsThatRollRoundGainNothing) {
+  for (double radius : {0.0375, 0.2})
+    for (double dt : {1 / 30.0, 1 / 60.0, 1 / 120.0, 1 / 240.0, 1 / 500.0, 1 / 1000.0, 1 / 2000.0}) {
+      double most = 0;
+      for (double tilt : {10.0, 20.0, 30.0, 40.0, 50.0, 60.0, 70.0, 80.0})
+        for (double friction : {0.5, 1.0}) most = std::max(most, gainedRollingRound(radius, tilt, friction, dt));
+      atMost("coins of " + text(1e3 * radius, 1) + " mm that roll round: energy gained", dt, 100 * most, 0.2,
+             "% of that of the start");
+    }
+}
+
 // A drum on a slope falls over where its centre comes over the rim, whichever points of the rim it stands on.
 TEST(Law, Row19cDrumStandsUpToItsTiltLimit) {
   const double radius = 0.3, half = 0.5;

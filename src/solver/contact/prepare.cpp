@@ -42,6 +42,13 @@ void findApproach(const FaceRecord& r, const Contact& c, const BodySet& bodies, 
   }
 }
 
+// m/s: the lowest place of a rim moves along it, as the turn makes it slope. What rolls on its side so goes straight on.
+Vec3 alongRim(Vec3 w, Vec3 axis, Vec3 arm, Vec3 n, double dt) {
+  const Vec3 rim = cross(axis, arm);
+  const double slope = dot(n, cross(w, rim)), curved = dot(n, arm - axis * dot(axis, arm));
+  return std::fabs(slope) * dt < kLargestTurn * std::fabs(curved) ? rim * (slope / curved) : Vec3{};
+}
+
 // A partner's surface goes on turning while the body goes along with it: over a step its way is an arc. For a touching
 // body the way is th x arm + th x (way of the body) / 2. The solve knows the first part.
 Vec3f bendOf(const Island& island, const FaceRecord& r, const Contact& c, const BodySet& bodies, double dt) {
@@ -52,14 +59,18 @@ Vec3f bendOf(const Island& island, const FaceRecord& r, const Contact& c, const 
     return cross(bodies.motion[partner].angularVelocity, bodies.motion[body].linearVelocity) * (0.5 * dt * dt);
   };
   // A body alone that turns about its points itself: its arms stay those of the start of the step. Its way is to end on
-  // the arc, and its velocity, once it is up to date (finish/lone_body.cpp), along the end of the arc.
+  // the arc, and its velocity, once it is up to date (finish/lone_body.cpp), along the end of the arc. On a rim nothing
+  // else brings that up to date: it is the mean of both arcs.
   auto ownArc = [&](BodyIndex body, Vec3 arm) {
+    const BodyMass& mass = bodies.mass[body];
     const Vec3 w = bodies.motion[body].angularVelocity;
     const bool far = lengthSquared(w) * dt * dt > kLargestTurn * kLargestTurn;
-    if (own != 1 || c.rolls || far || !(bodies.mass[body].invMass > 0)) return Vec3{};
+    if (own != 1 || (c.rolls && !mass.rims) || far || !(mass.invMass > 0)) return Vec3{};
     const SteadyChange& steady = bodies.data[body].steady;
     const double late = island.facts.partnersGo ? 0.5 : steady.swings ? 0 : 0.5 * steady.dt / dt;
-    return cross(w, cross(w, arm)) * ((1 - late) * dt * dt);
+    if (!c.rolls) return cross(w, cross(w, arm)) * ((1 - late) * dt * dt);
+    const Vec3 axis = bodies.motion[body].orientation * mass.symmetryAxis;
+    return cross(w, cross(w, arm) + alongRim(w, axis, arm, toDouble(r.n), dt)) * (0.5 * (0.5 + 1 - late) * dt * dt);
   };
   return toFloat(half(c.bodyB, c.bodyA) - half(c.bodyA, c.bodyB) + ownArc(c.bodyB, toDouble(r.armB)) -
                  ownArc(c.bodyA, toDouble(r.armA)));
