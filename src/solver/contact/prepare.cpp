@@ -42,7 +42,7 @@ void findApproach(const FaceRecord& r, const Contact& c, const BodySet& bodies, 
   }
 }
 
-// m/s: the lowest place of a rim moves along it, as the turn makes it slope. What rolls on its side so goes straight on.
+// m/s: the lowest place of a rim moves along it, as the turn makes it slope. Rolling on a side has no arc by that.
 Vec3 alongRim(Vec3 w, Vec3 axis, Vec3 arm, Vec3 n, double dt) {
   const Vec3 rim = cross(axis, arm);
   const double slope = dot(n, cross(w, rim)), curved = dot(n, arm - axis * dot(axis, arm));
