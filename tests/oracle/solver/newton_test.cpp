@@ -67,8 +67,9 @@ TEST(Newton, SolutionIsTheMinimumAndTheOnlyOne) {
     for (double distance : {1e-2, 1e-4, 1e-6}) {
       std::vector<Motion> other = moved(s.motion, random, distance);
       EXPECT_GT(stepEnergy(p, other), least);
-      // Strict convexity: how far a motion may be from the solution follows from its residual alone.
-      EXPECT_LE(deviationOf(p, other, s.motion).mean, imbalanceAt(p, other).mean + s.left.mean);
+      // Strict convexity: how far a motion may be from the solution follows from its residual alone. Where no point is closed
+      // it is just as far, but for rounding.
+      EXPECT_LE(deviationOf(p, other, s.motion).mean, (1 + 1e-12) * (imbalanceAt(p, other).mean + s.left.mean));
       compared++;
     }
   }
