@@ -13,7 +13,8 @@ namespace brickfall {
 bool mayClose(const Island& island, const StepContext& context, double ahead);
 // No tie carried force in the last step, and every point is open.
 bool touchesNothing(const Island& island, const StepContext& context);
-// In how many s the island's first open point closes; infinity if none does. By StepContext::solved, the island's
+// In how many s the island's first open point closes; infinity if none does. Rows note which points close without an
+// impact: too slowly for one. By StepContext::solved, the island's
 // motion over `dt` s as if its open points were not there.
 double firstClosing(Island& island, double dt, const StepContext& context);
 

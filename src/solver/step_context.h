@@ -39,6 +39,10 @@ constexpr double kInPlaceTime = 0.5;  // a slow island of which no point strays 
 //! m/s | too small: a hit wall that sways is taken for debris, and sways on for seconds: walls sag
 //! | too large: rubble is treated like a standing wall, and a body that begins to fall slowly may be stopped
 constexpr double kMovingSpeed = 0.03;  // of a body of a large island: faster ones move, slower ones sway at most
+//! times the mass | too small: cost of debris; a body goes on through what is only a little lighter
+//! | too large: bodies that a ball knocks out are gone before they can push anything aside, and hold it in the air;
+//! what is slow and heavy stops at a mortared brick for nothing
+constexpr double kHeavier = 10;  // a body is far heavier than another
 //! rad | too small: fast spins reach contacts too weakly | too large: rebounds at high speed explode
 constexpr double kLargestTurn = 0.5;  // rad per step of a body in contact: arms are frozen during a step
 //! - | too small: counts residuals that nobody sees: cost; shapes of chunks that spin creep

@@ -9,10 +9,6 @@ namespace brickfall {
 //! | too large: bodies in contact stop each other in their ordinary overlap
 constexpr double kCoreShare = 0.25;  // of a shape's inner radius; and so much of its outer one is that of a thick body
 
-//! times the mass | too small: cost of debris; a body goes on through what is only a little lighter
-//! | too large: bodies that a ball knocks out are gone before they can push anything aside, and hold it in the air
-constexpr double kHeavier = 10;  // a body is far heavier than another
-
 //! rad | too small: cost of tumbling bodies
 //! | too large: tops precess too slowly, then fall; ends of spinning bodies, and arcs, pass over thin corners
 constexpr double kMostTurn = 0.2;  // visible: beyond it points, normals and arms do not stand for the motion

@@ -51,6 +51,7 @@ class HitSearch {
         ties_(ties),
         dt_(room.left),
         resting_(room.resting),
+        gravity_(room.gravity),
         flown_(before.flight),
         rings_(before.rings > 0) {}
 
@@ -160,7 +161,7 @@ class HitSearch {
   // part is.
   bool strikes(BodyIndex body, double mass, double speed) const {
     if (rings_) return false;  // parts are short already
-    return speed > resting_ * std::sqrt(bodies_.mass[body].innerRadius / kReferenceSize) ||
+    return speed > resting_ * scaleOf(bodies_.mass[body].innerRadius, gravity_).speed ||
            bodies_.mass[body].mass >= kHeavier * mass;
   }
   // Two shapes on each other: their blow is over.
@@ -227,7 +228,8 @@ class HitSearch {
   const Proximity& proximity_;
   const Ties& ties_;
   const double dt_;         // s
-  const double resting_;    // m/s, of a brick
+  const double resting_;    // m/s, at the scale of reference
+  const double gravity_;    // m/s2
   double lightest_ = kAny;  // kg, of what is awake
   const bool flown_;        // the part before ended where this one hits
   const bool rings_;        // a blow on mortar is under way: what is as near as shapes are round is part of it

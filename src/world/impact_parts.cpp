@@ -35,8 +35,8 @@ bool ImpactParts::mayBeCut(const Island& island) const {
   });
 }
 
-// A row of bodies that nothing presses passes a blow from one to the next; it has gone on through 1 / (1 - restitution)
-// times as many bodies when as much of it is lost.
+// A row of bodies that nothing presses passes a blow from one to the next. The larger the restitution is, the less of
+// it each impact loses, and the more bodies it reaches.
 bool ImpactParts::passesBlowsOn(const Island& island) const {
   const std::size_t count = island.bodies.size();
   if (count > std::size_t(kMostParts)) return false;

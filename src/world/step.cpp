@@ -201,10 +201,10 @@ void World::Impl::runSubstep(double dt, bool last) {
   if (clock.beginSubstep(dt)) activity.unsettleAll();
   // What is hit slows down what hits it: after each part the next is asked for.
   HitPart part{.rings = clock.rings};
-  double left = dt,
-         resting = def.solver.restingApproachSpeed * std::sqrt(judgingGravity(def.gravity) / kReferenceGravity);
+  double left = dt;
   for (int most = def.solver.maxHitParts; left > 0; most--) {
-    part = partForHits(registry, activity, proximity, ties, {left, most, resting}, part);
+    part = partForHits(registry, activity, proximity, ties,
+                       {left, most, def.solver.restingApproachSpeed, judgingGravity(def.gravity)}, part);
     const bool whole = part.length == left;
     runPart(part.length, last && whole);
     left = whole ? 0 : left - part.length;

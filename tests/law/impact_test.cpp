@@ -161,7 +161,7 @@ TEST(Law, Row18gRockingGoesOnForLong) {
   }
 }
 
-// Five balls in a row with gaps: what comes in goes out at the other end. At 1/60, 1/120 and 1/240 s the first hit falls on
+// Balls in a row with gaps: what comes in goes out at the other end, however slow, and of more than five, too. At 1/60, 1/120 and 1/240 s the first hit falls on
 // the end of a step; in the others it doesn't.
 TEST(Law, Row18hBallsInARow) {
   struct Row {

@@ -76,10 +76,6 @@ std::uint32_t closing(const Contact& c, double speed, double dt) {
 //! | too large: heavy balls do not
 constexpr double kCrushed = 1.4;  // the force rises on while joints give way: by a calculation in steps of 0.2 us
 
-//! times the mass | too small: cost of debris on what mortar holds
-//! | too large: what is slow and heavy stops at a brick for nothing
-constexpr double kHeavyStriker = 10;  // it strikes below the resting approach speed, too
-
 // A contact that closes within the step.
 struct Closing {
   double time = 0;  // s, from the start of the step
@@ -193,7 +189,7 @@ class Striking {
     const bool strikesA = held_.bodies[ends.a];
     const Vec3 n = normalOf(c, g, bodies_);
     const Pair pair = pairAt(c, g, bodies_);
-    if (!(pair.inverse(strikesA, n) * kHeavyStriker <= pair.inverse(!strikesA, n))) return false;
+    if (!(pair.inverse(strikesA, n) * kHeavier <= pair.inverse(!strikesA, n))) return false;
     return pair.energyAlong(n) > held_.holding(strikesA ? ends.a : ends.b, n).energy;
   }
   bool comes(std::uint32_t local, BodyIndex body, BodyIndex other, Vec3 own, Vec3 place) const {

@@ -4,7 +4,7 @@ namespace brickfall {
 
 //! of what joints would still do, J | too small: steps run out before rounds do: joints that are struck gape
 //! | too large: multipliers follow forces that are met on the way
-constexpr double kRoundEnd = 0.1;  // beside contacts a round of limits ends with less left to gain
+constexpr double kRoundEnd = 0.1;  // beside contacts a round of joints ends with less left to gain
 
 bool endsRound(double gain, const Island& island) {
   return gain < kRoundEnd * island.rows.joints.apart(island.motion.data());
