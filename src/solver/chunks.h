@@ -1,5 +1,5 @@
 // Chunks: bodies of an island that mortar or fixed joints join, directly or through others. A chunk moves as one body,
-// both in flight (Chunks) and, in mortar, on the ground (finish/chunk_turn.cpp).
+// both in flight (Chunks) and, in mortar, on the ground (finish/rigid_groups.cpp).
 #pragma once
 #include <memory_resource>
 #include <vector>

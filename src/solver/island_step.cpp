@@ -22,10 +22,8 @@ void finishMotion(Island& island, Ties& ties, StepContext& context) {
   island.groups.find(island, context);
   storeMotion(island, context);
   if (island.resting()) return;
-  finishFlights(island, context);
+  finishGroups(island, context);
   finishLoneBody(island, ties, context);
-  const std::pmr::vector<char> moved = finishChunks(island, context);
-  finishSlides(island, moved, context);
   turnFarFreely(island, context);
   if (island.plan.endVelocities) finishSwings(island, ties, context);
 }

@@ -8,19 +8,20 @@
 namespace brickfall {
 
 void Groups::find(const Island& island, const StepContext& context) {
-  for (auto* list : {&of_, &bodies_, &begin_, &partner_}) list->clear();
+  for (auto* list : {&of_, &pieceOf_, &bodies_, &begin_, &partner_}) list->clear();
   if (island.resting()) return;
   const std::size_t count = island.bodies.size();
   UnionFind sets(count, island.memory);
-  std::uint32_t supported = kNoIndex, under = kNoIndex;  // a body, and a partner that it presses on
+  std::pmr::vector<RowEnds> grounds(island.memory);  // a body, and a partner that it presses on
   island.rows.each([&](const auto& kind, std::size_t k) {
     if (!kind.ties(k, context)) return;
     const RowEnds ends = kind.ends(k);
     if (ends.a < count && ends.b < count) return sets.join(ends.a, ends.b);
-    const std::uint32_t body = std::min(ends.a, ends.b);
-    if (supported == kNoIndex) supported = body, under = std::max(ends.a, ends.b);
-    sets.join(supported, body);
+    grounds.push_back({std::min(ends.a, ends.b), std::max(ends.a, ends.b)});
   });
+  pieceOf_.resize(count);
+  for (std::uint32_t i = 0; i < count; i++) pieceOf_[i] = sets.find(i);
+  for (RowEnds ground : grounds) sets.join(grounds.front().a, ground.a);
   // Numbers groups in the order of their lowest bodies, which name the sets.
   of_.resize(count);
   std::pmr::vector<std::uint32_t> sizes(island.memory);
@@ -29,7 +30,7 @@ void Groups::find(const Island& island, const StepContext& context) {
     if (lowest == i) {
       of_[i] = std::uint32_t(sizes.size());
       sizes.push_back(0);
-      partner_.push_back(supported != kNoIndex && sets.find(supported) == i ? under : kNoIndex);
+      partner_.push_back(!grounds.empty() && sets.find(grounds.front().a) == i ? grounds.front().b : kNoIndex);
     }
     of_[i] = of_[lowest];
     sizes[of_[i]]++;

@@ -16,7 +16,8 @@ struct StepContext;
 
 class Groups {
  public:
-  explicit Groups(std::pmr::memory_resource* memory) : of_(memory), bodies_(memory), begin_(memory), partner_(memory) {}
+  explicit Groups(std::pmr::memory_resource* memory)
+      : of_(memory), pieceOf_(memory), bodies_(memory), begin_(memory), partner_(memory) {}
 
   // By the forces that the island's ties carry. An island that rests has no groups.
   void find(const Island& island, const StepContext& context);
@@ -27,6 +28,8 @@ class Groups {
     return {bodies_.data() + begin_[group], bodies_.data() + begin_[group + 1]};
   }
   std::uint32_t groupOf(std::size_t body) const { return of_[body]; }
+  // The lowest of those bodies that ties join it to without anything fixed or kinematic.
+  std::uint32_t pieceOf(std::size_t body) const { return pieceOf_[body]; }
   // No tie that carries force leads from the group to anything fixed or kinematic.
   bool flies(std::size_t group) const { return partner_[group] == kNoIndex; }
   // One of the fixed or kinematic bodies that the group presses on, as numbered in Island::motion.
@@ -34,6 +37,7 @@ class Groups {
 
  private:
   std::pmr::vector<std::uint32_t> of_;       // body -> group
+  std::pmr::vector<std::uint32_t> pieceOf_;  // body -> its piece of the group
   std::pmr::vector<std::uint32_t> bodies_;   // by group
   std::pmr::vector<std::uint32_t> begin_;    // group -> its first place in bodies_; one more at the end
   std::pmr::vector<std::uint32_t> partner_;  // group -> the body that it presses on

@@ -1,6 +1,6 @@
 // One body on something fixed, or on a surface that runs, whose contacts go on through the step: the leapfrog, as
 // Verlet wrote it (docs/step.md). Bodies that push each other are left alone (what one gains the other would have to
-// give), unless they slide as one: finish/group_slide.cpp.
+// give), unless they slide as one: finish/rigid_groups.cpp.
 #include "solver/finish/finish.h"
 
 #include <algorithm>
