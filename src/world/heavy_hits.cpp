@@ -31,8 +31,6 @@ constexpr double kBlowPart = 1.0 / 8;  // the first of a blow that breaks mortar
 constexpr double kBlowGrows = 4.0 / 3;  // each part after a blow on mortar, at most
 //! not of the method: no bound
 constexpr double kAny = std::numeric_limits<double>::infinity();  // s: of any length
-//! times the mass | too small: cost of what flies out of a wall | too large: as too large a kHitWay, in mortar
-constexpr double kHeldHeavier = 2;  // what hits a body that mortar holds
 
 // m: a body that goes less far in a step asks for no parts.
 double littleWay(double radius) { return kLittleWay * radius / kReferenceSize; }
@@ -107,10 +105,10 @@ class HitSearch {
   bool breaksMortar() const { return breaksMortar_; }
 
  private:
-  // What mortar holds is pushed out of its neighbours, which stop what comes after it: twice the mass is enough there.
+  // Mortared bodies are pushed out of their neighbours, which stop what comes after: there any heavier one is heavy.
   bool isHeavyFor(BodyIndex body, BodyIndex other) {
     if (bodies_.data[other].type != BodyType::dynamic) return false;
-    const double times = isHeld(other) ? kHeldHeavier : kHeavier;
+    const double times = isHeld(other) ? 1 + kTrifle : kHeavier;
     return bodies_.isDriven(body) || bodies_.mass[body].mass >= times * bodies_.mass[other].mass;
   }
   // By mortar, which is looked up where anything is hit.
