@@ -8,8 +8,6 @@
 
 namespace brickfall {
 
-using BodyBlock = double[6][6];  // by columns
-
 inline constexpr std::uint32_t kNoPlace = 0xffffffffu;  // of a body that is not in the matrix
 
 // J(left)^T K J(right) times sign, where J = [1 -[r]; 0 1] gives (u, w) at the row from a body's (d, th). K is
@@ -55,20 +53,6 @@ inline void addBody(BlockEnvelope& matrix, std::uint32_t place, const SolveMass&
     for (int column = 0; column <= row; column++, at++)
       b[3 + row][3 + column] = b[3 + column][3 + row] = double(m.inertia[at]);
   matrix.add(place, place, b);
-}
-
-// placeOf(body) is kNoPlace for bodies that do not move.
-template <class PlaceOf> void addRow(BlockEnvelope& matrix, RowEnds rowEnds, const StiffReaction& x, PlaceOf placeOf) {
-  const Stiffness& s = x.stiffness;
-  BodyBlock K;
-  for (int i = 0; i < 3; i++)
-    for (int j = 0; j < 3; j++) {
-      K[i][j] = double(s.A[i][j]);
-      K[i][j + 3] = K[j + 3][i] = double(s.B[i][j]);
-      K[i + 3][j + 3] = double(s.C[i][j]);
-    }
-  addTie(matrix, K, {placeOf(rowEnds.a), toDouble(wide::store3(x.armA))},
-         {placeOf(rowEnds.b), toDouble(wide::store3(x.armB))});
 }
 
 }  // namespace brickfall

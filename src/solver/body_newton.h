@@ -35,10 +35,18 @@ struct BodyNewton {
   // The matrix: first the bodies, then each row on them, then what is locked, and the factor: false if there is none.
   void beginMatrix();
   template <class Kind> void add(const Kind& kind, std::size_t k, const StiffReaction& x) {
-    auto placeOf = [this](std::uint32_t body) { return has(body) ? place[body] : kNoPlace; };
-    addRow(matrix, kind.ends(k), x, placeOf);
+    BodyBlock K;
+    kind.writeStiffness(k, island.motion.data(), x, K);
+    addRow(kind.ends(k), x, K);
     if constexpr (Kind::kFirm)
       if (!rounding.empty()) addRounding(rounding, kind.ends(k), x, island.motion.data());
+  }
+  // The stiffness of a row, at the arms of its reaction.
+  void addRow(RowEnds ends, const Reaction& x, const BodyBlock& K) {
+    auto endOf = [this](std::uint32_t body, wide::V arm) {
+      return MatrixEnd{has(body) ? place[body] : kNoPlace, toDouble(wide::store3(arm))};
+    };
+    addTie(matrix, K, endOf(ends.a, x.armA), endOf(ends.b, x.armB));
   }
   bool factor();
 

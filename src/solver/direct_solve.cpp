@@ -146,7 +146,11 @@ class Newton {
       if (newton_.has(body)) reach += length(island_.motion[body].d);
     if (!(push > 0 && push < r.way.k[0] * reach)) return;
     const wide::V axis = wide::load(&r.way.axes[0].unit.x);
-    for (int i = 0; i < 3; i++) x.stiffness.A[i] += axis * (r.way.k[0] * axis[i]);
+    for (int i = 0; i < 3; i++) x.stiffness.A[i] += axis * (r.way.k[0] * axis[i]);  // floats round by it
+    BodyBlock K = {};
+    for (int i = 0; i < 3; i++)
+      for (int j = 0; j < 3; j++) K[i][j] = double(r.way.k[0]) * (double(axis[i]) * double(axis[j]));
+    newton_.addRow(joints.ends(k), x, K);
     tight_.push_back({joints.ends(k), wide::store3(x.armA), wide::store3(x.armB), r.way.axes[0].unit * push});
   }
   void pull(std::uint32_t body, Vec3f arm, Vec3f force) {

@@ -75,6 +75,16 @@ enum class Resist : std::uint8_t {
 // By rows: [A B; B^T C], A and C symmetric. For one row, or for two side by side (math/wide_pair.h).
 template <class L> struct StiffnessOf { L A[3], B[3], C[3]; };
 using Stiffness = StiffnessOf<wide::V>;
+// The same in doubles, by columns.
+using BodyBlock = double[6][6];
+inline void write(const Stiffness& s, BodyBlock& K) {
+  for (int i = 0; i < 3; i++)
+    for (int j = 0; j < 3; j++) {
+      K[i][j] = double(s.A[i][j]);
+      K[i][j + 3] = K[j + 3][i] = double(s.B[i][j]);
+      K[i + 3][j + 3] = double(s.C[i][j]);
+    }
+}
 
 // A reaction for a Newton step.
 struct StiffReaction : Reaction {

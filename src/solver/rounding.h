@@ -15,23 +15,29 @@ struct Rounding {
   double force = 0, torque = 0;  // N, N m
 };
 
-// A row's ends go where their bodies go and turn; both make its force.
+// N/m, or N m/rad. Of a line: firm along it alone, whichever way it hangs.
+inline double firmestOf(const wide::V (&stiffness)[3]) {
+  return double(std::max({stiffness[0][0], stiffness[1][1], stiffness[2][2]}));
+}
+
+// A row's ends go where their bodies go and turn; both make its force. Their turns make its torque.
 inline void addRounding(std::span<Rounding> rounding, RowEnds ends, const StiffReaction& x, const SolveMotion* motion) {
-  const wide::V* A = x.stiffness.A;  // of a line: firm along it alone, whichever way it hangs
-  const double firmest = double(std::max({A[0][0], A[1][1], A[2][2]}));
   struct End {
     std::uint32_t body;
     double arm;
   } both[2] = {{ends.a, double(length(wide::store3(x.armA)))}, {ends.b, double(length(wide::store3(x.armB)))}};
-  double reach = 0;
-  for (const End& end : both)
-    if (end.body < rounding.size())
-      reach = std::max(reach, double(length(motion[end.body].d)) + double(length(motion[end.body].th)) * end.arm);
-  const double force = kLastBit * firmest * reach;
+  double reach = 0, turn = 0;
+  for (const End& end : both) {
+    if (end.body >= rounding.size()) continue;
+    const double turned = double(length(motion[end.body].th));
+    turn = std::max(turn, turned);
+    reach = std::max(reach, double(length(motion[end.body].d)) + turned * end.arm);
+  }
+  const double force = kLastBit * firmestOf(x.stiffness.A) * reach, torque = kLastBit * firmestOf(x.stiffness.C) * turn;
   for (const End& end : both) {
     if (end.body >= rounding.size()) continue;
     rounding[end.body].force += force;
-    rounding[end.body].torque += force * end.arm;
+    rounding[end.body].torque += force * end.arm + torque;
   }
 }
 

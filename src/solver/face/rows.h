@@ -52,6 +52,10 @@ struct FaceRows {
     auto w = kernel::wrench(r, frame, f);
     return {{w.force, w.torque, frame.armA, frame.armB}, kernel::stiffness(r, frame, f, how)};
   }
+  // The stiffness of this reaction, for a matrix in doubles.
+  void writeStiffness(std::size_t, const SolveMotion*, const StiffReaction& x, BodyBlock& K) const {
+    write(x.stiffness, K);
+  }
 };
 
 }  // namespace brickfall

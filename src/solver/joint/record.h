@@ -8,7 +8,9 @@
 // Hard joints have a multiplier in `trial`, which follows the force within the solve (rows.h). Limits, ropes, motors
 // and springs differ from them in k, trial and range alone.
 #pragma once
+#include <algorithm>
 #include <cstdint>
+#include <iterator>
 
 #include "dynamics/joint.h"
 #include "math/wide.h"
@@ -92,21 +94,35 @@ inline Reading readingAt(const JointRecord& r, const SolveMotion* motion) {
 }
 
 // Equations within their range resist.
-inline void addStiffness(const JointEquations& e, V motion, V out[3]) {
+inline V resisting(const JointEquations& e, V motion) {
   const V trial = trialOf(e, motion), other = wide::load(e.other), none = {}, all = wide::load(e.k);
-  const V k = wide::keepIf((trial > wide::load(e.least)) & (wide::load(e.most) > trial), all) +
-              wide::keepIf((other > none) & (trial > other), all) + wide::keepIf((none > other) & (other > trial), all);
-  const float by[3] = {k[0] + k[3], k[1], k[2]};
+  return wide::keepIf((trial > wide::load(e.least)) & (wide::load(e.most) > trial), all) +
+         wide::keepIf((other > none) & (trial > other), all) + wide::keepIf((none > other) & (other > trial), all);
+}
+// Adds the sum of their stiffness, from this row and column on.
+inline void addStiffness(const JointEquations& e, V motion, int corner, BodyBlock& K) {
+  const V k = resisting(e, motion);
+  const double by[3] = {double(k[0]) + double(k[3]), double(k[1]), double(k[2])};
   for (int lane = 0; lane < 3; lane++) {
-    const V axis = wide::load(&e.axes[lane].unit.x), weighted = axis * by[lane];
-    for (int i = 0; i < 3; i++) out[i] += weighted * axis[i];
+    const Vec3 axis = toDouble(e.axes[lane].unit);
+    for (int i = 0; i < 3; i++)
+      for (int j = 0; j < 3; j++) K[corner + i][corner + j] += by[lane] * (axis[i] * axis[j]);
   }
 }
-inline Stiffness stiffnessAt(const JointRecord& r, const SolveMotion* motion) {
+inline void writeStiffness(const JointRecord& r, const SolveMotion* motion, BodyBlock& K) {
   const Relative moved = relativeMotion(r, motion);
+  for (auto& column : K) std::fill(std::begin(column), std::end(column), 0.0);
+  addStiffness(r.way, moved.way, 0, K);
+  addStiffness(r.turn, moved.turn, 3, K);
+}
+inline Stiffness stiffnessAt(const JointRecord& r, const SolveMotion* motion) {
+  BodyBlock K;
+  writeStiffness(r, motion, K);
   Stiffness s = {};
-  addStiffness(r.way, moved.way, s.A);
-  addStiffness(r.turn, moved.turn, s.C);
+  for (int i = 0; i < 3; i++) {
+    s.A[i] = V{float(K[i][0]), float(K[i][1]), float(K[i][2])};
+    s.C[i] = V{float(K[i + 3][3]), float(K[i + 3][4]), float(K[i + 3][5])};
+  }
   return s;
 }
 

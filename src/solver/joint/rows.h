@@ -106,6 +106,11 @@ struct JointRows : LastingRows<JointRows, JointSet, &Ties::joints> {
   StiffReaction reactStiff(std::size_t k, const SolveMotion* motion, Resist) const {
     return {react(k, motion), joint::stiffnessAt(records[k], motion)};
   }
+  // In doubles from the start. Floats of so firm a matrix would round to less than nothing where a joint is free, and
+  // the whole would have no factor.
+  void writeStiffness(std::size_t k, const SolveMotion* motion, const StiffReaction&, BodyBlock& K) const {
+    joint::writeStiffness(records[k], motion, K);
+  }
   bool boundsFollow(std::size_t) const { return true; }
   // The forces found become multipliers; geometric stiffness grows with them.
   bool renewBounds(std::size_t k, const SolveMotion* motion, float slack, bool over);
