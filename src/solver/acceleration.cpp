@@ -66,22 +66,43 @@ Acceleration::Change* Acceleration::change(int age) {
 }
 
 void Acceleration::begin() {
+  if (begun_) return;
+  begun_ = true;
   startMotion_.assign(island_.motion.begin(), island_.motion.begin() + std::ptrdiff_t(island_.bodies.size()));
   startResidual_.assign(island_.residual.begin(), island_.residual.end());
 }
 
-void Acceleration::end() {
-  std::size_t bodies = island_.bodies.size();
-  changes_.resize(kChanges * bodies);
+Acceleration::Change* Acceleration::nextChange() {
+  changes_.resize(kChanges * island_.bodies.size());
   made_++;
   count_ = std::min(count_ + 1, kChanges);
-  Change* out = change(0);
-  for (std::size_t i = 0; i < bodies; i++) {
-    const SolveMotion &now = island_.motion[i], &was = startMotion_[i];
-    out[i].way.d = now.d - was.d;
-    out[i].way.th = now.th - was.th;
-    out[i].fell.force = startResidual_[i].force - island_.residual[i].force;
-    out[i].fell.torque = startResidual_[i].torque - island_.residual[i].torque;
+  return change(0);
+}
+
+Acceleration::Change Acceleration::changeOf(std::size_t body) const {
+  const SolveMotion &now = island_.motion[body], &was = startMotion_[body];
+  const Wrench &left = island_.residual[body], &had = startResidual_[body];
+  Change out;
+  out.way.d = now.d - was.d;
+  out.way.th = now.th - was.th;
+  out.fell.force = had.force - left.force;
+  out.fell.torque = had.torque - left.torque;
+  return out;
+}
+
+void Acceleration::end() {
+  Change* out = nextChange();
+  for (std::size_t i = 0; i < island_.bodies.size(); i++) out[i] = changeOf(i);
+  begun_ = false;
+}
+
+void Acceleration::end(const std::pmr::vector<std::uint32_t>& changed) {
+  Change* out = nextChange();
+  std::fill(out, out + island_.bodies.size(), Change{});
+  for (std::uint32_t i : changed) {
+    out[i] = changeOf(i);
+    startMotion_[i] = island_.motion[i];
+    startResidual_[i] = island_.residual[i];
   }
 }
 
@@ -145,6 +166,7 @@ void Acceleration::apply(RowForces& forces) {
   double start = slopeAlong(shares), part = 1;
   if (!(start > 0)) return;
   begin();
+  begun_ = false;
   moveBy(shares, part);
   forces.readAgain();
   double slope = slopeAlong(shares);

@@ -10,6 +10,7 @@
 // SIAM J. Sci. Comput. 19, 1998; for minima, De Sterck, SIAM J. Sci. Comput. 34, 2012.)
 #pragma once
 #include <array>
+#include <cstdint>
 #include <memory_resource>
 #include <vector>
 
@@ -27,6 +28,10 @@ class Acceleration {
   // A cycle between begin and end is a change. (Friction limits are renewed outside of it.)
   void begin();
   void end();
+  // The same of a cycle that changed nothing but these bodies.
+  void end(const std::pmr::vector<std::uint32_t>& changed);
+  // Motions or residuals were changed outside of cycles.
+  void forget() { begun_ = false; }
 
  private:
   //! - | too small: slow settling is not seen through | too large: cost, for changes made elsewhere
@@ -42,6 +47,8 @@ class Acceleration {
     double of[kChanges][kChanges] = {};  // s_i . y_j, j not newer than i
   };
   Change* change(int age);  // of all bodies; 0: the newest
+  Change* nextChange();
+  Change changeOf(std::size_t body) const;
   Curvature curvature();
   Shares slopes();  // s_i . residual
   double slopeAlong(const Shares& shares);
@@ -54,6 +61,7 @@ class Acceleration {
   std::pmr::vector<Wrench> startResidual_{island_.memory};     // by body
   std::pmr::vector<Change> changes_{island_.memory};           // kChanges lists by body, used in turn
   int count_ = 0, made_ = 0;
+  bool begun_ = false;  // what the next cycle begins with is known
 };
 
 }  // namespace brickfall

@@ -50,9 +50,11 @@ template <class Told> void readResiduals(Island& island, double& visits, Reading
 // Reads the forces at the present motion into Island::residual. With `renewBounds`, friction limits that follow the
 // solve are renewed first: the residual that is judged is that of the valid friction limits.
 void lightPass(Island& island, bool renewBounds, double& visits);
-// Adds half of a row's force to the loads of its bodies: Island::loads.
+// N: half of a row's force, its share of the load of each of its bodies.
+inline float halfOf(const Reading& x) { return 0.5f * length(wide::store3(x.force)); }
+// Adds it to the loads of its bodies: Island::loads.
 inline void addLoad(Island& island, RowEnds ends, const Reading& x) {
-  const float half = 0.5f * length(wide::store3(x.force));
+  const float half = halfOf(x);
   if (ends.a < island.loads.size()) island.loads[ends.a] += half;
   if (ends.b < island.loads.size()) island.loads[ends.b] += half;
 }

@@ -41,6 +41,8 @@ class Relaxation {
         context_(context),
         statistics_(statistics),
         allowed_(island.bodies.size(), 0, island.memory),
+        isOut_(island.bodies.size(), 0, island.memory),
+        isStale_(island.bodies.size(), 0, island.memory),
         factors_(island.bodies.size(), island.memory),
         exactFactors_(island.bodies.size(), island.memory) {}
 
@@ -59,9 +61,9 @@ class Relaxation {
       if (!island_.plan.large)
         forces_.readAll();
       else if (cycle < kBoundCycles)
-        changed = forces_.renewBounds() || changed;
+        changed = rowsChanged(forces_.renewBounds()) || changed;
       if (island_.plan.large && island_.facts.partnersGo && (cycle + 1) % island_.plan.minCycles == 0)
-        changed = forces_.holdJams() || changed;
+        changed = rowsChanged(forces_.holdJams()) || changed;
       countOut();
       // More cycles would find nothing to do.
       const bool idle = island_.plan.large && !changed && out_ == 0;
@@ -72,6 +74,7 @@ class Relaxation {
         done = false;
         forces_.readAll();
         findHold();
+        rowsChanged(true);
         countOut();
       }
       if (stalls()) break;
@@ -79,6 +82,7 @@ class Relaxation {
     if (island_.grounded() && !island_.plan.exactSteps && (!island_.plan.slow || slides(island_, context_)))
       moveAsOne();
     // The step of the whole island may have put bodies out of balance.
+    allStale_ = true;
     if (done && island_.plan.large) countOut();
     return done && out_ == 0;
   }
@@ -88,11 +92,12 @@ class Relaxation {
   // even heavily loaded ones, or bricks would hang at the foot of a wall.
   void findAllowed() {
     forces_.findLoads();
-    float tolerance = float(island_.plan.tolerance);
-    for (std::size_t i = 0; i < allowed_.size(); i++) allowed_[i] = tolerance * float(measure(i).force);
-    const float share = heldShare();
-    for (std::size_t i = 0; i < hold_.size(); i++) allowed_[i] = std::max(allowed_[i], share * hold_[i]);
+    for (std::size_t i = 0; i < allowed_.size(); i++) allowed_[i] = allowedOf(i);
     if (island_.plan.large) feelResistance();
+  }
+  float allowedOf(std::size_t i) const {
+    const float byWeight = float(island_.plan.tolerance) * float(measure(i).force);
+    return i < hold_.size() ? std::max(byWeight, heldShare_ * hold_[i]) : byWeight;
   }
   // What a solve leaves undone is a way that goes as the square of the time. A hit in parts (heavy_hits.h) may so leave
   // the more force in each.
@@ -113,8 +118,10 @@ class Relaxation {
   }
   // What resists rolling is far below what a large island leaves undone, in every step anew: balls would roll on.
   void feelResistance() {
+    resisted_ = false;
     island_.rows.eachKind([&](const auto& kind) {
       kind.eachResistance([&](RowEnds ends, float force) {
+        resisted_ = true;
         for (std::uint32_t i : {ends.a, ends.b}) {
           if (i >= allowed_.size()) continue;
           const float rounding = float(kSmallTolerance * measureOf(island_, *context_.bodies, i, kLoadShare).force);
@@ -138,11 +145,54 @@ class Relaxation {
                   block_.rounding(std::uint32_t(i))) <= 1;
     return isWithin(island_.residual[i], std::max(share * allowed_[i], rounding), innerRadius(i));
   }
+  // Where single bodies moved, only they and their neighbours are looked at again: most cycles move few of a wall.
   void countOut() {
-    findAllowed();
-    out_ = 0;
-    for (std::size_t i = 0; i < allowed_.size(); i++) out_ += !balanced(i);
+    if (allStale_ || resisted_ || !island_.plan.large || block_.any()) {
+      findAllowed();
+      out_ = 0;
+      for (std::size_t i = 0; i < allowed_.size(); i++) judge(i);
+    } else {
+      const Level& level = island_.hierarchy.levels[0];
+      for (std::uint32_t i : stale_) {
+        forces_.findLoad(level, level.clusters[i], i);
+        allowed_[i] = allowedOf(i);
+        out_ -= isOut_[i];
+        judge(i);
+      }
+    }
+    for (std::uint32_t i : stale_) isStale_[i] = 0;
+    stale_.clear();
+    allStale_ = false;
   }
+  void judge(std::size_t i) {
+    isOut_[i] = !balanced(i);
+    out_ += isOut_[i];
+  }
+  // By other than the motion of bodies.
+  bool rowsChanged(bool any) {
+    allStale_ = allStale_ || any;
+    if (any) acceleration_.forget();
+    return any;
+  }
+  // The body was moved: what acts on it and on its neighbours has changed.
+  void noteMoved(const Cluster& single, std::uint32_t body) {
+    if (allStale_) return;
+    auto note = [&](std::uint32_t i) {
+      if (i >= isStale_.size() || isStale_[i]) return;
+      isStale_[i] = 1;
+      stale_.push_back(i);
+    };
+    note(body);
+    const Level& level = island_.hierarchy.levels[0];
+    for (std::uint32_t k = single.sideBegin; k < single.sideEnd; k++)
+      island_.rows.at(level.sides[k] / 2, [&](const auto& kind, std::size_t index) {
+        const RowEnds ends = kind.ends(index);
+        note(ends.a);
+        note(ends.b);
+      });
+  }
+  // As last counted, and nothing moved near it since.
+  bool stillBalanced(std::size_t i) const { return !allStale_ && !isOut_[i] && !isStale_[i]; }
   // Where many bodies are out of balance, the undone motion of a step shakes them in the next ones: more cycles now are
   // fewer then. But they do not begin anew with each renewal: a step in which much breaks makes six.
   bool goesOn(int cycle) const {
@@ -179,6 +229,7 @@ class Relaxation {
       together_.apply();
       moved = true;
     }
+    allStale_ = allStale_ || moved || block_.any();
     const std::size_t before = forces_.sidesRead();
     const int rounds = few ? 1 : island_.plan.rounds;
     for (int round = 0; round < rounds; round++) {
@@ -188,7 +239,7 @@ class Relaxation {
       if (!any) break;
       moved = moved || block_.any();
     }
-    if (large) acceleration_.end();
+    if (large) allStale_ ? acceleration_.end() : acceleration_.end(stale_);
     const std::size_t sides = forces_.sidesRead() - before;
     worthReading_ = sides > island_.rows.size();
     return moved || sides > 0;
@@ -212,8 +263,9 @@ class Relaxation {
       std::size_t c = backwards ? count - 1 - n : n;
       const Cluster& cluster = level.clusters[c];
       std::uint32_t body = level.bodies[cluster.bodyBegin];
-      if (cluster.sideBegin == cluster.sideEnd || balanced(body) || block_.has(body)) continue;
+      if (cluster.sideBegin == cluster.sideEnd || stillBalanced(body) || balanced(body) || block_.has(body)) continue;
       any = true;
+      noteMoved(cluster, body);
       solveBody(level, cluster, factors_[c], body);
     }
     return any;
@@ -278,12 +330,18 @@ class Relaxation {
   JointBlock block_{forces_};
   std::pmr::vector<float> allowed_;               // N, by body
   std::pmr::vector<float> hold_{island_.memory};  // N, by body; empty without mortar
-  Stall stall_;                                   // of a body alone
-  int renewed_ = 0;                               // the cycle after which what is frozen was last set anew
-  std::size_t out_ = 0;                           // bodies out of balance
-  bool worthReading_ = false;                     // the last cycle moved enough to read all rows again
-  std::pmr::vector<ClusterFactor> factors_;       // by body
-  std::pmr::vector<ClusterFactor> exactFactors_;  // by body, of exact steps
+  const float heldShare_ = heldShare();
+  Stall stall_;                                            // of a body alone
+  int renewed_ = 0;                                        // the cycle after which what is frozen was last set anew
+  std::size_t out_ = 0;                                    // bodies out of balance
+  std::pmr::vector<std::uint8_t> isOut_;                   // by body, as last counted
+  std::pmr::vector<std::uint8_t> isStale_;                 // by body: in `stale_`
+  std::pmr::vector<std::uint32_t> stale_{island_.memory};  // bodies on which forces have changed since
+  bool allStale_ = true;                                   // since that, on any
+  bool resisted_ = false;                                  // rows resist rolling
+  bool worthReading_ = false;                              // the last cycle moved enough to read all rows again
+  std::pmr::vector<ClusterFactor> factors_;                // by body
+  std::pmr::vector<ClusterFactor> exactFactors_;           // by body, of exact steps
 };
 
 }  // namespace

@@ -91,6 +91,13 @@ void RowForces::findLoads() {
   island_.rows.each([&](const auto& kind, std::size_t k) { addLoad(island_, kind.ends(k), readings_[row++]); });
 }
 
+// In the order of rows, as findLoads adds them.
+void RowForces::findLoad(const Level& level, const Cluster& single, std::uint32_t body) {
+  float load = 0;
+  for (std::uint32_t k = single.sideBegin; k < single.sideEnd; k++) load += halfOf(readings_[level.sides[k] / 2]);
+  island_.loads[body] = load;
+}
+
 // Sides are in the order of their rows, so sides of one kind follow each other.
 Wrench RowForces::readBoundary(const Level& level, const Cluster& cluster, bool exact, MatrixSums* matrix) {
   trial_.resize(cluster.sideEnd - cluster.sideBegin);

@@ -29,6 +29,8 @@ class RowForces {
   bool settle(std::uint32_t row);
   // Half the sum of the forces on each body: Island::loads.
   void findLoads();
+  // The same of one body, whose sides these are.
+  void findLoad(const Level& level, const Cluster& single, std::uint32_t body);
 
   // By how much the forces on a cluster's boundary have changed at the present motion, about its centre. With `matrix`,
   // their stiffness there too. Kept until acceptBoundary. Exact: near open points do not count as closed.
