@@ -50,10 +50,9 @@ void BlockRows::shape(const Adjacency& neighbours) {
       if (neighbours.list[k] < row) earlier_.list.push_back(neighbours.list[k]);
     earlier_.begin.push_back(std::uint32_t(earlier_.list.size()));
   }
-  diagonal_.resize(neighbours.count());
+  diagonal_.assign(neighbours.count(), Block{});
   inverses_.resize(neighbours.count());
-  blocks_.resize(earlier_.list.size());
-  clear();
+  blocks_.assign(earlier_.list.size(), Block{});
 }
 
 void BlockRows::clear() {

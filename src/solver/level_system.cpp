@@ -1,6 +1,6 @@
 #include "solver/level_system.h"
 
-#include "solver/locks.h"
+#include "solver/light_pass.h"
 #include "solver/slope_search.h"
 
 namespace brickfall {
@@ -83,6 +83,10 @@ LevelSystem::LevelSystem(const Island& island, const Hierarchy& hierarchy, std::
   // The finest level that is cheap enough; the last has one cluster.
   for (std::size_t l = level + 1; l < hierarchy.levels.size(); l++)
     if (chooseCoarse(hierarchy.levels[l], kMostProducts * double(island.rows.size()))) break;
+  if (!coarse_) return;
+  for (std::uint32_t c = 0; c < fine_.clusters.size(); c++)
+    parts_.push_back(
+        {wide::load3(fine_.clusters[c].centre) - wide::load3(coarse_->clusters[above_[c]].centre), places_[above_[c]]});
 }
 
 bool LevelSystem::chooseCoarse(const Level& level, double mostProducts) {
@@ -157,10 +161,7 @@ bool LevelSystem::make() {
   matrix_.clear();
   factor_.clear();
   addInertia();
-  island_.rows.each([&](const auto& kind, std::size_t k) {
-    RowEnds ends = kind.ends(k);
-    if (clusterOf(fine_, ends.a) == clusterOf(fine_, ends.b)) return;
-    StiffReaction now = kind.reactStiff(k, island_.motion.data(), Resist::nearly);
+  auto add = [&](RowEnds ends, const StiffReaction& now) {
     addRow(fine_, ends, now, [&](std::uint32_t to, std::uint32_t moved, const Motions& motions, V arm, float sign) {
       if (to >= moved) motions.addTo(to == moved ? matrix_.diagonal(to) : matrix_.at(to, moved), arm, sign);
     });
@@ -171,6 +172,23 @@ bool LevelSystem::make() {
       motions.addTo(block, arm, sign);
       addTo(factor_, places_[to], places_[moved], block);
     });
+  };
+  island_.rows.eachKind([&](const auto& kind) {
+    std::uint32_t rows[kRowsAtATime] = {};
+    StiffReaction now[kRowsAtATime];
+    std::size_t count = 0;
+    auto addThese = [&] {
+      kind.readStiff(rows, count, island_.motion.data(), Resist::nearly, now);
+      for (std::size_t i = 0; i < count; i++) add(kind.ends(rows[i]), now[i]);
+      count = 0;
+    };
+    for (std::uint32_t k = 0; k < kind.size(); k++) {
+      const RowEnds ends = kind.ends(k);
+      if (clusterOf(fine_, ends.a) == clusterOf(fine_, ends.b)) continue;
+      rows[count++] = k;
+      if (count == kRowsAtATime) addThese();
+    }
+    addThese();
   });
   lock();
   return matrix_.invert() && factor_.factor();
@@ -180,24 +198,24 @@ bool LevelSystem::make() {
 void LevelSystem::precondition(const Wrenches& right, Wrenches& x) {
   matrix_.sweepForwards(right, x, behind_);
   if (coarse_) {
-    auto armOf = [&](std::uint32_t c) {
-      return wide::load3(fine_.clusters[c].centre) - wide::load3(coarse_->clusters[above_[c]].centre);
-    };
     coarseX_.assign(6 * places_.size(), 0);
-    for (std::uint32_t c = 0; c < above_.size(); c++) {
+    for (std::uint32_t c = 0; c < parts_.size(); c++) {
       const Wrench& left = behind_[c];
-      V force = wide::load(&left.force.x), torque = wide::load(&left.torque.x) + cross3(armOf(c), force);
-      double* six = coarseX_.data() + 6 * places_[above_[c]];
+      V force = wide::load(&left.force.x), torque = wide::load(&left.torque.x) + cross3(parts_[c].arm, force);
+      double* six = coarseX_.data() + 6 * parts_[c].place;
       for (int k = 0; k < 3; k++) {
         six[k] += double(force[k]);
         six[k + 3] += double(torque[k]);
       }
     }
     factor_.solve(coarseX_.data());
-    for (std::uint32_t c = 0; c < above_.size(); c++) {
-      const double* six = coarseX_.data() + 6 * places_[above_[c]];
-      V way{float(six[0]), float(six[1]), float(six[2]), 0}, turn{float(six[3]), float(six[4]), float(six[5]), 0};
-      wide::store(wide::load(&x[c].force.x) + (way + cross3(turn, armOf(c))), &x[c].force.x);
+    coarseWays_.clear();
+    for (const double* six = coarseX_.data(); six != coarseX_.data() + coarseX_.size(); six += 6)
+      coarseWays_.push_back(
+          Way{V{float(six[0]), float(six[1]), float(six[2]), 0}, V{float(six[3]), float(six[4]), float(six[5]), 0}});
+    for (std::uint32_t c = 0; c < parts_.size(); c++) {
+      const auto& [way, turn] = coarseWays_[parts_[c].place];
+      wide::store(wide::load(&x[c].force.x) + (way + cross3(turn, parts_[c].arm)), &x[c].force.x);
       wide::store(wide::load(&x[c].torque.x) + turn, &x[c].torque.x);
     }
   }

@@ -47,7 +47,16 @@ class LevelSystem {
   BlockEnvelope factor_{memory_};                    // of *coarse_
   std::pmr::vector<std::uint32_t> above_{memory_};   // by cluster of fine_: the cluster of *coarse_ that it is part of
   std::pmr::vector<std::uint32_t> places_{memory_};  // by cluster of *coarse_: its place in factor_
-  std::pmr::vector<double> coarseX_{memory_};        // by place
+  struct Part {
+    wide::V arm;          // m, from the centre of its cluster of *coarse_
+    std::uint32_t place;  // of that
+  };
+  struct Way {
+    wide::V way, turn;
+  };
+  std::pmr::vector<Part> parts_{memory_};      // by cluster of fine_; none without *coarse_
+  std::pmr::vector<double> coarseX_{memory_};  // by place
+  std::pmr::vector<Way> coarseWays_{memory_};  // the same, as floats
   // Of conjugate gradients, by cluster. `swept_`, `behind_`: of the preconditioner, before it sweeps back.
   Wrenches left_{memory_}, better_{memory_}, betterProduct_{memory_}, direction_{memory_}, product_{memory_},
       swept_{memory_}, behind_{memory_};

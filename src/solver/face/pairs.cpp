@@ -31,4 +31,9 @@ void readFaces(const FaceRecord* records, std::size_t count, const SolveMotion* 
   chosen().read(records, count, motion, out);
 }
 
+void readStiffFaces(const FaceRecord* records, const std::uint32_t* faces, std::size_t count, const SolveMotion* motion,
+                    Resist how, StiffReaction* out) {
+  chosen().readStiff(records, faces, count, motion, how, out);
+}
+
 }  // namespace brickfall

@@ -12,12 +12,17 @@ namespace brickfall {
 void sumFaces(const Boundary& boundary, const FaceRecord* records, BoundarySums& sums);
 // Reads the action of `count` faces, each by itself.
 void readFaces(const FaceRecord* records, std::size_t count, const SolveMotion* motion, Reading* out);
+// Reads the action of the faces named, each by itself, and how it resists a Newton step.
+void readStiffFaces(const FaceRecord* records, const std::uint32_t* faces, std::size_t count, const SolveMotion* motion,
+                    Resist how, StiffReaction* out);
 
-// These functions in lanes of one kind: the two above choose one of these sets.
+// These functions in lanes of one kind: those above choose one of these sets.
 struct PairFunctions {
   void (*sum)(const Boundary&, const FaceRecord*, BoundarySums&) = nullptr;
   void (*sumWithMatrix)(const Boundary&, const FaceRecord*, BoundarySums&) = nullptr;
   void (*read)(const FaceRecord*, std::size_t, const SolveMotion*, Reading*) = nullptr;
+  void (*readStiff)(const FaceRecord*, const std::uint32_t*, std::size_t, const SolveMotion*, Resist,
+                    StiffReaction*) = nullptr;
 };
 PairFunctions pairsInHalves();
 PairFunctions pairsInEight();  // for machines with AVX2; none where the compiler cannot

@@ -70,6 +70,34 @@ void readFaces(const FaceRecord* records, std::size_t count, const SolveMotion* 
   }
 }
 
-template <class L> PairFunctions pairFunctions() { return {sumFaces<L, false>, sumFaces<L, true>, readFaces<L>}; }
+template <class L>
+void readStiffFaces(const FaceRecord* records, const std::uint32_t* faces, std::size_t count, const SolveMotion* motion,
+                    Resist how, StiffReaction* out) {
+  for (std::size_t i = 0; i < count; i += 2) {
+    const std::size_t j = i + 1 < count ? i + 1 : i;
+    RecordPair<L> r{records[faces[i]], records[faces[j]]};
+    Frame<L> f = frame(r);
+    PointForces<L> forces = pointForces(r, pointMotion(r, f, motion));
+    WideWrench<L> w = wrench(r, f, forces);
+    StiffnessOf<L> s = stiffness(r, f, forces, how);
+    auto write = [&](StiffReaction& to, auto half) {
+      to.force = half(w.force);
+      to.torque = half(w.torque);
+      to.armA = half(f.armA);
+      to.armB = half(f.armB);
+      for (int k = 0; k < 3; k++) {
+        to.stiffness.A[k] = half(s.A[k]);
+        to.stiffness.B[k] = half(s.B[k]);
+        to.stiffness.C[k] = half(s.C[k]);
+      }
+    };
+    write(out[j], [](L v) { return highOf(v); });
+    write(out[i], [](L v) { return lowOf(v); });
+  }
+}
+
+template <class L> PairFunctions pairFunctions() {
+  return {sumFaces<L, false>, sumFaces<L, true>, readFaces<L>, readStiffFaces<L>};
+}
 
 }  // namespace brickfall::kernel

@@ -45,6 +45,11 @@ struct FaceRows {
     auto w = kernel::wrench(r, frame, kernel::pointForces(r, kernel::pointMotion(r, frame, motion)));
     return {w.force, w.torque, frame.armA, frame.armB};
   }
+  // Reads the `count` rows named.
+  void readStiff(const std::uint32_t* rows, std::size_t count, const SolveMotion* motion, Resist how,
+                 StiffReaction* out) const {
+    readStiffFaces(records.data(), rows, count, motion, how, out);
+  }
   StiffReaction reactStiff(std::size_t k, const SolveMotion* motion, Resist how) const {
     const FaceRecord& r = records[k];
     auto frame = kernel::frame(r);

@@ -103,6 +103,10 @@ struct JointRows : LastingRows<JointRows, JointSet, &Ties::joints> {
     const Arms at = arms(k);
     return {now.force, now.torque, at.a, at.b};
   }
+  void readStiff(const std::uint32_t* rows, std::size_t count, const SolveMotion* motion, Resist how,
+                 StiffReaction* out) const {
+    for (std::size_t i = 0; i < count; i++) out[i] = reactStiff(rows[i], motion, how);
+  }
   StiffReaction reactStiff(std::size_t k, const SolveMotion* motion, Resist) const {
     return {react(k, motion), joint::stiffnessAt(records[k], motion)};
   }
