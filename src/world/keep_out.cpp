@@ -78,7 +78,7 @@ class Fitting {
   // First those bodies that end aside, or all; if there are any, what they may end in.
   void addBodies(const Island& island, bool all);
   void addSingle(BodyIndex single) {
-    if (endsAside(single) && mayShift(single, tied_.size())) addEnd(single, true, true, false);
+    if (endsAside(single) && mayShift(single)) addEnd(single, true, true, false);
   }
   bool anyBodies();
   void addContacts(const Island& island);
@@ -92,8 +92,8 @@ class Fitting {
     const BodyData& data = bodies_.data[body];
     return data.type == BodyType::dynamic && data.activity == BodyActivity::awake && !context_.solved[body].rest;
   }
-  std::size_t findTied(const Island& island);
-  bool mayShift(BodyIndex body, std::size_t firstTied) const;
+  void findTied(const Island& island);
+  bool mayShift(BodyIndex body) const;
   void addEnd(BodyIndex body, bool may, bool shifts, bool asSolved);
   bool endsAsSolved(BodyIndex body) const;
   bool endsAside(BodyIndex body) const;
@@ -135,7 +135,7 @@ class Fitting {
   const Island* island_;
   StepContext& context_;
   const Proximity* proximity_ = nullptr;
-  std::pmr::vector<BodyIndex> tied_;           // by firm ties, ascending
+  std::pmr::vector<char> tied_;                // by body: by firm ties; empty: none is
   std::pmr::vector<End> ends_;                 // bodies that end aside, ascending; then others as they are met
   std::pmr::vector<std::uint32_t> endOfBody_;  // by body
   std::pmr::vector<Near> near_;
@@ -144,31 +144,26 @@ class Fitting {
   std::pmr::vector<std::uint32_t> waiting_;      // pairs that are to be looked at, in this order
 };
 
-// Returns the place of the first.
-std::size_t Fitting::findTied(const Island& island) {
-  const std::size_t known = tied_.size();
-  if (!island.facts.firm) return known;
+void Fitting::findTied(const Island& island) {
+  if (!island.facts.firm) return;
+  tied_.resize(bodies_.motion.size(), 0);
   island.rows.each([&]<class Kind>(const Kind& kind, std::size_t k) {
     if (!std::remove_cvref_t<Kind>::kFirm) return;
     const auto [a, b] = kind.bodies(k, *context_.ties);
-    tied_.push_back(a);
-    tied_.push_back(b);
+    tied_[a] = tied_[b] = 1;
   });
-  std::sort(tied_.begin() + std::ptrdiff_t(known), tied_.end());
-  return known;
 }
 
 // A shift tears no firm tie.
-bool Fitting::mayShift(BodyIndex body, std::size_t firstTied) const {
+bool Fitting::mayShift(BodyIndex body) const {
   const SolvedMotion& s = context_.solved[body];
-  return moves(body) && isFinite(s.d) && isFinite(s.th) &&
-         !std::binary_search(tied_.begin() + std::ptrdiff_t(firstTied), tied_.end(), body);
+  return moves(body) && isFinite(s.d) && isFinite(s.th) && (tied_.empty() || !tied_[body]);
 }
 
 void Fitting::addBodies(const Island& island, bool all) {
-  const std::size_t tied = findTied(island);
+  findTied(island);
   for (BodyIndex body : island.bodies)
-    if ((all || endsAside(body)) && mayShift(body, tied)) addEnd(body, true, true, !all && endsAsSolved(body));
+    if ((all || endsAside(body)) && mayShift(body)) addEnd(body, true, true, !all && endsAsSolved(body));
 }
 
 void Fitting::addEnd(BodyIndex body, bool may, bool shifts, bool asSolved) {
@@ -187,7 +182,6 @@ void Fitting::addEnd(BodyIndex body, bool may, bool shifts, bool asSolved) {
 
 bool Fitting::anyBodies() {
   if (ends_.empty()) return false;
-  std::sort(tied_.begin(), tied_.end());
   std::sort(ends_.begin(), ends_.end(), [](const End& a, const End& b) { return a.body < b.body; });
   endOfBody_.assign(bodies_.motion.size(), kNoIndex);
   touchOfBody_.assign(bodies_.motion.size(), kNoIndex);
@@ -227,7 +221,7 @@ Transform Fitting::endOf(BodyIndex body) const {
 std::uint32_t Fitting::numberOf(BodyIndex body) {
   if (endOfBody_[body] == kNoIndex) {
     endOfBody_[body] = std::uint32_t(ends_.size());
-    addEnd(body, mayShift(body, 0), false, true);
+    addEnd(body, mayShift(body), false, true);
   }
   return endOfBody_[body];
 }

@@ -45,17 +45,25 @@ Vec3T<float> forceBefore(MortarIndex mortar, const Ties& ties, const Activity& a
 // All ties of the bodies listed (ascending), by body; contacts of two bodies together.
 std::vector<LoadOf> loadsOf(const std::vector<BodyIndex>& bodies, const Ties& ties, const Activity& activity) {
   std::vector<LoadOf> out;
-  auto add = [&](const TieLoad& load) {
-    for (BodyIndex body : {load.bodyA, load.bodyB})
-      if (std::binary_search(bodies.begin(), bodies.end(), body)) out.push_back({body, load});
+  auto isListed = [&](BodyIndex body) { return std::binary_search(bodies.begin(), bodies.end(), body); };
+  // Most ties are of none of these bodies: their forces are not asked for.
+  auto add = [&](BodyIndex bodyA, BodyIndex bodyB, auto loadOf) {
+    const bool a = isListed(bodyA), b = isListed(bodyB);
+    if (!a && !b) return;
+    const TieLoad load = loadOf();
+    if (a) out.push_back({bodyA, load});
+    if (b) out.push_back({bodyB, load});
   };
   ties.mortar.eachAwake([&](const Link& link) {
     const Mortar& m = ties.mortar.slots[link.index];
-    add({link.index, m.bodyA, m.bodyB, length(forceBefore(link.index, ties, activity)), length(m.force)});
+    add(m.bodyA, m.bodyB, [&] {
+      return TieLoad{link.index, m.bodyA, m.bodyB, length(forceBefore(link.index, ties, activity)), length(m.force)};
+    });
   });
   ties.contacts.eachAwake([&](const Link& link) {
     const Contact& c = ties.contacts.contacts[link.index];
-    add({kNoIndex, std::min(c.bodyA, c.bodyB), std::max(c.bodyA, c.bodyB), c.earlierForce, forceOf(c)});
+    const BodyIndex bodyA = std::min(c.bodyA, c.bodyB), bodyB = std::max(c.bodyA, c.bodyB);
+    add(bodyA, bodyB, [&] { return TieLoad{kNoIndex, bodyA, bodyB, c.earlierForce, forceOf(c)}; });
   });
   std::stable_sort(out.begin(), out.end(), [](const LoadOf& a, const LoadOf& b) { return a.body < b.body; });
   std::size_t kept = 0, start = 0;

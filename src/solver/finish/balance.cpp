@@ -86,8 +86,8 @@ GroupEnergy energyOf(const Island& island, Bodies group, Vec3 frame, const StepC
     const Lead lead = leaps ? leadOf(body, context) : Lead{};
     const Mat3 inertia = context.bodies->worldInertia(body);
     const Vec3 move = free.startVelocity - lead.before.move, spin = free.startSpin - lead.before.turn;
-    const Vec3 endMove = s.velocity - lead.after.move,
-               endSpin = spinAtEnd(body, s.angularMomentum, context) - lead.after.turn;
+    const Vec3 endMove = s.velocity - lead.after.move;
+    const Vec3 endSpin = leaps ? spinAtEnd(body, s.angularMomentum, context) - lead.after.turn : Vec3{};
     sum.start += 0.5 * m * lengthSquared(move - frame) + 0.5 * dot(spin, inertia * spin);
     sum.end +=
         leaps ? 0.5 * m * lengthSquared(endMove - frame) + 0.5 * dot(endSpin, inertiaAtEnd(context, body) * endSpin)

@@ -231,9 +231,11 @@ void MortarRows::writeStart(std::size_t k, const Mortar& m, const MortarPose& po
     if (const RigidWay* chunk = local < island.bodies.size() ? island.chunks.of(local) : nullptr) return chunk->turn;
     return spin * island.dt;
   };
-  const Vec3 gone = toDouble(arcBy(k, turnOf(r.bodyA, a.angular), turnOf(r.bodyB, b.angular), island));
   start.arc = arcBy(k, turnOf(r.bodyA, bodies.motion[m.bodyA].angularVelocity),
                     turnOf(r.bodyB, bodies.motion[m.bodyB].angularVelocity), island);
+  const bool own = r.bodyA < island.bodies.size() && r.bodyB < island.bodies.size();
+  const Vec3 gone =
+      toDouble(own ? start.arc : arcBy(k, turnOf(r.bodyA, a.angular), turnOf(r.bodyB, b.angular), island));
   start.longest = float(length(toDouble(start.arc)));
   auto inFace = [&](Vec3 v) { return Vec3{dot(pose.n, v), dot(pose.t1, v), dot(pose.t2, v)}; };
   const Vec3 move = inFace(b.linear + cross(b.angular, pose.armB) - a.linear - cross(a.angular, pose.armA));

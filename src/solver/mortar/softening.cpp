@@ -289,18 +289,19 @@ void MortarRows::advance(const Island& island, Ties& ties, const StepContext& co
     // The arms end in the middle between the two faces.
     const Vec3 gaps[4] = {gapAt(0), gapAt(1), gapAt(2), gapAt(3)};
     const Vec3 half = (gaps[0] + gaps[1] + gaps[2] + gaps[3]) * 0.125;
+    const Vec3 turnedN = turnA * n, turned1 = turnA * t1, turned2 = turnA * t2;
     for (int i = 0; i < 4; i++) {
       const Vec3 pointA = toDouble(r.armA) - half + t1 * double(r.s1[i]) + t2 * double(r.s2[i]);
       const Vec3 pointB = pointA + gaps[i] + toDouble(r.armB) - toDouble(r.armA);
       const Vec3 gap = gaps[i] + moved + (turnB * pointB - pointB) - (turnA * pointA - pointA);
       auto take = [&](Vec3 axis, float force, float& place) {
-        const double ends = dot(turnA * axis, gap);
+        const double ends = dot(axis, gap);
         if (std::fabs(stiffness * (ends - double(place)) + double(force)) > unseen)
           place = float(ends + double(force) / stiffness);
       };
-      take(n, now.n[i], m.opening[i]);
-      take(t1, now.t1[i], m.slip1[i]);
-      take(t2, now.t2[i], m.slip2[i]);
+      take(turnedN, now.n[i], m.opening[i]);
+      take(turned1, now.t1[i], m.slip1[i]);
+      take(turned2, now.t2[i], m.slip2[i]);
     }
   }
 }
