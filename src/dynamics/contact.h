@@ -34,6 +34,9 @@ struct Contact {
   float effectiveMass = 0;  // kg, 1 / (1/mA + 1/mB)
   float earlierForce = 0;   // N: of its points together, in the step before; only where there is mortar, not kept
   PointMemory points;
+
+  // Point i holds on to one place of each body. What slides or rolls is held anew where it touches, by the force that it has.
+  bool keepsAnchor(int i) const { return !rolls && points.sticks(i); }
 };
 
 // What is read only when the geometry is made anew.

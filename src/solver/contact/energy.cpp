@@ -37,12 +37,12 @@ double elasticEnergy(const Contact& c, const StepContext& context) {
       continue;
     }
     if (!opened(k, gap, c.points.multiplierN[i])) sum += springEnergy(k, gap, c.points.multiplierN[i]);
-    // A point that slid gets the place at which its spring carries the sliding force; a point that opened lets go of
+    // A point that slid or rolls gets the place at which its spring carries the force; a point that opened lets go of
     // its anchor.
-    bool sticks = c.points.stickingMask >> i & 1;
-    if (!sticks && c.points.forceN[i] == 0) continue;
-    sum += springEnergy(k, sticks ? c.points.drift1[i] : c.points.slip1[i], c.points.multiplier1[i]);
-    sum += springEnergy(k, sticks ? c.points.drift2[i] : c.points.slip2[i], c.points.multiplier2[i]);
+    const bool keeps = c.keepsAnchor(i);
+    if (!keeps && c.points.forceN[i] == 0) continue;
+    sum += springEnergy(k, keeps ? c.points.drift1[i] : c.points.slip1[i], c.points.multiplier1[i]);
+    sum += springEnergy(k, keeps ? c.points.drift2[i] : c.points.slip2[i], c.points.multiplier2[i]);
   }
   if (resistsRolling(c) && c.points.stiffness[0] > 0) {
     const double one = c.points.force1[kRollingLane], two = c.points.force2[kRollingLane];

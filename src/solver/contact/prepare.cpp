@@ -159,11 +159,11 @@ float ease(PointMemory& m, int i, float weight) {
 
 void mapFrictionAnchor(Contact& c, int i, ContactGeometry& g, const FaceRecord& r, double largest,
                        const BodySet& bodies) {
-  bool sticking = c.points.stickingMask >> i & 1;
+  const bool keeps = c.keepsAnchor(i);
   bool tooFar = c.points.drift1[i] * c.points.drift1[i] + c.points.drift2[i] * c.points.drift2[i] > largest * largest;
-  if (sticking && !tooFar) return;
-  c.points.drift1[i] = sticking ? 0 : c.points.slip1[i];
-  c.points.drift2[i] = sticking ? 0 : c.points.slip2[i];
+  if (keeps && !tooFar) return;
+  c.points.drift1[i] = keeps ? 0 : c.points.slip1[i];
+  c.points.drift2[i] = keeps ? 0 : c.points.slip2[i];
   const BodyMotion &a = bodies.motion[c.bodyA], &b = bodies.motion[c.bodyB];
   Vec3 n = toDouble(r.n), t1 = toDouble(r.t1), t2 = cross(n, t1);
   Vec3 onB = b.position + b.orientation * g.anchorB[i];

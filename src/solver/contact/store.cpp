@@ -42,10 +42,10 @@ void holdForce(Contact& c, int i, const PointForces& f, double gravity) {
   c.points.multiplier2[i] = f.t2[i] * share;
 }
 
-// Where the anchor of a sliding point must be for its spring to carry the sliding force.
-void placeSlip(Contact& c, int i, bool sliding, float largest) {
+// Where the anchor of a point that slides or rolls must be for its spring to carry the force that it has.
+void placeSlip(Contact& c, int i, float largest) {
   c.points.slip1[i] = c.points.slip2[i] = 0;
-  if (!sliding || !(c.points.forceN[i] > 0)) return;
+  if (c.keepsAnchor(i) || !(c.points.forceN[i] > 0)) return;
   float scale = -(1 - kMultiplierShare) / (c.points.stiffness[i] * kCorrect);
   c.points.slip1[i] = c.points.force1[i] * scale;
   c.points.slip2[i] = c.points.force2[i] * scale;
@@ -100,7 +100,7 @@ bool ContactRows::store(Island& island, Ties& ties, StepContext& context) {
       records[k].leastN[i] = 0;
       holdForce(c, i, f, context.judgingGravity);
       if (f.n[i] > 0 && !sliding) c.points.stickingMask |= 1u << i;
-      placeSlip(c, i, sliding, float(kSamePlace * starts[k].scale.size));
+      placeSlip(c, i, float(kSamePlace * starts[k].scale.size));
     }
     if (records[k].rolls) {
       c.points.force1[kRollingLane] = touches ? f.t1[kRollingLane] : 0;
