@@ -27,7 +27,7 @@ struct PointMemory {
   float stiffness[4] = {};               // N/m, normal and tangential; 0 in a fresh point
   float multiplierN[4] = {}, multiplier1[4] = {}, multiplier2[4] = {};  // N, multiplier of the augmented Lagrangian
   float forceN[4] = {}, force1[4] = {}, force2[4] = {};                 // N, applied in the last step
-  float slip1[4] = {}, slip2[4] = {};  // m, where to place the anchor of a point that slid
+  float slip1[4] = {}, slip2[4] = {};  // m, where to place the anchor of a point that slid or rolls
   float impulse[4] = {};               // N s, taken so far by an impact that will rebound and is not over
   float impactSpeed[4] = {};           // m/s, of approach when it began
   float hitN[4] = {}, hit1[4] = {},

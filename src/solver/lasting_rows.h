@@ -35,7 +35,7 @@ template <class Rows, class Set, Set Ties::*kSet> struct LastingRows : TieRows<R
   }
   bool keepsForces(std::size_t, const EndChanges&, double, const StepContext&) const { return false; }
   bool wouldMeet(std::size_t, const EndChanges&, const EndChanges&, double) const { return false; }
-  void addFriction(std::size_t, Vec3, bool, const StepContext&, FrictionAlong&) const {}
+  void addFriction(std::size_t, Vec3, bool, const VelocityChange&, const StepContext&, FrictionAlong&) const {}
   void letGo(Ties&) const {}
   void giveBlows(const Held&, double, Ties&, BodySet&, const StepContext&, Blows&) const {}
   bool owes(std::size_t, const StepContext&) const { return false; }

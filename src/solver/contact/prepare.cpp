@@ -6,8 +6,8 @@
 // soft overlap would come back as a rebound. Every step a tenth of the offset becomes real overlap again, which parts
 // the bodies slowly.
 //
-// Friction return map: a sticking point keeps its anchor. A point that slid gets an anchor at which its spring carries
-// just the sliding force it had: no jump, no creep.
+// Friction return map: a sticking point keeps its anchor. A point that slid, or that rolls and so touches elsewhere in
+// each step, gets an anchor at which its spring carries just the force it had: no jump, no creep.
 #include <algorithm>
 #include <cmath>
 

@@ -95,7 +95,8 @@ struct ContactRows : FaceRows, TieRows<ContactRows, ContactSet, &Ties::contacts,
   // two towards each other.
   bool wouldMeet(std::size_t k, const EndChanges& nearer, const EndChanges& change, double dt) const;
   // Adds the friction of the last step on B, or on A, along a direction.
-  void addFriction(std::size_t k, Vec3 along, bool onB, const StepContext& context, FrictionAlong& sum) const;
+  void addFriction(std::size_t k, Vec3 along, bool onB, const VelocityChange& body, const StepContext& context,
+                   FrictionAlong& sum) const;
   // What the ties hold on to is to be where the step ends: the contacts' anchors.
   void letGo(Ties& ties) const;
   // In the last step the contact carried force that was no impact's, and its bodies do not part.

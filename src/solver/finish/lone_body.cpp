@@ -58,9 +58,13 @@ double partUntilStopped(const Island& island, const StepContext& context, const 
   const double late = 0.5 * context.bodies->data[body].steady.dt / h;
   const bool turnsBack = dot(solved + change.move * late, back) > 0;
   if (!turnsBack && length(solved) > kTrifle * length(start - context.free[body].late)) return 1;
+  const VelocityChange moves{start, context.free[body].startSpin};
   FrictionAlong friction;  // along `back`
-  island.rows.each(
-      [&](const auto& kind, std::size_t k) { kind.addFriction(k, back, kind.ends(k).a != 0, context, friction); });
+  island.rows.each([&](const auto& kind, std::size_t k) {
+    kind.addFriction(k, back, kind.ends(k).a != 0, moves, context, friction);
+  });
+  // What rocks does not slide, either: its points stand while it goes on.
+  if (-friction.slips < 0.5 * friction.limit * speed) return 1;
   const double others = dot(change.move, back) * mass / h - friction.given, slowing = speed * mass / h;
   return friction.limit + others > slowing ? slowing / (friction.limit + others) : 1;
 }
