@@ -56,7 +56,9 @@ class HeldVelocities : VelocitySystem {
     const bool steady = joints.keepEnergy();
     if (!swingsOn(held)) joints.stopKeeping();
     if (joints.giveNone()) {
-      const double rest = joints.keepEnergy() ? lent + joints.held() : steady ? lent : 0;
+      // What a snap took it would return in a later step.
+      const double kept = std::max(std::min(lent, 0.0), lent - std::max(sum, 0.0));
+      const double rest = joints.keepEnergy() ? lent + joints.held() : steady ? kept : 0;
       for (JointIndex joint : joints.tieOf) ties.joints.slots[joint].lent = rest / double(joints.size());
       joints.returned = 0;
       return !joints.keepEnergy() || sum > smooth ? rub(held, sum) : 0;
