@@ -7,6 +7,8 @@
 namespace brickfall {
 namespace {
 
+using namespace test;
+
 constexpr double kBallRadius = 0.0285;
 
 double reboundOf(double speed, double gravity, double dt) {
