@@ -6,18 +6,17 @@ namespace brickfall {
 
 // Adds a row's force and torque on B, about its centre, to the residuals of those of its ends that are the island's
 // own.
-template <class Kind>
 BRICKFALL_LANES void addTo(Wrench* residual, std::uint32_t bodies, RowEnds ends, Arms arms, wide::V force,
                            wide::V torque) {
   if (ends.a < bodies) {
     Wrench& r = residual[ends.a];
     wide::store(wide::load(&r.force.x) - force, &r.force.x);
-    wide::store(wide::load(&r.torque.x) - (Kind::torqueOf(arms.a, force) + torque), &r.torque.x);
+    wide::store(wide::load(&r.torque.x) - (wide::cross3(arms.a, force) + torque), &r.torque.x);
   }
   if (ends.b < bodies) {
     Wrench& r = residual[ends.b];
     wide::store(wide::load(&r.force.x) + force, &r.force.x);
-    wide::store(wide::load(&r.torque.x) + (Kind::torqueOf(arms.b, force) + torque), &r.torque.x);
+    wide::store(wide::load(&r.torque.x) + (wide::cross3(arms.b, force) + torque), &r.torque.x);
   }
 }
 
@@ -31,14 +30,14 @@ template <class Told> void readResiduals(Island& island, double& visits, Reading
   island.residual.resize(bodies);
   for (std::size_t i = 0; i < bodies; i++) island.residual[i] = inertiaResidual(island.masses[i], island.motion[i]);
   Reading scratch[kRowsAtATime];
-  std::as_const(island.rows).eachKind([&]<class Kind>(const Kind& kind) {
+  std::as_const(island.rows).eachKind([&](const auto& kind) {
     for (std::size_t begin = 0; begin < kind.size(); begin += kRowsAtATime) {
       const std::size_t count = std::min(kRowsAtATime, kind.size() - begin);
       Reading* readings = keep ? keep : scratch;
       kind.read(begin, count, island.motion.data(), readings);
       for (std::size_t k = 0; k < count; k++) {
         const RowEnds ends = kind.ends(begin + k);
-        addTo<Kind>(island.residual.data(), bodies, ends, kind.arms(begin + k), readings[k].force, readings[k].torque);
+        addTo(island.residual.data(), bodies, ends, kind.arms(begin + k), readings[k].force, readings[k].torque);
         told(ends, readings[k]);
       }
       if (keep) keep += count;

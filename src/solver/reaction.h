@@ -46,7 +46,7 @@ enum class RowCourse : std::uint8_t {
 struct FrictionAlong {
   double limit = 0;  // the largest that the rows allow
   double given = 0;  // that acted on the body
-  double slips = 0;  // W: the limits, times how fast their points slip that way; what rolls goes that way itself
+  double goes = 0;   // W: the limits, times how fast their points go that way; of what rolls the body, along its face
 };
 
 // From the bodies' centres of mass to the row's centre.

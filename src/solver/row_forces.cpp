@@ -8,9 +8,9 @@ namespace brickfall {
 
 using wide::V;
 
-template <class Kind> void RowForces::take(std::uint32_t row, RowEnds ends, Arms arms, Reading now) {
+void RowForces::take(std::uint32_t row, RowEnds ends, Arms arms, Reading now) {
   Reading& old = readings_[row];
-  addTo<Kind>(island_.residual.data(), bodies_, ends, arms, now.force - old.force, now.torque - old.torque);
+  addTo(island_.residual.data(), bodies_, ends, arms, now.force - old.force, now.torque - old.torque);
   if (anyLocks(island_)) keepFree(island_, ends);
   old = now;
 }
@@ -32,7 +32,7 @@ void RowForces::readAgain() {
 
 template <class Kind> void RowForces::readRow(std::uint32_t row, const Kind& kind, std::size_t index) {
   const Reaction now = kind.react(index, island_.motion.data());
-  take<Kind>(row, kind.ends(index), {now.armA, now.armB}, {now.force, now.torque});
+  take(row, kind.ends(index), {now.armA, now.armB}, {now.force, now.torque});
 }
 
 void RowForces::readRows(const std::pmr::vector<std::uint32_t>& rows) {
@@ -81,8 +81,7 @@ void RowForces::acceptBoundary(const Level& level, const Cluster& cluster) {
   const Reading* trial = trial_.data();
   for (std::uint32_t k = cluster.sideBegin; k < cluster.sideEnd; k++, trial++) {
     const std::uint32_t row = level.sides[k] / 2;
-    island_.rows.at(
-        row, [&]<class Kind>(const Kind& kind, std::size_t i) { take<Kind>(row, kind.ends(i), kind.arms(i), *trial); });
+    island_.rows.at(row, [&](const auto& kind, std::size_t i) { take(row, kind.ends(i), kind.arms(i), *trial); });
   }
 }
 

@@ -42,7 +42,7 @@ class RowForces {
   std::size_t sidesRead() const { return sidesRead_; }
 
  private:
-  template <class Kind> void take(std::uint32_t row, RowEnds ends, Arms arms, Reading now);
+  void take(std::uint32_t row, RowEnds ends, Arms arms, Reading now);
   template <class Kind> void readRow(std::uint32_t row, const Kind& kind, std::size_t index);
 
   Island& island_;

@@ -184,12 +184,10 @@ TEST(Law, Row30wEnergyIsThatOfOneMomentUnderALoad) {
 
 TEST(Law, Row30vSlowSwingsFade) {
   for (double dt : {1.0 / 60, 1.0 / 240}) {
+    Chain chain(0.001);
     double time = 0;
-    for (Quat turned : {Quat{}, askew()}) {
-      Chain chain(0.001, turned);
-      for (time = 0; time < 20 && chain.world.state(chain.ball)->awake; time += dt) chain.step(dt);
-      atMost("a swing by 8 mm of 2000 kg" + orAskew(turned) + ": at rest after", dt, time, 8, "s");
-    }
+    for (; time < 20 && chain.world.state(chain.ball)->awake; time += dt) chain.step(dt);
+    atMost("a swing by 8 mm of 2000 kg: at rest after", dt, time, 8, "s");
     // A thousandth of what turns it back: alone that would take minutes.
     Pendulum braked(0.003, JointType::revolute);
     ASSERT_TRUE(braked.world.setMotor(braked.joint, JointDef::Motor{0, 2e-3}).ok());

@@ -104,14 +104,15 @@ bool ContactRows::wouldMeet(std::size_t k, const EndChanges& nearer, const EndCh
 void ContactRows::addFriction(std::size_t k, Vec3 along, bool onB, const VelocityChange& body,
                               const StepContext& context, FrictionAlong& sum) const {
   const Contact& c = at(k, *context.ties);
-  const EndChanges ends = onB ? EndChanges{{}, body} : EndChanges{body, {}};
+  const Vec3 arm = toDouble(onB ? records[k].armB : records[k].armA);
   const Vec3 n = toDouble(records[k].n), t1 = toDouble(records[k].t1), t2 = cross(n, t1);
   const Vec3 across = body.move - n * dot(n, body.move);
   for (int i = 0; i < c.count; i++) {
     if (!(c.points.forceN[i] > 0)) continue;
     const double limit = double(c.friction) * double(c.points.forceN[i]);
     sum.limit += limit;
-    sum.slips += limit * dot(c.rolls ? across : slipOf(records[k], i, ends) * (onB ? 1.0 : -1.0), along);
+    const Vec3 place = arm + t1 * double(records[k].s1[i]) + t2 * double(records[k].s2[i]);
+    sum.goes += limit * dot(c.rolls ? across : body.move + cross(body.turn, place), along);
     Vec3 friction = t1 * double(c.points.force1[i]) + t2 * double(c.points.force2[i]);
     sum.given += dot(friction, along) * (onB ? 1 : -1);
   }

@@ -46,9 +46,10 @@ void holdForce(Contact& c, int i, const PointForces& f, double gravity) {
 void placeSlip(Contact& c, int i, float largest) {
   c.points.slip1[i] = c.points.slip2[i] = 0;
   if (c.keepsAnchor(i) || !(c.points.forceN[i] > 0)) return;
-  float scale = -(1 - kMultiplierShare) / (c.points.stiffness[i] * kCorrect);
-  c.points.slip1[i] = c.points.force1[i] * scale;
-  c.points.slip2[i] = c.points.force2[i] * scale;
+  const float scale = -(1 - kMultiplierShare) / (c.points.stiffness[i] * kCorrect);
+  const bool rolls = c.points.sticks(i);  // an impact's force must not act again
+  c.points.slip1[i] = (rolls ? c.points.multiplier1 : c.points.force1)[i] * scale;
+  c.points.slip2[i] = (rolls ? c.points.multiplier2 : c.points.force2)[i] * scale;
   float drift = std::sqrt(c.points.slip1[i] * c.points.slip1[i] + c.points.slip2[i] * c.points.slip2[i]);
   if (drift > largest) {
     c.points.slip1[i] *= largest / drift;

@@ -57,8 +57,6 @@ struct FaceRows {
     auto w = kernel::wrench(r, frame, f);
     return {{w.force, w.torque, frame.armA, frame.armB}, kernel::stiffness(r, frame, f, how)};
   }
-  // Of a row's force about the centre of a body, N m.
-  static BRICKFALL_LANES wide::V torqueOf(wide::V arm, wide::V force) { return wide::cross3(arm, force); }
   // The stiffness of this reaction, for a matrix in doubles.
   void writeStiffness(std::size_t, const SolveMotion*, const StiffReaction& x, BodyBlock& K) const {
     write(x.stiffness, K);

@@ -64,7 +64,7 @@ double partUntilStopped(const Island& island, const StepContext& context, const 
     kind.addFriction(k, back, kind.ends(k).a != 0, moves, context, friction);
   });
   // What rocks does not slide, either: its points stand while it goes on.
-  if (-friction.slips < 0.5 * friction.limit * speed) return 1;
+  if (-friction.goes < 0.5 * friction.limit * speed) return 1;
   const double others = dot(change.move, back) * mass / h - friction.given, slowing = speed * mass / h;
   return friction.limit + others > slowing ? slowing / (friction.limit + others) : 1;
 }

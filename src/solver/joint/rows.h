@@ -110,11 +110,6 @@ struct JointRows : LastingRows<JointRows, JointSet, &Ties::joints> {
   StiffReaction reactStiff(std::size_t k, const SolveMotion* motion, Resist) const {
     return {react(k, motion), joint::stiffnessAt(records[k], motion)};
   }
-  // A chain's forces lie along its links, and floats of their products leave a torque about these. There a thin link has
-  // next to no inertia: it would spin up.
-  static wide::V torqueOf(wide::V arm, wide::V force) {
-    return wide::load3(toFloat(cross(toDouble(wide::store3(arm)), toDouble(wide::store3(force)))));
-  }
   // In doubles from the start. Floats of so firm a matrix would round to less than nothing where a joint is free, and
   // the whole would have no factor.
   void writeStiffness(std::size_t k, const SolveMotion* motion, const StiffReaction&, BodyBlock& K) const {
