@@ -16,8 +16,7 @@ struct Boulder {
 
 double energyOf(const World& world) { return world.energy().kinetic + world.energy().potential; }
 
-// The most that fifty boxes of gravel, and a boulder that rolls over them at 3 m/s, gain in a step, of what moves. What a
-// stone held as a spring under 36 tonnes, and flies off with, counts here.
+// The most that fifty boxes of gravel, and a boulder that rolls over them at 3 m/s, gain in a step, of what moves.
 double mostGained(const Boulder& b) {
   World world = makeWorld({});
   Material stone;
@@ -52,7 +51,7 @@ TEST(Regression, GravelLiftsABoulder) {
                            {5, 0.02, 0.3, 0, 1 / 240.0, 1},
                            {1.5, 0.01, 1, 0, 1 / 240.0, 1},
                            {1.5, 0.02, 1, 0, 1 / 60.0, 1}})
-    EXPECT_LT(mostGained(b), 2e-3) << b.radius << " m over " << b.gravel << " m at " << b.dt << " s";
+    EXPECT_LT(mostGained(b), 1e-3) << b.radius << " m over " << b.gravel << " m at " << b.dt << " s";
 }
 
 }  // namespace

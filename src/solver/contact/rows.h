@@ -94,7 +94,7 @@ struct ContactRows : FaceRows, TieRows<ContactRows, ContactSet, &Ties::contacts,
   // At the end of the step an open point is nearer to its partner than `nearer`, over half of the step, would move the
   // two towards each other.
   bool wouldMeet(std::size_t k, const EndChanges& nearer, const EndChanges& change, double dt) const;
-  // Adds the friction of the last step on B, or on A, along a direction.
+  // Adds the friction of the last step on B, or on A, along a direction; `body`: how that goes against the other.
   void addFriction(std::size_t k, Vec3 along, bool onB, const VelocityChange& body, const StepContext& context,
                    FrictionAlong& sum) const;
   // What the ties hold on to is to be where the step ends: the contacts' anchors.
