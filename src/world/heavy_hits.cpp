@@ -23,9 +23,9 @@ namespace {
 constexpr double kHitWay = 0.35;  // of the struck body, in a part
 //! of another's way | too small: cost of hits | too large: loose bodies are pressed into what hits them
 constexpr double kFirstPart = 0.25;  // of a hit
-//! of the time in which mortar stops the blow with all of its strength | too small: cost of hits
-//! | too large: what lies beside what is struck gives way before it moves
-constexpr double kBlowPart = 1.0 / 8;  // the first of a blow that breaks mortar
+//! of the time in which mortar gives the blow's impulse with all of its strength | too small: cost of hits
+//! | too large: what lies beside what is struck gives way before it moves, or holds what a blow would break
+constexpr double kBlowPart = 0.5;  // the first of a blow that breaks mortar
 //! x the part before | too small: cost of the steps after hits
 //! | too large: long parts damp the waves of a blow, and a wall that is hit rocks less
 constexpr double kBlowGrows = 4.0 / 3;  // each part after a blow on mortar, at most
@@ -145,14 +145,15 @@ class HitSearch {
     return length(to - way * std::clamp(along / far, 0.0, 1.0)) < own.outerRadius + its.outerRadius;
   }
 
-  // s: in which the whole strength of what mortar holds stops what comes along a way at a speed. A longer part sees
-  // none of the force that a blow makes. Infinity where the blow has not the energy to break it.
+  // s: in which mortar with all of its strength gives the impulse of a blow: that with which what comes along a way
+  // at a speed and what it strikes come to one velocity. A longer part sees none of the force that a blow makes.
+  // Infinity where the blow has not the energy to break it.
   double stopping(BodyIndex body, BodyIndex other, Vec3 along, double speed) const {
     Holding held;
     for (std::uint32_t i = firstOf_[other]; i < firstOf_[other + 1]; i++)
       mortar::addHolding(ties_.mortar.slots[mortarOf_[i]], bodies_, along, held);
-    const double impulse = bodies_.mass[body].mass * speed;
-    return 0.5 * impulse * speed > held.energy ? impulse / held.force : kAny;
+    const double mass = bodies_.mass[body].mass, struck = bodies_.mass[other].mass;
+    return 0.5 * mass * speed * speed > held.energy ? mass * struck / (mass + struck) * speed / held.force : kAny;
   }
 
   // Mortar may get a blow (solver/blows.h) from what is faster than what begins to rest, or heavy, however short the

@@ -23,11 +23,11 @@ struct HitRoom {
 
 // The next part of what is left of a step, after `before`. In a part a body far heavier than one on its way goes at
 // most 0.35 of its thickness through it; where mortar holds that, any heavier one. A blow that breaks mortar begins
-// with an eighth of the time in which its whole strength stops the blow. Each part after it is at most a third longer
-// than the one before, in this step and those that follow. Contacts are found where a part begins: bodies that a struck
-// body meets on its way out must begin another. The flight before a hit is one part, and a trifle is left: the hit is
-// not in it. The part after it goes a fourth as far, and grows, too: each is at most twice the one before and, where
-// parts are too few, as long as all after it.
+// with half of the time in which its whole strength gives the blow's impulse. Each part after it is at most a third
+// longer than the one before, in this step and those that follow. Contacts are found where a part begins: bodies that a
+// struck body meets on its way out must begin another. The flight before a hit is one part, and a trifle is left: the
+// hit is not in it. The part after it goes a fourth as far, and grows, too: each is at most twice the one before and,
+// where parts are too few, as long as all after it.
 HitPart partForHits(const Registry& registry, const Activity& activity, const Proximity& proximity, const Ties& ties,
                     const HitRoom& room, const HitPart& before);
 

@@ -189,9 +189,12 @@ struct Shot {
   MortarStrength mortar;  // of the wall
 };
 
-// Joints broken within .25 s, the mean over balls that come a millimetre and a part of a step beside each other.
-inline double meanBroken(int courses, int bricks, const Shot& shot, double dt, int balls) {
-  double sum = 0;
+// What a ball breaks within .25 s, the mean over balls that come a millimetre and a part of a step beside each other.
+struct Break {
+  double joints = 0, energy = 0;  // J
+};
+inline Break meanBroken(int courses, int bricks, const Shot& shot, double dt, int balls) {
+  Break mean;
   for (int ball = 0; ball < balls; ball++) {
     Glued g;
     g.strength = shot.mortar;
@@ -206,9 +209,10 @@ inline double meanBroken(int courses, int bricks, const Shot& shot, double dt, i
     def.linearVelocity = shot.velocity;
     add(g.world, def);
     for (int i = 0; i < int(std::lround((0.25 + 0.02 / speed) / dt)); i++) g.step(dt);
-    sum += g.broken;
+    mean.joints += double(g.broken) / balls;
+    mean.energy += g.work() / balls;
   }
-  return sum / balls;
+  return mean;
 }
 
 }  // namespace brickfall::law
