@@ -39,6 +39,18 @@ class Ragdoll {
     }
   }
   double energy() const { return world.energy().kinetic + world.energy().potential; }
+  // m/s, of the fastest part that presses on something. A shin that touches nothing swings on: its knee has no friction.
+  double fastestThatPresses() const {
+    double fastest = 0;
+    world.forEachContact([&](const ContactView& contact) {
+      double force = 0;
+      for (int i = 0; i < contact.pointCount; i++) force += contact.points[i].normalForce;
+      if (!(force > 0)) return;
+      for (BodyId body : {contact.bodyA, contact.bodyB})
+        fastest = std::max(fastest, length(world.state(body)->linearVelocity));
+    });
+    return fastest;
+  }
 
  private:
   BodyId part(Vec3 half, Vec3 place) {
@@ -90,15 +102,13 @@ TEST(Law, Row30nARagdollFallsDownStairs) {
     }
     gains += gained;
     EXPECT_TRUE(doll.world.validate().empty());
-    for (BodyId part : doll.parts) {
-      fastest = std::max(fastest, length(doll.world.state(part)->linearVelocity));
-      EXPECT_LT(doll.world.state(part)->position.y, 2.2) << "it fell";
-    }
+    fastest = std::max(fastest, doll.fastestThatPresses());
+    for (BodyId part : doll.parts) EXPECT_LT(doll.world.state(part)->position.y, 2.2) << "it fell";
   }
   atMost("six falls: joints gape", kDt, error, 1e-3, "m");
   atMost("six falls: turns beyond their limits", kDt, over, 0.02, "rad", 0.25);
   atMost("six falls: largest energy gained in a step, mean", kDt, gains / falls, 1e-3, "J");
-  atMost("six falls: fastest part after 7 s", kDt, fastest, 0.01, "m/s", 0.5);
+  atMost("six falls: fastest part that presses after 7 s", kDt, fastest, 0.01, "m/s");
 }
 
 }  // namespace
