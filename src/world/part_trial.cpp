@@ -20,27 +20,31 @@ bool mayEndDeep(const BodySet& bodies, const IslandSet& islands, double dt) {
   });
 }
 
-bool endsApart(const IslandSet& islands, const StepContext& context) {
-  return context.overlap > kCoreShare ||
-         std::any_of(islands.awake.begin(), islands.awake.end(),
-                     [&](const IslandPointer& island) { return opensJoints(*island, context); });
-}
-
-PartTrial::PartTrial(BodySet& bodies, const IslandSet& islands, Ties& ties, Diary& diary,
-                     std::pmr::memory_resource* memory)
+PartTrial::PartTrial(BodySet& bodies, const IslandSet& islands, Ties& ties, Diary& diary, const StepContext& context)
     : bodies_(bodies),
       islands_(islands),
       diary_(diary),
-      tried_(memory),
-      singles_(memory),
+      context_(context),
+      tried_(context.memory),
+      singles_(context.memory),
+      openings_(context.memory),
       ledger_(diary.report.ledger),
       ledgerState_(diary.ledgerState),
       hits_(diary.events.hits.size()),
       impacts_(diary.report.impacts) {
   ties.beginStep();  // as the stage of impacts does: hits of the part before must not come back
-  for (const IslandPointer& island : islands.awake)
+  for (const IslandPointer& island : islands.awake) {
+    tellOpenings(*island, context, openings_);
     if (!island->settled()) tried_.emplace_back(*island, ties, bodies);
+  }
   for (BodyIndex body : islands.single) singles_.emplace_back(bodies.motion[body], bodies.data[body]);
+}
+
+bool PartTrial::endsApart() const {
+  if (context_.overlap > kCoreShare) return true;
+  const double* before = openings_.data();
+  return std::any_of(islands_.awake.begin(), islands_.awake.end(),
+                     [&](const IslandPointer& island) { return opensJoints(*island, context_, before); });
 }
 
 void PartTrial::restore() {

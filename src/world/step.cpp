@@ -178,9 +178,9 @@ void World::Impl::runPart(double dt, bool last) {
   runStages(Stage::pairs, Stage::impacts);
   const bool mayBeCut = 2 * dt * def.solver.maxHitParts > clock.lastDt && def.solver.maxHitParts > 1;
   if (mayBeCut && mayEndDeep(registry.bodies, activity.islands, dt)) {
-    PartTrial trial(registry.bodies, activity.islands, ties, diary, &solve.memory);
+    PartTrial trial(registry.bodies, activity.islands, ties, diary, solve.context);
     runStages(Stage::impacts, Stage::integrate);
-    if (endsApart(activity.islands, solve.context)) {
+    if (trial.endsApart()) {
       addCost();
       trial.restore();
       diary.report.stageHashes.resize(hashes);
