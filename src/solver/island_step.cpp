@@ -31,7 +31,10 @@ void finishMotion(Island& island, Ties& ties, StepContext& context) {
 // Arms of joints know their arcs, as those of mortar in flight do. Of a part of a turn the rest would be added after
 // the solve, and tear them.
 void findHeld(const Island& island, const Ties& ties, StepContext& context) {
-  for (BodyIndex body : island.bodies) context.free[body].held = context.free[body].asOne = false;
+  for (BodyIndex body : island.bodies) {
+    FreeMotion& free = context.free[body];
+    free.held = free.jointed = free.asOne = false;
+  }
   island.rows.eachKind([&]<class Kind>(const Kind& kind) {
     if (!Kind::kFirm) return;
     const bool knowsArcs = Kind::kLasts ? island.plan.endVelocities : !island.grounded();
@@ -41,6 +44,7 @@ void findHeld(const Island& island, const Ties& ties, StepContext& context) {
         if (i >= island.bodies.size()) continue;
         FreeMotion& free = context.free[island.bodies[i]];
         free.held = free.held || knowsArcs;
+        free.jointed = free.jointed || Kind::kLasts;
         free.asOne = free.asOne || kind.turnsAsOne(k, ties);
       }
     }

@@ -30,7 +30,7 @@ template <class Rows, class Set, Set Ties::*kSet> struct LastingRows : TieRows<R
     return this->rows().ties(k, context);
   }
 
-  double slidesFor(std::size_t, const EndChanges&, const EndChanges&, const StepContext&) const {
+  double slidesFor(std::size_t, const EndChanges&, const EndChanges&, double, const StepContext&) const {
     return std::numeric_limits<double>::infinity();
   }
   bool keepsForces(std::size_t, const EndChanges&, double, const StepContext&) const { return false; }

@@ -96,6 +96,7 @@ struct FreeMotion {
   bool turnsFaster = false;       // the body turns further than th shows
   double seen = 1;                // ... which is so much of the turn
   bool held = false;              // joints hold it, or mortar in flight: they see all of its turn
+  bool jointed = false;           // joints tie it
   bool asOne = false;             // one of its ties leaves it no axis to turn about by itself
   Vec3 angularMomentum;           // kg m2/s, at the end
   Vec3 startVelocity, startSpin;  // before forces

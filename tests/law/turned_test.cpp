@@ -50,6 +50,63 @@ TEST(Law, Row19aCylinderRollsOnWithoutJitter) {
   }
 }
 
+// Part of the motion energy and of the way round that a cone keeps which rolls on its side round the tip that it has, or would
+// have if it were longer; and how deep it sinks in, in radii of its base.
+struct ConeRound {
+  double energy = 0, way = 0, depth = 0;
+};
+ConeRound coneRound(double radius, double opening, double cut, double gravity, double dt) {
+  WorldDef def;
+  def.gravity = {0, -gravity, 0};
+  def.enableSleep = false;
+  World world = makeWorld(def);
+  const BodyId ground = add(world, bodyOf(planeOf(1), {}, BodyType::fixed));
+  const double angle = std::atan(opening), length = radius / opening,
+               round = 0.2 * std::sqrt(opening * gravity / radius);
+  ShapeDef shape = coneOf(radius, cut * radius, 0.5 * (1 - cut) * length);
+  shape.material.friction = 1;
+  BodyDef d = bodyOf(shape, Vec3{std::cos(angle), std::sin(angle), 0} * (0.5 * (1 + cut) * length));
+  d.rotation = quatFromAxisAngle({0, 0, 1}, kPi / 2 + angle);
+  const BodyId cone = add(world, d);
+  const Vec3 spin{-round / opening, 0, 0};
+  EXPECT_TRUE(world.setAngularVelocity(cone, spin).ok());
+  EXPECT_TRUE(world.setLinearVelocity(cone, cross(spin, world.state(cone)->centreOfMass)).ok());
+  const double start = world.energy().kinetic, time = 12 * std::sqrt(radius / gravity);
+  const int steps = int(std::lround(time / dt));
+  ConeRound out;
+  double at = 0;
+  for (int n = 0; n < steps && world.step(dt).ok(); n++) {
+    const Vec3 c = world.state(cone)->centreOfMass;
+    const double now = std::atan2(-c.z, c.x);
+    out.way += std::remainder(now - at, 2 * kPi) / (round * steps * dt);
+    at = now;
+    out.depth = std::max(out.depth, *world.penetration(world.shapes(cone)[0], world.shapes(ground)[0]) / radius);
+  }
+  out.energy = world.energy().kinetic / start;
+  return out;
+}
+
+TEST(Law, Row19aConesRollRound) {
+  struct Place {
+    double radius, gravity;
+  };
+  for (const Place& place : {Place{0.01, kG}, Place{0.1, 1.6}, Place{0.1, kG}, Place{2, kG}, Place{2, 80}})
+    for (double dt : kTurnedSteps) {
+      double energy = 0, way = 0, depth = 0;
+      for (double opening : {0.2, 0.33, 0.7})
+        for (double cut : {0.0, 0.5}) {
+          const ConeRound found = coneRound(place.radius, opening, cut, place.gravity, dt);
+          energy = std::max(energy, std::fabs(found.energy - 1)), way = std::max(way, std::fabs(found.way - 1));
+          depth = std::max(depth, found.depth);
+        }
+      const std::string name =
+          "six cones of " + text(place.radius, 2) + " m at " + text(place.gravity, 1) + " m/s2 that roll round: ";
+      atMost(name + "energy off", dt, 100 * energy, 0.5, "%");
+      atMost(name + "way off", dt, 100 * way, 0.1, "%");
+      atMost(name + "depth", dt, 100 * depth, 0.05, "% of the radius");
+    }
+}
+
 // A coin that rolls upright, leans and falls over has no more energy than it began with.
 TEST(Law, Row19bCoinGainsNothing) {
   for (double lean : {0.1, 0.3})

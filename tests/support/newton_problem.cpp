@@ -28,13 +28,16 @@ ProblemBody bodyOf(BodyIndex index, const StepContext& context, double dt) {
   return b;
 }
 
-// m: what the way of a body alone that turns about its points bends by, beyond what its arms at the start say.
-Vec3 arcOf(BodyIndex alone, Vec3 arm, const Island& island, const StepContext& context, double dt) {
+// m: what the way of a point of a body alone bends by, beyond what its arm at the start says. On a round side the place of
+// touch stays `round` from the middle of the curvature. Rims are left out: no scene has them.
+Vec3 arcOf(BodyIndex alone, Vec3 arm, Vec3 round, const Island& island, const StepContext& context, double dt) {
   constexpr double kFarTurn = 0.5;  // rad
-  const Vec3 w = context.bodies->motion[alone].angularVelocity;
-  if (length(w) * dt > kFarTurn) return {};
-  const double late = island.facts.partnersMove ? 0.5 * dt : 0.5 * context.bodies->data[alone].steady.dt;
-  return cross(w, cross(w, arm)) * (dt * (dt - late));
+  const BodySet& bodies = *context.bodies;
+  const Vec3 w = bodies.motion[alone].angularVelocity;
+  if (length(w) * dt > kFarTurn || bodies.mass[alone].round) return {};
+  const double late = island.facts.partnersMove ? 0.5 * dt : 0.5 * bodies.data[alone].steady.dt;
+  const Vec3 free = bodies.worldInvInertia(alone) * cross(bodies.worldInertia(alone) * w, w);
+  return cross(w, cross(w, arm - round)) * (dt * (dt - late)) + cross(free, arm) * (dt * (0.5 * dt - late));
 }
 
 // Point i of a contact, all but its bodies' numbers.
@@ -55,10 +58,11 @@ ProblemPoint pointOf(const Contact& c, const ContactGeometry& g, int i, const Is
   p.trialN = kHalf * c.points.multiplierN[lane] - p.k * (gap > 0 ? gap : kHalf * gap);
   p.trialT = p.t1 * (kHalf * c.points.multiplier1[lane] - p.k * kHalf * c.points.drift1[lane]) +
              p.t2 * (kHalf * c.points.multiplier2[lane] - p.k * kHalf * c.points.drift2[lane]);
-  if (island.bodies.size() == 1 && !c.rolls) {
+  if (island.bodies.size() == 1) {
     const bool isB = c.bodyB == island.bodies[0];
-    const Vec3 arm = axes * g.centre - (isB ? b.position - a.position : Vec3{});
-    const Vec3 bend = arcOf(island.bodies[0], arm, island, context, dt) * (isB ? 1.0 : -1.0);
+    const double sign = isB ? 1 : -1;
+    const Vec3 round = c.rolls ? p.n * (-sign * double(c.rollingRadius)) : Vec3{};
+    const Vec3 bend = arcOf(island.bodies[0], isB ? p.armB : p.armA, round, island, context, dt) * sign;
     p.trialN -= p.k * dot(p.n, bend);
     p.trialT -= (p.t1 * dot(p.t1, bend) + p.t2 * dot(p.t2, bend)) * p.k;
   }

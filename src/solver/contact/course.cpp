@@ -11,11 +11,10 @@ namespace brickfall {
 namespace {
 
 // Point i neither lands nor leaves: it closes and parts by no more than small shocks do. `change`: m/s, of its speed.
-bool isSteady(const FaceRecord& row, const ContactStart& start, int i, double change, const StepSpan& span) {
+bool isSteady(const ContactStart& start, int i, double change, const StepSpan& span) {
   const double most = kCalmShare * start.scale.gravity * std::max(span.dt, span.before);
-  // m/s: the change that the arc of a turning body makes.
-  const double arc = span.arcs ? double(dot(row.n, start.bend)) / (0.5 * span.before - span.dt) : 0;
-  return std::fabs(change - arc) <= most && std::fabs(start.approach[i]) <= most;
+  const double curves = span.arcs ? start.curves[i] : 0;
+  return std::fabs(change - curves) <= most && std::fabs(start.approach[i]) <= most;
 }
 
 // m/s: how point i slides along the face, B against A.
@@ -25,6 +24,11 @@ Vec3 slipOf(const FaceRecord& row, int i, const EndChanges& by) {
   const Vec3 v = by.b.move + cross(by.b.turn, toDouble(row.armB) + place) - by.a.move -
                  cross(by.a.turn, toDouble(row.armA) + place);
   return t1 * dot(t1, v) + t2 * dot(t2, v);
+}
+
+// m/s: what slips no faster does not slide. Of points along a line, friction holds some and not others.
+double settledSlip(const Scale& scale, double dt, const StepContext& context) {
+  return context.settings.restSpeed * scale.speed + kCalmShare * scale.gravity * dt;
 }
 
 }  // namespace
@@ -38,19 +42,21 @@ RowCourse ContactRows::courseOf(std::size_t k, const EndChanges& change, const S
   for (int i = 0; i < starts[k].points; i++) {
     if (!(points.forceN[i] > 0)) continue;
     course = RowCourse::goesOn;
-    if (!isSteady(records[k], starts[k], i, changes[i], span)) return RowCourse::changes;
+    if (!isSteady(starts[k], i, changes[i], span)) return RowCourse::changes;
   }
   return course;
 }
 
-double ContactRows::slidesFor(std::size_t k, const EndChanges& now, const EndChanges& change,
+double ContactRows::slidesFor(std::size_t k, const EndChanges& now, const EndChanges& change, double dt,
                               const StepContext& context) const {
   const PointMemory& points = at(k, *context.ties).points;
+  const double least = settledSlip(starts[k].scale, dt, context);
   double left = std::numeric_limits<double>::infinity();
   for (int i = 0; i < starts[k].points; i++) {
     if (!(starts[k].slid >> i & 1) || !(points.forceN[i] > 0)) continue;
-    if (points.sticks(i)) return 0;
     const Vec3 slip = slipOf(records[k], i, now), by = slipOf(records[k], i, change);
+    if (std::max(length(slip), length(slip - by)) <= least) continue;
+    if (points.sticks(i)) return 0;
     const double nearing = -dot(slip, by);
     if (nearing > 0) left = std::min(left, nearing / lengthSquared(by));
   }
@@ -59,8 +65,7 @@ double ContactRows::slidesFor(std::size_t k, const EndChanges& now, const EndCha
 
 bool ContactRows::slips(std::size_t k, const EndChanges& now, double dt, const StepContext& context) const {
   const PointMemory& points = at(k, *context.ties).points;
-  const Scale& scale = starts[k].scale;
-  const double least = context.settings.restSpeed * scale.speed + kCalmShare * scale.gravity * dt;
+  const double least = settledSlip(starts[k].scale, dt, context);
   bool any = false;
   for (int i = 0; i < starts[k].points; i++) {
     if (!(points.forceN[i] > 0)) continue;

@@ -78,8 +78,8 @@ void ContactRows::addWork(const Island& island, const StepContext& context, TieW
     Contact c = at(k, *context.ties);  // as if the multiplier were all of the force
     const FaceRecord& r = records[k];
     PointWays m = pointWaysAt(r, island.motion.data());
-    const Vec3f carried = inFace(r, starts[k].bend + starts[k].run);  // the law sees it as a part of the way
     for (int i = 0; i < c.count; i++) {
+      const Vec3f carried = starts[k].carried(i);  // the law sees it as a part of the way
       m.way[i] += carried.x, m.way1[i] += carried.y, m.way2[i] += carried.z;
       auto work = [&](const float* normal, const float* along1, const float* along2) {
         return double(normal[i]) * double(m.way[i]) + double(along1[i]) * double(m.way1[i]) +

@@ -10,6 +10,7 @@
 // each step, gets an anchor at which its spring carries just the force it had: no jump, no creep.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "dynamics/point_matcher.h"
 #include "solver/contact/energy.h"
@@ -51,30 +52,67 @@ Vec3 alongRim(Vec3 w, Vec3 axis, Vec3 arm, Vec3 n, double dt) {
 
 // A partner's surface goes on turning while the body goes along with it: over a step its way is an arc. For a touching
 // body the way is th x arm + th x (way of the body) / 2. The solve knows the first part.
-Vec3f bendOf(const Island& island, const FaceRecord& r, const Contact& c, const BodySet& bodies, double dt) {
-  const std::size_t own = island.bodies.size();
-  if (r.bodyA < own && r.bodyB < own) return {};
+Vec3f partnersArc(const Island& island, const FaceRecord& r, const Contact& c, const BodySet& bodies) {
   auto half = [&](BodyIndex partner, BodyIndex body) {
     if (bodies.mass[partner].invMass > 0) return Vec3{};
+    const double dt = island.dt;
     return cross(bodies.motion[partner].angularVelocity, bodies.motion[body].linearVelocity) * (0.5 * dt * dt);
   };
-  // A body alone that turns about its points itself: its arms stay those of the start of the step. Its way is to end on
-  // the arc, and its velocity, once it is up to date (finish/lone_body.cpp), along the end of the arc. On a rim nothing
-  // else brings that up to date: it is the mean of both arcs.
-  auto ownArc = [&](BodyIndex body, Vec3 arm) {
+  const std::size_t own = island.bodies.size();
+  return r.bodyA < own && r.bodyB < own ? Vec3f{} : toFloat(half(c.bodyB, c.bodyA) - half(c.bodyA, c.bodyB));
+}
+
+// A body alone turns about its points itself: its arms stay those of the start of the step. Each point's way is to end
+// on its arc, and its velocity, once it is up to date (finish/lone_body.cpp), along the end of the arc. The place of
+// touch goes on as the body rolls, another way at each end of a line. Where a rim rolls on to open points of its face
+// nothing brings velocities up to date: then it is the arc of the way.
+class OwnArc {
+ public:
+  OwnArc(const Island& island, const FaceRecord& r, const Contact& c, const BodySet& bodies, const Scale& scale)
+      : ofB_(r.bodyB < island.bodies.size()), dt_(island.dt), n_(toDouble(r.n)) {
+    const BodyIndex body = ofB_ ? c.bodyB : c.bodyA, partner = ofB_ ? c.bodyA : c.bodyB;
     const BodyMass& mass = bodies.mass[body];
     const Vec3 w = bodies.motion[body].angularVelocity;
-    const bool far = lengthSquared(w) * dt * dt > kLargestTurn * kLargestTurn;
-    if (own != 1 || (c.rolls && !mass.rims) || far || !(mass.invMass > 0)) return Vec3{};
+    there_ = mass.invMass > 0 && !(lengthSquared(w) * dt_ * dt_ > kLargestTurn * kLargestTurn) && !mass.round;
+    if (!there_) return;
+    partnerSpin_ = bodies.motion[partner].angularVelocity;
+    spin_ = w - partnerSpin_;
+    arm_ = toDouble(ofB_ ? r.armB : r.armA);
+    rim_ = c.rolls && mass.rims;
+    axis_ = bodies.motion[body].orientation * mass.symmetryAxis;
+    if (c.rolls && !rim_) round_ = n_ * ((ofB_ ? -1.0 : 1.0) * double(c.rollingRadius));
+    if (!mass.isotropic && mass.locks == 0)
+      free_ = bodies.worldInvInertia(body) * cross(bodies.worldInertia(body) * w, w);
     const SteadyChange& steady = bodies.data[body].steady;
-    const double late = island.facts.partnersGo ? 0.5 : steady.swings ? 0 : 0.5 * steady.dt / dt;
-    if (!c.rolls) return cross(w, cross(w, arm)) * ((1 - late) * dt * dt);
-    const Vec3 axis = bodies.motion[body].orientation * mass.symmetryAxis;
-    return cross(w, cross(w, arm) + alongRim(w, axis, arm, toDouble(r.n), dt)) * (0.5 * (0.5 + 1 - late) * dt * dt);
-  };
-  return toFloat(half(c.bodyB, c.bodyA) - half(c.bodyA, c.bodyB) + ownArc(c.bodyB, toDouble(r.armB)) -
-                 ownArc(c.bodyA, toDouble(r.armA)));
-}
+    late_ = island.facts.partnersGo || rollsOn(c, scale) ? 0.5 : steady.swings ? 0 : 0.5 * steady.dt / dt_;
+  }
+  bool isThere() const { return there_; }
+  // Of point i: adds its arc, and writes what that asks of forces.
+  void write(const FaceRecord& r, int i, ContactStart& start) const {
+    const Vec3 t1 = toDouble(r.t1), place = t1 * double(r.s1[i]) + cross(n_, t1) * double(r.s2[i]);
+    const Vec3 arm = arm_ + place;
+    Vec3 goes = cross(partnerSpin_, arm) + cross(spin_, arm - round_);  // m/s: of the place, against the centre of mass
+    if (rim_) goes += alongRim(spin_, axis_, arm, n_, dt_);
+    const double sign = ofB_ ? 1 : -1;
+    const Vec3 bends = cross(spin_, goes) * sign, turns = cross(free_, arm) * sign;  // m/s2
+    const Vec3f arc = inFace(r, toFloat((bends * (1 - late_) + turns * (0.5 - late_)) * (dt_ * dt_)));
+    start.arc[i] += arc.x, start.arc1[i] += arc.y, start.arc2[i] += arc.z;
+    start.curves[i] = float(-dot(n_, bends + turns) * dt_);
+  }
+
+ private:
+  bool rollsOn(const Contact& c, const Scale& scale) const {
+    bool open = false;
+    for (int i = 0; i < c.count; i++) open = open || double(c.points.gap[i]) > kNearlyClosed * scale.length;
+    return rim_ && open;
+  }
+
+  bool ofB_, there_ = false, rim_ = false;
+  double dt_, late_ = 0;         // s; of the step: velocities at its start
+  Vec3 n_, partnerSpin_, spin_;  // rad/s, of the partner; against it
+  Vec3 arm_, axis_, round_;      // m, of a round side: from the middle of its curvature to the place of touch
+  Vec3 free_;                    // rad/s2: how the spin changes in a free turn
+};
 
 // The way of B's surface against A's in this step, as far as it lies along the face.
 Vec3f runOf(const Contact& c, const FaceRecord& r, const BodySet& bodies, double dt) {
@@ -218,6 +256,7 @@ void prepareRolling(const Contact& c, FaceRecord& r, ContactStart& start) {
 void ContactRows::prepare(const Island& island, Ties& ties, const StepContext& context) {
   const BodySet& bodies = *context.bodies;
   ContactSet& set = ties.contacts;
+  const bool alone = island.bodies.size() == 1;
   fastestApproach = 0;
   rolls = false;
   for (std::size_t k = 0; k < size(); k++) {
@@ -242,11 +281,14 @@ void ContactRows::prepare(const Island& island, Ties& ties, const StepContext& c
     start.slid = 0;
     start.friction = c.friction;
     start.held = energyToGiveBack(c, context);
-    start.bend = bendOf(island, r, c, bodies, island.dt);
     start.run = runOf(c, r, bodies, island.dt);
-    const Vec3f carried = start.carried(r);
+    const Vec3f arc = partnersArc(island, r, c, bodies), along = inFace(r, arc + start.run);
+    const Vec3f unseen{dot(r.n, arc), along.y, along.z};
+    std::optional<OwnArc> ownArc;
+    if (alone) ownArc.emplace(island, r, c, bodies, stiff.scale);
     for (int i = 0; i < 4; i++) {
       start.taken[i] = start.back[i] = start.back1[i] = start.back2[i] = 0;
+      start.arc[i] = start.arc1[i] = start.arc2[i] = start.curves[i] = 0;
       if (i >= c.count) {
         r.trialN[i] = r.trial1[i] = r.trial2[i] = r.k[i] = r.limit[i] = r.leastN[i] = 0;
         continue;
@@ -262,6 +304,9 @@ void ContactRows::prepare(const Island& island, Ties& ties, const StepContext& c
       if (island.facts.mortared) gap = ease(c.points, i, c.effectiveMass * float(context.judgingGravity));
       float stiffness = c.points.stiffness[i];
       r.k[i] = stiffness;
+      start.arc[i] = unseen.x, start.arc1[i] = unseen.y, start.arc2[i] = unseen.z;
+      if (ownArc && ownArc->isThere()) ownArc->write(r, i, start);
+      const Vec3f carried = start.carried(i);
       r.trialN[i] =
           kMultiplierShare * c.points.multiplierN[i] - stiffness * ((gap > 0 ? gap : kCorrect * gap) + carried.x);
       r.trial1[i] =

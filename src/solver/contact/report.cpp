@@ -14,13 +14,15 @@ bool isSound(const FaceRecord& r, const ContactStart& start) {
   bool fine = r.newPoints < 16 && r.rolls <= 1 && start.falling < 16 && isForce(start.friction) &&
               isForce(start.rolling) && std::isfinite(start.held) && start.points >= 0 &&
               start.points <= (r.rolls ? kRollingLane : 4);
-  for (const Vec3f& v : {r.n, r.t1, r.armA, r.armB, start.bend, start.run})
+  for (const Vec3f& v : {r.n, r.t1, r.armA, r.armB, start.run})
     fine = fine && isLength(v.x) && isLength(v.y) && isLength(v.z);
   for (int i = 0; i < 4; i++)
     fine = fine && isLength(r.s1[i]) && isLength(r.s2[i]) && isForce(r.trialN[i]) && isForce(r.trial1[i]) &&
            isForce(r.trial2[i]) && isForce(r.k[i]) && r.k[i] >= 0 && isForce(r.limit[i]) && r.limit[i] >= 0 &&
-           r.leastN[i] == 0 && isForce(start.approach[i]) && isLength(start.gap[i]) && isForce(start.stopping[i]) &&
-           isForce(start.taken[i]) && isForce(start.back[i]) && isForce(start.back1[i]) && isForce(start.back2[i]);
+           r.leastN[i] == 0 && isForce(start.approach[i]) && isLength(start.gap[i]) && isLength(start.arc[i]) &&
+           isLength(start.arc1[i]) && isLength(start.arc2[i]) && isForce(start.curves[i]) &&
+           isForce(start.stopping[i]) && isForce(start.taken[i]) && isForce(start.back[i]) && isForce(start.back1[i]) &&
+           isForce(start.back2[i]);
   return fine;
 }
 

@@ -26,8 +26,11 @@ struct ContactStart {
   float stopping[4] = {};  // N, stops the approach and carries the pair's weight; after an impact: its last force
   float taken[4] = {};     // N s, of an impact that will rebound, in this step
   float back[4] = {}, back1[4] = {},
-        back2[4] = {};     // N, that a rebound gives in this step, beside the point's remembered force
-  Vec3f bend;              // m, of B against A: the arc of a turning partner adds this to the ways along its tangent
+        back2[4] = {};  // N, that a rebound gives in this step, beside the point's remembered force
+  // m, of B against A, along the normal and the tangents, at each point: what the solve does not see of the way, by
+  // arcs of what turns and by surfaces that run
+  float arc[4] = {}, arc1[4] = {}, arc2[4] = {};
+  float curves[4] = {};    // m/s: the normal speed that forces must give each point for a body alone to stay on its arc
   Vec3f run;               // m, of B against A: the way of surfaces that run in this step, along the face
   float friction = 0;      // coefficient
   float rolling = 0;       // coefficient, where a lane of the record resists rolling
@@ -37,11 +40,7 @@ struct ContactStart {
   std::int32_t points = 0;    // 0 .. 4
   Scale scale;                // of the pair
 
-  // m, along the normal and the tangents: what the solve does not see of the way.
-  Vec3f carried(const FaceRecord& r) const {
-    const Vec3f along = inFace(r, bend + run);
-    return {dot(r.n, bend), along.y, along.z};
-  }
+  Vec3f carried(int i) const { return {arc[i], arc1[i], arc2[i]}; }
 };
 
 // Rows in the order of their pairs.
@@ -83,7 +82,8 @@ struct ContactRows : FaceRows, TieRows<ContactRows, ContactSet, &Ties::contacts,
   // After the forces are stored: how they go on, if the velocities of the row's bodies change so in the step.
   RowCourse courseOf(std::size_t k, const EndChanges& change, const StepSpan& span, const StepContext& context) const;
   // How many steps more a point that slid takes until it stops, if its bodies go at `now` and change so in each.
-  double slidesFor(std::size_t k, const EndChanges& now, const EndChanges& change, const StepContext& context) const;
+  double slidesFor(std::size_t k, const EndChanges& now, const EndChanges& change, double dt,
+                   const StepContext& context) const;
   // Every point that presses slides faster than what settles, if the bodies go at `now`.
   bool slips(std::size_t k, const EndChanges& now, double dt, const StepContext& context) const;
   // Moved by `back` over half of the step, no point that presses goes further against its partner than its force has

@@ -133,9 +133,10 @@ void ContactRows::advance(const Island& island, Ties& ties, const StepContext&) 
     Contact& c = at(k, ties);
     const FaceRecord& r = records[k];
     const PointWays m = pointWaysAt(r, island.motion.data());
-    const Vec3f carried = starts[k].carried(r), run = inFace(r, starts[k].run);
+    const Vec3f run = inFace(r, starts[k].run);
     runAnchors(ties.contacts.geometry[tieOf[k]], run.y, run.z, r.bodyA >= island.bodies.size());
     for (int i = 0; i < c.count; i++) {
+      const Vec3f carried = starts[k].carried(i);
       c.points.gap[i] += m.way[i] + carried.x;
       c.points.drift1[i] += m.way1[i] + carried.y;
       c.points.drift2[i] += m.way2[i] + carried.z;

@@ -76,7 +76,8 @@ double slidesFor(const Island& island, const StepContext& context, const Velocit
   const VelocityChange now{s.velocity - run, context.bodies->worldInvInertia(body) * s.angularMomentum};
   double steps = std::numeric_limits<double>::infinity();
   island.rows.each([&](const auto& kind, std::size_t k) {
-    steps = std::min(steps, kind.slidesFor(k, ofRow(kind.ends(k), now), ofRow(kind.ends(k), change), context));
+    steps =
+        std::min(steps, kind.slidesFor(k, ofRow(kind.ends(k), now), ofRow(kind.ends(k), change), island.dt, context));
   });
   return steps;
 }
@@ -123,7 +124,10 @@ void finishLoneBody(const Island& island, Ties& ties, StepContext& context) {
   shift(body, change.move * ((late - 0.5) * h), change.turn * ((late - 0.5) * h), context);
   const double on = std::min(late, slidesFor(island, context, change, *run));
   accelerate(body, change.move * on, context.bodies->worldInertia(body) * change.turn * on, context);
-  if (on == late) rememberSteady(body, now, context);
+  if (on != late) return;
+  // The next step begins late by the same angular momentum, in an inertia that has turned.
+  const Vec3 torque = context.bodies->worldInertia(body) * now.angular;
+  rememberSteady(body, {now.linear, spinAtEnd(body, torque, context), h}, context);
 }
 
 }  // namespace brickfall

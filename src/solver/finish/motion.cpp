@@ -172,8 +172,9 @@ Quat rotationAtEnd(BodyIndex body, const StepContext& context) {
   const bool faster = free.turnsFaster;
   const Vec3 turn = faster ? s.th - free.th * (free.turnTime / (free.dt * free.seen)) : s.th;
   const Quat from = faster ? free.rotation : context.bodies->motion[body].rotation;
-  // The spin about an axis of symmetry goes with the axis: it does not tilt it on the arc of both.
-  const Vec3 visible = free.asOne ? turn : visibleTurn(context.bodies->mass[body], toMatrix(from), turn);
+  // Joints are solved for bodies that turn about their axis of symmetry first, and then with that (joint/arcs.h).
+  if (!free.jointed || free.asOne) return normalized(quatFromRotationVector(turn) * from);
+  const Vec3 visible = visibleTurn(context.bodies->mass[body], toMatrix(from), turn);
   return normalized(quatFromRotationVector(visible) * (quatFromRotationVector(turn - visible) * from));
 }
 
