@@ -42,13 +42,16 @@ class Ragdoll {
   // m/s, of the fastest part that presses on something. A shin that touches nothing swings on: its knee has no friction.
   double fastestThatPresses() const {
     double fastest = 0;
+    bool presses = false;
     world.forEachContact([&](const ContactView& contact) {
       double force = 0;
       for (int i = 0; i < contact.pointCount; i++) force += contact.points[i].normalForce;
       if (!(force > 0)) return;
+      presses = true;
       for (BodyId body : {contact.bodyA, contact.bodyB})
         fastest = std::max(fastest, length(world.state(body)->linearVelocity));
     });
+    EXPECT_TRUE(presses) << "nothing lies on anything";
     return fastest;
   }
 
@@ -85,7 +88,7 @@ class Ragdoll {
 
 TEST(Law, Row30nARagdollFallsDownStairs) {
   const int falls = 6;  // in one alone chance decides whether joints snap
-  double error = 0, over = 0, gains = 0, fastest = 0;
+  double error = 0, over = 0, gains = 0, fastest = 0, pressing = 0;
   for (int fall = 0; fall < falls; fall++) {
     const double k = 0.4 * fall;
     Ragdoll doll(0.1 + 0.4 * k, {0.2 * k, 0.6 * k, 1}, 1 + 2 * k);
@@ -102,13 +105,17 @@ TEST(Law, Row30nARagdollFallsDownStairs) {
     }
     gains += gained;
     EXPECT_TRUE(doll.world.validate().empty());
-    fastest = std::max(fastest, doll.fastestThatPresses());
-    for (BodyId part : doll.parts) EXPECT_LT(doll.world.state(part)->position.y, 2.2) << "it fell";
+    pressing = std::max(pressing, doll.fastestThatPresses());
+    for (BodyId part : doll.parts) {
+      fastest = std::max(fastest, length(doll.world.state(part)->linearVelocity));
+      EXPECT_LT(doll.world.state(part)->position.y, 2.2) << "it fell";
+    }
   }
   atMost("six falls: joints gape", kDt, error, 1e-3, "m");
   atMost("six falls: turns beyond their limits", kDt, over, 0.02, "rad", 0.25);
   atMost("six falls: largest energy gained in a step, mean", kDt, gains / falls, 1e-3, "J");
-  atMost("six falls: fastest part that presses after 7 s", kDt, fastest, 0.01, "m/s");
+  atMost("six falls: fastest part that presses after 7 s", kDt, pressing, 0.01, "m/s");
+  atMost("six falls: fastest part after 7 s", kDt, fastest, 0.01, "m/s", 0.5);
 }
 
 }  // namespace
