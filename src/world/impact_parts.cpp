@@ -4,6 +4,7 @@
 
 #include "solver/free_motion.h"
 #include "solver/impact.h"
+#include "solver/joint/spins.h"
 #include "world/core_sweep.h"
 
 namespace brickfall {
@@ -51,8 +52,9 @@ bool ImpactParts::passesBlowsOn(const Island& island) const {
 }
 
 double ImpactParts::longest(const Island& island) const {
-  if (island.bodies.size() > 1 || touchesNothing(island, context_)) return context_.dt;
-  double speed = length(turnOf(island.bodies[0])) / context_.dt;
+  double speed = island.bodies.size() <= kMostBodies ? jointedSpin(island, context_) : 0;
+  if (island.bodies.size() == 1 && !touchesNothing(island, context_))
+    speed = std::max(speed, length(turnOf(island.bodies[0])) / context_.dt);
   return std::max(context_.dt / kMostParts, kMostTurn / std::max(speed, 1e-9));
 }
 

@@ -17,7 +17,8 @@ class ImpactParts {
   // Left whole are large islands, but not rows that pass blows on; islands with a body that moves far beyond its own
   // size; and islands that a kinematic body moves.
   bool mayBeCut(const Island& island) const;
-  // Longest part (s) in which no body in contact turns visibly by more than kMostTurn.
+  // Longest part (s) in which no body alone in contact turns visibly by more than kMostTurn, nor one on joints as these
+  // see it.
   double longest(const Island& island) const;
   // Whether the core of a body would pass into another body in the next `dt` s, by StepContext::solved. Contacts do not
   // tell it: they may be wrong about a body that is still far away, or turns.

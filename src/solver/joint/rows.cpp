@@ -69,6 +69,7 @@ struct Firmness {
   double dt = 0;
   double correct = 0;  // of an old error
   double most = 0;     // m or rad: no more of it is looked at
+  double acts = 1;     // of a motor's strength
 };
 
 // N/m: what the solve knows of a spring, of the second difference of its stretch.
@@ -111,7 +112,7 @@ void write(const Joint& joint, const JointEquation& from, const Firmness& firm, 
       return;
     case JointLaw::motor:
       out.trial[lane] = held + float(firm.hard * from.speed * firm.dt);
-      out.most[lane] = float(joint.strength);
+      out.most[lane] = float(firm.acts * joint.strength);
       out.least[lane] = -out.most[lane];
       return;
     case JointLaw::spring: {
@@ -253,6 +254,15 @@ void measureArm(JointStart& start, int end, const Island& island, std::uint32_t 
   start.symmetry[end] = own ? toFloat(bodies.motion[body].orientation * mass.symmetryAxis) : Vec3f{};
 }
 
+// In the first step of a swing all acts by half (solver/joint/swings.h).
+double shareOfMotors(const Island& island, const JointRecord& r, const Joint& joint, const BodySet& bodies) {
+  auto begins = [&](std::uint32_t local, BodyIndex body) {
+    return local >= island.bodies.size() || bodies.data[body].steady.dt == 0;
+  };
+  const bool swings = island.plan.endVelocities && island.facts.grounded;
+  return swings && begins(r.bodyA, joint.bodyA) && begins(r.bodyB, joint.bodyB) ? 0.5 : 1;
+}
+
 // In an island that turns as one, a joint is written where that takes it: what is left of errors turns with the bodies.
 // It gives no torque by that, and its way has all arcs.
 JointSystem systemOf(const Joint& joint, const JointPose& pose, Vec3 turning, const RigidWay& rigid,
@@ -261,7 +271,8 @@ JointSystem systemOf(const Joint& joint, const JointPose& pose, Vec3 turning, co
   auto placeOf = [&](BodyIndex body) {
     const BodyMotion& m = bodies.motion[body];
     const Quat rotation = normalized(quatFromRotationVector(rigid.turn) * m.rotation);
-    return JointPlace{m.position + rigid.of(m.position), rotation, toMatrix(rotation), bodies.data[body].localCentre};
+    return JointPlace{m.position + rigid.of(m.position), rotation, toMatrix(rotation), bodies.data[body].localCentre,
+                      m.angularVelocity};
   };
   JointSystem system = equationsOf(joint, {joint, placeOf(joint.bodyA), placeOf(joint.bodyB)}, turning);
   system.onA = system.onB = 0.5;
@@ -313,6 +324,7 @@ void JointRows::prepare(Island& island, Ties& ties, const StepContext& context) 
     const double inert = 1 / (gives * island.dt * island.dt);
     start.coned = system.turn.of[2].law == JointLaw::across;
     start.inert = start.coned ? together(start.resist) : float(inert);
+    const double acts = shareOfMotors(island, r, joint, bodies);
     auto writeSet = [&](const EquationSet& set, const double(&held)[kJointLanes], Vec3 moves, double hard, int first,
                         JointEquations& out) {
       for (int i = 0; i < 3; i++) out.axes[i].unit = toFloat(set.axes[i]);
@@ -329,7 +341,7 @@ void JointRows::prepare(Island& island, Ties& ties, const StepContext& context) 
         if (law == JointLaw::across) start.across |= 1u << (first + i);
         // What drives or rubs a turn need not be as firm.
         const double firmness = law == JointLaw::motor && first > 0 ? firm * size * size : hard;
-        write(joint, e, {firmness, inert, island.dt, correct, farthest * (first == 0 ? size : 1.0)},
+        write(joint, e, {firmness, inert, island.dt, correct, farthest * (first == 0 ? size : 1.0), acts},
               double(start.before[first + i]), start.held[first + i], i, out);
       }
     };

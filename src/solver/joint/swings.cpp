@@ -29,14 +29,14 @@ SteadyChange outsideChange(const BodySet& bodies, BodyIndex body, Vec3 gravity) 
 
 class Swings : VelocitySystem {
  public:
-  Swings(Island& island, StepContext& context) : VelocitySystem(island, context), others_(island.memory) {}
+  Swings(Island& island, StepContext& context)
+      : VelocitySystem(island, context), others_(island.memory), motors_(island.memory) {}
 
   // Half of a step's forces, where the step ends: velocities become those of that moment.
   void run(Ties& ties) {
     findBodies(true);
     findEquations(ties);
     addMotors(ties);
-    hard_ = equations_.size();
     addResisting();
     findOthers();
     resist();
@@ -161,9 +161,11 @@ class Swings : VelocitySystem {
       if (!factor()) return false;
       pushHalf(ties);
       pushOthers(false);
+      pushMotors();
       for (OtherRow& s : others_) std::fill_n(s.impulse, 6, 0.0);
       findChange();
-      if (!boundOthers()) break;
+      const bool others = boundOthers(), motors = boundMotors();
+      if (!others && !motors) break;
     }
     return true;
   }
@@ -172,8 +174,8 @@ class Swings : VelocitySystem {
     return moves(local) && context_.bodies->data[at(local).body].steady.dt == 0;
   }
   bool begins(std::uint32_t local) const { return !moves(local) || (beginsAt(local) && !flies(local)); }
-  // In the first step of a swing half of what holds places acts, and half at its end: joints tell the whole. Springs
-  // and motors gave theirs.
+  // In the first step of a swing half of what holds places or drives acts, and half at its end: joints tell the whole.
+  // Springs gave theirs.
   void rememberWhole(Ties& ties) {
     const JointRows& joints = island_.rows.joints;
     for (std::size_t k = 0; k < joints.size(); k++) {
@@ -182,7 +184,7 @@ class Swings : VelocitySystem {
       const JointRecord& r = joints.records[k];
       for (int i = 0; i < kJointLanes; i++) {
         auto tell = [&](int lane, double& force, const JointEquations& of, Vec3& sum) {
-          if (!(joints.starts[k].hard >> lane & 1)) return;
+          if (!((joints.starts[k].hard | joints.starts[k].follows) >> lane & 1)) return;
           sum += toDouble(of.axes[i % 3].unit) * force;
           force *= 2;
         };
@@ -252,24 +254,60 @@ class Swings : VelocitySystem {
         clear();
         pushOthers(true);
       }
-      eachRow(round > 0 ? hard_ : 0, [&](std::size_t first, std::size_t end) {
+      eachRow(hard_, [&](std::size_t first, std::size_t end) {
         give(first, end, [&](std::uint32_t place, Vec3 linear, Vec3 angular) { push(place, linear, angular); });
       });
       solveMore();
       holdOthers();
+      for (Motor& m : motors_) {
+        const Equation& e = equations_[m.equation];
+        if (!e.open) m.impulse += missing(e, speedsOf(e));
+      }
     }
   }
-  // Those that are strong enough hold a speed; others give what they can, whatever moves.
+  // A motor leads its joint to its speed, as far as half of its strength does.
+  struct Motor {
+    std::size_t equation = 0;
+    double most = 0, impulse = 0;  // N s, N m s: of half of the step
+    double pushes = 0;             // what it gives if it is too weak
+  };
   void addMotors(const Ties& ties) {
     const JointRows& joints = island_.rows.joints;
     for (std::uint32_t k = 0; k < joints.size(); k++) {
       const Joint& joint = joints.at(k, ties);
+      const JointRecord& r = joints.records[k];
+      if (!joint.driven || (moves(r.bodyA) && flies(r.bodyA)) || (moves(r.bodyB) && flies(r.bodyB))) continue;
       const bool turn = joint.type == JointType::revolute;
-      if (!joint.driven || !(std::fabs(turn ? joint.turn[0] : joint.way[0]) < (1 - kTrifle) * joint.strength)) continue;
       const Posed p = posed(k, joint);
-      equations_.push_back(
-          {k, turn, false, 0, turn ? p.system.turn.axes[0] : p.system.way.axes[0], p.armA, p.armB, firmness(k, turn)});
+      Equation e{
+          k, turn, false, 0, turn ? p.system.turn.axes[0] : p.system.way.axes[0], p.armA, p.armB, firmness(k, turn)};
+      const Body &a = at(r.bodyA), &b = at(r.bodyB);
+      const Vec3 way = b.startMove + cross(b.startSpin, p.armB) - a.startMove - cross(a.startSpin, p.armA);
+      e.wanted = joint.speed - dot(e.axis, turn ? b.startSpin - a.startSpin : way);
+      motors_.push_back({equations_.size(), 0.5 * island_.dt * joint.strength});
+      equations_.push_back(e);
     }
+    hard_ = equations_.size();
+  }
+  void pushMotors() {
+    for (Motor& m : motors_) {
+      m.impulse = 0;
+      const Equation& e = equations_[m.equation];
+      giveBoth(e, e.turn ? Vec3{} : e.axis * m.pushes, e.turn ? e.axis * m.pushes : Vec3{},
+               [&](std::uint32_t place, Vec3 linear, Vec3 angular) { push(place, linear, angular); });
+    }
+  }
+  // True if any was too weak.
+  bool boundMotors() {
+    bool any = false;
+    for (Motor& m : motors_) {
+      Equation& e = equations_[m.equation];
+      if (e.open || std::fabs(m.impulse) <= m.most) continue;
+      e.open = true;
+      m.pushes = std::copysign(m.most, m.impulse);
+      any = true;
+    }
+    return any;
   }
   // What resists a motion in the solve resists it here: lines a way across them, brakes a turn.
   void addResisting() {
@@ -309,8 +347,9 @@ class Swings : VelocitySystem {
     }
   }
 
-  std::size_t hard_ = 0;  // equations that hold
+  std::size_t hard_ = 0;  // equations that hold, and motors
   std::pmr::vector<OtherRow> others_;
+  std::pmr::vector<Motor> motors_;
 };
 
 }  // namespace

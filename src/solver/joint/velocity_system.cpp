@@ -25,6 +25,7 @@ JointPlace placeAtEnd(const Island& island, std::uint32_t local, const StepConte
   }
   place.orientation = toMatrix(place.rotation);
   place.localCentre = context.bodies->data[body].localCentre;
+  place.spin = m.angularVelocity;
   return place;
 }
 

@@ -40,6 +40,7 @@ class VelocitySystem {
     float sign = 0;  // of a one-sided force
     Vec3 axis, armA, armB;
     double stiffness = 0, impulse = 0;
+    double wanted = 0;  // m/s or rad/s: the change of speed that it asks for
     bool open = false;
   };
 
@@ -66,6 +67,10 @@ class VelocitySystem {
     Vec3 way, turn;
   };
   Speeds speedsOf(const Equation& e) const;
+  // N s, N m s: along its axis, for what is left of what it asks.
+  static double missing(const Equation& e, const Speeds& now) {
+    return e.stiffness * (e.wanted - dot(e.axis, e.turn ? now.turn : now.way));
+  }
   // visit(first, end) for the equations of each row, of the first `count`.
   template <class Visit> void eachRow(std::size_t count, Visit visit) const {
     for (std::size_t first = 0, end = 0; first < count; first = end) {
@@ -91,7 +96,7 @@ class VelocitySystem {
     Vec3 linear, angular;
     for (std::size_t i = first; i < end; i++) {
       const Equation& e = equations_[i];
-      if (!e.open) (e.turn ? angular : linear) -= e.axis * (e.stiffness * dot(e.axis, e.turn ? now.turn : now.way));
+      if (!e.open) (e.turn ? angular : linear) += e.axis * missing(e, now);
     }
     giveBoth(equations_[first], linear, angular, giveTo);
   }
@@ -100,7 +105,7 @@ class VelocitySystem {
     Vec3 linear, angular;
     for (std::size_t i = first; i < end; i++) {
       Equation& e = equations_[i];
-      if (!e.open) e.impulse -= e.stiffness * dot(e.axis, e.turn ? now.turn : now.way);
+      if (!e.open) e.impulse += missing(e, now);
       (e.turn ? angular : linear) += e.axis * e.impulse;
     }
     giveBoth(equations_[first], linear, angular, giveTo);
