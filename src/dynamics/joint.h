@@ -58,16 +58,15 @@ struct JointPlace {
   Quat rotation;
   Mat3 orientation;
   Vec3 localCentre;  // m, body frame
-  Vec3 spin;         // rad/s, at the start of the step
 };
 // Where a joint's points and axes are.
 struct JointPose {
   JointPose(const Joint& joint, const JointPlace& a, const JointPlace& b);
   JointPose(const Joint& joint, const BodySet& bodies);
-  Vec3 armA, armB;       // m, from the centres of mass to the anchors
-  Vec3 pointA, way;      // m: the anchor of A; from it to that of B
-  Quat frameA, frameB;   // world
-  bool fasterB = false;  // B turns faster about its first axis than A about its own: the axis of a hinge is that of B
+  Vec3 armA, armB;      // m, from the centres of mass to the anchors
+  Vec3 pointA, way;     // m: the anchor of A; from it to that of B
+  Quat frameA, frameB;  // world
+  bool spinsB = false;  // B spins so fast about its first axis that a hinge's is that of B
 };
 
 // The turn of B's frame against A's about the first axis, rad, -pi .. pi: the twist.

@@ -10,7 +10,7 @@ namespace {
 
 JointPlace placeOf(BodyIndex body, const BodySet& bodies) {
   const BodyMotion& m = bodies.motion[body];
-  return {m.position, m.rotation, m.orientation, bodies.data[body].localCentre, m.angularVelocity};
+  return {m.position, m.rotation, m.orientation, bodies.data[body].localCentre};
 }
 
 }  // namespace
@@ -22,8 +22,6 @@ JointPose::JointPose(const Joint& joint, const JointPlace& a, const JointPlace& 
   way = (b.position - a.position) + (armB - armA);
   frameA = a.rotation * joint.frameA;
   frameB = b.rotation * joint.frameB;
-  auto about = [](Quat frame, Vec3 spin) { return std::fabs(dot(rotate(frame, Vec3{1, 0, 0}), spin)); };
-  fasterB = about(frameB, b.spin) > about(frameA, a.spin);
 }
 JointPose::JointPose(const Joint& joint, const BodySet& bodies)
     : JointPose(joint, placeOf(joint.bodyA, bodies), placeOf(joint.bodyB, bodies)) {}

@@ -76,17 +76,16 @@ void fixed(const Joint&, const JointPose& pose, Vec3, JointSystem& out) {
   setHard(out.turn, turnBetween(pose));
 }
 
-// The turns that it holds lie across the axis of the body that spins faster about it. Across the other one they would
-// read a part of that spin, as large as the hinge's error: it grew, and wheels of 70 rad/s left their axles at 1/60 s.
-// They turn with the slower one, as torques do.
+// The turns that it holds lie across the axis of A, or of B where that spins far in a step. Across the other one they
+// would read a part of that spin, as large as the hinge's error: it grew, and wheels of 70 rad/s left their axles at
+// 1/60 s.
 void revolute(const Joint& joint, const JointPose& pose, Vec3, JointSystem& out) {
   out.position = twistOf(pose.frameA, pose.frameB);
   out.arcs = JointArcs::points;
   setHard(out.way, pose.way);
   const Vec3 swing = swingOf(axisOf(pose.frameA, 0), axisOf(pose.frameB, 0));
-  const Quat slower = pose.fasterB ? pose.frameA : pose.frameB,
-             onto = quatFromRotationVector(pose.fasterB ? swing : -swing);
-  for (int i = 0; i < 3; i++) out.turn.axes[i] = rotate(onto, axisOf(slower, i));
+  const Quat onto = quatFromRotationVector(pose.spinsB ? swing : Vec3{});
+  for (int i = 0; i < 3; i++) out.turn.axes[i] = rotate(onto, axisOf(pose.frameA, i));
   setHard(out.turn, swing, 1);
   setFree(joint, out.position, out.turn);
 }

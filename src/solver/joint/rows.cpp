@@ -8,6 +8,7 @@
 #include "math/wide_pair.h"
 #include "solver/island.h"
 #include "solver/joint/arcs.h"
+#include "solver/joint/spins.h"
 #include "solver/joint/springs.h"
 
 namespace brickfall {
@@ -271,10 +272,11 @@ JointSystem systemOf(const Joint& joint, const JointPose& pose, Vec3 turning, co
   auto placeOf = [&](BodyIndex body) {
     const BodyMotion& m = bodies.motion[body];
     const Quat rotation = normalized(quatFromRotationVector(rigid.turn) * m.rotation);
-    return JointPlace{m.position + rigid.of(m.position), rotation, toMatrix(rotation), bodies.data[body].localCentre,
-                      m.angularVelocity};
+    return JointPlace{m.position + rigid.of(m.position), rotation, toMatrix(rotation), bodies.data[body].localCentre};
   };
-  JointSystem system = equationsOf(joint, {joint, placeOf(joint.bodyA), placeOf(joint.bodyB)}, turning);
+  JointPose led(joint, placeOf(joint.bodyA), placeOf(joint.bodyB));
+  led.spinsB = pose.spinsB;
+  JointSystem system = equationsOf(joint, led, turning);
   system.onA = system.onB = 0.5;
   system.arcs = JointArcs::none;
   return system;
@@ -294,7 +296,8 @@ void JointRows::prepare(Island& island, Ties& ties, const StepContext& context) 
     const Joint& joint = at(k, ties);
     JointRecord& r = records[k];
     JointStart& start = starts[k];
-    const JointPose pose(joint, bodies);
+    JointPose pose(joint, bodies);
+    pose.spinsB = spinsAboutB(joint, bodies, island.dt);
     const BodyMotion &a = bodies.motion[joint.bodyA], &b = bodies.motion[joint.bodyB];
     const Vec3 spinA = before(island, r.bodyA, a.angularVelocity, &FreeMotion::lateSpin, context),
                spinB = before(island, r.bodyB, b.angularVelocity, &FreeMotion::lateSpin, context);

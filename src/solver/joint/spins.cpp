@@ -3,9 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/step_context.h"
+
 namespace brickfall {
 
 namespace {
+
+Vec3 hingeAxis(const Joint& joint, bool ofB, const BodySet& bodies) {
+  return rotate(bodies.motion[ofB ? joint.bodyB : joint.bodyA].rotation * (ofB ? joint.frameB : joint.frameA),
+                Vec3{1, 0, 0});
+}
 
 // kg m2: about the axis about which it is least, through its centre.
 double leastInertia(const BodyMass& mass) {
@@ -18,7 +25,7 @@ double spinAt(const Joint& joint, bool ofB, const BodySet& bodies) {
   if (bodies.data[body].type != BodyType::dynamic) return 0;
   const BodyMotion& m = bodies.motion[body];
   if (joint.type != JointType::revolute) return length(m.angularVelocity);
-  const Vec3 axis = rotate(m.rotation * (ofB ? joint.frameB : joint.frameA), Vec3{1, 0, 0});
+  const Vec3 axis = hingeAxis(joint, ofB, bodies);
   const double along = dot(axis, m.angularVelocity);
   double share = 0;
   if (bodies.data[partner].type == BodyType::dynamic) {
@@ -40,6 +47,15 @@ double jointedSpin(const Island& island, const StepContext& context) {
     most = std::max({most, spinAt(joint, false, *context.bodies), spinAt(joint, true, *context.bodies)});
   }
   return most;
+}
+
+bool spinsAboutB(const Joint& joint, const BodySet& bodies, double dt) {
+  if (joint.type != JointType::revolute) return false;
+  auto turn = [&](BodyIndex body, bool ofB) {
+    return std::fabs(dot(hingeAxis(joint, ofB, bodies), bodies.motion[body].angularVelocity)) * dt;
+  };
+  const double byB = turn(joint.bodyB, true);
+  return byB > kLargestTurn && byB > turn(joint.bodyA, false);
 }
 
 }  // namespace brickfall

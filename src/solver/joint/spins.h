@@ -9,4 +9,7 @@ namespace brickfall {
 // so it counts by its inertia against that of both bodies, and not at all where the other one stays.
 double jointedSpin(const Island& island, const StepContext& context);
 
+// A hinge's turns lie across the axis of A, unless B spins about its own by more than the solve sees, and faster than A.
+bool spinsAboutB(const Joint& joint, const BodySet& bodies, double dt);
+
 }  // namespace brickfall

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "solver/finish/motion.h"
+#include "solver/joint/spins.h"
 #include "solver/support.h"
 
 namespace brickfall {
@@ -25,7 +26,6 @@ JointPlace placeAtEnd(const Island& island, std::uint32_t local, const StepConte
   }
   place.orientation = toMatrix(place.rotation);
   place.localCentre = context.bodies->data[body].localCentre;
-  place.spin = m.angularVelocity;
   return place;
 }
 
@@ -140,7 +140,8 @@ double VelocitySystem::firmness(std::size_t row, bool turn) const {
 
 VelocitySystem::Posed VelocitySystem::posed(std::size_t row, const Joint& joint) const {
   const JointRecord& r = island_.rows.joints.records[row];
-  const JointPose pose(joint, at(r.bodyA).place, at(r.bodyB).place);
+  JointPose pose(joint, at(r.bodyA).place, at(r.bodyB).place);
+  pose.spinsB = spinsAboutB(joint, *context_.bodies, island_.dt);
   const JointSystem system = equationsOf(joint, pose);
   // What flies keeps its angular momentum: impulses act at one place on both.
   const bool flies = island_.groups.flies(island_.groups.groupOf(moves(r.bodyA) ? r.bodyA : r.bodyB));
