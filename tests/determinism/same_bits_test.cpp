@@ -195,7 +195,7 @@ World jointsThatBreak(int threads) {
 }
 
 TEST(Determinism, JointsBreakAlikeOnAnyNumberOfThreadsAndThroughSnapshots) {
-  constexpr int kSteps = 40;
+  constexpr int kSteps = 38;
   World one = jointsThatBreak(1);
   const std::size_t had = one.joints().size();
   std::vector<std::vector<std::byte>> kept;

@@ -51,7 +51,7 @@ bool opensJoints(const Island& island, const StepContext& context, const double*
   const std::pmr::vector<JointIndex>& joints = island.rows.joints.tieOf;
   const double* had = before;
   before += joints.size();
-  if (island.resting() || !island.plan.endVelocities || !island.facts.grounded) return false;
+  if (island.resting() || !island.plan.endVelocities) return false;
   return std::any_of(joints.begin(), joints.end(),
                      [&](JointIndex joint) { return opens(context.ties->joints.slots[joint], context, *had++); });
 }

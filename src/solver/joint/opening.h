@@ -10,8 +10,8 @@ namespace brickfall {
 // m, by how much an island's joints are open now, in the order of its rows; appended. Of what is settled: zeros.
 void tellOpenings(const Island& island, const StepContext& context, std::pmr::vector<double>& out);
 
-// Not of what flies, where every part rounds up energy. `before`: those of its joints when the part began, which goes
-// on to those of the next island. Its impacts have moved bodies since.
+// `before`: those of its joints when the part began, which goes on to those of the next island. Its impacts have moved
+// bodies since.
 bool opensJoints(const Island& island, const StepContext& context, const double*& before);
 
 }  // namespace brickfall
