@@ -7,26 +7,32 @@ namespace brickfall::oracle {
 
 namespace {
 
-const Motion& motionOf(const Problem& problem, const std::vector<Motion>& x, int body) {
+template <class T> MotionOf<T> motionOf(const Problem& problem, const std::vector<MotionOf<T>>& x, int body) {
   std::size_t i = std::size_t(body), n = problem.bodies.size();
-  return i < n ? x[i] : problem.partners[i - n];
+  if (i < n) return x[i];
+  return {as<T>(problem.partners[i - n].d), as<T>(problem.partners[i - n].th)};
 }
 
 }  // namespace
 
-PointForce pointForce(const Problem& problem, const ProblemPoint& p, const std::vector<Motion>& x) {
-  const Motion &a = motionOf(problem, x, p.a), &b = motionOf(problem, x, p.b);
-  Vec3 moved = (b.d - a.d) + cross(b.th, p.armB) - cross(a.th, p.armA);
-  double along = dot(p.n, moved);
-  PointForce f;
-  f.trialN = p.trialN - p.k * along;
-  f.n = std::max(0.0, f.trialN);
-  f.trialT = p.trialT - (moved - p.n * along) * p.k;
-  double size = length(f.trialT);
+template <class T>
+PointForceOf<T> pointForce(const Problem& problem, const ProblemPoint& p, const std::vector<MotionOf<T>>& x) {
+  const MotionOf<T> a = motionOf(problem, x, p.a), b = motionOf(problem, x, p.b);
+  const Vec3T<T> n = as<T>(p.n);
+  Vec3T<T> moved = (b.d - a.d) + cross(b.th, as<T>(p.armB)) - cross(a.th, as<T>(p.armA));
+  T along = dot(n, moved), k = p.k;
+  PointForceOf<T> f;
+  f.trialN = p.trialN - k * along;
+  f.n = std::max(T(0), f.trialN);
+  f.trialT = as<T>(p.trialT) - (moved - n * along) * k;
+  T size = length(f.trialT);
   f.slides = size > p.limit;
   f.t = f.slides ? f.trialT * (p.limit / size) : f.trialT;
   return f;
 }
+
+template PointForce pointForce(const Problem&, const ProblemPoint&, const std::vector<Motion>&);
+template PointForceOf<long double> pointForce(const Problem&, const ProblemPoint&, const std::vector<FineMotion>&);
 
 std::vector<PointForce> pointForces(const Problem& problem, const std::vector<Motion>& x) {
   std::vector<PointForce> out;
@@ -35,7 +41,7 @@ std::vector<PointForce> pointForces(const Problem& problem, const std::vector<Mo
   return out;
 }
 
-Mat3 pointStiffness(const ProblemPoint& p, const PointForce& f) {
+template <class T> Mat3 pointStiffness(const ProblemPoint& p, const PointForceOf<T>& f) {
   Mat3 out{{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}};
   auto add = [&](Vec3 along, double k) {
     for (int i = 0; i < 3; i++) out.row[i] += along * (along[i] * k);
@@ -45,34 +51,44 @@ Mat3 pointStiffness(const ProblemPoint& p, const PointForce& f) {
     add(p.t1, p.k);
     add(p.t2, p.k);
   } else if (p.limit > 0) {
-    double size = length(f.trialT);
-    add(cross(p.n, f.trialT * (1 / size)), p.k * p.limit / size);  // only across the slip
+    const Vec3 trial = as<double>(f.trialT);
+    double size = length(trial);
+    add(cross(p.n, trial * (1 / size)), p.k * p.limit / size);  // only across the slip
   }
   return out;
 }
 
-std::vector<Load> residuals(const Problem& problem, const std::vector<Motion>& x) {
-  std::vector<Load> out(problem.bodies.size());
-  double perDt2 = 1 / (problem.dt * problem.dt);
-  for (std::size_t i = 0; i < out.size(); i++) {
+template Mat3 pointStiffness(const ProblemPoint&, const PointForce&);
+template Mat3 pointStiffness(const ProblemPoint&, const PointForceOf<long double>&);
+
+template <class T> std::vector<Load> residuals(const Problem& problem, const std::vector<MotionOf<T>>& x) {
+  std::vector<Vec3T<T>> force(problem.bodies.size()), torque(problem.bodies.size());
+  const T dt = problem.dt, perDt2 = 1 / (dt * dt);
+  for (std::size_t i = 0; i < force.size(); i++) {
     const ProblemBody& b = problem.bodies[i];
-    out[i].force = (b.dFree - x[i].d) * (b.mass * perDt2);
-    out[i].torque = b.inertia * (b.thFree - x[i].th) * perDt2;
+    force[i] = (as<T>(b.dFree) - x[i].d) * (b.mass * perDt2);
+    torque[i] = as<T>(b.inertia) * (as<T>(b.thFree) - x[i].th) * perDt2;
   }
   for (const ProblemPoint& p : problem.points) {
-    PointForce f = pointForce(problem, p, x);
-    Vec3 onB = p.n * f.n + f.t;
-    if (std::size_t(p.a) < out.size()) {
-      out[std::size_t(p.a)].force -= onB;
-      out[std::size_t(p.a)].torque -= cross(p.armA, onB);
+    PointForceOf<T> f = pointForce(problem, p, x);
+    Vec3T<T> onB = as<T>(p.n) * f.n + f.t;
+    if (std::size_t(p.a) < force.size()) {
+      force[std::size_t(p.a)] -= onB;
+      torque[std::size_t(p.a)] -= cross(as<T>(p.armA), onB);
     }
-    if (std::size_t(p.b) < out.size()) {
-      out[std::size_t(p.b)].force += onB;
-      out[std::size_t(p.b)].torque += cross(p.armB, onB);
+    if (std::size_t(p.b) < force.size()) {
+      force[std::size_t(p.b)] += onB;
+      torque[std::size_t(p.b)] += cross(as<T>(p.armB), onB);
     }
   }
+  std::vector<Load> out;
+  out.reserve(force.size());
+  for (std::size_t i = 0; i < force.size(); i++) out.push_back({as<double>(force[i]), as<double>(torque[i])});
   return out;
 }
+
+template std::vector<Load> residuals(const Problem&, const std::vector<Motion>&);
+template std::vector<Load> residuals(const Problem&, const std::vector<FineMotion>&);
 
 double stepEnergy(const Problem& problem, const std::vector<Motion>& x) {
   double sum = 0, perDt2 = 1 / (problem.dt * problem.dt);

@@ -1,30 +1,36 @@
-// The contact law of docs/step.md point by point, in double and world axes, its derivative and the energy of which it is
-// the gradient.
+// The contact law of docs/step.md point by point, in world axes, its derivative and the energy of which it is the
+// gradient. T: double or long double, in which forces are added up.
 #pragma once
 #include "support/newton_problem.h"
 
 namespace brickfall::oracle {
 
-struct PointForce {
-  double n = 0, trialN = 0;  // N
-  Vec3 t;                    // N, friction on b
-  Vec3 trialT;
+// In another precision.
+template <class T, class From> Vec3T<T> as(Vec3T<From> v) { return {T(v.x), T(v.y), T(v.z)}; }
+template <class T> Mat3T<T> as(const Mat3& m) { return {{as<T>(m.row[0]), as<T>(m.row[1]), as<T>(m.row[2])}}; }
+
+template <class T> struct PointForceOf {
+  T n = 0, trialN = 0;  // N
+  Vec3T<T> t;           // N, friction on b
+  Vec3T<T> trialT;
   bool slides = false;
   bool loaded() const { return n > 0; }
 };
+using PointForce = PointForceOf<double>;
 
 // Force and torque.
 struct Load {
   Vec3 force, torque;
 };
 
-PointForce pointForce(const Problem& problem, const ProblemPoint& p, const std::vector<Motion>& x);
+template <class T>
+PointForceOf<T> pointForce(const Problem& problem, const ProblemPoint& p, const std::vector<MotionOf<T>>& x);
 std::vector<PointForce> pointForces(const Problem& problem, const std::vector<Motion>& x);
 // Derivative of the force by the relative displacement of the point, negative: symmetric, never negative definite.
-Mat3 pointStiffness(const ProblemPoint& p, const PointForce& f);
+template <class T> Mat3 pointStiffness(const ProblemPoint& p, const PointForceOf<T>& f);
 
 // Inertia and contact forces of every body: zero at the solution.
-std::vector<Load> residuals(const Problem& problem, const std::vector<Motion>& x);
+template <class T> std::vector<Load> residuals(const Problem& problem, const std::vector<MotionOf<T>>& x);
 // Minus its gradient are the residuals.
 double stepEnergy(const Problem& problem, const std::vector<Motion>& x);
 

@@ -28,11 +28,18 @@ Eigen::Matrix3d toEigen(const Mat3& m) {
 
 class Newton {
  public:
-  Newton(const Problem& problem, std::vector<Motion> start) : problem_(problem), x_(std::move(start)) {}
+  Newton(const Problem& problem, const std::vector<Motion>& start) : problem_(problem) {
+    for (const Motion& m : start) x_.push_back({as<long double>(m.d), as<long double>(m.th)});
+  }
 
-  std::vector<Motion> x() const { return x_; }
+  std::vector<Motion> rounded() const {
+    std::vector<Motion> out;
+    for (const FineMotion& m : x_) out.push_back({as<double>(m.d), as<double>(m.th)});
+    return out;
+  }
+  Imbalance left() const { return imbalanceOf(problem_, residuals(problem_, x_)); }
 
-  // One step to the minimum along Newton's direction. False if there is nothing left to gain in double.
+  // One step to the minimum along Newton's direction. False if rounding leaves nothing to gain.
   bool step() {
     Eigen::VectorXd direction = solve(residuals(problem_, x_));
     double slopeAtStart = slope(direction, 0);
@@ -91,8 +98,8 @@ class Newton {
     return out;
   }
 
-  std::vector<Motion> at(const Eigen::VectorXd& direction, double t) const {
-    std::vector<Motion> y = x_;
+  std::vector<FineMotion> at(const Eigen::VectorXd& direction, double t) const {
+    std::vector<FineMotion> y = x_;
     for (std::size_t i = 0; i < y.size(); i++)
       for (int k = 0; k < 3; k++) {
         y[i].d[k] += t * direction[6 * Eigen::Index(i) + k];
@@ -144,7 +151,7 @@ class Newton {
   }
 
   const Problem& problem_;
-  std::vector<Motion> x_;
+  std::vector<FineMotion> x_;
   Eigen::SimplicialLLT<Sparse, Eigen::Lower> factor_;
   bool analysed_ = false;
 };
@@ -155,12 +162,12 @@ std::vector<Motion> freeMotion(const Problem& problem) {
   return out;
 }
 
-Solution solveFrom(const Problem& problem, std::vector<Motion> start, const NewtonSettings& settings) {
-  Newton newton(problem, std::move(start));
+Solution solveFrom(const Problem& problem, const std::vector<Motion>& start, const NewtonSettings& settings) {
+  Newton newton(problem, start);
   Solution out;
   for (;;) {
-    out.motion = newton.x();
-    out.left = imbalanceAt(problem, out.motion);
+    out.motion = newton.rounded();
+    out.left = newton.left();
     out.converged = out.left.worst() <= settings.tolerance;
     if (out.converged || out.iterations >= settings.iterations || !newton.step()) return out;
     out.iterations++;
@@ -178,7 +185,7 @@ Solution solveWithNewBounds(Problem& problem, const NewtonSettings& settings, in
   out.motion = freeMotion(problem);
   int iterations = 0;
   for (int round = 1;; round++) {
-    out = solveFrom(problem, std::move(out.motion), settings);
+    out = solveFrom(problem, out.motion, settings);
     out.iterations = iterations += out.iterations;
     out.rounds = round;
     double changed = 0;  // in weights of the lighter body

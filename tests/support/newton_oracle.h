@@ -1,17 +1,17 @@
-// The converged solution of one step, slow and in double: Newton on the convex energy of the step with a sparse Cholesky
-// factorisation (Eigen) and a line search to the minimum along each step, so that it converges from anywhere. No cluster,
-// no cycle, no stop but the residual: what the engine's solver is held against.
+// The converged solution of one step, slow: Newton on the convex energy of the step with a sparse Cholesky factorisation
+// (Eigen) and a line search to the minimum along each step, so that it converges from anywhere. No cluster, no cycle, no
+// stop but the residual, which is read in long double: what the engine's solver is held against.
 #pragma once
 #include "support/newton_law.h"
 
 namespace brickfall::oracle {
 
 struct Solution {
-  std::vector<Motion> motion;
-  Imbalance left;
-  int iterations = 0;      // factorisations
-  int rounds = 0;          // of friction bounds
-  bool converged = false;  // left.worst() <= tolerance, and the bounds too
+  std::vector<Motion> motion;  // rounded
+  Imbalance left;              // of the motion before that
+  int iterations = 0;          // factorisations
+  int rounds = 0;              // of friction bounds
+  bool converged = false;      // left.worst() <= tolerance, and the bounds too
 };
 
 struct NewtonSettings {

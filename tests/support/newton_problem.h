@@ -37,10 +37,11 @@ struct ProblemPoint {
   int lane = 0;
 };
 
-// Displacement and turn of a body in the step.
-struct Motion {
-  Vec3 d, th;
-};
+// Displacement (m) and turn (rad) of a body in the step.
+template <class T> struct MotionOf { Vec3T<T> d, th; };
+using Motion = MotionOf<double>;
+// As the oracle keeps it: a double's last bit of a way of metres is 1e-9 weights through the stiffest springs.
+using FineMotion = MotionOf<long double>;
 
 struct Problem {
   double dt = 0;
