@@ -255,12 +255,12 @@ void measureArm(JointStart& start, int end, const Island& island, std::uint32_t 
   start.symmetry[end] = own ? toFloat(bodies.motion[body].orientation * mass.symmetryAxis) : Vec3f{};
 }
 
-// In the first step of a swing all acts by half (solver/joint/swings.h).
+// In the first step of a swing what drives acts by half, as all does (solver/joint/swings.h).
 double shareOfMotors(const Island& island, const JointRecord& r, const Joint& joint, const BodySet& bodies) {
   auto begins = [&](std::uint32_t local, BodyIndex body) {
     return local >= island.bodies.size() || bodies.data[body].steady.dt == 0;
   };
-  const bool swings = island.plan.endVelocities && island.facts.grounded;
+  const bool swings = joint.speed != 0 && island.plan.endVelocities && island.facts.grounded;
   return swings && begins(r.bodyA, joint.bodyA) && begins(r.bodyB, joint.bodyB) ? 0.5 : 1;
 }
 

@@ -182,9 +182,10 @@ class Swings : VelocitySystem {
       if (!begins(joints.records[k].bodyA) || !begins(joints.records[k].bodyB)) continue;
       Joint& joint = joints.at(k, ties);
       const JointRecord& r = joints.records[k];
+      const std::uint32_t whole = joint.speed == 0 ? joints.starts[k].hard : joints.starts[k].follows;
       for (int i = 0; i < kJointLanes; i++) {
         auto tell = [&](int lane, double& force, const JointEquations& of, Vec3& sum) {
-          if (!((joints.starts[k].hard | joints.starts[k].follows) >> lane & 1)) return;
+          if (!(whole >> lane & 1)) return;
           sum += toDouble(of.axes[i % 3].unit) * force;
           force *= 2;
         };
@@ -265,7 +266,8 @@ class Swings : VelocitySystem {
       }
     }
   }
-  // A motor leads its joint to its speed, as far as half of its strength does.
+  // A motor leads its joint to its speed, as far as half of its strength does. One without speed rubs: where that holds,
+  // it holds.
   struct Motor {
     std::size_t equation = 0;
     double most = 0, impulse = 0;  // N s, N m s: of half of the step
@@ -277,13 +279,14 @@ class Swings : VelocitySystem {
       const Joint& joint = joints.at(k, ties);
       const JointRecord& r = joints.records[k];
       if (!joint.driven || (moves(r.bodyA) && flies(r.bodyA)) || (moves(r.bodyB) && flies(r.bodyB))) continue;
-      const bool turn = joint.type == JointType::revolute;
+      const bool turn = joint.type == JointType::revolute, rubs = joint.speed == 0;
+      if (rubs && std::fabs(turn ? joint.turn[0] : joint.way[0]) >= (1 - kTrifle) * joint.strength) continue;
       const Posed p = posed(k, joint);
       Equation e{
           k, turn, false, 0, turn ? p.system.turn.axes[0] : p.system.way.axes[0], p.armA, p.armB, firmness(k, turn)};
       const Body &a = at(r.bodyA), &b = at(r.bodyB);
       const Vec3 way = b.startMove + cross(b.startSpin, p.armB) - a.startMove - cross(a.startSpin, p.armA);
-      e.wanted = joint.speed - dot(e.axis, turn ? b.startSpin - a.startSpin : way);
+      if (!rubs) e.wanted = joint.speed - dot(e.axis, turn ? b.startSpin - a.startSpin : way);
       motors_.push_back({equations_.size(), 0.5 * island_.dt * joint.strength});
       equations_.push_back(e);
     }
