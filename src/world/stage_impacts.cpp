@@ -30,7 +30,7 @@ namespace {
 //! | too large: impacts are met early
 constexpr double kBlink = 1e-3;
 //! of the rest of the step | too small: implicit steps hold up what rebounds or falls to an impact | too large: cost
-constexpr double kAhead = 2;
+constexpr double kAhead = 3;
 //! not of the method: a mark
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
