@@ -17,6 +17,12 @@ bool isSteady(const ContactStart& start, int i, double change, const StepSpan& s
   return std::fabs(change - curves) <= most && std::fabs(start.approach[i]) <= most;
 }
 
+// An impact of this step threw it back, and what presses brings it back within the rest of the step: it ends where it
+// began, not further by half of its change (finish/lone_body.cpp).
+bool hops(const Contact& c, const ContactStart& start, int i, double dt) {
+  return c.restitution > 0 && c.points.hitN[i] > 0 && 0.5 * dt * start.approach[i] > kNoGap * start.scale.length;
+}
+
 // m/s: how point i slides along the face, B against A.
 Vec3 slipOf(const FaceRecord& row, int i, const EndChanges& by) {
   const Vec3 t1 = toDouble(row.t1), t2 = cross(toDouble(row.n), t1);
@@ -35,14 +41,14 @@ double settledSlip(const Scale& scale, double dt, const StepContext& context) {
 
 RowCourse ContactRows::courseOf(std::size_t k, const EndChanges& change, const StepSpan& span,
                                 const StepContext& context) const {
-  const PointMemory& points = at(k, *context.ties).points;
+  const Contact& c = at(k, *context.ties);
   RowCourse course = RowCourse::idle;
   double changes[4];
   speedsOf(records[k], starts[k].points, change, changes);
   for (int i = 0; i < starts[k].points; i++) {
-    if (!(points.forceN[i] > 0)) continue;
+    if (!(c.points.forceN[i] > 0)) continue;
     course = RowCourse::goesOn;
-    if (!isSteady(starts[k], i, changes[i], span)) return RowCourse::changes;
+    if (!isSteady(starts[k], i, changes[i], span) || hops(c, starts[k], i, span.dt)) return RowCourse::changes;
   }
   return course;
 }
