@@ -296,8 +296,7 @@ void JointRows::prepare(Island& island, Ties& ties, const StepContext& context) 
     const Joint& joint = at(k, ties);
     JointRecord& r = records[k];
     JointStart& start = starts[k];
-    JointPose pose(joint, bodies);
-    pose.spinsB = spinsAboutB(joint, bodies, island.dt);
+    const JointPose pose = withSpins({joint, bodies}, joint, bodies, island.dt);
     const BodyMotion &a = bodies.motion[joint.bodyA], &b = bodies.motion[joint.bodyB];
     const Vec3 spinA = before(island, r.bodyA, a.angularVelocity, &FreeMotion::lateSpin, context),
                spinB = before(island, r.bodyB, b.angularVelocity, &FreeMotion::lateSpin, context);

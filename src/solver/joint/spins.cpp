@@ -49,13 +49,14 @@ double jointedSpin(const Island& island, const StepContext& context) {
   return most;
 }
 
-bool spinsAboutB(const Joint& joint, const BodySet& bodies, double dt) {
-  if (joint.type != JointType::revolute) return false;
+JointPose withSpins(JointPose pose, const Joint& joint, const BodySet& bodies, double dt) {
+  if (joint.type != JointType::revolute) return pose;
   auto turn = [&](BodyIndex body, bool ofB) {
     return std::fabs(dot(hingeAxis(joint, ofB, bodies), bodies.motion[body].angularVelocity)) * dt;
   };
   const double byB = turn(joint.bodyB, true);
-  return byB > kLargestTurn && byB > turn(joint.bodyA, false);
+  pose.spinsB = byB > kLargestTurn && byB > turn(joint.bodyA, false);
+  return pose;
 }
 
 }  // namespace brickfall

@@ -266,8 +266,8 @@ class Swings : VelocitySystem {
       }
     }
   }
-  // A motor leads its joint to its speed, as far as half of its strength does. One without speed rubs: where that holds,
-  // it holds.
+  // A motor leads its joint to its speed, as far as half of its strength does. One without speed rubs: it holds what it
+  // held.
   struct Motor {
     std::size_t equation = 0;
     double most = 0, impulse = 0;  // N s, N m s: of half of the step

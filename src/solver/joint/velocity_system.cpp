@@ -140,8 +140,7 @@ double VelocitySystem::firmness(std::size_t row, bool turn) const {
 
 VelocitySystem::Posed VelocitySystem::posed(std::size_t row, const Joint& joint) const {
   const JointRecord& r = island_.rows.joints.records[row];
-  JointPose pose(joint, at(r.bodyA).place, at(r.bodyB).place);
-  pose.spinsB = spinsAboutB(joint, *context_.bodies, island_.dt);
+  const JointPose pose = withSpins({joint, at(r.bodyA).place, at(r.bodyB).place}, joint, *context_.bodies, island_.dt);
   const JointSystem system = equationsOf(joint, pose);
   // What flies keeps its angular momentum: impulses act at one place on both.
   const bool flies = island_.groups.flies(island_.groups.groupOf(moves(r.bodyA) ? r.bodyA : r.bodyB));
