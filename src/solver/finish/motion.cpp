@@ -85,8 +85,8 @@ void storeFreeBody(BodyIndex body, double dt, StepContext& context) {
   const FreeMotion& free = context.free[body];
   SolvedMotion& out = context.solved[body];
   out = {};
-  out.velocity = free.d * (1 / dt);
-  out.d = free.way;
+  out.velocity = free.d * (1 / dt) + free.late;
+  out.d = free.way + free.late * (0.5 * dt);
   out.th = free.th;
   out.angularMomentum = free.angularMomentum;
   out.flying = out.steady.swings = true;
@@ -117,8 +117,9 @@ void goAsOne(std::span<const std::uint32_t> group, const Island& island, StepCon
     const double m = bodies.mass[body].mass;
     const Mat3 inertia = bodies.worldInertia(body);
     const Vec3 spin = inertia * bodies.motion[body].angularVelocity + bodies.data[body].torque * free.dt;
-    sum.add(m, bodies.motion[body].position, inertia, free.d * m, spin * free.dt);
-    fall.add(m, bodies.motion[body].position, inertia, (free.d - free.startVelocity * free.dt) * m, {});
+    const Vec3 way = free.d + free.late * free.dt;
+    sum.add(m, bodies.motion[body].position, inertia, way * m, spin * free.dt);
+    fall.add(m, bodies.motion[body].position, inertia, (way - free.startVelocity * free.dt) * m, {});
   }
   const RigidWay way = rigidWayOf(sum);
   for (std::uint32_t i : group) {
@@ -201,7 +202,7 @@ void takeBackAhead(BodyIndex body, StepContext& context) {
   SolvedMotion& s = context.solved[body];
   const FreeMotion& free = context.free[body];
   const double share = context.ahead[body].share;
-  const Vec3 forces = s.flying ? (free.d * (1 / free.dt) - free.startVelocity) * 0.5 : Vec3{};
+  const Vec3 forces = s.flying ? (free.d * (1 / free.dt) + free.late - free.startVelocity) * 0.5 : Vec3{};
   s.d -= (s.velocity - forces - context.ahead[body].frame) * (share * free.dt);
   shortenTurn(body, 1 - share, context);
   keepLocks(body, context);
