@@ -6,7 +6,7 @@ PREFIX ?= /usr/local
 # For whoever works on it a warning is an error; for whoever only builds it, not. But with the compiler that all of it is tested
 # with (of Debian 12) it is for both: then `make test` after `make demo` compiles nothing again.
 TESTED = -DBRICKFALL_TESTS=ON -DBRICKFALL_WERROR=ON
-BUILT = -DBRICKFALL_TESTS=OFF$(if $(filter 12,$(shell c++ -dumpversion 2>/dev/null)), -DBRICKFALL_WERROR=ON)
+BUILT = -DBRICKFALL_TESTS=OFF $$(test "$$(c++ -dumpversion 2>/dev/null)" = 12 && echo -DBRICKFALL_WERROR=ON)
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
 SCENE ?= wall
 
